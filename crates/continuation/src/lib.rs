@@ -1,0 +1,1 @@
+//! Numerical continuation of maximal periodic solutions and of their bifurcations.

@@ -1,0 +1,1 @@
+//! Impact oscillators as hybrid systems: flow, reset law, Poincaré maps and orbits with impacts.

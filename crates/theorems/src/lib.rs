@@ -1,0 +1,1 @@
+//! The formulas and theorems of the paper as functions and checked types.
