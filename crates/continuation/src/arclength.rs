@@ -1,0 +1,180 @@
+//! Pseudo-arclength continuation of a curve of zeros of N − 1 equations in N unknowns.
+//!
+//! The bordered system that a corrector step solves, with t the tangent and s the step:
+//!
+//! ```text
+//! ┌ DF(u) ┐      ┌ F(u)             ┐
+//! │       │ Δu = │                  │
+//! └ tᵀ    ┘      └ tᵀ(u − u₀) − s   ┘
+//! ```
+//!
+//! It stays regular at folds. The engine knows nothing of what the curve means: events, ends and diagnostics are the
+//! caller's, who advances it point by point.
+
+use nalgebra::{Const, DimMin, SVector};
+
+use crate::newton::{self, Linearisation, NewtonFailure};
+
+/// N − 1 smooth equations in N unknowns.
+pub trait CurveEquations<const N: usize> {
+    /// What the equations remember from point to point along the curve, such as the times of events.
+    type Memory: Clone;
+    /// Why the equations can be undefined at a point.
+    type Failure: Copy;
+
+    /// The equations in the first N − 1 rows; the last row is zero and is filled by the engine.
+    ///
+    /// # Errors
+    /// The equations are not defined at `point`.
+    fn evaluate(
+        &self,
+        point: &SVector<f64, N>,
+        memory: &mut Self::Memory,
+    ) -> Result<Linearisation<N>, Self::Failure>;
+
+    /// Called with every accepted point, to bring the memory up to it.
+    fn settle(&self, _point: &SVector<f64, N>, _memory: &mut Self::Memory) {}
+}
+
+/// Control of the step length. All lengths are in the Euclidean norm of the unknowns.
+#[derive(Clone, Copy, Debug)]
+pub struct StepControl {
+    /// Length of the first step.
+    pub first: f64,
+    /// Steps never get longer than this.
+    pub longest: f64,
+    /// A step that would have to be shorter than this ends the curve.
+    pub shortest: f64,
+    /// The tangent turns by about this angle from point to point, in radians.
+    pub turn: f64,
+}
+
+impl StepControl {
+    /// Steps for curves that are drawn: two degrees of turn look smooth at any magnification used (empirical).
+    pub const DRAWING: Self = Self { first: 1e-3, longest: 0.02, shortest: 1e-8, turn: 0.035 };
+}
+
+/// A point on the curve.
+#[derive(Clone, Debug)]
+pub struct Station<const N: usize, M> {
+    /// The unknowns.
+    pub point: SVector<f64, N>,
+    /// The unit tangent, pointing onwards.
+    pub tangent: SVector<f64, N>,
+    /// The equations' memory at the point.
+    pub memory: M,
+}
+
+/// No further point could be found.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("step length {step:e}: {failure}")]
+pub struct Stall<E> {
+    /// The shortest step that was tried.
+    pub step: f64,
+    /// What happened in it.
+    pub failure: NewtonFailure<E>,
+}
+
+/// A curve in the course of being followed.
+#[derive(Clone, Debug)]
+pub struct Continuation<'a, const N: usize, C: CurveEquations<N>> {
+    equations: &'a C,
+    control: StepControl,
+    here: Station<N, C::Memory>,
+    step: f64,
+}
+
+/// A corrector converges in about three evaluations or the step is too long.
+const CORRECTOR_LIMIT: usize = 6;
+
+impl<'a, const N: usize, C: CurveEquations<N>> Continuation<'a, N, C>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    /// Starts at a point of the curve, heading to the side of `direction`.
+    ///
+    /// # Errors
+    /// The equations are undefined at the start, or the curve has no unique tangent there.
+    pub fn new(
+        equations: &'a C,
+        control: StepControl,
+        start: SVector<f64, N>,
+        direction: SVector<f64, N>,
+        mut memory: C::Memory,
+    ) -> Result<Self, Stall<C::Failure>> {
+        let stall = |failure| Stall { step: 0.0, failure };
+        let linearisation = equations
+            .evaluate(&start, &mut memory)
+            .map_err(|cause| stall(NewtonFailure::Undefined { iteration: 1, cause }))?;
+        let residual = linearisation.residual.norm();
+        let tangent = tangent(linearisation, &direction)
+            .ok_or(stall(NewtonFailure::Singular { iteration: 1, residual }))?;
+        equations.settle(&start, &mut memory);
+        Ok(Self { equations, control, here: Station { point: start, tangent, memory }, step: control.first })
+    }
+
+    /// The last point found.
+    pub fn here(&self) -> &Station<N, C::Memory> {
+        &self.here
+    }
+
+    /// Finds the next point.
+    ///
+    /// # Errors
+    /// Even the shortest step failed.
+    pub fn advance(&mut self) -> Result<&Station<N, C::Memory>, Stall<C::Failure>> {
+        loop {
+            match self.attempt() {
+                Ok((next, angle)) if angle <= 3.0 * self.control.turn || self.step < 4.0 * self.control.shortest => {
+                    let growth = (self.control.turn / angle.max(1e-12)).clamp(0.5, 1.6);
+                    self.step = (self.step * growth).min(self.control.longest);
+                    self.here = next;
+                    return Ok(&self.here);
+                }
+                Ok(_) => self.step *= 0.5,
+                Err(failure) => {
+                    if self.step <= self.control.shortest {
+                        return Err(Stall { step: self.step, failure });
+                    }
+                    self.step *= 0.25;
+                }
+            }
+            self.step = self.step.max(self.control.shortest);
+        }
+    }
+
+    /// One predictor and corrector; the new station and the angle between the two tangents.
+    fn attempt(&self) -> Result<(Station<N, C::Memory>, f64), NewtonFailure<C::Failure>> {
+        let Station { point: origin, tangent: along, .. } = &self.here;
+        let mut memory = self.here.memory.clone();
+        let solution = newton::solve(origin + along * self.step, CORRECTOR_LIMIT, |point| {
+            let mut bordered = self.equations.evaluate(point, &mut memory)?;
+            bordered.residual[N - 1] = along.dot(&(point - origin)) - self.step;
+            bordered.jacobian.set_row(N - 1, &along.transpose());
+            Ok(bordered)
+        })?;
+        let residual = solution.last.residual.norm();
+        let tangent = tangent(solution.last, along)
+            .ok_or(NewtonFailure::Singular { iteration: solution.iterations, residual })?;
+        self.equations.settle(&solution.point, &mut memory);
+        let angle = libm::acos(tangent.dot(along).clamp(-1.0, 1.0));
+        Ok((Station { point: solution.point, tangent, memory }, angle))
+    }
+}
+
+/// The unit null vector of the first N − 1 rows that makes an acute angle with `direction`.
+fn tangent<const N: usize>(
+    linearisation: Linearisation<N>,
+    direction: &SVector<f64, N>,
+) -> Option<SVector<f64, N>>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    let mut bordered = linearisation.jacobian;
+    bordered.set_row(N - 1, &direction.transpose());
+    let mut last = SVector::zeros();
+    last[N - 1] = 1.0;
+    let tangent = bordered.lu().solve(&last)?;
+    let norm = tangent.norm();
+    (norm.is_finite() && norm > 0.0).then(|| tangent / norm)
+}

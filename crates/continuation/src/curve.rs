@@ -1,0 +1,322 @@
+//! Branches and bifurcation curves of MPSs: V = 0 and one condition, followed by pseudo-arclength.
+
+use grazing_model::ImpactOscillator;
+use grazing_model::maps::MapError;
+use nalgebra::Vector4;
+
+use crate::arclength::{Continuation, CurveEquations, Stall, StepControl};
+use crate::locate::{Condition, conditioned, locate, locate_grazing_end};
+use crate::mps::{Formulation, LoopEquations, LoopPair, MaximalPeriodicSolution, Memory, Unknowns, unknown};
+use crate::newton::{Linearisation, NewtonFailure};
+
+/// The equations of a curve of MPSs.
+///
+/// With [`Condition::Secondary`] it is a one-parameter branch, with [`Condition::Multiplier`] a curve of saddle-node or
+/// period-doubling bifurcations, with [`Condition::InteriorGrazing`] a curve of grazing bifurcations of the MPS.
+#[derive(Clone, Debug)]
+pub struct MpsCurve<O> {
+    /// The equations of the MPS.
+    pub equations: LoopEquations<O>,
+    /// The condition that holds along the curve.
+    pub condition: Condition,
+}
+
+impl<O: ImpactOscillator> CurveEquations<4> for MpsCurve<O> {
+    type Memory = Memory;
+    type Failure = MapError;
+
+    fn evaluate(&self, point: &Unknowns, memory: &mut Memory) -> Result<Linearisation<4>, MapError> {
+        conditioned(&self.equations, self.condition, false, point, memory).map(|(system, _)| system)
+    }
+
+    fn settle(&self, point: &Unknowns, memory: &mut Memory) {
+        self.equations.settle(point, memory);
+    }
+}
+
+/// A rectangle in the plane of the two parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Window {
+    /// Least and greatest primary parameter.
+    pub primary: [f64; 2],
+    /// Least and greatest secondary parameter.
+    pub secondary: [f64; 2],
+}
+
+impl Window {
+    /// The point lies inside or on the edge.
+    pub fn contains(&self, point: &Unknowns) -> bool {
+        let within = |[low, high]: [f64; 2], value: f64| low <= value && value <= high;
+        within(self.primary, point[unknown::PRIMARY]) && within(self.secondary, point[unknown::SECONDARY])
+    }
+}
+
+/// Where and how a curve is to be followed.
+#[derive(Clone, Copy, Debug)]
+pub struct Route {
+    /// The curve ends at the first point outside.
+    pub window: Window,
+    /// Control of the step length.
+    pub control: StepControl,
+    /// The curve ends after this many steps.
+    pub step_limit: usize,
+    /// The curve ends at the first event; otherwise events are listed and passed.
+    pub stop_at_events: bool,
+}
+
+/// Something happens to the MPS at a point of the curve besides the curve's own condition.
+#[derive(Clone, Debug)]
+pub struct Event {
+    /// The further condition that holds there.
+    pub condition: Condition,
+    /// The MPS there, located by Newton's method on both conditions.
+    pub solution: MaximalPeriodicSolution,
+    /// Index of the first point of the curve beyond the event.
+    pub index: usize,
+    /// What the equations remember there: another curve can start from it.
+    pub memory: Memory,
+}
+
+/// How a curve ends.
+#[derive(Clone, Debug)]
+pub enum CurveEnd {
+    /// It left the window.
+    LeftWindow,
+    /// The impact velocity reached zero; the last point of the curve lies there.
+    Grazing,
+    /// An event, which is the last point of the curve.
+    Event(Event),
+    /// An event was seen between the last two points, and could not be located.
+    EventNotLocated {
+        /// The further condition that holds there.
+        condition: Condition,
+        /// What happened in the attempt.
+        failure: NewtonFailure<MapError>,
+    },
+    /// No further point was found, in either formulation.
+    Stalled(Stall<MapError>),
+    /// The step limit was reached.
+    StepLimit,
+}
+
+/// A curve of MPSs that has been followed to its end.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// The condition that holds along it.
+    pub condition: Condition,
+    /// Its points in order, the start included.
+    pub points: Vec<MaximalPeriodicSolution>,
+    /// The events it passed, in order.
+    pub events: Vec<Event>,
+    /// Why it ends.
+    pub end: CurveEnd,
+    /// Index of the first point that was computed without virtual points, if VIVID ended on the way.
+    pub vivid_ended: Option<usize>,
+}
+
+/// Signs of the functions that vanish at events.
+#[derive(Clone, Copy, PartialEq)]
+struct Signs {
+    saddle_node: bool,
+    period_doubling: bool,
+    inadmissible: bool,
+}
+
+impl<O: ImpactOscillator> MpsCurve<O> {
+    /// Follows the curve from `start`, to the side of `direction`, until it ends.
+    ///
+    /// Starts in the formulation of the equations; where VIVID ends it goes on with [`Formulation::FixedPhase`].
+    ///
+    /// # Errors
+    /// The curve cannot be started: the equations are undefined or have no unique tangent at `start`.
+    pub fn follow(
+        mut self,
+        start: Unknowns,
+        direction: Unknowns,
+        memory: Memory,
+        route: &Route,
+    ) -> Result<Curve, Stall<MapError>> {
+        let mut curve =
+            Curve { condition: self.condition, points: Vec::new(), events: Vec::new(), end: CurveEnd::StepLimit, vivid_ended: None };
+        let mut here = crate::arclength::Station { point: start, tangent: direction, memory };
+        let mut signs: Option<Signs> = None;
+        let mut steps = 0;
+        'formulation: loop {
+            let walker = Continuation::new(&self, route.control, here.point, here.tangent, here.memory.clone());
+            let mut walker = match walker {
+                Ok(walker) => walker,
+                Err(stall) if curve.points.is_empty() => return Err(stall),
+                Err(stall) => {
+                    curve.end = CurveEnd::Stalled(stall);
+                    return Ok(curve);
+                }
+            };
+            if curve.points.is_empty() {
+                curve.points.push(self.starting_point(walker.here())?);
+            }
+            while steps < route.step_limit {
+                steps += 1;
+                let before = walker.here().clone();
+                let after = match walker.advance() {
+                    Ok(station) => station.clone(),
+                    Err(_) if self.equations.formulation() == Formulation::Vivid => {
+                        self.equations = self.equations.with_formulation(Formulation::FixedPhase);
+                        curve.vivid_ended = Some(curve.points.len());
+                        here = before;
+                        continue 'formulation;
+                    }
+                    Err(stall) => {
+                        curve.end = CurveEnd::Stalled(stall);
+                        return Ok(curve);
+                    }
+                };
+                let mut memory = after.memory.clone();
+                let undefined = |cause| Stall { step: 0.0, failure: NewtonFailure::Undefined { iteration: 0, cause } };
+                let pair = self.equations.pair::<1>(&after.point, &mut memory).map_err(undefined)?;
+                let solution = self.equations.solution(&after.point, &pair);
+                if after.point[unknown::VELOCITY] <= VANISHING_VELOCITY && solution.impact_velocity() < before.point[unknown::VELOCITY] {
+                    let crossing = between(&before.point, &after.point, unknown::VELOCITY);
+                    curve.end = self.end_at_grazing(crossing, &after.tangent, &mut memory, &mut curve.points);
+                    return Ok(curve);
+                }
+                let now = self.signs(&pair, &solution);
+                if let Some(past) = signs.filter(|past| *past != now) {
+                    for condition in self.changes(past, now) {
+                        let index = curve.points.len();
+                        match self.event(condition, &before.point, &after.point, &solution, &mut memory) {
+                            Ok(at) => curve.events.push(Event { condition, solution: at, index, memory: memory.clone() }),
+                            Err(failure) => {
+                                curve.end = CurveEnd::EventNotLocated { condition, failure };
+                                return Ok(curve);
+                            }
+                        }
+                    }
+                    if let (true, Some(event)) = (route.stop_at_events, curve.events.last()) {
+                        curve.points.push(event.solution);
+                        curve.end = CurveEnd::Event(event.clone());
+                        return Ok(curve);
+                    }
+                }
+                signs = Some(now);
+                curve.points.push(solution);
+                if !route.window.contains(&after.point) {
+                    curve.end = CurveEnd::LeftWindow;
+                    return Ok(curve);
+                }
+            }
+            return Ok(curve);
+        }
+    }
+
+    /// The start as a point of the curve; at y = 0 the multipliers are limits along the tangent.
+    fn starting_point(
+        &self,
+        station: &crate::arclength::Station<4, Memory>,
+    ) -> Result<MaximalPeriodicSolution, Stall<MapError>> {
+        let mut memory = station.memory.clone();
+        self.grazing_solution(&station.point, &station.tangent, &mut memory).map_err(|cause| Stall {
+            step: 0.0,
+            failure: NewtonFailure::Undefined { iteration: 0, cause },
+        })
+    }
+
+    /// A point of the curve, its multipliers taken as limits along the tangent if y = 0.
+    fn grazing_solution(
+        &self,
+        point: &Unknowns,
+        tangent: &Unknowns,
+        memory: &mut Memory,
+    ) -> Result<MaximalPeriodicSolution, MapError> {
+        let pair = self.equations.pair::<2>(point, memory)?;
+        let mut solution = self.equations.solution(point, &pair);
+        if point[unknown::VELOCITY] == 0.0 {
+            solution.multipliers = pair.limiting_multipliers(tangent);
+        }
+        Ok(solution)
+    }
+
+    fn end_at_grazing(
+        &self,
+        crossing: Unknowns,
+        tangent: &Unknowns,
+        memory: &mut Memory,
+        points: &mut Vec<MaximalPeriodicSolution>,
+    ) -> CurveEnd {
+        let condition = Condition::ImpactVelocity(0.0);
+        let located = match self.condition {
+            Condition::InteriorGrazing => locate_grazing_end(&self.equations, crossing, memory),
+            _ => locate(&self.equations, [self.condition, condition], crossing, memory),
+        };
+        let undefined = |cause| NewtonFailure::Undefined { iteration: 0, cause };
+        let ended = located.and_then(|mut point| {
+            point[unknown::VELOCITY] = 0.0;
+            self.grazing_solution(&point, tangent, memory).map_err(undefined)
+        });
+        match ended {
+            Ok(solution) => {
+                points.push(solution);
+                CurveEnd::Grazing
+            }
+            Err(failure) => CurveEnd::EventNotLocated { condition, failure },
+        }
+    }
+
+    fn signs(&self, pair: &LoopPair, solution: &MaximalPeriodicSolution) -> Signs {
+        let watches = !matches!(self.condition, Condition::Multiplier(_));
+        Signs {
+            saddle_node: watches && pair.characteristic(1.0).0 > 0.0,
+            period_doubling: watches && pair.characteristic(-1.0).0 > 0.0,
+            inadmissible: solution.ceiling() > MaximalPeriodicSolution::TOUCH,
+        }
+    }
+
+    fn changes(&self, past: Signs, now: Signs) -> impl Iterator<Item = Condition> + use<O> {
+        let list = [
+            (past.saddle_node != now.saddle_node, Condition::SADDLE_NODE),
+            (past.period_doubling != now.period_doubling, Condition::PERIOD_DOUBLING),
+            (past.inadmissible != now.inadmissible, Condition::InteriorGrazing),
+        ];
+        list.into_iter().filter_map(|(changed, condition)| changed.then_some(condition))
+    }
+
+    /// Locates an event between two points of the curve.
+    fn event(
+        &self,
+        condition: Condition,
+        before: &Unknowns,
+        after: &Unknowns,
+        beyond: &MaximalPeriodicSolution,
+        memory: &mut Memory,
+    ) -> Result<MaximalPeriodicSolution, NewtonFailure<MapError>> {
+        let undefined = |cause| NewtonFailure::Undefined { iteration: 0, cause };
+        let mut start = (before + after) * 0.5;
+        if condition == Condition::InteriorGrazing {
+            // The maximum that crosses the wall is the highest one at whichever end is inadmissible.
+            let solution = if beyond.ceiling() > 0.0 {
+                start = *after;
+                *beyond
+            } else {
+                start = *before;
+                let pair = self.equations.pair::<1>(before, memory).map_err(undefined)?;
+                self.equations.solution(before, &pair)
+            };
+            if let Some(maximum) = solution.highest_interior_maximum {
+                memory.grazing_time = maximum.time;
+            }
+        }
+        let point = locate(&self.equations, [self.condition, condition], start, memory)?;
+        let pair = self.equations.pair::<1>(&point, memory).map_err(undefined)?;
+        Ok(self.equations.solution(&point, &pair))
+    }
+}
+
+/// Impact velocities at or below this count as zero (empirical: y = 0 is approached transversally).
+const VANISHING_VELOCITY: f64 = 1e-9;
+
+/// The point on the chord where one coordinate vanishes.
+fn between(before: &Unknowns, after: &Unknowns, coordinate: usize) -> Unknowns {
+    let (a, b) = (before[coordinate], after[coordinate]);
+    let mut point: Vector4<f64> = before + (after - before) * (a / (a - b));
+    point[coordinate] = 0.0;
+    point
+}

@@ -1,0 +1,160 @@
+//! Conditions on MPSs, and the points at which two of them hold.
+
+use grazing_model::ImpactOscillator;
+use grazing_model::maps::MapError;
+use nalgebra::{Matrix2, Matrix3, SMatrix, Vector2, Vector4};
+
+use crate::mps::{LoopEquations, LoopPair, Memory, Unknowns, stack, unknown};
+use crate::newton::{self, Linearisation, NewtonFailure};
+
+/// A scalar condition on an MPS. One condition makes a curve in (y, z, μ, η), two make a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Condition {
+    /// A stability multiplier equals this: 1 at a saddle-node bifurcation, −1 at a period doubling.
+    Multiplier(f64),
+    /// The interior maximum that the memory holds touches the wall: a grazing bifurcation of the MPS.
+    InteriorGrazing,
+    /// The impact velocity has this value; 0 is where the MPS meets the non-impacting solution.
+    ImpactVelocity(f64),
+    /// The primary parameter has this value.
+    Primary(f64),
+    /// The secondary parameter has this value: a one-parameter branch.
+    Secondary(f64),
+}
+
+impl Condition {
+    /// Saddle-node bifurcation (SN).
+    pub const SADDLE_NODE: Self = Self::Multiplier(1.0);
+    /// Period-doubling bifurcation (PD).
+    pub const PERIOD_DOUBLING: Self = Self::Multiplier(-1.0);
+
+    /// Residual and gradient in the unknowns; `pair` is of order 2 where [`needs_second_order`](Self::needs_second_order).
+    pub(crate) fn evaluate<O: ImpactOscillator>(
+        self,
+        equations: &LoopEquations<O>,
+        point: &Unknowns,
+        pair: &LoopPair,
+        memory: &mut Memory,
+    ) -> Result<(f64, Vector4<f64>), MapError> {
+        let coordinate = |index: usize, value: f64| {
+            let mut gradient = Vector4::zeros();
+            gradient[index] = 1.0;
+            (point[index] - value, gradient)
+        };
+        Ok(match self {
+            Self::Multiplier(multiplier) => pair.characteristic(multiplier),
+            Self::InteriorGrazing => equations.interior_maximum(point, memory)?,
+            Self::ImpactVelocity(value) => coordinate(unknown::VELOCITY, value),
+            Self::Primary(value) => coordinate(unknown::PRIMARY, value),
+            Self::Secondary(value) => coordinate(unknown::SECONDARY, value),
+        })
+    }
+
+    pub(crate) fn needs_second_order(self) -> bool {
+        matches!(self, Self::Multiplier(_))
+    }
+}
+
+/// V = 0 and the condition, stacked; the last row stays free.
+pub(crate) fn conditioned<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    condition: Condition,
+    second_order: bool,
+    point: &Unknowns,
+    memory: &mut Memory,
+) -> Result<(Linearisation<4>, LoopPair), MapError> {
+    let pair = if second_order || condition.needs_second_order() {
+        equations.pair::<2>(point, memory)?
+    } else {
+        equations.pair::<1>(point, memory)?
+    };
+    let scalar = condition.evaluate(equations, point, &pair, memory)?;
+    Ok((stack(pair.difference(), scalar), pair))
+}
+
+/// Newton's method for isolated points either converges within this many evaluations or is lost.
+const LIMIT: usize = 25;
+
+/// The MPS near `start` at which both conditions hold.
+///
+/// # Errors
+/// Newton's method failed; the cause says where.
+pub fn locate<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    conditions: [Condition; 2],
+    start: Unknowns,
+    memory: &mut Memory,
+) -> Result<Unknowns, NewtonFailure<MapError>> {
+    let second_order = conditions[1].needs_second_order();
+    let solution = newton::solve(start, LIMIT, |point| {
+        let (mut system, pair) = conditioned(equations, conditions[0], second_order, point, memory)?;
+        let (value, gradient) = conditions[1].evaluate(equations, point, &pair, memory)?;
+        system.residual[3] = value;
+        system.jacobian.set_row(3, &gradient.transpose());
+        Ok(system)
+    })?;
+    Ok(solution.point)
+}
+
+/// The point at which a curve of interior grazing runs into y = 0.
+///
+/// With y = 0 all loops coincide with the grazing orbit, so the interior maximum lies on the wall for every η and the
+/// equations of [`locate`] are singular. The curve branches off this trivial family where the maximum does not change
+/// to first order along the branch of MPSs: det ∂(V₁, V₂, h)/∂(y, z, μ) = 0, which is solved for η by the secant method.
+///
+/// # Errors
+/// Newton's method failed on the grazing orbit, or the secant method did not converge.
+pub fn locate_grazing_end<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    near: Unknowns,
+    memory: &mut Memory,
+) -> Result<Unknowns, NewtonFailure<MapError>> {
+    let mut point = near;
+    point[unknown::VELOCITY] = 0.0;
+    let mut degeneracy = |point: &mut Unknowns, secondary: f64| {
+        point[unknown::SECONDARY] = secondary;
+        grazing_orbit(equations, point, memory)?;
+        let undefined = |cause| NewtonFailure::Undefined { iteration: 0, cause };
+        let pair = equations.pair::<1>(point, memory).map_err(undefined)?;
+        let (_, slopes) = equations.interior_maximum(point, memory).map_err(undefined)?;
+        let derivative: SMatrix<f64, 2, 4> = pair.difference().1;
+        let mut matrix = Matrix3::zeros();
+        matrix.fixed_view_mut::<2, 3>(0, 0).copy_from(&derivative.fixed_columns::<3>(0));
+        matrix.set_row(2, &slopes.fixed_rows::<3>(0).transpose());
+        Ok::<f64, NewtonFailure<MapError>>(matrix.determinant())
+    };
+    let (mut a, mut b) = (near[unknown::SECONDARY], near[unknown::SECONDARY] + 1e-4);
+    let mut value_a = degeneracy(&mut point, a)?;
+    for _ in 0..LIMIT {
+        let value_b = degeneracy(&mut point, b)?;
+        let step = value_b * (b - a) / (value_b - value_a);
+        if step.abs() <= newton::STEP_TOLERANCE || value_b == value_a {
+            degeneracy(&mut point, b - if step.is_finite() { step } else { 0.0 })?;
+            return Ok(point);
+        }
+        (a, value_a) = (b, value_b);
+        b -= step;
+    }
+    Err(NewtonFailure::NoConvergence { iterations: LIMIT, residual: value_a })
+}
+
+/// Moves (z, μ) of a point with y = 0 onto the grazing periodic orbit at the point's η.
+fn grazing_orbit<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    point: &mut Unknowns,
+    memory: &mut Memory,
+) -> Result<(), NewtonFailure<MapError>> {
+    let fixed = *point;
+    let solution =
+        newton::solve(Vector2::new(point[unknown::PHASE], point[unknown::PRIMARY]), LIMIT, |zm| {
+            let mut trial = fixed;
+            trial[unknown::PHASE] = zm[0];
+            trial[unknown::PRIMARY] = zm[1];
+            let (residual, derivative) = equations.pair::<1>(&trial, memory)?.difference();
+            let jacobian: Matrix2<f64> = derivative.fixed_columns::<2>(1).into_owned();
+            Ok(Linearisation { residual, jacobian })
+        })?;
+    point[unknown::PHASE] = solution.point[0];
+    point[unknown::PRIMARY] = solution.point[1];
+    Ok(())
+}

@@ -1,0 +1,308 @@
+//! Maximal periodic solutions (MPSs) as zeros of smooth functions.
+//!
+//! A p-loop MPS has one impact, at velocity y and phase z, and returns to it after p forcing periods. Two maps lead from
+//! (y, z) to one surface: one through the recoil and p loops, the other straight from the impact, the wall ignored. The
+//! MPS is where they agree; its stability multipliers are the eigenvalues of the one's derivative times the inverse of
+//! the other's. The choice of the surface gives the [`Formulation`].
+
+use grazing_model::maps::{self, MapError};
+use grazing_model::motion::{Maximum, highest_maximum};
+use grazing_model::{ImpactOscillator, MapJet, State};
+use nalgebra::{Matrix2, SMatrix, Vector2, Vector4};
+
+use crate::newton::Linearisation;
+
+/// The unknowns (y, z, μ, η): impact velocity, impact phase, primary and secondary parameter.
+pub type Unknowns = Vector4<f64>;
+
+/// Positions of the unknowns.
+pub mod unknown {
+    /// Impact velocity y.
+    pub const VELOCITY: usize = 0;
+    /// Impact phase z.
+    pub const PHASE: usize = 1;
+    /// Primary parameter μ.
+    pub const PRIMARY: usize = 2;
+    /// Secondary parameter η.
+    pub const SECONDARY: usize = 3;
+}
+
+/// The surface on which the way through recoil and loops is compared with the straight way from the impact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Formulation {
+    /// The Poincaré section Π, y = 0: the VIVID function V = P_global^p ∘ P_virt ∘ R − P_virt (eq:V), the paper's method.
+    /// It ends where a maximum beyond the wall disappears, as where the wall is met with ẍ ≥ 0.
+    Vivid,
+    /// The plane of constant phase through the impact: flow for p forcing periods from the impact phase, less what the
+    /// recoil takes. It has no virtual points and is defined everywhere.
+    FixedPhase,
+}
+
+/// What the equations carry along a curve: event times, so that "the next maximum" is never ambiguous, and the phase of
+/// the comparison plane.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Memory {
+    /// Evolution times of P_virt from the impact and from the recoil.
+    virtual_times: [Option<f64>; 2],
+    /// Return times of P_global, loop by loop.
+    return_times: Vec<f64>,
+    /// Phase of the plane of [`Formulation::FixedPhase`].
+    reference_phase: Option<f64>,
+    /// Time from the recoil to the interior maximum that a grazing curve holds at the wall.
+    pub(crate) grazing_time: f64,
+}
+
+impl Memory {
+    /// A memory that starts a grazing curve at the interior maximum found `time` after the recoil.
+    pub fn grazing_at(time: f64) -> Self {
+        Self { grazing_time: time, ..Self::default() }
+    }
+}
+
+/// The equations of p-loop MPSs of one oscillator.
+#[derive(Clone, Debug)]
+pub struct LoopEquations<O> {
+    oscillator: O,
+    loops: u32,
+    formulation: Formulation,
+}
+
+/// The two ways from (y, z; μ, η) to the surface of comparison.
+#[derive(Clone, Copy, Debug)]
+pub struct LoopPair {
+    /// Through recoil and loops: (x⁽ᵖ⁾, z⁽ᵖ⁾) = P_global^p ∘ P_virt ∘ R for VIVID.
+    pub round_trip: MapJet,
+    /// Straight from the impact: (x̂, ẑ) = P_virt for VIVID.
+    pub impact: MapJet,
+}
+
+impl<O: ImpactOscillator> LoopEquations<O> {
+    /// The equations of MPSs with `loops` = p ≥ 1 loops; the oscillator's own parameters do not matter.
+    pub fn new(oscillator: O, loops: u32, formulation: Formulation) -> Self {
+        assert!(loops >= 1, "an MPS has at least one loop");
+        Self { oscillator, loops, formulation }
+    }
+
+    /// The number of loops p.
+    pub fn loops(&self) -> u32 {
+        self.loops
+    }
+
+    /// The formulation in use.
+    pub fn formulation(&self) -> Formulation {
+        self.formulation
+    }
+
+    /// The same equations in another formulation.
+    pub fn with_formulation(&self, formulation: Formulation) -> Self {
+        Self { formulation, ..self.clone() }
+    }
+
+    /// The oscillator at the parameters of a point.
+    pub fn oscillator_at(&self, point: &Unknowns) -> O {
+        self.oscillator.with_parameters([point[unknown::PRIMARY], point[unknown::SECONDARY]])
+    }
+
+    /// The two maps at a point with derivatives up to `ORDER`.
+    ///
+    /// # Errors
+    /// VIVID is not defined there.
+    pub fn pair<const ORDER: usize>(
+        &self,
+        point: &Unknowns,
+        memory: &mut Memory,
+    ) -> Result<LoopPair, MapError> {
+        let oscillator = self.oscillator_at(point);
+        let (velocity, phase) = (point[unknown::VELOCITY], point[unknown::PHASE]);
+        let reset = oscillator.reset::<ORDER>(velocity, phase);
+        let recoil = reset.value;
+        match self.formulation {
+            Formulation::Vivid => {
+                let [from_impact, from_recoil] = memory.virtual_times;
+                let ahead = maps::virtual_map::<O, ORDER>(&oscillator, velocity, phase, from_impact)?;
+                let back = maps::virtual_map::<O, ORDER>(&oscillator, recoil[0], recoil[1], from_recoil)?;
+                memory.virtual_times = [Some(ahead.time), Some(back.time)];
+                let mut jet = back.jet.after::<ORDER>(&reset);
+                memory.return_times.resize(self.loops as usize, oscillator.forcing_period());
+                for time in &mut memory.return_times {
+                    let next =
+                        maps::global_map::<O, ORDER>(&oscillator, jet.value[0], jet.value[1], Some(*time))?;
+                    *time = next.time;
+                    jet = next.jet.after::<ORDER>(&jet);
+                }
+                Ok(LoopPair { round_trip: jet, impact: ahead.jet })
+            }
+            Formulation::FixedPhase => {
+                let plane = *memory.reference_phase.get_or_insert(phase);
+                let turns = f64::from(self.loops) * core::f64::consts::TAU;
+                let around = maps::to_phase::<O, ORDER>(&oscillator, recoil[0], recoil[1], plane + turns);
+                let impact = maps::to_phase::<O, ORDER>(&oscillator, velocity, phase, plane);
+                Ok(LoopPair { round_trip: around.after::<ORDER>(&reset), impact })
+            }
+        }
+    }
+
+    /// Brings the memory up to an accepted point: the comparison plane moves to its phase.
+    pub(crate) fn settle(&self, point: &Unknowns, memory: &mut Memory) {
+        memory.reference_phase = Some(point[unknown::PHASE]);
+    }
+
+    /// The value of x at the interior maximum that `memory` holds, with its first derivatives in the unknowns.
+    ///
+    /// # Errors
+    /// The maximum has disappeared.
+    pub fn interior_maximum(
+        &self,
+        point: &Unknowns,
+        memory: &mut Memory,
+    ) -> Result<(f64, Vector4<f64>), MapError> {
+        let oscillator = self.oscillator_at(point);
+        let reset = oscillator.reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE]);
+        let (velocity, phase) = (reset.value[0], reset.value[1]);
+        let landing = maps::virtual_map::<O, 1>(&oscillator, velocity, phase, Some(memory.grazing_time))?;
+        memory.grazing_time = landing.time;
+        let jet = landing.jet.after::<1>(&reset);
+        Ok((jet.value[0], jet.jacobian.row(0).transpose()))
+    }
+
+    /// What a zero of the equations is as an orbit: multipliers, maxima, stability, admissibility.
+    ///
+    /// `pair` is the pair of maps at the point, of order 1 at least.
+    pub fn solution(&self, point: &Unknowns, pair: &LoopPair) -> MaximalPeriodicSolution {
+        let oscillator = self.oscillator_at(point);
+        let reset = oscillator.reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE]).value;
+        let frequency = oscillator.forcing_frequency().value;
+        let lag = (reset[1] - point[unknown::PHASE]) / frequency;
+        let flight = f64::from(self.loops) * oscillator.forcing_period() - lag;
+        let motion = oscillator.motion(State::on_wall(reset[0], reset[1]));
+        MaximalPeriodicSolution {
+            loops: self.loops,
+            unknowns: *point,
+            multipliers: pair.multipliers(),
+            highest_interior_maximum: highest_maximum(&motion, flight),
+        }
+    }
+}
+
+impl LoopPair {
+    /// V and its derivatives in (y, z, μ, η): the zeros are MPSs. Paper: eq:V.
+    pub fn difference(&self) -> (Vector2<f64>, SMatrix<f64, 2, 4>) {
+        (self.round_trip.value - self.impact.value, self.round_trip.jacobian - self.impact.jacobian)
+    }
+
+    /// det(D round trip − λ D impact) and its gradient in the unknowns.
+    ///
+    /// Zero when λ is a stability multiplier: λ = 1 at a saddle-node, λ = −1 at a period-doubling bifurcation. In contrast
+    /// to the multipliers it stays smooth through y = 0; up to a smooth factor it is y (1 − λT + D) for λ = ±1, the
+    /// paper's y Ψ± (eq:Psi). The gradient needs jets of order 2.
+    pub fn characteristic(&self, multiplier: f64) -> (f64, Vector4<f64>) {
+        let m = self.round_trip.derivative() - self.impact.derivative() * multiplier;
+        let determinant = m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)];
+        let gradient = Vector4::from_fn(|k, _| {
+            let d = |i: usize, j: usize| {
+                self.round_trip.hessians[i][(j, k)] - multiplier * self.impact.hessians[i][(j, k)]
+            };
+            d(0, 0) * m[(1, 1)] + m[(0, 0)] * d(1, 1) - d(0, 1) * m[(1, 0)] - m[(0, 1)] * d(1, 0)
+        });
+        (determinant, gradient)
+    }
+
+    /// Trace and determinant of U = D(P_global^p ∘ P_disc). Paper: eq:U, eq:TD.
+    pub fn multipliers(&self) -> Multipliers {
+        let (numerators, denominator) = self.unscaled_multipliers();
+        Multipliers { trace: numerators[0] / denominator, determinant: numerators[1] / denominator }
+    }
+
+    /// (trace, determinant) of U times det D impact, and det D impact, which vanishes like y.
+    fn unscaled_multipliers(&self) -> ([f64; 2], f64) {
+        let (l, r) = (self.round_trip.derivative(), self.impact.derivative());
+        let adjugate = Matrix2::new(r[(1, 1)], -r[(0, 1)], -r[(1, 0)], r[(0, 0)]);
+        ([(l * adjugate).trace(), l.determinant()], r.determinant())
+    }
+
+    /// Limits of trace and determinant at a point with y = 0, approached along a curve with the given tangent.
+    ///
+    /// Numerators and denominator vanish together at a resonance; the limits are the ratios of their derivatives along
+    /// the curve. Jets of order 2.
+    pub fn limiting_multipliers(&self, tangent: &Unknowns) -> Multipliers {
+        let along = |jet: &MapJet| {
+            Matrix2::from_fn(|i, j| (0..4).map(|k| jet.hessians[i][(j, k)] * tangent[k]).sum::<f64>())
+        };
+        let (l, r) = (self.round_trip.derivative(), self.impact.derivative());
+        let (dl, dr) = (along(&self.round_trip), along(&self.impact));
+        let adjugate = |m: Matrix2<f64>| Matrix2::new(m[(1, 1)], -m[(0, 1)], -m[(1, 0)], m[(0, 0)]);
+        let denominator = (dr * adjugate(r)).trace();
+        Multipliers {
+            trace: (dl * adjugate(r) + l * adjugate(dr)).trace() / denominator,
+            determinant: (dl * adjugate(l)).trace() / denominator,
+        }
+    }
+}
+
+/// Trace T and determinant D of the matrix U whose eigenvalues are the stability multipliers (eq:U, eq:TD).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Multipliers {
+    /// T.
+    pub trace: f64,
+    /// D.
+    pub determinant: f64,
+}
+
+impl Multipliers {
+    /// Both multipliers lie inside the unit circle: |T| − 1 < D < 1.
+    pub fn stable(&self) -> bool {
+        self.trace.abs() - 1.0 < self.determinant && self.determinant < 1.0
+    }
+}
+
+/// A zero of the equations, seen as an orbit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MaximalPeriodicSolution {
+    /// The number of loops p.
+    pub loops: u32,
+    /// (y, z, μ, η).
+    pub unknowns: Unknowns,
+    /// Trace and determinant of U; infinite or NaN at y = 0.
+    pub multipliers: Multipliers,
+    /// The highest local maximum of x between the recoil and the next impact, if there is one.
+    pub highest_interior_maximum: Option<Maximum>,
+}
+
+impl MaximalPeriodicSolution {
+    /// An interior maximum this little above the wall touches it: event times are exact to rounding, and positions at
+    /// maxima far more so.
+    pub const TOUCH: f64 = 1e-11;
+
+    /// The impact velocity y.
+    pub fn impact_velocity(&self) -> f64 {
+        self.unknowns[unknown::VELOCITY]
+    }
+
+    /// The highest interior maximum of x, or −∞ if x has no interior maximum.
+    pub fn ceiling(&self) -> f64 {
+        self.highest_interior_maximum.map_or(f64::NEG_INFINITY, |maximum| maximum.position)
+    }
+
+    /// A valid solution of the hybrid system: y > 0 and no interior maximum of x above the wall, wherever it lies.
+    pub fn admissible(&self) -> bool {
+        self.impact_velocity() > 0.0 && self.ceiling() <= Self::TOUCH
+    }
+
+    /// Asymptotically stable as a solution of the hybrid system, admissibility aside.
+    pub fn stable(&self) -> bool {
+        self.multipliers.stable()
+    }
+}
+
+/// Stacks V and one further scalar equation into the first three rows of a 4 × 4 system.
+pub(crate) fn stack(
+    (difference, derivative): (Vector2<f64>, SMatrix<f64, 2, 4>),
+    (value, gradient): (f64, Vector4<f64>),
+) -> Linearisation<4> {
+    let mut system = Linearisation { residual: Vector4::zeros(), jacobian: SMatrix::zeros() };
+    system.residual.fixed_rows_mut::<2>(0).copy_from(&difference);
+    system.jacobian.fixed_rows_mut::<2>(0).copy_from(&derivative);
+    system.residual[2] = value;
+    system.jacobian.set_row(2, &gradient.transpose());
+    system
+}

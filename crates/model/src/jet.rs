@@ -1,0 +1,120 @@
+//! Second-order jets: a value with its first and second derivatives.
+//!
+//! Every map of the paper between the surfaces Σ and Π sends two coordinates to two coordinates and depends on the
+//! two parameters (μ, η), so one type, [`MapJet`], serves them all, and composition is one function.
+//! The order that is wanted is a constant: with `ORDER = 1` the second derivatives are left at zero and cost nothing.
+
+use nalgebra::{Matrix2, Matrix2x4, Matrix2x6, Matrix4, Matrix6, Vector2};
+
+/// Jet of a planar map `(u, z; μ, η) ↦ (u', z')` at one point.
+///
+/// The four variables are, in this order, the first coordinate (x on Π, y on Σ), the phase z, the primary parameter μ
+/// and the secondary parameter η. All are dimensionless.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MapJet {
+    /// The image.
+    pub value: Vector2<f64>,
+    /// First derivatives; row = component of the image, column = variable.
+    pub jacobian: Matrix2x4<f64>,
+    /// Second derivatives of either component; zero where only the first order was asked for.
+    pub hessians: [Matrix4<f64>; 2],
+}
+
+impl MapJet {
+    /// The jet of the identity on the two coordinates.
+    pub fn identity(point: Vector2<f64>) -> Self {
+        let mut jacobian = Matrix2x4::zeros();
+        jacobian[(0, 0)] = 1.0;
+        jacobian[(1, 1)] = 1.0;
+        Self { value: point, jacobian, hessians: [Matrix4::zeros(); 2] }
+    }
+
+    /// The jet of `self ∘ inner`, both at the same parameters.
+    ///
+    /// With G the derivative of `(u, z, μ, η) ↦ (inner, μ, η)`: the first derivatives are D self · G, the second
+    /// Gᵀ · D² self · G + D self · D² inner.
+    pub fn after<const ORDER: usize>(&self, inner: &Self) -> Self {
+        let g = inner.with_parameters();
+        let jacobian = self.jacobian * g;
+        let mut hessians = [Matrix4::zeros(); 2];
+        if ORDER >= 2 {
+            for (i, hessian) in hessians.iter_mut().enumerate() {
+                *hessian = g.tr_mul(&(self.hessians[i] * g))
+                    + inner.hessians[0] * self.jacobian[(i, 0)]
+                    + inner.hessians[1] * self.jacobian[(i, 1)];
+            }
+        }
+        Self { value: self.value, jacobian, hessians }
+    }
+
+    /// Derivatives with respect to the two coordinates alone.
+    pub fn derivative(&self) -> Matrix2<f64> {
+        self.jacobian.fixed_columns::<2>(0).into_owned()
+    }
+
+    /// The jet of the inverse map at the image, parameters held.
+    ///
+    /// Returns `None` where the derivative with respect to the coordinates is singular.
+    pub fn inverse<const ORDER: usize>(&self, preimage: Vector2<f64>) -> Option<Self> {
+        let inverse = self.derivative().try_inverse()?;
+        let mut jacobian = Matrix2x4::zeros();
+        jacobian.fixed_view_mut::<2, 2>(0, 0).copy_from(&inverse);
+        jacobian.fixed_view_mut::<2, 2>(0, 2).copy_from(&(-inverse * self.jacobian.fixed_columns::<2>(2)));
+        let mut jet = Self { value: preimage, jacobian, hessians: [Matrix4::zeros(); 2] };
+        if ORDER >= 2 {
+            let g = jet.with_parameters();
+            let pulled = [g.tr_mul(&(self.hessians[0] * g)), g.tr_mul(&(self.hessians[1] * g))];
+            for (i, hessian) in jet.hessians.iter_mut().enumerate() {
+                *hessian = -(pulled[0] * inverse[(i, 0)] + pulled[1] * inverse[(i, 1)]);
+            }
+        }
+        Some(jet)
+    }
+
+    /// Derivative of `(u, z, μ, η) ↦ (u', z', μ, η)`.
+    fn with_parameters(&self) -> Matrix4<f64> {
+        let mut g = Matrix4::identity();
+        g.fixed_view_mut::<2, 4>(0, 0).copy_from(&self.jacobian);
+        g
+    }
+}
+
+/// Jet of the flow: position and velocity after a time s, as functions of `(x₀, y₀, z₀, s, μ, η)`.
+///
+/// The phase needs no entry: it is z₀ + ω(μ, η) s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlowJet {
+    /// Position and velocity (x, y) at the end.
+    pub value: Vector2<f64>,
+    /// First derivatives; columns as in [`flow_variable`].
+    pub jacobian: Matrix2x6<f64>,
+    /// Second derivatives of x and of y; zero where only the first order was asked for.
+    pub hessians: [Matrix6<f64>; 2],
+}
+
+/// Positions of the arguments of the flow among the columns of a [`FlowJet`].
+pub mod flow_variable {
+    /// Initial position x₀.
+    pub const POSITION: usize = 0;
+    /// Initial velocity y₀.
+    pub const VELOCITY: usize = 1;
+    /// Initial phase z₀.
+    pub const PHASE: usize = 2;
+    /// Duration s.
+    pub const DURATION: usize = 3;
+    /// Primary parameter μ.
+    pub const PRIMARY: usize = 4;
+    /// Secondary parameter η.
+    pub const SECONDARY: usize = 5;
+}
+
+/// Jet of a function of the two parameters (μ, η), such as the forcing frequency ω(μ, η).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParameterJet {
+    /// The value.
+    pub value: f64,
+    /// Derivatives with respect to (μ, η).
+    pub gradient: Vector2<f64>,
+    /// Second derivatives.
+    pub hessian: Matrix2<f64>,
+}

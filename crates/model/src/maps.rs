@@ -1,0 +1,316 @@
+//! The maps between the impacting surface Σ and the Poincaré section Π, with derivatives.
+//!
+//! Σ is the plane x = 0 with coordinates (y, z); Π is the part of the plane y = 0 near the grazing point, with coordinates
+//! (x, z) (sections 2.1, 2.2 and 4.1 of the paper). All maps ignore the wall. Phases are not reduced modulo 2π except
+//! that P_global takes one turn off, as the paper does, so that grazing is a fixed point.
+//!
+//! A map that ends on Π has to find the time of a zero of the velocity. That time is returned beside the jet, and can be
+//! given as a guess the next time: "the next maximum" is ambiguous once a loop has grown a second one, a continued time
+//! is not.
+
+use core::f64::consts::TAU;
+
+use nalgebra::{Vector2, Vector4};
+
+use crate::jet::{FlowJet, MapJet, flow_variable as flow};
+use crate::motion::{Motion, first_rest};
+use crate::oscillator::{ImpactOscillator, State};
+
+/// A map is not defined at a point.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum MapError {
+    /// The orbit does not come to rest near the expected time.
+    #[error("the velocity has no zero near t = {near}: Newton's method stopped with velocity {velocity}")]
+    NoRest {
+        /// The time around which the zero was sought.
+        near: f64,
+        /// The velocity where the search ended.
+        velocity: f64,
+    },
+    /// The orbit comes to rest at a minimum or an inflection, where Π is not crossed transversally.
+    #[error("the orbit comes to rest with acceleration {acceleration}, where only a maximum of x lies on Π")]
+    NotAMaximum {
+        /// The acceleration there, which is not negative.
+        acceleration: f64,
+    },
+    /// P_virt⁻¹ was asked for at x < 0, or did not reach the wall.
+    #[error("no orbit from the wall comes to rest at x = {position}")]
+    BelowTheWall {
+        /// The position asked for.
+        position: f64,
+    },
+}
+
+/// The image of a point on Π together with the evolution time that led there.
+#[derive(Clone, Copy, Debug)]
+pub struct Landing {
+    /// The map and its derivatives.
+    pub jet: MapJet,
+    /// The evolution time, negative if the evolution went backwards.
+    pub time: f64,
+}
+
+/// P_virt: from (y, z) on Σ along the flow to (x', z') on Π, forwards in time for y > 0 and backwards for y < 0.
+///
+/// Paper: section 4.1, eq:Pvirt2. For y = 0 the evolution time is zero and the image is (0, z).
+/// `guess` is the evolution time from which Newton's method starts; without one the zero of the velocity nearest to the
+/// wall in the direction of time is isolated first.
+///
+/// # Errors
+/// No maximum of x beyond the wall, as happens where the wall is met with ẍ ≥ 0.
+pub fn virtual_map<O: ImpactOscillator, const ORDER: usize>(
+    oscillator: &O,
+    velocity: f64,
+    phase: f64,
+    guess: Option<f64>,
+) -> Result<Landing, MapError> {
+    let from = State::on_wall(velocity, phase);
+    let time = match guess {
+        Some(time) => time,
+        None if velocity == 0.0 => 0.0,
+        None => {
+            let horizon = oscillator.forcing_period();
+            let forwards = velocity > 0.0;
+            first_rest(&oscillator.motion(from), forwards, horizon)
+                .ok_or(MapError::NoRest { near: 0.0, velocity })?
+        }
+    };
+    land_on_section::<O, ORDER>(oscillator, from, flow::VELOCITY, time, 0.0)
+}
+
+/// P_virt⁻¹, the branch on the incoming set: from (x, z) on Π with x ≥ 0 backwards to (y, z) on Σ with y ≥ 0.
+///
+/// Paper: the paragraph before eq:Pdisc. At x = 0 the preimage is (0, z), but the map has no derivative there.
+///
+/// # Errors
+/// x < 0, or the orbit through the point does not come from the wall.
+pub fn virtual_preimage<O: ImpactOscillator>(
+    oscillator: &O,
+    position: f64,
+    phase: f64,
+) -> Result<Vector2<f64>, MapError> {
+    let below = MapError::BelowTheWall { position };
+    let frequency = oscillator.forcing_frequency().value;
+    let from = State::at_rest(position, phase);
+    let acceleration = oscillator.acceleration(from);
+    if position < 0.0 || acceleration >= 0.0 {
+        return Err(below);
+    }
+    let motion = oscillator.motion(from);
+    let mut time = -(2.0 * position / -acceleration).sqrt();
+    if time == 0.0 {
+        return Ok(Vector2::new(0.0, phase));
+    }
+    for _ in 0..MAX_ITERATIONS {
+        let here = motion.at(time);
+        let step = here.position / here.velocity;
+        time -= step;
+        if !(time < 0.0) {
+            return Err(below);
+        }
+        if step.abs() <= TIME_TOLERANCE * time.abs() {
+            return Ok(Vector2::new(motion.at(time).velocity, phase + frequency * time));
+        }
+    }
+    Err(below)
+}
+
+/// P_global: from (x, z) on Π along the flow to the next point (x', z') of Π, one turn later.
+///
+/// Paper: section 2.2, eq:Pglobal. `guess` is the return time from which Newton's method starts; without one it is the
+/// forcing period, since Π is a neighbourhood of the grazing point and the return time is close to the period of Γ.
+///
+/// # Errors
+/// There is no maximum of x near the guessed time.
+pub fn global_map<O: ImpactOscillator, const ORDER: usize>(
+    oscillator: &O,
+    position: f64,
+    phase: f64,
+    guess: Option<f64>,
+) -> Result<Landing, MapError> {
+    let time = guess.unwrap_or_else(|| oscillator.forcing_period());
+    let from = State::at_rest(position, phase);
+    land_on_section::<O, ORDER>(oscillator, from, flow::POSITION, time, TAU)
+}
+
+/// The p-th iterate of P_global with its derivatives; return times are found afresh.
+///
+/// Paper: eq:Pglobalp, eq:xjzj.
+///
+/// # Errors
+/// An iterate is not defined.
+pub fn global_iterate<O: ImpactOscillator, const ORDER: usize>(
+    oscillator: &O,
+    loops: u32,
+    position: f64,
+    phase: f64,
+) -> Result<MapJet, MapError> {
+    let mut jet = MapJet::identity(Vector2::new(position, phase));
+    for _ in 0..loops {
+        let next = global_map::<O, ORDER>(oscillator, jet.value[0], jet.value[1], None)?;
+        jet = next.jet.after::<ORDER>(&jet);
+    }
+    Ok(jet)
+}
+
+/// P_disc = P_virt ∘ R ∘ P_virt⁻¹, the discontinuity map from (x̂, ẑ) to (x⁽⁰⁾, z⁽⁰⁾).
+///
+/// Paper: eq:Pdisc. Its derivative is singular at x̂ = 0, where it is the identity.
+///
+/// # Errors
+/// x̂ ≤ 0, or one of the three maps is not defined.
+pub fn discontinuity_map<O: ImpactOscillator, const ORDER: usize>(
+    oscillator: &O,
+    position: f64,
+    phase: f64,
+) -> Result<MapJet, MapError> {
+    let preimage = virtual_preimage(oscillator, position, phase)?;
+    let impact = virtual_map::<O, ORDER>(oscillator, preimage[0], preimage[1], None)?;
+    let inverse = impact.jet.inverse::<ORDER>(preimage).ok_or(MapError::BelowTheWall { position })?;
+    let reset = oscillator.reset::<ORDER>(preimage[0], preimage[1]);
+    let recoil = virtual_map::<O, ORDER>(oscillator, reset.value[0], reset.value[1], None)?;
+    Ok(recoil.jet.after::<ORDER>(&reset).after::<ORDER>(&inverse))
+}
+
+/// The flow from (y, z) on Σ to the plane of constant phase `target`, with coordinates (x, y).
+///
+/// Defined everywhere, in contrast to [`virtual_map`]; the target phase is held in all derivatives.
+pub fn to_phase<O: ImpactOscillator, const ORDER: usize>(
+    oscillator: &O,
+    velocity: f64,
+    phase: f64,
+    target: f64,
+) -> MapJet {
+    let frequency = oscillator.forcing_frequency();
+    let time = (target - phase) / frequency.value;
+    let jet = oscillator.flow::<ORDER>(State::on_wall(velocity, phase), time);
+    // s = (target − z)/ω(μ, η).
+    let omega = Vector4::new(0.0, 0.0, frequency.gradient[0], frequency.gradient[1]);
+    let mut ds = -omega * (time / frequency.value);
+    ds[1] -= 1.0 / frequency.value;
+    let dds = |a: usize, b: usize| {
+        let curvature = if a >= 2 && b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
+        -(omega[a] * ds[b] + omega[b] * ds[a] + time * curvature) / frequency.value
+    };
+    substitute_duration::<ORDER>(&jet, flow::VELOCITY, &ds, dds)
+}
+
+/// The points of Π are found to this fraction of the evolution time (a few units in the last place).
+const TIME_TOLERANCE: f64 = 4.0 * f64::EPSILON;
+
+/// Newton's method for an event time either converges within this many steps or is lost.
+const MAX_ITERATIONS: usize = 50;
+
+/// Solves for the zero of the velocity and differentiates the landing point implicitly.
+///
+/// `first` is the column of the flow that is the map's first coordinate: x₀ when starting on Π, y₀ when starting on Σ.
+fn land_on_section<O: ImpactOscillator, const ORDER: usize>(
+    oscillator: &O,
+    from: State,
+    first: usize,
+    guess: f64,
+    turn: f64,
+) -> Result<Landing, MapError> {
+    let motion = oscillator.motion(from);
+    let mut time = guess;
+    let mut here = motion.at(time);
+    let mut converged = false;
+    for _ in 0..MAX_ITERATIONS {
+        let step = here.velocity / here.acceleration;
+        time -= step;
+        here = motion.at(time);
+        // Quadratic convergence: after a step of 1e-8 the next one is lost in rounding.
+        if step.abs() <= 1e-8 {
+            converged = true;
+            break;
+        }
+        if !time.is_finite() {
+            break;
+        }
+    }
+    if !converged {
+        return Err(MapError::NoRest { near: guess, velocity: here.velocity });
+    }
+    if !(here.acceleration < 0.0) {
+        return Err(MapError::NotAMaximum { acceleration: here.acceleration });
+    }
+    time -= here.velocity / here.acceleration;
+    let jet = oscillator.flow::<ORDER>(from, time);
+    Ok(Landing { jet: implicit_landing::<ORDER>(oscillator, &jet, from.phase, first, time, turn), time })
+}
+
+/// The jet of (x', z') from the flow's jet at the landing, where y(u, z, s; μ, η) = 0 defines the duration s.
+fn implicit_landing<const ORDER: usize>(
+    oscillator: &impl ImpactOscillator,
+    jet: &FlowJet,
+    phase: f64,
+    first: usize,
+    time: f64,
+    turn: f64,
+) -> MapJet {
+    let columns = [first, flow::PHASE, flow::PRIMARY, flow::SECONDARY];
+    let velocity = jet.jacobian.row(1);
+    let curvature = &jet.hessians[1];
+    let acceleration = velocity[flow::DURATION];
+    let ds = Vector4::from_fn(|a, _| -velocity[columns[a]] / acceleration);
+    let dds = |a: usize, b: usize| {
+        -(curvature[(columns[a], columns[b])]
+            + curvature[(columns[a], flow::DURATION)] * ds[b]
+            + curvature[(columns[b], flow::DURATION)] * ds[a]
+            + curvature[(flow::DURATION, flow::DURATION)] * ds[a] * ds[b])
+            / acceleration
+    };
+    let mut landed = substitute_duration::<ORDER>(jet, first, &ds, dds);
+
+    let frequency = oscillator.forcing_frequency();
+    let omega = Vector4::new(0.0, 0.0, frequency.gradient[0], frequency.gradient[1]);
+    landed.value[1] = phase + frequency.value * time - turn;
+    for a in 0..4 {
+        landed.jacobian[(1, a)] = frequency.value * ds[a] + omega[a] * time;
+    }
+    landed.jacobian[(1, 1)] += 1.0;
+    if ORDER >= 2 {
+        for a in 0..4 {
+            for b in 0..4 {
+                let mut entry = frequency.value * dds(a, b) + omega[a] * ds[b] + omega[b] * ds[a];
+                if a >= 2 && b >= 2 {
+                    entry += frequency.hessian[(a - 2, b - 2)] * time;
+                }
+                landed.hessians[1][(a, b)] = entry;
+            }
+        }
+    }
+    landed
+}
+
+/// The flow's jet with its duration replaced by a function s(u, z; μ, η) with derivatives `ds` and `dds`.
+fn substitute_duration<const ORDER: usize>(
+    jet: &FlowJet,
+    first: usize,
+    ds: &Vector4<f64>,
+    dds: impl Fn(usize, usize) -> f64,
+) -> MapJet {
+    let columns = [first, flow::PHASE, flow::PRIMARY, flow::SECONDARY];
+    let mut map = MapJet::identity(jet.value);
+    for component in 0..2 {
+        let rate = jet.jacobian[(component, flow::DURATION)];
+        for a in 0..4 {
+            map.jacobian[(component, a)] = jet.jacobian[(component, columns[a])] + rate * ds[a];
+        }
+        if ORDER >= 2 {
+            let second = &jet.hessians[component];
+            for a in 0..4 {
+                for b in 0..=a {
+                    let entry = second[(columns[a], columns[b])]
+                        + second[(columns[a], flow::DURATION)] * ds[b]
+                        + second[(columns[b], flow::DURATION)] * ds[a]
+                        + second[(flow::DURATION, flow::DURATION)] * ds[a] * ds[b]
+                        + rate * dds(a, b);
+                    map.hessians[component][(a, b)] = entry;
+                    map.hessians[component][(b, a)] = entry;
+                }
+            }
+        }
+    }
+    map
+}

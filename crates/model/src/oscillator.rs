@@ -1,0 +1,63 @@
+//! The general class of impact oscillators, section 2.1 of the paper.
+
+use crate::jet::{FlowJet, MapJet, ParameterJet};
+use crate::motion::Motion;
+
+/// A point (x, y, z) of phase space: position, velocity, and phase of the forcing in radians (not wrapped).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    /// Position x; the wall stands at x = 0 and motion takes place in x ≤ 0.
+    pub position: f64,
+    /// Velocity y = ẋ.
+    pub velocity: f64,
+    /// Phase z = ω t (eq:z), not reduced modulo 2π.
+    pub phase: f64,
+}
+
+impl State {
+    /// The point (0, y, z) of the impacting surface Σ.
+    pub const fn on_wall(velocity: f64, phase: f64) -> Self {
+        Self { position: 0.0, velocity, phase }
+    }
+
+    /// The point (x, 0, z) of the Poincaré section Π.
+    pub const fn at_rest(position: f64, phase: f64) -> Self {
+        Self { position, velocity: 0.0, phase }
+    }
+}
+
+/// A one-degree-of-freedom oscillator ẍ = F(x, ẋ, t; μ, η) with a wall at x = 0 and a smooth reset law.
+///
+/// Paper: eq:F, eq:f, eq:R, eq:resetLaw. An implementor brings its flow, ignoring the wall, and its reset law, both with
+/// derivatives in all arguments and in the two parameters; everything else (P_virt, P_global, P_disc, orbits with
+/// impacts, continuation) is written once against this trait.
+pub trait ImpactOscillator: Clone + Send + Sync {
+    /// Motion between impacts as a function of time; the search for events works on it.
+    type Motion: Motion;
+
+    /// The primary parameter μ and the secondary parameter η.
+    fn parameters(&self) -> [f64; 2];
+
+    /// The same oscillator at other parameters (μ, η).
+    fn with_parameters(&self, parameters: [f64; 2]) -> Self;
+
+    /// The angular frequency ω(μ, η) of the forcing with its derivatives.
+    fn forcing_frequency(&self) -> ParameterJet;
+
+    /// The vector field F at a state: the acceleration ẍ.
+    fn acceleration(&self, state: State) -> f64;
+
+    /// The flow of eq:f for a time `duration` of either sign, the wall ignored, with derivatives up to `ORDER` (1 or 2).
+    fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet;
+
+    /// The reset law R of eq:R as a function of (y, z; μ, η), extended smoothly to y < 0; derivatives up to `ORDER`.
+    fn reset<const ORDER: usize>(&self, velocity: f64, phase: f64) -> MapJet;
+
+    /// The motion that starts in a state, the wall ignored.
+    fn motion(&self, from: State) -> Self::Motion;
+
+    /// The forcing period 2π/ω.
+    fn forcing_period(&self) -> f64 {
+        core::f64::consts::TAU / self.forcing_frequency().value
+    }
+}
