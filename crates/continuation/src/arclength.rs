@@ -82,6 +82,8 @@ pub struct Continuation<'a, const N: usize, C: CurveEquations<N>> {
     control: StepControl,
     here: Station<N, C::Memory>,
     step: f64,
+    /// Change of the tangent per length on the way to the last point.
+    curvature: SVector<f64, N>,
 }
 
 /// A corrector converges in about three evaluations or the step is too long.
@@ -110,7 +112,8 @@ where
         let tangent = tangent(linearisation, &direction)
             .ok_or(stall(NewtonFailure::Singular { iteration: 1, residual }))?;
         equations.settle(&start, &mut memory);
-        Ok(Self { equations, control, here: Station { point: start, tangent, memory }, step: control.first })
+        let here = Station { point: start, tangent, memory };
+        Ok(Self { equations, control, here, step: control.first, curvature: SVector::zeros() })
     }
 
     /// The last point found.
@@ -127,6 +130,7 @@ where
             match self.attempt() {
                 Ok((next, angle)) if angle <= 3.0 * self.control.turn || self.step < 4.0 * self.control.shortest => {
                     let growth = (self.control.turn / angle.max(1e-12)).clamp(0.5, 1.6);
+                    self.curvature = (next.tangent - self.here.tangent) / self.step;
                     self.step = (self.step * growth).min(self.control.longest);
                     self.here = next;
                     return Ok(&self.here);
@@ -147,7 +151,8 @@ where
     fn attempt(&self) -> Result<(Station<N, C::Memory>, f64), NewtonFailure<C::Failure>> {
         let Station { point: origin, tangent: along, .. } = &self.here;
         let mut memory = self.here.memory.clone();
-        let solution = newton::solve(origin + along * self.step, CORRECTOR_LIMIT, |point| {
+        let predicted = origin + (along + self.curvature * (0.5 * self.step)) * self.step;
+        let solution = newton::solve(predicted, CORRECTOR_LIMIT, |point| {
             let mut bordered = self.equations.evaluate(point, &mut memory)?;
             bordered.residual[N - 1] = along.dot(&(point - origin)) - self.step;
             bordered.jacobian.set_row(N - 1, &along.transpose());

@@ -152,7 +152,7 @@ impl<O: ImpactOscillator> MpsCurve<O> {
                 }
             };
             if curve.points.is_empty() {
-                curve.points.push(self.starting_point(walker.here())?);
+                curve.points.push(self.grazing_solution(&walker.here().point, &walker.here().tangent));
             }
             while steps < route.step_limit {
                 steps += 1;
@@ -171,9 +171,7 @@ impl<O: ImpactOscillator> MpsCurve<O> {
                     }
                 };
                 let mut memory = after.memory.clone();
-                let undefined = |cause| Stall { step: 0.0, failure: NewtonFailure::Undefined { iteration: 0, cause } };
-                let pair = self.equations.pair::<1>(&after.point, &mut memory).map_err(undefined)?;
-                let solution = self.equations.solution(&after.point, &pair);
+                let (solution, pair) = self.equations.solution(&after.point);
                 if after.point[unknown::VELOCITY] <= VANISHING_VELOCITY && solution.impact_velocity() < before.point[unknown::VELOCITY] {
                     let crossing = between(&before.point, &after.point, unknown::VELOCITY);
                     curve.end = self.end_at_grazing(crossing, &after.tangent, &mut memory, &mut curve.points);
@@ -208,31 +206,13 @@ impl<O: ImpactOscillator> MpsCurve<O> {
         }
     }
 
-    /// The start as a point of the curve; at y = 0 the multipliers are limits along the tangent.
-    fn starting_point(
-        &self,
-        station: &crate::arclength::Station<4, Memory>,
-    ) -> Result<MaximalPeriodicSolution, Stall<MapError>> {
-        let mut memory = station.memory.clone();
-        self.grazing_solution(&station.point, &station.tangent, &mut memory).map_err(|cause| Stall {
-            step: 0.0,
-            failure: NewtonFailure::Undefined { iteration: 0, cause },
-        })
-    }
-
     /// A point of the curve, its multipliers taken as limits along the tangent if y = 0.
-    fn grazing_solution(
-        &self,
-        point: &Unknowns,
-        tangent: &Unknowns,
-        memory: &mut Memory,
-    ) -> Result<MaximalPeriodicSolution, MapError> {
-        let pair = self.equations.pair::<2>(point, memory)?;
-        let mut solution = self.equations.solution(point, &pair);
+    fn grazing_solution(&self, point: &Unknowns, tangent: &Unknowns) -> MaximalPeriodicSolution {
         if point[unknown::VELOCITY] == 0.0 {
-            solution.multipliers = pair.limiting_multipliers(tangent);
+            self.equations.limiting_solution(point, tangent)
+        } else {
+            self.equations.solution(point).0
         }
-        Ok(solution)
     }
 
     fn end_at_grazing(
@@ -247,14 +227,10 @@ impl<O: ImpactOscillator> MpsCurve<O> {
             Condition::InteriorGrazing => locate_grazing_end(&self.equations, crossing, memory),
             _ => locate(&self.equations, [self.condition, condition], crossing, memory),
         };
-        let undefined = |cause| NewtonFailure::Undefined { iteration: 0, cause };
-        let ended = located.and_then(|mut point| {
-            point[unknown::VELOCITY] = 0.0;
-            self.grazing_solution(&point, tangent, memory).map_err(undefined)
-        });
-        match ended {
-            Ok(solution) => {
-                points.push(solution);
+        match located {
+            Ok(mut point) => {
+                point[unknown::VELOCITY] = 0.0;
+                points.push(self.grazing_solution(&point, tangent));
                 CurveEnd::Grazing
             }
             Err(failure) => CurveEnd::EventNotLocated { condition, failure },
@@ -288,7 +264,6 @@ impl<O: ImpactOscillator> MpsCurve<O> {
         beyond: &MaximalPeriodicSolution,
         memory: &mut Memory,
     ) -> Result<MaximalPeriodicSolution, NewtonFailure<MapError>> {
-        let undefined = |cause| NewtonFailure::Undefined { iteration: 0, cause };
         let mut start = (before + after) * 0.5;
         if condition == Condition::InteriorGrazing {
             // The maximum that crosses the wall is the highest one at whichever end is inadmissible.
@@ -297,16 +272,14 @@ impl<O: ImpactOscillator> MpsCurve<O> {
                 *beyond
             } else {
                 start = *before;
-                let pair = self.equations.pair::<1>(before, memory).map_err(undefined)?;
-                self.equations.solution(before, &pair)
+                self.equations.solution(before).0
             };
             if let Some(maximum) = solution.highest_interior_maximum {
                 memory.grazing_time = maximum.time;
             }
         }
         let point = locate(&self.equations, [self.condition, condition], start, memory)?;
-        let pair = self.equations.pair::<1>(&point, memory).map_err(undefined)?;
-        Ok(self.equations.solution(&point, &pair))
+        Ok(self.equations.solution(&point).0)
     }
 }
 

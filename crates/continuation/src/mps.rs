@@ -134,12 +134,21 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             }
             Formulation::FixedPhase => {
                 let plane = *memory.reference_phase.get_or_insert(phase);
-                let turns = f64::from(self.loops) * core::f64::consts::TAU;
-                let around = maps::to_phase::<O, ORDER>(&oscillator, recoil[0], recoil[1], plane + turns);
-                let impact = maps::to_phase::<O, ORDER>(&oscillator, velocity, phase, plane);
-                Ok(LoopPair { round_trip: around.after::<ORDER>(&reset), impact })
+                Ok(self.fixed_phase_pair::<ORDER>(point, plane))
             }
         }
+    }
+
+    /// The two maps to the plane of constant phase `plane`, which exist at every point.
+    fn fixed_phase_pair<const ORDER: usize>(&self, point: &Unknowns, plane: f64) -> LoopPair {
+        let oscillator = self.oscillator_at(point);
+        let (velocity, phase) = (point[unknown::VELOCITY], point[unknown::PHASE]);
+        let reset = oscillator.reset::<ORDER>(velocity, phase);
+        let recoil = reset.value;
+        let turns = f64::from(self.loops) * core::f64::consts::TAU;
+        let around = maps::to_phase::<O, ORDER>(&oscillator, recoil[0], recoil[1], plane + turns);
+        let impact = maps::to_phase::<O, ORDER>(&oscillator, velocity, phase, plane);
+        LoopPair { round_trip: around.after::<ORDER>(&reset), impact }
     }
 
     /// Brings the memory up to an accepted point: the comparison plane moves to its phase.
@@ -165,10 +174,22 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         Ok((jet.value[0], jet.jacobian.row(0).transpose()))
     }
 
-    /// What a zero of the equations is as an orbit: multipliers, maxima, stability, admissibility.
+    /// The orbit that a zero of the equations is: multipliers, maxima, stability, admissibility.
     ///
-    /// `pair` is the pair of maps at the point, of order 1 at least.
-    pub fn solution(&self, point: &Unknowns, pair: &LoopPair) -> MaximalPeriodicSolution {
+    /// Needs no virtual points, whatever the formulation. The second value is the pair of maps that it was read off.
+    pub fn solution(&self, point: &Unknowns) -> (MaximalPeriodicSolution, LoopPair) {
+        let pair = self.fixed_phase_pair::<1>(point, point[unknown::PHASE]);
+        (self.orbit(point, pair.multipliers()), pair)
+    }
+
+    /// The same at a point with y = 0 that is approached along a curve with the given tangent, where the multipliers are
+    /// limits.
+    pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> MaximalPeriodicSolution {
+        let pair = self.fixed_phase_pair::<2>(point, point[unknown::PHASE]);
+        self.orbit(point, pair.limiting_multipliers(tangent))
+    }
+
+    fn orbit(&self, point: &Unknowns, multipliers: Multipliers) -> MaximalPeriodicSolution {
         let oscillator = self.oscillator_at(point);
         let reset = oscillator.reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE]).value;
         let frequency = oscillator.forcing_frequency().value;
@@ -178,7 +199,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         MaximalPeriodicSolution {
             loops: self.loops,
             unknowns: *point,
-            multipliers: pair.multipliers(),
+            multipliers,
             highest_interior_maximum: highest_maximum(&motion, flight),
         }
     }

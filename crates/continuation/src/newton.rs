@@ -51,9 +51,9 @@ pub struct Solution<const N: usize> {
     pub iterations: usize,
 }
 
-/// A Newton step shorter than this ends the iteration. By quadratic convergence the point it leads to is then exact to
-/// rounding for curvatures up to about 10⁴, which all problems here have in their scaled variables.
-pub const STEP_TOLERANCE: f64 = 1e-9;
+/// A Newton step shorter than this is the last. By quadratic convergence the point it leads to is then exact to about
+/// 10⁻¹⁴ times the curvature of the equations, which is of order one to a hundred in the variables used here.
+pub const STEP_TOLERANCE: f64 = 1e-7;
 
 /// Solves F(u) = 0 from a starting point.
 ///

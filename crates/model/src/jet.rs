@@ -34,12 +34,15 @@ impl MapJet {
     /// With G the derivative of `(u, z, μ, η) ↦ (inner, μ, η)`: the first derivatives are D self · G, the second
     /// Gᵀ · D² self · G + D self · D² inner.
     pub fn after<const ORDER: usize>(&self, inner: &Self) -> Self {
-        let g = inner.with_parameters();
-        let jacobian = self.jacobian * g;
+        let mut jacobian = self.derivative() * inner.jacobian;
+        for i in 0..2 {
+            jacobian[(i, 2)] += self.jacobian[(i, 2)];
+            jacobian[(i, 3)] += self.jacobian[(i, 3)];
+        }
         let mut hessians = [Matrix4::zeros(); 2];
         if ORDER >= 2 {
             for (i, hessian) in hessians.iter_mut().enumerate() {
-                *hessian = g.tr_mul(&(self.hessians[i] * g))
+                *hessian = inner.pull_back(&self.hessians[i])
                     + inner.hessians[0] * self.jacobian[(i, 0)]
                     + inner.hessians[1] * self.jacobian[(i, 1)];
             }
@@ -62,8 +65,7 @@ impl MapJet {
         jacobian.fixed_view_mut::<2, 2>(0, 2).copy_from(&(-inverse * self.jacobian.fixed_columns::<2>(2)));
         let mut jet = Self { value: preimage, jacobian, hessians: [Matrix4::zeros(); 2] };
         if ORDER >= 2 {
-            let g = jet.with_parameters();
-            let pulled = [g.tr_mul(&(self.hessians[0] * g)), g.tr_mul(&(self.hessians[1] * g))];
+            let pulled = [jet.pull_back(&self.hessians[0]), jet.pull_back(&self.hessians[1])];
             for (i, hessian) in jet.hessians.iter_mut().enumerate() {
                 *hessian = -(pulled[0] * inverse[(i, 0)] + pulled[1] * inverse[(i, 1)]);
             }
@@ -71,11 +73,25 @@ impl MapJet {
         Some(jet)
     }
 
-    /// Derivative of `(u, z, μ, η) ↦ (u', z', μ, η)`.
-    fn with_parameters(&self) -> Matrix4<f64> {
-        let mut g = Matrix4::identity();
-        g.fixed_view_mut::<2, 4>(0, 0).copy_from(&self.jacobian);
-        g
+    /// Gᵀ H G for the derivative G of `(u, z, μ, η) ↦ (u', z', μ, η)`, whose lower half is (0 I).
+    fn pull_back(&self, hessian: &Matrix4<f64>) -> Matrix4<f64> {
+        let j = &self.jacobian;
+        // The first two rows of H G; the rest of H enters through the identity block.
+        let mut upper = hessian.fixed_view::<2, 2>(0, 0) * j;
+        for i in 0..2 {
+            upper[(i, 2)] += hessian[(i, 2)];
+            upper[(i, 3)] += hessian[(i, 3)];
+        }
+        Matrix4::from_fn(|a, b| {
+            let mut entry = j[(0, a)] * upper[(0, b)] + j[(1, a)] * upper[(1, b)];
+            if a >= 2 {
+                entry += hessian[(a, 0)] * j[(0, b)] + hessian[(a, 1)] * j[(1, b)];
+                if b >= 2 {
+                    entry += hessian[(a, b)];
+                }
+            }
+            entry
+        })
     }
 }
 

@@ -40,7 +40,6 @@ pub struct LinearOscillator {
     /// ω₁ = √(1 − ζ²).
     natural_frequency: f64,
     response: Response,
-    stride: motion::Stride,
 }
 
 impl LinearOscillator {
@@ -74,7 +73,6 @@ impl LinearOscillator {
             frequency,
             natural_frequency,
             response: Response::new(damping_ratio, frequency),
-            stride: motion::Stride::new(damping_ratio, natural_frequency, frequency),
         })
     }
 
@@ -131,7 +129,6 @@ impl ImpactOscillator for LinearOscillator {
             amplitude,
             frequency,
             response: Response::new(self.damping_ratio, frequency),
-            stride: motion::Stride::new(self.damping_ratio, self.natural_frequency, frequency),
             ..*self
         }
     }

@@ -195,7 +195,10 @@ pub fn to_phase<O: ImpactOscillator, const ORDER: usize>(
     substitute_duration::<ORDER>(&jet, flow::VELOCITY, &ds, dds)
 }
 
-/// The points of Π are found to this fraction of the evolution time (a few units in the last place).
+/// A step of Halley's method this short is the last: its error is of third order, far below rounding.
+const LAST_STEP: f64 = 1e-6;
+
+/// Newton's method for P_virt⁻¹ ends at this fraction of the evolution time (a few units in the last place).
 const TIME_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
 /// Newton's method for an event time either converges within this many steps or is lost.
@@ -214,28 +217,35 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize>(
     let motion = oscillator.motion(from);
     let mut time = guess;
     let mut here = motion.at(time);
-    let mut converged = false;
     for _ in 0..MAX_ITERATIONS {
-        let step = here.velocity / here.acceleration;
+        // Halley's step for y = 0, of third order: y, ẏ and ÿ all come with one evaluation.
+        let newton = here.velocity / here.acceleration;
+        let step = newton / (1.0 - 0.5 * newton * here.jerk / here.acceleration);
         time -= step;
-        here = motion.at(time);
-        // Quadratic convergence: after a step of 1e-8 the next one is lost in rounding.
-        if step.abs() <= 1e-8 {
-            converged = true;
-            break;
-        }
         if !time.is_finite() {
             break;
         }
+        if step.abs() <= LAST_STEP {
+            return finish_landing::<O, ORDER>(oscillator, from, first, time, turn);
+        }
+        here = motion.at(time);
     }
-    if !converged {
-        return Err(MapError::NoRest { near: guess, velocity: here.velocity });
-    }
-    if !(here.acceleration < 0.0) {
-        return Err(MapError::NotAMaximum { acceleration: here.acceleration });
-    }
-    time -= here.velocity / here.acceleration;
+    Err(MapError::NoRest { near: guess, velocity: here.velocity })
+}
+
+/// The landing at a time that is known to be a zero of the velocity.
+fn finish_landing<O: ImpactOscillator, const ORDER: usize>(
+    oscillator: &O,
+    from: State,
+    first: usize,
+    time: f64,
+    turn: f64,
+) -> Result<Landing, MapError> {
     let jet = oscillator.flow::<ORDER>(from, time);
+    let acceleration = jet.jacobian[(1, flow::DURATION)];
+    if !(acceleration < 0.0) {
+        return Err(MapError::NotAMaximum { acceleration });
+    }
     Ok(Landing { jet: implicit_landing::<ORDER>(oscillator, &jet, from.phase, first, time, turn), time })
 }
 

@@ -5,7 +5,7 @@
 //! derivatives, or narrowed down until the event is isolated between two evaluations and solved for: local maxima first,
 //! then the crossing before the maximum.
 
-/// Position, velocity and acceleration at one time.
+/// Position and its first three derivatives at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kinematics {
     /// x.
@@ -14,6 +14,8 @@ pub struct Kinematics {
     pub velocity: f64,
     /// ẍ.
     pub acceleration: f64,
+    /// d³x/dt³.
+    pub jerk: f64,
 }
 
 /// Bounds of |ẍ|, |d³x/dt³| and |d⁴x/dt⁴| on an interval of time.
@@ -27,6 +29,15 @@ pub struct Bounds {
     pub snap: f64,
 }
 
+/// A motion seen at one time of a [`walk`](Motion::walk): the position at once, the rest when it is asked for.
+pub trait Sample: Copy {
+    /// x.
+    fn position(&self) -> f64;
+
+    /// x and its derivatives.
+    fn kinematics(&self) -> Kinematics;
+}
+
 /// A smooth motion x(t), t being the time since it began.
 pub trait Motion {
     /// The motion at a time of either sign.
@@ -35,11 +46,11 @@ pub trait Motion {
     /// Bounds of the derivatives for all times between `from` and `to`.
     fn bounds(&self, from: f64, to: f64) -> Bounds;
 
-    /// Spacing of [`walk`](Self::walk).
+    /// Spacing h of [`walk`](Self::walk).
     fn stride(&self) -> f64;
 
-    /// The motion at the times 0, h, 2h, … with h the stride.
-    fn walk(&self) -> impl Iterator<Item = Kinematics>;
+    /// The motion at the times 0, h, 2h, …, without end.
+    fn walk(&self) -> impl Iterator<Item = impl Sample>;
 }
 
 /// A local maximum of x(t).
@@ -104,11 +115,34 @@ impl Cell {
         [Cell { end: time, last: middle, ..*self }, Cell { start: time, first: middle, ..*self }]
     }
 
-    /// The zero of the velocity, which is known to be unique in this cell.
+    /// The zero of the velocity, which is strictly monotone in this cell and changes sign.
     fn stationary_time(&self, motion: &impl Motion) -> f64 {
-        bracketed_newton(self.start, self.end, self.first.velocity < self.last.velocity, |time| {
+        let (v, w) = (self.first.velocity, self.last.velocity);
+        let guess = inverse_hermite(
+            [v, w],
+            [self.start, self.end],
+            [1.0 / self.first.acceleration, 1.0 / self.last.acceleration],
+        );
+        bracketed_newton([self.start, self.end], v < w, guess, |time| {
             let here = motion.at(time);
             (here.velocity, here.acceleration)
+        })
+    }
+
+    /// The zero of the position before `time`, where the position is positive; no other zero lies between.
+    fn crossing_time(&self, motion: &impl Motion, time: f64, there: &Kinematics) -> f64 {
+        let guess = if self.first.velocity > 0.0 && there.velocity > 0.0 {
+            inverse_hermite(
+                [self.first.position, there.position],
+                [self.start, time],
+                [1.0 / self.first.velocity, 1.0 / there.velocity],
+            )
+        } else {
+            0.5 * (self.start + time)
+        };
+        bracketed_newton([self.start, time], true, guess, |time| {
+            let here = motion.at(time);
+            (here.position, here.velocity)
         })
     }
 
@@ -117,79 +151,88 @@ impl Cell {
         if self.ceiling(bounds) < 0.0 {
             return None;
         }
-        let top = match self.course(bounds) {
-            Course::Monotone => (self.last.velocity > 0.0).then_some((self.end, self.last.position)),
-            Course::Curved { falling: true } if self.first.velocity <= 0.0 => None,
+        // The highest point of the cell that can lie above the wall, and its time.
+        let (time, top) = match self.course(bounds) {
+            Course::Monotone if self.last.velocity < 0.0 => return None,
+            Course::Curved { falling: true } if self.first.velocity <= 0.0 => return None,
             Course::Curved { falling: true } if self.last.velocity < 0.0 => {
                 let time = self.stationary_time(motion);
-                Some((time, motion.at(time).position))
+                (time, motion.at(time))
             }
-            // Convex, or rising throughout: the end is the highest point that can lie above the wall.
-            Course::Curved { .. } => Some((self.end, self.last.position)),
-            Course::Open if self.width() < NARROWEST_CELL => Some((self.end, self.last.position)),
-            Course::Open => {
+            Course::Open if self.width() >= NARROWEST_CELL => {
                 let [left, right] = self.halves(motion);
                 return left.crossing(motion, bounds).or_else(|| right.crossing(motion, bounds));
             }
+            Course::Monotone | Course::Curved { .. } | Course::Open => (self.end, self.last),
         };
-        let (time, position) = top?;
-        (position > 0.0).then(|| {
-            bracketed_newton(self.start, time, true, |time| {
-                let here = motion.at(time);
-                (here.position, here.velocity)
-            })
-        })
+        (top.position > 0.0).then(|| self.crossing_time(motion, time, &top))
     }
 
-    /// Calls `visit` with the local maxima of the cell (its start excluded, its end included) that can exceed `threshold`;
-    /// `visit` returns the new threshold.
+    /// Calls `visit` with the local maxima of the cell (its start excluded, its end included) that can exceed `threshold`.
+    /// `visit` returns a threshold of its own; the highest of all is returned.
     fn maxima(
         &self,
         motion: &impl Motion,
         bounds: &Bounds,
-        threshold: &mut f64,
+        threshold: f64,
         visit: &mut impl FnMut(Maximum) -> f64,
-    ) {
-        if self.ceiling(bounds) < *threshold {
-            return;
+    ) -> f64 {
+        if self.ceiling(bounds) < threshold {
+            return threshold;
         }
         let rising =
             self.first.velocity > 0.0 || (self.first.velocity == 0.0 && self.first.acceleration > 0.0);
         let isolated = match self.course(bounds) {
-            Course::Monotone | Course::Curved { falling: false } => return,
+            Course::Monotone | Course::Curved { falling: false } => return threshold,
             Course::Curved { falling: true } => true,
             Course::Open => self.width() < NARROWEST_CELL,
         };
-        if isolated {
-            if rising && self.last.velocity <= 0.0 {
-                let time = self.stationary_time(motion);
-                *threshold = visit(Maximum { time, position: motion.at(time).position });
-            }
-            return;
+        if !isolated {
+            let [left, right] = self.halves(motion);
+            let threshold = left.maxima(motion, bounds, threshold, visit);
+            return right.maxima(motion, bounds, threshold, visit);
         }
-        for half in self.halves(motion) {
-            half.maxima(motion, bounds, threshold, visit);
+        if rising && self.last.velocity <= 0.0 {
+            let time = self.stationary_time(motion);
+            return threshold.max(visit(Maximum { time, position: motion.at(time).position }));
         }
+        threshold
     }
 }
 
-/// The cells of a motion from time 0 to `horizon`.
-fn cells(motion: &impl Motion, horizon: f64) -> impl Iterator<Item = Cell> {
+/// The cells of a motion from time 0 to `horizon` in which x may exceed `level`.
+fn cells_above(
+    motion: &impl Motion,
+    bounds: &Bounds,
+    horizon: f64,
+    level: f64,
+) -> impl Iterator<Item = Cell> {
     let stride = motion.stride();
+    // Positions at both ends below this rule the cell out: |x − chord| ≤ h²/8 · max|ẍ|.
+    let relevant = level - stride * stride / 8.0 * bounds.acceleration;
     let mut walk = motion.walk();
     let mut first = walk.next();
     let mut index = 0.0;
     core::iter::from_fn(move || {
-        let start = index * stride;
-        if start >= horizon {
-            return None;
+        loop {
+            let start = index * stride;
+            if start >= horizon {
+                return None;
+            }
+            index += 1.0;
+            let (here, next) = (first?, walk.next()?);
+            first = Some(next);
+            if here.position().max(next.position()) < relevant && index * stride <= horizon {
+                continue;
+            }
+            let whole = index * stride <= horizon;
+            let (end, last) = if whole {
+                (index * stride, next.kinematics())
+            } else {
+                (horizon, motion.at(horizon))
+            };
+            return Some(Cell { start, first: here.kinematics(), end, last });
         }
-        index += 1.0;
-        let end = (index * stride).min(horizon);
-        let last = if index * stride <= horizon { walk.next()? } else { motion.at(horizon) };
-        let cell = Cell { start, first: first?, end, last };
-        first = Some(last);
-        Some(cell)
     })
 }
 
@@ -198,16 +241,15 @@ fn cells(motion: &impl Motion, horizon: f64) -> impl Iterator<Item = Cell> {
 /// A maximum that only touches the wall (x ≤ 0 to rounding) is no crossing.
 pub fn first_crossing(motion: &impl Motion, horizon: f64) -> Option<f64> {
     let bounds = motion.bounds(0.0, horizon);
-    cells(motion, horizon).find_map(|cell| cell.crossing(motion, &bounds))
+    cells_above(motion, &bounds, horizon, 0.0).find_map(|cell| cell.crossing(motion, &bounds))
 }
 
 /// All local maxima of x(t) for t in (0, horizon), in order of time.
 pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
     let bounds = motion.bounds(0.0, horizon);
     let mut found = Vec::new();
-    let mut threshold = f64::NEG_INFINITY;
-    for cell in cells(motion, horizon) {
-        cell.maxima(motion, &bounds, &mut threshold, &mut |maximum| {
+    for cell in cells_above(motion, &bounds, horizon, f64::NEG_INFINITY) {
+        cell.maxima(motion, &bounds, f64::NEG_INFINITY, &mut |maximum| {
             found.push(maximum);
             f64::NEG_INFINITY
         });
@@ -218,16 +260,26 @@ pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
 /// The highest local maximum of x(t) for t in (0, horizon), or `None` if there is no local maximum.
 pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
     let bounds = motion.bounds(0.0, horizon);
-    let mut highest: Option<Maximum> = None;
+    let mut candidates: Vec<Cell> = Vec::with_capacity(16);
+    // Where the velocity changes from + to − there is a maximum, at least as high as the cell's ends.
     let mut threshold = f64::NEG_INFINITY;
-    for cell in cells(motion, horizon) {
-        cell.maxima(motion, &bounds, &mut threshold, &mut |maximum| {
-            let best = match highest {
-                Some(other) if other.position >= maximum.position => other,
-                _ => maximum,
-            };
-            highest = Some(best);
-            best.position
+    for cell in cells_above(motion, &bounds, horizon, f64::NEG_INFINITY) {
+        match cell.course(&bounds) {
+            Course::Monotone | Course::Curved { falling: false } => continue,
+            Course::Curved { falling: true } | Course::Open => {}
+        }
+        if cell.first.velocity > 0.0 && cell.last.velocity <= 0.0 {
+            threshold = threshold.max(cell.first.position.max(cell.last.position));
+        }
+        candidates.push(cell);
+    }
+    let mut highest: Option<Maximum> = None;
+    for cell in candidates {
+        threshold = cell.maxima(motion, &bounds, threshold, &mut |maximum| {
+            if highest.is_none_or(|other| other.position < maximum.position) {
+                highest = Some(maximum);
+            }
+            maximum.position
         });
     }
     highest
@@ -269,13 +321,27 @@ impl Cell {
     }
 }
 
-/// The zero of a function that changes sign between `a` and `b`, by Newton's method kept inside the bracket.
+/// The argument at which a strictly monotone function vanishes, by cubic Hermite interpolation of its inverse.
+fn inverse_hermite([f, g]: [f64; 2], [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f64 {
+    let width = g - f;
+    let s = -f / width;
+    let r = 1.0 - s;
+    r * r * (1.0 + 2.0 * s) * a + s * s * (1.0 + 2.0 * r) * b + s * r * width * (r * da - s * db)
+}
+
+/// The zero of a function that changes sign in a bracket, by Newton's method kept inside it.
 ///
-/// `rising` says that the function is negative at `a`. The answer is exact to rounding: the iteration ends when a step no
-/// longer changes the argument by more than a few units in the last place, or the bracket is empty.
-fn bracketed_newton(a: f64, b: f64, rising: bool, f: impl Fn(f64) -> (f64, f64)) -> f64 {
+/// `rising` says that the function is negative at the bracket's first end. A Newton step shorter than √ε of the argument ends the
+/// iteration: by quadratic convergence the point it leads to is exact to rounding.
+fn bracketed_newton(
+    [a, b]: [f64; 2],
+    rising: bool,
+    guess: f64,
+    f: impl Fn(f64) -> (f64, f64),
+) -> f64 {
     let (mut low, mut high) = if rising { (a, b) } else { (b, a) };
-    let mut time = 0.5 * (a + b);
+    let inside = |time: f64, low: f64, high: f64| (time - low) * (time - high) < 0.0;
+    let mut time = if inside(guess, low, high) { guess } else { 0.5 * (a + b) };
     // Bisection alone empties a bracket of doubles in at most about 60 steps near 1; twice that is ample.
     for _ in 0..128 {
         let (value, slope) = f(time);
@@ -284,9 +350,10 @@ fn bracketed_newton(a: f64, b: f64, rising: bool, f: impl Fn(f64) -> (f64, f64))
         }
         if value < 0.0 { low = time } else { high = time }
         let newton = time - value / slope;
-        let inside = (newton - low) * (newton - high) < 0.0;
-        let next = if inside { newton } else { 0.5 * (low + high) };
-        if (next - time).abs() <= 4.0 * f64::EPSILON * time.abs().max(1.0) {
+        let accepted = inside(newton, low, high);
+        let next = if accepted { newton } else { 0.5 * (low + high) };
+        let tolerance = if accepted { 1e-8 } else { 4.0 * f64::EPSILON };
+        if (next - time).abs() <= tolerance * time.abs().max(1.0) {
             return next;
         }
         time = next;

@@ -1,30 +1,8 @@
 //! Motion of the linear oscillator between impacts, as a function of time alone.
 
 use super::LinearOscillator;
-use crate::motion::{Bounds, Kinematics, Motion};
+use crate::motion::{Bounds, Kinematics, Motion, Sample};
 use crate::oscillator::State;
-
-/// Factors that carry the two oscillations over one stride; computed once per oscillator.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stride {
-    length: f64,
-    /// e^{(−ζ + iω₁)h}.
-    free: [f64; 2],
-    /// e^{iωh}.
-    forced: [f64; 2],
-}
-
-impl Stride {
-    /// A sixteenth of the shorter of the two periods keeps the Hermite error of a cell near 10⁻⁴, so
-    /// that almost no cell needs a closer look (empirical; any length gives the same events).
-    pub(super) fn new(damping_ratio: f64, natural_frequency: f64, frequency: f64) -> Self {
-        let length = core::f64::consts::TAU / (16.0 * frequency.max(natural_frequency));
-        let decay = libm::exp(-damping_ratio * length);
-        let (sin, cos) = libm::sincos(natural_frequency * length);
-        let (forced_sin, forced_cos) = libm::sincos(frequency * length);
-        Self { length, free: [decay * cos, decay * sin], forced: [forced_cos, forced_sin] }
-    }
-}
 
 /// x(t) = e^{−ζt}(p cos ω₁t + q sin ω₁t) + u cos ωt + v sin ωt − 1.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +12,26 @@ pub struct LinearMotion {
     frequency: f64,
     free: [f64; 2],
     forced: [f64; 2],
-    stride: Stride,
+}
+
+/// The motion at one time, held as the two rotating factors e^{(−ζ+iω₁)t} and e^{iωt}.
+#[derive(Clone, Copy, Debug)]
+struct Rotation<'a> {
+    motion: &'a LinearMotion,
+    free: [f64; 2],
+    forced: [f64; 2],
+}
+
+impl Sample for Rotation<'_> {
+    #[inline]
+    fn position(&self) -> f64 {
+        let LinearMotion { free: [p, q], forced: [u, v], .. } = self.motion;
+        p * self.free[0] + q * self.free[1] + u * self.forced[0] + v * self.forced[1] - 1.0
+    }
+
+    fn kinematics(&self) -> Kinematics {
+        self.motion.assemble(self.free, self.forced)
+    }
 }
 
 impl LinearMotion {
@@ -51,7 +48,6 @@ impl LinearMotion {
                 (velocity + oscillator.damping_ratio * position) / oscillator.natural_frequency,
             ],
             forced: [oscillator.amplitude * response.value[0], oscillator.amplitude * response.d_phase[0]],
-            stride: oscillator.stride,
         }
     }
 
@@ -66,10 +62,12 @@ impl LinearMotion {
         let [u, v] = self.forced;
         let forced_x = u * forced[0] + v * forced[1];
         let forced_y = self.frequency * (v * forced[0] - u * forced[1]);
+        let square = self.frequency * self.frequency;
         Kinematics {
             position: x + forced_x - 1.0,
             velocity: y + forced_y,
-            acceleration: a - self.frequency * self.frequency * forced_x,
+            acceleration: a - square * forced_x,
+            jerk: -y - 2.0 * self.damping_ratio * a - square * forced_y,
         }
     }
 }
@@ -98,16 +96,23 @@ impl Motion for LinearMotion {
         }
     }
 
+    /// A sixteenth of the shorter of the two periods keeps the undecided cells few (empirical; any length finds the same
+    /// events).
     fn stride(&self) -> f64 {
-        self.stride.length
+        core::f64::consts::TAU / (16.0 * self.frequency.max(self.natural_frequency))
     }
 
-    fn walk(&self) -> impl Iterator<Item = Kinematics> {
-        let (mut free, mut forced) = ([1.0, 0.0], [1.0, 0.0]);
+    fn walk(&self) -> impl Iterator<Item = impl Sample> {
+        let stride = self.stride();
+        let decay = libm::exp(-self.damping_ratio * stride);
+        let (sin, cos) = libm::sincos(self.natural_frequency * stride);
+        let (forced_sin, forced_cos) = libm::sincos(self.frequency * stride);
+        let (turn, forced_turn) = ([decay * cos, decay * sin], [forced_cos, forced_sin]);
+        let mut next = Rotation { motion: self, free: [1.0, 0.0], forced: [1.0, 0.0] };
         core::iter::from_fn(move || {
-            let here = self.assemble(free, forced);
-            free = super::multiply(free, self.stride.free);
-            forced = super::multiply(forced, self.stride.forced);
+            let here = next;
+            next.free = super::multiply(here.free, turn);
+            next.forced = super::multiply(here.forced, forced_turn);
             Some(here)
         })
     }
