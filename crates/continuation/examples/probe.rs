@@ -1,46 +1,27 @@
-#![allow(clippy::all, clippy::disallowed_methods, clippy::print_stdout)]
-use grazing_continuation::{arclength::StepControl, curve::*, locate::*, mps::*};
+#![allow(clippy::all, missing_docs)]
+use grazing_continuation::{arclength::StepControl, curve::*, fit::*, locate::*, mps::*, resonance::*};
 use grazing_model::*;
-use nalgebra::Vector4;
+use grazing_theorems::LinearOscillator as Th;
 fn main() {
-    let (zeta, eps) = (0.02, 0.9);
-    let w1 = (1.0f64 - zeta * zeta).sqrt();
+    let th = Th::new(0.02, 0.9).unwrap();
     let window = Window { primary: [0.0, 1.3], secondary: [0.35, 1.02] };
     let route = Route { window, control: StepControl::DRAWING, step_limit: 5000, stop_at_events: true };
-    let agraz = |w: f64| ((1.0 - w * w) * (1.0 - w * w) + 4.0 * zeta * zeta * w * w).sqrt();
-    let t0 = std::time::Instant::now();
-    let mut total = 0;
-    for (p, n) in [(1u32, 2), (1, 3), (1, 4), (1, 5), (2, 1), (3, 1), (2, 2), (3, 2)] {
-        let w = if p == 1 { 2.0 * w1 / n as f64 } else { w1 / (n as f64 + 0.5 / p as f64) };
-        let start = Vector4::new(0.0, (2.0 * zeta * w).atan2(1.0 - w * w), agraz(w), w);
-        let osc = LinearOscillator::new(zeta, eps, agraz(w), w).unwrap();
-        for (name, c) in [("SN", Condition::SADDLE_NODE), ("PD", Condition::PERIOD_DOUBLING)] {
-            let eq = LoopEquations::new(osc, p, Formulation::Vivid);
-            let curve = MpsCurve { equations: eq.clone(), condition: c };
-            let t = std::time::Instant::now();
-            let r = curve.follow(start, Vector4::new(1.0, 0.0, 0.0, 0.0), Memory::default(), &route);
-            let el = t.elapsed();
-            match r {
-                Ok(r) => {
-                    total += r.points.len();
-                    let l = r.points.last().unwrap();
-                    let short = match &r.end {CurveEnd::Event(e)=>format!("Event {:?}",e.condition), o=>format!("{o:?}")}; println!("{p} {n} {name}: {} points {:.2} us/pt, end {:?}\n    first {:?}\n   last {:?} mult {:?} vivid_ended {:?}", r.points.len(), el.as_secs_f64() * 1e6 / r.points.len() as f64, short, r.points[0].multipliers, l.unknowns.as_slice(), l.multipliers, r.vivid_ended);
-                    if let (CurveEnd::Event(e), true) = (&r.end, true) {
-                        let m = e.solution.highest_interior_maximum.unwrap();
-                        for d in [1.0, -1.0] {
-                            let gz = MpsCurve { equations: eq.clone(), condition: Condition::InteriorGrazing };
-                            let t = std::time::Instant::now();
-                            let r = gz.follow(e.solution.unknowns, Vector4::new(d, 0.0, 0.0, 0.0), {let _=m; e.memory.clone()}, &route);
-                            let el = t.elapsed();
-                            match r { Ok(r) => { let short = match &r.end {CurveEnd::Event(e)=>format!("Event {:?}",e.condition), o=>format!("{o:?}")}; let l = r.points.last().unwrap();
-                              println!("   GZ {d}: {} points {:.2} us/pt stable[1] {} end {:?} last {:?} {:?} vivid {:?}", r.points.len(), el.as_secs_f64() * 1e6 / r.points.len() as f64, r.points[1].stable(), short, l.unknowns.as_slice(), l.multipliers, r.vivid_ended); }
-                              Err(e) => println!("   GZ {d} {e}") }
-                        }
-                    }
-                }
-                Err(e) => println!("{p} {n} {name}: {e}"),
-            }
+    for r in th.resonances(&[1, 2, 3], 0.35, 1.02).unwrap() {
+        let w = r.forcing_frequency();
+        let osc = grazing_model::LinearOscillator::new(0.02, 0.9, r.grazing().amplitude(), w).unwrap();
+        let res = ResonantGrazingPoint::find(&osc, r.loops(), r.grazing().phase()).unwrap();
+        let u = res.unknowns();
+        println!("p {} n {} omega {} err {:e} A err {:e}", r.loops(), r.index(), w, u[3] - w, u[2] - r.grazing().amplitude());
+        let sn = quadratic_coefficient(&res, Condition::SADDLE_NODE).unwrap();
+        let pd = quadratic_coefficient(&res, Condition::PERIOD_DOUBLING).unwrap();
+        let t = res.theorem();
+        println!("  SN {} {:e} fit {} +- {:e} actual {:e}", r.saddle_node_coefficient(), t.saddle_node().coefficient / r.saddle_node_coefficient() - 1.0, sn.value, sn.error, sn.value - r.saddle_node_coefficient());
+        println!("  PD {} {:e} fit {} +- {:e} actual {:e}", r.period_doubling_coefficient(), t.period_doubling().coefficient / r.period_doubling_coefficient() - 1.0, pd.value, pd.error, pd.value - r.period_doubling_coefficient());
+        let unf = res.unfold(&route).unwrap();
+        for c in [&unf.saddle_node, &unf.period_doubling].into_iter().chain(&unf.grazing) {
+            let l = c.points.last().unwrap();
+            let short = match &c.end { CurveEnd::Event(e) => format!("Event {:?}", e.condition), o => format!("{o:?}") };
+            println!("    {:?} {} points end {short} {:?} vivid {:?}", c.condition, c.points.len(), &l.solution.unknowns.as_slice(), c.vivid_ended);
         }
     }
-    println!("{total} points {:?}", t0.elapsed());
 }

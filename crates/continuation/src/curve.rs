@@ -99,13 +99,22 @@ pub enum CurveEnd {
     StepLimit,
 }
 
+/// A point of a curve.
+#[derive(Clone, Debug)]
+pub struct CurvePoint {
+    /// The MPS.
+    pub solution: MaximalPeriodicSolution,
+    /// What the equations remember there.
+    pub memory: Memory,
+}
+
 /// A curve of MPSs that has been followed to its end.
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// The condition that holds along it.
     pub condition: Condition,
     /// Its points in order, the start included.
-    pub points: Vec<MaximalPeriodicSolution>,
+    pub points: Vec<CurvePoint>,
     /// The events it passed, in order.
     pub events: Vec<Event>,
     /// Why it ends.
@@ -152,7 +161,9 @@ impl<O: ImpactOscillator> MpsCurve<O> {
                 }
             };
             if curve.points.is_empty() {
-                curve.points.push(self.grazing_solution(&walker.here().point, &walker.here().tangent));
+                let station = walker.here();
+                let solution = self.grazing_solution(&station.point, &station.tangent);
+                curve.points.push(CurvePoint { solution, memory: station.memory.clone() });
             }
             while steps < route.step_limit {
                 steps += 1;
@@ -173,7 +184,7 @@ impl<O: ImpactOscillator> MpsCurve<O> {
                 let mut memory = after.memory.clone();
                 let (solution, pair) = self.equations.solution(&after.point);
                 if after.point[unknown::VELOCITY] <= VANISHING_VELOCITY && solution.impact_velocity() < before.point[unknown::VELOCITY] {
-                    let crossing = between(&before.point, &after.point, unknown::VELOCITY);
+                    let crossing = between(&before.point, &after.point, unknown::VELOCITY, 0.0);
                     curve.end = self.end_at_grazing(crossing, &after.tangent, &mut memory, &mut curve.points);
                     return Ok(curve);
                 }
@@ -190,17 +201,20 @@ impl<O: ImpactOscillator> MpsCurve<O> {
                         }
                     }
                     if let (true, Some(event)) = (route.stop_at_events, curve.events.last()) {
-                        curve.points.push(event.solution);
+                        curve.points.push(CurvePoint { solution: event.solution, memory: event.memory.clone() });
                         curve.end = CurveEnd::Event(event.clone());
                         return Ok(curve);
                     }
                 }
                 signs = Some(now);
-                curve.points.push(solution);
                 if !route.window.contains(&after.point) {
+                    let point = self.on_the_edge(&route.window, &before.point, &after.point, &mut memory);
+                    let (solution, _) = self.equations.solution(&point);
+                    curve.points.push(CurvePoint { solution, memory });
                     curve.end = CurveEnd::LeftWindow;
                     return Ok(curve);
                 }
+                curve.points.push(CurvePoint { solution, memory });
             }
             return Ok(curve);
         }
@@ -220,7 +234,7 @@ impl<O: ImpactOscillator> MpsCurve<O> {
         crossing: Unknowns,
         tangent: &Unknowns,
         memory: &mut Memory,
-        points: &mut Vec<MaximalPeriodicSolution>,
+        points: &mut Vec<CurvePoint>,
     ) -> CurveEnd {
         let condition = Condition::ImpactVelocity(0.0);
         let located = match self.condition {
@@ -230,11 +244,38 @@ impl<O: ImpactOscillator> MpsCurve<O> {
         match located {
             Ok(mut point) => {
                 point[unknown::VELOCITY] = 0.0;
-                points.push(self.grazing_solution(&point, tangent));
+                points.push(CurvePoint { solution: self.grazing_solution(&point, tangent), memory: memory.clone() });
                 CurveEnd::Grazing
             }
             Err(failure) => CurveEnd::EventNotLocated { condition, failure },
         }
+    }
+
+    /// The point at which the curve crosses the edge of the window, or the point beyond if it cannot be located.
+    fn on_the_edge(&self, window: &Window, inside: &Unknowns, outside: &Unknowns, memory: &mut Memory) -> Unknowns {
+        let edges = [
+            (unknown::PRIMARY, window.primary),
+            (unknown::SECONDARY, window.secondary),
+        ];
+        for (coordinate, [low, high]) in edges {
+            let edge = if outside[coordinate] < low { low } else { high };
+            if low <= outside[coordinate] && outside[coordinate] <= high {
+                continue;
+            }
+            let condition = match coordinate {
+                unknown::PRIMARY => Condition::Primary(edge),
+                _ => Condition::Secondary(edge),
+            };
+            let start = between(inside, outside, coordinate, edge);
+            let located = locate(&self.equations, [self.condition, condition], start, &mut memory.clone());
+            if let Ok(mut point) = located {
+                point[coordinate] = edge;
+                if window.contains(&point) {
+                    return point;
+                }
+            }
+        }
+        *outside
     }
 
     fn signs(&self, pair: &LoopPair, solution: &MaximalPeriodicSolution) -> Signs {
@@ -286,10 +327,10 @@ impl<O: ImpactOscillator> MpsCurve<O> {
 /// Impact velocities at or below this count as zero (empirical: y = 0 is approached transversally).
 const VANISHING_VELOCITY: f64 = 1e-9;
 
-/// The point on the chord where one coordinate vanishes.
-fn between(before: &Unknowns, after: &Unknowns, coordinate: usize) -> Unknowns {
+/// The point on the chord where one coordinate takes a value.
+fn between(before: &Unknowns, after: &Unknowns, coordinate: usize, value: f64) -> Unknowns {
     let (a, b) = (before[coordinate], after[coordinate]);
-    let mut point: Vector4<f64> = before + (after - before) * (a / (a - b));
-    point[coordinate] = 0.0;
+    let mut point: Vector4<f64> = before + (after - before) * ((value - a) / (b - a));
+    point[coordinate] = value;
     point
 }

@@ -1,0 +1,189 @@
+//! Resonant grazing points: located numerically, and the curves that leave them.
+
+use grazing_model::ImpactOscillator;
+use grazing_model::maps::MapError;
+use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
+use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side};
+
+use crate::curve::{Curve, CurveEnd, Event, MpsCurve, Route};
+use crate::locate::{Condition, locate};
+use crate::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
+use crate::newton::NewtonFailure;
+
+/// A resonant grazing point could not be analysed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ResonanceError {
+    /// Newton's method for det J = 0 on the grazing curve failed.
+    #[error("the resonance was not located: {0}")]
+    NotLocated(NewtonFailure<MapError>),
+    /// The grazing orbit was not found.
+    #[error(transparent)]
+    GrazingOrbit(#[from] GrazingOrbitError),
+    /// P_global is not smooth there.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// A theorem's hypothesis does not hold.
+    #[error(transparent)]
+    Hypotheses(#[from] HypothesesViolated),
+    /// The theory gives a direction in which the numerical equations have no curve.
+    #[error("the {curve} curve cannot be started at the resonance: {reason}")]
+    NotStarted {
+        /// Which curve.
+        curve: &'static str,
+        /// Why not.
+        reason: String,
+    },
+}
+
+/// A resonant grazing point of p-loop MPSs: where det J = 0 on the curve of grazing bifurcations.
+///
+/// Paper: Theorems 2.4 and 2.5.
+#[derive(Clone, Debug)]
+pub struct ResonantGrazingPoint<O> {
+    equations: LoopEquations<O>,
+    orbit: GrazingOrbit<O>,
+    theorem: ResonantGrazing,
+    point: ResonantPoint,
+}
+
+/// The residual that Newton's method leaves in a₁₂ or κ_p at a located resonance is a few roundings of terms of order one.
+const RESONANCE_TOLERANCE: f64 = 1e-12;
+
+impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
+    /// Locates the resonance near the parameters of `oscillator` and the phase `near`, and checks the theorem's hypotheses.
+    ///
+    /// # Errors
+    /// No resonance is found, or a hypothesis fails there.
+    pub fn find(oscillator: &O, loops: u32, near: f64) -> Result<Self, ResonanceError> {
+        let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::Vivid);
+        let [primary, secondary] = oscillator.parameters();
+        let conditions = [Condition::SADDLE_NODE, Condition::ImpactVelocity(0.0)];
+        let start = Unknowns::new(0.0, near, primary, secondary);
+        let located = locate(&equations, conditions, start, &mut Memory::default())
+            .map_err(ResonanceError::NotLocated)?;
+        let orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
+        let point = orbit.resonant_point(loops)?;
+        let theorem = ResonantGrazing::check(&point, RESONANCE_TOLERANCE)?;
+        Ok(Self { equations, orbit, theorem, point })
+    }
+
+    /// The number of loops p.
+    pub fn loops(&self) -> u32 {
+        self.equations.loops()
+    }
+
+    /// The grazing orbit at the resonance.
+    pub fn orbit(&self) -> &GrazingOrbit<O> {
+        &self.orbit
+    }
+
+    /// The theorem that holds there, with its coefficients.
+    pub fn theorem(&self) -> &ResonantGrazing {
+        &self.theorem
+    }
+
+    /// What the theorem was fed with.
+    pub fn resonant_point(&self) -> &ResonantPoint {
+        &self.point
+    }
+
+    /// The equations of the p-loop MPSs.
+    pub fn equations(&self) -> &LoopEquations<O> {
+        &self.equations
+    }
+
+    /// (0, z_graz, μ_graz, η*) as unknowns.
+    pub fn unknowns(&self) -> Unknowns {
+        let [primary, secondary] = self.orbit.oscillator().parameters();
+        Unknowns::new(0.0, self.orbit.phase(), primary, secondary)
+    }
+
+    /// The direction in which theory lets the SN (`multiplier` 1) or PD (−1) curve leave with y > 0.
+    ///
+    /// (y, z, primary, η) grow like (Υ', z_graz' + k₁Υ', primary_graz', 1) η, with the sign of η that makes y positive.
+    /// Paper: eq:Upsilon1, eq:Upsilonp, eq:ZM.
+    pub fn direction(&self, condition: Condition) -> Unknowns {
+        let curve = match condition {
+            Condition::Multiplier(multiplier) if multiplier < 0.0 => self.theorem.period_doubling(),
+            _ => self.theorem.saddle_node(),
+        };
+        let sign = match curve.eta_side {
+            Side::Negative => -1.0,
+            _ => 1.0,
+        };
+        Unknowns::new(
+            curve.impact_velocity_slope,
+            self.orbit.phase_slope() + curve.impact_phase_slope,
+            self.orbit.primary_slope(),
+            1.0,
+        )
+        .normalize()
+            * sign
+    }
+
+    /// Follows the SN or PD curve from the resonance.
+    fn leave(&self, condition: Condition, route: &Route) -> Result<Curve, ResonanceError> {
+        let curve = MpsCurve { equations: self.equations.clone(), condition };
+        let name = if condition == Condition::SADDLE_NODE { "saddle-node" } else { "period-doubling" };
+        curve.follow(self.unknowns(), self.direction(condition), Memory::default(), route).map_err(|stall| {
+            ResonanceError::NotStarted { curve: name, reason: stall.to_string() }
+        })
+    }
+
+    /// All curves that bound the stable region of the MPS at this resonance: SN and PD from the resonance, and GZ from the
+    /// codimension-two points at which these end.
+    ///
+    /// # Errors
+    /// A curve cannot be started.
+    pub fn unfold(&self, route: &Route) -> Result<UnfoldedResonance, ResonanceError> {
+        let saddle_node = self.leave(Condition::SADDLE_NODE, route)?;
+        let period_doubling = self.leave(Condition::PERIOD_DOUBLING, route)?;
+        let mut grazing: Vec<Curve> = Vec::new();
+        for curve in [&saddle_node, &period_doubling] {
+            let CurveEnd::Event(event) = &curve.end else { continue };
+            let corner = event.solution.unknowns;
+            let reached = |other: &Curve| {
+                other.points.last().is_some_and(|last| same_point(&last.solution.unknowns, &corner))
+            };
+            if event.condition == Condition::InteriorGrazing && !grazing.iter().any(reached) {
+                grazing.push(self.graze(event, route)?);
+            }
+        }
+        Ok(UnfoldedResonance { saddle_node, period_doubling, grazing })
+    }
+
+    /// Follows the GZ curve from a codimension-two point to the side where the MPS is stable.
+    fn graze(&self, corner: &Event, route: &Route) -> Result<Curve, ResonanceError> {
+        let not_started =
+            |reason: String| ResonanceError::NotStarted { curve: "interior grazing", reason };
+        let mut reason = "the solution is stable to neither side".to_owned();
+        for sign in [1.0, -1.0] {
+            let curve =
+                MpsCurve { equations: self.equations.clone(), condition: Condition::InteriorGrazing };
+            let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
+            match curve.follow(corner.solution.unknowns, direction, corner.memory.clone(), route) {
+                Ok(curve) if curve.points.get(1).is_some_and(|point| point.solution.stable()) => return Ok(curve),
+                Ok(_) => {}
+                Err(stall) => reason = stall.to_string(),
+            }
+        }
+        Err(not_started(reason))
+    }
+}
+
+/// The curves at one resonance.
+#[derive(Clone, Debug)]
+pub struct UnfoldedResonance {
+    /// Saddle-node bifurcations.
+    pub saddle_node: Curve,
+    /// Period-doubling bifurcations.
+    pub period_doubling: Curve,
+    /// Grazing bifurcations of the MPS.
+    pub grazing: Vec<Curve>,
+}
+
+/// Two located points are the same codimension-two point: located to 10⁻¹⁰, different ones are much farther apart.
+pub fn same_point(a: &Unknowns, b: &Unknowns) -> bool {
+    let gap = |index: usize| (a[index] - b[index]).abs();
+    gap(unknown::PRIMARY).max(gap(unknown::SECONDARY)) < 1e-7
+}

@@ -1,0 +1,164 @@
+//! The quantities of section 2 read off the numerical global map of any oscillator.
+//!
+//! Nothing here knows a closed form: the grazing orbit is found by Newton's method on P_global, and every coefficient is
+//! a first or second derivative of P_global. For the linear oscillator the results agree with [`linear_oscillator`](crate::linear_oscillator).
+
+use grazing_model::maps::{MapError, global_iterate, global_map};
+use grazing_model::{ImpactOscillator, MapJet, State};
+use nalgebra::{Matrix2, Vector2};
+
+use crate::grazing::GrazingPoint;
+use crate::spectrum::LinearisedMap;
+use crate::unfolding::{ResonantPoint, Unfolding};
+
+/// The grazing periodic orbit could not be found.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum GrazingOrbitError {
+    /// P_global is not defined at an iterate.
+    #[error("the global map is not defined near the grazing orbit: {0}")]
+    Map(#[from] MapError),
+    /// Newton's method did not converge.
+    #[error("no grazing orbit found at eta = {eta}: Newton's method ended with residual {residual:e}")]
+    NoConvergence {
+        /// The secondary parameter.
+        eta: f64,
+        /// Norm of the last residual.
+        residual: f64,
+    },
+}
+
+/// The grazing periodic orbit of an oscillator at one value of the secondary parameter.
+///
+/// Paper: Assumption 2.2 with μ = primary − primary_graz(η): the change of parameter that puts grazing at μ = 0.
+#[derive(Clone, Debug)]
+pub struct GrazingOrbit<O> {
+    oscillator: O,
+    phase: f64,
+    map: MapJet,
+    /// d(z_graz, primary_graz)/dη.
+    slopes: Vector2<f64>,
+}
+
+impl<O: ImpactOscillator> GrazingOrbit<O> {
+    /// The grazing orbit at the secondary parameter of `oscillator`, by Newton's method for P_global(0, z; primary) = (0, z)
+    /// from the oscillator's own primary parameter and the phase `near`.
+    ///
+    /// # Errors
+    /// P_global is not defined at an iterate, or there is no convergence.
+    pub fn find(oscillator: &O, near: f64) -> Result<Self, GrazingOrbitError> {
+        let [mut primary, eta] = oscillator.parameters();
+        let mut phase = near;
+        let mut residual = f64::INFINITY;
+        for _ in 0..30 {
+            let here = oscillator.with_parameters([primary, eta]);
+            let map = global_map::<O, 2>(&here, 0.0, phase, None)?.jet;
+            let defect = Vector2::new(map.value[0], map.value[1] - phase);
+            residual = defect.norm();
+            let jacobian = Self::by_phase_and_primary(&map);
+            let Some(step) = jacobian.lu().solve(&defect).filter(|step| step.norm().is_finite()) else { break };
+            phase -= step[0];
+            primary -= step[1];
+            // Quadratic convergence: after such a step the next is lost in rounding.
+            if step.norm() <= 1e-8 {
+                return Self::at(oscillator.with_parameters([primary, eta]), phase);
+            }
+        }
+        Err(GrazingOrbitError::NoConvergence { eta, residual })
+    }
+
+    /// The grazing orbit known to pass through (0, 0, phase) at the oscillator's parameters.
+    fn at(oscillator: O, phase: f64) -> Result<Self, GrazingOrbitError> {
+        let map = global_map::<O, 2>(&oscillator, 0.0, phase, None)?.jet;
+        let by_eta = map.jacobian.column(3).into_owned();
+        let slopes = -Self::by_phase_and_primary(&map).lu().solve(&by_eta).unwrap_or(Vector2::repeat(f64::NAN));
+        Ok(Self { oscillator, phase, map, slopes })
+    }
+
+    /// Derivative of P_global(0, z; primary) − (0, z).
+    fn by_phase_and_primary(map: &MapJet) -> Matrix2<f64> {
+        let mut jacobian: Matrix2<f64> = map.jacobian.fixed_columns::<2>(1).into_owned();
+        jacobian[(1, 0)] -= 1.0;
+        jacobian
+    }
+
+    /// The oscillator at grazing.
+    pub fn oscillator(&self) -> &O {
+        &self.oscillator
+    }
+
+    /// The grazing phase z_graz, in radians.
+    pub fn phase(&self) -> f64 {
+        self.phase
+    }
+
+    /// The primary parameter at grazing.
+    pub fn primary(&self) -> f64 {
+        self.oscillator.parameters()[0]
+    }
+
+    /// d z_graz/dη.
+    pub fn phase_slope(&self) -> f64 {
+        self.slopes[0]
+    }
+
+    /// d primary_graz/dη.
+    pub fn primary_slope(&self) -> f64 {
+        self.slopes[1]
+    }
+
+    /// A, b, ω, γ, φ, ψ at grazing. Paper: eq:A, eq:b, eq:phipsigamma.
+    pub fn grazing_point(&self) -> GrazingPoint {
+        let reset = self.oscillator.reset::<1>(0.0, self.phase);
+        GrazingPoint {
+            map: LinearisedMap { a: self.map.derivative(), b: self.map.jacobian.column(2).into_owned() },
+            forcing_frequency: self.oscillator.forcing_frequency().value,
+            gamma: -self.oscillator.acceleration(State::on_wall(0.0, self.phase)),
+            phi: -reset.jacobian[(0, 0)],
+            psi: reset.jacobian[(1, 0)],
+        }
+    }
+
+    /// dA/dη along the grazing curve: z_graz and the primary parameter move with η.
+    pub fn derivative_of_map(&self) -> Matrix2<f64> {
+        Matrix2::from_fn(|i, j| {
+            let hessian = &self.map.hessians[i];
+            hessian[(j, 1)] * self.slopes[0] + hessian[(j, 2)] * self.slopes[1] + hessian[(j, 3)]
+        })
+    }
+
+    /// ξ_p = ∂²P_global,1^p/∂z² at grazing. Paper: eq:xi.
+    ///
+    /// # Errors
+    /// An iterate of P_global is not defined.
+    pub fn second_phase_derivative(&self, loops: u32) -> Result<f64, MapError> {
+        Ok(global_iterate::<O, 2>(&self.oscillator, loops, 0.0, self.phase)?.hessians[0][(1, 1)])
+    }
+
+    /// Everything that the formulas for c_SN,p and c_PD,p need. Paper: section 2.6.
+    ///
+    /// a₁₂' for p = 1; for p ≥ 2 κ_p' = τ' − cos(π/p) δ'/√δ.
+    ///
+    /// # Errors
+    /// An iterate of P_global is not defined.
+    pub fn resonant_point(&self, loops: u32) -> Result<ResonantPoint, MapError> {
+        let rate = self.derivative_of_map();
+        let a = self.map.derivative();
+        let unfolding = if loops == 1 {
+            Unfolding::OneLoop { off_diagonal_derivative: rate[(0, 1)] }
+        } else {
+            let determinant_rate = rate[(0, 0)] * a[(1, 1)] + a[(0, 0)] * rate[(1, 1)]
+                - rate[(0, 1)] * a[(1, 0)]
+                - a[(0, 1)] * rate[(1, 0)];
+            let cosine = libm::cos(core::f64::consts::PI / f64::from(loops));
+            Unfolding::MultiLoop {
+                loops,
+                detuning_derivative: rate.trace() - cosine * determinant_rate / a.determinant().sqrt(),
+            }
+        };
+        Ok(ResonantPoint {
+            grazing: self.grazing_point(),
+            second_phase_derivative: self.second_phase_derivative(loops)?,
+            unfolding,
+        })
+    }
+}

@@ -1,0 +1,194 @@
+//! Hypotheses of the theorems: a named quantity, the value it has, and what the theorem asks of it.
+
+use core::fmt;
+
+use thiserror::Error;
+
+/// A theorem of the paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Theorem {
+    /// Theorem 2.2, `th:codim11`: generic grazing, p = 1.
+    GenericOneLoop,
+    /// Theorem 2.3, `th:codim1p`: generic grazing, p >= 2.
+    GenericMultiLoop,
+    /// Theorem 2.4, `th:codim21`: resonant grazing, p = 1.
+    ResonantOneLoop,
+    /// Theorem 2.5, `th:codim2p`: resonant grazing, p >= 2.
+    ResonantMultiLoop,
+}
+
+impl fmt::Display for Theorem {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::GenericOneLoop => "theorem 2.2 (generic grazing, p = 1)",
+            Self::GenericMultiLoop => "theorem 2.3 (generic grazing, p >= 2)",
+            Self::ResonantOneLoop => "theorem 2.4 (resonant grazing, p = 1)",
+            Self::ResonantMultiLoop => "theorem 2.5 (resonant grazing, p >= 2)",
+        })
+    }
+}
+
+/// A quantity about which a theorem makes a hypothesis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// The number of loops, `p`.
+    Loops,
+    /// The forcing frequency, `omega`.
+    ForcingFrequency,
+    /// The deceleration at grazing, `gamma`: the grazing point belongs to the grazing set.
+    Deceleration,
+    /// The coefficient of restitution at zero impact velocity, `phi`.
+    Restitution,
+    /// The determinant, `delta`: the lower side of the trapesium.
+    Determinant,
+    /// `1 - delta`: the upper side of the trapesium.
+    Contraction,
+    /// `delta + 1 - |tau|`: the slanted sides of the trapesium.
+    StabilityMargin,
+    /// The factor of the square-root term, `alpha`.
+    SquareRootFactor,
+    /// `a12 alpha`.
+    OffDiagonalTimesSquareRootFactor,
+    /// `tau - h_p(delta)`.
+    AdmissibilityMargin,
+    /// `a12 beta`.
+    OffDiagonalTimesTransversality,
+    /// `beta kappa_p`.
+    TransversalityTimesDetuning,
+    /// The transversality coefficient, `beta`.
+    Transversality,
+    /// `a12`.
+    OffDiagonal,
+    /// `a12'`.
+    OffDiagonalDerivative,
+    /// `kappa_p`.
+    Detuning,
+    /// `kappa_p'`.
+    DetuningDerivative,
+    /// `s_p^+`.
+    SaddleNodeStability,
+    /// `s_p^-`.
+    PeriodDoublingStability,
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Loops => "p",
+            Self::ForcingFrequency => "omega",
+            Self::Deceleration => "gamma",
+            Self::Restitution => "phi",
+            Self::Determinant => "delta",
+            Self::Contraction => "1 - delta",
+            Self::StabilityMargin => "delta + 1 - |tau|",
+            Self::SquareRootFactor => "alpha",
+            Self::OffDiagonalTimesSquareRootFactor => "a12 alpha",
+            Self::AdmissibilityMargin => "tau - h_p(delta)",
+            Self::OffDiagonalTimesTransversality => "a12 beta",
+            Self::TransversalityTimesDetuning => "beta kappa_p",
+            Self::Transversality => "beta",
+            Self::OffDiagonal => "a12",
+            Self::OffDiagonalDerivative => "a12'",
+            Self::Detuning => "kappa_p",
+            Self::DetuningDerivative => "kappa_p'",
+            Self::SaddleNodeStability => "s_p^+",
+            Self::PeriodDoublingStability => "s_p^-",
+        })
+    }
+}
+
+/// What a theorem asks of a quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Condition {
+    /// At least this number.
+    AtLeast(u32),
+    /// Greater than zero and finite.
+    Positive,
+    /// Finite and not zero.
+    NonZero,
+    /// Zero, as far as floating-point numbers can tell: its modulus is at most `tolerance`.
+    Zero {
+        /// The largest modulus that counts as zero.
+        tolerance: f64,
+    },
+}
+
+/// A quantity, its value, and what the theorem asks of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hypothesis {
+    /// The quantity.
+    pub quantity: Quantity,
+    /// The value it has.
+    pub value: f64,
+    /// What the theorem asks.
+    pub condition: Condition,
+}
+
+impl Hypothesis {
+    pub(crate) fn new(quantity: Quantity, value: f64, condition: Condition) -> Self {
+        Self { quantity, value, condition }
+    }
+
+    pub(crate) fn positive(quantity: Quantity, value: f64) -> Self {
+        Self::new(quantity, value, Condition::Positive)
+    }
+
+    pub(crate) fn non_zero(quantity: Quantity, value: f64) -> Self {
+        Self::new(quantity, value, Condition::NonZero)
+    }
+
+    /// Whether the value is as the theorem asks; a value that is not a number never is.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.value.is_finite()
+            && match self.condition {
+                Condition::AtLeast(bound) => self.value >= f64::from(bound),
+                Condition::Positive => self.value > 0.0,
+                Condition::NonZero => self.value != 0.0,
+                Condition::Zero { tolerance } => self.value.abs() <= tolerance,
+            }
+    }
+}
+
+impl fmt::Display for Hypothesis {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { quantity, value, condition } = self;
+        match condition {
+            Condition::AtLeast(bound) => write!(formatter, "{quantity} >= {bound}")?,
+            Condition::Positive => write!(formatter, "{quantity} > 0")?,
+            Condition::NonZero => write!(formatter, "{quantity} != 0")?,
+            Condition::Zero { tolerance } => write!(formatter, "{quantity} = 0 (within {tolerance:e})")?,
+        }
+        write!(formatter, ", where {quantity} is {value}")
+    }
+}
+
+/// The answer when a theorem says nothing about a point: the theorem and all of its hypotheses, of which at least one fails.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("{theorem} does not apply: it needs {}", list(self.violated()))]
+pub struct HypothesesViolated {
+    /// The theorem.
+    pub theorem: Theorem,
+    /// All hypotheses that could be evaluated, in the order in which the theorem states them.
+    pub hypotheses: Vec<Hypothesis>,
+}
+
+impl HypothesesViolated {
+    /// The hypotheses that fail; at least one.
+    pub fn violated(&self) -> impl Iterator<Item = &Hypothesis> {
+        self.hypotheses.iter().filter(|hypothesis| !hypothesis.holds())
+    }
+}
+
+fn list<'a>(hypotheses: impl Iterator<Item = &'a Hypothesis>) -> String {
+    hypotheses.map(ToString::to_string).collect::<Vec<_>>().join("; ")
+}
+
+/// The hypotheses back if all of them hold, otherwise the answer that names those that fail.
+pub(crate) fn check(theorem: Theorem, hypotheses: Vec<Hypothesis>) -> Result<Vec<Hypothesis>, HypothesesViolated> {
+    if hypotheses.iter().all(Hypothesis::holds) {
+        Ok(hypotheses)
+    } else {
+        Err(HypothesesViolated { theorem, hypotheses })
+    }
+}

@@ -1,0 +1,115 @@
+//! Lemma 2.1, closed forms and limits of `h_p`.
+
+use core::f64::consts::PI;
+
+use proptest::prelude::*;
+
+use grazing_theorems::TheoryError;
+use grazing_theorems::admissibility_boundary::admissibility_boundary;
+use grazing_theorems::auxiliary::{admissibility_sum, resonance_boundary};
+
+use super::{assert_close, assert_within, deterministic};
+
+fn boundary(p: u32, delta: f64) -> f64 {
+    admissibility_boundary(p, delta).expect("p >= 2 and 0 < delta < 1")
+}
+
+proptest! {
+    #![proptest_config(deterministic(512))]
+
+    #[test]
+    fn lemma_2_1_boundary_lies_between_two_resonance_curves(p in 3_u32..80, delta in 1e-6..0.9999_f64) {
+        let h = boundary(p, delta);
+        prop_assert!(resonance_boundary(0.5 * f64::from(p), delta) < h);
+        prop_assert!(h < resonance_boundary(f64::from(p) - 1.0, delta));
+    }
+
+    #[test]
+    fn admissibility_sum_changes_sign_within_rounding_of_the_boundary(p in 3_u32..30, delta in 0.05..0.999_f64) {
+        let h = boundary(p, delta);
+        // H_p itself is only known to some p^2 roundings of its largest terms; its slope is at least as large as these
+        // terms over sqrt(delta), so that a relative step of 1e-11 shows the sign.
+        let step = 1e-11 * delta.sqrt();
+        prop_assert!(admissibility_sum(p, h - step, delta) < 0.0);
+        prop_assert!(admissibility_sum(p, h + step, delta) > 0.0);
+    }
+
+    #[test]
+    fn no_larger_root_exists(p in 3_u32..30, delta in 0.01..0.999_f64, share in 1e-6..1.0_f64) {
+        // Beyond 2 sqrt(delta) the eigenvalues are positive, so H_p is a sum of positive terms.
+        let h = boundary(p, delta);
+        prop_assert!(admissibility_sum(p, h + share * (2.0 * delta.sqrt() - h), delta) > 0.0);
+    }
+
+    #[test]
+    fn boundary_is_explicit_for_three_and_four_loops(delta in 1e-9..0.999_999_f64) {
+        // H_3 = 1 + tau / delta; delta^2 H_4 = tau^2 + delta tau + delta^2 - delta. A few roundings of 2 sqrt(delta).
+        let scale = 2.0 * delta.sqrt();
+        assert_within(boundary(3, delta), -delta, 4e-16 * scale);
+        assert_within(boundary(4, delta), 0.5 * (delta * (4.0 - 3.0 * delta)).sqrt() - 0.5 * delta, 8e-16 * scale);
+    }
+
+    #[test]
+    fn boundary_is_a_root_of_the_cubic_for_five_loops(delta in 1e-3..0.999_f64) {
+        // delta^3 H_5 = tau^3 + delta tau^2 + (delta^2 - 2 delta) tau + delta^3 - delta^2
+        let tau = boundary(5, delta);
+        let cubic = ((tau + delta) * tau + delta * (delta - 2.0)) * tau + delta * delta * (delta - 1.0);
+        let slope = (3.0 * tau + 2.0 * delta) * tau + delta * (delta - 2.0);
+        // One more Newton step moves the root by no more than the roundings of the terms allow.
+        prop_assert!((cubic / slope).abs() <= 4e-15 * delta.sqrt());
+    }
+}
+
+#[test]
+fn two_loops_have_the_double_negative_eigenvalue_as_boundary() {
+    for delta in [1e-12, 0.3, 0.999_f64] {
+        assert_eq!(admissibility_boundary(2, delta), Ok(-2.0 * delta.sqrt()));
+    }
+}
+
+#[test]
+fn boundary_tends_to_the_ends_of_its_bracket() {
+    for p in [3_u32, 4, 7, 50, 1000] {
+        let loops = f64::from(p);
+        // No contraction: towards g_{p/2}, at distance of order 1 - delta times p.
+        let nearly_one = 1.0 - 1e-13;
+        assert_within(boundary(p, nearly_one), 2.0 * libm::cos(2.0 * PI / loops), 1e-12);
+        // Strong contraction: towards g_{p-1}, at a relative distance of order sqrt(delta).
+        let tiny = 1e-26;
+        assert_within(boundary(p, tiny), 2e-13 * libm::cos(PI / (loops - 1.0)), 1e-25);
+    }
+}
+
+#[test]
+fn boundary_exists_over_the_whole_range_of_doubles() {
+    for p in [3_u32, 5, 200, 5000] {
+        for delta in [f64::MIN_POSITIVE, 1e-200, 1e-20, 0.5, 1.0 - f64::EPSILON] {
+            let scaled = boundary(p, delta) / (2.0 * delta.sqrt());
+            let (low, high) = (libm::cos(2.0 * PI / f64::from(p)), libm::cos(PI / (f64::from(p) - 1.0)));
+            // One unit in the last place on either side.
+            assert!(low - 2.3e-16 <= scaled && scaled <= high + 2.3e-16, "p = {p}, delta = {delta:e}: {scaled}");
+        }
+    }
+}
+
+#[test]
+fn curves_accumulate_at_the_right_edge_of_the_complex_eigenvalues() {
+    let delta: f64 = 0.6;
+    let mut last = boundary(2, delta);
+    for p in 3..60 {
+        let next = boundary(p, delta);
+        assert!(last < next && next < 2.0 * delta.sqrt(), "p = {p}");
+        last = next;
+    }
+    // cos(pi / (p - 1)) < h / (2 sqrt(delta)) fails the other way round by at most (2 pi / p)^2 / 2.
+    assert_close(boundary(100_000, delta), 2.0 * delta.sqrt(), 2e-9);
+}
+
+#[test]
+fn arguments_outside_the_domain_are_refused() {
+    assert_eq!(admissibility_boundary(1, 0.5), Err(TheoryError::TooFewLoops { loops: 1, minimum: 2 }));
+    for delta in [0.0, 1.0, -0.2, f64::INFINITY] {
+        assert_eq!(admissibility_boundary(3, delta), Err(TheoryError::DeterminantOutsideUnitInterval { delta }));
+    }
+    assert!(admissibility_boundary(3, f64::NAN).is_err());
+}
