@@ -156,6 +156,26 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         memory.reference_phase = Some(point[unknown::PHASE]);
     }
 
+    /// The points (x⁽ʲ⁾, z⁽ʲ⁾), j = 1, …, p, at which the loops of an MPS meet Π; the last is virtual.
+    ///
+    /// Paper: eq:xjzj. Starts from the event times in `memory`.
+    ///
+    /// # Errors
+    /// A loop has no maximum of x near Π, as where VIVID is not defined.
+    pub fn visits(&self, point: &Unknowns, memory: &Memory) -> Result<Vec<Vector2<f64>>, MapError> {
+        let oscillator = self.oscillator_at(point);
+        let recoil = oscillator.reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE]).value;
+        let back = maps::virtual_map::<O, 1>(&oscillator, recoil[0], recoil[1], memory.virtual_times[1])?;
+        let mut here = back.jet.value;
+        (0..self.loops as usize)
+            .map(|j| {
+                let time = memory.return_times.get(j).copied();
+                here = maps::global_map::<O, 1>(&oscillator, here[0], here[1], time)?.jet.value;
+                Ok(here)
+            })
+            .collect()
+    }
+
     /// The value of x at the interior maximum that `memory` holds, with its first derivatives in the unknowns.
     ///
     /// # Errors

@@ -69,7 +69,9 @@ pub enum TheoryError {
         highest: f64,
     },
     /// The window reaches so far down that it holds more resonances than can be listed.
-    #[error("the frequency window holds about {count:.3e} resonances with p = {loops}; at most {limit} are listed")]
+    #[error(
+        "the frequency window holds about {count:.3e} resonances with p = {loops}; at most {limit} are listed"
+    )]
     TooManyResonances {
         /// The number of loops, p.
         loops: u32,

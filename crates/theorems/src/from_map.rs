@@ -1,7 +1,8 @@
 //! The quantities of section 2 read off the numerical global map of any oscillator.
 //!
-//! Nothing here knows a closed form: the grazing orbit is found by Newton's method on P_global, and every coefficient is
-//! a first or second derivative of P_global. For the linear oscillator the results agree with [`linear_oscillator`](crate::linear_oscillator).
+//! Nothing here knows a closed form: the grazing orbit is found by Newton's method on P_global, and every
+//! coefficient is a first or second derivative of P_global. For the linear oscillator the results agree with
+//! [`linear_oscillator`](crate::linear_oscillator).
 
 use grazing_model::maps::{MapError, global_iterate, global_map};
 use grazing_model::{ImpactOscillator, MapJet, State};
@@ -29,7 +30,8 @@ pub enum GrazingOrbitError {
 
 /// The grazing periodic orbit of an oscillator at one value of the secondary parameter.
 ///
-/// Paper: Assumption 2.2 with μ = primary − primary_graz(η): the change of parameter that puts grazing at μ = 0.
+/// Paper: Assumption 2.2 with μ = primary − primary_graz(η): the change of parameter that puts grazing at μ =
+/// 0.
 #[derive(Clone, Debug)]
 pub struct GrazingOrbit<O> {
     oscillator: O,
@@ -40,8 +42,8 @@ pub struct GrazingOrbit<O> {
 }
 
 impl<O: ImpactOscillator> GrazingOrbit<O> {
-    /// The grazing orbit at the secondary parameter of `oscillator`, by Newton's method for P_global(0, z; primary) = (0, z)
-    /// from the oscillator's own primary parameter and the phase `near`.
+    /// The grazing orbit at the secondary parameter of `oscillator`, by Newton's method for P_global(0, z;
+    /// primary) = (0, z) from the oscillator's own primary parameter and the phase `near`.
     ///
     /// # Errors
     /// P_global is not defined at an iterate, or there is no convergence.
@@ -55,7 +57,13 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
             let defect = Vector2::new(map.value[0], map.value[1] - phase);
             residual = defect.norm();
             let jacobian = Self::by_phase_and_primary(&map);
-            let Some(step) = jacobian.lu().solve(&defect).filter(|step| step.norm().is_finite()) else { break };
+            let Some(step) = jacobian
+                .lu()
+                .solve(&defect)
+                .filter(|step| step.norm().is_finite())
+            else {
+                break;
+            };
             phase -= step[0];
             primary -= step[1];
             // Quadratic convergence: after such a step the next is lost in rounding.
@@ -70,8 +78,16 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     fn at(oscillator: O, phase: f64) -> Result<Self, GrazingOrbitError> {
         let map = global_map::<O, 2>(&oscillator, 0.0, phase, None)?.jet;
         let by_eta = map.jacobian.column(3).into_owned();
-        let slopes = -Self::by_phase_and_primary(&map).lu().solve(&by_eta).unwrap_or(Vector2::repeat(f64::NAN));
-        Ok(Self { oscillator, phase, map, slopes })
+        let slopes = -Self::by_phase_and_primary(&map)
+            .lu()
+            .solve(&by_eta)
+            .unwrap_or(Vector2::repeat(f64::NAN));
+        Ok(Self {
+            oscillator,
+            phase,
+            map,
+            slopes,
+        })
     }
 
     /// Derivative of P_global(0, z; primary) − (0, z).
@@ -110,7 +126,10 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     pub fn grazing_point(&self) -> GrazingPoint {
         let reset = self.oscillator.reset::<1>(0.0, self.phase);
         GrazingPoint {
-            map: LinearisedMap { a: self.map.derivative(), b: self.map.jacobian.column(2).into_owned() },
+            map: LinearisedMap {
+                a: self.map.derivative(),
+                b: self.map.jacobian.column(2).into_owned(),
+            },
             forcing_frequency: self.oscillator.forcing_frequency().value,
             gamma: -self.oscillator.acceleration(State::on_wall(0.0, self.phase)),
             phi: -reset.jacobian[(0, 0)],
@@ -144,7 +163,9 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         let rate = self.derivative_of_map();
         let a = self.map.derivative();
         let unfolding = if loops == 1 {
-            Unfolding::OneLoop { off_diagonal_derivative: rate[(0, 1)] }
+            Unfolding::OneLoop {
+                off_diagonal_derivative: rate[(0, 1)],
+            }
         } else {
             let determinant_rate = rate[(0, 0)] * a[(1, 1)] + a[(0, 0)] * rate[(1, 1)]
                 - rate[(0, 1)] * a[(1, 0)]

@@ -78,7 +78,10 @@ impl GrazingPoint {
     /// `x_hat = y^2 / (2 gamma)`, `z_hat = z + omega y / gamma`. Paper: section 4, eq. (3), `eq:xHatzHat`.
     #[must_use]
     pub fn virtual_map(&self) -> VirtualMap {
-        VirtualMap { x_coefficient: 0.5 / self.gamma, z_coefficient: self.forcing_frequency / self.gamma }
+        VirtualMap {
+            x_coefficient: 0.5 / self.gamma,
+            z_coefficient: self.forcing_frequency / self.gamma,
+        }
     }
 
     /// The map `P_virt o R` from an impact to the virtual maximum that precedes the recoil, to leading order.
@@ -182,7 +185,8 @@ impl GrazingPoint {
             map: self.map,
             loops: p,
             impact_velocity_slope: self.parameter_jacobian_determinant(p) / determinant,
-            impact_phase_slope: ((a.m22 * after_reset - 1.0) * b.x - a.m12 * after_reset * b.y) / (alpha * a.m12),
+            impact_phase_slope: ((a.m22 * after_reset - 1.0) * b.x - a.m12 * after_reset * b.y)
+                / (alpha * a.m12),
         })
     }
 }

@@ -126,7 +126,11 @@ pub struct Hypothesis {
 
 impl Hypothesis {
     pub(crate) fn new(quantity: Quantity, value: f64, condition: Condition) -> Self {
-        Self { quantity, value, condition }
+        Self {
+            quantity,
+            value,
+            condition,
+        }
     }
 
     pub(crate) fn positive(quantity: Quantity, value: f64) -> Self {
@@ -152,7 +156,11 @@ impl Hypothesis {
 
 impl fmt::Display for Hypothesis {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { quantity, value, condition } = self;
+        let Self {
+            quantity,
+            value,
+            condition,
+        } = self;
         match condition {
             Condition::AtLeast(bound) => write!(formatter, "{quantity} >= {bound}")?,
             Condition::Positive => write!(formatter, "{quantity} > 0")?,
@@ -163,7 +171,8 @@ impl fmt::Display for Hypothesis {
     }
 }
 
-/// The answer when a theorem says nothing about a point: the theorem and all of its hypotheses, of which at least one fails.
+/// The answer when a theorem says nothing about a point: the theorem and all of its hypotheses, of which at
+/// least one fails.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{theorem} does not apply: it needs {}", list(self.violated()))]
 pub struct HypothesesViolated {
@@ -185,7 +194,10 @@ fn list<'a>(hypotheses: impl Iterator<Item = &'a Hypothesis>) -> String {
 }
 
 /// The hypotheses back if all of them hold, otherwise the answer that names those that fail.
-pub(crate) fn check(theorem: Theorem, hypotheses: Vec<Hypothesis>) -> Result<Vec<Hypothesis>, HypothesesViolated> {
+pub(crate) fn check(
+    theorem: Theorem,
+    hypotheses: Vec<Hypothesis>,
+) -> Result<Vec<Hypothesis>, HypothesesViolated> {
     if hypotheses.iter().all(Hypothesis::holds) {
         Ok(hypotheses)
     } else {

@@ -65,16 +65,27 @@ impl ResonantGrazing {
     pub fn check(point: &ResonantPoint, resonance_tolerance: f64) -> Result<Self, HypothesesViolated> {
         let map = &point.grazing.map;
         let stability = point.stability_coefficients();
-        let resonance = Condition::Zero { tolerance: resonance_tolerance };
+        let resonance = Condition::Zero {
+            tolerance: resonance_tolerance,
+        };
         let (theorem, at_resonance, unfolded) = match point.unfolding {
-            Unfolding::OneLoop { off_diagonal_derivative } => (
+            Unfolding::OneLoop {
+                off_diagonal_derivative,
+            } => (
                 Theorem::ResonantOneLoop,
                 Hypothesis::new(Quantity::OffDiagonal, map.a.m12, resonance),
                 Hypothesis::non_zero(Quantity::OffDiagonalDerivative, off_diagonal_derivative),
             ),
-            Unfolding::MultiLoop { loops, detuning_derivative } => (
+            Unfolding::MultiLoop {
+                loops,
+                detuning_derivative,
+            } => (
                 Theorem::ResonantMultiLoop,
-                Hypothesis::new(Quantity::Detuning, detuning(loops, map.trace(), map.determinant()), resonance),
+                Hypothesis::new(
+                    Quantity::Detuning,
+                    detuning(loops, map.trace(), map.determinant()),
+                    resonance,
+                ),
                 Hypothesis::non_zero(Quantity::DetuningDerivative, detuning_derivative),
             ),
         };
@@ -88,12 +99,13 @@ impl ResonantGrazing {
         ]);
         let hypotheses = check(theorem, hypotheses)?;
         let branch = point.branch_expansion();
-        let curve = |coefficient: f64, stability_coefficient: f64, impact_velocity_slope: f64| BifurcationCurve {
-            coefficient,
-            eta_side: Side::of(unfolded.value * stability_coefficient),
-            impact_velocity_slope,
-            impact_phase_slope: impact_velocity_slope * branch.k_1,
-        };
+        let curve =
+            |coefficient: f64, stability_coefficient: f64, impact_velocity_slope: f64| BifurcationCurve {
+                coefficient,
+                eta_side: Side::of(unfolded.value * stability_coefficient),
+                impact_velocity_slope,
+                impact_phase_slope: impact_velocity_slope * branch.k_1,
+            };
         Ok(Self {
             theorem,
             loops: point.loops(),

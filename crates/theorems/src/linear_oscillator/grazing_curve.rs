@@ -103,7 +103,10 @@ impl GrazingState {
             -sine / (omega_1 * self.omega),
             cosine - skew,
         ) * self.decay(1);
-        LinearisedMap { a, b: Vector2::new(1.0 - a.m11, -a.m21) / self.amplitude() }
+        LinearisedMap {
+            a,
+            b: Vector2::new(1.0 - a.m11, -a.m21) / self.amplitude(),
+        }
     }
 
     /// The trace of `A`.
@@ -167,8 +170,7 @@ impl GrazingState {
         let omega_1 = self.oscillator.damped_natural_frequency();
         let (sine, cosine) = self.free_rotation(1);
         let radians = 2.0 * PI / self.omega;
-        self.decay(1) / omega_1
-            * ((1.0 + radians * self.oscillator.zeta) * sine - radians * omega_1 * cosine)
+        self.decay(1) / omega_1 * ((1.0 + radians * self.oscillator.zeta) * sine - radians * omega_1 * cosine)
     }
 
     /// The signed distance of the trace from the resonance, `kappa_p = tau - g_p(delta)`. `p >= 1`.

@@ -1,0 +1,120 @@
+//! Why the program ends without having done what it was asked to, and with which exit code.
+
+use std::path::PathBuf;
+
+use grazing_reproduction::parameters::ParameterError;
+use grazing_reproduction::published::PublishedError;
+use thiserror::Error;
+
+/// A failure, with the one line that is printed for it.
+#[derive(Debug, Error)]
+pub enum Failure {
+    /// Files are not what the code makes.
+    #[error("{folder} is not what the code makes: {}", remedies(*.wrong, *.unexpected, mend))]
+    CheckFailed {
+        /// The folder of the figures.
+        folder: String,
+        /// How many files are missing or have another content.
+        wrong: usize,
+        /// How many files should not be there.
+        unexpected: usize,
+        /// The command that makes the missing and other ones right.
+        mend: String,
+    },
+    /// Published values are not met.
+    #[error("{off} of {all} published values not met")]
+    PublishedOff {
+        /// How many are not met.
+        off: usize,
+        /// How many there are.
+        all: usize,
+    },
+    /// The parameter file is not right.
+    #[error(transparent)]
+    Parameters(#[from] ParameterError),
+    /// There is no default parameter file.
+    #[error(
+        "no figures/parameters.toml in this folder or in one above: run this inside a clone of the repository, or name \
+         the files with --parameters FILE and, where files are written or checked, --output DIR"
+    )]
+    NoProject,
+    /// The output folder cannot be written.
+    #[error("{}: cannot be written: {reason}; name a folder for the outputs with --output DIR", path.display())]
+    Unwritable {
+        /// The folder or file.
+        path: PathBuf,
+        /// What stands in the way.
+        reason: String,
+    },
+    /// The threads could not be started.
+    #[error("{jobs} threads could not be started: {reason}")]
+    Threads {
+        /// How many were asked for.
+        jobs: u16,
+        /// What the system says.
+        reason: String,
+    },
+    /// The computation failed.
+    #[error("{what}: {reason}")]
+    Computation {
+        /// The output that was being computed.
+        what: &'static str,
+        /// What went wrong.
+        reason: String,
+    },
+    /// The computation made other tables than the registry of outputs says.
+    #[error("{output}: the tables {made:?} were made, the registry of outputs says {registered:?}")]
+    Registry {
+        /// The output.
+        output: &'static str,
+        /// The tables that were made.
+        made: Vec<&'static str>,
+        /// The tables that should have been.
+        registered: &'static [&'static str],
+    },
+    /// The list of published values is not right, or does not fit the computed ones.
+    #[error(transparent)]
+    Published(#[from] PublishedError),
+    /// A file could not be read or written although the folder seemed fine.
+    #[error("{}: {reason}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        reason: std::io::Error,
+    },
+}
+
+impl Failure {
+    /// The exit code: 1 a check failed, 2 bad input, 3 the computation failed, 4 a file could not be read or written.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Failure::CheckFailed { .. } | Failure::PublishedOff { .. } => 1,
+            Failure::Parameters(_)
+            | Failure::NoProject
+            | Failure::Unwritable { .. }
+            | Failure::Threads { .. } => 2,
+            Failure::Computation { .. } | Failure::Registry { .. } | Failure::Published(_) => 3,
+            Failure::File { .. } => 4,
+        }
+    }
+}
+
+/// What has to be done about files that are wrong and files that should not be there.
+fn remedies(wrong: usize, unexpected: usize, mend: &str) -> String {
+    let files = |count: usize| {
+        if count == 1 {
+            "1 file".to_owned()
+        } else {
+            format!("{count} files")
+        }
+    };
+    let mut remedies = Vec::new();
+    if wrong > 0 {
+        remedies.push(format!("mend {} with `{mend}`", files(wrong)));
+    }
+    if unexpected > 0 {
+        remedies.push(format!("remove {} that it does not make", files(unexpected)));
+    }
+    remedies.join(", ")
+}

@@ -1,0 +1,29 @@
+//! The `grazing` program: runs the reproduction, writes figures and tables, and compares with the paper.
+//!
+//! It is a library too, so that the tests can hold the README's commands against the command line's definition.
+
+pub mod arguments;
+pub mod compare;
+pub mod failure;
+pub mod folder;
+pub mod outputs;
+mod progress;
+mod project;
+mod reproduce;
+pub mod standin;
+pub mod tables;
+pub mod terminal;
+
+use arguments::{Arguments, Command};
+use failure::Failure;
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// [`Failure`], which knows its message and its exit code.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    match &arguments.command {
+        Command::Reproduce(arguments) => reproduce::run(arguments),
+        Command::Compare(arguments) => compare::run(arguments),
+    }
+}

@@ -1,0 +1,144 @@
+//! The registry of outputs: what can be made, and from what.
+
+use std::path::{Path, PathBuf};
+
+use crate::standin::{Study, Table};
+
+use crate::failure::Failure;
+use crate::folder::{DATA, MadeFile};
+use crate::tables;
+
+/// What an output consists of when it is made.
+pub struct Made {
+    /// The figure as SVG.
+    figure: Option<String>,
+    /// The tables, in the order of the registry.
+    tables: Vec<Table>,
+}
+
+/// One output: a figure with its data, or a table.
+pub struct Output {
+    /// The name on the command line.
+    pub name: &'static str,
+    /// What it shows, in one line.
+    pub title: &'static str,
+    /// The file of the figure.
+    figure: Option<&'static str>,
+    /// The names of the tables.
+    tables: &'static [&'static str],
+    make: fn(&Study) -> Result<Made, Failure>,
+}
+
+/// All outputs, in the order in which they are made.
+pub const ALL: &[Output] = &[
+    Output {
+        name: "coefficients",
+        title: "Coefficients at all resonances of Figure 7",
+        figure: None,
+        tables: &["coefficients"],
+        make: |study| {
+            let made = study
+                .coefficients()
+                .map_err(|error| computation("coefficients", &error))?;
+            Ok(Made {
+                figure: None,
+                tables: made.tables(),
+            })
+        },
+    },
+    Output {
+        name: "fig02",
+        title: "Figure 2: one-parameter bifurcation diagram with phase portraits",
+        figure: Some("fig02.svg"),
+        tables: &["fig02_branches", "fig02_bifurcations", "fig02_attractor"],
+        make: |study| {
+            let made = study.fig02().map_err(|error| computation("fig02", &error))?;
+            Ok(Made {
+                figure: Some(String::new()),
+                tables: made.tables(),
+            })
+        },
+    },
+    Output {
+        name: "fig07",
+        title: "Figure 7: two-parameter bifurcation diagram",
+        figure: Some("fig07.svg"),
+        tables: &["fig07_curves", "fig07_points"],
+        make: |study| {
+            let made = study.fig07().map_err(|error| computation("fig07", &error))?;
+            Ok(Made {
+                figure: Some(String::new()),
+                tables: made.tables(),
+            })
+        },
+    },
+    Output {
+        name: "fig08",
+        title: "Figure 8: three magnifications of Figure 7 with quadratic approximations",
+        figure: Some("fig08.svg"),
+        tables: &["fig08_curves"],
+        make: |study| {
+            let made = study.fig08().map_err(|error| computation("fig08", &error))?;
+            Ok(Made {
+                figure: Some(String::new()),
+                tables: made.tables(),
+            })
+        },
+    },
+];
+
+impl Output {
+    /// The paths of its files in the output folder.
+    pub fn paths(&self) -> impl Iterator<Item = PathBuf> {
+        self.figure
+            .iter()
+            .map(PathBuf::from)
+            .chain(self.tables.iter().map(|table| table_path(table)))
+    }
+
+    /// Computes the output.
+    ///
+    /// # Errors
+    /// [`Failure::Computation`]; [`Failure::Registry`] if other tables were made than announced.
+    pub(crate) fn files(&self, study: &Study) -> Result<Vec<MadeFile>, Failure> {
+        let made = (self.make)(study)?;
+        let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
+        if names != self.tables {
+            return Err(Failure::Registry {
+                output: self.name,
+                made: names,
+                registered: self.tables,
+            });
+        }
+        let mut files = Vec::new();
+        if let (Some(file), Some(svg)) = (self.figure, made.figure) {
+            files.push(MadeFile {
+                path: PathBuf::from(file),
+                content: svg.into_bytes(),
+            });
+        }
+        for table in &made.tables {
+            let content = tables::csv(&table.frame).map_err(|error| computation(self.name, &error))?;
+            files.push(MadeFile {
+                path: table_path(table.name),
+                content,
+            });
+        }
+        Ok(files)
+    }
+}
+
+/// The failure of a computation, with the error and all that it came from.
+pub(crate) fn computation(what: &'static str, error: &dyn std::error::Error) -> Failure {
+    let mut reason = error.to_string();
+    let mut cause = error.source();
+    while let Some(deeper) = cause {
+        reason.push_str(&format!(": {deeper}"));
+        cause = deeper.source();
+    }
+    Failure::Computation { what, reason }
+}
+
+fn table_path(name: &str) -> PathBuf {
+    Path::new(DATA).join(format!("{name}.csv"))
+}

@@ -1,0 +1,46 @@
+//! Where the default parameters and the default output folder are.
+
+use std::env;
+use std::path::{Path, PathBuf};
+
+use grazing_reproduction::parameters::Parameters;
+
+use crate::failure::Failure;
+
+/// The default parameter file, from the root of the repository.
+const PARAMETERS: &str = "figures/parameters.toml";
+/// The default output folder, from the root of the repository.
+const FIGURES: &str = "figures";
+
+/// The nearest folder, from the current one upwards, that holds the default parameter file; relative, as `../..`, so that
+/// messages name no folder above it.
+fn root() -> Option<PathBuf> {
+    let here = env::current_dir().ok()?;
+    let above = here.ancestors().count();
+    (0..above)
+        .map(|steps| PathBuf::from_iter(vec![".."; steps]))
+        .find(|root| root.join(PARAMETERS).is_file())
+}
+
+/// The parameters of the file that was named, or of the default one.
+///
+/// # Errors
+/// [`Failure::NoProject`] if none was named and there is no default one; [`Failure::Parameters`].
+pub(crate) fn parameters(named: Option<&Path>) -> Result<Parameters, Failure> {
+    let file = match named {
+        Some(file) => file.to_owned(),
+        None => root().ok_or(Failure::NoProject)?.join(PARAMETERS),
+    };
+    Ok(Parameters::from_file(&file)?)
+}
+
+/// The folder that was named, or the default one.
+///
+/// # Errors
+/// [`Failure::NoProject`] if none was named and there is no default one.
+pub(crate) fn output_folder(named: Option<&Path>) -> Result<PathBuf, Failure> {
+    match named {
+        Some(folder) => Ok(folder.to_owned()),
+        None => Ok(root().ok_or(Failure::NoProject)?.join(FIGURES)),
+    }
+}

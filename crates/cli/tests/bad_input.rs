@@ -1,0 +1,169 @@
+//! Bad input gives one clear message and exit code 2, and nothing is written.
+
+mod program;
+
+use std::fs;
+use std::path::Path;
+
+use program::{DEFAULT, edited, empty_folder, grazing, listing, project, snapshots};
+
+/// What is done to the default parameter file: after which section the line of which key becomes which line.
+const EDITS: &[(&str, &str, &str)] = &[
+    ("[oscillator]", "zeta", "zetta = 0.1"),
+    ("[oscillator]", "zeta", ""),
+    ("[oscillator]", "zeta", "zeta = \"small\""),
+    ("[oscillator]", "zeta", "zeta = 0.1.1"),
+    ("[oscillator]", "zeta", "zeta = 0"),
+    ("[oscillator]", "zeta", "zeta = 1.5"),
+    ("[oscillator]", "zeta", "zeta = nan"),
+    ("[oscillator]", "epsilon", "epsilon = 0.0"),
+    ("[oscillator]", "epsilon", "epsilon = 1.01"),
+    ("[oscillator]", "epsilon", "epsilon = inf"),
+    ("[oscillator]", "epsilon", "epsilon = 0.7\nepsilon = 0.8"),
+    ("[fig02]", "frequency", "frequency = -1"),
+    ("[fig02]", "amplitude", "amplitude = [0.4, 0.2]"),
+    ("[fig02]", "amplitude", "amplitude = [0.2, 0.2]"),
+    ("[fig02]", "amplitude", "amplitude = [0.2, 0.3, 0.4]"),
+    ("[fig02]", "amplitude", "amplitude = [0.2, nan]"),
+    ("[fig02]", "amplitude", "amplitude = [0.001, 0.002]"),
+    ("[fig02]", "x", "x = [0.1, -inf]"),
+    ("[fig02]", "loops", "loops = [0, 1]"),
+    ("[fig02]", "loops", "loops = []"),
+    ("[fig02]", "loops", "loops = [1, 2, 2]"),
+    ("[fig02]", "loops", "loops = [1, 2.5]"),
+    ("[fig02.magnification]", "amplitude", "amplitude = [0, 9]"),
+    ("[fig02.attractor]", "orbits", "orbits = 0"),
+    ("[fig02.attractor]", "orbits", "orbits = 1000\nrecoded = 20"),
+    ("[fig02.attractor]", "transient", "transient = 900000"),
+    ("[[fig02.portraits]]", "loops", "loops = 7"),
+    ("[fig07]", "frequency", "frequency = [0.9, 0.95]"),
+    ("[fig07]", "frequency", "frequency = [0.65, 0.82]"),
+    ("[fig07]", "frequency", "frequency = [0.0, 1.1]"),
+    ("[fig07]", "frequency", "frequency = [1e-9, 1.1]"),
+    ("[[fig08.panels]]", "loops", "loops = 4"),
+    ("[[fig08.panels]]", "n", "n = 5"),
+    ("[[fig08.panels]]", "frequency", "frequency = [0.4, 4]"),
+    ("# Figure 8", "[[fig08.panels]]", "[[fig8.panels]]"),
+    ("[fig02]", "[fig02.attractor]", "[fig2.attractor]"),
+];
+
+#[test]
+fn every_bad_parameter_file_is_refused_with_file_line_key_value_and_what_is_allowed() {
+    let mut transcript = String::new();
+    for (section, key, line) in EDITS {
+        let edit = format!(
+            "{section} {key}: {}",
+            if line.is_empty() {
+                "removed".to_owned()
+            } else {
+                line.replace('\n', "; ")
+            }
+        );
+        let folder = project(&edited(section, key, line));
+        let before = listing(folder.path());
+        let outcome = grazing(folder.path(), &["reproduce"]);
+        assert_eq!(outcome.code, Some(2), "{edit}: {}", outcome.messages);
+        assert_eq!(outcome.output, "", "{edit}");
+        assert_eq!(
+            outcome.messages.lines().count(),
+            1,
+            "{edit}: {}",
+            outcome.messages
+        );
+        assert_eq!(listing(folder.path()), before, "{edit}");
+        transcript.push_str(&format!("{edit}\n{}\n", outcome.messages));
+    }
+    snapshots().bind(|| insta::assert_snapshot!("messages_for_bad_parameters", transcript));
+}
+
+#[test]
+fn compare_refuses_a_bad_parameter_file_as_well() {
+    let folder = project(&edited("[oscillator]", "zeta", "zeta = 2"));
+    let outcome = grazing(folder.path(), &["compare"]);
+    assert_eq!((outcome.code, outcome.output.as_str()), (Some(2), ""));
+    assert!(
+        outcome.messages.starts_with("error: figures/parameters.toml:"),
+        "{}",
+        outcome.messages
+    );
+}
+
+#[test]
+fn the_default_parameters_are_found_from_a_folder_below() {
+    let folder = project(&edited("[oscillator]", "zeta", "zeta = 2"));
+    let below = folder.path().join("a/b");
+    fs::create_dir_all(&below).expect("the folder is ours");
+    let outcome = grazing(&below, &["reproduce"]);
+    assert_eq!(outcome.code, Some(2));
+    assert!(
+        outcome
+            .messages
+            .starts_with("error: ../../figures/parameters.toml:"),
+        "{}",
+        outcome.messages
+    );
+}
+
+#[test]
+fn every_bad_command_line_is_refused() {
+    let folder = empty_folder();
+    fs::write(folder.path().join("file"), "").expect("the folder is ours");
+    fs::write(folder.path().join("p.toml"), DEFAULT).expect("the folder is ours");
+    let mut transcript = String::new();
+    for line in [
+        "",
+        "frobnicate",
+        "reproduce --only fig7",
+        "reproduce --only fig01",
+        "reproduce --chek",
+        "reproduce --jobs 0",
+        "reproduce --jobs many",
+        "reproduce",
+        "compare",
+        "reproduce --parameters missing.toml",
+        "reproduce --parameters p.toml",
+        "reproduce --parameters p.toml --output file",
+        "reproduce --parameters p.toml --output file/below",
+    ] {
+        let before = listing(folder.path());
+        let outcome = grazing(folder.path(), &line.split_whitespace().collect::<Vec<_>>());
+        assert_eq!(outcome.code, Some(2), "{line}: {}", outcome.messages);
+        assert_eq!(outcome.output, "", "{line}");
+        assert_eq!(listing(folder.path()), before, "{line}");
+        let first = outcome
+            .messages
+            .split("\n\n")
+            .filter(|part| !part.contains("Usage"))
+            .collect::<Vec<_>>();
+        transcript.push_str(&format!("$ grazing {line}\n{}\n", first.join("\n").trim_end()));
+    }
+    snapshots().bind(|| insta::assert_snapshot!("messages_for_bad_command_lines", transcript));
+}
+
+#[test]
+fn a_place_that_cannot_be_written_is_found_before_anything_is_computed() {
+    let obstacles: [(&str, fn(&Path)); 3] = [
+        ("out", |out| fs::write(out, "").expect("the folder is ours")),
+        ("out/data", |out| {
+            fs::create_dir(out).expect("the folder is ours");
+            fs::write(out.join("data"), "").expect("the folder is ours");
+        }),
+        ("out/fig02.svg", |out| {
+            fs::create_dir_all(out.join("fig02.svg")).expect("the folder is ours")
+        }),
+    ];
+    for (named, obstruct) in obstacles {
+        let folder = project(DEFAULT);
+        obstruct(&folder.path().join("out"));
+        let before = listing(folder.path());
+        let outcome = grazing(folder.path(), &["reproduce", "--output", "out"]);
+        assert_eq!(outcome.code, Some(2), "{named}: {}", outcome.messages);
+        let beginning = format!("error: {named}: cannot be written: ");
+        assert!(
+            outcome.messages.starts_with(&beginning),
+            "{named}: {}",
+            outcome.messages
+        );
+        assert_eq!(listing(folder.path()), before, "{named}");
+    }
+}

@@ -1,0 +1,90 @@
+//! `grazing reproduce` from end to end, in a temporary folder.
+
+mod program;
+
+use std::fs;
+
+use grazing_cli::outputs;
+use program::{edited, grazing, listing, project};
+
+/// The default parameters with little work for the attractor of Figure 2: what is tested here does not depend on it.
+fn quick_parameters() -> String {
+    edited("[fig02.attractor]", "amplitudes", "amplitudes = 5")
+}
+
+#[test]
+fn the_whole_reproduction_passes_its_own_check_whatever_the_number_of_threads() {
+    let folder = project(&quick_parameters());
+    let made = grazing(folder.path(), &["reproduce", "--jobs", "1"]);
+    assert_eq!(made.code, Some(0), "{}", made.messages);
+    let files: Vec<String> = outputs::ALL
+        .iter()
+        .flat_map(|output| output.paths())
+        .map(|path| path.display().to_string())
+        .collect();
+    for file in &files {
+        assert!(
+            made.output.contains(&format!("figures/{file} ")),
+            "{file} is not told of in\n{}",
+            made.output
+        );
+        assert!(
+            folder.path().join("figures").join(file).is_file(),
+            "{file} was not written"
+        );
+    }
+    assert_eq!(
+        listing(folder.path()).len(),
+        files.len() + 3,
+        "two folders and the parameters, nothing else"
+    );
+    assert!(
+        made.output.contains("published values are met"),
+        "{}",
+        made.output
+    );
+
+    let checked = grazing(folder.path(), &["reproduce", "--check", "--jobs", "2"]);
+    assert_eq!(checked.code, Some(0), "{}", checked.messages);
+}
+
+#[test]
+fn a_check_names_the_tampered_files_and_the_command_that_mends_them() {
+    let folder = project(&quick_parameters());
+    let here = |name: &str| folder.path().join(name);
+    let made = grazing(folder.path(), &["reproduce", "--only", "coefficients"]);
+    assert_eq!(made.code, Some(0), "{}", made.messages);
+    assert_eq!(listing(&here("figures/data")), ["coefficients.csv"]);
+
+    let table = fs::read_to_string(here("figures/data/coefficients.csv")).expect("it was written");
+    let (head, last) = table.trim_end().rsplit_once(',').expect("there are columns");
+    assert!(!last.is_empty());
+    let tampered = format!("{head},1.0\n");
+    fs::write(here("figures/data/coefficients.csv"), &tampered).expect("the folder is ours");
+    let before = listing(folder.path());
+    let checked = grazing(folder.path(), &["reproduce", "--only", "coefficients", "--check"]);
+    assert_eq!(checked.code, Some(1), "{}", checked.messages);
+    let line = table.lines().count();
+    let column = table
+        .lines()
+        .next()
+        .and_then(|header| header.rsplit(',').next())
+        .expect("there is a header");
+    let told =
+        format!("figures/data/coefficients.csv: line {line}, {column}: 1.0 here, {last} made by the code\n");
+    assert!(
+        checked.messages.contains(&told),
+        "{told} is not told in {}",
+        checked.messages
+    );
+    assert!(
+        checked
+            .errors()
+            .contains("`cargo xtask reproduce --only coefficients`"),
+        "{}",
+        checked.messages
+    );
+    assert_eq!(listing(folder.path()), before);
+    let unmended = fs::read_to_string(here("figures/data/coefficients.csv")).expect("it is there");
+    assert_eq!(unmended, tampered, "a check writes nothing");
+}

@@ -1,0 +1,265 @@
+//! The sheet a figure is drawn on: plotters' drawing area over our backend, in points from the top left corner.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use plotters::coord::Shift;
+use plotters::drawing::DrawingArea;
+use plotters::element::{Drawable, PointCollection};
+use plotters_backend::{BackendCoord, DrawingErrorKind};
+
+use crate::DrawingError;
+use crate::font::{Extent, Fonts};
+use crate::markup::Label;
+use crate::style::{Colour, Paint, Pen, SIZE_LIMIT};
+use crate::svg_backend::{Anchor, POINTS_PER_MM, SvgBackend, UNITS};
+
+/// A point of the sheet, in points to the right and downwards.
+pub(crate) type Spot = (f64, f64);
+
+/// A rectangle of the sheet, in points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Bounds {
+    pub(crate) left: f64,
+    pub(crate) top: f64,
+    pub(crate) right: f64,
+    pub(crate) bottom: f64,
+}
+
+impl Bounds {
+    pub(crate) fn centre(&self) -> Spot {
+        (0.5 * (self.left + self.right), 0.5 * (self.top + self.bottom))
+    }
+
+    pub(crate) fn grown(&self, by: f64) -> Bounds {
+        Bounds {
+            left: self.left - by,
+            top: self.top - by,
+            right: self.right + by,
+            bottom: self.bottom + by,
+        }
+    }
+
+    pub(crate) fn overlaps(&self, other: &Bounds) -> bool {
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
+    }
+
+    pub(crate) fn holds(&self, inner: &Bounds) -> bool {
+        self.left <= inner.left
+            && inner.right <= self.right
+            && self.top <= inner.top
+            && inner.bottom <= self.bottom
+    }
+
+    /// The box of the given size about a centre.
+    pub(crate) fn about((x, y): Spot, width: f64, height: f64) -> Bounds {
+        Bounds {
+            left: x - 0.5 * width,
+            top: y - 0.5 * height,
+            right: x + 0.5 * width,
+            bottom: y + 0.5 * height,
+        }
+    }
+}
+
+/// What an element puts on the sheet.
+pub(crate) enum Ink<'a> {
+    Line(Pen),
+    Polygon(Paint, Option<Pen>),
+    Disc(f64, Paint, Option<Pen>),
+    Triangle(f64, Paint, Option<Pen>),
+    Label(&'a Label, f64, Anchor, Colour),
+    Bins(f64, &'a str, Paint),
+}
+
+/// An element for plotters: points in any coordinate system, and the ink that joins or marks them.
+pub(crate) struct Element<'a, C> {
+    pub(crate) points: Vec<C>,
+    pub(crate) ink: Ink<'a>,
+}
+
+impl<'a, C: 'a> PointCollection<'a, C> for &'a Element<'_, C> {
+    type Point = &'a C;
+    type IntoIter = std::slice::Iter<'a, C>;
+
+    fn point_iter(self) -> Self::IntoIter {
+        self.points.iter()
+    }
+}
+
+impl<C> Drawable<SvgBackend> for Element<'_, C> {
+    fn draw<I: Iterator<Item = BackendCoord>>(
+        &self,
+        mut positions: I,
+        backend: &mut SvgBackend,
+        _parent: (u32, u32),
+    ) -> Result<(), DrawingErrorKind<std::convert::Infallible>> {
+        match &self.ink {
+            Ink::Line(pen) => backend.line(positions, pen),
+            Ink::Polygon(paint, outline) => backend.polygon(positions, paint, outline.as_ref()),
+            ink => {
+                let Some((x, y)) = positions.next() else {
+                    return Ok(());
+                };
+                match ink {
+                    Ink::Disc(radius, paint, rim) => backend.disc((x, y), *radius, paint, rim.as_ref()),
+                    Ink::Triangle(side, paint, rim) => {
+                        // Equilateral, its centroid on the point: heights 1/sqrt(3) above and 1/(2 sqrt(3)) below.
+                        let units = |length: f64| (length * UNITS).round() as i32;
+                        let (up, down) = (units(side * 0.577_35), units(side * 0.288_68));
+                        let half = units(side * 0.5);
+                        let corners = [(x, y - up), (x + half, y + down), (x - half, y + down)];
+                        backend.polygon(corners, paint, rim.as_ref())
+                    }
+                    Ink::Label(label, size, anchor, colour) => {
+                        backend.label((x, y), label, *size, *anchor, *colour)
+                    }
+                    Ink::Bins(bin, data, paint) => backend.bins((x, y), *bin, data, paint),
+                    Ink::Line(_) | Ink::Polygon(..) => Ok(()),
+                }
+            }
+        }
+    }
+}
+
+/// A sheet under way.
+pub(crate) struct Canvas {
+    backend: Rc<RefCell<SvgBackend>>,
+    root: DrawingArea<SvgBackend, Shift>,
+    fonts: Fonts,
+    pub(crate) width: f64,
+    pub(crate) height: f64,
+    /// Every label drawn so far and the box of its ink.
+    texts: RefCell<Vec<(String, Bounds)>>,
+}
+
+impl Canvas {
+    pub(crate) fn new(width_mm: f64, height_mm: f64) -> Result<Self, DrawingError> {
+        let (width, height) = (width_mm * POINTS_PER_MM, height_mm * POINTS_PER_MM);
+        let backend = Rc::new(RefCell::new(SvgBackend::new(width, height)));
+        let root = DrawingArea::from(&backend);
+        Ok(Canvas {
+            backend,
+            root,
+            fonts: Fonts::load()?,
+            width,
+            height,
+            texts: RefCell::default(),
+        })
+    }
+
+    pub(crate) fn root(&self) -> &DrawingArea<SvgBackend, Shift> {
+        &self.root
+    }
+
+    /// Draws in points of the sheet.
+    pub(crate) fn draw(&self, spots: &[Spot], ink: Ink<'_>) -> Result<(), DrawingError> {
+        let points = spots
+            .iter()
+            .map(|s| ((s.0 * UNITS).round() as i32, (s.1 * UNITS).round() as i32))
+            .collect();
+        self.root
+            .draw(&Element { points, ink })
+            .map_err(|_| DrawingError::SurfaceInUse)
+    }
+
+    pub(crate) fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {
+        self.fonts.measure(label, size)
+    }
+
+    /// A label with its baseline at the spot; returns the box of its ink.
+    pub(crate) fn text(
+        &self,
+        spot: Spot,
+        source: &str,
+        size: f64,
+        anchor: Anchor,
+        colour: Colour,
+    ) -> Result<Bounds, DrawingError> {
+        self.set(spot, &Label::parse(source)?, size, anchor, colour)
+    }
+
+    fn set(
+        &self,
+        (x, y): Spot,
+        label: &Label,
+        size: f64,
+        anchor: Anchor,
+        colour: Colour,
+    ) -> Result<Bounds, DrawingError> {
+        let extent = self.measure(label, size)?;
+        let left = match anchor {
+            Anchor::Start => x,
+            Anchor::Middle => x - 0.5 * extent.width,
+            Anchor::End => x - extent.width,
+        };
+        let (top, bottom) = (y - extent.ascent, y + extent.descent);
+        let taken = Bounds {
+            left,
+            top,
+            right: left + extent.width,
+            bottom,
+        };
+        self.texts.borrow_mut().push((label.source.clone(), taken));
+        self.draw(&[(x, y)], Ink::Label(label, size, anchor, colour))?;
+        Ok(taken)
+    }
+
+    /// A label whose ink is centred in a box of its own extent.
+    pub(crate) fn text_in(
+        &self,
+        bounds: &Bounds,
+        label: &Label,
+        size: f64,
+        colour: Colour,
+    ) -> Result<Bounds, DrawingError> {
+        let extent = self.measure(label, size)?;
+        let (x, y) = bounds.centre();
+        let baseline = y + 0.5 * (extent.ascent - extent.descent);
+        self.set((x, baseline), label, size, Anchor::Middle, colour)
+    }
+
+    /// The labels that overlap another one or leave the sheet: none, in a good figure.
+    #[cfg(test)]
+    pub(crate) fn misplaced_texts(&self) -> Vec<(String, Bounds)> {
+        let texts = self.texts.borrow();
+        let sheet = Bounds {
+            left: 0.0,
+            top: 0.0,
+            right: self.width,
+            bottom: self.height,
+        };
+        let spoilt = |i: usize| {
+            !sheet.holds(&texts[i].1)
+                || texts
+                    .iter()
+                    .enumerate()
+                    .any(|(j, other)| i != j && other.1.overlaps(&texts[i].1))
+        };
+        (0..texts.len())
+            .filter(|&i| spoilt(i))
+            .map(|i| texts[i].clone())
+            .collect()
+    }
+
+    /// The document, if it is light enough.
+    pub(crate) fn finish(
+        self,
+        figure: &'static str,
+        title: &str,
+        description: &str,
+    ) -> Result<String, DrawingError> {
+        let document = self.backend.borrow().finish(title, description);
+        if document.len() > SIZE_LIMIT {
+            return Err(DrawingError::TooLarge {
+                figure,
+                bytes: document.len(),
+                limit: SIZE_LIMIT,
+            });
+        }
+        Ok(document)
+    }
+}

@@ -1,0 +1,244 @@
+//! Clipping in data space: a curve leaves the window where it really crosses the frame, at its own slope.
+
+use crate::DrawingError;
+
+/// A rectangle of data space, shown by one panel.
+///
+/// Both coordinates are in the units of the data (dimensionless throughout the paper).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Window {
+    /// Lower and upper end of the horizontal axis.
+    pub x: [f64; 2],
+    /// Lower and upper end of the vertical axis.
+    pub y: [f64; 2],
+}
+
+impl Window {
+    /// Checks that both ranges are finite and increasing.
+    pub(crate) fn checked(self, name: &'static str) -> Result<Self, DrawingError> {
+        for (axis, [low, high]) in [("horizontal", self.x), ("vertical", self.y)] {
+            // Written so that NaN fails too.
+            if !(low.is_finite() && high.is_finite() && low < high) {
+                return Err(DrawingError::Window {
+                    window: name,
+                    axis,
+                    low,
+                    high,
+                });
+            }
+        }
+        Ok(self)
+    }
+
+    /// True if the point is in the window or on its frame; false for NaN.
+    pub(crate) fn contains(&self, (x, y): (f64, f64)) -> bool {
+        self.x[0] <= x && x <= self.x[1] && self.y[0] <= y && y <= self.y[1]
+    }
+}
+
+/// Liang–Barsky: the part of the segment from `a` to `b` inside the window, if any.
+fn clip_segment(window: &Window, a: (f64, f64), b: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
+    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+    let bounds = [
+        (-dx, a.0 - window.x[0]),
+        (dx, window.x[1] - a.0),
+        (-dy, a.1 - window.y[0]),
+        (dy, window.y[1] - a.1),
+    ];
+    for (outward, room) in bounds {
+        if outward == 0.0 {
+            if room < 0.0 {
+                return None;
+            }
+        } else if outward < 0.0 {
+            enter = enter.max(room / outward);
+        } else {
+            leave = leave.min(room / outward);
+        }
+    }
+    if enter > leave {
+        return None;
+    }
+    let at = |t: f64| (a.0 + t * dx, a.1 + t * dy);
+    // The ends themselves are kept to the bit, so that neighbouring segments join.
+    Some((
+        if enter == 0.0 { a } else { at(enter) },
+        if leave == 1.0 { b } else { at(leave) },
+    ))
+}
+
+/// The pieces of a polyline inside the window; split at the frame and at points that are not finite.
+pub(crate) fn clip_polyline(window: &Window, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
+    let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
+    let mut current: Vec<(f64, f64)> = Vec::new();
+    for pair in points.windows(2) {
+        let finite = pair.iter().all(|p| p.0.is_finite() && p.1.is_finite());
+        let Some((from, to)) = (if finite {
+            clip_segment(window, pair[0], pair[1])
+        } else {
+            None
+        }) else {
+            pieces.push(std::mem::take(&mut current));
+            continue;
+        };
+        if current.last() != Some(&from) {
+            pieces.push(std::mem::take(&mut current));
+            current.push(from);
+        }
+        current.push(to);
+    }
+    pieces.push(current);
+    pieces.retain(|piece| piece.len() > 1);
+    pieces
+}
+
+/// Sutherland–Hodgman: the polygon's part inside the window, as vertices in order (empty if there is none).
+///
+/// A part that falls into several pieces comes back joined along the frame, which is right for filling but not for
+/// outlines. Vertices that are not finite are left out.
+pub(crate) fn clip_polygon(window: &Window, vertices: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut kept: Vec<(f64, f64)> = vertices
+        .iter()
+        .copied()
+        .filter(|p| p.0.is_finite() && p.1.is_finite())
+        .collect();
+    type Side = fn(&Window, (f64, f64)) -> f64;
+    let sides: [Side; 4] = [
+        |w, p| p.0 - w.x[0],
+        |w, p| w.x[1] - p.0,
+        |w, p| p.1 - w.y[0],
+        |w, p| w.y[1] - p.1,
+    ];
+    for inside in sides {
+        let Some(&last) = kept.last() else { break };
+        let mut previous = last;
+        let mut next = Vec::with_capacity(kept.len() + 4);
+        for &vertex in &kept {
+            let (before, after) = (inside(window, previous), inside(window, vertex));
+            if (before < 0.0) != (after < 0.0) {
+                let t = before / (before - after);
+                next.push((
+                    previous.0 + t * (vertex.0 - previous.0),
+                    previous.1 + t * (vertex.1 - previous.1),
+                ));
+            }
+            if after >= 0.0 {
+                next.push(vertex);
+            }
+            previous = vertex;
+        }
+        kept = next;
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UNIT: Window = Window {
+        x: [0.0, 1.0],
+        y: [0.0, 1.0],
+    };
+
+    #[test]
+    fn a_line_leaves_the_window_at_its_own_slope() {
+        // Slope 3 through (0.5, 0.5): it crosses y = 0 and y = 1 at x = 1/3 and 2/3, one rounding away.
+        let pieces = clip_polyline(&UNIT, &[(-0.5, -2.5), (1.5, 3.5)]);
+        assert_eq!(pieces.len(), 1);
+        let [from, to] = pieces[0][..] else {
+            panic!("one segment expected")
+        };
+        assert!((from.0 - 1.0 / 3.0).abs() < 1e-15 && from.1.abs() < 1e-15);
+        assert!((to.0 - 2.0 / 3.0).abs() < 1e-15 && (to.1 - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_curve_that_leaves_and_returns_falls_into_two_pieces() {
+        let pieces = clip_polyline(&UNIT, &[(0.1, 0.5), (0.2, 1.5), (0.8, 1.5), (0.9, 0.5)]);
+        assert_eq!(pieces.len(), 2);
+        assert!(pieces.iter().flatten().all(|&p| UNIT.contains(p)));
+        assert_eq!(pieces[0][0], (0.1, 0.5));
+        assert_eq!(pieces[1][1], (0.9, 0.5));
+    }
+
+    #[test]
+    fn a_segment_beside_a_corner_is_dropped() {
+        assert!(clip_polyline(&UNIT, &[(-0.2, 0.9), (0.2, 1.3)]).is_empty());
+    }
+
+    #[test]
+    fn a_point_that_is_not_a_number_splits_the_line() {
+        let nan = (f64::NAN, f64::NAN);
+        let pieces = clip_polyline(
+            &UNIT,
+            &[
+                (0.1, 0.1),
+                (0.2, 0.2),
+                nan,
+                (0.3, 0.3),
+                (0.4, 0.4),
+                (f64::INFINITY, 0.4),
+            ],
+        );
+        assert_eq!(
+            pieces,
+            vec![vec![(0.1, 0.1), (0.2, 0.2)], vec![(0.3, 0.3), (0.4, 0.4)]]
+        );
+    }
+
+    #[test]
+    fn a_line_inside_is_kept_to_the_bit() {
+        let points = [(0.1, 0.2), (1.0, 0.3), (0.7, 0.0)];
+        assert_eq!(clip_polyline(&UNIT, &points), vec![points.to_vec()]);
+    }
+
+    fn area(polygon: &[(f64, f64)]) -> f64 {
+        let next = polygon.iter().cycle().skip(1);
+        0.5 * polygon
+            .iter()
+            .zip(next)
+            .map(|(a, b)| a.0 * b.1 - b.0 * a.1)
+            .sum::<f64>()
+    }
+
+    #[test]
+    fn a_polygon_is_cut_along_the_frame() {
+        // A diamond of half-diagonal 0.75 about the centre loses four corner triangles of height 0.25: its area
+        // falls from 1.125 to 1.125 - 4 * 0.0625.
+        let diamond = [(0.5, -0.25), (1.25, 0.5), (0.5, 1.25), (-0.25, 0.5)];
+        let cut = clip_polygon(&UNIT, &diamond);
+        assert_eq!(cut.len(), 8);
+        assert!((area(&cut) - 0.875).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_polygon_around_the_window_becomes_the_window_and_one_beside_it_nothing() {
+        let around = [(-1.0, -1.0), (3.0, -1.0), (3.0, 2.0), (-1.0, 2.0)];
+        assert!((area(&clip_polygon(&UNIT, &around)) - 1.0).abs() < 1e-15);
+        assert!(clip_polygon(&UNIT, &[(2.0, 0.0), (3.0, 0.0), (3.0, 1.0)]).is_empty());
+    }
+
+    #[test]
+    fn a_reversed_or_infinite_window_is_refused() {
+        let reversed = Window {
+            x: [1.0, 0.0],
+            y: [0.0, 1.0],
+        }
+        .checked("the panel")
+        .unwrap_err();
+        assert_eq!(
+            reversed.to_string(),
+            "horizontal range of the panel must be finite and increasing, but it is 1 to 0"
+        );
+        assert!(
+            Window {
+                x: [0.0, 1.0],
+                y: [0.0, f64::NAN]
+            }
+            .checked("the panel")
+            .is_err()
+        );
+    }
+}

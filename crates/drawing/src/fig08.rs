@@ -1,0 +1,235 @@
+//! Figure 8: magnifications about three resonances, with the quadratic approximations.
+
+use polars::prelude::DataFrame;
+
+use crate::DrawingError;
+use crate::axes::{Marker, Panel};
+use crate::canvas::{Bounds, Canvas, Spot};
+use crate::fig07::{Magnified, panel_letter, read_points};
+use crate::frames::{Table, runs};
+use crate::kinds::{Kind, Region, read_regions};
+use crate::labels::{Labels, Wanted};
+use crate::placement::length;
+use crate::style::{
+    BLACK, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, SMALL_LABEL_SIZE, TICK_SIZE, WIDE_MM, approximation,
+};
+use crate::svg_backend::Anchor;
+use crate::ticks::significant;
+
+/// What Figure 8 shows.
+///
+/// Paper: Figure 8, fig:Y.
+#[derive(Debug, Clone, Copy)]
+pub struct Figure08<'a> {
+    /// Columns panel, kind (graz, SN, PD, GZ), source (continuation, quadratic), arc, omega, amplitude. Rows that
+    /// follow each other with equal panel, kind, source and arc are one curve.
+    pub curves: &'a DataFrame,
+    /// The points of Figure 7.
+    pub points: &'a DataFrame,
+    /// The regions of Figure 7.
+    pub regions: &'a DataFrame,
+    /// Columns panel, p, c_sn, c_pd.
+    pub coefficients: &'a DataFrame,
+    /// The windows, panels 1, 2 and 3 in order.
+    pub panels: &'a [Magnified],
+}
+
+struct Curve {
+    panel: i64,
+    kind: Kind,
+    approximate: bool,
+    points: Vec<(f64, f64)>,
+}
+
+/// The coefficients printed over a panel.
+struct Coefficients {
+    panel: i64,
+    p: i64,
+    saddle_node: f64,
+    period_doubling: f64,
+}
+
+const PANELS: usize = 3;
+const HEIGHT_MM: f64 = 63.0;
+/// Room left of each panel for its numbers, in points; the first has the axis title too.
+const LEFT: f64 = 31.0;
+const TITLE_ROOM: f64 = 13.0;
+/// Curves shorter than this on the sheet (points) stay without a label.
+const LABELLED_LENGTH: f64 = 24.0;
+
+/// Draws Figure 8.
+///
+/// # Errors
+/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown, a window is empty or their number is
+/// not three.
+pub fn draw_fig08(figure: &Figure08<'_>) -> Result<String, DrawingError> {
+    compose(figure)?.finish(
+        "fig08",
+        "Magnifications about three resonant grazing bifurcations",
+        "Forcing amplitude across, forcing frequency up. Dashed: the quadratic approximations to the saddle-node and \
+         period-doubling curves.",
+    )
+}
+
+pub(crate) fn compose(figure: &Figure08<'_>) -> Result<Canvas, DrawingError> {
+    if figure.panels.len() != PANELS {
+        let found = figure.panels.len();
+        return Err(DrawingError::PanelCount {
+            figure: "fig08",
+            wanted: "three panels",
+            found,
+        });
+    }
+    let curves = read_curves(Table::new("fig08_curves", figure.curves))?;
+    let regions = read_regions(Table::new("fig07_regions", figure.regions))?;
+    let markers = read_points(Table::new("fig07_points", figure.points))?;
+    let coefficients = read_coefficients(Table::new("fig08_coefficients", figure.coefficients))?;
+
+    let canvas = Canvas::new(WIDE_MM, HEIGHT_MM)?;
+    let pitch = (canvas.width - TITLE_ROOM - 6.0) / PANELS as f64;
+    for (place, magnified) in figure.panels.iter().enumerate() {
+        let window = magnified.window.checked("a panel of fig08")?;
+        let left = TITLE_ROOM + pitch * place as f64 + LEFT;
+        let right = TITLE_ROOM + pitch * (place + 1) as f64 - 3.0;
+        let bounds = Bounds {
+            left,
+            top: 27.0,
+            right,
+            bottom: canvas.height - 30.0,
+        };
+        let panel = Panel::new(&canvas, window, bounds);
+        let number = i64::from(magnified.panel);
+        let own: Vec<&Curve> = curves.iter().filter(|c| c.panel == number).collect();
+        draw_panel(&panel, &own, &regions, &markers)?;
+        panel.axes(r"$\mathcal{A}$", if place == 0 { r"$\omega$" } else { "" })?;
+        let own = coefficients.iter().find(|c| c.panel == number);
+        draw_heading(&canvas, &bounds, magnified.panel, own)?;
+    }
+    Ok(canvas)
+}
+
+fn draw_panel(
+    panel: &Panel<'_>,
+    curves: &[&Curve],
+    regions: &[Region],
+    markers: &[((f64, f64), Marker)],
+) -> Result<(), DrawingError> {
+    let mut labels = Labels::new(panel.canvas, panel.bounds);
+    for region in regions {
+        panel.fill(
+            &region.vertices,
+            if region.impacting {
+                MPS_AREA
+            } else {
+                NON_IMPACTING_AREA
+            },
+        )?;
+    }
+    let mut drawn: Vec<(Kind, Vec<Spot>)> = Vec::new();
+    for curve in curves {
+        let pen = if curve.approximate {
+            approximation(curve.kind.pen())
+        } else {
+            curve.kind.pen()
+        };
+        for piece in panel.line(&curve.points, pen)? {
+            labels.placer.keep_off(&piece);
+            if !curve.approximate {
+                drawn.push((curve.kind, piece));
+            }
+        }
+    }
+    for (point, marker) in markers {
+        if let Some(taken) = panel.marker(*point, *marker)? {
+            labels.placer.block(taken.grown(0.5));
+        }
+    }
+    drawn.sort_by(|a, b| length(&b.1).total_cmp(&length(&a.1)));
+    for (kind, piece) in drawn.iter().filter(|(_, piece)| length(piece) >= LABELLED_LENGTH) {
+        labels.add(
+            kind.label(),
+            SMALL_LABEL_SIZE,
+            kind.text_colour(),
+            &Wanted::Beside(piece),
+        )?;
+    }
+    labels.draw()
+}
+
+/// Panel letter and p on the first line above the panel, the coefficients on the second.
+fn draw_heading(
+    canvas: &Canvas,
+    bounds: &Bounds,
+    panel: u32,
+    coefficients: Option<&Coefficients>,
+) -> Result<(), DrawingError> {
+    let first = (bounds.left, bounds.top - 16.0);
+    let letter = panel_letter(panel);
+    let Some(Coefficients {
+        p,
+        saddle_node,
+        period_doubling,
+        ..
+    }) = coefficients
+    else {
+        canvas.text(first, &letter, LABEL_SIZE, Anchor::Start, BLACK)?;
+        return Ok(());
+    };
+    canvas.text(
+        first,
+        &format!("{letter}  $p={p}$"),
+        LABEL_SIZE,
+        Anchor::Start,
+        BLACK,
+    )?;
+    let (sn, pd) = (significant(*saddle_node, 4), significant(*period_doubling, 4));
+    let text = format!(r"$c_{{\mathrm{{SN,}}{p}}}={sn}$,   $c_{{\mathrm{{PD,}}{p}}}={pd}$");
+    canvas.text(
+        (bounds.left, bounds.top - 5.0),
+        &text,
+        TICK_SIZE,
+        Anchor::Start,
+        BLACK,
+    )?;
+    Ok(())
+}
+
+fn read_curves(table: Table<'_>) -> Result<Vec<Curve>, DrawingError> {
+    let (panel, arc) = (table.integers("panel")?, table.integers("arc")?);
+    let kinds = table.words("kind", Kind::KNOWN, Kind::parse)?;
+    let approximate = table.words("source", "continuation, quadratic", |word| match word {
+        "continuation" => Some(false),
+        "quadratic" => Some(true),
+        _ => None,
+    })?;
+    let (omega, amplitude) = (table.numbers("omega")?, table.numbers("amplitude")?);
+    let keys: Vec<_> = (0..kinds.len())
+        .map(|i| (panel[i], kinds[i], approximate[i], arc[i]))
+        .collect();
+    let mut curves: Vec<Curve> = runs(&keys)
+        .into_iter()
+        .map(|rows| Curve {
+            panel: panel[rows.start],
+            kind: kinds[rows.start],
+            approximate: approximate[rows.start],
+            points: rows.map(|i| (amplitude[i], omega[i])).collect(),
+        })
+        .collect();
+    // The wide grazing curve lies lowest, approximations on top of the curves they approximate.
+    curves.sort_by_key(|curve| (curve.kind != Kind::Graz, curve.approximate));
+    Ok(curves)
+}
+
+fn read_coefficients(table: Table<'_>) -> Result<Vec<Coefficients>, DrawingError> {
+    let (panel, p) = (table.integers("panel")?, table.integers("p")?);
+    let (sn, pd) = (table.numbers("c_sn")?, table.numbers("c_pd")?);
+    let rows = 0..panel.len();
+    Ok(rows
+        .map(|i| Coefficients {
+            panel: panel[i],
+            p: p[i],
+            saddle_node: sn[i],
+            period_doubling: pd[i],
+        })
+        .collect())
+}

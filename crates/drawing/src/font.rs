@@ -1,0 +1,206 @@
+//! The embedded fonts: their bytes, the style sheet that carries them, and the size of a label set in them.
+//!
+//! STIX Two Text (upright and italic) and a few signs of STIX Two Math, cut down to ASCII, Greek and mathematical
+//! signs, without kerning tables, so that what is measured here is what a viewer sets. SIL Open Font License 1.1, see
+//! `fonts/OFL.txt`.
+
+use std::fmt::Write;
+
+use ttf_parser::Face as Metrics;
+
+use crate::DrawingError;
+use crate::markup::{Face, Label, Level};
+
+/// Font files to hand to a converter (PDF, PNG) that must not use the system's fonts: name and bytes.
+pub const FONT_FILES: [(&str, &[u8]); 3] = [
+    (
+        "STIXTwoText-Regular.ttf",
+        include_bytes!("../fonts/STIXTwoText-Regular.ttf"),
+    ),
+    (
+        "STIXTwoText-Italic.ttf",
+        include_bytes!("../fonts/STIXTwoText-Italic.ttf"),
+    ),
+    (
+        "STIXTwoMath-Signs.ttf",
+        include_bytes!("../fonts/STIXTwoMath-Signs.ttf"),
+    ),
+];
+
+/// Families of the text fonts, ours first.
+pub(crate) const TEXT_FAMILY: &str = "'STIX Two Text','STIXGeneral','Times New Roman',Times,serif";
+/// Families of the sign font, ours first.
+pub(crate) const SIGN_FAMILY: &str = "'STIX Two Math','STIX Two Text','STIXGeneral',serif";
+
+/// Size of sub- and superscripts relative to the line.
+pub(crate) const SCRIPT_SIZE: f64 = 0.72;
+/// How far a subscript's baseline is lowered, in units of the font size.
+pub(crate) const SUBSCRIPT_DROP: f64 = 0.19;
+/// How far a superscript's baseline is raised, in units of the font size.
+pub(crate) const SUPERSCRIPT_RISE: f64 = 0.36;
+
+/// What a label occupies, in points: its width, and how far its ink reaches above and below the baseline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Extent {
+    pub(crate) width: f64,
+    pub(crate) ascent: f64,
+    pub(crate) descent: f64,
+}
+
+impl Extent {
+    pub(crate) fn height(&self) -> f64 {
+        self.ascent + self.descent
+    }
+}
+
+/// The parsed fonts.
+pub(crate) struct Fonts {
+    faces: [Metrics<'static>; 3],
+}
+
+impl Fonts {
+    pub(crate) fn load() -> Result<Self, DrawingError> {
+        let parse = |i: usize| {
+            let (font, bytes) = FONT_FILES[i];
+            Metrics::parse(bytes, 0).map_err(|reason| DrawingError::Font { font, reason })
+        };
+        Ok(Fonts {
+            faces: [parse(0)?, parse(1)?, parse(2)?],
+        })
+    }
+
+    /// Measures a label set at `size` points.
+    ///
+    /// # Errors
+    /// [`DrawingError::Glyph`] if a character is in none of our fonts.
+    pub(crate) fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {
+        let mut extent = Extent {
+            width: 0.0,
+            ascent: 0.0,
+            descent: 0.0,
+        };
+        for run in &label.runs {
+            let face = match run.face {
+                Face::Upright => &self.faces[0],
+                Face::Italic => &self.faces[1],
+                Face::Signs => &self.faces[2],
+            };
+            let (scale, rise) = match run.level {
+                Level::Line => (size, 0.0),
+                Level::Subscript => (size * SCRIPT_SIZE, -size * SUBSCRIPT_DROP),
+                Level::Superscript => (size * SCRIPT_SIZE, size * SUPERSCRIPT_RISE),
+            };
+            let em = scale / f64::from(face.units_per_em());
+            for character in run.text.chars() {
+                let glyph = face.glyph_index(character).ok_or_else(|| DrawingError::Glyph {
+                    label: label.source.clone(),
+                    character,
+                })?;
+                extent.width += em * f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));
+                if let Some(ink) = face.glyph_bounding_box(glyph) {
+                    extent.ascent = extent.ascent.max(rise + em * f64::from(ink.y_max));
+                    extent.descent = extent.descent.max(-rise - em * f64::from(ink.y_min));
+                }
+            }
+        }
+        Ok(extent)
+    }
+}
+
+/// The style sheet that embeds the fonts as data.
+pub(crate) fn style_sheet() -> String {
+    let mut sheet = String::new();
+    for ((_, bytes), (family, style)) in FONT_FILES.iter().zip([
+        ("STIX Two Text", "normal"),
+        ("STIX Two Text", "italic"),
+        ("STIX Two Math", "normal"),
+    ]) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            sheet,
+            "@font-face{{font-family:'{family}';font-style:{style};src:url(data:font/ttf;base64,{})format('truetype')}}",
+            base64(bytes)
+        );
+    }
+    sheet
+}
+
+/// RFC 4648 base64 with padding.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for chunk in bytes.chunks(3) {
+        let byte = |i: usize| u32::from(chunk.get(i).copied().unwrap_or(0));
+        let group = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for place in 0..4 {
+            let digit = DIGITS[(group >> (18 - 6 * place) & 63) as usize];
+            text.push(if place <= chunk.len() {
+                char::from(digit)
+            } else {
+                '='
+            });
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn width(source: &str, size: f64) -> f64 {
+        Fonts::load()
+            .unwrap()
+            .measure(&Label::parse(source).unwrap(), size)
+            .unwrap()
+            .width
+    }
+
+    #[test]
+    fn base64_agrees_with_the_vectors_of_rfc_4648() {
+        let vectors = [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg=="),
+            ("fooba", "Zm9vYmE="),
+            ("foobar", "Zm9vYmFy"),
+        ];
+        for (plain, coded) in vectors {
+            assert_eq!(base64(plain.as_bytes()), coded);
+        }
+    }
+
+    #[test]
+    fn widths_add_up_and_grow_with_the_size() {
+        // There is no kerning table, so widths add; 1e-12 allows for the order of additions.
+        assert!((width("VA", 8.0) - width("V", 8.0) - width("A", 8.0)).abs() < 1e-12);
+        assert!((width("grazing", 16.0) - 2.0 * width("grazing", 8.0)).abs() < 1e-12);
+        // Digits are tabular: columns of tick labels align.
+        assert!((width("1111", 8.0) - width("0000", 8.0)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn subscripts_are_narrower_and_reach_below_the_line() {
+        let fonts = Fonts::load().unwrap();
+        let measure = |s: &str| fonts.measure(&Label::parse(s).unwrap(), 10.0).unwrap();
+        let (plain, lowered) = (measure(r"$x\mathrm{x}$"), measure(r"$x_\mathrm{x}$"));
+        assert!(lowered.width < plain.width);
+        assert!(lowered.descent > plain.descent + 1.0);
+        assert_eq!(lowered.ascent, plain.ascent);
+    }
+
+    #[test]
+    fn a_character_outside_the_fonts_is_an_error_that_names_it() {
+        let fonts = Fonts::load().unwrap();
+        let error = fonts.measure(&Label::parse("雪").unwrap(), 8.0).unwrap_err();
+        assert!(error.to_string().contains('雪'));
+    }
+
+    #[test]
+    fn every_command_of_the_markup_has_a_glyph() {
+        let all = r"$\alpha\beta\gamma\delta\epsilon\zeta\eta\lambda\mu\pi\tau\phi\omega\Pi\Sigma\le\ge\approx\ast\times\pm\cdot\,-=\mathcal{APV}$";
+        assert!(width(all, 8.0) > 0.0);
+    }
+}

@@ -1,0 +1,151 @@
+//! Reading columns out of frames, with errors that name the frame and the column.
+
+use polars::prelude::{Column, DataFrame, DataType};
+
+use crate::DrawingError;
+
+/// A borrowed frame together with the name that error messages use for it.
+#[derive(Clone, Copy)]
+pub(crate) struct Table<'a> {
+    name: &'static str,
+    frame: &'a DataFrame,
+}
+
+impl<'a> Table<'a> {
+    pub(crate) fn new(name: &'static str, frame: &'a DataFrame) -> Self {
+        Table { name, frame }
+    }
+
+    pub(crate) fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn column(&self, column: &'static str) -> Result<&'a Column, DrawingError> {
+        self.frame
+            .column(column)
+            .map_err(|_| DrawingError::MissingColumn {
+                frame: self.name,
+                column,
+                present: self
+                    .frame
+                    .get_column_names()
+                    .iter()
+                    .map(|n| n.as_str())
+                    .collect::<Vec<_>>()
+                    .join(", "),
+            })
+    }
+
+    fn cast(
+        &self,
+        column: &'static str,
+        wanted: &'static str,
+        to: &DataType,
+        admits: fn(&DataType) -> bool,
+    ) -> Result<Column, DrawingError> {
+        let raw = self.column(column)?;
+        let wrong = || DrawingError::ColumnType {
+            frame: self.name,
+            column,
+            wanted,
+            found: raw.dtype().to_string(),
+        };
+        if !admits(raw.dtype()) && !(raw.is_empty() || raw.null_count() == raw.len()) {
+            return Err(wrong());
+        }
+        raw.cast(to).map_err(|_| wrong())
+    }
+
+    /// A column of numbers; empty cells become NaN, at which lines are split.
+    pub(crate) fn numbers(&self, column: &'static str) -> Result<Vec<f64>, DrawingError> {
+        let cast = self.cast(column, "numbers", &DataType::Float64, |t| {
+            t.is_primitive_numeric()
+        })?;
+        let values = cast
+            .f64()
+            .map_err(|_| self.unreadable(column, "numbers", &cast))?;
+        Ok(values.iter().map(|v| v.unwrap_or(f64::NAN)).collect())
+    }
+
+    /// A column of whole numbers.
+    pub(crate) fn integers(&self, column: &'static str) -> Result<Vec<i64>, DrawingError> {
+        let cast = self.cast(column, "whole numbers", &DataType::Int64, |t| t.is_integer())?;
+        let values = cast
+            .i64()
+            .map_err(|_| self.unreadable(column, "whole numbers", &cast))?;
+        self.every_row(column, values.iter())
+    }
+
+    /// A column of truth values.
+    pub(crate) fn flags(&self, column: &'static str) -> Result<Vec<bool>, DrawingError> {
+        let cast = self.cast(column, "true or false", &DataType::Boolean, |t| t.is_bool())?;
+        let values = cast
+            .bool()
+            .map_err(|_| self.unreadable(column, "true or false", &cast))?;
+        self.every_row(column, values.iter())
+    }
+
+    /// A column of words, each translated by `translate`; `known` lists what it accepts.
+    pub(crate) fn words<T>(
+        &self,
+        column: &'static str,
+        known: &'static str,
+        translate: impl Fn(&str) -> Option<T>,
+    ) -> Result<Vec<T>, DrawingError> {
+        let cast = self.cast(column, "words", &DataType::String, |t| {
+            t.is_string() || t.is_categorical()
+        })?;
+        let values = cast.str().map_err(|_| self.unreadable(column, "words", &cast))?;
+        let words = self.every_row(column, values.iter())?;
+        words
+            .into_iter()
+            .map(|word| {
+                translate(word).ok_or_else(|| DrawingError::UnknownWord {
+                    frame: self.name,
+                    column,
+                    value: word.to_owned(),
+                    known,
+                })
+            })
+            .collect()
+    }
+
+    fn every_row<T>(
+        &self,
+        column: &'static str,
+        values: impl Iterator<Item = Option<T>>,
+    ) -> Result<Vec<T>, DrawingError> {
+        values
+            .enumerate()
+            .map(|(row, v)| {
+                v.ok_or(DrawingError::EmptyCell {
+                    frame: self.name,
+                    column,
+                    row,
+                })
+            })
+            .collect()
+    }
+
+    fn unreadable(&self, column: &'static str, wanted: &'static str, found: &Column) -> DrawingError {
+        DrawingError::ColumnType {
+            frame: self.name,
+            column,
+            wanted,
+            found: found.dtype().to_string(),
+        }
+    }
+}
+
+/// Splits `0..keys.len()` into the longest runs over which the key stays the same.
+pub(crate) fn runs<K: PartialEq>(keys: &[K]) -> Vec<std::ops::Range<usize>> {
+    let mut found = Vec::new();
+    let mut start = 0;
+    for end in 1..=keys.len() {
+        if end == keys.len() || keys[end] != keys[start] {
+            found.push(start..end);
+            start = end;
+        }
+    }
+    found
+}

@@ -1,0 +1,292 @@
+//! The small language labels are written in.
+//!
+//! | written | printed |
+//! |---|---|
+//! | `text` | upright text, as it stands |
+//! | `$x$` | mathematics: letters italic, digits and signs upright, spaces ignored |
+//! | `\alpha`, `\omega`, … | Greek letter (within `$…$`, like all below) |
+//! | `\le`, `\ge`, `\approx`, `\times`, `\pm`, `\cdot`, `\ast`, `\,` | ≤ ≥ ≈ × ± · ∗ and a thin space |
+//! | `-`, `=` | minus sign; equals sign with thin spaces around it |
+//! | `\mathrm{graz}`, `\mathcal{A}` | upright words; script letters A, P and V |
+//! | `_x`, `^{12}` | subscript, superscript: one character, one command, or a group in braces |
+//!
+//! Scripts do not nest, and a superscript after a subscript follows it instead of standing above it.
+
+use crate::DrawingError;
+
+/// Which of the embedded fonts a run of text is set in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Face {
+    Upright,
+    Italic,
+    Signs,
+}
+
+/// Where a run stands relative to the line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Level {
+    Line,
+    Subscript,
+    Superscript,
+}
+
+/// Text of one face on one level.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Run {
+    pub(crate) face: Face,
+    pub(crate) level: Level,
+    pub(crate) text: String,
+}
+
+/// A parsed label.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Label {
+    pub(crate) source: String,
+    pub(crate) runs: Vec<Run>,
+}
+
+const COMMANDS: [(&str, char, Face); 22] = [
+    ("alpha", 'α', Face::Italic),
+    ("beta", 'β', Face::Italic),
+    ("gamma", 'γ', Face::Italic),
+    ("delta", 'δ', Face::Italic),
+    ("epsilon", 'ϵ', Face::Italic),
+    ("zeta", 'ζ', Face::Italic),
+    ("eta", 'η', Face::Italic),
+    ("lambda", 'λ', Face::Italic),
+    ("mu", 'μ', Face::Italic),
+    ("pi", 'π', Face::Italic),
+    ("tau", 'τ', Face::Italic),
+    ("phi", 'φ', Face::Italic),
+    ("omega", 'ω', Face::Italic),
+    ("Pi", 'Π', Face::Upright),
+    ("Sigma", 'Σ', Face::Upright),
+    ("le", '≤', Face::Signs),
+    ("ge", '≥', Face::Signs),
+    ("approx", '≈', Face::Signs),
+    ("ast", '∗', Face::Signs),
+    ("times", '×', Face::Upright),
+    ("pm", '±', Face::Upright),
+    ("cdot", '·', Face::Upright),
+];
+
+struct Parser<'a> {
+    source: &'a str,
+    characters: Vec<char>,
+    position: usize,
+    runs: Vec<Run>,
+}
+
+impl Label {
+    /// Upright text as it stands, in which nothing is markup.
+    pub(crate) fn plain(text: &str) -> Self {
+        let run = Run {
+            face: Face::Upright,
+            level: Level::Line,
+            text: text.to_owned(),
+        };
+        Label {
+            source: text.to_owned(),
+            runs: vec![run],
+        }
+    }
+
+    /// Reads a label.
+    pub(crate) fn parse(source: &str) -> Result<Self, DrawingError> {
+        let mut parser = Parser {
+            source,
+            characters: source.chars().collect(),
+            position: 0,
+            runs: Vec::new(),
+        };
+        while let Some(character) = parser.next() {
+            if character == '$' {
+                parser.mathematics('$', Level::Line)?;
+            } else {
+                parser.push(Face::Upright, Level::Line, character);
+            }
+        }
+        Ok(Label {
+            source: source.to_owned(),
+            runs: parser.runs,
+        })
+    }
+}
+
+impl Parser<'_> {
+    fn next(&mut self) -> Option<char> {
+        let character = self.characters.get(self.position).copied();
+        self.position += 1;
+        character
+    }
+
+    fn fail<T>(&self, reason: &'static str) -> Result<T, DrawingError> {
+        let position = self.position.min(self.characters.len());
+        Err(DrawingError::Markup {
+            label: self.source.to_owned(),
+            reason,
+            position,
+        })
+    }
+
+    fn push(&mut self, face: Face, level: Level, character: char) {
+        match self.runs.last_mut() {
+            Some(run) if run.face == face && run.level == level => run.text.push(character),
+            _ => self.runs.push(Run {
+                face,
+                level,
+                text: character.to_string(),
+            }),
+        }
+    }
+
+    fn mathematics(&mut self, end: char, level: Level) -> Result<(), DrawingError> {
+        loop {
+            match self.next() {
+                Some(character) if character == end => return Ok(()),
+                Some(character) => self.token(character, level)?,
+                None => {
+                    return self.fail(if end == '$' {
+                        "`$` is not closed"
+                    } else {
+                        "`{` is not closed"
+                    });
+                }
+            }
+        }
+    }
+
+    fn token(&mut self, character: char, level: Level) -> Result<(), DrawingError> {
+        match character {
+            ' ' => {}
+            '\\' => self.command(level)?,
+            '_' | '^' if level != Level::Line => return self.fail("scripts do not nest"),
+            '_' => self.script(Level::Subscript)?,
+            '^' => self.script(Level::Superscript)?,
+            '-' => self.push(Face::Upright, level, '−'),
+            '=' => "\u{2009}=\u{2009}"
+                .chars()
+                .for_each(|c| self.push(Face::Upright, level, c)),
+            '{' | '}' | '$' => return self.fail("stray bracket or `$`"),
+            letter if letter.is_alphabetic() => self.push(Face::Italic, level, letter),
+            other => self.push(Face::Upright, level, other),
+        }
+        Ok(())
+    }
+
+    fn script(&mut self, level: Level) -> Result<(), DrawingError> {
+        match self.next() {
+            Some('{') => self.mathematics('}', level),
+            Some(character) => self.token(character, level),
+            None => self.fail("nothing to raise or lower"),
+        }
+    }
+
+    fn command(&mut self, level: Level) -> Result<(), DrawingError> {
+        let start = self.position;
+        while self
+            .characters
+            .get(self.position)
+            .is_some_and(char::is_ascii_alphabetic)
+        {
+            self.position += 1;
+        }
+        let name: String = self.characters[start..self.position].iter().collect();
+        if let Some(&(_, character, face)) = COMMANDS.iter().find(|c| c.0 == name) {
+            self.push(face, level, character);
+            return Ok(());
+        }
+        match name.as_str() {
+            "" if self.next() == Some(',') => self.push(Face::Upright, level, '\u{2009}'),
+            "mathrm" | "mathcal" => {
+                if self.next() != Some('{') {
+                    return self.fail("a group in braces should follow");
+                }
+                loop {
+                    match self.next() {
+                        Some('}') => return Ok(()),
+                        None => return self.fail("`{` is not closed"),
+                        Some(letter) if name == "mathrm" => self.push(Face::Upright, level, letter),
+                        Some('A') => self.push(Face::Signs, level, '𝒜'),
+                        Some('P') => self.push(Face::Signs, level, '𝒫'),
+                        Some('V') => self.push(Face::Signs, level, '𝒱'),
+                        Some(_) => return self.fail("only A, P and V have script forms"),
+                    }
+                }
+            }
+            _ => return self.fail("unknown command"),
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn runs(source: &str) -> Vec<(Face, Level, String)> {
+        Label::parse(source)
+            .unwrap()
+            .runs
+            .into_iter()
+            .map(|r| (r.face, r.level, r.text))
+            .collect()
+    }
+
+    #[test]
+    fn words_are_upright_and_variables_italic() {
+        assert_eq!(
+            runs("loops $p = 12$"),
+            [
+                (Face::Upright, Level::Line, "loops ".to_owned()),
+                (Face::Italic, Level::Line, "p".to_owned()),
+                (Face::Upright, Level::Line, "\u{2009}=\u{2009}12".to_owned()),
+            ]
+        );
+    }
+
+    #[test]
+    fn scripts_take_one_character_a_command_or_a_group() {
+        assert_eq!(
+            runs(r"$\mathcal{A}_{\mathrm{graz}}\omega^\ast c_2$"),
+            [
+                (Face::Signs, Level::Line, "𝒜".to_owned()),
+                (Face::Upright, Level::Subscript, "graz".to_owned()),
+                (Face::Italic, Level::Line, "ω".to_owned()),
+                (Face::Signs, Level::Superscript, "∗".to_owned()),
+                (Face::Italic, Level::Line, "c".to_owned()),
+                (Face::Upright, Level::Subscript, "2".to_owned()),
+            ]
+        );
+    }
+
+    #[test]
+    fn a_hyphen_is_a_minus_only_in_mathematics() {
+        assert_eq!(runs("SN-GZ")[0].2, "SN-GZ");
+        assert_eq!(runs("$-3$")[0].2, "−3");
+    }
+
+    #[test]
+    fn mistakes_are_named_with_their_place() {
+        for (source, reason) in [
+            ("$x", "`$` is not closed"),
+            (r"$\nabla$", "unknown command"),
+            ("$x_{a_b}$", "scripts do not nest"),
+            ("$x_{a$", "stray bracket or `$`"),
+            (r"$\mathcal{Q}$", "only A, P and V have script forms"),
+            ("$x^", "nothing to raise or lower"),
+        ] {
+            match Label::parse(source) {
+                Err(DrawingError::Markup {
+                    reason: found,
+                    label,
+                    position,
+                }) => {
+                    assert_eq!((found, label.as_str()), (reason, source));
+                    assert!(position <= source.len());
+                }
+                other => panic!("{source}: {other:?}"),
+            }
+        }
+    }
+}

@@ -1,0 +1,455 @@
+//! Where labels go: greedily, in a fixed order, each at the first best of a fixed list of places.
+
+use crate::canvas::{Bounds, Spot};
+
+/// What is already on a panel, as far as labels must keep off it.
+pub(crate) struct Placer {
+    panel: Bounds,
+    blocked: Vec<Bounds>,
+    segments: Vec<(Spot, Spot)>,
+    dust: Vec<Spot>,
+}
+
+/// A place for a label.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Place {
+    pub(crate) bounds: Bounds,
+    /// A line towards what the label speaks of, if that lies far off.
+    pub(crate) leader: Option<(Spot, Spot)>,
+}
+
+/// Curves are thinned to segments of at least this length (points): labels need no finer picture of them.
+const GRAIN: f64 = 0.8;
+
+fn distance(a: Spot, b: Spot) -> f64 {
+    let (dx, dy) = (a.0 - b.0, a.1 - b.1);
+    (dx * dx + dy * dy).sqrt()
+}
+
+fn crosses(bounds: &Bounds, (a, b): (Spot, Spot)) -> bool {
+    // Liang–Barsky without the answer's coordinates.
+    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+    for (outward, room) in [
+        (-dx, a.0 - bounds.left),
+        (dx, bounds.right - a.0),
+        (-dy, a.1 - bounds.top),
+        (dy, bounds.bottom - a.1),
+    ] {
+        if outward == 0.0 {
+            if room < 0.0 {
+                return false;
+            }
+        } else if outward < 0.0 {
+            enter = enter.max(room / outward);
+        } else {
+            leave = leave.min(room / outward);
+        }
+    }
+    enter <= leave
+}
+
+/// True if the spot is inside the closed polygon (even-odd rule).
+pub(crate) fn inside(polygon: &[Spot], (x, y): Spot) -> bool {
+    let mut within = false;
+    for (a, b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
+        if (a.1 > y) != (b.1 > y) && x < a.0 + (y - a.1) / (b.1 - a.1) * (b.0 - a.0) {
+            within = !within;
+        }
+    }
+    within
+}
+
+/// The curve without the points that are closer than [`GRAIN`] to the one kept before; both ends stay.
+fn thinned(curve: &[Spot]) -> Vec<Spot> {
+    let mut kept: Vec<Spot> = Vec::new();
+    for (index, &spot) in curve.iter().enumerate() {
+        if kept.last().is_none_or(|&last| distance(last, spot) >= GRAIN) || index + 1 == curve.len() {
+            kept.push(spot);
+        }
+    }
+    kept
+}
+
+/// Length of a polyline on the sheet, in points.
+pub(crate) fn length(curve: &[Spot]) -> f64 {
+    curve.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
+}
+
+/// The spot at a fraction of the curve's length, and the curve's unit direction there.
+pub(crate) fn along(curve: &[Spot], fraction: f64) -> Option<(Spot, Spot)> {
+    let mut left = fraction * length(curve);
+    for pair in curve.windows(2) {
+        let step = distance(pair[0], pair[1]);
+        if step > 0.0 && left <= step {
+            let direction = ((pair[1].0 - pair[0].0) / step, (pair[1].1 - pair[0].1) / step);
+            return Some((
+                (pair[0].0 + left * direction.0, pair[0].1 + left * direction.1),
+                direction,
+            ));
+        }
+        left -= step;
+    }
+    None
+}
+
+impl Placer {
+    pub(crate) fn new(panel: Bounds) -> Self {
+        Placer {
+            panel,
+            blocked: Vec::new(),
+            segments: Vec::new(),
+            dust: Vec::new(),
+        }
+    }
+
+    /// Keeps labels off a box.
+    pub(crate) fn block(&mut self, bounds: Bounds) {
+        self.blocked.push(bounds);
+    }
+
+    /// Keeps labels off a curve.
+    pub(crate) fn keep_off(&mut self, curve: &[Spot]) {
+        self.segments
+            .extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
+    }
+
+    /// Keeps labels off a cloud of points as far as there is room elsewhere.
+    pub(crate) fn avoid(&mut self, spots: impl Iterator<Item = Spot>) {
+        let mut cells: Vec<(i64, i64)> = spots.map(|(x, y)| (x.floor() as i64, y.floor() as i64)).collect();
+        cells.sort_unstable();
+        cells.dedup();
+        self.dust
+            .extend(cells.into_iter().map(|(x, y)| (x as f64 + 0.5, y as f64 + 0.5)));
+    }
+
+    /// Number of square points of a cloud that a box covers.
+    fn dusty(&self, bounds: &Bounds) -> usize {
+        let covers =
+            |&&(x, y): &&Spot| bounds.left <= x && x <= bounds.right && bounds.top <= y && y <= bounds.bottom;
+        self.dust.iter().filter(covers).count()
+    }
+
+    /// Number of curve segments a box meets; `None` if the box may not stand there at all.
+    fn cost(&self, bounds: &Bounds) -> Option<usize> {
+        if !self.panel.holds(bounds) || self.blocked.iter().any(|b| b.overlaps(bounds)) {
+            return None;
+        }
+        Some(self.segments.iter().filter(|s| crosses(bounds, **s)).count())
+    }
+
+    fn take(&mut self, place: Option<Place>) -> Option<Place> {
+        if let Some(found) = place {
+            self.blocked.push(found.bounds.grown(1.0));
+            if let Some((from, to)) = found.leader {
+                self.segments.push((from, to));
+            }
+        }
+        place
+    }
+
+    /// Beside a curve, near its middle or as near as there is room, on whichever side is free.
+    pub(crate) fn beside_curve(&mut self, curve: &[Spot], width: f64, height: f64) -> Option<Place> {
+        const FRACTIONS: [f64; 15] = [
+            0.5, 0.44, 0.56, 0.38, 0.62, 0.32, 0.68, 0.26, 0.74, 0.2, 0.8, 0.14, 0.86, 0.08, 0.92,
+        ];
+        let spots: Vec<(Spot, Spot)> = FRACTIONS.iter().filter_map(|&f| along(curve, f)).collect();
+        let foreign = self.all_but(curve);
+        let place_at = |(at, direction): (Spot, Spot), side: f64, gap: f64| {
+            let normal = (direction.1 * side, -direction.0 * side);
+            // The box's half-width seen along the normal brings its nearest corner or edge to the gap.
+            let reach = 0.5 * (width * normal.0.abs() + height * normal.1.abs()) + gap;
+            let bounds = Bounds::about((at.0 + normal.0 * reach, at.1 + normal.1 * reach), width, height);
+            Place {
+                bounds,
+                leader: None,
+            }
+        };
+        // First where the label is clearly nearer to its own curve than to any other, then wherever it is free.
+        let rounds = [
+            (1.5, true),
+            (2.5, true),
+            (1.5, false),
+            (2.5, false),
+            (5.0, true),
+            (5.0, false),
+        ];
+        for (gap, clearly) in rounds
+            .into_iter()
+            .chain([(8.0, false), (12.0, false), (18.0, false)])
+        {
+            for &spot in &spots {
+                for side in [1.0, -1.0] {
+                    let place = place_at(spot, side, gap);
+                    let near = place.bounds.grown(gap + 2.0);
+                    if self.cost(&place.bounds) == Some(0)
+                        && !(clearly
+                            && (self.dusty(&place.bounds) > 0 || foreign.iter().any(|&s| crosses(&near, s))))
+                    {
+                        return self.take(Some(place));
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// All segments to keep off but those of one curve.
+    fn all_but(&self, curve: &[Spot]) -> Vec<(Spot, Spot)> {
+        let own: Vec<(Spot, Spot)> = thinned(curve).windows(2).map(|pair| (pair[0], pair[1])).collect();
+        let start = self.segments.windows(own.len().max(1)).position(|run| run == own);
+        let skipped = start.map_or(0..0, |start| start..start + own.len());
+        let rest = self
+            .segments
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| !skipped.contains(i));
+        rest.map(|(_, segment)| *segment).collect()
+    }
+
+    /// Around a spot: close by if there is room, else farther off with a leader.
+    pub(crate) fn around(&mut self, at: Spot, clearance: f64, width: f64, height: f64) -> Option<Place> {
+        // Unit vectors to the right, then by 22.5 degrees to either side in turn: cos and sin of 0, 22.5, 45, 67.5, 90.
+        const TURNS: [Spot; 5] = [
+            (1.0, 0.0),
+            (0.923_88, 0.382_68),
+            (0.707_11, 0.707_11),
+            (0.382_68, 0.923_88),
+            (0.0, 1.0),
+        ];
+        let directions = TURNS
+            .iter()
+            .flat_map(|&(c, s)| [(c, -s), (-c, -s), (c, s), (-c, s)]);
+        let directions: Vec<Spot> = directions.collect();
+        let mut best: Option<(f64, Place)> = None;
+        for gap in [0.0, 2.0, 5.0, 9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0] {
+            for &(right, down) in &directions {
+                let reach = clearance + gap;
+                let centre = (
+                    at.0 + right * (0.5 * width + reach),
+                    at.1 + down * (0.5 * height + reach),
+                );
+                let bounds = Bounds::about(centre, width, height);
+                let leader = (gap > 2.0).then(|| leader(&bounds, at, clearance));
+                if self.cost(&bounds) != Some(0) {
+                    continue;
+                }
+                let Some(crossed) = leader.map_or(Some(0), |leader| self.crossed(leader)) else {
+                    continue;
+                };
+                // A curve crossed by the leader is as bad as 15 points of distance (by eye).
+                let cost = gap + 15.0 * crossed as f64 + 0.5 * self.dusty(&bounds) as f64;
+                if best.is_none_or(|(cheapest, _)| cost < cheapest) {
+                    best = Some((cost, Place { bounds, leader }));
+                }
+            }
+        }
+        self.take(best.map(|(_, place)| place))
+    }
+
+    /// Number of curves a leader crosses; `None` if it runs through something blocked.
+    fn crossed(&self, leader: (Spot, Spot)) -> Option<usize> {
+        if self.blocked.iter().any(|b| crosses(b, leader)) {
+            return None;
+        }
+        let side = |a: Spot, b: Spot, c: Spot| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) > 0.0;
+        let (from, to) = leader;
+        let meets = |&&(a, b): &&(Spot, Spot)| {
+            side(a, b, from) != side(a, b, to) && side(from, to, a) != side(from, to, b)
+        };
+        Some(self.segments.iter().filter(meets).count())
+    }
+
+    /// Inside a polygon, where the distance to everything else is greatest; `None` if the box fits nowhere.
+    pub(crate) fn within(&mut self, polygon: &[Spot], width: f64, height: f64) -> Option<Place> {
+        let polygon = thinned(polygon);
+        let left = polygon
+            .iter()
+            .map(|p| p.0)
+            .fold(f64::INFINITY, f64::min)
+            .max(self.panel.left);
+        let right = polygon
+            .iter()
+            .map(|p| p.0)
+            .fold(f64::NEG_INFINITY, f64::max)
+            .min(self.panel.right);
+        let top = polygon
+            .iter()
+            .map(|p| p.1)
+            .fold(f64::INFINITY, f64::min)
+            .max(self.panel.top);
+        let bottom = polygon
+            .iter()
+            .map(|p| p.1)
+            .fold(f64::NEG_INFINITY, f64::max)
+            .min(self.panel.bottom);
+        // About 900 trial places, at least a point apart.
+        let pitch = (((right - left) * (bottom - top)).max(0.0) / 900.0)
+            .sqrt()
+            .max(1.0);
+        let mut best: Option<(f64, Bounds)> = None;
+        let mut y = top + 0.5 * pitch;
+        while y < bottom {
+            let mut x = left + 0.5 * pitch;
+            while x < right {
+                let bounds = Bounds::about((x, y), width, height);
+                let corners = [
+                    (bounds.left, bounds.top),
+                    (bounds.right, bounds.top),
+                    (bounds.right, bounds.bottom),
+                    (bounds.left, bounds.bottom),
+                ];
+                if corners.iter().all(|&c| inside(&polygon, c)) && self.cost(&bounds) == Some(0) {
+                    let clearance = self.clearance(&bounds);
+                    if best.is_none_or(|(widest, _)| clearance > widest) {
+                        best = Some((clearance, bounds));
+                    }
+                }
+                x += pitch;
+            }
+            y += pitch;
+        }
+        let place = best.map(|(_, bounds)| Place { bounds, leader: None });
+        self.take(place)
+    }
+
+    /// Distance from a box to the nearest curve, blocked box or edge of the panel (Chebyshev for boxes).
+    fn clearance(&self, bounds: &Bounds) -> f64 {
+        let outside = |(x, y): Spot| {
+            let dx = (bounds.left - x).max(x - bounds.right).max(0.0);
+            let dy = (bounds.top - y).max(y - bounds.bottom).max(0.0);
+            (dx * dx + dy * dy).sqrt()
+        };
+        let edges = (bounds.left - self.panel.left)
+            .min(self.panel.right - bounds.right)
+            .min(bounds.top - self.panel.top)
+            .min(self.panel.bottom - bounds.bottom);
+        let curves = self.segments.iter().map(|s| outside(s.0).min(outside(s.1)));
+        let boxes = self.blocked.iter().map(|b| {
+            let dx = (b.left - bounds.right).max(bounds.left - b.right);
+            let dy = (b.top - bounds.bottom).max(bounds.top - b.bottom);
+            dx.max(dy)
+        });
+        curves.chain(boxes).fold(edges, f64::min)
+    }
+}
+
+/// A spot well inside a polygon: of a grid of trial spots, the one farthest from the outline.
+pub(crate) fn deep_inside(polygon: &[Spot]) -> Option<Spot> {
+    let outline = thinned(polygon);
+    let bound = |pick: fn(&Spot) -> f64| {
+        let least = outline.iter().map(pick).fold(f64::INFINITY, f64::min);
+        (
+            least,
+            outline.iter().map(pick).fold(f64::NEG_INFINITY, f64::max) - least,
+        )
+    };
+    let ((left, width), (top, height)) = (bound(|p| p.0), bound(|p| p.1));
+    let trial = |i: u32, j: u32| {
+        (
+            left + width * (f64::from(i) + 0.5) / 40.0,
+            top + height * (f64::from(j) + 0.5) / 40.0,
+        )
+    };
+    let mut best: Option<(f64, Spot)> = None;
+    for spot in (0..40)
+        .flat_map(|j| (0..40).map(move |i| trial(i, j)))
+        .filter(|&s| inside(&outline, s))
+    {
+        let depth = outline
+            .iter()
+            .map(|&p| distance(p, spot))
+            .fold(f64::INFINITY, f64::min);
+        if best.is_none_or(|(deepest, _)| depth > deepest) {
+            best = Some((depth, spot));
+        }
+    }
+    best.map(|(_, spot)| spot)
+}
+
+/// True if the spot is within reach of a curve.
+pub(crate) fn near(curve: &[Spot], spot: Spot, reach: f64) -> bool {
+    let box_around = Bounds::about(spot, 2.0 * reach, 2.0 * reach);
+    curve
+        .windows(2)
+        .any(|pair| crosses(&box_around, (pair[0], pair[1])))
+}
+
+/// A line from the box's edge towards the spot, which it stops short of.
+fn leader(bounds: &Bounds, at: Spot, short: f64) -> (Spot, Spot) {
+    let nearest = (
+        at.0.clamp(bounds.left, bounds.right),
+        at.1.clamp(bounds.top, bounds.bottom),
+    );
+    let length = distance(nearest, at);
+    let kept = if length > short {
+        (length - short) / length
+    } else {
+        0.0
+    };
+    (
+        nearest,
+        (
+            nearest.0 + kept * (at.0 - nearest.0),
+            nearest.1 + kept * (at.1 - nearest.1),
+        ),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHEET: Bounds = Bounds {
+        left: 0.0,
+        top: 0.0,
+        right: 100.0,
+        bottom: 100.0,
+    };
+
+    #[test]
+    fn labels_of_one_curve_take_different_places_off_the_curve() {
+        let curve: Vec<Spot> = (0..=50).map(|i| (10.0 + 1.6 * f64::from(i), 50.0)).collect();
+        let mut placer = Placer::new(SHEET);
+        placer.keep_off(&curve);
+        let places: Vec<Bounds> = (0..3)
+            .map(|_| placer.beside_curve(&curve, 20.0, 8.0).unwrap().bounds)
+            .collect();
+        for (index, place) in places.iter().enumerate() {
+            assert!(!curve.windows(2).any(|s| crosses(place, (s[0], s[1]))));
+            assert!(places[..index].iter().all(|other| !other.overlaps(place)));
+            assert!(SHEET.holds(place));
+        }
+    }
+
+    #[test]
+    fn a_label_in_a_square_stands_in_its_middle() {
+        let square = [(20.0, 20.0), (60.0, 20.0), (60.0, 60.0), (20.0, 60.0)];
+        let mut placer = Placer::new(SHEET);
+        placer.keep_off(&[square[0], square[1], square[2], square[3], square[0]]);
+        let (x, y) = placer.within(&square, 10.0, 6.0).unwrap().bounds.centre();
+        // Trial places are 4/3 apart, and between 10 and 6 wide the best ones form a short line.
+        assert!((x - 40.0).abs() < 2.0 && (y - 40.0).abs() < 4.0, "{x} {y}");
+    }
+
+    #[test]
+    fn a_label_too_large_for_its_region_finds_no_place_within_and_gets_a_leader_around() {
+        let sliver = [(40.0, 50.0), (60.0, 50.0), (60.0, 52.0), (40.0, 52.0)];
+        let mut placer = Placer::new(SHEET);
+        assert_eq!(placer.within(&sliver, 10.0, 6.0), None);
+        for spot in [(38.0, 51.0), (62.0, 51.0), (50.0, 41.0), (50.0, 61.0)] {
+            placer.block(Bounds::about(spot, 12.0, 12.0));
+        }
+        let place = placer.around((50.0, 51.0), 1.0, 10.0, 6.0).unwrap();
+        assert!(place.leader.is_some());
+        // The leader stops at the clearance asked for.
+        assert!((distance(place.leader.unwrap().1, (50.0, 51.0)) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn without_room_there_is_no_place() {
+        let mut placer = Placer::new(SHEET);
+        placer.block(SHEET);
+        assert_eq!(placer.around((50.0, 50.0), 1.0, 10.0, 6.0), None);
+    }
+}

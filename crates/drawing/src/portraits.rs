@@ -1,0 +1,186 @@
+//! The phase portraits above Figure 2: orbits in the (x, y) plane, and the wall.
+
+use crate::DrawingError;
+use crate::axes::Panel;
+use crate::canvas::{Bounds, Canvas, Ink};
+use crate::clip::Window;
+use crate::fig07::panel_letter;
+use crate::frames::{Table, runs};
+use crate::style::{
+    ATTRACTOR_ORBIT, BLACK, IMPACT, PERIODIC_ORBIT, TICK_SIZE, WALL, WALL_FACE, WALL_HATCHING, branch_pen,
+};
+use crate::svg_backend::Anchor;
+use crate::ticks::significant;
+
+/// One phase portrait.
+pub(crate) struct Portrait {
+    pub(crate) number: u32,
+    pub(crate) amplitude: f64,
+    p: i64,
+    attractor: bool,
+    orbit: Vec<(f64, f64)>,
+}
+
+/// Thickness of the wall on the sheet, in points.
+const WALL_THICKNESS: f64 = 7.0;
+const TOP: f64 = 17.0;
+const BOTTOM: f64 = 112.0;
+const LEFT: f64 = 38.0;
+const GAP: f64 = 13.0;
+const MOST: usize = 6;
+
+/// Reads the frame of portraits.
+pub(crate) fn read_portraits(table: Table<'_>) -> Result<Vec<Portrait>, DrawingError> {
+    let (number, p) = (table.integers("portrait")?, table.integers("p")?);
+    let attractor = table.words("kind", "periodic, attractor", |word| match word {
+        "periodic" => Some(false),
+        "attractor" | "chaotic" => Some(true),
+        _ => None,
+    })?;
+    let amplitude = table.numbers("amplitude")?;
+    let (x, y) = (table.numbers("x")?, table.numbers("y")?);
+    let portraits: Vec<Portrait> = runs(&number)
+        .into_iter()
+        .map(|rows| Portrait {
+            number: u32::try_from(number[rows.start]).unwrap_or(0),
+            amplitude: amplitude[rows.start],
+            p: p[rows.start],
+            attractor: attractor[rows.start],
+            orbit: rows.map(|i| (x[i], y[i])).collect(),
+        })
+        .collect();
+    if portraits.is_empty() || portraits.len() > MOST {
+        let found = portraits.len();
+        return Err(DrawingError::PanelCount {
+            figure: "fig02",
+            wanted: "one to six phase portraits",
+            found,
+        });
+    }
+    Ok(portraits)
+}
+
+/// Draws the row of portraits, all at one scale.
+pub(crate) fn draw_portraits(canvas: &Canvas, portraits: &[Portrait]) -> Result<(), DrawingError> {
+    let window = common_window(portraits).checked("the phase portraits of fig02")?;
+    let count = portraits.len() as f64;
+    let width = (canvas.width - LEFT - 6.0 - GAP * (count - 1.0)) / count;
+    for (place, portrait) in portraits.iter().enumerate() {
+        let left = LEFT + (width + GAP) * place as f64;
+        let bounds = Bounds {
+            left,
+            top: TOP,
+            right: left + width - WALL_THICKNESS,
+            bottom: BOTTOM,
+        };
+        let panel = Panel::new(canvas, window, bounds);
+        wall(&panel)?;
+        let pen = if portrait.attractor {
+            ATTRACTOR_ORBIT
+        } else {
+            branch_pen(portrait.p, PERIODIC_ORBIT.width)
+        };
+        panel.line(&without_jumps(&portrait.orbit), pen)?;
+        panel.axes_with("$x$", if place == 0 { "$y$" } else { "" }, place == 0)?;
+        jump(&panel, &portrait.orbit)?;
+        let kind = match (portrait.attractor, portrait.p) {
+            (true, _) => "attractor".to_owned(),
+            (false, 0) => "non-impacting".to_owned(),
+            (false, p) => format!("$p={p}$"),
+        };
+        let amplitude = significant(portrait.amplitude, 4);
+        let heading = format!(
+            r"{} $\mathcal{{A}}={amplitude}$, {kind}",
+            panel_letter(portrait.number)
+        );
+        canvas.text((left, TOP - 5.0), &heading, TICK_SIZE, Anchor::Start, BLACK)?;
+    }
+    Ok(())
+}
+
+/// The extent of all orbits, ending at the wall and symmetric in y, with a little room.
+fn common_window(portraits: &[Portrait]) -> Window {
+    let points = || {
+        portraits
+            .iter()
+            .flat_map(|p| &p.orbit)
+            .filter(|p| p.0.is_finite() && p.1.is_finite())
+    };
+    let least = points().map(|p| p.0).fold(0.0, f64::min);
+    let fastest = points().map(|p| p.1.abs()).fold(0.0, f64::max);
+    Window {
+        x: [1.06 * least, 0.0],
+        y: [-1.1 * fastest, 1.1 * fastest],
+    }
+}
+
+/// True if the step is an impact: at the wall, from moving towards it to moving away.
+fn is_jump(from: (f64, f64), to: (f64, f64)) -> bool {
+    // Impacts are located by root finding, which leaves x at the wall to a few roundings.
+    from.0.abs() < 1e-6 && to.0.abs() < 1e-6 && from.1 > 0.0 && to.1 < 0.0
+}
+
+/// The orbit with a break at each impact.
+fn without_jumps(orbit: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut broken = Vec::with_capacity(orbit.len());
+    for (index, &point) in orbit.iter().enumerate() {
+        if index > 0 && is_jump(orbit[index - 1], point) {
+            broken.push((f64::NAN, f64::NAN));
+        }
+        broken.push(point);
+    }
+    broken
+}
+
+/// The impacts as one dashed line up the wall, from the fastest arrival to the fastest recoil.
+fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)]) -> Result<(), DrawingError> {
+    let finite: Vec<(f64, f64)> = orbit
+        .iter()
+        .copied()
+        .filter(|p| p.0.is_finite() && p.1.is_finite())
+        .collect();
+    // A periodic orbit may be given from recoil to impact, so that the jump closes it.
+    let next = finite.iter().cycle().skip(1);
+    let jumps: Vec<_> = finite
+        .iter()
+        .zip(next)
+        .filter(|(from, to)| is_jump(**from, **to))
+        .collect();
+    let arrival = jumps.iter().map(|(from, _)| from.1).fold(0.0, f64::max);
+    let recoil = jumps.iter().map(|(_, to)| to.1).fold(0.0, f64::min);
+    if arrival > recoil {
+        let [from, to] = [panel.spot((0.0, arrival)), panel.spot((0.0, recoil))];
+        let path = [(from.0 - 1.3, from.1), (to.0 - 1.3, to.1)];
+        panel.canvas.draw(&path, Ink::Line(IMPACT))?;
+    }
+    Ok(())
+}
+
+/// The wall: a hatched strip right of x = 0.
+fn wall(panel: &Panel<'_>) -> Result<(), DrawingError> {
+    let Bounds {
+        top,
+        right: left,
+        bottom,
+        ..
+    } = panel.bounds;
+    let right = left + WALL_THICKNESS;
+    let canvas = panel.canvas;
+    canvas.draw(
+        &[(left, top), (right, top), (right, bottom), (left, bottom)],
+        Ink::Polygon(WALL_FACE, None),
+    )?;
+    let strip = Window {
+        x: [left, right],
+        y: [top, bottom],
+    };
+    let mut start = top - WALL_THICKNESS;
+    while start < bottom + WALL_THICKNESS {
+        let stroke = [(left, start + WALL_THICKNESS), (right, start)];
+        for piece in crate::clip::clip_polyline(&strip, &stroke) {
+            canvas.draw(&piece, Ink::Line(WALL_HATCHING))?;
+        }
+        start += 3.5;
+    }
+    canvas.draw(&[(left, top), (left, bottom)], Ink::Line(WALL))
+}

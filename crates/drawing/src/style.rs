@@ -1,0 +1,181 @@
+//! The one style of all figures: colours, stroke widths, font sizes and physical sizes.
+//!
+//! The bifurcation curves keep the paper's colours, but their lightness and their strokes differ as well, so that they
+//! can be told apart without colour: grazing of the non-impacting solution is light and wide, saddle-node solid and
+//! dark, period-doubling solid and of middle lightness, grazing of an MPS dark with dots between its dashes. Plain
+//! dashes are left to approximations.
+
+/// Red, green and blue, 0 to 255 each.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Colour(pub(crate) u8, pub(crate) u8, pub(crate) u8);
+
+/// How a line is drawn; lengths in points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pen {
+    pub(crate) colour: Colour,
+    pub(crate) width: f64,
+    /// Lengths of ink and gap in turn; empty for a solid line.
+    pub(crate) dashes: &'static [f64],
+    pub(crate) opacity: f64,
+    /// Round instead of cut ends.
+    pub(crate) round: bool,
+}
+
+/// How an area is filled.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Paint {
+    pub(crate) colour: Colour,
+    pub(crate) opacity: f64,
+}
+
+impl Pen {
+    const fn solid(colour: Colour, width: f64) -> Self {
+        Pen {
+            colour,
+            width,
+            dashes: &[],
+            opacity: 1.0,
+            round: false,
+        }
+    }
+
+    const fn dashed(colour: Colour, width: f64, dashes: &'static [f64]) -> Self {
+        Pen {
+            colour,
+            width,
+            dashes,
+            opacity: 1.0,
+            round: false,
+        }
+    }
+}
+
+impl Paint {
+    const fn opaque(colour: Colour) -> Self {
+        Paint { colour, opacity: 1.0 }
+    }
+}
+
+/// Single column of a journal, in millimetres.
+pub const SINGLE_COLUMN_MM: f64 = 86.0;
+/// Double column of a journal, in millimetres.
+pub const DOUBLE_COLUMN_MM: f64 = 178.0;
+/// Width of Figure 7, in millimetres.
+pub(crate) const FIG07_WIDTH_MM: f64 = 120.0;
+/// Width of Figures 2 and 8, in millimetres.
+pub(crate) const WIDE_MM: f64 = 156.0;
+
+pub(crate) const BLACK: Colour = Colour(0, 0, 0);
+pub(crate) const WHITE: Colour = Colour(255, 255, 255);
+const LIGHT_GREEN: Colour = Colour(120, 200, 110);
+const DARK_GREEN: Colour = Colour(0, 88, 56);
+const RED: Colour = Colour(214, 47, 32);
+const BLUE: Colour = Colour(25, 70, 190);
+const ORANGE: Colour = Colour(240, 130, 0);
+const GREY: Colour = Colour(110, 110, 110);
+
+/// Axis titles, in points.
+pub(crate) const TITLE_SIZE: f64 = 10.0;
+/// Labels of curves, in points.
+pub(crate) const LABEL_SIZE: f64 = 9.0;
+/// Labels inside crowded panels, in points.
+pub(crate) const SMALL_LABEL_SIZE: f64 = 8.0;
+/// Numbers at the ticks, in points.
+pub(crate) const TICK_SIZE: f64 = 7.5;
+
+pub(crate) const FRAME: Pen = Pen::solid(BLACK, 0.6);
+pub(crate) const TICK: Pen = Pen::solid(BLACK, 0.5);
+pub(crate) const LEADER: Pen = Pen::solid(BLACK, 0.4);
+pub(crate) const TICK_LENGTH: f64 = 3.0;
+pub(crate) const MINOR_TICK_LENGTH: f64 = 1.7;
+
+/// Where the non-impacting solution is stable.
+pub(crate) const NON_IMPACTING_AREA: Paint = Paint::opaque(Colour(233, 233, 233));
+/// Where an MPS is stable; overlapping regions come out darker.
+pub(crate) const MPS_AREA: Paint = Paint {
+    colour: Colour(40, 40, 40),
+    opacity: 0.3,
+};
+
+pub(crate) const GRAZ: Pen = Pen::solid(LIGHT_GREEN, 2.2);
+pub(crate) const SADDLE_NODE: Pen = Pen::solid(BLUE, 1.15);
+pub(crate) const PERIOD_DOUBLING: Pen = Pen::solid(RED, 1.15);
+pub(crate) const MPS_GRAZING: Pen = Pen::dashed(DARK_GREEN, 1.15, &[5.0, 1.2, 1.2, 1.2]);
+/// The pen of a curve's approximation: dashed and darker, so that it shows on top of the curve itself.
+pub(crate) const fn approximation(pen: Pen) -> Pen {
+    const fn darker(channel: u8) -> u8 {
+        (channel as u16 * 11 / 20) as u8
+    }
+    let Colour(red, green, blue) = pen.colour;
+    Pen::dashed(Colour(darker(red), darker(green), darker(blue)), 0.9, &[3.2, 2.0])
+}
+
+/// Rectangles that another figure magnifies.
+pub(crate) const MAGNIFIED: Pen = Pen::solid(ORANGE, 1.0);
+/// Labels of those rectangles: darker than the rectangle, to be readable.
+pub(crate) const MAGNIFIED_TEXT: Colour = Colour(176, 84, 0);
+/// The line in the two-parameter diagram along which the one-parameter diagram runs.
+pub(crate) const SECTION: Pen = Pen {
+    colour: BLACK,
+    width: 1.5,
+    dashes: &[],
+    opacity: 1.0,
+    round: true,
+};
+
+pub(crate) const MARKER: Paint = Paint::opaque(BLACK);
+pub(crate) const MARKER_RIM: Pen = Pen::solid(WHITE, 0.5);
+pub(crate) const TRIANGLE_SIZE: f64 = 6.4;
+pub(crate) const DISC_RADIUS: f64 = 2.1;
+
+/// A branch of the one-parameter diagram by its number of loops, 0 for the non-impacting solution.
+pub(crate) const fn branch_pen(p: i64, width: f64) -> Pen {
+    let colour = match p {
+        1 => Colour(190, 95, 0),
+        2 => Colour(25, 70, 190),
+        3 => Colour(150, 30, 110),
+        _ => BLACK,
+    };
+    Pen::solid(colour, width)
+}
+
+pub(crate) const STABLE_WIDTH: f64 = 1.7;
+pub(crate) const UNSTABLE_WIDTH: f64 = 0.55;
+/// The attractor's points, by how many fall into one bin: 1, 2 to 3, more.
+pub(crate) const CLOUD: [Paint; 3] = [
+    Paint {
+        colour: Colour(70, 95, 130),
+        opacity: 0.35,
+    },
+    Paint {
+        colour: Colour(70, 95, 130),
+        opacity: 0.6,
+    },
+    Paint {
+        colour: Colour(70, 95, 130),
+        opacity: 0.9,
+    },
+];
+/// Side of a bin of the attractor, in points.
+pub(crate) const CLOUD_BIN: f64 = 0.3;
+
+pub(crate) const PERIODIC_ORBIT: Pen = Pen::solid(BLACK, 0.9);
+pub(crate) const ATTRACTOR_ORBIT: Pen = Pen::solid(Colour(70, 95, 130), 0.25);
+pub(crate) const IMPACT: Pen = Pen::dashed(BLACK, 0.55, &[1.6, 1.2]);
+pub(crate) const WALL: Pen = Pen::solid(BLACK, 0.9);
+pub(crate) const WALL_FACE: Paint = Paint::opaque(Colour(244, 244, 244));
+pub(crate) const WALL_HATCHING: Pen = Pen::solid(GREY, 0.45);
+/// The level x = 0 above which there are impacts.
+pub(crate) const THRESHOLD: Pen = Pen::solid(Colour(170, 170, 170), 0.4);
+/// Thin lines from a portrait's letter into the diagram.
+pub(crate) const GUIDE: Pen = Pen::dashed(GREY, 0.45, &[0.8, 1.6]);
+/// The window that is magnified.
+pub(crate) const MAGNIFIER: Pen = Pen::solid(ORANGE, 0.8);
+/// Frame of the magnification: a rim around the black one.
+pub(crate) const MAGNIFIER_FRAME: Pen = Pen::solid(ORANGE, 2.4);
+/// Bifurcations in the one-parameter diagram.
+pub(crate) const POINT_RADIUS: f64 = 1.9;
+pub(crate) const POINT_RIM: Pen = Pen::solid(BLACK, 0.4);
+
+/// No figure may be heavier than this, in bytes.
+pub(crate) const SIZE_LIMIT: usize = 2_000_000;

@@ -1,0 +1,465 @@
+//! A plotters backend that writes print-quality SVG: units of 1/100 point, two decimals, dashes, sub- and superscripts.
+
+use std::convert::Infallible;
+use std::fmt::Write;
+
+use plotters_backend::text_anchor::{HPos, VPos};
+use plotters_backend::{
+    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
+};
+
+use crate::font::{self, SCRIPT_SIZE, SIGN_FAMILY, SUBSCRIPT_DROP, SUPERSCRIPT_RISE, TEXT_FAMILY};
+use crate::markup::{Face, Label, Level};
+use crate::simplify::simplify;
+use crate::style::{Colour, Paint, Pen};
+
+/// Backend units in a point (1/72 inch).
+pub(crate) const UNITS: f64 = 100.0;
+
+/// Points in a millimetre.
+pub(crate) const POINTS_PER_MM: f64 = 72.0 / 25.4;
+
+/// Horizontal anchor of a text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Anchor {
+    Start,
+    Middle,
+    End,
+}
+
+/// Collects SVG elements; [`SvgBackend::finish`] wraps them into a document.
+pub(crate) struct SvgBackend {
+    size: (u32, u32),
+    body: String,
+}
+
+type Outcome = Result<(), DrawingErrorKind<Infallible>>;
+
+/// Hundredths as a decimal number, without needless zeros.
+pub(crate) fn hundredths(value: i32) -> String {
+    let (sign, size) = (if value < 0 { "-" } else { "" }, value.unsigned_abs());
+    let (whole, rest) = (size / 100, size % 100);
+    match (rest, rest % 10) {
+        (0, _) => format!("{sign}{whole}"),
+        (_, 0) => format!("{sign}{whole}.{}", rest / 10),
+        _ => format!("{sign}{whole}.{rest:02}"),
+    }
+}
+
+/// A length in points, rounded to hundredths.
+pub(crate) fn points(value: f64) -> String {
+    hundredths((value * UNITS).round() as i32)
+}
+
+/// Text with the five characters escaped that XML reserves, and without control characters, which it forbids.
+pub(crate) fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\'' => escaped.push_str("&#39;"),
+            control if control.is_control() => escaped.push(' '),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+fn hex(Colour(red, green, blue): Colour) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+fn fill(paint: &Paint) -> String {
+    let mut attributes = format!(" fill=\"{}\"", hex(paint.colour));
+    if paint.opacity < 1.0 {
+        let _ = write!(attributes, " fill-opacity=\"{}\"", points(paint.opacity));
+    }
+    attributes
+}
+
+fn stroke(pen: &Pen) -> String {
+    let mut attributes = format!(
+        " stroke=\"{}\" stroke-width=\"{}\"",
+        hex(pen.colour),
+        points(pen.width)
+    );
+    if pen.opacity < 1.0 {
+        let _ = write!(attributes, " stroke-opacity=\"{}\"", points(pen.opacity));
+    }
+    if !pen.dashes.is_empty() {
+        let dashes: Vec<String> = pen.dashes.iter().map(|&d| points(d)).collect();
+        let _ = write!(attributes, " stroke-dasharray=\"{}\"", dashes.join(" "));
+    }
+    if pen.round {
+        attributes.push_str(" stroke-linecap=\"round\"");
+    }
+    attributes
+}
+
+/// Path data through the points; points that fall together at print resolution are drawn once.
+fn path_data(path: impl IntoIterator<Item = BackendCoord>, closed: bool) -> String {
+    let mut data = String::new();
+    let mut previous = None;
+    for (x, y) in path {
+        if previous == Some((x, y)) {
+            continue;
+        }
+        let command = match previous {
+            None => "M",
+            Some(_) => "L",
+        };
+        let _ = write!(data, "{command}{},{}", hundredths(x), hundredths(y));
+        previous = Some((x, y));
+    }
+    if closed && !data.is_empty() {
+        data.push('Z');
+    }
+    data
+}
+
+impl SvgBackend {
+    /// An empty drawing of `width` by `height` points.
+    pub(crate) fn new(width: f64, height: f64) -> Self {
+        let size = ((width * UNITS).round() as u32, (height * UNITS).round() as u32);
+        SvgBackend {
+            size,
+            body: String::new(),
+        }
+    }
+
+    /// The finished document, with its title, its description and the fonts.
+    pub(crate) fn finish(&self, title: &str, description: &str) -> String {
+        let (width, height) = (f64::from(self.size.0) / UNITS, f64::from(self.size.1) / UNITS);
+        let (w, h) = (points(width), points(height));
+        format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+             <svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {w} {h}\" \
+             font-family=\"{TEXT_FAMILY}\" stroke-linejoin=\"round\" fill=\"none\" role=\"img\">\n\
+             <title>{}</title>\n<desc>{}</desc>\n<style>\n{}</style>\n\
+             <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{}</svg>\n",
+            points(width / POINTS_PER_MM),
+            points(height / POINTS_PER_MM),
+            escape(title),
+            escape(description),
+            font::style_sheet(),
+            self.body,
+        )
+    }
+
+    fn element(&mut self, arguments: std::fmt::Arguments<'_>) -> Outcome {
+        // Writing to a String cannot fail.
+        let _ = writeln!(self.body, "{arguments}");
+        Ok(())
+    }
+
+    /// An open path.
+    pub(crate) fn line(&mut self, path: impl IntoIterator<Item = BackendCoord>, pen: &Pen) -> Outcome {
+        let path: Vec<BackendCoord> = path.into_iter().collect();
+        let data = path_data(simplify(&path), false);
+        self.element(format_args!("<path d=\"{data}\"{}/>", stroke(pen)))
+    }
+
+    /// A filled and perhaps outlined polygon.
+    pub(crate) fn polygon(
+        &mut self,
+        path: impl IntoIterator<Item = BackendCoord>,
+        paint: &Paint,
+        outline: Option<&Pen>,
+    ) -> Outcome {
+        let data = path_data(path, true);
+        self.element(format_args!(
+            "<path d=\"{data}\"{}{}/>",
+            fill(paint),
+            outline.map(stroke).unwrap_or_default()
+        ))
+    }
+
+    /// A disc of `radius` points, perhaps outlined.
+    pub(crate) fn disc(
+        &mut self,
+        (x, y): BackendCoord,
+        radius: f64,
+        paint: &Paint,
+        outline: Option<&Pen>,
+    ) -> Outcome {
+        let outline = outline.map(stroke).unwrap_or_default();
+        let (x, y, r) = (hundredths(x), hundredths(y), points(radius));
+        self.element(format_args!(
+            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{}{outline}/>",
+            fill(paint)
+        ))
+    }
+
+    /// Squares of side `bin` points on a grid hung up at `origin`; `data` is path data in units of the bin.
+    pub(crate) fn bins(&mut self, (x, y): BackendCoord, bin: f64, data: &str, paint: &Paint) -> Outcome {
+        let (x, y, bin) = (hundredths(x), hundredths(y), points(bin));
+        let colour = hex(paint.colour);
+        let opacity = points(paint.opacity);
+        self.element(format_args!(
+            "<path transform=\"translate({x} {y}) scale({bin})\" d=\"{data}\" stroke=\"{colour}\" stroke-opacity=\"{opacity}\" stroke-width=\"1\"/>"
+        ))
+    }
+
+    /// A label whose baseline starts, is centred or ends at the point.
+    pub(crate) fn label(
+        &mut self,
+        (x, y): BackendCoord,
+        label: &Label,
+        size: f64,
+        anchor: Anchor,
+        colour: Colour,
+    ) -> Outcome {
+        let anchor = match anchor {
+            Anchor::Start => "",
+            Anchor::Middle => " text-anchor=\"middle\"",
+            Anchor::End => " text-anchor=\"end\"",
+        };
+        let spans = spans(label, size);
+        let (x, y, colour) = (hundredths(x), hundredths(y), hex(colour));
+        self.element(format_args!(
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\"{anchor} fill=\"{colour}\">{spans}</text>",
+            points(size)
+        ))
+    }
+}
+
+/// The runs of a label as text and tspans; scripts by `dy`, which every viewer knows.
+fn spans(label: &Label, size: f64) -> String {
+    let mut spans = String::new();
+    let mut lowered = 0.0;
+    for run in &label.runs {
+        let wanted = match run.level {
+            Level::Line => 0.0,
+            Level::Subscript => size * SUBSCRIPT_DROP,
+            Level::Superscript => -size * SUPERSCRIPT_RISE,
+        };
+        let mut attributes = String::new();
+        if wanted != lowered {
+            let _ = write!(attributes, " dy=\"{}\"", points(wanted - lowered));
+            lowered = wanted;
+        }
+        if run.level != Level::Line {
+            let _ = write!(attributes, " font-size=\"{}\"", points(size * SCRIPT_SIZE));
+        }
+        match run.face {
+            Face::Upright => {}
+            Face::Italic => attributes.push_str(" font-style=\"italic\""),
+            Face::Signs => {
+                let _ = write!(attributes, " font-family=\"{SIGN_FAMILY}\"");
+            }
+        }
+        // Ordinary spaces at the ends of a tspan are dropped by some viewers.
+        let text = escape(&run.text).replace(' ', "\u{a0}");
+        let _ = if attributes.is_empty() {
+            write!(spans, "{text}")
+        } else {
+            write!(spans, "<tspan{attributes}>{text}</tspan>")
+        };
+    }
+    spans
+}
+
+fn plain_pen<S: BackendStyle>(style: &S) -> Pen {
+    let (colour, opacity) = plain_colour(style.color());
+    Pen {
+        colour,
+        width: f64::from(style.stroke_width()) / UNITS,
+        dashes: &[],
+        opacity,
+        round: false,
+    }
+}
+
+fn plain_colour(colour: BackendColor) -> (Colour, f64) {
+    (Colour(colour.rgb.0, colour.rgb.1, colour.rgb.2), colour.alpha)
+}
+
+fn plain_paint<S: BackendStyle>(style: &S) -> Paint {
+    let (colour, opacity) = plain_colour(style.color());
+    Paint { colour, opacity }
+}
+
+/// What plotters' own elements draw with; all lengths, stroke widths included, are in 1/100 point.
+impl DrawingBackend for SvgBackend {
+    type ErrorType = Infallible;
+
+    fn get_size(&self) -> (u32, u32) {
+        self.size
+    }
+
+    fn ensure_prepared(&mut self) -> Outcome {
+        Ok(())
+    }
+
+    fn present(&mut self) -> Outcome {
+        Ok(())
+    }
+
+    fn draw_pixel(&mut self, (x, y): BackendCoord, color: BackendColor) -> Outcome {
+        self.draw_rect((x, y), (x + 1, y + 1), &color, true)
+    }
+
+    fn draw_line<S: BackendStyle>(&mut self, from: BackendCoord, to: BackendCoord, style: &S) -> Outcome {
+        self.line([from, to], &plain_pen(style))
+    }
+
+    fn draw_rect<S: BackendStyle>(
+        &mut self,
+        (left, top): BackendCoord,
+        (right, bottom): BackendCoord,
+        style: &S,
+        filled: bool,
+    ) -> Outcome {
+        let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
+        if filled {
+            return self.polygon(corners, &plain_paint(style), None);
+        }
+        let data = path_data(corners, true);
+        self.element(format_args!("<path d=\"{data}\"{}/>", stroke(&plain_pen(style))))
+    }
+
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Outcome {
+        self.line(path, &plain_pen(style))
+    }
+
+    fn draw_circle<S: BackendStyle>(
+        &mut self,
+        center: BackendCoord,
+        radius: u32,
+        style: &S,
+        filled: bool,
+    ) -> Outcome {
+        let radius = f64::from(radius) / UNITS;
+        if filled {
+            return self.disc(center, radius, &plain_paint(style), None);
+        }
+        let (x, y) = (hundredths(center.0), hundredths(center.1));
+        let outline = stroke(&plain_pen(style));
+        self.element(format_args!(
+            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\"{outline}/>",
+            points(radius)
+        ))
+    }
+
+    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        vert: I,
+        style: &S,
+    ) -> Outcome {
+        self.polygon(vert, &plain_paint(style), None)
+    }
+
+    fn draw_text<T: BackendTextStyle>(&mut self, text: &str, style: &T, (x, y): BackendCoord) -> Outcome {
+        let size = style.size() / UNITS;
+        let anchor = match style.anchor().h_pos {
+            HPos::Left => Anchor::Start,
+            HPos::Center => Anchor::Middle,
+            HPos::Right => Anchor::End,
+        };
+        let drop = match style.anchor().v_pos {
+            VPos::Top => 0.66,
+            VPos::Center => 0.33,
+            VPos::Bottom => 0.0,
+        };
+        let label = Label::plain(text);
+        let y = y + (drop * style.size()).round() as i32;
+        self.label((x, y), &label, size, anchor, plain_colour(style.color()).0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coordinates_have_at_most_two_decimals_and_no_needless_zeros() {
+        let printed: Vec<String> = [0, 7, 10, 100, 12_345, -5, -50, -1_200]
+            .into_iter()
+            .map(hundredths)
+            .collect();
+        assert_eq!(
+            printed,
+            ["0", "0.07", "0.1", "1", "123.45", "-0.05", "-0.5", "-12"]
+        );
+        assert_eq!(points(1.0 / 3.0), "0.33");
+    }
+
+    #[test]
+    fn text_is_escaped_once() {
+        assert_eq!(
+            escape("a<b & \"c\">'d'\u{7}"),
+            "a&lt;b &amp; &quot;c&quot;&gt;&#39;d&#39; "
+        );
+        let mut svg = SvgBackend::new(10.0, 10.0);
+        svg.label(
+            (0, 0),
+            &Label::parse("$x$ < 1 & y").unwrap(),
+            8.0,
+            Anchor::Start,
+            Colour(0, 0, 0),
+        )
+        .unwrap();
+        assert!(
+            svg.body
+                .contains("<tspan font-style=\"italic\">x</tspan>\u{a0}&lt;\u{a0}1\u{a0}&amp;\u{a0}y</text>"),
+            "{}",
+            svg.body
+        );
+    }
+
+    #[test]
+    fn a_subscript_is_lowered_and_the_line_comes_back() {
+        let label = Label::parse(r"$x_1=2$").unwrap();
+        // 0.19 and 0.72 of 10 points, and back up again.
+        assert_eq!(
+            spans(&label, 10.0),
+            "<tspan font-style=\"italic\">x</tspan><tspan dy=\"1.9\" font-size=\"7.2\">1</tspan>\
+             <tspan dy=\"-1.9\">\u{2009}=\u{2009}2</tspan>"
+        );
+    }
+
+    #[test]
+    fn points_that_coincide_in_print_are_written_once() {
+        assert_eq!(
+            path_data([(0, 0), (0, 0), (150, -25), (150, -25)], false),
+            "M0,0L1.5,-0.25"
+        );
+        assert_eq!(path_data([(0, 0), (100, 0), (0, 100)], true), "M0,0L1,0L0,1Z");
+    }
+
+    #[test]
+    fn dashes_are_real_ones() {
+        let pen = Pen {
+            colour: Colour(1, 2, 255),
+            width: 1.25,
+            dashes: &[4.0, 1.5],
+            opacity: 0.5,
+            round: false,
+        };
+        assert_eq!(
+            stroke(&pen),
+            " stroke=\"#0102ff\" stroke-width=\"1.25\" stroke-opacity=\"0.5\" stroke-dasharray=\"4 1.5\""
+        );
+    }
+
+    #[test]
+    fn elements_of_plotters_keep_their_hundredths() {
+        let mut svg = SvgBackend::new(10.0, 10.0);
+        let red = BackendColor {
+            alpha: 1.0,
+            rgb: (255, 0, 0),
+        };
+        svg.draw_line((1, 2), (333, 444), &red).unwrap();
+        assert_eq!(
+            svg.body,
+            "<path d=\"M0.01,0.02L3.33,4.44\" stroke=\"#ff0000\" stroke-width=\"0.01\"/>\n"
+        );
+    }
+}

@@ -1,0 +1,156 @@
+//! Ticks at round numbers, both ends of the axis included when they are round, and numbers as they are printed.
+
+/// A tick and the number at it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Tick {
+    pub(crate) value: f64,
+    pub(crate) label: String,
+}
+
+/// `mantissa` times ten to the power of `exponent`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Step {
+    mantissa: i64,
+    exponent: i32,
+}
+
+impl Step {
+    pub(crate) const ONE: Step = Step {
+        mantissa: 1,
+        exponent: 0,
+    };
+
+    /// The step as a number.
+    pub(crate) fn size(self) -> f64 {
+        self.value(1)
+    }
+
+    /// The number `index * step`, written exactly.
+    fn label(self, index: i64) -> String {
+        let units = index * self.mantissa;
+        let sign = if units < 0 { "−" } else { "" };
+        let digits = units.unsigned_abs().to_string();
+        if units == 0 || self.exponent >= 0 {
+            let zeros = if units == 0 { 0 } else { self.exponent as usize };
+            return format!("{sign}{digits}{}", "0".repeat(zeros));
+        }
+        let decimals = self.exponent.unsigned_abs() as usize;
+        let padded = format!("{digits:0>width$}", width = decimals + 1);
+        let (whole, fraction) = padded.split_at(padded.len() - decimals);
+        format!("{sign}{whole}.{fraction}")
+    }
+
+    /// The number `index * step` correctly rounded, by reading its decimal digits.
+    fn value(self, index: i64) -> f64 {
+        format!("{}e{}", index * self.mantissa, self.exponent)
+            .parse()
+            .unwrap_or(f64::NAN)
+    }
+
+    /// All multiples of the step from `low` to `high`, ends included up to a billionth of the step.
+    pub(crate) fn multiples(self, low: f64, high: f64) -> Vec<Tick> {
+        let step = self.value(1);
+        let first = (low / step - 1e-9).ceil() as i64;
+        let last = (high / step + 1e-9).floor() as i64;
+        (first..=last)
+            .map(|i| Tick {
+                value: self.value(i),
+                label: self.label(i),
+            })
+            .collect()
+    }
+
+    /// The step of the smaller ticks between: a fifth, or a quarter of two, which is a half of the unit.
+    pub(crate) fn minor(self) -> Step {
+        let mantissa = match self.mantissa {
+            2 => 5,
+            5 => 10,
+            _ => 2,
+        };
+        Step {
+            mantissa,
+            exponent: self.exponent - 1,
+        }
+    }
+
+    /// Round steps (1, 2, 5 times a power of ten) from fine to coarse, fit for an axis of the given length.
+    pub(crate) fn round_steps(length: f64) -> impl Iterator<Item = Step> {
+        // The exponent of scientific notation is the floor of the decimal logarithm, without a logarithm.
+        let exponent: i32 = format!("{length:e}")
+            .rsplit('e')
+            .next()
+            .and_then(|e| e.parse().ok())
+            .unwrap_or(0);
+        (exponent - 2..=exponent + 1)
+            .flat_map(|exponent| [1, 2, 5].map(|mantissa| Step { mantissa, exponent }))
+    }
+}
+
+/// A number with so many significant digits, as printed in running text (with a true minus sign).
+pub(crate) fn significant(value: f64, digits: usize) -> String {
+    let scientific = format!("{:.*e}", digits.saturating_sub(1), value.abs());
+    let exponent: i64 = scientific
+        .rsplit('e')
+        .next()
+        .and_then(|e| e.parse().ok())
+        .unwrap_or(0);
+    let decimals = (digits as i64 - 1 - exponent).max(0) as usize;
+    let sign = if value < 0.0 { "−" } else { "" };
+    format!("{sign}{:.decimals$}", value.abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn step(mantissa: i64, exponent: i32) -> Step {
+        Step { mantissa, exponent }
+    }
+
+    #[test]
+    fn both_ends_carry_a_tick_though_they_are_not_exact_in_binary() {
+        // 0.1 + 0.2 exceeds 0.3 by one rounding, and 1.3 / 0.1 falls short of 13.
+        let ticks = step(1, -1).multiples(0.1 + 0.2, 1.3);
+        assert_eq!(ticks.first().unwrap().label, "0.3");
+        assert_eq!(ticks.last().unwrap().label, "1.3");
+        assert_eq!(ticks.len(), 11);
+        assert_eq!(ticks[4].value, 0.7);
+    }
+
+    #[test]
+    fn numbers_are_written_exactly() {
+        assert_eq!(step(5, -2).label(7), "0.35");
+        assert_eq!(step(2, -1).label(0), "0");
+        assert_eq!(step(2, -1).label(-3), "−0.6");
+        assert_eq!(step(2, 3).label(4), "8000");
+        assert_eq!(step(1, -1).label(10), "1.0");
+    }
+
+    #[test]
+    fn minor_ticks_fall_on_the_major_ones_and_between() {
+        for major in [step(1, 0), step(2, -1), step(5, -2)] {
+            let minor = major.minor();
+            let ratio = major.value(1) / minor.value(1);
+            assert!(
+                (ratio - ratio.round()).abs() < 1e-12 && ratio > 3.0,
+                "{major:?} {ratio}"
+            );
+        }
+    }
+
+    #[test]
+    fn steps_run_from_fine_to_coarse_around_the_length() {
+        let steps: Vec<f64> = Step::round_steps(0.67).map(|s| s.value(1)).collect();
+        assert!(steps.is_sorted());
+        assert!(steps[0] < 0.67 / 100.0 && steps[steps.len() - 1] > 0.67);
+    }
+
+    #[test]
+    fn significant_digits_are_counted_from_the_first() {
+        assert_eq!(significant(-123.456, 4), "−123.5");
+        assert_eq!(significant(9.8765, 4), "9.877");
+        assert_eq!(significant(0.012345, 3), "0.0123");
+        assert_eq!(significant(99.996, 4), "100.0");
+        assert_eq!(significant(4321.7, 4), "4322");
+    }
+}

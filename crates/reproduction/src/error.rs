@@ -1,0 +1,80 @@
+//! What can go wrong in the reproduction with parameters that are valid.
+
+use grazing_continuation::fit::FitError;
+use grazing_continuation::resonance::ResonanceError;
+use grazing_model::OscillatorError;
+use grazing_theorems::from_map::GrazingOrbitError;
+use grazing_theorems::{Resonance, TheoryError};
+
+/// A computation of the reproduction failed.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum StudyError {
+    /// A parameter is outside the oscillator's domain.
+    #[error(transparent)]
+    Oscillator(#[from] OscillatorError),
+    /// A parameter is outside a formula's domain.
+    #[error(transparent)]
+    Theory(#[from] TheoryError),
+    /// The grazing orbit was not found.
+    #[error(transparent)]
+    GrazingOrbit(#[from] GrazingOrbitError),
+    /// A resonance could not be unfolded.
+    #[error("resonance p = {loops}, n = {n}: {source}")]
+    Resonance {
+        /// Number of loops p.
+        loops: u32,
+        /// The integer n of the resonance.
+        n: u32,
+        /// What went wrong.
+        source: ResonanceError,
+    },
+    /// A quadratic coefficient could not be measured.
+    #[error("coefficient {curve} at resonance p = {loops}, n = {n}: {source}")]
+    Fit {
+        /// SN or PD.
+        curve: &'static str,
+        /// Number of loops p.
+        loops: u32,
+        /// The integer n of the resonance.
+        n: u32,
+        /// What went wrong.
+        source: FitError,
+    },
+    /// A branch of Figure 2 could not be started at the grazing bifurcation.
+    #[error("the branch of {loops}-loop solutions cannot be started at the grazing bifurcation: {reason}")]
+    Branch {
+        /// Number of loops p.
+        loops: u32,
+        /// Why not.
+        reason: String,
+    },
+    /// The range of the long-time behaviour is not there.
+    #[error("figure 2 has no {missing} in its window, between which the long-time behaviour is drawn")]
+    NoAttractorRange {
+        /// What is missing.
+        missing: &'static str,
+    },
+    /// A portrait's solution does not exist at its amplitude.
+    #[error("figure 2 has no admissible {loops}-loop solution at amplitude {amplitude} for a phase portrait")]
+    NoPortrait {
+        /// Number of loops p.
+        loops: u32,
+        /// The amplitude.
+        amplitude: f64,
+    },
+    /// A table could not be made.
+    #[error("a table could not be made: {0}")]
+    Table(String),
+}
+
+impl StudyError {
+    pub(crate) fn resonance(resonance: &Resonance, source: ResonanceError) -> Self {
+        Self::Resonance { loops: resonance.loops(), n: resonance.index(), source }
+    }
+}
+
+impl From<polars::prelude::PolarsError> for StudyError {
+    fn from(error: polars::prelude::PolarsError) -> Self {
+        Self::Table(error.to_string())
+    }
+}

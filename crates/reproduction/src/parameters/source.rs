@@ -1,0 +1,191 @@
+//! The text of a parameter file, and the way back from a place in it to line, key and value.
+
+use std::ops;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::error::ParameterError;
+use super::raw;
+use super::requirements::{known_keys, requirement};
+
+/// A parameter file's text with the name that messages use for it.
+pub(super) struct Source<'a> {
+    text: &'a str,
+    file: &'a str,
+}
+
+impl<'a> Source<'a> {
+    pub(super) fn new(text: &'a str, file: &'a str) -> Source<'a> {
+        Source { text, file }
+    }
+
+    /// The file's content with keys and types checked.
+    pub(super) fn read(&self) -> Result<raw::File, ParameterError> {
+        let document = DeTable::parse(self.text).map_err(|error| self.syntax(&error))?;
+        if let Some(unknown) = first_unknown_key(document.get_ref(), "") {
+            return Err(self.refuse(unknown));
+        }
+        toml::from_str(self.text).map_err(|error| self.explain(&error, document.get_ref()))
+    }
+
+    /// The refusal of the value that `place` holds; `allowed` says what would be right.
+    pub(super) fn forbid<T>(&self, key: &str, place: &Spanned<T>, allowed: String) -> ParameterError {
+        self.forbid_at(key, place.span(), allowed)
+    }
+
+    fn forbid_at(&self, key: &str, span: ops::Range<usize>, allowed: String) -> ParameterError {
+        ParameterError::Forbidden {
+            file: self.file.to_owned(),
+            line: self.line(span.start),
+            key: key.to_owned(),
+            value: self.written(span),
+            allowed,
+        }
+    }
+
+    /// The text of a place on one line, as the file has it but for line breaks.
+    fn written(&self, span: ops::Range<usize>) -> String {
+        self.text[span].split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    fn line(&self, position: usize) -> usize {
+        1 + self.text[..position].matches('\n').count()
+    }
+
+    fn syntax(&self, error: &toml::de::Error) -> ParameterError {
+        let position = error.span().map_or(0, |span| span.start.min(self.text.len()));
+        let line_start = self.text[..position].rfind('\n').map_or(0, |newline| newline + 1);
+        ParameterError::Syntax {
+            file: self.file.to_owned(),
+            line: self.line(position),
+            column: 1 + self.text[line_start..position].chars().count(),
+            reason: error.message().to_owned(),
+        }
+    }
+
+    fn refuse(&self, unknown: UnknownKey) -> ParameterError {
+        let known = known_keys(&unknown.table);
+        ParameterError::UnknownKey {
+            file: self.file.to_owned(),
+            line: self.line(unknown.position),
+            nearest: nearest(&unknown.name, &known).to_owned(),
+            key: joined(&unknown.table, &unknown.name),
+            known: known.into_iter().map(str::to_owned).collect(),
+        }
+    }
+
+    /// Puts the reader's refusal of a type, or its lack of a key, into our words.
+    ///
+    /// The reader keeps no structure beside its message and a place, so the name of a missing key is taken from between
+    /// the message's backticks.
+    fn explain(&self, error: &toml::de::Error, document: &DeTable<'_>) -> ParameterError {
+        let span = error.span().unwrap_or(0..0);
+        let path = path_in_table(document, span.start).unwrap_or_default();
+        let missing = error
+            .message()
+            .strip_prefix("missing field `")
+            .and_then(|rest| rest.strip_suffix('`'));
+        let Some(name) = missing else {
+            return self.forbid_at(&path, span, requirement(&path).to_owned());
+        };
+        let key = joined(&path, name);
+        let line = if path.is_empty() {
+            self.text.lines().count().max(1)
+        } else {
+            self.line(span.start)
+        };
+        let allowed = requirement(&key).to_owned();
+        ParameterError::MissingKey {
+            file: self.file.to_owned(),
+            line,
+            key,
+            allowed,
+        }
+    }
+}
+
+/// A key that means nothing in its table.
+struct UnknownKey {
+    position: usize,
+    table: String,
+    name: String,
+}
+
+/// The unknown key that stands first in the text. The reader would find it too, but not before a missing one: of a table
+/// whose name is misspelt it would say that it is missing.
+fn first_unknown_key(table: &DeTable<'_>, path: &str) -> Option<UnknownKey> {
+    let known = known_keys(path);
+    table
+        .iter()
+        .filter_map(|(key, value)| {
+            let name = key.get_ref().to_string();
+            if !known.contains(&name.as_str()) {
+                return Some(UnknownKey {
+                    position: key.span().start,
+                    table: path.to_owned(),
+                    name,
+                });
+            }
+            let path = joined(path, &name);
+            match value.get_ref() {
+                DeValue::Table(inner) => first_unknown_key(inner, &path),
+                DeValue::Array(members) => members
+                    .iter()
+                    .zip(1..)
+                    .filter_map(|(member, number)| Some((member.get_ref().as_table()?, number)))
+                    .find_map(|(inner, number)| first_unknown_key(inner, &format!("{path}[{number}]"))),
+                _ => None,
+            }
+        })
+        .min_by_key(|unknown| unknown.position)
+}
+
+fn joined(table: &str, name: &str) -> String {
+    if table.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{table}.{name}")
+    }
+}
+
+/// The known name that is spelt most like `name`; the first of equals.
+fn nearest<'a>(name: &str, known: &[&'a str]) -> &'a str {
+    let mut best = (f64::NEG_INFINITY, "");
+    for candidate in known {
+        let likeness = strsim::jaro_winkler(name, candidate);
+        if likeness > best.0 {
+            best = (likeness, candidate);
+        }
+    }
+    best.1
+}
+
+/// The key of the innermost table entry at `position`; a place inside a list of values belongs to the list.
+fn path_in_table(table: &DeTable<'_>, position: usize) -> Option<String> {
+    table.iter().find_map(|(key, value)| {
+        let name = key.get_ref();
+        match path_in_value(value, position) {
+            Some(rest) => Some(format!("{name}{rest}")),
+            None => {
+                (key.span().contains(&position) || value.span().contains(&position)).then(|| name.to_string())
+            }
+        }
+    })
+}
+
+/// What follows the key of `value` on the way to `position`: `.key` or `[number].key`.
+fn path_in_value(value: &Spanned<DeValue<'_>>, position: usize) -> Option<String> {
+    match value.get_ref() {
+        DeValue::Table(table) => path_in_table(table, position).map(|path| format!(".{path}")),
+        DeValue::Array(members) => members.iter().zip(1..).find_map(|(member, number)| {
+            let table = member.get_ref().as_table()?;
+            let inner = path_in_table(table, position).map(|path| format!(".{path}"));
+            match inner {
+                Some(path) => Some(format!("[{number}]{path}")),
+                None => member.span().contains(&position).then(|| format!("[{number}]")),
+            }
+        }),
+        _ => None,
+    }
+}

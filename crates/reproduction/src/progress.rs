@@ -1,0 +1,21 @@
+//! Telling how far long work has come.
+
+/// Hears of the progress of a computation; called from any thread.
+pub trait Progress: Sync {
+    /// Work of a number of steps begins.
+    fn begin(&self, what: &str, steps: u64);
+    /// One step is done.
+    fn step(&self, what: &str);
+    /// The work is done.
+    fn end(&self, what: &str);
+}
+
+/// Hears nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct Silent;
+
+impl Progress for Silent {
+    fn begin(&self, _: &str, _: u64) {}
+    fn step(&self, _: &str) {}
+    fn end(&self, _: &str) {}
+}

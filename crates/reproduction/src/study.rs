@@ -1,0 +1,115 @@
+//! Everything that is reproduced, computed once each.
+
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
+use crate::StudyError;
+use crate::coefficients::{self, Coefficients};
+use crate::diagram::Diagram;
+use crate::fig02::Figure2;
+use crate::fig07::Figure7;
+use crate::fig08::Figure8;
+use crate::parameters::Parameters;
+use crate::progress::{Progress, Silent};
+use crate::table::Table;
+
+/// The reproduction at one set of parameters. What several outputs share is computed when it is first needed.
+pub struct Study<'a> {
+    parameters: Parameters,
+    progress: &'a dyn Progress,
+    diagram: OnceLock<Result<Diagram, StudyError>>,
+    coefficients: OnceLock<Result<Vec<Coefficients>, StudyError>>,
+}
+
+impl<'a> Study<'a> {
+    /// The study of these parameters; nothing is computed yet.
+    pub fn new(parameters: &Parameters) -> Self {
+        Self {
+            parameters: parameters.clone(),
+            progress: &Silent,
+            diagram: OnceLock::new(),
+            coefficients: OnceLock::new(),
+        }
+    }
+
+    /// The study with somebody to tell how far long work has come.
+    pub fn with_progress(self, progress: &'a dyn Progress) -> Self {
+        Self { progress, ..self }
+    }
+
+    /// The parameters.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// The coefficients at all resonances of Figure 7.
+    ///
+    /// # Errors
+    /// A resonance could not be located, unfolded or measured.
+    pub fn coefficients(&self) -> Result<&[Coefficients], StudyError> {
+        let computed = self.coefficients.get_or_init(|| coefficients::compute(self.diagram()?));
+        computed.as_deref().map_err(Clone::clone)
+    }
+
+    /// The table `coefficients`.
+    ///
+    /// # Errors
+    /// As [`coefficients`](Self::coefficients).
+    pub fn coefficient_table(&self) -> Result<Table, StudyError> {
+        coefficients::table(self.coefficients()?)
+    }
+
+    /// The frames of Figure 2.
+    ///
+    /// # Errors
+    /// A branch could not be started, or a portrait's solution is not there.
+    pub fn fig02(&self) -> Result<Figure2, StudyError> {
+        Figure2::compute(&self.parameters, self.progress)
+    }
+
+    /// The frames of Figure 7.
+    ///
+    /// # Errors
+    /// A resonance could not be located or unfolded.
+    pub fn fig07(&self) -> Result<Figure7, StudyError> {
+        Figure7::of(&self.parameters, self.diagram()?)
+    }
+
+    /// The frames of Figure 8.
+    ///
+    /// # Errors
+    /// A resonance could not be located, unfolded or measured.
+    pub fn fig08(&self) -> Result<Figure8, StudyError> {
+        Figure8::compute(&self.parameters, self.diagram()?, self.coefficients()?)
+    }
+
+    /// The computed values of what the paper prints, under the names of `expected/published.toml`.
+    ///
+    /// # Errors
+    /// A resonance could not be located, unfolded or measured.
+    pub fn published_values(&self) -> Result<BTreeMap<String, f64>, StudyError> {
+        let parameters = &self.parameters;
+        let theory = grazing_theorems::LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
+        let grazing = theory.grazing(parameters.fig02().frequency())?;
+        let mut values = BTreeMap::from([
+            ("zeta".to_owned(), parameters.zeta()),
+            ("epsilon".to_owned(), parameters.epsilon()),
+            ("fig02_frequency".to_owned(), parameters.fig02().frequency()),
+            ("fig02_amplitude_graz".to_owned(), grazing.amplitude()),
+            ("fig02_tau".to_owned(), grazing.trace()),
+            ("fig02_delta".to_owned(), grazing.determinant()),
+        ]);
+        for c in self.coefficients()? {
+            let name = |quantity: &str| format!("{quantity}_p{}_n{}", c.loops, c.n);
+            values.insert(name("omega"), c.frequency);
+            values.insert(name("c_sn"), c.closed_form[0]);
+            values.insert(name("c_pd"), c.closed_form[1]);
+        }
+        Ok(values)
+    }
+
+    fn diagram(&self) -> Result<&Diagram, StudyError> {
+        let computed = self.diagram.get_or_init(|| Diagram::compute(&self.parameters, self.progress));
+        computed.as_ref().map_err(Clone::clone)
+    }
+}

@@ -1,0 +1,344 @@
+//! What the parameter file may hold, and what is said when it holds something else.
+
+use grazing_reproduction::parameters::{ParameterError, Parameters, Range};
+
+const DEFAULT: &str = include_str!("../../../figures/parameters.toml");
+
+fn parse(text: &str) -> Result<Parameters, ParameterError> {
+    Parameters::parse(text, "p.toml")
+}
+
+/// The default file with another line in the place of the first one for the key after `section`. The values that stand
+/// there do not matter, so the file can change without its tests.
+fn edited(section: &str, key: &str, line: &str) -> String {
+    let section_start = DEFAULT.find(section).expect("the section stands in the file");
+    let start = 1
+        + section_start
+        + DEFAULT[section_start..]
+            .find(&format!("\n{key} = "))
+            .expect("the key follows");
+    let end = start
+        + DEFAULT[start..]
+            .find('\n')
+            .expect("the file ends with a line end");
+    format!("{}{line}{}", &DEFAULT[..start], &DEFAULT[end..])
+}
+
+/// The line on which `needle` first stands after `section` in the text.
+fn line_of(text: &str, section: &str, needle: &str) -> usize {
+    let start = text.find(section).expect("the section stands in the text");
+    let at = start + text[start..].find(needle).expect("the needle follows");
+    1 + text[..at].matches('\n').count()
+}
+
+/// Asserts that the value, written for the key after `section`, is refused under the full key, on its line, and that
+/// the refusal quotes `culprit`; gives what is said to be allowed.
+fn refusal_quoting(culprit: &str, section: &str, key: &str, value: &str, full_key: &str) -> String {
+    let line = format!("{key} = {value}");
+    let text = edited(section, key, &line);
+    match parse(&text) {
+        Err(ParameterError::Forbidden {
+            file,
+            line: number,
+            key,
+            value,
+            allowed,
+        }) => {
+            assert_eq!(
+                (file.as_str(), key.as_str(), value.as_str()),
+                ("p.toml", full_key, culprit)
+            );
+            assert_eq!(number, line_of(&text, section, &line), "the line of {line}");
+            allowed
+        }
+        other => panic!("{section} {line}: {other:?}"),
+    }
+}
+
+/// As [`refusal_quoting`] the whole value.
+fn refusal(section: &str, key: &str, value: &str, full_key: &str) -> String {
+    refusal_quoting(value, section, key, value, full_key)
+}
+
+#[test]
+fn the_default_file_is_accepted_and_read_whole() {
+    let parameters = parse(DEFAULT).expect("the default file is valid");
+    assert!(DEFAULT.contains(&format!("zeta = {}", parameters.zeta())));
+    assert!(DEFAULT.contains(&format!("epsilon = {}", parameters.epsilon())));
+    assert!(DEFAULT.contains(&format!("frequency = {}", parameters.fig02().frequency())));
+    assert_eq!(parameters.fig02().loops(), [1, 2, 3]);
+    assert_eq!(parameters.fig07().loops(), [1, 2, 3]);
+    let panels = parameters.fig08().panels().iter();
+    assert_eq!(
+        panels.map(|panel| (panel.loops(), panel.n())).collect::<Vec<_>>(),
+        [(1, 3), (2, 1), (3, 2)]
+    );
+    assert_eq!(
+        parameters.fig02().portraits().len(),
+        DEFAULT.matches("[[fig02.portraits]]").count()
+    );
+}
+
+#[test]
+fn every_key_of_the_default_file_is_explained_where_it_first_stands() {
+    let mut previous = "";
+    let mut explained = std::collections::BTreeSet::new();
+    for line in DEFAULT.lines() {
+        if let Some((key, _)) = line.split_once(" = ").filter(|_| !line.starts_with('#')) {
+            let repeated = !explained.insert(key);
+            assert!(previous.starts_with('#') || repeated, "no comment above `{line}`");
+        }
+        previous = line;
+    }
+    assert!(explained.len() > 10, "the keys were found");
+}
+
+#[test]
+fn every_key_of_the_default_file_is_needed() {
+    let keys = DEFAULT
+        .lines()
+        .filter(|line| !line.starts_with('#') && line.contains(" = "));
+    let mut removed = 0;
+    for line in keys {
+        let text = DEFAULT.replacen(&format!("{line}\n"), "", 1);
+        let name = line.split_once(" = ").map_or(line, |(name, _)| name);
+        match parse(&text) {
+            Err(ParameterError::MissingKey { key, allowed, .. }) => {
+                assert!(key.ends_with(name), "{key} for {name}");
+                assert!(
+                    !allowed.starts_with("see "),
+                    "no requirement is written down for {key}"
+                );
+            }
+            other => panic!("without `{line}`: {other:?}"),
+        }
+        removed += 1;
+    }
+    assert!(removed > 20, "the keys were found");
+}
+
+#[test]
+fn damping_ratio_lies_strictly_between_0_and_1() {
+    for wrong in [
+        "0",
+        "0.0",
+        "1",
+        "-0.5",
+        "1.5",
+        "nan",
+        "inf",
+        "-inf",
+        "\"small\"",
+        "[0.1]",
+        "true",
+    ] {
+        let allowed = refusal("[oscillator]", "zeta", wrong, "oscillator.zeta");
+        assert!(allowed.contains("between 0 and 1"), "{allowed}");
+    }
+    // Its resonances differ little from those of the default damping, so the windows keep them.
+    let slight = parse(&edited("[oscillator]", "zeta", "zeta = 0.01"));
+    assert_eq!(slight.map(|parameters| parameters.zeta()), Ok(0.01));
+}
+
+#[test]
+fn restitution_lies_above_0_and_may_be_1() {
+    for wrong in ["0", "-0.1", "1.0000001", "nan"] {
+        refusal("[oscillator]", "epsilon", wrong, "oscillator.epsilon");
+    }
+    let elastic = parse(&edited("[oscillator]", "epsilon", "epsilon = 1"));
+    assert_eq!(elastic.map(|parameters| parameters.epsilon()), Ok(1.0));
+}
+
+#[test]
+fn ranges_are_two_finite_numbers_and_run_upwards() {
+    for wrong in [
+        "[0.3, 0.3]",
+        "[0.4, 0.2]",
+        "[nan, 0.4]",
+        "[0.2, inf]",
+        "[0.2]",
+        "[0.2, 0.3, 0.4]",
+        "0.3",
+    ] {
+        refusal("[fig02]", "amplitude", wrong, "fig02.amplitude");
+        refusal("[fig02]", "x", wrong, "fig02.x");
+        refusal("[fig07]", "frequency", wrong, "fig07.frequency");
+        refusal(
+            "[[fig08.panels]]",
+            "frequency",
+            wrong,
+            "fig08.panels[1].frequency",
+        );
+    }
+    refusal("[fig07]", "amplitude", "[-0.1, 1.3]", "fig07.amplitude");
+    refusal("[fig07]", "frequency", "[0, 1.1]", "fig07.frequency");
+    assert!(Range::new(1.0, 1.0).is_none());
+}
+
+#[test]
+fn loops_are_different_whole_numbers_from_1_on() {
+    for section in ["fig02", "fig07"] {
+        let (table, key) = (format!("[{section}]"), format!("{section}.loops"));
+        for (wrong, culprit) in [
+            ("[0, 1]", "0"),
+            ("[1, -2]", "-2"),
+            ("[1, 2.0]", "2.0"),
+            ("[13]", "13"),
+            ("[]", "[]"),
+            ("1", "1"),
+        ] {
+            refusal_quoting(culprit, &table, "loops", wrong, &key);
+        }
+        let allowed = refusal(&table, "loops", "[1, 2, 1]", &key);
+        assert!(allowed.contains("twice"), "{allowed}");
+    }
+}
+
+#[test]
+fn every_number_of_loops_of_figure_7_has_a_resonance_in_the_window() {
+    let allowed = refusal("[fig07]", "frequency", "[0.9, 0.95]", "fig07.frequency");
+    assert!(allowed.contains("no resonance"), "{allowed}");
+    match parse(&edited("[fig07]", "frequency", "frequency = [0.65, 0.82]")) {
+        Err(ParameterError::Forbidden {
+            key, value, allowed, ..
+        }) => {
+            assert_eq!((key.as_str(), value.as_str()), ("fig07.loops", "3"));
+            assert!(allowed.contains("p = 3 has no resonance"), "{allowed}");
+        }
+        other => panic!("{other:?}"),
+    }
+    let allowed = refusal("[fig07]", "frequency", "[1e-9, 1.1]", "fig07.frequency");
+    assert!(allowed.contains("at most"), "{allowed}");
+}
+
+#[test]
+fn parts_lie_inside_the_whole() {
+    refusal(
+        "[fig02.magnification]",
+        "amplitude",
+        "[0, 9]",
+        "fig02.magnification.amplitude",
+    );
+    refusal("[fig02.magnification]", "x", "[-9, 0]", "fig02.magnification.x");
+    refusal(
+        "[[fig02.portraits]]",
+        "amplitude",
+        "9.0",
+        "fig02.portraits[1].amplitude",
+    );
+    refusal(
+        "[[fig08.panels]]",
+        "amplitude",
+        "[0.1, 9]",
+        "fig08.panels[1].amplitude",
+    );
+}
+
+#[test]
+fn a_panel_of_figure_8_holds_its_resonance() {
+    match parse(&edited("[[fig08.panels]]", "n", "n = 5")) {
+        Err(ParameterError::Forbidden { key, allowed, .. }) => {
+            assert_eq!(key, "fig08.panels[1].amplitude");
+            assert!(allowed.contains("resonance p = 1, n = 5"), "{allowed}");
+        }
+        other => panic!("{other:?}"),
+    }
+    let allowed = refusal(
+        "[[fig08.panels]]",
+        "frequency",
+        "[0.7, 0.8]",
+        "fig08.panels[1].frequency",
+    );
+    assert!(allowed.contains("resonance p = 1, n = 3"), "{allowed}");
+}
+
+#[test]
+fn figure_2_holds_its_grazing_amplitude() {
+    let allowed = refusal("[fig02]", "amplitude", "[0.001, 0.002]", "fig02.amplitude");
+    assert!(allowed.contains("grazing amplitude"), "{allowed}");
+}
+
+#[test]
+fn portraits_and_panels_show_loops_that_are_computed() {
+    refusal("[[fig02.portraits]]", "loops", "4", "fig02.portraits[1].loops");
+    refusal("[[fig08.panels]]", "loops", "4", "fig08.panels[1].loops");
+    refusal("[[fig08.panels]]", "n", "0", "fig08.panels[1].n");
+    refusal("[[fig08.panels]]", "n", "101", "fig08.panels[1].n");
+}
+
+#[test]
+fn the_work_of_the_attractor_is_bounded() {
+    let section = "[fig02.attractor]";
+    refusal(section, "amplitudes", "1", "fig02.attractor.amplitudes");
+    refusal(section, "orbits", "0", "fig02.attractor.orbits");
+    refusal(section, "recorded", "0", "fig02.attractor.recorded");
+    refusal(section, "seed", "-1", "fig02.attractor.seed");
+    let allowed = refusal(section, "transient", "999999", "fig02.attractor.transient");
+    assert!(allowed.contains("forcing periods"), "{allowed}");
+}
+
+#[test]
+fn an_unknown_key_is_named_with_the_nearest_known_one() {
+    let text = edited("[fig02.attractor]", "orbits", "recoded = 20\norbits = 4");
+    match parse(&text) {
+        Err(ParameterError::UnknownKey {
+            line,
+            key,
+            nearest,
+            known,
+            ..
+        }) => {
+            assert_eq!(line, line_of(&text, "[fig02.attractor]", "recoded"));
+            assert_eq!(
+                (key.as_str(), nearest.as_str()),
+                ("fig02.attractor.recoded", "recorded")
+            );
+            assert_eq!(known, ["amplitudes", "orbits", "transient", "recorded", "seed"]);
+        }
+        other => panic!("{other:?}"),
+    }
+    match parse(&DEFAULT.replacen("\n[fig02.attractor]", "\n[fig2.attractor]", 1)) {
+        Err(ParameterError::UnknownKey { key, nearest, .. }) => {
+            assert_eq!((key.as_str(), nearest.as_str()), ("fig2", "fig02"));
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_missing_table_and_a_missing_member_key_are_named() {
+    let text = DEFAULT.split("# Figure 8 (fig:Y)").next().expect("a first part");
+    match parse(text) {
+        Err(ParameterError::MissingKey { line, key, .. }) => {
+            assert_eq!((line, key.as_str()), (text.lines().count(), "fig08"));
+        }
+        other => panic!("{other:?}"),
+    }
+    let last = DEFAULT.rfind("n = 2\n").expect("the last panel has an n");
+    let text = format!("{}{}", &DEFAULT[..last], &DEFAULT[last + 6..]);
+    match parse(&text) {
+        Err(ParameterError::MissingKey { key, .. }) => assert_eq!(key, "fig08.panels[3].n"),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn what_is_not_toml_is_shown_with_line_and_column() {
+    match parse("[oscillator]\nzeta = 0.02.1\n") {
+        Err(ParameterError::Syntax { line, column, .. }) => assert_eq!((line, column), (2, 12)),
+        other => panic!("{other:?}"),
+    }
+    assert!(matches!(
+        parse(&edited("[oscillator]", "epsilon", "zeta = 0.9")),
+        Err(ParameterError::Syntax { .. })
+    ));
+}
+
+#[test]
+fn a_file_that_is_not_there_is_named() {
+    let path = std::path::Path::new("no/such/parameters.toml");
+    match Parameters::from_file(path) {
+        Err(ParameterError::Unreadable { file, .. }) => assert_eq!(file, "no/such/parameters.toml"),
+        other => panic!("{other:?}"),
+    }
+}
