@@ -105,7 +105,7 @@ pub fn virtual_preimage<O: ImpactOscillator>(
         let here = motion.at(time);
         let step = here.position / here.velocity;
         time -= step;
-        if !(time < 0.0) {
+        if time.is_nan() || time >= 0.0 {
             return Err(below);
         }
         if step.abs() <= TIME_TOLERANCE * time.abs() {
@@ -243,7 +243,7 @@ fn finish_landing<O: ImpactOscillator, const ORDER: usize>(
 ) -> Result<Landing, MapError> {
     let jet = oscillator.flow::<ORDER>(from, time);
     let acceleration = jet.jacobian[(1, flow::DURATION)];
-    if !(acceleration < 0.0) {
+    if acceleration.is_nan() || acceleration >= 0.0 {
         return Err(MapError::NotAMaximum { acceleration });
     }
     Ok(Landing { jet: implicit_landing::<ORDER>(oscillator, &jet, from.phase, first, time, turn), time })

@@ -60,9 +60,9 @@ pub enum OrbitEnd {
     },
 }
 
-/// Impacts slower than this, pressed by ẍ > 0, count as accumulated. Empirical: the rest of the sequence then lasts less than
-/// about 10⁻⁷ forcing periods for accelerations of order one.
-const CHATTER_VELOCITY: f64 = 1e-8;
+/// Impacts slower than this, pressed by ẍ > 0, count as accumulated: a flight then rises v²/2ẍ from the wall, near the rounding
+/// of x, and what is left of the sequence lasts about 10⁻⁶ (for accelerations of order one).
+const CHATTER_VELOCITY: f64 = 1e-6;
 
 /// An orbit with impacts as an iterator over its free flights.
 ///

@@ -80,7 +80,8 @@ proptest! {
             (None, None) => {}
         }
         if let Some(time) = exact {
-            prop_assert!(motion.at(time).position.abs() < 1e-14);
+            // Rounding of times up to 30 at velocities up to 2.
+            prop_assert!(motion.at(time).position.abs() < 1e-13);
         }
     }
 
@@ -149,8 +150,8 @@ fn chattering_is_named_and_ends() {
     let oscillator = LinearOscillator::new(0.02, 0.5, 3.0, 0.05).unwrap();
     let end = Orbit::new(&oscillator, State::on_wall(0.5, -0.2), 1e3, 100_000).finish();
     let OrbitEnd::Chattering { impacts, time, .. } = end else { panic!("{end:?}") };
-    // Velocities halve: from 0.5 to 1e-8 in 26 bounces; the sequence lasts about 2v/a · ε/(1 − ε) = 0.5.
-    assert!((20..40).contains(&impacts), "{impacts}");
+    // Velocities halve: from 0.5 to 1e-6 in 20 bounces; the sequence lasts about 2v/a · ε/(1 − ε) = 0.5.
+    assert!((20..22).contains(&impacts), "{impacts}");
     assert!((0.2..1.0).contains(&time), "{time}");
 }
 

@@ -30,8 +30,8 @@ pub enum GrazingOrbitError {
 
 /// The grazing periodic orbit of an oscillator at one value of the secondary parameter.
 ///
-/// Paper: Assumption 2.2 with μ = primary − primary_graz(η): the change of parameter that puts grazing at μ =
-/// 0.
+/// Paper: Assumption 2.2 with μ = primary − primary_graz(η): the change of parameter that puts grazing at
+/// μ = 0.
 #[derive(Clone, Debug)]
 pub struct GrazingOrbit<O> {
     oscillator: O,

@@ -1,5 +1,5 @@
-//! The discontinuity map, the VIVID function and the maximal periodic solutions at a generic grazing bifurcation, to
-//! leading order (sections 2.5 and 4 of the paper).
+//! The discontinuity map, the VIVID function and the maximal periodic solutions at a generic grazing
+//! bifurcation, to leading order (sections 2.5 and 4 of the paper).
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -18,16 +18,18 @@ pub struct GrazingPoint {
     pub forcing_frequency: f64,
     /// The deceleration at grazing, `gamma = -F(0, 0, z_graz / omega; 0)`; positive on the grazing set.
     pub gamma: f64,
-    /// The coefficient of restitution at zero impact velocity, `phi = Phi(0, z_graz; 0)`, dimensionless; positive.
+    /// The coefficient of restitution at zero impact velocity, `phi = Phi(0, z_graz; 0)`, dimensionless;
+    /// positive.
     pub phi: f64,
     /// The phase that passes during an impact, per unit of impact velocity, `psi = Psi(0, z_graz; 0)`.
     pub psi: f64,
 }
 
-/// The leading terms of a map from the impacting surface `Sigma`, with coordinates `(y, z)`, to the section `Pi`, with
-/// coordinates `(x, z)`: `(y, z) -> (x_coefficient y^2, z + z_coefficient y)`.
+/// The leading terms of a map from the impacting surface `Sigma`, with coordinates `(y, z)`, to the section
+/// `Pi`, with coordinates `(x, z)`: `(y, z) -> (x_coefficient y^2, z + z_coefficient y)`.
 ///
-/// Paper: section 4, eq. (3) and (4), `eq:xHatzHat`, `eq:x0z0`. The errors are of third order in x and of second order in z.
+/// Paper: section 4, eq. (3) and (4), `eq:xHatzHat`, `eq:x0z0`. The errors are of third order in x and of
+/// second order in z.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VirtualMap {
     /// The coefficient of `y^2` in x.
@@ -37,7 +39,8 @@ pub struct VirtualMap {
 }
 
 impl VirtualMap {
-    /// The point `(x, z)` on `Pi`, to leading order, that belongs to the velocity `y` and the phase `z` (radians, any origin) on `Sigma`.
+    /// The point `(x, z)` on `Pi`, to leading order, that belongs to the velocity `y` and the phase `z`
+    /// (radians, any origin) on `Sigma`.
     #[must_use]
     pub fn apply(&self, y: f64, z: f64) -> Vector2<f64> {
         Vector2::new(self.x_coefficient * y * y, z + self.z_coefficient * y)
@@ -86,7 +89,8 @@ impl GrazingPoint {
 
     /// The map `P_virt o R` from an impact to the virtual maximum that precedes the recoil, to leading order.
     ///
-    /// `x^(0) = phi^2 y^2 / (2 gamma)`, `z^(0) = z + omega (1 - alpha) y / gamma`. Paper: section 4, eq. (4), `eq:x0z0`.
+    /// `x^(0) = phi^2 y^2 / (2 gamma)`, `z^(0) = z + omega (1 - alpha) y / gamma`. Paper: section 4, eq. (4),
+    /// `eq:x0z0`.
     #[must_use]
     pub fn virtual_map_after_reset(&self) -> VirtualMap {
         VirtualMap {
@@ -100,8 +104,8 @@ impl GrazingPoint {
     /// `x^(0) = phi^2 x_hat`, `z^(0) = z_hat - (alpha omega sqrt(2) / sqrt(gamma)) sqrt(x_hat)`.
     /// Paper: section 4, eq. (5) and (6), `eq:Pdisc`.
     ///
-    /// `x_hat`: position on `Pi` beyond the wall, not negative (NaN otherwise: the square root is the point of it);
-    /// `z_hat`: phase, radians, any origin. Returns `(x^(0), z^(0))`.
+    /// `x_hat`: position on `Pi` beyond the wall, not negative (NaN otherwise: the square root is the point
+    /// of it); `z_hat`: phase, radians, any origin. Returns `(x^(0), z^(0))`.
     #[must_use]
     pub fn discontinuity_map(&self, x_hat: f64, z_hat: f64) -> Vector2<f64> {
         let square_root = (2.0 * x_hat / self.gamma).sqrt();
@@ -113,8 +117,8 @@ impl GrazingPoint {
 
     /// The VIVID function of the `p`-loop maximal periodic solution, to first order.
     ///
-    /// `V = A^p (x^(0), z^(0)) + b_p mu - (x_hat, z_hat)`. Paper: section 4, eq. (13), (17) and (18), `eq:V`, `eq:V1`,
-    /// `eq:V2`.
+    /// `V = A^p (x^(0), z^(0)) + b_p mu - (x_hat, z_hat)`. Paper: section 4, eq. (13), (17) and (18), `eq:V`,
+    /// `eq:V1`, `eq:V2`.
     #[must_use]
     pub fn vivid_linearisation(&self, p: u32) -> VividLinearisation {
         let LinearisedMap { a, b } = self.map.iterate(p);
@@ -133,7 +137,8 @@ impl GrazingPoint {
 
     /// The determinant of the derivative of the VIVID function in the impact velocity and the impact phase.
     ///
-    /// `det(J) = alpha a12 omega S_p / gamma`. Paper: section 4, eq. (15), `eq:detJac1detJac2`. It vanishes at a resonance.
+    /// `det(J) = alpha a12 omega S_p / gamma`. Paper: section 4, eq. (15), `eq:detJac1detJac2`. It vanishes
+    /// at a resonance.
     #[must_use]
     pub fn impact_jacobian_determinant(&self, p: u32) -> f64 {
         let s_p = lucas_sequence(p, self.map.trace(), self.map.determinant());
@@ -142,7 +147,8 @@ impl GrazingPoint {
 
     /// The determinant of the derivative of the VIVID function in the impact phase and `mu`.
     ///
-    /// `det(K) = (1 - S_{p+1} + a11 S_p) b_1p + a12 S_p b_2p`. Paper: section 4, eq. (15), `eq:detJac1detJac2`.
+    /// `det(K) = (1 - S_{p+1} + a11 S_p) b_1p + a12 S_p b_2p`. Paper: section 4, eq. (15),
+    /// `eq:detJac1detJac2`.
     ///
     /// By eq. (10), `eq:Ap`, this is the transversality coefficient of the `p`-th iterate.
     #[must_use]
@@ -152,24 +158,26 @@ impl GrazingPoint {
 
     /// The same determinant as the product of `beta` and a factor that is positive in the trapesium.
     ///
-    /// `det(K) = beta (1 - lambda_1^p) (1 - lambda_2^p) / ((1 - lambda_1) (1 - lambda_2))`. Paper: section 4, eq. (16),
-    /// `eq:detJac2`; here also valid for `tau = delta + 1`.
+    /// `det(K) = beta (1 - lambda_1^p) (1 - lambda_2^p) / ((1 - lambda_1) (1 - lambda_2))`. Paper: section 4,
+    /// eq. (16), `eq:detJac2`; here also valid for `tau = delta + 1`.
     #[must_use]
     pub fn parameter_jacobian_determinant_factored(&self, p: u32) -> f64 {
         self.map.transversality() * geometric_sum_determinant(p, self.map.trace(), self.map.determinant())
     }
 
-    /// The `p`-loop maximal periodic solution that emanates from a generic grazing bifurcation, to first order in `mu`.
+    /// The `p`-loop maximal periodic solution that emanates from a generic grazing bifurcation, to first
+    /// order in `mu`.
     ///
     /// `y* = gamma det(K) mu / (alpha a12 omega S_p)`,
-    /// `z* = z_graz + (((S_{p+1} - a11 S_p) (1 - alpha) - 1) b_1p - a12 S_p (1 - alpha) b_2p) mu / (alpha a12 S_p)`.
+    /// `z* = z_graz + (((S_{p+1} - a11 S_p) (1 - alpha) - 1) b_1p - a12 S_p (1 - alpha) b_2p) mu
+    ///       / (alpha a12 S_p)`.
     ///
-    /// Paper: section 4, eq. (21) and (22), `eq:yStarpcodim1proof`, `eq:zStarpcodim1proof`; for `p = 1` eq. (19) and
-    /// (20), `eq:yStar1codim1proof`, `eq:zStar1codim1proof`.
+    /// Paper: section 4, eq. (21) and (22), `eq:yStarpcodim1proof`, `eq:zStarpcodim1proof`; for `p = 1` eq.
+    /// (19) and (20), `eq:yStar1codim1proof`, `eq:zStar1codim1proof`.
     ///
     /// # Errors
-    /// [`TheoryError::TooFewLoops`] when `p = 0`; [`TheoryError::SingularVividJacobian`] when `det(J)` is zero (resonance,
-    /// or `alpha = 0`) or not a number.
+    /// [`TheoryError::TooFewLoops`] when `p = 0`; [`TheoryError::SingularVividJacobian`] when `det(J)` is
+    /// zero (resonance, or `alpha = 0`) or not a number.
     pub fn emerging_orbit(&self, p: u32) -> Result<EmergingOrbit, TheoryError> {
         if p == 0 {
             return Err(TheoryError::TooFewLoops { loops: p, minimum: 1 });
@@ -215,10 +223,11 @@ impl EmergingOrbit {
     ///
     /// `A^j (0, -b_1p / (a12 S_p)) + b_j`; its first component is `(beta / S_p) u^(j)`.
     ///
-    /// Paper: section 4, eq. (27) and (29), `eq:ujwj`, `eq:affineMapj`; ends in eq. (23) to (26), `eq:x0codim1proof`,
-    /// `eq:z0codim1proof`, `eq:xpcodim1proof`, `eq:zpcodim1proof`.
+    /// Paper: section 4, eq. (27) and (29), `eq:ujwj`, `eq:affineMapj`; ends in eq. (23) to (26),
+    /// `eq:x0codim1proof`, `eq:z0codim1proof`, `eq:xpcodim1proof`, `eq:zpcodim1proof`.
     ///
-    /// `j` from 0 (just after the impact) to `p` (just before the next one); positions at both ends are of second order.
+    /// `j` from 0 (just after the impact) to `p` (just before the next one); positions at both ends are of
+    /// second order.
     #[must_use]
     pub fn visit_slope(&self, j: u32) -> Vector2<f64> {
         let last = self.map.iterate(self.loops);

@@ -1,14 +1,15 @@
 //! The formulas and theorems of the paper as functions and checked types.
 //!
-//! "The paper" is D. J. W. Simpson and I. Ghosh, *Resonant grazing bifurcations revisited*, arXiv 2602.22797. Every formula of its
-//! sections 2 and 3, and those of section 4, section 5 and the appendices that they rest on, is one public function, named by
-//! its meaning; the table below leads from the paper's label to the function, and the docs of the function lead back.
-//! Equation numbers start anew in each section of the paper, so they are cited with the section. The crate reads and
-//! writes nothing and holds no parameter values.
+//! "The paper" is D. J. W. Simpson and I. Ghosh, *Resonant grazing bifurcations revisited*, arXiv 2602.22797.
+//! Every formula of its sections 2 and 3, and those of section 4, section 5 and the appendices that they rest
+//! on, is one public function, named by its meaning; the table below leads from the paper's label to the
+//! function, and the docs of the function lead back. Equation numbers start anew in each section of the
+//! paper, so they are cited with the section. The crate reads and writes nothing and holds no parameter
+//! values.
 //!
-//! A theorem is a type, [`GenericGrazing`] or [`ResonantGrazing`], of which a value exists only if the hypotheses hold; it
-//! keeps them, with their values, and gives the conclusion. When a hypothesis fails, the answer is a [`HypothesesViolated`]
-//! that names it.
+//! A theorem is a type, [`GenericGrazing`] or [`ResonantGrazing`], of which a value exists only if the
+//! hypotheses hold; it keeps them, with their values, and gives the conclusion. When a hypothesis fails, the
+//! answer is a [`HypothesesViolated`] that names it.
 //!
 //! ```
 //! use grazing_theorems::{LinearOscillator, ResonantGrazing};
@@ -48,6 +49,9 @@
 //! | 22, 23, 26, 27 | `eq:sn1`, `eq:pd1`, `eq:snp`, `eq:pdp` | bifurcation curves | [`resonant_theorem::BifurcationCurve`] (continued: crate `grazing_continuation`) |
 //! | | `th:codim21`, `th:codim2p` | resonant grazing | [`ResonantGrazing`] |
 //!
+//! All quantities of a [`GrazingPoint`] and of a [`ResonantPoint`] can be read off a numerical global map:
+//! [`from_map`].
+//!
 //! Section 3, the linear oscillator:
 //!
 //! | eq. | label | what | where |
@@ -66,9 +70,9 @@
 //! | 14 | `eq:Ep` | E_p | [`GrazingState::decay`] |
 //! | 15-17 | `eq:impFormula1odd`, `eq:impFormula1even`, `eq:impFormulap`, `pr:imp1`, `pr:impp` | a12', kappa_p', s_p^+-, c_SN, c_PD | [`Resonance::unfolding`], [`Resonance::stability_coefficients`], [`Resonance::saddle_node_coefficient`], [`Resonance::period_doubling_coefficient`] |
 //!
-//! Sections 4 and 5 and the appendices, as far as sections 2 and 3 rest on them (the maps themselves, `eq:Pvirt2`,
-//! `eq:xjzj`, are in crate `grazing_model`, the VIVID function `eq:V` and the stability `eq:U` to `eq:yDp` in crate
-//! `grazing_continuation`):
+//! Sections 4 and 5 and the appendices, as far as sections 2 and 3 rest on them (the maps themselves,
+//! `eq:Pvirt2`, `eq:xjzj`, are in crate `grazing_model`, the VIVID function `eq:V` and the stability `eq:U`
+//! to `eq:yDp` in crate `grazing_continuation`):
 //!
 //! | eq. | label | what | where |
 //! |---|---|---|---|
@@ -95,12 +99,13 @@
 //! # Where the code departs from the print
 //!
 //! - `s_1^+-` in `eq:impFormulap` is `s_p^+-`.
-//! - `f_p`, and `a12'` in `eq:yT1`, are derivatives along the grazing curve, not partial derivatives at fixed `z`: see
-//!   [`ResonantPoint::off_diagonal_slope`]. Accordingly `z_graz,0` in `eq:yT1` and `eq:yTp` is `z_graz,eta`.
-//! - `eq:Sp2` holds for `tau^2 != 4 delta` (the text before `eq:detJac2` asks for `tau != delta + 1` instead); the functions here
-//!   need neither.
-//! - `g_PD` in section 5 is made with `Upsilon^-`, where the proofs print `Upsilon^+`; `c_PD` in `eq:coeffs1` and `eq:coeffsp`
-//!   is right.
+//! - `f_p`, and `a12'` in `eq:yT1`, are derivatives along the grazing curve, not partial derivatives at fixed
+//!   `z`: see [`ResonantPoint::off_diagonal_slope`]. Accordingly `z_graz,0` in `eq:yT1` and `eq:yTp` is
+//!   `z_graz,eta`.
+//! - `eq:Sp2` holds for `tau^2 != 4 delta` (the text before `eq:detJac2` asks for `tau != delta + 1`
+//!   instead); the functions here need neither.
+//! - `g_PD` in section 5 is made with `Upsilon^-`, where the proofs print `Upsilon^+`; `c_PD` in `eq:coeffs1`
+//!   and `eq:coeffsp` is right.
 
 pub mod admissibility_boundary;
 pub mod auxiliary;

@@ -40,7 +40,8 @@ impl LinearisedMap {
     ///
     /// `lambda_{1,2} = (tau +- sqrt(tau^2 - 4 delta)) / 2`. Paper: section 2, eq. (13), `eq:eigs`.
     ///
-    /// The discriminant is taken as `(a11 - a22)^2 + 4 a12 a21`, which keeps its digits near a double eigenvalue.
+    /// The discriminant is taken as `(a11 - a22)^2 + 4 a12 a21`, which keeps its digits near a double
+    /// eigenvalue.
     #[must_use]
     pub fn eigenvalues(&self) -> Eigenvalues {
         let difference = self.a.m11 - self.a.m22;
@@ -48,8 +49,8 @@ impl LinearisedMap {
         Eigenvalues::from_discriminant(self.trace(), self.determinant(), discriminant)
     }
 
-    /// The transversality coefficient of the grazing bifurcation: it is non-zero when the non-impacting periodic
-    /// solution crosses the wall at a non-zero rate.
+    /// The transversality coefficient of the grazing bifurcation: it is non-zero when the non-impacting
+    /// periodic solution crosses the wall at a non-zero rate.
     ///
     /// `beta = (1 - a22) b1 + a12 b2`. Paper: section 2, eq. (12), `eq:beta`. Position per unit of mu.
     #[must_use]
@@ -59,8 +60,8 @@ impl LinearisedMap {
 
     /// The characteristic polynomial of `A` at 1.
     ///
-    /// `det(I - A) = delta - tau + 1`, the denominator of eq. (11) of section 2, `eq:xStarzStarDeriv`. Dimensionless;
-    /// positive when `(tau, delta)` lies in the trapesium.
+    /// `det(I - A) = delta - tau + 1`, the denominator of eq. (11) of section 2, `eq:xStarzStarDeriv`.
+    /// Dimensionless; positive when `(tau, delta)` lies in the trapesium.
     #[must_use]
     pub fn characteristic_polynomial_at_one(&self) -> f64 {
         (1.0 - self.a.m11) * (1.0 - self.a.m22) - self.a.m12 * self.a.m21
@@ -183,8 +184,8 @@ impl Eigenvalues {
     }
 }
 
-/// Whether `(tau, delta)` lies in the trapesium where the grazing orbit is asymptotically stable (impacts ignored) and
-/// the global map preserves orientation.
+/// Whether `(tau, delta)` lies in the trapesium where the grazing orbit is asymptotically stable (impacts
+/// ignored) and the global map preserves orientation.
 ///
 /// `T = { 0 < delta < 1, |tau| < delta + 1 }`. Paper: section 2, eq. (14), `eq:cT`.
 ///

@@ -1,5 +1,5 @@
-//! The coefficients of the saddle-node and period-doubling curves that emanate from a resonant grazing bifurcation
-//! (sections 2.6 and 5 of the paper).
+//! The coefficients of the saddle-node and period-doubling curves that emanate from a resonant grazing
+//! bifurcation (sections 2.6 and 5 of the paper).
 
 use core::f64::consts::PI;
 
@@ -8,8 +8,8 @@ use crate::grazing::GrazingPoint;
 
 /// Which resonance it is, and how fast the second parameter `eta` moves the system through it.
 ///
-/// The derivatives are total ones along the curve of grazing bifurcations: the grazing phase `z_graz` varies with
-/// `eta` and is followed.
+/// The derivatives are total ones along the curve of grazing bifurcations: the grazing phase `z_graz` varies
+/// with `eta` and is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Unfolding {
     /// `p = 1`, where `a12 = 0`.
@@ -52,14 +52,15 @@ impl Unfolding {
 
 /// A resonant grazing bifurcation and what is needed to unfold it.
 ///
-/// The methods evaluate the formulas of the paper as they stand and check nothing; the hypotheses under which they mean
-/// something are checked by [`ResonantGrazing`](crate::resonant_theorem::ResonantGrazing). Where a denominator is zero
-/// (`s^+- = 0`, `beta = 0`) the result is infinite or not a number.
+/// The methods evaluate the formulas of the paper as they stand and check nothing; the hypotheses under which
+/// they mean something are checked by [`ResonantGrazing`](crate::resonant_theorem::ResonantGrazing). Where a
+/// denominator is zero (`s^+- = 0`, `beta = 0`) the result is infinite or not a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ResonantPoint {
     /// The grazing point at `(mu, eta) = (0, 0)`.
     pub grazing: GrazingPoint,
-    /// `xi_p = d^2 P_global,1^p / d z^2` at the grazing point; section 2, eq. (19), `eq:xi`. Position per radian squared.
+    /// `xi_p = d^2 P_global,1^p / d z^2` at the grazing point; section 2, eq. (19), `eq:xi`. Position per
+    /// radian squared.
     pub second_phase_derivative: f64,
     /// Which resonance it is, and its derivative in `eta`.
     pub unfolding: Unfolding,
@@ -76,7 +77,8 @@ pub struct StabilityCoefficients {
     pub minus: f64,
 }
 
-/// The leading terms of the branch of maximal periodic solutions near a resonance, parametrised by the impact velocity:
+/// The leading terms of the branch of maximal periodic solutions near a resonance, parametrised by the impact
+/// velocity:
 /// `z = z_graz(eta) + k_1 y`, `mu = k_2 y^2 + k_3 eta y`.
 ///
 /// Paper: section 5, eq. (15), `eq:ZM`.
@@ -110,9 +112,9 @@ impl ResonantPoint {
     /// `f_1 = a12'`; `f_p = a12 p delta^{p/2 - 1} kappa_p' / (2 sin^2(pi / p))` for `p >= 2`.
     /// Paper: section 5, eq. (8), `eq:fp`.
     ///
-    /// This is the total derivative along the grazing curve. The paper introduces `f_p` as the partial derivative
-    /// `d^2 P_global,1^p / (d z d eta)` at fixed `z`, which differs from it by `xi_p d z_graz / d eta`; eq. (8) and all
-    /// that follows from it hold for the total one.
+    /// This is the total derivative along the grazing curve. The paper introduces `f_p` as the partial
+    /// derivative `d^2 P_global,1^p / (d z d eta)` at fixed `z`, which differs from it by
+    /// `xi_p d z_graz / d eta`; eq. (8) and all that follows from it hold for the total one.
     #[must_use]
     pub fn off_diagonal_slope(&self) -> f64 {
         match self.unfolding {
@@ -135,7 +137,8 @@ impl ResonantPoint {
     /// The coefficients of the impact velocity in the conditions for stability multipliers 1 and -1.
     ///
     /// `s_1^+- = (1 -+ a22) (a11 phi^2 -+ 1) + alpha^2 omega^2 xi_1 / ((1 - a22) gamma)`,
-    /// `s_p^+- = (1 +- delta^{p/2}) (-delta^{p/2} phi^2 -+ 1) + alpha^2 omega^2 xi_p / ((1 + delta^{p/2}) gamma)`.
+    /// `s_p^+- = (1 +- delta^{p/2}) (-delta^{p/2} phi^2 -+ 1)
+    ///           + alpha^2 omega^2 xi_p / ((1 + delta^{p/2}) gamma)`.
     ///
     /// Paper: section 2, eq. (20) and (24), `eq:c1`, `eq:cp`.
     #[must_use]
@@ -195,9 +198,11 @@ impl ResonantPoint {
         }
     }
 
-    /// The quadratic coefficient of the curve where a stability multiplier is -1, `mu = c_PD eta^2 + O(eta^3)`.
+    /// The quadratic coefficient of the curve where a stability multiplier is -1,
+    /// `mu = c_PD eta^2 + O(eta^3)`.
     ///
-    /// `c_PD,p = (s_p^+ / s_p^-) (2 - s_p^+ / s_p^-) c_SN,p`. Paper: section 2, eq. (21) and (25), `eq:coeffs1`, `eq:coeffsp`.
+    /// `c_PD,p = (s_p^+ / s_p^-) (2 - s_p^+ / s_p^-) c_SN,p`. Paper: section 2, eq. (21) and (25),
+    /// `eq:coeffs1`, `eq:coeffsp`.
     #[must_use]
     pub fn period_doubling_coefficient(&self) -> f64 {
         let StabilityCoefficients { plus, minus } = self.stability_coefficients();
@@ -207,10 +212,12 @@ impl ResonantPoint {
 
     /// The leading terms of the branch of maximal periodic solutions, parametrised by impact velocity.
     ///
-    /// For `p = 1`: `k_1 = omega (a22 (1 - alpha) - 1) / ((1 - a22) gamma)`, `k_2 = -s_1^+ / (2 (1 - a22) b_1 gamma)`,
+    /// For `p = 1`: `k_1 = omega (a22 (1 - alpha) - 1) / ((1 - a22) gamma)`,
+    /// `k_2 = -s_1^+ / (2 (1 - a22) b_1 gamma)`,
     /// `k_3 = alpha omega a12' / ((1 - a22) b_1 gamma)`.
     /// For `p >= 2`: `k_1 = -omega (1 + delta^{p/2} (1 - alpha)) / ((1 + delta^{p/2}) gamma)`,
-    /// `k_2 = -s_p^+ / (2 (1 + delta^{p/2}) beta gamma T_p)`, `k_3 = alpha omega f_p / ((1 + delta^{p/2}) beta gamma T_p)`.
+    /// `k_2 = -s_p^+ / (2 (1 + delta^{p/2}) beta gamma T_p)`,
+    /// `k_3 = alpha omega f_p / ((1 + delta^{p/2}) beta gamma T_p)`.
     ///
     /// Paper: section 5, eq. (17) and (21), `eq:k1231`, `eq:k123p`.
     #[must_use]
@@ -240,7 +247,8 @@ impl ResonantPoint {
 
     /// The impact velocity on the saddle-node curve per unit of `eta`.
     ///
-    /// `d Upsilon^+ / d eta (0) = alpha omega f_p / s_p^+`. Paper: section 5, eq. (19) and (22), `eq:Upsilon1`, `eq:Upsilonp`.
+    /// `d Upsilon^+ / d eta (0) = alpha omega f_p / s_p^+`. Paper: section 5, eq. (19) and (22),
+    /// `eq:Upsilon1`, `eq:Upsilonp`.
     #[must_use]
     pub fn saddle_node_velocity_slope(&self) -> f64 {
         self.velocity_slope(self.stability_coefficients().plus)
@@ -248,7 +256,8 @@ impl ResonantPoint {
 
     /// The impact velocity on the period-doubling curve per unit of `eta`.
     ///
-    /// `d Upsilon^- / d eta (0) = alpha omega f_p / s_p^-`. Paper: section 5, eq. (19) and (22), `eq:Upsilon1`, `eq:Upsilonp`.
+    /// `d Upsilon^- / d eta (0) = alpha omega f_p / s_p^-`. Paper: section 5, eq. (19) and (22),
+    /// `eq:Upsilon1`, `eq:Upsilonp`.
     #[must_use]
     pub fn period_doubling_velocity_slope(&self) -> f64 {
         self.velocity_slope(self.stability_coefficients().minus)

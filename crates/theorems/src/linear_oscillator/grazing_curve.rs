@@ -58,7 +58,8 @@ impl GrazingState {
 
     /// The phase at which the non-impacting periodic solution grazes the wall, in (0, pi), radians.
     ///
-    /// `sin(z_graz) = 2 zeta omega / A_graz`, `cos(z_graz) = (1 - omega^2) / A_graz`. Paper: section 3, eq. (6).
+    /// `sin(z_graz) = 2 zeta omega / A_graz`, `cos(z_graz) = (1 - omega^2) / A_graz`. Paper: section 3, eq.
+    /// (6).
     #[must_use]
     pub fn phase(&self) -> f64 {
         libm::atan2(2.0 * self.oscillator.zeta * self.omega, self.stiffness_deficit())
@@ -89,7 +90,8 @@ impl GrazingState {
 
     /// The global map at grazing, to first order, with `mu = A - A_graz(omega)`.
     ///
-    /// `A = E_1 [cos + (zeta/omega_1) sin, (omega/omega_1) sin; -sin / (omega_1 omega), cos - (zeta/omega_1) sin]`
+    /// `A = E_1 [cos + (zeta/omega_1) sin, (omega/omega_1) sin;
+    ///           -sin / (omega_1 omega), cos - (zeta/omega_1) sin]`
     /// with the argument `2 pi omega_1 / omega`, and `b = (1 - a11, -a21) / A_graz`.
     /// Paper: section 3, eq. (9) and (10), `eq:oscA`, `eq:oscb` (proposition 3.1, `pr:oscAb`).
     #[must_use]
@@ -111,7 +113,8 @@ impl GrazingState {
 
     /// The trace of `A`.
     ///
-    /// `tau = 2 exp(-2 pi zeta / omega) cos(2 pi omega_1 / omega)`. Paper: section 3, eq. (11), `eq:osctaudelta`.
+    /// `tau = 2 exp(-2 pi zeta / omega) cos(2 pi omega_1 / omega)`. Paper: section 3, eq. (11),
+    /// `eq:osctaudelta`.
     #[must_use]
     pub fn trace(&self) -> f64 {
         2.0 * self.decay(1) * self.free_rotation(1).1
@@ -135,8 +138,8 @@ impl GrazingState {
 
     /// What the theorems need to know about the grazing point.
     ///
-    /// `phi = epsilon`, `psi = 0`, `gamma = omega^2`, so that `alpha = 1 + epsilon`. Paper: section 3, eq. (7) and (8),
-    /// `eq:oscphipsigamma`, `eq:oscalpha`.
+    /// `phi = epsilon`, `psi = 0`, `gamma = omega^2`, so that `alpha = 1 + epsilon`. Paper: section 3, eq.
+    /// (7) and (8), `eq:oscphipsigamma`, `eq:oscalpha`.
     #[must_use]
     pub fn grazing_point(&self) -> GrazingPoint {
         GrazingPoint {
@@ -163,8 +166,9 @@ impl GrazingState {
 
     /// The derivative of `a12` along the grazing curve.
     ///
-    /// `d a12 / d omega = (E_1 / omega_1) ((1 + 2 pi zeta / omega) sin - (2 pi omega_1 / omega) cos)` with the argument
-    /// `2 pi omega_1 / omega`, from section 3, eq. (9), `eq:oscA`. At a resonance with `p = 1` this is `a12'`.
+    /// `d a12 / d omega = (E_1 / omega_1) ((1 + 2 pi zeta / omega) sin - (2 pi omega_1 / omega) cos)` with
+    /// the argument `2 pi omega_1 / omega`, from section 3, eq. (9), `eq:oscA`. At a resonance with `p = 1`
+    /// this is `a12'`.
     #[must_use]
     pub fn off_diagonal_derivative(&self) -> f64 {
         let omega_1 = self.oscillator.damped_natural_frequency();
@@ -183,8 +187,9 @@ impl GrazingState {
 
     /// The derivative of `kappa_p` along the grazing curve.
     ///
-    /// `d kappa_p / d omega = (4 pi / omega^2) E_1 (zeta cos + omega_1 sin - zeta cos(pi / p))` with the argument
-    /// `2 pi omega_1 / omega`. Paper: section B, before eq. (13), `eq:xipproof5`. At a resonance with this `p` it is `kappa_p'`.
+    /// `d kappa_p / d omega = (4 pi / omega^2) E_1 (zeta cos + omega_1 sin - zeta cos(pi / p))` with the
+    /// argument `2 pi omega_1 / omega`. Paper: section B, before eq. (13), `eq:xipproof5`. At a resonance
+    /// with this `p` it is `kappa_p'`.
     #[must_use]
     pub fn detuning_derivative(&self, p: u32) -> f64 {
         let LinearOscillator { zeta, .. } = self.oscillator;

@@ -25,10 +25,13 @@ proptest! {
     }
 
     #[test]
-    fn admissibility_sum_changes_sign_within_rounding_of_the_boundary(p in 3_u32..30, delta in 0.05..0.999_f64) {
+    fn admissibility_sum_changes_sign_within_rounding_of_the_boundary(
+        p in 3_u32..30,
+        delta in 0.05..0.999_f64,
+    ) {
         let h = boundary(p, delta);
-        // H_p itself is only known to some p^2 roundings of its largest terms; its slope is at least as large as these
-        // terms over sqrt(delta), so that a relative step of 1e-11 shows the sign.
+        // H_p itself is only known to some p^2 roundings of its largest terms; its slope is at least as large
+        // as these terms over sqrt(delta), so that a relative step of 1e-11 shows the sign.
         let step = 1e-11 * delta.sqrt();
         prop_assert!(admissibility_sum(p, h - step, delta) < 0.0);
         prop_assert!(admissibility_sum(p, h + step, delta) > 0.0);
@@ -43,10 +46,12 @@ proptest! {
 
     #[test]
     fn boundary_is_explicit_for_three_and_four_loops(delta in 1e-9..0.999_999_f64) {
-        // H_3 = 1 + tau / delta; delta^2 H_4 = tau^2 + delta tau + delta^2 - delta. A few roundings of 2 sqrt(delta).
+        // H_3 = 1 + tau / delta; delta^2 H_4 = tau^2 + delta tau + delta^2 - delta. A few roundings of 2
+        // sqrt(delta).
         let scale = 2.0 * delta.sqrt();
         assert_within(boundary(3, delta), -delta, 4e-16 * scale);
-        assert_within(boundary(4, delta), 0.5 * (delta * (4.0 - 3.0 * delta)).sqrt() - 0.5 * delta, 8e-16 * scale);
+        let four = 0.5 * (delta * (4.0 - 3.0 * delta)).sqrt() - 0.5 * delta;
+        assert_within(boundary(4, delta), four, 8e-16 * scale);
     }
 
     #[test]

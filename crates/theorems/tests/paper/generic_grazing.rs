@@ -9,7 +9,8 @@ use grazing_theorems::{GenericGrazing, GrazingPoint, LinearisedMap};
 
 use super::{admissible, deterministic, grazing_points};
 
-/// tau = 1/2, delta = 0.26, beta = 0.6: a generic point for which theorem 2.2 and theorem 2.3 with p = 2 hold.
+/// tau = 1/2, delta = 0.26, beta = 0.6: a generic point for which theorem 2.2 and theorem 2.3 with p = 2
+/// hold.
 fn generic() -> GrazingPoint {
     with_matrix(Matrix2::new(0.3, 0.4, -0.5, 0.2))
 }
@@ -23,7 +24,7 @@ fn with_matrix(a: Matrix2<f64>) -> GrazingPoint {
         map,
         forcing_frequency: 1.2,
         gamma: 0.8,
-        phi: 0.9,
+        phi: 0.75,
         psi: 0.0,
     }
 }

@@ -1,5 +1,5 @@
-//! The flow of the linear oscillator in any kind of number, and its return map by Newton's method: an independent source of
-//! every derivative.
+//! The flow of the linear oscillator in any kind of number, and its return map by Newton's method: an
+//! independent source of every derivative.
 
 use num_dual::{DualNum, DualNumCopy};
 
@@ -51,7 +51,8 @@ impl<D: Number> Flow<D> {
         )
     }
 
-    /// Position and phase (not reduced) at the extremum next to the time `guess` after `start` at phase `phase`.
+    /// Position and phase (not reduced) at the extremum next to the time `guess` after `start` at phase
+    /// `phase`.
     pub(crate) fn extremum(&self, start: (D, D), phase: D, guess: D) -> (D, D) {
         let time = phase / self.omega;
         let mut elapsed = guess;

@@ -10,7 +10,8 @@ use grazing_theorems::{GrazingState, LinearOscillator, TheoryError};
 use super::oscillator_flow::{Flow, grazing_amplitude, grazing_phase};
 use super::{assert_close, assert_within};
 
-/// Damping ratio and forcing frequency: weak and strong damping, below and above the natural frequency, resonant or not.
+/// Damping ratio and forcing frequency: weak and strong damping, below and above the natural frequency,
+/// resonant or not.
 const STATES: [(f64, f64); 7] = [
     (0.03, 0.71),
     (0.03, 1.4),
@@ -60,7 +61,8 @@ fn proposition_3_1_first_derivatives_of_the_return_map() {
         let a = Matrix2::from_columns(&[derivative([1.0, 0.0, 0.0]), derivative([0.0, 1.0, 0.0])]);
         let b = derivative([0.0, 0.0, 1.0]);
         let map = state.linearised_map();
-        // Rounding of the angle 2 pi omega_1 / omega, up to 13, and of the quotients by omega_1 and A_graz, as small as 0.4 and 0.4.
+        // Rounding of the angle 2 pi omega_1 / omega, up to 13, and of the quotients by omega_1 and A_graz,
+        // as small as 0.4 and 0.4.
         assert!((map.a - a).amax() < 1e-13, "{} and {a}", map.a);
         assert!((map.b - b).amax() < 1e-12, "{} and {b}", map.b);
         assert_within(state.trace(), a.trace(), 1e-13);
@@ -173,7 +175,8 @@ fn f_p_is_the_derivative_along_the_grazing_curve_and_not_at_fixed_phase() {
 
 #[test]
 fn virtual_maxima_have_errors_of_third_and_second_order() {
-    // eq:xHatzHat and eq:x0z0: halving y, z - z_graz and mu together divides the errors by 8 (position) and 4 (phase).
+    // eq:xHatzHat and eq:x0z0: halving y, z - z_graz and mu together divides the errors by 8 (position) and 4
+    // (phase).
     let epsilon = 0.8;
     for (zeta, omega) in STATES {
         let state = state(zeta, omega);
@@ -194,7 +197,8 @@ fn virtual_maxima_have_errors_of_third_and_second_order() {
                 start.1 - start_leading.y,
             ]
         };
-        // At this size the next order is at most some per cent of the leading error, and rounding 1e-16 against 1e-11.
+        // At this size the next order is at most some per cent of the leading error, and rounding 1e-16
+        // against 1e-11.
         let (coarse, fine) = (errors(4e-4), errors(2e-4));
         for (index, order) in [8.0, 4.0, 8.0, 4.0].into_iter().enumerate() {
             let ratio = coarse[index] / fine[index];

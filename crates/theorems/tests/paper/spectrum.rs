@@ -31,7 +31,8 @@ proptest! {
     #[test]
     fn the_matrix_and_its_invariants_have_the_same_eigenvalues(map in maps()) {
         let from_invariants = Eigenvalues::from_trace_and_determinant(map.trace(), map.determinant());
-        // The discriminant is formed in two ways, from terms of order ten; near zero its square root loses half of the digits.
+        // The discriminant is formed in two ways, from terms of order ten; near zero its square root loses
+        // half of the digits.
         match (map.eigenvalues(), from_invariants) {
             (
                 Eigenvalues::Real { lambda_1, lambda_2 },
@@ -57,7 +58,8 @@ proptest! {
         delta in -1.5..1.5_f64,
     ) {
         // No case within rounding of the boundary is drawn: the distances below are checked to be large.
-        prop_assume!(delta.abs() > 1e-9 && (delta - 1.0).abs() > 1e-9 && (delta + 1.0 - tau.abs()).abs() > 1e-9);
+        let margins = [delta.abs(), (delta - 1.0).abs(), (delta + 1.0 - tau.abs()).abs()];
+        prop_assume!(margins.iter().all(|margin| *margin > 1e-9));
         let radius = Eigenvalues::from_trace_and_determinant(tau, delta).spectral_radius();
         prop_assert_eq!(in_trapesium(tau, delta), delta > 0.0 && radius < 1.0);
     }
@@ -87,7 +89,8 @@ proptest! {
         }
         let computed = geometric_sum_determinant(p, map.trace(), map.determinant());
         // The determinant of the matrix cancels products of its entries.
-        assert_within(computed, sum.determinant(), 1e-12 * (1.0 + sum.amax() * sum.amax()) * (1.0 + map.a.amax()));
+        let slack = 1e-12 * (1.0 + sum.amax() * sum.amax()) * (1.0 + map.a.amax());
+        assert_within(computed, sum.determinant(), slack);
     }
 
     #[test]
@@ -104,7 +107,8 @@ proptest! {
     fn characteristic_polynomial_at_one_is_made_of_the_invariants(map in maps()) {
         let expected = map.determinant() - map.trace() + 1.0;
         // Products of entries of A, at most 16 in modulus each, cancel on both sides.
-        assert_within(map.characteristic_polynomial_at_one(), expected, 1e-14 * (1.0 + map.a.amax() * map.a.amax()));
+        let slack = 1e-14 * (1.0 + map.a.amax() * map.a.amax());
+        assert_within(map.characteristic_polynomial_at_one(), expected, slack);
     }
 }
 

@@ -1,13 +1,14 @@
-//! A hybrid system near grazing whose maps are polynomials: as little as the unfolding depends on, and some terms that it
-//! must not depend on. Its bifurcations are found by solving the equations that define them, without any expansion.
+//! A hybrid system near grazing whose maps are polynomials: as little as the unfolding depends on, and some
+//! terms that it must not depend on. Its bifurcations are found by solving the equations that define them,
+//! without any expansion.
 
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 use num_dual::{Dual64, DualNum, DualNumCopy, first_derivative, second_derivative};
 
 use grazing_theorems::{GrazingPoint, LinearisedMap, ResonantPoint, Unfolding};
 
-/// `P_virt` and `P_virt o R` are their leading terms; `P_global` is quadratic in `(x, z)`, linear in `mu`, and its linear part
-/// varies with `eta` as `A + eta A'`. Grazing occurs at `(x, z; mu) = 0` for all `eta`.
+/// `P_virt` and `P_virt o R` are their leading terms; `P_global` is quadratic in `(x, z)`, linear in `mu`,
+/// and its linear part varies with `eta` as `A + eta A'`. Grazing occurs at `(x, z; mu) = 0` for all `eta`.
 pub(crate) struct TruncatedSystem {
     pub(crate) point: GrazingPoint,
     /// `A'`.
@@ -109,7 +110,8 @@ impl TruncatedSystem {
                 off_diagonal_derivative: self.drift.m12,
             }
         } else {
-            // kappa_p = tau - 2 sqrt(delta) cos(pi / p), with the cosine from the point itself, where kappa_p = 0.
+            // kappa_p = tau - 2 sqrt(delta) cos(pi / p), with the cosine from the point itself, where kappa_p
+            // = 0.
             let (a, drift) = (self.point.map.a, self.drift);
             let cosine = a.trace() / (2.0 * a.determinant().sqrt());
             let (_, detuning_derivative) = first_derivative(
@@ -132,7 +134,8 @@ impl TruncatedSystem {
         }
     }
 
-    /// The solution with the given multiplier at `eta`, in the scaling `y = eta Y`, `z = eta Z`, `mu = eta^2 M`: `(Y, Z, M)`.
+    /// The solution with the given multiplier at `eta`, in the scaling `y = eta Y`, `z = eta Z`,
+    /// `mu = eta^2 M`: `(Y, Z, M)`.
     pub(crate) fn bifurcation(
         &self,
         p: u32,

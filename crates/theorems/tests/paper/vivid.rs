@@ -1,4 +1,5 @@
-//! The discontinuity map, the linearised VIVID function and the emerging orbit, against direct composition of maps.
+//! The discontinuity map, the linearised VIVID function and the emerging orbit, against direct composition of
+//! maps.
 
 use nalgebra::{Matrix2, Vector2};
 use proptest::prelude::*;
@@ -8,7 +9,8 @@ use grazing_theorems::{GrazingPoint, LinearisedMap, TheoryError};
 
 use super::{assert_close, assert_within, deterministic, grazing_points};
 
-/// `P_global^p (P_virt o R) - P_virt` with every map replaced by its linear part, the global map applied `p` times.
+/// `P_global^p (P_virt o R) - P_virt` with every map replaced by its linear part, the global map applied `p`
+/// times.
 fn composed(point: &GrazingPoint, p: u32, y: f64, z: f64, mu: f64) -> Vector2<f64> {
     let after_reset = point.virtual_map_after_reset();
     let virtual_map = point.virtual_map();
@@ -30,11 +32,14 @@ proptest! {
     #![proptest_config(deterministic(256))]
 
     #[test]
-    fn linearised_vivid_function_is_the_composition_of_linear_parts(point in grazing_points(), p in 1_u32..9) {
+    fn linearised_vivid_function_is_the_composition_of_linear_parts(
+        point in grazing_points(),
+        p in 1_u32..9,
+    ) {
         let vivid = point.vivid_linearisation(p);
         let directions = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)];
-        let columns =
-            [vivid.by_impact.column(0).into_owned(), vivid.by_impact.column(1).into_owned(), vivid.by_parameter];
+        let [by_velocity, by_phase] = [0, 1].map(|index| vivid.by_impact.column(index).into_owned());
+        let columns = [by_velocity, by_phase, vivid.by_parameter];
         for ((y, z, mu), column) in directions.into_iter().zip(columns) {
             let difference = composed(&point, p, y, z, mu) - column;
             // Tens of roundings in each route, in numbers of the size of the terms.
@@ -118,7 +123,8 @@ proptest! {
         let phase = ((a.m22 * (1.0 - alpha) - 1.0) * b.x - a.m12 * (1.0 - alpha) * b.y) / (alpha * a.m12);
         // beta and the bracket cancel numbers of order ten.
         let size = scale(&point, 1) / (alpha * a.m12).abs();
-        assert_within(orbit.impact_velocity_slope, velocity, 1e-13 * size * (1.0 + gamma / forcing_frequency));
+        let velocity_size = size * (1.0 + gamma / forcing_frequency);
+        assert_within(orbit.impact_velocity_slope, velocity, 1e-13 * velocity_size);
         assert_within(orbit.impact_phase_slope, phase, 1e-13 * size);
     }
 }
