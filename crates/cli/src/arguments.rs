@@ -27,9 +27,9 @@ In a clone of the repository, `cargo xtask COMMAND` builds this program and runs
 
 const EXAMPLES_OF_REPRODUCE: &str = "\
 Examples:
-  cargo xtask reproduce                      all figures and data, into figures/
-  cargo xtask reproduce --only fig07         Figure 7 and its data
-  cargo xtask reproduce --check              write nothing; fail if figures/ is not what the code makes
+  cargo xtask reproduce                  all figures and data, into figures/
+  cargo xtask reproduce --only fig07     Figure 7 and its data
+  cargo xtask reproduce --check          write nothing; fail if figures/ is not what the code makes
   cargo xtask reproduce --parameters mine.toml --output mine
 
 Files are replaced whole and only once everything is computed: an interrupted run leaves each of
@@ -42,7 +42,8 @@ Examples:
   cargo xtask compare
   cargo xtask compare --parameters mine.toml
 
-A value is met if, rounded to the digits that the paper prints, it is the print (expected/published.toml).
+A value is met if, rounded to the digits that the paper prints, it is the print; the printed values
+stand in expected/published.toml.
 
 ";
 
@@ -66,10 +67,10 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Compute the figures and tables and write them, or check the ones that are there
-    #[command(after_help = format!("{EXAMPLES_OF_REPRODUCE}{EXIT_CODES}"))]
+    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_REPRODUCE}{EXIT_CODES}"))]
     Reproduce(Reproduce),
     /// Hold the computed values against the ones that the paper prints
-    #[command(after_help = format!("{EXAMPLES_OF_COMPARE}{EXIT_CODES}"))]
+    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_COMPARE}{EXIT_CODES}"))]
     Compare(Compare),
 }
 
@@ -79,13 +80,13 @@ pub struct Reproduce {
     /// Make this output only; may be given several times
     #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(output_names()))]
     pub only: Vec<String>,
-    /// Write nothing; fail and name each file that is not what the code makes, and the command that mends it
+    /// Write nothing; fail if files are not what the code makes, naming them and what mends them
     #[arg(long)]
     pub check: bool,
     /// The parameter file.
     #[command(flatten)]
     pub parameters: ParameterFile,
-    /// Folder for the figures, with data/ for the tables [default: that of the default parameters]
+    /// Folder for the figures, with data/ for tables [default: that of the default parameters]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Number of threads; the outputs do not depend on it [default: one for each core]

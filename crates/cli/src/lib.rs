@@ -10,7 +10,6 @@ pub mod outputs;
 mod progress;
 mod project;
 mod reproduce;
-pub mod standin;
 pub mod tables;
 pub mod terminal;
 

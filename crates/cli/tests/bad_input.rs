@@ -5,9 +5,9 @@ mod program;
 use std::fs;
 use std::path::Path;
 
-use program::{DEFAULT, edited, empty_folder, grazing, listing, project, snapshots};
+use program::{INVENTED, edited, empty_folder, grazing, listing, project, snapshots};
 
-/// What is done to the default parameter file: after which section the line of which key becomes which line.
+/// What is done to valid parameters: after which section the line of which key becomes which line.
 const EDITS: &[(&str, &str, &str)] = &[
     ("[oscillator]", "zeta", "zetta = 0.1"),
     ("[oscillator]", "zeta", ""),
@@ -34,7 +34,7 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[fig02.magnification]", "amplitude", "amplitude = [0, 9]"),
     ("[fig02.attractor]", "orbits", "orbits = 0"),
     ("[fig02.attractor]", "orbits", "orbits = 1000\nrecoded = 20"),
-    ("[fig02.attractor]", "transient", "transient = 900000"),
+    ("[fig02.attractor]", "transient", "transient = 1000000"),
     ("[[fig02.portraits]]", "loops", "loops = 7"),
     ("[fig07]", "frequency", "frequency = [0.9, 0.95]"),
     ("[fig07]", "frequency", "frequency = [0.65, 0.82]"),
@@ -43,7 +43,7 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[[fig08.panels]]", "loops", "loops = 4"),
     ("[[fig08.panels]]", "n", "n = 5"),
     ("[[fig08.panels]]", "frequency", "frequency = [0.4, 4]"),
-    ("# Figure 8", "[[fig08.panels]]", "[[fig8.panels]]"),
+    ("[fig07]", "[[fig08.panels]]", "[[fig8.panels]]"),
     ("[fig02]", "[fig02.attractor]", "[fig2.attractor]"),
 ];
 
@@ -59,7 +59,7 @@ fn every_bad_parameter_file_is_refused_with_file_line_key_value_and_what_is_allo
                 line.replace('\n', "; ")
             }
         );
-        let folder = project(&edited(section, key, line));
+        let folder = project(&edited(INVENTED, section, key, line));
         let before = listing(folder.path());
         let outcome = grazing(folder.path(), &["reproduce"]);
         assert_eq!(outcome.code, Some(2), "{edit}: {}", outcome.messages);
@@ -78,7 +78,7 @@ fn every_bad_parameter_file_is_refused_with_file_line_key_value_and_what_is_allo
 
 #[test]
 fn compare_refuses_a_bad_parameter_file_as_well() {
-    let folder = project(&edited("[oscillator]", "zeta", "zeta = 2"));
+    let folder = project(&edited(INVENTED, "[oscillator]", "zeta", "zeta = 2"));
     let outcome = grazing(folder.path(), &["compare"]);
     assert_eq!((outcome.code, outcome.output.as_str()), (Some(2), ""));
     assert!(
@@ -90,7 +90,7 @@ fn compare_refuses_a_bad_parameter_file_as_well() {
 
 #[test]
 fn the_default_parameters_are_found_from_a_folder_below() {
-    let folder = project(&edited("[oscillator]", "zeta", "zeta = 2"));
+    let folder = project(&edited(INVENTED, "[oscillator]", "zeta", "zeta = 2"));
     let below = folder.path().join("a/b");
     fs::create_dir_all(&below).expect("the folder is ours");
     let outcome = grazing(&below, &["reproduce"]);
@@ -108,7 +108,7 @@ fn the_default_parameters_are_found_from_a_folder_below() {
 fn every_bad_command_line_is_refused() {
     let folder = empty_folder();
     fs::write(folder.path().join("file"), "").expect("the folder is ours");
-    fs::write(folder.path().join("p.toml"), DEFAULT).expect("the folder is ours");
+    fs::write(folder.path().join("p.toml"), INVENTED).expect("the folder is ours");
     let mut transcript = String::new();
     for line in [
         "",
@@ -153,7 +153,7 @@ fn a_place_that_cannot_be_written_is_found_before_anything_is_computed() {
         }),
     ];
     for (named, obstruct) in obstacles {
-        let folder = project(DEFAULT);
+        let folder = project(INVENTED);
         obstruct(&folder.path().join("out"));
         let before = listing(folder.path());
         let outcome = grazing(folder.path(), &["reproduce", "--output", "out"]);

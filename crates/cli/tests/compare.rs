@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use grazing_cli::compare::table;
 use grazing_reproduction::published::Published;
-use program::{edited, grazing, project, repository, snapshots};
+use program::{DEFAULT, edited, grazing, project, repository, snapshots};
 
 fn invented() -> Published {
     let mut text = String::new();
@@ -27,8 +27,9 @@ fn invented() -> Published {
 #[test]
 fn the_table_is_aligned_and_tells_every_verdict() {
     let published = invented();
-    let computed = BTreeMap::from([("chosen", 0.7), ("met", -1234.51), ("off", 10.0)]);
-    let comparisons = published.compare(&computed).expect("all ids are listed");
+    let computed =
+        [("chosen", 0.7), ("met", -1234.51), ("off", 10.0)].map(|(id, value)| (id.to_owned(), value));
+    let comparisons = published.compare(&BTreeMap::from(computed));
     let plain = table(&comparisons, false);
     assert!(!plain.contains('\x1b'));
     snapshots().bind(|| insta::assert_snapshot!("table_of_compare", plain));
@@ -60,7 +61,7 @@ fn every_published_value_is_met_by_the_default_parameters() {
 
 #[test]
 fn another_damping_ratio_misses_the_print_and_fails() {
-    let folder = project(&edited("[oscillator]", "zeta", "zeta = 0.03"));
+    let folder = project(&edited(DEFAULT, "[oscillator]", "zeta", "zeta = 0.03"));
     let outcome = grazing(folder.path(), &["compare"]);
     assert_eq!(outcome.code, Some(1), "{}", outcome.messages);
     assert!(outcome.output.contains("OFF"), "{}", outcome.output);

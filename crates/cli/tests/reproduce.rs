@@ -3,13 +3,15 @@
 mod program;
 
 use std::fs;
+use std::io::{BufRead, BufReader};
+use std::process::{Command, Stdio};
 
 use grazing_cli::outputs;
-use program::{edited, grazing, listing, project};
+use program::{DEFAULT, edited, grazing, listing, project};
 
 /// The default parameters with little work for the attractor of Figure 2: what is tested here does not depend on it.
 fn quick_parameters() -> String {
-    edited("[fig02.attractor]", "amplitudes", "amplitudes = 5")
+    edited(DEFAULT, "[fig02.attractor]", "amplitudes", "amplitudes = 5")
 }
 
 #[test]
@@ -87,4 +89,30 @@ fn a_check_names_the_tampered_files_and_the_command_that_mends_them() {
     assert_eq!(listing(folder.path()), before);
     let unmended = fs::read_to_string(here("figures/data/coefficients.csv")).expect("it is there");
     assert_eq!(unmended, tampered, "a check writes nothing");
+}
+
+#[test]
+fn an_interrupted_run_leaves_every_file_as_it_was() {
+    let folder = project(&quick_parameters());
+    let figure = folder.path().join("figures/fig07.svg");
+    fs::write(&figure, "old").expect("the folder is ours");
+    let before = listing(folder.path());
+    let mut run = Command::new(env!("CARGO_BIN_EXE_grazing"))
+        .arg("reproduce")
+        .current_dir(folder.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    // Its first line of progress comes when the computation begins, which is long before anything is written.
+    let mut line = String::new();
+    let messages = run.stderr.take().expect("it is piped");
+    BufReader::new(messages)
+        .read_line(&mut line)
+        .expect("the program tells of its progress");
+    assert!(line.ends_with("begun\n"), "{line}");
+    run.kill().expect("it still runs");
+    run.wait().expect("it ends");
+    assert_eq!(listing(folder.path()), before);
+    assert_eq!(fs::read_to_string(&figure).expect("it is there"), "old");
 }

@@ -51,7 +51,12 @@ pub struct StepControl {
 
 impl StepControl {
     /// Steps for curves that are drawn: two degrees of turn look smooth at any magnification used (empirical).
-    pub const DRAWING: Self = Self { first: 1e-3, longest: 0.02, shortest: 1e-8, turn: 0.035 };
+    pub const DRAWING: Self = Self {
+        first: 1e-3,
+        longest: 0.02,
+        shortest: 1e-8,
+        turn: 0.035,
+    };
 }
 
 /// A point on the curve.
@@ -86,6 +91,9 @@ pub struct Continuation<'a, const N: usize, C: CurveEquations<N>> {
     curvature: SVector<f64, N>,
 }
 
+/// A new station and the angle by which the tangent turned on the way.
+type Attempt<const N: usize, M> = (Station<N, M>, f64);
+
 /// A corrector converges in about three evaluations or the step is too long.
 const CORRECTOR_LIMIT: usize = 6;
 
@@ -109,11 +117,23 @@ where
             .evaluate(&start, &mut memory)
             .map_err(|cause| stall(NewtonFailure::Undefined { iteration: 1, cause }))?;
         let residual = linearisation.residual.norm();
-        let tangent = tangent(linearisation, &direction)
-            .ok_or(stall(NewtonFailure::Singular { iteration: 1, residual }))?;
+        let tangent = tangent(linearisation, &direction).ok_or(stall(NewtonFailure::Singular {
+            iteration: 1,
+            residual,
+        }))?;
         equations.settle(&start, &mut memory);
-        let here = Station { point: start, tangent, memory };
-        Ok(Self { equations, control, here, step: control.first, curvature: SVector::zeros() })
+        let here = Station {
+            point: start,
+            tangent,
+            memory,
+        };
+        Ok(Self {
+            equations,
+            control,
+            here,
+            step: control.first,
+            curvature: SVector::zeros(),
+        })
     }
 
     /// The last point found.
@@ -128,7 +148,9 @@ where
     pub fn advance(&mut self) -> Result<&Station<N, C::Memory>, Stall<C::Failure>> {
         loop {
             match self.attempt() {
-                Ok((next, angle)) if angle <= 3.0 * self.control.turn || self.step < 4.0 * self.control.shortest => {
+                Ok((next, angle))
+                    if angle <= 3.0 * self.control.turn || self.step < 4.0 * self.control.shortest =>
+                {
                     let growth = (self.control.turn / angle.max(1e-12)).clamp(0.5, 1.6);
                     self.curvature = (next.tangent - self.here.tangent) / self.step;
                     self.step = (self.step * growth).min(self.control.longest);
@@ -138,7 +160,10 @@ where
                 Ok(_) => self.step *= 0.5,
                 Err(failure) => {
                     if self.step <= self.control.shortest {
-                        return Err(Stall { step: self.step, failure });
+                        return Err(Stall {
+                            step: self.step,
+                            failure,
+                        });
                     }
                     self.step *= 0.25;
                 }
@@ -148,8 +173,12 @@ where
     }
 
     /// One predictor and corrector; the new station and the angle between the two tangents.
-    fn attempt(&self) -> Result<(Station<N, C::Memory>, f64), NewtonFailure<C::Failure>> {
-        let Station { point: origin, tangent: along, .. } = &self.here;
+    fn attempt(&self) -> Result<Attempt<N, C::Memory>, NewtonFailure<C::Failure>> {
+        let Station {
+            point: origin,
+            tangent: along,
+            ..
+        } = &self.here;
         let mut memory = self.here.memory.clone();
         let predicted = origin + (along + self.curvature * (0.5 * self.step)) * self.step;
         let solution = newton::solve(predicted, CORRECTOR_LIMIT, |point| {
@@ -159,11 +188,20 @@ where
             Ok(bordered)
         })?;
         let residual = solution.last.residual.norm();
-        let tangent = tangent(solution.last, along)
-            .ok_or(NewtonFailure::Singular { iteration: solution.iterations, residual })?;
+        let tangent = tangent(solution.last, along).ok_or(NewtonFailure::Singular {
+            iteration: solution.iterations,
+            residual,
+        })?;
         self.equations.settle(&solution.point, &mut memory);
         let angle = libm::acos(tangent.dot(along).clamp(-1.0, 1.0));
-        Ok((Station { point: solution.point, tangent, memory }, angle))
+        Ok((
+            Station {
+                point: solution.point,
+                tangent,
+                memory,
+            },
+            angle,
+        ))
     }
 }
 

@@ -1,12 +1,10 @@
 //! Quadratic coefficients measured on the continued curves.
 
 use grazing_model::ImpactOscillator;
-use grazing_model::maps::MapError;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 
-use crate::locate::{Condition, locate};
+use crate::locate::{Condition, LocateFailure, locate};
 use crate::mps::{Memory, Unknowns, unknown};
-use crate::newton::NewtonFailure;
 use crate::resonance::ResonantGrazingPoint;
 
 /// A coefficient could not be measured.
@@ -18,7 +16,7 @@ pub enum FitError {
         /// The impact velocity asked for.
         velocity: f64,
         /// What happened.
-        failure: NewtonFailure<MapError>,
+        failure: LocateFailure,
     },
     /// The grazing orbit at the point's η was not found.
     #[error(transparent)]
@@ -55,10 +53,16 @@ pub fn quadratic_coefficient<O: ImpactOscillator>(
     let mut direction = resonance.direction(condition);
     direction /= direction[unknown::VELOCITY];
     let mut velocities = [0.0; LEVELS];
-    let mut ratios = [Estimate { value: 0.0, error: 0.0 }; LEVELS];
+    let mut ratios = [Estimate {
+        value: 0.0,
+        error: 0.0,
+    }; LEVELS];
     let mut velocity = FIRST_VELOCITY;
     for (y, ratio) in velocities.iter_mut().zip(&mut ratios) {
-        (*y, *ratio) = (velocity, ratio_at(resonance, condition, origin + direction * velocity, velocity)?);
+        (*y, *ratio) = (
+            velocity,
+            ratio_at(resonance, condition, origin + direction * velocity, velocity)?,
+        );
         velocity *= 0.5;
     }
     Ok(extrapolate(&velocities, &ratios))
@@ -81,12 +85,18 @@ fn ratio_at<O: ImpactOscillator>(
     let value = mu / (eta * eta);
     let relative = |scale: f64, size: f64| 4.0 * f64::EPSILON * scale.abs() / size.abs();
     let noise = relative(orbit.primary(), mu) + 2.0 * relative(point[unknown::SECONDARY], eta);
-    Ok(Estimate { value, error: value.abs() * noise })
+    Ok(Estimate {
+        value,
+        error: value.abs() * noise,
+    })
 }
 
 /// Neville's extrapolation to zero; the entry with the least estimated error.
 fn extrapolate(at: &[f64; LEVELS], values: &[Estimate; LEVELS]) -> Estimate {
-    let mut best = Estimate { error: f64::INFINITY, ..values[0] };
+    let mut best = Estimate {
+        error: f64::INFINITY,
+        ..values[0]
+    };
     let mut column = *values;
     for order in 1..LEVELS {
         let mut next = column;
@@ -94,10 +104,15 @@ fn extrapolate(at: &[f64; LEVELS], values: &[Estimate; LEVELS]) -> Estimate {
             let weight = at[i] / (at[i - order] - at[i]);
             let value = column[i].value + weight * (column[i].value - column[i - 1].value);
             let noise = (1.0 + weight) * column[i].error + weight * column[i - 1].error;
-            let difference = (value - column[i].value).abs().max((value - column[i - 1].value).abs());
+            let difference = (value - column[i].value)
+                .abs()
+                .max((value - column[i - 1].value).abs());
             next[i] = Estimate { value, error: noise };
             if difference.max(noise) < best.error {
-                best = Estimate { value, error: difference.max(noise) };
+                best = Estimate {
+                    value,
+                    error: difference.max(noise),
+                };
             }
         }
         column = next;

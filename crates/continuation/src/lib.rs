@@ -1,9 +1,23 @@
-//! Numerical continuation of maximal periodic solutions and of their bifurcations.
+//! Numerical continuation of maximal periodic solutions (MPSs) and of their bifurcations.
+//!
+//! An MPS is a zero of two smooth equations in (y, z, μ, η), impact velocity, impact phase and the two parameters
+//! ([`mps`]): the VIVID function of the paper (section 4.3), or a form without virtual points where VIVID ends. One more
+//! [`Condition`](locate::Condition) makes a curve: a fixed η a one-parameter branch, a multiplier ±1 a curve of
+//! saddle-node or period-doubling bifurcations, an interior maximum at the wall a curve of grazing bifurcations. A second
+//! condition makes a point: a bifurcation on a branch, a codimension-two point on a curve, a resonance.
+//!
+//! ```text
+//! newton, arclength          small systems, curves of zeros; know nothing of impacts
+//!   └─ mps                   the equations, multipliers, admissibility
+//!        └─ locate, curve    conditions, points, curves with events and named ends
+//!             └─ resonance   resonant grazing points and the curves that leave them in the direction of the theory
+//!                  └─ fit    quadratic coefficients measured on these curves
+//! ```
 
-#![allow(missing_docs)]
 pub mod arclength;
 pub mod curve;
 pub mod fit;
+mod follow;
 pub mod locate;
 pub mod mps;
 pub mod newton;

@@ -55,6 +55,22 @@ impl Condition {
     }
 }
 
+/// A point was not located.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum LocateFailure {
+    /// Newton's method failed.
+    #[error(transparent)]
+    Newton(#[from] NewtonFailure<MapError>),
+    /// Newton's method went away from where the point must lie.
+    #[error("the point found lies {distance} away, on a step of length {step}")]
+    Elsewhere {
+        /// Distance from the expected place.
+        distance: f64,
+        /// Length of the step in which the point must lie.
+        step: f64,
+    },
+}
+
 /// V = 0 and the condition, stacked; the last row stays free.
 pub(crate) fn conditioned<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
@@ -84,7 +100,7 @@ pub fn locate<O: ImpactOscillator>(
     conditions: [Condition; 2],
     start: Unknowns,
     memory: &mut Memory,
-) -> Result<Unknowns, NewtonFailure<MapError>> {
+) -> Result<Unknowns, LocateFailure> {
     let second_order = conditions[1].needs_second_order();
     let solution = newton::solve(start, LIMIT, |point| {
         let (mut system, pair) = conditioned(equations, conditions[0], second_order, point, memory)?;
@@ -108,7 +124,7 @@ pub fn locate_grazing_end<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     near: Unknowns,
     memory: &mut Memory,
-) -> Result<Unknowns, NewtonFailure<MapError>> {
+) -> Result<Unknowns, LocateFailure> {
     let mut point = near;
     point[unknown::VELOCITY] = 0.0;
     let mut degeneracy = |point: &mut Unknowns, secondary: f64| {
@@ -119,7 +135,9 @@ pub fn locate_grazing_end<O: ImpactOscillator>(
         let (_, slopes) = equations.interior_maximum(point, memory).map_err(undefined)?;
         let derivative: SMatrix<f64, 2, 4> = pair.difference().1;
         let mut matrix = Matrix3::zeros();
-        matrix.fixed_view_mut::<2, 3>(0, 0).copy_from(&derivative.fixed_columns::<3>(0));
+        matrix
+            .fixed_view_mut::<2, 3>(0, 0)
+            .copy_from(&derivative.fixed_columns::<3>(0));
         matrix.set_row(2, &slopes.fixed_rows::<3>(0).transpose());
         Ok::<f64, NewtonFailure<MapError>>(matrix.determinant())
     };
@@ -135,7 +153,11 @@ pub fn locate_grazing_end<O: ImpactOscillator>(
         (a, value_a) = (b, value_b);
         b -= step;
     }
-    Err(NewtonFailure::NoConvergence { iterations: LIMIT, residual: value_a })
+    Err(NewtonFailure::NoConvergence {
+        iterations: LIMIT,
+        residual: value_a,
+    }
+    .into())
 }
 
 /// Moves (z, μ) of a point with y = 0 onto the grazing periodic orbit at the point's η.
@@ -145,15 +167,18 @@ fn grazing_orbit<O: ImpactOscillator>(
     memory: &mut Memory,
 ) -> Result<(), NewtonFailure<MapError>> {
     let fixed = *point;
-    let solution =
-        newton::solve(Vector2::new(point[unknown::PHASE], point[unknown::PRIMARY]), LIMIT, |zm| {
+    let solution = newton::solve(
+        Vector2::new(point[unknown::PHASE], point[unknown::PRIMARY]),
+        LIMIT,
+        |zm| {
             let mut trial = fixed;
             trial[unknown::PHASE] = zm[0];
             trial[unknown::PRIMARY] = zm[1];
             let (residual, derivative) = equations.pair::<1>(&trial, memory)?.difference();
             let jacobian: Matrix2<f64> = derivative.fixed_columns::<2>(1).into_owned();
             Ok(Linearisation { residual, jacobian })
-        })?;
+        },
+    )?;
     point[unknown::PHASE] = solution.point[0];
     point[unknown::PRIMARY] = solution.point[1];
     Ok(())

@@ -6,16 +6,15 @@ use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side};
 
 use crate::curve::{Curve, CurveEnd, Event, MpsCurve, Route};
-use crate::locate::{Condition, locate};
+use crate::locate::{Condition, LocateFailure, locate};
 use crate::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
-use crate::newton::NewtonFailure;
 
 /// A resonant grazing point could not be analysed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ResonanceError {
     /// Newton's method for det J = 0 on the grazing curve failed.
     #[error("the resonance was not located: {0}")]
-    NotLocated(NewtonFailure<MapError>),
+    NotLocated(LocateFailure),
     /// The grazing orbit was not found.
     #[error(transparent)]
     GrazingOrbit(#[from] GrazingOrbitError),
@@ -64,7 +63,12 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
         let orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
         let point = orbit.resonant_point(loops)?;
         let theorem = ResonantGrazing::check(&point, RESONANCE_TOLERANCE)?;
-        Ok(Self { equations, orbit, theorem, point })
+        Ok(Self {
+            equations,
+            orbit,
+            theorem,
+            point,
+        })
     }
 
     /// The number of loops p.
@@ -123,11 +127,26 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
 
     /// Follows the SN or PD curve from the resonance.
     fn leave(&self, condition: Condition, route: &Route) -> Result<Curve, ResonanceError> {
-        let curve = MpsCurve { equations: self.equations.clone(), condition };
-        let name = if condition == Condition::SADDLE_NODE { "saddle-node" } else { "period-doubling" };
-        curve.follow(self.unknowns(), self.direction(condition), Memory::default(), route).map_err(|stall| {
-            ResonanceError::NotStarted { curve: name, reason: stall.to_string() }
-        })
+        let curve = MpsCurve {
+            equations: self.equations.clone(),
+            condition,
+        };
+        let name = if condition == Condition::SADDLE_NODE {
+            "saddle-node"
+        } else {
+            "period-doubling"
+        };
+        curve
+            .follow(
+                self.unknowns(),
+                self.direction(condition),
+                Memory::default(),
+                route,
+            )
+            .map_err(|stall| ResonanceError::NotStarted {
+                curve: name,
+                reason: stall.to_string(),
+            })
     }
 
     /// All curves that bound the stable region of the MPS at this resonance: SN and PD from the resonance, and GZ from the
@@ -140,29 +159,44 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
         let period_doubling = self.leave(Condition::PERIOD_DOUBLING, route)?;
         let mut grazing: Vec<Curve> = Vec::new();
         for curve in [&saddle_node, &period_doubling] {
-            let CurveEnd::Event(event) = &curve.end else { continue };
+            let CurveEnd::Event(event) = &curve.end else {
+                continue;
+            };
             let corner = event.solution.unknowns;
             let reached = |other: &Curve| {
-                other.points.last().is_some_and(|last| same_point(&last.solution.unknowns, &corner))
+                other
+                    .points
+                    .last()
+                    .is_some_and(|last| same_point(&last.solution.unknowns, &corner))
             };
             if event.condition == Condition::InteriorGrazing && !grazing.iter().any(reached) {
                 grazing.push(self.graze(event, route)?);
             }
         }
-        Ok(UnfoldedResonance { saddle_node, period_doubling, grazing })
+        Ok(UnfoldedResonance {
+            saddle_node,
+            period_doubling,
+            grazing,
+        })
     }
 
     /// Follows the GZ curve from a codimension-two point to the side where the MPS is stable.
     fn graze(&self, corner: &Event, route: &Route) -> Result<Curve, ResonanceError> {
-        let not_started =
-            |reason: String| ResonanceError::NotStarted { curve: "interior grazing", reason };
+        let not_started = |reason: String| ResonanceError::NotStarted {
+            curve: "interior grazing",
+            reason,
+        };
         let mut reason = "the solution is stable to neither side".to_owned();
         for sign in [1.0, -1.0] {
-            let curve =
-                MpsCurve { equations: self.equations.clone(), condition: Condition::InteriorGrazing };
+            let curve = MpsCurve {
+                equations: self.equations.clone(),
+                condition: Condition::InteriorGrazing,
+            };
             let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
             match curve.follow(corner.solution.unknowns, direction, corner.memory.clone(), route) {
-                Ok(curve) if curve.points.get(1).is_some_and(|point| point.solution.stable()) => return Ok(curve),
+                Ok(curve) if curve.points.get(1).is_some_and(|point| point.solution.stable()) => {
+                    return Ok(curve);
+                }
                 Ok(_) => {}
                 Err(stall) => reason = stall.to_string(),
             }

@@ -5,14 +5,16 @@ use plotters::drawing::DrawingArea;
 use plotters::prelude::Cartesian2d;
 
 use crate::DrawingError;
-use crate::canvas::{Bounds, Canvas, Element, Ink, Spot};
+use crate::canvas::{Canvas, Element, Ink};
 use crate::clip::{Window, clip_polygon, clip_polyline};
 use crate::markup::Label;
+use crate::sheet::{Bounds, Spot};
 use crate::style::{
     BLACK, DISC_RADIUS, FRAME, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, TICK, TICK_LENGTH,
     TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
 };
-use crate::svg_backend::{Anchor, SvgBackend, UNITS};
+use crate::svg_backend::{Anchor, SvgBackend};
+use crate::svg_text::UNITS;
 use crate::ticks::{Step, Tick};
 
 /// A window of data space laid over a rectangle of the sheet.

@@ -11,59 +11,10 @@ use plotters_backend::{BackendCoord, DrawingErrorKind};
 use crate::DrawingError;
 use crate::font::{Extent, Fonts};
 use crate::markup::Label;
+use crate::sheet::{Bounds, Spot};
 use crate::style::{Colour, Paint, Pen, SIZE_LIMIT};
-use crate::svg_backend::{Anchor, POINTS_PER_MM, SvgBackend, UNITS};
-
-/// A point of the sheet, in points to the right and downwards.
-pub(crate) type Spot = (f64, f64);
-
-/// A rectangle of the sheet, in points.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Bounds {
-    pub(crate) left: f64,
-    pub(crate) top: f64,
-    pub(crate) right: f64,
-    pub(crate) bottom: f64,
-}
-
-impl Bounds {
-    pub(crate) fn centre(&self) -> Spot {
-        (0.5 * (self.left + self.right), 0.5 * (self.top + self.bottom))
-    }
-
-    pub(crate) fn grown(&self, by: f64) -> Bounds {
-        Bounds {
-            left: self.left - by,
-            top: self.top - by,
-            right: self.right + by,
-            bottom: self.bottom + by,
-        }
-    }
-
-    pub(crate) fn overlaps(&self, other: &Bounds) -> bool {
-        self.left < other.right
-            && other.left < self.right
-            && self.top < other.bottom
-            && other.top < self.bottom
-    }
-
-    pub(crate) fn holds(&self, inner: &Bounds) -> bool {
-        self.left <= inner.left
-            && inner.right <= self.right
-            && self.top <= inner.top
-            && inner.bottom <= self.bottom
-    }
-
-    /// The box of the given size about a centre.
-    pub(crate) fn about((x, y): Spot, width: f64, height: f64) -> Bounds {
-        Bounds {
-            left: x - 0.5 * width,
-            top: y - 0.5 * height,
-            right: x + 0.5 * width,
-            bottom: y + 0.5 * height,
-        }
-    }
-}
+use crate::svg_backend::{Anchor, POINTS_PER_MM, SvgBackend};
+use crate::svg_text::UNITS;
 
 /// What an element puts on the sheet.
 pub(crate) enum Ink<'a> {

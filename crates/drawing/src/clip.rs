@@ -36,17 +36,16 @@ impl Window {
     }
 }
 
-/// Liang–Barsky: the part of the segment from `a` to `b` inside the window, if any.
-fn clip_segment(window: &Window, a: (f64, f64), b: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
+/// Liang–Barsky: where the segment from `a` to `b` enters and leaves a rectangle, as fractions of its length.
+pub(crate) fn fractions_inside(x: [f64; 2], y: [f64; 2], a: (f64, f64), b: (f64, f64)) -> Option<(f64, f64)> {
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    let bounds = [
-        (-dx, a.0 - window.x[0]),
-        (dx, window.x[1] - a.0),
-        (-dy, a.1 - window.y[0]),
-        (dy, window.y[1] - a.1),
-    ];
-    for (outward, room) in bounds {
+    for (outward, room) in [
+        (-dx, a.0 - x[0]),
+        (dx, x[1] - a.0),
+        (-dy, a.1 - y[0]),
+        (dy, y[1] - a.1),
+    ] {
         if outward == 0.0 {
             if room < 0.0 {
                 return None;
@@ -57,11 +56,13 @@ fn clip_segment(window: &Window, a: (f64, f64), b: (f64, f64)) -> Option<((f64, 
             leave = leave.min(room / outward);
         }
     }
-    if enter > leave {
-        return None;
-    }
-    let at = |t: f64| (a.0 + t * dx, a.1 + t * dy);
-    // The ends themselves are kept to the bit, so that neighbouring segments join.
+    (enter <= leave).then_some((enter, leave))
+}
+
+/// The part of a segment inside the window, if any; an end inside is kept to the bit, so that neighbours join.
+fn clip_segment(window: &Window, a: (f64, f64), b: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
+    let (enter, leave) = fractions_inside(window.x, window.y, a, b)?;
+    let at = |t: f64| (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1));
     Some((
         if enter == 0.0 { a } else { at(enter) },
         if leave == 1.0 { b } else { at(leave) },

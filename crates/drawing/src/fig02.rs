@@ -4,19 +4,16 @@ use polars::prelude::DataFrame;
 
 use crate::DrawingError;
 use crate::axes::Panel;
-use crate::canvas::{Bounds, Canvas, Ink, Spot};
+use crate::branches::{diagram, read_bifurcations, read_branches};
+use crate::canvas::{Canvas, Ink};
 use crate::clip::Window;
-use crate::cloud::draw_cloud;
 use crate::fig07::panel_letter;
-use crate::frames::{Table, runs};
-use crate::kinds::Kind;
-use crate::labels::{Labels, Wanted};
-use crate::placement::length;
+use crate::frames::Table;
+use crate::labels::Labels;
+use crate::markup::Label;
 use crate::portraits::{Portrait, draw_portraits, read_portraits};
-use crate::style::{
-    BLACK, GUIDE, LABEL_SIZE, MAGNIFIER, MAGNIFIER_FRAME, POINT_RADIUS, POINT_RIM, Paint, SMALL_LABEL_SIZE,
-    STABLE_WIDTH, THRESHOLD, UNSTABLE_WIDTH, WIDE_MM, branch_pen,
-};
+use crate::sheet::{Bounds, Spot};
+use crate::style::{BLACK, GUIDE, MAGNIFIER, MAGNIFIER_FRAME, SMALL_LABEL_SIZE, WIDE_MM};
 use crate::svg_backend::Anchor;
 
 /// What Figure 2 shows.
@@ -31,25 +28,13 @@ pub struct Figure02<'a> {
     pub bifurcations: &'a DataFrame,
     /// Columns amplitude, x: points of forward orbits.
     pub attractor: &'a DataFrame,
-    /// Columns portrait (1, 2, …), p, amplitude, kind (periodic, attractor), x, y: orbits in order of time; a row that is
-    /// not a number breaks the line.
+    /// Columns portrait (1, 2, …), p, amplitude, kind (periodic, attractor), x, y: orbits in order of time; a row
+    /// that is not a number breaks the line.
     pub portraits: &'a DataFrame,
     /// Amplitudes (horizontal) and values of x (vertical) of the whole diagram.
     pub window: Window,
     /// The same of the magnification.
     pub magnification: Window,
-}
-
-struct Branch {
-    p: i64,
-    points: Vec<(f64, f64)>,
-    stable: Vec<bool>,
-}
-
-struct Bifurcation {
-    kind: Kind,
-    p: i64,
-    point: (f64, f64),
 }
 
 const HEIGHT_MM: f64 = 128.0;
@@ -102,123 +87,24 @@ pub(crate) fn compose(figure: &Figure02<'_>) -> Result<Canvas, DrawingError> {
             bottom,
         },
     );
-    letters(&whole, &portraits)?;
+    let guides = letters(&whole, &portraits)?;
     magnifier(&whole, &part)?;
     for (panel, every_loop) in [(&whole, false), (&part, true)] {
-        diagram(
-            panel,
-            &branches,
-            &bifurcations,
-            &cloud,
-            every_loop,
-            &magnification,
-        )?;
+        let mut labels = Labels::new(&canvas, panel.bounds);
+        if !every_loop {
+            guides
+                .iter()
+                .for_each(|guide| labels.placer.keep_off_nameless(guide));
+            labels.placer.keep_off_nameless(&on_sheet(panel, &magnification));
+        }
+        diagram(panel, labels, &branches, &bifurcations, &cloud, every_loop)?;
         panel.axes(r"$\mathcal{A}$", if every_loop { "" } else { "$x$" })?;
     }
     Ok(canvas)
 }
 
-/// Branches, attractor and bifurcations of one panel, with their labels.
-fn diagram(
-    panel: &Panel<'_>,
-    branches: &[Branch],
-    bifurcations: &[Bifurcation],
-    cloud: &[(f64, f64)],
-    every_loop: bool,
-    magnification: &Window,
-) -> Result<(), DrawingError> {
-    let mut labels = Labels::new(panel.canvas, panel.bounds);
-    if !every_loop {
-        let (a, b) = (
-            panel.spot((magnification.x[0], magnification.y[1])),
-            panel.spot((magnification.x[1], magnification.y[0])),
-        );
-        labels.placer.keep_off(&[a, (b.0, a.1), b, (a.0, b.1), a]);
-    }
-    panel.line(&[(panel.window.x[0], 0.0), (panel.window.x[1], 0.0)], THRESHOLD)?;
-    draw_cloud(panel, cloud)?;
-    labels.placer.avoid(
-        cloud
-            .iter()
-            .filter(|&&p| panel.window.contains(p))
-            .map(|&p| panel.spot(p)),
-    );
-    let mut longest: Vec<(i64, Vec<Spot>)> = Vec::new();
-    for branch in branches {
-        for piece in branch_pieces(panel, branch)? {
-            labels.placer.keep_off(&piece);
-            match longest.iter_mut().find(|(p, _)| *p == branch.p) {
-                Some((_, best)) if length(best) >= length(&piece) => {}
-                Some((_, best)) => *best = piece,
-                None => longest.push((branch.p, piece)),
-            }
-        }
-    }
-    let mut named: Vec<(Kind, i64)> = Vec::new();
-    let visible: Vec<&Bifurcation> = bifurcations
-        .iter()
-        .filter(|b| panel.window.contains(b.point))
-        .collect();
-    for bifurcation in &visible {
-        let spot = panel.spot(bifurcation.point);
-        let paint = Paint {
-            colour: bifurcation.kind.pen().colour,
-            opacity: 1.0,
-        };
-        panel
-            .canvas
-            .draw(&[spot], Ink::Disc(POINT_RADIUS, paint, Some(POINT_RIM)))?;
-        labels
-            .placer
-            .block(Bounds::about(spot, 2.0 * POINT_RADIUS, 2.0 * POINT_RADIUS));
-    }
-    for bifurcation in &visible {
-        let name = (bifurcation.kind, bifurcation.p);
-        if !every_loop && named.contains(&name) {
-            continue;
-        }
-        named.push(name);
-        let (kind, spot) = (bifurcation.kind, panel.spot(bifurcation.point));
-        labels.add(
-            kind.label(),
-            LABEL_SIZE,
-            kind.text_colour(),
-            &Wanted::Around(spot, POINT_RADIUS + 0.5),
-        )?;
-    }
-    for (p, piece) in &longest {
-        let text = if *p == 0 {
-            "non-impacting".to_owned()
-        } else {
-            format!("$p={p}$")
-        };
-        labels.add(
-            &text,
-            SMALL_LABEL_SIZE,
-            branch_pen(*p, 1.0).colour,
-            &Wanted::Beside(piece),
-        )?;
-    }
-    labels.draw()
-}
-
-/// Draws a branch, thick where stable and thin where unstable, without gaps between; returns what was drawn.
-fn branch_pieces(panel: &Panel<'_>, branch: &Branch) -> Result<Vec<Vec<Spot>>, DrawingError> {
-    let mut pieces = Vec::new();
-    for rows in runs(&branch.stable) {
-        let width = if branch.stable[rows.start] {
-            STABLE_WIDTH
-        } else {
-            UNSTABLE_WIDTH
-        };
-        let end = (rows.end + 1).min(branch.points.len());
-        pieces.extend(panel.line(&branch.points[rows.start..end], branch_pen(branch.p, width))?);
-    }
-    Ok(pieces)
-}
-
-/// The portraits' letters above the diagram, each over a guide at its amplitude.
-fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<(), DrawingError> {
+/// The portraits' letters above the diagram, each over a guide at its amplitude; returns the guides.
+fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<Vec<Vec<Spot>>, DrawingError> {
     let mut marks: Vec<(f64, String)> = Vec::new();
     for portrait in portraits {
         let (x, _) = panel.spot((portrait.amplitude, panel.window.y[0]));
@@ -232,70 +118,116 @@ fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<(), DrawingError
     }
     marks.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut free_from = f64::NEG_INFINITY;
+    let mut guides = Vec::new();
     for (x, text) in &marks {
-        let label = crate::markup::Label::plain(text);
+        let label = Label::plain(text);
         let half = 0.5 * panel.canvas.measure(&label, SMALL_LABEL_SIZE)?.width;
         let middle = x.max(free_from + half);
         free_from = middle + half + 2.0;
         let (top, bottom) = (panel.bounds.top, panel.bounds.bottom);
-        panel
-            .canvas
-            .draw(&[(*x, bottom), (*x, top), (middle, top - 4.0)], Ink::Line(GUIDE))?;
+        let guide = vec![(*x, bottom), (*x, top), (middle, top - 4.0)];
+        panel.canvas.draw(&guide, Ink::Line(GUIDE))?;
+        guides.push(guide);
         panel
             .canvas
             .text((middle, top - 6.0), text, SMALL_LABEL_SIZE, Anchor::Middle, BLACK)?;
     }
-    Ok(())
+    Ok(guides)
 }
 
-/// The magnified window in the whole diagram, and the magnification in a frame of the same colour.
-fn magnifier(whole: &Panel<'_>, part: &Panel<'_>) -> Result<(), DrawingError> {
-    let [[left, right], [low, high]] = [part.window.x, part.window.y];
-    let outline = [
+/// A window's outline on the sheet.
+fn on_sheet(panel: &Panel<'_>, window: &Window) -> Vec<Spot> {
+    outline(window).iter().map(|&corner| panel.spot(corner)).collect()
+}
+
+fn outline(window: &Window) -> [(f64, f64); 5] {
+    let [[left, right], [low, high]] = [window.x, window.y];
+    [
         (left, low),
         (right, low),
         (right, high),
         (left, high),
         (left, low),
-    ];
+    ]
+}
+
+/// The magnified window in the whole diagram, and the magnification in a frame of the same colour.
+fn magnifier(whole: &Panel<'_>, part: &Panel<'_>) -> Result<(), DrawingError> {
+    let outline = outline(&part.window);
     whole.line(&outline, MAGNIFIER)?;
     part.line(&outline, MAGNIFIER_FRAME)?;
     Ok(())
 }
 
-fn read_branches(table: Table<'_>) -> Result<Vec<Branch>, DrawingError> {
-    let (p, branch) = (table.integers("p")?, table.integers("branch")?);
-    let (amplitude, x) = (table.numbers("amplitude")?, table.numbers("x")?);
-    let (stable, admissible) = (table.flags("stable")?, table.flags("admissible")?);
-    let keys: Vec<_> = p.iter().zip(&branch).collect();
-    Ok(runs(&keys)
-        .into_iter()
-        .map(|rows| Branch {
-            p: p[rows.start],
-            stable: stable[rows.clone()].to_vec(),
-            points: rows
-                .map(|i| {
-                    if admissible[i] {
-                        (amplitude[i], x[i])
-                    } else {
-                        (f64::NAN, f64::NAN)
-                    }
-                })
-                .collect(),
-        })
-        .collect())
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
 
-fn read_bifurcations(table: Table<'_>) -> Result<Vec<Bifurcation>, DrawingError> {
-    let kinds = table.words("kind", Kind::KNOWN, Kind::parse)?;
-    let p = table.integers("p")?;
-    let (amplitude, x) = (table.numbers("amplitude")?, table.numbers("x")?);
-    let rows = kinds.into_iter().enumerate();
-    Ok(rows
-        .map(|(i, kind)| Bifurcation {
-            kind,
-            p: p[i],
-            point: (amplitude[i], x[i]),
+    fn with_sample<T>(points: u32, test: impl Fn(&Figure02<'_>) -> T) -> T {
+        let (branches, bifurcations) = (samples::fig02_branches(), samples::fig02_bifurcations());
+        let (attractor, portraits) = (samples::fig02_attractor(points), samples::fig02_portraits());
+        test(&Figure02 {
+            branches: &branches,
+            bifurcations: &bifurcations,
+            attractor: &attractor,
+            portraits: &portraits,
+            window: Window {
+                x: [0.7, 1.6],
+                y: [-0.6, 1.0],
+            },
+            magnification: Window {
+                x: [0.9, 1.3],
+                y: [-0.3, 0.4],
+            },
         })
-        .collect())
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
+        let misplaced = with_sample(2_000, |figure| compose(figure).unwrap().misplaced_texts());
+        assert!(misplaced.is_empty(), "{misplaced:?}");
+    }
+
+    #[test]
+    fn all_bifurcations_and_loops_are_labelled() {
+        let svg = with_sample(2_000, |figure| draw_fig02(figure).unwrap());
+        for label in [
+            ">SN<",
+            ">PD<",
+            ">GZ<",
+            ">graz</tspan>",
+            "non-impacting",
+            "attractor<",
+            "(d)",
+        ] {
+            assert!(svg.contains(label), "{label}");
+        }
+    }
+
+    #[test]
+    fn sixty_thousand_points_stay_under_two_megabytes() {
+        let svg = with_sample(60_000, |figure| draw_fig02(figure).unwrap());
+        assert!(svg.len() < 2_000_000, "{}", svg.len());
+        // One path a shade and panel at most.
+        assert!(svg.matches("scale(").count() <= 6);
+    }
+
+    #[test]
+    fn a_missing_column_is_an_error_that_names_it() {
+        with_sample(10, |figure| {
+            let portraits = figure.portraits.drop("kind").unwrap();
+            let error = draw_fig02(&Figure02 {
+                portraits: &portraits,
+                ..*figure
+            })
+            .unwrap_err();
+            assert!(
+                error
+                    .to_string()
+                    .contains("`fig02_portraits` has no column `kind`"),
+                "{error}"
+            );
+        });
+    }
 }

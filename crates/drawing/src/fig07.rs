@@ -4,12 +4,12 @@ use polars::prelude::DataFrame;
 
 use crate::DrawingError;
 use crate::axes::{Marker, Panel};
-use crate::canvas::{Bounds, Canvas, Spot};
+use crate::canvas::Canvas;
 use crate::clip::Window;
 use crate::frames::{Table, runs};
 use crate::kinds::{Kind, read_regions};
 use crate::labels::{Labels, Wanted};
-use crate::placement::{along, deep_inside, length, near};
+use crate::sheet::{Bounds, Spot, area};
 use crate::style::{
     BLACK, FIG07_WIDTH_MM, LABEL_SIZE, MAGNIFIED, MAGNIFIED_TEXT, MPS_AREA, NON_IMPACTING_AREA, SECTION,
     SMALL_LABEL_SIZE,
@@ -149,22 +149,19 @@ pub(crate) fn compose(figure: &Figure07<'_>) -> Result<Canvas, DrawingError> {
         )?;
     }
     for piece in &section_pieces {
-        if !labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Wanted::Beside(piece))? {
-            let end = piece.last().copied().unwrap_or(bounds.centre());
-            labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Wanted::Around(end, 2.0))?;
+        if let Some(&end) = piece.last() {
+            labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Wanted::Around(end, 2.5))?;
         }
     }
     for (p, shape) in by_area(&shapes) {
         let text = format!("$p={p}$");
-        if !labels.add(&text, LABEL_SIZE, BLACK, &Wanted::Within(shape))?
-            && !labels.add(&text, SMALL_LABEL_SIZE, BLACK, &Wanted::Within(shape))?
-        {
-            if let Some(spot) = deep_inside(shape) {
-                labels.add(&text, SMALL_LABEL_SIZE, BLACK, &Wanted::Around(spot, 1.0))?;
-            }
+        let inside = labels.add(&text, LABEL_SIZE, BLACK, &Wanted::Within(shape))?
+            || labels.add(&text, SMALL_LABEL_SIZE, BLACK, &Wanted::Within(shape))?;
+        if !inside && let Some(spot) = labels.placer.deep_inside(shape) {
+            labels.add(&text, SMALL_LABEL_SIZE, BLACK, &Wanted::Around(spot, 1.0))?;
         }
     }
-    label_curves(&mut labels, &drawn)?;
+    labels.name_curves(drawn, LABELLED_LENGTH)?;
     labels.draw()?;
     drop(panel);
     Ok(canvas)
@@ -174,31 +171,6 @@ pub(crate) fn compose(figure: &Figure07<'_>) -> Result<Canvas, DrawingError> {
 pub(crate) fn panel_letter(number: u32) -> String {
     let letter = char::from_u32(u32::from('a') + number.saturating_sub(1)).unwrap_or('?');
     format!("({letter})")
-}
-
-fn label_curves(labels: &mut Labels<'_>, drawn: &[(Kind, Vec<Spot>)]) -> Result<(), DrawingError> {
-    let mut by_length: Vec<&(Kind, Vec<Spot>)> = drawn.iter().collect();
-    by_length.sort_by(|a, b| length(&b.1).total_cmp(&length(&a.1)));
-    let mut labelled: Vec<&(Kind, Vec<Spot>)> = Vec::new();
-    for curve in by_length {
-        let (kind, piece) = curve;
-        // One and the same curve may come twice, followed from its two ends.
-        let again = |other: &&(Kind, Vec<Spot>)| {
-            let middle = along(piece, 0.5).map(|(spot, _)| spot);
-            other.0 == *kind && middle.is_some_and(|spot| near(&other.1, spot, 1.5))
-        };
-        if length(piece) < LABELLED_LENGTH || labelled.iter().any(again) {
-            continue;
-        }
-        let size = if *kind == Kind::Graz {
-            LABEL_SIZE
-        } else {
-            SMALL_LABEL_SIZE
-        };
-        labels.add(kind.label(), size, kind.text_colour(), &Wanted::Beside(piece))?;
-        labelled.push(curve);
-    }
-    Ok(())
 }
 
 fn rectangle(panel: &Panel<'_>, window: &Window, labels: &mut Labels<'_>) -> Result<Bounds, DrawingError> {
@@ -230,16 +202,6 @@ fn by_area(shapes: &[(i64, Vec<Spot>)]) -> Vec<(i64, &[Spot])> {
     sorted
 }
 
-fn area(polygon: &[Spot]) -> f64 {
-    let next = polygon.iter().cycle().skip(1);
-    (0.5 * polygon
-        .iter()
-        .zip(next)
-        .map(|(a, b)| a.0 * b.1 - b.0 * a.1)
-        .sum::<f64>())
-    .abs()
-}
-
 fn read_curves(table: Table<'_>) -> Result<Vec<Curve>, DrawingError> {
     let kinds = table.words("kind", Kind::KNOWN, Kind::parse)?;
     let (p, n, arc) = (table.integers("p")?, table.integers("n")?, table.integers("arc")?);
@@ -268,8 +230,11 @@ fn read_curves(table: Table<'_>) -> Result<Vec<Curve>, DrawingError> {
     Ok(curves)
 }
 
+/// A codimension-two point (amplitude, omega) and its marker.
+pub(crate) type MarkedPoint = ((f64, f64), Marker);
+
 /// Triangles for resonances, discs for all other points.
-pub(crate) fn read_points(table: Table<'_>) -> Result<Vec<((f64, f64), Marker)>, DrawingError> {
+pub(crate) fn read_points(table: Table<'_>) -> Result<Vec<MarkedPoint>, DrawingError> {
     let markers = table.words("kind", "any word", |word| {
         Some(if word == "resonance" {
             Marker::Triangle
@@ -285,4 +250,108 @@ pub(crate) fn read_points(table: Table<'_>) -> Result<Vec<((f64, f64), Marker)>,
         .collect();
     points.sort_by_key(|(_, marker)| *marker == Marker::Triangle);
     Ok(points)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
+
+    fn with_sample<T>(test: impl Fn(&Figure07<'_>) -> T) -> T {
+        let (curves, points, regions) = (
+            samples::fig07_curves(),
+            samples::fig07_points(),
+            samples::fig07_regions(),
+        );
+        test(&Figure07 {
+            curves: &curves,
+            points: &points,
+            regions: &regions,
+            window: samples::WINDOW,
+            magnified: &samples::magnified(),
+            section: samples::SECTION,
+        })
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
+        let misplaced = with_sample(|figure| compose(figure).unwrap().misplaced_texts());
+        assert!(misplaced.is_empty(), "{misplaced:?}");
+    }
+
+    #[test]
+    fn all_things_of_the_caption_are_labelled() {
+        let svg = with_sample(|figure| draw_fig07(figure).unwrap());
+        for label in [
+            ">SN<",
+            ">PD<",
+            ">GZ<",
+            ">Fig. 2<",
+            ">(a)<",
+            ">(b)<",
+            ">(c)<",
+            ">graz</tspan>",
+        ] {
+            assert!(svg.contains(label), "{label}");
+        }
+        for p in 1..=3 {
+            assert!(
+                svg.contains(&format!(">p</tspan>\u{2009}=\u{2009}{p}<")),
+                "p = {p}"
+            );
+        }
+    }
+
+    #[test]
+    fn equal_input_gives_equal_bytes() {
+        assert_eq!(
+            with_sample(|f| draw_fig07(f).unwrap()),
+            with_sample(|f| draw_fig07(f).unwrap())
+        );
+    }
+
+    #[test]
+    fn inadmissible_rows_are_not_drawn() {
+        with_sample(|figure| {
+            let all = draw_fig07(figure).unwrap();
+            let none = vec![false; figure.curves.height()];
+            let mut curves = figure.curves.clone();
+            curves
+                .with_column(polars::prelude::Column::new("admissible".into(), none))
+                .unwrap();
+            let without = draw_fig07(&Figure07 {
+                curves: &curves,
+                ..*figure
+            })
+            .unwrap();
+            let blue = "stroke=\"#1946be\"";
+            assert!(all.contains(blue) && !without.contains(blue));
+        });
+    }
+
+    #[test]
+    fn a_missing_column_and_a_reversed_window_are_errors() {
+        with_sample(|figure| {
+            let curves = figure.curves.drop("arc").unwrap();
+            let error = draw_fig07(&Figure07 {
+                curves: &curves,
+                ..*figure
+            })
+            .unwrap_err();
+            assert!(matches!(
+                error,
+                DrawingError::MissingColumn {
+                    frame: "fig07_curves",
+                    column: "arc",
+                    ..
+                }
+            ));
+            let window = Window {
+                x: [1.0, 0.0],
+                ..figure.window
+            };
+            let error = draw_fig07(&Figure07 { window, ..*figure }).unwrap_err();
+            assert!(matches!(error, DrawingError::Window { window: "fig07", .. }));
+        });
+    }
 }

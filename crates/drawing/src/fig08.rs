@@ -3,16 +3,14 @@
 use polars::prelude::DataFrame;
 
 use crate::DrawingError;
-use crate::axes::{Marker, Panel};
-use crate::canvas::{Bounds, Canvas, Spot};
-use crate::fig07::{Magnified, panel_letter, read_points};
+use crate::axes::Panel;
+use crate::canvas::Canvas;
+use crate::fig07::{Magnified, MarkedPoint, panel_letter, read_points};
 use crate::frames::{Table, runs};
 use crate::kinds::{Kind, Region, read_regions};
-use crate::labels::{Labels, Wanted};
-use crate::placement::length;
-use crate::style::{
-    BLACK, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, SMALL_LABEL_SIZE, TICK_SIZE, WIDE_MM, approximation,
-};
+use crate::labels::Labels;
+use crate::sheet::{Bounds, Spot};
+use crate::style::{BLACK, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, TICK_SIZE, WIDE_MM, approximation};
 use crate::svg_backend::Anchor;
 use crate::ticks::significant;
 
@@ -60,8 +58,8 @@ const LABELLED_LENGTH: f64 = 24.0;
 /// Draws Figure 8.
 ///
 /// # Errors
-/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown, a window is empty or their number is
-/// not three.
+/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown, a window is empty or their
+/// number is not three.
 pub fn draw_fig08(figure: &Figure08<'_>) -> Result<String, DrawingError> {
     compose(figure)?.finish(
         "fig08",
@@ -112,7 +110,7 @@ fn draw_panel(
     panel: &Panel<'_>,
     curves: &[&Curve],
     regions: &[Region],
-    markers: &[((f64, f64), Marker)],
+    markers: &[MarkedPoint],
 ) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
     for region in regions {
@@ -133,8 +131,10 @@ fn draw_panel(
             curve.kind.pen()
         };
         for piece in panel.line(&curve.points, pen)? {
-            labels.placer.keep_off(&piece);
-            if !curve.approximate {
+            if curve.approximate {
+                labels.placer.keep_off_nameless(&piece);
+            } else {
+                labels.placer.keep_off(&piece);
                 drawn.push((curve.kind, piece));
             }
         }
@@ -144,15 +144,7 @@ fn draw_panel(
             labels.placer.block(taken.grown(0.5));
         }
     }
-    drawn.sort_by(|a, b| length(&b.1).total_cmp(&length(&a.1)));
-    for (kind, piece) in drawn.iter().filter(|(_, piece)| length(piece) >= LABELLED_LENGTH) {
-        labels.add(
-            kind.label(),
-            SMALL_LABEL_SIZE,
-            kind.text_colour(),
-            &Wanted::Beside(piece),
-        )?;
-    }
+    labels.name_curves(drawn, LABELLED_LENGTH)?;
     labels.draw()
 }
 
@@ -183,7 +175,7 @@ fn draw_heading(
         BLACK,
     )?;
     let (sn, pd) = (significant(*saddle_node, 4), significant(*period_doubling, 4));
-    let text = format!(r"$c_{{\mathrm{{SN,}}{p}}}={sn}$,   $c_{{\mathrm{{PD,}}{p}}}={pd}$");
+    let text = format!(r"$c_{{\mathrm{{SN,}}{p}}}={sn}$,  $c_{{\mathrm{{PD,}}{p}}}={pd}$");
     canvas.text(
         (bounds.left, bounds.top - 5.0),
         &text,
@@ -232,4 +224,55 @@ fn read_coefficients(table: Table<'_>) -> Result<Vec<Coefficients>, DrawingError
             period_doubling: pd[i],
         })
         .collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
+
+    fn with_sample<T>(test: impl Fn(&Figure08<'_>) -> T) -> T {
+        let (curves, coefficients) = (samples::fig08_curves(), samples::fig08_coefficients());
+        let (points, regions) = (samples::fig07_points(), samples::fig07_regions());
+        test(&Figure08 {
+            curves: &curves,
+            points: &points,
+            regions: &regions,
+            coefficients: &coefficients,
+            panels: &samples::magnified(),
+        })
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
+        let misplaced = with_sample(|figure| compose(figure).unwrap().misplaced_texts());
+        assert!(misplaced.is_empty(), "{misplaced:?}");
+    }
+
+    #[test]
+    fn coefficients_are_printed_to_four_figures() {
+        let svg = with_sample(|figure| draw_fig08(figure).unwrap());
+        for number in ["−123.5", "98.77", "−9876", "1234"] {
+            assert!(svg.contains(number), "{number}");
+        }
+    }
+
+    #[test]
+    fn only_approximations_are_plainly_dashed() {
+        let svg = with_sample(|figure| draw_fig08(figure).unwrap());
+        // Two approximations in each of three panels.
+        assert_eq!(svg.matches("stroke-dasharray=\"3.2 2\"").count(), 6);
+    }
+
+    #[test]
+    fn another_number_of_panels_is_an_error() {
+        with_sample(|figure| {
+            let error = draw_fig08(&Figure08 {
+                panels: &figure.panels[..2],
+                ..*figure
+            })
+            .unwrap_err();
+            assert!(matches!(error, DrawingError::PanelCount { found: 2, .. }));
+        });
+    }
 }

@@ -16,10 +16,6 @@ impl<'a> Table<'a> {
         Table { name, frame }
     }
 
-    pub(crate) fn name(&self) -> &'static str {
-        self.name
-    }
-
     fn column(&self, column: &'static str) -> Result<&'a Column, DrawingError> {
         self.frame
             .column(column)
@@ -50,7 +46,9 @@ impl<'a> Table<'a> {
             wanted,
             found: raw.dtype().to_string(),
         };
-        if !admits(raw.dtype()) && !(raw.is_empty() || raw.null_count() == raw.len()) {
+        // A column without a single value has no type of its own.
+        let empty = raw.null_count() == raw.len();
+        if !empty && !admits(raw.dtype()) {
             return Err(wrong());
         }
         raw.cast(to).map_err(|_| wrong())
@@ -148,4 +146,78 @@ pub(crate) fn runs<K: PartialEq>(keys: &[K]) -> Vec<std::ops::Range<usize>> {
         }
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use polars::prelude::df;
+
+    use super::*;
+
+    #[test]
+    fn a_missing_column_is_named_together_with_its_frame() {
+        let frame = df!("omega" => [0.5], "kind" => ["SN"]).unwrap();
+        let error = Table::new("fig07_curves", &frame)
+            .numbers("amplitude")
+            .unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "frame `fig07_curves` has no column `amplitude`; it has: omega, kind"
+        );
+    }
+
+    #[test]
+    fn a_column_of_another_type_is_refused_rather_than_guessed() {
+        let frame = df!("p" => ["one"], "omega" => ["x"], "stable" => [1_i64]).unwrap();
+        let table = Table::new("t", &frame);
+        for error in [
+            table.integers("p").unwrap_err(),
+            table.numbers("omega").unwrap_err(),
+            table.flags("stable").unwrap_err(),
+        ] {
+            assert!(
+                matches!(error, DrawingError::ColumnType { frame: "t", .. }),
+                "{error}"
+            );
+        }
+    }
+
+    #[test]
+    fn an_empty_number_becomes_nan_and_an_empty_integer_an_error() {
+        let frame = df!("x" => [Some(1.5), None], "p" => [Some(1_u32), None]).unwrap();
+        let table = Table::new("t", &frame);
+        let x = table.numbers("x").unwrap();
+        assert!(x[0] == 1.5 && x[1].is_nan());
+        assert!(matches!(
+            table.integers("p"),
+            Err(DrawingError::EmptyCell {
+                column: "p",
+                row: 1,
+                ..
+            })
+        ));
+    }
+
+    #[test]
+    fn whole_numbers_serve_as_numbers() {
+        let frame = df!("amplitude" => [1_i64, 2]).unwrap();
+        assert_eq!(Table::new("t", &frame).numbers("amplitude").unwrap(), [1.0, 2.0]);
+    }
+
+    #[test]
+    fn an_unknown_word_is_quoted_with_the_words_allowed() {
+        let frame = df!("kind" => ["SN", "HB"]).unwrap();
+        let parse = |word: &str| (word == "SN").then_some(());
+        let error = Table::new("t", &frame).words("kind", "SN", parse).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "column `kind` of frame `t` has the unknown value `HB`; known are: SN"
+        );
+    }
+
+    #[test]
+    fn runs_are_split_where_the_key_changes() {
+        assert_eq!(runs(&[1, 1, 2, 1]), [0..2, 2..3, 3..4]);
+        assert!(runs::<u8>(&[]).is_empty());
+    }
 }

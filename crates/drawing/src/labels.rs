@@ -1,10 +1,12 @@
 //! Labels of one panel: placed while the figure is built up, drawn over everything else at the end.
 
 use crate::DrawingError;
-use crate::canvas::{Bounds, Canvas, Ink, Spot};
+use crate::canvas::{Canvas, Ink};
+use crate::kinds::Kind;
 use crate::markup::Label;
 use crate::placement::{Place, Placer};
-use crate::style::{Colour, LEADER};
+use crate::sheet::{Bounds, Spot, along, length, near};
+use crate::style::{Colour, LABEL_SIZE, LEADER, SMALL_LABEL_SIZE};
 
 /// Free space kept around a label's ink, in points.
 const PADDING: f64 = 1.2;
@@ -55,6 +57,35 @@ impl<'c> Labels<'c> {
             self.placed.push((label, size, colour, place));
         }
         Ok(place.is_some())
+    }
+
+    /// Names bifurcation curves by their kind, the longest first, those shorter than `least` (points) not at all.
+    ///
+    /// A curve is named once, though it may come twice, followed from its two ends.
+    pub(crate) fn name_curves(
+        &mut self,
+        mut curves: Vec<(Kind, Vec<Spot>)>,
+        least: f64,
+    ) -> Result<(), DrawingError> {
+        curves.sort_by(|a, b| length(&b.1).total_cmp(&length(&a.1)));
+        let mut named: Vec<(Kind, Vec<Spot>)> = Vec::new();
+        for (kind, piece) in curves.into_iter().filter(|(_, piece)| length(piece) >= least) {
+            let middle = along(&piece, 0.5).map(|(spot, _)| spot);
+            let again = |other: &(Kind, Vec<Spot>)| {
+                other.0 == kind && middle.is_some_and(|spot| near(&other.1, spot, 1.5))
+            };
+            if named.iter().any(again) {
+                continue;
+            }
+            let size = if kind == Kind::Graz {
+                LABEL_SIZE
+            } else {
+                SMALL_LABEL_SIZE
+            };
+            self.add(kind.label(), size, kind.text_colour(), &Wanted::Beside(&piece))?;
+            named.push((kind, piece));
+        }
+        Ok(())
     }
 
     /// Draws all labels and their leaders.

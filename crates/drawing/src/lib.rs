@@ -1,6 +1,19 @@
 //! The figures of the paper as SVG, drawn from data frames.
+//!
+//! One struct and one function a figure: [`Figure02`] and [`draw_fig02`], [`Figure07`] and [`draw_fig07`], [`Figure08`]
+//! and [`draw_fig08`]. A struct borrows the frames and says which windows are shown; the function returns the text of
+//! an SVG file. This crate knows frames, windows and ink; it computes nothing about impacts, and equal input gives
+//! equal bytes.
+//!
+//! plotters maps data to the sheet and passes elements to a backend of our own, which writes lengths in points with two
+//! decimals. Curves and polygons are clipped before plotters sees them, because it clamps points to the frame, and are
+//! split at NaN. Text stays text, in fonts that are embedded in each file and measured when labels are placed.
+
+#[cfg(test)]
+mod samples;
 
 mod axes;
+mod branches;
 mod canvas;
 mod clip;
 mod cloud;
@@ -15,9 +28,11 @@ mod labels;
 mod markup;
 mod placement;
 mod portraits;
+mod sheet;
 mod simplify;
 mod style;
 mod svg_backend;
+mod svg_text;
 mod ticks;
 
 pub use clip::Window;

@@ -1,12 +1,16 @@
 //! Where labels go: greedily, in a fixed order, each at the first best of a fixed list of places.
 
-use crate::canvas::{Bounds, Spot};
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use crate::sheet::{Bounds, Spot, along, crosses, distance, inside, thinned};
 
 /// What is already on a panel, as far as labels must keep off it.
 pub(crate) struct Placer {
     panel: Bounds,
     blocked: Vec<Bounds>,
     segments: Vec<(Spot, Spot)>,
+    /// Segments of curves that never get a label of their own.
+    nameless: Vec<(Spot, Spot)>,
     dust: Vec<Spot>,
 }
 
@@ -18,87 +22,13 @@ pub(crate) struct Place {
     pub(crate) leader: Option<(Spot, Spot)>,
 }
 
-/// Curves are thinned to segments of at least this length (points): labels need no finer picture of them.
-const GRAIN: f64 = 0.8;
-
-fn distance(a: Spot, b: Spot) -> f64 {
-    let (dx, dy) = (a.0 - b.0, a.1 - b.1);
-    (dx * dx + dy * dy).sqrt()
-}
-
-fn crosses(bounds: &Bounds, (a, b): (Spot, Spot)) -> bool {
-    // Liang–Barsky without the answer's coordinates.
-    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
-    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for (outward, room) in [
-        (-dx, a.0 - bounds.left),
-        (dx, bounds.right - a.0),
-        (-dy, a.1 - bounds.top),
-        (dy, bounds.bottom - a.1),
-    ] {
-        if outward == 0.0 {
-            if room < 0.0 {
-                return false;
-            }
-        } else if outward < 0.0 {
-            enter = enter.max(room / outward);
-        } else {
-            leave = leave.min(room / outward);
-        }
-    }
-    enter <= leave
-}
-
-/// True if the spot is inside the closed polygon (even-odd rule).
-pub(crate) fn inside(polygon: &[Spot], (x, y): Spot) -> bool {
-    let mut within = false;
-    for (a, b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
-        if (a.1 > y) != (b.1 > y) && x < a.0 + (y - a.1) / (b.1 - a.1) * (b.0 - a.0) {
-            within = !within;
-        }
-    }
-    within
-}
-
-/// The curve without the points that are closer than [`GRAIN`] to the one kept before; both ends stay.
-fn thinned(curve: &[Spot]) -> Vec<Spot> {
-    let mut kept: Vec<Spot> = Vec::new();
-    for (index, &spot) in curve.iter().enumerate() {
-        if kept.last().is_none_or(|&last| distance(last, spot) >= GRAIN) || index + 1 == curve.len() {
-            kept.push(spot);
-        }
-    }
-    kept
-}
-
-/// Length of a polyline on the sheet, in points.
-pub(crate) fn length(curve: &[Spot]) -> f64 {
-    curve.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
-}
-
-/// The spot at a fraction of the curve's length, and the curve's unit direction there.
-pub(crate) fn along(curve: &[Spot], fraction: f64) -> Option<(Spot, Spot)> {
-    let mut left = fraction * length(curve);
-    for pair in curve.windows(2) {
-        let step = distance(pair[0], pair[1]);
-        if step > 0.0 && left <= step {
-            let direction = ((pair[1].0 - pair[0].0) / step, (pair[1].1 - pair[0].1) / step);
-            return Some((
-                (pair[0].0 + left * direction.0, pair[0].1 + left * direction.1),
-                direction,
-            ));
-        }
-        left -= step;
-    }
-    None
-}
-
 impl Placer {
     pub(crate) fn new(panel: Bounds) -> Self {
         Placer {
             panel,
             blocked: Vec::new(),
             segments: Vec::new(),
+            nameless: Vec::new(),
             dust: Vec::new(),
         }
     }
@@ -111,6 +41,12 @@ impl Placer {
     /// Keeps labels off a curve.
     pub(crate) fn keep_off(&mut self, curve: &[Spot]) {
         self.segments
+            .extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
+    }
+
+    /// Keeps labels off a curve for which no label near by could be mistaken.
+    pub(crate) fn keep_off_nameless(&mut self, curve: &[Spot]) {
+        self.nameless
             .extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
     }
 
@@ -135,7 +71,13 @@ impl Placer {
         if !self.panel.holds(bounds) || self.blocked.iter().any(|b| b.overlaps(bounds)) {
             return None;
         }
-        Some(self.segments.iter().filter(|s| crosses(bounds, **s)).count())
+        Some(
+            self.segments
+                .iter()
+                .chain(&self.nameless)
+                .filter(|s| crosses(bounds, **s))
+                .count(),
+        )
     }
 
     fn take(&mut self, place: Option<Place>) -> Option<Place> {
@@ -160,31 +102,26 @@ impl Placer {
             // The box's half-width seen along the normal brings its nearest corner or edge to the gap.
             let reach = 0.5 * (width * normal.0.abs() + height * normal.1.abs()) + gap;
             let bounds = Bounds::about((at.0 + normal.0 * reach, at.1 + normal.1 * reach), width, height);
-            Place {
-                bounds,
-                leader: None,
-            }
+            Place { bounds, leader: None }
         };
-        // First where the label is clearly nearer to its own curve than to any other, then wherever it is free.
+        // First where the label is clearly nearer to its own curve than to any other, then where it is just nearer.
         let rounds = [
-            (1.5, true),
-            (2.5, true),
-            (1.5, false),
-            (2.5, false),
-            (5.0, true),
-            (5.0, false),
+            (1.5, 2.0),
+            (2.5, 2.0),
+            (4.0, 2.0),
+            (1.5, -0.3),
+            (2.5, -0.3),
+            (4.0, -0.3),
+            (6.0, -0.3),
         ];
-        for (gap, clearly) in rounds
-            .into_iter()
-            .chain([(8.0, false), (12.0, false), (18.0, false)])
-        {
+        for (gap, lead) in rounds {
             for &spot in &spots {
                 for side in [1.0, -1.0] {
                     let place = place_at(spot, side, gap);
-                    let near = place.bounds.grown(gap + 2.0);
+                    let near = place.bounds.grown(gap + lead);
                     if self.cost(&place.bounds) == Some(0)
-                        && !(clearly
-                            && (self.dusty(&place.bounds) > 0 || foreign.iter().any(|&s| crosses(&near, s))))
+                        && !foreign.iter().any(|&s| crosses(&near, s))
+                        && (lead < 0.0 || self.dusty(&place.bounds) == 0)
                     {
                         return self.take(Some(place));
                     }
@@ -213,7 +150,7 @@ impl Placer {
         const TURNS: [Spot; 5] = [
             (1.0, 0.0),
             (0.923_88, 0.382_68),
-            (0.707_11, 0.707_11),
+            (FRAC_1_SQRT_2, FRAC_1_SQRT_2),
             (0.382_68, 0.923_88),
             (0.0, 1.0),
         ];
@@ -313,6 +250,38 @@ impl Placer {
         self.take(place)
     }
 
+    /// A spot well inside a polygon and off everything blocked: of a grid of trial spots, the one farthest from the
+    /// outline.
+    pub(crate) fn deep_inside(&self, polygon: &[Spot]) -> Option<Spot> {
+        const TRIALS: u32 = 40;
+        let outline = thinned(polygon);
+        let range = |pick: fn(&Spot) -> f64| {
+            let least = outline.iter().map(pick).fold(f64::INFINITY, f64::min);
+            (
+                least,
+                outline.iter().map(pick).fold(f64::NEG_INFINITY, f64::max) - least,
+            )
+        };
+        let ((left, width), (top, height)) = (range(|p| p.0), range(|p| p.1));
+        let share = |i: u32| (f64::from(i) + 0.5) / f64::from(TRIALS);
+        let mut best: Option<(f64, Spot)> = None;
+        for (i, j) in (0..TRIALS).flat_map(|j| (0..TRIALS).map(move |i| (i, j))) {
+            let spot = (left + width * share(i), top + height * share(j));
+            let around = Bounds::about(spot, 2.0, 2.0);
+            if !inside(&outline, spot) || self.blocked.iter().any(|b| b.overlaps(&around)) {
+                continue;
+            }
+            let depth = outline
+                .iter()
+                .map(|&p| distance(p, spot))
+                .fold(f64::INFINITY, f64::min);
+            if best.is_none_or(|(deepest, _)| depth > deepest) {
+                best = Some((depth, spot));
+            }
+        }
+        best.map(|(_, spot)| spot)
+    }
+
     /// Distance from a box to the nearest curve, blocked box or edge of the panel (Chebyshev for boxes).
     fn clearance(&self, bounds: &Bounds) -> f64 {
         let outside = |(x, y): Spot| {
@@ -332,47 +301,6 @@ impl Placer {
         });
         curves.chain(boxes).fold(edges, f64::min)
     }
-}
-
-/// A spot well inside a polygon: of a grid of trial spots, the one farthest from the outline.
-pub(crate) fn deep_inside(polygon: &[Spot]) -> Option<Spot> {
-    let outline = thinned(polygon);
-    let bound = |pick: fn(&Spot) -> f64| {
-        let least = outline.iter().map(pick).fold(f64::INFINITY, f64::min);
-        (
-            least,
-            outline.iter().map(pick).fold(f64::NEG_INFINITY, f64::max) - least,
-        )
-    };
-    let ((left, width), (top, height)) = (bound(|p| p.0), bound(|p| p.1));
-    let trial = |i: u32, j: u32| {
-        (
-            left + width * (f64::from(i) + 0.5) / 40.0,
-            top + height * (f64::from(j) + 0.5) / 40.0,
-        )
-    };
-    let mut best: Option<(f64, Spot)> = None;
-    for spot in (0..40)
-        .flat_map(|j| (0..40).map(move |i| trial(i, j)))
-        .filter(|&s| inside(&outline, s))
-    {
-        let depth = outline
-            .iter()
-            .map(|&p| distance(p, spot))
-            .fold(f64::INFINITY, f64::min);
-        if best.is_none_or(|(deepest, _)| depth > deepest) {
-            best = Some((depth, spot));
-        }
-    }
-    best.map(|(_, spot)| spot)
-}
-
-/// True if the spot is within reach of a curve.
-pub(crate) fn near(curve: &[Spot], spot: Spot, reach: f64) -> bool {
-    let box_around = Bounds::about(spot, 2.0 * reach, 2.0 * reach);
-    curve
-        .windows(2)
-        .any(|pair| crosses(&box_around, (pair[0], pair[1])))
 }
 
 /// A line from the box's edge towards the spot, which it stops short of.
@@ -437,9 +365,14 @@ mod tests {
         let sliver = [(40.0, 50.0), (60.0, 50.0), (60.0, 52.0), (40.0, 52.0)];
         let mut placer = Placer::new(SHEET);
         assert_eq!(placer.within(&sliver, 10.0, 6.0), None);
-        for spot in [(38.0, 51.0), (62.0, 51.0), (50.0, 41.0), (50.0, 61.0)] {
-            placer.block(Bounds::about(spot, 12.0, 12.0));
-        }
+        // A ring that holds every near place off; a leader may cross it.
+        placer.keep_off(&[
+            (42.0, 47.0),
+            (58.0, 47.0),
+            (58.0, 55.0),
+            (42.0, 55.0),
+            (42.0, 47.0),
+        ]);
         let place = placer.around((50.0, 51.0), 1.0, 10.0, 6.0).unwrap();
         assert!(place.leader.is_some());
         // The leader stops at the clearance asked for.

@@ -2,10 +2,11 @@
 
 use crate::DrawingError;
 use crate::axes::Panel;
-use crate::canvas::{Bounds, Canvas, Ink};
+use crate::canvas::{Canvas, Ink};
 use crate::clip::Window;
 use crate::fig07::panel_letter;
 use crate::frames::{Table, runs};
+use crate::sheet::Bounds;
 use crate::style::{
     ATTRACTOR_ORBIT, BLACK, IMPACT, PERIODIC_ORBIT, TICK_SIZE, WALL, WALL_FACE, WALL_HATCHING, branch_pen,
 };
@@ -32,7 +33,7 @@ const MOST: usize = 6;
 /// Reads the frame of portraits.
 pub(crate) fn read_portraits(table: Table<'_>) -> Result<Vec<Portrait>, DrawingError> {
     let (number, p) = (table.integers("portrait")?, table.integers("p")?);
-    let attractor = table.words("kind", "periodic, attractor", |word| match word {
+    let attractor = table.words("kind", "periodic, attractor, chaotic", |word| match word {
         "periodic" => Some(false),
         "attractor" | "chaotic" => Some(true),
         _ => None,
@@ -183,4 +184,63 @@ fn wall(panel: &Panel<'_>) -> Result<(), DrawingError> {
         start += 3.5;
     }
     canvas.draw(&[(left, top), (left, bottom)], Ink::Line(WALL))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_impact_breaks_the_line_and_a_fast_crossing_of_the_axis_does_not() {
+        let orbit = [(-0.1, 1.0), (0.0, 0.9), (0.0, -0.8), (-0.1, -0.9), (-0.2, 0.1)];
+        let broken = without_jumps(&orbit);
+        assert_eq!(broken.len(), 6);
+        assert!(broken[2].0.is_nan());
+        assert_eq!(&broken[3..], &orbit[2..]);
+    }
+
+    #[test]
+    fn the_jump_that_closes_a_periodic_orbit_is_drawn_dashed_and_a_graze_leaves_none() {
+        let window = Window {
+            x: [-1.0, 0.0],
+            y: [-1.0, 1.0],
+        };
+        let bounds = Bounds {
+            left: 10.0,
+            top: 10.0,
+            right: 90.0,
+            bottom: 90.0,
+        };
+        let drawn = |orbit: &[(f64, f64)]| {
+            let canvas = Canvas::new(40.0, 40.0).unwrap();
+            jump(&Panel::new(&canvas, window, bounds), orbit).unwrap();
+            canvas
+                .finish("test", "", "")
+                .unwrap()
+                .matches("stroke-dasharray")
+                .count()
+        };
+        assert_eq!(
+            drawn(&[(0.0, -0.5), (-0.9, 0.0), (0.0, 0.6), (f64::NAN, f64::NAN)]),
+            1
+        );
+        assert_eq!(drawn(&[(0.0, 0.0), (-0.9, -0.5), (-0.9, 0.5), (0.0, 0.0)]), 0);
+    }
+
+    #[test]
+    fn the_window_ends_at_the_wall_and_holds_every_orbit() {
+        let portrait = |orbit| Portrait {
+            number: 1,
+            amplitude: 1.0,
+            p: 0,
+            attractor: false,
+            orbit,
+        };
+        let window = common_window(&[
+            portrait(vec![(-2.0, 0.3), (f64::NAN, 9.0)]),
+            portrait(vec![(-1.0, -0.7)]),
+        ]);
+        assert_eq!(window.x[1], 0.0);
+        assert!(window.x[0] < -2.0 && window.y[0] < -0.7 && window.y[1] == -window.y[0]);
+    }
 }

@@ -157,7 +157,7 @@ pub(crate) const CLOUD: [Paint; 3] = [
     },
 ];
 /// Side of a bin of the attractor, in points.
-pub(crate) const CLOUD_BIN: f64 = 0.3;
+pub(crate) const CLOUD_BIN: f64 = 0.36;
 
 pub(crate) const PERIODIC_ORBIT: Pen = Pen::solid(BLACK, 0.9);
 pub(crate) const ATTRACTOR_ORBIT: Pen = Pen::solid(Colour(70, 95, 130), 0.25);
@@ -172,7 +172,7 @@ pub(crate) const GUIDE: Pen = Pen::dashed(GREY, 0.45, &[0.8, 1.6]);
 /// The window that is magnified.
 pub(crate) const MAGNIFIER: Pen = Pen::solid(ORANGE, 0.8);
 /// Frame of the magnification: a rim around the black one.
-pub(crate) const MAGNIFIER_FRAME: Pen = Pen::solid(ORANGE, 2.4);
+pub(crate) const MAGNIFIER_FRAME: Pen = Pen::solid(ORANGE, 1.9);
 /// Bifurcations in the one-parameter diagram.
 pub(crate) const POINT_RADIUS: f64 = 1.9;
 pub(crate) const POINT_RIM: Pen = Pen::solid(BLACK, 0.4);

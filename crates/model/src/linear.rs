@@ -134,7 +134,11 @@ impl ImpactOscillator for LinearOscillator {
     }
 
     fn forcing_frequency(&self) -> ParameterJet {
-        ParameterJet { value: self.frequency, gradient: Vector2::new(0.0, 1.0), hessian: Matrix2::zeros() }
+        ParameterJet {
+            value: self.frequency,
+            gradient: Vector2::new(0.0, 1.0),
+            hessian: Matrix2::zeros(),
+        }
     }
 
     fn acceleration(&self, state: State) -> f64 {

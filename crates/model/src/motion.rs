@@ -105,14 +105,24 @@ impl Cell {
 
     /// No point of the cell lies above this.
     fn ceiling(&self, bounds: &Bounds) -> f64 {
-        self.first.position.max(self.last.position)
-            + self.width() * self.width() / 8.0 * bounds.acceleration
+        self.first.position.max(self.last.position) + self.width() * self.width() / 8.0 * bounds.acceleration
     }
 
     fn halves(&self, motion: &impl Motion) -> [Cell; 2] {
         let time = 0.5 * (self.start + self.end);
         let middle = motion.at(time);
-        [Cell { end: time, last: middle, ..*self }, Cell { start: time, first: middle, ..*self }]
+        [
+            Cell {
+                end: time,
+                last: middle,
+                ..*self
+            },
+            Cell {
+                start: time,
+                first: middle,
+                ..*self
+            },
+        ]
     }
 
     /// The zero of the velocity, which is strictly monotone in this cell and changes sign.
@@ -161,7 +171,9 @@ impl Cell {
             }
             Course::Open if self.width() >= NARROWEST_CELL => {
                 let [left, right] = self.halves(motion);
-                return left.crossing(motion, bounds).or_else(|| right.crossing(motion, bounds));
+                return left
+                    .crossing(motion, bounds)
+                    .or_else(|| right.crossing(motion, bounds));
             }
             Course::Monotone | Course::Curved { .. } | Course::Open => (self.end, self.last),
         };
@@ -194,7 +206,10 @@ impl Cell {
         }
         if rising && self.last.velocity <= 0.0 {
             let time = self.stationary_time(motion);
-            return threshold.max(visit(Maximum { time, position: motion.at(time).position }));
+            return threshold.max(visit(Maximum {
+                time,
+                position: motion.at(time).position,
+            }));
         }
         threshold
     }
@@ -231,7 +246,12 @@ fn cells_above(
             } else {
                 (horizon, motion.at(horizon))
             };
-            return Some(Cell { start, first: here.kinematics(), end, last });
+            return Some(Cell {
+                start,
+                first: here.kinematics(),
+                end,
+                last,
+            });
         }
     })
 }
@@ -296,7 +316,12 @@ pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<
     while start < horizon {
         let end = (start + motion.stride()).min(horizon);
         let last = motion.at(sign * end);
-        let cell = Cell { start: sign * start, first, end: sign * end, last };
+        let cell = Cell {
+            start: sign * start,
+            first,
+            end: sign * end,
+            last,
+        };
         if let Some(time) = cell.rest(motion, &bounds) {
             return Some(time);
         }
@@ -333,22 +358,25 @@ fn inverse_hermite([f, g]: [f64; 2], [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f6
 ///
 /// `rising` says that the function is negative at the bracket's first end. A Newton step shorter than √ε of the argument ends the
 /// iteration: by quadratic convergence the point it leads to is exact to rounding.
-fn bracketed_newton(
-    [a, b]: [f64; 2],
-    rising: bool,
-    guess: f64,
-    f: impl Fn(f64) -> (f64, f64),
-) -> f64 {
+fn bracketed_newton([a, b]: [f64; 2], rising: bool, guess: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high) = if rising { (a, b) } else { (b, a) };
     let inside = |time: f64, low: f64, high: f64| (time - low) * (time - high) < 0.0;
-    let mut time = if inside(guess, low, high) { guess } else { 0.5 * (a + b) };
+    let mut time = if inside(guess, low, high) {
+        guess
+    } else {
+        0.5 * (a + b)
+    };
     // Bisection alone empties a bracket of doubles in at most about 60 steps near 1; twice that is ample.
     for _ in 0..128 {
         let (value, slope) = f(time);
         if value == 0.0 {
             return time;
         }
-        if value < 0.0 { low = time } else { high = time }
+        if value < 0.0 {
+            low = time
+        } else {
+            high = time
+        }
         let newton = time - value / slope;
         let accepted = inside(newton, low, high);
         let next = if accepted { newton } else { 0.5 * (low + high) };

@@ -34,8 +34,12 @@ impl Coefficients {
         let DiagramResonance { closed_form, located } = resonance;
         let (loops, n) = (closed_form.loops(), closed_form.index());
         let fit = |condition, curve| {
-            quadratic_coefficient(located, condition)
-                .map_err(|source| StudyError::Fit { curve, loops, n, source })
+            quadratic_coefficient(located, condition).map_err(|source| StudyError::Fit {
+                curve,
+                loops,
+                n,
+                source,
+            })
         };
         let stability = closed_form.stability_coefficients();
         let theorem = located.theorem();
@@ -45,9 +49,18 @@ impl Coefficients {
             frequency: closed_form.forcing_frequency(),
             amplitude: closed_form.grazing().amplitude(),
             stability: [stability.plus, stability.minus],
-            closed_form: [closed_form.saddle_node_coefficient(), closed_form.period_doubling_coefficient()],
-            theorem: [theorem.saddle_node().coefficient, theorem.period_doubling().coefficient],
-            fit: [fit(Condition::SADDLE_NODE, "SN")?, fit(Condition::PERIOD_DOUBLING, "PD")?],
+            closed_form: [
+                closed_form.saddle_node_coefficient(),
+                closed_form.period_doubling_coefficient(),
+            ],
+            theorem: [
+                theorem.saddle_node().coefficient,
+                theorem.period_doubling().coefficient,
+            ],
+            fit: [
+                fit(Condition::SADDLE_NODE, "SN")?,
+                fit(Condition::PERIOD_DOUBLING, "PD")?,
+            ],
         })
     }
 }

@@ -62,7 +62,10 @@ impl DiagramCurve {
     /// First and last point.
     pub(crate) fn ends(&self) -> [Unknowns; 2] {
         let points = &self.curve.points;
-        [points[0].solution.unknowns, points[points.len() - 1].solution.unknowns]
+        [
+            points[0].solution.unknowns,
+            points[points.len() - 1].solution.unknowns,
+        ]
     }
 }
 
@@ -106,8 +109,11 @@ impl Diagram {
         let window = parameters.fig07().window();
         let theory = grazing_theorems::LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
         let frequencies = window.frequency();
-        let mut closed_forms =
-            theory.resonances(parameters.fig07().loops(), frequencies.lower(), frequencies.upper())?;
+        let mut closed_forms = theory.resonances(
+            parameters.fig07().loops(),
+            frequencies.lower(),
+            frequencies.upper(),
+        )?;
         closed_forms.retain(|resonance| window.amplitude().contains(resonance.grazing().amplitude()));
         closed_forms.sort_by_key(|resonance| (resonance.loops(), resonance.index()));
 
@@ -119,19 +125,29 @@ impl Diagram {
             .into_par_iter()
             .map(|closed_form| {
                 let located = locate(parameters, &closed_form)?;
-                let unfolded =
-                    located.unfold(&route).map_err(|source| StudyError::resonance(&closed_form, source))?;
+                let unfolded = located
+                    .unfold(&route)
+                    .map_err(|source| StudyError::resonance(&closed_form, source))?;
                 progress.step(what);
                 Ok((DiagramResonance { closed_form, located }, unfolded))
             })
             .collect::<Result<_, StudyError>>()?;
         progress.end(what);
 
-        let mut diagram = Self { resonances: Vec::new(), curves: Vec::new(), corners: Vec::new() };
+        let mut diagram = Self {
+            resonances: Vec::new(),
+            curves: Vec::new(),
+            corners: Vec::new(),
+        };
         for (resonance, unfolded) in unfolded {
             let (loops, n) = (resonance.closed_form.loops(), resonance.closed_form.index());
             diagram.resonances.push(resonance);
-            let of_kind = |kind, curve| DiagramCurve { kind, loops, n, curve };
+            let of_kind = |kind, curve| DiagramCurve {
+                kind,
+                loops,
+                n,
+                curve,
+            };
             diagram.add(of_kind(Kind::SaddleNode, unfolded.saddle_node));
             diagram.add(of_kind(Kind::PeriodDoubling, unfolded.period_doubling));
             for curve in unfolded.grazing {
@@ -155,14 +171,24 @@ impl Diagram {
         if let CurveEnd::Event(event) = &new.curve.end {
             let pair = [Some(new.kind), Kind::of(event.condition)];
             let kind = match pair {
-                [Some(Kind::SaddleNode), Some(Kind::Grazing)] | [Some(Kind::Grazing), Some(Kind::SaddleNode)] => "SN-GZ",
+                [Some(Kind::SaddleNode), Some(Kind::Grazing)]
+                | [Some(Kind::Grazing), Some(Kind::SaddleNode)] => "SN-GZ",
                 [Some(Kind::PeriodDoubling), Some(Kind::Grazing)]
                 | [Some(Kind::Grazing), Some(Kind::PeriodDoubling)] => "PD-GZ",
                 _ => "GZ-GZ",
             };
             let unknowns = event.solution.unknowns;
-            if !self.corners.iter().any(|corner| same_point(&corner.unknowns, &unknowns)) {
-                self.corners.push(Corner { kind, loops: new.loops, n: new.n, unknowns });
+            if !self
+                .corners
+                .iter()
+                .any(|corner| same_point(&corner.unknowns, &unknowns))
+            {
+                self.corners.push(Corner {
+                    kind,
+                    loops: new.loops,
+                    n: new.n,
+                    unknowns,
+                });
             }
         }
         self.curves.push(new);

@@ -214,7 +214,7 @@ pub struct Figure8 {
 }
 
 impl Figure8 {
-    /// The panels from left to right, at least one.
+    /// The three panels from left to right.
     pub fn panels(&self) -> &[Panel] {
         &self.panels
     }

@@ -22,9 +22,20 @@ pub(crate) struct Polygon {
 /// Where the non-impacting solution is stable: amplitudes below grazing.
 pub(crate) fn non_impacting(grazing: &GrazingCurve, window: Rectangle) -> Polygon {
     let left = window.amplitude().lower();
-    let curve = grazing.states.iter().map(|state| [state.amplitude(), state.forcing_frequency()]);
-    let edge = [[left, window.frequency().upper()], [left, window.frequency().lower()]];
-    Polygon { kind: "non-impacting", loops: 0, n: 0, vertices: curve.chain(edge).collect() }
+    let curve = grazing
+        .states
+        .iter()
+        .map(|state| [state.amplitude(), state.forcing_frequency()]);
+    let edge = [
+        [left, window.frequency().upper()],
+        [left, window.frequency().lower()],
+    ];
+    Polygon {
+        kind: "non-impacting",
+        loops: 0,
+        n: 0,
+        vertices: curve.chain(edge).collect(),
+    }
 }
 
 /// Where a p-loop MPS is stable and admissible: one polygon for each chain of curves that closes.
@@ -35,12 +46,22 @@ pub(crate) fn stable_mps(diagram: &Diagram, window: Rectangle) -> Vec<Polygon> {
         if curve.kind != Kind::SaddleNode || used[index] {
             continue;
         }
-        let mut chain = Chain { diagram, window, taken: vec![index], vertices: Vec::new() };
+        let mut chain = Chain {
+            diagram,
+            window,
+            taken: vec![index],
+            vertices: Vec::new(),
+        };
         if chain.close(index) {
             for index in chain.taken {
                 used[index] = true;
             }
-            polygons.push(Polygon { kind: "mps", loops: curve.loops, n: curve.n, vertices: chain.vertices });
+            polygons.push(Polygon {
+                kind: "mps",
+                loops: curve.loops,
+                n: curve.n,
+                vertices: chain.vertices,
+            });
         }
     }
     polygons
@@ -73,7 +94,9 @@ impl Chain<'_> {
             if let Some(mut next) = self.curve_at(here) {
                 self.vertices.append(&mut next);
             } else if self.on_edge(here) {
-                let Some(mut next) = self.along_edge(here, start, leaves, clockwise) else { return false };
+                let Some(mut next) = self.along_edge(here, start, leaves, clockwise) else {
+                    return false;
+                };
                 self.vertices.append(&mut next);
             } else {
                 return false;
@@ -140,7 +163,9 @@ impl Chain<'_> {
             let gap = if clockwise { gap } else { -gap };
             gap - 4.0 * libm::floor(gap / 4.0)
         };
-        let target = targets.into_iter().min_by(|a, b| ahead(*a).total_cmp(&ahead(*b)))?;
+        let target = targets
+            .into_iter()
+            .min_by(|a, b| ahead(*a).total_cmp(&ahead(*b)))?;
         let (amplitude, frequency) = (self.window.amplitude(), self.window.frequency());
         let mut corners = [
             [amplitude.lower(), frequency.upper()],
@@ -149,8 +174,10 @@ impl Chain<'_> {
             [amplitude.lower(), frequency.lower()],
         ];
         corners.sort_by(|a, b| ahead(*a).total_cmp(&ahead(*b)));
-        let mut path: Vec<_> =
-            corners.into_iter().filter(|corner| ahead(*corner) < ahead(target)).collect();
+        let mut path: Vec<_> = corners
+            .into_iter()
+            .filter(|corner| ahead(*corner) < ahead(target))
+            .collect();
         path.push(target);
         Some(path)
     }
@@ -161,7 +188,9 @@ impl Chain<'_> {
         let across = (amplitude - a.lower()) / a.width();
         let up = (frequency - f.lower()) / f.width();
         let distances = [across, 1.0 - up, 1.0 - across, up];
-        let side = (0..4).min_by(|i, j| distances[*i].abs().total_cmp(&distances[*j].abs())).unwrap_or(0);
+        let side = (0..4)
+            .min_by(|i, j| distances[*i].abs().total_cmp(&distances[*j].abs()))
+            .unwrap_or(0);
         match side {
             0 => up,
             1 => 1.0 + across,
@@ -173,7 +202,12 @@ impl Chain<'_> {
 
 fn polyline(curve: &DiagramCurve) -> Vec<[f64; 2]> {
     let point = |unknowns: grazing_continuation::mps::Unknowns| [unknowns[2], unknowns[3]];
-    curve.curve.points.iter().map(|at| point(at.solution.unknowns)).collect()
+    curve
+        .curve
+        .points
+        .iter()
+        .map(|at| point(at.solution.unknowns))
+        .collect()
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -12,6 +12,9 @@ use insta::Settings;
 /// The default parameter file.
 pub(crate) const DEFAULT: &str = include_str!("../../../../figures/parameters.toml");
 
+/// Valid parameters with invented numbers.
+pub(crate) const INVENTED: &str = include_str!("parameters.toml");
+
 /// What a run of the program came to.
 pub(crate) struct Outcome {
     pub(crate) code: Option<i32>,
@@ -62,22 +65,22 @@ pub(crate) fn project(parameters: &str) -> tempfile::TempDir {
     folder
 }
 
-/// The default parameters with another line in the place of the first one for the key after `section`; none if it is
-/// empty. The values that stand there do not matter, so the file can change without its tests.
-pub(crate) fn edited(section: &str, key: &str, line: &str) -> String {
-    let section_start = DEFAULT.find(section).expect("the section stands in the file");
+/// The parameters with another line in the place of the first one for the key after `section`; none if it is empty.
+/// The value that stood there does not matter, so the default file can change without its tests.
+pub(crate) fn edited(parameters: &str, section: &str, key: &str, line: &str) -> String {
+    let section_start = parameters.find(section).expect("the section stands in the file");
     let assignment = format!("\n{key}");
     let start = 1
         + section_start
-        + DEFAULT[section_start..]
+        + parameters[section_start..]
             .find(&assignment)
             .expect("the key follows");
     let end = start
-        + DEFAULT[start..]
+        + parameters[start..]
             .find('\n')
             .expect("the file ends with a line end");
     let end = if line.is_empty() { end + 1 } else { end };
-    format!("{}{line}{}", &DEFAULT[..start], &DEFAULT[end..])
+    format!("{}{line}{}", &parameters[..start], &parameters[end..])
 }
 
 /// Everything in the folder, by path from it.

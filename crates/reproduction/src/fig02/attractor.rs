@@ -2,10 +2,10 @@
 
 use core::f64::consts::TAU;
 
-use grazing_model::maps::virtual_map;
-use grazing_model::motion::local_maxima;
+use grazing_model::maps::{global_map, virtual_map};
 use grazing_model::orbit::{Flight, FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearMotion, LinearOscillator, State};
+use nalgebra::Vector2;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 use rayon::prelude::*;
@@ -73,7 +73,7 @@ fn long_time_visits(oscillator: &LinearOscillator, setting: &Setting, random: &m
     let horizon = transient + f64::from(plan.recorded()) * period;
     let mut visits = Vec::new();
     for flight in settled_flights(oscillator, random_start(setting, random), transient, horizon) {
-        visits_of(oscillator, setting.grazing.phase(), &flight, &mut visits);
+        visits_of(oscillator, &flight, &mut visits);
     }
     visits
 }
@@ -87,31 +87,36 @@ pub(super) fn settled_flights(
 ) -> Vec<Flight<LinearMotion>> {
     // No orbit here has more than a few impacts a period; sticking and chattering end it by themselves.
     let impact_limit = 1_000_000;
-    Orbit::new(oscillator, from, horizon, impact_limit).filter(|flight| flight.start >= transient).collect()
+    Orbit::new(oscillator, from, horizon, impact_limit)
+        .filter(|flight| flight.start >= transient)
+        .collect()
 }
 
-/// The x-values at which a flight meets Π: its maxima, the one cut off by the wall continued to its virtual top.
-///
-/// Π is the part of y = 0 within a quarter turn of the grazing phase.
-fn visits_of(
-    oscillator: &LinearOscillator,
-    grazing_phase: f64,
-    flight: &Flight<LinearMotion>,
-    visits: &mut Vec<f64>,
-) {
-    let frequency = oscillator.forcing_frequency().value;
-    let on_section = |phase: f64| libm::cos(phase - grazing_phase) > 0.0;
-    for maximum in local_maxima(&flight.motion, flight.duration) {
-        if on_section(flight.from.phase + frequency * maximum.time) {
-            visits.push(maximum.position);
-        }
+/// The x-values at which a flight meets Π: the iterates of P_global from the virtual point of its recoil for as long as
+/// they lie within the flight, and the virtual top beyond the wall with which it ends.
+fn visits_of(oscillator: &LinearOscillator, flight: &Flight<LinearMotion>, visits: &mut Vec<f64>) {
+    let mut time = 0.0;
+    let mut here = Vector2::new(flight.from.position, flight.from.phase);
+    if flight.from.velocity != 0.0 {
+        let Ok(origin) = virtual_map::<_, 1>(oscillator, flight.from.velocity, flight.from.phase, None)
+        else {
+            return;
+        };
+        (time, here) = (origin.time, origin.jet.value);
     }
-    if let FlightEnd::Impact(impact) = flight.end {
-        let top = virtual_map::<_, 1>(oscillator, impact.velocity, impact.phase, None);
-        if let Ok(top) = top
-            && on_section(top.jet.value[1])
-        {
-            visits.push(top.jet.value[0]);
+    let half_period = 0.5 * oscillator.forcing_period();
+    while let Ok(next) = global_map::<_, 1>(oscillator, here[0], here[1], None) {
+        time += next.time;
+        // A return time far from the forcing period belongs to a maximum that is not on Π.
+        if time >= flight.duration || next.time < half_period {
+            break;
         }
+        here = next.jet.value;
+        visits.push(here[0]);
+    }
+    if let FlightEnd::Impact(impact) = flight.end
+        && let Ok(top) = virtual_map::<_, 1>(oscillator, impact.velocity, impact.phase, None)
+    {
+        visits.push(top.jet.value[0]);
     }
 }

@@ -4,8 +4,10 @@
 pub(super) const MOST_LOOPS: u32 = 12;
 /// The largest integer n of a resonance; its frequency is already below a twentieth of the natural one.
 pub(super) const MOST_N: u32 = 100;
-/// The most panels or portraits that fit side by side across a page.
-pub(super) const MOST_ABREAST: usize = 6;
+/// The most portraits that fit side by side across a page.
+pub(super) const MOST_PORTRAITS: usize = 6;
+/// The panels of Figure 8.
+pub(super) const PANELS: usize = 3;
 /// The most amplitudes of Figure 2's attractor: more than the columns of any printed figure.
 pub(super) const MOST_AMPLITUDES: u32 = 10_000;
 /// The most orbits at one amplitude.
@@ -101,7 +103,7 @@ const REQUIREMENTS: &[(&str, &str)] = &[
     ("fig08", "the table [fig08] holds the panels of Figure 8"),
     (
         "fig08.panels",
-        "[[fig08.panels]] must be one to six tables, one for each magnification",
+        "[[fig08.panels]] must be three tables, one for each magnification",
     ),
     (
         "fig08.panels.loops",
@@ -150,4 +152,38 @@ fn without_numbers(key: &str) -> String {
     key.split('[')
         .map(|part| part.split_once(']').map_or(part, |(_, rest)| rest))
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_limits_are_told_as_they_are_checked() {
+        for (key, limit) in [
+            ("fig02.loops", MOST_LOOPS),
+            ("fig07.loops", MOST_LOOPS),
+            ("fig08.panels[2].n", MOST_N),
+            ("fig02.attractor.amplitudes", MOST_AMPLITUDES),
+            ("fig02.attractor.orbits", MOST_ORBITS),
+            ("fig02.attractor.transient", MOST_PERIODS),
+            ("fig02.attractor.recorded", MOST_PERIODS),
+        ] {
+            let told = format!(" to {limit}");
+            assert!(
+                requirement(key).contains(&told),
+                "{key}: `{told}` is not in: {}",
+                requirement(key)
+            );
+        }
+    }
+
+    #[test]
+    fn the_known_keys_of_a_table_are_its_own_only() {
+        assert_eq!(known_keys(""), ["oscillator", "fig02", "fig07", "fig08"]);
+        assert_eq!(
+            known_keys("fig08.panels[3]"),
+            ["loops", "n", "amplitude", "frequency"]
+        );
+    }
 }

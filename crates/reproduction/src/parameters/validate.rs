@@ -1,5 +1,7 @@
 //! From the file as written to parameters that can be computed with.
 
+use std::ops::RangeInclusive;
+
 use grazing_theorems::{LinearOscillator, Resonance, TheoryError};
 use toml::Spanned;
 
@@ -7,8 +9,8 @@ use super::error::ParameterError;
 use super::range::{Range, Rectangle};
 use super::raw;
 use super::requirements::{
-    MOST_ABREAST, MOST_AMPLITUDES, MOST_LOOPS, MOST_N, MOST_ORBITS, MOST_PERIODS, MOST_PERIODS_IN_ALL,
-    requirement,
+    MOST_AMPLITUDES, MOST_LOOPS, MOST_N, MOST_ORBITS, MOST_PERIODS, MOST_PERIODS_IN_ALL, MOST_PORTRAITS,
+    PANELS, requirement,
 };
 use super::source::Source;
 use super::{Attractor, Figure2, Figure7, Figure8, Panel, Parameters, Portrait};
@@ -68,7 +70,7 @@ fn figure2(raw: &raw::Figure2, oscillator: &LinearOscillator, source: &Source<'_
     )?;
     let magnified_x = range_inside(source, "fig02.magnification.x", &part.x, "fig02.x", &x)?;
     let attractor = attractor(&raw.attractor, source)?;
-    bound_members(source, "fig02.portraits", &raw.portraits)?;
+    bound_members(source, "fig02.portraits", &raw.portraits, 1..=MOST_PORTRAITS)?;
     let mut portraits = Vec::new();
     for (portrait, number) in raw.portraits.get_ref().iter().zip(1..) {
         let key = format!("fig02.portraits[{number}].loops");
@@ -164,7 +166,7 @@ fn figure8(
     oscillator: &LinearOscillator,
     source: &Source<'_>,
 ) -> Checked<Figure8> {
-    bound_members(source, "fig08.panels", &raw.panels)?;
+    bound_members(source, "fig08.panels", &raw.panels, PANELS..=PANELS)?;
     let mut panels = Vec::new();
     for (panel, number) in raw.panels.get_ref().iter().zip(1..) {
         let key = |name: &str| format!("fig08.panels[{number}].{name}");
@@ -264,7 +266,7 @@ fn range_inside(
 fn loops(source: &Source<'_>, key: &str, value: &Spanned<Vec<Spanned<u32>>>) -> Checked<Vec<u32>> {
     let mut numbers = Vec::new();
     for written in value.get_ref() {
-        let p = demand(source, key, written, |p| 1 <= p && p <= MOST_LOOPS)?;
+        let p = demand(source, key, written, |p| (1..=MOST_LOOPS).contains(&p))?;
         if numbers.contains(&p) {
             return Err(source.forbid(
                 key,
@@ -280,8 +282,13 @@ fn loops(source: &Source<'_>, key: &str, value: &Spanned<Vec<Spanned<u32>>>) -> 
     Ok(numbers)
 }
 
-fn bound_members<T>(source: &Source<'_>, key: &str, members: &Spanned<Vec<T>>) -> Checked<()> {
-    if (1..=MOST_ABREAST).contains(&members.get_ref().len()) {
+fn bound_members<T>(
+    source: &Source<'_>,
+    key: &str,
+    members: &Spanned<Vec<T>>,
+    allowed: RangeInclusive<usize>,
+) -> Checked<()> {
+    if allowed.contains(&members.get_ref().len()) {
         return Ok(());
     }
     Err(source.forbid(key, members, requirement(key).to_owned()))

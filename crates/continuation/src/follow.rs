@@ -1,0 +1,320 @@
+//! Following a curve of MPSs point by point: events, changes of formulation, ends.
+
+use core::ops::ControlFlow;
+
+use grazing_model::ImpactOscillator;
+use grazing_model::maps::MapError;
+
+use crate::arclength::{Continuation, Stall, Station};
+use crate::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
+use crate::locate::{Condition, LocateFailure, locate, locate_grazing_end};
+use crate::mps::{Formulation, LoopPair, MaximalPeriodicSolution, Memory, Multipliers, Unknowns, unknown};
+
+type MpsStation = Station<4, Memory>;
+
+/// Follows a curve from its start until it ends; [`MpsCurve::follow`] says the rest.
+pub(crate) fn follow<O: ImpactOscillator>(
+    mut equations: MpsCurve<O>,
+    start: Unknowns,
+    direction: Unknowns,
+    memory: Memory,
+    route: &Route,
+) -> Result<Curve, Stall<MapError>> {
+    let first = Continuation::new(&equations, route.control, start, direction, memory)?
+        .here()
+        .clone();
+    let mut follower = Follower {
+        route,
+        signs: None,
+        curve: Curve {
+            condition: equations.condition,
+            points: vec![starting_point(&equations, &first)],
+            events: Vec::new(),
+            end: CurveEnd::StepLimit,
+            vivid_ended: None,
+        },
+    };
+    let mut here = first;
+    while let Some(end) = follower.follow_in_one_formulation(&equations, &mut here) {
+        if equations.equations.formulation() == Formulation::FixedPhase {
+            follower.curve.end = CurveEnd::Stalled(end);
+            break;
+        }
+        equations.equations = equations.equations.with_formulation(Formulation::FixedPhase);
+        follower.curve.vivid_ended = Some(follower.curve.points.len());
+    }
+    Ok(follower.curve)
+}
+
+/// A curve in the making.
+struct Follower<'a> {
+    route: &'a Route,
+    curve: Curve,
+    signs: Option<Signs>,
+}
+
+/// Signs of the functions that vanish at events.
+#[derive(Clone, Copy, PartialEq)]
+struct Signs {
+    saddle_node: bool,
+    period_doubling: bool,
+    inadmissible: bool,
+}
+
+impl Follower<'_> {
+    /// Goes on until the curve ends (`None`) or no further point is found in this formulation.
+    fn follow_in_one_formulation<O: ImpactOscillator>(
+        &mut self,
+        equations: &MpsCurve<O>,
+        here: &mut MpsStation,
+    ) -> Option<Stall<MapError>> {
+        let control = self.route.control;
+        let walker = Continuation::new(equations, control, here.point, here.tangent, here.memory.clone());
+        let mut walker = match walker {
+            Ok(walker) => walker,
+            Err(stall) => return Some(stall),
+        };
+        while self.curve.points.len() <= self.route.step_limit {
+            *here = walker.here().clone();
+            let after = match walker.advance() {
+                Ok(station) => station.clone(),
+                Err(stall) => return Some(stall),
+            };
+            if let ControlFlow::Break(end) = self.accept(equations, here, after) {
+                self.curve.end = end;
+                return None;
+            }
+        }
+        None
+    }
+
+    /// Takes in the next point, unless the curve ends before it.
+    fn accept<O: ImpactOscillator>(
+        &mut self,
+        equations: &MpsCurve<O>,
+        before: &MpsStation,
+        after: MpsStation,
+    ) -> ControlFlow<CurveEnd> {
+        let velocity = after.point[unknown::VELOCITY];
+        if velocity <= VANISHING_VELOCITY && velocity < before.point[unknown::VELOCITY] {
+            return ControlFlow::Break(self.end_at_grazing(equations, before, &after));
+        }
+        let (solution, pair) = equations.equations.solution(&after.point);
+        let now = signs(equations.condition, &pair, &solution);
+        if let Some(past) = self.signs.filter(|past| *past != now) {
+            self.locate_events(equations, past, now, before, &after, &solution)?;
+        }
+        self.signs = Some(now);
+        if !self.route.window.contains(&after.point) {
+            self.end_on_the_edge(equations, before, after);
+            return ControlFlow::Break(CurveEnd::LeftWindow);
+        }
+        self.curve.points.push(CurvePoint {
+            solution,
+            memory: after.memory,
+        });
+        ControlFlow::Continue(())
+    }
+
+    /// Locates all events between two points and lists them in the order of the curve.
+    fn locate_events<O: ImpactOscillator>(
+        &mut self,
+        equations: &MpsCurve<O>,
+        past: Signs,
+        now: Signs,
+        before: &MpsStation,
+        after: &MpsStation,
+        beyond: &MaximalPeriodicSolution,
+    ) -> ControlFlow<CurveEnd> {
+        let index = self.curve.points.len();
+        let mut located = Vec::new();
+        for condition in changes(past, now) {
+            match locate_event(equations, condition, before, after, beyond) {
+                Ok((solution, memory)) => located.push(Event {
+                    condition,
+                    solution,
+                    index,
+                    memory,
+                }),
+                Err(failure) => {
+                    return ControlFlow::Break(CurveEnd::EventNotLocated { condition, failure });
+                }
+            }
+        }
+        let way = |event: &Event| before.tangent.dot(&(event.solution.unknowns - before.point));
+        located.sort_by(|a, b| way(a).total_cmp(&way(b)));
+        for event in located {
+            self.curve.events.push(event.clone());
+            if self.route.stop_at_events {
+                self.curve.points.push(CurvePoint {
+                    solution: event.solution,
+                    memory: event.memory.clone(),
+                });
+                return ControlFlow::Break(CurveEnd::Event(event));
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Ends the curve where the impact velocity vanishes.
+    fn end_at_grazing<O: ImpactOscillator>(
+        &mut self,
+        equations: &MpsCurve<O>,
+        before: &MpsStation,
+        after: &MpsStation,
+    ) -> CurveEnd {
+        let condition = Condition::ImpactVelocity(0.0);
+        let near = between(&before.point, &after.point, unknown::VELOCITY, 0.0);
+        let mut memory = after.memory.clone();
+        let located = match equations.condition {
+            Condition::InteriorGrazing => locate_grazing_end(&equations.equations, near, &mut memory),
+            _ => locate(
+                &equations.equations,
+                [equations.condition, condition],
+                near,
+                &mut memory,
+            ),
+        };
+        let mut point = match located {
+            Ok(point) => point,
+            Err(failure) => return CurveEnd::EventNotLocated { condition, failure },
+        };
+        point[unknown::VELOCITY] = 0.0;
+        let mut solution = equations.equations.limiting_solution(&point, &after.tangent);
+        let control = self.route.control;
+        match Continuation::new(equations, control, point, after.tangent, memory.clone()) {
+            Ok(end) if equations.condition != Condition::InteriorGrazing => {
+                solution = equations.equations.limiting_solution(&point, &end.here().tangent);
+            }
+            // An end of interior grazing is a branch point, without a unique tangent along which to take limits.
+            _ => {
+                solution.multipliers = Multipliers {
+                    trace: f64::NAN,
+                    determinant: f64::NAN,
+                }
+            }
+        }
+        self.curve.points.push(CurvePoint { solution, memory });
+        CurveEnd::Grazing
+    }
+
+    /// Adds the point at which the curve crosses the edge of the window, or the point beyond if it cannot be located.
+    fn end_on_the_edge<O: ImpactOscillator>(
+        &mut self,
+        equations: &MpsCurve<O>,
+        before: &MpsStation,
+        after: MpsStation,
+    ) {
+        let window = &self.route.window;
+        let outside = after.point;
+        let mut memory = after.memory;
+        let edges = [
+            (unknown::PRIMARY, window.primary),
+            (unknown::SECONDARY, window.secondary),
+        ];
+        let crossing = edges.into_iter().find_map(|(coordinate, [low, high])| {
+            let value = outside[coordinate];
+            if low <= value && value <= high {
+                return None;
+            }
+            let edge = if value < low { low } else { high };
+            let condition = match coordinate {
+                unknown::PRIMARY => Condition::Primary(edge),
+                _ => Condition::Secondary(edge),
+            };
+            let near = between(&before.point, &outside, coordinate, edge);
+            let conditions = [equations.condition, condition];
+            let mut point = locate(&equations.equations, conditions, near, &mut memory).ok()?;
+            point[coordinate] = edge;
+            window.contains(&point).then_some(point)
+        });
+        let (solution, _) = equations.equations.solution(&crossing.unwrap_or(outside));
+        self.curve.points.push(CurvePoint { solution, memory });
+    }
+}
+
+/// The first point; at y = 0 its multipliers are limits along the tangent.
+fn starting_point<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStation) -> CurvePoint {
+    let solution = if first.point[unknown::VELOCITY] == 0.0 {
+        equations
+            .equations
+            .limiting_solution(&first.point, &first.tangent)
+    } else {
+        equations.equations.solution(&first.point).0
+    };
+    CurvePoint {
+        solution,
+        memory: first.memory.clone(),
+    }
+}
+
+/// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only grazing can happen there.
+fn signs(along: Condition, pair: &LoopPair, solution: &MaximalPeriodicSolution) -> Signs {
+    let watches = !matches!(along, Condition::Multiplier(_));
+    Signs {
+        saddle_node: watches && pair.characteristic(1.0).0 > 0.0,
+        period_doubling: watches && pair.characteristic(-1.0).0 > 0.0,
+        inadmissible: solution.ceiling() > MaximalPeriodicSolution::TOUCH,
+    }
+}
+
+fn changes(past: Signs, now: Signs) -> impl Iterator<Item = Condition> {
+    let list = [
+        (past.saddle_node != now.saddle_node, Condition::SADDLE_NODE),
+        (
+            past.period_doubling != now.period_doubling,
+            Condition::PERIOD_DOUBLING,
+        ),
+        (past.inadmissible != now.inadmissible, Condition::InteriorGrazing),
+    ];
+    list.into_iter()
+        .filter_map(|(changed, condition)| changed.then_some(condition))
+}
+
+/// Locates an event between two points of the curve; `beyond` is the MPS at the second.
+fn locate_event<O: ImpactOscillator>(
+    equations: &MpsCurve<O>,
+    condition: Condition,
+    before: &MpsStation,
+    after: &MpsStation,
+    beyond: &MaximalPeriodicSolution,
+) -> Result<(MaximalPeriodicSolution, Memory), LocateFailure> {
+    let mut memory = after.memory.clone();
+    let mut near = (before.point + after.point) * 0.5;
+    if condition == Condition::InteriorGrazing {
+        // The maximum that crosses the wall is the highest one at whichever end is inadmissible.
+        let solution = if beyond.ceiling() > MaximalPeriodicSolution::TOUCH {
+            near = after.point;
+            *beyond
+        } else {
+            near = before.point;
+            memory = before.memory.clone();
+            equations.equations.solution(&before.point).0
+        };
+        if let Some(maximum) = solution.highest_interior_maximum {
+            memory.grazing_time = maximum.time;
+        }
+    }
+    let point = locate(
+        &equations.equations,
+        [equations.condition, condition],
+        near,
+        &mut memory,
+    )?;
+    let (distance, step) = ((point - near).norm(), (after.point - before.point).norm());
+    if distance > 2.0 * step {
+        return Err(LocateFailure::Elsewhere { distance, step });
+    }
+    Ok((equations.equations.solution(&point).0, memory))
+}
+
+/// Impact velocities at or below this count as zero (empirical: y = 0 is approached transversally).
+const VANISHING_VELOCITY: f64 = 1e-9;
+
+/// The point on the chord where one coordinate takes a value.
+fn between(before: &Unknowns, after: &Unknowns, coordinate: usize, value: f64) -> Unknowns {
+    let (a, b) = (before[coordinate], after[coordinate]);
+    let mut point = before + (after - before) * ((value - a) / (b - a));
+    point[coordinate] = value;
+    point
+}

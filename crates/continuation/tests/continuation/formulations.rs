@@ -1,0 +1,263 @@
+//! VIVID (eq:V) and the form without virtual points are the same problem: zeros, multipliers, bifurcations.
+
+use std::sync::OnceLock;
+
+use grazing_continuation::curve::CurveEnd;
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Multipliers, Unknowns, unknown};
+use grazing_model::LinearOscillator;
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::TestRunner;
+
+use crate::specimens::{
+    EPSILON, OMEGA, ZETA, assert_within, at_grazing, branch, deterministic, order, route,
+};
+
+/// A zero of the VIVID function, with what it remembers.
+#[derive(Debug)]
+struct Specimen {
+    equations: LoopEquations<LinearOscillator>,
+    point: Unknowns,
+    memory: Memory,
+    phi: f64,
+    delta: f64,
+}
+
+/// A point on a branch of p-loop MPSs that was followed from grazing with VIVID; `share` says how far along.
+///
+/// None if the branch has no point with y > 0.01: below, the multipliers are of order 1/y and so are their errors.
+fn specimen([zeta, epsilon, omega]: [f64; 3], loops: u32, share: f64) -> Option<Specimen> {
+    let (grazing, _) = at_grazing(zeta, epsilon, omega);
+    let amplitude = grazing.amplitude();
+    let route = route([0.6 * amplitude, 1.4 * amplitude], [0.1, 2.0], false);
+    let (equations, curve) = branch([zeta, epsilon, omega], loops, Formulation::Vivid, 1.0, &route);
+    let vivid = &curve.points[..curve.vivid_ended.unwrap_or(curve.points.len())];
+    let usable = vivid
+        .iter()
+        .filter(|point| point.solution.impact_velocity() > 0.01)
+        .collect::<Vec<_>>();
+    let chosen = usable.get((share * usable.len() as f64) as usize)?;
+    Some(Specimen {
+        equations,
+        point: chosen.solution.unknowns,
+        memory: chosen.memory.clone(),
+        phi: epsilon,
+        delta: grazing.determinant(),
+    })
+}
+
+/// MPSs on branches with p = 1, …, 5 at random parameters; the same ones in every run.
+fn specimens() -> &'static [Specimen] {
+    static SPECIMENS: OnceLock<Vec<Specimen>> = OnceLock::new();
+    SPECIMENS.get_or_init(|| {
+        let parameters = (0.005..0.1, 0.5..1.0, 0.55..0.97, 1u32..=5, 0.0..1.0);
+        let mut runner = TestRunner::new(deterministic(60));
+        let draws = core::iter::repeat_with(|| parameters.new_tree(&mut runner).unwrap().current());
+        let drawn = draws.filter_map(|(zeta, epsilon, omega, loops, share)| {
+            specimen([zeta, epsilon, omega], loops, share)
+        });
+        drawn.take(60).collect()
+    })
+}
+
+#[test]
+fn a_zero_of_one_is_a_zero_of_the_other() {
+    for Specimen {
+        equations,
+        point,
+        memory,
+        ..
+    } in specimens()
+    {
+        let vivid = equations
+            .pair::<1>(point, &mut memory.clone())
+            .unwrap()
+            .difference()
+            .0;
+        let other = equations.with_formulation(Formulation::FixedPhase);
+        let fixed_phase = other
+            .pair::<1>(point, &mut Memory::default())
+            .unwrap()
+            .difference()
+            .0;
+        // A few roundings of velocities and phases of order ten, amplified by p loops.
+        assert_within(vivid.norm(), 0.0, 1e-12);
+        assert_within(fixed_phase.norm(), 0.0, 1e-12);
+    }
+}
+
+#[test]
+fn newton_without_virtual_points_leads_to_the_zero_of_vivid() {
+    let mut compared = 0;
+    for Specimen { equations, point, .. } in specimens() {
+        let other = equations.with_formulation(Formulation::FixedPhase);
+        let jacobian = other
+            .pair::<1>(point, &mut Memory::default())
+            .unwrap()
+            .difference()
+            .1;
+        // Near a fold the start may be nearer to the other zero.
+        if jacobian.fixed_columns::<2>(0).into_owned().determinant().abs() < 1e-2 {
+            continue;
+        }
+        let [primary, secondary] = [point[unknown::PRIMARY], point[unknown::SECONDARY]];
+        let conditions = [Condition::Primary(primary), Condition::Secondary(secondary)];
+        let start = point + Unknowns::new(1e-5, -1e-5, 0.0, 0.0);
+        let found = locate(&other, conditions, start, &mut Memory::default()).unwrap();
+        // A zero is known to about 10⁻¹⁴ times the condition of DV, at most 10³ with this determinant.
+        assert_within((found - point).norm(), 0.0, 1e-11);
+        compared += 1;
+    }
+    // Most MPSs are not near a fold.
+    assert!(compared >= 40, "{compared}");
+}
+
+#[test]
+fn both_give_the_same_multipliers() {
+    for Specimen {
+        equations,
+        point,
+        memory,
+        ..
+    } in specimens()
+    {
+        let vivid = equations
+            .pair::<1>(point, &mut memory.clone())
+            .unwrap()
+            .multipliers();
+        let other = equations.with_formulation(Formulation::FixedPhase);
+        let fixed_phase = other
+            .pair::<1>(point, &mut Memory::default())
+            .unwrap()
+            .multipliers();
+        let solution = equations.solution(point).0.multipliers;
+        for multipliers in [vivid, solution] {
+            assert_within(multipliers.trace, fixed_phase.trace, noise(&fixed_phase));
+            assert_within(
+                multipliers.determinant,
+                fixed_phase.determinant,
+                noise(&fixed_phase),
+            );
+        }
+    }
+}
+
+/// T and D are numbers of order 1/y ≤ 100, divided by det D P_virt of order y: 10⁻¹⁵ · 10⁴, relative to T.
+fn noise(multipliers: &Multipliers) -> f64 {
+    1e-11 * (1.0 + multipliers.trace.abs())
+}
+
+#[test]
+fn determinant_of_the_multipliers_is_that_of_p_loops_and_one_impact() {
+    // Liouville: every loop contracts areas by δ and the impact by φ².
+    for specimen in specimens() {
+        let Specimen {
+            equations,
+            point,
+            memory,
+            ..
+        } = specimen;
+        let multipliers = equations
+            .pair::<1>(point, &mut memory.clone())
+            .unwrap()
+            .multipliers();
+        let expected = specimen.phi * specimen.phi * libm::pow(specimen.delta, f64::from(equations.loops()));
+        assert_within(multipliers.determinant, expected, noise(&multipliers));
+    }
+}
+
+#[test]
+fn characteristic_is_the_characteristic_polynomial_times_a_factor_without_zeros() {
+    // VIVID's function over det D P_virt is 1 ∓ T + D, with T and D taken from the other form.
+    for Specimen {
+        equations,
+        point,
+        memory,
+        ..
+    } in specimens()
+    {
+        let pair = equations.pair::<1>(point, &mut memory.clone()).unwrap();
+        let factor = pair.impact.derivative().determinant();
+        let other = equations.solution(point).0.multipliers;
+        for sign in [1.0, -1.0] {
+            let expected = 1.0 - sign * other.trace + other.determinant;
+            assert_within(pair.characteristic(sign).0 / factor, expected, noise(&other));
+        }
+    }
+}
+
+#[test]
+fn gradient_of_the_characteristic_agrees_with_differences() {
+    const H: f64 = 1e-5;
+    for Specimen {
+        equations,
+        point,
+        memory,
+        ..
+    } in specimens()
+    {
+        for formulation in [Formulation::Vivid, Formulation::FixedPhase] {
+            let equations = equations.with_formulation(formulation);
+            // The memory holds the plane of constant phase while the phase is varied.
+            let mut memory = memory.clone();
+            let pair = equations.pair::<2>(point, &mut memory).unwrap();
+            for multiplier in [1.0, -1.0] {
+                let (_, gradient) = pair.characteristic(multiplier);
+                let mut value = |k: usize, h: f64| {
+                    let mut moved = *point;
+                    moved[k] += h;
+                    equations
+                        .pair::<1>(&moved, &mut memory)
+                        .unwrap()
+                        .characteristic(multiplier)
+                        .0
+                };
+                for k in 0..4 {
+                    let difference = (value(k, H) - value(k, -H)) / (2.0 * H);
+                    // h² times third derivatives, which p loops raise to 10³ times the gradient; rounding 10⁻¹⁴/h is less.
+                    assert_within(difference, gradient[k], 1e3 * H * H * (1.0 + gradient.norm()));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn folds_and_period_doublings_are_the_same_points() {
+    let mut compared = 0;
+    for loops in 1..=5 {
+        for omega in [0.7, OMEGA, 0.92] {
+            let route = route([0.05, 0.7], [0.1, 2.0], false);
+            let (equations, curve) = branch([ZETA, EPSILON, omega], loops, Formulation::Vivid, 1.0, &route);
+            assert!(matches!(curve.end, CurveEnd::LeftWindow), "{:?}", curve.end);
+            for event in &curve.events {
+                if event.condition == Condition::InteriorGrazing {
+                    continue;
+                }
+                let other = equations.with_formulation(Formulation::FixedPhase);
+                let start = event.solution.unknowns + Unknowns::new(1e-5, -1e-5, 1e-6, 0.0);
+                let conditions = [event.condition, Condition::Secondary(omega)];
+                let found = locate(&other, conditions, start, &mut Memory::default()).unwrap();
+                // Two regular systems with condition numbers of about a thousand at most, solved to rounding.
+                assert_within((found - event.solution.unknowns).norm(), 0.0, 1e-11);
+                compared += 1;
+            }
+        }
+    }
+    // Fifteen branches, of which most have a fold or a period doubling in the window.
+    assert!(compared >= 10, "only {compared} events");
+}
+
+#[test]
+fn determinant_of_the_virtual_map_over_the_impact_velocity_tends_to_its_limit() {
+    // det D P_virt = y G₁ with G₁ = 1/γ + O(1), the proof of Lemma 5.1; γ = ω². First order, slack for the second.
+    let (grazing, oscillator) = at_grazing(ZETA, EPSILON, OMEGA);
+    let gamma = grazing.grazing_point().gamma;
+    let equations = LoopEquations::new(oscillator, 1, Formulation::Vivid);
+    let errors = [2e-3, 1e-3].map(|y| {
+        let point = Unknowns::new(y, grazing.phase() - 0.7 * y, grazing.amplitude() + 0.6 * y, OMEGA);
+        let pair = equations.pair::<1>(&point, &mut Memory::default()).unwrap();
+        pair.impact.derivative().determinant() / y - 1.0 / gamma
+    });
+    assert_within(order(errors), 1.0, 0.05);
+}

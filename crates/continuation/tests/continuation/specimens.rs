@@ -1,0 +1,114 @@
+//! Oscillators, resonances and MPSs to test with, and ways to compare numbers.
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_theorems::{GrazingState, Resonance};
+use proptest::prelude::ProptestConfig;
+use proptest::test_runner::RngSeed;
+
+/// The parameters of the paper's figures.
+pub(crate) const ZETA: f64 = 0.02;
+pub(crate) const EPSILON: f64 = 0.9;
+pub(crate) const OMEGA: f64 = 0.854;
+
+/// A deterministic configuration of a property test.
+pub(crate) fn deterministic(cases: u32) -> ProptestConfig {
+    ProptestConfig {
+        cases,
+        failure_persistence: None,
+        rng_seed: RngSeed::Fixed(0x6772_617a_696e_6721),
+        ..ProptestConfig::default()
+    }
+}
+
+/// The closed form of the grazing bifurcation, and the oscillator there.
+pub(crate) fn at_grazing(zeta: f64, epsilon: f64, omega: f64) -> (GrazingState, LinearOscillator) {
+    let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon).unwrap();
+    let grazing = theory.grazing(omega).unwrap();
+    let oscillator = LinearOscillator::new(zeta, epsilon, grazing.amplitude(), omega).unwrap();
+    (grazing, oscillator)
+}
+
+/// The closed forms of all resonances with the given numbers of loops and forcing frequencies between the two.
+pub(crate) fn resonances(
+    zeta: f64,
+    epsilon: f64,
+    loops: &[u32],
+    [lowest, highest]: [f64; 2],
+) -> Vec<Resonance> {
+    let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon).unwrap();
+    theory.resonances(loops, lowest, highest).unwrap()
+}
+
+/// The oscillator at a resonance, in closed form.
+pub(crate) fn oscillator_at(resonance: &Resonance) -> LinearOscillator {
+    let theory = resonance.grazing().oscillator();
+    let (zeta, epsilon) = (theory.damping_ratio(), theory.coefficient_of_restitution());
+    at_grazing(zeta, epsilon, resonance.forcing_frequency()).1
+}
+
+/// The resonance located numerically, from a start that is a little off.
+pub(crate) fn located(resonance: &Resonance) -> ResonantGrazingPoint<LinearOscillator> {
+    let oscillator = oscillator_at(resonance);
+    let [amplitude, omega] = oscillator.parameters();
+    let off = oscillator.with_parameters([amplitude + 1e-4, omega - 1e-4]);
+    ResonantGrazingPoint::find(&off, resonance.loops(), resonance.grazing().phase() + 1e-4).unwrap()
+}
+
+/// A route through a window of amplitudes and frequencies, with steps as for drawing.
+pub(crate) fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events: bool) -> Route {
+    Route {
+        window: Window {
+            primary: amplitudes,
+            secondary: frequencies,
+        },
+        control: StepControl::DRAWING,
+        step_limit: 5_000,
+        stop_at_events,
+    }
+}
+
+/// The branch of p-loop MPSs at fixed frequency that leaves the grazing bifurcation, to y > 0 (`side` 1) or y < 0 (−1).
+pub(crate) fn branch(
+    [zeta, epsilon, omega]: [f64; 3],
+    loops: u32,
+    formulation: Formulation,
+    side: f64,
+    route: &Route,
+) -> (LoopEquations<LinearOscillator>, Curve) {
+    let (grazing, oscillator) = at_grazing(zeta, epsilon, omega);
+    let equations = LoopEquations::new(oscillator, loops, formulation);
+    let curve = MpsCurve {
+        equations: equations.clone(),
+        condition: Condition::Secondary(omega),
+    };
+    let start = Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), omega);
+    let direction = Unknowns::new(side, 0.0, 0.0, 0.0);
+    let curve = curve.follow(start, direction, Memory::default(), route).unwrap();
+    (equations, curve)
+}
+
+/// The observed order of convergence of an error as its scale is halved: log₂ of the ratio.
+pub(crate) fn order([coarse, fine]: [f64; 2]) -> f64 {
+    libm::log2(coarse.abs() / fine.abs())
+}
+
+/// Fails unless the numbers differ by at most `tolerance` in proportion to the expected one.
+#[track_caller]
+pub(crate) fn assert_close(computed: f64, expected: f64, tolerance: f64) {
+    assert_within(computed, expected, tolerance * expected.abs());
+}
+
+/// Fails unless the numbers differ by at most `bound`.
+#[track_caller]
+pub(crate) fn assert_within(computed: f64, expected: f64, bound: f64) {
+    let difference = (computed - expected).abs();
+    assert!(
+        difference <= bound,
+        "{computed:e} instead of {expected:e}: off by {difference:e}, more than {bound:e}"
+    );
+}

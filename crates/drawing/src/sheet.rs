@@ -1,0 +1,174 @@
+//! Geometry on the sheet that the placing of labels needs: spots, boxes, polylines and polygons, in points.
+
+use crate::clip::fractions_inside;
+
+/// A point of the sheet, in points to the right and downwards.
+pub(crate) type Spot = (f64, f64);
+
+/// A rectangle of the sheet, in points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Bounds {
+    pub(crate) left: f64,
+    pub(crate) top: f64,
+    pub(crate) right: f64,
+    pub(crate) bottom: f64,
+}
+
+impl Bounds {
+    pub(crate) fn centre(&self) -> Spot {
+        (0.5 * (self.left + self.right), 0.5 * (self.top + self.bottom))
+    }
+
+    pub(crate) fn grown(&self, by: f64) -> Bounds {
+        Bounds {
+            left: self.left - by,
+            top: self.top - by,
+            right: self.right + by,
+            bottom: self.bottom + by,
+        }
+    }
+
+    pub(crate) fn overlaps(&self, other: &Bounds) -> bool {
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
+    }
+
+    pub(crate) fn holds(&self, inner: &Bounds) -> bool {
+        self.left <= inner.left
+            && inner.right <= self.right
+            && self.top <= inner.top
+            && inner.bottom <= self.bottom
+    }
+
+    /// The box of the given size about a centre.
+    pub(crate) fn about((x, y): Spot, width: f64, height: f64) -> Bounds {
+        Bounds {
+            left: x - 0.5 * width,
+            top: y - 0.5 * height,
+            right: x + 0.5 * width,
+            bottom: y + 0.5 * height,
+        }
+    }
+}
+
+/// Curves are thinned to segments of at least this length (points): labels need no finer picture of them.
+const GRAIN: f64 = 0.8;
+
+pub(crate) fn distance(a: Spot, b: Spot) -> f64 {
+    let (dx, dy) = (a.0 - b.0, a.1 - b.1);
+    (dx * dx + dy * dy).sqrt()
+}
+
+/// True if some of the segment lies in the box.
+pub(crate) fn crosses(bounds: &Bounds, (a, b): (Spot, Spot)) -> bool {
+    fractions_inside([bounds.left, bounds.right], [bounds.top, bounds.bottom], a, b).is_some()
+}
+
+/// True if the spot is inside the closed polygon (even-odd rule).
+pub(crate) fn inside(polygon: &[Spot], (x, y): Spot) -> bool {
+    let mut within = false;
+    for (a, b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
+        if (a.1 > y) != (b.1 > y) && x < a.0 + (y - a.1) / (b.1 - a.1) * (b.0 - a.0) {
+            within = !within;
+        }
+    }
+    within
+}
+
+/// The curve without the points that are closer than [`GRAIN`] to the one kept before; both ends stay.
+pub(crate) fn thinned(curve: &[Spot]) -> Vec<Spot> {
+    let mut kept: Vec<Spot> = Vec::new();
+    for (index, &spot) in curve.iter().enumerate() {
+        if kept.last().is_none_or(|&last| distance(last, spot) >= GRAIN) || index + 1 == curve.len() {
+            kept.push(spot);
+        }
+    }
+    kept
+}
+
+/// Length of a polyline on the sheet, in points.
+pub(crate) fn length(curve: &[Spot]) -> f64 {
+    curve.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
+}
+
+/// The spot at a fraction of the curve's length, and the curve's unit direction there.
+pub(crate) fn along(curve: &[Spot], fraction: f64) -> Option<(Spot, Spot)> {
+    let mut left = fraction * length(curve);
+    for pair in curve.windows(2) {
+        let step = distance(pair[0], pair[1]);
+        if step > 0.0 && left <= step {
+            let direction = ((pair[1].0 - pair[0].0) / step, (pair[1].1 - pair[0].1) / step);
+            return Some((
+                (pair[0].0 + left * direction.0, pair[0].1 + left * direction.1),
+                direction,
+            ));
+        }
+        left -= step;
+    }
+    None
+}
+
+/// True if the spot is within reach of a curve.
+pub(crate) fn near(curve: &[Spot], spot: Spot, reach: f64) -> bool {
+    let box_around = Bounds::about(spot, 2.0 * reach, 2.0 * reach);
+    curve
+        .windows(2)
+        .any(|pair| crosses(&box_around, (pair[0], pair[1])))
+}
+
+/// Area of a polygon on the sheet, in square points.
+pub(crate) fn area(polygon: &[Spot]) -> f64 {
+    let next = polygon.iter().cycle().skip(1);
+    (0.5 * polygon
+        .iter()
+        .zip(next)
+        .map(|(a, b)| a.0 * b.1 - b.0 * a.1)
+        .sum::<f64>())
+    .abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_box_crossed_by_a_segment_need_not_hold_its_ends() {
+        let bounds = Bounds::about((0.0, 0.0), 2.0, 2.0);
+        assert!(crosses(&bounds, ((-5.0, -4.0), (5.0, 4.0))));
+        assert!(!crosses(&bounds, ((-5.0, 0.0), (5.0, 9.0))));
+    }
+
+    #[test]
+    fn half_way_along_a_hook_is_measured_along_it() {
+        let hook = [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0)];
+        assert_eq!(length(&hook), 6.0);
+        assert_eq!(along(&hook, 0.5), Some(((3.0, 0.0), (1.0, 0.0))));
+        assert_eq!(along(&hook, 5.0 / 6.0).unwrap().1, (0.0, 1.0));
+    }
+
+    #[test]
+    fn inside_follows_a_reentrant_outline() {
+        let hook = [
+            (0.0, 0.0),
+            (4.0, 0.0),
+            (4.0, 4.0),
+            (3.0, 4.0),
+            (3.0, 1.0),
+            (0.0, 1.0),
+        ];
+        assert!(inside(&hook, (3.5, 3.0)) && inside(&hook, (0.5, 0.5)));
+        assert!(!inside(&hook, (1.5, 2.5)));
+        assert_eq!(area(&hook), 7.0);
+    }
+
+    #[test]
+    fn thinning_keeps_the_ends_and_the_shape() {
+        let fine: Vec<Spot> = (0..=100).map(|i| (0.1 * f64::from(i), 0.0)).collect();
+        let coarse = thinned(&fine);
+        assert!(coarse.len() < 20);
+        assert_eq!((coarse[0], coarse[coarse.len() - 1]), (fine[0], fine[100]));
+        assert!((length(&coarse) - length(&fine)).abs() < 1e-12);
+    }
+}
