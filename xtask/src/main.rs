@@ -30,12 +30,7 @@ fn build_and_run(arguments: &[OsString]) -> io::Result<ExitStatus> {
     if !built.success() {
         return Ok(built);
     }
-    cargo()
-        .args(["run", "--release", "--quiet"])
-        .args(PROGRAM)
-        .arg("--")
-        .args(arguments)
-        .status()
+    cargo().args(["run", "--release", "--quiet"]).args(PROGRAM).arg("--").args(arguments).status()
 }
 
 /// The cargo that runs this program.
@@ -54,10 +49,7 @@ fn exit_code(status: ExitStatus) -> ExitCode {
 #[cfg(unix)]
 fn stopped_by(status: ExitStatus) -> u8 {
     use std::os::unix::process::ExitStatusExt;
-    status
-        .signal()
-        .and_then(|signal| u8::try_from(128 + signal).ok())
-        .unwrap_or(1)
+    status.signal().and_then(|signal| u8::try_from(128 + signal).ok()).unwrap_or(1)
 }
 
 #[cfg(not(unix))]

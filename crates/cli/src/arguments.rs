@@ -49,12 +49,7 @@ stand in expected/published.toml.
 
 /// Regenerates the numerical results of "Resonant grazing bifurcations revisited" (arXiv 2602.22797)
 #[derive(Debug, Parser)]
-#[command(
-    name = "grazing",
-    version,
-    subcommand_required = true,
-    arg_required_else_help = true
-)]
+#[command(name = "grazing", version, subcommand_required = true, arg_required_else_help = true)]
 #[command(after_help = EXIT_CODES)]
 #[command(long_about = ABOUT)]
 pub struct Arguments {
@@ -111,7 +106,5 @@ pub struct ParameterFile {
 }
 
 fn output_names() -> impl Iterator<Item = PossibleValue> {
-    outputs::ALL
-        .iter()
-        .map(|output| PossibleValue::new(output.name).help(output.title))
+    outputs::ALL.iter().map(|output| PossibleValue::new(output.name).help(output.title))
 }

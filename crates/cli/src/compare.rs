@@ -27,20 +27,11 @@ pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
         .map_err(|error| computation("published values", &error))?;
     let comparisons = published.compare(&computed);
     terminal::say(&table(&comparisons, terminal::is_coloured()));
-    let off = comparisons
-        .iter()
-        .filter(|comparison| !comparison.is_met())
-        .count();
+    let off = comparisons.iter().filter(|comparison| !comparison.is_met()).count();
     if off > 0 {
-        return Err(Failure::PublishedOff {
-            off,
-            all: comparisons.len(),
-        });
+        return Err(Failure::PublishedOff { off, all: comparisons.len() });
     }
-    terminal::say(&format!(
-        "\nAll {} published values are met.\n",
-        comparisons.len()
-    ));
+    terminal::say(&format!("\nAll {} published values are met.\n", comparisons.len()));
     Ok(())
 }
 
@@ -80,11 +71,7 @@ struct Row {
 impl Row {
     fn header() -> Row {
         let cells = ["quantity", "printed", "computed", "difference", "verdict"].map(str::to_owned);
-        Row {
-            cells,
-            place: "where".to_owned(),
-            met: None,
-        }
+        Row { cells, place: "where".to_owned(), met: None }
     }
 
     fn new(comparison: &Comparison<'_>) -> Row {
@@ -99,13 +86,8 @@ impl Row {
             Rounding::Exact => format!("{computed}"),
             Rounding::Significant => format!("{computed:.decimals$}"),
         });
-        let difference = difference.map(|difference| {
-            if difference == 0.0 {
-                "0".to_owned()
-            } else {
-                format!("{difference:.1e}")
-            }
-        });
+        let difference = difference
+            .map(|difference| if difference == 0.0 { "0".to_owned() } else { format!("{difference:.1e}") });
         Row {
             cells: [
                 published.quantity().to_owned(),

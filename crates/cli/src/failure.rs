@@ -103,11 +103,7 @@ impl Failure {
 /// What has to be done about files that are wrong and files that should not be there.
 fn remedies(wrong: usize, unexpected: usize, mend: &str) -> String {
     let files = |count: usize| {
-        if count == 1 {
-            "1 file".to_owned()
-        } else {
-            format!("{count} files")
-        }
+        if count == 1 { "1 file".to_owned() } else { format!("{count} files") }
     };
     let mut remedies = Vec::new();
     if wrong > 0 {

@@ -48,33 +48,20 @@ pub fn ensure_writable(folder: &Path, files: &[PathBuf]) -> Result<(), Failure> 
     for place in [folder.to_owned(), folder.join(DATA)] {
         let existing = place
             .ancestors()
-            .map(|path| {
-                if path.as_os_str().is_empty() {
-                    Path::new(".")
-                } else {
-                    path
-                }
-            })
+            .map(|path| if path.as_os_str().is_empty() { Path::new(".") } else { path })
             .find(|path| path.symlink_metadata().is_ok())
             .unwrap_or(Path::new("."));
-        let unwritable = |reason: &str| Failure::Unwritable {
-            path: existing.to_owned(),
-            reason: reason.to_owned(),
-        };
+        let unwritable =
+            |reason: &str| Failure::Unwritable { path: existing.to_owned(), reason: reason.to_owned() };
         if !existing.is_dir() {
             return Err(unwritable("it is not a folder"));
         }
         unfinished_file(existing).map_err(|error| unwritable(&plain(&error)))?;
     }
-    match files
-        .iter()
-        .map(|file| folder.join(file))
-        .find(|file| file.is_dir())
-    {
-        Some(path) => Err(Failure::Unwritable {
-            path,
-            reason: "a folder is in the place of the file".to_owned(),
-        }),
+    match files.iter().map(|file| folder.join(file)).find(|file| file.is_dir()) {
+        Some(path) => {
+            Err(Failure::Unwritable { path, reason: "a folder is in the place of the file".to_owned() })
+        }
         None => Ok(()),
     }
 }
@@ -88,18 +75,13 @@ pub fn write(folder: &Path, files: &[MadeFile]) -> Result<Vec<Change>, Failure> 
     let mut staged = Vec::new();
     for file in files {
         let path = folder.join(&file.path);
-        staged.push((
-            stage(&path, &file.content).map_err(|reason| failed(&path, reason))?,
-            path,
-        ));
+        staged.push((stage(&path, &file.content).map_err(|reason| failed(&path, reason))?, path));
     }
     staged
         .into_iter()
         .map(|((change, unfinished), path)| {
             if let Some(unfinished) = unfinished {
-                unfinished
-                    .persist(&path)
-                    .map_err(|error| failed(&path, error.error))?;
+                unfinished.persist(&path).map_err(|error| failed(&path, error.error))?;
             }
             Ok(change)
         })
@@ -194,11 +176,7 @@ fn unfinished_file(folder: &Path) -> io::Result<NamedTempFile> {
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    builder.tempfile_in(if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
-    })
+    builder.tempfile_in(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })
 }
 
 /// The system's reason without the name of the temporary file.
@@ -212,8 +190,5 @@ fn plain(error: &io::Error) -> String {
 }
 
 fn failed(path: &Path, reason: io::Error) -> Failure {
-    Failure::File {
-        path: path.to_owned(),
-        reason,
-    }
+    Failure::File { path: path.to_owned(), reason }
 }

@@ -39,23 +39,13 @@ pub const ALL: &[Output] = &[
         title: "Coefficients at all resonances of Figure 7",
         figure: None,
         tables: &["coefficients"],
-        make: |study| {
-            Ok(Made {
-                figure: None,
-                tables: vec![study.coefficient_table()?],
-            })
-        },
+        make: |study| Ok(Made { figure: None, tables: vec![study.coefficient_table()?] }),
     },
     Output {
         name: "fig02",
         title: "Figure 2: one-parameter bifurcation diagram with phase portraits",
         figure: Some("fig02.svg"),
-        tables: &[
-            "fig02_branches",
-            "fig02_bifurcations",
-            "fig02_attractor",
-            "fig02_portraits",
-        ],
+        tables: &["fig02_branches", "fig02_bifurcations", "fig02_attractor", "fig02_portraits"],
         make: fig02,
     },
     Output {
@@ -85,10 +75,7 @@ fn fig02(study: &Study<'_>) -> Result<Made, Box<dyn Error>> {
         window: window(shown.amplitude(), shown.x()),
         magnification: window(shown.magnified_amplitude(), shown.magnified_x()),
     })?;
-    Ok(Made {
-        figure: Some(figure),
-        tables: made.tables(),
-    })
+    Ok(Made { figure: Some(figure), tables: made.tables() })
 }
 
 fn fig07(study: &Study<'_>) -> Result<Made, Box<dyn Error>> {
@@ -101,15 +88,9 @@ fn fig07(study: &Study<'_>) -> Result<Made, Box<dyn Error>> {
         regions: &made.regions.frame,
         window: plane(parameters.fig07().window()),
         magnified: &magnified(parameters),
-        section: Section {
-            omega: section.frequency(),
-            amplitude: ends(section.amplitude()),
-        },
+        section: Section { omega: section.frequency(), amplitude: ends(section.amplitude()) },
     })?;
-    Ok(Made {
-        figure: Some(figure),
-        tables: made.tables(),
-    })
+    Ok(Made { figure: Some(figure), tables: made.tables() })
 }
 
 fn fig08(study: &Study<'_>) -> Result<Made, Box<dyn Error>> {
@@ -121,21 +102,13 @@ fn fig08(study: &Study<'_>) -> Result<Made, Box<dyn Error>> {
         coefficients: &made.coefficients.frame,
         panels: &magnified(study.parameters()),
     })?;
-    Ok(Made {
-        figure: Some(figure),
-        tables: made.tables(),
-    })
+    Ok(Made { figure: Some(figure), tables: made.tables() })
 }
 
 /// The panels of Figure 8, numbered from 1.
 fn magnified(parameters: &Parameters) -> Vec<Magnified> {
     let panels = parameters.fig08().panels().iter().zip(1..);
-    panels
-        .map(|(shown, panel)| Magnified {
-            panel,
-            window: plane(shown.window()),
-        })
-        .collect()
+    panels.map(|(shown, panel)| Magnified { panel, window: plane(shown.window()) }).collect()
 }
 
 /// The amplitudes across and the frequencies up.
@@ -144,10 +117,7 @@ fn plane(rectangle: Rectangle) -> Window {
 }
 
 fn window(across: Range, up: Range) -> Window {
-    Window {
-        x: ends(across),
-        y: ends(up),
-    }
+    Window { x: ends(across), y: ends(up) }
 }
 
 fn ends(range: Range) -> [f64; 2] {
@@ -157,10 +127,7 @@ fn ends(range: Range) -> [f64; 2] {
 impl Output {
     /// The paths of its files in the output folder.
     pub fn paths(&self) -> impl Iterator<Item = PathBuf> {
-        self.figure
-            .iter()
-            .map(PathBuf::from)
-            .chain(self.tables.iter().map(|table| table_path(table)))
+        self.figure.iter().map(PathBuf::from).chain(self.tables.iter().map(|table| table_path(table)))
     }
 
     /// Computes the output.
@@ -171,25 +138,15 @@ impl Output {
         let made = (self.make)(study).map_err(|error| computation(self.name, &*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
         if names != self.tables {
-            return Err(Failure::Registry {
-                output: self.name,
-                made: names,
-                registered: self.tables,
-            });
+            return Err(Failure::Registry { output: self.name, made: names, registered: self.tables });
         }
         let mut files = Vec::new();
         if let (Some(file), Some(svg)) = (self.figure, made.figure) {
-            files.push(MadeFile {
-                path: PathBuf::from(file),
-                content: svg.into_bytes(),
-            });
+            files.push(MadeFile { path: PathBuf::from(file), content: svg.into_bytes() });
         }
         for table in &made.tables {
             let content = tables::csv(&table.frame).map_err(|error| computation(self.name, &error))?;
-            files.push(MadeFile {
-                path: table_path(table.name),
-                content,
-            });
+            files.push(MadeFile { path: table_path(table.name), content });
         }
         Ok(files)
     }

@@ -29,10 +29,7 @@ impl Display {
     /// Bars if the error stream is a terminal, lines otherwise.
     pub(crate) fn new() -> Display {
         let bars = io::stderr().is_terminal().then(MultiProgress::new);
-        Display {
-            bars,
-            running: Mutex::new(BTreeMap::new()),
-        }
+        Display { bars, running: Mutex::new(BTreeMap::new()) }
     }
 
     fn change<T>(&self, change: impl FnOnce(&mut BTreeMap<String, Task>) -> T) -> T {
@@ -45,26 +42,14 @@ impl Progress for Display {
         let bar = self.bars.as_ref().map(|bars| {
             let style =
                 ProgressStyle::with_template(TEMPLATE).unwrap_or_else(|_| ProgressStyle::default_bar());
-            let bar = bars.add(
-                ProgressBar::new(steps)
-                    .with_style(style)
-                    .with_message(what.to_owned()),
-            );
+            let bar = bars.add(ProgressBar::new(steps).with_style(style).with_message(what.to_owned()));
             bar.enable_steady_tick(HEARTBEAT);
             bar
         });
         if bar.is_none() {
             terminal::note(&format!("{what}: begun"));
         }
-        self.change(|running| {
-            running.insert(
-                what.to_owned(),
-                Task {
-                    began: Instant::now(),
-                    bar,
-                },
-            )
-        });
+        self.change(|running| running.insert(what.to_owned(), Task { began: Instant::now(), bar }));
     }
 
     fn step(&self, what: &str) {
@@ -81,10 +66,7 @@ impl Progress for Display {
         };
         match task.bar {
             Some(bar) => bar.finish_and_clear(),
-            None => terminal::note(&format!(
-                "{what}: done in {:.2} s",
-                task.began.elapsed().as_secs_f64()
-            )),
+            None => terminal::note(&format!("{what}: done in {:.2} s", task.began.elapsed().as_secs_f64())),
         }
     }
 }

@@ -17,9 +17,7 @@ const FIGURES: &str = "figures";
 fn root() -> Option<PathBuf> {
     let here = env::current_dir().ok()?;
     let above = here.ancestors().count();
-    (0..above)
-        .map(|steps| PathBuf::from_iter(vec![".."; steps]))
-        .find(|root| root.join(PARAMETERS).is_file())
+    (0..above).map(|steps| PathBuf::from_iter(vec![".."; steps])).find(|root| root.join(PARAMETERS).is_file())
 }
 
 /// The parameters of the file that was named, or of the default one.

@@ -26,10 +26,8 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     let start = Instant::now();
     let parameters = project::parameters(arguments.parameters.file.as_deref())?;
     let output_folder = project::output_folder(arguments.output.as_deref())?;
-    let chosen: Vec<&Output> = outputs::ALL
-        .iter()
-        .filter(|output| is_chosen(output, &arguments.only))
-        .collect();
+    let chosen: Vec<&Output> =
+        outputs::ALL.iter().filter(|output| is_chosen(output, &arguments.only)).collect();
     if !arguments.check {
         let paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths()).collect();
         folder::ensure_writable(&output_folder, &paths)?;
@@ -57,10 +55,7 @@ fn start_threads(jobs: u16) -> Result<(), Failure> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(jobs))
         .build_global()
-        .map_err(|error| Failure::Threads {
-            jobs,
-            reason: error.to_string(),
-        })
+        .map_err(|error| Failure::Threads { jobs, reason: error.to_string() })
 }
 
 /// All files of the outputs, and a line that says whether the published values are met.
@@ -72,21 +67,13 @@ fn make(parameters: &Parameters, chosen: &[&Output]) -> Result<(Vec<MadeFile>, S
         files.extend(output.files(&study)?);
     }
     let published = Published::printed()?;
-    let computed = study
-        .published_values()
-        .map_err(|error| computation("published values", &error))?;
+    let computed = study.published_values().map_err(|error| computation("published values", &error))?;
     let comparisons = published.compare(&computed);
-    let met = comparisons
-        .iter()
-        .filter(|comparison| comparison.is_met())
-        .count();
+    let met = comparisons.iter().filter(|comparison| comparison.is_met()).count();
     let verdict = if met == comparisons.len() {
         format!("All {met} published values are met.")
     } else {
-        format!(
-            "Only {met} of {} published values are met: see `cargo xtask compare`.",
-            comparisons.len()
-        )
+        format!("Only {met} of {} published values are met: see `cargo xtask compare`.", comparisons.len())
     };
     Ok((files, verdict))
 }
@@ -100,10 +87,7 @@ fn check(output_folder: &Path, files: &[MadeFile], arguments: &Reproduce) -> Res
     for difference in &differences {
         terminal::note(&difference.to_string());
     }
-    let unexpected = differences
-        .iter()
-        .filter(|difference| difference.kind == Kind::Unexpected)
-        .count();
+    let unexpected = differences.iter().filter(|difference| difference.kind == Kind::Unexpected).count();
     Err(Failure::CheckFailed {
         folder: output_folder.display().to_string(),
         wrong: differences.len() - unexpected,
@@ -129,10 +113,8 @@ fn mending_command(arguments: &Reproduce) -> String {
 
 /// A line for each file, and one that counts.
 fn summary(output_folder: &Path, files: &[MadeFile], changes: &[Change]) -> String {
-    let names: Vec<String> = files
-        .iter()
-        .map(|file| output_folder.join(&file.path).display().to_string())
-        .collect();
+    let names: Vec<String> =
+        files.iter().map(|file| output_folder.join(&file.path).display().to_string()).collect();
     let width = names.iter().map(String::len).max().unwrap_or(0);
     let mut text = String::new();
     let mut counts = [0; 3];
@@ -147,18 +129,10 @@ fn summary(output_folder: &Path, files: &[MadeFile], changes: &[Change]) -> Stri
         let _ = writeln!(text, "{name:width$}  {word}");
     }
     let [new, updated, unchanged] = counts;
-    let _ = writeln!(
-        text,
-        "{}: {new} new, {updated} updated, {unchanged} unchanged.",
-        counted(files.len())
-    );
+    let _ = writeln!(text, "{}: {new} new, {updated} updated, {unchanged} unchanged.", counted(files.len()));
     text
 }
 
 fn counted(files: usize) -> String {
-    if files == 1 {
-        "1 file".to_owned()
-    } else {
-        format!("{files} files")
-    }
+    if files == 1 { "1 file".to_owned() } else { format!("{files} files") }
 }

@@ -28,11 +28,8 @@ fn canonical(frame: &DataFrame) -> PolarsResult<DataFrame> {
         if column.dtype() == &DataType::Float64 {
             let numbers = column.f64()?;
             // Adding 0.0 turns -0.0 into 0.0 and changes nothing else.
-            let tidy = numbers.apply(|number| {
-                number
-                    .filter(|number| !number.is_nan())
-                    .map(|number| number + 0.0)
-            });
+            let tidy =
+                numbers.apply(|number| number.filter(|number| !number.is_nan()).map(|number| number + 0.0));
             canonical.with_column(tidy.into_series().into())?;
         }
     }

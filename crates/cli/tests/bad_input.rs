@@ -53,23 +53,14 @@ fn every_bad_parameter_file_is_refused_with_file_line_key_value_and_what_is_allo
     for (section, key, line) in EDITS {
         let edit = format!(
             "{section} {key}: {}",
-            if line.is_empty() {
-                "removed".to_owned()
-            } else {
-                line.replace('\n', "; ")
-            }
+            if line.is_empty() { "removed".to_owned() } else { line.replace('\n', "; ") }
         );
         let folder = project(&edited(INVENTED, section, key, line));
         let before = listing(folder.path());
         let outcome = grazing(folder.path(), &["reproduce"]);
         assert_eq!(outcome.code, Some(2), "{edit}: {}", outcome.messages);
         assert_eq!(outcome.output, "", "{edit}");
-        assert_eq!(
-            outcome.messages.lines().count(),
-            1,
-            "{edit}: {}",
-            outcome.messages
-        );
+        assert_eq!(outcome.messages.lines().count(), 1, "{edit}: {}", outcome.messages);
         assert_eq!(listing(folder.path()), before, "{edit}");
         transcript.push_str(&format!("{edit}\n{}\n", outcome.messages));
     }
@@ -81,11 +72,7 @@ fn compare_refuses_a_bad_parameter_file_as_well() {
     let folder = project(&edited(INVENTED, "[oscillator]", "zeta", "zeta = 2"));
     let outcome = grazing(folder.path(), &["compare"]);
     assert_eq!((outcome.code, outcome.output.as_str()), (Some(2), ""));
-    assert!(
-        outcome.messages.starts_with("error: figures/parameters.toml:"),
-        "{}",
-        outcome.messages
-    );
+    assert!(outcome.messages.starts_with("error: figures/parameters.toml:"), "{}", outcome.messages);
 }
 
 #[test]
@@ -95,13 +82,7 @@ fn the_default_parameters_are_found_from_a_folder_below() {
     fs::create_dir_all(&below).expect("the folder is ours");
     let outcome = grazing(&below, &["reproduce"]);
     assert_eq!(outcome.code, Some(2));
-    assert!(
-        outcome
-            .messages
-            .starts_with("error: ../../figures/parameters.toml:"),
-        "{}",
-        outcome.messages
-    );
+    assert!(outcome.messages.starts_with("error: ../../figures/parameters.toml:"), "{}", outcome.messages);
 }
 
 #[test]
@@ -130,11 +111,7 @@ fn every_bad_command_line_is_refused() {
         assert_eq!(outcome.code, Some(2), "{line}: {}", outcome.messages);
         assert_eq!(outcome.output, "", "{line}");
         assert_eq!(listing(folder.path()), before, "{line}");
-        let first = outcome
-            .messages
-            .split("\n\n")
-            .filter(|part| !part.contains("Usage"))
-            .collect::<Vec<_>>();
+        let first = outcome.messages.split("\n\n").filter(|part| !part.contains("Usage")).collect::<Vec<_>>();
         transcript.push_str(&format!("$ grazing {line}\n{}\n", first.join("\n").trim_end()));
     }
     snapshots().bind(|| insta::assert_snapshot!("messages_for_bad_command_lines", transcript));
@@ -148,9 +125,7 @@ fn a_place_that_cannot_be_written_is_found_before_anything_is_computed() {
             fs::create_dir(out).expect("the folder is ours");
             fs::write(out.join("data"), "").expect("the folder is ours");
         }),
-        ("out/fig02.svg", |out| {
-            fs::create_dir_all(out.join("fig02.svg")).expect("the folder is ours")
-        }),
+        ("out/fig02.svg", |out| fs::create_dir_all(out.join("fig02.svg")).expect("the folder is ours")),
     ];
     for (named, obstruct) in obstacles {
         let folder = project(INVENTED);
@@ -159,11 +134,7 @@ fn a_place_that_cannot_be_written_is_found_before_anything_is_computed() {
         let outcome = grazing(folder.path(), &["reproduce", "--output", "out"]);
         assert_eq!(outcome.code, Some(2), "{named}: {}", outcome.messages);
         let beginning = format!("error: {named}: cannot be written: ");
-        assert!(
-            outcome.messages.starts_with(&beginning),
-            "{named}: {}",
-            outcome.messages
-        );
+        assert!(outcome.messages.starts_with(&beginning), "{named}: {}", outcome.messages);
         assert_eq!(listing(folder.path()), before, "{named}");
     }
 }

@@ -42,16 +42,9 @@ fn the_table_is_aligned_and_tells_every_verdict() {
 fn every_published_value_is_met_by_the_default_parameters() {
     let outcome = grazing(&repository(), &["compare"]);
     assert_eq!(outcome.code, Some(0), "{}{}", outcome.output, outcome.messages);
-    let rows = Published::printed()
-        .expect("expected/published.toml is valid")
-        .values()
-        .len();
+    let rows = Published::printed().expect("expected/published.toml is valid").values().len();
     assert_eq!(
-        outcome
-            .output
-            .lines()
-            .filter(|line| line.contains("  met  "))
-            .count(),
+        outcome.output.lines().filter(|line| line.contains("  met  ")).count(),
         rows,
         "{}",
         outcome.output
@@ -65,9 +58,5 @@ fn another_damping_ratio_misses_the_print_and_fails() {
     let outcome = grazing(folder.path(), &["compare"]);
     assert_eq!(outcome.code, Some(1), "{}", outcome.messages);
     assert!(outcome.output.contains("OFF"), "{}", outcome.output);
-    assert!(
-        outcome.messages.contains("published values not met"),
-        "{}",
-        outcome.messages
-    );
+    assert!(outcome.messages.contains("published values not met"), "{}", outcome.messages);
 }

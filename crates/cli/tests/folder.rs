@@ -9,17 +9,11 @@ use grazing_cli::folder::{Change, Kind, MadeFile, differences, ensure_writable, 
 use program::{empty_folder, listing};
 
 fn made(path: &str, content: &str) -> MadeFile {
-    MadeFile {
-        path: PathBuf::from(path),
-        content: content.as_bytes().to_vec(),
-    }
+    MadeFile { path: PathBuf::from(path), content: content.as_bytes().to_vec() }
 }
 
 fn two_files() -> Vec<MadeFile> {
-    vec![
-        made("a.svg", "<svg>\n</svg>\n"),
-        made("data/a.csv", "kind,x\nSN,1.5\nPD,\n"),
-    ]
+    vec![made("a.svg", "<svg>\n</svg>\n"), made("data/a.csv", "kind,x\nSN,1.5\nPD,\n")]
 }
 
 /// What is said of the folder that holds the two files but for this change.
@@ -31,15 +25,8 @@ fn differences_after(change: impl Fn(&Path)) -> Vec<(Kind, String)> {
         .expect("the folder can be read")
         .into_iter()
         .map(|difference| {
-            let path = difference
-                .path
-                .strip_prefix(folder.path())
-                .expect("it lies in the folder")
-                .to_owned();
-            (
-                difference.kind,
-                format!("{}: {}", path.display(), difference.what),
-            )
+            let path = difference.path.strip_prefix(folder.path()).expect("it lies in the folder").to_owned();
+            (difference.kind, format!("{}: {}", path.display(), difference.what))
         })
         .collect()
 }
@@ -59,23 +46,13 @@ fn files_are_new_then_unchanged_then_updated() {
     let out = folder.path().join("not/there/yet");
     let first = write(&out, &two_files()).expect("the folder is ours");
     assert_eq!(first, [Change::New, Change::New]);
-    assert_eq!(
-        fs::read_to_string(out.join("a.svg")).expect("it was written"),
-        "<svg>\n</svg>\n"
-    );
+    assert_eq!(fs::read_to_string(out.join("a.svg")).expect("it was written"), "<svg>\n</svg>\n");
     let second = write(&out, &two_files()).expect("the folder is ours");
     assert_eq!(second, [Change::Unchanged, Change::Unchanged]);
     let mut files = two_files();
     files[1].content.push(b'\n');
-    assert_eq!(
-        write(&out, &files).expect("the folder is ours"),
-        [Change::Unchanged, Change::Updated]
-    );
-    assert_eq!(
-        listing(&out),
-        ["a.svg", "data", "data/a.csv"],
-        "no temporary file is left"
-    );
+    assert_eq!(write(&out, &files).expect("the folder is ours"), [Change::Unchanged, Change::Updated]);
+    assert_eq!(listing(&out), ["a.svg", "data", "data/a.csv"], "no temporary file is left");
 }
 
 #[cfg(unix)]
@@ -85,15 +62,7 @@ fn written_files_can_be_read_by_whoever_can_read_other_new_files() {
     let folder = empty_folder();
     write(folder.path(), &two_files()).expect("the folder is ours");
     fs::write(folder.path().join("ordinary"), "").expect("the folder is ours");
-    let mode = |name: &str| {
-        folder
-            .path()
-            .join(name)
-            .metadata()
-            .expect("it is there")
-            .permissions()
-            .mode()
-    };
+    let mode = |name: &str| folder.path().join(name).metadata().expect("it is there").permissions().mode();
     assert_eq!(mode("a.svg"), mode("ordinary"));
 }
 
@@ -104,15 +73,8 @@ fn if_one_file_cannot_be_written_none_is() {
     fs::write(folder.path().join("data"), "in the way").expect("the folder is ours");
     let failure = write(folder.path(), &two_files()).expect_err("data is no folder");
     assert_eq!(failure.exit_code(), 4);
-    assert_eq!(
-        fs::read_to_string(folder.path().join("a.svg")).expect("it is there"),
-        "old"
-    );
-    assert_eq!(
-        listing(folder.path()),
-        ["a.svg", "data"],
-        "no temporary file is left"
-    );
+    assert_eq!(fs::read_to_string(folder.path().join("a.svg")).expect("it is there"), "old");
+    assert_eq!(listing(folder.path()), ["a.svg", "data"], "no temporary file is left");
 }
 
 #[test]
@@ -147,18 +109,12 @@ fn files_that_the_code_does_not_make_are_named() {
             fs::write(folder.join(stale), "").expect("the folder is ours");
         }
     });
-    let named: Vec<_> = found
-        .iter()
-        .map(|(kind, text)| (*kind, text.split(':').next().unwrap_or("")))
-        .collect();
+    let named: Vec<_> =
+        found.iter().map(|(kind, text)| (*kind, text.split(':').next().unwrap_or(""))).collect();
     let unexpected = Kind::Unexpected;
     assert_eq!(
         named,
-        [
-            (unexpected, "data/.grazing-8fHq"),
-            (unexpected, "data/old.csv"),
-            (unexpected, "old.svg")
-        ]
+        [(unexpected, "data/.grazing-8fHq"), (unexpected, "data/old.csv"), (unexpected, "old.svg")]
     );
 }
 
@@ -173,20 +129,14 @@ fn the_first_differing_cell_of_a_table_is_named_with_both_values() {
 #[test]
 fn another_header_or_number_of_cells_is_shown_as_whole_lines() {
     let said = difference_of_table("kind,y\nSN,1.5\nPD,\n");
-    assert_eq!(
-        said,
-        "data/a.csv: line 1: `kind,y` here, `kind,x` made by the code"
-    );
+    assert_eq!(said, "data/a.csv: line 1: `kind,y` here, `kind,x` made by the code");
     let said = difference_of_table("kind,x\nSN\nPD,\n");
     assert_eq!(said, "data/a.csv: line 2: `SN` here, `SN,1.5` made by the code");
 }
 
 #[test]
 fn another_number_of_lines_is_told() {
-    assert_eq!(
-        difference_of_table("kind,x\nSN,1.5\n"),
-        "data/a.csv: ends after line 2, the code makes more"
-    );
+    assert_eq!(difference_of_table("kind,x\nSN,1.5\n"), "data/a.csv: ends after line 2, the code makes more");
     let said = difference_of_table("kind,x\nSN,1.5\nPD,\nPD,\n");
     assert_eq!(said, "data/a.csv: more lines here than the 3 made by the code");
     assert!(difference_of_table("kind,x\r\nSN,1.5\r\nPD,\r\n").contains("line ends"));
@@ -196,8 +146,5 @@ fn another_number_of_lines_is_told() {
 fn another_picture_is_told_with_its_line() {
     let found =
         differences_after(|folder| fs::write(folder.join("a.svg"), "<svg>\n<g/>\n").expect("it is ours"));
-    assert_eq!(
-        found[0].1,
-        "a.svg: differs from what the code makes, first in line 2"
-    );
+    assert_eq!(found[0].1, "a.svg: differs from what the code makes, first in line 2");
 }

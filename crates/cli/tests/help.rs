@@ -12,11 +12,7 @@ const WIDTH: usize = 100;
 
 fn help(arguments: &[&str]) -> String {
     let outcome = grazing(empty_folder().path(), arguments);
-    assert_eq!(
-        (outcome.code, outcome.messages.as_str()),
-        (Some(0), ""),
-        "{arguments:?}"
-    );
+    assert_eq!((outcome.code, outcome.messages.as_str()), (Some(0), ""), "{arguments:?}");
     outcome.output
 }
 
@@ -28,15 +24,7 @@ fn the_command_line_is_well_defined() {
 #[test]
 fn help_tells_of_commands_and_exit_codes() {
     let text = help(&["--help"]);
-    for told in [
-        "reproduce",
-        "compare",
-        "cargo xtask",
-        "2602.22797",
-        "Exit codes:",
-        "\n  1  ",
-        "\n  2  ",
-    ] {
+    for told in ["reproduce", "compare", "cargo xtask", "2602.22797", "Exit codes:", "\n  1  ", "\n  2  "] {
         assert!(text.contains(told), "`{told}` is missing in\n{text}");
     }
 }
@@ -49,12 +37,7 @@ fn every_command_has_help_with_examples_and_every_option_is_explained() {
         assert!(text.contains("Exit codes:"), "{text}");
         for option in command.get_arguments() {
             let explained = option.get_help().is_some_and(|help| help.to_string().len() > 10);
-            assert!(
-                explained,
-                "{} {} is not explained",
-                command.get_name(),
-                option.get_id()
-            );
+            assert!(explained, "{} {} is not explained", command.get_name(), option.get_id());
         }
     }
 }
@@ -63,27 +46,15 @@ fn every_command_has_help_with_examples_and_every_option_is_explained() {
 fn help_of_reproduce_lists_every_output_with_its_title() {
     let text = help(&["reproduce", "--help"]);
     for output in outputs::ALL {
-        assert!(
-            text.contains(output.name) && text.contains(output.title),
-            "{} is missing",
-            output.name
-        );
+        assert!(text.contains(output.name) && text.contains(output.title), "{} is missing", output.name);
     }
 }
 
 #[test]
 fn help_fits_a_terminal() {
-    for arguments in [
-        vec!["--help"],
-        vec!["reproduce", "--help"],
-        vec!["compare", "--help"],
-    ] {
+    for arguments in [vec!["--help"], vec!["reproduce", "--help"], vec!["compare", "--help"]] {
         for line in help(&arguments).lines() {
-            assert!(
-                line.chars().count() <= WIDTH,
-                "{} characters: {line}",
-                line.chars().count()
-            );
+            assert!(line.chars().count() <= WIDTH, "{} characters: {line}", line.chars().count());
         }
     }
 }

@@ -33,12 +33,7 @@ fn the_readme_shows_the_two_commands() {
 #[test]
 fn every_command_of_the_readme_is_understood() {
     for command in commands() {
-        let words = command
-            .split('#')
-            .next()
-            .unwrap_or_default()
-            .split_whitespace()
-            .skip(2);
+        let words = command.split('#').next().unwrap_or_default().split_whitespace().skip(2);
         match Arguments::try_parse_from(std::iter::once("grazing").chain(words)) {
             Ok(_) => {}
             Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {}

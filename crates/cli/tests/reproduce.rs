@@ -30,21 +30,10 @@ fn the_whole_reproduction_passes_its_own_check_whatever_the_number_of_threads() 
             "{file} is not told of in\n{}",
             made.output
         );
-        assert!(
-            folder.path().join("figures").join(file).is_file(),
-            "{file} was not written"
-        );
+        assert!(folder.path().join("figures").join(file).is_file(), "{file} was not written");
     }
-    assert_eq!(
-        listing(folder.path()).len(),
-        files.len() + 3,
-        "two folders and the parameters, nothing else"
-    );
-    assert!(
-        made.output.contains("published values are met"),
-        "{}",
-        made.output
-    );
+    assert_eq!(listing(folder.path()).len(), files.len() + 3, "two folders and the parameters, nothing else");
+    assert!(made.output.contains("published values are met"), "{}", made.output);
 
     let checked = grazing(folder.path(), &["reproduce", "--check", "--jobs", "2"]);
     assert_eq!(checked.code, Some(0), "{}", checked.messages);
@@ -67,25 +56,12 @@ fn a_check_names_the_tampered_files_and_the_command_that_mends_them() {
     let checked = grazing(folder.path(), &["reproduce", "--only", "coefficients", "--check"]);
     assert_eq!(checked.code, Some(1), "{}", checked.messages);
     let line = table.lines().count();
-    let column = table
-        .lines()
-        .next()
-        .and_then(|header| header.rsplit(',').next())
-        .expect("there is a header");
+    let column =
+        table.lines().next().and_then(|header| header.rsplit(',').next()).expect("there is a header");
     let told =
         format!("figures/data/coefficients.csv: line {line}, {column}: 1.0 here, {last} made by the code\n");
-    assert!(
-        checked.messages.contains(&told),
-        "{told} is not told in {}",
-        checked.messages
-    );
-    assert!(
-        checked
-            .errors()
-            .contains("`cargo xtask reproduce --only coefficients`"),
-        "{}",
-        checked.messages
-    );
+    assert!(checked.messages.contains(&told), "{told} is not told in {}", checked.messages);
+    assert!(checked.errors().contains("`cargo xtask reproduce --only coefficients`"), "{}", checked.messages);
     assert_eq!(listing(folder.path()), before);
     let unmended = fs::read_to_string(here("figures/data/coefficients.csv")).expect("it is there");
     assert_eq!(unmended, tampered, "a check writes nothing");
@@ -107,9 +83,7 @@ fn an_interrupted_run_leaves_every_file_as_it_was() {
     // Its first line of progress comes when the computation begins, which is long before anything is written.
     let mut line = String::new();
     let messages = run.stderr.take().expect("it is piped");
-    BufReader::new(messages)
-        .read_line(&mut line)
-        .expect("the program tells of its progress");
+    BufReader::new(messages).read_line(&mut line).expect("the program tells of its progress");
     assert!(line.ends_with("begun\n"), "{line}");
     run.kill().expect("it still runs");
     run.wait().expect("it ends");

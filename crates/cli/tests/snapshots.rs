@@ -12,10 +12,7 @@ const BY_HAND: [&str; 2] = ["published.toml", "claims.toml"];
 
 /// The test file that a snapshot says it comes from.
 fn source(snapshot: &str) -> Option<&str> {
-    snapshot
-        .lines()
-        .take_while(|line| !line.is_empty())
-        .find_map(|line| line.strip_prefix("source: "))
+    snapshot.lines().take_while(|line| !line.is_empty()).find_map(|line| line.strip_prefix("source: "))
 }
 
 #[test]
@@ -24,11 +21,7 @@ fn every_snapshot_is_used_by_the_test_that_made_it() {
     let mut snapshots = 0;
     for entry in fs::read_dir(&folder).expect("expected/ can be read") {
         let path = entry.expect("expected/ can be read").path();
-        let file = path
-            .file_name()
-            .and_then(|name| name.to_str())
-            .expect("a name in UTF-8")
-            .to_owned();
+        let file = path.file_name().and_then(|name| name.to_str()).expect("a name in UTF-8").to_owned();
         if BY_HAND.contains(&file.as_str()) {
             continue;
         }

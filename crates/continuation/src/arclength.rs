@@ -51,12 +51,7 @@ pub struct StepControl {
 
 impl StepControl {
     /// Steps for curves that are drawn: two degrees of turn look smooth at any magnification used (empirical).
-    pub const DRAWING: Self = Self {
-        first: 1e-3,
-        longest: 0.02,
-        shortest: 1e-8,
-        turn: 0.035,
-    };
+    pub const DRAWING: Self = Self { first: 1e-3, longest: 0.02, shortest: 1e-8, turn: 0.035 };
 }
 
 /// A point on the curve.
@@ -117,23 +112,11 @@ where
             .evaluate(&start, &mut memory)
             .map_err(|cause| stall(NewtonFailure::Undefined { iteration: 1, cause }))?;
         let residual = linearisation.residual.norm();
-        let tangent = tangent(linearisation, &direction).ok_or(stall(NewtonFailure::Singular {
-            iteration: 1,
-            residual,
-        }))?;
+        let tangent = tangent(linearisation, &direction)
+            .ok_or(stall(NewtonFailure::Singular { iteration: 1, residual }))?;
         equations.settle(&start, &mut memory);
-        let here = Station {
-            point: start,
-            tangent,
-            memory,
-        };
-        Ok(Self {
-            equations,
-            control,
-            here,
-            step: control.first,
-            curvature: SVector::zeros(),
-        })
+        let here = Station { point: start, tangent, memory };
+        Ok(Self { equations, control, here, step: control.first, curvature: SVector::zeros() })
     }
 
     /// The last point found.
@@ -160,10 +143,7 @@ where
                 Ok(_) => self.step *= 0.5,
                 Err(failure) => {
                     if self.step <= self.control.shortest {
-                        return Err(Stall {
-                            step: self.step,
-                            failure,
-                        });
+                        return Err(Stall { step: self.step, failure });
                     }
                     self.step *= 0.25;
                 }
@@ -174,11 +154,7 @@ where
 
     /// One predictor and corrector; the new station and the angle between the two tangents.
     fn attempt(&self) -> Result<Attempt<N, C::Memory>, NewtonFailure<C::Failure>> {
-        let Station {
-            point: origin,
-            tangent: along,
-            ..
-        } = &self.here;
+        let Station { point: origin, tangent: along, .. } = &self.here;
         let mut memory = self.here.memory.clone();
         let predicted = origin + (along + self.curvature * (0.5 * self.step)) * self.step;
         let solution = newton::solve(predicted, CORRECTOR_LIMIT, |point| {
@@ -188,20 +164,11 @@ where
             Ok(bordered)
         })?;
         let residual = solution.last.residual.norm();
-        let tangent = tangent(solution.last, along).ok_or(NewtonFailure::Singular {
-            iteration: solution.iterations,
-            residual,
-        })?;
+        let tangent = tangent(solution.last, along)
+            .ok_or(NewtonFailure::Singular { iteration: solution.iterations, residual })?;
         self.equations.settle(&solution.point, &mut memory);
         let angle = libm::acos(tangent.dot(along).clamp(-1.0, 1.0));
-        Ok((
-            Station {
-                point: solution.point,
-                tangent,
-                memory,
-            },
-            angle,
-        ))
+        Ok((Station { point: solution.point, tangent, memory }, angle))
     }
 }
 

@@ -38,32 +38,46 @@ const LEVELS: usize = 9;
 /// Impact velocity of the first point; small against the velocities (order one) at which the curves end.
 const FIRST_VELOCITY: f64 = 0.04;
 
+/// How often the first impact velocity is halved where the curve does not reach that far.
+const RETREATS: usize = 6;
+
 /// lim μ/η² along the SN or PD curve as it runs into the resonance.
 ///
 /// The curve's equations are solved at a sequence of impact velocities that fall by halves, μ = primary − primary_graz(η)
 /// and η are read off, and μ/η² is extrapolated to y = 0 by Neville's scheme, whose best entry is kept.
 ///
 /// # Errors
-/// A point of the curve or its grazing orbit was not found.
+/// A point of the curve or its grazing orbit was not found, even close to the resonance.
 pub fn quadratic_coefficient<O: ImpactOscillator>(
     resonance: &ResonantGrazingPoint<O>,
     condition: Condition,
 ) -> Result<Estimate, FitError> {
+    let mut first = FIRST_VELOCITY;
+    for _ in 0..RETREATS {
+        if let Ok(estimate) = extrapolated_from(resonance, condition, first) {
+            return Ok(estimate);
+        }
+        first *= 0.5;
+    }
+    extrapolated_from(resonance, condition, first)
+}
+
+/// The coefficient from impact velocities `first`, `first`/2, ….
+fn extrapolated_from<O: ImpactOscillator>(
+    resonance: &ResonantGrazingPoint<O>,
+    condition: Condition,
+    first: f64,
+) -> Result<Estimate, FitError> {
     let origin = resonance.unknowns();
     let mut direction = resonance.direction(condition);
     direction /= direction[unknown::VELOCITY];
-    let mut velocities = [0.0; LEVELS];
-    let mut ratios = [Estimate {
-        value: 0.0,
-        error: 0.0,
-    }; LEVELS];
-    let mut velocity = FIRST_VELOCITY;
-    for (y, ratio) in velocities.iter_mut().zip(&mut ratios) {
-        (*y, *ratio) = (
-            velocity,
-            ratio_at(resonance, condition, origin + direction * velocity, velocity)?,
-        );
-        velocity *= 0.5;
+    let mut velocities = [first; LEVELS];
+    for k in 1..LEVELS {
+        velocities[k] = 0.5 * velocities[k - 1];
+    }
+    let mut ratios = [Estimate { value: 0.0, error: 0.0 }; LEVELS];
+    for (velocity, ratio) in velocities.iter().zip(&mut ratios) {
+        *ratio = ratio_at(resonance, condition, origin + direction * *velocity, *velocity)?;
     }
     Ok(extrapolate(&velocities, &ratios))
 }
@@ -85,18 +99,12 @@ fn ratio_at<O: ImpactOscillator>(
     let value = mu / (eta * eta);
     let relative = |scale: f64, size: f64| 4.0 * f64::EPSILON * scale.abs() / size.abs();
     let noise = relative(orbit.primary(), mu) + 2.0 * relative(point[unknown::SECONDARY], eta);
-    Ok(Estimate {
-        value,
-        error: value.abs() * noise,
-    })
+    Ok(Estimate { value, error: value.abs() * noise })
 }
 
 /// Neville's extrapolation to zero; the entry with the least estimated error.
 fn extrapolate(at: &[f64; LEVELS], values: &[Estimate; LEVELS]) -> Estimate {
-    let mut best = Estimate {
-        error: f64::INFINITY,
-        ..values[0]
-    };
+    let mut best = Estimate { error: f64::INFINITY, ..values[0] };
     let mut column = *values;
     for order in 1..LEVELS {
         let mut next = column;
@@ -104,15 +112,10 @@ fn extrapolate(at: &[f64; LEVELS], values: &[Estimate; LEVELS]) -> Estimate {
             let weight = at[i] / (at[i - order] - at[i]);
             let value = column[i].value + weight * (column[i].value - column[i - 1].value);
             let noise = (1.0 + weight) * column[i].error + weight * column[i - 1].error;
-            let difference = (value - column[i].value)
-                .abs()
-                .max((value - column[i - 1].value).abs());
+            let difference = (value - column[i].value).abs().max((value - column[i - 1].value).abs());
             next[i] = Estimate { value, error: noise };
             if difference.max(noise) < best.error {
-                best = Estimate {
-                    value,
-                    error: difference.max(noise),
-                };
+                best = Estimate { value, error: difference.max(noise) };
             }
         }
         column = next;

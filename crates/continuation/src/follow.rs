@@ -20,9 +20,7 @@ pub(crate) fn follow<O: ImpactOscillator>(
     memory: Memory,
     route: &Route,
 ) -> Result<Curve, Stall<MapError>> {
-    let first = Continuation::new(&equations, route.control, start, direction, memory)?
-        .here()
-        .clone();
+    let first = Continuation::new(&equations, route.control, start, direction, memory)?.here().clone();
     let mut follower = Follower {
         route,
         signs: None,
@@ -109,10 +107,7 @@ impl Follower<'_> {
             self.end_on_the_edge(equations, before, after);
             return ControlFlow::Break(CurveEnd::LeftWindow);
         }
-        self.curve.points.push(CurvePoint {
-            solution,
-            memory: after.memory,
-        });
+        self.curve.points.push(CurvePoint { solution, memory: after.memory });
         ControlFlow::Continue(())
     }
 
@@ -130,12 +125,7 @@ impl Follower<'_> {
         let mut located = Vec::new();
         for condition in changes(past, now) {
             match locate_event(equations, condition, before, after, beyond) {
-                Ok((solution, memory)) => located.push(Event {
-                    condition,
-                    solution,
-                    index,
-                    memory,
-                }),
+                Ok((solution, memory)) => located.push(Event { condition, solution, index, memory }),
                 Err(failure) => {
                     return ControlFlow::Break(CurveEnd::EventNotLocated { condition, failure });
                 }
@@ -146,10 +136,7 @@ impl Follower<'_> {
         for event in located {
             self.curve.events.push(event.clone());
             if self.route.stop_at_events {
-                self.curve.points.push(CurvePoint {
-                    solution: event.solution,
-                    memory: event.memory.clone(),
-                });
+                self.curve.points.push(CurvePoint { solution: event.solution, memory: event.memory.clone() });
                 return ControlFlow::Break(CurveEnd::Event(event));
             }
         }
@@ -168,12 +155,7 @@ impl Follower<'_> {
         let mut memory = after.memory.clone();
         let located = match equations.condition {
             Condition::InteriorGrazing => locate_grazing_end(&equations.equations, near, &mut memory),
-            _ => locate(
-                &equations.equations,
-                [equations.condition, condition],
-                near,
-                &mut memory,
-            ),
+            _ => locate(&equations.equations, [equations.condition, condition], near, &mut memory),
         };
         let mut point = match located {
             Ok(point) => point,
@@ -187,12 +169,7 @@ impl Follower<'_> {
                 solution = equations.equations.limiting_solution(&point, &end.here().tangent);
             }
             // An end of interior grazing is a branch point, without a unique tangent along which to take limits.
-            _ => {
-                solution.multipliers = Multipliers {
-                    trace: f64::NAN,
-                    determinant: f64::NAN,
-                }
-            }
+            _ => solution.multipliers = Multipliers { trace: f64::NAN, determinant: f64::NAN },
         }
         self.curve.points.push(CurvePoint { solution, memory });
         CurveEnd::Grazing
@@ -208,10 +185,7 @@ impl Follower<'_> {
         let window = &self.route.window;
         let outside = after.point;
         let mut memory = after.memory;
-        let edges = [
-            (unknown::PRIMARY, window.primary),
-            (unknown::SECONDARY, window.secondary),
-        ];
+        let edges = [(unknown::PRIMARY, window.primary), (unknown::SECONDARY, window.secondary)];
         let crossing = edges.into_iter().find_map(|(coordinate, [low, high])| {
             let value = outside[coordinate];
             if low <= value && value <= high {
@@ -236,16 +210,11 @@ impl Follower<'_> {
 /// The first point; at y = 0 its multipliers are limits along the tangent.
 fn starting_point<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStation) -> CurvePoint {
     let solution = if first.point[unknown::VELOCITY] == 0.0 {
-        equations
-            .equations
-            .limiting_solution(&first.point, &first.tangent)
+        equations.equations.limiting_solution(&first.point, &first.tangent)
     } else {
         equations.equations.solution(&first.point).0
     };
-    CurvePoint {
-        solution,
-        memory: first.memory.clone(),
-    }
+    CurvePoint { solution, memory: first.memory.clone() }
 }
 
 /// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only grazing can happen there.
@@ -261,14 +230,10 @@ fn signs(along: Condition, pair: &LoopPair, solution: &MaximalPeriodicSolution) 
 fn changes(past: Signs, now: Signs) -> impl Iterator<Item = Condition> {
     let list = [
         (past.saddle_node != now.saddle_node, Condition::SADDLE_NODE),
-        (
-            past.period_doubling != now.period_doubling,
-            Condition::PERIOD_DOUBLING,
-        ),
+        (past.period_doubling != now.period_doubling, Condition::PERIOD_DOUBLING),
         (past.inadmissible != now.inadmissible, Condition::InteriorGrazing),
     ];
-    list.into_iter()
-        .filter_map(|(changed, condition)| changed.then_some(condition))
+    list.into_iter().filter_map(|(changed, condition)| changed.then_some(condition))
 }
 
 /// Locates an event between two points of the curve; `beyond` is the MPS at the second.
@@ -295,12 +260,7 @@ fn locate_event<O: ImpactOscillator>(
             memory.grazing_time = maximum.time;
         }
     }
-    let point = locate(
-        &equations.equations,
-        [equations.condition, condition],
-        near,
-        &mut memory,
-    )?;
+    let point = locate(&equations.equations, [equations.condition, condition], near, &mut memory)?;
     let (distance, step) = ((point - near).norm(), (after.point - before.point).norm());
     if distance > 2.0 * step {
         return Err(LocateFailure::Elsewhere { distance, step });

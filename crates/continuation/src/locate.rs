@@ -135,9 +135,7 @@ pub fn locate_grazing_end<O: ImpactOscillator>(
         let (_, slopes) = equations.interior_maximum(point, memory).map_err(undefined)?;
         let derivative: SMatrix<f64, 2, 4> = pair.difference().1;
         let mut matrix = Matrix3::zeros();
-        matrix
-            .fixed_view_mut::<2, 3>(0, 0)
-            .copy_from(&derivative.fixed_columns::<3>(0));
+        matrix.fixed_view_mut::<2, 3>(0, 0).copy_from(&derivative.fixed_columns::<3>(0));
         matrix.set_row(2, &slopes.fixed_rows::<3>(0).transpose());
         Ok::<f64, NewtonFailure<MapError>>(matrix.determinant())
     };
@@ -153,11 +151,7 @@ pub fn locate_grazing_end<O: ImpactOscillator>(
         (a, value_a) = (b, value_b);
         b -= step;
     }
-    Err(NewtonFailure::NoConvergence {
-        iterations: LIMIT,
-        residual: value_a,
-    }
-    .into())
+    Err(NewtonFailure::NoConvergence { iterations: LIMIT, residual: value_a }.into())
 }
 
 /// Moves (z, μ) of a point with y = 0 onto the grazing periodic orbit at the point's η.
@@ -167,18 +161,15 @@ fn grazing_orbit<O: ImpactOscillator>(
     memory: &mut Memory,
 ) -> Result<(), NewtonFailure<MapError>> {
     let fixed = *point;
-    let solution = newton::solve(
-        Vector2::new(point[unknown::PHASE], point[unknown::PRIMARY]),
-        LIMIT,
-        |zm| {
+    let solution =
+        newton::solve(Vector2::new(point[unknown::PHASE], point[unknown::PRIMARY]), LIMIT, |zm| {
             let mut trial = fixed;
             trial[unknown::PHASE] = zm[0];
             trial[unknown::PRIMARY] = zm[1];
             let (residual, derivative) = equations.pair::<1>(&trial, memory)?.difference();
             let jacobian: Matrix2<f64> = derivative.fixed_columns::<2>(1).into_owned();
             Ok(Linearisation { residual, jacobian })
-        },
-    )?;
+        })?;
     point[unknown::PHASE] = solution.point[0];
     point[unknown::PRIMARY] = solution.point[1];
     Ok(())

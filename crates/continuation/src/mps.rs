@@ -55,10 +55,7 @@ pub struct Memory {
 impl Memory {
     /// A memory that starts a grazing curve at the interior maximum found `time` after the recoil.
     pub fn grazing_at(time: f64) -> Self {
-        Self {
-            grazing_time: time,
-            ..Self::default()
-        }
+        Self { grazing_time: time, ..Self::default() }
     }
 }
 
@@ -83,11 +80,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The equations of MPSs with `loops` = p ≥ 1 loops; the oscillator's own parameters do not matter.
     pub fn new(oscillator: O, loops: u32, formulation: Formulation) -> Self {
         assert!(loops >= 1, "an MPS has at least one loop");
-        Self {
-            oscillator,
-            loops,
-            formulation,
-        }
+        Self { oscillator, loops, formulation }
     }
 
     /// The number of loops p.
@@ -102,16 +95,12 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     /// The same equations in another formulation.
     pub fn with_formulation(&self, formulation: Formulation) -> Self {
-        Self {
-            formulation,
-            ..self.clone()
-        }
+        Self { formulation, ..self.clone() }
     }
 
     /// The oscillator at the parameters of a point.
     pub fn oscillator_at(&self, point: &Unknowns) -> O {
-        self.oscillator
-            .with_parameters([point[unknown::PRIMARY], point[unknown::SECONDARY]])
+        self.oscillator.with_parameters([point[unknown::PRIMARY], point[unknown::SECONDARY]])
     }
 
     /// The two maps at a point with derivatives up to `ORDER`.
@@ -134,19 +123,14 @@ impl<O: ImpactOscillator> LoopEquations<O> {
                 let back = maps::virtual_map::<O, ORDER>(&oscillator, recoil[0], recoil[1], from_recoil)?;
                 memory.virtual_times = [Some(ahead.time), Some(back.time)];
                 let mut jet = back.jet.after::<ORDER>(&reset);
-                memory
-                    .return_times
-                    .resize(self.loops as usize, oscillator.forcing_period());
+                memory.return_times.resize(self.loops as usize, oscillator.forcing_period());
                 for time in &mut memory.return_times {
                     let next =
                         maps::global_map::<O, ORDER>(&oscillator, jet.value[0], jet.value[1], Some(*time))?;
                     *time = next.time;
                     jet = next.jet.after::<ORDER>(&jet);
                 }
-                Ok(LoopPair {
-                    round_trip: jet,
-                    impact: ahead.jet,
-                })
+                Ok(LoopPair { round_trip: jet, impact: ahead.jet })
             }
             Formulation::FixedPhase => {
                 let plane = *memory.reference_phase.get_or_insert(phase);
@@ -164,10 +148,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         let turns = f64::from(self.loops) * core::f64::consts::TAU;
         let around = maps::to_phase::<O, ORDER>(&oscillator, recoil[0], recoil[1], plane + turns);
         let impact = maps::to_phase::<O, ORDER>(&oscillator, velocity, phase, plane);
-        LoopPair {
-            round_trip: around.after::<ORDER>(&reset),
-            impact,
-        }
+        LoopPair { round_trip: around.after::<ORDER>(&reset), impact }
     }
 
     /// Brings the memory up to an accepted point: the comparison plane moves to its phase.
@@ -183,17 +164,13 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// A loop has no maximum of x near Π, as where VIVID is not defined.
     pub fn visits(&self, point: &Unknowns, memory: &Memory) -> Result<Vec<Vector2<f64>>, MapError> {
         let oscillator = self.oscillator_at(point);
-        let recoil = oscillator
-            .reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE])
-            .value;
+        let recoil = oscillator.reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE]).value;
         let back = maps::virtual_map::<O, 1>(&oscillator, recoil[0], recoil[1], memory.virtual_times[1])?;
         let mut here = back.jet.value;
         (0..self.loops as usize)
             .map(|j| {
                 let time = memory.return_times.get(j).copied();
-                here = maps::global_map::<O, 1>(&oscillator, here[0], here[1], time)?
-                    .jet
-                    .value;
+                here = maps::global_map::<O, 1>(&oscillator, here[0], here[1], time)?.jet.value;
                 Ok(here)
             })
             .collect()
@@ -234,9 +211,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     fn orbit(&self, point: &Unknowns, multipliers: Multipliers) -> MaximalPeriodicSolution {
         let oscillator = self.oscillator_at(point);
-        let reset = oscillator
-            .reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE])
-            .value;
+        let reset = oscillator.reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE]).value;
         let frequency = oscillator.forcing_frequency().value;
         let lag = (reset[1] - point[unknown::PHASE]) / frequency;
         let flight = f64::from(self.loops) * oscillator.forcing_period() - lag;
@@ -253,10 +228,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 impl LoopPair {
     /// V and its derivatives in (y, z, μ, η): the zeros are MPSs. Paper: eq:V.
     pub fn difference(&self) -> (Vector2<f64>, SMatrix<f64, 2, 4>) {
-        (
-            self.round_trip.value - self.impact.value,
-            self.round_trip.jacobian - self.impact.jacobian,
-        )
+        (self.round_trip.value - self.impact.value, self.round_trip.jacobian - self.impact.jacobian)
     }
 
     /// det(D round trip − λ D impact) and its gradient in the unknowns.
@@ -279,10 +251,7 @@ impl LoopPair {
     /// Trace and determinant of U = D(P_global^p ∘ P_disc). Paper: eq:U, eq:TD.
     pub fn multipliers(&self) -> Multipliers {
         let (numerators, denominator) = self.unscaled_multipliers();
-        Multipliers {
-            trace: numerators[0] / denominator,
-            determinant: numerators[1] / denominator,
-        }
+        Multipliers { trace: numerators[0] / denominator, determinant: numerators[1] / denominator }
     }
 
     /// (trace, determinant) of U times det D impact, and det D impact, which vanishes like y.
@@ -355,8 +324,7 @@ impl MaximalPeriodicSolution {
 
     /// The highest interior maximum of x, or −∞ if x has no interior maximum.
     pub fn ceiling(&self) -> f64 {
-        self.highest_interior_maximum
-            .map_or(f64::NEG_INFINITY, |maximum| maximum.position)
+        self.highest_interior_maximum.map_or(f64::NEG_INFINITY, |maximum| maximum.position)
     }
 
     /// A valid solution of the hybrid system: y > 0 and no interior maximum of x above the wall, wherever it lies.
@@ -375,10 +343,7 @@ pub(crate) fn stack(
     (difference, derivative): (Vector2<f64>, SMatrix<f64, 2, 4>),
     (value, gradient): (f64, Vector4<f64>),
 ) -> Linearisation<4> {
-    let mut system = Linearisation {
-        residual: Vector4::zeros(),
-        jacobian: SMatrix::zeros(),
-    };
+    let mut system = Linearisation { residual: Vector4::zeros(), jacobian: SMatrix::zeros() };
     system.residual.fixed_rows_mut::<2>(0).copy_from(&difference);
     system.jacobian.fixed_rows_mut::<2>(0).copy_from(&derivative);
     system.residual[2] = value;

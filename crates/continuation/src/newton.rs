@@ -80,15 +80,8 @@ where
             .ok_or(NewtonFailure::Singular { iteration, residual })?;
         point -= step;
         if step.norm() <= STEP_TOLERANCE {
-            return Ok(Solution {
-                point,
-                last,
-                iterations: iteration,
-            });
+            return Ok(Solution { point, last, iterations: iteration });
         }
     }
-    Err(NewtonFailure::NoConvergence {
-        iterations: limit,
-        residual,
-    })
+    Err(NewtonFailure::NoConvergence { iterations: limit, residual })
 }

@@ -63,12 +63,7 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
         let orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
         let point = orbit.resonant_point(loops)?;
         let theorem = ResonantGrazing::check(&point, RESONANCE_TOLERANCE)?;
-        Ok(Self {
-            equations,
-            orbit,
-            theorem,
-            point,
-        })
+        Ok(Self { equations, orbit, theorem, point })
     }
 
     /// The number of loops p.
@@ -127,26 +122,11 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
 
     /// Follows the SN or PD curve from the resonance.
     fn leave(&self, condition: Condition, route: &Route) -> Result<Curve, ResonanceError> {
-        let curve = MpsCurve {
-            equations: self.equations.clone(),
-            condition,
-        };
-        let name = if condition == Condition::SADDLE_NODE {
-            "saddle-node"
-        } else {
-            "period-doubling"
-        };
+        let curve = MpsCurve { equations: self.equations.clone(), condition };
+        let name = if condition == Condition::SADDLE_NODE { "saddle-node" } else { "period-doubling" };
         curve
-            .follow(
-                self.unknowns(),
-                self.direction(condition),
-                Memory::default(),
-                route,
-            )
-            .map_err(|stall| ResonanceError::NotStarted {
-                curve: name,
-                reason: stall.to_string(),
-            })
+            .follow(self.unknowns(), self.direction(condition), Memory::default(), route)
+            .map_err(|stall| ResonanceError::NotStarted { curve: name, reason: stall.to_string() })
     }
 
     /// All curves that bound the stable region of the MPS at this resonance: SN and PD from the resonance, and GZ from the
@@ -164,34 +144,21 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
             };
             let corner = event.solution.unknowns;
             let reached = |other: &Curve| {
-                other
-                    .points
-                    .last()
-                    .is_some_and(|last| same_point(&last.solution.unknowns, &corner))
+                other.points.last().is_some_and(|last| same_point(&last.solution.unknowns, &corner))
             };
             if event.condition == Condition::InteriorGrazing && !grazing.iter().any(reached) {
                 grazing.push(self.graze(event, route)?);
             }
         }
-        Ok(UnfoldedResonance {
-            saddle_node,
-            period_doubling,
-            grazing,
-        })
+        Ok(UnfoldedResonance { saddle_node, period_doubling, grazing })
     }
 
     /// Follows the GZ curve from a codimension-two point to the side where the MPS is stable.
     fn graze(&self, corner: &Event, route: &Route) -> Result<Curve, ResonanceError> {
-        let not_started = |reason: String| ResonanceError::NotStarted {
-            curve: "interior grazing",
-            reason,
-        };
+        let not_started = |reason: String| ResonanceError::NotStarted { curve: "interior grazing", reason };
         let mut reason = "the solution is stable to neither side".to_owned();
         for sign in [1.0, -1.0] {
-            let curve = MpsCurve {
-                equations: self.equations.clone(),
-                condition: Condition::InteriorGrazing,
-            };
+            let curve = MpsCurve { equations: self.equations.clone(), condition: Condition::InteriorGrazing };
             let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
             match curve.follow(corner.solution.unknowns, direction, corner.memory.clone(), route) {
                 Ok(curve) if curve.points.get(1).is_some_and(|point| point.solution.stable()) => {

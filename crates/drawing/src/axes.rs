@@ -45,17 +45,9 @@ impl<'c> Panel<'c> {
         let coordinates: Cartesian2d<RangedCoordf64, RangedCoordf64> = Cartesian2d::new(
             window.x[0]..window.x[1],
             window.y[0]..window.y[1],
-            (
-                units(bounds.left)..units(bounds.right),
-                units(bounds.bottom)..units(bounds.top),
-            ),
+            (units(bounds.left)..units(bounds.right), units(bounds.bottom)..units(bounds.top)),
         );
-        Panel {
-            canvas,
-            window,
-            bounds,
-            area: canvas.root().apply_coord_spec(coordinates),
-        }
+        Panel { canvas, window, bounds, area: canvas.root().apply_coord_spec(coordinates) }
     }
 
     /// Where a data point lies on the sheet.
@@ -65,9 +57,7 @@ impl<'c> Panel<'c> {
     }
 
     fn put(&self, points: Vec<(f64, f64)>, ink: Ink<'_>) -> Result<(), DrawingError> {
-        self.area
-            .draw(&Element { points, ink })
-            .map_err(|_| DrawingError::SurfaceInUse)
+        self.area.draw(&Element { points, ink }).map_err(|_| DrawingError::SurfaceInUse)
     }
 
     /// A polyline, clipped to the window; returns its pieces on the sheet.
@@ -97,14 +87,8 @@ impl<'c> Panel<'c> {
             return Ok(None);
         }
         let (ink, size) = match marker {
-            Marker::Triangle => (
-                Ink::Triangle(TRIANGLE_SIZE, MARKER, Some(MARKER_RIM)),
-                TRIANGLE_SIZE,
-            ),
-            Marker::Disc => (
-                Ink::Disc(DISC_RADIUS, MARKER, Some(MARKER_RIM)),
-                2.0 * DISC_RADIUS,
-            ),
+            Marker::Triangle => (Ink::Triangle(TRIANGLE_SIZE, MARKER, Some(MARKER_RIM)), TRIANGLE_SIZE),
+            Marker::Disc => (Ink::Disc(DISC_RADIUS, MARKER, Some(MARKER_RIM)), 2.0 * DISC_RADIUS),
         };
         self.put(vec![point], ink)?;
         Ok(Some(Bounds::about(self.spot(point), size, size)))
@@ -112,10 +96,7 @@ impl<'c> Panel<'c> {
 
     /// Path data in units of bins from the panel's top left corner.
     pub(crate) fn bins(&self, bin: f64, data: &str, paint: Paint) -> Result<(), DrawingError> {
-        self.canvas.draw(
-            &[(self.bounds.left, self.bounds.top)],
-            Ink::Bins(bin, data, paint),
-        )
+        self.canvas.draw(&[(self.bounds.left, self.bounds.top)], Ink::Bins(bin, data, paint))
     }
 
     /// The finest round step whose numbers keep their distance.
@@ -146,12 +127,8 @@ impl<'c> Panel<'c> {
                 coarsest = Some((ticks, step));
             }
         }
-        Ok(coarsest.unwrap_or_else(|| {
-            (
-                Vec::new(),
-                Step::round_steps(high - low).last().unwrap_or(Step::ONE),
-            )
-        }))
+        Ok(coarsest
+            .unwrap_or_else(|| (Vec::new(), Step::round_steps(high - low).last().unwrap_or(Step::ONE))))
     }
 
     /// Frame, outward ticks, numbers and axis titles; an empty title is left out.
@@ -166,38 +143,28 @@ impl<'c> Panel<'c> {
         y_title: &str,
         y_numbers: bool,
     ) -> Result<(), DrawingError> {
-        let Bounds {
-            left,
-            top,
-            right,
-            bottom,
-        } = self.bounds;
+        let Bounds { left, top, right, bottom } = self.bounds;
         self.frame()?;
         let (x_ticks, x_step) = self.step(true)?;
         for minor in x_step.minor().multiples(self.window.x[0], self.window.x[1]) {
             let (x, _) = self.spot((minor.value, self.window.y[0]));
-            self.canvas
-                .draw(&[(x, bottom), (x, bottom + MINOR_TICK_LENGTH)], Ink::Line(TICK))?;
+            self.canvas.draw(&[(x, bottom), (x, bottom + MINOR_TICK_LENGTH)], Ink::Line(TICK))?;
         }
         let baseline = bottom + TICK_LENGTH + TICK_GAP + 0.66 * TICK_SIZE;
         for tick in &x_ticks {
             let (x, _) = self.spot((tick.value, self.window.y[0]));
-            self.canvas
-                .draw(&[(x, bottom), (x, bottom + TICK_LENGTH)], Ink::Line(TICK))?;
-            self.canvas
-                .text((x, baseline), &tick.label, TICK_SIZE, Anchor::Middle, BLACK)?;
+            self.canvas.draw(&[(x, bottom), (x, bottom + TICK_LENGTH)], Ink::Line(TICK))?;
+            self.canvas.text((x, baseline), &tick.label, TICK_SIZE, Anchor::Middle, BLACK)?;
         }
         let (y_ticks, y_step) = self.step(false)?;
         for minor in y_step.minor().multiples(self.window.y[0], self.window.y[1]) {
             let (_, y) = self.spot((self.window.x[0], minor.value));
-            self.canvas
-                .draw(&[(left, y), (left - MINOR_TICK_LENGTH, y)], Ink::Line(TICK))?;
+            self.canvas.draw(&[(left, y), (left - MINOR_TICK_LENGTH, y)], Ink::Line(TICK))?;
         }
         let mut reach = 0.0_f64;
         for tick in &y_ticks {
             let (_, y) = self.spot((self.window.x[0], tick.value));
-            self.canvas
-                .draw(&[(left, y), (left - TICK_LENGTH, y)], Ink::Line(TICK))?;
+            self.canvas.draw(&[(left, y), (left - TICK_LENGTH, y)], Ink::Line(TICK))?;
             if !y_numbers {
                 continue;
             }
@@ -205,37 +172,20 @@ impl<'c> Panel<'c> {
             let extent = self.canvas.measure(&label, TICK_SIZE)?;
             reach = reach.max(extent.width);
             let spot = (left - TICK_LENGTH - TICK_GAP, y + 0.33 * TICK_SIZE);
-            self.canvas
-                .text(spot, &tick.label, TICK_SIZE, Anchor::End, BLACK)?;
+            self.canvas.text(spot, &tick.label, TICK_SIZE, Anchor::End, BLACK)?;
         }
         let below = (0.5 * (left + right), baseline + 1.2 * TITLE_SIZE);
-        self.canvas
-            .text(below, x_title, TITLE_SIZE, Anchor::Middle, BLACK)?;
-        let beside = (
-            left - TICK_LENGTH - 2.0 * TICK_GAP - reach - 1.0,
-            0.5 * (top + bottom) + 0.25 * TITLE_SIZE,
-        );
-        self.canvas
-            .text(beside, y_title, TITLE_SIZE, Anchor::End, BLACK)?;
+        self.canvas.text(below, x_title, TITLE_SIZE, Anchor::Middle, BLACK)?;
+        let beside =
+            (left - TICK_LENGTH - 2.0 * TICK_GAP - reach - 1.0, 0.5 * (top + bottom) + 0.25 * TITLE_SIZE);
+        self.canvas.text(beside, y_title, TITLE_SIZE, Anchor::End, BLACK)?;
         Ok(())
     }
 
     /// The frame alone.
     pub(crate) fn frame(&self) -> Result<(), DrawingError> {
-        let Bounds {
-            left,
-            top,
-            right,
-            bottom,
-        } = self.bounds;
-        let corners = [
-            (left, top),
-            (right, top),
-            (right, bottom),
-            (left, bottom),
-            (left, top),
-            (right, top),
-        ];
+        let Bounds { left, top, right, bottom } = self.bounds;
+        let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)];
         self.canvas.draw(&corners, Ink::Line(FRAME))
     }
 }

@@ -40,12 +40,7 @@ pub(crate) fn diagram(
         labels.placer.keep_off_nameless(&level);
     }
     draw_cloud(panel, cloud)?;
-    labels.placer.avoid(
-        cloud
-            .iter()
-            .filter(|&&p| panel.window.contains(p))
-            .map(|&p| panel.spot(p)),
-    );
+    labels.placer.avoid(cloud.iter().filter(|&&p| panel.window.contains(p)).map(|&p| panel.spot(p)));
     let mut longest: Vec<(i64, Vec<Spot>)> = Vec::new();
     for branch in branches {
         for piece in branch_pieces(panel, branch)? {
@@ -58,22 +53,12 @@ pub(crate) fn diagram(
         }
     }
     let mut named: Vec<(Kind, i64)> = Vec::new();
-    let visible: Vec<&Bifurcation> = bifurcations
-        .iter()
-        .filter(|b| panel.window.contains(b.point))
-        .collect();
+    let visible: Vec<&Bifurcation> = bifurcations.iter().filter(|b| panel.window.contains(b.point)).collect();
     for bifurcation in &visible {
         let spot = panel.spot(bifurcation.point);
-        let paint = Paint {
-            colour: bifurcation.kind.pen().colour,
-            opacity: 1.0,
-        };
-        panel
-            .canvas
-            .draw(&[spot], Ink::Disc(POINT_RADIUS, paint, Some(POINT_RIM)))?;
-        labels
-            .placer
-            .block(Bounds::about(spot, 2.0 * POINT_RADIUS, 2.0 * POINT_RADIUS));
+        let paint = Paint { colour: bifurcation.kind.pen().colour, opacity: 1.0 };
+        panel.canvas.draw(&[spot], Ink::Disc(POINT_RADIUS, paint, Some(POINT_RIM)))?;
+        labels.placer.block(Bounds::about(spot, 2.0 * POINT_RADIUS, 2.0 * POINT_RADIUS));
     }
     for bifurcation in &visible {
         let name = (bifurcation.kind, bifurcation.p);
@@ -90,17 +75,8 @@ pub(crate) fn diagram(
         )?;
     }
     for (p, piece) in &longest {
-        let text = if *p == 0 {
-            "non-impacting".to_owned()
-        } else {
-            format!("$p={p}$")
-        };
-        labels.add(
-            &text,
-            SMALL_LABEL_SIZE,
-            branch_pen(*p, 1.0).colour,
-            &Wanted::Beside(piece),
-        )?;
+        let text = if *p == 0 { "non-impacting".to_owned() } else { format!("$p={p}$") };
+        labels.add(&text, SMALL_LABEL_SIZE, branch_pen(*p, 1.0).colour, &Wanted::Beside(piece))?;
     }
     labels.draw()
 }
@@ -109,11 +85,7 @@ pub(crate) fn diagram(
 fn branch_pieces(panel: &Panel<'_>, branch: &Branch) -> Result<Vec<Vec<Spot>>, DrawingError> {
     let mut pieces = Vec::new();
     for rows in runs(&branch.stable) {
-        let width = if branch.stable[rows.start] {
-            STABLE_WIDTH
-        } else {
-            UNSTABLE_WIDTH
-        };
+        let width = if branch.stable[rows.start] { STABLE_WIDTH } else { UNSTABLE_WIDTH };
         let end = (rows.end + 1).min(branch.points.len());
         pieces.extend(panel.line(&branch.points[rows.start..end], branch_pen(branch.p, width))?);
     }
@@ -132,13 +104,7 @@ pub(crate) fn read_branches(table: Table<'_>) -> Result<Vec<Branch>, DrawingErro
             p: p[rows.start],
             stable: stable[rows.clone()].to_vec(),
             points: rows
-                .map(|i| {
-                    if admissible[i] {
-                        (amplitude[i], x[i])
-                    } else {
-                        (f64::NAN, f64::NAN)
-                    }
-                })
+                .map(|i| if admissible[i] { (amplitude[i], x[i]) } else { (f64::NAN, f64::NAN) })
                 .collect(),
         })
         .collect())
@@ -150,13 +116,7 @@ pub(crate) fn read_bifurcations(table: Table<'_>) -> Result<Vec<Bifurcation>, Dr
     let p = table.integers("p")?;
     let (amplitude, x) = (table.numbers("amplitude")?, table.numbers("x")?);
     let rows = kinds.into_iter().enumerate();
-    Ok(rows
-        .map(|(i, kind)| Bifurcation {
-            kind,
-            p: p[i],
-            point: (amplitude[i], x[i]),
-        })
-        .collect())
+    Ok(rows.map(|(i, kind)| Bifurcation { kind, p: p[i], point: (amplitude[i], x[i]) }).collect())
 }
 
 #[cfg(test)]
@@ -169,20 +129,8 @@ mod tests {
     fn stability_shows_in_the_width_and_leaves_no_gap() {
         let panel_points = |points: &[Vec<Spot>]| points.iter().map(Vec::len).collect::<Vec<_>>();
         let canvas = Canvas::new(100.0, 100.0).unwrap();
-        let bounds = Bounds {
-            left: 0.0,
-            top: 0.0,
-            right: 100.0,
-            bottom: 100.0,
-        };
-        let panel = Panel::new(
-            &canvas,
-            Window {
-                x: [0.0, 3.0],
-                y: [-1.0, 1.0],
-            },
-            bounds,
-        );
+        let bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
+        let panel = Panel::new(&canvas, Window { x: [0.0, 3.0], y: [-1.0, 1.0] }, bounds);
         let branch = Branch {
             p: 2,
             points: vec![(0.0, 0.0), (1.0, 0.1), (2.0, 0.4), (3.0, 0.9)],

@@ -92,14 +92,7 @@ impl Canvas {
         let (width, height) = (width_mm * POINTS_PER_MM, height_mm * POINTS_PER_MM);
         let backend = Rc::new(RefCell::new(SvgBackend::new(width, height)));
         let root = DrawingArea::from(&backend);
-        Ok(Canvas {
-            backend,
-            root,
-            fonts: Fonts::load()?,
-            width,
-            height,
-            texts: RefCell::default(),
-        })
+        Ok(Canvas { backend, root, fonts: Fonts::load()?, width, height, texts: RefCell::default() })
     }
 
     pub(crate) fn root(&self) -> &DrawingArea<SvgBackend, Shift> {
@@ -108,13 +101,9 @@ impl Canvas {
 
     /// Draws in points of the sheet.
     pub(crate) fn draw(&self, spots: &[Spot], ink: Ink<'_>) -> Result<(), DrawingError> {
-        let points = spots
-            .iter()
-            .map(|s| ((s.0 * UNITS).round() as i32, (s.1 * UNITS).round() as i32))
-            .collect();
-        self.root
-            .draw(&Element { points, ink })
-            .map_err(|_| DrawingError::SurfaceInUse)
+        let points =
+            spots.iter().map(|s| ((s.0 * UNITS).round() as i32, (s.1 * UNITS).round() as i32)).collect();
+        self.root.draw(&Element { points, ink }).map_err(|_| DrawingError::SurfaceInUse)
     }
 
     pub(crate) fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {
@@ -148,12 +137,7 @@ impl Canvas {
             Anchor::End => x - extent.width,
         };
         let (top, bottom) = (y - extent.ascent, y + extent.descent);
-        let taken = Bounds {
-            left,
-            top,
-            right: left + extent.width,
-            bottom,
-        };
+        let taken = Bounds { left, top, right: left + extent.width, bottom };
         self.texts.borrow_mut().push((label.source.clone(), taken));
         self.draw(&[(x, y)], Ink::Label(label, size, anchor, colour))?;
         Ok(taken)
@@ -177,23 +161,12 @@ impl Canvas {
     #[cfg(test)]
     pub(crate) fn misplaced_texts(&self) -> Vec<(String, Bounds)> {
         let texts = self.texts.borrow();
-        let sheet = Bounds {
-            left: 0.0,
-            top: 0.0,
-            right: self.width,
-            bottom: self.height,
-        };
+        let sheet = Bounds { left: 0.0, top: 0.0, right: self.width, bottom: self.height };
         let spoilt = |i: usize| {
             !sheet.holds(&texts[i].1)
-                || texts
-                    .iter()
-                    .enumerate()
-                    .any(|(j, other)| i != j && other.1.overlaps(&texts[i].1))
+                || texts.iter().enumerate().any(|(j, other)| i != j && other.1.overlaps(&texts[i].1))
         };
-        (0..texts.len())
-            .filter(|&i| spoilt(i))
-            .map(|i| texts[i].clone())
-            .collect()
+        (0..texts.len()).filter(|&i| spoilt(i)).map(|i| texts[i].clone()).collect()
     }
 
     /// The document, if it is light enough.
@@ -205,11 +178,7 @@ impl Canvas {
     ) -> Result<String, DrawingError> {
         let document = self.backend.borrow().finish(title, description);
         if document.len() > SIZE_LIMIT {
-            return Err(DrawingError::TooLarge {
-                figure,
-                bytes: document.len(),
-                limit: SIZE_LIMIT,
-            });
+            return Err(DrawingError::TooLarge { figure, bytes: document.len(), limit: SIZE_LIMIT });
         }
         Ok(document)
     }

@@ -19,12 +19,7 @@ impl Window {
         for (axis, [low, high]) in [("horizontal", self.x), ("vertical", self.y)] {
             // Written so that NaN fails too.
             if !(low.is_finite() && high.is_finite() && low < high) {
-                return Err(DrawingError::Window {
-                    window: name,
-                    axis,
-                    low,
-                    high,
-                });
+                return Err(DrawingError::Window { window: name, axis, low, high });
             }
         }
         Ok(self)
@@ -40,12 +35,7 @@ impl Window {
 pub(crate) fn fractions_inside(x: [f64; 2], y: [f64; 2], a: (f64, f64), b: (f64, f64)) -> Option<(f64, f64)> {
     let (dx, dy) = (b.0 - a.0, b.1 - a.1);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for (outward, room) in [
-        (-dx, a.0 - x[0]),
-        (dx, x[1] - a.0),
-        (-dy, a.1 - y[0]),
-        (dy, y[1] - a.1),
-    ] {
+    for (outward, room) in [(-dx, a.0 - x[0]), (dx, x[1] - a.0), (-dy, a.1 - y[0]), (dy, y[1] - a.1)] {
         if outward == 0.0 {
             if room < 0.0 {
                 return None;
@@ -63,10 +53,7 @@ pub(crate) fn fractions_inside(x: [f64; 2], y: [f64; 2], a: (f64, f64), b: (f64,
 fn clip_segment(window: &Window, a: (f64, f64), b: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
     let (enter, leave) = fractions_inside(window.x, window.y, a, b)?;
     let at = |t: f64| (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1));
-    Some((
-        if enter == 0.0 { a } else { at(enter) },
-        if leave == 1.0 { b } else { at(leave) },
-    ))
+    Some((if enter == 0.0 { a } else { at(enter) }, if leave == 1.0 { b } else { at(leave) }))
 }
 
 /// The pieces of a polyline inside the window; split at the frame and at points that are not finite.
@@ -75,11 +62,7 @@ pub(crate) fn clip_polyline(window: &Window, points: &[(f64, f64)]) -> Vec<Vec<(
     let mut current: Vec<(f64, f64)> = Vec::new();
     for pair in points.windows(2) {
         let finite = pair.iter().all(|p| p.0.is_finite() && p.1.is_finite());
-        let Some((from, to)) = (if finite {
-            clip_segment(window, pair[0], pair[1])
-        } else {
-            None
-        }) else {
+        let Some((from, to)) = (if finite { clip_segment(window, pair[0], pair[1]) } else { None }) else {
             pieces.push(std::mem::take(&mut current));
             continue;
         };
@@ -99,18 +82,11 @@ pub(crate) fn clip_polyline(window: &Window, points: &[(f64, f64)]) -> Vec<Vec<(
 /// A part that falls into several pieces comes back joined along the frame, which is right for filling but not for
 /// outlines. Vertices that are not finite are left out.
 pub(crate) fn clip_polygon(window: &Window, vertices: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let mut kept: Vec<(f64, f64)> = vertices
-        .iter()
-        .copied()
-        .filter(|p| p.0.is_finite() && p.1.is_finite())
-        .collect();
+    let mut kept: Vec<(f64, f64)> =
+        vertices.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
     type Side = fn(&Window, (f64, f64)) -> f64;
-    let sides: [Side; 4] = [
-        |w, p| p.0 - w.x[0],
-        |w, p| w.x[1] - p.0,
-        |w, p| p.1 - w.y[0],
-        |w, p| w.y[1] - p.1,
-    ];
+    let sides: [Side; 4] =
+        [|w, p| p.0 - w.x[0], |w, p| w.x[1] - p.0, |w, p| p.1 - w.y[0], |w, p| w.y[1] - p.1];
     for inside in sides {
         let Some(&last) = kept.last() else { break };
         let mut previous = last;
@@ -138,19 +114,14 @@ pub(crate) fn clip_polygon(window: &Window, vertices: &[(f64, f64)]) -> Vec<(f64
 mod tests {
     use super::*;
 
-    const UNIT: Window = Window {
-        x: [0.0, 1.0],
-        y: [0.0, 1.0],
-    };
+    const UNIT: Window = Window { x: [0.0, 1.0], y: [0.0, 1.0] };
 
     #[test]
     fn a_line_leaves_the_window_at_its_own_slope() {
         // Slope 3 through (0.5, 0.5): it crosses y = 0 and y = 1 at x = 1/3 and 2/3, one rounding away.
         let pieces = clip_polyline(&UNIT, &[(-0.5, -2.5), (1.5, 3.5)]);
         assert_eq!(pieces.len(), 1);
-        let [from, to] = pieces[0][..] else {
-            panic!("one segment expected")
-        };
+        let [from, to] = pieces[0][..] else { panic!("one segment expected") };
         assert!((from.0 - 1.0 / 3.0).abs() < 1e-15 && from.1.abs() < 1e-15);
         assert!((to.0 - 2.0 / 3.0).abs() < 1e-15 && (to.1 - 1.0).abs() < 1e-15);
     }
@@ -174,19 +145,9 @@ mod tests {
         let nan = (f64::NAN, f64::NAN);
         let pieces = clip_polyline(
             &UNIT,
-            &[
-                (0.1, 0.1),
-                (0.2, 0.2),
-                nan,
-                (0.3, 0.3),
-                (0.4, 0.4),
-                (f64::INFINITY, 0.4),
-            ],
+            &[(0.1, 0.1), (0.2, 0.2), nan, (0.3, 0.3), (0.4, 0.4), (f64::INFINITY, 0.4)],
         );
-        assert_eq!(
-            pieces,
-            vec![vec![(0.1, 0.1), (0.2, 0.2)], vec![(0.3, 0.3), (0.4, 0.4)]]
-        );
+        assert_eq!(pieces, vec![vec![(0.1, 0.1), (0.2, 0.2)], vec![(0.3, 0.3), (0.4, 0.4)]]);
     }
 
     #[test]
@@ -197,11 +158,7 @@ mod tests {
 
     fn area(polygon: &[(f64, f64)]) -> f64 {
         let next = polygon.iter().cycle().skip(1);
-        0.5 * polygon
-            .iter()
-            .zip(next)
-            .map(|(a, b)| a.0 * b.1 - b.0 * a.1)
-            .sum::<f64>()
+        0.5 * polygon.iter().zip(next).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<f64>()
     }
 
     #[test]
@@ -223,23 +180,11 @@ mod tests {
 
     #[test]
     fn a_reversed_or_infinite_window_is_refused() {
-        let reversed = Window {
-            x: [1.0, 0.0],
-            y: [0.0, 1.0],
-        }
-        .checked("the panel")
-        .unwrap_err();
+        let reversed = Window { x: [1.0, 0.0], y: [0.0, 1.0] }.checked("the panel").unwrap_err();
         assert_eq!(
             reversed.to_string(),
             "horizontal range of the panel must be finite and increasing, but it is 1 to 0"
         );
-        assert!(
-            Window {
-                x: [0.0, 1.0],
-                y: [0.0, f64::NAN]
-            }
-            .checked("the panel")
-            .is_err()
-        );
+        assert!(Window { x: [0.0, 1.0], y: [0.0, f64::NAN] }.checked("the panel").is_err());
     }
 }

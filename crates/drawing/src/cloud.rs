@@ -22,11 +22,7 @@ pub(crate) fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) -> Result<(),
         _ => 2,
     };
     for (level, paint) in CLOUD.iter().enumerate() {
-        let bins: Vec<(i64, i64)> = counts
-            .iter()
-            .filter(|c| shade(*c.1) == level)
-            .map(|c| *c.0)
-            .collect();
+        let bins: Vec<(i64, i64)> = counts.iter().filter(|c| shade(*c.1) == level).map(|c| *c.0).collect();
         if !bins.is_empty() {
             panel.bins(CLOUD_BIN, &path_of_bins(&bins), *paint)?;
         }

@@ -67,34 +67,18 @@ pub(crate) fn compose(figure: &Figure02<'_>) -> Result<Canvas, DrawingError> {
     draw_portraits(&canvas, &portraits)?;
     let (top, bottom) = (158.0, canvas.height - 31.0);
     let split = 0.59 * canvas.width;
-    let whole = Panel::new(
-        &canvas,
-        window,
-        Bounds {
-            left: 38.0,
-            top,
-            right: split,
-            bottom,
-        },
-    );
+    let whole = Panel::new(&canvas, window, Bounds { left: 38.0, top, right: split, bottom });
     let part = Panel::new(
         &canvas,
         magnification,
-        Bounds {
-            left: split + 44.0,
-            top,
-            right: canvas.width - 6.0,
-            bottom,
-        },
+        Bounds { left: split + 44.0, top, right: canvas.width - 6.0, bottom },
     );
     let guides = letters(&whole, &portraits)?;
     magnifier(&whole, &part)?;
     for (panel, every_loop) in [(&whole, false), (&part, true)] {
         let mut labels = Labels::new(&canvas, panel.bounds);
         if !every_loop {
-            guides
-                .iter()
-                .for_each(|guide| labels.placer.keep_off_nameless(guide));
+            guides.iter().for_each(|guide| labels.placer.keep_off_nameless(guide));
             labels.placer.keep_off_nameless(&on_sheet(panel, &magnification));
         }
         diagram(panel, labels, &branches, &bifurcations, &cloud, every_loop)?;
@@ -128,9 +112,7 @@ fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<Vec<Vec<Spot>>, 
         let guide = vec![(*x, bottom), (*x, top), (middle, top - 4.0)];
         panel.canvas.draw(&guide, Ink::Line(GUIDE))?;
         guides.push(guide);
-        panel
-            .canvas
-            .text((middle, top - 6.0), text, SMALL_LABEL_SIZE, Anchor::Middle, BLACK)?;
+        panel.canvas.text((middle, top - 6.0), text, SMALL_LABEL_SIZE, Anchor::Middle, BLACK)?;
     }
     Ok(guides)
 }
@@ -142,13 +124,7 @@ fn on_sheet(panel: &Panel<'_>, window: &Window) -> Vec<Spot> {
 
 fn outline(window: &Window) -> [(f64, f64); 5] {
     let [[left, right], [low, high]] = [window.x, window.y];
-    [
-        (left, low),
-        (right, low),
-        (right, high),
-        (left, high),
-        (left, low),
-    ]
+    [(left, low), (right, low), (right, high), (left, high), (left, low)]
 }
 
 /// The magnified window in the whole diagram, and the magnification in a frame of the same colour.
@@ -172,14 +148,8 @@ mod tests {
             bifurcations: &bifurcations,
             attractor: &attractor,
             portraits: &portraits,
-            window: Window {
-                x: [0.7, 1.6],
-                y: [-0.6, 1.0],
-            },
-            magnification: Window {
-                x: [0.9, 1.3],
-                y: [-0.3, 0.4],
-            },
+            window: Window { x: [0.7, 1.6], y: [-0.6, 1.0] },
+            magnification: Window { x: [0.9, 1.3], y: [-0.3, 0.4] },
         })
     }
 
@@ -192,15 +162,7 @@ mod tests {
     #[test]
     fn all_bifurcations_and_loops_are_labelled() {
         let svg = with_sample(2_000, |figure| draw_fig02(figure).unwrap());
-        for label in [
-            ">SN<",
-            ">PD<",
-            ">GZ<",
-            ">graz</tspan>",
-            "non-impacting",
-            "attractor<",
-            "(d)",
-        ] {
+        for label in [">SN<", ">PD<", ">GZ<", ">graz</tspan>", "non-impacting", "attractor<", "(d)"] {
             assert!(svg.contains(label), "{label}");
         }
     }
@@ -217,17 +179,8 @@ mod tests {
     fn a_missing_column_is_an_error_that_names_it() {
         with_sample(10, |figure| {
             let portraits = figure.portraits.drop("kind").unwrap();
-            let error = draw_fig02(&Figure02 {
-                portraits: &portraits,
-                ..*figure
-            })
-            .unwrap_err();
-            assert!(
-                error
-                    .to_string()
-                    .contains("`fig02_portraits` has no column `kind`"),
-                "{error}"
-            );
+            let error = draw_fig02(&Figure02 { portraits: &portraits, ..*figure }).unwrap_err();
+            assert!(error.to_string().contains("`fig02_portraits` has no column `kind`"), "{error}");
         });
     }
 }

@@ -86,22 +86,13 @@ pub(crate) fn compose(figure: &Figure07<'_>) -> Result<Canvas, DrawingError> {
 
     let canvas = Canvas::new(FIG07_WIDTH_MM, 0.8 * FIG07_WIDTH_MM)?;
     let height = 0.8 * FIG07_WIDTH_MM * POINTS_PER_MM;
-    let bounds = Bounds {
-        left: 35.0,
-        top: 5.0,
-        right: canvas.width - 8.0,
-        bottom: height - 30.0,
-    };
+    let bounds = Bounds { left: 35.0, top: 5.0, right: canvas.width - 8.0, bottom: height - 30.0 };
     let panel = Panel::new(&canvas, window, bounds);
     let mut labels = Labels::new(&canvas, bounds);
 
     let mut shapes: Vec<(i64, Vec<Spot>)> = Vec::new();
     for region in &regions {
-        let paint = if region.impacting {
-            MPS_AREA
-        } else {
-            NON_IMPACTING_AREA
-        };
+        let paint = if region.impacting { MPS_AREA } else { NON_IMPACTING_AREA };
         let shape = panel.fill(&region.vertices, paint)?;
         if region.impacting && !shape.is_empty() {
             shapes.push((region.p, shape));
@@ -114,16 +105,10 @@ pub(crate) fn compose(figure: &Figure07<'_>) -> Result<Canvas, DrawingError> {
             drawn.push((curve.kind, piece));
         }
     }
-    let section: Vec<(f64, f64)> = figure
-        .section
-        .amplitude
-        .iter()
-        .map(|&a| (a, figure.section.omega))
-        .collect();
+    let section: Vec<(f64, f64)> =
+        figure.section.amplitude.iter().map(|&a| (a, figure.section.omega)).collect();
     let section_pieces = panel.line(&section, SECTION)?;
-    section_pieces
-        .iter()
-        .for_each(|piece| labels.placer.keep_off(piece));
+    section_pieces.iter().for_each(|piece| labels.placer.keep_off(piece));
     for (point, marker) in &markers {
         if let Some(taken) = panel.marker(*point, *marker)? {
             labels.placer.block(taken.grown(0.5));
@@ -131,10 +116,7 @@ pub(crate) fn compose(figure: &Figure07<'_>) -> Result<Canvas, DrawingError> {
     }
     let mut boxes = Vec::new();
     for magnified in figure.magnified {
-        boxes.push((
-            magnified.panel,
-            rectangle(&panel, &magnified.window, &mut labels)?,
-        ));
+        boxes.push((magnified.panel, rectangle(&panel, &magnified.window, &mut labels)?));
     }
     panel.axes(r"$\mathcal{A}$", r"$\omega$")?;
 
@@ -175,23 +157,12 @@ pub(crate) fn panel_letter(number: u32) -> String {
 
 fn rectangle(panel: &Panel<'_>, window: &Window, labels: &mut Labels<'_>) -> Result<Bounds, DrawingError> {
     let [[left, right], [low, high]] = [window.x, window.y];
-    let corners = [
-        (left, low),
-        (right, low),
-        (right, high),
-        (left, high),
-        (left, low),
-    ];
+    let corners = [(left, low), (right, low), (right, high), (left, high), (left, low)];
     for piece in panel.line(&corners, MAGNIFIED)? {
         labels.placer.keep_off(&piece);
     }
     let (a, b) = (panel.spot((left, high)), panel.spot((right, low)));
-    let outline = Bounds {
-        left: a.0,
-        top: a.1,
-        right: b.0,
-        bottom: b.1,
-    };
+    let outline = Bounds { left: a.0, top: a.1, right: b.0, bottom: b.1 };
     Ok(outline)
 }
 
@@ -213,16 +184,9 @@ fn read_curves(table: Table<'_>) -> Result<Vec<Curve>, DrawingError> {
         let points = rows.map(|i| {
             // At an end of a GZ curve, a codimension-two point, stability is marginal and its flag a toss-up.
             let shown = admissible[i] && (kinds[i] != Kind::Grazing || stable[i] || i == first || i == last);
-            if shown {
-                (amplitude[i], omega[i])
-            } else {
-                (f64::NAN, f64::NAN)
-            }
+            if shown { (amplitude[i], omega[i]) } else { (f64::NAN, f64::NAN) }
         });
-        Curve {
-            kind: kinds[first],
-            points: points.collect(),
-        }
+        Curve { kind: kinds[first], points: points.collect() }
     });
     let mut curves: Vec<Curve> = curves.collect();
     // The wide grazing curve lies below the others.
@@ -236,18 +200,11 @@ pub(crate) type MarkedPoint = ((f64, f64), Marker);
 /// Triangles for resonances, discs for all other points.
 pub(crate) fn read_points(table: Table<'_>) -> Result<Vec<MarkedPoint>, DrawingError> {
     let markers = table.words("kind", "any word", |word| {
-        Some(if word == "resonance" {
-            Marker::Triangle
-        } else {
-            Marker::Disc
-        })
+        Some(if word == "resonance" { Marker::Triangle } else { Marker::Disc })
     })?;
     let (omega, amplitude) = (table.numbers("omega")?, table.numbers("amplitude")?);
-    let mut points: Vec<_> = markers
-        .into_iter()
-        .enumerate()
-        .map(|(i, marker)| ((amplitude[i], omega[i]), marker))
-        .collect();
+    let mut points: Vec<_> =
+        markers.into_iter().enumerate().map(|(i, marker)| ((amplitude[i], omega[i]), marker)).collect();
     points.sort_by_key(|(_, marker)| *marker == Marker::Triangle);
     Ok(points)
 }
@@ -258,11 +215,8 @@ mod tests {
     use crate::samples;
 
     fn with_sample<T>(test: impl Fn(&Figure07<'_>) -> T) -> T {
-        let (curves, points, regions) = (
-            samples::fig07_curves(),
-            samples::fig07_points(),
-            samples::fig07_regions(),
-        );
+        let (curves, points, regions) =
+            (samples::fig07_curves(), samples::fig07_points(), samples::fig07_regions());
         test(&Figure07 {
             curves: &curves,
             points: &points,
@@ -282,32 +236,17 @@ mod tests {
     #[test]
     fn all_things_of_the_caption_are_labelled() {
         let svg = with_sample(|figure| draw_fig07(figure).unwrap());
-        for label in [
-            ">SN<",
-            ">PD<",
-            ">GZ<",
-            ">Fig. 2<",
-            ">(a)<",
-            ">(b)<",
-            ">(c)<",
-            ">graz</tspan>",
-        ] {
+        for label in [">SN<", ">PD<", ">GZ<", ">Fig. 2<", ">(a)<", ">(b)<", ">(c)<", ">graz</tspan>"] {
             assert!(svg.contains(label), "{label}");
         }
         for p in 1..=3 {
-            assert!(
-                svg.contains(&format!(">p</tspan>\u{2009}=\u{2009}{p}<")),
-                "p = {p}"
-            );
+            assert!(svg.contains(&format!(">p</tspan>\u{2009}=\u{2009}{p}<")), "p = {p}");
         }
     }
 
     #[test]
     fn equal_input_gives_equal_bytes() {
-        assert_eq!(
-            with_sample(|f| draw_fig07(f).unwrap()),
-            with_sample(|f| draw_fig07(f).unwrap())
-        );
+        assert_eq!(with_sample(|f| draw_fig07(f).unwrap()), with_sample(|f| draw_fig07(f).unwrap()));
     }
 
     #[test]
@@ -316,14 +255,8 @@ mod tests {
             let all = draw_fig07(figure).unwrap();
             let none = vec![false; figure.curves.height()];
             let mut curves = figure.curves.clone();
-            curves
-                .with_column(polars::prelude::Column::new("admissible".into(), none))
-                .unwrap();
-            let without = draw_fig07(&Figure07 {
-                curves: &curves,
-                ..*figure
-            })
-            .unwrap();
+            curves.with_column(polars::prelude::Column::new("admissible".into(), none)).unwrap();
+            let without = draw_fig07(&Figure07 { curves: &curves, ..*figure }).unwrap();
             let blue = "stroke=\"#1946be\"";
             assert!(all.contains(blue) && !without.contains(blue));
         });
@@ -333,23 +266,12 @@ mod tests {
     fn a_missing_column_and_a_reversed_window_are_errors() {
         with_sample(|figure| {
             let curves = figure.curves.drop("arc").unwrap();
-            let error = draw_fig07(&Figure07 {
-                curves: &curves,
-                ..*figure
-            })
-            .unwrap_err();
+            let error = draw_fig07(&Figure07 { curves: &curves, ..*figure }).unwrap_err();
             assert!(matches!(
                 error,
-                DrawingError::MissingColumn {
-                    frame: "fig07_curves",
-                    column: "arc",
-                    ..
-                }
+                DrawingError::MissingColumn { frame: "fig07_curves", column: "arc", .. }
             ));
-            let window = Window {
-                x: [1.0, 0.0],
-                ..figure.window
-            };
+            let window = Window { x: [1.0, 0.0], ..figure.window };
             let error = draw_fig07(&Figure07 { window, ..*figure }).unwrap_err();
             assert!(matches!(error, DrawingError::Window { window: "fig07", .. }));
         });

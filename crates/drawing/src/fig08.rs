@@ -72,11 +72,7 @@ pub fn draw_fig08(figure: &Figure08<'_>) -> Result<String, DrawingError> {
 pub(crate) fn compose(figure: &Figure08<'_>) -> Result<Canvas, DrawingError> {
     if figure.panels.len() != PANELS {
         let found = figure.panels.len();
-        return Err(DrawingError::PanelCount {
-            figure: "fig08",
-            wanted: "three panels",
-            found,
-        });
+        return Err(DrawingError::PanelCount { figure: "fig08", wanted: "three panels", found });
     }
     let curves = read_curves(Table::new("fig08_curves", figure.curves))?;
     let regions = read_regions(Table::new("fig07_regions", figure.regions))?;
@@ -89,12 +85,7 @@ pub(crate) fn compose(figure: &Figure08<'_>) -> Result<Canvas, DrawingError> {
         let window = magnified.window.checked("a panel of fig08")?;
         let left = TITLE_ROOM + pitch * place as f64 + LEFT;
         let right = TITLE_ROOM + pitch * (place + 1) as f64 - 3.0;
-        let bounds = Bounds {
-            left,
-            top: 27.0,
-            right,
-            bottom: canvas.height - 30.0,
-        };
+        let bounds = Bounds { left, top: 27.0, right, bottom: canvas.height - 30.0 };
         let panel = Panel::new(&canvas, window, bounds);
         let number = i64::from(magnified.panel);
         let own: Vec<&Curve> = curves.iter().filter(|c| c.panel == number).collect();
@@ -114,22 +105,11 @@ fn draw_panel(
 ) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
     for region in regions {
-        panel.fill(
-            &region.vertices,
-            if region.impacting {
-                MPS_AREA
-            } else {
-                NON_IMPACTING_AREA
-            },
-        )?;
+        panel.fill(&region.vertices, if region.impacting { MPS_AREA } else { NON_IMPACTING_AREA })?;
     }
     let mut drawn: Vec<(Kind, Vec<Spot>)> = Vec::new();
     for curve in curves {
-        let pen = if curve.approximate {
-            approximation(curve.kind.pen())
-        } else {
-            curve.kind.pen()
-        };
+        let pen = if curve.approximate { approximation(curve.kind.pen()) } else { curve.kind.pen() };
         for piece in panel.line(&curve.points, pen)? {
             if curve.approximate {
                 labels.placer.keep_off_nameless(&piece);
@@ -157,32 +137,14 @@ fn draw_heading(
 ) -> Result<(), DrawingError> {
     let first = (bounds.left, bounds.top - 16.0);
     let letter = panel_letter(panel);
-    let Some(Coefficients {
-        p,
-        saddle_node,
-        period_doubling,
-        ..
-    }) = coefficients
-    else {
+    let Some(Coefficients { p, saddle_node, period_doubling, .. }) = coefficients else {
         canvas.text(first, &letter, LABEL_SIZE, Anchor::Start, BLACK)?;
         return Ok(());
     };
-    canvas.text(
-        first,
-        &format!("{letter}  $p={p}$"),
-        LABEL_SIZE,
-        Anchor::Start,
-        BLACK,
-    )?;
+    canvas.text(first, &format!("{letter}  $p={p}$"), LABEL_SIZE, Anchor::Start, BLACK)?;
     let (sn, pd) = (significant(*saddle_node, 4), significant(*period_doubling, 4));
     let text = format!(r"$c_{{\mathrm{{SN,}}{p}}}={sn}$,  $c_{{\mathrm{{PD,}}{p}}}={pd}$");
-    canvas.text(
-        (bounds.left, bounds.top - 5.0),
-        &text,
-        TICK_SIZE,
-        Anchor::Start,
-        BLACK,
-    )?;
+    canvas.text((bounds.left, bounds.top - 5.0), &text, TICK_SIZE, Anchor::Start, BLACK)?;
     Ok(())
 }
 
@@ -195,9 +157,7 @@ fn read_curves(table: Table<'_>) -> Result<Vec<Curve>, DrawingError> {
         _ => None,
     })?;
     let (omega, amplitude) = (table.numbers("omega")?, table.numbers("amplitude")?);
-    let keys: Vec<_> = (0..kinds.len())
-        .map(|i| (panel[i], kinds[i], approximate[i], arc[i]))
-        .collect();
+    let keys: Vec<_> = (0..kinds.len()).map(|i| (panel[i], kinds[i], approximate[i], arc[i])).collect();
     let mut curves: Vec<Curve> = runs(&keys)
         .into_iter()
         .map(|rows| Curve {
@@ -217,12 +177,7 @@ fn read_coefficients(table: Table<'_>) -> Result<Vec<Coefficients>, DrawingError
     let (sn, pd) = (table.numbers("c_sn")?, table.numbers("c_pd")?);
     let rows = 0..panel.len();
     Ok(rows
-        .map(|i| Coefficients {
-            panel: panel[i],
-            p: p[i],
-            saddle_node: sn[i],
-            period_doubling: pd[i],
-        })
+        .map(|i| Coefficients { panel: panel[i], p: p[i], saddle_node: sn[i], period_doubling: pd[i] })
         .collect())
 }
 
@@ -267,11 +222,7 @@ mod tests {
     #[test]
     fn another_number_of_panels_is_an_error() {
         with_sample(|figure| {
-            let error = draw_fig08(&Figure08 {
-                panels: &figure.panels[..2],
-                ..*figure
-            })
-            .unwrap_err();
+            let error = draw_fig08(&Figure08 { panels: &figure.panels[..2], ..*figure }).unwrap_err();
             assert!(matches!(error, DrawingError::PanelCount { found: 2, .. }));
         });
     }

@@ -13,18 +13,9 @@ use crate::markup::{Face, Label, Level};
 
 /// Font files to hand to a converter (PDF, PNG) that must not use the system's fonts: name and bytes.
 pub const FONT_FILES: [(&str, &[u8]); 3] = [
-    (
-        "STIXTwoText-Regular.ttf",
-        include_bytes!("../fonts/STIXTwoText-Regular.ttf"),
-    ),
-    (
-        "STIXTwoText-Italic.ttf",
-        include_bytes!("../fonts/STIXTwoText-Italic.ttf"),
-    ),
-    (
-        "STIXTwoMath-Signs.ttf",
-        include_bytes!("../fonts/STIXTwoMath-Signs.ttf"),
-    ),
+    ("STIXTwoText-Regular.ttf", include_bytes!("../fonts/STIXTwoText-Regular.ttf")),
+    ("STIXTwoText-Italic.ttf", include_bytes!("../fonts/STIXTwoText-Italic.ttf")),
+    ("STIXTwoMath-Signs.ttf", include_bytes!("../fonts/STIXTwoMath-Signs.ttf")),
 ];
 
 /// Families of the text fonts, ours first.
@@ -64,9 +55,7 @@ impl Fonts {
             let (font, bytes) = FONT_FILES[i];
             Metrics::parse(bytes, 0).map_err(|reason| DrawingError::Font { font, reason })
         };
-        Ok(Fonts {
-            faces: [parse(0)?, parse(1)?, parse(2)?],
-        })
+        Ok(Fonts { faces: [parse(0)?, parse(1)?, parse(2)?] })
     }
 
     /// Measures a label set at `size` points.
@@ -74,11 +63,7 @@ impl Fonts {
     /// # Errors
     /// [`DrawingError::Glyph`] if a character is in none of our fonts.
     pub(crate) fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {
-        let mut extent = Extent {
-            width: 0.0,
-            ascent: 0.0,
-            descent: 0.0,
-        };
+        let mut extent = Extent { width: 0.0, ascent: 0.0, descent: 0.0 };
         for run in &label.runs {
             let face = match run.face {
                 Face::Upright => &self.faces[0],
@@ -92,10 +77,9 @@ impl Fonts {
             };
             let em = scale / f64::from(face.units_per_em());
             for character in run.text.chars() {
-                let glyph = face.glyph_index(character).ok_or_else(|| DrawingError::Glyph {
-                    label: label.source.clone(),
-                    character,
-                })?;
+                let glyph = face
+                    .glyph_index(character)
+                    .ok_or_else(|| DrawingError::Glyph { label: label.source.clone(), character })?;
                 extent.width += em * f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));
                 if let Some(ink) = face.glyph_bounding_box(glyph) {
                     extent.ascent = extent.ascent.max(rise + em * f64::from(ink.y_max));
@@ -134,11 +118,7 @@ fn base64(bytes: &[u8]) -> String {
         let group = byte(0) << 16 | byte(1) << 8 | byte(2);
         for place in 0..4 {
             let digit = DIGITS[(group >> (18 - 6 * place) & 63) as usize];
-            text.push(if place <= chunk.len() {
-                char::from(digit)
-            } else {
-                '='
-            });
+            text.push(if place <= chunk.len() { char::from(digit) } else { '=' });
         }
     }
     text
@@ -149,11 +129,7 @@ mod tests {
     use super::*;
 
     fn width(source: &str, size: f64) -> f64 {
-        Fonts::load()
-            .unwrap()
-            .measure(&Label::parse(source).unwrap(), size)
-            .unwrap()
-            .width
+        Fonts::load().unwrap().measure(&Label::parse(source).unwrap(), size).unwrap().width
     }
 
     #[test]

@@ -17,19 +17,11 @@ impl<'a> Table<'a> {
     }
 
     fn column(&self, column: &'static str) -> Result<&'a Column, DrawingError> {
-        self.frame
-            .column(column)
-            .map_err(|_| DrawingError::MissingColumn {
-                frame: self.name,
-                column,
-                present: self
-                    .frame
-                    .get_column_names()
-                    .iter()
-                    .map(|n| n.as_str())
-                    .collect::<Vec<_>>()
-                    .join(", "),
-            })
+        self.frame.column(column).map_err(|_| DrawingError::MissingColumn {
+            frame: self.name,
+            column,
+            present: self.frame.get_column_names().iter().map(|n| n.as_str()).collect::<Vec<_>>().join(", "),
+        })
     }
 
     fn cast(
@@ -40,12 +32,8 @@ impl<'a> Table<'a> {
         admits: fn(&DataType) -> bool,
     ) -> Result<Column, DrawingError> {
         let raw = self.column(column)?;
-        let wrong = || DrawingError::ColumnType {
-            frame: self.name,
-            column,
-            wanted,
-            found: raw.dtype().to_string(),
-        };
+        let wrong =
+            || DrawingError::ColumnType { frame: self.name, column, wanted, found: raw.dtype().to_string() };
         // A column without a single value has no type of its own.
         let empty = raw.null_count() == raw.len();
         if !empty && !admits(raw.dtype()) {
@@ -56,30 +44,22 @@ impl<'a> Table<'a> {
 
     /// A column of numbers; empty cells become NaN, at which lines are split.
     pub(crate) fn numbers(&self, column: &'static str) -> Result<Vec<f64>, DrawingError> {
-        let cast = self.cast(column, "numbers", &DataType::Float64, |t| {
-            t.is_primitive_numeric()
-        })?;
-        let values = cast
-            .f64()
-            .map_err(|_| self.unreadable(column, "numbers", &cast))?;
+        let cast = self.cast(column, "numbers", &DataType::Float64, |t| t.is_primitive_numeric())?;
+        let values = cast.f64().map_err(|_| self.unreadable(column, "numbers", &cast))?;
         Ok(values.iter().map(|v| v.unwrap_or(f64::NAN)).collect())
     }
 
     /// A column of whole numbers.
     pub(crate) fn integers(&self, column: &'static str) -> Result<Vec<i64>, DrawingError> {
         let cast = self.cast(column, "whole numbers", &DataType::Int64, |t| t.is_integer())?;
-        let values = cast
-            .i64()
-            .map_err(|_| self.unreadable(column, "whole numbers", &cast))?;
+        let values = cast.i64().map_err(|_| self.unreadable(column, "whole numbers", &cast))?;
         self.every_row(column, values.iter())
     }
 
     /// A column of truth values.
     pub(crate) fn flags(&self, column: &'static str) -> Result<Vec<bool>, DrawingError> {
         let cast = self.cast(column, "true or false", &DataType::Boolean, |t| t.is_bool())?;
-        let values = cast
-            .bool()
-            .map_err(|_| self.unreadable(column, "true or false", &cast))?;
+        let values = cast.bool().map_err(|_| self.unreadable(column, "true or false", &cast))?;
         self.every_row(column, values.iter())
     }
 
@@ -90,9 +70,7 @@ impl<'a> Table<'a> {
         known: &'static str,
         translate: impl Fn(&str) -> Option<T>,
     ) -> Result<Vec<T>, DrawingError> {
-        let cast = self.cast(column, "words", &DataType::String, |t| {
-            t.is_string() || t.is_categorical()
-        })?;
+        let cast = self.cast(column, "words", &DataType::String, |t| t.is_string() || t.is_categorical())?;
         let values = cast.str().map_err(|_| self.unreadable(column, "words", &cast))?;
         let words = self.every_row(column, values.iter())?;
         words
@@ -115,23 +93,12 @@ impl<'a> Table<'a> {
     ) -> Result<Vec<T>, DrawingError> {
         values
             .enumerate()
-            .map(|(row, v)| {
-                v.ok_or(DrawingError::EmptyCell {
-                    frame: self.name,
-                    column,
-                    row,
-                })
-            })
+            .map(|(row, v)| v.ok_or(DrawingError::EmptyCell { frame: self.name, column, row }))
             .collect()
     }
 
     fn unreadable(&self, column: &'static str, wanted: &'static str, found: &Column) -> DrawingError {
-        DrawingError::ColumnType {
-            frame: self.name,
-            column,
-            wanted,
-            found: found.dtype().to_string(),
-        }
+        DrawingError::ColumnType { frame: self.name, column, wanted, found: found.dtype().to_string() }
     }
 }
 
@@ -157,13 +124,8 @@ mod tests {
     #[test]
     fn a_missing_column_is_named_together_with_its_frame() {
         let frame = df!("omega" => [0.5], "kind" => ["SN"]).unwrap();
-        let error = Table::new("fig07_curves", &frame)
-            .numbers("amplitude")
-            .unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "frame `fig07_curves` has no column `amplitude`; it has: omega, kind"
-        );
+        let error = Table::new("fig07_curves", &frame).numbers("amplitude").unwrap_err();
+        assert_eq!(error.to_string(), "frame `fig07_curves` has no column `amplitude`; it has: omega, kind");
     }
 
     #[test]
@@ -175,10 +137,7 @@ mod tests {
             table.numbers("omega").unwrap_err(),
             table.flags("stable").unwrap_err(),
         ] {
-            assert!(
-                matches!(error, DrawingError::ColumnType { frame: "t", .. }),
-                "{error}"
-            );
+            assert!(matches!(error, DrawingError::ColumnType { frame: "t", .. }), "{error}");
         }
     }
 
@@ -188,14 +147,7 @@ mod tests {
         let table = Table::new("t", &frame);
         let x = table.numbers("x").unwrap();
         assert!(x[0] == 1.5 && x[1].is_nan());
-        assert!(matches!(
-            table.integers("p"),
-            Err(DrawingError::EmptyCell {
-                column: "p",
-                row: 1,
-                ..
-            })
-        ));
+        assert!(matches!(table.integers("p"), Err(DrawingError::EmptyCell { column: "p", row: 1, .. })));
     }
 
     #[test]
@@ -209,10 +161,7 @@ mod tests {
         let frame = df!("kind" => ["SN", "HB"]).unwrap();
         let parse = |word: &str| (word == "SN").then_some(());
         let error = Table::new("t", &frame).words("kind", "SN", parse).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "column `kind` of frame `t` has the unknown value `HB`; known are: SN"
-        );
+        assert_eq!(error.to_string(), "column `kind` of frame `t` has the unknown value `HB`; known are: SN");
     }
 
     #[test]

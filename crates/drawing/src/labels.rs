@@ -30,11 +30,7 @@ pub(crate) struct Labels<'c> {
 
 impl<'c> Labels<'c> {
     pub(crate) fn new(canvas: &'c Canvas, panel: Bounds) -> Self {
-        Labels {
-            canvas,
-            placer: Placer::new(panel),
-            placed: Vec::new(),
-        }
+        Labels { canvas, placer: Placer::new(panel), placed: Vec::new() }
     }
 
     /// Finds a place for a label; false if there is none.
@@ -77,11 +73,7 @@ impl<'c> Labels<'c> {
             if named.iter().any(again) {
                 continue;
             }
-            let size = if kind == Kind::Graz {
-                LABEL_SIZE
-            } else {
-                SMALL_LABEL_SIZE
-            };
+            let size = if kind == Kind::Graz { LABEL_SIZE } else { SMALL_LABEL_SIZE };
             self.add(kind.label(), size, kind.text_colour(), &Wanted::Beside(&piece))?;
             named.push((kind, piece));
         }

@@ -80,25 +80,14 @@ struct Parser<'a> {
 impl Label {
     /// Upright text as it stands, in which nothing is markup.
     pub(crate) fn plain(text: &str) -> Self {
-        let run = Run {
-            face: Face::Upright,
-            level: Level::Line,
-            text: text.to_owned(),
-        };
-        Label {
-            source: text.to_owned(),
-            runs: vec![run],
-        }
+        let run = Run { face: Face::Upright, level: Level::Line, text: text.to_owned() };
+        Label { source: text.to_owned(), runs: vec![run] }
     }
 
     /// Reads a label.
     pub(crate) fn parse(source: &str) -> Result<Self, DrawingError> {
-        let mut parser = Parser {
-            source,
-            characters: source.chars().collect(),
-            position: 0,
-            runs: Vec::new(),
-        };
+        let mut parser =
+            Parser { source, characters: source.chars().collect(), position: 0, runs: Vec::new() };
         while let Some(character) = parser.next() {
             if character == '$' {
                 parser.mathematics('$', Level::Line)?;
@@ -106,10 +95,7 @@ impl Label {
                 parser.push(Face::Upright, Level::Line, character);
             }
         }
-        Ok(Label {
-            source: source.to_owned(),
-            runs: parser.runs,
-        })
+        Ok(Label { source: source.to_owned(), runs: parser.runs })
     }
 }
 
@@ -122,21 +108,13 @@ impl Parser<'_> {
 
     fn fail<T>(&self, reason: &'static str) -> Result<T, DrawingError> {
         let position = self.position.min(self.characters.len());
-        Err(DrawingError::Markup {
-            label: self.source.to_owned(),
-            reason,
-            position,
-        })
+        Err(DrawingError::Markup { label: self.source.to_owned(), reason, position })
     }
 
     fn push(&mut self, face: Face, level: Level, character: char) {
         match self.runs.last_mut() {
             Some(run) if run.face == face && run.level == level => run.text.push(character),
-            _ => self.runs.push(Run {
-                face,
-                level,
-                text: character.to_string(),
-            }),
+            _ => self.runs.push(Run { face, level, text: character.to_string() }),
         }
     }
 
@@ -146,11 +124,7 @@ impl Parser<'_> {
                 Some(character) if character == end => return Ok(()),
                 Some(character) => self.token(character, level)?,
                 None => {
-                    return self.fail(if end == '$' {
-                        "`$` is not closed"
-                    } else {
-                        "`{` is not closed"
-                    });
+                    return self.fail(if end == '$' { "`$` is not closed" } else { "`{` is not closed" });
                 }
             }
         }
@@ -164,9 +138,7 @@ impl Parser<'_> {
             '_' => self.script(Level::Subscript)?,
             '^' => self.script(Level::Superscript)?,
             '-' => self.push(Face::Upright, level, '−'),
-            '=' => "\u{2009}=\u{2009}"
-                .chars()
-                .for_each(|c| self.push(Face::Upright, level, c)),
+            '=' => "\u{2009}=\u{2009}".chars().for_each(|c| self.push(Face::Upright, level, c)),
             '{' | '}' | '$' => return self.fail("stray bracket or `$`"),
             letter if letter.is_alphabetic() => self.push(Face::Italic, level, letter),
             other => self.push(Face::Upright, level, other),
@@ -184,11 +156,7 @@ impl Parser<'_> {
 
     fn command(&mut self, level: Level) -> Result<(), DrawingError> {
         let start = self.position;
-        while self
-            .characters
-            .get(self.position)
-            .is_some_and(char::is_ascii_alphabetic)
-        {
+        while self.characters.get(self.position).is_some_and(char::is_ascii_alphabetic) {
             self.position += 1;
         }
         let name: String = self.characters[start..self.position].iter().collect();
@@ -225,12 +193,7 @@ mod tests {
     use super::*;
 
     fn runs(source: &str) -> Vec<(Face, Level, String)> {
-        Label::parse(source)
-            .unwrap()
-            .runs
-            .into_iter()
-            .map(|r| (r.face, r.level, r.text))
-            .collect()
+        Label::parse(source).unwrap().runs.into_iter().map(|r| (r.face, r.level, r.text)).collect()
     }
 
     #[test]
@@ -277,11 +240,7 @@ mod tests {
             ("$x^", "nothing to raise or lower"),
         ] {
             match Label::parse(source) {
-                Err(DrawingError::Markup {
-                    reason: found,
-                    label,
-                    position,
-                }) => {
+                Err(DrawingError::Markup { reason: found, label, position }) => {
                     assert_eq!((found, label.as_str()), (reason, source));
                     assert!(position <= source.len());
                 }

@@ -24,13 +24,7 @@ pub(crate) struct Place {
 
 impl Placer {
     pub(crate) fn new(panel: Bounds) -> Self {
-        Placer {
-            panel,
-            blocked: Vec::new(),
-            segments: Vec::new(),
-            nameless: Vec::new(),
-            dust: Vec::new(),
-        }
+        Placer { panel, blocked: Vec::new(), segments: Vec::new(), nameless: Vec::new(), dust: Vec::new() }
     }
 
     /// Keeps labels off a box.
@@ -40,14 +34,12 @@ impl Placer {
 
     /// Keeps labels off a curve.
     pub(crate) fn keep_off(&mut self, curve: &[Spot]) {
-        self.segments
-            .extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
+        self.segments.extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
     }
 
     /// Keeps labels off a curve for which no label near by could be mistaken.
     pub(crate) fn keep_off_nameless(&mut self, curve: &[Spot]) {
-        self.nameless
-            .extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
+        self.nameless.extend(thinned(curve).windows(2).map(|pair| (pair[0], pair[1])));
     }
 
     /// Keeps labels off a cloud of points as far as there is room elsewhere.
@@ -55,8 +47,7 @@ impl Placer {
         let mut cells: Vec<(i64, i64)> = spots.map(|(x, y)| (x.floor() as i64, y.floor() as i64)).collect();
         cells.sort_unstable();
         cells.dedup();
-        self.dust
-            .extend(cells.into_iter().map(|(x, y)| (x as f64 + 0.5, y as f64 + 0.5)));
+        self.dust.extend(cells.into_iter().map(|(x, y)| (x as f64 + 0.5, y as f64 + 0.5)));
     }
 
     /// Number of square points of a cloud that a box covers.
@@ -71,13 +62,7 @@ impl Placer {
         if !self.panel.holds(bounds) || self.blocked.iter().any(|b| b.overlaps(bounds)) {
             return None;
         }
-        Some(
-            self.segments
-                .iter()
-                .chain(&self.nameless)
-                .filter(|s| crosses(bounds, **s))
-                .count(),
-        )
+        Some(self.segments.iter().chain(&self.nameless).filter(|s| crosses(bounds, **s)).count())
     }
 
     fn take(&mut self, place: Option<Place>) -> Option<Place> {
@@ -92,9 +77,8 @@ impl Placer {
 
     /// Beside a curve, near its middle or as near as there is room, on whichever side is free.
     pub(crate) fn beside_curve(&mut self, curve: &[Spot], width: f64, height: f64) -> Option<Place> {
-        const FRACTIONS: [f64; 15] = [
-            0.5, 0.44, 0.56, 0.38, 0.62, 0.32, 0.68, 0.26, 0.74, 0.2, 0.8, 0.14, 0.86, 0.08, 0.92,
-        ];
+        const FRACTIONS: [f64; 15] =
+            [0.5, 0.44, 0.56, 0.38, 0.62, 0.32, 0.68, 0.26, 0.74, 0.2, 0.8, 0.14, 0.86, 0.08, 0.92];
         let spots: Vec<(Spot, Spot)> = FRACTIONS.iter().filter_map(|&f| along(curve, f)).collect();
         let foreign = self.all_but(curve);
         let place_at = |(at, direction): (Spot, Spot), side: f64, gap: f64| {
@@ -105,15 +89,7 @@ impl Placer {
             Place { bounds, leader: None }
         };
         // First where the label is clearly nearer to its own curve than to any other, then where it is just nearer.
-        let rounds = [
-            (1.5, 2.0),
-            (2.5, 2.0),
-            (4.0, 2.0),
-            (1.5, -0.3),
-            (2.5, -0.3),
-            (4.0, -0.3),
-            (6.0, -0.3),
-        ];
+        let rounds = [(1.5, 2.0), (2.5, 2.0), (4.0, 2.0), (1.5, -0.3), (2.5, -0.3), (4.0, -0.3), (6.0, -0.3)];
         for (gap, lead) in rounds {
             for &spot in &spots {
                 for side in [1.0, -1.0] {
@@ -136,11 +112,7 @@ impl Placer {
         let own: Vec<(Spot, Spot)> = thinned(curve).windows(2).map(|pair| (pair[0], pair[1])).collect();
         let start = self.segments.windows(own.len().max(1)).position(|run| run == own);
         let skipped = start.map_or(0..0, |start| start..start + own.len());
-        let rest = self
-            .segments
-            .iter()
-            .enumerate()
-            .filter(|(i, _)| !skipped.contains(i));
+        let rest = self.segments.iter().enumerate().filter(|(i, _)| !skipped.contains(i));
         rest.map(|(_, segment)| *segment).collect()
     }
 
@@ -154,18 +126,13 @@ impl Placer {
             (0.382_68, 0.923_88),
             (0.0, 1.0),
         ];
-        let directions = TURNS
-            .iter()
-            .flat_map(|&(c, s)| [(c, -s), (-c, -s), (c, s), (-c, s)]);
+        let directions = TURNS.iter().flat_map(|&(c, s)| [(c, -s), (-c, -s), (c, s), (-c, s)]);
         let directions: Vec<Spot> = directions.collect();
         let mut best: Option<(f64, Place)> = None;
         for gap in [0.0, 2.0, 5.0, 9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0] {
             for &(right, down) in &directions {
                 let reach = clearance + gap;
-                let centre = (
-                    at.0 + right * (0.5 * width + reach),
-                    at.1 + down * (0.5 * height + reach),
-                );
+                let centre = (at.0 + right * (0.5 * width + reach), at.1 + down * (0.5 * height + reach));
                 let bounds = Bounds::about(centre, width, height);
                 let leader = (gap > 2.0).then(|| leader(&bounds, at, clearance));
                 if self.cost(&bounds) != Some(0) {
@@ -200,30 +167,12 @@ impl Placer {
     /// Inside a polygon, where the distance to everything else is greatest; `None` if the box fits nowhere.
     pub(crate) fn within(&mut self, polygon: &[Spot], width: f64, height: f64) -> Option<Place> {
         let polygon = thinned(polygon);
-        let left = polygon
-            .iter()
-            .map(|p| p.0)
-            .fold(f64::INFINITY, f64::min)
-            .max(self.panel.left);
-        let right = polygon
-            .iter()
-            .map(|p| p.0)
-            .fold(f64::NEG_INFINITY, f64::max)
-            .min(self.panel.right);
-        let top = polygon
-            .iter()
-            .map(|p| p.1)
-            .fold(f64::INFINITY, f64::min)
-            .max(self.panel.top);
-        let bottom = polygon
-            .iter()
-            .map(|p| p.1)
-            .fold(f64::NEG_INFINITY, f64::max)
-            .min(self.panel.bottom);
+        let left = polygon.iter().map(|p| p.0).fold(f64::INFINITY, f64::min).max(self.panel.left);
+        let right = polygon.iter().map(|p| p.0).fold(f64::NEG_INFINITY, f64::max).min(self.panel.right);
+        let top = polygon.iter().map(|p| p.1).fold(f64::INFINITY, f64::min).max(self.panel.top);
+        let bottom = polygon.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max).min(self.panel.bottom);
         // About 900 trial places, at least a point apart.
-        let pitch = (((right - left) * (bottom - top)).max(0.0) / 900.0)
-            .sqrt()
-            .max(1.0);
+        let pitch = (((right - left) * (bottom - top)).max(0.0) / 900.0).sqrt().max(1.0);
         let mut best: Option<(f64, Bounds)> = None;
         let mut y = top + 0.5 * pitch;
         while y < bottom {
@@ -257,10 +206,7 @@ impl Placer {
         let outline = thinned(polygon);
         let range = |pick: fn(&Spot) -> f64| {
             let least = outline.iter().map(pick).fold(f64::INFINITY, f64::min);
-            (
-                least,
-                outline.iter().map(pick).fold(f64::NEG_INFINITY, f64::max) - least,
-            )
+            (least, outline.iter().map(pick).fold(f64::NEG_INFINITY, f64::max) - least)
         };
         let ((left, width), (top, height)) = (range(|p| p.0), range(|p| p.1));
         let share = |i: u32| (f64::from(i) + 0.5) / f64::from(TRIALS);
@@ -271,10 +217,7 @@ impl Placer {
             if !inside(&outline, spot) || self.blocked.iter().any(|b| b.overlaps(&around)) {
                 continue;
             }
-            let depth = outline
-                .iter()
-                .map(|&p| distance(p, spot))
-                .fold(f64::INFINITY, f64::min);
+            let depth = outline.iter().map(|&p| distance(p, spot)).fold(f64::INFINITY, f64::min);
             if best.is_none_or(|(deepest, _)| depth > deepest) {
                 best = Some((depth, spot));
             }
@@ -305,44 +248,25 @@ impl Placer {
 
 /// A line from the box's edge towards the spot, which it stops short of.
 fn leader(bounds: &Bounds, at: Spot, short: f64) -> (Spot, Spot) {
-    let nearest = (
-        at.0.clamp(bounds.left, bounds.right),
-        at.1.clamp(bounds.top, bounds.bottom),
-    );
+    let nearest = (at.0.clamp(bounds.left, bounds.right), at.1.clamp(bounds.top, bounds.bottom));
     let length = distance(nearest, at);
-    let kept = if length > short {
-        (length - short) / length
-    } else {
-        0.0
-    };
-    (
-        nearest,
-        (
-            nearest.0 + kept * (at.0 - nearest.0),
-            nearest.1 + kept * (at.1 - nearest.1),
-        ),
-    )
+    let kept = if length > short { (length - short) / length } else { 0.0 };
+    (nearest, (nearest.0 + kept * (at.0 - nearest.0), nearest.1 + kept * (at.1 - nearest.1)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const SHEET: Bounds = Bounds {
-        left: 0.0,
-        top: 0.0,
-        right: 100.0,
-        bottom: 100.0,
-    };
+    const SHEET: Bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
 
     #[test]
     fn labels_of_one_curve_take_different_places_off_the_curve() {
         let curve: Vec<Spot> = (0..=50).map(|i| (10.0 + 1.6 * f64::from(i), 50.0)).collect();
         let mut placer = Placer::new(SHEET);
         placer.keep_off(&curve);
-        let places: Vec<Bounds> = (0..3)
-            .map(|_| placer.beside_curve(&curve, 20.0, 8.0).unwrap().bounds)
-            .collect();
+        let places: Vec<Bounds> =
+            (0..3).map(|_| placer.beside_curve(&curve, 20.0, 8.0).unwrap().bounds).collect();
         for (index, place) in places.iter().enumerate() {
             assert!(!curve.windows(2).any(|s| crosses(place, (s[0], s[1]))));
             assert!(places[..index].iter().all(|other| !other.overlaps(place)));
@@ -366,13 +290,7 @@ mod tests {
         let mut placer = Placer::new(SHEET);
         assert_eq!(placer.within(&sliver, 10.0, 6.0), None);
         // A ring that holds every near place off; a leader may cross it.
-        placer.keep_off(&[
-            (42.0, 47.0),
-            (58.0, 47.0),
-            (58.0, 55.0),
-            (42.0, 55.0),
-            (42.0, 47.0),
-        ]);
+        placer.keep_off(&[(42.0, 47.0), (58.0, 47.0), (58.0, 55.0), (42.0, 55.0), (42.0, 47.0)]);
         let place = placer.around((50.0, 51.0), 1.0, 10.0, 6.0).unwrap();
         assert!(place.leader.is_some());
         // The leader stops at the clearance asked for.

@@ -68,19 +68,11 @@ pub(crate) fn draw_portraits(canvas: &Canvas, portraits: &[Portrait]) -> Result<
     let width = (canvas.width - LEFT - 6.0 - GAP * (count - 1.0)) / count;
     for (place, portrait) in portraits.iter().enumerate() {
         let left = LEFT + (width + GAP) * place as f64;
-        let bounds = Bounds {
-            left,
-            top: TOP,
-            right: left + width - WALL_THICKNESS,
-            bottom: BOTTOM,
-        };
+        let bounds = Bounds { left, top: TOP, right: left + width - WALL_THICKNESS, bottom: BOTTOM };
         let panel = Panel::new(canvas, window, bounds);
         wall(&panel)?;
-        let pen = if portrait.attractor {
-            ATTRACTOR_ORBIT
-        } else {
-            branch_pen(portrait.p, PERIODIC_ORBIT.width)
-        };
+        let pen =
+            if portrait.attractor { ATTRACTOR_ORBIT } else { branch_pen(portrait.p, PERIODIC_ORBIT.width) };
         panel.line(&without_jumps(&portrait.orbit), pen)?;
         panel.axes_with("$x$", if place == 0 { "$y$" } else { "" }, place == 0)?;
         jump(&panel, &portrait.orbit)?;
@@ -90,10 +82,7 @@ pub(crate) fn draw_portraits(canvas: &Canvas, portraits: &[Portrait]) -> Result<
             (false, p) => format!("$p={p}$"),
         };
         let amplitude = significant(portrait.amplitude, 4);
-        let heading = format!(
-            r"{} $\mathcal{{A}}={amplitude}$, {kind}",
-            panel_letter(portrait.number)
-        );
+        let heading = format!(r"{} $\mathcal{{A}}={amplitude}$, {kind}", panel_letter(portrait.number));
         canvas.text((left, TOP - 5.0), &heading, TICK_SIZE, Anchor::Start, BLACK)?;
     }
     Ok(())
@@ -101,18 +90,10 @@ pub(crate) fn draw_portraits(canvas: &Canvas, portraits: &[Portrait]) -> Result<
 
 /// The extent of all orbits, ending at the wall and symmetric in y, with a little room.
 fn common_window(portraits: &[Portrait]) -> Window {
-    let points = || {
-        portraits
-            .iter()
-            .flat_map(|p| &p.orbit)
-            .filter(|p| p.0.is_finite() && p.1.is_finite())
-    };
+    let points = || portraits.iter().flat_map(|p| &p.orbit).filter(|p| p.0.is_finite() && p.1.is_finite());
     let least = points().map(|p| p.0).fold(0.0, f64::min);
     let fastest = points().map(|p| p.1.abs()).fold(0.0, f64::max);
-    Window {
-        x: [1.06 * least, 0.0],
-        y: [-1.1 * fastest, 1.1 * fastest],
-    }
+    Window { x: [1.06 * least, 0.0], y: [-1.1 * fastest, 1.1 * fastest] }
 }
 
 /// True if the step is an impact: at the wall, from moving towards it to moving away.
@@ -135,18 +116,11 @@ fn without_jumps(orbit: &[(f64, f64)]) -> Vec<(f64, f64)> {
 
 /// The impacts as one dashed line up the wall, from the fastest arrival to the fastest recoil.
 fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)]) -> Result<(), DrawingError> {
-    let finite: Vec<(f64, f64)> = orbit
-        .iter()
-        .copied()
-        .filter(|p| p.0.is_finite() && p.1.is_finite())
-        .collect();
+    let finite: Vec<(f64, f64)> =
+        orbit.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
     // A periodic orbit may be given from recoil to impact, so that the jump closes it.
     let next = finite.iter().cycle().skip(1);
-    let jumps: Vec<_> = finite
-        .iter()
-        .zip(next)
-        .filter(|(from, to)| is_jump(**from, **to))
-        .collect();
+    let jumps: Vec<_> = finite.iter().zip(next).filter(|(from, to)| is_jump(**from, **to)).collect();
     let arrival = jumps.iter().map(|(from, _)| from.1).fold(0.0, f64::max);
     let recoil = jumps.iter().map(|(_, to)| to.1).fold(0.0, f64::min);
     if arrival > recoil {
@@ -159,22 +133,12 @@ fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)]) -> Result<(), DrawingError> {
 
 /// The wall: a hatched strip right of x = 0.
 fn wall(panel: &Panel<'_>) -> Result<(), DrawingError> {
-    let Bounds {
-        top,
-        right: left,
-        bottom,
-        ..
-    } = panel.bounds;
+    let Bounds { top, right: left, bottom, .. } = panel.bounds;
     let right = left + WALL_THICKNESS;
     let canvas = panel.canvas;
-    canvas.draw(
-        &[(left, top), (right, top), (right, bottom), (left, bottom)],
-        Ink::Polygon(WALL_FACE, None),
-    )?;
-    let strip = Window {
-        x: [left, right],
-        y: [top, bottom],
-    };
+    canvas
+        .draw(&[(left, top), (right, top), (right, bottom), (left, bottom)], Ink::Polygon(WALL_FACE, None))?;
+    let strip = Window { x: [left, right], y: [top, bottom] };
     let mut start = top - WALL_THICKNESS;
     while start < bottom + WALL_THICKNESS {
         let stroke = [(left, start + WALL_THICKNESS), (right, start)];
@@ -201,45 +165,22 @@ mod tests {
 
     #[test]
     fn the_jump_that_closes_a_periodic_orbit_is_drawn_dashed_and_a_graze_leaves_none() {
-        let window = Window {
-            x: [-1.0, 0.0],
-            y: [-1.0, 1.0],
-        };
-        let bounds = Bounds {
-            left: 10.0,
-            top: 10.0,
-            right: 90.0,
-            bottom: 90.0,
-        };
+        let window = Window { x: [-1.0, 0.0], y: [-1.0, 1.0] };
+        let bounds = Bounds { left: 10.0, top: 10.0, right: 90.0, bottom: 90.0 };
         let drawn = |orbit: &[(f64, f64)]| {
             let canvas = Canvas::new(40.0, 40.0).unwrap();
             jump(&Panel::new(&canvas, window, bounds), orbit).unwrap();
-            canvas
-                .finish("test", "", "")
-                .unwrap()
-                .matches("stroke-dasharray")
-                .count()
+            canvas.finish("test", "", "").unwrap().matches("stroke-dasharray").count()
         };
-        assert_eq!(
-            drawn(&[(0.0, -0.5), (-0.9, 0.0), (0.0, 0.6), (f64::NAN, f64::NAN)]),
-            1
-        );
+        assert_eq!(drawn(&[(0.0, -0.5), (-0.9, 0.0), (0.0, 0.6), (f64::NAN, f64::NAN)]), 1);
         assert_eq!(drawn(&[(0.0, 0.0), (-0.9, -0.5), (-0.9, 0.5), (0.0, 0.0)]), 0);
     }
 
     #[test]
     fn the_window_ends_at_the_wall_and_holds_every_orbit() {
-        let portrait = |orbit| Portrait {
-            number: 1,
-            amplitude: 1.0,
-            p: 0,
-            attractor: false,
-            orbit,
-        };
-        let window = common_window(&[
-            portrait(vec![(-2.0, 0.3), (f64::NAN, 9.0)]),
-            portrait(vec![(-1.0, -0.7)]),
-        ]);
+        let portrait = |orbit| Portrait { number: 1, amplitude: 1.0, p: 0, attractor: false, orbit };
+        let window =
+            common_window(&[portrait(vec![(-2.0, 0.3), (f64::NAN, 9.0)]), portrait(vec![(-1.0, -0.7)])]);
         assert_eq!(window.x[1], 0.0);
         assert!(window.x[0] < -2.0 && window.y[0] < -0.7 && window.y[1] == -window.y[0]);
     }

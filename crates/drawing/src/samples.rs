@@ -5,25 +5,13 @@ use polars::prelude::{DataFrame, df};
 use crate::clip::Window;
 use crate::fig07::{Magnified, Section};
 
-pub(crate) const WINDOW: Window = Window {
-    x: [0.0, 1.2],
-    y: [0.3, 1.0],
-};
-pub(crate) const SECTION: Section = Section {
-    omega: 0.85,
-    amplitude: [0.2, 0.4],
-};
+pub(crate) const WINDOW: Window = Window { x: [0.0, 1.2], y: [0.3, 1.0] };
+pub(crate) const SECTION: Section = Section { omega: 0.85, amplitude: [0.2, 0.4] };
 
 pub(crate) fn magnified() -> [Magnified; 3] {
     [(1, 0.55), (2, 0.3), (3, 0.18)].map(|(panel, a)| {
         let omega = graz(a);
-        Magnified {
-            panel,
-            window: Window {
-                x: [a - 0.05, a + 0.06],
-                y: [omega - 0.02, omega + 0.02],
-            },
-        }
+        Magnified { panel, window: Window { x: [a - 0.05, a + 0.06], y: [omega - 0.02, omega + 0.02] } }
     })
 }
 
@@ -40,29 +28,18 @@ type SampleCurve = (&'static str, u32, u32, u32, Vec<(f64, f64)>);
 
 /// Kind, p, n, arc and (amplitude, omega) of the made-up curves: at each of three resonances a loop of SN, GZ, PD.
 fn curves() -> Vec<SampleCurve> {
-    let mut curves = vec![(
-        "graz",
-        0,
-        0,
-        0,
-        shares(200).map(|s| (1.3 * s, graz(1.3 * s))).collect(),
-    )];
+    let mut curves = vec![("graz", 0, 0, 0, shares(200).map(|s| (1.3 * s, graz(1.3 * s))).collect())];
     for (p, amplitude, size) in [(1, 0.55, 0.5), (2, 0.3, 0.18), (3, 0.18, 0.06)] {
         let omega = graz(amplitude);
         let arc = |from: (f64, f64), to: (f64, f64), bulge: f64| {
             let point = |s: f64| {
                 let bend = bulge * s * (1.0 - s) * size;
-                (
-                    from.0 + s * (to.0 - from.0) + bend,
-                    from.1 + s * (to.1 - from.1) - bend,
-                )
+                (from.0 + s * (to.0 - from.0) + bend, from.1 + s * (to.1 - from.1) - bend)
             };
             shares(100).map(point).collect::<Vec<_>>()
         };
-        let (low, high) = (
-            (amplitude - 0.4 * size, omega - 0.3 * size),
-            (amplitude + 0.5 * size, omega + 0.6 * size),
-        );
+        let (low, high) =
+            ((amplitude - 0.4 * size, omega - 0.3 * size), (amplitude + 0.5 * size, omega + 0.6 * size));
         curves.push(("SN", p, 1, 3 * p, arc((amplitude, omega), low, 0.2)));
         curves.push(("PD", p, 1, 3 * p + 1, arc((amplitude, omega), high, -1.0)));
         curves.push(("GZ", p, 1, 3 * p + 2, arc(low, high, 1.0)));
@@ -89,20 +66,14 @@ pub(crate) fn fig07_curves() -> DataFrame {
 }
 
 pub(crate) fn fig07_points() -> DataFrame {
-    let ends: Vec<_> = curves()
-        .into_iter()
-        .filter(|c| c.0 != "graz")
-        .map(|c| (c.0, c.4))
-        .collect();
+    let ends: Vec<_> = curves().into_iter().filter(|c| c.0 != "graz").map(|c| (c.0, c.4)).collect();
     let kinds = ends.iter().map(|(kind, _)| match *kind {
         "SN" => "resonance",
         "PD" => "PD-GZ",
         _ => "SN-GZ",
     });
-    let firsts: Vec<(f64, f64)> = ends
-        .iter()
-        .map(|(kind, points)| if *kind == "PD" { points[100] } else { points[0] })
-        .collect();
+    let firsts: Vec<(f64, f64)> =
+        ends.iter().map(|(kind, points)| if *kind == "PD" { points[100] } else { points[0] }).collect();
     df!(
         "kind" => kinds.collect::<Vec<_>>(),
         "amplitude" => firsts.iter().map(|p| p.0).collect::<Vec<_>>(),
@@ -119,10 +90,7 @@ pub(crate) fn fig07_regions() -> DataFrame {
     rows.extend(below.into_iter().map(|(a, w)| (0, "non-impacting", 0, a, w)));
     for p in 1..=3 {
         let of = |kind| curves.iter().find(|c| c.0 == kind && c.1 == p).unwrap().4.clone();
-        let outline = of("SN")
-            .into_iter()
-            .chain(of("GZ"))
-            .chain(of("PD").into_iter().rev());
+        let outline = of("SN").into_iter().chain(of("GZ")).chain(of("PD").into_iter().rev());
         rows.extend(outline.map(|(a, w)| (p, "mps", p, a, w)));
     }
     df!(
@@ -140,19 +108,11 @@ pub(crate) fn fig08_curves() -> DataFrame {
     for panel in 1..=3 {
         for (kind, p, _, arc, points) in curves() {
             if kind == "graz" || p == panel {
-                rows.extend(
-                    points
-                        .iter()
-                        .map(|&(a, w)| (panel, kind, "continuation", arc, a, w)),
-                );
+                rows.extend(points.iter().map(|&(a, w)| (panel, kind, "continuation", arc, a, w)));
             }
             if p == panel && kind != "GZ" {
                 let straight = [points[0], points[1]].map(|q| (2.0 * q.0 - points[0].0, q.1));
-                rows.extend(
-                    straight
-                        .iter()
-                        .map(|&(a, w)| (panel, kind, "quadratic", arc, a, w)),
-                );
+                rows.extend(straight.iter().map(|&(a, w)| (panel, kind, "quadratic", arc, a, w)));
             }
         }
     }
@@ -218,22 +178,13 @@ pub(crate) fn fig02_attractor(count: u32) -> DataFrame {
 
 pub(crate) fn fig02_portraits() -> DataFrame {
     let mut rows: Vec<(u32, u32, f64, &str, f64, f64)> = Vec::new();
-    for (number, p, amplitude, kind) in [
-        (1, 0, 0.8, "periodic"),
-        (2, 2, 1.3, "periodic"),
-        (3, 0, 1.31, "attractor"),
-        (4, 3, 1.4, "periodic"),
-    ] {
+    for (number, p, amplitude, kind) in
+        [(1, 0, 0.8, "periodic"), (2, 2, 1.3, "periodic"), (3, 0, 1.31, "attractor"), (4, 3, 1.4, "periodic")]
+    {
         let reach = if p == 0 { 0.9 } else { 1.0 };
         // A polygon of orbit from recoil to impact, the jump left to the figure.
-        for (x, y) in [
-            (0.0, -0.5),
-            (-1.0, -1.0),
-            (-2.0, 0.0),
-            (-1.0, 1.0),
-            (0.0, 0.6),
-            (f64::NAN, f64::NAN),
-        ] {
+        for (x, y) in [(0.0, -0.5), (-1.0, -1.0), (-2.0, 0.0), (-1.0, 1.0), (0.0, 0.6), (f64::NAN, f64::NAN)]
+        {
             rows.push((number, p, amplitude, kind, reach * x, y));
         }
     }

@@ -20,12 +20,7 @@ impl Bounds {
     }
 
     pub(crate) fn grown(&self, by: f64) -> Bounds {
-        Bounds {
-            left: self.left - by,
-            top: self.top - by,
-            right: self.right + by,
-            bottom: self.bottom + by,
-        }
+        Bounds { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
     }
 
     pub(crate) fn overlaps(&self, other: &Bounds) -> bool {
@@ -100,10 +95,7 @@ pub(crate) fn along(curve: &[Spot], fraction: f64) -> Option<(Spot, Spot)> {
         let step = distance(pair[0], pair[1]);
         if step > 0.0 && left <= step {
             let direction = ((pair[1].0 - pair[0].0) / step, (pair[1].1 - pair[0].1) / step);
-            return Some((
-                (pair[0].0 + left * direction.0, pair[0].1 + left * direction.1),
-                direction,
-            ));
+            return Some(((pair[0].0 + left * direction.0, pair[0].1 + left * direction.1), direction));
         }
         left -= step;
     }
@@ -113,20 +105,13 @@ pub(crate) fn along(curve: &[Spot], fraction: f64) -> Option<(Spot, Spot)> {
 /// True if the spot is within reach of a curve.
 pub(crate) fn near(curve: &[Spot], spot: Spot, reach: f64) -> bool {
     let box_around = Bounds::about(spot, 2.0 * reach, 2.0 * reach);
-    curve
-        .windows(2)
-        .any(|pair| crosses(&box_around, (pair[0], pair[1])))
+    curve.windows(2).any(|pair| crosses(&box_around, (pair[0], pair[1])))
 }
 
 /// Area of a polygon on the sheet, in square points.
 pub(crate) fn area(polygon: &[Spot]) -> f64 {
     let next = polygon.iter().cycle().skip(1);
-    (0.5 * polygon
-        .iter()
-        .zip(next)
-        .map(|(a, b)| a.0 * b.1 - b.0 * a.1)
-        .sum::<f64>())
-    .abs()
+    (0.5 * polygon.iter().zip(next).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<f64>()).abs()
 }
 
 #[cfg(test)]
@@ -150,14 +135,7 @@ mod tests {
 
     #[test]
     fn inside_follows_a_reentrant_outline() {
-        let hook = [
-            (0.0, 0.0),
-            (4.0, 0.0),
-            (4.0, 4.0),
-            (3.0, 4.0),
-            (3.0, 1.0),
-            (0.0, 1.0),
-        ];
+        let hook = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (3.0, 4.0), (3.0, 1.0), (0.0, 1.0)];
         assert!(inside(&hook, (3.5, 3.0)) && inside(&hook, (0.5, 0.5)));
         assert!(!inside(&hook, (1.5, 2.5)));
         assert_eq!(area(&hook), 7.0);

@@ -24,21 +24,14 @@ pub(crate) fn simplify(path: &[BackendCoord]) -> Vec<BackendCoord> {
     while let Some((start, end)) = spans.pop() {
         let farthest = (start + 1..end)
             .map(|i| (off_segment(path[i], path[start], path[end]), i))
-            .fold(
-                (0.0, start),
-                |best, next| if next.0 > best.0 { next } else { best },
-            );
+            .fold((0.0, start), |best, next| if next.0 > best.0 { next } else { best });
         if farthest.0 > TOLERANCE {
             keep[farthest.1] = true;
             spans.push((start, farthest.1));
             spans.push((farthest.1, end));
         }
     }
-    path.iter()
-        .zip(keep)
-        .filter(|(_, kept)| *kept)
-        .map(|(&point, _)| point)
-        .collect()
+    path.iter().zip(keep).filter(|(_, kept)| *kept).map(|(&point, _)| point).collect()
 }
 
 /// Distance of a point from a segment.
@@ -46,11 +39,7 @@ fn off_segment(point: BackendCoord, from: BackendCoord, to: BackendCoord) -> f64
     let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
     let (px, py) = (f64::from(point.0 - from.0), f64::from(point.1 - from.1));
     let squared = dx * dx + dy * dy;
-    let t = if squared > 0.0 {
-        ((px * dx + py * dy) / squared).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
+    let t = if squared > 0.0 { ((px * dx + py * dy) / squared).clamp(0.0, 1.0) } else { 0.0 };
     let (ex, ey) = (px - t * dx, py - t * dy);
     (ex * ex + ey * ey).sqrt()
 }
@@ -71,19 +60,13 @@ mod tests {
         let kept = simplify(&parabola);
         assert!(kept.len() < 150, "{}", kept.len());
         for &point in &parabola {
-            let off = kept
-                .windows(2)
-                .map(|s| off_segment(point, s[0], s[1]))
-                .fold(f64::INFINITY, f64::min);
+            let off = kept.windows(2).map(|s| off_segment(point, s[0], s[1])).fold(f64::INFINITY, f64::min);
             assert!(off <= TOLERANCE);
         }
     }
 
     #[test]
     fn a_spike_is_kept() {
-        assert_eq!(
-            simplify(&[(0, 0), (100, 0), (101, 900), (102, 0), (200, 0)]).len(),
-            5
-        );
+        assert_eq!(simplify(&[(0, 0), (100, 0), (101, 900), (102, 0), (200, 0)]).len(), 5);
     }
 }

@@ -30,23 +30,11 @@ pub(crate) struct Paint {
 
 impl Pen {
     const fn solid(colour: Colour, width: f64) -> Self {
-        Pen {
-            colour,
-            width,
-            dashes: &[],
-            opacity: 1.0,
-            round: false,
-        }
+        Pen { colour, width, dashes: &[], opacity: 1.0, round: false }
     }
 
     const fn dashed(colour: Colour, width: f64, dashes: &'static [f64]) -> Self {
-        Pen {
-            colour,
-            width,
-            dashes,
-            opacity: 1.0,
-            round: false,
-        }
+        Pen { colour, width, dashes, opacity: 1.0, round: false }
     }
 }
 
@@ -92,10 +80,7 @@ pub(crate) const MINOR_TICK_LENGTH: f64 = 1.7;
 /// Where the non-impacting solution is stable.
 pub(crate) const NON_IMPACTING_AREA: Paint = Paint::opaque(Colour(233, 233, 233));
 /// Where an MPS is stable; overlapping regions come out darker.
-pub(crate) const MPS_AREA: Paint = Paint {
-    colour: Colour(40, 40, 40),
-    opacity: 0.3,
-};
+pub(crate) const MPS_AREA: Paint = Paint { colour: Colour(40, 40, 40), opacity: 0.3 };
 
 pub(crate) const GRAZ: Pen = Pen::solid(LIGHT_GREEN, 2.2);
 pub(crate) const SADDLE_NODE: Pen = Pen::solid(BLUE, 1.15);
@@ -115,13 +100,7 @@ pub(crate) const MAGNIFIED: Pen = Pen::solid(ORANGE, 1.0);
 /// Labels of those rectangles: darker than the rectangle, to be readable.
 pub(crate) const MAGNIFIED_TEXT: Colour = Colour(176, 84, 0);
 /// The line in the two-parameter diagram along which the one-parameter diagram runs.
-pub(crate) const SECTION: Pen = Pen {
-    colour: BLACK,
-    width: 1.5,
-    dashes: &[],
-    opacity: 1.0,
-    round: true,
-};
+pub(crate) const SECTION: Pen = Pen { colour: BLACK, width: 1.5, dashes: &[], opacity: 1.0, round: true };
 
 pub(crate) const MARKER: Paint = Paint::opaque(BLACK);
 pub(crate) const MARKER_RIM: Pen = Pen::solid(WHITE, 0.5);
@@ -143,19 +122,11 @@ pub(crate) const STABLE_WIDTH: f64 = 1.7;
 pub(crate) const UNSTABLE_WIDTH: f64 = 0.55;
 /// The attractor's points, by how many fall into one bin: 1, 2 to 3, more.
 pub(crate) const CLOUD: [Paint; 3] = [
-    Paint {
-        colour: Colour(70, 95, 130),
-        opacity: 0.35,
-    },
-    Paint {
-        colour: Colour(70, 95, 130),
-        opacity: 0.6,
-    },
-    Paint {
-        colour: Colour(70, 95, 130),
-        opacity: 0.9,
-    },
+    Paint { colour: CLOUD_COLOUR, opacity: 0.6 },
+    Paint { colour: CLOUD_COLOUR, opacity: 0.85 },
+    Paint { colour: CLOUD_COLOUR, opacity: 1.0 },
 ];
+const CLOUD_COLOUR: Colour = Colour(45, 70, 105);
 /// Side of a bin of the attractor, in points.
 pub(crate) const CLOUD_BIN: f64 = 0.36;
 

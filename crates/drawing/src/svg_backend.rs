@@ -46,11 +46,7 @@ fn fill(paint: &Paint) -> String {
 }
 
 fn stroke(pen: &Pen) -> String {
-    let mut attributes = format!(
-        " stroke=\"{}\" stroke-width=\"{}\"",
-        hex(pen.colour),
-        points(pen.width)
-    );
+    let mut attributes = format!(" stroke=\"{}\" stroke-width=\"{}\"", hex(pen.colour), points(pen.width));
     if pen.opacity < 1.0 {
         let _ = write!(attributes, " stroke-opacity=\"{}\"", points(pen.opacity));
     }
@@ -89,10 +85,7 @@ impl SvgBackend {
     /// An empty drawing of `width` by `height` points.
     pub(crate) fn new(width: f64, height: f64) -> Self {
         let size = ((width * UNITS).round() as u32, (height * UNITS).round() as u32);
-        SvgBackend {
-            size,
-            body: String::new(),
-        }
+        SvgBackend { size, body: String::new() }
     }
 
     /// The finished document, with its title, its description and the fonts.
@@ -154,10 +147,7 @@ impl SvgBackend {
     ) -> Outcome {
         let outline = outline.map(stroke).unwrap_or_default();
         let (x, y, r) = (hundredths(x), hundredths(y), points(radius));
-        self.element(format_args!(
-            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{}{outline}/>",
-            fill(paint)
-        ))
+        self.element(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{}{outline}/>", fill(paint)))
     }
 
     /// Squares of side `bin` points on a grid hung up at `origin`; `data` is path data in units of the bin.
@@ -195,13 +185,7 @@ impl SvgBackend {
 
 fn plain_pen<S: BackendStyle>(style: &S) -> Pen {
     let (colour, opacity) = plain_colour(style.color());
-    Pen {
-        colour,
-        width: f64::from(style.stroke_width()) / UNITS,
-        dashes: &[],
-        opacity,
-        round: false,
-    }
+    Pen { colour, width: f64::from(style.stroke_width()) / UNITS, dashes: &[], opacity, round: false }
 }
 
 fn plain_colour(colour: BackendColor) -> (Colour, f64) {
@@ -273,10 +257,7 @@ impl DrawingBackend for SvgBackend {
         }
         let (x, y) = (hundredths(center.0), hundredths(center.1));
         let outline = stroke(&plain_pen(style));
-        self.element(format_args!(
-            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\"{outline}/>",
-            points(radius)
-        ))
+        self.element(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\"{outline}/>", points(radius)))
     }
 
     fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
@@ -311,22 +292,12 @@ mod tests {
 
     #[test]
     fn text_is_escaped_once() {
-        assert_eq!(
-            escape("a<b & \"c\">'d'\u{7}"),
-            "a&lt;b &amp; &quot;c&quot;&gt;&#39;d&#39; "
-        );
+        assert_eq!(escape("a<b & \"c\">'d'\u{7}"), "a&lt;b &amp; &quot;c&quot;&gt;&#39;d&#39; ");
         let mut svg = SvgBackend::new(10.0, 10.0);
-        svg.label(
-            (0, 0),
-            &Label::parse("$x$ < 1 & y").unwrap(),
-            8.0,
-            Anchor::Start,
-            Colour(0, 0, 0),
-        )
-        .unwrap();
+        svg.label((0, 0), &Label::parse("$x$ < 1 & y").unwrap(), 8.0, Anchor::Start, Colour(0, 0, 0))
+            .unwrap();
         assert!(
-            svg.body
-                .contains("<tspan font-style=\"italic\">x</tspan> &lt; 1 &amp; y</text>"),
+            svg.body.contains("<tspan font-style=\"italic\">x</tspan> &lt; 1 &amp; y</text>"),
             "{}",
             svg.body
         );
@@ -334,22 +305,14 @@ mod tests {
 
     #[test]
     fn points_that_coincide_in_print_are_written_once() {
-        assert_eq!(
-            path_data([(0, 0), (0, 0), (150, -25), (150, -25)], false),
-            "M0,0L1.5,-0.25"
-        );
+        assert_eq!(path_data([(0, 0), (0, 0), (150, -25), (150, -25)], false), "M0,0L1.5,-0.25");
         assert_eq!(path_data([(0, 0), (100, 0), (0, 100)], true), "M0,0L1,0L0,1Z");
     }
 
     #[test]
     fn dashes_are_real_ones() {
-        let pen = Pen {
-            colour: Colour(1, 2, 255),
-            width: 1.25,
-            dashes: &[4.0, 1.5],
-            opacity: 0.5,
-            round: false,
-        };
+        let pen =
+            Pen { colour: Colour(1, 2, 255), width: 1.25, dashes: &[4.0, 1.5], opacity: 0.5, round: false };
         assert_eq!(
             stroke(&pen),
             " stroke=\"#0102ff\" stroke-width=\"1.25\" stroke-opacity=\"0.5\" stroke-dasharray=\"4 1.5\""
@@ -359,14 +322,8 @@ mod tests {
     #[test]
     fn elements_of_plotters_keep_their_hundredths() {
         let mut svg = SvgBackend::new(10.0, 10.0);
-        let red = BackendColor {
-            alpha: 1.0,
-            rgb: (255, 0, 0),
-        };
+        let red = BackendColor { alpha: 1.0, rgb: (255, 0, 0) };
         svg.draw_line((1, 2), (333, 444), &red).unwrap();
-        assert_eq!(
-            svg.body,
-            "<path d=\"M0.01,0.02L3.33,4.44\" stroke=\"#ff0000\" stroke-width=\"0.01\"/>\n"
-        );
+        assert_eq!(svg.body, "<path d=\"M0.01,0.02L3.33,4.44\" stroke=\"#ff0000\" stroke-width=\"0.01\"/>\n");
     }
 }

@@ -82,14 +82,9 @@ mod tests {
 
     #[test]
     fn coordinates_have_at_most_two_decimals_and_no_needless_zeros() {
-        let printed: Vec<String> = [0, 7, 10, 100, 12_345, -5, -50, -1_200]
-            .into_iter()
-            .map(hundredths)
-            .collect();
-        assert_eq!(
-            printed,
-            ["0", "0.07", "0.1", "1", "123.45", "-0.05", "-0.5", "-12"]
-        );
+        let printed: Vec<String> =
+            [0, 7, 10, 100, 12_345, -5, -50, -1_200].into_iter().map(hundredths).collect();
+        assert_eq!(printed, ["0", "0.07", "0.1", "1", "123.45", "-0.05", "-0.5", "-12"]);
         assert_eq!(points(1.0 / 3.0), "0.33");
     }
 

@@ -15,10 +15,7 @@ pub(crate) struct Step {
 }
 
 impl Step {
-    pub(crate) const ONE: Step = Step {
-        mantissa: 1,
-        exponent: 0,
-    };
+    pub(crate) const ONE: Step = Step { mantissa: 1, exponent: 0 };
 
     /// The step as a number.
     pub(crate) fn size(self) -> f64 {
@@ -42,9 +39,7 @@ impl Step {
 
     /// The number `index * step` correctly rounded, by reading its decimal digits.
     fn value(self, index: i64) -> f64 {
-        format!("{}e{}", index * self.mantissa, self.exponent)
-            .parse()
-            .unwrap_or(f64::NAN)
+        format!("{}e{}", index * self.mantissa, self.exponent).parse().unwrap_or(f64::NAN)
     }
 
     /// All multiples of the step from `low` to `high`, ends included up to a billionth of the step.
@@ -52,12 +47,7 @@ impl Step {
         let step = self.value(1);
         let first = (low / step - 1e-9).ceil() as i64;
         let last = (high / step + 1e-9).floor() as i64;
-        (first..=last)
-            .map(|i| Tick {
-                value: self.value(i),
-                label: self.label(i),
-            })
-            .collect()
+        (first..=last).map(|i| Tick { value: self.value(i), label: self.label(i) }).collect()
     }
 
     /// The step of the smaller ticks between: a fifth, or a quarter of two, which is a half of the unit.
@@ -67,20 +57,14 @@ impl Step {
             5 => 10,
             _ => 2,
         };
-        Step {
-            mantissa,
-            exponent: self.exponent - 1,
-        }
+        Step { mantissa, exponent: self.exponent - 1 }
     }
 
     /// Round steps (1, 2, 5 times a power of ten) from fine to coarse, fit for an axis of the given length.
     pub(crate) fn round_steps(length: f64) -> impl Iterator<Item = Step> {
         // The exponent of scientific notation is the floor of the decimal logarithm, without a logarithm.
-        let exponent: i32 = format!("{length:e}")
-            .rsplit('e')
-            .next()
-            .and_then(|e| e.parse().ok())
-            .unwrap_or(0);
+        let exponent: i32 =
+            format!("{length:e}").rsplit('e').next().and_then(|e| e.parse().ok()).unwrap_or(0);
         (exponent - 2..=exponent + 1)
             .flat_map(|exponent| [1, 2, 5].map(|mantissa| Step { mantissa, exponent }))
     }
@@ -89,11 +73,7 @@ impl Step {
 /// A number with so many significant digits, as printed in running text (with a true minus sign).
 pub(crate) fn significant(value: f64, digits: usize) -> String {
     let scientific = format!("{:.*e}", digits.saturating_sub(1), value.abs());
-    let exponent: i64 = scientific
-        .rsplit('e')
-        .next()
-        .and_then(|e| e.parse().ok())
-        .unwrap_or(0);
+    let exponent: i64 = scientific.rsplit('e').next().and_then(|e| e.parse().ok()).unwrap_or(0);
     let decimals = (digits as i64 - 1 - exponent).max(0) as usize;
     let sign = if value < 0.0 { "−" } else { "" };
     format!("{sign}{:.decimals$}", value.abs())
@@ -131,10 +111,7 @@ mod tests {
         for major in [step(1, 0), step(2, -1), step(5, -2)] {
             let minor = major.minor();
             let ratio = major.value(1) / minor.value(1);
-            assert!(
-                (ratio - ratio.round()).abs() < 1e-12 && ratio > 3.0,
-                "{major:?} {ratio}"
-            );
+            assert!((ratio - ratio.round()).abs() < 1e-12 && ratio > 3.0, "{major:?} {ratio}");
         }
     }
 

@@ -26,11 +26,7 @@ impl MapJet {
         let mut jacobian = Matrix2x4::zeros();
         jacobian[(0, 0)] = 1.0;
         jacobian[(1, 1)] = 1.0;
-        Self {
-            value: point,
-            jacobian,
-            hessians: [Matrix4::zeros(); 2],
-        }
+        Self { value: point, jacobian, hessians: [Matrix4::zeros(); 2] }
     }
 
     /// The jet of `self ∘ inner`, both at the same parameters.
@@ -51,11 +47,7 @@ impl MapJet {
                     + inner.hessians[1] * self.jacobian[(i, 1)];
             }
         }
-        Self {
-            value: self.value,
-            jacobian,
-            hessians,
-        }
+        Self { value: self.value, jacobian, hessians }
     }
 
     /// Derivatives with respect to the two coordinates alone.
@@ -70,14 +62,8 @@ impl MapJet {
         let inverse = self.derivative().try_inverse()?;
         let mut jacobian = Matrix2x4::zeros();
         jacobian.fixed_view_mut::<2, 2>(0, 0).copy_from(&inverse);
-        jacobian
-            .fixed_view_mut::<2, 2>(0, 2)
-            .copy_from(&(-inverse * self.jacobian.fixed_columns::<2>(2)));
-        let mut jet = Self {
-            value: preimage,
-            jacobian,
-            hessians: [Matrix4::zeros(); 2],
-        };
+        jacobian.fixed_view_mut::<2, 2>(0, 2).copy_from(&(-inverse * self.jacobian.fixed_columns::<2>(2)));
+        let mut jet = Self { value: preimage, jacobian, hessians: [Matrix4::zeros(); 2] };
         if ORDER >= 2 {
             let pulled = [jet.pull_back(&self.hessians[0]), jet.pull_back(&self.hessians[1])];
             for (i, hessian) in jet.hessians.iter_mut().enumerate() {

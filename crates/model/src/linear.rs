@@ -125,20 +125,11 @@ impl ImpactOscillator for LinearOscillator {
         if frequency == self.frequency {
             return Self { amplitude, ..*self };
         }
-        Self {
-            amplitude,
-            frequency,
-            response: Response::new(self.damping_ratio, frequency),
-            ..*self
-        }
+        Self { amplitude, frequency, response: Response::new(self.damping_ratio, frequency), ..*self }
     }
 
     fn forcing_frequency(&self) -> ParameterJet {
-        ParameterJet {
-            value: self.frequency,
-            gradient: Vector2::new(0.0, 1.0),
-            hessian: Matrix2::zeros(),
-        }
+        ParameterJet { value: self.frequency, gradient: Vector2::new(0.0, 1.0), hessian: Matrix2::zeros() }
     }
 
     fn acceleration(&self, state: State) -> f64 {

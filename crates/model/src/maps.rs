@@ -166,10 +166,7 @@ pub fn discontinuity_map<O: ImpactOscillator, const ORDER: usize>(
 ) -> Result<MapJet, MapError> {
     let preimage = virtual_preimage(oscillator, position, phase)?;
     let impact = virtual_map::<O, ORDER>(oscillator, preimage[0], preimage[1], None)?;
-    let inverse = impact
-        .jet
-        .inverse::<ORDER>(preimage)
-        .ok_or(MapError::BelowTheWall { position })?;
+    let inverse = impact.jet.inverse::<ORDER>(preimage).ok_or(MapError::BelowTheWall { position })?;
     let reset = oscillator.reset::<ORDER>(preimage[0], preimage[1]);
     let recoil = virtual_map::<O, ORDER>(oscillator, reset.value[0], reset.value[1], None)?;
     Ok(recoil.jet.after::<ORDER>(&reset).after::<ORDER>(&inverse))
@@ -192,11 +189,7 @@ pub fn to_phase<O: ImpactOscillator, const ORDER: usize>(
     let mut ds = -omega * (time / frequency.value);
     ds[1] -= 1.0 / frequency.value;
     let dds = |a: usize, b: usize| {
-        let curvature = if a >= 2 && b >= 2 {
-            frequency.hessian[(a - 2, b - 2)]
-        } else {
-            0.0
-        };
+        let curvature = if a >= 2 && b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
         -(omega[a] * ds[b] + omega[b] * ds[a] + time * curvature) / frequency.value
     };
     substitute_duration::<ORDER>(&jet, flow::VELOCITY, &ds, dds)
@@ -237,10 +230,7 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize>(
         }
         here = motion.at(time);
     }
-    Err(MapError::NoRest {
-        near: guess,
-        velocity: here.velocity,
-    })
+    Err(MapError::NoRest { near: guess, velocity: here.velocity })
 }
 
 /// The landing at a time that is known to be a zero of the velocity.
@@ -256,10 +246,7 @@ fn finish_landing<O: ImpactOscillator, const ORDER: usize>(
     if acceleration.is_nan() || acceleration >= 0.0 {
         return Err(MapError::NotAMaximum { acceleration });
     }
-    Ok(Landing {
-        jet: implicit_landing::<ORDER>(oscillator, &jet, from.phase, first, time, turn),
-        time,
-    })
+    Ok(Landing { jet: implicit_landing::<ORDER>(oscillator, &jet, from.phase, first, time, turn), time })
 }
 
 /// The jet of (x', z') from the flow's jet at the landing, where y(u, z, s; μ, η) = 0 defines the duration s.

@@ -111,18 +111,7 @@ impl Cell {
     fn halves(&self, motion: &impl Motion) -> [Cell; 2] {
         let time = 0.5 * (self.start + self.end);
         let middle = motion.at(time);
-        [
-            Cell {
-                end: time,
-                last: middle,
-                ..*self
-            },
-            Cell {
-                start: time,
-                first: middle,
-                ..*self
-            },
-        ]
+        [Cell { end: time, last: middle, ..*self }, Cell { start: time, first: middle, ..*self }]
     }
 
     /// The zero of the velocity, which is strictly monotone in this cell and changes sign.
@@ -171,9 +160,7 @@ impl Cell {
             }
             Course::Open if self.width() >= NARROWEST_CELL => {
                 let [left, right] = self.halves(motion);
-                return left
-                    .crossing(motion, bounds)
-                    .or_else(|| right.crossing(motion, bounds));
+                return left.crossing(motion, bounds).or_else(|| right.crossing(motion, bounds));
             }
             Course::Monotone | Course::Curved { .. } | Course::Open => (self.end, self.last),
         };
@@ -206,10 +193,7 @@ impl Cell {
         }
         if rising && self.last.velocity <= 0.0 {
             let time = self.stationary_time(motion);
-            return threshold.max(visit(Maximum {
-                time,
-                position: motion.at(time).position,
-            }));
+            return threshold.max(visit(Maximum { time, position: motion.at(time).position }));
         }
         threshold
     }
@@ -241,17 +225,9 @@ fn cells_above(
                 continue;
             }
             let whole = index * stride <= horizon;
-            let (end, last) = if whole {
-                (index * stride, next.kinematics())
-            } else {
-                (horizon, motion.at(horizon))
-            };
-            return Some(Cell {
-                start,
-                first: here.kinematics(),
-                end,
-                last,
-            });
+            let (end, last) =
+                if whole { (index * stride, next.kinematics()) } else { (horizon, motion.at(horizon)) };
+            return Some(Cell { start, first: here.kinematics(), end, last });
         }
     })
 }
@@ -316,12 +292,7 @@ pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<
     while start < horizon {
         let end = (start + motion.stride()).min(horizon);
         let last = motion.at(sign * end);
-        let cell = Cell {
-            start: sign * start,
-            first,
-            end: sign * end,
-            last,
-        };
+        let cell = Cell { start: sign * start, first, end: sign * end, last };
         if let Some(time) = cell.rest(motion, &bounds) {
             return Some(time);
         }
@@ -361,11 +332,7 @@ fn inverse_hermite([f, g]: [f64; 2], [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f6
 fn bracketed_newton([a, b]: [f64; 2], rising: bool, guess: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high) = if rising { (a, b) } else { (b, a) };
     let inside = |time: f64, low: f64, high: f64| (time - low) * (time - high) < 0.0;
-    let mut time = if inside(guess, low, high) {
-        guess
-    } else {
-        0.5 * (a + b)
-    };
+    let mut time = if inside(guess, low, high) { guess } else { 0.5 * (a + b) };
     // Bisection alone empties a bracket of doubles in at most about 60 steps near 1; twice that is ample.
     for _ in 0..128 {
         let (value, slope) = f(time);

@@ -119,15 +119,9 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
     fn reset(&mut self) {
         self.impacts += 1;
         let impact_velocity = self.state.velocity;
-        let recoil = self
-            .oscillator
-            .reset::<1>(impact_velocity, self.state.phase)
-            .value;
+        let recoil = self.oscillator.reset::<1>(impact_velocity, self.state.phase).value;
         self.state = wrapped(State::on_wall(recoil[0], recoil[1]));
-        let pressed = self
-            .oscillator
-            .acceleration(State::on_wall(0.0, self.state.phase))
-            > 0.0;
+        let pressed = self.oscillator.acceleration(State::on_wall(0.0, self.state.phase)) > 0.0;
         if pressed && impact_velocity < CHATTER_VELOCITY {
             self.end = Some(OrbitEnd::Chattering {
                 time: self.time,
@@ -135,10 +129,7 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
                 impacts: self.impacts,
             });
         } else if self.impacts >= self.impact_limit {
-            self.end = Some(OrbitEnd::TooManyImpacts {
-                time: self.time,
-                impacts: self.impacts,
-            });
+            self.end = Some(OrbitEnd::TooManyImpacts { time: self.time, impacts: self.impacts });
         }
         self.check_contact();
     }
@@ -146,10 +137,7 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
     fn check_contact(&mut self) {
         let resting = self.state.position >= 0.0 && self.state.velocity == 0.0;
         if self.end.is_none() && resting && self.oscillator.acceleration(self.state) >= 0.0 {
-            self.end = Some(OrbitEnd::Sticking {
-                time: self.time,
-                phase: self.state.phase,
-            });
+            self.end = Some(OrbitEnd::Sticking { time: self.time, phase: self.state.phase });
         }
     }
 }
@@ -176,22 +164,12 @@ impl<O: ImpactOscillator> Iterator for Orbit<'_, O> {
             self.reset();
             FlightEnd::Impact(impact)
         } else {
-            let last = State {
-                position: there.position,
-                velocity: there.velocity,
-                phase,
-            };
+            let last = State { position: there.position, velocity: there.velocity, phase };
             self.state = last;
             self.end = Some(OrbitEnd::TimeIsUp(last));
             FlightEnd::TimeIsUp(last)
         };
-        Some(Flight {
-            start,
-            from,
-            motion,
-            duration,
-            end,
-        })
+        Some(Flight { start, from, motion, duration, end })
     }
 }
 

@@ -17,20 +17,12 @@ pub struct State {
 impl State {
     /// The point (0, y, z) of the impacting surface Σ.
     pub const fn on_wall(velocity: f64, phase: f64) -> Self {
-        Self {
-            position: 0.0,
-            velocity,
-            phase,
-        }
+        Self { position: 0.0, velocity, phase }
     }
 
     /// The point (x, 0, z) of the Poincaré section Π.
     pub const fn at_rest(position: f64, phase: f64) -> Self {
-        Self {
-            position,
-            velocity: 0.0,
-            phase,
-        }
+        Self { position, velocity: 0.0, phase }
     }
 }
 

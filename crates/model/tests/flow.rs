@@ -66,9 +66,7 @@ proptest! {
 fn flow_carries_the_non_impacting_solution_along() {
     let oscillator = LinearOscillator::new(0.02, 0.9, 0.3, 0.854).unwrap();
     for (phase, time) in [(0.0, 1.3), (2.0, 40.0), (-1.0, -3.0)] {
-        let end = oscillator
-            .flow::<1>(oscillator.non_impacting_solution(phase), time)
-            .value;
+        let end = oscillator.flow::<1>(oscillator.non_impacting_solution(phase), time).value;
         let expected = oscillator.non_impacting_solution(phase + 0.854 * time);
         // Rounding of terms of order one, amplified by at most e^{0.06}.
         assert!((end[0] - expected.position).abs() < 1e-13);
@@ -79,17 +77,9 @@ fn flow_carries_the_non_impacting_solution_along() {
 #[test]
 fn flow_satisfies_the_equation_of_motion() {
     let oscillator = LinearOscillator::new(0.1, 0.9, 0.7, 0.5).unwrap();
-    let from = State {
-        position: -0.3,
-        velocity: 0.2,
-        phase: 0.4,
-    };
+    let from = State { position: -0.3, velocity: 0.2, phase: 0.4 };
     let jet = oscillator.flow::<2>(from, 2.5);
-    let end = State {
-        position: jet.value[0],
-        velocity: jet.value[1],
-        phase: 0.4 + 0.5 * 2.5,
-    };
+    let end = State { position: jet.value[0], velocity: jet.value[1], phase: 0.4 + 0.5 * 2.5 };
     let duration = grazing_model::flow_variable::DURATION;
     // dx/ds = y and dy/ds = F at the end, to rounding.
     assert!((jet.jacobian[(0, duration)] - end.velocity).abs() < 1e-14);
@@ -102,9 +92,6 @@ fn parameters_outside_their_domains_are_rejected() {
     use grazing_model::OscillatorError::{Amplitude, DampingRatio, Frequency, Restitution};
     assert_eq!(LinearOscillator::new(1.0, 0.9, 0.3, 0.8), Err(DampingRatio(1.0)));
     assert_eq!(LinearOscillator::new(0.02, 0.0, 0.3, 0.8), Err(Restitution(0.0)));
-    assert_eq!(
-        LinearOscillator::new(0.02, 0.9, f64::INFINITY, 0.8),
-        Err(Amplitude(f64::INFINITY))
-    );
+    assert_eq!(LinearOscillator::new(0.02, 0.9, f64::INFINITY, 0.8), Err(Amplitude(f64::INFINITY)));
     assert_eq!(LinearOscillator::new(0.02, 0.9, 0.3, -0.8), Err(Frequency(-0.8)));
 }

@@ -14,10 +14,7 @@ const OMEGA: f64 = 0.854;
 fn at_grazing(omega: f64) -> (LinearOscillator, f64) {
     let (stiffness, loss) = (1.0 - omega * omega, 2.0 * ZETA * omega);
     let amplitude = libm::hypot(stiffness, loss);
-    (
-        LinearOscillator::new(ZETA, EPSILON, amplitude, omega).unwrap(),
-        libm::atan2(loss, stiffness),
-    )
+    (LinearOscillator::new(ZETA, EPSILON, amplitude, omega).unwrap(), libm::atan2(loss, stiffness))
 }
 
 /// The observed order of convergence of an error as its scale is halved: log₂ of the ratio.
@@ -40,10 +37,7 @@ fn virtual_point_of_an_impact_has_the_printed_expansion() {
     let errors = |size: f64| {
         let (oscillator, y, z, _) = near_grazing(size);
         let point = virtual_map::<_, 1>(&oscillator, y, z, None).unwrap().jet.value;
-        [
-            (point[0] - y * y / (2.0 * gamma)).abs(),
-            (point[1] - (omega * y / gamma + z)).abs(),
-        ]
+        [(point[0] - y * y / (2.0 * gamma)).abs(), (point[1] - (omega * y / gamma + z)).abs()]
     };
     let (coarse, fine) = (errors(2e-3), errors(1e-3));
     assert!((order([coarse[0], fine[0]]) - 3.0).abs() < 0.1);
@@ -57,15 +51,9 @@ fn virtual_point_of_the_recoil_has_the_printed_expansion() {
     let errors = |size: f64| {
         let (oscillator, y, z, _) = near_grazing(size);
         let reset = oscillator.reset::<1>(y, z).value;
-        let point = virtual_map::<_, 1>(&oscillator, reset[0], reset[1], None)
-            .unwrap()
-            .jet
-            .value;
+        let point = virtual_map::<_, 1>(&oscillator, reset[0], reset[1], None).unwrap().jet.value;
         let x = EPSILON * EPSILON * y * y / (2.0 * gamma);
-        [
-            (point[0] - x).abs(),
-            (point[1] - (omega * (1.0 - alpha) / gamma * y + z)).abs(),
-        ]
+        [(point[0] - x).abs(), (point[1] - (omega * (1.0 - alpha) / gamma * y + z)).abs()]
     };
     let (coarse, fine) = (errors(2e-3), errors(1e-3));
     assert!((order([coarse[0], fine[0]]) - 3.0).abs() < 0.1);
@@ -79,10 +67,7 @@ fn discontinuity_map_has_a_square_root() {
     let errors = |x: f64| {
         let image = discontinuity_map::<_, 1>(&oscillator, x, graz).unwrap().value;
         let root = -(1.0 + EPSILON) * OMEGA * (2.0 * x).sqrt() / OMEGA;
-        [
-            (image[0] - EPSILON * EPSILON * x).abs(),
-            (image[1] - graz - root).abs(),
-        ]
+        [(image[0] - EPSILON * EPSILON * x).abs(), (image[1] - graz - root).abs()]
     };
     let (coarse, fine) = (errors(2e-6), errors(1e-6));
     assert!((order([coarse[0], fine[0]]) - 1.5).abs() < 0.05);
@@ -99,14 +84,8 @@ fn preimage_under_the_virtual_map_is_the_impact() {
         assert!((back[0] - y).abs() < 1e-14 + 4e-16 / y, "{} {y}", back[0]);
         assert!((back[1] - z).abs() < 1e-14 + 4e-16 / y);
     }
-    assert_eq!(
-        virtual_preimage(&oscillator, 0.0, graz).unwrap(),
-        Vector2::new(0.0, graz)
-    );
-    assert_eq!(
-        virtual_preimage(&oscillator, -0.1, graz),
-        Err(MapError::BelowTheWall { position: -0.1 })
-    );
+    assert_eq!(virtual_preimage(&oscillator, 0.0, graz).unwrap(), Vector2::new(0.0, graz));
+    assert_eq!(virtual_preimage(&oscillator, -0.1, graz), Err(MapError::BelowTheWall { position: -0.1 }));
 }
 
 #[test]
@@ -126,10 +105,7 @@ fn differences(map: impl Fn([f64; 4]) -> MapJet, at: [f64; 4]) -> (MapJet, MapJe
     let exact = map(at);
     let mut approximate = exact;
     approximate.jacobian.fill(0.0);
-    approximate
-        .hessians
-        .iter_mut()
-        .for_each(|hessian| hessian.fill(0.0));
+    approximate.hessians.iter_mut().for_each(|hessian| hessian.fill(0.0));
     for k in 0..4 {
         for (reach, weight) in weights {
             for side in [1.0, -1.0] {
@@ -158,16 +134,10 @@ fn assert_derivatives(map: impl Fn([f64; 4]) -> MapJet, at: [f64; 4]) {
     for i in 0..2 {
         for a in 0..4 {
             let (hand, numeric) = (exact.jacobian[(i, a)], approximate.jacobian[(i, a)]);
-            assert!(
-                (hand - numeric).abs() < scale(hand),
-                "d{i}/d{a}: {hand} {numeric}"
-            );
+            assert!((hand - numeric).abs() < scale(hand), "d{i}/d{a}: {hand} {numeric}");
             for b in 0..4 {
                 let (hand, numeric) = (exact.hessians[i][(a, b)], approximate.hessians[i][(a, b)]);
-                assert!(
-                    (hand - numeric).abs() < scale(hand),
-                    "d2{i}/d{a}d{b}: {hand} {numeric}"
-                );
+                assert!((hand - numeric).abs() < scale(hand), "d2{i}/d{a}d{b}: {hand} {numeric}");
             }
         }
     }
@@ -179,10 +149,7 @@ fn implicit_derivatives_of_all_maps_are_right() {
     let [amplitude, omega] = oscillator.parameters();
     let at = |v: [f64; 4]| oscillator.with_parameters([v[2], v[3]]);
     let here = [0.3, graz - 0.1, amplitude + 0.02, omega];
-    assert_derivatives(
-        |v| virtual_map::<_, 2>(&at(v), v[0], v[1], None).unwrap().jet,
-        here,
-    );
+    assert_derivatives(|v| virtual_map::<_, 2>(&at(v), v[0], v[1], None).unwrap().jet, here);
     assert_derivatives(
         |v| {
             let reset = at(v).reset::<2>(v[0], v[1]);
@@ -193,19 +160,10 @@ fn implicit_derivatives_of_all_maps_are_right() {
     );
     assert_derivatives(|v| to_phase::<_, 2>(&at(v), v[0], v[1], 6.0), here);
     let on_section = [-0.05, graz + 0.1, amplitude, omega];
-    assert_derivatives(
-        |v| global_map::<_, 2>(&at(v), v[0], v[1], None).unwrap().jet,
-        on_section,
-    );
-    assert_derivatives(
-        |v| global_iterate::<_, 2>(&at(v), 3, v[0], v[1]).unwrap(),
-        on_section,
-    );
+    assert_derivatives(|v| global_map::<_, 2>(&at(v), v[0], v[1], None).unwrap().jet, on_section);
+    assert_derivatives(|v| global_iterate::<_, 2>(&at(v), 3, v[0], v[1]).unwrap(), on_section);
     let beyond_the_wall = [0.08, graz + 0.1, amplitude, omega];
-    assert_derivatives(
-        |v| discontinuity_map::<_, 2>(&at(v), v[0], v[1]).unwrap(),
-        beyond_the_wall,
-    );
+    assert_derivatives(|v| discontinuity_map::<_, 2>(&at(v), v[0], v[1]).unwrap(), beyond_the_wall);
 }
 
 #[test]

@@ -26,11 +26,7 @@ fn impacts_at_low_velocity_are_not_stepped_over() {
         let impact = motion.at(time);
         let expected = OMEGA * (2.0 * mu / grazing_amplitude()).sqrt();
         // Leading order in √μ; at 1e-12 rounding of x (1e-16) moves the crossing by 1e-16/v.
-        assert!(
-            (impact.velocity / expected - 1.0).abs() < 0.1,
-            "{mu}: {} {expected}",
-            impact.velocity
-        );
+        assert!((impact.velocity / expected - 1.0).abs() < 0.1, "{mu}: {} {expected}", impact.velocity);
         assert!(impact.position.abs() < 1e-15, "{}", impact.position);
     }
 }
@@ -60,9 +56,7 @@ fn maxima_of_the_non_impacting_solution_are_one_a_period() {
 
 /// Sampling far finer than any motion here: what it sees, the exact search must have seen.
 fn sampled_crossing(motion: &impl Motion, horizon: f64) -> Option<f64> {
-    (1..=200_000)
-        .map(|k| horizon * f64::from(k) / 200_000.0)
-        .find(|time| motion.at(*time).position > 0.0)
+    (1..=200_000).map(|k| horizon * f64::from(k) / 200_000.0).find(|time| motion.at(*time).position > 0.0)
 }
 
 proptest! {
@@ -125,10 +119,7 @@ fn impacts_obey_the_reset_law_and_flights_join() {
     let oscillator = oscillator(0.3);
     let horizon = 300.0 * oscillator.forcing_period();
     let flights: Vec<_> = Orbit::new(&oscillator, State::at_rest(-0.4, 1.0), horizon, 10_000).collect();
-    assert!(
-        flights.len() > 50,
-        "an orbit at this amplitude impacts every other period or so"
-    );
+    assert!(flights.len() > 50, "an orbit at this amplitude impacts every other period or so");
     for pair in flights.windows(2) {
         let FlightEnd::Impact(impact) = pair[0].end else {
             panic!("only the last flight ends without an impact")
@@ -164,9 +155,7 @@ fn chattering_is_named_and_ends() {
     // 𝒜 = 3 and slow forcing: for phases near 0 the block is pressed against the wall with ẍ = 2.
     let oscillator = LinearOscillator::new(0.02, 0.5, 3.0, 0.05).unwrap();
     let end = Orbit::new(&oscillator, State::on_wall(0.5, -0.2), 1e3, 100_000).finish();
-    let OrbitEnd::Chattering { impacts, time, .. } = end else {
-        panic!("{end:?}")
-    };
+    let OrbitEnd::Chattering { impacts, time, .. } = end else { panic!("{end:?}") };
     // Velocities halve: from 0.5 to 1e-6 in 20 bounces; the sequence lasts about 2v/a · ε/(1 − ε) = 0.5.
     assert!((20..22).contains(&impacts), "{impacts}");
     assert!((0.2..1.0).contains(&time), "{time}");
@@ -176,18 +165,9 @@ fn chattering_is_named_and_ends() {
 fn a_block_at_rest_on_the_wall_sticks_if_pressed() {
     let oscillator = LinearOscillator::new(0.02, 0.5, 3.0, 0.05).unwrap();
     let end = Orbit::new(&oscillator, State::on_wall(0.0, 0.1), 1e3, 10).finish();
-    assert_eq!(
-        end,
-        OrbitEnd::Sticking {
-            time: 0.0,
-            phase: 0.1
-        }
-    );
+    assert_eq!(end, OrbitEnd::Sticking { time: 0.0, phase: 0.1 });
     // Without damping of impacts nothing accumulates, and the limit ends the orbit.
     let elastic = LinearOscillator::new(0.02, 1.0, 3.0, 0.05).unwrap();
     let end = Orbit::new(&elastic, State::on_wall(1e-3, 0.0), 1e3, 500).finish();
-    assert!(
-        matches!(end, OrbitEnd::TooManyImpacts { impacts: 500, .. }),
-        "{end:?}"
-    );
+    assert!(matches!(end, OrbitEnd::TooManyImpacts { impacts: 500, .. }), "{end:?}");
 }

@@ -49,23 +49,14 @@ impl Coefficients {
             frequency: closed_form.forcing_frequency(),
             amplitude: closed_form.grazing().amplitude(),
             stability: [stability.plus, stability.minus],
-            closed_form: [
-                closed_form.saddle_node_coefficient(),
-                closed_form.period_doubling_coefficient(),
-            ],
-            theorem: [
-                theorem.saddle_node().coefficient,
-                theorem.period_doubling().coefficient,
-            ],
-            fit: [
-                fit(Condition::SADDLE_NODE, "SN")?,
-                fit(Condition::PERIOD_DOUBLING, "PD")?,
-            ],
+            closed_form: [closed_form.saddle_node_coefficient(), closed_form.period_doubling_coefficient()],
+            theorem: [theorem.saddle_node().coefficient, theorem.period_doubling().coefficient],
+            fit: [fit(Condition::SADDLE_NODE, "SN")?, fit(Condition::PERIOD_DOUBLING, "PD")?],
         })
     }
 }
 
-/// The coefficients at all resonances of Figure 7, by p and n.
+/// The coefficients at all resonances of Figure 7, by p and increasing frequency.
 pub(crate) fn compute(diagram: &Diagram) -> Result<Vec<Coefficients>, StudyError> {
     diagram.resonances.par_iter().map(Coefficients::of).collect()
 }

@@ -62,10 +62,7 @@ impl DiagramCurve {
     /// First and last point.
     pub(crate) fn ends(&self) -> [Unknowns; 2] {
         let points = &self.curve.points;
-        [
-            points[0].solution.unknowns,
-            points[points.len() - 1].solution.unknowns,
-        ]
+        [points[0].solution.unknowns, points[points.len() - 1].solution.unknowns]
     }
 }
 
@@ -109,13 +106,11 @@ impl Diagram {
         let window = parameters.fig07().window();
         let theory = grazing_theorems::LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
         let frequencies = window.frequency();
-        let mut closed_forms = theory.resonances(
-            parameters.fig07().loops(),
-            frequencies.lower(),
-            frequencies.upper(),
-        )?;
+        let mut closed_forms =
+            theory.resonances(parameters.fig07().loops(), frequencies.lower(), frequencies.upper())?;
         closed_forms.retain(|resonance| window.amplitude().contains(resonance.grazing().amplitude()));
-        closed_forms.sort_by_key(|resonance| (resonance.loops(), resonance.index()));
+        // By p, and by increasing frequency for each.
+        closed_forms.sort_by_key(|resonance| resonance.loops());
 
         let what = "bifurcation curves";
         progress.begin(what, closed_forms.len() as u64);
@@ -125,29 +120,19 @@ impl Diagram {
             .into_par_iter()
             .map(|closed_form| {
                 let located = locate(parameters, &closed_form)?;
-                let unfolded = located
-                    .unfold(&route)
-                    .map_err(|source| StudyError::resonance(&closed_form, source))?;
+                let unfolded =
+                    located.unfold(&route).map_err(|source| StudyError::resonance(&closed_form, source))?;
                 progress.step(what);
                 Ok((DiagramResonance { closed_form, located }, unfolded))
             })
             .collect::<Result<_, StudyError>>()?;
         progress.end(what);
 
-        let mut diagram = Self {
-            resonances: Vec::new(),
-            curves: Vec::new(),
-            corners: Vec::new(),
-        };
+        let mut diagram = Self { resonances: Vec::new(), curves: Vec::new(), corners: Vec::new() };
         for (resonance, unfolded) in unfolded {
             let (loops, n) = (resonance.closed_form.loops(), resonance.closed_form.index());
             diagram.resonances.push(resonance);
-            let of_kind = |kind, curve| DiagramCurve {
-                kind,
-                loops,
-                n,
-                curve,
-            };
+            let of_kind = |kind, curve| DiagramCurve { kind, loops, n, curve };
             diagram.add(of_kind(Kind::SaddleNode, unfolded.saddle_node));
             diagram.add(of_kind(Kind::PeriodDoubling, unfolded.period_doubling));
             for curve in unfolded.grazing {
@@ -178,17 +163,8 @@ impl Diagram {
                 _ => "GZ-GZ",
             };
             let unknowns = event.solution.unknowns;
-            if !self
-                .corners
-                .iter()
-                .any(|corner| same_point(&corner.unknowns, &unknowns))
-            {
-                self.corners.push(Corner {
-                    kind,
-                    loops: new.loops,
-                    n: new.n,
-                    unknowns,
-                });
+            if !self.corners.iter().any(|corner| same_point(&corner.unknowns, &unknowns)) {
+                self.corners.push(Corner { kind, loops: new.loops, n: new.n, unknowns });
             }
         }
         self.curves.push(new);

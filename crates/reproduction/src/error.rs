@@ -69,11 +69,7 @@ pub enum StudyError {
 
 impl StudyError {
     pub(crate) fn resonance(resonance: &Resonance, source: ResonanceError) -> Self {
-        Self::Resonance {
-            loops: resonance.loops(),
-            n: resonance.index(),
-            source,
-        }
+        Self::Resonance { loops: resonance.loops(), n: resonance.index(), source }
     }
 }
 

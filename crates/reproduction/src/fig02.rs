@@ -42,12 +42,7 @@ impl Setting<'_> {
 impl Figure2 {
     /// All tables.
     pub fn tables(&self) -> Vec<Table> {
-        vec![
-            self.branches.clone(),
-            self.bifurcations.clone(),
-            self.attractor.clone(),
-            self.portraits.clone(),
-        ]
+        vec![self.branches.clone(), self.bifurcations.clone(), self.attractor.clone(), self.portraits.clone()]
     }
 
     pub(crate) fn compute(parameters: &Parameters, progress: &dyn Progress) -> Result<Self, StudyError> {

@@ -54,9 +54,7 @@ impl GrazingCurve {
             let share = f64::from(k) / f64::from(GRAZING_SAMPLES);
             lower + (upper - lower) * share
         };
-        let states = (0..=GRAZING_SAMPLES)
-            .map(|k| theory.grazing(frequency(k)))
-            .collect::<Result<_, _>>()?;
+        let states = (0..=GRAZING_SAMPLES).map(|k| theory.grazing(frequency(k))).collect::<Result<_, _>>()?;
         Ok(Self { states })
     }
 }
@@ -122,13 +120,7 @@ fn points(diagram: &Diagram) -> Result<Table, StudyError> {
     for resonance in &diagram.resonances {
         let [_, _, amplitude, frequency] = resonance.located.unknowns().into();
         let closed_form = &resonance.closed_form;
-        columns.push(row![
-            "resonance",
-            closed_form.loops(),
-            closed_form.index(),
-            frequency,
-            amplitude
-        ]);
+        columns.push(row!["resonance", closed_form.loops(), closed_form.index(), frequency, amplitude]);
     }
     for corner in &diagram.corners {
         let [_, _, amplitude, frequency] = corner.unknowns.into();
@@ -141,14 +133,7 @@ fn polygon_table(polygons: &[Polygon]) -> Result<Table, StudyError> {
     let mut columns = columns! { "region": 0, "kind": "", "p": 0, "n": 0, "omega": 0.0, "amplitude": 0.0 };
     for (region, polygon) in (1..).zip(polygons) {
         for [amplitude, frequency] in &polygon.vertices {
-            columns.push(row![
-                region,
-                polygon.kind,
-                polygon.loops,
-                polygon.n,
-                *frequency,
-                *amplitude
-            ]);
+            columns.push(row![region, polygon.kind, polygon.loops, polygon.n, *frequency, *amplitude]);
         }
     }
     Ok(columns.finish("fig07_regions")?)

@@ -22,12 +22,7 @@ pub struct Figure8 {
 }
 
 /// Short steps, for curves seen at thirty times the scale of Figure 7.
-const MAGNIFIED: StepControl = StepControl {
-    first: 1e-4,
-    longest: 4e-3,
-    shortest: 1e-9,
-    turn: 0.02,
-};
+const MAGNIFIED: StepControl = StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-9, turn: 0.02 };
 
 /// Samples of a quadratic approximation from the resonance to the edge of the panel.
 const QUADRATIC_SAMPLES: u32 = 100;
@@ -58,10 +53,7 @@ impl Figure8 {
             .collect::<Result<_, StudyError>>()?;
         for (number, (panel, curves)) in (1..).zip(panels.iter().zip(&curves)) {
             curves.write(number, &mut columns);
-            for c in coefficients
-                .iter()
-                .filter(|c| c.loops == panel.loops() && c.n == panel.n())
-            {
+            for c in coefficients.iter().filter(|c| c.loops == panel.loops() && c.n == panel.n()) {
                 printed.push(row![number, c.loops, c.n, c.closed_form[0], c.closed_form[1]]);
             }
         }
@@ -101,37 +93,21 @@ impl PanelCurves {
         let located = locate(parameters, &resonance)?;
         let error = |source| StudyError::resonance(&resonance, source);
         let unfolded = located.unfold(&route(window, MAGNIFIED)).map_err(error)?;
-        let own = [
-            (Kind::SaddleNode, &unfolded.saddle_node),
-            (Kind::PeriodDoubling, &unfolded.period_doubling),
-        ];
-        let own = own
-            .into_iter()
-            .chain(unfolded.grazing.iter().map(|curve| (Kind::Grazing, curve)));
+        let own =
+            [(Kind::SaddleNode, &unfolded.saddle_node), (Kind::PeriodDoubling, &unfolded.period_doubling)];
+        let own = own.into_iter().chain(unfolded.grazing.iter().map(|curve| (Kind::Grazing, curve)));
         for (kind, curve) in own {
-            let points = curve
-                .points
-                .iter()
-                .map(|at| [at.solution.unknowns[2], at.solution.unknowns[3]]);
-            list.push(Polyline {
-                kind: kind.name(),
-                source: "continuation",
-                points: points.collect(),
-            });
+            let points = curve.points.iter().map(|at| [at.solution.unknowns[2], at.solution.unknowns[3]]);
+            list.push(Polyline { kind: kind.name(), source: "continuation", points: points.collect() });
         }
         list.extend(neighbours(diagram, &resonance, window));
 
         let theorem = located.theorem();
-        for (kind, curve) in [
-            (Kind::SaddleNode, theorem.saddle_node()),
-            (Kind::PeriodDoubling, theorem.period_doubling()),
-        ] {
+        for (kind, curve) in
+            [(Kind::SaddleNode, theorem.saddle_node()), (Kind::PeriodDoubling, theorem.period_doubling())]
+        {
             let points = quadratic(&resonance, curve, window)?;
-            list.push(Polyline {
-                kind: kind.name(),
-                source: "quadratic",
-                points,
-            });
+            list.push(Polyline { kind: kind.name(), source: "quadratic", points });
         }
         Ok(Self(list))
     }
@@ -139,14 +115,7 @@ impl PanelCurves {
     fn write(&self, panel: u32, columns: &mut Columns) {
         for (arc, polyline) in (1..).zip(&self.0) {
             for [amplitude, frequency] in &polyline.points {
-                columns.push(row![
-                    panel,
-                    polyline.kind,
-                    polyline.source,
-                    arc,
-                    *frequency,
-                    *amplitude
-                ]);
+                columns.push(row![panel, polyline.kind, polyline.source, arc, *frequency, *amplitude]);
             }
         }
     }
@@ -156,28 +125,13 @@ impl PanelCurves {
 fn neighbours(diagram: &Diagram, resonance: &Resonance, window: Rectangle) -> Vec<Polyline> {
     let own = |loops, n| loops == resonance.loops() && n == resonance.index();
     let known = |other: &DiagramResonance| own(other.closed_form.loops(), other.closed_form.index());
-    debug_assert!(
-        diagram.resonances.iter().any(known),
-        "a panel shows a resonance of Figure 7"
-    );
+    debug_assert!(diagram.resonances.iter().any(known), "a panel shows a resonance of Figure 7");
     let mut list = Vec::new();
     for curve in diagram.curves.iter().filter(|curve| !own(curve.loops, curve.n)) {
         let point = |unknowns: grazing_continuation::mps::Unknowns| [unknowns[2], unknowns[3]];
-        let points: Vec<_> = curve
-            .curve
-            .points
-            .iter()
-            .map(|at| point(at.solution.unknowns))
-            .collect();
-        if points
-            .iter()
-            .any(|[amplitude, frequency]| window.contains(*amplitude, *frequency))
-        {
-            list.push(Polyline {
-                kind: curve.kind.name(),
-                source: "continuation",
-                points,
-            });
+        let points: Vec<_> = curve.curve.points.iter().map(|at| point(at.solution.unknowns)).collect();
+        if points.iter().any(|[amplitude, frequency]| window.contains(*amplitude, *frequency)) {
+            list.push(Polyline { kind: curve.kind.name(), source: "continuation", points });
         }
     }
     list
@@ -190,11 +144,8 @@ fn quadratic(
     window: Rectangle,
 ) -> Result<Vec<[f64; 2]>, StudyError> {
     let origin = resonance.forcing_frequency();
-    let edge = if curve.eta_side.signum() < 0.0 {
-        window.frequency().lower()
-    } else {
-        window.frequency().upper()
-    };
+    let edge =
+        if curve.eta_side.signum() < 0.0 { window.frequency().lower() } else { window.frequency().upper() };
     let mut points = Vec::new();
     for k in 0..=QUADRATIC_SAMPLES {
         let frequency = origin + (edge - origin) * f64::from(k) / f64::from(QUADRATIC_SAMPLES);

@@ -35,10 +35,7 @@ impl Parameters {
         let file = path.display().to_string();
         match std::fs::read_to_string(path) {
             Ok(text) => Parameters::parse(&text, &file),
-            Err(reason) => Err(ParameterError::Unreadable {
-                file,
-                reason: reason.to_string(),
-            }),
+            Err(reason) => Err(ParameterError::Unreadable { file, reason: reason.to_string() }),
         }
     }
 

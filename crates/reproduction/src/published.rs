@@ -94,9 +94,7 @@ impl PublishedValue {
 
     /// The number of printed decimals.
     pub fn decimals(&self) -> usize {
-        self.value
-            .split_once('.')
-            .map_or(0, |(_, decimals)| decimals.len())
+        self.value.split_once('.').map_or(0, |(_, decimals)| decimals.len())
     }
 
     /// Whether the print is a sign at most, digits, and at most one point with digits on both sides.
@@ -194,10 +192,7 @@ impl Published {
         let mut seen = BTreeSet::new();
         for value in &file.value {
             if !value.is_decimal() {
-                return Err(PublishedError::NotDecimal {
-                    id: value.id.clone(),
-                    value: value.value.clone(),
-                });
+                return Err(PublishedError::NotDecimal { id: value.id.clone(), value: value.value.clone() });
             }
             if !seen.insert(&value.id) {
                 return Err(PublishedError::Twice { id: value.id.clone() });
@@ -214,10 +209,7 @@ impl Published {
     /// Holds computed values, by identifier, against the print: one verdict for each published value. Computed values
     /// that the paper does not print are passed over.
     pub fn compare(&self, computed: &BTreeMap<String, f64>) -> Vec<Comparison<'_>> {
-        let compare = |published| Comparison {
-            published,
-            verdict: verdict(published, computed),
-        };
+        let compare = |published| Comparison { published, verdict: verdict(published, computed) };
         self.values.iter().map(compare).collect()
     }
 }

@@ -22,20 +22,9 @@ pub(crate) struct Polygon {
 /// Where the non-impacting solution is stable: amplitudes below grazing.
 pub(crate) fn non_impacting(grazing: &GrazingCurve, window: Rectangle) -> Polygon {
     let left = window.amplitude().lower();
-    let curve = grazing
-        .states
-        .iter()
-        .map(|state| [state.amplitude(), state.forcing_frequency()]);
-    let edge = [
-        [left, window.frequency().upper()],
-        [left, window.frequency().lower()],
-    ];
-    Polygon {
-        kind: "non-impacting",
-        loops: 0,
-        n: 0,
-        vertices: curve.chain(edge).collect(),
-    }
+    let curve = grazing.states.iter().map(|state| [state.amplitude(), state.forcing_frequency()]);
+    let edge = [[left, window.frequency().upper()], [left, window.frequency().lower()]];
+    Polygon { kind: "non-impacting", loops: 0, n: 0, vertices: curve.chain(edge).collect() }
 }
 
 /// Where a p-loop MPS is stable and admissible: one polygon for each chain of curves that closes.
@@ -46,22 +35,12 @@ pub(crate) fn stable_mps(diagram: &Diagram, window: Rectangle) -> Vec<Polygon> {
         if curve.kind != Kind::SaddleNode || used[index] {
             continue;
         }
-        let mut chain = Chain {
-            diagram,
-            window,
-            taken: vec![index],
-            vertices: Vec::new(),
-        };
+        let mut chain = Chain { diagram, window, taken: vec![index], vertices: Vec::new() };
         if chain.close(index) {
             for index in chain.taken {
                 used[index] = true;
             }
-            polygons.push(Polygon {
-                kind: "mps",
-                loops: curve.loops,
-                n: curve.n,
-                vertices: chain.vertices,
-            });
+            polygons.push(Polygon { kind: "mps", loops: curve.loops, n: curve.n, vertices: chain.vertices });
         }
     }
     polygons
@@ -163,9 +142,7 @@ impl Chain<'_> {
             let gap = if clockwise { gap } else { -gap };
             gap - 4.0 * libm::floor(gap / 4.0)
         };
-        let target = targets
-            .into_iter()
-            .min_by(|a, b| ahead(*a).total_cmp(&ahead(*b)))?;
+        let target = targets.into_iter().min_by(|a, b| ahead(*a).total_cmp(&ahead(*b)))?;
         let (amplitude, frequency) = (self.window.amplitude(), self.window.frequency());
         let mut corners = [
             [amplitude.lower(), frequency.upper()],
@@ -174,10 +151,7 @@ impl Chain<'_> {
             [amplitude.lower(), frequency.lower()],
         ];
         corners.sort_by(|a, b| ahead(*a).total_cmp(&ahead(*b)));
-        let mut path: Vec<_> = corners
-            .into_iter()
-            .filter(|corner| ahead(*corner) < ahead(target))
-            .collect();
+        let mut path: Vec<_> = corners.into_iter().filter(|corner| ahead(*corner) < ahead(target)).collect();
         path.push(target);
         Some(path)
     }
@@ -188,9 +162,7 @@ impl Chain<'_> {
         let across = (amplitude - a.lower()) / a.width();
         let up = (frequency - f.lower()) / f.width();
         let distances = [across, 1.0 - up, 1.0 - across, up];
-        let side = (0..4)
-            .min_by(|i, j| distances[*i].abs().total_cmp(&distances[*j].abs()))
-            .unwrap_or(0);
+        let side = (0..4).min_by(|i, j| distances[*i].abs().total_cmp(&distances[*j].abs())).unwrap_or(0);
         match side {
             0 => up,
             1 => 1.0 + across,
@@ -202,12 +174,7 @@ impl Chain<'_> {
 
 fn polyline(curve: &DiagramCurve) -> Vec<[f64; 2]> {
     let point = |unknowns: grazing_continuation::mps::Unknowns| [unknowns[2], unknowns[3]];
-    curve
-        .curve
-        .points
-        .iter()
-        .map(|at| point(at.solution.unknowns))
-        .collect()
+    curve.curve.points.iter().map(|at| point(at.solution.unknowns)).collect()
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -47,9 +47,7 @@ impl<'a> Study<'a> {
     /// # Errors
     /// A resonance could not be located, unfolded or measured.
     pub fn coefficients(&self) -> Result<&[Coefficients], StudyError> {
-        let computed = self
-            .coefficients
-            .get_or_init(|| coefficients::compute(self.diagram()?));
+        let computed = self.coefficients.get_or_init(|| coefficients::compute(self.diagram()?));
         computed.as_deref().map_err(Clone::clone)
     }
 
@@ -111,9 +109,7 @@ impl<'a> Study<'a> {
     }
 
     fn diagram(&self) -> Result<&Diagram, StudyError> {
-        let computed = self
-            .diagram
-            .get_or_init(|| Diagram::compute(&self.parameters, self.progress));
+        let computed = self.diagram.get_or_init(|| Diagram::compute(&self.parameters, self.progress));
         computed.as_ref().map_err(Clone::clone)
     }
 }

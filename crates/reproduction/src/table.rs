@@ -66,10 +66,7 @@ impl Columns {
             Cell::Number(_) => Cells::Number(Vec::new()),
             Cell::Flag(_) => Cells::Flag(Vec::new()),
         });
-        Self {
-            names: columns.iter().map(|(name, _)| *name).collect(),
-            cells: cells.collect(),
-        }
+        Self { names: columns.iter().map(|(name, _)| *name).collect(), cells: cells.collect() }
     }
 
     /// Adds a row. A number that is not finite becomes an empty cell.
@@ -103,10 +100,7 @@ impl Columns {
                 Cells::Flag(values) => Column::new(name, values),
             }
         });
-        Ok(Table {
-            name,
-            frame: DataFrame::new_infer_height(columns.collect())?,
-        })
+        Ok(Table { name, frame: DataFrame::new_infer_height(columns.collect())? })
     }
 }
 

@@ -12,15 +12,9 @@ fn parse(text: &str) -> Result<Parameters, ParameterError> {
 /// there do not matter, so the file can change without its tests.
 fn edited(section: &str, key: &str, line: &str) -> String {
     let section_start = DEFAULT.find(section).expect("the section stands in the file");
-    let start = 1
-        + section_start
-        + DEFAULT[section_start..]
-            .find(&format!("\n{key} = "))
-            .expect("the key follows");
-    let end = start
-        + DEFAULT[start..]
-            .find('\n')
-            .expect("the file ends with a line end");
+    let start =
+        1 + section_start + DEFAULT[section_start..].find(&format!("\n{key} = ")).expect("the key follows");
+    let end = start + DEFAULT[start..].find('\n').expect("the file ends with a line end");
     format!("{}{line}{}", &DEFAULT[..start], &DEFAULT[end..])
 }
 
@@ -37,17 +31,8 @@ fn refusal_quoting(culprit: &str, section: &str, key: &str, value: &str, full_ke
     let line = format!("{key} = {value}");
     let text = edited(section, key, &line);
     match parse(&text) {
-        Err(ParameterError::Forbidden {
-            file,
-            line: number,
-            key,
-            value,
-            allowed,
-        }) => {
-            assert_eq!(
-                (file.as_str(), key.as_str(), value.as_str()),
-                ("p.toml", full_key, culprit)
-            );
+        Err(ParameterError::Forbidden { file, line: number, key, value, allowed }) => {
+            assert_eq!((file.as_str(), key.as_str(), value.as_str()), ("p.toml", full_key, culprit));
             assert_eq!(number, line_of(&text, section, &line), "the line of {line}");
             allowed
         }
@@ -69,14 +54,8 @@ fn the_default_file_is_accepted_and_read_whole() {
     assert_eq!(parameters.fig02().loops(), [1, 2, 3]);
     assert_eq!(parameters.fig07().loops(), [1, 2, 3]);
     let panels = parameters.fig08().panels().iter();
-    assert_eq!(
-        panels.map(|panel| (panel.loops(), panel.n())).collect::<Vec<_>>(),
-        [(1, 3), (2, 1), (3, 2)]
-    );
-    assert_eq!(
-        parameters.fig02().portraits().len(),
-        DEFAULT.matches("[[fig02.portraits]]").count()
-    );
+    assert_eq!(panels.map(|panel| (panel.loops(), panel.n())).collect::<Vec<_>>(), [(1, 3), (2, 1), (3, 2)]);
+    assert_eq!(parameters.fig02().portraits().len(), DEFAULT.matches("[[fig02.portraits]]").count());
 }
 
 #[test]
@@ -95,9 +74,7 @@ fn every_key_of_the_default_file_is_explained_where_it_first_stands() {
 
 #[test]
 fn every_key_of_the_default_file_is_needed() {
-    let keys = DEFAULT
-        .lines()
-        .filter(|line| !line.starts_with('#') && line.contains(" = "));
+    let keys = DEFAULT.lines().filter(|line| !line.starts_with('#') && line.contains(" = "));
     let mut removed = 0;
     for line in keys {
         let text = DEFAULT.replacen(&format!("{line}\n"), "", 1);
@@ -105,10 +82,7 @@ fn every_key_of_the_default_file_is_needed() {
         match parse(&text) {
             Err(ParameterError::MissingKey { key, allowed, .. }) => {
                 assert!(key.ends_with(name), "{key} for {name}");
-                assert!(
-                    !allowed.starts_with("see "),
-                    "no requirement is written down for {key}"
-                );
+                assert!(!allowed.starts_with("see "), "no requirement is written down for {key}");
             }
             other => panic!("without `{line}`: {other:?}"),
         }
@@ -119,19 +93,7 @@ fn every_key_of_the_default_file_is_needed() {
 
 #[test]
 fn damping_ratio_lies_strictly_between_0_and_1() {
-    for wrong in [
-        "0",
-        "0.0",
-        "1",
-        "-0.5",
-        "1.5",
-        "nan",
-        "inf",
-        "-inf",
-        "\"small\"",
-        "[0.1]",
-        "true",
-    ] {
+    for wrong in ["0", "0.0", "1", "-0.5", "1.5", "nan", "inf", "-inf", "\"small\"", "[0.1]", "true"] {
         let allowed = refusal("[oscillator]", "zeta", wrong, "oscillator.zeta");
         assert!(allowed.contains("between 0 and 1"), "{allowed}");
     }
@@ -151,24 +113,11 @@ fn restitution_lies_above_0_and_may_be_1() {
 
 #[test]
 fn ranges_are_two_finite_numbers_and_run_upwards() {
-    for wrong in [
-        "[0.3, 0.3]",
-        "[0.4, 0.2]",
-        "[nan, 0.4]",
-        "[0.2, inf]",
-        "[0.2]",
-        "[0.2, 0.3, 0.4]",
-        "0.3",
-    ] {
+    for wrong in ["[0.3, 0.3]", "[0.4, 0.2]", "[nan, 0.4]", "[0.2, inf]", "[0.2]", "[0.2, 0.3, 0.4]", "0.3"] {
         refusal("[fig02]", "amplitude", wrong, "fig02.amplitude");
         refusal("[fig02]", "x", wrong, "fig02.x");
         refusal("[fig07]", "frequency", wrong, "fig07.frequency");
-        refusal(
-            "[[fig08.panels]]",
-            "frequency",
-            wrong,
-            "fig08.panels[1].frequency",
-        );
+        refusal("[[fig08.panels]]", "frequency", wrong, "fig08.panels[1].frequency");
     }
     refusal("[fig07]", "amplitude", "[-0.1, 1.3]", "fig07.amplitude");
     refusal("[fig07]", "frequency", "[0, 1.1]", "fig07.frequency");
@@ -199,9 +148,7 @@ fn every_number_of_loops_of_figure_7_has_a_resonance_in_the_window() {
     let allowed = refusal("[fig07]", "frequency", "[0.9, 0.95]", "fig07.frequency");
     assert!(allowed.contains("no resonance"), "{allowed}");
     match parse(&edited("[fig07]", "frequency", "frequency = [0.65, 0.82]")) {
-        Err(ParameterError::Forbidden {
-            key, value, allowed, ..
-        }) => {
+        Err(ParameterError::Forbidden { key, value, allowed, .. }) => {
             assert_eq!((key.as_str(), value.as_str()), ("fig07.loops", "3"));
             assert!(allowed.contains("p = 3 has no resonance"), "{allowed}");
         }
@@ -213,25 +160,10 @@ fn every_number_of_loops_of_figure_7_has_a_resonance_in_the_window() {
 
 #[test]
 fn parts_lie_inside_the_whole() {
-    refusal(
-        "[fig02.magnification]",
-        "amplitude",
-        "[0, 9]",
-        "fig02.magnification.amplitude",
-    );
+    refusal("[fig02.magnification]", "amplitude", "[0, 9]", "fig02.magnification.amplitude");
     refusal("[fig02.magnification]", "x", "[-9, 0]", "fig02.magnification.x");
-    refusal(
-        "[[fig02.portraits]]",
-        "amplitude",
-        "9.0",
-        "fig02.portraits[1].amplitude",
-    );
-    refusal(
-        "[[fig08.panels]]",
-        "amplitude",
-        "[0.1, 9]",
-        "fig08.panels[1].amplitude",
-    );
+    refusal("[[fig02.portraits]]", "amplitude", "9.0", "fig02.portraits[1].amplitude");
+    refusal("[[fig08.panels]]", "amplitude", "[0.1, 9]", "fig08.panels[1].amplitude");
 }
 
 #[test]
@@ -243,12 +175,7 @@ fn a_panel_of_figure_8_holds_its_resonance() {
         }
         other => panic!("{other:?}"),
     }
-    let allowed = refusal(
-        "[[fig08.panels]]",
-        "frequency",
-        "[0.7, 0.8]",
-        "fig08.panels[1].frequency",
-    );
+    let allowed = refusal("[[fig08.panels]]", "frequency", "[0.7, 0.8]", "fig08.panels[1].frequency");
     assert!(allowed.contains("resonance p = 1, n = 3"), "{allowed}");
 }
 
@@ -281,18 +208,9 @@ fn the_work_of_the_attractor_is_bounded() {
 fn an_unknown_key_is_named_with_the_nearest_known_one() {
     let text = edited("[fig02.attractor]", "orbits", "recoded = 20\norbits = 4");
     match parse(&text) {
-        Err(ParameterError::UnknownKey {
-            line,
-            key,
-            nearest,
-            known,
-            ..
-        }) => {
+        Err(ParameterError::UnknownKey { line, key, nearest, known, .. }) => {
             assert_eq!(line, line_of(&text, "[fig02.attractor]", "recoded"));
-            assert_eq!(
-                (key.as_str(), nearest.as_str()),
-                ("fig02.attractor.recoded", "recorded")
-            );
+            assert_eq!((key.as_str(), nearest.as_str()), ("fig02.attractor.recoded", "recorded"));
             assert_eq!(known, ["amplitudes", "orbits", "transient", "recorded", "seed"]);
         }
         other => panic!("{other:?}"),

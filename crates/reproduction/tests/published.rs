@@ -61,22 +61,13 @@ fn computed_values_that_are_not_printed_are_passed_over() {
 #[test]
 fn a_list_with_a_repeated_id_or_an_undecimal_value_is_rejected() {
     let twice = format!("{0}{0}", entry("q", "1.5", "significant"));
-    assert_eq!(
-        Published::parse(&twice),
-        Err(PublishedError::Twice { id: "q".to_owned() })
-    );
+    assert_eq!(Published::parse(&twice), Err(PublishedError::Twice { id: "q".to_owned() }));
     for wrong in ["", "-", "1.", ".5", "1e3", "nan", "+1", "1,5", "1.5.2"] {
         let result = Published::parse(&entry("q", wrong, "significant"));
-        assert!(
-            matches!(result, Err(PublishedError::NotDecimal { .. })),
-            "{wrong}: {result:?}"
-        );
+        assert!(matches!(result, Err(PublishedError::NotDecimal { .. })), "{wrong}: {result:?}");
     }
     let misspelt = entry("q", "1.5", "significant").replace("quantity", "quantitty");
-    assert!(matches!(
-        Published::parse(&misspelt),
-        Err(PublishedError::Unreadable { line: 3, .. })
-    ));
+    assert!(matches!(Published::parse(&misspelt), Err(PublishedError::Unreadable { line: 3, .. })));
 }
 
 #[test]
@@ -91,10 +82,6 @@ fn the_list_of_the_repository_is_valid_and_cites_the_paper() {
             value.id(),
             value.label()
         );
-        assert!(
-            !value.place().is_empty() && !value.quantity().is_empty(),
-            "{}",
-            value.id()
-        );
+        assert!(!value.place().is_empty() && !value.quantity().is_empty(), "{}", value.id());
     }
 }

@@ -77,11 +77,8 @@ fn increasing_root((mut low, mut high): (f64, f64), value_and_slope: impl Fn(f64
         }
         let newton = point + step;
         let midpoint = 0.5 * (low + high);
-        let next = if low < newton && newton < high && step.abs() < 0.5 * last_step {
-            newton
-        } else {
-            midpoint
-        };
+        let next =
+            if low < newton && newton < high && step.abs() < 0.5 * last_step { newton } else { midpoint };
         if midpoint == low || midpoint == high {
             return midpoint;
         }

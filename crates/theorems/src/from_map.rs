@@ -57,11 +57,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
             let defect = Vector2::new(map.value[0], map.value[1] - phase);
             residual = defect.norm();
             let jacobian = Self::by_phase_and_primary(&map);
-            let Some(step) = jacobian
-                .lu()
-                .solve(&defect)
-                .filter(|step| step.norm().is_finite())
-            else {
+            let Some(step) = jacobian.lu().solve(&defect).filter(|step| step.norm().is_finite()) else {
                 break;
             };
             phase -= step[0];
@@ -78,16 +74,9 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     fn at(oscillator: O, phase: f64) -> Result<Self, GrazingOrbitError> {
         let map = global_map::<O, 2>(&oscillator, 0.0, phase, None)?.jet;
         let by_eta = map.jacobian.column(3).into_owned();
-        let slopes = -Self::by_phase_and_primary(&map)
-            .lu()
-            .solve(&by_eta)
-            .unwrap_or(Vector2::repeat(f64::NAN));
-        Ok(Self {
-            oscillator,
-            phase,
-            map,
-            slopes,
-        })
+        let slopes =
+            -Self::by_phase_and_primary(&map).lu().solve(&by_eta).unwrap_or(Vector2::repeat(f64::NAN));
+        Ok(Self { oscillator, phase, map, slopes })
     }
 
     /// Derivative of P_global(0, z; primary) − (0, z).
@@ -126,10 +115,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     pub fn grazing_point(&self) -> GrazingPoint {
         let reset = self.oscillator.reset::<1>(0.0, self.phase);
         GrazingPoint {
-            map: LinearisedMap {
-                a: self.map.derivative(),
-                b: self.map.jacobian.column(2).into_owned(),
-            },
+            map: LinearisedMap { a: self.map.derivative(), b: self.map.jacobian.column(2).into_owned() },
             forcing_frequency: self.oscillator.forcing_frequency().value,
             gamma: -self.oscillator.acceleration(State::on_wall(0.0, self.phase)),
             phi: -reset.jacobian[(0, 0)],
@@ -163,9 +149,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         let rate = self.derivative_of_map();
         let a = self.map.derivative();
         let unfolding = if loops == 1 {
-            Unfolding::OneLoop {
-                off_diagonal_derivative: rate[(0, 1)],
-            }
+            Unfolding::OneLoop { off_diagonal_derivative: rate[(0, 1)] }
         } else {
             let determinant_rate = rate[(0, 0)] * a[(1, 1)] + a[(0, 0)] * rate[(1, 1)]
                 - rate[(0, 1)] * a[(1, 0)]

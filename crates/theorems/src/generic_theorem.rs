@@ -18,11 +18,7 @@ pub enum Side {
 impl Side {
     /// The side on which a number other than zero lies.
     pub(crate) fn of(number: f64) -> Self {
-        if number > 0.0 {
-            Self::Positive
-        } else {
-            Self::Negative
-        }
+        if number > 0.0 { Self::Positive } else { Self::Negative }
     }
 
     /// 1 or -1.
@@ -75,27 +71,16 @@ impl GenericGrazing {
         } else {
             (
                 Theorem::GenericMultiLoop,
-                Hypothesis::non_zero(
-                    Quantity::TransversalityTimesDetuning,
-                    beta * detuning(p, tau, delta),
-                ),
+                Hypothesis::non_zero(Quantity::TransversalityTimesDetuning, beta * detuning(p, tau, delta)),
             )
         };
         let mut hypotheses = common_hypotheses(point, theorem, p);
         if let (2.., Ok(boundary)) = (p, admissibility_boundary(p, delta)) {
-            hypotheses.push(Hypothesis::positive(
-                Quantity::AdmissibilityMargin,
-                tau - boundary,
-            ));
+            hypotheses.push(Hypothesis::positive(Quantity::AdmissibilityMargin, tau - boundary));
         }
         hypotheses.push(deciding);
         let hypotheses = check(theorem, hypotheses)?;
-        Ok(Self {
-            theorem,
-            loops: p,
-            hypotheses,
-            side: Side::of(deciding.value),
-        })
+        Ok(Self { theorem, loops: p, hypotheses, side: Side::of(deciding.value) })
     }
 
     /// Which theorem it is.
@@ -144,10 +129,7 @@ pub(crate) fn common_hypotheses(point: &GrazingPoint, theorem: Theorem, loops: u
         }
         Theorem::GenericMultiLoop | Theorem::ResonantMultiLoop => hypotheses.extend([
             Hypothesis::new(Quantity::Loops, f64::from(loops), Condition::AtLeast(2)),
-            Hypothesis::positive(
-                Quantity::OffDiagonalTimesSquareRootFactor,
-                point.map.a.m12 * alpha,
-            ),
+            Hypothesis::positive(Quantity::OffDiagonalTimesSquareRootFactor, point.map.a.m12 * alpha),
         ]),
     }
     hypotheses

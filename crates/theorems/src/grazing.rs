@@ -81,10 +81,7 @@ impl GrazingPoint {
     /// `x_hat = y^2 / (2 gamma)`, `z_hat = z + omega y / gamma`. Paper: section 4, eq. (3), `eq:xHatzHat`.
     #[must_use]
     pub fn virtual_map(&self) -> VirtualMap {
-        VirtualMap {
-            x_coefficient: 0.5 / self.gamma,
-            z_coefficient: self.forcing_frequency / self.gamma,
-        }
+        VirtualMap { x_coefficient: 0.5 / self.gamma, z_coefficient: self.forcing_frequency / self.gamma }
     }
 
     /// The map `P_virt o R` from an impact to the virtual maximum that precedes the recoil, to leading order.
@@ -109,10 +106,7 @@ impl GrazingPoint {
     #[must_use]
     pub fn discontinuity_map(&self, x_hat: f64, z_hat: f64) -> Vector2<f64> {
         let square_root = (2.0 * x_hat / self.gamma).sqrt();
-        Vector2::new(
-            self.phi * self.phi * x_hat,
-            z_hat - self.alpha() * self.forcing_frequency * square_root,
-        )
+        Vector2::new(self.phi * self.phi * x_hat, z_hat - self.alpha() * self.forcing_frequency * square_root)
     }
 
     /// The VIVID function of the `p`-loop maximal periodic solution, to first order.

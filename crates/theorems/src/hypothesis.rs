@@ -126,11 +126,7 @@ pub struct Hypothesis {
 
 impl Hypothesis {
     pub(crate) fn new(quantity: Quantity, value: f64, condition: Condition) -> Self {
-        Self {
-            quantity,
-            value,
-            condition,
-        }
+        Self { quantity, value, condition }
     }
 
     pub(crate) fn positive(quantity: Quantity, value: f64) -> Self {
@@ -156,11 +152,7 @@ impl Hypothesis {
 
 impl fmt::Display for Hypothesis {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            quantity,
-            value,
-            condition,
-        } = self;
+        let Self { quantity, value, condition } = self;
         match condition {
             Condition::AtLeast(bound) => write!(formatter, "{quantity} >= {bound}")?,
             Condition::Positive => write!(formatter, "{quantity} > 0")?,

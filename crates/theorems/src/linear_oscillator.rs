@@ -96,11 +96,7 @@ impl LinearOscillator {
             return Err(TheoryError::TooFewLoops { loops: p, minimum: 2 });
         }
         if n < 1 {
-            return Err(TheoryError::ResonanceIndex {
-                loops: p,
-                index: n,
-                minimum: 1,
-            });
+            return Err(TheoryError::ResonanceIndex { loops: p, index: n, minimum: 1 });
         }
         Ok(self.damped_natural_frequency() / (f64::from(n) - 0.5 / f64::from(p)))
     }
@@ -139,11 +135,7 @@ impl LinearOscillator {
             let count = (omega_1 / lowest - omega_1 / highest) / spacing;
             let last = omega_1 / lowest / spacing + 1.0;
             if !(count <= f64::from(LARGEST_LIST) && last < f64::from(u32::MAX)) {
-                return Err(TheoryError::TooManyResonances {
-                    loops: p,
-                    count,
-                    limit: LARGEST_LIST,
-                });
+                return Err(TheoryError::TooManyResonances { loops: p, count, limit: LARGEST_LIST });
             }
             // One index more at either end than the quotients say: membership is decided on the frequency
             // itself.

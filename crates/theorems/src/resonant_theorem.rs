@@ -72,21 +72,14 @@ impl ResonantGrazing {
     pub fn check(point: &ResonantPoint, resonance_tolerance: f64) -> Result<Self, HypothesesViolated> {
         let map = &point.grazing.map;
         let stability = point.stability_coefficients();
-        let resonance = Condition::Zero {
-            tolerance: resonance_tolerance,
-        };
+        let resonance = Condition::Zero { tolerance: resonance_tolerance };
         let (theorem, at_resonance, unfolded) = match point.unfolding {
-            Unfolding::OneLoop {
-                off_diagonal_derivative,
-            } => (
+            Unfolding::OneLoop { off_diagonal_derivative } => (
                 Theorem::ResonantOneLoop,
                 Hypothesis::new(Quantity::OffDiagonal, map.a.m12, resonance),
                 Hypothesis::non_zero(Quantity::OffDiagonalDerivative, off_diagonal_derivative),
             ),
-            Unfolding::MultiLoop {
-                loops,
-                detuning_derivative,
-            } => (
+            Unfolding::MultiLoop { loops, detuning_derivative } => (
                 Theorem::ResonantMultiLoop,
                 Hypothesis::new(
                     Quantity::Detuning,

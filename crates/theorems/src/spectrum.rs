@@ -103,10 +103,7 @@ impl LinearisedMap {
         let LinearisedMap { a, b } = self;
         let companion = Matrix2::new(-a.m22, a.m12, a.m21, -a.m11);
         let drift = Vector2::new(self.transversality(), a.m21 * b.x + (1.0 - a.m11) * b.y);
-        Self {
-            a: Matrix2::identity() * s_next + companion * s_p,
-            b: b * s_p + drift * t_p,
-        }
+        Self { a: Matrix2::identity() * s_next + companion * s_p, b: b * s_p + drift * t_p }
     }
 
     fn unit_eigenvalue_excluded(&self) -> Result<f64, TheoryError> {
@@ -153,24 +150,15 @@ impl Eigenvalues {
     fn from_discriminant(tau: f64, delta: f64, discriminant: f64) -> Self {
         let root = discriminant.abs().sqrt();
         if discriminant < 0.0 {
-            return Self::ComplexPair {
-                modulus: delta.sqrt(),
-                argument: libm::atan2(root, tau),
-            };
+            return Self::ComplexPair { modulus: delta.sqrt(), argument: libm::atan2(root, tau) };
         }
         // The eigenvalue of larger modulus has no cancellation; the other one follows from the product delta.
         let dominant = 0.5 * if tau < 0.0 { tau - root } else { tau + root };
         let other = if dominant == 0.0 { 0.0 } else { delta / dominant };
         if tau < 0.0 {
-            Self::Real {
-                lambda_1: other,
-                lambda_2: dominant,
-            }
+            Self::Real { lambda_1: other, lambda_2: dominant }
         } else {
-            Self::Real {
-                lambda_1: dominant,
-                lambda_2: other,
-            }
+            Self::Real { lambda_1: dominant, lambda_2: other }
         }
     }
 

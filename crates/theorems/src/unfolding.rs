@@ -40,12 +40,8 @@ impl Unfolding {
     #[must_use]
     pub fn derivative(&self) -> f64 {
         match *self {
-            Self::OneLoop {
-                off_diagonal_derivative,
-            } => off_diagonal_derivative,
-            Self::MultiLoop {
-                detuning_derivative, ..
-            } => detuning_derivative,
+            Self::OneLoop { off_diagonal_derivative } => off_diagonal_derivative,
+            Self::MultiLoop { detuning_derivative, .. } => detuning_derivative,
         }
     }
 }
@@ -118,13 +114,8 @@ impl ResonantPoint {
     #[must_use]
     pub fn off_diagonal_slope(&self) -> f64 {
         match self.unfolding {
-            Unfolding::OneLoop {
-                off_diagonal_derivative,
-            } => off_diagonal_derivative,
-            Unfolding::MultiLoop {
-                loops,
-                detuning_derivative,
-            } => {
+            Unfolding::OneLoop { off_diagonal_derivative } => off_diagonal_derivative,
+            Unfolding::MultiLoop { loops, detuning_derivative } => {
                 let map = &self.grazing.map;
                 let p = f64::from(loops);
                 let sine = libm::sin(PI / p);
@@ -143,13 +134,7 @@ impl ResonantPoint {
     /// Paper: section 2, eq. (20) and (24), `eq:c1`, `eq:cp`.
     #[must_use]
     pub fn stability_coefficients(&self) -> StabilityCoefficients {
-        let GrazingPoint {
-            map,
-            forcing_frequency,
-            gamma,
-            phi,
-            ..
-        } = self.grazing;
+        let GrazingPoint { map, forcing_frequency, gamma, phi, .. } = self.grazing;
         let alpha_omega = self.grazing.alpha() * forcing_frequency;
         let curvature = alpha_omega * alpha_omega * self.second_phase_derivative / gamma;
         match self.unfolding {
@@ -181,12 +166,7 @@ impl ResonantPoint {
     /// Paper: section 2, eq. (21) and (25), `eq:coeffs1`, `eq:coeffsp`.
     #[must_use]
     pub fn saddle_node_coefficient(&self) -> f64 {
-        let GrazingPoint {
-            map,
-            forcing_frequency,
-            gamma,
-            ..
-        } = self.grazing;
+        let GrazingPoint { map, forcing_frequency, gamma, .. } = self.grazing;
         let slope = self.grazing.alpha() * forcing_frequency * self.off_diagonal_slope();
         let denominator = 2.0 * map.transversality() * gamma * self.stability_coefficients().plus;
         match self.unfolding {
@@ -222,12 +202,7 @@ impl ResonantPoint {
     /// Paper: section 5, eq. (17) and (21), `eq:k1231`, `eq:k123p`.
     #[must_use]
     pub fn branch_expansion(&self) -> BranchExpansion {
-        let GrazingPoint {
-            map,
-            forcing_frequency,
-            gamma,
-            ..
-        } = self.grazing;
+        let GrazingPoint { map, forcing_frequency, gamma, .. } = self.grazing;
         let alpha = self.grazing.alpha();
         // The (2, 2) entry of A^p, and the determinant det(K).
         let (entry, determinant) = match self.unfolding {

@@ -36,34 +36,18 @@ impl fmt::Display for Difference {
 
 impl Difference {
     pub(super) fn missing(path: PathBuf) -> Difference {
-        Difference {
-            path,
-            kind: Kind::Missing,
-            what: "missing".to_owned(),
-        }
+        Difference { path, kind: Kind::Missing, what: "missing".to_owned() }
     }
 
     pub(super) fn unexpected(path: PathBuf) -> Difference {
         let what = "not made by the code; remove it if it is left over from an earlier version or an interrupted run";
-        Difference {
-            path,
-            kind: Kind::Unexpected,
-            what: what.to_owned(),
-        }
+        Difference { path, kind: Kind::Unexpected, what: what.to_owned() }
     }
 
     pub(super) fn content(path: PathBuf, here: &[u8], made: &[u8]) -> Difference {
         let is_table = path.extension().is_some_and(|extension| extension == "csv");
-        let what = first_difference(
-            is_table,
-            &String::from_utf8_lossy(here),
-            &String::from_utf8_lossy(made),
-        );
-        Difference {
-            path,
-            kind: Kind::Content,
-            what,
-        }
+        let what = first_difference(is_table, &String::from_utf8_lossy(here), &String::from_utf8_lossy(made));
+        Difference { path, kind: Kind::Content, what }
     }
 }
 
@@ -88,11 +72,9 @@ fn first_difference(is_table: bool, here: &str, made: &str) -> String {
                             cell(made)
                         )
                     }
-                    None => format!(
-                        "line {number}: `{}` here, `{}` made by the code",
-                        quote(here),
-                        quote(made)
-                    ),
+                    None => {
+                        format!("line {number}: `{}` here, `{}` made by the code", quote(here), quote(made))
+                    }
                 };
             }
             (Some(_), None) => return format!("more lines here than the {} made by the code", number - 1),

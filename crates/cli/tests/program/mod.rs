@@ -25,9 +25,7 @@ pub(crate) struct Outcome {
 impl Outcome {
     /// The messages that are not about progress.
     pub(crate) fn errors(&self) -> &str {
-        self.messages
-            .find("error: ")
-            .map_or("", |start| &self.messages[start..])
+        self.messages.find("error: ").map_or("", |start| &self.messages[start..])
     }
 }
 
@@ -40,11 +38,7 @@ pub(crate) fn grazing(folder: &Path, arguments: &[&str]) -> Outcome {
         .output()
         .expect("the program starts");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("the program writes UTF-8");
-    Outcome {
-        code: run.status.code(),
-        output: text(run.stdout),
-        messages: text(run.stderr),
-    }
+    Outcome { code: run.status.code(), output: text(run.stdout), messages: text(run.stderr) }
 }
 
 /// The root of the repository.
@@ -70,15 +64,8 @@ pub(crate) fn project(parameters: &str) -> tempfile::TempDir {
 pub(crate) fn edited(parameters: &str, section: &str, key: &str, line: &str) -> String {
     let section_start = parameters.find(section).expect("the section stands in the file");
     let assignment = format!("\n{key}");
-    let start = 1
-        + section_start
-        + parameters[section_start..]
-            .find(&assignment)
-            .expect("the key follows");
-    let end = start
-        + parameters[start..]
-            .find('\n')
-            .expect("the file ends with a line end");
+    let start = 1 + section_start + parameters[section_start..].find(&assignment).expect("the key follows");
+    let end = start + parameters[start..].find('\n').expect("the file ends with a line end");
     let end = if line.is_empty() { end + 1 } else { end };
     format!("{}{line}{}", &parameters[..start], &parameters[end..])
 }
@@ -93,12 +80,7 @@ pub(crate) fn listing(folder: &Path) -> Vec<String> {
             if path.is_dir() {
                 places.push(path.clone());
             }
-            paths.push(
-                path.strip_prefix(folder)
-                    .expect("it lies in the folder")
-                    .display()
-                    .to_string(),
-            );
+            paths.push(path.strip_prefix(folder).expect("it lies in the folder").display().to_string());
         }
     }
     paths.sort();

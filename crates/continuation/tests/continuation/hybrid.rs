@@ -1,69 +1,118 @@
 //! MPSs checked against the hybrid system itself, simulated from event to event.
 
-use grazing_continuation::mps::MaximalPeriodicSolution;
-use grazing_model::motion::Motion;
+use grazing_continuation::mps::{MaximalPeriodicSolution, Multipliers};
+use grazing_model::motion::{Motion, highest_maximum};
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
-use nalgebra::Matrix2;
+use nalgebra::{Matrix2, Vector2};
 
-/// What the simulated orbit from an impact does until it impacts again.
-pub(crate) struct Return {
-    /// Time to the next impact, in forcing periods.
-    pub(crate) periods: f64,
-    /// Velocity of the next impact.
-    pub(crate) velocity: f64,
+use crate::specimens::assert_within;
+
+/// The state just after the impact of an MPS.
+fn recoil(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) -> State {
+    let reset = oscillator.reset::<1>(solution.unknowns[0], solution.unknowns[1]).value;
+    State::on_wall(reset[0], reset[1])
 }
 
-/// Simulates from the impact of an MPS to the next impact.
-pub(crate) fn next_impact(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) -> Return {
-    let [velocity, phase] = [solution.unknowns[0], solution.unknowns[1]];
-    let period = oscillator.forcing_period();
-    let horizon = 2.0 * f64::from(solution.loops) * period;
-    let flight = Orbit::new(oscillator, State::on_wall(velocity, phase), horizon, 10)
-        .next()
-        .unwrap();
+/// The time after which an MPS repeats itself.
+fn duration(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) -> f64 {
+    f64::from(solution.loops) * oscillator.forcing_period()
+}
+
+/// The flight from the impact of an MPS to the next impact: its length, and the velocity of that impact.
+fn next_impact(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) -> [f64; 2] {
+    let from = State::on_wall(solution.unknowns[0], solution.unknowns[1]);
+    let horizon = 1.5 * duration(oscillator, solution);
+    let flight = Orbit::new(oscillator, from, horizon, 10).next().unwrap();
     let FlightEnd::Impact(impact) = flight.end else {
-        panic!("no impact within {horizon} after {solution:?}");
+        panic!("no impact after {solution:?}");
     };
-    Return {
-        periods: flight.duration / period,
-        velocity: impact.velocity,
+    [flight.duration, impact.velocity]
+}
+
+/// Fails unless the orbit from the impact of an admissible MPS impacts next after p forcing periods with the same velocity.
+///
+/// This is one impact in p periods and a return to (y, z). The position is back at the wall to some 10⁻¹⁴: a zero
+/// with its multiplier of order 1/y; velocity and time of the impact are off by that over y.
+#[track_caller]
+pub(crate) fn assert_returns(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) {
+    let [time, impact_velocity] = next_impact(oscillator, solution);
+    let velocity = solution.impact_velocity();
+    let bound = 1e-10 + 1e-13 / velocity;
+    assert_within(time, duration(oscillator, solution), bound);
+    assert_within(impact_velocity, velocity, bound);
+}
+
+/// The orbit from the impact of an MPS is stopped by the wall before p forcing periods are over.
+pub(crate) fn impacts_early(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) -> bool {
+    next_impact(oscillator, solution)[0] < duration(oscillator, solution) - 1e-6
+}
+
+/// Fails unless the orbit from the impact of an MPS touches the wall within p forcing periods, never crosses it, and is back
+/// at the wall with the same velocity after that time.
+#[track_caller]
+pub(crate) fn assert_touches(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) {
+    let period = duration(oscillator, solution);
+    let motion = oscillator.motion(recoil(oscillator, solution));
+    let end = motion.at(period);
+    assert_within(end.position, 0.0, 1e-10);
+    assert_within(end.velocity, solution.unknowns[0], 1e-10);
+    // The maximum was solved for to rounding of x, at a time carried along the curve.
+    let highest = highest_maximum(&motion, period).unwrap();
+    assert_within(highest.position, 0.0, MaximalPeriodicSolution::TOUCH);
+}
+
+/// The stroboscopic map over p forcing periods from a displacement off an MPS, half a period after its impact.
+///
+/// None if there is not exactly one impact.
+fn strobe(
+    oscillator: &LinearOscillator,
+    solution: &MaximalPeriodicSolution,
+    displacement: Vector2<f64>,
+) -> Option<Vector2<f64>> {
+    let half = 0.5 * oscillator.forcing_period();
+    let middle = oscillator.motion(recoil(oscillator, solution)).at(half);
+    let at = Vector2::new(middle.position, middle.velocity);
+    let from = State {
+        position: at[0] + displacement[0],
+        velocity: at[1] + displacement[1],
+        phase: solution.unknowns[1] + oscillator.frequency() * half,
+    };
+    let mut orbit = Orbit::new(oscillator, from, duration(oscillator, solution), 100);
+    for _ in orbit.by_ref() {}
+    match (orbit.impacts(), orbit.end()) {
+        (1, Some(OrbitEnd::TimeIsUp(state))) => Some(Vector2::new(state.position, state.velocity) - at),
+        _ => None,
     }
 }
 
-/// The stroboscopic map over p forcing periods: (x, y) to (x, y), with the number of impacts on the way.
-fn strobe(oscillator: &LinearOscillator, from: State, loops: u32) -> ([f64; 2], usize) {
-    let horizon = f64::from(loops) * oscillator.forcing_period();
-    let mut orbit = Orbit::new(oscillator, from, horizon, 100);
-    for _ in orbit.by_ref() {}
-    let Some(OrbitEnd::TimeIsUp(state)) = orbit.end() else {
-        panic!("{:?}", orbit.end());
-    };
-    ([state.position, state.velocity], orbit.impacts())
-}
-
-/// The derivative of the stroboscopic map half a period after the impact of an MPS, by central differences with steps ±h.
+/// Trace and determinant of the derivative of the stroboscopic map, by central differences with steps ±h.
 ///
-/// Panics unless all orbits have exactly one impact.
-pub(crate) fn strobe_derivative(
+/// None if an orbit does not have exactly one impact.
+pub(crate) fn simulated_multipliers(
     oscillator: &LinearOscillator,
     solution: &MaximalPeriodicSolution,
     h: f64,
-) -> Matrix2<f64> {
-    let [velocity, phase] = [solution.unknowns[0], solution.unknowns[1]];
-    let half = 0.5 * oscillator.forcing_period();
-    let recoil = oscillator.reset::<1>(velocity, phase).value;
-    let middle = oscillator.motion(State::on_wall(recoil[0], recoil[1])).at(half);
-    let image = |dx: f64, dy: f64| {
-        let from = State {
-            position: middle.position + dx,
-            velocity: middle.velocity + dy,
-            phase: phase + oscillator.frequency() * half,
-        };
-        let (image, impacts) = strobe(oscillator, from, solution.loops);
-        assert_eq!(impacts, 1, "{solution:?}");
-        image
+) -> Option<Multipliers> {
+    let column = |direction: Vector2<f64>| {
+        let ahead = strobe(oscillator, solution, direction * h)?;
+        let back = strobe(oscillator, solution, -direction * h)?;
+        Some((ahead - back) / (2.0 * h))
     };
-    let columns = [[image(h, 0.0), image(-h, 0.0)], [image(0.0, h), image(0.0, -h)]];
-    Matrix2::from_fn(|i, j| (columns[j][0][i] - columns[j][1][i]) / (2.0 * h))
+    let derivative = Matrix2::from_columns(&[column(Vector2::x())?, column(Vector2::y())?]);
+    Some(Multipliers { trace: derivative.trace(), determinant: derivative.determinant() })
+}
+
+/// Whether the simulated orbit from 10⁻⁷ off an MPS comes a hundred times nearer, or leaves: goes a hundred times farther, or
+/// does not have one impact in p periods.
+pub(crate) fn attracts(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) -> bool {
+    let mut displacement = Vector2::new(0.6e-7, -0.8e-7);
+    for _ in 0..10_000 {
+        match strobe(oscillator, solution, displacement) {
+            Some(next) if next.norm() < 1e-9 => return true,
+            Some(next) if next.norm() < 1e-5 => displacement = next,
+            _ => return false,
+        }
+    }
+    panic!("undecided after 10 000 returns: {displacement}");
 }

@@ -3,9 +3,16 @@
 //! Property tests run with a fixed seed and keep no files, so that every run draws the same cases.
 
 mod arclength;
+mod closed_forms;
+mod explore;
 mod formulations;
+mod generic_grazing;
 mod hybrid;
+mod located_resonances;
 mod newton;
+mod one_parameter_branches;
+mod resonant_branches;
 mod specimens;
 mod stability_expansions;
+mod two_parameter_curves;
 mod vivid_function;

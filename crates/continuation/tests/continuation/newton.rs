@@ -16,10 +16,7 @@ fn circle_and_hyperbola(u: &Vector2<f64>) -> Linearisation<2> {
 
 /// One equation f(x) = 0 with its derivative.
 fn scalar(value: f64, derivative: f64) -> Linearisation<1> {
-    Linearisation {
-        residual: Vector1::new(value),
-        jacobian: Matrix1::new(derivative),
-    }
+    Linearisation { residual: Vector1::new(value), jacobian: Matrix1::new(derivative) }
 }
 
 #[test]
@@ -34,10 +31,7 @@ fn convergence_is_quadratic_and_ends_at_rounding() {
     })
     .unwrap();
     // ½ |D²F| |DF⁻¹| is at most 1 here: |D²F| ≤ 2 on unit vectors of either component, |DF⁻¹| < 0.6 along the way.
-    let squared = errors
-        .windows(2)
-        .filter(|pair| pair[0] < 0.3 && pair[1] > 1e-14)
-        .collect::<Vec<_>>();
+    let squared = errors.windows(2).filter(|pair| pair[0] < 0.3 && pair[1] > 1e-14).collect::<Vec<_>>();
     assert!(squared.len() >= 2, "too few steps to judge: {errors:?}");
     for pair in squared {
         assert!(pair[1] <= pair[0] * pair[0], "{errors:?}");
@@ -49,41 +43,23 @@ fn convergence_is_quadratic_and_ends_at_rounding() {
 
 #[test]
 fn the_last_linearisation_was_taken_within_the_step_tolerance() {
-    let solution = solve(Vector2::new(2.5, 0.1), 20, |u| {
-        Ok::<_, ()>(circle_and_hyperbola(u))
-    })
-    .unwrap();
+    let solution = solve(Vector2::new(2.5, 0.1), 20, |u| Ok::<_, ()>(circle_and_hyperbola(u))).unwrap();
     let at_the_end = circle_and_hyperbola(&solution.point);
     // The Jacobian is linear in u with a coefficient of at most 2 in each of four entries.
-    assert_within(
-        (solution.last.jacobian - at_the_end.jacobian).norm(),
-        0.0,
-        4.0 * STEP_TOLERANCE,
-    );
+    assert_within((solution.last.jacobian - at_the_end.jacobian).norm(), 0.0, 4.0 * STEP_TOLERANCE);
 }
 
 #[test]
 fn a_singular_jacobian_is_named_with_its_residual() {
-    let failure = solve(Vector1::new(0.0), 20, |u| {
-        Ok::<_, ()>(scalar(u[0] * u[0] + 0.25, 2.0 * u[0]))
-    })
-    .unwrap_err();
-    assert_eq!(
-        failure,
-        NewtonFailure::Singular {
-            iteration: 1,
-            residual: 0.25
-        }
-    );
+    let failure =
+        solve(Vector1::new(0.0), 20, |u| Ok::<_, ()>(scalar(u[0] * u[0] + 0.25, 2.0 * u[0]))).unwrap_err();
+    assert_eq!(failure, NewtonFailure::Singular { iteration: 1, residual: 0.25 });
 }
 
 #[test]
 fn a_residual_that_is_not_a_number_is_no_solution() {
     let failure = solve(Vector1::new(0.0), 20, |_| Ok::<_, ()>(scalar(f64::NAN, 1.0))).unwrap_err();
-    assert!(
-        matches!(failure, NewtonFailure::Singular { iteration: 1, .. }),
-        "{failure:?}"
-    );
+    assert!(matches!(failure, NewtonFailure::Singular { iteration: 1, .. }), "{failure:?}");
 }
 
 #[test]
@@ -97,24 +73,16 @@ fn an_undefined_iterate_is_named_with_its_cause() {
         }
     });
     let cause = "logarithm of a negative number";
-    assert_eq!(
-        failure.unwrap_err(),
-        NewtonFailure::Undefined { iteration: 2, cause }
-    );
+    assert_eq!(failure.unwrap_err(), NewtonFailure::Undefined { iteration: 2, cause });
 }
 
 #[test]
 fn no_zero_is_no_convergence() {
     // x² + 1 from an irrational start: the iteration is chaotic and never singular.
-    let failure = solve(Vector1::new(2f64.sqrt()), 20, |u| {
-        Ok::<_, ()>(scalar(u[0] * u[0] + 1.0, 2.0 * u[0]))
-    })
-    .unwrap_err();
-    let NewtonFailure::NoConvergence {
-        iterations: 20,
-        residual,
-    } = failure
-    else {
+    let failure =
+        solve(Vector1::new(2f64.sqrt()), 20, |u| Ok::<_, ()>(scalar(u[0] * u[0] + 1.0, 2.0 * u[0])))
+            .unwrap_err();
+    let NewtonFailure::NoConvergence { iterations: 20, residual } = failure else {
         panic!("{failure:?}");
     };
     assert!(residual >= 1.0);

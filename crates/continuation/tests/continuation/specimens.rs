@@ -62,10 +62,7 @@ pub(crate) fn located(resonance: &Resonance) -> ResonantGrazingPoint<LinearOscil
 /// A route through a window of amplitudes and frequencies, with steps as for drawing.
 pub(crate) fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events: bool) -> Route {
     Route {
-        window: Window {
-            primary: amplitudes,
-            secondary: frequencies,
-        },
+        window: Window { primary: amplitudes, secondary: frequencies },
         control: StepControl::DRAWING,
         step_limit: 5_000,
         stop_at_events,
@@ -82,10 +79,7 @@ pub(crate) fn branch(
 ) -> (LoopEquations<LinearOscillator>, Curve) {
     let (grazing, oscillator) = at_grazing(zeta, epsilon, omega);
     let equations = LoopEquations::new(oscillator, loops, formulation);
-    let curve = MpsCurve {
-        equations: equations.clone(),
-        condition: Condition::Secondary(omega),
-    };
+    let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
     let start = Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), omega);
     let direction = Unknowns::new(side, 0.0, 0.0, 0.0);
     let curve = curve.follow(start, direction, Memory::default(), route).unwrap();
@@ -95,6 +89,24 @@ pub(crate) fn branch(
 /// The observed order of convergence of an error as its scale is halved: log₂ of the ratio.
 pub(crate) fn order([coarse, fine]: [f64; 2]) -> f64 {
     libm::log2(coarse.abs() / fine.abs())
+}
+
+/// Fails unless an error vanishes with at least the stated order in a size.
+///
+/// The sizes fall by halves from 2⁻⁷ to 2⁻²⁰. The order is read off the two smallest at which the error, where there is
+/// one, still stands a hundredfold above its `rounding`, with slack for the next order there; an error that never does is none.
+#[track_caller]
+pub(crate) fn assert_vanishes(stated: f64, rounding: f64, error: impl Fn(f64) -> Option<f64>) {
+    let mut size = libm::exp2(-7.0);
+    let mut resolved = Vec::new();
+    for _ in 0..14 {
+        resolved.extend(error(size).filter(|error| error.abs() > 100.0 * rounding));
+        size *= 0.5;
+    }
+    if let [.., coarse, fine] = resolved[..] {
+        let observed = order([coarse, fine]);
+        assert!(observed > stated - 0.15, "order {observed} instead of {stated}: {resolved:?}");
+    }
 }
 
 /// Fails unless the numbers differ by at most `tolerance` in proportion to the expected one.

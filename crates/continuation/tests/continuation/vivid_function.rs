@@ -9,12 +9,8 @@ use nalgebra::Vector2;
 use crate::specimens::{EPSILON, OMEGA, ZETA, assert_within, at_grazing, order};
 
 /// (ζ, ε, ω) away from all resonances with p ≤ 5.
-const PLACES: [[f64; 3]; 4] = [
-    [ZETA, EPSILON, OMEGA],
-    [ZETA, EPSILON, 0.72],
-    [0.07, 0.6, 0.93],
-    [0.01, 1.0, 1.3],
-];
+const PLACES: [[f64; 3]; 4] =
+    [[ZETA, EPSILON, OMEGA], [ZETA, EPSILON, 0.72], [0.07, 0.6, 0.93], [0.01, 1.0, 1.3]];
 
 fn vivid([zeta, epsilon, omega]: [f64; 3], loops: u32) -> (GrazingState, LoopEquations<LinearOscillator>) {
     let (grazing, oscillator) = at_grazing(zeta, epsilon, omega);
@@ -23,12 +19,7 @@ fn vivid([zeta, epsilon, omega]: [f64; 3], loops: u32) -> (GrazingState, LoopEqu
 
 /// (y, z, 𝒜, ω) at distances y, z − z_graz and μ from grazing.
 fn near(grazing: &GrazingState, [y, z, mu]: [f64; 3]) -> Unknowns {
-    Unknowns::new(
-        y,
-        grazing.phase() + z,
-        grazing.amplitude() + mu,
-        grazing.forcing_frequency(),
-    )
+    Unknowns::new(y, grazing.phase() + z, grazing.amplitude() + mu, grazing.forcing_frequency())
 }
 
 #[test]
@@ -39,10 +30,8 @@ fn derivatives_at_grazing_are_the_printed_matrices() {
             let theory = grazing.grazing_point();
             let linear = theory.vivid_linearisation(loops);
             let point = near(&grazing, [0.0; 3]);
-            let (value, derivative) = equations
-                .pair::<1>(&point, &mut Memory::default())
-                .unwrap()
-                .difference();
+            let (value, derivative) =
+                equations.pair::<1>(&point, &mut Memory::default()).unwrap().difference();
             // V vanishes at grazing. Here and below: entries below 50, each the sum of some tens of rounded products.
             assert_within(value.norm(), 0.0, 1e-13);
             let j = derivative.fixed_columns::<2>(0).into_owned();
@@ -51,16 +40,8 @@ fn derivatives_at_grazing_are_the_printed_matrices() {
             // Lemma 4.3: the determinants; products of two such entries.
             let k = derivative.fixed_columns::<2>(1).into_owned();
             assert_within(j.determinant(), theory.impact_jacobian_determinant(loops), 1e-11);
-            assert_within(
-                k.determinant(),
-                theory.parameter_jacobian_determinant(loops),
-                1e-11,
-            );
-            assert_within(
-                k.determinant(),
-                theory.parameter_jacobian_determinant_factored(loops),
-                1e-11,
-            );
+            assert_within(k.determinant(), theory.parameter_jacobian_determinant(loops), 1e-11);
+            assert_within(k.determinant(), theory.parameter_jacobian_determinant_factored(loops), 1e-11);
         }
     }
 }
@@ -75,11 +56,7 @@ fn the_linearisation_leaves_a_second_order_remainder() {
             let remainders = [2e-4, 1e-4].map(|size| {
                 let at = [size, -0.7 * size, 0.6 * size];
                 let point = near(&grazing, at);
-                let value = equations
-                    .pair::<1>(&point, &mut Memory::default())
-                    .unwrap()
-                    .difference()
-                    .0;
+                let value = equations.pair::<1>(&point, &mut Memory::default()).unwrap().difference().0;
                 value - linear.by_impact * Vector2::new(at[0], at[1]) - linear.by_parameter * at[2]
             });
             let [coarse, fine] = remainders;
@@ -91,26 +68,14 @@ fn the_linearisation_leaves_a_second_order_remainder() {
 /// The zero of the VIVID function at a given μ.
 fn zero_at(grazing: &GrazingState, equations: &LoopEquations<LinearOscillator>, mu: f64) -> Unknowns {
     let slopes = grazing.grazing_point().emerging_orbit(equations.loops()).unwrap();
-    let start = near(
-        grazing,
-        [
-            slopes.impact_velocity_slope * mu,
-            slopes.impact_phase_slope * mu,
-            mu,
-        ],
-    );
+    let start = near(grazing, [slopes.impact_velocity_slope * mu, slopes.impact_phase_slope * mu, mu]);
     let conditions = [Condition::Primary(start[2]), Condition::Secondary(start[3])];
     locate(equations, conditions, start, &mut Memory::default()).unwrap()
 }
 
 /// A μ at which the emerging p-loop MPS has an impact velocity of this size, positive or negative.
 fn small_parameter(grazing: &GrazingState, loops: u32, velocity: f64) -> f64 {
-    velocity
-        / grazing
-            .grazing_point()
-            .emerging_orbit(loops)
-            .unwrap()
-            .impact_velocity_slope
+    velocity / grazing.grazing_point().emerging_orbit(loops).unwrap().impact_velocity_slope
 }
 
 #[test]
@@ -126,10 +91,7 @@ fn impact_velocity_and_phase_of_the_emerging_orbit_have_the_printed_slopes() {
                 let errors = [mu, 0.5 * mu].map(|mu| {
                     let zero = zero_at(&grazing, &equations, mu);
                     let phase = zero[1] - grazing.phase();
-                    [
-                        zero[0] - slopes.impact_velocity_slope * mu,
-                        phase - slopes.impact_phase_slope * mu,
-                    ]
+                    [zero[0] - slopes.impact_velocity_slope * mu, phase - slopes.impact_phase_slope * mu]
                 });
                 for component in 0..2 {
                     let observed = order([errors[0][component], errors[1][component]]);

@@ -12,13 +12,7 @@ use crate::oscillator::State;
 /// eq:flow reads w(s) = E (w₀ + e₁ − 𝒜 f(z₀)) − e₁ + 𝒜 f(z₀ + ωs). Every derivative below follows by one product rule and
 /// f_zz = −f.
 pub(super) fn flow<const ORDER: usize>(oscillator: &LinearOscillator, from: State, duration: f64) -> FlowJet {
-    let LinearOscillator {
-        damping_ratio,
-        amplitude,
-        frequency,
-        natural_frequency,
-        ..
-    } = *oscillator;
+    let LinearOscillator { damping_ratio, amplitude, frequency, natural_frequency, .. } = *oscillator;
     let decay = libm::exp(-damping_ratio * duration);
     let (sin, cos) = libm::sincos(natural_frequency * duration);
     let (c, q) = (decay * cos, decay * sin / natural_frequency);
@@ -40,15 +34,9 @@ pub(super) fn flow<const ORDER: usize>(oscillator: &LinearOscillator, from: Stat
     let mut jacobian = Matrix2x6::zeros();
     jacobian.fixed_columns_mut::<2>(POSITION).copy_from(&propagator);
     jacobian.set_column(PHASE, &((end.d_phase - e_phase) * amplitude));
-    jacobian.set_column(
-        DURATION,
-        &(transient_rate + end.d_phase * (amplitude * frequency)),
-    );
+    jacobian.set_column(DURATION, &(transient_rate + end.d_phase * (amplitude * frequency)));
     jacobian.set_column(PRIMARY, &(end.value - e_value));
-    jacobian.set_column(
-        SECONDARY,
-        &((end.d_frequency + end.d_phase * duration - e_frequency) * amplitude),
-    );
+    jacobian.set_column(SECONDARY, &((end.d_frequency + end.d_phase * duration - e_frequency) * amplitude));
 
     let mut hessians = [Matrix6::zeros(); 2];
     if ORDER >= 2 {
@@ -61,37 +49,21 @@ pub(super) fn flow<const ORDER: usize>(oscillator: &LinearOscillator, from: Stat
         set(POSITION, DURATION, free_propagator.column(0).into_owned());
         set(VELOCITY, DURATION, free_propagator.column(1).into_owned());
         set(PHASE, PHASE, (e_value - end.value) * amplitude);
-        set(
-            PHASE,
-            DURATION,
-            -(free * e_phase + end.value * frequency) * amplitude,
-        );
+        set(PHASE, DURATION, -(free * e_phase + end.value * frequency) * amplitude);
         set(PHASE, PRIMARY, end.d_phase - e_phase);
         let phase_frequency =
             end.d_phase_frequency - end.value * duration - propagator * start.d_phase_frequency;
         set(PHASE, SECONDARY, phase_frequency * amplitude);
-        set(
-            DURATION,
-            DURATION,
-            free * transient_rate - end.value * (amplitude * frequency * frequency),
-        );
+        set(DURATION, DURATION, free * transient_rate - end.value * (amplitude * frequency * frequency));
         set(DURATION, PRIMARY, end.d_phase * frequency - free * e_value);
         let duration_frequency =
             end.d_phase + (end.d_phase_frequency - end.value * duration) * frequency - free * e_frequency;
         set(DURATION, SECONDARY, duration_frequency * amplitude);
-        set(
-            PRIMARY,
-            SECONDARY,
-            end.d_frequency + end.d_phase * duration - e_frequency,
-        );
+        set(PRIMARY, SECONDARY, end.d_frequency + end.d_phase * duration - e_frequency);
         let frequency_frequency = end.d_frequency_frequency
             + (end.d_phase_frequency * 2.0 - end.value * duration) * duration
             - propagator * start.d_frequency_frequency;
         set(SECONDARY, SECONDARY, frequency_frequency * amplitude);
     }
-    FlowJet {
-        value,
-        jacobian,
-        hessians,
-    }
+    FlowJet { value, jacobian, hessians }
 }

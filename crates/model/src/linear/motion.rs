@@ -25,11 +25,7 @@ struct Rotation<'a> {
 impl Sample for Rotation<'_> {
     #[inline]
     fn position(&self) -> f64 {
-        let LinearMotion {
-            free: [p, q],
-            forced: [u, v],
-            ..
-        } = self.motion;
+        let LinearMotion { free: [p, q], forced: [u, v], .. } = self.motion;
         p * self.free[0] + q * self.free[1] + u * self.forced[0] + v * self.forced[1] - 1.0
     }
 
@@ -47,14 +43,8 @@ impl LinearMotion {
             damping_ratio: oscillator.damping_ratio,
             natural_frequency: oscillator.natural_frequency,
             frequency: oscillator.frequency,
-            free: [
-                position,
-                (velocity + oscillator.damping_ratio * position) / oscillator.natural_frequency,
-            ],
-            forced: [
-                oscillator.amplitude * response.value[0],
-                oscillator.amplitude * response.d_phase[0],
-            ],
+            free: [position, (velocity + oscillator.damping_ratio * position) / oscillator.natural_frequency],
+            forced: [oscillator.amplitude * response.value[0], oscillator.amplitude * response.d_phase[0]],
         }
     }
 
@@ -91,11 +81,7 @@ impl Motion for LinearMotion {
         // |−ζ + iω₁| = 1: all derivatives of the free part have the amplitude of the free part itself.
         let [p, q] = self.free;
         let earliest = from.min(to);
-        let growth = if earliest < 0.0 {
-            libm::exp(-self.damping_ratio * earliest)
-        } else {
-            1.0
-        };
+        let growth = if earliest < 0.0 { libm::exp(-self.damping_ratio * earliest) } else { 1.0 };
         let free = (p * p + q * q).sqrt() * growth;
         let [u, v] = self.forced;
         let square = self.frequency * self.frequency;
@@ -119,11 +105,7 @@ impl Motion for LinearMotion {
         let (sin, cos) = libm::sincos(self.natural_frequency * stride);
         let (forced_sin, forced_cos) = libm::sincos(self.frequency * stride);
         let (turn, forced_turn) = ([decay * cos, decay * sin], [forced_cos, forced_sin]);
-        let mut next = Rotation {
-            motion: self,
-            free: [1.0, 0.0],
-            forced: [1.0, 0.0],
-        };
+        let mut next = Rotation { motion: self, free: [1.0, 0.0], forced: [1.0, 0.0] };
         core::iter::from_fn(move || {
             let here = next;
             next.free = super::multiply(here.free, turn);

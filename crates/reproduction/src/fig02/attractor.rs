@@ -87,9 +87,7 @@ pub(super) fn settled_flights(
 ) -> Vec<Flight<LinearMotion>> {
     // No orbit here has more than a few impacts a period; sticking and chattering end it by themselves.
     let impact_limit = 1_000_000;
-    Orbit::new(oscillator, from, horizon, impact_limit)
-        .filter(|flight| flight.start >= transient)
-        .collect()
+    Orbit::new(oscillator, from, horizon, impact_limit).filter(|flight| flight.start >= transient).collect()
 }
 
 /// The x-values at which a flight meets Π: the iterates of P_global from the virtual point of its recoil for as long as

@@ -47,17 +47,11 @@ pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch>, StudyError> {
         .par_iter()
         .map(|&loops| {
             let equations = LoopEquations::new(oscillator, loops, Formulation::Vivid);
-            let curve = MpsCurve {
-                equations: equations.clone(),
-                condition: Condition::Secondary(frequency),
-            };
+            let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(frequency) };
             let to_positive_velocity = Unknowns::new(1.0, 0.0, 0.0, 0.0);
             let curve = curve
                 .follow(start, to_positive_velocity, Memory::default(), &route)
-                .map_err(|stall| StudyError::Branch {
-                    loops,
-                    reason: stall.to_string(),
-                })?;
+                .map_err(|stall| StudyError::Branch { loops, reason: stall.to_string() })?;
             Ok(Branch { equations, curve })
         })
         .collect()
@@ -88,10 +82,7 @@ pub(super) fn bifurcations(setting: &Setting, branches: &[Branch]) -> Vec<Bifurc
                 loops: branch.equations.loops(),
                 amplitude: point[2],
                 impact_velocity: point[0],
-                position: visits
-                    .ok()
-                    .and_then(|visits| Some(visits.last()?[0]))
-                    .unwrap_or(f64::NAN),
+                position: visits.ok().and_then(|visits| Some(visits.last()?[0])).unwrap_or(f64::NAN),
             });
         }
     }
@@ -116,33 +107,23 @@ pub(super) fn table(setting: &Setting, branches: &[Branch]) -> Result<Table, Stu
         "p": 0, "amplitude": 0.0, "x": 0.0, "loop": 0, "impact_velocity": 0.0, "impact_phase": 0.0,
         "stable": false, "admissible": false, "branch": 0,
     };
-    let (lower, graz) = (
-        setting.parameters.fig02().amplitude().lower(),
-        setting.grazing.amplitude(),
-    );
+    let (lower, graz) = (setting.parameters.fig02().amplitude().lower(), setting.grazing.amplitude());
     for k in 0..=NON_IMPACTING_SAMPLES {
         let amplitude = lower + (graz - lower) * f64::from(k) / f64::from(NON_IMPACTING_SAMPLES);
         // The maximum of eq:phip lies at the phase z_graz, whatever the amplitude.
-        let x = setting
-            .oscillator(amplitude)?
-            .non_impacting_solution(setting.grazing.phase())
-            .position;
+        let x = setting.oscillator(amplitude)?.non_impacting_solution(setting.grazing.phase()).position;
         columns.push(row![0, amplitude, x, 1, f64::NAN, f64::NAN, true, true, 0]);
     }
     let mut polyline = 0;
     for branch in branches {
         let points = with_events(&branch.curve);
-        let visits: Vec<_> = points
-            .iter()
-            .map(|at| branch.equations.visits(&at.solution.unknowns, &at.memory))
-            .collect();
+        let visits: Vec<_> =
+            points.iter().map(|at| branch.equations.visits(&at.solution.unknowns, &at.memory)).collect();
         for visit in 0..branch.equations.loops() {
             polyline += 1;
             for (at, visits) in points.iter().zip(&visits) {
                 let [velocity, phase, amplitude, _] = at.solution.unknowns.into();
-                let x = visits
-                    .as_ref()
-                    .map_or(f64::NAN, |visits| visits[visit as usize][0]);
+                let x = visits.as_ref().map_or(f64::NAN, |visits| visits[visit as usize][0]);
                 columns.push(row![
                     branch.equations.loops(),
                     amplitude,
@@ -171,10 +152,7 @@ fn with_events(curve: &Curve) -> Vec<CurvePoint> {
     let mut events = curve.events.iter().peekable();
     for (index, point) in curve.points.iter().enumerate() {
         while let Some(event) = events.next_if(|event| event.index <= index) {
-            points.push(CurvePoint {
-                solution: event.solution,
-                memory: event.memory.clone(),
-            });
+            points.push(CurvePoint { solution: event.solution, memory: event.memory.clone() });
         }
         points.push(point.clone());
     }

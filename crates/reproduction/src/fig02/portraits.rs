@@ -44,26 +44,13 @@ fn draw(
         for k in 0..=steps as u32 {
             let time = duration * f64::from(k) / steps;
             let here = motion.at(time);
-            columns.push(row![
-                number,
-                loops,
-                amplitude,
-                kind,
-                start + time,
-                here.position,
-                here.velocity
-            ]);
+            columns.push(row![number, loops, amplitude, kind, start + time, here.position, here.velocity]);
         }
         columns.push(row![number, loops, amplitude, kind, f64::NAN, f64::NAN, f64::NAN]);
     };
     if loops > 0 {
         let recoil = stable_recoil(branches, portrait)?;
-        sample(
-            "periodic",
-            0.0,
-            &oscillator.motion(recoil),
-            f64::from(loops) * period,
-        );
+        sample("periodic", 0.0, &oscillator.motion(recoil), f64::from(loops) * period);
     } else if amplitude <= setting.grazing.amplitude() {
         let top = oscillator.non_impacting_solution(setting.grazing.phase());
         sample("periodic", 0.0, &oscillator.motion(top), period);
@@ -73,12 +60,8 @@ fn draw(
         let transient = f64::from(plan.transient()) * period;
         let horizon = transient + ATTRACTOR_PERIODS * period;
         let start = attractor::random_start(setting, &mut random);
-        for Flight {
-            start,
-            motion,
-            duration,
-            ..
-        } in attractor::settled_flights(&oscillator, start, transient, horizon)
+        for Flight { start, motion, duration, .. } in
+            attractor::settled_flights(&oscillator, start, transient, horizon)
         {
             sample("attractor", start - transient, &motion, duration);
         }
@@ -97,21 +80,14 @@ fn stable_recoil(branches: &[Branch], portrait: &Portrait) -> Result<State, Stud
             if !(brackets && (before.stable() || after.stable())) {
                 continue;
             }
-            let conditions = [
-                Condition::Secondary(before.unknowns[3]),
-                Condition::Primary(amplitude),
-            ];
+            let conditions = [Condition::Secondary(before.unknowns[3]), Condition::Primary(amplitude)];
             let mut memory = pair[0].memory.clone();
             let Ok(point) = locate(&branch.equations, conditions, before.unknowns, &mut memory) else {
                 continue;
             };
             let (solution, _) = branch.equations.solution(&point);
             if solution.stable() && solution.admissible() {
-                let recoil = branch
-                    .equations
-                    .oscillator_at(&point)
-                    .reset::<1>(point[0], point[1])
-                    .value;
+                let recoil = branch.equations.oscillator_at(&point).reset::<1>(point[0], point[1]).value;
                 return Ok(State::on_wall(recoil[0], recoil[1]));
             }
         }

@@ -20,95 +20,38 @@ pub(super) const MOST_PERIODS_IN_ALL: u64 = 200_000_000;
 /// Every key with its requirement; members of lists of tables without their number.
 const REQUIREMENTS: &[(&str, &str)] = &[
     ("oscillator", "the table [oscillator] holds zeta and epsilon"),
-    (
-        "oscillator.zeta",
-        "the damping ratio must lie strictly between 0 and 1",
-    ),
-    (
-        "oscillator.epsilon",
-        "the coefficient of restitution must lie above 0 and be at most 1",
-    ),
+    ("oscillator.zeta", "the damping ratio must lie strictly between 0 and 1"),
+    ("oscillator.epsilon", "the coefficient of restitution must lie above 0 and be at most 1"),
     ("fig02", "the table [fig02] says what Figure 2 shows"),
-    (
-        "fig02.frequency",
-        "the forcing frequency must be a positive number",
-    ),
-    (
-        "fig02.amplitude",
-        "the forcing amplitudes must be a range [lower, upper] with 0 <= lower < upper",
-    ),
-    (
-        "fig02.x",
-        "the x-values must be a range [lower, upper] with lower < upper",
-    ),
+    ("fig02.frequency", "the forcing frequency must be a positive number"),
+    ("fig02.amplitude", "the forcing amplitudes must be a range [lower, upper] with 0 <= lower < upper"),
+    ("fig02.x", "the x-values must be a range [lower, upper] with lower < upper"),
     ("fig02.loops", LOOPS),
-    (
-        "fig02.magnification",
-        "the table [fig02.magnification] holds amplitude and x",
-    ),
+    ("fig02.magnification", "the table [fig02.magnification] holds amplitude and x"),
     (
         "fig02.magnification.amplitude",
         "the magnified amplitudes must be a range [lower, upper] inside fig02.amplitude",
     ),
-    (
-        "fig02.magnification.x",
-        "the magnified x-values must be a range [lower, upper] inside fig02.x",
-    ),
-    (
-        "fig02.attractor",
-        "the table [fig02.attractor] holds amplitudes, orbits, transient, recorded and seed",
-    ),
-    (
-        "fig02.attractor.amplitudes",
-        "the number of amplitudes must be a whole number from 2 to 10000",
-    ),
-    (
-        "fig02.attractor.orbits",
-        "the number of orbits must be a whole number from 1 to 1000",
-    ),
-    (
-        "fig02.attractor.transient",
-        "the periods before recording must be a whole number from 0 to 1000000",
-    ),
-    (
-        "fig02.attractor.recorded",
-        "the recorded periods must be a whole number from 1 to 1000000",
-    ),
-    (
-        "fig02.attractor.seed",
-        "the seed must be a whole number that is not negative",
-    ),
-    (
-        "fig02.portraits",
-        "[[fig02.portraits]] must be one to six tables, one for each phase portrait",
-    ),
+    ("fig02.magnification.x", "the magnified x-values must be a range [lower, upper] inside fig02.x"),
+    ("fig02.attractor", "the table [fig02.attractor] holds amplitudes, orbits, transient, recorded and seed"),
+    ("fig02.attractor.amplitudes", "the number of amplitudes must be a whole number from 2 to 10000"),
+    ("fig02.attractor.orbits", "the number of orbits must be a whole number from 1 to 1000"),
+    ("fig02.attractor.transient", "the periods before recording must be a whole number from 0 to 1000000"),
+    ("fig02.attractor.recorded", "the recorded periods must be a whole number from 1 to 1000000"),
+    ("fig02.attractor.seed", "the seed must be a whole number that is not negative"),
+    ("fig02.portraits", "[[fig02.portraits]] must be one to six tables, one for each phase portrait"),
     (
         "fig02.portraits.loops",
         "the number of loops must be one of fig02.loops, or 0 for the non-impacting solution",
     ),
-    (
-        "fig02.portraits.amplitude",
-        "the forcing amplitude must lie inside fig02.amplitude",
-    ),
+    ("fig02.portraits.amplitude", "the forcing amplitude must lie inside fig02.amplitude"),
     ("fig07", "the table [fig07] says what Figure 7 shows"),
-    (
-        "fig07.amplitude",
-        "the forcing amplitudes must be a range [lower, upper] with 0 <= lower < upper",
-    ),
-    (
-        "fig07.frequency",
-        "the forcing frequencies must be a range [lower, upper] with 0 < lower < upper",
-    ),
+    ("fig07.amplitude", "the forcing amplitudes must be a range [lower, upper] with 0 <= lower < upper"),
+    ("fig07.frequency", "the forcing frequencies must be a range [lower, upper] with 0 < lower < upper"),
     ("fig07.loops", LOOPS),
     ("fig08", "the table [fig08] holds the panels of Figure 8"),
-    (
-        "fig08.panels",
-        "[[fig08.panels]] must be three tables, one for each magnification",
-    ),
-    (
-        "fig08.panels.loops",
-        "the number of loops must be one of fig07.loops",
-    ),
+    ("fig08.panels", "[[fig08.panels]] must be three tables, one for each magnification"),
+    ("fig08.panels.loops", "the number of loops must be one of fig07.loops"),
     (
         "fig08.panels.n",
         "the integer n of the resonance must be a whole number from 1 to 100, or 0 for two or more loops",
@@ -129,10 +72,10 @@ const LOOPS: &str =
 /// What the key must hold; the numbers of list members in the key do not matter.
 pub(super) fn requirement(key: &str) -> &'static str {
     let plain = without_numbers(key);
-    REQUIREMENTS.iter().find(|(known, _)| *known == plain).map_or(
-        "see figures/parameters.toml for what belongs here",
-        |(_, requirement)| requirement,
-    )
+    REQUIREMENTS
+        .iter()
+        .find(|(known, _)| *known == plain)
+        .map_or("see figures/parameters.toml for what belongs here", |(_, requirement)| requirement)
 }
 
 /// The keys that are known in a table, in the order of the file; the top level is the table with the empty name.
@@ -149,9 +92,7 @@ pub(super) fn known_keys(table: &str) -> Vec<&'static str> {
 
 /// `fig08.panels` for `fig08.panels[2]`.
 fn without_numbers(key: &str) -> String {
-    key.split('[')
-        .map(|part| part.split_once(']').map_or(part, |(_, rest)| rest))
-        .collect()
+    key.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
 }
 
 #[cfg(test)]
@@ -170,20 +111,13 @@ mod tests {
             ("fig02.attractor.recorded", MOST_PERIODS),
         ] {
             let told = format!(" to {limit}");
-            assert!(
-                requirement(key).contains(&told),
-                "{key}: `{told}` is not in: {}",
-                requirement(key)
-            );
+            assert!(requirement(key).contains(&told), "{key}: `{told}` is not in: {}", requirement(key));
         }
     }
 
     #[test]
     fn the_known_keys_of_a_table_are_its_own_only() {
         assert_eq!(known_keys(""), ["oscillator", "fig02", "fig07", "fig08"]);
-        assert_eq!(
-            known_keys("fig08.panels[3]"),
-            ["loops", "n", "amplitude", "frequency"]
-        );
+        assert_eq!(known_keys("fig08.panels[3]"), ["loops", "n", "amplitude", "frequency"]);
     }
 }

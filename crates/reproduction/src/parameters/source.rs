@@ -82,26 +82,14 @@ impl<'a> Source<'a> {
     fn explain(&self, error: &toml::de::Error, document: &DeTable<'_>) -> ParameterError {
         let span = error.span().unwrap_or(0..0);
         let path = path_in_table(document, span.start).unwrap_or_default();
-        let missing = error
-            .message()
-            .strip_prefix("missing field `")
-            .and_then(|rest| rest.strip_suffix('`'));
+        let missing = error.message().strip_prefix("missing field `").and_then(|rest| rest.strip_suffix('`'));
         let Some(name) = missing else {
             return self.forbid_at(&path, span, requirement(&path).to_owned());
         };
         let key = joined(&path, name);
-        let line = if path.is_empty() {
-            self.text.lines().count().max(1)
-        } else {
-            self.line(span.start)
-        };
+        let line = if path.is_empty() { self.text.lines().count().max(1) } else { self.line(span.start) };
         let allowed = requirement(&key).to_owned();
-        ParameterError::MissingKey {
-            file: self.file.to_owned(),
-            line,
-            key,
-            allowed,
-        }
+        ParameterError::MissingKey { file: self.file.to_owned(), line, key, allowed }
     }
 }
 
@@ -121,11 +109,7 @@ fn first_unknown_key(table: &DeTable<'_>, path: &str) -> Option<UnknownKey> {
         .filter_map(|(key, value)| {
             let name = key.get_ref().to_string();
             if !known.contains(&name.as_str()) {
-                return Some(UnknownKey {
-                    position: key.span().start,
-                    table: path.to_owned(),
-                    name,
-                });
+                return Some(UnknownKey { position: key.span().start, table: path.to_owned(), name });
             }
             let path = joined(path, &name);
             match value.get_ref() {
@@ -142,11 +126,7 @@ fn first_unknown_key(table: &DeTable<'_>, path: &str) -> Option<UnknownKey> {
 }
 
 fn joined(table: &str, name: &str) -> String {
-    if table.is_empty() {
-        name.to_owned()
-    } else {
-        format!("{table}.{name}")
-    }
+    if table.is_empty() { name.to_owned() } else { format!("{table}.{name}") }
 }
 
 /// The known name that is spelt most like `name`; the first of equals.

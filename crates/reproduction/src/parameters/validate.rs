@@ -19,33 +19,20 @@ type Checked<T> = Result<T, ParameterError>;
 
 /// Checks everything in the order of the file.
 pub(super) fn parameters(file: raw::File, source: &Source<'_>) -> Checked<Parameters> {
-    let zeta = demand(source, "oscillator.zeta", &file.oscillator.zeta, |zeta| {
-        0.0 < zeta && zeta < 1.0
+    let zeta = demand(source, "oscillator.zeta", &file.oscillator.zeta, |zeta| 0.0 < zeta && zeta < 1.0)?;
+    let epsilon = demand(source, "oscillator.epsilon", &file.oscillator.epsilon, |epsilon| {
+        0.0 < epsilon && epsilon <= 1.0
     })?;
-    let epsilon = demand(
-        source,
-        "oscillator.epsilon",
-        &file.oscillator.epsilon,
-        |epsilon| 0.0 < epsilon && epsilon <= 1.0,
-    )?;
     let oscillator = LinearOscillator::new(zeta, epsilon)
         .map_err(|error| source.forbid("oscillator.zeta", &file.oscillator.zeta, error.to_string()))?;
     let fig02 = figure2(&file.fig02, &oscillator, source)?;
     let fig07 = figure7(&file.fig07, &oscillator, source)?;
     let fig08 = figure8(&file.fig08, &fig07, &oscillator, source)?;
-    Ok(Parameters {
-        zeta,
-        epsilon,
-        fig02,
-        fig07,
-        fig08,
-    })
+    Ok(Parameters { zeta, epsilon, fig02, fig07, fig08 })
 }
 
 fn figure2(raw: &raw::Figure2, oscillator: &LinearOscillator, source: &Source<'_>) -> Checked<Figure2> {
-    let frequency = demand(source, "fig02.frequency", &raw.frequency, |frequency| {
-        frequency > 0.0
-    })?;
+    let frequency = demand(source, "fig02.frequency", &raw.frequency, |frequency| frequency > 0.0)?;
     let amplitude = range(source, "fig02.amplitude", &raw.amplitude, |lower| lower >= 0.0)?;
     let grazing = oscillator
         .grazing(frequency)
@@ -77,28 +64,14 @@ fn figure2(raw: &raw::Figure2, oscillator: &LinearOscillator, source: &Source<'_
         let shown = demand(source, &key, &portrait.loops, |p| p == 0 || loops.contains(&p))?;
         let key = format!("fig02.portraits[{number}].amplitude");
         let at = demand(source, &key, &portrait.amplitude, |a| amplitude.contains(a))?;
-        portraits.push(Portrait {
-            loops: shown,
-            amplitude: at,
-        });
+        portraits.push(Portrait { loops: shown, amplitude: at });
     }
-    Ok(Figure2 {
-        frequency,
-        amplitude,
-        x,
-        loops,
-        magnified_amplitude,
-        magnified_x,
-        attractor,
-        portraits,
-    })
+    Ok(Figure2 { frequency, amplitude, x, loops, magnified_amplitude, magnified_x, attractor, portraits })
 }
 
 fn attractor(raw: &raw::Attractor, source: &Source<'_>) -> Checked<Attractor> {
     let count = |key: &str, value: &Spanned<u32>, least: u32, most: u32| {
-        demand(source, &format!("fig02.attractor.{key}"), value, |count| {
-            least <= count && count <= most
-        })
+        demand(source, &format!("fig02.attractor.{key}"), value, |count| least <= count && count <= most)
     };
     let amplitudes = count("amplitudes", &raw.amplitudes, 2, MOST_AMPLITUDES)?;
     let orbits = count("orbits", &raw.orbits, 1, MOST_ORBITS)?;
@@ -112,13 +85,7 @@ fn attractor(raw: &raw::Attractor, source: &Source<'_>) -> Checked<Attractor> {
         );
         return Err(source.forbid("fig02.attractor.transient", &raw.transient, allowed));
     }
-    Ok(Attractor {
-        amplitudes,
-        orbits,
-        transient,
-        recorded,
-        seed: *raw.seed.get_ref(),
-    })
+    Ok(Attractor { amplitudes, orbits, transient, recorded, seed: *raw.seed.get_ref() })
 }
 
 fn figure7(raw: &raw::Figure7, oscillator: &LinearOscillator, source: &Source<'_>) -> Checked<Figure7> {
@@ -127,9 +94,7 @@ fn figure7(raw: &raw::Figure7, oscillator: &LinearOscillator, source: &Source<'_
     let window = Rectangle::new(amplitude, frequency);
     let loops = loops(source, "fig07.loops", &raw.loops)?;
     let refuse = |error: TheoryError| source.forbid("fig07.frequency", &raw.frequency, error.to_string());
-    let resonances = oscillator
-        .resonances(&loops, frequency.lower(), frequency.upper())
-        .map_err(refuse)?;
+    let resonances = oscillator.resonances(&loops, frequency.lower(), frequency.upper()).map_err(refuse)?;
     let inside: Vec<u32> = resonances
         .iter()
         .filter(|resonance| amplitude.contains(resonance.grazing().amplitude()))
@@ -176,20 +141,10 @@ fn figure8(
             .resonance(loops, n)
             .map_err(|_| source.forbid(&key("n"), &panel.n, requirement(&key("n")).to_owned()))?;
         let whole = fig07.window;
-        let amplitude = range_inside(
-            source,
-            &key("amplitude"),
-            &panel.amplitude,
-            "fig07.amplitude",
-            &whole.amplitude(),
-        )?;
-        let frequency = range_inside(
-            source,
-            &key("frequency"),
-            &panel.frequency,
-            "fig07.frequency",
-            &whole.frequency(),
-        )?;
+        let amplitude =
+            range_inside(source, &key("amplitude"), &panel.amplitude, "fig07.amplitude", &whole.amplitude())?;
+        let frequency =
+            range_inside(source, &key("frequency"), &panel.frequency, "fig07.frequency", &whole.frequency())?;
         let (a, omega) = (resonance.grazing().amplitude(), resonance.forcing_frequency());
         if !amplitude.strictly_contains(a) {
             let allowed =
@@ -202,11 +157,7 @@ fn figure8(
             );
             return Err(source.forbid(&key("frequency"), &panel.frequency, allowed));
         }
-        panels.push(Panel {
-            loops,
-            n,
-            window: Rectangle::new(amplitude, frequency),
-        });
+        panels.push(Panel { loops, n, window: Rectangle::new(amplitude, frequency) });
     }
     Ok(Figure8 { panels })
 }
@@ -254,11 +205,7 @@ fn range_inside(
     if outer.encloses(&inner) {
         return Ok(inner);
     }
-    let allowed = format!(
-        "the range must lie inside {outer_key} = [{}, {}]",
-        outer.lower(),
-        outer.upper()
-    );
+    let allowed = format!("the range must lie inside {outer_key} = [{}, {}]", outer.lower(), outer.upper());
     Err(source.forbid(key, value, allowed))
 }
 

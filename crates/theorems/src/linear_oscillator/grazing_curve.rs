@@ -105,10 +105,7 @@ impl GrazingState {
             -sine / (omega_1 * self.omega),
             cosine - skew,
         ) * self.decay(1);
-        LinearisedMap {
-            a,
-            b: Vector2::new(1.0 - a.m11, -a.m21) / self.amplitude(),
-        }
+        LinearisedMap { a, b: Vector2::new(1.0 - a.m11, -a.m21) / self.amplitude() }
     }
 
     /// The trace of `A`.

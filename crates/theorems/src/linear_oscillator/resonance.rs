@@ -25,20 +25,12 @@ impl Resonance {
         }
         let minimum = Self::smallest_index(loops);
         if index < minimum {
-            return Err(TheoryError::ResonanceIndex {
-                loops,
-                index,
-                minimum,
-            });
+            return Err(TheoryError::ResonanceIndex { loops, index, minimum });
         }
         let offset = if loops == 1 { 0.0 } else { 0.5 / f64::from(loops) };
         let ratio = f64::from(index) * Self::index_spacing(loops) + offset;
         let grazing = oscillator.grazing(oscillator.damped_natural_frequency() / ratio)?;
-        Ok(Self {
-            grazing,
-            loops,
-            index,
-        })
+        Ok(Self { grazing, loops, index })
     }
 
     /// The step of `omega_1 / omega` from one index to the next.
@@ -120,9 +112,7 @@ impl Resonance {
                 Rotation::HalfTurns => magnitude,
                 Rotation::WholeTurns => -magnitude,
             };
-            return Unfolding::OneLoop {
-                off_diagonal_derivative,
-            };
+            return Unfolding::OneLoop { off_diagonal_derivative };
         }
         let omega_1 = self.grazing.oscillator().damped_natural_frequency();
         let sine = libm::sin(PI / f64::from(self.loops));
@@ -142,14 +132,12 @@ impl Resonance {
     pub fn stability_coefficients(&self) -> StabilityCoefficients {
         let (lessened, raised) = (self.one_minus_rebound(), 1.0 + self.rebound());
         match self.rotation() {
-            Rotation::HalfTurns => StabilityCoefficients {
-                plus: -lessened * lessened,
-                minus: raised * raised,
-            },
-            Rotation::WholeTurns => StabilityCoefficients {
-                plus: -raised * raised,
-                minus: lessened * lessened,
-            },
+            Rotation::HalfTurns => {
+                StabilityCoefficients { plus: -lessened * lessened, minus: raised * raised }
+            }
+            Rotation::WholeTurns => {
+                StabilityCoefficients { plus: -raised * raised, minus: lessened * lessened }
+            }
         }
     }
 

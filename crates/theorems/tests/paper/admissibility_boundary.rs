@@ -90,10 +90,7 @@ fn boundary_exists_over_the_whole_range_of_doubles() {
     for p in [3_u32, 5, 200, 5000] {
         for delta in [f64::MIN_POSITIVE, 1e-200, 1e-20, 0.5, 1.0 - f64::EPSILON] {
             let scaled = boundary(p, delta) / (2.0 * delta.sqrt());
-            let (low, high) = (
-                libm::cos(2.0 * PI / f64::from(p)),
-                libm::cos(PI / (f64::from(p) - 1.0)),
-            );
+            let (low, high) = (libm::cos(2.0 * PI / f64::from(p)), libm::cos(PI / (f64::from(p) - 1.0)));
             // One unit in the last place on either side.
             assert!(
                 low - 2.3e-16 <= scaled && scaled <= high + 2.3e-16,
@@ -118,10 +115,7 @@ fn curves_accumulate_at_the_right_edge_of_the_complex_eigenvalues() {
 
 #[test]
 fn arguments_outside_the_domain_are_refused() {
-    assert_eq!(
-        admissibility_boundary(1, 0.5),
-        Err(TheoryError::TooFewLoops { loops: 1, minimum: 2 })
-    );
+    assert_eq!(admissibility_boundary(1, 0.5), Err(TheoryError::TooFewLoops { loops: 1, minimum: 2 }));
     for delta in [0.0, 1.0, -0.2, f64::INFINITY] {
         assert_eq!(
             admissibility_boundary(3, delta),

@@ -16,11 +16,7 @@ use super::{admissible, assert_close, assert_within, deterministic, trapesium};
 fn complex_eigenvalues(tau: f64, delta: f64) -> (Complex<f64>, Complex<f64>) {
     let discriminant = tau * tau - 4.0 * delta;
     let root = discriminant.abs().sqrt();
-    let root = if discriminant < 0.0 {
-        Complex::new(0.0, root)
-    } else {
-        Complex::new(root, 0.0)
-    };
+    let root = if discriminant < 0.0 { Complex::new(0.0, root) } else { Complex::new(root, 0.0) };
     ((root + tau) * 0.5, (-root + tau) * 0.5)
 }
 
@@ -39,10 +35,7 @@ struct Majorants {
 
 fn majorants(p: u32, tau: f64, delta: f64) -> Majorants {
     let (lambda_1, lambda_2) = complex_eigenvalues(tau, delta);
-    let (tau, delta) = (
-        lambda_1.norm() + lambda_2.norm(),
-        lambda_1.norm() * lambda_2.norm(),
-    );
+    let (tau, delta) = (lambda_1.norm() + lambda_2.norm(), lambda_1.norm() * lambda_2.norm());
     Majorants {
         s: lucas_sequence(p, tau, delta),
         t: lucas_partial_sum(p, tau, delta),
@@ -237,22 +230,10 @@ proptest! {
 #[test]
 fn short_sums_are_exact() {
     let (tau, delta) = (0.5, 0.25);
-    assert_eq!(
-        [0, 1, 2, 3].map(|j| lucas_sequence(j, tau, delta)),
-        [0.0, 1.0, tau, tau * tau - delta]
-    );
-    assert_eq!(
-        [0, 1, 2, 3].map(|p| lucas_partial_sum(p, tau, delta)),
-        [0.0, 0.0, 1.0, 1.0 + tau]
-    );
-    assert_eq!(
-        [0, 1, 2, 3].map(|p| admissibility_sum(p, tau, delta)),
-        [0.0, 0.0, 1.0, 1.0 + tau / delta]
-    );
-    assert_eq!(
-        [0, 1].map(|p| geometric_sum_determinant(p, tau, delta)),
-        [0.0, 1.0]
-    );
+    assert_eq!([0, 1, 2, 3].map(|j| lucas_sequence(j, tau, delta)), [0.0, 1.0, tau, tau * tau - delta]);
+    assert_eq!([0, 1, 2, 3].map(|p| lucas_partial_sum(p, tau, delta)), [0.0, 0.0, 1.0, 1.0 + tau]);
+    assert_eq!([0, 1, 2, 3].map(|p| admissibility_sum(p, tau, delta)), [0.0, 0.0, 1.0, 1.0 + tau / delta]);
+    assert_eq!([0, 1].map(|p| geometric_sum_determinant(p, tau, delta)), [0.0, 1.0]);
     // det(I + A) = 1 + tau + delta
     assert_eq!(geometric_sum_determinant(2, tau, delta), 1.0 + tau + delta);
 }

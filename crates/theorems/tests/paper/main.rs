@@ -46,41 +46,21 @@ fn admissible(loops: core::ops::RangeInclusive<u32>) -> impl Strategy<Value = (u
 
 /// First-order global maps with `(tau, delta)` in the trapesium and entries of order one.
 fn maps() -> impl Strategy<Value = LinearisedMap> {
-    (
-        trapesium(),
-        -1.5..1.5_f64,
-        0.2..2.0_f64,
-        proptest::bool::ANY,
-        -1.0..1.0_f64,
-        -1.0..1.0_f64,
-    )
-        .prop_map(|((tau, delta), a11, size, flip, b1, b2)| {
+    (trapesium(), -1.5..1.5_f64, 0.2..2.0_f64, proptest::bool::ANY, -1.0..1.0_f64, -1.0..1.0_f64).prop_map(
+        |((tau, delta), a11, size, flip, b1, b2)| {
             let a12 = if flip { -size } else { size };
             let a22 = tau - a11;
             let a21 = (a11 * a22 - delta) / a12;
-            LinearisedMap {
-                a: Matrix2::new(a11, a12, a21, a22),
-                b: Vector2::new(b1, b2),
-            }
-        })
+            LinearisedMap { a: Matrix2::new(a11, a12, a21, a22), b: Vector2::new(b1, b2) }
+        },
+    )
 }
 
 /// Grazing points with a map of [`maps`].
 fn grazing_points() -> impl Strategy<Value = GrazingPoint> {
-    (
-        maps(),
-        0.2..3.0_f64,
-        0.2..3.0_f64,
-        0.1..1.0_f64,
-        prop_or_zero(-0.5..0.5_f64),
+    (maps(), 0.2..3.0_f64, 0.2..3.0_f64, 0.1..1.0_f64, prop_or_zero(-0.5..0.5_f64)).prop_map(
+        |(map, forcing_frequency, gamma, phi, psi)| GrazingPoint { map, forcing_frequency, gamma, phi, psi },
     )
-        .prop_map(|(map, forcing_frequency, gamma, phi, psi)| GrazingPoint {
-            map,
-            forcing_frequency,
-            gamma,
-            phi,
-            psi,
-        })
 }
 
 /// A number from the range, or exactly zero.

@@ -18,11 +18,7 @@ impl<D: Number> Flow<D> {
     /// The amplitude at which the periodic solution grazes, plus `mu`.
     pub(crate) fn near_grazing(zeta: f64, omega: D, mu: D) -> Self {
         let amplitude = grazing_amplitude(zeta, omega) + mu;
-        Self {
-            zeta,
-            omega,
-            amplitude,
-        }
+        Self { zeta, omega, amplitude }
     }
 
     /// The periodic solution and its velocity.
@@ -31,10 +27,7 @@ impl<D: Number> Flow<D> {
         let gain = self.amplitude / (in_phase * in_phase + quadrature * quadrature);
         let (sine, cosine) = (self.omega * time).sin_cos();
         let position = gain * (in_phase * cosine + quadrature * sine) - 1.0;
-        (
-            position,
-            gain * self.omega * (quadrature * cosine - in_phase * sine),
-        )
+        (position, gain * self.omega * (quadrature * cosine - in_phase * sine))
     }
 
     /// Position and velocity a time `elapsed` after they were `start` at time `time`.
@@ -77,11 +70,7 @@ impl<D: Number> Flow<D> {
     /// `P_virt`, forwards for positive and backwards for negative velocity.
     pub(crate) fn virtual_maximum(&self, velocity: D, phase: D) -> (D, D) {
         // To leading order the extremum is velocity / gamma away, gamma = omega^2 at grazing.
-        self.extremum(
-            (D::from(0.0), velocity),
-            phase,
-            velocity / (self.omega * self.omega),
-        )
+        self.extremum((D::from(0.0), velocity), phase, velocity / (self.omega * self.omega))
     }
 }
 

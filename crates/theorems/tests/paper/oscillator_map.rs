@@ -12,21 +12,11 @@ use super::{assert_close, assert_within};
 
 /// Damping ratio and forcing frequency: weak and strong damping, below and above the natural frequency,
 /// resonant or not.
-const STATES: [(f64, f64); 7] = [
-    (0.03, 0.71),
-    (0.03, 1.4),
-    (0.1, 0.48),
-    (0.1, 1.9),
-    (0.35, 0.9),
-    (0.6, 1.1),
-    (0.9, 2.5),
-];
+const STATES: [(f64, f64); 7] =
+    [(0.03, 0.71), (0.03, 1.4), (0.1, 0.48), (0.1, 1.9), (0.35, 0.9), (0.6, 1.1), (0.9, 2.5)];
 
 fn state(zeta: f64, omega: f64) -> GrazingState {
-    LinearOscillator::new(zeta, 0.8)
-        .expect("valid")
-        .grazing(omega)
-        .expect("valid")
+    LinearOscillator::new(zeta, 0.8).expect("valid").grazing(omega).expect("valid")
 }
 
 #[test]
@@ -67,16 +57,8 @@ fn proposition_3_1_first_derivatives_of_the_return_map() {
         assert!((map.b - b).amax() < 1e-12, "{} and {b}", map.b);
         assert_within(state.trace(), a.trace(), 1e-13);
         assert_within(state.determinant(), a.determinant(), 1e-13);
-        assert_within(
-            state.transversality(),
-            map.transversality(),
-            1e-13 * (1.0 + map.b.amax()),
-        );
-        assert_within(
-            state.determinant(),
-            map.determinant(),
-            1e-15 * (1.0 + a.amax() * a.amax()),
-        );
+        assert_within(state.transversality(), map.transversality(), 1e-13 * (1.0 + map.b.amax()));
+        assert_within(state.determinant(), map.determinant(), 1e-15 * (1.0 + a.amax() * a.amax()));
         assert_close(state.decay(1) * state.decay(1), state.determinant(), 1e-15);
         assert_close(state.decay_complement(1), 1.0 - state.decay(1), 1e-14);
     }
@@ -121,8 +103,7 @@ fn unfolding_derivatives_are_those_along_the_grazing_curve() {
         // d/d omega of the (1, 2) entry of A, with the grazing phase z_graz(omega) followed.
         let entry = |shift: HyperDual64, omega: HyperDual64| {
             let flow = Flow::near_grazing(zeta, omega, HyperDual64::from(0.0));
-            flow.returned(1, HyperDual64::from(0.0), grazing_phase(zeta, omega) + shift)
-                .0
+            flow.returned(1, HyperDual64::from(0.0), grazing_phase(zeta, omega) + shift).0
         };
         let (_, off_diagonal, _, derivative) = second_partial_derivative(|(z, w)| entry(z, w), (0.0, omega));
         // Angles up to 13 radians, divided by omega twice.
@@ -158,10 +139,8 @@ fn f_p_is_the_derivative_along_the_grazing_curve_and_not_at_fixed_phase() {
             let flow = Flow::near_grazing(0.1, omega, HyperDual64::from(0.0));
             flow.returned(p, HyperDual64::from(0.0), z).0
         };
-        let (_, _, _, followed) = second_partial_derivative(
-            |(shift, w)| position(grazing_phase(0.1, w) + shift, w),
-            (0.0, omega),
-        );
+        let (_, _, _, followed) =
+            second_partial_derivative(|(shift, w)| position(grazing_phase(0.1, w) + shift, w), (0.0, omega));
         let (_, _, _, fixed) = second_partial_derivative(|(z, w)| position(z, w), (grazing.phase(), omega));
         let f_p = resonance.resonant_point().off_diagonal_slope();
         // Angles up to 50 radians, magnified by the derivative in omega.
@@ -186,10 +165,8 @@ fn virtual_maxima_have_errors_of_third_and_second_order() {
             let (y, z) = (size, state.phase() + 0.7 * size);
             let hat = flow.virtual_maximum(y, z);
             let start = flow.virtual_maximum(-epsilon * y, z);
-            let (hat_leading, start_leading) = (
-                point.virtual_map().apply(y, z),
-                point.virtual_map_after_reset().apply(y, z),
-            );
+            let (hat_leading, start_leading) =
+                (point.virtual_map().apply(y, z), point.virtual_map_after_reset().apply(y, z));
             [
                 hat.0 - hat_leading.x,
                 hat.1 - hat_leading.y,
@@ -214,10 +191,7 @@ fn virtual_maxima_have_errors_of_third_and_second_order() {
 fn frequencies_that_are_not_positive_are_refused() {
     let oscillator = LinearOscillator::new(0.1, 1.0).expect("valid");
     for omega in [0.0, -1.0, f64::INFINITY] {
-        assert_eq!(
-            oscillator.grazing(omega),
-            Err(TheoryError::ForcingFrequency { omega })
-        );
+        assert_eq!(oscillator.grazing(omega), Err(TheoryError::ForcingFrequency { omega }));
     }
     assert!(oscillator.grazing(f64::NAN).is_err());
 }
@@ -225,10 +199,7 @@ fn frequencies_that_are_not_positive_are_refused() {
 #[test]
 fn parameters_outside_their_intervals_are_refused() {
     for zeta in [0.0, 1.0, -0.1, f64::INFINITY] {
-        assert_eq!(
-            LinearOscillator::new(zeta, 0.5),
-            Err(TheoryError::DampingRatio { zeta })
-        );
+        assert_eq!(LinearOscillator::new(zeta, 0.5), Err(TheoryError::DampingRatio { zeta }));
     }
     for epsilon in [0.0, 1.000_001, -0.5] {
         let expected = TheoryError::CoefficientOfRestitution { epsilon };
@@ -237,9 +208,6 @@ fn parameters_outside_their_intervals_are_refused() {
     assert!(LinearOscillator::new(f64::NAN, 0.5).is_err());
     assert!(LinearOscillator::new(0.5, f64::NAN).is_err());
     let elastic = LinearOscillator::new(0.6, 1.0).expect("restitution 1 is allowed");
-    assert_eq!(
-        (elastic.damping_ratio(), elastic.coefficient_of_restitution()),
-        (0.6, 1.0)
-    );
+    assert_eq!((elastic.damping_ratio(), elastic.coefficient_of_restitution()), (0.6, 1.0));
     assert_close(elastic.damped_natural_frequency(), 0.8, 1e-16);
 }

@@ -20,9 +20,7 @@ fn resonances() -> impl Strategy<Value = Resonance> {
     // Stronger damping at these p and n makes E_p^2 underflow.
     (0.01..0.6_f64, 0.05..=1.0_f64, 1_u32..=6, 0_u32..=6).prop_map(|(zeta, epsilon, p, n)| {
         let oscillator = LinearOscillator::new(zeta, epsilon).expect("valid");
-        oscillator
-            .resonance(p, if p == 1 { n.max(1) } else { n })
-            .expect("valid")
+        oscillator.resonance(p, if p == 1 { n.max(1) } else { n }).expect("valid")
     })
 }
 
@@ -115,45 +113,30 @@ proptest! {
 fn resonance_frequencies_are_fractions_of_the_damped_natural_frequency() {
     // omega_1 = 0.8
     let oscillator = LinearOscillator::new(0.6, 0.85).expect("valid");
-    for (p, n, ratio) in [
-        (1, 1, 0.5),
-        (1, 2, 1.0),
-        (1, 7, 3.5),
-        (2, 0, 0.25),
-        (2, 1, 1.25),
-        (5, 3, 3.1),
-        (4, 2, 2.125),
-    ] {
+    for (p, n, ratio) in
+        [(1, 1, 0.5), (1, 2, 1.0), (1, 7, 3.5), (2, 0, 0.25), (2, 1, 1.25), (5, 3, 3.1), (4, 2, 2.125)]
+    {
         let resonance = oscillator.resonance(p, n).expect("valid");
         assert_eq!((resonance.loops(), resonance.index()), (p, n));
         assert_close(resonance.forcing_frequency(), 0.8 / ratio, 4e-16);
     }
-    assert_close(
-        oscillator.virtual_resonance_frequency(4, 2).expect("valid"),
-        0.8 / 1.875,
-        4e-16,
-    );
+    assert_close(oscillator.virtual_resonance_frequency(4, 2).expect("valid"), 0.8 / 1.875, 4e-16);
 }
 
 #[test]
 fn window_is_closed_at_both_ends() {
     let oscillator = LinearOscillator::new(0.05, 0.85).expect("valid");
-    let (low, high) = (
-        oscillator.resonance(3, 2).expect("valid"),
-        oscillator.resonance(1, 2).expect("valid"),
-    );
+    let (low, high) =
+        (oscillator.resonance(3, 2).expect("valid"), oscillator.resonance(1, 2).expect("valid"));
     let found = oscillator
         .resonances(&[1, 2, 3], low.forcing_frequency(), high.forcing_frequency())
         .expect("a window");
-    let names: Vec<(u32, u32)> = found
-        .iter()
-        .map(|resonance| (resonance.loops(), resonance.index()))
-        .collect();
+    let names: Vec<(u32, u32)> =
+        found.iter().map(|resonance| (resonance.loops(), resonance.index())).collect();
     // omega_1 / omega = 13/6, 2, 3/2, 5/4, 7/6, 1
     assert_eq!(names, [(3, 2), (1, 4), (1, 3), (2, 1), (3, 1), (1, 2)]);
-    let single = oscillator
-        .resonances(&[3], low.forcing_frequency(), low.forcing_frequency())
-        .expect("a window");
+    let single =
+        oscillator.resonances(&[3], low.forcing_frequency(), low.forcing_frequency()).expect("a window");
     assert_eq!(single, [low]);
     assert_eq!(oscillator.resonances(&[2], 0.81, 0.9), Ok(Vec::new()));
     assert_eq!(oscillator.resonances(&[], 0.1, 10.0), Ok(Vec::new()));
@@ -178,17 +161,10 @@ fn windows_and_indices_outside_the_domain_are_refused() {
             Err(TheoryError::TooManyResonances { loops: 2, .. })
         ));
     }
-    assert_eq!(
-        oscillator.resonance(0, 1),
-        Err(TheoryError::TooFewLoops { loops: 0, minimum: 1 })
-    );
+    assert_eq!(oscillator.resonance(0, 1), Err(TheoryError::TooFewLoops { loops: 0, minimum: 1 }));
     assert_eq!(
         oscillator.resonance(1, 0),
-        Err(TheoryError::ResonanceIndex {
-            loops: 1,
-            index: 0,
-            minimum: 1
-        })
+        Err(TheoryError::ResonanceIndex { loops: 1, index: 0, minimum: 1 })
     );
     assert_eq!(
         oscillator.virtual_resonance_frequency(1, 1),
@@ -196,11 +172,7 @@ fn windows_and_indices_outside_the_domain_are_refused() {
     );
     assert_eq!(
         oscillator.virtual_resonance_frequency(2, 0),
-        Err(TheoryError::ResonanceIndex {
-            loops: 2,
-            index: 0,
-            minimum: 1
-        })
+        Err(TheoryError::ResonanceIndex { loops: 2, index: 0, minimum: 1 })
     );
 }
 

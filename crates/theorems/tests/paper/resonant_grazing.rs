@@ -12,49 +12,25 @@ use grazing_theorems::{
 const TOLERANCE: f64 = 1e-12;
 
 fn point(a: Matrix2<f64>, unfolding: Unfolding) -> ResonantPoint {
-    let map = LinearisedMap {
-        a,
-        b: Vector2::new(0.7, 0.1),
-    };
-    let grazing = GrazingPoint {
-        map,
-        forcing_frequency: 1.2,
-        gamma: 0.8,
-        phi: 0.75,
-        psi: 0.0,
-    };
-    ResonantPoint {
-        grazing,
-        second_phase_derivative: 0.3,
-        unfolding,
-    }
+    let map = LinearisedMap { a, b: Vector2::new(0.7, 0.1) };
+    let grazing = GrazingPoint { map, forcing_frequency: 1.2, gamma: 0.8, phi: 0.75, psi: 0.0 };
+    ResonantPoint { grazing, second_phase_derivative: 0.3, unfolding }
 }
 
 /// a12 = 0, delta = 0.06, tau = 1/2.
 fn one_loop() -> ResonantPoint {
-    point(
-        Matrix2::new(0.3, 0.0, -0.5, 0.2),
-        Unfolding::OneLoop {
-            off_diagonal_derivative: 0.5,
-        },
-    )
+    point(Matrix2::new(0.3, 0.0, -0.5, 0.2), Unfolding::OneLoop { off_diagonal_derivative: 0.5 })
 }
 
 /// tau = 0 = g_2, delta = 0.16.
 fn two_loops() -> ResonantPoint {
-    let unfolding = Unfolding::MultiLoop {
-        loops: 2,
-        detuning_derivative: 0.5,
-    };
+    let unfolding = Unfolding::MultiLoop { loops: 2, detuning_derivative: 0.5 };
     point(Matrix2::new(-0.2, 0.4, -0.5, 0.2), unfolding)
 }
 
 fn violations(point: &ResonantPoint) -> Vec<Quantity> {
     let violated = ResonantGrazing::check(point, TOLERANCE).expect_err("a hypothesis is violated");
-    violated
-        .violated()
-        .map(|hypothesis| hypothesis.quantity)
-        .collect()
+    violated.violated().map(|hypothesis| hypothesis.quantity).collect()
 }
 
 fn with_grazing(base: ResonantPoint, change: impl Fn(&mut GrazingPoint)) -> ResonantPoint {
@@ -65,24 +41,17 @@ fn with_grazing(base: ResonantPoint, change: impl Fn(&mut GrazingPoint)) -> Reso
 
 #[test]
 fn hypotheses_are_kept_with_the_conclusion() {
-    for (base, theorem, loops) in [
-        (one_loop(), Theorem::ResonantOneLoop, 1),
-        (two_loops(), Theorem::ResonantMultiLoop, 2),
-    ] {
+    for (base, theorem, loops) in
+        [(one_loop(), Theorem::ResonantOneLoop, 1), (two_loops(), Theorem::ResonantMultiLoop, 2)]
+    {
         let unfolded = ResonantGrazing::check(&base, TOLERANCE).expect("the hypotheses hold");
         assert_eq!((unfolded.theorem(), unfolded.loops()), (theorem, loops));
         assert!(unfolded.hypotheses().iter().all(|hypothesis| hypothesis.holds()));
         assert_eq!(unfolded.branch(), base.branch_expansion());
         assert_eq!(unfolded.saddle_node().coefficient, base.saddle_node_coefficient());
-        assert_eq!(
-            unfolded.period_doubling().coefficient,
-            base.period_doubling_coefficient()
-        );
+        assert_eq!(unfolded.period_doubling().coefficient, base.period_doubling_coefficient());
         for curve in [unfolded.saddle_node(), unfolded.period_doubling()] {
-            assert_eq!(
-                curve.impact_velocity_slope > 0.0,
-                curve.eta_side == Side::Positive
-            );
+            assert_eq!(curve.impact_velocity_slope > 0.0, curve.eta_side == Side::Positive);
         }
     }
 }
@@ -94,73 +63,35 @@ fn each_violated_hypothesis_is_named_alone() {
             violations(&with_grazing(base, |grazing| grazing.forcing_frequency = -1.0)),
             [Quantity::ForcingFrequency]
         );
-        assert_eq!(
-            violations(&with_grazing(base, |grazing| grazing.gamma = -0.8)),
-            [Quantity::Deceleration]
-        );
-        assert_eq!(
-            violations(&with_grazing(base, |grazing| grazing.phi = -0.5)),
-            [Quantity::Restitution]
-        );
+        assert_eq!(violations(&with_grazing(base, |grazing| grazing.gamma = -0.8)), [Quantity::Deceleration]);
+        assert_eq!(violations(&with_grazing(base, |grazing| grazing.phi = -0.5)), [Quantity::Restitution]);
         let square_root = if base.loops() == 1 {
             Quantity::SquareRootFactor
         } else {
             Quantity::OffDiagonalTimesSquareRootFactor
         };
-        assert_eq!(
-            violations(&with_grazing(base, |grazing| grazing.psi = 4.0)),
-            [square_root]
-        );
+        assert_eq!(violations(&with_grazing(base, |grazing| grazing.psi = 4.0)), [square_root]);
         let still = violations(&with_grazing(base, |grazing| grazing.map.b = Vector2::zeros()));
         assert_eq!(still, [Quantity::Transversality]);
     }
     let one = |a11, a12, a21, a22| {
-        with_grazing(one_loop(), |grazing| {
-            grazing.map.a = Matrix2::new(a11, a12, a21, a22)
-        })
+        with_grazing(one_loop(), |grazing| grazing.map.a = Matrix2::new(a11, a12, a21, a22))
     };
     assert_eq!(violations(&one(-0.3, 0.0, -0.5, 0.2)), [Quantity::Determinant]);
-    assert_eq!(
-        violations(&one(2.0, 0.0, -0.5, 0.6)),
-        [Quantity::Contraction, Quantity::StabilityMargin]
-    );
-    assert_eq!(
-        violations(&one(-1.25, 0.0, -0.5, -0.5)),
-        [Quantity::StabilityMargin]
-    );
+    assert_eq!(violations(&one(2.0, 0.0, -0.5, 0.6)), [Quantity::Contraction, Quantity::StabilityMargin]);
+    assert_eq!(violations(&one(-1.25, 0.0, -0.5, -0.5)), [Quantity::StabilityMargin]);
     assert_eq!(violations(&one(0.3, 1e-9, -0.5, 0.2)), [Quantity::OffDiagonal]);
     let two = |a11, a12, a21, a22| {
-        with_grazing(two_loops(), |grazing| {
-            grazing.map.a = Matrix2::new(a11, a12, a21, a22)
-        })
+        with_grazing(two_loops(), |grazing| grazing.map.a = Matrix2::new(a11, a12, a21, a22))
     };
     assert_eq!(violations(&two(-0.2, 0.4, -2.9, 0.2)), [Quantity::Contraction]);
-    assert_eq!(
-        violations(&two(-0.2, -0.4, 0.5, 0.2)),
-        [Quantity::OffDiagonalTimesSquareRootFactor]
-    );
-    assert_eq!(
-        violations(&two(-0.2 + 1e-9, 0.4, -0.5, 0.2)),
-        [Quantity::Detuning]
-    );
-    let frozen = ResonantPoint {
-        unfolding: Unfolding::OneLoop {
-            off_diagonal_derivative: 0.0,
-        },
-        ..one_loop()
-    };
+    assert_eq!(violations(&two(-0.2, -0.4, 0.5, 0.2)), [Quantity::OffDiagonalTimesSquareRootFactor]);
+    assert_eq!(violations(&two(-0.2 + 1e-9, 0.4, -0.5, 0.2)), [Quantity::Detuning]);
+    let frozen =
+        ResonantPoint { unfolding: Unfolding::OneLoop { off_diagonal_derivative: 0.0 }, ..one_loop() };
     assert_eq!(violations(&frozen), [Quantity::OffDiagonalDerivative]);
-    let unfolding = Unfolding::MultiLoop {
-        loops: 2,
-        detuning_derivative: 0.0,
-    };
-    assert_eq!(
-        violations(&ResonantPoint {
-            unfolding,
-            ..two_loops()
-        }),
-        [Quantity::DetuningDerivative]
-    );
+    let unfolding = Unfolding::MultiLoop { loops: 2, detuning_derivative: 0.0 };
+    assert_eq!(violations(&ResonantPoint { unfolding, ..two_loops() }), [Quantity::DetuningDerivative]);
 }
 
 #[test]
@@ -173,38 +104,17 @@ fn vanishing_stability_coefficients_are_named() {
         grazing.forcing_frequency = 1.0;
         grazing.gamma = 1.0;
     });
-    let plus = ResonantPoint {
-        second_phase_derivative: 0.25,
-        ..base
-    };
-    assert_eq!(
-        violations(&plus),
-        [Quantity::Determinant, Quantity::SaddleNodeStability]
-    );
-    let minus = ResonantPoint {
-        second_phase_derivative: -0.25,
-        ..base
-    };
-    assert_eq!(
-        violations(&minus),
-        [Quantity::Determinant, Quantity::PeriodDoublingStability]
-    );
+    let plus = ResonantPoint { second_phase_derivative: 0.25, ..base };
+    assert_eq!(violations(&plus), [Quantity::Determinant, Quantity::SaddleNodeStability]);
+    let minus = ResonantPoint { second_phase_derivative: -0.25, ..base };
+    assert_eq!(violations(&minus), [Quantity::Determinant, Quantity::PeriodDoublingStability]);
 }
 
 #[test]
 fn theorem_for_many_loops_refuses_one_loop() {
     for loops in [0, 1] {
-        let unfolding = Unfolding::MultiLoop {
-            loops,
-            detuning_derivative: 0.5,
-        };
-        assert!(
-            violations(&ResonantPoint {
-                unfolding,
-                ..two_loops()
-            })
-            .contains(&Quantity::Loops)
-        );
+        let unfolding = Unfolding::MultiLoop { loops, detuning_derivative: 0.5 };
+        assert!(violations(&ResonantPoint { unfolding, ..two_loops() }).contains(&Quantity::Loops));
     }
 }
 
@@ -235,13 +145,9 @@ fn saddle_node_lies_on_the_side_where_the_generic_theorem_lets_the_unstable_solu
         let theorem =
             ResonantGrazing::check(&resonance.resonant_point(), TOLERANCE).expect("the hypotheses hold");
         let side = |eta: f64| {
-            let grazing = oscillator
-                .grazing(resonance.forcing_frequency() + eta)
-                .expect("a positive frequency");
-            GenericGrazing::check(&grazing.grazing_point(), p)
-                .expect("the hypotheses hold")
-                .side()
-                .signum()
+            let grazing =
+                oscillator.grazing(resonance.forcing_frequency() + eta).expect("a positive frequency");
+            GenericGrazing::check(&grazing.grazing_point(), p).expect("the hypotheses hold").side().signum()
         };
         let eta = 1e-3 * theorem.saddle_node().eta_side.signum();
         let fold = theorem.saddle_node().coefficient.signum();

@@ -114,17 +114,8 @@ proptest! {
 
 #[test]
 fn double_eigenvalue_of_a_jordan_block_is_exact() {
-    let map = LinearisedMap {
-        a: Matrix2::new(0.7, 0.3, 0.0, 0.7),
-        b: Vector2::zeros(),
-    };
-    assert_eq!(
-        map.eigenvalues(),
-        Eigenvalues::Real {
-            lambda_1: 0.7,
-            lambda_2: map.determinant() / 0.7
-        }
-    );
+    let map = LinearisedMap { a: Matrix2::new(0.7, 0.3, 0.0, 0.7), b: Vector2::zeros() };
+    assert_eq!(map.eigenvalues(), Eigenvalues::Real { lambda_1: 0.7, lambda_2: map.determinant() / 0.7 });
 }
 
 #[test]
@@ -145,25 +136,13 @@ fn small_eigenvalue_keeps_its_digits() {
 
 #[test]
 fn nilpotent_matrix_has_zero_eigenvalues() {
-    let map = LinearisedMap {
-        a: Matrix2::new(0.0, 1.0, 0.0, 0.0),
-        b: Vector2::zeros(),
-    };
-    assert_eq!(
-        map.eigenvalues(),
-        Eigenvalues::Real {
-            lambda_1: 0.0,
-            lambda_2: 0.0
-        }
-    );
+    let map = LinearisedMap { a: Matrix2::new(0.0, 1.0, 0.0, 0.0), b: Vector2::zeros() };
+    assert_eq!(map.eigenvalues(), Eigenvalues::Real { lambda_1: 0.0, lambda_2: 0.0 });
 }
 
 #[test]
 fn non_impacting_orbit_has_no_slope_at_a_unit_eigenvalue() {
-    let map = LinearisedMap {
-        a: Matrix2::new(1.0, 0.5, 0.0, 0.25),
-        b: Vector2::new(1.0, 1.0),
-    };
+    let map = LinearisedMap { a: Matrix2::new(1.0, 0.5, 0.0, 0.25), b: Vector2::new(1.0, 1.0) };
     let expected = TheoryError::UnitEigenvalue { determinant: 0.0 };
     assert_eq!(map.fixed_point_slope(), Err(expected));
     assert_eq!(map.fixed_point_position_slope(), Err(expected));
@@ -172,14 +151,7 @@ fn non_impacting_orbit_has_no_slope_at_a_unit_eigenvalue() {
 #[test]
 fn boundary_and_nan_are_outside_the_trapesium() {
     assert!(in_trapesium(0.0, 0.5));
-    for (tau, delta) in [
-        (1.5, 0.5),
-        (-1.5, 0.5),
-        (0.0, 1.0),
-        (0.0, 0.0),
-        (f64::NAN, 0.5),
-        (0.0, f64::NAN),
-    ] {
+    for (tau, delta) in [(1.5, 0.5), (-1.5, 0.5), (0.0, 1.0), (0.0, 0.0), (f64::NAN, 0.5), (0.0, f64::NAN)] {
         assert!(!in_trapesium(tau, delta), "({tau}, {delta})");
     }
 }

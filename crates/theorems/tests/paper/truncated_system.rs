@@ -37,10 +37,7 @@ impl TruncatedSystem {
                 + z * z * quadratic[2]
                 + z * mu * quadratic[3]
         };
-        [
-            row((a.m11, a.m12, b.x), self.quadratic[0]),
-            row((a.m21, a.m22, b.y), self.quadratic[1]),
-        ]
+        [row((a.m11, a.m12, b.x), self.quadratic[0]), row((a.m21, a.m22, b.y), self.quadratic[1])]
     }
 
     fn iterated<D: DualNumCopy + DualNum<Primitive = f64>>(
@@ -62,14 +59,8 @@ impl TruncatedSystem {
         eta: f64,
     ) -> ([D; 2], [D; 2]) {
         let (after_reset, hat) = (self.point.virtual_map_after_reset(), self.point.virtual_map());
-        let start = [
-            y * y * after_reset.x_coefficient,
-            z + y * after_reset.z_coefficient,
-        ];
-        (
-            self.iterated(p, start, mu, eta),
-            [y * y * hat.x_coefficient, z + y * hat.z_coefficient],
-        )
+        let start = [y * y * after_reset.x_coefficient, z + y * after_reset.z_coefficient];
+        (self.iterated(p, start, mu, eta), [y * y * hat.x_coefficient, z + y * hat.z_coefficient])
     }
 
     /// The VIVID function.
@@ -96,19 +87,12 @@ impl TruncatedSystem {
     pub(crate) fn resonant_point(&self, p: u32) -> ResonantPoint {
         let (_, _, second_phase_derivative) = second_derivative(
             |z: num_dual::Dual2_64| {
-                self.iterated(
-                    p,
-                    [num_dual::Dual2_64::from(0.0), z],
-                    num_dual::Dual2_64::from(0.0),
-                    0.0,
-                )[0]
+                self.iterated(p, [num_dual::Dual2_64::from(0.0), z], num_dual::Dual2_64::from(0.0), 0.0)[0]
             },
             0.0,
         );
         let unfolding = if p == 1 {
-            Unfolding::OneLoop {
-                off_diagonal_derivative: self.drift.m12,
-            }
+            Unfolding::OneLoop { off_diagonal_derivative: self.drift.m12 }
         } else {
             // kappa_p = tau - 2 sqrt(delta) cos(pi / p), with the cosine from the point itself, where kappa_p
             // = 0.
@@ -122,16 +106,9 @@ impl TruncatedSystem {
                 },
                 0.0,
             );
-            Unfolding::MultiLoop {
-                loops: p,
-                detuning_derivative,
-            }
+            Unfolding::MultiLoop { loops: p, detuning_derivative }
         };
-        ResonantPoint {
-            grazing: self.point,
-            second_phase_derivative,
-            unfolding,
-        }
+        ResonantPoint { grazing: self.point, second_phase_derivative, unfolding }
     }
 
     /// The solution with the given multiplier at `eta`, in the scaling `y = eta Y`, `z = eta Z`,
@@ -161,13 +138,8 @@ impl TruncatedSystem {
         guess: Vector2<f64>,
     ) -> Vector2<f64> {
         let solution = newton(Vector3::new(guess.x, guess.y, 0.0), |unknown| {
-            let vivid = self.vivid(
-                p,
-                size * velocity,
-                size * unknown.x,
-                size * size * unknown.y,
-                size * share,
-            );
+            let vivid =
+                self.vivid(p, size * velocity, size * unknown.x, size * size * unknown.y, size * share);
             Vector3::new(vivid.x / (size * size), vivid.y / size, unknown.z)
         });
         solution.xy()
@@ -183,10 +155,7 @@ fn newton(mut unknown: Vector3<f64>, residual: impl Fn(&Vector3<f64>) -> Vector3
             step[index] = STEP;
             (residual(&(unknown + step)) - residual(&(unknown - step))) / (2.0 * STEP)
         }));
-        let correction = jacobian
-            .lu()
-            .solve(&residual(&unknown))
-            .expect("a regular solution");
+        let correction = jacobian.lu().solve(&residual(&unknown)).expect("a regular solution");
         unknown -= correction;
         if correction.amax() <= 1e-12 * (1.0 + unknown.amax()) {
             return unknown;
@@ -211,10 +180,7 @@ pub(crate) fn multi_loop(p: u32, delta: f64, a11: f64, a12: f64) -> TruncatedSys
 fn system(a: Matrix2<f64>) -> TruncatedSystem {
     TruncatedSystem {
         point: GrazingPoint {
-            map: LinearisedMap {
-                a,
-                b: Vector2::new(0.7, -0.3),
-            },
+            map: LinearisedMap { a, b: Vector2::new(0.7, -0.3) },
             forcing_frequency: 1.3,
             gamma: 0.9,
             phi: 0.65,

@@ -71,16 +71,12 @@ fn bifurcation_curves_have_the_coefficients_and_directions_of_the_theorem() {
     for (p, system) in systems() {
         let point = system.resonant_point(p);
         let theorem = ResonantGrazing::check(&point, 1e-14).expect("the hypotheses hold");
-        for (curve, multiplier) in [
-            (theorem.saddle_node(), Multiplier::One),
-            (theorem.period_doubling(), Multiplier::MinusOne),
-        ] {
+        for (curve, multiplier) in
+            [(theorem.saddle_node(), Multiplier::One), (theorem.period_doubling(), Multiplier::MinusOne)]
+        {
             let side = curve.eta_side.signum();
-            let expected = Vector3::new(
-                curve.impact_velocity_slope,
-                curve.impact_phase_slope,
-                curve.coefficient,
-            );
+            let expected =
+                Vector3::new(curve.impact_velocity_slope, curve.impact_phase_slope, curve.coefficient);
             let values: Vec<[f64; 3]> = halvings(0.004)
                 .map(|eta| system.bifurcation(p, side * eta, multiplier, expected).into())
                 .collect();
@@ -105,18 +101,10 @@ fn wrong_sign_of_eta_makes_the_bifurcating_solution_virtual() {
     for (p, system) in systems() {
         let theorem = ResonantGrazing::check(&system.resonant_point(p), 1e-14).expect("the hypotheses hold");
         let curve = theorem.saddle_node();
-        let guess = Vector3::new(
-            curve.impact_velocity_slope,
-            curve.impact_phase_slope,
-            curve.coefficient,
-        );
+        let guess = Vector3::new(curve.impact_velocity_slope, curve.impact_phase_slope, curve.coefficient);
         let eta = -0.001 * curve.eta_side.signum();
         let solution = system.bifurcation(p, eta, Multiplier::One, guess);
-        assert!(
-            eta * solution.x < 0.0,
-            "p = {p}: impact velocity {}",
-            eta * solution.x
-        );
+        assert!(eta * solution.x < 0.0, "p = {p}: impact velocity {}", eta * solution.x);
         assert_eq!(curve.parameter(eta), None);
         assert_eq!(curve.parameter(-eta), Some(curve.coefficient * eta * eta));
         assert_eq!(curve.parameter(0.0), Some(0.0));
@@ -126,13 +114,8 @@ fn wrong_sign_of_eta_makes_the_bifurcating_solution_virtual() {
 /// The same resonance seen as one of one loop, of the p-th iterate of the global map.
 fn as_one_loop(point: &ResonantPoint) -> ResonantPoint {
     ResonantPoint {
-        grazing: GrazingPoint {
-            map: point.grazing.map.iterate(point.loops()),
-            ..point.grazing
-        },
-        unfolding: Unfolding::OneLoop {
-            off_diagonal_derivative: point.off_diagonal_slope(),
-        },
+        grazing: GrazingPoint { map: point.grazing.map.iterate(point.loops()), ..point.grazing },
+        unfolding: Unfolding::OneLoop { off_diagonal_derivative: point.off_diagonal_slope() },
         ..*point
     }
 }
@@ -209,11 +192,7 @@ fn slope_of_the_off_diagonal_entry_is_the_derivative_of_the_iterate() {
             map.a += system.drift * eta;
             map.iterate(p).a.m12
         };
-        assert_within(
-            point.off_diagonal_slope(),
-            (entry(step) - entry(-step)) / (2.0 * step),
-            1e-9,
-        );
+        assert_within(point.off_diagonal_slope(), (entry(step) - entry(-step)) / (2.0 * step), 1e-9);
     }
 }
 

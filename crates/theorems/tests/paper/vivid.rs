@@ -131,43 +131,19 @@ proptest! {
 
 #[test]
 fn resonant_point_has_no_orbit_that_is_linear_in_the_parameter() {
-    let map = LinearisedMap {
-        a: Matrix2::new(0.2, 0.4, -1.0, -0.2),
-        b: Vector2::new(0.5, 0.1),
-    };
-    let point = GrazingPoint {
-        map,
-        forcing_frequency: 1.0,
-        gamma: 1.0,
-        phi: 0.8,
-        psi: 0.0,
-    };
+    let map = LinearisedMap { a: Matrix2::new(0.2, 0.4, -1.0, -0.2), b: Vector2::new(0.5, 0.1) };
+    let point = GrazingPoint { map, forcing_frequency: 1.0, gamma: 1.0, phi: 0.8, psi: 0.0 };
     assert_eq!(point.map.trace(), 0.0);
-    assert_eq!(
-        point.emerging_orbit(2),
-        Err(TheoryError::SingularVividJacobian { determinant: 0.0 })
-    );
+    assert_eq!(point.emerging_orbit(2), Err(TheoryError::SingularVividJacobian { determinant: 0.0 }));
     assert!(point.emerging_orbit(1).is_ok());
     assert!(point.emerging_orbit(3).is_ok());
-    assert_eq!(
-        point.emerging_orbit(0),
-        Err(TheoryError::TooFewLoops { loops: 0, minimum: 1 })
-    );
+    assert_eq!(point.emerging_orbit(0), Err(TheoryError::TooFewLoops { loops: 0, minimum: 1 }));
 }
 
 #[test]
 fn impacts_that_take_no_time_have_alpha_one_plus_restitution() {
-    let map = LinearisedMap {
-        a: Matrix2::identity() * 0.5,
-        b: Vector2::zeros(),
-    };
-    let point = GrazingPoint {
-        map,
-        forcing_frequency: 2.0,
-        gamma: 3.0,
-        phi: 0.75,
-        psi: 0.0,
-    };
+    let map = LinearisedMap { a: Matrix2::identity() * 0.5, b: Vector2::zeros() };
+    let point = GrazingPoint { map, forcing_frequency: 2.0, gamma: 3.0, phi: 0.75, psi: 0.0 };
     assert_eq!(point.alpha(), 1.75);
     assert_eq!(GrazingPoint { psi: 0.5, ..point }.alpha(), 1.0);
 }

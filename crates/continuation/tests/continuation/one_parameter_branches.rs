@@ -1,0 +1,212 @@
+//! One-parameter branches: through grazing, through folds, with their events, and where VIVID ends.
+
+use grazing_continuation::arclength::{Continuation, StepControl};
+use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve};
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_model::LinearOscillator;
+
+use crate::hybrid::{assert_returns, attracts, impacts_early, simulated_multipliers};
+use crate::specimens::{EPSILON, OMEGA, ZETA, assert_vanishes, assert_within, at_grazing, branch, route};
+
+fn amplitude_branch(loops: u32, amplitudes: [f64; 2]) -> (LoopEquations<LinearOscillator>, Curve) {
+    let route = route(amplitudes, [0.1, 2.0], false);
+    branch([ZETA, EPSILON, OMEGA], loops, Formulation::Vivid, 1.0, &route)
+}
+
+fn event(curve: &Curve, condition: Condition) -> &Event {
+    let mut events = curve.events.iter().filter(|event| event.condition == condition);
+    let event = events.next().unwrap();
+    assert!(events.next().is_none(), "{condition:?} was expected once");
+    event
+}
+
+#[test]
+fn branches_cross_the_grazing_bifurcation_smoothly() {
+    for loops in 1..=5 {
+        let (grazing, oscillator) = at_grazing(ZETA, EPSILON, OMEGA);
+        let equations = LoopEquations::new(oscillator, loops, Formulation::Vivid);
+        let at = |y: f64| {
+            let start = Unknowns::new(y, grazing.phase(), grazing.amplitude(), OMEGA);
+            let conditions = [Condition::ImpactVelocity(y), Condition::Secondary(OMEGA)];
+            locate(&equations, conditions, start, &mut Memory::default()).ok()
+        };
+        // The third difference across y = 0 of a smooth curve is of third order. One of 𝒜(y) or z(y) that is only once
+        // differentiable at y = 0, with a term y|y|, would leave it of second order.
+        for coordinate in [1, 2] {
+            assert_vanishes(3.0, 1e-14, |size| {
+                let [a, b, c, d] =
+                    [at(-3.0 * size)?, at(-size)?, at(size)?, at(3.0 * size)?].map(|point| point[coordinate]);
+                Some(d - 3.0 * c + 3.0 * b - a)
+            });
+        }
+    }
+}
+
+#[test]
+fn the_engine_walks_from_impacting_to_virtual_solutions() {
+    for loops in 1..=3 {
+        let (equations, curve) = amplitude_branch(loops, [0.2, 0.4]);
+        let CurvePoint { solution, memory } = &curve.points[8];
+        let branch = MpsCurve { equations, condition: Condition::Secondary(OMEGA) };
+        let down = Unknowns::new(-1.0, 0.0, 0.0, 0.0);
+        let mut walker =
+            Continuation::new(&branch, StepControl::DRAWING, solution.unknowns, down, memory.clone())
+                .unwrap();
+        let mut before = walker.here().clone();
+        while before.point[0] > -solution.impact_velocity() {
+            let after = walker.advance().unwrap().clone();
+            assert!(after.point[0] < before.point[0], "the velocity must fall all the way");
+            // The control's own bound: no kink at y = 0.
+            let angle = libm::acos(after.tangent.dot(&before.tangent).min(1.0));
+            assert!(angle <= 3.0 * StepControl::DRAWING.turn + 1e-6);
+            before = after;
+        }
+        // On the other side the solution is virtual.
+        let virtual_solution = branch.equations.solution(&before.point).0;
+        assert!(!virtual_solution.admissible());
+    }
+}
+
+#[test]
+fn every_admissible_point_of_a_branch_is_an_orbit_of_the_hybrid_system() {
+    for loops in 1..=5 {
+        let (equations, curve) = amplitude_branch(loops, [0.1, 0.7]);
+        assert!(matches!(curve.end, CurveEnd::LeftWindow), "{:?}", curve.end);
+        let mut checked = 0;
+        for CurvePoint { solution, .. } in &curve.points {
+            if solution.impact_velocity() < 5e-3 || solution.ceiling() > -1e-4 {
+                continue;
+            }
+            let oscillator = equations.oscillator_at(&solution.unknowns);
+            assert_returns(&oscillator, solution);
+            // As on the two-parameter curves; where the solution is very unstable, the displaced orbits go astray.
+            let step = (1e-3 * solution.impact_velocity() * solution.impact_velocity()).min(1e-6);
+            let multipliers = solution.multipliers;
+            let scale = 1.0 + multipliers.trace.abs();
+            let simulated = simulated_multipliers(&oscillator, solution, step).unwrap();
+            assert_within(simulated.trace, multipliers.trace, 1e-5 * scale);
+            assert_within(simulated.determinant, multipliers.determinant, 1e-5 * scale);
+            checked += 1;
+        }
+        assert!(checked > 5, "p = {loops}: {checked}");
+    }
+}
+
+#[test]
+fn no_admissible_orbit_is_called_inadmissible() {
+    // Where the ceiling is above the wall, the simulated orbit meets the wall before p periods are over.
+    let mut checked = 0;
+    for loops in 2..=5 {
+        let (equations, curve) = amplitude_branch(loops, [0.1, 0.7]);
+        for CurvePoint { solution, .. } in &curve.points {
+            if solution.impact_velocity() > 1e-3 && solution.ceiling() > 1e-9 {
+                let oscillator = equations.oscillator_at(&solution.unknowns);
+                assert!(!solution.admissible());
+                assert!(impacts_early(&oscillator, solution), "p = {loops}: {solution:?}");
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 50, "{checked}");
+}
+
+/// The MPSs of a branch a little before and a little after an event.
+fn around<'a>(curve: &'a Curve, event: &Event) -> [&'a CurvePoint; 2] {
+    let distance = |point: &CurvePoint| (point.solution.unknowns - event.solution.unknowns).norm();
+    let before = curve.points[..event.index].iter().rev().find(|point| distance(point) > 0.01);
+    let after = curve.points[event.index..].iter().find(|point| distance(point) > 0.01);
+    [before.unwrap(), after.unwrap()]
+}
+
+/// Whether the MPS of a point attracts simulated orbits.
+fn attracting(equations: &LoopEquations<LinearOscillator>, CurvePoint { solution, .. }: &CurvePoint) -> bool {
+    attracts(&equations.oscillator_at(&solution.unknowns), solution)
+}
+
+#[test]
+fn three_loop_orbit_gains_stability_at_a_fold_left_of_grazing() {
+    let (equations, curve) = amplitude_branch(3, [0.2, 0.4]);
+    let fold = event(&curve, Condition::SADDLE_NODE);
+    let (grazing, _) = at_grazing(ZETA, EPSILON, OMEGA);
+    assert!(fold.solution.unknowns[2] < grazing.amplitude());
+    assert!(fold.solution.admissible());
+    // It is the least amplitude on the branch, to rounding and the square of the distance to the next point.
+    let least = curve.points.iter().map(|point| point.solution.unknowns[2]).fold(f64::INFINITY, f64::min);
+    assert!(least >= fold.solution.unknowns[2] - 1e-14);
+    let [before, after] = around(&curve, fold);
+    assert!(!before.solution.stable() && !attracting(&equations, before));
+    assert!(after.solution.stable() && attracting(&equations, after));
+}
+
+#[test]
+fn two_loop_orbit_gains_stability_at_a_period_doubling_right_of_grazing() {
+    let (equations, curve) = amplitude_branch(2, [0.2, 0.4]);
+    let doubling = event(&curve, Condition::PERIOD_DOUBLING);
+    let (grazing, _) = at_grazing(ZETA, EPSILON, OMEGA);
+    assert!(doubling.solution.unknowns[2] > grazing.amplitude());
+    assert!(doubling.solution.admissible());
+    let [before, after] = around(&curve, doubling);
+    assert!(!before.solution.stable() && !attracting(&equations, before));
+    assert!(after.solution.stable() && attracting(&equations, after));
+}
+
+#[test]
+fn three_loop_orbit_is_destroyed_at_a_grazing_bifurcation() {
+    let (equations, curve) = amplitude_branch(3, [0.2, 0.4]);
+    let graze = event(&curve, Condition::InteriorGrazing);
+    assert_within(graze.solution.ceiling(), 0.0, 1e-13);
+    let [before, after] = around(&curve, graze);
+    assert!(before.solution.admissible() && attracting(&equations, before));
+    // Beyond, the continued solution is none of the hybrid system: an extra impact comes within the first period.
+    assert!(!after.solution.admissible() && !attracting(&equations, after));
+}
+
+#[test]
+fn one_loop_branch_outlives_the_virtual_points() {
+    const FREQUENCY: f64 = 0.45;
+    let route = route([0.3, 1.3], [0.1, 2.0], false);
+    let (equations, curve) = branch([ZETA, EPSILON, FREQUENCY], 1, Formulation::Vivid, 1.0, &route);
+    assert!(matches!(curve.end, CurveEnd::LeftWindow), "{:?}", curve.end);
+    println!(
+        "{:?} {:?}",
+        curve.points.len(),
+        curve
+            .points
+            .iter()
+            .map(|p| (p.solution.unknowns[2], p.solution.unknowns[0]))
+            .step_by(5)
+            .collect::<Vec<_>>()
+    );
+    let ended = curve.vivid_ended.expect("VIVID ends on this branch");
+    let last = curve.points.last().unwrap().solution;
+    assert_within(last.unknowns[2], 1.3, 1e-12);
+    println!(
+        "{ended} of {} {:?} {:?}",
+        curve.points.len(),
+        curve.points[ended].solution.unknowns,
+        last.unknowns
+    );
+    let mut checked = 0;
+    for CurvePoint { solution, .. } in &curve.points[ended..] {
+        let oscillator = equations.oscillator_at(&solution.unknowns);
+        if solution.ceiling() < -1e-4 {
+            assert_returns(&oscillator, solution);
+            let simulated = simulated_multipliers(&oscillator, solution, 1e-7).unwrap();
+            let scale = 1.0 + solution.multipliers.trace.abs();
+            assert_within(simulated.trace, solution.multipliers.trace, 1e-5 * scale);
+            checked += 1;
+        }
+    }
+    println!("checked {checked}");
+    // The change of formulation leaves no trace in the curve: neighbouring points are no farther apart than elsewhere.
+    for pair in curve.points.windows(2) {
+        let step = (pair[1].solution.unknowns - pair[0].solution.unknowns).norm();
+        assert!(step <= route.control.longest * 1.01);
+    }
+    // The whole branch without virtual points is the same curve.
+    let (_, other) = branch([ZETA, EPSILON, FREQUENCY], 1, Formulation::FixedPhase, 1.0, &route);
+    assert!(matches!(other.end, CurveEnd::LeftWindow));
+    let other = other.points.last().unwrap().solution;
+    assert_within((other.unknowns - last.unknowns).norm(), 0.0, 1e-11);
+}
