@@ -196,7 +196,7 @@ pub fn to_phase<O: ImpactOscillator, const ORDER: usize>(
 }
 
 /// A step of Halley's method this short is the last: its error is of third order, far below rounding.
-const LAST_STEP: f64 = 1e-6;
+const LAST_STEP: f64 = 1e-5;
 
 /// Newton's method for P_virt⁻¹ ends at this fraction of the evolution time (a few units in the last place).
 const TIME_TOLERANCE: f64 = 4.0 * f64::EPSILON;

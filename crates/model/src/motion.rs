@@ -29,13 +29,16 @@ pub struct Bounds {
     pub snap: f64,
 }
 
-/// A motion seen at one time of a [`walk`](Motion::walk): the position at once, the rest when it is asked for.
-pub trait Sample: Copy {
+/// A walk along a motion in equal strides: the position at once, the derivatives when they are asked for.
+pub trait Walk: Copy {
     /// x.
     fn position(&self) -> f64;
 
     /// x and its derivatives.
     fn kinematics(&self) -> Kinematics;
+
+    /// Goes on by one stride.
+    fn advance(&mut self);
 }
 
 /// A smooth motion x(t), t being the time since it began.
@@ -49,8 +52,8 @@ pub trait Motion {
     /// Spacing h of [`walk`](Self::walk).
     fn stride(&self) -> f64;
 
-    /// The motion at the times 0, h, 2h, …, without end.
-    fn walk(&self) -> impl Iterator<Item = impl Sample>;
+    /// A walk through the times 0, h, 2h, …, standing at 0.
+    fn walk(&self) -> impl Walk;
 }
 
 /// A local maximum of x(t).
@@ -209,26 +212,31 @@ fn cells_above(
     let stride = motion.stride();
     // Positions at both ends below this rule the cell out: |x − chord| ≤ h²/8 · max|ẍ|.
     let relevant = level - stride * stride / 8.0 * bounds.acceleration;
+    let whole_cells = libm::floor(horizon / stride);
     let mut walk = motion.walk();
-    let mut first = walk.next();
-    let mut index = 0.0;
+    let (mut index, mut position) = (0.0, walk.position());
+    // The derivatives at the point where the walk stands, if the cell before needed them.
+    let mut known: Option<Kinematics> = None;
     core::iter::from_fn(move || {
-        loop {
-            let start = index * stride;
-            if start >= horizon {
-                return None;
+        while index < whole_cells {
+            let (start, before, here) = (index * stride, position, walk);
+            walk.advance();
+            (index, position) = (index + 1.0, walk.position());
+            if before.max(position) >= relevant {
+                let first = known.unwrap_or_else(|| here.kinematics());
+                let last = walk.kinematics();
+                known = Some(last);
+                return Some(Cell { start, first, end: index * stride, last });
             }
-            index += 1.0;
-            let (here, next) = (first?, walk.next()?);
-            first = Some(next);
-            if here.position().max(next.position()) < relevant && index * stride <= horizon {
-                continue;
-            }
-            let whole = index * stride <= horizon;
-            let (end, last) =
-                if whole { (index * stride, next.kinematics()) } else { (horizon, motion.at(horizon)) };
-            return Some(Cell { start, first: here.kinematics(), end, last });
+            known = None;
         }
+        let start = index * stride;
+        // The rest of the time, shorter than a stride, comes last.
+        (index == whole_cells && start < horizon).then(|| {
+            index += 1.0;
+            let first = known.unwrap_or_else(|| walk.kinematics());
+            Cell { start, first, end: horizon, last: motion.at(horizon) }
+        })
     })
 }
 
