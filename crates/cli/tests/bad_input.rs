@@ -117,9 +117,12 @@ fn every_bad_command_line_is_refused() {
     snapshots().bind(|| insta::assert_snapshot!("messages_for_bad_command_lines", transcript));
 }
 
+/// The path that the message names, and what puts an obstacle there.
+type Obstacle = (&'static str, fn(&Path));
+
 #[test]
 fn a_place_that_cannot_be_written_is_found_before_anything_is_computed() {
-    let obstacles: [(&str, fn(&Path)); 3] = [
+    let obstacles: [Obstacle; 3] = [
         ("out", |out| fs::write(out, "").expect("the folder is ours")),
         ("out/data", |out| {
             fs::create_dir(out).expect("the folder is ours");

@@ -1,2 +1,121 @@
-//! placeholder
-fn main() {}
+//! Continuation of MPSs: time per point of a branch and of a bifurcation curve.
+//!
+//! A point is a converged one with its multipliers and its admissibility over the whole orbit; events and the ends of the
+//! curve are located along the way.
+
+use core::hint::black_box;
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::LinearOscillator;
+
+fn main() {
+    divan::main();
+}
+
+const ZETA: f64 = 0.02;
+const EPSILON: f64 = 0.9;
+
+/// A curve that is ready to be followed.
+struct Start {
+    curve: MpsCurve<LinearOscillator>,
+    point: Unknowns,
+    direction: Unknowns,
+    route: Route,
+}
+
+impl Start {
+    fn follow(&self) -> Curve {
+        let Self { curve, point, direction, route } = self;
+        curve.clone().follow(*point, *direction, Memory::default(), route).unwrap()
+    }
+
+    /// One item is one point of the curve.
+    fn bench(&self, bencher: Bencher<'_, '_>) {
+        let points = self.follow().points.len();
+        bencher.counter(ItemsCount::new(points)).bench(|| black_box(self).follow());
+    }
+}
+
+fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events: bool) -> Route {
+    Route {
+        window: Window { primary: amplitudes, secondary: frequencies },
+        control: StepControl::DRAWING,
+        step_limit: 20_000,
+        stop_at_events,
+    }
+}
+
+/// The number of loops p.
+struct Loops(u32);
+
+impl core::fmt::Display for Loops {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "p = {}", self.0)
+    }
+}
+
+/// The n-th resonance of p-loop MPSs.
+#[derive(Clone, Copy)]
+struct Place {
+    p: u32,
+    n: u32,
+}
+
+impl core::fmt::Display for Place {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "p = {}, n = {}", self.p, self.n)
+    }
+}
+
+/// The branch of p-loop MPSs at ω = 0.854 from the grazing bifurcation on, for amplitudes from 0.2 to 0.6.
+#[divan::bench(args = [Loops(1), Loops(2), Loops(3)])]
+fn point_of_a_one_parameter_branch(bencher: Bencher<'_, '_>, &Loops(p): &Loops) {
+    const OMEGA: f64 = 0.854;
+    let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
+    let grazing = theory.grazing(OMEGA).unwrap();
+    let oscillator = LinearOscillator::new(ZETA, EPSILON, grazing.amplitude(), OMEGA).unwrap();
+    let start = Start {
+        curve: MpsCurve {
+            equations: LoopEquations::new(oscillator, p, Formulation::Vivid),
+            condition: Condition::Secondary(OMEGA),
+        },
+        point: Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), OMEGA),
+        direction: Unknowns::new(1.0, 0.0, 0.0, 0.0),
+        route: route([0.2, 0.6], [0.5, 1.5], false),
+    };
+    start.bench(bencher);
+}
+
+/// A bifurcation curve from a resonance to its end.
+fn from_resonance(Place { p, n }: Place, condition: Condition) -> Start {
+    let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
+    let grazing = theory.resonance(p, n).unwrap().grazing();
+    let (amplitude, omega) = (grazing.amplitude(), grazing.forcing_frequency());
+    let oscillator = LinearOscillator::new(ZETA, EPSILON, amplitude, omega).unwrap();
+    let resonance = ResonantGrazingPoint::find(&oscillator, p, grazing.phase()).unwrap();
+    Start {
+        curve: MpsCurve { equations: resonance.equations().clone(), condition },
+        point: resonance.unknowns(),
+        direction: resonance.direction(condition),
+        route: route([0.0, 1.3], [0.35, 1.02], true),
+    }
+}
+
+/// The resonances with the largest regions of p = 1, 2, 3.
+const RESONANCES: [Place; 3] = [Place { p: 1, n: 3 }, Place { p: 2, n: 1 }, Place { p: 3, n: 1 }];
+
+#[divan::bench(args = RESONANCES)]
+fn point_of_a_saddle_node_curve(bencher: Bencher<'_, '_>, resonance: &Place) {
+    from_resonance(*resonance, Condition::SADDLE_NODE).bench(bencher);
+}
+
+#[divan::bench(args = RESONANCES)]
+fn point_of_a_period_doubling_curve(bencher: Bencher<'_, '_>, resonance: &Place) {
+    from_resonance(*resonance, Condition::PERIOD_DOUBLING).bench(bencher);
+}

@@ -116,3 +116,41 @@ pub(crate) fn attracts(oscillator: &LinearOscillator, solution: &MaximalPeriodic
     }
     panic!("undecided after 10 000 returns: {displacement}");
 }
+
+/// The map from impact to impact over p loops with the wall ignored in between, as (y, z) relative to the MPS.
+fn unhindered_return(
+    oscillator: &LinearOscillator,
+    solution: &MaximalPeriodicSolution,
+    displacement: Vector2<f64>,
+) -> Vector2<f64> {
+    let from = Vector2::new(solution.unknowns[0], solution.unknowns[1]) + displacement;
+    let reset = oscillator.reset::<1>(from[0], from[1]).value;
+    let motion = oscillator.motion(State::on_wall(reset[0], reset[1]));
+    let period = duration(oscillator, solution);
+    let mut time = period;
+    for _ in 0..8 {
+        let here = motion.at(time);
+        time -= here.position / here.velocity;
+    }
+    let lag = oscillator.frequency() * (time - period);
+    Vector2::new(motion.at(time).velocity - solution.unknowns[0], displacement[1] + lag)
+}
+
+/// Fails unless a zero of the equations comes back to its impact after p forcing periods with the wall ignored in between,
+/// with the right trace and determinant of the derivative of this return.
+///
+/// For solutions that are not admissible, and so none of the hybrid system.
+#[track_caller]
+pub(crate) fn assert_returns_unhindered(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) {
+    const H: f64 = 1e-6;
+    assert_within(unhindered_return(oscillator, solution, Vector2::zeros()).norm(), 0.0, 1e-11);
+    let column = |direction: Vector2<f64>| {
+        let ahead = unhindered_return(oscillator, solution, direction * H);
+        (ahead - unhindered_return(oscillator, solution, -direction * H)) / (2.0 * H)
+    };
+    let derivative = Matrix2::from_columns(&[column(Vector2::x()), column(Vector2::y())]);
+    // Impact velocities are above 0.05: (H/y²)² and 10⁻¹⁴/(H y).
+    let scale = 1.0 + solution.multipliers.trace.abs();
+    assert_within(derivative.trace(), solution.multipliers.trace, 1e-6 * scale);
+    assert_within(derivative.determinant(), solution.multipliers.determinant, 1e-6 * scale);
+}

@@ -4,7 +4,6 @@
 
 mod arclength;
 mod closed_forms;
-mod explore;
 mod formulations;
 mod generic_grazing;
 mod hybrid;

@@ -94,7 +94,8 @@ pub(crate) fn order([coarse, fine]: [f64; 2]) -> f64 {
 /// Fails unless an error vanishes with at least the stated order in a size.
 ///
 /// The sizes fall by halves from 2⁻⁷ to 2⁻²⁰. The order is read off the two smallest at which the error, where there is
-/// one, still stands a hundredfold above its `rounding`, with slack for the next order there; an error that never does is none.
+/// one, still stands a hundredfold above its `rounding`, with slack for the next order there (much for p = 1 and even n, where s⁻ is small);
+/// an error that never does is none.
 #[track_caller]
 pub(crate) fn assert_vanishes(stated: f64, rounding: f64, error: impl Fn(f64) -> Option<f64>) {
     let mut size = libm::exp2(-7.0);
@@ -105,7 +106,7 @@ pub(crate) fn assert_vanishes(stated: f64, rounding: f64, error: impl Fn(f64) ->
     }
     if let [.., coarse, fine] = resolved[..] {
         let observed = order([coarse, fine]);
-        assert!(observed > stated - 0.15, "order {observed} instead of {stated}: {resolved:?}");
+        assert!(observed > stated - 0.3, "order {observed} instead of {stated}: {resolved:?}");
     }
 }
 

@@ -86,17 +86,15 @@ fn impact_velocity_and_phase_of_the_emerging_orbit_have_the_printed_slopes() {
             let (grazing, equations) = vivid(place, loops);
             let slopes = grazing.grazing_point().emerging_orbit(loops).unwrap();
             for side in [1.0, -1.0] {
-                // y = 2·10⁻⁴ is less than a tenth of the velocity at which the nearest branch, p = 3 at ω = 0.854, folds.
+                // y = 2·10⁻⁴ is far below the velocity at which the branch nearest to a resonance, p = 3 at ω = 0.854, folds.
                 let mu = small_parameter(&grazing, loops, side * 2e-4);
-                let errors = [mu, 0.5 * mu].map(|mu| {
+                let [coarse, fine] = [mu, 0.5 * mu].map(|mu| {
                     let zero = zero_at(&grazing, &equations, mu);
                     let phase = zero[1] - grazing.phase();
                     [zero[0] - slopes.impact_velocity_slope * mu, phase - slopes.impact_phase_slope * mu]
                 });
-                for component in 0..2 {
-                    let observed = order([errors[0][component], errors[1][component]]);
-                    assert_within(observed, 2.0, 0.1);
-                }
+                assert_within(order([coarse[0], fine[0]]), 2.0, 0.1);
+                assert_within(order([coarse[1], fine[1]]), 2.0, 0.1);
             }
         }
     }
