@@ -82,8 +82,8 @@ pub struct Continuation<'a, const N: usize, C: CurveEquations<N>> {
     control: StepControl,
     here: Station<N, C::Memory>,
     step: f64,
-    /// Change of the tangent per length on the way to the last point.
-    curvature: SVector<f64, N>,
+    /// The point before the last and its tangent.
+    past: Option<(SVector<f64, N>, SVector<f64, N>)>,
 }
 
 /// A new station and the angle by which the tangent turned on the way.
@@ -116,7 +116,7 @@ where
             .ok_or(stall(NewtonFailure::Singular { iteration: 1, residual }))?;
         equations.settle(&start, &mut memory);
         let here = Station { point: start, tangent, memory };
-        Ok(Self { equations, control, here, step: control.first, curvature: SVector::zeros() })
+        Ok(Self { equations, control, here, step: control.first, past: None })
     }
 
     /// The last point found.
@@ -135,7 +135,7 @@ where
                     if angle <= 3.0 * self.control.turn || self.step < 4.0 * self.control.shortest =>
                 {
                     let growth = (self.control.turn / angle.max(1e-12)).clamp(0.5, 1.6);
-                    self.curvature = (next.tangent - self.here.tangent) / self.step;
+                    self.past = Some((self.here.point, self.here.tangent));
                     self.step = (self.step * growth).min(self.control.longest);
                     self.here = next;
                     return Ok(&self.here);
@@ -152,12 +152,24 @@ where
         }
     }
 
+    /// The cubic through the last two points with their tangents, extrapolated to the plane that the corrector works in.
+    fn predict(&self) -> SVector<f64, N> {
+        let Station { point, tangent, .. } = &self.here;
+        let step = self.step;
+        let Some((past, past_tangent)) = &self.past else { return point + tangent * step };
+        let gap = (point - past).norm();
+        let a = (past - point + tangent * gap) / (gap * gap);
+        let b = (tangent - past_tangent) / gap;
+        let ratio = step / gap;
+        let bend = (a * 3.0 - b + (a * 2.0 - b) * ratio) * (step * step);
+        point + tangent * (step - tangent.dot(&bend)) + bend
+    }
+
     /// One predictor and corrector; the new station and the angle between the two tangents.
     fn attempt(&self) -> Result<Attempt<N, C::Memory>, NewtonFailure<C::Failure>> {
         let Station { point: origin, tangent: along, .. } = &self.here;
         let mut memory = self.here.memory.clone();
-        let predicted = origin + (along + self.curvature * (0.5 * self.step)) * self.step;
-        let solution = newton::solve(predicted, CORRECTOR_LIMIT, |point| {
+        let solution = newton::solve(self.predict(), CORRECTOR_LIMIT, |point| {
             let mut bordered = self.equations.evaluate(point, &mut memory)?;
             bordered.residual[N - 1] = along.dot(&(point - origin)) - self.step;
             bordered.jacobian.set_row(N - 1, &along.transpose());

@@ -62,6 +62,8 @@ pub struct Route {
     pub step_limit: usize,
     /// The curve ends at the first event; otherwise events are listed and passed.
     pub stop_at_events: bool,
+    /// The curve goes on to virtual orbits with y < 0; otherwise it ends at y = 0.
+    pub through_grazing: bool,
 }
 
 /// Something happens to the MPS at a point of the curve besides the curve's own condition.

@@ -23,7 +23,7 @@ pub(crate) fn follow<O: ImpactOscillator>(
     let first = Continuation::new(&equations, route.control, start, direction, memory)?.here().clone();
     let mut follower = Follower {
         route,
-        signs: None,
+        signs: starting_signs(&equations, &first),
         curve: Curve {
             condition: equations.condition,
             points: vec![starting_point(&equations, &first)],
@@ -94,7 +94,8 @@ impl Follower<'_> {
         after: MpsStation,
     ) -> ControlFlow<CurveEnd> {
         let velocity = after.point[unknown::VELOCITY];
-        if velocity <= VANISHING_VELOCITY && velocity < before.point[unknown::VELOCITY] {
+        let vanishes = velocity <= VANISHING_VELOCITY && !self.route.through_grazing;
+        if vanishes && velocity < before.point[unknown::VELOCITY] {
             return ControlFlow::Break(self.end_at_grazing(equations, before, &after));
         }
         let (solution, pair) = equations.equations.solution(&after.point);
@@ -215,6 +216,14 @@ fn starting_point<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStati
         equations.equations.solution(&first.point).0
     };
     CurvePoint { solution, memory: first.memory.clone() }
+}
+
+/// The signs at the start, unless it is itself a codimension-two point, where one of the functions vanishes.
+fn starting_signs<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStation) -> Option<Signs> {
+    let (solution, pair) = equations.equations.solution(&first.point);
+    let least = [1.0, -1.0].map(|multiplier| pair.characteristic(multiplier).0.abs());
+    let clear = matches!(equations.condition, Condition::Multiplier(_)) || least[0].min(least[1]) > 1e-9;
+    clear.then(|| signs(equations.condition, &pair, &solution))
 }
 
 /// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only grazing can happen there.

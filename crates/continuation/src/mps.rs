@@ -31,7 +31,8 @@ pub mod unknown {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Formulation {
     /// The Poincaré section Π, y = 0: the VIVID function V = P_global^p ∘ P_virt ∘ R − P_virt (eq:V), the paper's method.
-    /// It ends where a maximum beyond the wall disappears, as where the wall is met with ẍ ≥ 0.
+    /// It ends where one of the maxima that it passes through disappears: that of a loop on Π, or the virtual one beyond the
+    /// wall, as where the wall is met with ẍ ≥ 0.
     Vivid,
     /// The plane of constant phase through the impact: flow for p forcing periods from the impact phase, less what the
     /// recoil takes. It has no virtual points and is defined everywhere.

@@ -40,6 +40,7 @@ pub struct LinearOscillator {
     /// ω₁ = √(1 − ζ²).
     natural_frequency: f64,
     response: Response,
+    stride: motion::Stride,
 }
 
 impl LinearOscillator {
@@ -73,6 +74,7 @@ impl LinearOscillator {
             frequency,
             natural_frequency,
             response: Response::new(damping_ratio, frequency),
+            stride: motion::Stride::new(damping_ratio, natural_frequency, frequency),
         })
     }
 
@@ -125,7 +127,13 @@ impl ImpactOscillator for LinearOscillator {
         if frequency == self.frequency {
             return Self { amplitude, ..*self };
         }
-        Self { amplitude, frequency, response: Response::new(self.damping_ratio, frequency), ..*self }
+        Self {
+            amplitude,
+            frequency,
+            response: Response::new(self.damping_ratio, frequency),
+            stride: motion::Stride::new(self.damping_ratio, self.natural_frequency, frequency),
+            ..*self
+        }
     }
 
     fn forcing_frequency(&self) -> ParameterJet {

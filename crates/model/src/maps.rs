@@ -10,7 +10,7 @@
 
 use core::f64::consts::TAU;
 
-use nalgebra::{Vector2, Vector4};
+use nalgebra::{Matrix6, Vector2, Vector4};
 
 use crate::jet::{FlowJet, MapJet, flow_variable as flow};
 use crate::motion::{Motion, first_rest};
@@ -75,7 +75,7 @@ pub fn virtual_map<O: ImpactOscillator, const ORDER: usize>(
                 .ok_or(MapError::NoRest { near: 0.0, velocity })?
         }
     };
-    land_on_section::<O, ORDER>(oscillator, from, flow::VELOCITY, time, 0.0)
+    land_on_section::<O, ORDER, { flow::VELOCITY }>(oscillator, from, time, 0.0)
 }
 
 /// P_virt⁻¹, the branch on the incoming set: from (x, z) on Π with x ≥ 0 backwards to (y, z) on Σ with y ≥ 0.
@@ -130,7 +130,7 @@ pub fn global_map<O: ImpactOscillator, const ORDER: usize>(
 ) -> Result<Landing, MapError> {
     let time = guess.unwrap_or_else(|| oscillator.forcing_period());
     let from = State::at_rest(position, phase);
-    land_on_section::<O, ORDER>(oscillator, from, flow::POSITION, time, TAU)
+    land_on_section::<O, ORDER, { flow::POSITION }>(oscillator, from, time, TAU)
 }
 
 /// The p-th iterate of P_global with its derivatives; return times are found afresh.
@@ -192,7 +192,7 @@ pub fn to_phase<O: ImpactOscillator, const ORDER: usize>(
         let curvature = if a >= 2 && b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
         -(omega[a] * ds[b] + omega[b] * ds[a] + time * curvature) / frequency.value
     };
-    substitute_duration::<ORDER>(&jet, flow::VELOCITY, &ds, dds)
+    substitute_duration::<ORDER, { flow::VELOCITY }>(&jet, &ds, dds)
 }
 
 /// A step of Halley's method this short is the last: its error is of third order, far below rounding.
@@ -206,11 +206,10 @@ const MAX_ITERATIONS: usize = 50;
 
 /// Solves for the zero of the velocity and differentiates the landing point implicitly.
 ///
-/// `first` is the column of the flow that is the map's first coordinate: x₀ when starting on Π, y₀ when starting on Σ.
-fn land_on_section<O: ImpactOscillator, const ORDER: usize>(
+/// `FIRST` is the column of the flow that is the map's first coordinate: x₀ when starting on Π, y₀ when starting on Σ.
+fn land_on_section<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
     oscillator: &O,
     from: State,
-    first: usize,
     guess: f64,
     turn: f64,
 ) -> Result<Landing, MapError> {
@@ -226,7 +225,7 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize>(
             break;
         }
         if step.abs() <= LAST_STEP {
-            return finish_landing::<O, ORDER>(oscillator, from, first, time, turn);
+            return finish_landing::<O, ORDER, FIRST>(oscillator, from, time, turn);
         }
         here = motion.at(time);
     }
@@ -234,10 +233,9 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize>(
 }
 
 /// The landing at a time that is known to be a zero of the velocity.
-fn finish_landing<O: ImpactOscillator, const ORDER: usize>(
+fn finish_landing<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
     oscillator: &O,
     from: State,
-    first: usize,
     time: f64,
     turn: f64,
 ) -> Result<Landing, MapError> {
@@ -246,61 +244,75 @@ fn finish_landing<O: ImpactOscillator, const ORDER: usize>(
     if acceleration.is_nan() || acceleration >= 0.0 {
         return Err(MapError::NotAMaximum { acceleration });
     }
-    Ok(Landing { jet: implicit_landing::<ORDER>(oscillator, &jet, from.phase, first, time, turn), time })
+    Ok(Landing { jet: implicit_landing::<ORDER, FIRST>(oscillator, &jet, from.phase, time, turn), time })
 }
 
 /// The jet of (x', z') from the flow's jet at the landing, where y(u, z, s; μ, η) = 0 defines the duration s.
-fn implicit_landing<const ORDER: usize>(
+///
+/// As ẋ = y = 0 there, second derivatives of s do not enter those of x'.
+fn implicit_landing<const ORDER: usize, const FIRST: usize>(
     oscillator: &impl ImpactOscillator,
     jet: &FlowJet,
     phase: f64,
-    first: usize,
     time: f64,
     turn: f64,
 ) -> MapJet {
-    let columns = [first, flow::PHASE, flow::PRIMARY, flow::SECONDARY];
-    let velocity = jet.jacobian.row(1);
-    let curvature = &jet.hessians[1];
-    let acceleration = velocity[flow::DURATION];
-    let ds = Vector4::from_fn(|a, _| -velocity[columns[a]] / acceleration);
-    let dds = |a: usize, b: usize| {
-        -(curvature[(columns[a], columns[b])]
-            + curvature[(columns[a], flow::DURATION)] * ds[b]
-            + curvature[(columns[b], flow::DURATION)] * ds[a]
-            + curvature[(flow::DURATION, flow::DURATION)] * ds[a] * ds[b])
-            / acceleration
-    };
-    let mut landed = substitute_duration::<ORDER>(jet, first, &ds, dds);
-
+    let columns = map_columns::<FIRST>();
     let frequency = oscillator.forcing_frequency();
-    let omega = Vector4::new(0.0, 0.0, frequency.gradient[0], frequency.gradient[1]);
-    landed.value[1] = phase + frequency.value * time - turn;
+    let omega = [0.0, 0.0, frequency.gradient[0], frequency.gradient[1]];
+    let acceleration = jet.jacobian[(1, flow::DURATION)];
+    let ds = Vector4::from_fn(|a, _| -jet.jacobian[(1, columns[a])] / acceleration);
+
+    let mut map = MapJet::identity(Vector2::new(jet.value[0], phase + frequency.value * time - turn));
     for a in 0..4 {
-        landed.jacobian[(1, a)] = frequency.value * ds[a] + omega[a] * time;
+        map.jacobian[(0, a)] = jet.jacobian[(0, columns[a])];
+        map.jacobian[(1, a)] = frequency.value * ds[a] + omega[a] * time;
     }
-    landed.jacobian[(1, 1)] += 1.0;
+    map.jacobian[(1, 1)] += 1.0;
     if ORDER >= 2 {
         for a in 0..4 {
-            for b in 0..4 {
-                let mut entry = frequency.value * dds(a, b) + omega[a] * ds[b] + omega[b] * ds[a];
-                if a >= 2 && b >= 2 {
-                    entry += frequency.hessian[(a - 2, b - 2)] * time;
+            for b in 0..=a {
+                let along = |component: usize| second_along(&jet.hessians[component], &columns, &ds, a, b);
+                let dds = -along(1) / acceleration;
+                let curvature = if b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
+                let phase_entry = frequency.value * dds + omega[a] * ds[b] + omega[b] * ds[a] + curvature * time;
+                for (hessian, entry) in map.hessians.iter_mut().zip([along(0), phase_entry]) {
+                    hessian[(a, b)] = entry;
+                    hessian[(b, a)] = entry;
                 }
-                landed.hessians[1][(a, b)] = entry;
             }
         }
     }
-    landed
+    map
+}
+
+/// The columns of the flow that are a map's variables; the first depends on the surface it starts from.
+const fn map_columns<const FIRST: usize>() -> [usize; 4] {
+    [FIRST, flow::PHASE, flow::PRIMARY, flow::SECONDARY]
+}
+
+/// Second derivative of one component of the flow in the directions a and b, the duration moving with them.
+#[inline]
+fn second_along(
+    hessian: &Matrix6<f64>,
+    columns: &[usize; 4],
+    ds: &Vector4<f64>,
+    a: usize,
+    b: usize,
+) -> f64 {
+    hessian[(columns[a], columns[b])]
+        + hessian[(columns[a], flow::DURATION)] * ds[b]
+        + hessian[(columns[b], flow::DURATION)] * ds[a]
+        + hessian[(flow::DURATION, flow::DURATION)] * ds[a] * ds[b]
 }
 
 /// The flow's jet with its duration replaced by a function s(u, z; μ, η) with derivatives `ds` and `dds`.
-fn substitute_duration<const ORDER: usize>(
+fn substitute_duration<const ORDER: usize, const FIRST: usize>(
     jet: &FlowJet,
-    first: usize,
     ds: &Vector4<f64>,
     dds: impl Fn(usize, usize) -> f64,
 ) -> MapJet {
-    let columns = [first, flow::PHASE, flow::PRIMARY, flow::SECONDARY];
+    let columns = map_columns::<FIRST>();
     let mut map = MapJet::identity(jet.value);
     for component in 0..2 {
         let rate = jet.jacobian[(component, flow::DURATION)];
@@ -308,14 +320,9 @@ fn substitute_duration<const ORDER: usize>(
             map.jacobian[(component, a)] = jet.jacobian[(component, columns[a])] + rate * ds[a];
         }
         if ORDER >= 2 {
-            let second = &jet.hessians[component];
             for a in 0..4 {
                 for b in 0..=a {
-                    let entry = second[(columns[a], columns[b])]
-                        + second[(columns[a], flow::DURATION)] * ds[b]
-                        + second[(columns[b], flow::DURATION)] * ds[a]
-                        + second[(flow::DURATION, flow::DURATION)] * ds[a] * ds[b]
-                        + rate * dds(a, b);
+                    let entry = second_along(&jet.hessians[component], &columns, ds, a, b) + rate * dds(a, b);
                     map.hessians[component][(a, b)] = entry;
                     map.hessians[component][(b, a)] = entry;
                 }

@@ -117,35 +117,48 @@ impl Cell {
         [Cell { end: time, last: middle, ..*self }, Cell { start: time, first: middle, ..*self }]
     }
 
-    /// The zero of the velocity, which is strictly monotone in this cell and changes sign.
-    fn stationary_time(&self, motion: &impl Motion) -> f64 {
-        let (v, w) = (self.first.velocity, self.last.velocity);
-        let guess = inverse_hermite(
-            [v, w],
+    /// The zero of the velocity by interpolation; the velocity is strictly monotone in this cell and changes sign.
+    fn near_stationary_time(&self) -> f64 {
+        inverse_hermite(
+            [self.first.velocity, self.last.velocity],
             [self.start, self.end],
             [1.0 / self.first.acceleration, 1.0 / self.last.acceleration],
-        );
-        bracketed_newton([self.start, self.end], v < w, guess, |time| {
+        )
+    }
+
+    /// The zero of the velocity, which is strictly monotone in this cell and changes sign.
+    fn stationary_time(&self, motion: &impl Motion) -> f64 {
+        let rising = self.first.velocity < self.last.velocity;
+        bracketed_halley([self.start, self.end], rising, self.near_stationary_time(), |time| {
             let here = motion.at(time);
-            (here.velocity, here.acceleration)
+            [here.velocity, here.acceleration, here.jerk]
         })
     }
 
     /// The zero of the position before `time`, where the position is positive; no other zero lies between.
     fn crossing_time(&self, motion: &impl Motion, time: f64, there: &Kinematics) -> f64 {
-        let guess = if self.first.velocity > 0.0 && there.velocity > 0.0 {
-            inverse_hermite(
-                [self.first.position, there.position],
-                [self.start, time],
-                [1.0 / self.first.velocity, 1.0 / there.velocity],
-            )
+        let Kinematics { position, velocity, acceleration, .. } = *there;
+        let guess = if acceleration < 0.0 {
+            // The parabola through the point beyond the wall, followed back.
+            time - (velocity - (velocity * velocity - 2.0 * acceleration * position).sqrt()) / acceleration
         } else {
             0.5 * (self.start + time)
         };
-        bracketed_newton([self.start, time], true, guess, |time| {
+        bracketed_halley([self.start, time], true, guess, |time| {
             let here = motion.at(time);
-            (here.position, here.velocity)
+            [here.position, here.velocity, here.acceleration]
         })
+    }
+
+    /// The highest point of a cell in which the velocity falls through zero, or any point above the wall.
+    fn top(&self, motion: &impl Motion) -> (f64, Kinematics) {
+        let near = self.near_stationary_time();
+        let there = motion.at(near);
+        if there.position > 0.0 && self.start < near && near < self.end {
+            return (near, there);
+        }
+        let time = self.stationary_time(motion);
+        (time, motion.at(time))
     }
 
     /// First crossing from x ≤ 0 to x > 0 in this cell, which begins with x ≤ 0.
@@ -157,10 +170,7 @@ impl Cell {
         let (time, top) = match self.course(bounds) {
             Course::Monotone if self.last.velocity < 0.0 => return None,
             Course::Curved { falling: true } if self.first.velocity <= 0.0 => return None,
-            Course::Curved { falling: true } if self.last.velocity < 0.0 => {
-                let time = self.stationary_time(motion);
-                (time, motion.at(time))
-            }
+            Course::Curved { falling: true } if self.last.velocity < 0.0 => self.top(motion),
             Course::Open if self.width() >= NARROWEST_CELL => {
                 let [left, right] = self.halves(motion);
                 return left.crossing(motion, bounds).or_else(|| right.crossing(motion, bounds));
@@ -218,17 +228,24 @@ fn cells_above(
     // The derivatives at the point where the walk stands, if the cell before needed them.
     let mut known: Option<Kinematics> = None;
     core::iter::from_fn(move || {
-        while index < whole_cells {
-            let (start, before, here) = (index * stride, position, walk);
-            walk.advance();
-            (index, position) = (index + 1.0, walk.position());
-            if before.max(position) >= relevant {
-                let first = known.unwrap_or_else(|| here.kinematics());
-                let last = walk.kinematics();
-                known = Some(last);
-                return Some(Cell { start, first, end: index * stride, last });
+        // Local copies, so that the loop over ruled-out cells runs in registers.
+        let (mut here, mut cell, mut above) = (walk, index, position >= relevant);
+        while cell < whole_cells {
+            let before = here;
+            here.advance();
+            cell += 1.0;
+            let next = here.position();
+            let next_above = next >= relevant;
+            if above || next_above {
+                let first = known.filter(|_| cell == index + 1.0).unwrap_or_else(|| before.kinematics());
+                let last = here.kinematics();
+                (walk, index, position, known) = (here, cell, next, Some(last));
+                return Some(Cell { start: (cell - 1.0) * stride, first, end: cell * stride, last });
             }
-            known = None;
+            above = next_above;
+        }
+        if cell > index {
+            (walk, index, known) = (here, cell, None);
         }
         let start = index * stride;
         // The rest of the time, shorter than a stride, comes last.
@@ -333,30 +350,32 @@ fn inverse_hermite([f, g]: [f64; 2], [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f6
     r * r * (1.0 + 2.0 * s) * a + s * s * (1.0 + 2.0 * r) * b + s * r * width * (r * da - s * db)
 }
 
-/// The zero of a function that changes sign in a bracket, by Newton's method kept inside it.
+/// The zero of a function that changes sign in a bracket, by Halley's method kept inside it.
 ///
-/// `rising` says that the function is negative at the bracket's first end. A Newton step shorter than √ε of the argument ends the
-/// iteration: by quadratic convergence the point it leads to is exact to rounding.
-fn bracketed_newton([a, b]: [f64; 2], rising: bool, guess: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
+/// `f` gives value, slope and curvature; `rising` says that the function is negative at the bracket's first end. A step shorter than
+/// 10⁻⁶ ends the iteration: the convergence is of third order, so the point it leads to is exact to rounding.
+fn bracketed_halley(
+    [a, b]: [f64; 2],
+    rising: bool,
+    guess: f64,
+    f: impl Fn(f64) -> [f64; 3],
+) -> f64 {
     let (mut low, mut high) = if rising { (a, b) } else { (b, a) };
     let inside = |time: f64, low: f64, high: f64| (time - low) * (time - high) < 0.0;
     let mut time = if inside(guess, low, high) { guess } else { 0.5 * (a + b) };
     // Bisection alone empties a bracket of doubles in at most about 60 steps near 1; twice that is ample.
     for _ in 0..128 {
-        let (value, slope) = f(time);
+        let [value, slope, curvature] = f(time);
         if value == 0.0 {
             return time;
         }
-        if value < 0.0 {
-            low = time
-        } else {
-            high = time
-        }
-        let newton = time - value / slope;
-        let accepted = inside(newton, low, high);
-        let next = if accepted { newton } else { 0.5 * (low + high) };
-        let tolerance = if accepted { 1e-8 } else { 4.0 * f64::EPSILON };
-        if (next - time).abs() <= tolerance * time.abs().max(1.0) {
+        if value < 0.0 { low = time } else { high = time }
+        let newton = value / slope;
+        let halley = time - newton / (1.0 - 0.5 * newton * curvature / slope);
+        let accepted = inside(halley, low, high);
+        let next = if accepted { halley } else { 0.5 * (low + high) };
+        let tolerance = if accepted { 1e-6 } else { 4.0 * f64::EPSILON * time.abs().max(1.0) };
+        if (next - time).abs() <= tolerance {
             return next;
         }
         time = next;

@@ -121,8 +121,8 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
         let impact_velocity = self.state.velocity;
         let recoil = self.oscillator.reset::<1>(impact_velocity, self.state.phase).value;
         self.state = wrapped(State::on_wall(recoil[0], recoil[1]));
-        let pressed = self.oscillator.acceleration(State::on_wall(0.0, self.state.phase)) > 0.0;
-        if pressed && impact_velocity < CHATTER_VELOCITY {
+        let pressed = || self.oscillator.acceleration(State::on_wall(0.0, self.state.phase)) > 0.0;
+        if impact_velocity < CHATTER_VELOCITY && pressed() {
             self.end = Some(OrbitEnd::Chattering {
                 time: self.time,
                 phase: self.state.phase,

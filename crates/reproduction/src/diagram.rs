@@ -97,6 +97,7 @@ pub(crate) fn route(window: Rectangle, control: StepControl) -> Route {
         control,
         step_limit: STEP_LIMIT,
         stop_at_events: true,
+        through_grazing: false,
     }
 }
 

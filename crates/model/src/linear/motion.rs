@@ -4,6 +4,26 @@ use super::LinearOscillator;
 use crate::motion::{Bounds, Kinematics, Motion, Walk};
 use crate::oscillator::State;
 
+/// A stride of the walk along a motion; computed once per oscillator.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stride {
+    length: f64,
+    /// e^{(−ζ+iω₁)h} and e^{iωh}.
+    turn: [[f64; 2]; 2],
+}
+
+impl Stride {
+    /// An eighth of the shorter of the two periods keeps the undecided cells few (empirical; any length finds the same
+    /// events).
+    pub(super) fn new(damping_ratio: f64, natural_frequency: f64, frequency: f64) -> Self {
+        let length = core::f64::consts::TAU / (8.0 * frequency.max(natural_frequency));
+        let decay = libm::exp(-damping_ratio * length);
+        let (sin, cos) = libm::sincos(natural_frequency * length);
+        let (forced_sin, forced_cos) = libm::sincos(frequency * length);
+        Self { length, turn: [[decay * cos, decay * sin], [forced_cos, forced_sin]] }
+    }
+}
+
 /// x(t) = e^{−ζt}(p cos ω₁t + q sin ω₁t) + u cos ωt + v sin ωt − 1.
 #[derive(Clone, Copy, Debug)]
 pub struct LinearMotion {
@@ -12,6 +32,7 @@ pub struct LinearMotion {
     frequency: f64,
     free: [f64; 2],
     forced: [f64; 2],
+    stride: Stride,
 }
 
 /// A walk along the motion, held as the two rotating factors e^{(−ζ+iω₁)t} and e^{iωt}.
@@ -20,8 +41,6 @@ struct Rotation<'a> {
     motion: &'a LinearMotion,
     free: [f64; 2],
     forced: [f64; 2],
-    /// The factors of one stride.
-    turn: [[f64; 2]; 2],
 }
 
 impl Walk for Rotation<'_> {
@@ -38,8 +57,9 @@ impl Walk for Rotation<'_> {
 
     #[inline]
     fn advance(&mut self) {
-        self.free = super::multiply(self.free, self.turn[0]);
-        self.forced = super::multiply(self.forced, self.turn[1]);
+        let [free, forced] = self.motion.stride.turn;
+        self.free = super::multiply(self.free, free);
+        self.forced = super::multiply(self.forced, forced);
     }
 }
 
@@ -54,6 +74,7 @@ impl LinearMotion {
             frequency: oscillator.frequency,
             free: [position, (velocity + oscillator.damping_ratio * position) / oscillator.natural_frequency],
             forced: [oscillator.amplitude * response.value[0], oscillator.amplitude * response.d_phase[0]],
+            stride: oscillator.stride,
         }
     }
 
@@ -102,18 +123,11 @@ impl Motion for LinearMotion {
         }
     }
 
-    /// An eighth of the shorter of the two periods keeps the undecided cells few (empirical; any length finds the same
-    /// events).
     fn stride(&self) -> f64 {
-        core::f64::consts::TAU / (8.0 * self.frequency.max(self.natural_frequency))
+        self.stride.length
     }
 
     fn walk(&self) -> impl Walk {
-        let stride = self.stride();
-        let decay = libm::exp(-self.damping_ratio * stride);
-        let (sin, cos) = libm::sincos(self.natural_frequency * stride);
-        let (forced_sin, forced_cos) = libm::sincos(self.frequency * stride);
-        let turn = [[decay * cos, decay * sin], [forced_cos, forced_sin]];
-        Rotation { motion: self, free: [1.0, 0.0], forced: [1.0, 0.0], turn }
+        Rotation { motion: self, free: [1.0, 0.0], forced: [1.0, 0.0] }
     }
 }
