@@ -47,7 +47,8 @@ fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events: bool) -> R
         window: Window { primary: amplitudes, secondary: frequencies },
         control: StepControl::DRAWING,
         step_limit: 20_000,
-        stop_at_events, through_grazing: false,
+        stop_at_events,
+        through_grazing: false,
     }
 }
 

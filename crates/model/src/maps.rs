@@ -275,7 +275,8 @@ fn implicit_landing<const ORDER: usize, const FIRST: usize>(
                 let along = |component: usize| second_along(&jet.hessians[component], &columns, &ds, a, b);
                 let dds = -along(1) / acceleration;
                 let curvature = if b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
-                let phase_entry = frequency.value * dds + omega[a] * ds[b] + omega[b] * ds[a] + curvature * time;
+                let phase_entry =
+                    frequency.value * dds + omega[a] * ds[b] + omega[b] * ds[a] + curvature * time;
                 for (hessian, entry) in map.hessians.iter_mut().zip([along(0), phase_entry]) {
                     hessian[(a, b)] = entry;
                     hessian[(b, a)] = entry;
@@ -293,13 +294,7 @@ const fn map_columns<const FIRST: usize>() -> [usize; 4] {
 
 /// Second derivative of one component of the flow in the directions a and b, the duration moving with them.
 #[inline]
-fn second_along(
-    hessian: &Matrix6<f64>,
-    columns: &[usize; 4],
-    ds: &Vector4<f64>,
-    a: usize,
-    b: usize,
-) -> f64 {
+fn second_along(hessian: &Matrix6<f64>, columns: &[usize; 4], ds: &Vector4<f64>, a: usize, b: usize) -> f64 {
     hessian[(columns[a], columns[b])]
         + hessian[(columns[a], flow::DURATION)] * ds[b]
         + hessian[(columns[b], flow::DURATION)] * ds[a]

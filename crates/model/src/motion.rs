@@ -18,6 +18,19 @@ pub struct Kinematics {
     pub jerk: f64,
 }
 
+impl Kinematics {
+    /// The kinematics a very short time later, by Taylor's formula.
+    fn after(&self, time: f64) -> Self {
+        let Self { position, velocity, acceleration, jerk } = *self;
+        Self {
+            position: position + (velocity + (0.5 * acceleration + jerk * time / 6.0) * time) * time,
+            velocity: velocity + (acceleration + 0.5 * jerk * time) * time,
+            acceleration: acceleration + jerk * time,
+            jerk,
+        }
+    }
+}
+
 /// Bounds of |ẍ|, |d³x/dt³| and |d⁴x/dt⁴| on an interval of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
@@ -63,6 +76,15 @@ pub struct Maximum {
     pub time: f64,
     /// The value of x there.
     pub position: f64,
+}
+
+/// A crossing of the wall from x ≤ 0 to x > 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Time since the motion began.
+    pub time: f64,
+    /// The velocity y there, not negative.
+    pub velocity: f64,
 }
 
 /// Below this width two zeros of the velocity count as one (empirical: far above rounding, far below any motion).
@@ -127,16 +149,16 @@ impl Cell {
     }
 
     /// The zero of the velocity, which is strictly monotone in this cell and changes sign.
-    fn stationary_time(&self, motion: &impl Motion) -> f64 {
+    fn stationary_point(&self, motion: &impl Motion) -> (f64, Kinematics) {
         let rising = self.first.velocity < self.last.velocity;
-        bracketed_halley([self.start, self.end], rising, self.near_stationary_time(), |time| {
-            let here = motion.at(time);
+        let bracket = [self.start, self.end];
+        bracketed_halley(motion, bracket, rising, self.near_stationary_time(), |here| {
             [here.velocity, here.acceleration, here.jerk]
         })
     }
 
     /// The zero of the position before `time`, where the position is positive; no other zero lies between.
-    fn crossing_time(&self, motion: &impl Motion, time: f64, there: &Kinematics) -> f64 {
+    fn crossing_before(&self, motion: &impl Motion, time: f64, there: &Kinematics) -> Crossing {
         let Kinematics { position, velocity, acceleration, .. } = *there;
         let guess = if acceleration < 0.0 {
             // The parabola through the point beyond the wall, followed back.
@@ -144,25 +166,31 @@ impl Cell {
         } else {
             0.5 * (self.start + time)
         };
-        bracketed_halley([self.start, time], true, guess, |time| {
-            let here = motion.at(time);
+        let (time, there) = bracketed_halley(motion, [self.start, time], true, guess, |here| {
             [here.position, here.velocity, here.acceleration]
-        })
+        });
+        // A crossing that rounding turns into a touch is one with velocity zero.
+        Crossing { time, velocity: there.velocity.max(0.0) }
     }
 
-    /// The highest point of a cell in which the velocity falls through zero, or any point above the wall.
-    fn top(&self, motion: &impl Motion) -> (f64, Kinematics) {
+    /// A point of a cell in which the velocity falls through zero: the highest one, or any above the wall if there is one, or
+    /// one that proves that there is none.
+    fn top(&self, motion: &impl Motion, bounds: &Bounds) -> (f64, Kinematics) {
         let near = self.near_stationary_time();
         let there = motion.at(near);
-        if there.position > 0.0 && self.start < near && near < self.end {
+        let within = self.start < near && near < self.end;
+        // −ẍ is at least this, so that no point is higher than x + y²/(2·this).
+        let slack = self.width() * self.width() / 8.0 * bounds.snap;
+        let deceleration = self.first.acceleration.abs().min(self.last.acceleration.abs()) - slack;
+        let highest = there.position + there.velocity * there.velocity / (2.0 * deceleration);
+        if within && (there.position > 0.0 || highest < 0.0) {
             return (near, there);
         }
-        let time = self.stationary_time(motion);
-        (time, motion.at(time))
+        self.stationary_point(motion)
     }
 
     /// First crossing from x ≤ 0 to x > 0 in this cell, which begins with x ≤ 0.
-    fn crossing(&self, motion: &impl Motion, bounds: &Bounds) -> Option<f64> {
+    fn crossing(&self, motion: &impl Motion, bounds: &Bounds) -> Option<Crossing> {
         if self.ceiling(bounds) < 0.0 {
             return None;
         }
@@ -170,14 +198,14 @@ impl Cell {
         let (time, top) = match self.course(bounds) {
             Course::Monotone if self.last.velocity < 0.0 => return None,
             Course::Curved { falling: true } if self.first.velocity <= 0.0 => return None,
-            Course::Curved { falling: true } if self.last.velocity < 0.0 => self.top(motion),
+            Course::Curved { falling: true } if self.last.velocity < 0.0 => self.top(motion, bounds),
             Course::Open if self.width() >= NARROWEST_CELL => {
                 let [left, right] = self.halves(motion);
                 return left.crossing(motion, bounds).or_else(|| right.crossing(motion, bounds));
             }
             Course::Monotone | Course::Curved { .. } | Course::Open => (self.end, self.last),
         };
-        (top.position > 0.0).then(|| self.crossing_time(motion, time, &top))
+        (top.position > 0.0).then(|| self.crossing_before(motion, time, &top))
     }
 
     /// Calls `visit` with the local maxima of the cell (its start excluded, its end included) that can exceed `threshold`.
@@ -205,8 +233,8 @@ impl Cell {
             return right.maxima(motion, bounds, threshold, visit);
         }
         if rising && self.last.velocity <= 0.0 {
-            let time = self.stationary_time(motion);
-            return threshold.max(visit(Maximum { time, position: motion.at(time).position }));
+            let (time, top) = self.stationary_point(motion);
+            return threshold.max(visit(Maximum { time, position: top.position }));
         }
         threshold
     }
@@ -257,10 +285,10 @@ fn cells_above(
     })
 }
 
-/// The first time in (0, horizon] at which the motion, which begins with x ≤ 0, crosses x = 0 upwards.
+/// The first crossing of x = 0 upwards, at a time in (0, horizon], by a motion that begins with x ≤ 0.
 ///
 /// A maximum that only touches the wall (x ≤ 0 to rounding) is no crossing.
-pub fn first_crossing(motion: &impl Motion, horizon: f64) -> Option<f64> {
+pub fn first_crossing(motion: &impl Motion, horizon: f64) -> Option<Crossing> {
     let bounds = motion.bounds(0.0, horizon);
     cells_above(motion, &bounds, horizon, 0.0).find_map(|cell| cell.crossing(motion, &bounds))
 }
@@ -332,7 +360,7 @@ impl Cell {
         let changes = self.first.velocity * self.last.velocity <= 0.0;
         match self.course(bounds) {
             Course::Monotone => None,
-            Course::Curved { .. } => changes.then(|| self.stationary_time(motion)),
+            Course::Curved { .. } => changes.then(|| self.stationary_point(motion).0),
             Course::Open if self.width() < NARROWEST_CELL => changes.then_some(self.end),
             Course::Open => {
                 let [near, far] = self.halves(motion);
@@ -350,35 +378,45 @@ fn inverse_hermite([f, g]: [f64; 2], [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f6
     r * r * (1.0 + 2.0 * s) * a + s * s * (1.0 + 2.0 * r) * b + s * r * width * (r * da - s * db)
 }
 
-/// The zero of a function that changes sign in a bracket, by Halley's method kept inside it.
+/// The zero of a component of a motion that changes sign in a bracket, by Halley's method kept inside it.
 ///
-/// `f` gives value, slope and curvature; `rising` says that the function is negative at the bracket's first end. A step shorter than
-/// 10⁻⁶ ends the iteration: the convergence is of third order, so the point it leads to is exact to rounding.
+/// `component` picks value, slope and curvature; `rising` says that the value is negative at the bracket's first end. A step shorter
+/// than 10⁻⁶ ends the iteration: the convergence is of third order, so the point it leads to is exact to rounding, and so
+/// are the kinematics there, by Taylor's formula.
 fn bracketed_halley(
+    motion: &impl Motion,
     [a, b]: [f64; 2],
     rising: bool,
     guess: f64,
-    f: impl Fn(f64) -> [f64; 3],
-) -> f64 {
+    component: impl Fn(&Kinematics) -> [f64; 3],
+) -> (f64, Kinematics) {
     let (mut low, mut high) = if rising { (a, b) } else { (b, a) };
     let inside = |time: f64, low: f64, high: f64| (time - low) * (time - high) < 0.0;
     let mut time = if inside(guess, low, high) { guess } else { 0.5 * (a + b) };
+    let mut here = motion.at(time);
     // Bisection alone empties a bracket of doubles in at most about 60 steps near 1; twice that is ample.
     for _ in 0..128 {
-        let [value, slope, curvature] = f(time);
+        let [value, slope, curvature] = component(&here);
         if value == 0.0 {
-            return time;
+            break;
         }
-        if value < 0.0 { low = time } else { high = time }
+        if value < 0.0 {
+            low = time
+        } else {
+            high = time
+        }
         let newton = value / slope;
         let halley = time - newton / (1.0 - 0.5 * newton * curvature / slope);
         let accepted = inside(halley, low, high);
         let next = if accepted { halley } else { 0.5 * (low + high) };
         let tolerance = if accepted { 1e-6 } else { 4.0 * f64::EPSILON * time.abs().max(1.0) };
-        if (next - time).abs() <= tolerance {
-            return next;
-        }
+        let step = next - time;
         time = next;
+        if step.abs() <= tolerance {
+            here = here.after(step);
+            break;
+        }
+        here = motion.at(time);
     }
-    time
+    (time, here)
 }

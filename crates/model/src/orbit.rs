@@ -153,17 +153,16 @@ impl<O: ImpactOscillator> Iterator for Orbit<'_, O> {
         let motion = self.oscillator.motion(from);
         let left = self.horizon - start;
         let crossing = first_crossing(&motion, left);
-        let duration = crossing.unwrap_or(left);
-        let there = motion.at(duration);
+        let duration = crossing.map_or(left, |crossing| crossing.time);
         let phase = from.phase + self.oscillator.forcing_frequency().value * duration;
         self.time += duration;
-        let end = if crossing.is_some() {
-            // A crossing that rounding turns into a touch is one with velocity zero.
-            let impact = State::on_wall(there.velocity.max(0.0), phase);
+        let end = if let Some(crossing) = crossing {
+            let impact = State::on_wall(crossing.velocity, phase);
             self.state = impact;
             self.reset();
             FlightEnd::Impact(impact)
         } else {
+            let there = motion.at(duration);
             let last = State { position: there.position, velocity: there.velocity, phase };
             self.state = last;
             self.end = Some(OrbitEnd::TimeIsUp(last));

@@ -65,7 +65,8 @@ pub(crate) fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events:
         window: Window { primary: amplitudes, secondary: frequencies },
         control: StepControl::DRAWING,
         step_limit: 5_000,
-        stop_at_events, through_grazing: false,
+        stop_at_events,
+        through_grazing: false,
     }
 }
 
