@@ -1,7 +1,6 @@
 //! One-parameter branches: through grazing, through folds, with their events, and where VIVID ends.
 
-use grazing_continuation::arclength::{Continuation, StepControl};
-use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve};
+use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
 use grazing_model::LinearOscillator;
@@ -46,27 +45,31 @@ fn branches_cross_the_grazing_bifurcation_smoothly() {
 }
 
 #[test]
-fn the_engine_walks_from_impacting_to_virtual_solutions() {
+fn branches_go_on_to_virtual_solutions_if_asked() {
     for loops in 1..=3 {
-        let (equations, curve) = amplitude_branch(loops, [0.2, 0.4]);
-        let CurvePoint { solution, memory } = &curve.points[8];
-        let branch = MpsCurve { equations, condition: Condition::Secondary(OMEGA) };
+        let route = Route { through_grazing: true, ..route([0.2, 0.4], [0.1, 2.0], false) };
+        let specimen = [ZETA, EPSILON, OMEGA];
+        let (equations, real) = branch(specimen, loops, Formulation::Vivid, 1.0, &route);
+        // From a point with an impact back towards grazing, and on.
+        let CurvePoint { solution, memory } = &real.points[8];
         let down = Unknowns::new(-1.0, 0.0, 0.0, 0.0);
-        let mut walker =
-            Continuation::new(&branch, StepControl::DRAWING, solution.unknowns, down, memory.clone())
-                .unwrap();
-        let mut before = walker.here().clone();
-        while before.point[0] > -solution.impact_velocity() {
-            let after = walker.advance().unwrap().clone();
-            assert!(after.point[0] < before.point[0], "the velocity must fall all the way");
-            // The control's own bound: no kink at y = 0.
-            let angle = libm::acos(after.tangent.dot(&before.tangent).min(1.0));
-            assert!(angle <= 3.0 * StepControl::DRAWING.turn + 1e-6);
-            before = after;
-        }
-        // On the other side the solution is virtual.
-        let virtual_solution = branch.equations.solution(&before.point).0;
-        assert!(!virtual_solution.admissible());
+        let back = MpsCurve { equations, condition: Condition::Secondary(OMEGA) };
+        let curve = back.clone().follow(solution.unknowns, down, memory.clone(), &route).unwrap();
+        assert!(matches!(curve.end, CurveEnd::LeftWindow), "{:?}", curve.end);
+        let velocities: Vec<f64> =
+            curve.points.iter().map(|point| point.solution.impact_velocity()).collect();
+        let crossing = velocities.iter().position(|y| *y < 0.0).expect("the branch passes through y = 0");
+        // Through grazing the velocity falls from point to point; behind it the solutions are virtual.
+        assert!(velocities[..crossing + 3].windows(2).all(|pair| pair[1] < pair[0]), "{velocities:?}");
+        assert!(curve.points[crossing..crossing + 3].iter().all(|point| !point.solution.admissible()));
+        // Without being asked the same branch ends at y = 0, on the grazing orbit.
+        let route = Route { through_grazing: false, ..route };
+        let curve = back.follow(solution.unknowns, down, memory.clone(), &route).unwrap();
+        assert!(matches!(curve.end, CurveEnd::Grazing), "{:?}", curve.end);
+        let end = curve.points.last().unwrap().solution.unknowns;
+        let (grazing, _) = at_grazing(ZETA, EPSILON, OMEGA);
+        // Located by Newton's method, to rounding.
+        assert!(end[0] == 0.0 && (end[2] - grazing.amplitude()).abs() < 1e-13);
     }
 }
 
