@@ -125,6 +125,13 @@ pub struct Curve {
     pub vivid_ended: Option<usize>,
 }
 
+impl Curve {
+    /// The curve in the plane of the two parameters (μ, η).
+    pub fn parameters(&self) -> Vec<[f64; 2]> {
+        self.points.iter().map(|point| point.solution.parameters()).collect()
+    }
+}
+
 impl<O: ImpactOscillator> MpsCurve<O> {
     /// Follows the curve from `start`, to the side of `direction`, until it ends.
     ///

@@ -104,6 +104,13 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         self.oscillator.with_parameters([point[unknown::PRIMARY], point[unknown::SECONDARY]])
     }
 
+    /// The state just after the impact, (0, y_rec, z_rec).
+    pub fn recoil(&self, point: &Unknowns) -> State {
+        let reset =
+            self.oscillator_at(point).reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE]).value;
+        State::on_wall(reset[0], reset[1])
+    }
+
     /// The two maps at a point with derivatives up to `ORDER`.
     ///
     /// # Errors
@@ -165,8 +172,8 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// A loop has no maximum of x near Π, as where VIVID is not defined.
     pub fn visits(&self, point: &Unknowns, memory: &Memory) -> Result<Vec<Vector2<f64>>, MapError> {
         let oscillator = self.oscillator_at(point);
-        let recoil = oscillator.reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE]).value;
-        let back = maps::virtual_map::<O, 1>(&oscillator, recoil[0], recoil[1], memory.virtual_times[1])?;
+        let State { velocity, phase, .. } = self.recoil(point);
+        let back = maps::virtual_map::<O, 1>(&oscillator, velocity, phase, memory.virtual_times[1])?;
         let mut here = back.jet.value;
         (0..self.loops as usize)
             .map(|j| {
@@ -212,11 +219,10 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     fn orbit(&self, point: &Unknowns, multipliers: Multipliers) -> MaximalPeriodicSolution {
         let oscillator = self.oscillator_at(point);
-        let reset = oscillator.reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE]).value;
-        let frequency = oscillator.forcing_frequency().value;
-        let lag = (reset[1] - point[unknown::PHASE]) / frequency;
+        let recoil = self.recoil(point);
+        let lag = (recoil.phase - point[unknown::PHASE]) / oscillator.forcing_frequency().value;
         let flight = f64::from(self.loops) * oscillator.forcing_period() - lag;
-        let motion = oscillator.motion(State::on_wall(reset[0], reset[1]));
+        let motion = oscillator.motion(recoil);
         MaximalPeriodicSolution {
             loops: self.loops,
             unknowns: *point,
@@ -321,6 +327,11 @@ impl MaximalPeriodicSolution {
     /// The impact velocity y.
     pub fn impact_velocity(&self) -> f64 {
         self.unknowns[unknown::VELOCITY]
+    }
+
+    /// The primary and the secondary parameter (μ, η).
+    pub fn parameters(&self) -> [f64; 2] {
+        [self.unknowns[unknown::PRIMARY], self.unknowns[unknown::SECONDARY]]
     }
 
     /// The highest interior maximum of x, or −∞ if x has no interior maximum.

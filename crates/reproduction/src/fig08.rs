@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::StudyError;
 use crate::coefficients::Coefficients;
-use crate::diagram::{Diagram, DiagramResonance, Kind, locate, route};
+use crate::diagram::{Diagram, Kind, locate, route};
 use crate::fig07::GrazingCurve;
 use crate::parameters::{Panel, Parameters, Rectangle};
 use crate::table::{Columns, Table, columns, row};
@@ -97,8 +97,7 @@ impl PanelCurves {
             [(Kind::SaddleNode, &unfolded.saddle_node), (Kind::PeriodDoubling, &unfolded.period_doubling)];
         let own = own.into_iter().chain(unfolded.grazing.iter().map(|curve| (Kind::Grazing, curve)));
         for (kind, curve) in own {
-            let points = curve.points.iter().map(|at| [at.solution.unknowns[2], at.solution.unknowns[3]]);
-            list.push(Polyline { kind: kind.name(), source: "continuation", points: points.collect() });
+            list.push(Polyline { kind: kind.name(), source: "continuation", points: curve.parameters() });
         }
         list.extend(neighbours(diagram, &resonance, window));
 
@@ -124,12 +123,9 @@ impl PanelCurves {
 /// The curves of Figure 7 that belong to other resonances and enter the panel.
 fn neighbours(diagram: &Diagram, resonance: &Resonance, window: Rectangle) -> Vec<Polyline> {
     let own = |loops, n| loops == resonance.loops() && n == resonance.index();
-    let known = |other: &DiagramResonance| own(other.closed_form.loops(), other.closed_form.index());
-    debug_assert!(diagram.resonances.iter().any(known), "a panel shows a resonance of Figure 7");
     let mut list = Vec::new();
     for curve in diagram.curves.iter().filter(|curve| !own(curve.loops, curve.n)) {
-        let point = |unknowns: grazing_continuation::mps::Unknowns| [unknowns[2], unknowns[3]];
-        let points: Vec<_> = curve.curve.points.iter().map(|at| point(at.solution.unknowns)).collect();
+        let points = curve.curve.parameters();
         if points.iter().any(|[amplitude, frequency]| window.contains(*amplitude, *frequency)) {
             list.push(Polyline { kind: curve.kind.name(), source: "continuation", points });
         }

@@ -6,7 +6,7 @@
 
 use grazing_continuation::curve::CurveEnd;
 
-use crate::diagram::{Diagram, DiagramCurve, Kind};
+use crate::diagram::{Diagram, Kind};
 use crate::fig07::GrazingCurve;
 use crate::parameters::Rectangle;
 
@@ -60,7 +60,7 @@ const MEET: f64 = 1e-7;
 impl Chain<'_> {
     /// Walks from the far end of an SN curve back to its resonance and on, until the chain closes; false if it does not.
     fn close(&mut self, first: usize) -> bool {
-        let mut points = polyline(&self.diagram.curves[first]);
+        let mut points = self.diagram.curves[first].curve.parameters();
         points.reverse();
         let start = points[0];
         // At the resonance the MPS exists on the side of greater amplitude: to the right of a walk towards higher
@@ -94,7 +94,7 @@ impl Chain<'_> {
             if curve.loops != loops || self.taken.contains(&index) {
                 continue;
             }
-            let mut points = polyline(curve);
+            let mut points = curve.curve.parameters();
             if distance(points[points.len() - 1], here) < MEET {
                 points.reverse();
             }
@@ -130,7 +130,7 @@ impl Chain<'_> {
                 && !self.taken.contains(&index)
                 && matches!(curve.curve.end, CurveEnd::LeftWindow)
             {
-                targets.extend(polyline(curve).last());
+                targets.extend(curve.curve.parameters().last());
             }
         }
         if back_to_start {
@@ -170,11 +170,6 @@ impl Chain<'_> {
             _ => 3.0 + (1.0 - across),
         }
     }
-}
-
-fn polyline(curve: &DiagramCurve) -> Vec<[f64; 2]> {
-    let point = |unknowns: grazing_continuation::mps::Unknowns| [unknowns[2], unknowns[3]];
-    curve.curve.points.iter().map(|at| point(at.solution.unknowns)).collect()
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

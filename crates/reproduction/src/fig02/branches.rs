@@ -75,13 +75,12 @@ pub(super) fn bifurcations(setting: &Setting, branches: &[Branch]) -> Vec<Bifurc
             if !event.solution.admissible() {
                 continue;
             }
-            let point = event.solution.unknowns;
-            let visits = branch.equations.visits(&point, &event.memory);
+            let visits = branch.equations.visits(&event.solution.unknowns, &event.memory);
             list.push(Bifurcation {
                 kind: kind.name(),
                 loops: branch.equations.loops(),
-                amplitude: point[2],
-                impact_velocity: point[0],
+                amplitude: event.solution.parameters()[0],
+                impact_velocity: event.solution.impact_velocity(),
                 position: visits.ok().and_then(|visits| Some(visits.last()?[0])).unwrap_or(f64::NAN),
             });
         }

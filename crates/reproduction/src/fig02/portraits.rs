@@ -76,19 +76,19 @@ fn stable_recoil(branches: &[Branch], portrait: &Portrait) -> Result<State, Stud
     for branch in branches.iter().filter(|branch| branch.equations.loops() == loops) {
         for pair in branch.curve.points.windows(2) {
             let [before, after] = [&pair[0].solution, &pair[1].solution];
-            let brackets = (before.unknowns[2] - amplitude) * (after.unknowns[2] - amplitude) <= 0.0;
+            let [from, frequency] = before.parameters();
+            let brackets = (from - amplitude) * (after.parameters()[0] - amplitude) <= 0.0;
             if !(brackets && (before.stable() || after.stable())) {
                 continue;
             }
-            let conditions = [Condition::Secondary(before.unknowns[3]), Condition::Primary(amplitude)];
+            let conditions = [Condition::Secondary(frequency), Condition::Primary(amplitude)];
             let mut memory = pair[0].memory.clone();
             let Ok(point) = locate(&branch.equations, conditions, before.unknowns, &mut memory) else {
                 continue;
             };
             let (solution, _) = branch.equations.solution(&point);
             if solution.stable() && solution.admissible() {
-                let recoil = branch.equations.oscillator_at(&point).reset::<1>(point[0], point[1]).value;
-                return Ok(State::on_wall(recoil[0], recoil[1]));
+                return Ok(branch.equations.recoil(&point));
             }
         }
     }
