@@ -77,13 +77,23 @@ impl core::fmt::Display for Place {
 /// The branch of p-loop MPSs at ω = 0.854 from the grazing bifurcation on, for amplitudes from 0.2 to 0.6.
 #[divan::bench(args = [Loops(1), Loops(2), Loops(3)])]
 fn point_of_a_one_parameter_branch(bencher: Bencher<'_, '_>, &Loops(p): &Loops) {
+    one_parameter_branch(bencher, p, Formulation::Vivid);
+}
+
+/// The same branch, compared on a plane of constant phase.
+#[divan::bench(args = [Loops(1), Loops(2), Loops(3)])]
+fn point_of_a_one_parameter_branch_at_fixed_phase(bencher: Bencher<'_, '_>, &Loops(p): &Loops) {
+    one_parameter_branch(bencher, p, Formulation::FixedPhase);
+}
+
+fn one_parameter_branch(bencher: Bencher<'_, '_>, p: u32, formulation: Formulation) {
     const OMEGA: f64 = 0.854;
     let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
     let grazing = theory.grazing(OMEGA).unwrap();
     let oscillator = LinearOscillator::new(ZETA, EPSILON, grazing.amplitude(), OMEGA).unwrap();
     let start = Start {
         curve: MpsCurve {
-            equations: LoopEquations::new(oscillator, p, Formulation::Vivid),
+            equations: LoopEquations::new(oscillator, p, formulation),
             condition: Condition::Secondary(OMEGA),
         },
         point: Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), OMEGA),

@@ -11,7 +11,7 @@
 //! It stays regular at folds. The engine knows nothing of what the curve means: events, ends and diagnostics are the
 //! caller's, who advances it point by point.
 
-use nalgebra::{Const, DimMin, SVector};
+use nalgebra::{Const, DimMin, LU, SVector};
 
 use crate::newton::{self, Linearisation, NewtonFailure};
 
@@ -112,8 +112,10 @@ where
             .evaluate(&start, &mut memory)
             .map_err(|cause| stall(NewtonFailure::Undefined { iteration: 1, cause }))?;
         let residual = linearisation.residual.norm();
-        let tangent = tangent(linearisation, &direction)
-            .ok_or(stall(NewtonFailure::Singular { iteration: 1, residual }))?;
+        let mut bordered = linearisation.jacobian;
+        bordered.set_row(N - 1, &direction.transpose());
+        let tangent =
+            tangent(&bordered.lu()).ok_or(stall(NewtonFailure::Singular { iteration: 1, residual }))?;
         equations.settle(&start, &mut memory);
         let here = Station { point: start, tangent, memory };
         Ok(Self { equations, control, here, step: control.first, past: None })
@@ -175,28 +177,23 @@ where
             bordered.jacobian.set_row(N - 1, &along.transpose());
             Ok(bordered)
         })?;
-        let residual = solution.last.residual.norm();
-        let tangent = tangent(solution.last, along)
-            .ok_or(NewtonFailure::Singular { iteration: solution.iterations, residual })?;
+        // The last corrector's matrix is bordered with the old tangent: its factors give the new one as well.
+        let tangent = tangent(&solution.factors)
+            .ok_or(NewtonFailure::Singular { iteration: solution.iterations, residual: solution.residual })?;
         self.equations.settle(&solution.point, &mut memory);
         let angle = libm::acos(tangent.dot(along).clamp(-1.0, 1.0));
         Ok((Station { point: solution.point, tangent, memory }, angle))
     }
 }
 
-/// The unit null vector of the first N − 1 rows that makes an acute angle with `direction`.
-fn tangent<const N: usize>(
-    linearisation: Linearisation<N>,
-    direction: &SVector<f64, N>,
-) -> Option<SVector<f64, N>>
+/// The unit null vector of the first N − 1 rows of a matrix, at an acute angle with its last row; from the matrix's factors.
+fn tangent<const N: usize>(factors: &LU<f64, Const<N>, Const<N>>) -> Option<SVector<f64, N>>
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
-    let mut bordered = linearisation.jacobian;
-    bordered.set_row(N - 1, &direction.transpose());
     let mut last = SVector::zeros();
     last[N - 1] = 1.0;
-    let tangent = bordered.lu().solve(&last)?;
+    let tangent = factors.solve(&last)?;
     let norm = tangent.norm();
     (norm.is_finite() && norm > 0.0).then(|| tangent / norm)
 }

@@ -1,6 +1,6 @@
 //! Newton's method for small square systems with exact Jacobians.
 
-use nalgebra::{Const, DimMin, SMatrix, SVector};
+use nalgebra::{Const, DimMin, LU, SMatrix, SVector};
 
 /// Residual and Jacobian of a square system at one point.
 #[derive(Clone, Copy, Debug)]
@@ -41,12 +41,17 @@ pub enum NewtonFailure<E> {
 }
 
 /// A converged solution.
-#[derive(Clone, Copy, Debug)]
-pub struct Solution<const N: usize> {
+#[derive(Clone, Debug)]
+pub struct Solution<const N: usize>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
     /// The solution.
     pub point: SVector<f64, N>,
-    /// The linearisation at the last iterate but one, less than the tolerance away.
-    pub last: Linearisation<N>,
+    /// Euclidean norm of the residual at the last iterate but one, less than the tolerance away.
+    pub residual: f64,
+    /// The factors of the Jacobian there.
+    pub factors: LU<f64, Const<N>, Const<N>>,
     /// Number of evaluations.
     pub iterations: usize,
 }
@@ -72,15 +77,14 @@ where
     for iteration in 1..=limit {
         let last = equations(&point).map_err(|cause| NewtonFailure::Undefined { iteration, cause })?;
         residual = last.residual.norm();
-        let step = last
-            .jacobian
-            .lu()
+        let factors = last.jacobian.lu();
+        let step = factors
             .solve(&last.residual)
             .filter(|step| step.iter().all(|entry| entry.is_finite()))
             .ok_or(NewtonFailure::Singular { iteration, residual })?;
         point -= step;
         if step.norm() <= STEP_TOLERANCE {
-            return Ok(Solution { point, last, iterations: iteration });
+            return Ok(Solution { point, residual, factors, iterations: iteration });
         }
     }
     Err(NewtonFailure::NoConvergence { iterations: limit, residual })

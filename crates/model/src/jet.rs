@@ -22,6 +22,7 @@ pub struct MapJet {
 
 impl MapJet {
     /// The jet of the identity on the two coordinates.
+    #[inline]
     pub fn identity(point: Vector2<f64>) -> Self {
         let mut jacobian = Matrix2x4::zeros();
         jacobian[(0, 0)] = 1.0;
@@ -33,6 +34,7 @@ impl MapJet {
     ///
     /// With G the derivative of `(u, z, μ, η) ↦ (inner, μ, η)`: the first derivatives are D self · G, the second
     /// Gᵀ · D² self · G + D self · D² inner.
+    #[inline]
     pub fn after<const ORDER: usize>(&self, inner: &Self) -> Self {
         let mut jacobian = self.derivative() * inner.jacobian;
         for i in 0..2 {

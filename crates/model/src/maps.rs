@@ -207,6 +207,7 @@ const MAX_ITERATIONS: usize = 50;
 /// Solves for the zero of the velocity and differentiates the landing point implicitly.
 ///
 /// `FIRST` is the column of the flow that is the map's first coordinate: x₀ when starting on Π, y₀ when starting on Σ.
+#[inline]
 fn land_on_section<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
     oscillator: &O,
     from: State,
@@ -233,6 +234,7 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
 }
 
 /// The landing at a time that is known to be a zero of the velocity.
+#[inline]
 fn finish_landing<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
     oscillator: &O,
     from: State,
@@ -250,6 +252,7 @@ fn finish_landing<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
 /// The jet of (x', z') from the flow's jet at the landing, where y(u, z, s; μ, η) = 0 defines the duration s.
 ///
 /// As ẋ = y = 0 there, second derivatives of s do not enter those of x'.
+#[inline]
 fn implicit_landing<const ORDER: usize, const FIRST: usize>(
     oscillator: &impl ImpactOscillator,
     jet: &FlowJet,
