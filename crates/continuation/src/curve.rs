@@ -4,7 +4,6 @@ use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
 
 use crate::arclength::{CurveEquations, Stall, StepControl};
-use crate::follow::follow;
 use crate::locate::{Condition, LocateFailure, conditioned};
 use crate::mps::{LoopEquations, MaximalPeriodicSolution, Memory, Unknowns, unknown};
 use crate::newton::Linearisation;
@@ -129,24 +128,5 @@ impl Curve {
     /// The curve in the plane of the two parameters (μ, η).
     pub fn parameters(&self) -> Vec<[f64; 2]> {
         self.points.iter().map(|point| point.solution.parameters()).collect()
-    }
-}
-
-impl<O: ImpactOscillator> MpsCurve<O> {
-    /// Follows the curve from `start`, to the side of `direction`, until it ends.
-    ///
-    /// Starts in the formulation of the equations; where VIVID ends it goes on with
-    /// [`Formulation::FixedPhase`](crate::mps::Formulation::FixedPhase).
-    ///
-    /// # Errors
-    /// The curve cannot be started: the equations are undefined or have no unique tangent at `start`.
-    pub fn follow(
-        self,
-        start: Unknowns,
-        direction: Unknowns,
-        memory: Memory,
-        route: &Route,
-    ) -> Result<Curve, Stall<MapError>> {
-        follow(self, start, direction, memory, route)
     }
 }

@@ -12,36 +12,42 @@ use crate::mps::{Formulation, LoopPair, MaximalPeriodicSolution, Memory, Multipl
 
 type MpsStation = Station<4, Memory>;
 
-/// Follows a curve from its start until it ends; [`MpsCurve::follow`] says the rest.
-pub(crate) fn follow<O: ImpactOscillator>(
-    mut equations: MpsCurve<O>,
-    start: Unknowns,
-    direction: Unknowns,
-    memory: Memory,
-    route: &Route,
-) -> Result<Curve, Stall<MapError>> {
-    let first = Continuation::new(&equations, route.control, start, direction, memory)?.here().clone();
-    let mut follower = Follower {
-        route,
-        signs: starting_signs(&equations, &first),
-        curve: Curve {
-            condition: equations.condition,
-            points: vec![starting_point(&equations, &first)],
-            events: Vec::new(),
-            end: CurveEnd::StepLimit,
-            vivid_ended: None,
-        },
-    };
-    let mut here = first;
-    while let Some(end) = follower.follow_in_one_formulation(&equations, &mut here) {
-        if equations.equations.formulation() == Formulation::FixedPhase {
-            follower.curve.end = CurveEnd::Stalled(end);
-            break;
+impl<O: ImpactOscillator> MpsCurve<O> {
+    /// Follows the curve from `start`, to the side of `direction`, until it ends.
+    ///
+    /// Starts in the formulation of the equations; where VIVID ends it goes on with [`Formulation::FixedPhase`].
+    ///
+    /// # Errors
+    /// The curve cannot be started: the equations are undefined or have no unique tangent at `start`.
+    pub fn follow(
+        mut self,
+        start: Unknowns,
+        direction: Unknowns,
+        memory: Memory,
+        route: &Route,
+    ) -> Result<Curve, Stall<MapError>> {
+        let mut here = Continuation::new(&self, route.control, start, direction, memory)?.here().clone();
+        let mut follower = Follower {
+            route,
+            signs: starting_signs(&self, &here),
+            curve: Curve {
+                condition: self.condition,
+                points: vec![starting_point(&self, &here)],
+                events: Vec::new(),
+                end: CurveEnd::StepLimit,
+                vivid_ended: None,
+            },
+        };
+        while let Some(stall) = follower.follow_in_one_formulation(&self, &mut here) {
+            if self.equations.formulation() == Formulation::FixedPhase {
+                follower.curve.end = CurveEnd::Stalled(stall);
+                break;
+            }
+            self.equations = self.equations.with_formulation(Formulation::FixedPhase);
+            follower.curve.vivid_ended = Some(follower.curve.points.len());
         }
-        equations.equations = equations.equations.with_formulation(Formulation::FixedPhase);
-        follower.curve.vivid_ended = Some(follower.curve.points.len());
+        Ok(follower.curve)
     }
-    Ok(follower.curve)
 }
 
 /// A curve in the making.

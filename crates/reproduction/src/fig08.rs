@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::StudyError;
 use crate::coefficients::Coefficients;
 use crate::diagram::{Diagram, Kind, locate, route};
-use crate::fig07::GrazingCurve;
+use crate::grazing_curve::GrazingCurve;
 use crate::parameters::{Panel, Parameters, Rectangle};
 use crate::table::{Columns, Table, columns, row};
 

@@ -9,6 +9,7 @@ mod error;
 mod fig02;
 mod fig07;
 mod fig08;
+mod grazing_curve;
 pub mod parameters;
 pub mod progress;
 pub mod published;

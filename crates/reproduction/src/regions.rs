@@ -7,7 +7,7 @@
 use grazing_continuation::curve::CurveEnd;
 
 use crate::diagram::{Diagram, Kind};
-use crate::fig07::GrazingCurve;
+use crate::grazing_curve::GrazingCurve;
 use crate::parameters::Rectangle;
 
 /// A polygon, its vertices in order, as points (amplitude, frequency).

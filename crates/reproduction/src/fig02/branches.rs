@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::Setting;
 use crate::StudyError;
 use crate::diagram::{Kind, route};
-use crate::fig07::centred;
+use crate::grazing_curve::centred;
 use crate::parameters::{Range, Rectangle};
 use crate::table::{Table, columns, row};
 
