@@ -155,7 +155,6 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
 
     /// Follows the GZ curve from a codimension-two point to the side where the MPS is stable.
     fn graze(&self, corner: &Event, route: &Route) -> Result<Curve, ResonanceError> {
-        let not_started = |reason: String| ResonanceError::NotStarted { curve: "interior grazing", reason };
         let mut reason = "the solution is stable to neither side".to_owned();
         for sign in [1.0, -1.0] {
             let curve = MpsCurve { equations: self.equations.clone(), condition: Condition::InteriorGrazing };
@@ -168,7 +167,7 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
                 Err(stall) => reason = stall.to_string(),
             }
         }
-        Err(not_started(reason))
+        Err(ResonanceError::NotStarted { curve: "interior grazing", reason })
     }
 }
 
