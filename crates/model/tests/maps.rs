@@ -90,7 +90,7 @@ fn preimage_under_the_virtual_map_is_the_impact() {
 
 #[test]
 fn grazing_is_a_fixed_point_of_the_global_map() {
-    for omega in [0.4, 0.5, 0.6665, 0.854, 0.99] {
+    for omega in [0.4, 0.5, 0.67, 0.85, 0.99] {
         let (oscillator, graz) = at_grazing(omega);
         let image = global_map::<_, 1>(&oscillator, 0.0, graz, None).unwrap();
         assert!((image.jet.value - Vector2::new(0.0, graz)).norm() < 1e-13);
