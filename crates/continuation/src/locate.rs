@@ -139,6 +139,7 @@ pub fn locate_grazing_end<O: ImpactOscillator>(
         matrix.set_row(2, &slopes.fixed_rows::<3>(0).transpose());
         Ok::<f64, NewtonFailure<MapError>>(matrix.determinant())
     };
+    // Two starting values closer together than the steps of a curve; the secant method needs no more of them.
     let (mut a, mut b) = (near[unknown::SECONDARY], near[unknown::SECONDARY] + 1e-4);
     let mut value_a = degeneracy(&mut point, a)?;
     for _ in 0..LIMIT {

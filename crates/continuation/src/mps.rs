@@ -53,13 +53,6 @@ pub struct Memory {
     pub(crate) grazing_time: f64,
 }
 
-impl Memory {
-    /// A memory that starts a grazing curve at the interior maximum found `time` after the recoil.
-    pub fn grazing_at(time: f64) -> Self {
-        Self { grazing_time: time, ..Self::default() }
-    }
-}
-
 /// The equations of p-loop MPSs of one oscillator.
 #[derive(Clone, Debug)]
 pub struct LoopEquations<O> {

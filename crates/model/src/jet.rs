@@ -52,6 +52,13 @@ impl MapJet {
         Self { value: self.value, jacobian, hessians }
     }
 
+    /// Sets a second derivative of one component, and with it the one in the other order.
+    #[inline]
+    pub(crate) fn set_second(&mut self, component: usize, [a, b]: [usize; 2], entry: f64) {
+        self.hessians[component][(a, b)] = entry;
+        self.hessians[component][(b, a)] = entry;
+    }
+
     /// Derivatives with respect to the two coordinates alone.
     pub fn derivative(&self) -> Matrix2<f64> {
         self.jacobian.fixed_columns::<2>(0).into_owned()

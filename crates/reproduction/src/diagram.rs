@@ -10,7 +10,7 @@ use grazing_theorems::Resonance;
 use rayon::prelude::*;
 
 use crate::StudyError;
-use crate::parameters::{Parameters, Rectangle};
+use crate::parameters::{Parameters, Range, Rectangle};
 use crate::progress::Progress;
 
 /// Kinds of bifurcation curves, by the names the figures use.
@@ -86,19 +86,30 @@ pub(crate) struct Diagram {
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;
 
-/// The route through a rectangle of amplitudes and frequencies.
+/// The route through a rectangle of amplitudes and frequencies, to the first event.
 pub(crate) fn route(window: Rectangle, control: StepControl) -> Route {
-    let (amplitude, frequency) = (window.amplitude(), window.frequency());
     Route {
-        window: Window {
-            primary: [amplitude.lower(), amplitude.upper()],
-            secondary: [frequency.lower(), frequency.upper()],
-        },
+        window: Window { primary: ends(window.amplitude()), secondary: ends(window.frequency()) },
         control,
         step_limit: STEP_LIMIT,
         stop_at_events: true,
         through_grazing: false,
     }
+}
+
+/// The route along a branch of fixed frequency through a range of amplitudes, past all events.
+pub(crate) fn branch_route(amplitude: Range) -> Route {
+    Route {
+        window: Window { primary: ends(amplitude), secondary: [0.0, f64::INFINITY] },
+        control: StepControl::DRAWING,
+        step_limit: STEP_LIMIT,
+        stop_at_events: false,
+        through_grazing: false,
+    }
+}
+
+fn ends(range: Range) -> [f64; 2] {
+    [range.lower(), range.upper()]
 }
 
 impl Diagram {

@@ -3,7 +3,6 @@
 use grazing_continuation::fit::FitError;
 use grazing_continuation::resonance::ResonanceError;
 use grazing_model::OscillatorError;
-use grazing_theorems::from_map::GrazingOrbitError;
 use grazing_theorems::{Resonance, TheoryError};
 
 /// A computation of the reproduction failed.
@@ -15,9 +14,6 @@ pub enum StudyError {
     /// A parameter is outside a formula's domain.
     #[error(transparent)]
     Theory(#[from] TheoryError),
-    /// The grazing orbit was not found.
-    #[error(transparent)]
-    GrazingOrbit(#[from] GrazingOrbitError),
     /// A resonance could not be unfolded.
     #[error("resonance p = {loops}, n = {n}: {source}")]
     Resonance {
@@ -47,12 +43,6 @@ pub enum StudyError {
         loops: u32,
         /// Why not.
         reason: String,
-    },
-    /// The range of the long-time behaviour is not there.
-    #[error("figure 2 has no {missing} in its window, between which the long-time behaviour is drawn")]
-    NoAttractorRange {
-        /// What is missing.
-        missing: &'static str,
     },
     /// A portrait's solution does not exist at its amplitude.
     #[error("figure 2 has no admissible {loops}-loop solution at amplitude {amplitude} for a phase portrait")]

@@ -1,6 +1,5 @@
 //! Branches of MPSs in the amplitude, from the grazing bifurcation to the edge of the window.
 
-use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurvePoint, MpsCurve};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns};
@@ -9,9 +8,8 @@ use rayon::prelude::*;
 
 use super::Setting;
 use crate::StudyError;
-use crate::diagram::{Kind, route};
+use crate::diagram::{Kind, branch_route};
 use crate::grazing_curve::centred;
-use crate::parameters::{Range, Rectangle};
 use crate::table::{Table, columns, row};
 
 /// The branch of p-loop MPSs that emanates from the grazing bifurcation.
@@ -34,11 +32,7 @@ pub(super) struct Bifurcation {
 pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch>, StudyError> {
     let figure = setting.parameters.fig02();
     let frequency = figure.frequency();
-    // A branch keeps its frequency; the window leaves room around it.
-    let room =
-        Range::new(0.5 * frequency, 2.0 * frequency).ok_or(StudyError::Table("frequency".to_owned()))?;
-    let mut route = route(Rectangle::new(figure.amplitude(), room), StepControl::DRAWING);
-    route.stop_at_events = false;
+    let route = branch_route(figure.amplitude());
     let amplitude = setting.grazing.amplitude();
     let start = Unknowns::new(0.0, setting.grazing.phase(), amplitude, frequency);
     let oscillator = setting.oscillator(amplitude)?;

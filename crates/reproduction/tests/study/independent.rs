@@ -237,9 +237,24 @@ fn attractor_lies_between_its_bifurcations_and_shows_no_point_in_the_wall() {
     // Impact velocities are of order one at most, so virtual points lie less than 1/(2γ) beyond the wall.
     assert!(x.iter().all(|x| (-2.0..1.0).contains(x)));
     assert!(x.iter().any(|x| *x > 0.0) && x.iter().any(|x| *x < -0.1));
-    // At the right end the two-loop MPS is the attractor: two values, those of its loops.
+    // At the right end the two-loop MPS takes over: every value is near one of its two loops, and both are met. Its multiplier
+    // is −1 there, so that orbits close in only slowly, like one over the root of the number of periods.
+    let branches = &made().fig02.branches;
+    let (loops, at, x_of) = (integers(branches, "p"), numbers(branches, "amplitude"), numbers(branches, "x"));
+    let visit = integers(branches, "loop");
+    let of_loop = |number: u32| {
+        let rows = (0..loops.len()).filter(|row| loops[*row] == 2 && visit[*row] == number);
+        let row = rows.min_by(|a, b| (at[*a] - pd).abs().total_cmp(&(at[*b] - pd).abs()));
+        x_of[row.expect("the branch of two-loop MPSs is there")]
+    };
+    let expected = [of_loop(1), of_loop(2)];
     let last: Vec<f64> = (0..x.len()).filter(|k| amplitude[*k] == pd).map(|k| x[k]).collect();
-    assert!(last.len() > 10);
+    let near = |value: f64, loop_value: f64| (value - loop_value).abs() < 0.05;
+    assert!(
+        !last.is_empty() && last.iter().all(|x| expected.iter().any(|e| near(*x, *e))),
+        "{last:?} {expected:?}"
+    );
+    assert!(expected.iter().all(|e| last.iter().any(|x| near(*x, *e))), "{last:?} {expected:?}");
 }
 
 #[test]
