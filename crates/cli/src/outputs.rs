@@ -1,12 +1,11 @@
 //! The registry of outputs: what can be made, and from what.
 
+mod figures;
+
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use grazing_drawing::{
-    Figure02, Figure07, Figure08, Magnified, Section, Window, draw_fig02, draw_fig07, draw_fig08,
-};
-use grazing_reproduction::parameters::{Parameters, Range, Rectangle};
+use grazing_drawing::SheetWidth;
 use grazing_reproduction::{Study, Table};
 
 use crate::failure::Failure;
@@ -19,6 +18,8 @@ struct Made {
     tables: Vec<Table>,
 }
 
+type MadeResult = Result<Made, Box<dyn Error>>;
+
 /// One output: a figure with its data, or a table.
 pub struct Output {
     /// The name on the command line.
@@ -29,7 +30,7 @@ pub struct Output {
     figure: Option<&'static str>,
     /// The names of the tables.
     tables: &'static [&'static str],
-    make: fn(&Study<'_>) -> Result<Made, Box<dyn Error>>,
+    make: fn(&Study<'_>, SheetWidth) -> MadeResult,
 }
 
 /// All outputs, in the order in which they are made.
@@ -39,90 +40,30 @@ pub const ALL: &[Output] = &[
         title: "Coefficients at all resonances of Figure 7",
         figure: None,
         tables: &["coefficients"],
-        make: |study| Ok(Made { figure: None, tables: vec![study.coefficient_table()?] }),
+        make: |study, _| Ok(Made { figure: None, tables: vec![study.coefficient_table()?] }),
     },
     Output {
         name: "fig02",
         title: "Figure 2: one-parameter bifurcation diagram with phase portraits",
         figure: Some("fig02.svg"),
         tables: &["fig02_branches", "fig02_bifurcations", "fig02_attractor", "fig02_portraits"],
-        make: fig02,
+        make: figures::fig02,
     },
     Output {
         name: "fig07",
         title: "Figure 7: two-parameter bifurcation diagram",
         figure: Some("fig07.svg"),
         tables: &["fig07_curves", "fig07_points", "fig07_regions"],
-        make: fig07,
+        make: figures::fig07,
     },
     Output {
         name: "fig08",
         title: "Figure 8: three magnifications of Figure 7 with quadratic approximations",
         figure: Some("fig08.svg"),
         tables: &["fig08_curves"],
-        make: fig08,
+        make: figures::fig08,
     },
 ];
-
-fn fig02(study: &Study<'_>) -> Result<Made, Box<dyn Error>> {
-    let made = study.fig02()?;
-    let shown = study.parameters().fig02();
-    let figure = draw_fig02(&Figure02 {
-        branches: &made.branches.frame,
-        bifurcations: &made.bifurcations.frame,
-        attractor: &made.attractor.frame,
-        portraits: &made.portraits.frame,
-        window: window(shown.amplitude(), shown.x()),
-        magnification: window(shown.magnified_amplitude(), shown.magnified_x()),
-    })?;
-    Ok(Made { figure: Some(figure), tables: made.tables() })
-}
-
-fn fig07(study: &Study<'_>) -> Result<Made, Box<dyn Error>> {
-    let made = study.fig07()?;
-    let parameters = study.parameters();
-    let section = parameters.fig02();
-    let figure = draw_fig07(&Figure07 {
-        curves: &made.curves.frame,
-        points: &made.points.frame,
-        regions: &made.regions.frame,
-        window: plane(parameters.fig07().window()),
-        magnified: &magnified(parameters),
-        section: Section { omega: section.frequency(), amplitude: ends(section.amplitude()) },
-    })?;
-    Ok(Made { figure: Some(figure), tables: made.tables() })
-}
-
-fn fig08(study: &Study<'_>) -> Result<Made, Box<dyn Error>> {
-    let (made, whole) = (study.fig08()?, study.fig07()?);
-    let figure = draw_fig08(&Figure08 {
-        curves: &made.curves.frame,
-        points: &whole.points.frame,
-        regions: &whole.regions.frame,
-        coefficients: &made.coefficients.frame,
-        panels: &magnified(study.parameters()),
-    })?;
-    Ok(Made { figure: Some(figure), tables: made.tables() })
-}
-
-/// The panels of Figure 8, numbered from 1.
-fn magnified(parameters: &Parameters) -> Vec<Magnified> {
-    let panels = parameters.fig08().panels().iter().zip(1..);
-    panels.map(|(shown, panel)| Magnified { panel, window: plane(shown.window()) }).collect()
-}
-
-/// The amplitudes across and the frequencies up.
-fn plane(rectangle: Rectangle) -> Window {
-    window(rectangle.amplitude(), rectangle.frequency())
-}
-
-fn window(across: Range, up: Range) -> Window {
-    Window { x: ends(across), y: ends(up) }
-}
-
-fn ends(range: Range) -> [f64; 2] {
-    [range.lower(), range.upper()]
-}
 
 impl Output {
     /// The paths of its files in the output folder.
@@ -135,7 +76,7 @@ impl Output {
     /// # Errors
     /// [`Failure::Computation`]; [`Failure::Registry`] if other tables were made than announced.
     pub(crate) fn files(&self, study: &Study<'_>) -> Result<Vec<MadeFile>, Failure> {
-        let made = (self.make)(study).map_err(|error| computation(self.name, &*error))?;
+        let made = (self.make)(study, SheetWidth::Paper).map_err(|error| computation(self.name, &*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
         if names != self.tables {
             return Err(Failure::Registry { output: self.name, made: names, registered: self.tables });

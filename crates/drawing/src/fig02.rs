@@ -13,7 +13,7 @@ use crate::labels::Labels;
 use crate::markup::Label;
 use crate::portraits::{Portrait, draw_portraits, read_portraits};
 use crate::sheet::{Bounds, Spot};
-use crate::style::{BLACK, GUIDE, MAGNIFIER, MAGNIFIER_FRAME, SMALL_LABEL_SIZE, WIDE_MM};
+use crate::style::{BLACK, GUIDE, MAGNIFIER, MAGNIFIER_FRAME, SMALL_LABEL_SIZE, SheetWidth};
 use crate::svg_backend::Anchor;
 
 /// What Figure 2 shows.
@@ -37,6 +37,8 @@ pub struct Figure02<'a> {
     pub magnification: Window,
 }
 
+/// Width in the paper.
+const WIDTH_MM: f64 = 156.0;
 const HEIGHT_MM: f64 = 128.0;
 
 /// Draws Figure 2.
@@ -44,8 +46,8 @@ const HEIGHT_MM: f64 = 128.0;
 /// # Errors
 /// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown, a window is empty, or there is no
 /// portrait or more than six.
-pub fn draw_fig02(figure: &Figure02<'_>) -> Result<String, DrawingError> {
-    compose(figure)?.finish(
+pub fn draw_fig02(figure: &Figure02<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+    compose(figure, width)?.finish(
         "fig02",
         "One-parameter bifurcation diagram with phase portraits",
         "Below: forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable; \
@@ -53,7 +55,7 @@ pub fn draw_fig02(figure: &Figure02<'_>) -> Result<String, DrawingError> {
     )
 }
 
-pub(crate) fn compose(figure: &Figure02<'_>) -> Result<Canvas, DrawingError> {
+pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
     let window = figure.window.checked("fig02")?;
     let magnification = figure.magnification.checked("the magnification of fig02")?;
     let branches = read_branches(Table::new("fig02_branches", figure.branches))?;
@@ -63,7 +65,7 @@ pub(crate) fn compose(figure: &Figure02<'_>) -> Result<Canvas, DrawingError> {
     let cloud: Vec<(f64, f64)> = amplitudes.into_iter().zip(attractor.numbers("x")?).collect();
     let portraits = read_portraits(Table::new("fig02_portraits", figure.portraits))?;
 
-    let canvas = Canvas::new(WIDE_MM, HEIGHT_MM)?;
+    let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     draw_portraits(&canvas, &portraits)?;
     let (top, bottom) = (158.0, canvas.height - 31.0);
     let split = 0.59 * canvas.width;
@@ -155,13 +157,14 @@ mod tests {
 
     #[test]
     fn no_two_labels_overlap_and_none_leaves_the_sheet() {
-        let misplaced = with_sample(2_000, |figure| compose(figure).unwrap().misplaced_texts());
+        let misplaced =
+            with_sample(2_000, |figure| compose(figure, SheetWidth::Paper).unwrap().misplaced_texts());
         assert!(misplaced.is_empty(), "{misplaced:?}");
     }
 
     #[test]
     fn all_bifurcations_and_loops_are_labelled() {
-        let svg = with_sample(2_000, |figure| draw_fig02(figure).unwrap());
+        let svg = with_sample(2_000, |figure| draw_fig02(figure, SheetWidth::Paper).unwrap());
         for label in [">SN<", ">PD<", ">GZ<", ">graz</tspan>", "non-impacting", "attractor<", "(d)"] {
             assert!(svg.contains(label), "{label}");
         }
@@ -169,7 +172,7 @@ mod tests {
 
     #[test]
     fn sixty_thousand_points_stay_under_two_megabytes() {
-        let svg = with_sample(60_000, |figure| draw_fig02(figure).unwrap());
+        let svg = with_sample(60_000, |figure| draw_fig02(figure, SheetWidth::Paper).unwrap());
         assert!(svg.len() < 2_000_000, "{}", svg.len());
         // One path a shade and panel at most.
         assert!(svg.matches("scale(").count() <= 6);
@@ -179,7 +182,8 @@ mod tests {
     fn a_missing_column_is_an_error_that_names_it() {
         with_sample(10, |figure| {
             let portraits = figure.portraits.drop("kind").unwrap();
-            let error = draw_fig02(&Figure02 { portraits: &portraits, ..*figure }).unwrap_err();
+            let error =
+                draw_fig02(&Figure02 { portraits: &portraits, ..*figure }, SheetWidth::Paper).unwrap_err();
             assert!(error.to_string().contains("`fig02_portraits` has no column `kind`"), "{error}");
         });
     }

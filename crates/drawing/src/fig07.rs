@@ -11,10 +11,9 @@ use crate::kinds::{Kind, read_regions};
 use crate::labels::{Labels, Wanted};
 use crate::sheet::{Bounds, Spot, area};
 use crate::style::{
-    BLACK, FIG07_WIDTH_MM, LABEL_SIZE, MAGNIFIED, MAGNIFIED_TEXT, MPS_AREA, NON_IMPACTING_AREA, SECTION,
-    SMALL_LABEL_SIZE,
+    BLACK, LABEL_SIZE, MAGNIFIED, MAGNIFIED_TEXT, MPS_AREA, NON_IMPACTING_AREA, SECTION, SMALL_LABEL_SIZE,
+    SheetWidth,
 };
-use crate::svg_backend::POINTS_PER_MM;
 
 /// A part of the diagram that Figure 8 magnifies.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,6 +58,8 @@ struct Curve {
     points: Vec<(f64, f64)>,
 }
 
+/// Width in the paper.
+const WIDTH_MM: f64 = 120.0;
 /// Curves shorter than this on the sheet (points) stay without a label.
 const LABELLED_LENGTH: f64 = 42.0;
 
@@ -66,8 +67,8 @@ const LABELLED_LENGTH: f64 = 42.0;
 ///
 /// # Errors
 /// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown or a window is empty.
-pub fn draw_fig07(figure: &Figure07<'_>) -> Result<String, DrawingError> {
-    compose(figure)?.finish(
+pub fn draw_fig07(figure: &Figure07<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+    compose(figure, width)?.finish(
         "fig07",
         "Two-parameter bifurcation diagram",
         "Forcing amplitude across, forcing frequency up. Grazing curve of the non-impacting solution; saddle-node, \
@@ -75,7 +76,7 @@ pub fn draw_fig07(figure: &Figure07<'_>) -> Result<String, DrawingError> {
     )
 }
 
-pub(crate) fn compose(figure: &Figure07<'_>) -> Result<Canvas, DrawingError> {
+pub(crate) fn compose(figure: &Figure07<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
     let window = figure.window.checked("fig07")?;
     for magnified in figure.magnified {
         magnified.window.checked("a rectangle of fig07")?;
@@ -84,9 +85,9 @@ pub(crate) fn compose(figure: &Figure07<'_>) -> Result<Canvas, DrawingError> {
     let regions = read_regions(Table::new("fig07_regions", figure.regions))?;
     let markers = read_points(Table::new("fig07_points", figure.points))?;
 
-    let canvas = Canvas::new(FIG07_WIDTH_MM, 0.8 * FIG07_WIDTH_MM)?;
-    let height = 0.8 * FIG07_WIDTH_MM * POINTS_PER_MM;
-    let bounds = Bounds { left: 35.0, top: 5.0, right: canvas.width - 8.0, bottom: height - 30.0 };
+    let width = width.mm(WIDTH_MM);
+    let canvas = Canvas::new(width, 0.8 * width)?;
+    let bounds = Bounds { left: 35.0, top: 5.0, right: canvas.width - 8.0, bottom: canvas.height - 30.0 };
     let panel = Panel::new(&canvas, window, bounds);
     let mut labels = Labels::new(&canvas, bounds);
 
@@ -229,13 +230,13 @@ mod tests {
 
     #[test]
     fn no_two_labels_overlap_and_none_leaves_the_sheet() {
-        let misplaced = with_sample(|figure| compose(figure).unwrap().misplaced_texts());
+        let misplaced = with_sample(|figure| compose(figure, SheetWidth::Paper).unwrap().misplaced_texts());
         assert!(misplaced.is_empty(), "{misplaced:?}");
     }
 
     #[test]
     fn all_things_of_the_caption_are_labelled() {
-        let svg = with_sample(|figure| draw_fig07(figure).unwrap());
+        let svg = with_sample(|figure| draw_fig07(figure, SheetWidth::Paper).unwrap());
         for label in [">SN<", ">PD<", ">GZ<", ">Fig. 2<", ">(a)<", ">(b)<", ">(c)<", ">graz</tspan>"] {
             assert!(svg.contains(label), "{label}");
         }
@@ -246,17 +247,20 @@ mod tests {
 
     #[test]
     fn equal_input_gives_equal_bytes() {
-        assert_eq!(with_sample(|f| draw_fig07(f).unwrap()), with_sample(|f| draw_fig07(f).unwrap()));
+        assert_eq!(
+            with_sample(|f| draw_fig07(f, SheetWidth::Paper).unwrap()),
+            with_sample(|f| draw_fig07(f, SheetWidth::Paper).unwrap())
+        );
     }
 
     #[test]
     fn inadmissible_rows_are_not_drawn() {
         with_sample(|figure| {
-            let all = draw_fig07(figure).unwrap();
+            let all = draw_fig07(figure, SheetWidth::Paper).unwrap();
             let none = vec![false; figure.curves.height()];
             let mut curves = figure.curves.clone();
             curves.with_column(polars::prelude::Column::new("admissible".into(), none)).unwrap();
-            let without = draw_fig07(&Figure07 { curves: &curves, ..*figure }).unwrap();
+            let without = draw_fig07(&Figure07 { curves: &curves, ..*figure }, SheetWidth::Paper).unwrap();
             let blue = "stroke=\"#1946be\"";
             assert!(all.contains(blue) && !without.contains(blue));
         });
@@ -266,13 +270,13 @@ mod tests {
     fn a_missing_column_and_a_reversed_window_are_errors() {
         with_sample(|figure| {
             let curves = figure.curves.drop("arc").unwrap();
-            let error = draw_fig07(&Figure07 { curves: &curves, ..*figure }).unwrap_err();
+            let error = draw_fig07(&Figure07 { curves: &curves, ..*figure }, SheetWidth::Paper).unwrap_err();
             assert!(matches!(
                 error,
                 DrawingError::MissingColumn { frame: "fig07_curves", column: "arc", .. }
             ));
             let window = Window { x: [1.0, 0.0], ..figure.window };
-            let error = draw_fig07(&Figure07 { window, ..*figure }).unwrap_err();
+            let error = draw_fig07(&Figure07 { window, ..*figure }, SheetWidth::Paper).unwrap_err();
             assert!(matches!(error, DrawingError::Window { window: "fig07", .. }));
         });
     }

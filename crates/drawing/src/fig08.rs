@@ -10,7 +10,7 @@ use crate::frames::{Table, runs};
 use crate::kinds::{Kind, Region, read_regions};
 use crate::labels::Labels;
 use crate::sheet::{Bounds, Spot};
-use crate::style::{BLACK, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, TICK_SIZE, WIDE_MM, approximation};
+use crate::style::{BLACK, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, SheetWidth, TICK_SIZE, approximation};
 use crate::svg_backend::Anchor;
 use crate::ticks::significant;
 
@@ -48,6 +48,8 @@ struct Coefficients {
 }
 
 const PANELS: usize = 3;
+/// Width in the paper.
+const WIDTH_MM: f64 = 156.0;
 const HEIGHT_MM: f64 = 63.0;
 /// Room left of each panel for its numbers, in points; the first has the axis title too.
 const LEFT: f64 = 31.0;
@@ -60,8 +62,8 @@ const LABELLED_LENGTH: f64 = 24.0;
 /// # Errors
 /// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown, a window is empty or their
 /// number is not three.
-pub fn draw_fig08(figure: &Figure08<'_>) -> Result<String, DrawingError> {
-    compose(figure)?.finish(
+pub fn draw_fig08(figure: &Figure08<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+    compose(figure, width)?.finish(
         "fig08",
         "Magnifications about three resonant grazing bifurcations",
         "Forcing amplitude across, forcing frequency up. Dashed: the quadratic approximations to the saddle-node and \
@@ -69,7 +71,7 @@ pub fn draw_fig08(figure: &Figure08<'_>) -> Result<String, DrawingError> {
     )
 }
 
-pub(crate) fn compose(figure: &Figure08<'_>) -> Result<Canvas, DrawingError> {
+pub(crate) fn compose(figure: &Figure08<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
     if figure.panels.len() != PANELS {
         let found = figure.panels.len();
         return Err(DrawingError::PanelCount { figure: "fig08", wanted: "three panels", found });
@@ -79,7 +81,7 @@ pub(crate) fn compose(figure: &Figure08<'_>) -> Result<Canvas, DrawingError> {
     let markers = read_points(Table::new("fig07_points", figure.points))?;
     let coefficients = read_coefficients(Table::new("fig08_coefficients", figure.coefficients))?;
 
-    let canvas = Canvas::new(WIDE_MM, HEIGHT_MM)?;
+    let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let pitch = (canvas.width - TITLE_ROOM - 6.0) / PANELS as f64;
     for (place, magnified) in figure.panels.iter().enumerate() {
         let window = magnified.window.checked("a panel of fig08")?;
@@ -200,13 +202,13 @@ mod tests {
 
     #[test]
     fn no_two_labels_overlap_and_none_leaves_the_sheet() {
-        let misplaced = with_sample(|figure| compose(figure).unwrap().misplaced_texts());
+        let misplaced = with_sample(|figure| compose(figure, SheetWidth::Paper).unwrap().misplaced_texts());
         assert!(misplaced.is_empty(), "{misplaced:?}");
     }
 
     #[test]
     fn coefficients_are_printed_to_four_figures() {
-        let svg = with_sample(|figure| draw_fig08(figure).unwrap());
+        let svg = with_sample(|figure| draw_fig08(figure, SheetWidth::Paper).unwrap());
         for number in ["−123.5", "98.77", "−9876", "1234"] {
             assert!(svg.contains(number), "{number}");
         }
@@ -214,7 +216,7 @@ mod tests {
 
     #[test]
     fn only_approximations_are_plainly_dashed() {
-        let svg = with_sample(|figure| draw_fig08(figure).unwrap());
+        let svg = with_sample(|figure| draw_fig08(figure, SheetWidth::Paper).unwrap());
         // Two approximations in each of three panels.
         assert_eq!(svg.matches("stroke-dasharray=\"3.2 2\"").count(), 6);
     }
@@ -222,7 +224,8 @@ mod tests {
     #[test]
     fn another_number_of_panels_is_an_error() {
         with_sample(|figure| {
-            let error = draw_fig08(&Figure08 { panels: &figure.panels[..2], ..*figure }).unwrap_err();
+            let error = draw_fig08(&Figure08 { panels: &figure.panels[..2], ..*figure }, SheetWidth::Paper)
+                .unwrap_err();
             assert!(matches!(error, DrawingError::PanelCount { found: 2, .. }));
         });
     }

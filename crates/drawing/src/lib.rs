@@ -41,4 +41,4 @@ pub use fig02::{Figure02, draw_fig02};
 pub use fig07::{Figure07, Magnified, Section, draw_fig07};
 pub use fig08::{Figure08, draw_fig08};
 pub use font::FONT_FILES;
-pub use style::{DOUBLE_COLUMN_MM, SINGLE_COLUMN_MM};
+pub use style::SheetWidth;

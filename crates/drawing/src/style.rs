@@ -44,14 +44,28 @@ impl Paint {
     }
 }
 
-/// Single column of a journal, in millimetres.
-pub const SINGLE_COLUMN_MM: f64 = 86.0;
-/// Double column of a journal, in millimetres.
-pub const DOUBLE_COLUMN_MM: f64 = 178.0;
-/// Width of Figure 7, in millimetres.
-pub(crate) const FIG07_WIDTH_MM: f64 = 120.0;
-/// Width of Figures 2 and 8, in millimetres.
-pub(crate) const WIDE_MM: f64 = 156.0;
+/// How wide a figure is drawn. Text and lines keep their sizes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SheetWidth {
+    /// As wide as the paper has this figure.
+    #[default]
+    Paper,
+    /// One column of a journal with two: 86 mm.
+    OneColumn,
+    /// Both columns: 178 mm.
+    TwoColumns,
+}
+
+impl SheetWidth {
+    /// The width in millimetres of a figure that is `paper` millimetres wide in the paper.
+    pub(crate) const fn mm(self, paper: f64) -> f64 {
+        match self {
+            Self::Paper => paper,
+            Self::OneColumn => 86.0,
+            Self::TwoColumns => 178.0,
+        }
+    }
+}
 
 pub(crate) const BLACK: Colour = Colour(0, 0, 0);
 pub(crate) const WHITE: Colour = Colour(255, 255, 255);

@@ -1,0 +1,5 @@
+//! Section 2: main results.
+
+use super::{Check, checks};
+
+pub(crate) const CHECKS: &[Check] = checks!["main_results":];

@@ -1,0 +1,51 @@
+//! The order at which remainders vanish.
+
+/// Sizes fall by halves from two to the minus this.
+const FIRST: i32 = 6;
+/// The number of sizes.
+const SIZES: i32 = 16;
+/// How many times its rounding a remainder must be to count.
+const RESOLVED: f64 = 100.0;
+
+/// The observed order of a remainder in a size: log₂ of the ratio at the two smallest sizes, a factor two apart, at which it
+/// stands a hundredfold above its rounding.
+///
+/// `remainder` gives, for a size, the remainder and its rounding, or `None` where the size is too large for it to exist.
+/// Infinite if the remainder is never resolved twice: then there is none to be seen.
+pub fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
+    let mut resolved: Vec<f64> = Vec::new();
+    for k in FIRST..FIRST + SIZES {
+        match remainder(libm::ldexp(1.0, -k)) {
+            Some((value, rounding)) if value.abs() > RESOLVED * rounding => resolved.push(value.abs()),
+            // Below rounding once, below rounding from there on.
+            Some(_) => break,
+            None => resolved.clear(),
+        }
+    }
+    match resolved[..] {
+        [.., coarse, fine] => libm::log2(coarse / fine),
+        _ => f64::INFINITY,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_order_of_a_power_with_a_higher_term_is_seen() {
+        let observed = order(|h| Some((h * h * h * (1.0 + h), 1e-16)));
+        assert!((observed - 3.0).abs() < 0.01, "{observed}");
+    }
+
+    #[test]
+    fn what_is_below_rounding_has_no_order() {
+        assert_eq!(order(|_| Some((1e-17, 1e-16))), f64::INFINITY);
+    }
+
+    #[test]
+    fn sizes_at_which_nothing_exists_are_passed_over() {
+        let observed = order(|h| (h < 0.004).then_some((h * h, 1e-16)));
+        assert!((observed - 2.0).abs() < 1e-9);
+    }
+}

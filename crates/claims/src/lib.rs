@@ -1,0 +1,15 @@
+//! The ledger of claims: what the paper states, label by label, and the checks that test each statement.
+//!
+//! `expected/claims.toml` lists every numbered equation, lemma, proposition, theorem and every number in text and captions
+//! ([`ledger`]). Most name a check, a function here that measures how well the statement holds ([`outcome`]): the largest
+//! deviation of an identity over its domain, the order at which a remainder vanishes, the smallest margin of an inequality
+//! under adversarial search, the cases in which a theorem's conclusion is seen in the hybrid system. Where print and
+//! mathematics differ, the check holds the print too, and passes only if the print fails.
+//!
+//! Nothing here reads files or prints; sampling is seeded, so every run measures the same.
+
+pub mod checks;
+pub mod convergence;
+pub mod ledger;
+pub mod outcome;
+pub mod sampling;

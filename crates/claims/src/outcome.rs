@@ -1,0 +1,111 @@
+//! What a check finds out.
+
+use std::error::Error;
+
+/// What a check returns; an error is a computation that could not be done, and counts as a failure.
+pub type CheckResult = Result<Outcome, Box<dyn Error + Send + Sync>>;
+
+/// How well a statement holds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// The statement, as corrected where the paper has a misprint.
+    pub measure: Measure,
+    /// The statement as printed, where the print differs; it has to fail.
+    pub print: Option<Measure>,
+    /// Number of points, cases or searches that were looked at.
+    pub samples: usize,
+    /// What the samples were, in a few words: "points of the trapesium, p = 2 to 15".
+    pub over: String,
+}
+
+/// One measurement, with what it is held against.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Measure {
+    /// An identity: the largest deviation, and the rounding that it may have.
+    Deviation {
+        /// The largest deviation seen, relative to the size of the terms.
+        largest: f64,
+        /// What rounding, or the accuracy of the second route, explains.
+        tolerance: f64,
+    },
+    /// An expansion: the order at which the remainder was seen to vanish.
+    Order {
+        /// The smallest order seen; infinite where the remainder is below rounding throughout.
+        observed: f64,
+        /// The order that is stated.
+        stated: f64,
+        /// How far below the stated one the observed order may lie, because of the next term.
+        slack: f64,
+    },
+    /// An inequality: the smallest margin that a search could find, positive where the inequality holds.
+    Margin {
+        /// The smallest value of what is said to be positive, scaled as the check says.
+        smallest: f64,
+    },
+    /// A yes-or-no statement: the cases that agree.
+    Agreement {
+        /// Cases that agree.
+        agreeing: usize,
+        /// All cases.
+        cases: usize,
+    },
+}
+
+impl Measure {
+    /// Whether the statement holds.
+    pub fn holds(&self) -> bool {
+        match *self {
+            Self::Deviation { largest, tolerance } => largest <= tolerance,
+            Self::Order { observed, stated, slack } => observed >= stated - slack,
+            Self::Margin { smallest } => smallest > 0.0,
+            Self::Agreement { agreeing, cases } => cases > 0 && agreeing == cases,
+        }
+    }
+}
+
+impl Outcome {
+    /// The outcome of a statement that is printed as it is true.
+    pub fn new(measure: Measure, samples: usize, over: impl Into<String>) -> Self {
+        Self { measure, print: None, samples, over: over.into() }
+    }
+
+    /// The same with the statement as printed, which differs.
+    pub fn against_print(self, print: Measure) -> Self {
+        Self { print: Some(print), ..self }
+    }
+
+    /// Whether the statement holds, and the print, where it differs, does not; nothing holds over no samples.
+    pub fn passes(&self) -> bool {
+        self.samples > 0 && self.measure.holds() && self.print.is_none_or(|print| !print.holds())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RIGHT: Measure = Measure::Deviation { largest: 1e-15, tolerance: 1e-12 };
+    const WRONG: Measure = Measure::Deviation { largest: 1e-3, tolerance: 1e-12 };
+
+    #[test]
+    fn a_misprint_passes_only_if_the_print_is_wrong() {
+        assert!(Outcome::new(RIGHT, 1, "").passes());
+        assert!(Outcome::new(RIGHT, 1, "").against_print(WRONG).passes());
+        assert!(!Outcome::new(RIGHT, 1, "").against_print(RIGHT).passes());
+        assert!(!Outcome::new(WRONG, 1, "").against_print(WRONG).passes());
+    }
+
+    #[test]
+    fn nothing_holds_where_nothing_was_looked_at() {
+        assert!(!Outcome::new(RIGHT, 0, "").passes());
+        assert!(!Measure::Agreement { agreeing: 0, cases: 0 }.holds());
+    }
+
+    #[test]
+    fn what_is_not_a_number_does_not_hold() {
+        let nan = f64::NAN;
+        assert!(!Measure::Deviation { largest: nan, tolerance: 1.0 }.holds());
+        assert!(!Measure::Order { observed: nan, stated: 2.0, slack: 0.3 }.holds());
+        assert!(!Measure::Margin { smallest: nan }.holds());
+    }
+}

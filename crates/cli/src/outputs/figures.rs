@@ -1,0 +1,72 @@
+//! From a study's frames to figures: one function a figure.
+
+use grazing_drawing::{
+    Figure02, Figure07, Figure08, Magnified, Section, SheetWidth, Window, draw_fig02, draw_fig07, draw_fig08,
+};
+use grazing_reproduction::Study;
+use grazing_reproduction::parameters::{Parameters, Range, Rectangle};
+
+use super::{Made, MadeResult};
+
+pub(super) fn fig02(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let made = study.fig02()?;
+    let shown = study.parameters().fig02();
+    let figure = Figure02 {
+        branches: &made.branches.frame,
+        bifurcations: &made.bifurcations.frame,
+        attractor: &made.attractor.frame,
+        portraits: &made.portraits.frame,
+        window: window(shown.amplitude(), shown.x()),
+        magnification: window(shown.magnified_amplitude(), shown.magnified_x()),
+    };
+    let figure = draw_fig02(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
+
+pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let made = study.fig07()?;
+    let parameters = study.parameters();
+    let section = parameters.fig02();
+    let figure = Figure07 {
+        curves: &made.curves.frame,
+        points: &made.points.frame,
+        regions: &made.regions.frame,
+        window: plane(parameters.fig07().window()),
+        magnified: &magnified(parameters),
+        section: Section { omega: section.frequency(), amplitude: ends(section.amplitude()) },
+    };
+    let figure = draw_fig07(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
+
+pub(super) fn fig08(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let (made, whole) = (study.fig08()?, study.fig07()?);
+    let figure = Figure08 {
+        curves: &made.curves.frame,
+        points: &whole.points.frame,
+        regions: &whole.regions.frame,
+        coefficients: &made.coefficients.frame,
+        panels: &magnified(study.parameters()),
+    };
+    let figure = draw_fig08(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
+
+/// The panels of Figure 8, numbered from 1.
+fn magnified(parameters: &Parameters) -> Vec<Magnified> {
+    let panels = parameters.fig08().panels().iter().zip(1..);
+    panels.map(|(shown, panel)| Magnified { panel, window: plane(shown.window()) }).collect()
+}
+
+/// The amplitudes across and the frequencies up.
+fn plane(rectangle: Rectangle) -> Window {
+    window(rectangle.amplitude(), rectangle.frequency())
+}
+
+fn window(across: Range, up: Range) -> Window {
+    Window { x: ends(across), y: ends(up) }
+}
+
+fn ends(range: Range) -> [f64; 2] {
+    [range.lower(), range.upper()]
+}
