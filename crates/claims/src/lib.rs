@@ -11,5 +11,7 @@
 pub mod checks;
 pub mod convergence;
 pub mod ledger;
+pub mod measuring;
 pub mod outcome;
+pub mod printed;
 pub mod sampling;
