@@ -44,7 +44,7 @@ pub(super) fn resonance_boundary_is_a_zero() -> CheckResult {
         largest.compare(resonance_boundary(0.5 * f64::from(p), delta), doubled, 1.0 + 1.0 / delta.sqrt());
     }
     // Powers of a matrix of norm two in fifteen steps, of which the entry is what cancellation leaves.
-    Ok(largest.outcome(1e-11, "p up to 15 and random A with τ = g_p(δ), and with τ above it"))
+    Ok(largest.outcome(1e-12, "p up to 15 and random A with τ = g_p(δ), and with τ above it"))
 }
 
 /// eq:Hp: the double sum in complex arithmetic against the recurrence.
@@ -76,7 +76,7 @@ pub(super) fn admissibility_sum_is_the_double_sum() -> CheckResult {
         largest.add(sum.im.abs() / size);
     }
     // Sixty terms of a dozen factors; eigenvalues near the double one lose digits that their sums keep.
-    Ok(largest.outcome(1e-12, "points of the trapesium, p = 2 to 12"))
+    Ok(largest.outcome(1e-13, "points of the trapesium, p = 2 to 12"))
 }
 
 /// δ^{(p−2)/2} H_p, which neither over- nor underflows.
@@ -87,7 +87,7 @@ fn scaled_sum(p: u32, tau: f64, delta: f64) -> f64 {
 /// h_p: H_p vanishes there and is positive above, found by search of the smallest quotient H_p/(τ − h_p).
 pub(super) fn admissibility_boundary_is_the_largest_zero() -> CheckResult {
     let mut least = f64::INFINITY;
-    const STARTS: usize = 20;
+    const STARTS: usize = 5;
     for p in 3..=20 {
         let (margin, _) = smallest(u64::from(p), STARTS, |[d, s]: [f64; 2]| {
             let delta = 0.01 + 0.989_999 * d;
@@ -120,7 +120,7 @@ pub(super) fn admissibility_boundary_is_the_largest_zero() -> CheckResult {
 /// factor 2√δ: they are measured against that.
 pub(super) fn bounds() -> CheckResult {
     let mut least = f64::INFINITY;
-    const STARTS: usize = 20;
+    const STARTS: usize = 5;
     for p in 3..=30 {
         for side in [0, 1] {
             let (margin, _) = smallest(u64::from(p) + 100 * side, STARTS, |[d]: [f64; 1]| {
@@ -158,7 +158,11 @@ pub(super) fn limit() -> CheckResult {
                 if loops > 1024 {
                     return Some((0.0, 1.0));
                 }
-                let value = if lower { admissibility_boundary(loops, delta).ok()? } else { resonance_boundary(1.0 / h, delta) };
+                let value = if lower {
+                    admissibility_boundary(loops, delta).ok()?
+                } else {
+                    resonance_boundary(1.0 / h, delta)
+                };
                 Some((end - value, 1e-15))
             }));
         }
@@ -210,17 +214,17 @@ fn emerges(grazing: &grazing_theorems::GrazingState, loops: u32, side: f64) -> R
     Ok(solution.admissible() && returns(&equations.oscillator_at(&zero), &solution))
 }
 
-/// p-loop MPSs with τ < h_p(δ) exist near δ = 1 for p = 5 and from p = 7 on, and not for p = 2, 3, 4 and 6: by the signs of
+/// p-loop MPSs with τ < h_p(δ) exist near δ = 1 for p = 5 and from p = 7 on, and not for p = 3, 4 and 6: by the signs of
 /// all u⁽ʲ⁾ over a grid of the trapesium, and for those that exist in a simulated oscillator.
 pub(super) fn beyond_the_boundary() -> CheckResult {
     let mut cases = Cases::default();
-    for p in 2..=16 {
+    for p in 3..=14 {
         let mut found: Option<(f64, f64)> = None;
-        for delta in [0.3, 0.6, 0.8, 0.9, 0.95, 0.98, 0.99, 0.999] {
+        for delta in [0.3, 0.7, 0.9, 0.97, 0.999] {
             let boundary = admissibility_boundary(p, delta)?;
             // From −(δ + 1) up to h_p, off the ends by more than rounding.
             let length = boundary + 1.0 + delta;
-            const STEPS: i32 = 4000;
+            const STEPS: i32 = 1500;
             let admissible = |k: &i32| {
                 let tau = -1.0 - delta + length * (f64::from(*k) + 0.5) / f64::from(STEPS);
                 lucas_sequence(p, tau, delta) != 0.0
@@ -236,7 +240,7 @@ pub(super) fn beyond_the_boundary() -> CheckResult {
             cases.add(beyond_in_simulation(p, tau, delta)?);
         }
     }
-    Ok(cases.outcome("p = 2 to 16 on grids of the trapesium, and an oscillator for each p found"))
+    Ok(cases.outcome("p = 3 to 14 on grids of the trapesium, and an oscillator for each p found"))
 }
 
 /// Whether the linear oscillator with this trace and determinant has a p-loop MPS near grazing, one side or the other.

@@ -24,7 +24,8 @@ pub(super) struct Resonant {
     pub(super) point: ResonantGrazingPoint<Specimen>,
 }
 
-/// A resonance with one of these numbers of loops at which no coefficient is within a twentieth of zero.
+/// A resonance with one of these numbers of loops at which s^± are not within a twentieth of zero, nor the impact
+/// velocity along either curve within a fifth of η: then the curves are seen at small velocities.
 pub(super) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Resonant, Failure> {
     loop {
         let loops = sampler.one_of(loops);
@@ -32,13 +33,15 @@ pub(super) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Resonant,
         let law = Specimen::random_law(sampler);
         let theory = grazing_theorems::LinearOscillator::new(zeta, 1.0)?;
         // For p = 1 and n = 1 the frequency is twice the natural one.
-        let closed = theory.resonance(loops, sampler.one_of(&[1, 2, 3]))?;
+        let closed = theory.resonance(loops, sampler.one_of(&[1, 2]))?;
         let (specimen, phase) = Specimen::grazing(zeta, closed.forcing_frequency(), law)?;
         let Ok(point) = ResonantGrazingPoint::find(&specimen, loops, phase) else {
             continue;
         };
         let stability = point.resonant_point().stability_coefficients();
-        if stability.plus.abs().min(stability.minus.abs()) > 0.05 {
+        let slopes = [point.theorem().saddle_node(), point.theorem().period_doubling()]
+            .map(|curve| curve.impact_velocity_slope.abs());
+        if stability.plus.abs().min(stability.minus.abs()) > 0.05 && slopes[0].min(slopes[1]) > 0.2 {
             return Ok(Resonant { point });
         }
     }
@@ -57,7 +60,11 @@ fn on_branch(resonance: &ResonantGrazingPoint<Specimen>, velocity: f64) -> Optio
 }
 
 /// s^± as limits of T − D − 1 and T + D + 1 on the branch at η = 0, with T and D of numerical orbits.
-fn stability(seed: u64, loops: &[u32], formula: fn(&ResonantPoint) -> [f64; 2]) -> Result<LeastOrder, Failure> {
+fn stability(
+    seed: u64,
+    loops: &[u32],
+    formula: fn(&ResonantPoint) -> [f64; 2],
+) -> Result<LeastOrder, Failure> {
     let mut sampler = Sampler::new(seed);
     let mut least = LeastOrder::default();
     for _ in 0..60 {
@@ -68,8 +75,8 @@ fn stability(seed: u64, loops: &[u32], formula: fn(&ResonantPoint) -> [f64; 2]) 
                 let found = on_branch(&resonance, velocity)?;
                 let multipliers = resonance.equations().solution(&found).0.multipliers;
                 let limit = multipliers.trace - sign * (multipliers.determinant + 1.0);
-                // Numerator and denominator of T vanish with y: rounding over y.
-                Some((limit - stated, 1e-13 / velocity))
+                // Numerator and denominator of T vanish with y: rounding over y, of terms of order ten.
+                Some((limit - stated, 1e-14 / velocity))
             }));
         }
     }
@@ -107,11 +114,7 @@ fn curvature(point: &ResonantPoint) -> f64 {
 }
 
 /// c_SN and c_PD by the printed formulas against the limits of μ/η² on continued curves.
-fn fitted(
-    seed: u64,
-    loops: &[u32],
-    saddle_node: fn(&ResonantPoint) -> f64,
-) -> Result<Largest, Failure> {
+fn fitted(seed: u64, loops: &[u32], saddle_node: fn(&ResonantPoint) -> f64) -> Result<Largest, Failure> {
     let mut sampler = Sampler::new(seed);
     let mut largest = Largest::default();
     for _ in 0..40 {
@@ -128,15 +131,17 @@ fn fitted(
     Ok(largest)
 }
 
-/// Accuracy of a fitted coefficient: the extrapolation from nine impact velocities leaves about 10⁻⁸ of it; empirical.
-const FIT: f64 = 1e-5;
+/// Accuracy of a fitted coefficient: the extrapolation from nine impact velocities leaves 10⁻⁷ of it, and ten times as much
+/// or more where the curve is seen only below velocities of 10⁻³; empirical, ten times the largest.
+const FIT: f64 = 5e-5;
 
 /// eq:coeffs1.
 pub(super) fn curves_one_loop() -> CheckResult {
     let largest = fitted(63, &[1], |point| {
         let grazing = &point.grazing;
         let slope = grazing.alpha() * grazing.forcing_frequency * point.unfolding.derivative();
-        slope * slope / (2.0 * grazing.map.transversality() * grazing.gamma * point.stability_coefficients().plus)
+        slope * slope
+            / (2.0 * grazing.map.transversality() * grazing.gamma * point.stability_coefficients().plus)
     })?;
     Ok(largest.outcome(FIT, "c_SN and c_PD at resonances p = 1 with ψ ≠ 0, against fits to continued curves"))
 }
@@ -157,7 +162,8 @@ pub(super) fn curves_many_loops() -> CheckResult {
         quotient * quotient * (delta - tau + 1.0)
             / (2.0 * map.transversality() * grazing.gamma * point.stability_coefficients().plus)
     })?;
-    Ok(largest.outcome(FIT, "c_SN and c_PD at resonances p = 2, 3, 4 with ψ ≠ 0, against fits to continued curves"))
+    Ok(largest
+        .outcome(FIT, "c_SN and c_PD at resonances p = 2, 3, 4 with ψ ≠ 0, against fits to continued curves"))
 }
 
 /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.

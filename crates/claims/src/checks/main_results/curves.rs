@@ -14,16 +14,25 @@ use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
 
 /// The point of the SN or PD curve with this impact velocity, if it exists.
-fn on_curve(resonance: &ResonantGrazingPoint<Specimen>, condition: Condition, velocity: f64) -> Option<Unknowns> {
+pub(super) fn on_curve(
+    resonance: &ResonantGrazingPoint<Specimen>,
+    condition: Condition,
+    velocity: f64,
+) -> Option<Unknowns> {
     let direction = resonance.direction(condition);
+    // Farther off the direction is no good start.
+    if velocity * direction[unknown::SECONDARY].abs() > 0.01 * direction[unknown::VELOCITY] {
+        return None;
+    }
     let start = resonance.unknowns() + direction * (velocity / direction[unknown::VELOCITY]);
     let conditions = [condition, Condition::ImpactVelocity(velocity)];
     locate(resonance.equations(), conditions, start, &mut Memory::default()).ok()
 }
 
-/// μ and η of a point, and the rounding of μ − cη².
-fn unfolded(resonance: &ResonantGrazingPoint<Specimen>, point: &Unknowns) -> Option<[f64; 2]> {
-    let orbit = GrazingOrbit::find(&resonance.equations().oscillator_at(point), resonance.orbit().phase()).ok()?;
+/// μ and η of a point.
+pub(super) fn unfolded(resonance: &ResonantGrazingPoint<Specimen>, point: &Unknowns) -> Option<[f64; 2]> {
+    let orbit =
+        GrazingOrbit::find(&resonance.equations().oscillator_at(point), resonance.orbit().phase()).ok()?;
     let [_, origin] = resonance.orbit().oscillator().parameters();
     Some([point[unknown::PRIMARY] - orbit.primary(), point[unknown::SECONDARY] - origin])
 }
@@ -35,8 +44,11 @@ fn remainder(seed: u64, loops: &[u32], condition: Condition) -> CheckResult {
     for _ in 0..40 {
         let Resonant { point: resonance } = resonant(&mut sampler, loops)?;
         let theorem = resonance.theorem();
-        let curve =
-            if condition == Condition::SADDLE_NODE { theorem.saddle_node() } else { theorem.period_doubling() };
+        let curve = if condition == Condition::SADDLE_NODE {
+            theorem.saddle_node()
+        } else {
+            theorem.period_doubling()
+        };
         least.add(order(|velocity| {
             let [mu, eta] = unfolded(&resonance, &on_curve(&resonance, condition, velocity)?)?;
             // No curve on the other side of η = 0: a value that makes the order fail.
@@ -80,7 +92,8 @@ pub(super) fn crossing() -> CheckResult {
         for condition in [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING] {
             // Small against the velocities of order one at which curves end.
             const VELOCITY: f64 = 2e-3;
-            let centre = on_curve(&resonance, condition, VELOCITY).ok_or("no point of the curve was found")?;
+            let centre =
+                on_curve(&resonance, condition, VELOCITY).ok_or("no point of the curve was found")?;
             let neighbour = |factor: f64| {
                 let velocity = VELOCITY * factor;
                 let mut start = centre;

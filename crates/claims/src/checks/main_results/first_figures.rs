@@ -66,7 +66,8 @@ pub(super) fn stability_gained() -> CheckResult {
     for (loops, gained) in [(2, Condition::PERIOD_DOUBLING), (3, Condition::SADDLE_NODE)] {
         let (equations, curve, _) = branch(loops)?;
         let stable = |index: usize| curve.points.get(index).map(|point| point.solution.stable());
-        let event = curve.events.iter().find(|event| event.solution.admissible() && event.condition == gained);
+        let event =
+            curve.events.iter().find(|event| event.solution.admissible() && event.condition == gained);
         let event = event.ok_or("the event of Figure 2 was not found")?;
         cases.add(stable(event.index - 1) == Some(false) && stable(event.index) == Some(true));
         // A point well past the event attracts in simulation, one well before it does not.

@@ -24,7 +24,11 @@ pub(super) fn grazing_orbit() -> CheckResult {
         let end = oscillator.flow::<1>(from, period).value;
         // Over one period from half a period before the contact.
         let middle = oscillator.flow::<1>(from, 0.5 * period).value;
-        let start = State { position: middle[0], velocity: middle[1], phase: orbit.phase() + 0.5 * core::f64::consts::TAU };
+        let start = State {
+            position: middle[0],
+            velocity: middle[1],
+            phase: orbit.phase() + 0.5 * core::f64::consts::TAU,
+        };
         let maxima = local_maxima(&oscillator.motion(start), period);
         // Positions of order one are good to some roundings; maxima that do not touch lie far lower in one period.
         let touching = maxima.iter().filter(|maximum| maximum.position > -1e-12).count();

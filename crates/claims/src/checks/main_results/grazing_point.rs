@@ -42,8 +42,7 @@ pub(super) fn constants() -> CheckResult {
     for _ in 0..300 {
         let orbit = Specimen::grazing_orbit(&mut sampler)?;
         let (oscillator, point) = (orbit.oscillator(), orbit.grazing_point());
-        let [recoil, phase] =
-            difference(1e-3, |y| Ok(oscillator.reset::<1>(y, orbit.phase()).value.into()))?;
+        let [recoil, phase] = difference(1e-3, |y| Ok(oscillator.reset::<1>(y, orbit.phase()).value.into()))?;
         largest.compare(-recoil, point.phi, 1.0);
         largest.compare(phase, point.psi, 1.0);
         let motion = oscillator.motion(State::at_rest(0.0, orbit.phase()));

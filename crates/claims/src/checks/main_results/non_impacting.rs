@@ -43,9 +43,7 @@ fn fixed_point(orbit: &GrazingOrbit<Specimen>, mu: f64) -> Result<Vector2<f64>, 
     let mut point = Vector2::new(0.0, orbit.phase());
     for _ in 0..20 {
         let jet = global_map::<_, 1>(&oscillator, point[0], point[1], None)?.jet;
-        let step = (jet.derivative() - Matrix2::identity())
-            .try_inverse()
-            .ok_or("1 is an eigenvalue of A")?
+        let step = (jet.derivative() - Matrix2::identity()).try_inverse().ok_or("1 is an eigenvalue of A")?
             * (jet.value - point);
         point -= step;
         // Converges quadratically: the next step would be rounding.
@@ -136,12 +134,20 @@ pub(super) fn eigenvalues() -> CheckResult {
         let (tau, delta) = sampler.trapesium();
         match Eigenvalues::from_trace_and_determinant(tau, delta) {
             Eigenvalues::Real { lambda_1, lambda_2 } => {
-                largest.add(if lambda_1 >= lambda_2 && tau * tau >= 4.0 * delta { 0.0 } else { f64::INFINITY });
+                largest.add(if lambda_1 >= lambda_2 && tau * tau >= 4.0 * delta {
+                    0.0
+                } else {
+                    f64::INFINITY
+                });
                 for (lambda, sign) in [(lambda_1, 1.0), (lambda_2, -1.0)] {
                     largest.add((lambda * lambda - tau * lambda + delta).abs());
                     // Near a double eigenvalue the square root amplifies: compare what is under it.
                     let root = 2.0 * lambda - tau;
-                    largest.add(if root * sign >= -1e-15 { (root * root - tau * tau + 4.0 * delta).abs() } else { 1.0 });
+                    largest.add(if root * sign >= -1e-15 {
+                        (root * root - tau * tau + 4.0 * delta).abs()
+                    } else {
+                        1.0
+                    });
                 }
             }
             Eigenvalues::ComplexPair { modulus, argument } => {

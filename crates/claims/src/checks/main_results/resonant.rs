@@ -1,11 +1,13 @@
 //! Section 2.6: the assumption, ξ_p, the sketch of the unfolding, and the remark.
 
+use grazing_continuation::locate::Condition;
 use grazing_model::motion::highest_maximum;
 use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::{Matrix2, Vector2};
 
 use super::coefficients::{Resonant, resonant};
+use super::curves::{on_curve, unfolded};
 use super::returns::{iterated, second_derivative};
 use super::specimen::Specimen;
 use crate::measuring::{Cases, Largest};
@@ -32,7 +34,8 @@ pub(super) fn grazing_orbits() -> CheckResult {
             // The contact one period later is the highest maximum, at the wall to rounding.
             let touches = top.is_some_and(|top| top.position.abs() < 1e-12);
             // The prediction is off by h²/2 times second derivatives, which are below 10⁴ for ζ ≥ 0.01.
-            let smooth = (next.phase() - near).abs() + (next.primary() - predicted[0]).abs() < 5e3 * STEP * STEP;
+            let smooth =
+                (next.phase() - near).abs() + (next.primary() - predicted[0]).abs() < 5e3 * STEP * STEP;
             cases.add(touches && smooth && next.oscillator().acceleration(from) < 0.0);
             orbit = next;
         }
@@ -58,8 +61,8 @@ pub(super) fn second_phase_derivative() -> CheckResult {
     Ok(largest.outcome(1e-6, "random oscillators, p = 1 to 4, by second differences"))
 }
 
-/// fig:E: in the case c_SN < 0 < c_PD and β > 0, the non-impacting solution is stable for μ < 0 and is driven into the wall
-/// for μ > 0, and the curves leave to opposite sides of the grazing curve and opposite sides of η = 0.
+/// fig:E: in the case c_SN < 0 < c_PD and β > 0, the non-impacting solution exists for μ < 0 and is stable, and the curves
+/// lie on opposite sides of the grazing curve, each on its side of η = 0.
 pub(super) fn sketch() -> CheckResult {
     let mut sampler = Sampler::new(53);
     let mut cases = Cases::default();
@@ -72,10 +75,18 @@ pub(super) fn sketch() -> CheckResult {
             continue;
         }
         let theorem = located.theorem();
-        let opposite = theorem.saddle_node().eta_side != theorem.period_doubling().eta_side;
         // The fixed point of P_global moves to x < 0 for μ < 0.
         let slope = map.fixed_point_position_slope()?;
-        cases.add(opposite && slope > 0.0 && map.eigenvalues().spectral_radius() < 1.0);
+        cases.add(slope > 0.0 && map.eigenvalues().spectral_radius() < 1.0);
+        for (condition, side, curve) in [
+            (Condition::SADDLE_NODE, -1.0, theorem.saddle_node()),
+            (Condition::PERIOD_DOUBLING, 1.0, theorem.period_doubling()),
+        ] {
+            // A small velocity: the quadratic term rules.
+            let found = on_curve(&located, condition, 1e-4).ok_or("no point of the curve was found")?;
+            let [mu, eta] = unfolded(&located, &found).ok_or("no grazing orbit was found")?;
+            cases.add(mu * side > 0.0 && eta * curve.eta_side.signum() > 0.0);
+        }
     }
     Ok(cases.outcome("resonances of random oscillators in the case of the caption"))
 }
@@ -89,7 +100,9 @@ pub(super) fn remark() -> CheckResult {
     let mut sampler = Sampler::new(54);
     let mut largest = Largest::default();
     for k in 0..1000 {
-        let entry = |k: i32, sampler: &mut Sampler, special: f64| if k == 0 { special } else { sampler.between(-1.5, 1.5) };
+        let entry = |k: i32, sampler: &mut Sampler, special: f64| {
+            if k == 0 { special } else { sampler.between(-1.5, 1.5) }
+        };
         let a22 = entry(k % 5, &mut sampler, 1.0);
         let b1 = entry(k % 7, &mut sampler, 0.0);
         let a = Matrix2::new(sampler.between(-1.0, 1.0), 0.0, sampler.between(-1.0, 1.0), a22);

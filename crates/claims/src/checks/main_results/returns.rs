@@ -55,7 +55,8 @@ pub(crate) fn second_derivative(
     mut value: impl FnMut(f64) -> Result<f64, Failure>,
 ) -> Result<f64, Failure> {
     let middle = value(0.0)?;
-    let mut central = |h: f64| -> Result<f64, Failure> { Ok((value(h)? - 2.0 * middle + value(-h)?) / (h * h)) };
+    let mut central =
+        |h: f64| -> Result<f64, Failure> { Ok((value(h)? - 2.0 * middle + value(-h)?) / (h * h)) };
     let (coarse, fine) = (central(step)?, central(0.5 * step)?);
     Ok((4.0 * fine - coarse) / 3.0)
 }

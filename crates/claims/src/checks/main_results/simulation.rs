@@ -1,8 +1,8 @@
 //! MPSs seen in the hybrid system itself, simulated from impact to impact.
 
 use grazing_continuation::mps::MaximalPeriodicSolution;
-use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::motion::Motion;
+use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::Vector2;
 
@@ -16,7 +16,8 @@ pub(crate) fn returns<O: ImpactOscillator>(oscillator: &O, solution: &MaximalPer
         return false;
     }
     let delay = oscillator.reset::<1>(velocity, phase).value[1] - phase;
-    let period = f64::from(solution.loops) * oscillator.forcing_period() - delay / oscillator.forcing_frequency().value;
+    let period = f64::from(solution.loops) * oscillator.forcing_period()
+        - delay / oscillator.forcing_frequency().value;
     let first = Orbit::new(oscillator, State::on_wall(velocity, phase), 1.5 * period, 10).next();
     let bound = 1e-9 + 1e-12 / velocity;
     match first {
@@ -32,7 +33,10 @@ pub(crate) fn returns<O: ImpactOscillator>(oscillator: &O, solution: &MaximalPer
 
 /// What the simulated orbit from 10⁻⁷ beside an MPS does: it comes a hundred times nearer (true), or goes a hundred times
 /// farther or loses the pattern of one impact in p periods (false); nothing if neither is seen in 10 000 returns.
-pub(crate) fn attracts<O: ImpactOscillator>(oscillator: &O, solution: &MaximalPeriodicSolution) -> Option<bool> {
+pub(crate) fn attracts<O: ImpactOscillator>(
+    oscillator: &O,
+    solution: &MaximalPeriodicSolution,
+) -> Option<bool> {
     let (velocity, phase) = (solution.unknowns[0], solution.unknowns[1]);
     let reset = oscillator.reset::<1>(velocity, phase).value;
     // Half a period after the impact, where the section of constant phase is crossed without impact.

@@ -1,8 +1,8 @@
 //! Oscillators of the general class to test with: the linear flow under a reset law whose Φ and Ψ vary with all their
 //! arguments, and with either parameter as the primary one.
 
-use grazing_model::{FlowJet, ImpactOscillator, LinearMotion, LinearOscillator, MapJet, ParameterJet, State};
 use grazing_model::flow_variable::{PRIMARY, SECONDARY};
+use grazing_model::{FlowJet, ImpactOscillator, LinearMotion, LinearOscillator, MapJet, ParameterJet, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::{Matrix2, Vector2};
 

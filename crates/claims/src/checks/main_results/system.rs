@@ -138,7 +138,8 @@ pub(super) fn reset_form() -> CheckResult {
             let tangent = law(0.0);
             let image = law(velocity);
             let [restitution, delay] = oscillator.law.factors(velocity, phase, frequency);
-            let form = (image[0] + velocity * restitution).abs() + (image[1] - phase - velocity * delay).abs();
+            let form =
+                (image[0] + velocity * restitution).abs() + (image[1] - phase - velocity * delay).abs();
             // Form and identity to a few roundings of the phase.
             if tangent[0] != 0.0 || tangent[1] != phase || form > 4e-15 {
                 return -1.0;
@@ -179,8 +180,10 @@ pub(super) fn reset_law() -> CheckResult {
                 largest.add(if impact.velocity >= 0.0 { 0.0 } else { f64::INFINITY });
                 largest.add(flight.motion.at(flight.duration).position.abs());
                 let [restitution, delay] = oscillator.law.factors(impact.velocity, impact.phase, frequency);
-                expected =
-                    Some(State::on_wall(-impact.velocity * restitution, impact.phase + impact.velocity * delay));
+                expected = Some(State::on_wall(
+                    -impact.velocity * restitution,
+                    impact.phase + impact.velocity * delay,
+                ));
             }
         }
     }
