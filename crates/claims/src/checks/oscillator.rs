@@ -23,6 +23,7 @@ pub(crate) const CHECKS: &[Check] = checks!["oscillator":
     grazing::square_root_factor,
     grazing::first_derivatives,
     grazing::parameter_derivatives,
+    grazing::both_derivatives,
     grazing::trace_and_determinant,
     grazing::transversality,
     resonances::one_loop,

@@ -2,6 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
+use grazing_model::maps::global_map;
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{GrazingPoint, GrazingState};
@@ -153,6 +154,27 @@ pub(super) fn parameter_derivatives() -> CheckResult {
     })?;
     // As for A.
     Ok(largest.outcome(1e-13, "entries of b of random oscillators, by jets and by differences"))
+}
+
+/// pr:oscAb: A and b of the numerical map as the proposition gives them, strongly damped oscillators and high frequencies
+/// included.
+pub(super) fn both_derivatives() -> CheckResult {
+    let mut sampler = Sampler::new(118);
+    let mut largest = Largest::default();
+    for _ in 0..1000 {
+        let zeta = sampler.between(0.002, 0.8);
+        let omega = sampler.between(0.25, 5.0);
+        let closed = grazing_theorems::LinearOscillator::new(zeta, 0.9)?.grazing(omega)?;
+        let oscillator = LinearOscillator::new(zeta, 0.9, closed.amplitude(), omega)?;
+        let map = global_map::<_, 1>(&oscillator, 0.0, closed.phase(), None)?.jet;
+        let stated = closed.linearised_map();
+        let scale = stated.a.amax().max(1.0);
+        largest.add((map.derivative() - stated.a).amax() / scale);
+        let by_primary = map.jacobian.column(2) * closed.amplitude();
+        largest.add((by_primary - stated.b * closed.amplitude()).amax() / scale);
+    }
+    // Derivatives of maxima: sums of a dozen terms of the size of the entries.
+    Ok(largest.outcome(1e-13, "A and b by jets of the map for damping ratios to 0.8, frequencies 0.25 to 5"))
 }
 
 /// eq:osctaudelta: trace and determinant of the numerical A.
