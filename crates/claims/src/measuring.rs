@@ -58,6 +58,12 @@ impl LeastOrder {
         }
     }
 
+    /// Takes in one observed order of a remainder that is there to be seen: if it never was, the statement was not tested,
+    /// and that counts against it.
+    pub fn add_seen(&mut self, observed: f64) {
+        self.add(if observed == f64::INFINITY { f64::NEG_INFINITY } else { observed });
+    }
+
     /// The outcome against the stated order.
     pub fn outcome(&self, stated: f64, slack: f64, over: impl Into<String>) -> Outcome {
         let measure = Measure::Order { observed: self.value, stated, slack };

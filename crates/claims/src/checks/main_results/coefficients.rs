@@ -71,7 +71,7 @@ fn stability(
         let Resonant { point: resonance } = resonant(&mut sampler, loops)?;
         let stated = formula(resonance.resonant_point());
         for (stated, sign) in stated.into_iter().zip([1.0, -1.0]) {
-            least.add(order(|velocity| {
+            least.add_seen(order(|velocity| {
                 let found = on_branch(&resonance, velocity)?;
                 let multipliers = resonance.equations().solution(&found).0.multipliers;
                 let limit = multipliers.trace - sign * (multipliers.determinant + 1.0);

@@ -49,7 +49,7 @@ fn remainder(seed: u64, loops: &[u32], condition: Condition) -> CheckResult {
         } else {
             theorem.period_doubling()
         };
-        least.add(order(|velocity| {
+        least.add_seen(order(|velocity| {
             let [mu, eta] = unfolded(&resonance, &on_curve(&resonance, condition, velocity)?)?;
             // No curve on the other side of η = 0: a value that makes the order fail.
             let Some(stated) = curve.parameter(eta) else {

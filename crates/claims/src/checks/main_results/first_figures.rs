@@ -101,7 +101,7 @@ pub(super) fn singular_jacobian() -> CheckResult {
         let orbit = Specimen::grazing_orbit(&mut sampler)?;
         let point = orbit.grazing_point();
         let limit = -point.alpha() * point.forcing_frequency / (2.0 * point.gamma).sqrt();
-        least.add(order(|h| {
+        least.add_seen(order(|h| {
             let jet = discontinuity_map::<_, 1>(orbit.oscillator(), h * h, orbit.phase()).ok()?;
             // The velocity at the wall is known to 10⁻¹⁶/h of itself.
             Some((jet.jacobian[(1, 0)] * h - limit, 1e-15 / h))

@@ -55,7 +55,7 @@ pub(super) fn expansion() -> CheckResult {
         let map = orbit.grazing_point().map;
         let [x, z, mu] = [(); 3].map(|()| sampler.between(-1.0, 1.0));
         let mut failure = None;
-        least.add(order(|h| {
+        least.add_seen(order(|h| {
             let near = oscillator.with_parameters([primary + h * mu, secondary]);
             let image = match returned(&near, [h * x, orbit.phase() + h * z]) {
                 Ok(image) => image,

@@ -24,7 +24,7 @@ pub(super) fn square_root_factor() -> CheckResult {
         let point = orbit.grazing_point();
         let alpha = 1.0 + point.phi - point.gamma * point.psi / point.forcing_frequency;
         // The size is √x̂, so that the remainder is of second order.
-        least.add(order(|h| {
+        least.add_seen(order(|h| {
             let disc = discontinuity_map::<_, 1>(orbit.oscillator(), h * h, orbit.phase()).ok()?.value;
             let stated = -alpha * point.forcing_frequency * h * (2.0 / point.gamma).sqrt();
             // Times from 10⁻² to 10⁻⁵ are found to the rounding of phases of order one.

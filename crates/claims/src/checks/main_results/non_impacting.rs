@@ -73,7 +73,7 @@ pub(super) fn fixed_point_expansion() -> CheckResult {
     for _ in 0..100 {
         let orbit = nonlinear_orbit(&mut sampler)?;
         let slope = orbit.grazing_point().map.fixed_point_slope()?;
-        least.add(order(|mu| {
+        least.add_seen(order(|mu| {
             let found = fixed_point(&orbit, mu).ok()?;
             let remainder = found - Vector2::new(0.0, orbit.phase()) - slope * mu;
             // (I − A)⁻¹ amplifies roundings up to a hundredfold.

@@ -19,7 +19,7 @@ fn oscillator(sampler: &mut Sampler) -> Result<LinearOscillator, Failure> {
     Ok(LinearOscillator::new(
         sampler.between(0.005, 0.9),
         sampler.between(0.01, 1.0),
-        sampler.between(0.1, 3.0),
+        sampler.between(0.3, 3.0),
         sampler.between(0.2, 3.0),
     )?)
 }
@@ -62,8 +62,11 @@ fn defect(oscillator: &LinearOscillator, x: impl Fn(f64) -> f64, time: f64, h: f
     let acceleration = (ahead - 2.0 * here + back) / (h * h);
     let velocity = (ahead - back) / (2.0 * h);
     let force = oscillator.amplitude() * libm::cos(oscillator.frequency() * time);
-    let size = 1.0 + here.abs() + (oscillator.amplitude() * 100.0).min(100.0);
-    (acceleration + 2.0 * oscillator.damping_ratio() * velocity + here + 1.0 - force, 1e-17 * size / (h * h))
+    let (zeta, omega) = (oscillator.damping_ratio(), oscillator.frequency());
+    // Positions are sums of terms of the size of the response, which is large at resonance.
+    let size =
+        1.0 + here.abs() + oscillator.amplitude() / libm::hypot(1.0 - omega * omega, 2.0 * zeta * omega);
+    (acceleration + 2.0 * oscillator.damping_ratio() * velocity + here + 1.0 - force, 1e-16 * size / (h * h))
 }
 
 /// eq:oscf: the model's flow has no defect.
@@ -76,7 +79,7 @@ pub(super) fn equation_of_motion() -> CheckResult {
         let start = from.phase / oscillator.frequency();
         let time = start + sampler.between(0.0, 10.0);
         let x = |t: f64| oscillator.flow::<1>(from, t - start).value[0];
-        least.add(order(|h| Some(defect(&oscillator, x, time, h))));
+        least.add_seen(order(|h| Some(defect(&oscillator, x, time, h))));
     }
     // Slack for the term of fourth order.
     Ok(least.outcome(2.0, 0.3, "random oscillators and orbits of the model; defect by central differences"))
@@ -143,9 +146,11 @@ pub(super) fn flow() -> CheckResult {
         let initial = [from.position, from.velocity, start];
         let x = |t: f64| printed_flow(&oscillator, initial, t);
         let time = start + sampler.between(0.0, 10.0);
-        least.add(order(|h| Some(defect(&oscillator, x, time, h))));
+        least.add_seen(order(|h| Some(defect(&oscillator, x, time, h))));
         // Initial position and velocity, the latter by a central difference of second order.
-        least.add(order(|h| Some(((x(start + h) - x(start - h)) / (2.0 * h) - from.velocity, 1e-14 / h))));
+        least.add_seen(order(|h| {
+            Some(((x(start + h) - x(start - h)) / (2.0 * h) - from.velocity, 1e-14 / h))
+        }));
         let gain = printed_periodic(&oscillator, 0.0).map(f64::abs);
         let size = 10.0 + gain[0] + gain[1];
         let same = (x(start) - from.position).abs() < 1e-14 * size
@@ -164,7 +169,12 @@ pub(super) fn periodic_solution() -> CheckResult {
         let oscillator = oscillator(&mut sampler)?;
         let time = sampler.between(0.0, 10.0);
         let x = |t: f64| printed_periodic(&oscillator, t)[0];
-        least.add(order(|h| Some(defect(&oscillator, x, time, h))));
+        // At two times a quarter of a period apart: the fourth derivative is not small at both.
+        let later = time + 0.25 * oscillator.forcing_period();
+        least.add_seen(order(|h| {
+            let [(one, rounding), (other, _)] = [time, later].map(|time| defect(&oscillator, x, time, h));
+            Some((libm::hypot(one, other), rounding))
+        }));
         let model = oscillator.non_impacting_solution(oscillator.frequency() * time);
         let [position, velocity] = printed_periodic(&oscillator, time);
         let size = 1.0 + position.abs() + velocity.abs();
@@ -216,7 +226,7 @@ pub(super) fn grazing_amplitude() -> CheckResult {
                 .map_or(f64::NAN, |top| top.position)
         };
         largest.add(top(amplitude).abs());
-        let theory = grazing_theorems::LinearOscillator::new(zeta, 0.9)?.grazing(omega)?;
+        let theory = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
         largest.compare(theory.amplitude(), amplitude, amplitude);
         // The maximum is 𝒜/𝒜_graz − 1, on both sides of grazing.
         for factor in [0.99, 1.01] {
@@ -238,8 +248,8 @@ pub(super) fn grazing_phase() -> CheckResult {
     let mut largest = Largest::default();
     for _ in 0..500 {
         let (zeta, omega) = (sampler.between(0.005, 0.9), sampler.between(0.2, 3.0));
-        let theory = grazing_theorems::LinearOscillator::new(zeta, 0.9)?.grazing(omega)?;
-        let oscillator = LinearOscillator::new(zeta, 0.9, theory.amplitude(), omega)?;
+        let theory = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
+        let oscillator = LinearOscillator::new(zeta, 0.7, theory.amplitude(), omega)?;
         let start = sampler_phase(omega);
         let from = oscillator.non_impacting_solution(start);
         let top = highest_maximum(&oscillator.motion(from), 1.01 * oscillator.forcing_period())
