@@ -71,8 +71,8 @@ pub(super) fn stability_gained() -> CheckResult {
         let event = event.ok_or("the event of Figure 2 was not found")?;
         cases.add(stable(event.index - 1) == Some(false) && stable(event.index) == Some(true));
         // A point well past the event attracts in simulation, one well before it does not.
-        for (index, attracting) in [(event.index + 5, true), (event.index - 5, false)] {
-            let solution = &curve.points[index].solution;
+        for (index, attracting) in [(event.index + 5, true), (event.index.saturating_sub(5), false)] {
+            let solution = &curve.points.get(index).ok_or("the branch ends beside the event")?.solution;
             cases.add(attracts(&equations.oscillator_at(&solution.unknowns), solution) == Some(attracting));
         }
         located.push(event.solution.parameters()[0]);
@@ -80,8 +80,9 @@ pub(super) fn stability_gained() -> CheckResult {
             let grazing = curve.events.iter().find(|event| event.condition == Condition::InteriorGrazing);
             let grazing = grazing.ok_or("the grazing bifurcation of the three-loop MPS was not found")?;
             // Admissible before, not admissible after.
-            let admissible = |index: usize| curve.points[index].solution.admissible();
-            cases.add(admissible(grazing.index - 1) && !admissible(grazing.index));
+            let admissible = |index: usize| curve.points.get(index).map(|point| point.solution.admissible());
+            cases
+                .add(admissible(grazing.index - 1) == Some(true) && admissible(grazing.index) == Some(false));
             located.push(grazing.solution.parameters()[0]);
         }
     }

@@ -58,7 +58,7 @@ pub(super) fn second_phase_derivative() -> CheckResult {
         largest.compare(measured, xi, xi.abs().max(1.0));
     }
     // Rounding 10⁻¹⁵ over h² and h⁴ times sixth derivatives: empirical, ten times the largest seen.
-    Ok(largest.outcome(1e-6, "random oscillators, p = 1 to 4, by second differences"))
+    Ok(largest.outcome(1e-7, "random oscillators, p = 1 to 4, by second differences"))
 }
 
 /// fig:E: in the case c_SN < 0 < c_PD and β > 0, the non-impacting solution exists for μ < 0 and is stable, and the curves

@@ -8,7 +8,8 @@ use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
 use grazing_theorems::{Resonance, ResonantGrazing};
 
-use crate::measuring::{Cases, Largest};
+use crate::convergence::order;
+use crate::measuring::{Cases, Largest, LeastOrder};
 use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::printed::printed;
 use crate::sampling::{Sampler, smallest};
@@ -39,8 +40,8 @@ pub(super) fn decay() -> CheckResult {
 
 /// c_SN < 0, c_PD > 0, s⁺ < 0 < s⁻ wherever εE_p ≠ 1, by adversarial search over ζ and ε for each p and n.
 ///
-/// For ε ≤ 1 the product εE_p stays below 1; above 1 the printed formulas are evaluated themselves. All four are measured
-/// against the factors that vanish with 1 − εE_p, E_p and 𝒜_graz.
+/// For ε ≤ 1 the product εE_p stays below 1; for ε above 1 the general formulas are evaluated. All four are measured against
+/// the factors that vanish with 1 − εE_p, E_p and 𝒜_graz.
 pub(super) fn signs() -> CheckResult {
     let mut least = f64::INFINITY;
     const STARTS: usize = 6;
@@ -62,25 +63,27 @@ pub(super) fn signs() -> CheckResult {
             by_square[0].min(by_square[1]).min(sn).min(pd)
         });
         least = least.min(margin);
-        // ε beyond 1, on both sides of 1/E_p and far from it.
+        // ε beyond 1, on both sides of 1/E_p, by the general formulas of section 2.6 with φ = ε.
         let (margin, _) = smallest(u64::from(10 * p + n) + 500, STARTS, |[a, b]: [f64; 2]| {
-            let e = 0.05 + 0.95 * a;
-            let rebound = 4.0 * b;
-            // Nearer than 10⁻⁶ to ε = 1/E_p the coefficients are zero or infinite to rounding.
-            if (rebound - 1.0).abs() < 1e-6 {
+            let (zeta, rebound) = (0.002 + 0.1 * a, 4.0 * b);
+            // Nearer to ε = 1/E_p the coefficients are what cancellation leaves.
+            if (rebound - 1.0).abs() < 1e-3 {
                 return f64::NAN;
             }
-            let signed = if p == 1 && n % 2 == 0 { -rebound } else { rebound };
-            let square = (1.0 - signed) * (1.0 - signed);
-            let raised = (1.0 + signed) * (1.0 + signed);
-            // The printed forms up to positive factors: s⁺, s⁻, c_SN, c_PD/|c_SN|.
-            let sn = (e + rebound) * (e + rebound) / (square * (1.0 + e) * (1.0 + e));
-            let pd = square * (raised + 2.0 * (1.0 + signed * signed)) / (raised * raised);
-            let vanishing = (1.0 - rebound) * (1.0 - rebound);
-            (square / vanishing.min(1.0))
-                .min(raised / vanishing.min(1.0))
-                .min(sn)
-                .min(pd / vanishing.min(1.0))
+            let Ok(resonance) =
+                grazing_theorems::LinearOscillator::new(zeta, 1.0).and_then(|theory| theory.resonance(p, n))
+            else {
+                return f64::NAN;
+            };
+            let mut point = resonance.resonant_point();
+            point.grazing.phi = rebound / resonance.grazing().decay(p);
+            let stability = point.stability_coefficients();
+            let square = (1.0 - rebound) * (1.0 - rebound);
+            let size = resonance.grazing().amplitude();
+            let by_square = [-stability.plus, stability.minus].map(|value| value / square);
+            let sn = -point.saddle_node_coefficient() / size;
+            let pd = point.period_doubling_coefficient() / (size * square.min(1.0));
+            by_square[0].min(by_square[1]).min(sn).min(pd)
         });
         least = least.min(margin);
     }
@@ -145,36 +148,38 @@ pub(super) fn opposite_sides() -> CheckResult {
     Ok(outcome.against_print(by_print.measure()))
 }
 
-/// At the three resonances of Figure 8, where inverting (μ, η) gives the dashed curves, the continued curve stays within a
-/// distance of third order of the dashed one.
+/// At the three resonances of Figure 8: the dashed curve, (μ, η) = (𝒜 − 𝒜_graz, ω − ω*) inverted with the closed forms of
+/// the coefficients, is off the continued curve by third order in η.
 pub(super) fn quadratic_approximation() -> CheckResult {
     let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
-    let mut largest = Largest::default();
+    let mut least = LeastOrder::default();
     for (p, n) in [(1, 3), (2, 1), (3, 2)] {
         let resonance = theory.resonance(p, n)?;
         let point = numerically(&resonance)?;
-        let origin = point.unknowns();
         for (condition, coefficient) in [
             (Condition::SADDLE_NODE, resonance.saddle_node_coefficient()),
             (Condition::PERIOD_DOUBLING, resonance.period_doubling_coefficient()),
         ] {
             let direction = point.direction(condition);
-            for size in [1e-3, 5e-4, 2.5e-4] {
-                let velocity = size * direction[unknown::VELOCITY] / direction[unknown::SECONDARY].abs();
-                let start = origin + direction * (size / direction[unknown::SECONDARY].abs());
+            let per_velocity = direction / direction[unknown::VELOCITY];
+            least.add_seen(order(|h| {
+                // A velocity at which η is about a fifth of the size.
+                let velocity = 0.2 * h / per_velocity[unknown::SECONDARY].abs();
+                let start = point.unknowns() + per_velocity * velocity;
                 let conditions = [condition, Condition::ImpactVelocity(velocity)];
-                let found = locate(point.equations(), conditions, start, &mut Memory::default())?;
-                let omega = found[unknown::SECONDARY];
-                let eta = omega - resonance.forcing_frequency();
-                let dashed = theory.grazing(omega)?.amplitude() + coefficient * eta * eta;
-                let height = coefficient * eta * eta;
-                // Relative distance from the dashed curve per frequency, in units of the resonant frequency.
-                let relative = (found[unknown::PRIMARY] - dashed) / height;
-                largest.add((relative / (eta / resonance.forcing_frequency())).abs());
-            }
+                let found = locate(point.equations(), conditions, start, &mut Memory::default()).ok()?;
+                let eta = found[unknown::SECONDARY] - resonance.forcing_frequency();
+                let grazing = theory.grazing(found[unknown::SECONDARY]).ok()?.amplitude();
+                let dashed = grazing + coefficient * eta * eta;
+                // Roundings of 𝒜, and of ω times 2cη.
+                Some((found[unknown::PRIMARY] - dashed, 2e-15 * (1.0 + (coefficient * eta).abs())))
+            }));
         }
     }
-    // c(η) = c (1 + k η/ω*) with k of order p/ω*, by which decay and rotation vary; empirical, twice the largest.
-    Ok(largest
-        .outcome(10.0, "SN and PD curves at the three resonances of Figure 8; relative distance over η/ω*"))
+    // Slack for the next order at the smallest resolved sizes.
+    Ok(least.outcome(
+        3.0,
+        0.3,
+        "SN and PD curves at the three resonances of Figure 8, against the dashed ones",
+    ))
 }
