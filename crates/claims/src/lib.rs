@@ -8,8 +8,10 @@
 //!
 //! Nothing here reads files or prints; sampling is seeded, so every run measures the same.
 
+pub mod audit;
 pub mod checks;
 pub mod convergence;
+pub mod errata;
 pub mod ledger;
 pub mod outcome;
 pub mod sampling;
