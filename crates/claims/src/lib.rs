@@ -10,7 +10,9 @@
 
 pub mod checks;
 pub mod convergence;
+pub mod eigenvalues;
 pub mod ledger;
 pub mod outcome;
 pub mod sampling;
 pub mod specimen;
+pub mod tally;
