@@ -1,11 +1,36 @@
 //! Section 4: calculations for generic grazing bifurcations.
 
+mod emerging;
 mod iterates;
+mod maps;
 pub(crate) mod specimens;
+mod vivid;
 
 use super::{Check, checks};
 
 pub(crate) const CHECKS: &[Check] = checks!["generic":
+    maps::recoil,
+    maps::virtual_points,
+    maps::points_are_virtual,
+    maps::smooth_across_tangency,
+    maps::vector_field,
+    maps::position_of_orbit,
+    maps::velocity_of_orbit,
+    maps::phase_of_orbit,
+    maps::evolution_time,
+    maps::position_beyond_the_wall,
+    maps::phase_beyond_the_wall,
+    maps::position_before_the_recoil,
+    maps::phase_before_the_recoil,
+    maps::components,
+    maps::reset_law,
+    maps::recoil_velocity,
+    maps::recoil_phase,
+    maps::two_inverses,
+    maps::discontinuity,
+    maps::leading_position,
+    maps::leading_phase,
+    maps::sign_of_square_root,
     iterates::sums_of_eigenvalues,
     iterates::h_as_sum_of_s,
     iterates::difference_of_products,
@@ -17,4 +42,32 @@ pub(crate) const CHECKS: &[Check] = checks!["generic":
     iterates::values_at_resonance,
     iterates::sign_of_t,
     iterates::signs_and_values,
+    vivid::visits,
+    vivid::zeros_are_orbits,
+    vivid::fixed_points,
+    vivid::composition,
+    vivid::smooth_across_tangency,
+    vivid::vanishes_at_grazing,
+    vivid::jacobians,
+    vivid::first_component,
+    vivid::second_component,
+    vivid::matrices,
+    vivid::determinants_of_oscillators,
+    vivid::determinants,
+    vivid::factored_determinant,
+    vivid::one_loop_determinants,
+    emerging::one_loop_velocity,
+    emerging::one_loop_phase,
+    emerging::velocity,
+    emerging::phase,
+    emerging::first_position,
+    emerging::first_phase,
+    emerging::last_position,
+    emerging::last_phase,
+    emerging::implicit_function,
+    emerging::one_loop_side,
+    emerging::sign_of_det_k,
+    emerging::regular_jacobian,
+    emerging::side,
+    emerging::visits_on_the_side,
 ];

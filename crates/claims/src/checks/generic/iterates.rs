@@ -9,9 +9,8 @@ use grazing_theorems::auxiliary::{
 };
 use nalgebra::{Matrix2, Vector2};
 
-use super::specimens::{directions, sampled_map, specimens};
+use super::specimens::{directions, sampled_map, specimens, uniform_order};
 use crate::checks::appendices::signs::{along, determinant, search};
-use crate::convergence::order;
 use crate::eigenvalues::Pair;
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
@@ -81,22 +80,25 @@ pub(crate) fn iterated_map() -> CheckResult {
         let map = grazing.grazing_point().map;
         for p in 1..=4_u32 {
             let LinearisedMap { a, b } = map.iterate(p);
-            for [dx, dz, dmu] in directions::<3>(&mut sampler, 4) {
-                for component in 0..2 {
-                    orders.see(order(|h| {
-                        let oscillator = grazing.oscillator().with_parameters([primary + h * dmu, secondary]);
-                        let image = global_iterate::<_, 1>(&oscillator, p, h * dx, phase + h * dz).ok()?;
-                        let linear = a * Vector2::new(h * dx, h * dz) + b * (h * dmu);
-                        let remainder = image.value - Vector2::new(0.0, phase) - linear;
-                        // Positions of order one and phases up to 2π, p times.
-                        Some((remainder[component], 2e-15 * f64::from(p)))
-                    }));
-                }
+            let directions = directions::<3>(&mut sampler, 4);
+            for component in 0..2 {
+                orders.see(uniform_order(&directions, |[dx, dz, dmu], h| {
+                    let oscillator = grazing.oscillator().with_parameters([primary + h * dmu, secondary]);
+                    let image = global_iterate::<_, 1>(&oscillator, p, h * dx, phase + h * dz).ok()?;
+                    let linear = a * Vector2::new(h * dx, h * dz) + b * (h * dmu);
+                    let remainder = image.value - Vector2::new(0.0, phase) - linear;
+                    // Positions of order one and phases up to 2π, p times.
+                    Some((remainder[component], 2e-15 * f64::from(p)))
+                }));
             }
         }
     }
     // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
-    Ok(orders.order(2.0, 0.2, "nine oscillators, p = 1 to 4, seven directions in (x, z, μ)"))
+    Ok(orders.order(
+        2.0,
+        0.2,
+        "both components on nine oscillators, p = 1 to 4, seven directions in (x, z, μ) at once",
+    ))
 }
 
 /// A sampled map, its iterate by repeated application, and the size of the largest number on the way.

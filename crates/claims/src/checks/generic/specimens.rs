@@ -9,6 +9,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Matrix6, Vector2};
 
+use crate::convergence::order;
 use crate::sampling::Sampler;
 use crate::specimen::{DELAY, Exponential, RESTITUTION, VaryingReset};
 
@@ -193,4 +194,21 @@ pub(crate) fn directions<const N: usize>(sampler: &mut Sampler, number: usize) -
     let others: Vec<[f64; N]> =
         (0..number).map(|_| core::array::from_fn(|_| sampler.between(-1.0, 1.0))).collect();
     axes.chain(others).collect()
+}
+
+/// The order of a remainder that is bounded in all directions at once: of the largest in any of them at each size.
+pub(crate) fn uniform_order<const N: usize>(
+    directions: &[[f64; N]],
+    remainder: impl Fn([f64; N], f64) -> Option<(f64, f64)>,
+) -> f64 {
+    order(|h| {
+        let mut largest = (0.0_f64, 0.0_f64);
+        for direction in directions {
+            let (value, rounding) = remainder(*direction, h)?;
+            // What is not a number is not small.
+            let value = if value.is_nan() { f64::INFINITY } else { value.abs() };
+            largest = (largest.0.max(value), largest.1.max(rounding));
+        }
+        Some(largest)
+    })
 }
