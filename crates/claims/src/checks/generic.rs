@@ -3,6 +3,7 @@
 mod emerging;
 mod iterates;
 mod maps;
+mod path;
 pub(crate) mod specimens;
 mod vivid;
 
@@ -70,4 +71,22 @@ pub(crate) const CHECKS: &[Check] = checks!["generic":
     emerging::regular_jacobian,
     emerging::side,
     emerging::visits_on_the_side,
+    path::scaled_slopes,
+    path::affine_map,
+    path::affine_map_iterated,
+    path::start,
+    path::positions,
+    path::positions_of_oscillators,
+    path::first_position,
+    path::last_position,
+    path::ends_are_negative,
+    path::geometric_series,
+    path::sums_at_unit_eigenvalue,
+    path::positions_at_unit_eigenvalue,
+    path::ends_on_axis,
+    path::convex,
+    path::polygon,
+    path::invariance,
+    path::first_zero,
+    path::all_are_negative,
 ];
