@@ -1,6 +1,7 @@
 //! Appendices A and B.
 
-pub(crate) mod eigenvalues;
+mod eigenvalues;
+mod polar;
 pub(crate) mod signs;
 
 use super::{Check, checks};
@@ -13,17 +14,18 @@ pub(crate) const CHECKS: &[Check] = checks!["appendices":
     eigenvalues::h_in_closed_form,
     eigenvalues::t_by_powers,
     eigenvalues::t_in_closed_form,
-    eigenvalues::polar_coordinates,
-    eigenvalues::differences_of_powers,
-    eigenvalues::h_as_sum_of_sines,
-    eigenvalues::h_in_polar_form,
+    polar::polar_coordinates,
+    polar::differences_of_powers,
+    polar::h_as_sum_of_sines,
+    polar::h_in_polar_form,
     eigenvalues::s_as_quotient,
-    eigenvalues::s_in_polar_form,
-    eigenvalues::zeros_of_s,
-    eigenvalues::t_in_polar_form,
-    eigenvalues::t_as_sum_of_sines,
-    eigenvalues::t_grouped,
-    eigenvalues::factored_xi,
+    eigenvalues::condition_of_quotient,
+    polar::s_in_polar_form,
+    polar::zeros_of_s,
+    polar::t_in_polar_form,
+    polar::t_as_sum_of_sines,
+    polar::t_grouped,
+    polar::factored_xi,
     signs::h_at_real_eigenvalues,
     signs::h_above_g_before,
     signs::h_at_g_half,
@@ -37,6 +39,7 @@ pub(crate) const CHECKS: &[Check] = checks!["appendices":
     signs::t_terms,
     signs::xi_not_negative,
     signs::second_term_not_negative,
+    signs::third_term_positive,
     signs::numerator_of_u,
     signs::tangent_line,
     signs::power_below_tangent,

@@ -1,9 +1,12 @@
 //! Section 4: calculations for generic grazing bifurcations.
 
+mod determinants;
 mod emerging;
+mod expansions;
 mod iterates;
 mod maps;
 mod path;
+mod polygon;
 pub(crate) mod specimens;
 mod vivid;
 
@@ -14,19 +17,19 @@ pub(crate) const CHECKS: &[Check] = checks!["generic":
     maps::virtual_points,
     maps::points_are_virtual,
     maps::smooth_across_tangency,
-    maps::vector_field,
-    maps::position_of_orbit,
-    maps::velocity_of_orbit,
-    maps::phase_of_orbit,
-    maps::evolution_time,
-    maps::position_beyond_the_wall,
-    maps::phase_beyond_the_wall,
-    maps::position_before_the_recoil,
-    maps::phase_before_the_recoil,
-    maps::components,
-    maps::reset_law,
-    maps::recoil_velocity,
-    maps::recoil_phase,
+    expansions::vector_field,
+    expansions::position_of_orbit,
+    expansions::velocity_of_orbit,
+    expansions::phase_of_orbit,
+    expansions::evolution_time,
+    expansions::position_beyond_the_wall,
+    expansions::phase_beyond_the_wall,
+    expansions::position_before_the_recoil,
+    expansions::phase_before_the_recoil,
+    expansions::components,
+    expansions::reset_law,
+    expansions::recoil_velocity,
+    expansions::recoil_phase,
     maps::two_inverses,
     maps::discontinuity,
     maps::leading_position,
@@ -52,11 +55,11 @@ pub(crate) const CHECKS: &[Check] = checks!["generic":
     vivid::jacobians,
     vivid::first_component,
     vivid::second_component,
-    vivid::matrices,
-    vivid::determinants_of_oscillators,
-    vivid::determinants,
-    vivid::factored_determinant,
-    vivid::one_loop_determinants,
+    determinants::matrices,
+    determinants::determinants_of_oscillators,
+    determinants::determinants,
+    determinants::factored_determinant,
+    determinants::one_loop_determinants,
     emerging::one_loop_velocity,
     emerging::one_loop_phase,
     emerging::velocity,
@@ -79,14 +82,14 @@ pub(crate) const CHECKS: &[Check] = checks!["generic":
     path::positions_of_oscillators,
     path::first_position,
     path::last_position,
-    path::ends_are_negative,
-    path::geometric_series,
-    path::sums_at_unit_eigenvalue,
-    path::positions_at_unit_eigenvalue,
+    polygon::ends_are_negative,
+    polygon::geometric_series,
+    polygon::sums_at_unit_eigenvalue,
+    polygon::positions_at_unit_eigenvalue,
     path::ends_on_axis,
-    path::convex,
-    path::polygon,
-    path::invariance,
-    path::first_zero,
-    path::all_are_negative,
+    polygon::convex,
+    polygon::polygon,
+    polygon::invariance,
+    polygon::first_zero,
+    polygon::all_are_negative,
 ];

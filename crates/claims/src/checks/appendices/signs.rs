@@ -7,7 +7,7 @@ use grazing_theorems::auxiliary::{
     admissibility_sum, lucas_partial_sum, lucas_sequence, modulus_power, resonance_boundary,
 };
 
-use super::eigenvalues::xi;
+use super::polar::xi;
 use crate::outcome::{CheckResult, Outcome};
 use crate::sampling::{Sampler, smallest};
 use crate::tally::{Deviations, Smallest};
@@ -190,6 +190,16 @@ pub(crate) fn second_term_not_negative() -> CheckResult {
         let (p, from_end) = (f64::from(p), along(x, 1e-6, 1.0));
         let beyond = from_end * PI * (1.0 - 2.0 / p);
         libm::sin(beyond) / beyond
+    }))
+}
+
+/// (1 − r^(p−1)) sin θ > 0 for π/(p − 1) ≤ θ ≤ 2π/p.
+pub(crate) fn third_term_positive() -> CheckResult {
+    let over = "searches over π/(p − 1) ≤ θ ≤ 2π/p and the determinant, p = 3 to 15: the smallest (1 − r^(p−1)) sin θ";
+    Ok(search(3, over, |p, [x, y]| {
+        let (delta, loops) = (determinant(x), f64::from(p));
+        let theta = along(y, PI / (loops - 1.0), 2.0 * PI / loops);
+        (1.0 - modulus_power(p - 1, delta)) * libm::sin(theta)
     }))
 }
 

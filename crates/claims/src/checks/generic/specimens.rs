@@ -110,8 +110,8 @@ impl ImpactOscillator for Specimen {
     }
 }
 
-/// Why a specimen could not be made.
-type Failure = Box<dyn Error + Send + Sync>;
+/// Why something could not be computed.
+pub(crate) type Failure = Box<dyn Error + Send + Sync>;
 
 /// A specimen at grazing.
 pub(crate) type Grazing = GrazingOrbit<Specimen>;
