@@ -36,26 +36,3 @@ macro_rules! checks {
 }
 
 pub(crate) use checks;
-
-#[cfg(test)]
-mod probe {
-    #[test]
-    fn probe() {
-        for check in super::all() {
-            let start = std::time::Instant::now();
-            let outcome = (check.run)();
-            let time = start.elapsed().as_secs_f64();
-            match outcome {
-                Ok(o) => println!(
-                    "{} {} {:?} print {:?} n={} {time:.3}s",
-                    if o.passes() { "ok  " } else { "FAIL" },
-                    check.name,
-                    o.measure,
-                    o.print,
-                    o.samples
-                ),
-                Err(e) => println!("ERR  {} {e}", check.name),
-            }
-        }
-    }
-}

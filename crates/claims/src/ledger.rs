@@ -196,25 +196,3 @@ impl Ledger {
         Ok(ledger)
     }
 }
-
-#[cfg(test)]
-mod probe {
-    #[test]
-    fn ledger_probe() {
-        let ledger = super::Ledger::of_the_paper().unwrap();
-        println!("{} claims", ledger.claims.len());
-        let used: std::collections::BTreeSet<_> = ledger
-            .claims
-            .iter()
-            .filter_map(|c| match c.test() {
-                super::Test::Check(k) => Some(k.name),
-                _ => None,
-            })
-            .collect();
-        for check in crate::checks::all() {
-            if !used.contains(check.name) {
-                println!("unused {}", check.name);
-            }
-        }
-    }
-}

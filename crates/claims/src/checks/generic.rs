@@ -16,6 +16,7 @@ pub(crate) const CHECKS: &[Check] = checks!["generic":
     maps::recoil,
     maps::virtual_points,
     maps::points_are_virtual,
+    maps::transversality,
     maps::smooth_across_tangency,
     expansions::vector_field,
     expansions::position_of_orbit,

@@ -96,7 +96,7 @@ pub(crate) fn iterated_map() -> CheckResult {
     // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
     Ok(orders.order(
         2.0,
-        0.2,
+        0.1,
         "both components on nine oscillators, p = 1 to 4, seven directions in (x, z, μ) at once",
     ))
 }

@@ -86,6 +86,22 @@ pub(crate) fn virtual_points() -> CheckResult {
     Ok(deviations.outcome(1e-10, "impacts near grazing on nine oscillators, and their recoils"))
 }
 
+/// Orbits hit Π transversally near grazing, where P_virt ends: the acceleration there is negative.
+pub(crate) fn transversality() -> CheckResult {
+    let mut sampler = Sampler::new(21);
+    let mut margins = Smallest::default();
+    for grazing in specimens()? {
+        let oscillator = grazing.oscillator();
+        for _ in 0..100 {
+            let y = sampler.between(-0.05, 0.05);
+            let z = grazing.phase() + sampler.between(-0.05, 0.05);
+            let image = virtual_map::<_, 1>(oscillator, y, z, None)?.jet.value;
+            margins.see(-oscillator.acceleration(State::at_rest(image[0], image[1])));
+        }
+    }
+    Ok(margins.margin("images under P_virt of points near grazing on nine oscillators: the smallest −ẍ"))
+}
+
 /// Both points are virtual: x̂ and x⁽⁰⁾ are positive for y ≠ 0.
 pub(crate) fn points_are_virtual() -> CheckResult {
     let mut sampler = Sampler::new(3);
