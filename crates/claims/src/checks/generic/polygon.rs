@@ -237,3 +237,38 @@ pub(crate) fn invariance() -> CheckResult {
     // The balanced map divides by a₁₂, at least a tenth of r ≥ 0.03.
     Ok(deviations.outcome(1e-11, "pairs of maps with the same τ and δ, p = 2 to 8"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sides_of_the_edges_are_told_by_t_and_h() {
+        let (p, tau, delta) = (7, 0.9, 0.6);
+        let vertices = path(p, tau, delta);
+        let edge = |i: usize| vertices[i + 1] - vertices[i];
+        let unit = cross(edge(0), edge(1));
+        for i in 0..p as usize {
+            for (k, vertex) in vertices.iter().enumerate().filter(|(k, _)| *k != i && *k != i + 1) {
+                let factor = if k > i {
+                    libm::pow(delta, i as f64) * lucas_partial_sum((k - i) as u32, tau, delta)
+                } else {
+                    libm::pow(delta, i as f64 - 1.0) * admissibility_sum((i - k + 1) as u32, tau, delta)
+                };
+                // Entries of order one, each vertex with some roundings.
+                assert!((cross(edge(i), vertex - vertices[i]) - factor * unit).abs() < 1e-14, "{i} {k}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_square_is_convex_in_order_only() {
+        let [a, b, c, d] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Vector2::new(x, y));
+        // The diagonal is seen at 45 degrees, to a rounding.
+        for square in [[a, b, c, d], [d, c, b, a]] {
+            assert!((convexity(&square) - libm::sqrt(0.5)).abs() < 1e-15);
+        }
+        assert!(convexity(&[a, c, b, d]) < 0.0);
+        assert!(cross_each_other([a, c], [b, d]) && !cross_each_other([a, b], [c, d]));
+    }
+}
