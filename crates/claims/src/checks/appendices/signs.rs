@@ -21,7 +21,9 @@ pub(crate) fn search(lowest: u32, over: &str, value: impl Fn(u32, [f64; 2]) -> f
     for p in lowest..=15 {
         for start in 0..STARTS {
             let seed = 100 * u64::from(p) + start as u64;
-            margins.see(smallest(seed, 1, |point| value(p, point)).0);
+            let found = smallest(seed, 1, |point| value(p, point)).0;
+            // A search that never met the domain has found nothing.
+            margins.see(if found == f64::INFINITY { f64::NAN } else { found });
         }
     }
     margins.margin(over)
