@@ -14,10 +14,10 @@ use nalgebra::{Complex, Matrix2};
 
 use super::simulation::returns;
 use crate::convergence::order;
-use crate::measuring::{Cases, Largest, LeastOrder};
 use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::printed::printed;
 use crate::sampling::{Sampler, smallest};
+use crate::tally::{Deviations, Smallest, Votes};
 
 type Failure = Box<dyn core::error::Error + Send + Sync>;
 
@@ -25,7 +25,7 @@ type Failure = Box<dyn core::error::Error + Send + Sync>;
 /// integer; for larger τ it has the sign of a₁₂.
 pub(super) fn resonance_boundary_is_a_zero() -> CheckResult {
     let mut sampler = Sampler::new(31);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..3000 {
         let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 9, 12, 15]);
         let delta = sampler.between(0.001, 0.999);
@@ -36,9 +36,9 @@ pub(super) fn resonance_boundary_is_a_zero() -> CheckResult {
             (1..p).fold(a, |power, _| power * a)[(0, 1)]
         };
         let a11 = sampler.between(-1.0, 1.0);
-        largest.add(entry(boundary, a11).abs());
+        largest.see(entry(boundary, a11).abs());
         let above = boundary + sampler.between(1e-3, 1.0) * (delta + 1.0 - boundary);
-        largest.add(if entry(above, a11) > 0.0 { 0.0 } else { f64::INFINITY });
+        largest.require(entry(above, a11) > 0.0);
         // g_{p/2}: twice the angle, 2√δ cos(2π/p) = (g_p² − 2δ)/√δ... by the double angle formula.
         let doubled = (boundary * boundary - 2.0 * delta) / delta.sqrt();
         largest.compare(resonance_boundary(0.5 * f64::from(p), delta), doubled, 1.0 + 1.0 / delta.sqrt());
@@ -50,7 +50,7 @@ pub(super) fn resonance_boundary_is_a_zero() -> CheckResult {
 /// eq:Hp: the double sum in complex arithmetic against the recurrence.
 pub(super) fn admissibility_sum_is_the_double_sum() -> CheckResult {
     let mut sampler = Sampler::new(32);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..2000 {
         let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 8, 10, 12]);
         let (tau, delta) = sampler.trapesium();
@@ -73,7 +73,7 @@ pub(super) fn admissibility_sum_is_the_double_sum() -> CheckResult {
             }
         }
         largest.compare(sum.re, admissibility_sum(p, tau, delta), size);
-        largest.add(sum.im.abs() / size);
+        largest.see(sum.im.abs() / size);
     }
     // Sixty terms of a dozen factors; eigenvalues near the double one lose digits that their sums keep.
     Ok(largest.outcome(1e-13, "points of the trapesium, p = 2 to 12"))
@@ -147,12 +147,12 @@ pub(super) fn bounds() -> CheckResult {
 /// As p → ∞ both families tend to 2√δ, with second order in 1/p.
 pub(super) fn limit() -> CheckResult {
     let mut sampler = Sampler::new(35);
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for _ in 0..10 {
         let delta = sampler.between(0.05, 0.95);
         let end = 2.0 * delta.sqrt();
         for lower in [true, false] {
-            least.add_seen(order(|h| {
+            least.see_resolved(order(|h| {
                 // The size is 1/p; p up to 1024 shows the order.
                 let loops = libm::round(1.0 / h) as u32;
                 if loops > 1024 {
@@ -168,7 +168,7 @@ pub(super) fn limit() -> CheckResult {
         }
     }
     // Slack for terms in 1/p³ at p near a thousand.
-    Ok(least.outcome(2.0, 0.05, "g_p and h_p at random δ, p up to 1024"))
+    Ok(least.order(2.0, 0.05, "g_p and h_p at random δ, p up to 1024"))
 }
 
 /// Figure 2's (τ, δ), marked by a star in Figure 4: g₂ < τ, and h_p < τ < g_p for p = 3, 4, 5 and no other p; by
@@ -177,17 +177,17 @@ pub(super) fn star() -> CheckResult {
     let oscillator = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
     let grazing = oscillator.grazing(printed("fig02_frequency")?)?;
     let (tau, delta) = (grazing.trace(), grazing.determinant());
-    let mut cases = Cases::default();
-    cases.add(tau > resonance_boundary(2.0, delta));
+    let mut cases = Votes::default();
+    cases.see(tau > resonance_boundary(2.0, delta));
     for p in 3..=40 {
         let inside = admissibility_boundary(p, delta)? < tau && tau < resonance_boundary(f64::from(p), delta);
-        cases.add(inside == (3..=5).contains(&p));
+        cases.see(inside == (3..=5).contains(&p));
     }
     for p in 1..=5 {
         let side = GenericGrazing::check(&grazing.grazing_point(), p)?.side().signum();
-        cases.add((side > 0.0) == (p <= 2));
-        cases.add(emerges(&grazing, p, side)?);
-        cases.add(!emerges(&grazing, p, -side)?);
+        cases.see((side > 0.0) == (p <= 2));
+        cases.see(emerges(&grazing, p, side)?);
+        cases.see(!emerges(&grazing, p, -side)?);
     }
     Ok(cases.outcome("p = 2 to 40 at the star; p = 1 to 5 in the hybrid system on both sides of grazing"))
 }
@@ -217,7 +217,7 @@ fn emerges(grazing: &grazing_theorems::GrazingState, loops: u32, side: f64) -> R
 /// p-loop MPSs with τ < h_p(δ) exist near δ = 1 for p = 5 and from p = 7 on, and not for p = 3, 4 and 6: by the signs of
 /// all u⁽ʲ⁾ over a grid of the trapesium, and for those that exist in a simulated oscillator.
 pub(super) fn beyond_the_boundary() -> CheckResult {
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     for p in 3..=14 {
         let mut found: Option<(f64, f64)> = None;
         for delta in [0.3, 0.7, 0.9, 0.97, 0.999] {
@@ -235,9 +235,9 @@ pub(super) fn beyond_the_boundary() -> CheckResult {
                 found = Some((-1.0 - delta + length * (f64::from(*middle) + 0.5) / f64::from(STEPS), delta));
             }
         }
-        cases.add(found.is_some() == (p == 5 || p >= 7));
+        cases.see(found.is_some() == (p == 5 || p >= 7));
         if let Some((tau, delta)) = found {
-            cases.add(beyond_in_simulation(p, tau, delta)?);
+            cases.see(beyond_in_simulation(p, tau, delta)?);
         }
     }
     Ok(cases.outcome("p = 3 to 14 on grids of the trapesium, and an oscillator for each p found"))

@@ -13,9 +13,9 @@ use grazing_theorems::{LinearisedMap, ResonantPoint};
 use super::returns::derivative as difference;
 use super::specimen::Specimen;
 use crate::convergence::order;
-use crate::measuring::{Largest, LeastOrder};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::tally::{Deviations, Smallest};
 
 type Failure = Box<dyn core::error::Error + Send + Sync>;
 
@@ -60,18 +60,14 @@ fn on_branch(resonance: &ResonantGrazingPoint<Specimen>, velocity: f64) -> Optio
 }
 
 /// s^± as limits of T − D − 1 and T + D + 1 on the branch at η = 0, with T and D of numerical orbits.
-fn stability(
-    seed: u64,
-    loops: &[u32],
-    formula: fn(&ResonantPoint) -> [f64; 2],
-) -> Result<LeastOrder, Failure> {
+fn stability(seed: u64, loops: &[u32], formula: fn(&ResonantPoint) -> [f64; 2]) -> Result<Smallest, Failure> {
     let mut sampler = Sampler::new(seed);
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for _ in 0..60 {
         let Resonant { point: resonance } = resonant(&mut sampler, loops)?;
         let stated = formula(resonance.resonant_point());
         for (stated, sign) in stated.into_iter().zip([1.0, -1.0]) {
-            least.add_seen(order(|velocity| {
+            least.see_resolved(order(|velocity| {
                 let found = on_branch(&resonance, velocity)?;
                 let multipliers = resonance.equations().solution(&found).0.multipliers;
                 let limit = multipliers.trace - sign * (multipliers.determinant + 1.0);
@@ -92,7 +88,7 @@ pub(super) fn stability_one_loop() -> CheckResult {
         [1.0, -1.0].map(|sign| (1.0 - sign * map.a.m22) * (map.a.m11 * phi - sign) + curvature)
     })?;
     // Slack for the term of second order at the smallest resolved velocities.
-    Ok(least.outcome(1.0, 0.3, "resonances p = 1 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0"))
+    Ok(least.order(1.0, 0.3, "resonances p = 1 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0"))
 }
 
 /// eq:cp.
@@ -104,7 +100,7 @@ pub(super) fn stability_many_loops() -> CheckResult {
         [1.0, -1.0].map(|sign| (1.0 + sign * power) * (-power * phi - sign) + curvature)
     })?;
     // Slack as for one loop.
-    Ok(least.outcome(1.0, 0.3, "resonances p = 2, 3, 4 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0"))
+    Ok(least.order(1.0, 0.3, "resonances p = 2, 3, 4 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0"))
 }
 
 /// α²ω²ξ_p/γ.
@@ -114,9 +110,9 @@ fn curvature(point: &ResonantPoint) -> f64 {
 }
 
 /// c_SN and c_PD by the printed formulas against the limits of μ/η² on continued curves.
-fn fitted(seed: u64, loops: &[u32], saddle_node: fn(&ResonantPoint) -> f64) -> Result<Largest, Failure> {
+fn fitted(seed: u64, loops: &[u32], saddle_node: fn(&ResonantPoint) -> f64) -> Result<Deviations, Failure> {
     let mut sampler = Sampler::new(seed);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..40 {
         let Resonant { point: resonance } = resonant(&mut sampler, loops)?;
         let point = resonance.resonant_point();
@@ -169,7 +165,7 @@ pub(super) fn curves_many_loops() -> CheckResult {
 /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
 pub(super) fn unfolding_derivatives() -> CheckResult {
     let mut sampler = Sampler::new(65);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..60 {
         let Resonant { point: resonance } = resonant(&mut sampler, &[1, 2, 3, 4])?;
         let (orbit, loops) = (resonance.orbit(), resonance.loops());

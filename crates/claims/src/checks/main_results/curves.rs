@@ -9,9 +9,9 @@ use grazing_theorems::from_map::GrazingOrbit;
 use super::coefficients::{Resonant, resonant};
 use super::specimen::Specimen;
 use crate::convergence::order;
-use crate::measuring::{Cases, LeastOrder};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::tally::{Smallest, Votes};
 
 /// The point of the SN or PD curve with this impact velocity, if it exists.
 pub(super) fn on_curve(
@@ -40,7 +40,7 @@ pub(super) fn unfolded(resonance: &ResonantGrazingPoint<Specimen>, point: &Unkno
 /// The order of μ − cη² along the curve as the impact velocity, to which η is proportional, tends to zero.
 fn remainder(seed: u64, loops: &[u32], condition: Condition) -> CheckResult {
     let mut sampler = Sampler::new(seed);
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for _ in 0..40 {
         let Resonant { point: resonance } = resonant(&mut sampler, loops)?;
         let theorem = resonance.theorem();
@@ -49,7 +49,7 @@ fn remainder(seed: u64, loops: &[u32], condition: Condition) -> CheckResult {
         } else {
             theorem.period_doubling()
         };
-        least.add_seen(order(|velocity| {
+        least.see_resolved(order(|velocity| {
             let [mu, eta] = unfolded(&resonance, &on_curve(&resonance, condition, velocity)?)?;
             // No curve on the other side of η = 0: a value that makes the order fail.
             let Some(stated) = curve.parameter(eta) else {
@@ -60,7 +60,7 @@ fn remainder(seed: u64, loops: &[u32], condition: Condition) -> CheckResult {
         }));
     }
     // Slack for the next order at the smallest resolved velocities.
-    Ok(least.outcome(3.0, 0.3, "resonances of random oscillators with ψ ≠ 0, points of the continued curve"))
+    Ok(least.order(3.0, 0.3, "resonances of random oscillators with ψ ≠ 0, points of the continued curve"))
 }
 
 /// eq:sn1.
@@ -86,7 +86,7 @@ pub(super) fn period_doubling_many_loops() -> CheckResult {
 /// Across the SN curve two MPSs on one side of μ become none, and across the PD curve a multiplier passes through −1.
 pub(super) fn crossing() -> CheckResult {
     let mut sampler = Sampler::new(75);
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     for _ in 0..60 {
         let Resonant { point: resonance } = resonant(&mut sampler, &[1, 2, 3])?;
         for condition in [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING] {
@@ -103,7 +103,7 @@ pub(super) fn crossing() -> CheckResult {
                 locate(resonance.equations(), conditions, start, &mut Memory::default())
             };
             let [below, above] = [neighbour(0.9)?, neighbour(1.1)?];
-            cases.add(if condition == Condition::SADDLE_NODE {
+            cases.see(if condition == Condition::SADDLE_NODE {
                 // μ(y) has an extremum: both neighbours lie on the same side.
                 let [a, b] = [below, above].map(|point| point[unknown::PRIMARY] - centre[unknown::PRIMARY]);
                 a * b > 0.0

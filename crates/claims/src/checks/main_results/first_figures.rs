@@ -10,10 +10,10 @@ use grazing_model::maps::discontinuity_map;
 use super::simulation::{attracts, returns};
 use super::specimen::Specimen;
 use crate::convergence::order;
-use crate::measuring::{Cases, LeastOrder};
 use crate::outcome::CheckResult;
 use crate::printed::printed;
 use crate::sampling::Sampler;
+use crate::tally::{Smallest, Votes};
 
 type Failure = Box<dyn core::error::Error + Send + Sync>;
 
@@ -46,14 +46,14 @@ fn first(curve: &Curve) -> impl Iterator<Item = &MaximalPeriodicSolution> {
 /// MPSs with p = 1 and 2 emanate to the right, those with p = 3 to the left; all are unstable there, by multipliers and in
 /// simulation.
 pub(super) fn emanating_solutions() -> CheckResult {
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     for loops in 1..=3 {
         let (equations, curve, amplitude) = branch(loops)?;
         for solution in first(&curve) {
             let oscillator = equations.oscillator_at(&solution.unknowns);
-            cases.add((solution.parameters()[0] > amplitude) == (loops < 3));
-            cases.add(solution.admissible() && returns(&oscillator, solution));
-            cases.add(!solution.stable() && attracts(&oscillator, solution) == Some(false));
+            cases.see((solution.parameters()[0] > amplitude) == (loops < 3));
+            cases.see(solution.admissible() && returns(&oscillator, solution));
+            cases.see(!solution.stable() && attracts(&oscillator, solution) == Some(false));
         }
     }
     Ok(cases.outcome("the first points of the branches p = 1, 2, 3 of Figure 2"))
@@ -61,7 +61,7 @@ pub(super) fn emanating_solutions() -> CheckResult {
 
 /// Two loops gain stability at a PD, three at an SN and lose it at a GZ; between GZ and PD no MPS with p ≤ 3 is stable.
 pub(super) fn stability_gained() -> CheckResult {
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     let mut located = Vec::new();
     for (loops, gained) in [(2, Condition::PERIOD_DOUBLING), (3, Condition::SADDLE_NODE)] {
         let (equations, curve, _) = branch(loops)?;
@@ -69,11 +69,11 @@ pub(super) fn stability_gained() -> CheckResult {
         let event =
             curve.events.iter().find(|event| event.solution.admissible() && event.condition == gained);
         let event = event.ok_or("the event of Figure 2 was not found")?;
-        cases.add(stable(event.index - 1) == Some(false) && stable(event.index) == Some(true));
+        cases.see(stable(event.index - 1) == Some(false) && stable(event.index) == Some(true));
         // A point well past the event attracts in simulation, one well before it does not.
         for (index, attracting) in [(event.index + 5, true), (event.index.saturating_sub(5), false)] {
             let solution = &curve.points.get(index).ok_or("the branch ends beside the event")?.solution;
-            cases.add(attracts(&equations.oscillator_at(&solution.unknowns), solution) == Some(attracting));
+            cases.see(attracts(&equations.oscillator_at(&solution.unknowns), solution) == Some(attracting));
         }
         located.push(event.solution.parameters()[0]);
         if loops == 3 {
@@ -82,7 +82,7 @@ pub(super) fn stability_gained() -> CheckResult {
             // Admissible before, not admissible after.
             let admissible = |index: usize| curve.points.get(index).map(|point| point.solution.admissible());
             cases
-                .add(admissible(grazing.index - 1) == Some(true) && admissible(grazing.index) == Some(false));
+                .see(admissible(grazing.index - 1) == Some(true) && admissible(grazing.index) == Some(false));
             located.push(grazing.solution.parameters()[0]);
         }
     }
@@ -90,24 +90,24 @@ pub(super) fn stability_gained() -> CheckResult {
     let [pd, sn, gz] = located[..] else {
         return Err("three bifurcations were expected".into());
     };
-    cases.add(sn < gz && gz < pd);
+    cases.see(sn < gz && gz < pd);
     Ok(cases.outcome("PD of two loops, SN and GZ of three loops on the branches of Figure 2"))
 }
 
 /// The Jacobian of P_disc grows like x̂^(−1/2): its entry times √x̂ tends to −αω/√(2γ).
 pub(super) fn singular_jacobian() -> CheckResult {
     let mut sampler = Sampler::new(83);
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for _ in 0..100 {
         let orbit = Specimen::grazing_orbit(&mut sampler)?;
         let point = orbit.grazing_point();
         let limit = -point.alpha() * point.forcing_frequency / (2.0 * point.gamma).sqrt();
-        least.add_seen(order(|h| {
+        least.see_resolved(order(|h| {
             let jet = discontinuity_map::<_, 1>(orbit.oscillator(), h * h, orbit.phase()).ok()?;
             // The velocity at the wall is known to 10⁻¹⁶/h of itself.
             Some((jet.jacobian[(1, 0)] * h - limit, 1e-15 / h))
         }));
     }
     // First order in √x̂; slack for the second.
-    Ok(least.outcome(1.0, 0.3, "∂z⁽⁰⁾/∂x̂ times √x̂ for random oscillators with ψ ≠ 0"))
+    Ok(least.order(1.0, 0.3, "∂z⁽⁰⁾/∂x̂ times √x̂ for random oscillators with ψ ≠ 0"))
 }

@@ -7,15 +7,15 @@ use nalgebra::Vector2;
 use super::returns::{derivative as difference, returned};
 use super::specimen::Specimen;
 use crate::convergence::order;
-use crate::measuring::{Cases, Largest, LeastOrder};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::tally::{Deviations, Smallest, Votes};
 
 /// ass:grazing: the orbit from (0, 0, z_graz) is periodic, touches the wall once per period and lies below it otherwise,
 /// and F < 0 where it touches; at another amplitude there is no such orbit.
 pub(super) fn grazing_orbit() -> CheckResult {
     let mut sampler = Sampler::new(11);
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     for _ in 0..300 {
         let orbit = Specimen::grazing_orbit(&mut sampler)?;
         let oscillator = orbit.oscillator();
@@ -34,12 +34,12 @@ pub(super) fn grazing_orbit() -> CheckResult {
         let touching = maxima.iter().filter(|maximum| maximum.position > -1e-12).count();
         let inside = maxima.iter().all(|maximum| maximum.position < 1e-12);
         let periodic = end.amax() < 1e-12;
-        cases.add(periodic && touching == 1 && inside && oscillator.acceleration(from) < 0.0);
+        cases.see(periodic && touching == 1 && inside && oscillator.acceleration(from) < 0.0);
         // A hypothesis violated: off the grazing value of μ no orbit from the wall at rest is periodic.
         let [primary, secondary] = oscillator.parameters();
         let off = oscillator.with_parameters([primary * 1.01, secondary]);
         let [x, z] = returned(&off, [0.0, orbit.phase()])?.into();
-        cases.add(x.abs() + (z - orbit.phase()).abs() > 1e-6);
+        cases.see(x.abs() + (z - orbit.phase()).abs() > 1e-6);
     }
     Ok(cases.outcome("grazing orbits of random oscillators, and values of μ beside them"))
 }
@@ -47,7 +47,7 @@ pub(super) fn grazing_orbit() -> CheckResult {
 /// eq:Pglobal: what the linear part leaves over is of second order.
 pub(super) fn expansion() -> CheckResult {
     let mut sampler = Sampler::new(12);
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for _ in 0..60 {
         let orbit = Specimen::grazing_orbit(&mut sampler)?;
         let oscillator = *orbit.oscillator();
@@ -55,7 +55,7 @@ pub(super) fn expansion() -> CheckResult {
         let map = orbit.grazing_point().map;
         let [x, z, mu] = [(); 3].map(|()| sampler.between(-1.0, 1.0));
         let mut failure = None;
-        least.add_seen(order(|h| {
+        least.see_resolved(order(|h| {
             let near = oscillator.with_parameters([primary + h * mu, secondary]);
             let image = match returned(&near, [h * x, orbit.phase() + h * z]) {
                 Ok(image) => image,
@@ -74,13 +74,13 @@ pub(super) fn expansion() -> CheckResult {
         }
     }
     // Slack for the cubic terms at the smallest resolved sizes.
-    Ok(least.outcome(2.0, 0.3, "directions in (x, z, μ) at grazing orbits of random oscillators"))
+    Ok(least.order(2.0, 0.3, "directions in (x, z, μ) at grazing orbits of random oscillators"))
 }
 
 /// eq:A: ∂(x', z')/∂(x, z) by hand-written derivatives against differences of event locations.
 pub(super) fn derivative() -> CheckResult {
     let mut sampler = Sampler::new(13);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..200 {
         let orbit = Specimen::grazing_orbit(&mut sampler)?;
         let a = orbit.grazing_point().map.a;
@@ -102,7 +102,7 @@ pub(super) fn derivative() -> CheckResult {
 /// eq:b: ∂P_global/∂μ likewise, with the amplitude or the frequency as μ.
 pub(super) fn parameter_derivative() -> CheckResult {
     let mut sampler = Sampler::new(14);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..200 {
         let orbit = Specimen::grazing_orbit(&mut sampler)?;
         let b = orbit.grazing_point().map.b;

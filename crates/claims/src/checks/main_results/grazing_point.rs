@@ -11,20 +11,20 @@ use nalgebra::Matrix2;
 use super::returns::derivative as difference;
 use super::specimen::Specimen;
 use crate::convergence::order;
-use crate::measuring::{Cases, Largest, LeastOrder};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::tally::{Deviations, Smallest, Votes};
 
 /// eq:alpha: z⁽⁰⁾ − ẑ = −α ω√(2x̂/γ) + O(x̂) along P_disc of an oscillator with ψ ≠ 0.
 pub(super) fn square_root_factor() -> CheckResult {
     let mut sampler = Sampler::new(41);
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for _ in 0..200 {
         let orbit = Specimen::grazing_orbit(&mut sampler)?;
         let point = orbit.grazing_point();
         let alpha = 1.0 + point.phi - point.gamma * point.psi / point.forcing_frequency;
         // The size is √x̂, so that the remainder is of second order.
-        least.add_seen(order(|h| {
+        least.see_resolved(order(|h| {
             let disc = discontinuity_map::<_, 1>(orbit.oscillator(), h * h, orbit.phase()).ok()?.value;
             let stated = -alpha * point.forcing_frequency * h * (2.0 / point.gamma).sqrt();
             // Times from 10⁻² to 10⁻⁵ are found to the rounding of phases of order one.
@@ -32,13 +32,13 @@ pub(super) fn square_root_factor() -> CheckResult {
         }));
     }
     // Slack for the terms of third order in √x̂.
-    Ok(least.outcome(2.0, 0.3, "random oscillators with ψ ≠ 0; order in √x̂"))
+    Ok(least.order(2.0, 0.3, "random oscillators with ψ ≠ 0; order in √x̂"))
 }
 
 /// eq:phipsigamma: φ and ψ by differences of the reset law at zero velocity, γ by the second difference of Γ; γ > 0.
 pub(super) fn constants() -> CheckResult {
     let mut sampler = Sampler::new(42);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..300 {
         let orbit = Specimen::grazing_orbit(&mut sampler)?;
         let (oscillator, point) = (orbit.oscillator(), orbit.grazing_point());
@@ -48,7 +48,7 @@ pub(super) fn constants() -> CheckResult {
         let motion = oscillator.motion(State::at_rest(0.0, orbit.phase()));
         let [deceleration] = difference(1e-3, |t| Ok([-motion.at(t).velocity]))?;
         largest.compare(deceleration, point.gamma, point.gamma.max(1.0));
-        largest.add(if point.gamma > 0.0 { 0.0 } else { f64::INFINITY });
+        largest.require(point.gamma > 0.0);
     }
     // Rounding 10⁻¹⁵ over the step 10⁻³; the error of fourth order is as small.
     Ok(largest.outcome(1e-11, "random oscillators with ψ ≠ 0"))
@@ -57,7 +57,7 @@ pub(super) fn constants() -> CheckResult {
 /// κ_p: its sign is that of the (1, 2) entry of Aᵖ over a₁₂ for τ > h_p, and it vanishes with that entry.
 pub(super) fn detuning_has_the_sign_of_the_entry() -> CheckResult {
     let mut sampler = Sampler::new(43);
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     for _ in 0..3000 {
         let p = sampler.one_of(&[2, 3, 4, 5, 6, 8, 10]);
         let delta = sampler.between(0.01, 0.99);
@@ -68,7 +68,7 @@ pub(super) fn detuning_has_the_sign_of_the_entry() -> CheckResult {
         let kappa = detuning(p, tau, delta);
         let definition = tau - 2.0 * delta.sqrt() * libm::cos(PI / f64::from(p));
         // The definition to two roundings; the entry has no sign where κ_p is as small as its rounding.
-        cases.add((kappa - definition).abs() < 1e-15 && (kappa.abs() < 1e-12 || kappa * entry > 0.0));
+        cases.see((kappa - definition).abs() < 1e-15 && (kappa.abs() < 1e-12 || kappa * entry > 0.0));
     }
     Ok(cases.outcome("random p ≥ 2, δ and τ above h_p(δ)"))
 }

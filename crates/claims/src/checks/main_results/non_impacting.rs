@@ -11,9 +11,9 @@ use nalgebra::{Matrix2, Vector2};
 use super::returns::derivative as difference;
 use super::specimen::Specimen;
 use crate::convergence::order;
-use crate::measuring::{Cases, Largest, LeastOrder};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::tally::{Deviations, Smallest, Votes};
 
 type Failure = Box<dyn core::error::Error + Send + Sync>;
 
@@ -21,7 +21,7 @@ type Failure = Box<dyn core::error::Error + Send + Sync>;
 /// of Γ.
 pub(super) fn trace_and_determinant() -> CheckResult {
     let mut sampler = Sampler::new(21);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..500 {
         let orbit = Specimen::grazing_orbit(&mut sampler)?;
         let map = orbit.grazing_point().map;
@@ -69,11 +69,11 @@ fn nonlinear_orbit(sampler: &mut Sampler) -> Result<GrazingOrbit<Specimen>, Fail
 /// eq:xStarzStar: the fixed point of P_global to first order.
 pub(super) fn fixed_point_expansion() -> CheckResult {
     let mut sampler = Sampler::new(22);
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for _ in 0..100 {
         let orbit = nonlinear_orbit(&mut sampler)?;
         let slope = orbit.grazing_point().map.fixed_point_slope()?;
-        least.add_seen(order(|mu| {
+        least.see_resolved(order(|mu| {
             let found = fixed_point(&orbit, mu).ok()?;
             let remainder = found - Vector2::new(0.0, orbit.phase()) - slope * mu;
             // (I − A)⁻¹ amplifies roundings up to a hundredfold.
@@ -81,13 +81,13 @@ pub(super) fn fixed_point_expansion() -> CheckResult {
         }));
     }
     // Slack for the next order at the smallest resolved μ.
-    Ok(least.outcome(2.0, 0.3, "random oscillators with the frequency as μ"))
+    Ok(least.order(2.0, 0.3, "random oscillators with the frequency as μ"))
 }
 
 /// eq:xStarzStarDeriv: dx*/dμ by differences of numerical fixed points.
 pub(super) fn position_slope() -> CheckResult {
     let mut sampler = Sampler::new(23);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..100 {
         let orbit = nonlinear_orbit(&mut sampler)?;
         let map = orbit.grazing_point().map;
@@ -103,7 +103,7 @@ pub(super) fn position_slope() -> CheckResult {
 /// eq:beta: β is det(I − A) times dx*/dμ by Cramer's rule, and its sign is the one with which x* crosses the wall.
 pub(super) fn transversality() -> CheckResult {
     let mut sampler = Sampler::new(24);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..500 {
         let (tau, delta) = sampler.trapesium();
         let a11 = sampler.between(-1.5, 1.5);
@@ -120,7 +120,7 @@ pub(super) fn transversality() -> CheckResult {
         let orbit = nonlinear_orbit(&mut sampler)?;
         let (ahead, back) = (fixed_point(&orbit, 1e-5)?, fixed_point(&orbit, -1e-5)?);
         let agrees = (ahead[0] - back[0]) * orbit.grazing_point().map.transversality() > 0.0;
-        largest.add(if agrees && ahead[0] * back[0] < 0.0 { 0.0 } else { f64::INFINITY });
+        largest.require(agrees && ahead[0] * back[0] < 0.0);
     }
     // Sums of two products of numbers up to the size of A.
     Ok(largest.outcome(1e-14, "random A and b with (τ, δ) in the trapesium; crossings of random oscillators"))
@@ -129,21 +129,21 @@ pub(super) fn transversality() -> CheckResult {
 /// eq:eigs: the two numbers are the eigenvalues, a real pair in order or a conjugate pair.
 pub(super) fn eigenvalues() -> CheckResult {
     let mut sampler = Sampler::new(25);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..2000 {
         let (tau, delta) = sampler.trapesium();
         match Eigenvalues::from_trace_and_determinant(tau, delta) {
             Eigenvalues::Real { lambda_1, lambda_2 } => {
-                largest.add(if lambda_1 >= lambda_2 && tau * tau >= 4.0 * delta {
+                largest.see(if lambda_1 >= lambda_2 && tau * tau >= 4.0 * delta {
                     0.0
                 } else {
                     f64::INFINITY
                 });
                 for (lambda, sign) in [(lambda_1, 1.0), (lambda_2, -1.0)] {
-                    largest.add((lambda * lambda - tau * lambda + delta).abs());
+                    largest.see((lambda * lambda - tau * lambda + delta).abs());
                     // Near a double eigenvalue the square root amplifies: compare what is under it.
                     let root = 2.0 * lambda - tau;
-                    largest.add(if root * sign >= -1e-15 {
+                    largest.see(if root * sign >= -1e-15 {
                         (root * root - tau * tau + 4.0 * delta).abs()
                     } else {
                         1.0
@@ -152,9 +152,9 @@ pub(super) fn eigenvalues() -> CheckResult {
             }
             Eigenvalues::ComplexPair { modulus, argument } => {
                 let (im, re) = libm::sincos(argument);
-                largest.add((2.0 * modulus * re - tau).abs());
-                largest.add((modulus * modulus - delta).abs());
-                largest.add(if im > 0.0 && tau * tau < 4.0 * delta { 0.0 } else { f64::INFINITY });
+                largest.see((2.0 * modulus * re - tau).abs());
+                largest.see((modulus * modulus - delta).abs());
+                largest.require(im > 0.0 && tau * tau < 4.0 * delta);
             }
         }
     }
@@ -165,7 +165,7 @@ pub(super) fn eigenvalues() -> CheckResult {
 /// eq:cT: with δ > 0, powers of A tend to zero if and only if (τ, δ) lies in the trapesium.
 pub(super) fn trapesium() -> CheckResult {
     let mut sampler = Sampler::new(26);
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     for k in 0..2000 {
         let delta = sampler.between(1e-3, 1.5);
         let mut tau = sampler.between(-3.0, 3.0);
@@ -188,7 +188,7 @@ pub(super) fn trapesium() -> CheckResult {
             power *= power;
         }
         log_size += libm::log(power.amax());
-        cases.add((log_size < 0.0) == in_trapesium(tau, delta));
+        cases.see((log_size < 0.0) == in_trapesium(tau, delta));
     }
     Ok(cases.outcome("random matrices with δ > 0, a third of them within 10⁻⁶ of a side"))
 }
@@ -196,7 +196,7 @@ pub(super) fn trapesium() -> CheckResult {
 /// For small μ with βμ < 0 orbits of the hybrid system that start near the non-impacting solution approach it.
 pub(super) fn stability() -> CheckResult {
     let mut sampler = Sampler::new(27);
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     for _ in 0..60 {
         let orbit = Specimen::grazing_orbit(&mut sampler)?;
         let map = orbit.grazing_point().map;
@@ -215,7 +215,7 @@ pub(super) fn stability() -> CheckResult {
             OrbitEnd::TimeIsUp(end) => libm::hypot(end.position - x, end.velocity) < 0.05 * x.abs(),
             _ => false,
         };
-        cases.add(x < 0.0 && approached);
+        cases.see(x < 0.0 && approached);
     }
     Ok(cases.outcome("random oscillators just below grazing"))
 }

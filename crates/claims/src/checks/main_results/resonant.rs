@@ -10,15 +10,15 @@ use super::coefficients::{Resonant, resonant};
 use super::curves::{on_curve, unfolded};
 use super::returns::{iterated, second_derivative};
 use super::specimen::Specimen;
-use crate::measuring::{Cases, Largest};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::tally::{Deviations, Votes};
 
 /// ass:grazing2: along a range of η there is a grazing orbit, touching at F < 0, whose phase and μ move continuously, with
 /// the slopes that are used along the grazing curve.
 pub(super) fn grazing_orbits() -> CheckResult {
     let mut sampler = Sampler::new(51);
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     for _ in 0..40 {
         let (specimen, phase) = Specimen::random(&mut sampler)?;
         let mut orbit = GrazingOrbit::find(&specimen, phase)?;
@@ -36,7 +36,7 @@ pub(super) fn grazing_orbits() -> CheckResult {
             // The prediction is off by h²/2 times second derivatives, which are below 10⁴ for ζ ≥ 0.01.
             let smooth =
                 (next.phase() - near).abs() + (next.primary() - predicted[0]).abs() < 5e3 * STEP * STEP;
-            cases.add(touches && smooth && next.oscillator().acceleration(from) < 0.0);
+            cases.see(touches && smooth && next.oscillator().acceleration(from) < 0.0);
             orbit = next;
         }
     }
@@ -46,7 +46,7 @@ pub(super) fn grazing_orbits() -> CheckResult {
 /// eq:xi: by second differences of iterated event location.
 pub(super) fn second_phase_derivative() -> CheckResult {
     let mut sampler = Sampler::new(52);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..200 {
         let (specimen, phase) = Specimen::random(&mut sampler)?;
         let orbit = GrazingOrbit::find(&specimen, phase)?;
@@ -65,7 +65,7 @@ pub(super) fn second_phase_derivative() -> CheckResult {
 /// lie on opposite sides of the grazing curve, each on its side of η = 0.
 pub(super) fn sketch() -> CheckResult {
     let mut sampler = Sampler::new(53);
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     while cases_below(&cases, 60) {
         let Resonant { point: located, .. } = resonant(&mut sampler, &[1, 2, 3])?;
         let point = located.resonant_point();
@@ -77,7 +77,7 @@ pub(super) fn sketch() -> CheckResult {
         let theorem = located.theorem();
         // The fixed point of P_global moves to x < 0 for μ < 0.
         let slope = map.fixed_point_position_slope()?;
-        cases.add(slope > 0.0 && map.eigenvalues().spectral_radius() < 1.0);
+        cases.see(slope > 0.0 && map.eigenvalues().spectral_radius() < 1.0);
         for (condition, side, curve) in [
             (Condition::SADDLE_NODE, -1.0, theorem.saddle_node()),
             (Condition::PERIOD_DOUBLING, 1.0, theorem.period_doubling()),
@@ -85,20 +85,20 @@ pub(super) fn sketch() -> CheckResult {
             // A small velocity: the quadratic term rules.
             let found = on_curve(&located, condition, 1e-4).ok_or("no point of the curve was found")?;
             let [mu, eta] = unfolded(&located, &found).ok_or("no grazing orbit was found")?;
-            cases.add(mu * side > 0.0 && eta * curve.eta_side.signum() > 0.0);
+            cases.see(mu * side > 0.0 && eta * curve.eta_side.signum() > 0.0);
         }
     }
     Ok(cases.outcome("resonances of random oscillators in the case of the caption"))
 }
 
-fn cases_below(cases: &Cases, limit: usize) -> bool {
+fn cases_below(cases: &Votes, limit: usize) -> bool {
     matches!(cases.measure(), crate::outcome::Measure::Agreement { cases, .. } if cases < limit)
 }
 
 /// Remark 2.1: with a₁₂ = 0, β = (1 − a₂₂) b₁, so β ≠ 0 is a₂₂ ≠ 1 and b₁ ≠ 0.
 pub(super) fn remark() -> CheckResult {
     let mut sampler = Sampler::new(54);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for k in 0..1000 {
         let entry = |k: i32, sampler: &mut Sampler, special: f64| {
             if k == 0 { special } else { sampler.between(-1.5, 1.5) }
@@ -109,7 +109,7 @@ pub(super) fn remark() -> CheckResult {
         let map = grazing_theorems::LinearisedMap { a, b: Vector2::new(b1, sampler.between(-1.0, 1.0)) };
         largest.compare(map.transversality(), (1.0 - a22) * b1, 1.0);
         let implied = (map.transversality() != 0.0) == (a22 != 1.0 && b1 != 0.0);
-        largest.add(if implied { 0.0 } else { f64::INFINITY });
+        largest.require(implied);
     }
     // One product either way.
     Ok(largest.outcome(1e-15, "random A with a₁₂ = 0 and b, a₂₂ = 1 and b₁ = 0 among them"))

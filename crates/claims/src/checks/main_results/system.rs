@@ -8,9 +8,9 @@ use grazing_model::{ImpactOscillator, State};
 
 use super::specimen::Specimen;
 use crate::convergence::order;
-use crate::measuring::{Cases, Largest, LeastOrder};
 use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::sampling::{Sampler, smallest};
+use crate::tally::{Deviations, Smallest, Votes};
 
 /// A state on the free side of the wall, without pattern.
 fn state(sampler: &mut Sampler) -> State {
@@ -24,26 +24,26 @@ fn state(sampler: &mut Sampler) -> State {
 /// eq:F: the acceleration against second differences of the position along the flow.
 pub(super) fn equation_of_motion() -> CheckResult {
     let mut sampler = Sampler::new(1);
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for _ in 0..200 {
         let (oscillator, _) = Specimen::random(&mut sampler)?;
         let from = state(&mut sampler);
         let force = oscillator.acceleration(from);
         let x = |time: f64| oscillator.flow::<1>(from, time).value[0];
-        least.add_seen(order(|h| {
+        least.see_resolved(order(|h| {
             let difference = (x(h) - 2.0 * from.position + x(-h)) / (h * h);
             // Positions of order one, three of them, over h².
             Some((difference - force, 1e-16 / (h * h)))
         }));
     }
     // Slack for the term of fourth order at the smallest resolved steps.
-    Ok(least.outcome(2.0, 0.3, "states of random oscillators; ẍ by second differences of the flow"))
+    Ok(least.order(2.0, 0.3, "states of random oscillators; ẍ by second differences of the flow"))
 }
 
 /// eq:f: all three components of the vector field against first differences along the flow, parameters of both kinds.
 pub(super) fn vector_field() -> CheckResult {
     let mut sampler = Sampler::new(2);
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for k in 0..200 {
         let (oscillator, _) = Specimen::random(&mut sampler)?;
         let oscillator = if k % 2 == 0 { oscillator } else { oscillator.frequency_first() };
@@ -51,7 +51,7 @@ pub(super) fn vector_field() -> CheckResult {
         let field = [from.velocity, oscillator.acceleration(from), oscillator.forcing_frequency().value];
         let motion = oscillator.motion(from);
         for (i, component) in field.into_iter().enumerate() {
-            least.add(order(|h| {
+            least.see(order(|h| {
                 let at = |time: f64| {
                     let there = motion.at(time);
                     // The phase after a time is what the forcing does: the acceleration names it.
@@ -71,13 +71,13 @@ pub(super) fn vector_field() -> CheckResult {
         }
     }
     // Slack as above; the third component holds exactly, which leaves no order to be seen.
-    Ok(least.outcome(2.0, 0.3, "components of the field at states of random oscillators"))
+    Ok(least.order(2.0, 0.3, "components of the field at states of random oscillators"))
 }
 
 /// eq:z: along orbits with impacts the phase lies in [0, 2π) and differs from ωt by the delays of the impacts alone.
 pub(super) fn phase() -> CheckResult {
     let mut sampler = Sampler::new(3);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..40 {
         let (at_grazing, _) = Specimen::random(&mut sampler)?;
         let [amplitude, frequency] = at_grazing.parameters();
@@ -90,7 +90,7 @@ pub(super) fn phase() -> CheckResult {
             let elapsed = from.phase + frequency * flight.start + delays - phase;
             let turns = libm::round(elapsed / TAU);
             let inside = (0.0..TAU).contains(&phase);
-            largest.add(if inside { (elapsed - turns * TAU).abs() } else { f64::INFINITY });
+            largest.see(if inside { (elapsed - turns * TAU).abs() } else { f64::INFINITY });
             if let FlightEnd::Impact(impact) = flight.end {
                 let [_, delay] = oscillator.law.factors(impact.velocity, impact.phase, frequency);
                 delays += impact.velocity * delay;
@@ -104,7 +104,7 @@ pub(super) fn phase() -> CheckResult {
 /// Σ_graz: where F < 0 at (0, 0, z), and only there, the orbit through the point stays on the free side around it.
 pub(super) fn grazing_set() -> CheckResult {
     let mut sampler = Sampler::new(4);
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     for _ in 0..2000 {
         let (at_grazing, _) = Specimen::random(&mut sampler)?;
         let [_, frequency] = at_grazing.parameters();
@@ -118,7 +118,7 @@ pub(super) fn grazing_set() -> CheckResult {
         }
         let motion = oscillator.motion(from);
         let free = [1e-5, -1e-5].map(|time| motion.at(time).position < 0.0);
-        cases.add(free == [force < 0.0; 2]);
+        cases.see(free == [force < 0.0; 2]);
     }
     Ok(cases.outcome("points of the tangency set, F of both signs"))
 }
@@ -155,7 +155,7 @@ pub(super) fn reset_form() -> CheckResult {
 /// eq:resetLaw: simulated orbits stay in x ≤ 0, arrive at the wall with y > 0, and go on from R(y, z).
 pub(super) fn reset_law() -> CheckResult {
     let mut sampler = Sampler::new(6);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..40 {
         let (at_grazing, _) = Specimen::random(&mut sampler)?;
         let [amplitude, frequency] = at_grazing.parameters();
@@ -166,19 +166,19 @@ pub(super) fn reset_law() -> CheckResult {
         for flight in Orbit::new(&oscillator, from, horizon, 100) {
             if let Some(State { velocity, phase, .. }) = expected {
                 let turns = libm::round((phase - flight.from.phase) / TAU);
-                largest.add(flight.from.position.abs());
-                largest.add((velocity - flight.from.velocity).abs());
-                largest.add((phase - turns * TAU - flight.from.phase).abs());
+                largest.see(flight.from.position.abs());
+                largest.see((velocity - flight.from.velocity).abs());
+                largest.see((phase - turns * TAU - flight.from.phase).abs());
             }
             // No crossing on the way, and the position at the impact is zero.
             let before = flight.duration * (1.0 - 1e-6);
             let early = first_crossing(&flight.motion, before).is_some();
             let top = highest_maximum(&flight.motion, before).map_or(0.0, |top| top.position.max(0.0));
-            largest.add(if early { f64::INFINITY } else { top });
+            largest.see(if early { f64::INFINITY } else { top });
             expected = None;
             if let FlightEnd::Impact(impact) = flight.end {
-                largest.add(if impact.velocity >= 0.0 { 0.0 } else { f64::INFINITY });
-                largest.add(flight.motion.at(flight.duration).position.abs());
+                largest.require(impact.velocity >= 0.0);
+                largest.see(flight.motion.at(flight.duration).position.abs());
                 let [restitution, delay] = oscillator.law.factors(impact.velocity, impact.phase, frequency);
                 expected = Some(State::on_wall(
                     -impact.velocity * restitution,

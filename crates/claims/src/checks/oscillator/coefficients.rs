@@ -9,17 +9,17 @@ use grazing_model::LinearOscillator;
 use grazing_theorems::{Resonance, ResonantGrazing};
 
 use crate::convergence::order;
-use crate::measuring::{Cases, Largest, LeastOrder};
 use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::printed::printed;
 use crate::sampling::{Sampler, smallest};
+use crate::tally::{Deviations, Smallest, Votes};
 
 type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// eq:Ep and E_p = δ^{p/2}: the decay of the free motion over p periods.
 pub(super) fn decay() -> CheckResult {
     let mut sampler = Sampler::new(131);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..1000 {
         let (zeta, omega) = (sampler.between(0.005, 0.5), sampler.between(0.3, 3.0));
         let p = sampler.one_of(&[1, 2, 3, 4, 6, 9]);
@@ -118,7 +118,7 @@ fn numerically(resonance: &Resonance) -> Result<ResonantGrazingPoint<LinearOscil
 /// for p = 1, where the print refers to theorem 2.3 (generic grazing, p ≥ 2), which says nothing about such curves.
 pub(super) fn opposite_sides() -> CheckResult {
     let mut sampler = Sampler::new(133);
-    let (mut cases, mut by_print) = (Cases::default(), Cases::default());
+    let (mut cases, mut by_print) = (Votes::default(), Votes::default());
     for _ in 0..60 {
         let (resonance, point) = located(&mut sampler)?;
         let origin = point.unknowns();
@@ -136,12 +136,12 @@ pub(super) fn opposite_sides() -> CheckResult {
             *side = [eta, found[unknown::PRIMARY] - grazing];
         }
         let [[sn_eta, sn_mu], [pd_eta, pd_mu]] = sides;
-        cases.add(sn_eta * pd_eta < 0.0 && sn_mu < 0.0 && pd_mu > 0.0);
+        cases.see(sn_eta * pd_eta < 0.0 && sn_mu < 0.0 && pd_mu > 0.0);
         let theorem = ResonantGrazing::check(&resonance.resonant_point(), 1e-11)?;
-        cases.add(theorem.saddle_node().eta_side.signum() * sn_eta > 0.0);
-        cases.add(theorem.period_doubling().eta_side.signum() * pd_eta > 0.0);
+        cases.see(theorem.saddle_node().eta_side.signum() * sn_eta > 0.0);
+        cases.see(theorem.period_doubling().eta_side.signum() * pd_eta > 0.0);
         // The two theorems that are cited both ask for p ≥ 2, so they say nothing where p = 1.
-        by_print.add(resonance.loops() >= 2);
+        by_print.see(resonance.loops() >= 2);
     }
     let outcome = cases
         .outcome("resonances of random oscillators: curves beside the resonance, and the theorem's sides");
@@ -152,7 +152,7 @@ pub(super) fn opposite_sides() -> CheckResult {
 /// the coefficients, is off the continued curve by third order in η.
 pub(super) fn quadratic_approximation() -> CheckResult {
     let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for (p, n) in [(1, 3), (2, 1), (3, 2)] {
         let resonance = theory.resonance(p, n)?;
         let point = numerically(&resonance)?;
@@ -162,7 +162,7 @@ pub(super) fn quadratic_approximation() -> CheckResult {
         ] {
             let direction = point.direction(condition);
             let per_velocity = direction / direction[unknown::VELOCITY];
-            least.add_seen(order(|h| {
+            least.see_resolved(order(|h| {
                 // A velocity at which η is about a fifth of the size.
                 let velocity = 0.2 * h / per_velocity[unknown::SECONDARY].abs();
                 let start = point.unknowns() + per_velocity * velocity;
@@ -177,9 +177,5 @@ pub(super) fn quadratic_approximation() -> CheckResult {
         }
     }
     // Slack for the next order at the smallest resolved sizes.
-    Ok(least.outcome(
-        3.0,
-        0.3,
-        "SN and PD curves at the three resonances of Figure 8, against the dashed ones",
-    ))
+    Ok(least.order(3.0, 0.3, "SN and PD curves at the three resonances of Figure 8, against the dashed ones"))
 }

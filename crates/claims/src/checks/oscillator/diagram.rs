@@ -11,10 +11,10 @@ use grazing_model::orbit::{Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 
 use crate::checks::main_results::simulation::attracts;
-use crate::measuring::Cases;
 use crate::outcome::CheckResult;
 use crate::printed::printed;
 use crate::sampling::Sampler;
+use crate::tally::Votes;
 
 /// Frequencies from below the lowest resonance that Figure 7 labels to above the highest.
 const FREQUENCIES: [f64; 2] = [0.36, 0.95];
@@ -24,7 +24,7 @@ pub(super) fn non_impacting_region() -> CheckResult {
     let (zeta, epsilon) = (printed("zeta")?, printed("epsilon")?);
     let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
     let mut sampler = Sampler::new(151);
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     for _ in 0..60 {
         let omega = sampler.between(FREQUENCIES[0], FREQUENCIES[1]);
         let grazing = theory.grazing(omega)?;
@@ -37,14 +37,14 @@ pub(super) fn non_impacting_region() -> CheckResult {
         let from = State { position: start.position + off, ..start };
         let periods = libm::ceil(5.0 / zeta / oscillator.forcing_period());
         let end = Orbit::new(&oscillator, from, periods * oscillator.forcing_period(), 5).finish();
-        cases.add(match end {
+        cases.see(match end {
             OrbitEnd::TimeIsUp(end) => {
                 libm::hypot(end.position - start.position, end.velocity - start.velocity) < 0.05 * off.abs()
             }
             _ => false,
         });
         let beyond = oscillator.with_parameters([grazing.amplitude() / share, omega]);
-        cases.add(beyond.non_impacting_solution(grazing.phase()).position > 0.0);
+        cases.see(beyond.non_impacting_solution(grazing.phase()).position > 0.0);
     }
     Ok(cases.outcome("points left and right of the grazing curve, simulated"))
 }
@@ -54,7 +54,7 @@ pub(super) fn non_impacting_region() -> CheckResult {
 pub(super) fn boundaries() -> CheckResult {
     let (zeta, epsilon) = (printed("zeta")?, printed("epsilon")?);
     let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     let route = Route {
         window: Window { primary: [0.0, 1.4], secondary: [0.3, 1.1] },
         control: StepControl::DRAWING,
@@ -70,7 +70,7 @@ pub(super) fn boundaries() -> CheckResult {
         let unfolded = located.unfold(&route)?;
         for curve in [&unfolded.saddle_node, &unfolded.period_doubling] {
             // Each curve ends at the grazing bifurcation of the MPS, or runs on to another resonance on the grazing curve.
-            cases.add(match &curve.end {
+            cases.see(match &curve.end {
                 CurveEnd::Grazing => true,
                 CurveEnd::Event(event) => event.condition == Condition::InteriorGrazing,
                 _ => false,
@@ -92,18 +92,18 @@ pub(super) fn boundaries() -> CheckResult {
                 return Err("no MPS beside the curve".into());
             };
             // One side is stable, the other is not; simulation agrees where the orbit is admissible.
-            cases.add(lower.stable() != upper.stable());
+            cases.see(lower.stable() != upper.stable());
             for (oscillator, solution) in [(below, lower), (above, upper)] {
                 if solution.admissible() {
-                    cases.add(attracts(&oscillator, &solution) == Some(solution.stable()));
+                    cases.see(attracts(&oscillator, &solution) == Some(solution.stable()));
                 }
             }
         }
         // The region is closed by grazing of the MPS, which holds along the whole third curve.
-        cases.add(!unfolded.grazing.is_empty());
+        cases.see(!unfolded.grazing.is_empty());
         for curve in &unfolded.grazing {
             let inner = &curve.points[1..];
-            cases.add(inner.iter().all(|point| point.solution.ceiling().abs() < 1e-11));
+            cases.see(inner.iter().all(|point| point.solution.ceiling().abs() < 1e-11));
         }
     }
     Ok(cases.outcome("SN, PD and GZ curves at the resonances of Figure 7, crossed in simulation"))

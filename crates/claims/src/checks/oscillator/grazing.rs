@@ -8,9 +8,9 @@ use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{GrazingPoint, GrazingState};
 
 use crate::checks::main_results::returns::{derivative, returned};
-use crate::measuring::Largest;
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::tally::Deviations;
 
 type Failure = Box<dyn core::error::Error + Send + Sync>;
 
@@ -27,10 +27,10 @@ fn both(sampler: &mut Sampler) -> Result<(GrazingState, GrazingOrbit<LinearOscil
 /// What is measured in the numerical oscillator against a printed expression, over random parameters.
 fn compared(
     seed: u64,
-    mut sample: impl FnMut(&GrazingState, &GrazingOrbit<LinearOscillator>, &mut Largest) -> Result<(), Failure>,
-) -> Result<Largest, Failure> {
+    mut sample: impl FnMut(&GrazingState, &GrazingOrbit<LinearOscillator>, &mut Deviations) -> Result<(), Failure>,
+) -> Result<Deviations, Failure> {
     let mut sampler = Sampler::new(seed);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..300 {
         let (closed, orbit) = both(&mut sampler)?;
         sample(&closed, &orbit, &mut largest)?;
@@ -41,7 +41,7 @@ fn compared(
 /// F, Φ and Ψ of the linear oscillator, and that it is a member of the general class with them.
 pub(super) fn general_form() -> CheckResult {
     let mut sampler = Sampler::new(111);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..1000 {
         let (closed, orbit) = both(&mut sampler)?;
         let oscillator = orbit.oscillator();
@@ -118,7 +118,7 @@ pub(super) fn first_derivatives() -> CheckResult {
                 largest.compare(jets[(row, column)], entry, 1.0);
                 largest.compare(function[(row, column)], entry, 1.0);
                 // Differences are good to fewer digits: counted as that much less.
-                largest.add(DIFFERENCES * (measured[row] - entry).abs());
+                largest.see(DIFFERENCES * (measured[row] - entry).abs());
             }
         }
         Ok(())
@@ -148,7 +148,7 @@ pub(super) fn parameter_derivatives() -> CheckResult {
         for row in 0..2 {
             largest.compare(map.b[row], stated[row], scale);
             largest.compare(function[row], stated[row], scale);
-            largest.add(DIFFERENCES * (measured[row] - stated[row] * amplitude).abs());
+            largest.see(DIFFERENCES * (measured[row] - stated[row] * amplitude).abs());
         }
         Ok(())
     })?;
@@ -160,7 +160,7 @@ pub(super) fn parameter_derivatives() -> CheckResult {
 /// included.
 pub(super) fn both_derivatives() -> CheckResult {
     let mut sampler = Sampler::new(118);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..1000 {
         let zeta = sampler.between(0.002, 0.8);
         let omega = sampler.between(0.25, 5.0);
@@ -169,9 +169,9 @@ pub(super) fn both_derivatives() -> CheckResult {
         let map = global_map::<_, 1>(&oscillator, 0.0, closed.phase(), None)?.jet;
         let stated = closed.linearised_map();
         let scale = stated.a.amax().max(1.0);
-        largest.add((map.derivative() - stated.a).amax() / scale);
+        largest.see((map.derivative() - stated.a).amax() / scale);
         let by_primary = map.jacobian.column(2) * closed.amplitude();
-        largest.add((by_primary - stated.b * closed.amplitude()).amax() / scale);
+        largest.see((by_primary - stated.b * closed.amplitude()).amax() / scale);
     }
     // Derivatives of maxima: sums of a dozen terms of the size of the entries.
     Ok(largest.outcome(1e-13, "A and b by jets of the map for damping ratios to 0.8, frequencies 0.25 to 5"))

@@ -8,9 +8,9 @@ use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use nalgebra::Matrix2;
 
 use crate::convergence::order;
-use crate::measuring::{Largest, LeastOrder};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::tally::{Deviations, Smallest};
 
 type Failure = Box<dyn core::error::Error + Send + Sync>;
 
@@ -72,33 +72,33 @@ fn defect(oscillator: &LinearOscillator, x: impl Fn(f64) -> f64, time: f64, h: f
 /// eq:oscf: the model's flow has no defect.
 pub(super) fn equation_of_motion() -> CheckResult {
     let mut sampler = Sampler::new(101);
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for _ in 0..300 {
         let oscillator = oscillator(&mut sampler)?;
         let from = state(&mut sampler);
         let start = from.phase / oscillator.frequency();
         let time = start + sampler.between(0.0, 10.0);
         let x = |t: f64| oscillator.flow::<1>(from, t - start).value[0];
-        least.add_seen(order(|h| Some(defect(&oscillator, x, time, h))));
+        least.see_resolved(order(|h| Some(defect(&oscillator, x, time, h))));
     }
     // Slack for the term of fourth order.
-    Ok(least.outcome(2.0, 0.3, "random oscillators and orbits of the model; defect by central differences"))
+    Ok(least.order(2.0, 0.3, "random oscillators and orbits of the model; defect by central differences"))
 }
 
 /// eq:oscResetLaw: at every impact of simulated orbits y becomes −εy, and neither x nor z changes.
 pub(super) fn reset_law() -> CheckResult {
     let mut sampler = Sampler::new(102);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..60 {
         let oscillator = oscillator(&mut sampler)?;
         let from = state(&mut sampler);
         let mut before: Option<State> = None;
         for flight in Orbit::new(&oscillator, from, 20.0 * oscillator.forcing_period(), 60) {
             if let Some(impact) = before {
-                largest.add((flight.from.velocity + oscillator.restitution() * impact.velocity).abs());
-                largest.add(flight.from.position.abs());
+                largest.see((flight.from.velocity + oscillator.restitution() * impact.velocity).abs());
+                largest.see(flight.from.position.abs());
                 let turns = libm::round((impact.phase - flight.from.phase) / TAU);
-                largest.add((impact.phase - turns * TAU - flight.from.phase).abs());
+                largest.see((impact.phase - turns * TAU - flight.from.phase).abs());
             }
             before = match flight.end {
                 FlightEnd::Impact(impact) => Some(impact),
@@ -113,7 +113,7 @@ pub(super) fn reset_law() -> CheckResult {
 /// ω₁ and −ζ ± iω₁: trace and determinant of the matrix of the free oscillator.
 pub(super) fn damped_frequency() -> CheckResult {
     let mut sampler = Sampler::new(103);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..500 {
         let oscillator = oscillator(&mut sampler)?;
         let (zeta, omega_1) = (oscillator.damping_ratio(), oscillator.natural_frequency());
@@ -138,7 +138,7 @@ pub(super) fn damped_frequency() -> CheckResult {
 /// eq:flow: the print satisfies the initial condition and the equation, and is the model's flow.
 pub(super) fn flow() -> CheckResult {
     let mut sampler = Sampler::new(104);
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for _ in 0..300 {
         let oscillator = oscillator(&mut sampler)?;
         let from = state(&mut sampler);
@@ -146,32 +146,32 @@ pub(super) fn flow() -> CheckResult {
         let initial = [from.position, from.velocity, start];
         let x = |t: f64| printed_flow(&oscillator, initial, t);
         let time = start + sampler.between(0.0, 10.0);
-        least.add_seen(order(|h| Some(defect(&oscillator, x, time, h))));
+        least.see_resolved(order(|h| Some(defect(&oscillator, x, time, h))));
         // Initial position and velocity, the latter by a central difference of second order.
-        least.add_seen(order(|h| {
+        least.see_resolved(order(|h| {
             Some(((x(start + h) - x(start - h)) / (2.0 * h) - from.velocity, 1e-14 / h))
         }));
         let gain = printed_periodic(&oscillator, 0.0).map(f64::abs);
         let size = 10.0 + gain[0] + gain[1];
         let same = (x(start) - from.position).abs() < 1e-14 * size
             && (x(time) - oscillator.flow::<1>(from, time - start).value[0]).abs() < 1e-13 * size;
-        least.add(if same { f64::INFINITY } else { f64::NEG_INFINITY });
+        least.require(same);
     }
     // Slack as above; values agree to roundings of the periodic solution's size.
-    Ok(least.outcome(2.0, 0.3, "the printed solution: defect, initial state, and the model's flow"))
+    Ok(least.order(2.0, 0.3, "the printed solution: defect, initial state, and the model's flow"))
 }
 
 /// eq:phip: the print satisfies the equation, has period 2π/ω, and is the model's periodic solution.
 pub(super) fn periodic_solution() -> CheckResult {
     let mut sampler = Sampler::new(105);
-    let mut least = LeastOrder::default();
+    let mut least = Smallest::default();
     for _ in 0..300 {
         let oscillator = oscillator(&mut sampler)?;
         let time = sampler.between(0.0, 10.0);
         let x = |t: f64| printed_periodic(&oscillator, t)[0];
         // At two times a quarter of a period apart: the fourth derivative is not small at both.
         let later = time + 0.25 * oscillator.forcing_period();
-        least.add_seen(order(|h| {
+        least.see_resolved(order(|h| {
             let [(one, rounding), (other, _)] = [time, later].map(|time| defect(&oscillator, x, time, h));
             Some((libm::hypot(one, other), rounding))
         }));
@@ -182,16 +182,16 @@ pub(super) fn periodic_solution() -> CheckResult {
         let returned = oscillator.flow::<1>(from, oscillator.forcing_period()).value;
         let same = (model.position - position).abs() + (model.velocity - velocity).abs() < 1e-12 * size
             && (returned[0] - position).abs() + (returned[1] - velocity).abs() < 1e-12 * size;
-        least.add(if same { f64::INFINITY } else { f64::NEG_INFINITY });
+        least.require(same);
     }
     // Slack as above.
-    Ok(least.outcome(2.0, 0.3, "the printed periodic solution: defect, period, and the model's"))
+    Ok(least.order(2.0, 0.3, "the printed periodic solution: defect, period, and the model's"))
 }
 
 /// As t → ∞ solutions converge to φ_p: distances shrink like e^{−ζt}.
 pub(super) fn attraction() -> CheckResult {
     let mut sampler = Sampler::new(106);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..300 {
         let oscillator = oscillator(&mut sampler)?;
         let from = state(&mut sampler);
@@ -213,7 +213,7 @@ pub(super) fn attraction() -> CheckResult {
 /// eq:Agraz: at the printed amplitude the highest maximum of φ_p, found by search, is the wall; beside it is not.
 pub(super) fn grazing_amplitude() -> CheckResult {
     let mut sampler = Sampler::new(107);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..500 {
         let oscillator = oscillator(&mut sampler)?;
         let (zeta, omega) = (oscillator.damping_ratio(), oscillator.frequency());
@@ -225,7 +225,7 @@ pub(super) fn grazing_amplitude() -> CheckResult {
             highest_maximum(&oscillator.motion(from), 1.01 * oscillator.forcing_period())
                 .map_or(f64::NAN, |top| top.position)
         };
-        largest.add(top(amplitude).abs());
+        largest.see(top(amplitude).abs());
         let theory = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
         largest.compare(theory.amplitude(), amplitude, amplitude);
         // The maximum is 𝒜/𝒜_graz − 1, on both sides of grazing.
@@ -245,7 +245,7 @@ fn sampler_phase(omega: f64) -> f64 {
 /// The display after eq:Agraz: z_graz is the phase of that maximum.
 pub(super) fn grazing_phase() -> CheckResult {
     let mut sampler = Sampler::new(108);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..500 {
         let (zeta, omega) = (sampler.between(0.005, 0.9), sampler.between(0.2, 3.0));
         let theory = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;

@@ -7,9 +7,9 @@ use grazing_model::LinearOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{GrazingState, Resonance, ResonantPoint};
 
-use crate::measuring::Largest;
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::tally::Deviations;
 
 type Failure = Box<dyn core::error::Error + Send + Sync>;
 
@@ -67,9 +67,9 @@ fn compared(
     loops: &[u32],
     indices: &[u32],
     formulas: impl Fn(&Resonance) -> Quantities,
-) -> Result<Largest, Failure> {
+) -> Result<Deviations, Failure> {
     let mut sampler = Sampler::new(seed);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..150 {
         let (p, n) = (sampler.one_of(loops), sampler.one_of(indices));
         let theory = grazing_theorems::LinearOscillator::new(
@@ -148,7 +148,7 @@ pub(super) fn many_loops() -> CheckResult {
 pub(super) fn many_loops_misprint() -> CheckResult {
     let largest = compared(144, &[2, 3, 4, 5, 6], &[1, 2, 3], many_loop_formulas)?;
     let mut sampler = Sampler::new(145);
-    let mut named = Largest::default();
+    let mut named = Deviations::default();
     for _ in 0..50 {
         let theory = grazing_theorems::LinearOscillator::new(
             sampler.between(0.005, 0.08),

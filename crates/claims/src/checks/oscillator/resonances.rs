@@ -11,10 +11,10 @@ use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{GenericGrazing, GrazingState, ResonantGrazing};
 
 use crate::checks::main_results::simulation::{attracts, returns};
-use crate::measuring::{Cases, Largest};
 use crate::outcome::CheckResult;
 use crate::printed::{printed, printed_at_resonances};
 use crate::sampling::Sampler;
+use crate::tally::{Deviations, Votes};
 
 type Failure = Box<dyn core::error::Error + Send + Sync>;
 
@@ -57,7 +57,7 @@ const RATIOS: [f64; 2] = [0.22, 3.63];
 
 /// Holds the zeros of a function of ω₁/ω against a list, both ways.
 fn only_zeros(
-    largest: &mut Largest,
+    largest: &mut Deviations,
     theory: &grazing_theorems::LinearOscillator,
     value: impl Fn(&GrazingOrbit<LinearOscillator>) -> f64,
     expected: &[f64],
@@ -65,7 +65,7 @@ fn only_zeros(
     let omega_1 = theory.damped_natural_frequency();
     let found = zeros(|ratio| measured(theory, omega_1 / ratio, &value), RATIOS)?;
     if found.len() != expected.len() {
-        largest.add(f64::INFINITY);
+        largest.see(f64::INFINITY);
     }
     for (found, expected) in found.iter().zip(expected) {
         largest.compare(*found, *expected, 1.0);
@@ -76,7 +76,7 @@ fn only_zeros(
 /// eq:resonance1: a₁₂ of the numerical map vanishes at ω₁/ω = n/2 and nowhere else.
 pub(super) fn one_loop() -> CheckResult {
     let mut sampler = Sampler::new(121);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..4 {
         let theory = grazing_theorems::LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
         let expected: Vec<f64> = (1..8)
@@ -97,7 +97,7 @@ pub(super) fn one_loop() -> CheckResult {
 /// eq:resonancep: κ_p of the numerical map vanishes at ω₁/ω = n ± 1/(2p) and nowhere else.
 pub(super) fn many_loops() -> CheckResult {
     let mut sampler = Sampler::new(122);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for p in [2, 3, 4, 7] {
         let theory = grazing_theorems::LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
         let offset = 0.5 / f64::from(p);
@@ -130,12 +130,12 @@ pub(super) fn many_loops() -> CheckResult {
 pub(super) fn indices() -> CheckResult {
     let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
     let omega_1 = theory.damped_natural_frequency();
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     for (loops, index, frequency) in printed_at_resonances("omega")? {
         let ratio =
             if loops == 1 { 0.5 * f64::from(index) } else { f64::from(index) + 0.5 / f64::from(loops) };
         // Four printed decimals: half a unit of the last, relative to frequencies from 0.39, and ratios up to 2.5.
-        cases.add((omega_1 / frequency - ratio).abs() < 5e-4);
+        cases.see((omega_1 / frequency - ratio).abs() < 5e-4);
     }
     let labelled = [(1, vec![3, 4, 5]), (2, vec![1, 2]), (3, vec![1, 2])];
     let frequency =
@@ -146,7 +146,7 @@ pub(super) fn indices() -> CheckResult {
         let mut found: Vec<u32> = found.iter().map(|resonance| resonance.index()).collect();
         found.sort_unstable();
         stated.sort_unstable();
-        cases.add(found == stated);
+        cases.see(found == stated);
         // Each is a resonance of the numerical map, with SN and PD curves: the theorem's hypotheses hold.
         for index in stated {
             let resonance = theory.resonance(loops, index)?;
@@ -158,7 +158,7 @@ pub(super) fn indices() -> CheckResult {
                 grazing.forcing_frequency(),
             )?;
             let point = GrazingOrbit::find(&oscillator, grazing.phase())?.resonant_point(loops)?;
-            cases.add(ResonantGrazing::check(&point, 1e-12).is_ok());
+            cases.see(ResonantGrazing::check(&point, 1e-12).is_ok());
         }
     }
     Ok(cases.outcome(
@@ -169,7 +169,7 @@ pub(super) fn indices() -> CheckResult {
 /// The display after eq:resonancep: a₁₂ at the resonances of either sign, and the sign of a₁₂α.
 pub(super) fn off_diagonal() -> CheckResult {
     let mut sampler = Sampler::new(123);
-    let mut largest = Largest::default();
+    let mut largest = Deviations::default();
     for _ in 0..60 {
         let theory =
             grazing_theorems::LinearOscillator::new(sampler.between(0.005, 0.2), sampler.between(0.1, 1.0))?;
@@ -188,7 +188,7 @@ pub(super) fn off_diagonal() -> CheckResult {
             let product = measured(&theory, omega, |orbit| {
                 orbit.grazing_point().map.a.m12 * orbit.grazing_point().alpha()
             })?;
-            largest.add(if product * sign > 0.0 { 0.0 } else { f64::INFINITY });
+            largest.require(product * sign > 0.0);
         }
         largest.compare(
             theory.resonance(p, n)?.off_diagonal(),
@@ -234,7 +234,7 @@ fn near_grazing(
 /// virtual: in the hybrid system its orbit meets the wall too early. At n + 1/(2p) it is none of that.
 pub(super) fn virtual_solutions() -> CheckResult {
     let mut sampler = Sampler::new(124);
-    let mut cases = Cases::default();
+    let mut cases = Votes::default();
     for _ in 0..40 {
         let theory =
             grazing_theorems::LinearOscillator::new(sampler.between(0.005, 0.05), sampler.between(0.5, 1.0))?;
@@ -250,7 +250,7 @@ pub(super) fn virtual_solutions() -> CheckResult {
             let grazing = theory.grazing(frequency * off)?;
             let point = grazing.grazing_point();
             let answer = GenericGrazing::check(&point, p);
-            cases.add(match &answer {
+            cases.see(match &answer {
                 Ok(_) => real,
                 Err(violated) => {
                     let only = Quantity::OffDiagonalTimesSquareRootFactor;
@@ -260,13 +260,13 @@ pub(super) fn virtual_solutions() -> CheckResult {
             // The side on which y > 0.
             let side = point.emerging_orbit(p)?.impact_velocity_slope.signum();
             let (oscillator, solution) = near_grazing(&grazing, p, side)?;
-            cases.add(solution.impact_velocity() > 0.0 && solution.admissible() == real);
+            cases.see(solution.impact_velocity() > 0.0 && solution.admissible() == real);
             let reset = oscillator.reset::<1>(solution.unknowns[0], solution.unknowns[1]).value;
             let motion = oscillator.motion(State::on_wall(reset[0], reset[1]));
             let period = f64::from(p) * oscillator.forcing_period();
             // An impact is early if it is before the last one by more than its resolution.
             let early = first_crossing(&motion, period * (1.0 - 1e-5)).is_some();
-            cases.add(early != real && returns(&oscillator, &solution) == real);
+            cases.see(early != real && returns(&oscillator, &solution) == real);
         }
     }
     Ok(cases.outcome("random oscillators beside n ± 1/(2p): hypotheses, admissibility, simulation"))
@@ -278,8 +278,8 @@ pub(super) fn stable_two_loops() -> CheckResult {
     let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
     let resonance = theory.resonance(2, 1)?;
     let theorem = ResonantGrazing::check(&resonance.resonant_point(), 1e-12)?;
-    let mut cases = Cases::default();
-    cases.add(theorem.saddle_node().coefficient < 0.0);
+    let mut cases = Votes::default();
+    cases.see(theorem.saddle_node().coefficient < 0.0);
     let omega = resonance.forcing_frequency();
     for k in -2..=2 {
         // Frequencies so near that the quadratic unfolding of size cη² is below 𝒜 − 𝒜_graz.
@@ -302,7 +302,7 @@ pub(super) fn stable_two_loops() -> CheckResult {
             let conditions = [Condition::Primary(amplitude), Condition::Secondary(frequency)];
             let zero = locate(&equations, conditions, start, &mut Memory::default())?;
             let solution = equations.solution(&zero).0;
-            cases.add(
+            cases.see(
                 solution.admissible()
                     && solution.stable()
                     && returns(&oscillator, &solution)
