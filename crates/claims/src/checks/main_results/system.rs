@@ -92,7 +92,7 @@ pub(super) fn phase() -> CheckResult {
             let inside = (0.0..TAU).contains(&phase);
             largest.see(if inside { (elapsed - turns * TAU).abs() } else { f64::INFINITY });
             if let FlightEnd::Impact(impact) = flight.end {
-                let [_, delay] = oscillator.law.factors(impact.velocity, impact.phase, frequency);
+                let [_, delay] = oscillator.factors(impact.velocity, impact.phase);
                 delays += impact.velocity * delay;
             }
         }
@@ -130,14 +130,13 @@ pub(super) fn reset_form() -> CheckResult {
     const LAWS: usize = 40;
     for seed in 0..LAWS as u64 {
         let (oscillator, _) = Specimen::random(&mut sampler)?;
-        let frequency = oscillator.forcing_frequency().value;
         let (margin, _) = smallest(seed, 6, |[a, b]: [f64; 2]| {
             // Down to velocities at which only the quotient is of order one.
             let (velocity, phase) = (0.6 * a * a * a, TAU * b);
             let law = |velocity: f64| oscillator.reset::<1>(velocity, phase).value;
             let tangent = law(0.0);
             let image = law(velocity);
-            let [restitution, delay] = oscillator.law.factors(velocity, phase, frequency);
+            let [restitution, delay] = oscillator.factors(velocity, phase);
             let form =
                 (image[0] + velocity * restitution).abs() + (image[1] - phase - velocity * delay).abs();
             // Form and identity to a few roundings of the phase.
@@ -179,7 +178,7 @@ pub(super) fn reset_law() -> CheckResult {
             if let FlightEnd::Impact(impact) = flight.end {
                 largest.require(impact.velocity >= 0.0);
                 largest.see(flight.motion.at(flight.duration).position.abs());
-                let [restitution, delay] = oscillator.law.factors(impact.velocity, impact.phase, frequency);
+                let [restitution, delay] = oscillator.factors(impact.velocity, impact.phase);
                 expected = Some(State::on_wall(
                     -impact.velocity * restitution,
                     impact.phase + impact.velocity * delay,
