@@ -123,5 +123,5 @@ pub(super) fn parameter_derivative() -> CheckResult {
 const STEP: f64 = 1e-3;
 
 /// Accuracy of the extrapolated differences: at ω near 0.35 fifth derivatives are some 10⁴, so that h⁴/4 of them is 10⁻⁹
-/// and more; empirical, ten times the largest that was seen.
+/// and more; empirical, five times the largest that was seen.
 const DIFFERENCES: f64 = 1e-7;

@@ -57,7 +57,7 @@ pub(super) fn second_phase_derivative() -> CheckResult {
         })?;
         largest.compare(measured, xi, xi.abs().max(1.0));
     }
-    // Rounding 10⁻¹⁵ over h² and h⁴ times sixth derivatives: empirical, ten times the largest seen.
+    // Rounding 10⁻¹⁵ over h² and h⁴ times sixth derivatives: empirical, five times the largest seen.
     Ok(largest.outcome(1e-7, "random oscillators, p = 1 to 4, by second differences"))
 }
 
