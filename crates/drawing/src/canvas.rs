@@ -12,7 +12,7 @@ use crate::DrawingError;
 use crate::font::{Extent, Fonts};
 use crate::markup::Label;
 use crate::sheet::{Bounds, Spot};
-use crate::style::{Colour, Paint, Pen, SIZE_LIMIT};
+use crate::style::{Colour, Paint, Pen, SIZE_LIMIT, hat_pen};
 use crate::svg_backend::{Anchor, POINTS_PER_MM, SvgBackend};
 use crate::svg_text::UNITS;
 
@@ -140,6 +140,9 @@ impl Canvas {
         let taken = Bounds { left, top, right: left + extent.width, bottom };
         self.texts.borrow_mut().push((label.source.clone(), taken));
         self.draw(&[(x, y)], Ink::Label(label, size, anchor, colour))?;
+        for hat in self.fonts.hats(label, size)? {
+            self.draw(&hat.map(|(right, down)| (left + right, y + down)), Ink::Line(hat_pen(size, colour)))?;
+        }
         Ok(taken)
     }
 
