@@ -160,6 +160,12 @@ impl Canvas {
         self.set((x, baseline), label, size, Anchor::Middle, colour)
     }
 
+    /// The labels as they were written, in the order of drawing.
+    #[cfg(test)]
+    pub(crate) fn texts(&self) -> Vec<String> {
+        self.texts.borrow().iter().map(|(source, _)| source.clone()).collect()
+    }
+
     /// The labels that overlap another one or leave the sheet: none, in a good figure.
     #[cfg(test)]
     pub(crate) fn misplaced_texts(&self) -> Vec<(String, Bounds)> {

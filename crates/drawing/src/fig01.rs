@@ -46,8 +46,8 @@ pub(crate) fn compose(figure: &Figure01<'_>, width: SheetWidth) -> Result<Canvas
     let canvas = scene.fit("fig01", width.mm(WIDTH_MM), &MARGIN)?;
     scene.paint(&canvas)?;
     let mut labels = scene.labels(&canvas, TITLE_SIZE)?;
-    for piece in scene.curves.iter().filter(|piece| piece.kind == CurveKind::Reset) {
-        labels.add("$R$", LABEL_SIZE, RESET_COLOUR, &Wanted::Beside(&piece.spots()))?;
+    for reset in scene.longest(CurveKind::Reset) {
+        labels.add("$R$", LABEL_SIZE, RESET_COLOUR, &Wanted::Beside(&reset))?;
     }
     for piece in &scene.surfaces {
         let spots = piece.spots();
@@ -67,4 +67,68 @@ pub(crate) fn compose(figure: &Figure01<'_>, width: SheetWidth) -> Result<Canvas
     }
     labels.draw()?;
     Ok(canvas)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
+
+    fn with_data<T>(test: impl Fn(&Figure01<'_>) -> T) -> T {
+        let [curves, points, surfaces] = samples::scene("fig01");
+        test(&Figure01 { curves: &curves, points: &points, surfaces: &surfaces })
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
+        for width in [SheetWidth::Paper, SheetWidth::OneColumn] {
+            let misplaced = with_data(|figure| compose(figure, width).unwrap().misplaced_texts());
+            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
+        }
+    }
+
+    #[test]
+    fn everything_is_named_at_every_width() {
+        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
+            let texts = with_data(|figure| compose(figure, width).unwrap().texts());
+            for (label, times) in [
+                ("$x$", 1),
+                ("$y$", 1),
+                ("$z$", 1),
+                ("$R$", 2),
+                (r"$\Sigma$", 1),
+                ("incoming set", 1),
+                ("outgoing set", 1),
+                ("tangency set", 1),
+            ] {
+                let found = texts.iter().filter(|text| *text == label).count();
+                assert_eq!(found, times, "{width:?}: {label} in {texts:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn orbits_are_solid_and_only_the_reset_law_is_dashed() {
+        let svg = with_data(|figure| draw_fig01(figure, SheetWidth::Paper).unwrap());
+        let resets = with_data(|figure| {
+            let names = ["fig01_curves", "fig01_points", "fig01_surfaces"];
+            let scene = Scene::read(names, [figure.curves, figure.points, figure.surfaces]).unwrap();
+            scene.longest(CurveKind::Reset).len()
+        });
+        assert_eq!(svg.matches("stroke-dasharray").count(), resets);
+    }
+
+    #[test]
+    fn a_missing_coordinate_or_column_is_an_error() {
+        with_data(|figure| {
+            let points = figure.points.drop("depth").unwrap();
+            let error = draw_fig01(&Figure01 { points: &points, ..*figure }, SheetWidth::Paper).unwrap_err();
+            assert!(error.to_string().contains("`fig01_points` has no column `depth`"), "{error}");
+            let mut curves = figure.curves.clone();
+            let holes = polars::prelude::Column::new("up".into(), vec![None::<f64>; curves.height()]);
+            curves.with_column(holes).unwrap();
+            let error = draw_fig01(&Figure01 { curves: &curves, ..*figure }, SheetWidth::Paper).unwrap_err();
+            assert!(matches!(error, DrawingError::Window { window: "fig01", .. }), "{error}");
+        });
+    }
 }

@@ -6,7 +6,8 @@ use crate::DrawingError;
 use crate::canvas::Canvas;
 use crate::labels::Wanted;
 use crate::scene::{CurveKind, Margin, PointKind, Scene, SurfaceKind};
-use crate::style::{BLACK, LABEL_SIZE, RETURN_COLOUR, SPOT_RADIUS, SheetWidth, TITLE_SIZE};
+use crate::sheet::along;
+use crate::style::{BLACK, LABEL_SIZE, RETURN_COLOUR, SMALL_LABEL_SIZE, SPOT_RADIUS, SheetWidth, TITLE_SIZE};
 
 /// What Figure 3 shows.
 ///
@@ -26,7 +27,7 @@ pub struct Figure03<'a> {
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 120.0;
-const MARGIN: Margin = Margin { left: 14.0, right: 22.0, top: 8.0, bottom: 8.0 };
+const MARGIN: Margin = Margin { left: 12.0, right: 52.0, top: 8.0, bottom: 8.0 };
 
 /// Draws Figure 3.
 ///
@@ -56,15 +57,65 @@ pub(crate) fn compose(figure: &Figure03<'_>, width: SheetWidth) -> Result<Canvas
         };
         labels.add(name, LABEL_SIZE, BLACK, &Wanted::Around(mark.spot(), SPOT_RADIUS + 0.5))?;
     }
-    for piece in scene.curves.iter().filter(|piece| piece.kind == CurveKind::Global) {
-        labels.add(r"$P_{\mathrm{global}}$", LABEL_SIZE, RETURN_COLOUR, &Wanted::Beside(&piece.spots()))?;
+    for map in scene.longest(CurveKind::Global) {
+        let beside = Wanted::Beside(&map);
+        let far = along(&map, 0.5).map(|(middle, _)| Wanted::Around(middle, 1.5));
+        for wanted in [Some(beside), far].into_iter().flatten() {
+            if labels.add(r"$P_{\mathrm{global}}$", LABEL_SIZE, RETURN_COLOUR, &wanted)? {
+                break;
+            }
+        }
     }
-    if let Some(periodic) = scene.curves.iter().find(|piece| piece.kind == CurveKind::Periodic) {
-        labels.add(r"$\Gamma$", TITLE_SIZE, BLACK, &Wanted::Beside(&periodic.spots()))?;
+    for periodic in scene.longest(CurveKind::Periodic) {
+        labels.add(r"$\Gamma$", TITLE_SIZE, BLACK, &Wanted::Beside(&periodic))?;
     }
     for piece in scene.surfaces.iter().filter(|piece| piece.kind == SurfaceKind::Section) {
         labels.add(r"$\Pi$", TITLE_SIZE, BLACK, &Wanted::Within(&piece.spots()))?;
     }
+    for piece in scene.surfaces.iter().filter(|piece| piece.kind == SurfaceKind::Circle) {
+        labels.add("$x=y=0$", SMALL_LABEL_SIZE, BLACK, &Wanted::Beside(&piece.spots()))?;
+    }
     labels.draw()?;
     Ok(canvas)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
+
+    fn with_data<T>(test: impl Fn(&Figure03<'_>) -> T) -> T {
+        let [curves, points, surfaces] = samples::scene("fig03");
+        test(&Figure03 { curves: &curves, points: &points, surfaces: &surfaces })
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
+        for width in [SheetWidth::Paper, SheetWidth::OneColumn] {
+            let misplaced = with_data(|figure| compose(figure, width).unwrap().misplaced_texts());
+            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
+        }
+    }
+
+    #[test]
+    fn everything_is_named_at_every_width() {
+        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
+            let texts = with_data(|figure| compose(figure, width).unwrap().texts());
+            for (label, times) in [
+                ("$x$", 1),
+                ("$y$", 1),
+                ("$z$", 1),
+                (r"$\Pi$", 1),
+                (r"$\Gamma$", 1),
+                (r"$P_{\mathrm{global}}$", 1),
+                (r"$(0,0,z_{\mathrm{graz}})$", 1),
+                ("$(x,0,z)$", 1),
+                ("$(x',0,z')$", 1),
+                ("$x=y=0$", 1),
+            ] {
+                let found = texts.iter().filter(|text| *text == label).count();
+                assert_eq!(found, times, "{width:?}: {label} in {texts:?}");
+            }
+        }
+    }
 }

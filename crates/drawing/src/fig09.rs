@@ -28,7 +28,7 @@ pub struct Figure09<'a> {
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 120.0;
-const MARGIN: Margin = Margin { left: 8.0, right: 14.0, top: 14.0, bottom: 8.0 };
+const MARGIN: Margin = Margin { left: 8.0, right: 20.0, top: 14.0, bottom: 8.0 };
 
 /// Draws Figure 9.
 ///
@@ -59,13 +59,14 @@ pub(crate) fn compose(figure: &Figure09<'_>, width: SheetWidth) -> Result<Canvas
         };
         labels.add(&name, LABEL_SIZE, BLACK, &Wanted::Around(mark.spot(), SPOT_RADIUS + 0.5))?;
     }
-    for piece in &scene.curves {
-        let (name, colour) = match piece.kind {
-            CurveKind::Reset => ("$R$", RESET_COLOUR),
-            CurveKind::Global => (r"$P_{\mathrm{global}}$", RETURN_COLOUR),
-            _ => continue,
-        };
-        labels.add(name, SMALL_LABEL_SIZE, colour, &Wanted::Beside(&piece.spots()))?;
+    let arrows = [
+        (CurveKind::Reset, "$R$", RESET_COLOUR),
+        (CurveKind::Global, r"$P_{\mathrm{global}}$", RETURN_COLOUR),
+    ];
+    for (kind, name, colour) in arrows {
+        for arrow in scene.longest(kind) {
+            labels.add(name, SMALL_LABEL_SIZE, colour, &Wanted::Beside(&arrow))?;
+        }
     }
     if let Some(incoming) = scene.surfaces.iter().find(|piece| piece.kind == SurfaceKind::Incoming) {
         labels.add(r"$\Sigma$", TITLE_SIZE, BLACK, &Wanted::Within(&incoming.spots()))?;
@@ -75,4 +76,64 @@ pub(crate) fn compose(figure: &Figure09<'_>, width: SheetWidth) -> Result<Canvas
     }
     labels.draw()?;
     Ok(canvas)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
+    use crate::style::{INCOMING_FACE, SECTION_FACE};
+
+    fn with_data<T>(test: impl Fn(&Figure09<'_>) -> T) -> T {
+        let [curves, points, surfaces] = samples::scene("fig09");
+        test(&Figure09 { curves: &curves, points: &points, surfaces: &surfaces })
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
+        for width in [SheetWidth::Paper, SheetWidth::OneColumn] {
+            let misplaced = with_data(|figure| compose(figure, width).unwrap().misplaced_texts());
+            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
+        }
+    }
+
+    #[test]
+    fn everything_is_named_at_every_width() {
+        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
+            let texts = with_data(|figure| compose(figure, width).unwrap().texts());
+            for (label, times) in [
+                ("$x$", 1),
+                ("$y$", 1),
+                ("$z$", 1),
+                ("$R$", 1),
+                (r"$\Pi$", 1),
+                (r"$\Sigma$", 1),
+                (r"$P_{\mathrm{global}}$", 2),
+                (r"$(0,y_{\mathrm{imp}},z_{\mathrm{imp}})$", 1),
+                (r"$(0,y_{\mathrm{rec}},z_{\mathrm{rec}})$", 1),
+                (r"$(\hat{x},0,\hat{z})$", 1),
+                ("$(x^{(0)},0,z^{(0)})$", 1),
+                ("$(x^{(1)},0,z^{(1)})$", 1),
+                ("$(x^{(2)},0,z^{(2)})$", 1),
+            ] {
+                let found = texts.iter().filter(|text| *text == label).count();
+                assert_eq!(found, times, "{width:?}: {label} in {texts:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_lies_beyond_the_wall_is_painted_before_the_wall() {
+        let svg = with_data(|figure| draw_fig09(figure, SheetWidth::Paper).unwrap());
+        let wall = svg.rfind(&fill(INCOMING_FACE)).expect("the incoming set is painted");
+        let dashed = "stroke-dasharray=\"3 2\"";
+        assert!(svg.matches(dashed).count() >= 3, "three virtual parts");
+        assert!(svg.rfind(dashed).is_some_and(|last| last < wall));
+        assert!(svg.rfind(&fill(SECTION_FACE)).is_some_and(|front| wall < front));
+    }
+
+    fn fill(paint: crate::style::Paint) -> String {
+        let crate::style::Colour(red, green, blue) = paint.colour;
+        format!("fill=\"#{red:02x}{green:02x}{blue:02x}\"")
+    }
 }

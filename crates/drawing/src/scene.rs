@@ -6,16 +6,16 @@
 use polars::prelude::DataFrame;
 
 use crate::DrawingError;
-use crate::arrow::{HEAD_LENGTH, arrow, arrowhead};
+use crate::arrow::{arrow, arrowhead, head_length};
 use crate::canvas::{Canvas, Ink};
 use crate::clip::Window;
 use crate::frames::{Table, runs};
-use crate::labels::Labels;
+use crate::labels::{Labels, Wanted};
 use crate::passing::{Course, interrupted};
 use crate::sheet::{Bounds, Spot, along, length};
 use crate::style::{
-    CIRCLE, FACE_EDGE, FLOW, INCOMING_FACE, OPEN_SPOT, OUTGOING_FACE, PERIODIC_FLOW, Paint, Pen, RESET,
-    RETURN, SECTION_FACE, SPACE_AXIS, SPOT, SPOT_RADIUS, SPOT_RIM, TANGENCY, VIRTUAL_FLOW,
+    BLACK, CIRCLE, FACE_EDGE, FLOW, INCOMING_FACE, OPEN_SPOT, OUTGOING_FACE, PERIODIC_FLOW, Paint, Pen,
+    RESET, RETURN, SECTION_FACE, SPACE_AXIS, SPOT, SPOT_RADIUS, SPOT_RIM, TANGENCY, VIRTUAL_FLOW,
 };
 use crate::svg_backend::POINTS_PER_MM;
 
@@ -186,24 +186,15 @@ impl Scene {
         width_mm: f64,
         margin: &Margin,
     ) -> Result<Canvas, DrawingError> {
-        let (mut x, mut y) = ([f64::INFINITY, f64::NEG_INFINITY], [f64::INFINITY, f64::NEG_INFINITY]);
-        for &mut [across, up, depth] in self.everything() {
-            for (range, value) in [(&mut x, across), (&mut y, up)] {
-                // An empty cell anywhere makes the window NaN, which is refused below.
-                *range = if (value + depth).is_nan() {
-                    [f64::NAN; 2]
-                } else {
-                    [value.min(range[0]), value.max(range[1])]
-                };
-                if range[0].is_nan() {
-                    break;
-                }
-            }
-            if x[0].is_nan() || y[0].is_nan() {
-                break;
-            }
-        }
-        let window = Window { x, y }.checked(name)?;
+        let places: Vec<[f64; 3]> = self.everything().map(|place| *place).collect();
+        // An empty cell anywhere leaves no window.
+        let whole = places.iter().flatten().all(|coordinate| coordinate.is_finite());
+        let range = |k: usize| {
+            let values = || places.iter().map(|place| place[k]);
+            let ends = [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)];
+            if whole { ends } else { [f64::NAN; 2] }
+        };
+        let window = Window { x: range(0), y: range(1) }.checked(name)?;
         let width = width_mm * POINTS_PER_MM;
         let scale = (width - margin.left - margin.right) / (window.x[1] - window.x[0]);
         for [across, up, depth] in self.everything() {
@@ -291,25 +282,30 @@ impl Scene {
         if headed {
             let spots = piece.spots();
             let size = length(&spots);
-            let places: &[f64] = if size > TWO_HEADS { &[0.3, 0.72] } else { &[0.5] };
+            let places: &[f64] = if size > TWO_HEADS { &[0.3, 0.72] } else { &[0.58] };
             for share in places {
                 if let Some((middle, direction)) = along(&spots, *share) {
-                    let half = 0.5 * HEAD_LENGTH;
-                    let tip = (middle.0 + half * direction.0, middle.1 + half * direction.1);
-                    arrowhead(canvas, tip, direction, pen.colour)?;
+                    let size = head_length(pen);
+                    let tip = (middle.0 + 0.5 * size * direction.0, middle.1 + 0.5 * size * direction.1);
+                    arrowhead(canvas, tip, direction, size, pen.colour)?;
                 }
             }
         }
         Ok(())
     }
 
-    /// Of each curve the longest piece, if it is long enough for a head that shows the direction of time.
+    /// Of each curve the longest piece, if it is long enough for a head that shows the direction of time, and every very
+    /// long one.
     fn headed(&self) -> Vec<usize> {
         let mut found: Vec<usize> = Vec::new();
         let long = |i: usize| length(&self.curves[i].spots());
         for index in 0..self.curves.len() {
             let piece = &self.curves[index];
             if !piece.kind.flows() || long(index) < HEADED_LENGTH {
+                continue;
+            }
+            if long(index) > OWN_HEAD {
+                found.push(index);
                 continue;
             }
             match found.iter_mut().find(|other| self.curves[**other].number == piece.number) {
@@ -319,6 +315,20 @@ impl Scene {
             }
         }
         found
+    }
+
+    /// Of each curve of a kind, in order, its longest piece on the sheet.
+    pub(crate) fn longest(&self, kind: CurveKind) -> Vec<Vec<Spot>> {
+        let mut found: Vec<(i64, Vec<Spot>)> = Vec::new();
+        for piece in self.curves.iter().filter(|piece| piece.kind == kind) {
+            let spots = piece.spots();
+            match found.last_mut().filter(|(number, _)| *number == piece.number) {
+                Some((_, other)) if length(other) < length(&spots) => *other = spots,
+                Some(_) => {}
+                None => found.push((piece.number, spots)),
+            }
+        }
+        found.into_iter().map(|(_, spots)| spots).collect()
     }
 
     /// Labels for this scene, kept off its curves, lines and points; the axes are named already.
@@ -336,7 +346,8 @@ impl Scene {
             labels.placer.keep_off(&spots);
         }
         for mark in &self.points {
-            labels.placer.block(Bounds::about(mark.spot(), 2.0 * SPOT_RADIUS + 1.0, 2.0 * SPOT_RADIUS + 1.0));
+            // A box inside the disc, so that a leader may reach the disc's rim from any side.
+            labels.placer.block(Bounds::about(mark.spot(), 1.6 * SPOT_RADIUS, 1.6 * SPOT_RADIUS));
         }
         for piece in &self.surfaces {
             if let (SurfaceKind::Axis(name), true) = (piece.kind, last_of(&self.surfaces, piece)) {
@@ -357,7 +368,9 @@ impl Scene {
 
 /// Curves shorter than this (points) get no head.
 const HEADED_LENGTH: f64 = 24.0;
-/// Curves longer than this get two.
+/// Pieces longer than this get one in any case.
+const OWN_HEAD: f64 = 130.0;
+/// Pieces longer than this get two.
 const TWO_HEADS: f64 = 240.0;
 
 /// True if no later piece belongs to the same curve.
@@ -369,6 +382,7 @@ fn last_of<K>(pieces: &[Piece<K>], piece: &Piece<K>) -> bool {
         .is_some_and(|last| std::ptr::eq(last, piece))
 }
 
+/// Mean distance from the viewer.
 fn depth(course: &Course) -> f64 {
     course.iter().map(|point| point[2]).sum::<f64>() / course.len() as f64
 }

@@ -188,9 +188,9 @@ pub(crate) const CIRCLE: Pen = Pen::dashed(GREY, 0.5, &[0.8, 1.8]);
 /// Outlines of surfaces.
 pub(crate) const FACE_EDGE: Pen = Pen::solid(Colour(120, 120, 120), 0.4);
 /// The incoming set: darker than the outgoing set, so that they differ without colour.
-pub(crate) const INCOMING_FACE: Paint = Paint { colour: Colour(150, 175, 215), opacity: 0.62 };
-pub(crate) const OUTGOING_FACE: Paint = Paint { colour: Colour(238, 216, 178), opacity: 0.62 };
-pub(crate) const SECTION_FACE: Paint = Paint { colour: Colour(190, 222, 200), opacity: 0.62 };
+pub(crate) const INCOMING_FACE: Paint = Paint { colour: Colour(120, 155, 210), opacity: 0.5 };
+pub(crate) const OUTGOING_FACE: Paint = Paint { colour: Colour(236, 204, 150), opacity: 0.5 };
+pub(crate) const SECTION_FACE: Paint = Paint { colour: Colour(160, 208, 176), opacity: 0.5 };
 /// Points of orbits; virtual ones are open.
 pub(crate) const SPOT_RADIUS: f64 = 1.8;
 pub(crate) const SPOT: Paint = Paint::opaque(BLACK);

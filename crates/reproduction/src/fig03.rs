@@ -5,7 +5,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_model::maps::global_map;
+use grazing_model::maps::{MapError, global_map};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 
 use crate::StudyError;
@@ -48,6 +48,11 @@ impl Figure3 {
 
         let [x, phase] = shown.start();
         let start = State::at_rest(x, origin + phase);
+        // Π is crossed at maxima of x near the grazing point.
+        let acceleration = oscillator.acceleration(start);
+        if acceleration >= 0.0 {
+            return Err(StudyError::Map { figure: 3, source: MapError::NotAMaximum { acceleration } });
+        }
         let landing = global_map::<_, 1>(&oscillator, start.position, start.phase, None)
             .map_err(|source| StudyError::Map { figure: 3, source })?;
         let image = State::at_rest(landing.jet.value[0], landing.jet.value[1]);

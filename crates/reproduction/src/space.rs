@@ -108,6 +108,13 @@ impl Space {
         }
     }
 
+    /// The layer of what lies right before a point of a surface: there a mark of the point is painted, after all that ends
+    /// in it.
+    fn layer_before(&self, state: State) -> u32 {
+        let before = |coordinate: f64, side: f64| if coordinate == 0.0 { side } else { coordinate };
+        self.layer(before(state.position, -self.turn.0), before(state.velocity, 1.0))
+    }
+
     fn layer_between(&self, a: State, b: State) -> u32 {
         self.layer(0.5 * (a.position + b.position), 0.5 * (a.velocity + b.velocity))
     }
@@ -228,7 +235,7 @@ impl<'a> Points<'a> {
     pub(crate) fn point(&mut self, kind: &'static str, number: u32, state: State) {
         let Sight { across, up, depth } = self.space.see(state);
         let State { position: x, velocity: y, phase: z } = state;
-        let layer = self.space.layer(x, y);
+        let layer = self.space.layer_before(state);
         self.columns.push(row![kind, number, layer, x, y, z, across, up, depth]);
     }
 
