@@ -353,12 +353,7 @@ impl Scene {
             if let (SurfaceKind::Axis(name), true) = (piece.kind, last_of(&self.surfaces, piece)) {
                 let spots = piece.spots();
                 if let Some(&tip) = spots.last() {
-                    labels.add(
-                        name,
-                        axis_size,
-                        crate::style::BLACK,
-                        &crate::labels::Wanted::Around(tip, 2.0),
-                    )?;
+                    labels.add(name, axis_size, BLACK, &Wanted::Around(tip, 2.0))?;
                 }
             }
         }
