@@ -43,11 +43,25 @@ pub const ALL: &[Output] = &[
         make: |study, _| Ok(Made { figure: None, tables: vec![study.coefficient_table()?] }),
     },
     Output {
+        name: "fig01",
+        title: "Figure 1: phase space, impacting surface and reset law",
+        figure: Some("fig01.svg"),
+        tables: &["fig01_curves", "fig01_points", "fig01_surfaces"],
+        make: figures::fig01,
+    },
+    Output {
         name: "fig02",
         title: "Figure 2: one-parameter bifurcation diagram with phase portraits",
         figure: Some("fig02.svg"),
         tables: &["fig02_branches", "fig02_bifurcations", "fig02_attractor", "fig02_portraits"],
         make: figures::fig02,
+    },
+    Output {
+        name: "fig03",
+        title: "Figure 3: the return map near a grazing periodic solution",
+        figure: Some("fig03.svg"),
+        tables: &["fig03_curves", "fig03_points", "fig03_surfaces"],
+        make: figures::fig03,
     },
     Output {
         name: "fig07",
@@ -62,6 +76,13 @@ pub const ALL: &[Output] = &[
         figure: Some("fig08.svg"),
         tables: &["fig08_curves"],
         make: figures::fig08,
+    },
+    Output {
+        name: "fig09",
+        title: "Figure 9: points on the impacting surface and on the section",
+        figure: Some("fig09.svg"),
+        tables: &["fig09_curves", "fig09_points", "fig09_surfaces"],
+        make: figures::fig09,
     },
 ];
 

@@ -95,7 +95,7 @@ fn every_bad_command_line_is_refused() {
         "",
         "frobnicate",
         "reproduce --only fig7",
-        "reproduce --only fig01",
+        "reproduce --only fig11",
         "reproduce --chek",
         "reproduce --jobs 0",
         "reproduce --jobs many",

@@ -12,7 +12,7 @@ use crate::DrawingError;
 use crate::font::{Extent, Fonts};
 use crate::markup::Label;
 use crate::sheet::{Bounds, Spot};
-use crate::style::{Colour, Paint, Pen, SIZE_LIMIT};
+use crate::style::{Colour, Paint, Pen, SIZE_LIMIT, hat_pen};
 use crate::svg_backend::{Anchor, POINTS_PER_MM, SvgBackend};
 use crate::svg_text::UNITS;
 
@@ -140,6 +140,9 @@ impl Canvas {
         let taken = Bounds { left, top, right: left + extent.width, bottom };
         self.texts.borrow_mut().push((label.source.clone(), taken));
         self.draw(&[(x, y)], Ink::Label(label, size, anchor, colour))?;
+        for hat in self.fonts.hats(label, size)? {
+            self.draw(&hat.map(|(right, down)| (left + right, y + down)), Ink::Line(hat_pen(size, colour)))?;
+        }
         Ok(taken)
     }
 
@@ -155,6 +158,12 @@ impl Canvas {
         let (x, y) = bounds.centre();
         let baseline = y + 0.5 * (extent.ascent - extent.descent);
         self.set((x, baseline), label, size, Anchor::Middle, colour)
+    }
+
+    /// The labels as they were written, in the order of drawing.
+    #[cfg(test)]
+    pub(crate) fn texts(&self) -> Vec<String> {
+        self.texts.borrow().iter().map(|(source, _)| source.clone()).collect()
     }
 
     /// The labels that overlap another one or leave the sheet: none, in a good figure.

@@ -162,5 +162,42 @@ pub(crate) const MAGNIFIER_FRAME: Pen = Pen::solid(ORANGE, 1.9);
 pub(crate) const POINT_RADIUS: f64 = 1.9;
 pub(crate) const POINT_RIM: Pen = Pen::solid(BLACK, 0.4);
 
+/// A circumflex over a letter of the size.
+pub(crate) fn hat_pen(size: f64, colour: Colour) -> Pen {
+    Pen::solid(colour, 0.06 * size)
+}
+
+/// Orbits in phase space.
+pub(crate) const FLOW: Pen = Pen { colour: FLOW_COLOUR, width: 1.1, dashes: &[], opacity: 1.0, round: true };
+pub(crate) const FLOW_COLOUR: Colour = Colour(20, 50, 140);
+/// Where an orbit goes on as if there were no wall.
+pub(crate) const VIRTUAL_FLOW: Pen = Pen::dashed(FLOW_COLOUR, 0.95, &[3.0, 2.0]);
+/// The grazing periodic solution.
+pub(crate) const PERIODIC_FLOW: Pen =
+    Pen { colour: BLACK, width: 1.5, dashes: &[], opacity: 1.0, round: true };
+/// The reset law, from impact to recoil.
+pub(crate) const RESET: Pen = Pen::dashed(RESET_COLOUR, 1.0, &[1.6, 1.5]);
+pub(crate) const RESET_COLOUR: Colour = Colour(178, 34, 24);
+/// A return map, from a point to its image.
+pub(crate) const RETURN: Pen = Pen::solid(RETURN_COLOUR, 0.8);
+pub(crate) const RETURN_COLOUR: Colour = Colour(0, 105, 75);
+/// Axes of phase space, and thin lines on its surfaces.
+pub(crate) const SPACE_AXIS: Pen = Pen::solid(BLACK, 0.55);
+pub(crate) const TANGENCY: Pen = Pen::solid(BLACK, 0.8);
+pub(crate) const CIRCLE: Pen = Pen::dashed(GREY, 0.5, &[0.8, 1.8]);
+/// Outlines of surfaces.
+pub(crate) const FACE_EDGE: Pen = Pen::solid(Colour(120, 120, 120), 0.4);
+/// The incoming set: darker than the outgoing set, so that they differ without colour.
+pub(crate) const INCOMING_FACE: Paint = Paint { colour: Colour(120, 155, 210), opacity: 0.5 };
+pub(crate) const OUTGOING_FACE: Paint = Paint { colour: Colour(236, 204, 150), opacity: 0.5 };
+pub(crate) const SECTION_FACE: Paint = Paint { colour: Colour(160, 208, 176), opacity: 0.5 };
+/// Points of orbits; virtual ones are open.
+pub(crate) const SPOT_RADIUS: f64 = 1.8;
+pub(crate) const SPOT: Paint = Paint::opaque(BLACK);
+pub(crate) const OPEN_SPOT: Paint = Paint::opaque(WHITE);
+pub(crate) const SPOT_RIM: Pen = Pen::solid(BLACK, 0.7);
+/// Gap in a curve where another one passes before it.
+pub(crate) const PASSING_GAP: f64 = 2.2;
+
 /// No figure may be heavier than this, in bytes.
 pub(crate) const SIZE_LIMIT: usize = 2_000_000;

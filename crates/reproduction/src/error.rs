@@ -3,6 +3,7 @@
 use grazing_continuation::fit::FitError;
 use grazing_continuation::resonance::ResonanceError;
 use grazing_model::OscillatorError;
+use grazing_model::maps::MapError;
 use grazing_theorems::{Resonance, TheoryError};
 
 /// A computation of the reproduction failed.
@@ -51,6 +52,27 @@ pub enum StudyError {
         loops: u32,
         /// The amplitude.
         amplitude: f64,
+    },
+    /// An orbit of Figure 1 is not there.
+    #[error(
+        "figure 1: the orbit through (0, {velocity}, {phase}) on Sigma, begun {before} in phase earlier, meets the wall at \
+         another place first"
+    )]
+    Arrival {
+        /// The velocity y on Σ.
+        velocity: f64,
+        /// The phase z on Σ.
+        phase: f64,
+        /// By how much phase earlier it begins.
+        before: f64,
+    },
+    /// A map between Σ and Π is not defined at a point of a figure.
+    #[error("figure {figure}: {source}")]
+    Map {
+        /// The figure's number.
+        figure: u32,
+        /// What went wrong.
+        source: MapError,
     },
     /// A table could not be made.
     #[error("a table could not be made: {0}")]

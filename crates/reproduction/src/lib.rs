@@ -6,21 +6,28 @@
 mod coefficients;
 mod diagram;
 mod error;
+mod fig01;
 mod fig02;
+mod fig03;
 mod fig07;
 mod fig08;
+mod fig09;
 mod grazing_curve;
 pub mod parameters;
 pub mod progress;
 pub mod published;
 mod regions;
+mod space;
 mod study;
 mod table;
 
 pub use coefficients::Coefficients;
 pub use error::StudyError;
+pub use fig01::Figure1;
 pub use fig02::Figure2;
+pub use fig03::Figure3;
 pub use fig07::Figure7;
 pub use fig08::Figure8;
+pub use fig09::Figure9;
 pub use study::Study;
 pub use table::Table;

@@ -9,21 +9,26 @@ mod range;
 mod raw;
 mod requirements;
 mod source;
+mod space;
 mod validate;
 
 use std::path::Path;
 
 pub use error::ParameterError;
 pub use range::{Range, Rectangle};
+pub use space::{Arrival, Figure1, Figure3, Figure9, Specimen, View};
 
 /// Everything that the figures and the table depend on, checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameters {
     zeta: f64,
     epsilon: f64,
+    fig01: Figure1,
     fig02: Figure2,
+    fig03: Figure3,
     fig07: Figure7,
     fig08: Figure8,
+    fig09: Figure9,
 }
 
 impl Parameters {
@@ -58,9 +63,19 @@ impl Parameters {
         self.epsilon
     }
 
+    /// What Figure 1 (fig:Bc) shows.
+    pub fn fig01(&self) -> &Figure1 {
+        &self.fig01
+    }
+
     /// What Figure 2 (fig:Z) shows.
     pub fn fig02(&self) -> &Figure2 {
         &self.fig02
+    }
+
+    /// What Figure 3 (fig:Ba) shows.
+    pub fn fig03(&self) -> &Figure3 {
+        &self.fig03
     }
 
     /// What Figure 7 (fig:G) shows.
@@ -71,6 +86,11 @@ impl Parameters {
     /// What Figure 8 (fig:Y) shows.
     pub fn fig08(&self) -> &Figure8 {
         &self.fig08
+    }
+
+    /// What Figure 9 (fig:Bb) shows.
+    pub fn fig09(&self) -> &Figure9 {
+        &self.fig09
     }
 }
 

@@ -6,9 +6,12 @@ use std::sync::OnceLock;
 use crate::StudyError;
 use crate::coefficients::{self, Coefficients};
 use crate::diagram::Diagram;
+use crate::fig01::Figure1;
 use crate::fig02::Figure2;
+use crate::fig03::Figure3;
 use crate::fig07::Figure7;
 use crate::fig08::Figure8;
+use crate::fig09::Figure9;
 use crate::parameters::Parameters;
 use crate::progress::{Progress, Silent};
 use crate::table::Table;
@@ -59,12 +62,28 @@ impl<'a> Study<'a> {
         coefficients::table(self.coefficients()?)
     }
 
+    /// The frames of Figure 1.
+    ///
+    /// # Errors
+    /// An orbit does not reach the wall where it should.
+    pub fn fig01(&self) -> Result<Figure1, StudyError> {
+        Figure1::compute(&self.parameters)
+    }
+
     /// The frames of Figure 2.
     ///
     /// # Errors
     /// A branch could not be started, or a portrait's solution is not there.
     pub fn fig02(&self) -> Result<Figure2, StudyError> {
         Figure2::compute(&self.parameters, self.progress)
+    }
+
+    /// The frames of Figure 3.
+    ///
+    /// # Errors
+    /// P_global is not defined at the point.
+    pub fn fig03(&self) -> Result<Figure3, StudyError> {
+        Figure3::compute(&self.parameters)
     }
 
     /// The frames of Figure 7.
@@ -81,6 +100,14 @@ impl<'a> Study<'a> {
     /// A resonance could not be located, unfolded or measured.
     pub fn fig08(&self) -> Result<Figure8, StudyError> {
         Figure8::compute(&self.parameters, self.diagram()?, self.coefficients()?)
+    }
+
+    /// The frames of Figure 9.
+    ///
+    /// # Errors
+    /// P_virt or P_global is not defined at a point.
+    pub fn fig09(&self) -> Result<Figure9, StudyError> {
+        Figure9::compute(&self.parameters)
     }
 
     /// The computed values of what the paper prints, under the names of `expected/published.toml`.

@@ -260,3 +260,51 @@ fn a_file_that_is_not_there_is_named() {
         other => panic!("{other:?}"),
     }
 }
+
+#[test]
+fn views_stand_above_the_plane_and_stretches_are_three_positive_numbers() {
+    for figure in ["fig01", "fig03", "fig09"] {
+        let section = format!("[{figure}.view]");
+        for (key, wrongs) in [
+            ("turn", vec!["181", "-200.0", "nan"]),
+            ("tilt", vec!["0", "90", "-10", "inf"]),
+            ("stretch", vec!["[1.0, 1.0]", "[1.0, 0.0, 1.0]", "[1, 1, 1, 1]", "[1.0, nan, 1.0]", "1.0"]),
+        ] {
+            for wrong in wrongs {
+                refusal(&section, key, wrong, &format!("{figure}.view.{key}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn surfaces_of_the_scenes_hold_the_wall_and_the_points_given() {
+    refusal("[fig01]", "velocity", "[0.1, 1.0]", "fig01.velocity");
+    refusal("[fig03]", "position", "[-1.0, -0.5]", "fig03.position");
+    refusal("[fig03]", "phase", "[-2.0, 0.5]", "fig03.phase");
+    refusal("[fig03]", "start", "[-5.0, 0.0]", "fig03.start");
+    refusal("[fig03]", "radius", "2.0", "fig03.radius");
+    refusal("[fig03]", "axes", "7.0", "fig03.axes");
+    refusal("[fig09]", "position", "[0, 1]", "fig09.position");
+    refusal("[fig09]", "phase", "[-4.0, 4.0]", "fig09.phase");
+    refusal("[fig09]", "impact", "[0.0, 0.0]", "fig09.impact");
+    refusal("[fig09]", "impact", "[9.0, 0.0]", "fig09.impact");
+    refusal("[fig09]", "loops", "4", "fig09.loops");
+    for figure in ["fig01", "fig09"] {
+        let section = format!("[{figure}]");
+        refusal(&section, "zeta", "1", &format!("{figure}.zeta"));
+        refusal(&section, "epsilon", "1.5", &format!("{figure}.epsilon"));
+        refusal(&section, "amplitude", "0", &format!("{figure}.amplitude"));
+        refusal(&section, "frequency", "-1", &format!("{figure}.frequency"));
+    }
+}
+
+#[test]
+fn orbits_of_figure_1_stay_within_one_period_of_the_phase() {
+    let section = "[[fig01.orbits]]";
+    refusal(section, "velocity", "-0.5", "fig01.orbits[1].velocity");
+    refusal(section, "velocity", "9.0", "fig01.orbits[1].velocity");
+    refusal(section, "phase", "6.3", "fig01.orbits[1].phase");
+    refusal(section, "before", "4.0", "fig01.orbits[1].before");
+    refusal(section, "after", "5.0", "fig01.orbits[1].after");
+}

@@ -1,12 +1,21 @@
 //! From a study's frames to figures: one function a figure.
 
 use grazing_drawing::{
-    Figure02, Figure07, Figure08, Magnified, Section, SheetWidth, Window, draw_fig02, draw_fig07, draw_fig08,
+    Figure01, Figure02, Figure03, Figure07, Figure08, Figure09, Magnified, Section, SheetWidth, Window,
+    draw_fig01, draw_fig02, draw_fig03, draw_fig07, draw_fig08, draw_fig09,
 };
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{Parameters, Range, Rectangle};
 
 use super::{Made, MadeResult};
+
+pub(super) fn fig01(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let made = study.fig01()?;
+    let figure =
+        Figure01 { curves: &made.curves.frame, points: &made.points.frame, surfaces: &made.surfaces.frame };
+    let figure = draw_fig01(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
 
 pub(super) fn fig02(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig02()?;
@@ -20,6 +29,14 @@ pub(super) fn fig02(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         magnification: window(shown.magnified_amplitude(), shown.magnified_x()),
     };
     let figure = draw_fig02(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
+
+pub(super) fn fig03(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let made = study.fig03()?;
+    let figure =
+        Figure03 { curves: &made.curves.frame, points: &made.points.frame, surfaces: &made.surfaces.frame };
+    let figure = draw_fig03(&figure, width)?;
     Ok(Made { figure: Some(figure), tables: made.tables() })
 }
 
@@ -49,6 +66,14 @@ pub(super) fn fig08(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         panels: &magnified(study.parameters()),
     };
     let figure = draw_fig08(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
+
+pub(super) fn fig09(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let made = study.fig09()?;
+    let figure =
+        Figure09 { curves: &made.curves.frame, points: &made.points.frame, surfaces: &made.surfaces.frame };
+    let figure = draw_fig09(&figure, width)?;
     Ok(Made { figure: Some(figure), tables: made.tables() })
 }
 

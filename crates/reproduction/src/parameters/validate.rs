@@ -1,5 +1,7 @@
 //! From the file as written to parameters that can be computed with.
 
+mod space;
+
 use std::ops::RangeInclusive;
 
 use grazing_theorems::{LinearOscillator, Resonance, TheoryError};
@@ -25,10 +27,13 @@ pub(super) fn parameters(file: raw::File, source: &Source<'_>) -> Checked<Parame
     })?;
     let oscillator = LinearOscillator::new(zeta, epsilon)
         .map_err(|error| source.forbid("oscillator.zeta", &file.oscillator.zeta, error.to_string()))?;
+    let fig01 = space::figure1(&file.fig01, source)?;
     let fig02 = figure2(&file.fig02, &oscillator, source)?;
+    let fig03 = space::figure3(&file.fig03, source)?;
     let fig07 = figure7(&file.fig07, &oscillator, source)?;
     let fig08 = figure8(&file.fig08, &fig07, &oscillator, source)?;
-    Ok(Parameters { zeta, epsilon, fig02, fig07, fig08 })
+    let fig09 = space::figure9(&file.fig09, source)?;
+    Ok(Parameters { zeta, epsilon, fig01, fig02, fig03, fig07, fig08, fig09 })
 }
 
 fn figure2(raw: &raw::Figure2, oscillator: &LinearOscillator, source: &Source<'_>) -> Checked<Figure2> {
