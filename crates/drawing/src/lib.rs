@@ -1,7 +1,6 @@
 //! The figures of the paper as SVG, drawn from data frames.
 //!
-//! One struct and one function a figure: [`Figure02`] and [`draw_fig02`], [`Figure07`] and [`draw_fig07`], [`Figure08`]
-//! and [`draw_fig08`]. A struct borrows the frames and says which windows are shown; the function returns the text of
+//! One struct and one function a figure: [`Figure02`] and [`draw_fig02`] to [`Figure10`] and [`draw_fig10`]. A struct borrows the frames and says which windows are shown; the function returns the text of
 //! an SVG file. This crate knows frames, windows and ink; it computes nothing about impacts, and equal input gives
 //! equal bytes.
 //!
@@ -17,10 +16,15 @@ mod branches;
 mod canvas;
 mod clip;
 mod cloud;
+mod dimension;
 mod error;
 mod fig02;
+mod fig04;
+mod fig05;
+mod fig06;
 mod fig07;
 mod fig08;
+mod fig10;
 mod font;
 mod frames;
 mod kinds;
@@ -38,7 +42,11 @@ mod ticks;
 pub use clip::Window;
 pub use error::DrawingError;
 pub use fig02::{Figure02, draw_fig02};
+pub use fig04::{Figure04, draw_fig04};
+pub use fig05::{Figure05, draw_fig05};
+pub use fig06::{Figure06, draw_fig06};
 pub use fig07::{Figure07, Magnified, Section, draw_fig07};
 pub use fig08::{Figure08, draw_fig08};
+pub use fig10::{Figure10, draw_fig10};
 pub use font::FONT_FILES;
 pub use style::SheetWidth;

@@ -5,6 +5,10 @@
 //! All quantities are dimensionless.
 
 mod error;
+mod fig04;
+mod fig05;
+mod fig06;
+mod fig10;
 mod range;
 mod raw;
 mod requirements;
@@ -14,6 +18,10 @@ mod validate;
 use std::path::Path;
 
 pub use error::ParameterError;
+pub use fig04::Figure4;
+pub use fig05::Figure5;
+pub use fig06::Figure6;
+pub use fig10::Figure10;
 pub use range::{Range, Rectangle};
 
 /// Everything that the figures and the table depend on, checked.
@@ -22,8 +30,12 @@ pub struct Parameters {
     zeta: f64,
     epsilon: f64,
     fig02: Figure2,
+    fig04: Figure4,
+    fig05: Figure5,
+    fig06: Figure6,
     fig07: Figure7,
     fig08: Figure8,
+    fig10: Figure10,
 }
 
 impl Parameters {
@@ -63,6 +75,21 @@ impl Parameters {
         &self.fig02
     }
 
+    /// What Figure 4 (fig:D) shows.
+    pub fn fig04(&self) -> &Figure4 {
+        &self.fig04
+    }
+
+    /// What Figure 5 (fig:E) shows.
+    pub fn fig05(&self) -> &Figure5 {
+        &self.fig05
+    }
+
+    /// What Figure 6 (fig:F) shows.
+    pub fn fig06(&self) -> &Figure6 {
+        &self.fig06
+    }
+
     /// What Figure 7 (fig:G) shows.
     pub fn fig07(&self) -> &Figure7 {
         &self.fig07
@@ -71,6 +98,11 @@ impl Parameters {
     /// What Figure 8 (fig:Y) shows.
     pub fn fig08(&self) -> &Figure8 {
         &self.fig08
+    }
+
+    /// What Figure 10 (fig:I) shows.
+    pub fn fig10(&self) -> &Figure10 {
+        &self.fig10
     }
 }
 

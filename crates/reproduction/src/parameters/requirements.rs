@@ -8,6 +8,8 @@ pub(super) const MOST_N: u32 = 100;
 pub(super) const MOST_PORTRAITS: usize = 6;
 /// The panels of Figure 8.
 pub(super) const PANELS: usize = 3;
+/// The most coils of Figure 6's spring that can be told apart in print.
+pub(super) const MOST_COILS: u32 = 30;
 /// The most amplitudes of Figure 2's attractor: more than the columns of any printed figure.
 pub(super) const MOST_AMPLITUDES: u32 = 10_000;
 /// The most orbits at one amplitude.
@@ -45,6 +47,27 @@ const REQUIREMENTS: &[(&str, &str)] = &[
         "the number of loops must be one of fig02.loops, or 0 for the non-impacting solution",
     ),
     ("fig02.portraits.amplitude", "the forcing amplitude must lie inside fig02.amplitude"),
+    ("fig04", "the table [fig04] says what Figure 4 shows"),
+    (
+        "fig04.loops",
+        "the numbers of loops must be a list of different whole numbers from 2 to 12, as [2, 3, 4]",
+    ),
+    ("fig05", "the table [fig05] says what Figure 5 shows"),
+    ("fig05.loops", "the number of loops must be a whole number from 1 to 12"),
+    (
+        "fig05.n",
+        "the integer n of the resonance must be a whole number from 1 to 100, or 0 for two or more loops",
+    ),
+    ("fig05.mu", "the values of mu must be a range [lower, upper] with lower < 0 < upper"),
+    ("fig05.eta", "the values of eta must be a range [lower, upper] with lower < 0 < upper"),
+    ("fig06", "the table [fig06] says what Figure 6 shows"),
+    ("fig06.frequency", "the forcing frequency must be a positive number"),
+    (
+        "fig06.amplitude",
+        "the forcing amplitude must lie above 0 and below the grazing amplitude of fig06.frequency",
+    ),
+    ("fig06.phase", "the phase must be a number from 0 to below 2 pi"),
+    ("fig06.coils", "the number of coils must be a whole number from 1 to 30"),
     ("fig07", "the table [fig07] says what Figure 7 shows"),
     ("fig07.amplitude", "the forcing amplitudes must be a range [lower, upper] with 0 <= lower < upper"),
     ("fig07.frequency", "the forcing frequencies must be a range [lower, upper] with 0 < lower < upper"),
@@ -64,6 +87,9 @@ const REQUIREMENTS: &[(&str, &str)] = &[
         "fig08.panels.frequency",
         "the forcing frequencies must be a range [lower, upper] inside fig07.frequency",
     ),
+    ("fig10", "the table [fig10] says what Figure 10 shows"),
+    ("fig10.frequency", "the forcing frequency must be a positive number"),
+    ("fig10.loops", "the number of loops must be a whole number from 3 to 12"),
 ];
 
 const LOOPS: &str =
@@ -103,7 +129,12 @@ mod tests {
     fn the_limits_are_told_as_they_are_checked() {
         for (key, limit) in [
             ("fig02.loops", MOST_LOOPS),
+            ("fig04.loops", MOST_LOOPS),
+            ("fig05.loops", MOST_LOOPS),
+            ("fig05.n", MOST_N),
+            ("fig06.coils", MOST_COILS),
             ("fig07.loops", MOST_LOOPS),
+            ("fig10.loops", MOST_LOOPS),
             ("fig08.panels[2].n", MOST_N),
             ("fig02.attractor.amplitudes", MOST_AMPLITUDES),
             ("fig02.attractor.orbits", MOST_ORBITS),
@@ -117,7 +148,10 @@ mod tests {
 
     #[test]
     fn the_known_keys_of_a_table_are_its_own_only() {
-        assert_eq!(known_keys(""), ["oscillator", "fig02", "fig07", "fig08"]);
+        assert_eq!(
+            known_keys(""),
+            ["oscillator", "fig02", "fig04", "fig05", "fig06", "fig07", "fig08", "fig10"]
+        );
         assert_eq!(known_keys("fig08.panels[3]"), ["loops", "n", "amplitude", "frequency"]);
     }
 }

@@ -1,0 +1,144 @@
+//! Figure 5: the unfolding of a resonant grazing bifurcation.
+
+use polars::prelude::DataFrame;
+
+use crate::DrawingError;
+use crate::axes::{Marker, Panel};
+use crate::canvas::Canvas;
+use crate::clip::Window;
+use crate::frames::{Table, runs};
+use crate::kinds::Kind;
+use crate::labels::{Labels, Wanted};
+use crate::sheet::{Bounds, Spot};
+use crate::style::{
+    BLACK, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, Paint, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE,
+};
+
+/// What Figure 5 shows.
+///
+/// Paper: Figure 5, fig:E.
+#[derive(Debug, Clone, Copy)]
+pub struct Figure05<'a> {
+    /// Columns kind (graz, SN, PD), mu, eta. Rows that follow each other with equal kind are one curve.
+    pub curves: &'a DataFrame,
+    /// Columns mu, eta: the resonance.
+    pub points: &'a DataFrame,
+    /// Columns region, kind (non-impacting, mps, both), mu, eta: vertices of polygons. The third is where the first two
+    /// overlap.
+    pub regions: &'a DataFrame,
+    /// Values of mu (horizontal) and eta (vertical) shown.
+    pub window: Window,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Stable {
+    NonImpacting,
+    Mps,
+    Both,
+}
+
+impl Stable {
+    /// The overlap gets its shade from the two areas that make it up.
+    fn paint(self) -> Option<Paint> {
+        match self {
+            Stable::NonImpacting => Some(NON_IMPACTING_AREA),
+            Stable::Mps => Some(MPS_AREA),
+            Stable::Both => None,
+        }
+    }
+
+    fn label(self) -> &'static [&'static str] {
+        match self {
+            Stable::NonImpacting => &["stable", "non-impacting", "periodic", "solution"],
+            Stable::Mps => &["stable", "$p$-loop MPS"],
+            Stable::Both => &["both", "stable"],
+        }
+    }
+}
+
+/// Width in the paper.
+const WIDTH_MM: f64 = 64.0;
+const HEIGHT_MM: f64 = 58.0;
+
+/// Draws Figure 5.
+///
+/// # Errors
+/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown or the window is empty.
+pub fn draw_fig05(figure: &Figure05<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+    compose(figure, width)?.finish(
+        "fig05",
+        "Unfolding of a resonant grazing bifurcation",
+        "Distance from grazing across, distance from resonance up. Half-parabolas of saddle-node (SN) and period-doubling \
+         (PD) bifurcations touch the line of grazing bifurcations in the resonance. Light grey: the non-impacting solution \
+         is stable; dark: a p-loop maximal periodic solution is.",
+    )
+}
+
+pub(crate) fn compose(figure: &Figure05<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
+    let window = figure.window.checked("fig05")?;
+    let curves = read(Table::new("fig05_curves", figure.curves), "kind", Kind::KNOWN, Kind::parse)?;
+    let regions =
+        read(Table::new("fig05_regions", figure.regions), "kind", "non-impacting, mps, both", |word| {
+            match word {
+                "non-impacting" => Some(Stable::NonImpacting),
+                "mps" => Some(Stable::Mps),
+                "both" => Some(Stable::Both),
+                _ => None,
+            }
+        })?;
+    let points = Table::new("fig05_points", figure.points);
+    let (mu, eta) = (points.numbers("mu")?, points.numbers("eta")?);
+
+    let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
+    let bounds = Bounds { left: 45.0, top: 6.0, right: canvas.width - 7.0, bottom: canvas.height - 29.0 };
+    let panel = Panel::new(&canvas, window, bounds);
+    let mut labels = Labels::new(&canvas, bounds);
+
+    let mut shapes: Vec<(Stable, Vec<Spot>)> = Vec::new();
+    for (stable, vertices) in &regions {
+        let shape = match stable.paint() {
+            Some(paint) => panel.fill(vertices, paint)?,
+            None => vertices.iter().map(|&vertex| panel.spot(vertex)).collect(),
+        };
+        shapes.push((*stable, shape));
+    }
+    let mut drawn: Vec<(Kind, Vec<Spot>)> = Vec::new();
+    for (kind, points) in &curves {
+        for piece in panel.line(points, kind.pen())? {
+            labels.placer.keep_off(&piece);
+            drawn.push((*kind, piece));
+        }
+    }
+    for point in mu.into_iter().zip(eta) {
+        if let Some(taken) = panel.marker(point, Marker::Triangle)? {
+            labels.placer.block(taken.grown(0.5));
+        }
+    }
+    panel.axes(r"$\mu$", r"$\eta$")?;
+    for (kind, piece) in &drawn {
+        let text = if *kind == Kind::Graz { "grazing" } else { kind.label() };
+        labels.add(text, LABEL_SIZE, kind.text_colour(), &Wanted::Beside(piece))?;
+    }
+    for (stable, shape) in &shapes {
+        let wanted = Wanted::Within(shape);
+        if !labels.add_lines(stable.label(), SMALL_LABEL_SIZE, BLACK, &wanted)? {
+            labels.add_lines(stable.label(), TICK_SIZE, BLACK, &wanted)?;
+        }
+    }
+    labels.draw()?;
+    drop(panel);
+    Ok(canvas)
+}
+
+/// Rows of (mu, eta) that follow each other with one kind.
+fn read<K: Copy + PartialEq>(
+    table: Table<'_>,
+    column: &'static str,
+    known: &'static str,
+    parse: impl Fn(&str) -> Option<K>,
+) -> Result<Vec<(K, Vec<(f64, f64)>)>, DrawingError> {
+    let kinds = table.words(column, known, parse)?;
+    let (mu, eta) = (table.numbers("mu")?, table.numbers("eta")?);
+    let group = |rows: std::ops::Range<usize>| (kinds[rows.start], rows.map(|i| (mu[i], eta[i])).collect());
+    Ok(runs(&kinds).into_iter().map(group).collect())
+}

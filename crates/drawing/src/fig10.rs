@@ -1,0 +1,98 @@
+//! Figure 10: the path of the proof of Theorem 2.3.
+
+use polars::prelude::DataFrame;
+
+use crate::DrawingError;
+use crate::axes::{Marker, Panel};
+use crate::canvas::Canvas;
+use crate::clip::Window;
+use crate::dimension::arrowhead;
+use crate::frames::Table;
+use crate::labels::{Labels, Wanted};
+use crate::sheet::{Bounds, along, distance};
+use crate::style::{
+    BLACK, DISC_RADIUS, LABEL_SIZE, PATH, PATH_AREA, SMALL_LABEL_SIZE, SheetWidth, THRESHOLD,
+};
+
+/// What Figure 10 shows.
+///
+/// Paper: Figure 10, fig:I.
+#[derive(Debug, Clone, Copy)]
+pub struct Figure10<'a> {
+    /// Columns visit, u, w: the vertices in order.
+    pub path: &'a DataFrame,
+}
+
+/// Width in the paper.
+const WIDTH_MM: f64 = 80.0;
+const HEIGHT_MM: f64 = 68.0;
+/// Share of the path's extent that is left free around it.
+const MARGIN: f64 = 0.16;
+const HEAD_LENGTH: f64 = 5.0;
+/// Segments shorter than this (points) carry no arrowhead.
+const POINTED_LENGTH: f64 = 14.0;
+
+/// Draws Figure 10.
+///
+/// # Errors
+/// [`DrawingError`] if a column is missing or of the wrong type, or the vertices span no area.
+pub fn draw_fig10(figure: &Figure10<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+    compose(figure, width)?.finish(
+        "fig10",
+        "The path P",
+        "The scaled visits of an emerging maximal periodic solution to the Poincaré section, joined in order: a convex path \
+         that begins and ends on the w-axis and lies left of it between.",
+    )
+}
+
+pub(crate) fn compose(figure: &Figure10<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
+    let table = Table::new("fig10_path", figure.path);
+    let visits = table.integers("visit")?;
+    let vertices: Vec<(f64, f64)> = table.numbers("u")?.into_iter().zip(table.numbers("w")?).collect();
+    let window = Window { x: extent(&vertices, |v| v.0), y: extent(&vertices, |v| v.1) }.checked("fig10")?;
+
+    let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
+    let bounds = Bounds { left: 37.0, top: 6.0, right: canvas.width - 6.0, bottom: canvas.height - 30.0 };
+    let panel = Panel::new(&canvas, window, bounds);
+    let mut labels = Labels::new(&canvas, bounds);
+
+    panel.fill(&vertices, PATH_AREA)?;
+    for axis in panel.line(&[(0.0, window.y[0]), (0.0, window.y[1])], THRESHOLD)? {
+        labels.placer.keep_off_nameless(&axis);
+    }
+    for path in panel.line(&vertices, PATH)? {
+        labels.placer.keep_off(&path);
+        for segment in path.windows(2).filter(|s| distance(s[0], s[1]) >= POINTED_LENGTH) {
+            // The head's middle on the segment's.
+            if let Some((middle, direction)) = along(segment, 0.5) {
+                let tip =
+                    (middle.0 + 0.5 * HEAD_LENGTH * direction.0, middle.1 + 0.5 * HEAD_LENGTH * direction.1);
+                arrowhead(&canvas, segment[0], tip, HEAD_LENGTH, PATH)?;
+            }
+        }
+    }
+    for &vertex in &vertices {
+        if let Some(taken) = panel.marker(vertex, Marker::Disc)? {
+            labels.placer.block(taken);
+        }
+    }
+    panel.axes("$u$", "$w$")?;
+    for (visit, &vertex) in visits.iter().zip(&vertices) {
+        let text = format!(r"$(u^{{({visit})}},\,w^{{({visit})}})$");
+        let wanted = Wanted::Around(panel.spot(vertex), DISC_RADIUS + 1.0);
+        labels.add(&text, SMALL_LABEL_SIZE, BLACK, &wanted)?;
+    }
+    let outline: Vec<_> = vertices.iter().map(|&vertex| panel.spot(vertex)).collect();
+    labels.add(r"$\mathcal{P}$", LABEL_SIZE, PATH.colour, &Wanted::Within(&outline))?;
+    labels.draw()?;
+    drop(panel);
+    Ok(canvas)
+}
+
+/// The range of a coordinate with its margin.
+fn extent(vertices: &[(f64, f64)], coordinate: impl Fn(&(f64, f64)) -> f64) -> [f64; 2] {
+    let low = vertices.iter().map(&coordinate).fold(f64::INFINITY, f64::min);
+    let high = vertices.iter().map(&coordinate).fold(f64::NEG_INFINITY, f64::max);
+    let margin = MARGIN * (high - low);
+    [low - margin, high + margin]
+}
