@@ -113,10 +113,13 @@ pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas
             labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Wanted::Around(panel.spot(point), reach))?;
         }
     }
-    for (side, text) in [(0.5, r"$\tau=\delta+1$"), (-0.5, r"$\tau=-\delta-1$")] {
-        // Beside the slanted sides, from (±1, 0) to (±2, 1).
-        let edge = [panel.spot((2.0 * side, 0.0)), panel.spot((4.0 * side, 1.0))];
-        labels.add(text, SMALL_LABEL_SIZE, BLACK, &Wanted::Beside(&edge))?;
+    for curve in curves.iter().filter(|curve| curve.family == Family::Trapesium) {
+        // Of the sides, the slanted ones say what they are; the others are read off the axis.
+        for side in curve.points.windows(2).filter(|side| side[0].1 != side[1].1) {
+            let text = if side[0].0 > 0.0 { r"$\tau=\delta+1$" } else { r"$\tau=-\delta-1$" };
+            let edge = [panel.spot(side[0]), panel.spot(side[1])];
+            labels.add(text, SMALL_LABEL_SIZE, BLACK, &Wanted::Beside(&edge))?;
+        }
     }
     labels.draw()?;
     drop(panel);

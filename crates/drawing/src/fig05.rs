@@ -115,15 +115,16 @@ pub(crate) fn compose(figure: &Figure05<'_>, width: SheetWidth) -> Result<Canvas
         }
     }
     panel.axes(r"$\mu$", r"$\eta$")?;
-    for (kind, piece) in &drawn {
-        let text = if *kind == Kind::Graz { "grazing" } else { kind.label() };
-        labels.add(text, LABEL_SIZE, kind.text_colour(), &Wanted::Beside(piece))?;
-    }
-    for (stable, shape) in &shapes {
+    // The overlap is the narrowest: it chooses first.
+    for (stable, shape) in shapes.iter().rev() {
         let wanted = Wanted::Within(shape);
         if !labels.add_lines(stable.label(), SMALL_LABEL_SIZE, BLACK, &wanted)? {
             labels.add_lines(stable.label(), TICK_SIZE, BLACK, &wanted)?;
         }
+    }
+    for (kind, piece) in &drawn {
+        let text = if *kind == Kind::Graz { "grazing" } else { kind.label() };
+        labels.add(text, LABEL_SIZE, kind.text_colour(), &Wanted::Beside(piece))?;
     }
     labels.draw()?;
     drop(panel);

@@ -153,7 +153,8 @@ fn label(canvas: &Canvas, pieces: &[Piece]) -> Result<(), DrawingError> {
         say((gap.centre().0, gap.top - 3.5), "1", LABEL_SIZE, Anchor::Middle)?;
     }
     if let Some(wall) = whole(Part::Wall) {
-        say((wall.right + 3.0, wall.top - 5.0), r"restitution $\epsilon$", SMALL_LABEL_SIZE, Anchor::Middle)?;
+        let spot = (wall.right + 11.0, wall.top - 5.0);
+        say(spot, r"restitution $\epsilon$", SMALL_LABEL_SIZE, Anchor::End)?;
     }
     let ticks: Vec<&Piece> = pieces.iter().filter(|piece| piece.part == Part::Tick).collect();
     for (tick, text) in ticks.iter().zip([r"$x(t)$", "$-1$", "$0$"]) {

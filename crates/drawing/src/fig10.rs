@@ -9,7 +9,7 @@ use crate::clip::Window;
 use crate::dimension::arrowhead;
 use crate::frames::Table;
 use crate::labels::{Labels, Wanted};
-use crate::sheet::{Bounds, along, distance};
+use crate::sheet::{Bounds, Spot, along, distance, inside};
 use crate::style::{
     BLACK, DISC_RADIUS, LABEL_SIZE, PATH, PATH_AREA, SMALL_LABEL_SIZE, SheetWidth, THRESHOLD,
 };
@@ -26,8 +26,8 @@ pub struct Figure10<'a> {
 /// Width in the paper.
 const WIDTH_MM: f64 = 80.0;
 const HEIGHT_MM: f64 = 68.0;
-/// Share of the path's extent that is left free around it.
-const MARGIN: f64 = 0.16;
+/// Shares of the path's width and height that are left free beside it, for its labels.
+const MARGIN: [f64; 2] = [0.42, 0.14];
 const HEAD_LENGTH: f64 = 5.0;
 /// Segments shorter than this (points) carry no arrowhead.
 const POINTED_LENGTH: f64 = 14.0;
@@ -49,7 +49,9 @@ pub(crate) fn compose(figure: &Figure10<'_>, width: SheetWidth) -> Result<Canvas
     let table = Table::new("fig10_path", figure.path);
     let visits = table.integers("visit")?;
     let vertices: Vec<(f64, f64)> = table.numbers("u")?.into_iter().zip(table.numbers("w")?).collect();
-    let window = Window { x: extent(&vertices, |v| v.0), y: extent(&vertices, |v| v.1) }.checked("fig10")?;
+    let window =
+        Window { x: extent(&vertices, |v| v.0, MARGIN[0]), y: extent(&vertices, |v| v.1, MARGIN[1]) }
+            .checked("fig10")?;
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let bounds = Bounds { left: 37.0, top: 6.0, right: canvas.width - 6.0, bottom: canvas.height - 30.0 };
@@ -77,22 +79,33 @@ pub(crate) fn compose(figure: &Figure10<'_>, width: SheetWidth) -> Result<Canvas
         }
     }
     panel.axes("$u$", "$w$")?;
+    // Labels of vertices stand outside as far as they can.
+    let outline: Vec<_> = vertices.iter().map(|&vertex| panel.spot(vertex)).collect();
+    labels.placer.avoid(inner_spots(&outline));
     for (visit, &vertex) in visits.iter().zip(&vertices) {
         let text = format!(r"$(u^{{({visit})}},\,w^{{({visit})}})$");
         let wanted = Wanted::Around(panel.spot(vertex), DISC_RADIUS + 1.0);
         labels.add(&text, SMALL_LABEL_SIZE, BLACK, &wanted)?;
     }
-    let outline: Vec<_> = vertices.iter().map(|&vertex| panel.spot(vertex)).collect();
     labels.add(r"$\mathcal{P}$", LABEL_SIZE, PATH.colour, &Wanted::Within(&outline))?;
     labels.draw()?;
     drop(panel);
     Ok(canvas)
 }
 
+/// A grid of spots, a point apart, inside a polygon.
+fn inner_spots(outline: &[Spot]) -> impl Iterator<Item = Spot> {
+    let across = outline.iter().map(|spot| spot.0).fold(0.0, f64::max) as u32;
+    let down = outline.iter().map(|spot| spot.1).fold(0.0, f64::max) as u32;
+    let grid =
+        (0..=down).flat_map(move |y| (0..=across).map(move |x| (f64::from(x) + 0.5, f64::from(y) + 0.5)));
+    grid.filter(|&spot| inside(outline, spot))
+}
+
 /// The range of a coordinate with its margin.
-fn extent(vertices: &[(f64, f64)], coordinate: impl Fn(&(f64, f64)) -> f64) -> [f64; 2] {
+fn extent(vertices: &[(f64, f64)], coordinate: impl Fn(&(f64, f64)) -> f64, share: f64) -> [f64; 2] {
     let low = vertices.iter().map(&coordinate).fold(f64::INFINITY, f64::min);
     let high = vertices.iter().map(&coordinate).fold(f64::NEG_INFINITY, f64::max);
-    let margin = MARGIN * (high - low);
+    let margin = share * (high - low);
     [low - margin, high + margin]
 }

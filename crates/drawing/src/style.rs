@@ -120,7 +120,7 @@ pub(crate) const MARKER: Paint = Paint::opaque(BLACK);
 pub(crate) const MARKER_RIM: Pen = Pen::solid(WHITE, 0.5);
 pub(crate) const TRIANGLE_SIZE: f64 = 6.4;
 pub(crate) const DISC_RADIUS: f64 = 2.1;
-pub(crate) const STAR_RADIUS: f64 = 4.6;
+pub(crate) const STAR_RADIUS: f64 = 3.8;
 
 /// A branch of the one-parameter diagram by its number of loops, 0 for the non-impacting solution.
 pub(crate) const fn branch_pen(p: i64, width: f64) -> Pen {

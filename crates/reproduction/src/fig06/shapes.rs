@@ -10,17 +10,17 @@ const CHORDS: u32 = 48;
 /// The coils of a spring lean by this share of their radius, as a helix seen slightly from the side.
 const LEAN: f64 = 0.45;
 
-/// A helix between two straight leads.
+/// A helix between two straight leads, the same seen from either side.
 ///
-/// (x, h) = (x₀ + ℓs − b (cos 2πNs − 1), h₀ + r sin 2πNs), 0 ≤ s ≤ 1: it begins and ends on the axis h₀.
+/// (x, h) = (x₀ + ℓs + b (1 − cos θ), h₀ + r sin θ), θ = (2N − 1) π s, 0 ≤ s ≤ 1: N turns less the half one below the axis
+/// h₀, on which it begins and ends. Mirrored in the middle, s becomes 1 − s and cos θ becomes −cos θ.
 pub(super) fn spring([from, to]: [f64; 2], height: f64, radius: f64, lead: f64, coils: u32) -> Polyline {
-    let (start, length) = (from + lead, to - from - 2.0 * lead);
     let lean = LEAN * radius;
-    let chords = CHORDS * coils;
+    let (start, length) = (from + lead, to - from - 2.0 * (lead + lean));
+    let chords = CHORDS * coils - CHORDS / 2;
     let mut points = vec![[from, height]];
     for k in 0..=chords {
         let share = f64::from(k) / f64::from(chords);
-        // The angle within the current turn, so that the end of a turn is as exact as its start.
         let (sine, cosine) = libm::sincos(TAU * f64::from(k % CHORDS) / f64::from(CHORDS));
         points.push([start + length * share + lean * (1.0 - cosine), height + radius * sine]);
     }
@@ -62,13 +62,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_spring_joins_its_ends_and_crosses_its_axis_twice_a_coil() {
+    fn a_spring_has_its_coils_between_its_ends_and_is_its_own_mirror_image() {
         for coils in [1, 9, 30] {
             let points = spring([-3.0, -1.0], 0.5, 0.15, 0.3, coils);
             assert_eq!((points[0], points[points.len() - 1]), ([-3.0, 0.5], [-1.0, 0.5]));
+            for ([x, h], [x_mirrored, h_mirrored]) in points.iter().zip(points.iter().rev()) {
+                // Rounding of numbers of order 1.
+                assert!((x + x_mirrored + 4.0).abs() < 1e-14 && (h - h_mirrored).abs() < 1e-14);
+            }
             let tops = points.windows(3).filter(|w| w[0][1] < w[1][1] && w[1][1] > w[2][1]).count();
             assert_eq!(tops, coils as usize);
-            assert!(points.iter().all(|[_, h]| (h - 0.5).abs() <= 0.15));
+            // The height is rounded once.
+            assert!(points.iter().all(|[_, h]| (h - 0.5).abs() <= 0.15 + 1e-15));
         }
     }
 
