@@ -100,6 +100,22 @@ fn it_is_the_case_of_the_caption_with_the_curves_on_opposite_sides() {
 }
 
 #[test]
+fn every_resonance_of_the_linear_oscillator_is_of_that_case() {
+    for zeta in [0.005, 0.02, 0.2, 0.9] {
+        for epsilon in [0.01, 0.5, 0.9, 1.0] {
+            let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon).unwrap();
+            for (p, n) in (1..=6).flat_map(|p| (1..=5).map(move |n| (p, n))) {
+                let resonance = theory.resonance(p, n).unwrap();
+                // By the definition of the theorem, which does not know the closed form.
+                let s = resonance.resonant_point().stability_coefficients();
+                assert!(s.plus < 0.0 && 0.0 < s.minus, "zeta {zeta}, epsilon {epsilon}, p {p}, n {n}: {s:?}");
+                assert!(resonance.grazing().transversality() > 0.0);
+            }
+        }
+    }
+}
+
+#[test]
 fn an_mps_is_stable_in_the_shaded_region_and_nowhere_else() {
     // The region is right to leading order: mismatches lie in a band about its boundary whose width, relative to a window
     // that shrinks like (η, μ) → (sη, s²μ), falls like s.
@@ -164,7 +180,7 @@ fn last_impacts(mu: f64, eta: f64, from: &Orbit, closeness: f64) -> Vec<[f64; 2]
 fn simulated_orbits_settle_on_the_mps_in_the_shaded_region_and_leave_it_outside() {
     let shaded = region(&figure(), "mps");
     let (mut settled, mut left) = (0, 0);
-    for [mu, eta] in grid(9) {
+    for [mu, eta] in grid(14) {
         if margin([mu, eta]) < 0.05 {
             continue;
         }
@@ -182,14 +198,14 @@ fn simulated_orbits_settle_on_the_mps_in_the_shaded_region_and_leave_it_outside(
             }
         }
     }
-    assert!(settled >= 20 && left >= 5, "{settled} {left}");
+    assert!(settled >= 80 && left >= 8, "{settled} {left}");
 }
 
 #[test]
 fn the_non_impacting_solution_attracts_where_it_is_said_to() {
     let parameters = &made().parameters;
     let light = region(&figure(), "non-impacting");
-    for [mu, eta] in grid(9) {
+    for [mu, eta] in grid(8) {
         let (amplitude, omega) = parameters_at(mu, eta);
         let oscillator =
             LinearOscillator::new(parameters.zeta(), parameters.epsilon(), amplitude, omega).unwrap();
@@ -220,7 +236,7 @@ fn closed_form_solutions_are_those_of_the_branch_expansion() {
         assert_eq!(found.len(), 2, "both MPSs between SN and grazing");
         found.iter().map(|o| (branch.parameter(o.velocity, eta) / mu - 1.0).abs()).fold(0.0, f64::max)
     };
-    let (coarse, fine) = (worst(1.0), worst(0.1));
+    let (coarse, fine) = (worst(0.1), worst(0.01));
     // The next order is smaller by a factor η.
-    assert!(coarse < 0.3 && (7.0..13.0).contains(&(coarse / fine)), "{coarse} {fine}");
+    assert!(coarse < 0.03 && (7.0..13.0).contains(&(coarse / fine)), "{coarse} {fine}");
 }
