@@ -92,7 +92,7 @@ pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas
     let (tau, delta) = (points.numbers("tau")?, points.numbers("delta")?);
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
-    let bounds = Bounds { left: 37.0, top: 23.0, right: canvas.width - 7.0, bottom: canvas.height - 30.0 };
+    let bounds = Bounds { left: 37.0, top: 23.0, right: canvas.width - 12.0, bottom: canvas.height - 30.0 };
     let panel = Panel::new(&canvas, WINDOW, bounds);
     let mut labels = Labels::new(&canvas, bounds);
 
@@ -178,4 +178,91 @@ fn read_curves(table: Table<'_>) -> Result<Vec<Curve>, DrawingError> {
             points: rows.map(|i| (tau[i], delta[i])).collect(),
         })
         .collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use polars::prelude::df;
+
+    use super::*;
+    use crate::inspection::{coordinates, off_the_sheet};
+
+    /// The outline, the limit, and for each p a solid and a dashed curve; some share their ends.
+    fn sample() -> (DataFrame, DataFrame) {
+        let mut rows: Vec<(&str, i64, f64, f64)> =
+            [(-1.0, 0.0), (1.0, 0.0), (2.0, 1.0), (-2.0, 1.0), (-1.0, 0.0)]
+                .map(|(tau, delta)| ("trapesium", 0, tau, delta))
+                .to_vec();
+        let mut curve = |kind, p, end: f64, bulge: f64| {
+            for k in 0..=100 {
+                let root = f64::from(k) / 100.0;
+                rows.push((kind, p, end * root + bulge * root * (1.0 - root), root * root));
+            }
+        };
+        curve("limit", 0, 2.0, 0.0);
+        for (p, g, h) in
+            [(2, 0.0, -2.0), (3, 1.0, -1.0), (4, 1.4142, 0.0), (5, 1.618, 0.618), (6, 1.7321, 1.0)]
+        {
+            curve("g", p, g, 0.0);
+            curve("h", p, h, if p > 3 { 1.2 } else { 0.0 });
+        }
+        let curves = df!(
+            "kind" => rows.iter().map(|r| r.0).collect::<Vec<_>>(),
+            "p" => rows.iter().map(|r| r.1).collect::<Vec<_>>(),
+            "tau" => rows.iter().map(|r| r.2).collect::<Vec<_>>(),
+            "delta" => rows.iter().map(|r| r.3).collect::<Vec<_>>(),
+        );
+        (curves.unwrap(), df!("kind" => ["fig02"], "tau" => [-0.25], "delta" => [0.7]).unwrap())
+    }
+
+    fn with_sample<T>(test: impl Fn(&Figure04<'_>) -> T) -> T {
+        let (curves, points) = sample();
+        test(&Figure04 { curves: &curves, points: &points })
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
+        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
+            let misplaced = with_sample(|figure| compose(figure, width).unwrap().misplaced_texts());
+            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
+        }
+    }
+
+    #[test]
+    fn every_curve_is_named_and_the_star_says_where_it_comes_from() {
+        let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
+        for p in 2..=6 {
+            for family in ["g", "h"] {
+                let name = format!(">{family}</tspan>");
+                assert_eq!(svg.matches(&name).count(), 5);
+                assert!(svg.contains(&format!(">{p}</tspan>")), "{p}");
+            }
+        }
+        assert!(svg.contains(">Fig. 2<") && svg.contains('√'));
+        // Both slanted sides: δ + 1 and −δ − 1, besides the axis titles and the limit.
+        assert_eq!(svg.matches(">δ</tspan>").count(), 4);
+    }
+
+    #[test]
+    fn families_differ_without_colour() {
+        let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
+        assert_eq!(svg.matches("stroke-width=\"1.1\"").count(), 10);
+        assert_eq!(svg.matches("stroke-width=\"1.1\" stroke-dasharray").count(), 5);
+    }
+
+    #[test]
+    fn everything_is_on_the_sheet() {
+        let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
+        assert!(coordinates(&svg).len() > 200);
+        assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
+    }
+
+    #[test]
+    fn an_unknown_kind_is_an_error() {
+        let (mut curves, points) = sample();
+        let kinds = vec!["f"; curves.height()];
+        curves.with_column(polars::prelude::Column::new("kind".into(), kinds)).unwrap();
+        let error = draw_fig04(&Figure04 { curves: &curves, points: &points }, SheetWidth::Paper);
+        assert!(matches!(error, Err(DrawingError::UnknownWord { frame: "fig04_curves", .. })));
+    }
 }

@@ -143,3 +143,89 @@ fn read<K: Copy + PartialEq>(
     let group = |rows: std::ops::Range<usize>| (kinds[rows.start], rows.map(|i| (mu[i], eta[i])).collect());
     Ok(runs(&kinds).into_iter().map(group).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use polars::prelude::df;
+
+    use super::*;
+    use crate::inspection::{coordinates, off_the_sheet};
+
+    fn frame(rows: &[(&str, f64, f64)]) -> DataFrame {
+        let kinds: Vec<_> = rows.iter().map(|r| r.0).collect();
+        let mut region = 0;
+        let regions = kinds.iter().enumerate().map(|(i, kind)| {
+            region += i64::from(i > 0 && kinds[i - 1] != *kind);
+            region
+        });
+        df!(
+            "region" => regions.collect::<Vec<_>>(),
+            "kind" => kinds,
+            "mu" => rows.iter().map(|r| r.1).collect::<Vec<_>>(),
+            "eta" => rows.iter().map(|r| r.2).collect::<Vec<_>>(),
+        )
+        .unwrap()
+    }
+
+    fn with_sample<T>(test: impl Fn(&Figure05<'_>) -> T) -> T {
+        let parabola = |c: f64, side: f64| {
+            (0..=50).map(move |k| side * f64::from(k) / 50.0).map(move |eta| (c * eta * eta, eta))
+        };
+        let (sn, pd) = (|| parabola(-0.8, -1.0), || parabola(0.3, 1.0));
+        let mut curves = vec![("graz", 0.0, -1.0), ("graz", 0.0, 1.0)];
+        curves.extend(sn().map(|(mu, eta)| ("SN", mu, eta)));
+        curves.extend(pd().map(|(mu, eta)| ("PD", mu, eta)));
+        let mut regions = [(0.0, -1.0), (0.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)]
+            .map(|(m, e)| ("non-impacting", m, e))
+            .to_vec();
+        regions.extend(sn().collect::<Vec<_>>().into_iter().rev().chain(pd()).map(|(m, e)| ("mps", m, e)));
+        regions.extend([("mps", 1.0, 1.0), ("mps", 1.0, -1.0)]);
+        regions.extend(sn().chain([(0.0, -1.0)]).map(|(m, e)| ("both", m, e)));
+        test(&Figure05 {
+            curves: &frame(&curves),
+            points: &frame(&[("resonance", 0.0, 0.0)]),
+            regions: &frame(&regions),
+            window: Window { x: [-1.0, 1.0], y: [-1.0, 1.0] },
+        })
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
+        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
+            let misplaced = with_sample(|figure| compose(figure, width).unwrap().misplaced_texts());
+            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
+        }
+    }
+
+    #[test]
+    fn curves_and_regions_are_named() {
+        let svg = with_sample(|figure| draw_fig05(figure, SheetWidth::Paper).unwrap());
+        for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<"] {
+            assert!(svg.contains(label), "{label}");
+        }
+        assert!(svg.contains("-loop MPS<"));
+    }
+
+    #[test]
+    fn the_overlap_is_shaded_by_its_two_regions_and_not_once_more() {
+        let svg = with_sample(|figure| draw_fig05(figure, SheetWidth::Paper).unwrap());
+        assert_eq!(svg.matches("fill=\"#e9e9e9\"").count(), 1);
+        assert_eq!(svg.matches("fill-opacity=\"0.3\"").count(), 1);
+    }
+
+    #[test]
+    fn everything_is_on_the_sheet() {
+        let svg = with_sample(|figure| draw_fig05(figure, SheetWidth::Paper).unwrap());
+        assert!(coordinates(&svg).len() > 50);
+        assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
+    }
+
+    #[test]
+    fn a_reversed_window_is_an_error() {
+        with_sample(|figure| {
+            let window = Window { x: [1.0, -1.0], ..figure.window };
+            let error = draw_fig05(&Figure05 { window, ..*figure }, SheetWidth::Paper).unwrap_err();
+            assert!(matches!(error, DrawingError::Window { window: "fig05", .. }));
+        });
+    }
+}

@@ -207,3 +207,92 @@ fn read(table: Table<'_>, width_mm: f64) -> Result<(Canvas, Vec<Piece>), Drawing
         .collect();
     Ok((canvas, pieces))
 }
+
+#[cfg(test)]
+mod tests {
+    use polars::prelude::df;
+
+    use super::*;
+    use crate::inspection::{coordinates, off_the_sheet};
+
+    type SamplePiece = (&'static str, i64, Vec<(f64, f64)>);
+
+    fn pieces() -> Vec<SamplePiece> {
+        let rectangle = |l: f64, r: f64, b: f64, t: f64| vec![(l, b), (r, b), (r, t), (l, t), (l, b)];
+        vec![
+            ("anchor hatching", 1, vec![(-4.2, 0.0), (-4.0, 0.2)]),
+            ("anchor", 1, vec![(-4.0, 0.0), (-4.0, 1.4)]),
+            ("wall hatching", 1, vec![(0.0, 0.0), (0.2, 0.2)]),
+            ("wall", 1, vec![(0.0, 0.0), (0.0, 1.4)]),
+            ("floor", 1, vec![(-4.0, 0.0), (0.0, 0.0)]),
+            ("guide", 1, vec![(-1.0, 0.6), (-1.0, -0.4)]),
+            ("axis", 1, vec![(-2.4, -0.4), (0.4, -0.4)]),
+            ("tick", 1, vec![(-1.5, -0.4), (-1.5, -0.33)]),
+            ("tick", 2, vec![(-1.0, -0.4), (-1.0, -0.33)]),
+            ("tick", 3, vec![(0.0, -0.4), (0.0, -0.33)]),
+            ("spring", 1, vec![(-4.0, 0.9), (-3.3, 1.05), (-3.1, 0.75), (-2.4, 0.9)]),
+            ("cylinder", 1, vec![(-2.7, 0.55), (-3.7, 0.55), (-3.7, 0.3), (-2.7, 0.3)]),
+            ("rod", 1, vec![(-3.3, 0.42), (-2.4, 0.42)]),
+            ("piston", 1, vec![(-3.3, 0.33), (-3.3, 0.51)]),
+            ("wheel", 1, rectangle(-2.2, -2.1, 0.0, 0.1)),
+            ("block", 1, rectangle(-2.4, -1.5, 0.1, 1.2)),
+            ("force", 1, vec![(-1.5, 0.9), (-0.7, 0.9)]),
+            ("dimension", 1, vec![(-1.0, 0.3), (0.0, 0.3)]),
+        ]
+    }
+
+    fn frame(pieces: &[SamplePiece]) -> DataFrame {
+        let rows: Vec<_> = pieces
+            .iter()
+            .flat_map(|(part, piece, points)| points.iter().map(move |point| (*part, *piece, *point)))
+            .collect();
+        df!(
+            "part" => rows.iter().map(|r| r.0).collect::<Vec<_>>(),
+            "piece" => rows.iter().map(|r| r.1).collect::<Vec<_>>(),
+            "x" => rows.iter().map(|r| r.2.0).collect::<Vec<_>>(),
+            "height" => rows.iter().map(|r| r.2.1).collect::<Vec<_>>(),
+        )
+        .unwrap()
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
+        let parts = frame(&pieces());
+        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
+            let misplaced = compose(&Figure06 { parts: &parts }, width).unwrap().misplaced_texts();
+            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
+        }
+    }
+
+    #[test]
+    fn lengths_keep_their_ratio_across_and_up() {
+        let parts = frame(&pieces());
+        let (_, drawn) = read(Table::new("fig06_parts", &parts), 90.0).unwrap();
+        let block = drawn.iter().find(|piece| piece.part == Part::Block).unwrap();
+        let Bounds { left, top, right, bottom } = extent(std::iter::once(&block.path)).unwrap();
+        // 0.9 wide and 1.1 high; one rounding of each coordinate of some 100 points.
+        assert!(((right - left) / (bottom - top) - 0.9 / 1.1).abs() < 1e-12);
+    }
+
+    #[test]
+    fn everything_is_named_and_on_the_sheet() {
+        let parts = frame(&pieces());
+        let svg = draw_fig06(&Figure06 { parts: &parts }, SheetWidth::Paper).unwrap();
+        for label in
+            [">unit stiffness<", ">unit<", ">mass<", ">equilibrium<", "restitution ", "damping 2", ">−1<"]
+        {
+            assert!(svg.contains(label), "{label}");
+        }
+        assert!(coordinates(&svg).len() > 50);
+        assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
+        // Heads of the axis, of the force and of both ends of the dimension; wheel and block.
+        assert_eq!(svg.matches("Z\"").count(), 6);
+    }
+
+    #[test]
+    fn an_unknown_part_is_an_error() {
+        let parts = frame(&[("magnet", 1, vec![(0.0, 0.0), (1.0, 1.0)])]);
+        let error = draw_fig06(&Figure06 { parts: &parts }, SheetWidth::Paper).unwrap_err();
+        assert!(matches!(error, DrawingError::UnknownWord { frame: "fig06_parts", .. }));
+    }
+}

@@ -109,3 +109,69 @@ fn extent(vertices: &[(f64, f64)], coordinate: impl Fn(&(f64, f64)) -> f64, shar
     let margin = share * (high - low);
     [low - margin, high + margin]
 }
+
+#[cfg(test)]
+mod tests {
+    use polars::prelude::df;
+
+    use super::*;
+    use crate::inspection::{coordinates, off_the_sheet};
+
+    fn sample() -> DataFrame {
+        df!(
+            "visit" => [0_u32, 1, 2, 3, 4, 5, 6],
+            "u" => [0.0, -2.5, -3.8, -3.5, -2.2, -0.8, 0.0],
+            "w" => [-3.7, -3.2, -1.2, 1.0, 2.1, 1.9, 0.7],
+        )
+        .unwrap()
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
+        let path = sample();
+        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
+            let misplaced = compose(&Figure10 { path: &path }, width).unwrap().misplaced_texts();
+            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
+        }
+    }
+
+    #[test]
+    fn every_vertex_is_marked_and_named() {
+        let path = sample();
+        let svg = draw_fig10(&Figure10 { path: &path }, SheetWidth::Paper).unwrap();
+        assert_eq!(svg.matches("<circle").count(), 7);
+        for visit in 0..=6 {
+            assert_eq!(svg.matches(&format!(">({visit})</tspan>")).count(), 2, "{visit}");
+        }
+        assert!(svg.contains('𝒫'));
+    }
+
+    #[test]
+    fn vertices_are_named_outside_the_path() {
+        let path = sample();
+        let canvas = compose(&Figure10 { path: &path }, SheetWidth::Paper).unwrap();
+        let svg = canvas.finish("fig10", "", "").unwrap();
+        let area =
+            svg.lines().find(|line| line.contains("fill-opacity=\"0.1\"")).expect("the area is filled");
+        let outline = coordinates(area);
+        for text in svg.lines().filter(|line| line.starts_with("<text") && line.contains("w</tspan>")) {
+            let middle = coordinates(&text.replace(" x=", " cx=").replace(" y=", " cy="))[0];
+            assert!(!inside(&outline, middle), "{text}");
+        }
+    }
+
+    #[test]
+    fn everything_is_on_the_sheet() {
+        let path = sample();
+        let svg = draw_fig10(&Figure10 { path: &path }, SheetWidth::Paper).unwrap();
+        assert!(coordinates(&svg).len() > 40);
+        assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
+    }
+
+    #[test]
+    fn a_path_without_width_is_an_error() {
+        let path = df!("visit" => [0_u32, 1], "u" => [0.0, 0.0], "w" => [0.0, 1.0]).unwrap();
+        let error = draw_fig10(&Figure10 { path: &path }, SheetWidth::Paper).unwrap_err();
+        assert!(matches!(error, DrawingError::Window { window: "fig10", .. }));
+    }
+}

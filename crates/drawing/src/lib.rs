@@ -9,6 +9,8 @@
 //! split at NaN. Text stays text, in fonts that are embedded in each file and measured when labels are placed.
 
 #[cfg(test)]
+mod inspection;
+#[cfg(test)]
 mod samples;
 
 mod axes;
