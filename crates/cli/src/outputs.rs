@@ -64,6 +64,27 @@ pub const ALL: &[Output] = &[
         make: figures::fig03,
     },
     Output {
+        name: "fig04",
+        title: "Figure 4: the boundaries g_p and h_p in the trapesium",
+        figure: Some("fig04.svg"),
+        tables: &["fig04_curves", "fig04_points"],
+        make: figures::fig04,
+    },
+    Output {
+        name: "fig05",
+        title: "Figure 5: unfolding of a resonant grazing bifurcation",
+        figure: Some("fig05.svg"),
+        tables: &["fig05_curves", "fig05_points", "fig05_regions"],
+        make: figures::fig05,
+    },
+    Output {
+        name: "fig06",
+        title: "Figure 6: the impact oscillator",
+        figure: Some("fig06.svg"),
+        tables: &["fig06_parts"],
+        make: figures::fig06,
+    },
+    Output {
         name: "fig07",
         title: "Figure 7: two-parameter bifurcation diagram",
         figure: Some("fig07.svg"),
@@ -83,6 +104,13 @@ pub const ALL: &[Output] = &[
         figure: Some("fig09.svg"),
         tables: &["fig09_curves", "fig09_points", "fig09_surfaces"],
         make: figures::fig09,
+    },
+    Output {
+        name: "fig10",
+        title: "Figure 10: the path of visits in the proof of Theorem 2.3",
+        figure: Some("fig10.svg"),
+        tables: &["fig10_path"],
+        make: figures::fig10,
     },
 ];
 

@@ -46,6 +46,13 @@ pub(crate) fn arrow(canvas: &Canvas, path: &[Spot], short: f64, pen: Pen) -> Res
     arrowhead(canvas, tip, direction, size, pen.colour)
 }
 
+/// A line with heads at both ends, as of a dimension.
+pub(crate) fn double_arrow(canvas: &Canvas, [from, to]: [Spot; 2], pen: Pen) -> Result<(), DrawingError> {
+    let middle = (0.5 * (from.0 + to.0), 0.5 * (from.1 + to.1));
+    arrow(canvas, &[middle, from], 0.0, pen)?;
+    arrow(canvas, &[middle, to], 0.0, pen)
+}
+
 /// The path without the last `by` points of its length; empty if it is not longer than that.
 pub(crate) fn shortened(path: &[Spot], by: f64) -> Vec<Spot> {
     let mut left = by;

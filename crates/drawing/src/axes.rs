@@ -10,8 +10,8 @@ use crate::clip::{Window, clip_polygon, clip_polyline};
 use crate::markup::Label;
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
-    BLACK, DISC_RADIUS, FRAME, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, TICK, TICK_LENGTH,
-    TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
+    BLACK, DISC_RADIUS, FRAME, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, STAR_RADIUS, TICK,
+    TICK_LENGTH, TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
 };
 use crate::svg_backend::{Anchor, SvgBackend};
 use crate::svg_text::UNITS;
@@ -32,6 +32,8 @@ pub(crate) enum Marker {
     Triangle,
     /// Any other codimension-two point.
     Disc,
+    /// A point of another figure.
+    Star,
 }
 
 /// Room that the largest tick labels and the gaps around them take, in points.
@@ -89,6 +91,11 @@ impl<'c> Panel<'c> {
         let (ink, size) = match marker {
             Marker::Triangle => (Ink::Triangle(TRIANGLE_SIZE, MARKER, Some(MARKER_RIM)), TRIANGLE_SIZE),
             Marker::Disc => (Ink::Disc(DISC_RADIUS, MARKER, Some(MARKER_RIM)), 2.0 * DISC_RADIUS),
+            Marker::Star => {
+                let centre = self.spot(point);
+                self.canvas.draw(&star(centre, STAR_RADIUS), Ink::Polygon(MARKER, Some(MARKER_RIM)))?;
+                return Ok(Some(Bounds::about(centre, 2.0 * STAR_RADIUS, 2.0 * STAR_RADIUS)));
+            }
         };
         self.put(vec![point], ink)?;
         Ok(Some(Bounds::about(self.spot(point), size, size)))
@@ -188,4 +195,27 @@ impl<'c> Panel<'c> {
         let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)];
         self.canvas.draw(&corners, Ink::Line(FRAME))
     }
+}
+
+/// The outline of an upright star with five points.
+fn star((x, y): Spot, radius: f64) -> Vec<Spot> {
+    // Sines and cosines of multiples of 36 degrees, clockwise from the top; the inner corners are those of the pentagram.
+    const INNER: f64 = 0.381_97;
+    const TURNS: [Spot; 10] = [
+        (0.0, 1.0),
+        (0.587_79, 0.809_02),
+        (0.951_06, 0.309_02),
+        (0.951_06, -0.309_02),
+        (0.587_79, -0.809_02),
+        (0.0, -1.0),
+        (-0.587_79, -0.809_02),
+        (-0.951_06, -0.309_02),
+        (-0.951_06, 0.309_02),
+        (-0.587_79, 0.809_02),
+    ];
+    let corner = |(index, &(right, up)): (usize, &Spot)| {
+        let reach = if index % 2 == 0 { radius } else { INNER * radius };
+        (x + reach * right, y - reach * up)
+    };
+    TURNS.iter().enumerate().map(corner).collect()
 }

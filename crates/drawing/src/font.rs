@@ -227,7 +227,7 @@ mod tests {
     #[test]
     fn every_command_of_the_markup_has_a_glyph() {
         let greek = r"$\alpha\beta\gamma\delta\epsilon\zeta\eta\lambda\mu\pi\tau\phi\omega\Gamma\Pi\Sigma$";
-        let signs = r"$\le\ge\approx\ast\times\pm\cdot\,-='\mathcal{APV}$";
+        let signs = r"$\le\ge\approx\ast\sqrt\times\pm\cdot\,-='\mathcal{APV}$";
         for label in [greek, signs] {
             assert!(width(label, 8.0) > 40.0);
         }

@@ -10,6 +10,8 @@
 //! split at NaN. Text stays text, in fonts that are embedded in each file and measured when labels are placed.
 
 #[cfg(test)]
+mod inspection;
+#[cfg(test)]
 mod samples;
 
 mod arrow;
@@ -22,9 +24,13 @@ mod error;
 mod fig01;
 mod fig02;
 mod fig03;
+mod fig04;
+mod fig05;
+mod fig06;
 mod fig07;
 mod fig08;
 mod fig09;
+mod fig10;
 mod font;
 mod frames;
 mod kinds;
@@ -46,8 +52,12 @@ pub use error::DrawingError;
 pub use fig01::{Figure01, draw_fig01};
 pub use fig02::{Figure02, draw_fig02};
 pub use fig03::{Figure03, draw_fig03};
+pub use fig04::{Figure04, draw_fig04};
+pub use fig05::{Figure05, draw_fig05};
+pub use fig06::{Figure06, draw_fig06};
 pub use fig07::{Figure07, Magnified, Section, draw_fig07};
 pub use fig08::{Figure08, draw_fig08};
 pub use fig09::{Figure09, draw_fig09};
+pub use fig10::{Figure10, draw_fig10};
 pub use font::FONT_FILES;
 pub use style::SheetWidth;

@@ -5,7 +5,7 @@
 //! | `text` | upright text, as it stands |
 //! | `$x$` | mathematics: letters italic, digits and signs upright, spaces ignored |
 //! | `\alpha`, `\omega`, … | Greek letter (within `$…$`, like all below) |
-//! | `\le`, `\ge`, `\approx`, `\times`, `\pm`, `\cdot`, `\ast`, `\,` | ≤ ≥ ≈ × ± · ∗ and a thin space |
+//! | `\le`, `\ge`, `\approx`, `\times`, `\pm`, `\cdot`, `\ast`, `\sqrt`, `\,` | ≤ ≥ ≈ × ± · ∗ √ and a thin space |
 //! | `-`, `=` | minus sign; equals sign with thin spaces around it |
 //! | `\mathrm{graz}`, `\mathcal{A}` | upright words; script letters A, P and V |
 //! | `\hat{x}`, `'` | one letter with a circumflex; a prime |
@@ -48,7 +48,7 @@ pub(crate) struct Label {
     pub(crate) runs: Vec<Run>,
 }
 
-const COMMANDS: [(&str, char, Face); 23] = [
+const COMMANDS: [(&str, char, Face); 24] = [
     ("alpha", 'α', Face::Italic),
     ("beta", 'β', Face::Italic),
     ("gamma", 'γ', Face::Italic),
@@ -69,6 +69,7 @@ const COMMANDS: [(&str, char, Face); 23] = [
     ("ge", '≥', Face::Signs),
     ("approx", '≈', Face::Signs),
     ("ast", '∗', Face::Signs),
+    ("sqrt", '√', Face::Signs),
     ("times", '×', Face::Upright),
     ("pm", '±', Face::Upright),
     ("cdot", '·', Face::Upright),

@@ -4,7 +4,7 @@ use grazing_continuation::fit::FitError;
 use grazing_continuation::resonance::ResonanceError;
 use grazing_model::OscillatorError;
 use grazing_model::maps::MapError;
-use grazing_theorems::{Resonance, TheoryError};
+use grazing_theorems::{HypothesesViolated, Resonance, TheoryError};
 
 /// A computation of the reproduction failed.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -15,6 +15,9 @@ pub enum StudyError {
     /// A parameter is outside a formula's domain.
     #[error(transparent)]
     Theory(#[from] TheoryError),
+    /// A theorem that a figure illustrates does not apply at its parameters.
+    #[error(transparent)]
+    Hypotheses(#[from] HypothesesViolated),
     /// A resonance could not be unfolded.
     #[error("resonance p = {loops}, n = {n}: {source}")]
     Resonance {

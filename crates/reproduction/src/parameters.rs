@@ -5,6 +5,10 @@
 //! All quantities are dimensionless.
 
 mod error;
+mod fig04;
+mod fig05;
+mod fig06;
+mod fig10;
 mod range;
 mod raw;
 mod requirements;
@@ -15,6 +19,10 @@ mod validate;
 use std::path::Path;
 
 pub use error::ParameterError;
+pub use fig04::Figure4;
+pub use fig05::Figure5;
+pub use fig06::Figure6;
+pub use fig10::Figure10;
 pub use range::{Range, Rectangle};
 pub use space::{Arrival, Figure1, Figure3, Figure9, Specimen, View};
 
@@ -26,9 +34,13 @@ pub struct Parameters {
     fig01: Figure1,
     fig02: Figure2,
     fig03: Figure3,
+    fig04: Figure4,
+    fig05: Figure5,
+    fig06: Figure6,
     fig07: Figure7,
     fig08: Figure8,
     fig09: Figure9,
+    fig10: Figure10,
 }
 
 impl Parameters {
@@ -78,6 +90,21 @@ impl Parameters {
         &self.fig03
     }
 
+    /// What Figure 4 (fig:D) shows.
+    pub fn fig04(&self) -> &Figure4 {
+        &self.fig04
+    }
+
+    /// What Figure 5 (fig:E) shows.
+    pub fn fig05(&self) -> &Figure5 {
+        &self.fig05
+    }
+
+    /// What Figure 6 (fig:F) shows.
+    pub fn fig06(&self) -> &Figure6 {
+        &self.fig06
+    }
+
     /// What Figure 7 (fig:G) shows.
     pub fn fig07(&self) -> &Figure7 {
         &self.fig07
@@ -91,6 +118,11 @@ impl Parameters {
     /// What Figure 9 (fig:Bb) shows.
     pub fn fig09(&self) -> &Figure9 {
         &self.fig09
+    }
+
+    /// What Figure 10 (fig:I) shows.
+    pub fn fig10(&self) -> &Figure10 {
+        &self.fig10
     }
 }
 

@@ -9,9 +9,13 @@ use crate::diagram::Diagram;
 use crate::fig01::Figure1;
 use crate::fig02::Figure2;
 use crate::fig03::Figure3;
+use crate::fig04::Figure4;
+use crate::fig05::Figure5;
+use crate::fig06::Figure6;
 use crate::fig07::Figure7;
 use crate::fig08::Figure8;
 use crate::fig09::Figure9;
+use crate::fig10::Figure10;
 use crate::parameters::Parameters;
 use crate::progress::{Progress, Silent};
 use crate::table::Table;
@@ -86,6 +90,30 @@ impl<'a> Study<'a> {
         Figure3::compute(&self.parameters)
     }
 
+    /// The frames of Figure 4.
+    ///
+    /// # Errors
+    /// None at parameters that passed their checks; a table could not be made.
+    pub fn fig04(&self) -> Result<Figure4, StudyError> {
+        Figure4::compute(&self.parameters)
+    }
+
+    /// The frames of Figure 5.
+    ///
+    /// # Errors
+    /// The theorem of the figure does not apply at the resonance.
+    pub fn fig05(&self) -> Result<Figure5, StudyError> {
+        Figure5::compute(&self.parameters)
+    }
+
+    /// The frames of Figure 6.
+    ///
+    /// # Errors
+    /// None at parameters that passed their checks; a table could not be made.
+    pub fn fig06(&self) -> Result<Figure6, StudyError> {
+        Figure6::compute(&self.parameters)
+    }
+
     /// The frames of Figure 7.
     ///
     /// # Errors
@@ -108,6 +136,14 @@ impl<'a> Study<'a> {
     /// P_virt or P_global is not defined at a point.
     pub fn fig09(&self) -> Result<Figure9, StudyError> {
         Figure9::compute(&self.parameters)
+    }
+
+    /// The frames of Figure 10.
+    ///
+    /// # Errors
+    /// None at parameters that passed their checks; a table could not be made.
+    pub fn fig10(&self) -> Result<Figure10, StudyError> {
+        Figure10::compute(&self.parameters)
     }
 
     /// The computed values of what the paper prints, under the names of `expected/published.toml`.

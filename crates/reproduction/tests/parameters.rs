@@ -194,6 +194,43 @@ fn portraits_and_panels_show_loops_that_are_computed() {
 }
 
 #[test]
+fn boundaries_in_the_trapesium_begin_with_two_loops() {
+    refusal_quoting("1", "[fig04]", "loops", "[2, 1]", "fig04.loops");
+    refusal("[fig04]", "loops", "[]", "fig04.loops");
+    refusal_quoting("13", "[fig04]", "loops", "[13]", "fig04.loops");
+}
+
+#[test]
+fn figure_5_is_about_a_resonance_with_both_parameters_around_zero() {
+    refusal("[fig05]", "n", "101", "fig05.n");
+    for key in ["mu", "eta"] {
+        for wrong in ["[0.0, 0.1]", "[-0.1, 0.0]", "[0.1, -0.1]", "[-0.1]"] {
+            refusal("[fig05]", key, wrong, &format!("fig05.{key}"));
+        }
+    }
+}
+
+#[test]
+fn the_oscillator_of_figure_6_keeps_off_the_wall() {
+    for wrong in ["0.0", "-0.1", "9", "nan"] {
+        let allowed = refusal("[fig06]", "amplitude", wrong, "fig06.amplitude");
+        assert!(allowed.contains("grazing amplitude"), "{allowed}");
+    }
+    refusal("[fig06]", "phase", "6.3", "fig06.phase");
+    refusal("[fig06]", "coils", "0", "fig06.coils");
+}
+
+#[test]
+fn the_path_of_figure_10_belongs_to_a_grazing_bifurcation_of_theorem_2_3() {
+    // At 0.6 of the natural frequency a12 is negative; at 0.85 tau lies below h_6.
+    for (wrong, reason) in [("0.6", "a12 alpha"), ("0.85", "h_p")] {
+        let allowed = refusal("[fig10]", "frequency", wrong, "fig10.frequency");
+        assert!(allowed.contains("Theorem 2.3") && allowed.contains(reason), "{allowed}");
+    }
+    refusal("[fig10]", "loops", "2", "fig10.loops");
+}
+
+#[test]
 fn the_work_of_the_attractor_is_bounded() {
     let section = "[fig02.attractor]";
     refusal(section, "amplitudes", "1", "fig02.attractor.amplitudes");

@@ -13,9 +13,13 @@ pub(super) struct File {
     pub(super) fig01: Figure1,
     pub(super) fig02: Figure2,
     pub(super) fig03: Figure3,
+    pub(super) fig04: super::fig04::Raw,
+    pub(super) fig05: super::fig05::Raw,
+    pub(super) fig06: super::fig06::Raw,
     pub(super) fig07: Figure7,
     pub(super) fig08: Figure8,
     pub(super) fig09: Figure9,
+    pub(super) fig10: super::fig10::Raw,
 }
 
 /// `[oscillator]`.

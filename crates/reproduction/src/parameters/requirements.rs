@@ -10,6 +10,8 @@ pub(super) const MOST_PORTRAITS: usize = 6;
 pub(super) const PANELS: usize = 3;
 /// The most orbits of Figure 1: more could not be told apart.
 pub(super) const MOST_ARRIVALS: usize = 8;
+/// The most coils of Figure 6's spring that can be told apart in print.
+pub(super) const MOST_COILS: u32 = 30;
 /// The most amplitudes of Figure 2's attractor: more than the columns of any printed figure.
 pub(super) const MOST_AMPLITUDES: u32 = 10_000;
 /// The most orbits at one amplitude.
@@ -86,6 +88,27 @@ const REQUIREMENTS: &[(&str, &str)] = &[
     ("fig03.view.turn", TURN),
     ("fig03.view.tilt", TILT),
     ("fig03.view.stretch", STRETCH),
+    ("fig04", "the table [fig04] says what Figure 4 shows"),
+    (
+        "fig04.loops",
+        "the numbers of loops must be a list of different whole numbers from 2 to 12, as [2, 3, 4]",
+    ),
+    ("fig05", "the table [fig05] says what Figure 5 shows"),
+    ("fig05.loops", "the number of loops must be a whole number from 1 to 12"),
+    (
+        "fig05.n",
+        "the integer n of the resonance must be a whole number from 1 to 100, or 0 for two or more loops",
+    ),
+    ("fig05.mu", "the values of mu must be a range [lower, upper] with lower < 0 < upper"),
+    ("fig05.eta", "the values of eta must be a range [lower, upper] with lower < 0 < upper"),
+    ("fig06", "the table [fig06] says what Figure 6 shows"),
+    ("fig06.frequency", "the forcing frequency must be a positive number"),
+    (
+        "fig06.amplitude",
+        "the forcing amplitude must lie above 0 and below the grazing amplitude of fig06.frequency",
+    ),
+    ("fig06.phase", "the phase must be a number from 0 to below 2 pi"),
+    ("fig06.coils", "the number of coils must be a whole number from 1 to 30"),
     ("fig07", "the table [fig07] says what Figure 7 shows"),
     ("fig07.amplitude", "the forcing amplitudes must be a range [lower, upper] with 0 <= lower < upper"),
     ("fig07.frequency", "the forcing frequencies must be a range [lower, upper] with 0 < lower < upper"),
@@ -122,6 +145,9 @@ const REQUIREMENTS: &[(&str, &str)] = &[
     ("fig09.view.turn", TURN),
     ("fig09.view.tilt", TILT),
     ("fig09.view.stretch", STRETCH),
+    ("fig10", "the table [fig10] says what Figure 10 shows"),
+    ("fig10.frequency", "the forcing frequency must be a positive number"),
+    ("fig10.loops", "the number of loops must be a whole number from 3 to 12"),
 ];
 
 const ZETA: &str = "the damping ratio must lie strictly between 0 and 1";
@@ -171,7 +197,12 @@ mod tests {
     fn the_limits_are_told_as_they_are_checked() {
         for (key, limit) in [
             ("fig02.loops", MOST_LOOPS),
+            ("fig04.loops", MOST_LOOPS),
+            ("fig05.loops", MOST_LOOPS),
+            ("fig05.n", MOST_N),
+            ("fig06.coils", MOST_COILS),
             ("fig07.loops", MOST_LOOPS),
+            ("fig10.loops", MOST_LOOPS),
             ("fig08.panels[2].n", MOST_N),
             ("fig02.attractor.amplitudes", MOST_AMPLITUDES),
             ("fig02.attractor.orbits", MOST_ORBITS),
@@ -185,7 +216,9 @@ mod tests {
 
     #[test]
     fn the_known_keys_of_a_table_are_its_own_only() {
-        assert_eq!(known_keys(""), ["oscillator", "fig01", "fig02", "fig03", "fig07", "fig08", "fig09"]);
+        let figures = (1..=10).map(|number| format!("fig{number:02}"));
+        let tables: Vec<String> = ["oscillator".to_owned()].into_iter().chain(figures).collect();
+        assert_eq!(known_keys(""), tables);
         assert_eq!(known_keys("fig08.panels[3]"), ["loops", "n", "amplitude", "frequency"]);
     }
 }

@@ -1,6 +1,10 @@
 //! The frames of the default parameters: held fixed by snapshots, and against routes that share nothing with them.
 
 mod closed_form;
+mod fig04;
+mod fig05;
+mod fig06;
+mod fig10;
 mod independent;
 mod snapshots;
 

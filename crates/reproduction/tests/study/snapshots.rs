@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use grazing_reproduction::Table;
+use grazing_reproduction::{Study, Table};
 use insta::{Settings, assert_snapshot};
 
 use crate::{integers, made, numbers, words};
@@ -121,6 +121,22 @@ fn branches_and_curves_hold() {
     ]
     .join("\n");
     snapshots().bind(|| assert_snapshot!("branches_and_curves", text));
+}
+
+#[test]
+fn curves_regions_and_parts_of_the_planar_sketches_hold() {
+    let study = Study::new(&made().parameters);
+    let (fig04, fig05) = (study.fig04().expect("figure 4"), study.fig05().expect("figure 5"));
+    let fig06 = study.fig06().expect("figure 6");
+    let text = [
+        summary(&fig04.curves, &["kind", "p"], "tau", "delta"),
+        summary(&fig04.points, &["kind"], "tau", "delta"),
+        summary(&fig05.curves, &["kind"], "mu", "eta"),
+        summary(&fig05.regions, &["region", "kind"], "mu", "eta"),
+        summary(&fig06.parts, &["part"], "x", "height"),
+    ]
+    .join("\n");
+    snapshots().bind(|| assert_snapshot!("planar_sketches", text));
 }
 
 #[test]
