@@ -131,13 +131,16 @@ pub(crate) fn compose(figure: &Figure05<'_>, width: SheetWidth) -> Result<Canvas
     Ok(canvas)
 }
 
+/// What it is, and its points (mu, eta).
+type Polyline<K> = (K, Vec<(f64, f64)>);
+
 /// Rows of (mu, eta) that follow each other with one kind.
 fn read<K: Copy + PartialEq>(
     table: Table<'_>,
     column: &'static str,
     known: &'static str,
     parse: impl Fn(&str) -> Option<K>,
-) -> Result<Vec<(K, Vec<(f64, f64)>)>, DrawingError> {
+) -> Result<Vec<Polyline<K>>, DrawingError> {
     let kinds = table.words(column, known, parse)?;
     let (mu, eta) = (table.numbers("mu")?, table.numbers("eta")?);
     let group = |rows: std::ops::Range<usize>| (kinds[rows.start], rows.map(|i| (mu[i], eta[i])).collect());

@@ -55,7 +55,7 @@ fn integrated(zeta: f64, amplitude: f64, omega: f64, time: f64, steps: u32) -> [
 #[test]
 fn the_face_is_where_the_equation_of_motion_takes_it_in_the_long_run() {
     let (parameters, shown) = (&made().parameters, made().parameters.fig06());
-    // The wall ignored, until the free motion has decayed by exp(−0.02 · 200 · 5.2) = 1e-9.
+    // The wall ignored, until the free motion has decayed by exp(−ζt), some 1e-9.
     let time = (200.0 * TAU + shown.phase()) / shown.frequency();
     let [x, _] = integrated(parameters.zeta(), shown.amplitude(), shown.frequency(), time, 100_000);
     let face = span(&figure(parameters), "block")[1];
