@@ -21,8 +21,8 @@ use std::collections::BTreeMap;
 use core::fmt;
 
 pub use cases::{Extent, GenericCase, ResonantCase, generic_cases, resonant_cases};
-pub use generic::GenericRow;
-pub use resonant::ResonantRow;
+pub use generic::{GenericRow, SweepError, generic_rows};
+pub use resonant::{ResonantRow, resonant_rows};
 
 /// What a case comes to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -92,9 +92,7 @@ impl fmt::Display for Verdict {
 }
 
 /// How often each verdict was reached, by theorem ("2.2" to "2.5").
-pub fn tally<'a>(
-    rows: impl IntoIterator<Item = (&'a str, Verdict)>,
-) -> BTreeMap<(&'a str, Verdict), usize> {
+pub fn tally<'a>(rows: impl IntoIterator<Item = (&'a str, Verdict)>) -> BTreeMap<(&'a str, Verdict), usize> {
     let mut counts = BTreeMap::new();
     for key in rows {
         *counts.entry(key).or_insert(0) += 1;

@@ -63,6 +63,13 @@ pub const ALL: &[Output] = &[
         tables: &["fig08_curves"],
         make: figures::fig08,
     },
+    Output {
+        name: "theorems",
+        title: "Theorems 2.2 to 2.5 against continuation and simulation",
+        figure: None,
+        tables: &["theorems_generic", "theorems_resonant"],
+        make: |study, _| Ok(Made { figure: None, tables: study.theorems_in_action()?.tables() }),
+    },
 ];
 
 impl Output {

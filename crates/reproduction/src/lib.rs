@@ -15,6 +15,7 @@ pub mod progress;
 pub mod published;
 mod regions;
 mod study;
+mod sweep;
 mod table;
 
 pub use coefficients::Coefficients;
@@ -23,4 +24,5 @@ pub use fig02::Figure2;
 pub use fig07::Figure7;
 pub use fig08::Figure8;
 pub use study::Study;
+pub use sweep::TheoremsInAction;
 pub use table::Table;

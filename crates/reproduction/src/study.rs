@@ -11,6 +11,7 @@ use crate::fig07::Figure7;
 use crate::fig08::Figure8;
 use crate::parameters::Parameters;
 use crate::progress::{Progress, Silent};
+use crate::sweep::TheoremsInAction;
 use crate::table::Table;
 
 /// The reproduction at one set of parameters. What several outputs share is computed when it is first needed.
@@ -81,6 +82,15 @@ impl<'a> Study<'a> {
     /// A resonance could not be located, unfolded or measured.
     pub fn fig08(&self) -> Result<Figure8, StudyError> {
         Figure8::compute(&self.parameters, self.diagram()?, self.coefficients()?)
+    }
+
+    /// Theorems 2.2 to 2.5 against continuation and simulation over many oscillators; the parameters of this study do not
+    /// matter.
+    ///
+    /// # Errors
+    /// A case could not be worked out.
+    pub fn theorems_in_action(&self) -> Result<TheoremsInAction, StudyError> {
+        TheoremsInAction::compute(self.progress)
     }
 
     /// The computed values of what the paper prints, under the names of `expected/published.toml`.

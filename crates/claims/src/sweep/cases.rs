@@ -7,7 +7,7 @@ use grazing_theorems::{LinearOscillator, TheoryError};
 pub enum Extent {
     /// All of them.
     Whole,
-    /// Every ninth, for a quick look; still all values of every parameter.
+    /// Every ninth, for a quick look.
     Reduced,
 }
 
@@ -130,12 +130,13 @@ pub fn generic_cases(extent: Extent) -> Result<Vec<GenericCase>, TheoryError> {
     Ok(thinned(cases, extent))
 }
 
-/// Resonances for theorems 2.4 and 2.5, those with ω₁/ω = n − 1/(2p) included.
+/// Resonances for theorems 2.4 and 2.5, those with ω₁/ω = n − 1/(2p) and those with ε = 1/E_p included.
 ///
 /// # Errors
 /// A parameter of the lists outside its domain: an error in the program.
 pub fn resonant_cases(extent: Extent) -> Result<Vec<ResonantCase>, TheoryError> {
     let mut cases = Vec::new();
+    let mut turn = 0;
     for zeta in ZETA {
         let free = LinearOscillator::new(zeta, 1.0)?;
         for loops in 1..=5 {
@@ -148,7 +149,9 @@ pub fn resonant_cases(extent: Extent) -> Result<Vec<ResonantCase>, TheoryError> 
                     Ok::<(), TheoryError>(())
                 };
                 let omega = free.resonance(loops, n)?.forcing_frequency();
-                for restitution in RESTITUTION {
+                // Half of them here, the other half at the next resonance.
+                turn += 1;
+                for restitution in RESTITUTION.into_iter().skip(turn % 2).step_by(2) {
                     add(omega, restitution, false)?;
                 }
                 add(omega, OverDecay(1.0), false)?;

@@ -59,8 +59,7 @@ impl LoopSolutions {
         let from_response = Matrix2::new(stiffness, loss / omega, loss, -stiffness / omega);
         let rest = Matrix2::identity() - propagator;
         let determinant = rest.determinant();
-        let inverse =
-            Matrix2::new(rest[(1, 1)], -rest[(0, 1)], -rest[(1, 0)], rest[(0, 0)]) / determinant;
+        let inverse = Matrix2::new(rest[(1, 1)], -rest[(0, 1)], -rest[(1, 0)], rest[(0, 0)]) / determinant;
         let velocity = Vector2::new(0.0, 1.0);
         let a = from_response * Vector2::new(1.0, 0.0);
         let b = from_response * (inverse * (velocity + propagator * velocity * epsilon));
@@ -151,7 +150,10 @@ mod tests {
             let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);
             let fold = solutions.saddle_node();
             // Two independent conditions: algebra of the amplitude, and derivative of the return.
-            assert!((fold.trace - 1.0 - fold.determinant).abs() < 1e-11 * (1.0 + fold.trace.abs()), "{fold:?}");
+            assert!(
+                (fold.trace - 1.0 - fold.determinant).abs() < 1e-11 * (1.0 + fold.trace.abs()),
+                "{fold:?}"
+            );
             let doubling = solutions.period_doubling();
             assert!((doubling.trace + 1.0 + doubling.determinant).abs() < 1e-11, "{doubling:?}");
         }

@@ -7,7 +7,7 @@ use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
 use grazing_model::maps::MapError;
 use grazing_model::{LinearOscillator, OscillatorError};
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
-use grazing_theorems::hypothesis::Hypothesis;
+use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 use grazing_theorems::{GenericGrazing, GrazingPoint, HypothesesViolated, Side, TheoryError};
 use rayon::prelude::*;
 use thiserror::Error;
@@ -50,18 +50,6 @@ pub enum Existence {
     Unclear,
 }
 
-impl Existence {
-    /// The name in tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::On(Side::Positive) => "mu > 0",
-            Self::On(Side::Negative) => "mu < 0",
-            Self::Nowhere => "none",
-            Self::Unclear => "unclear",
-        }
-    }
-}
-
 /// What theorem 2.2 or 2.3 says about a case, and what is seen.
 #[derive(Debug, Clone)]
 pub struct GenericRow {
@@ -93,10 +81,7 @@ pub struct GenericRow {
 ///
 /// # Errors
 /// [`SweepError`] for the first case that could not be worked out.
-pub fn generic_rows(
-    cases: &[GenericCase],
-    step: impl Fn() + Sync,
-) -> Result<Vec<GenericRow>, SweepError> {
+pub fn generic_rows(cases: &[GenericCase], step: impl Fn() + Sync) -> Result<Vec<GenericRow>, SweepError> {
     let work = |case: &GenericCase| GenericRow::of(*case).inspect(|_| step());
     cases.par_iter().map(work).collect()
 }
@@ -145,6 +130,11 @@ impl GenericRow {
         Ok(row)
     }
 
+    /// The value of a quantity about which the theorem makes a hypothesis; `None` if it makes none.
+    pub fn hypothesis(&self, quantity: Quantity) -> Option<f64> {
+        self.hypotheses.iter().find(|hypothesis| hypothesis.quantity == quantity).map(|found| found.value)
+    }
+
     /// "2.2" or "2.3".
     pub fn theorem(&self) -> &'static str {
         if self.case.loops == 1 { "2.2" } else { "2.3" }
@@ -180,10 +170,10 @@ impl GenericRow {
 
 /// An impact velocity that is small against that of the next bifurcation on the branch, against the grazing frequency over
 /// 1 + φ, by which an impact shifts the phase, and against the depth of the interior loops.
-fn small_velocity(point: &GrazingPoint, loops: u32) -> f64 {
+pub(crate) fn small_velocity(point: &GrazingPoint, loops: u32) -> f64 {
     let off_diagonal = point.map.iterate(loops).a.m12.abs();
     // Section 5: bifurcations lie at α ω |(Aᵖ)₁₂| / |s_p|, where |s_p| is at most about (1 + φ E_p)² ≤ 4.
-    let bifurcation = point.alpha() * point.forcing_frequency * off_diagonal / 4.0;
+    let bifurcation = point.alpha().abs() * point.forcing_frequency * off_diagonal / 4.0;
     let shift = point.gamma / (point.forcing_frequency * (1.0 + point.phi));
     0.01 * bifurcation.min(shift).min(1.0)
 }
@@ -206,12 +196,7 @@ fn first_order(point: &GrazingPoint, loops: u32) -> Result<Existence, SweepError
 const POINTS: usize = 5;
 
 /// The first points of the branch with y > 0.
-fn branch(
-    oscillator: &LinearOscillator,
-    phase: f64,
-    loops: u32,
-    length: f64,
-) -> Result<Curve, SweepError> {
+fn branch(oscillator: &LinearOscillator, phase: f64, loops: u32, length: f64) -> Result<Curve, SweepError> {
     let equations = LoopEquations::new(*oscillator, loops, Formulation::Vivid);
     let (amplitude, omega) = (oscillator.amplitude(), oscillator.frequency());
     let curve = MpsCurve { equations, condition: Condition::Secondary(omega) };
@@ -245,11 +230,16 @@ fn continued(curve: &Curve, grazing: f64) -> Existence {
 
 /// dy/dμ and dz/dμ at grazing, extrapolated from the points of the branch.
 fn followed_slopes(curve: &Curve, grazing: f64, phase: f64) -> [f64; 2] {
-    let rows: Vec<[f64; 3]> = curve.points.iter().skip(1).map(|point| {
-        let [y, z, amplitude, _]: [f64; 4] = point.solution.unknowns.into();
-        // Both are smooth in y and finite at y = 0.
-        [y, (amplitude - grazing) / y, (z - phase) / y]
-    }).collect();
+    let rows: Vec<[f64; 3]> = curve
+        .points
+        .iter()
+        .skip(1)
+        .map(|point| {
+            let [y, z, amplitude, _]: [f64; 4] = point.solution.unknowns.into();
+            // Both are smooth in y and finite at y = 0.
+            [y, (amplitude - grazing) / y, (z - phase) / y]
+        })
+        .collect();
     let at: Vec<f64> = rows.iter().map(|row| row[0]).collect();
     let limit = |k: usize| to_zero(&at, rows.iter().map(|row| row[k]).collect());
     let (by_velocity, phase_by_velocity) = (limit(1), limit(2));

@@ -9,7 +9,7 @@ use grazing_continuation::locate::Condition;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
-use grazing_theorems::hypothesis::{Condition as Demand, Hypothesis};
+use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{HypothesesViolated, Resonance, ResonantGrazing, ResonantPoint, Side};
 use rayon::prelude::*;
@@ -71,10 +71,7 @@ pub struct ResonantRow {
 ///
 /// # Errors
 /// [`SweepError`] for the first case that could not be worked out.
-pub fn resonant_rows(
-    cases: &[ResonantCase],
-    step: impl Fn() + Sync,
-) -> Result<Vec<ResonantRow>, SweepError> {
+pub fn resonant_rows(cases: &[ResonantCase], step: impl Fn() + Sync) -> Result<Vec<ResonantRow>, SweepError> {
     let work = |case: &ResonantCase| ResonantRow::of(*case).inspect(|_| step());
     cases.par_iter().map(work).collect()
 }
@@ -136,6 +133,11 @@ impl ResonantRow {
         };
         row.verdict = row.judge();
         Ok(row)
+    }
+
+    /// The value of a quantity about which the theorem makes a hypothesis; `None` if it makes none.
+    pub fn hypothesis(&self, quantity: Quantity) -> Option<f64> {
+        self.hypotheses.iter().find(|hypothesis| hypothesis.quantity == quantity).map(|found| found.value)
     }
 
     /// "2.4" or "2.5".
@@ -205,17 +207,8 @@ fn asked(point: &ResonantPoint) -> (Option<ResonantGrazing>, Vec<Hypothesis>) {
     }
 }
 
-/// Whether a hypothesis holds, with what is zero up to rounding taken for zero.
-pub fn holds(hypothesis: &Hypothesis) -> bool {
-    hypothesis.holds()
-        && !(hypothesis.condition == Demand::NonZero && hypothesis.value.abs() <= ROUNDING)
-}
-
 /// The first points of both curves.
-fn followed(
-    located: &ResonantGrazingPoint<LinearOscillator>,
-    omega: f64,
-) -> Result<[Curve; 2], SweepError> {
+fn followed(located: &ResonantGrazingPoint<LinearOscillator>, omega: f64) -> Result<[Curve; 2], SweepError> {
     let length = 1e-3 * omega.min(1.0);
     let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
     let route = Route {
@@ -369,9 +362,8 @@ impl Scene<'_> {
         });
         let crossed = matches!(side, [Some(a), Some(b)] if a != b);
         // With |D| ≥ 1 all orbits beside it leave.
-        let stability_changes = (solutions.determinant() < 1.0).then(|| {
-            matches!(suspects.map(|suspect| suspect.attracts()), [Some(a), Some(b)] if a != b)
-        });
+        let stability_changes = (solutions.determinant() < 1.0)
+            .then(|| matches!(suspects.map(|suspect| suspect.attracts()), [Some(a), Some(b)] if a != b));
         Beside { mps: true, crossed, stability_changes }
     }
 }
@@ -386,8 +378,7 @@ struct Beside {
 /// The sign of η on a curve, if it is the same at all points and all are admissible.
 fn sign_of_eta(curve: &Curve, omega: f64) -> Existence {
     let mut points = curve.points.iter().skip(1).map(|point| {
-        let side =
-            if point.solution.parameters()[1] > omega { Side::Positive } else { Side::Negative };
+        let side = if point.solution.parameters()[1] > omega { Side::Positive } else { Side::Negative };
         (side, point.solution.admissible())
     });
     let Some(first) = points.next() else { return Existence::Unclear };
