@@ -145,7 +145,7 @@ impl GenericRow {
         let [theory, others @ ..] = &self.slopes;
         let scale = libm::hypot(theory[0], theory[1]);
         let off = |other: &[f64; 2]| libm::hypot(other[0] - theory[0], other[1] - theory[1]) / scale;
-        others.iter().map(off).fold(0.0, f64::max)
+        worst(others.iter().map(off))
     }
 
     fn judge(&self) -> Verdict {
@@ -166,6 +166,13 @@ impl GenericRow {
             _ => Verdict::Unexplained,
         }
     }
+}
+
+/// The largest number, or NaN if there is one.
+pub(super) fn worst(differences: impl IntoIterator<Item = f64>) -> f64 {
+    differences
+        .into_iter()
+        .fold(0.0, |worst: f64, next| if worst.is_nan() || next <= worst { worst } else { next })
 }
 
 /// An impact velocity that is small against that of the next bifurcation on the branch, against the grazing frequency over
@@ -305,4 +312,42 @@ fn simulate(
         _ => Existence::Unclear,
     };
     (existence, repels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row() -> GenericRow {
+        let case = GenericCase { zeta: 0.02, epsilon: 0.9, loops: 2, n: 1, omega: 0.83 };
+        GenericRow::of(case).expect("the case can be worked out")
+    }
+
+    #[test]
+    fn each_thing_that_is_seen_is_needed_for_an_agreement() {
+        let good = row();
+        assert_eq!(good.verdict, Verdict::Agreement);
+        let Some(side) = good.predicted else { panic!("the theorem applies") };
+        let other = if side == Side::Positive { Side::Negative } else { Side::Positive };
+        let spoiled = [
+            GenericRow { predicted: Some(other), ..good.clone() },
+            GenericRow { continued: Existence::On(other), ..good.clone() },
+            GenericRow { simulated: Existence::Nowhere, ..good.clone() },
+            GenericRow { first_order: Existence::On(other), ..good.clone() },
+            GenericRow { unstable: [true, false], ..good.clone() },
+            GenericRow { unstable: [false, true], ..good.clone() },
+            GenericRow { slopes: [[1.0, 1.0], [1.0, 1.0], [1.0, 1.001]], ..good.clone() },
+            GenericRow { slopes: [[1.0, 1.0], [f64::NAN, 1.0], [1.0, 1.0]], ..good },
+        ];
+        for row in spoiled {
+            assert_eq!(row.judge(), Verdict::Unexplained, "{row:?}");
+        }
+    }
+
+    #[test]
+    fn the_polynomial_through_points_of_a_cubic_has_its_value_at_zero() {
+        let cubic = |x: f64| 2.0 + x * (1.0 - x * (3.0 - x));
+        let at = [0.1, 0.25, -0.2, 0.4];
+        assert!((to_zero(&at, at.map(cubic).to_vec()) - 2.0).abs() < 1e-14);
+    }
 }

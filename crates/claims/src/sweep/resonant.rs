@@ -15,7 +15,7 @@ use grazing_theorems::{HypothesesViolated, Resonance, ResonantGrazing, ResonantP
 use rayon::prelude::*;
 
 use super::closed_form::{LoopSolution, LoopSolutions};
-use super::generic::{Existence, SweepError, to_zero};
+use super::generic::{Existence, SweepError, to_zero, worst};
 use super::simulation::{Seen, Suspect};
 use super::{Reason, ResonantCase, Verdict};
 
@@ -173,7 +173,7 @@ impl CurveRow {
     /// The largest relative difference of the proposition and the exact curve from the theorem's coefficient.
     pub fn difference(&self) -> f64 {
         let off = |other: f64| ((other - self.theorem) / self.theorem).abs();
-        off(self.proposition).max(off(self.quadratic_equation))
+        worst([self.proposition, self.quadratic_equation].map(off))
     }
 
     /// The relative difference of the fit from the theorem's coefficient.
@@ -386,4 +386,37 @@ fn sign_of_eta(curve: &Curve, omega: f64) -> Existence {
         return Existence::Unclear;
     }
     if first.1 { Existence::On(first.0) } else { Existence::Nowhere }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_thing_that_is_seen_is_needed_for_an_agreement() {
+        let theory = grazing_theorems::LinearOscillator::new(0.02, 0.9).expect("valid");
+        let omega = theory.resonance(2, 1).expect("there is one").forcing_frequency();
+        let case = ResonantCase { zeta: 0.02, epsilon: 0.9, loops: 2, n: 1, negative: false, omega };
+        let row = ResonantRow::of(case).expect("the case can be worked out");
+        assert_eq!(row.verdict, Verdict::Agreement);
+        for good in row.curves {
+            assert!(good.agrees());
+            let Some(side) = good.predicted else { panic!("the theorem applies") };
+            let other = if side == Side::Positive { Side::Negative } else { Side::Positive };
+            let spoiled = [
+                CurveRow { predicted: Some(other), ..good },
+                CurveRow { continued: Some(Existence::On(other)), ..good },
+                CurveRow { simulated: Existence::Nowhere, ..good },
+                CurveRow { crossed: false, ..good },
+                CurveRow { stability_changes: Some(false), ..good },
+                CurveRow { theorem: 1.001 * good.theorem, ..good },
+                CurveRow { proposition: 1.001 * good.proposition, ..good },
+                CurveRow { quadratic_equation: f64::NAN, ..good },
+                CurveRow { fit: None, ..good },
+            ];
+            for curve in spoiled {
+                assert!(!curve.agrees(), "{curve:?}");
+            }
+        }
+    }
 }

@@ -98,9 +98,7 @@ pub(super) fn generic_grazing_p_loops() -> CheckResult {
                     let orbit = delayed(if negative { from - q } else { from + q }, alpha)?;
                     let seen = side_of_orbit(&orbit, p)?;
                     count.add(match GenericGrazing::check(&orbit.grazing_point(), p) {
-                        Ok(theorem) => {
-                            negative == (alpha < 0.0) && seen == Existence::On(theorem.side())
-                        }
+                        Ok(theorem) => negative == (alpha < 0.0) && seen == Existence::On(theorem.side()),
                         Err(violated) => {
                             negative != (alpha < 0.0)
                                 && only(&violated, Quantity::OffDiagonalTimesSquareRootFactor)
@@ -111,7 +109,9 @@ pub(super) fn generic_grazing_p_loops() -> CheckResult {
             }
         }
     }
-    Ok(count.outcome("oscillators at grazing, p = 2 to 6, to both sides of g_p and h_p; hypotheses violated in turn"))
+    Ok(count.outcome(
+        "oscillators at grazing, p = 2 to 6, to both sides of g_p and h_p; hypotheses violated in turn",
+    ))
 }
 
 /// th:codim21.
@@ -224,7 +224,9 @@ fn exists_for_both_signs_of_the_root(loops: u32, omega: f64) -> bool {
     let solutions = LoopSolutions::new(ZETA, EPSILON, omega, loops);
     let exists = |mu: f64| {
         let nearest = solutions.at(mu).into_iter().next();
-        nearest.and_then(|solution| seen(&solution, loops, omega)).is_some_and(|(seen, _)| seen == Seen::Returns)
+        nearest
+            .and_then(|solution| seen(&solution, loops, omega))
+            .is_some_and(|(seen, _)| seen == Seen::Returns)
     };
     let size = 1e-4 / solutions.slopes()[0].abs();
     let by_root = |sign: f64, root: f64| exists(sign * root * root);

@@ -78,13 +78,11 @@ pub(super) fn side_of_curve<O: ImpactOscillator>(
         let zero = locate(&equations, conditions, start, &mut Memory::default())?;
         let mut beside = [None; 2];
         for (beside, share) in beside.iter_mut().zip([0.7, 1.3]) {
-            let conditions =
-                [Condition::ImpactVelocity(share * velocity), Condition::Secondary(zero[3])];
+            let conditions = [Condition::ImpactVelocity(share * velocity), Condition::Secondary(zero[3])];
             let mps = locate(&equations, conditions, zero, &mut Memory::default())?;
             let oscillator = equations.oscillator_at(&mps);
             if follow(&oscillator, loops, &mps) == Seen::Returns {
-                let suspect =
-                    Suspect { oscillator: &oscillator, loops, velocity: mps[0], phase: mps[1] };
+                let suspect = Suspect { oscillator: &oscillator, loops, velocity: mps[0], phase: mps[1] };
                 *beside = suspect.multipliers().map(|[t, d]| 1.0 - multiplier * t + d > 0.0);
             }
         }

@@ -2,7 +2,8 @@
 
 use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{
-    GenericGrazing, GrazingPoint, HypothesesViolated, LinearisedMap, ResonantGrazing, ResonantPoint, Unfolding,
+    GenericGrazing, GrazingPoint, HypothesesViolated, LinearisedMap, ResonantGrazing, ResonantPoint,
+    Unfolding,
 };
 use nalgebra::{Matrix2, Vector2};
 
