@@ -100,7 +100,7 @@ fn found_by_search(oscillator: &LinearOscillator, loops: u32, centre: f64, scale
                     }
                     break;
                 }
-                if !(here[0] > 0.0) {
+                if here[0] <= 0.0 {
                     break;
                 }
             }

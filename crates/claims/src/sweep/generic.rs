@@ -150,8 +150,8 @@ impl GenericRow {
 
     fn judge(&self) -> Verdict {
         let same = self.continued == self.simulated && self.simulated == self.first_order;
-        // Negated, so that what is not a number is no agreement.
-        if !same || !(self.slope_difference() < SLOPE_TOLERANCE) {
+        let close = self.slope_difference() < SLOPE_TOLERANCE;
+        if !(same && close) {
             return Verdict::Unexplained;
         }
         let positive = self.point.map.a.m12 * self.point.alpha() > 0.0;

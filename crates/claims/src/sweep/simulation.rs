@@ -51,8 +51,7 @@ impl<O: ImpactOscillator> Suspect<'_, O> {
 
     /// Follows the orbit to its next impact.
     pub fn follow(&self) -> Seen {
-        // Negated, so that what is not a number is no impact.
-        if !(self.velocity > 0.0) {
+        if self.velocity.is_nan() || self.velocity <= 0.0 {
             return Seen::NoImpact;
         }
         let due = self.flight();
