@@ -113,7 +113,7 @@ fn found_by_search(oscillator: &LinearOscillator, loops: u32, centre: f64, scale
 fn a_blind_search_by_simulation_finds_the_orbit_on_its_side_and_none_on_the_other() {
     // Below and above g_p: the MPS is on the left of grazing and on the right.
     for (loops, fraction) in [(1, 0.05), (1, -0.05), (2, 0.2), (2, 0.3), (3, 0.2)] {
-        let (zeta, epsilon) = (0.02, 0.9);
+        let (zeta, epsilon) = (0.03, 0.8);
         let from = if loops == 1 { 1.5 } else { 1.0 };
         let omega = (1.0_f64 - zeta * zeta).sqrt() / (from + fraction);
         let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);

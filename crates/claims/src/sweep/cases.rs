@@ -44,7 +44,7 @@ pub struct ResonantCase {
 }
 
 /// Damping ratios.
-const ZETA: [f64; 4] = [0.005, 0.02, 0.08, 0.3];
+const ZETA: [f64; 4] = [0.005, 0.03, 0.08, 0.3];
 
 /// A coefficient of restitution, or one in units of 1/E_p, where s_p⁺ vanishes (s_1⁻ for p = 1 and even n).
 #[derive(Debug, Clone, Copy)]
@@ -56,7 +56,7 @@ enum Restitution {
 use Restitution::{OverDecay, Plain};
 
 const RESTITUTION: [Restitution; 6] =
-    [Plain(0.1), Plain(0.9), OverDecay(0.95), Plain(0.5), Plain(1.0), OverDecay(1.05)];
+    [Plain(0.1), Plain(0.8), OverDecay(0.95), Plain(0.5), Plain(1.0), OverDecay(1.05)];
 
 impl Restitution {
     /// ε, unless it is too large or the decay too strong.
@@ -157,7 +157,7 @@ pub fn resonant_cases(extent: Extent) -> Result<Vec<ResonantCase>, TheoryError> 
                 add(omega, OverDecay(1.0), false)?;
                 if loops > 1 && n > 0 {
                     let omega = free.virtual_resonance_frequency(loops, n)?;
-                    for restitution in [Plain(0.9), OverDecay(1.05)] {
+                    for restitution in [Plain(0.8), OverDecay(1.05)] {
                         add(omega, restitution, true)?;
                     }
                 }

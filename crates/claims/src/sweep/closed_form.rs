@@ -146,7 +146,7 @@ mod tests {
 
     #[test]
     fn at_the_fold_the_trace_is_one_plus_the_determinant() {
-        for (zeta, epsilon, omega, loops) in [(0.02, 0.9, 0.81, 2), (0.1, 1.3, 0.7, 1), (0.05, 0.4, 0.3, 3)] {
+        for (zeta, epsilon, omega, loops) in [(0.03, 0.8, 0.81, 2), (0.1, 1.3, 0.7, 1), (0.05, 0.4, 0.3, 3)] {
             let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);
             let fold = solutions.saddle_node();
             // Two independent conditions: algebra of the amplitude, and derivative of the return.
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn solutions_at_an_amplitude_have_this_amplitude() {
-        let solutions = LoopSolutions::new(0.02, 0.9, 0.81, 2);
+        let solutions = LoopSolutions::new(0.03, 0.8, 0.81, 2);
         for mu in [1e-7, 1e-3] {
             let found = solutions.at(mu);
             assert_eq!(found.len(), 2);

@@ -319,7 +319,7 @@ mod tests {
     use super::*;
 
     fn row() -> GenericRow {
-        let case = GenericCase { zeta: 0.02, epsilon: 0.9, loops: 2, n: 1, omega: 0.83 };
+        let case = GenericCase { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, omega: 0.83 };
         GenericRow::of(case).expect("the case can be worked out")
     }
 

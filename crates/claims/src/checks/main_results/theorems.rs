@@ -47,9 +47,9 @@ impl Count {
     }
 }
 
-/// An oscillator for what is seen to fail, that of the sweep's first cases.
-const ZETA: f64 = 0.02;
-const EPSILON: f64 = 0.9;
+/// An oscillator for what is seen to fail.
+const ZETA: f64 = 0.03;
+const EPSILON: f64 = 0.8;
 
 /// th:codim11.
 pub(super) fn generic_grazing_one_loop() -> CheckResult {
