@@ -63,9 +63,21 @@ pub enum ClaimKind {
     Number,
 }
 
-impl fmt::Display for ClaimKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+impl ClaimKind {
+    /// All kinds.
+    pub const ALL: [Self; 7] = [
+        Self::Definition,
+        Self::Assumption,
+        Self::Identity,
+        Self::Expansion,
+        Self::Inequality,
+        Self::Theorem,
+        Self::Number,
+    ];
+
+    /// The word for it in the ledger.
+    pub const fn name(self) -> &'static str {
+        match self {
             Self::Definition => "definition",
             Self::Assumption => "assumption",
             Self::Identity => "identity",
@@ -73,7 +85,13 @@ impl fmt::Display for ClaimKind {
             Self::Inequality => "inequality",
             Self::Theorem => "theorem",
             Self::Number => "number",
-        })
+        }
+    }
+}
+
+impl fmt::Display for ClaimKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }
 
@@ -120,6 +138,9 @@ pub struct Misprint {
     pub reason: String,
     /// The computation that decides it, in words; its measurements are the check's.
     pub decided: String,
+    /// Whether it is one of notation or wording, so that there is no printed value that could fail.
+    #[serde(default)]
+    pub typographic: bool,
 }
 
 /// How a claim is tested.
@@ -134,6 +155,11 @@ pub enum Test<'a> {
 }
 
 impl Claim {
+    /// The name of its check, if a check tests it.
+    pub fn check_name(&self) -> Option<&str> {
+        self.check.as_deref()
+    }
+
     /// How it is tested.
     ///
     /// # Panics

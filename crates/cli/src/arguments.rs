@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand};
 
+use grazing_claims::ledger::ClaimKind;
+
 use crate::outputs;
 
 /// What the exit codes mean, for the end of the help.
@@ -47,6 +49,18 @@ stand in expected/published.toml.
 
 ";
 
+const EXAMPLES_OF_CLAIMS: &str = "\
+Examples:
+  cargo xtask claims                     all claims; also holds ERRATA.md against the ledger
+  cargo xtask claims eq:gp le:SpTp       two labels
+  cargo xtask claims 'th:*' --explain    the theorems, with all that is known of them
+  cargo xtask claims --misprints         where print and mathematics differ
+
+The ledger stands in expected/claims.toml. A misprint passes if the printed form fails and the
+corrected one holds.
+
+";
+
 /// Regenerates the numerical results of "Resonant grazing bifurcations revisited" (arXiv 2602.22797)
 #[derive(Debug, Parser)]
 #[command(name = "grazing", version, subcommand_required = true, arg_required_else_help = true)]
@@ -67,6 +81,9 @@ pub enum Command {
     /// Hold the computed values against the ones that the paper prints
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_COMPARE}{EXIT_CODES}"))]
     Compare(Compare),
+    /// Test what the paper states, label by label, and print what each check measures
+    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_CLAIMS}{EXIT_CODES}"))]
+    Claims(Claims),
 }
 
 /// The arguments of `grazing reproduce`.
@@ -92,6 +109,29 @@ pub struct Reproduce {
 /// The arguments of `grazing compare`.
 #[derive(Debug, Args)]
 pub struct Compare {
+    /// The parameter file.
+    #[command(flatten)]
+    pub parameters: ParameterFile,
+}
+
+/// The arguments of `grazing claims`.
+#[derive(Debug, Args)]
+pub struct Claims {
+    /// Labels of the paper, as eq:gp; * stands for anything, as in 'th:*' [default: all]
+    #[arg(value_name = "LABEL")]
+    pub labels: Vec<String>,
+    /// Only claims of this kind
+    #[arg(long, value_name = "KIND", value_parser = PossibleValuesParser::new(ClaimKind::ALL.map(ClaimKind::name)))]
+    pub kind: Option<String>,
+    /// Only where print and mathematics differ
+    #[arg(long)]
+    pub misprints: bool,
+    /// Tell all that is known of each claim: statement, samples, functions, check, figures
+    #[arg(long)]
+    pub explain: bool,
+    /// Write ERRATA.md, the page of misprints, instead of holding it against the ledger; of all claims only
+    #[arg(long, conflicts_with_all = ["labels", "kind", "misprints"])]
+    pub write_errata: bool,
     /// The parameter file.
     #[command(flatten)]
     pub parameters: ParameterFile,

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use grazing_claims::ledger::LedgerError;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::published::PublishedError;
 use thiserror::Error;
@@ -29,6 +30,28 @@ pub enum Failure {
         /// How many there are.
         all: usize,
     },
+    /// Claims of the paper do not hold.
+    #[error("{failing} of {all} claims do not hold")]
+    ClaimsFail {
+        /// How many do not hold.
+        failing: usize,
+        /// How many were tested.
+        all: usize,
+    },
+    /// The page of misprints is not what the ledger makes.
+    #[error("ERRATA.md is not what the ledger makes: mend it with `cargo xtask claims --write-errata`")]
+    ErrataStale,
+    /// No claim fits what was asked for.
+    #[error(
+        "no claim fits {wanted}: labels are those of the paper, as eq:gp or th:*; `cargo xtask claims` lists all"
+    )]
+    NoClaim {
+        /// What was asked for.
+        wanted: String,
+    },
+    /// The ledger of claims is not right.
+    #[error(transparent)]
+    Ledger(#[from] LedgerError),
     /// The parameter file is not right.
     #[error(transparent)]
     Parameters(#[from] ParameterError),
@@ -89,12 +112,19 @@ impl Failure {
     /// The exit code: 1 a check failed, 2 bad input, 3 the computation failed, 4 a file could not be read or written.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Failure::CheckFailed { .. } | Failure::PublishedOff { .. } => 1,
+            Failure::CheckFailed { .. }
+            | Failure::PublishedOff { .. }
+            | Failure::ClaimsFail { .. }
+            | Failure::ErrataStale => 1,
             Failure::Parameters(_)
             | Failure::NoProject
+            | Failure::NoClaim { .. }
             | Failure::Unwritable { .. }
             | Failure::Threads { .. } => 2,
-            Failure::Computation { .. } | Failure::Registry { .. } | Failure::Published(_) => 3,
+            Failure::Computation { .. }
+            | Failure::Registry { .. }
+            | Failure::Published(_)
+            | Failure::Ledger(_) => 3,
             Failure::File { .. } => 4,
         }
     }

@@ -3,6 +3,7 @@
 //! It is a library too, so that the tests can hold the README's commands against the command line's definition.
 
 pub mod arguments;
+mod claims;
 pub mod compare;
 pub mod failure;
 pub mod folder;
@@ -24,5 +25,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.command {
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Compare(arguments) => compare::run(arguments),
+        Command::Claims(arguments) => claims::run(arguments),
     }
 }

@@ -14,7 +14,7 @@ const FIGURES: &str = "figures";
 
 /// The nearest folder, from the current one upwards, that holds the default parameter file; relative, as `../..`, so that
 /// messages name no folder above it.
-fn root() -> Option<PathBuf> {
+pub(crate) fn root() -> Option<PathBuf> {
     let here = env::current_dir().ok()?;
     let above = here.ancestors().count();
     (0..above).map(|steps| PathBuf::from_iter(vec![".."; steps])).find(|root| root.join(PARAMETERS).is_file())

@@ -52,7 +52,9 @@ fn help_of_reproduce_lists_every_output_with_its_title() {
 
 #[test]
 fn help_fits_a_terminal() {
-    for arguments in [vec!["--help"], vec!["reproduce", "--help"], vec!["compare", "--help"]] {
+    let commands = Arguments::command();
+    let pages = commands.get_subcommands().map(|command| vec![command.get_name(), "--help"]);
+    for arguments in pages.chain([vec!["--help"]]) {
         for line in help(&arguments).lines() {
             assert!(line.chars().count() <= WIDTH, "{} characters: {line}", line.chars().count());
         }

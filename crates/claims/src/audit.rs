@@ -1,0 +1,101 @@
+//! Runs the checks of claims and collects what they find.
+
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+
+use rayon::prelude::*;
+
+use crate::ledger::{Claim, Test};
+use crate::outcome::Outcome;
+
+/// A printed number with the computed one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PrintedNumber {
+    /// The quantity, in the paper's symbols.
+    pub quantity: String,
+    /// The number with the digits of the print.
+    pub printed: String,
+    /// The computed number; none if it does not come up under the parameters in use.
+    pub computed: Option<f64>,
+    /// Whether the computed number, rounded to the printed digits, is the print.
+    pub met: bool,
+}
+
+/// What came of testing a claim.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Verdict {
+    /// A check measured it.
+    Measured(Outcome),
+    /// The check could not be carried out; the reason.
+    Broken(String),
+    /// Printed numbers, with the computed ones.
+    Numbers(Vec<PrintedNumber>),
+    /// It cannot be tested by a computation; the reason.
+    Unchecked(String),
+}
+
+impl Verdict {
+    /// Whether it counts as a failure.
+    pub fn fails(&self) -> bool {
+        match self {
+            Self::Measured(outcome) => !outcome.passes(),
+            Self::Broken(_) => true,
+            Self::Numbers(numbers) => numbers.is_empty() || numbers.iter().any(|number| !number.met),
+            Self::Unchecked(_) => false,
+        }
+    }
+}
+
+/// A claim with its verdict.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding<'a> {
+    /// The claim.
+    pub claim: &'a Claim,
+    /// What came of testing it.
+    pub verdict: Verdict,
+    /// How long its check took; claims with the same check share one run.
+    pub time: Duration,
+}
+
+/// Tests the claims, each check once, side by side; the findings come in the order of the claims.
+///
+/// `number` gives the printed and computed number of an identifier of `expected/published.toml`; `done` is called after each
+/// check.
+pub fn audit<'a>(
+    claims: &[&'a Claim],
+    number: impl Fn(&str) -> Option<PrintedNumber>,
+    done: impl Fn() + Sync,
+) -> Vec<Finding<'a>> {
+    let mut checks = BTreeMap::new();
+    for claim in claims {
+        if let Test::Check(check) = claim.test() {
+            checks.insert(check.name, check.run);
+        }
+    }
+    let runs: Vec<_> = checks.into_iter().collect();
+    let measured: BTreeMap<_, _> = runs
+        .par_iter()
+        .map(|(name, run)| {
+            let start = Instant::now();
+            let verdict = match run() {
+                Ok(outcome) => Verdict::Measured(outcome),
+                Err(error) => Verdict::Broken(error.to_string()),
+            };
+            done();
+            (*name, (verdict, start.elapsed()))
+        })
+        .collect();
+    let find = |claim: &'a Claim| {
+        let (verdict, time) = match claim.test() {
+            Test::Check(check) => measured[check.name].clone(),
+            Test::Unchecked(reason) => (Verdict::Unchecked(reason.to_owned()), Duration::ZERO),
+            Test::Published(ids) => {
+                let numbers: Option<Vec<_>> = ids.iter().map(|id| number(id)).collect();
+                let unknown = || Verdict::Broken(format!("{ids:?} is not all in expected/published.toml"));
+                (numbers.map_or_else(unknown, Verdict::Numbers), Duration::ZERO)
+            }
+        };
+        Finding { claim, verdict, time }
+    };
+    claims.iter().map(|claim| find(claim)).collect()
+}

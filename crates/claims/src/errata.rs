@@ -1,0 +1,69 @@
+//! `ERRATA.md`: where the print and the mathematics differ, with the computation that decides it.
+
+use std::fmt::Write;
+
+use crate::audit::{Finding, Verdict};
+use crate::ledger::Misprint;
+use crate::outcome::{Measure, Outcome};
+
+const HEAD: &str = "\
+# Errata
+
+Where the print of *Resonant grazing bifurcations revisited* (D.J.W. Simpson and I. Ghosh, arXiv 2602.22797) and the mathematics differ.
+Made by `cargo xtask claims --write-errata` from `expected/claims.toml`. For each misprint of the first kind a check computes both forms:
+the printed one has to fail and the corrected one to hold. None of them touches a theorem of the paper.
+";
+
+/// The two kinds with their headings: misprints with values that decide, and those of notation and wording.
+const KINDS: [(bool, &str); 2] = [(false, "Formulas and conditions"), (true, "Notation and wording")];
+
+/// The page, from the findings of the whole ledger.
+pub fn page(findings: &[Finding<'_>]) -> String {
+    let mut page = HEAD.to_owned();
+    let misprints = findings.iter().filter_map(|finding| Some((finding, finding.claim.misprint.as_ref()?)));
+    let mut number = 0;
+    for (typographic, heading) in KINDS {
+        // Writing to a string cannot fail.
+        let _ = write!(page, "\n## {heading}\n");
+        for (finding, misprint) in misprints.clone().filter(|(_, m)| m.typographic == typographic) {
+            number += 1;
+            let _ = write!(page, "\n{}", entry(number, finding, misprint));
+        }
+    }
+    page
+}
+
+fn entry(number: usize, finding: &Finding<'_>, misprint: &Misprint) -> String {
+    let claim = finding.claim;
+    let mut entry = format!("### {number}. {} (`{}`)\n\n", claim.place, claim.label);
+    let _ = writeln!(entry, "Printed: {}\n", misprint.printed.trim());
+    let _ = writeln!(entry, "Corrected: {}\n", misprint.corrected.trim());
+    let _ = writeln!(entry, "{}\n", misprint.reason.trim());
+    let _ = writeln!(entry, "Decided by: {}", misprint.decided.trim());
+    if let Verdict::Measured(Outcome { measure, print: Some(print), over, samples }) = &finding.verdict {
+        let _ = writeln!(entry, "\n| | measured | held against |\n|---|---|---|");
+        for (form, measure) in [("as printed", print), ("corrected", measure)] {
+            let (measured, against) = told(measure);
+            let _ = writeln!(entry, "| {form} | {measured} | {against} |");
+        }
+        let _ = writeln!(entry, "\n({samples} samples: {over}.)");
+    }
+    entry
+}
+
+/// A measurement in words: what was measured, and what it is held against.
+pub fn told(measure: &Measure) -> (String, String) {
+    match *measure {
+        Measure::Deviation { largest, tolerance } => {
+            (format!("deviation {largest:.1e}"), format!("at most {tolerance:.0e}"))
+        }
+        Measure::Order { observed, stated, slack } if observed.is_infinite() => {
+            ("remainder below rounding".to_owned(), format!("order {stated} − {slack}"))
+        }
+        Measure::Order { observed, stated, slack } => {
+            (format!("order {observed:.2}"), format!("order {stated} − {slack}"))
+        }
+        Measure::Margin { smallest } => (format!("margin {smallest:.1e}"), "above 0".to_owned()),
+        Measure::Agreement { agreeing, cases } => (format!("{agreeing} of {cases} cases"), "all".to_owned()),
+    }
+}

@@ -1,0 +1,114 @@
+//! Findings as lines on the terminal.
+
+use std::fmt::Write;
+
+use grazing_claims::audit::{Finding, Verdict};
+use grazing_claims::errata::told;
+
+/// Width of the longest label that keeps the table in line.
+const LABEL: usize = 38;
+
+/// The verdicts, one line each, or with all that is known about each claim.
+pub(super) fn table(findings: &[Finding<'_>], explain: bool, coloured: bool) -> String {
+    let mut text = String::new();
+    for finding in findings {
+        let claim = finding.claim;
+        let (word, measured, against) = words(&finding.verdict);
+        let word = format!("{word:9}");
+        let word = if coloured { paint(&finding.verdict, &word) } else { word };
+        let time = if finding.time.is_zero() {
+            String::new()
+        } else {
+            format!("{:7.1} ms", 1e3 * finding.time.as_secs_f64())
+        };
+        let kind = claim.kind.name();
+        let line = format!("{word} {:LABEL$} {kind:10} {measured:28} {against:18} {time:>10}", claim.label);
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{}", line.trim_end());
+        if explain || finding.verdict.fails() {
+            text.push_str(&explained(finding));
+        }
+    }
+    text
+}
+
+fn words(verdict: &Verdict) -> (&'static str, String, String) {
+    match verdict {
+        Verdict::Measured(outcome) => {
+            let (measured, against) = told(&outcome.measure);
+            let word = match (outcome.passes(), outcome.print.is_some()) {
+                (true, false) => "holds",
+                (true, true) => "corrected",
+                (false, _) => "FAILS",
+            };
+            (word, measured, against)
+        }
+        Verdict::Broken(_) => ("BROKEN", "could not be computed".to_owned(), String::new()),
+        Verdict::Numbers(numbers) => {
+            let computed = numbers.iter().map(|number| match number.computed {
+                Some(computed) => format!("{computed:.6}"),
+                None => "not computed".to_owned(),
+            });
+            let printed = numbers.iter().map(|number| number.printed.clone());
+            let list = |items: Vec<String>| items.join(", ");
+            let word = if verdict.fails() { "FAILS" } else { "holds" };
+            (word, list(computed.collect()), list(printed.collect()))
+        }
+        Verdict::Unchecked(_) => ("unchecked", String::new(), String::new()),
+    }
+}
+
+/// The lines under a claim: where it stands, what it says, what was looked at, where the code is.
+fn explained(finding: &Finding<'_>) -> String {
+    let claim = finding.claim;
+    let mut lines = vec![format!("{}: {}", claim.place, claim.says)];
+    lines.extend(claim.formula.iter().map(|formula| formula.trim().to_owned()));
+    match &finding.verdict {
+        Verdict::Measured(outcome) => {
+            lines.push(format!("looked at: {} samples: {}", outcome.samples, outcome.over));
+            lines.extend(outcome.print.iter().map(|print| {
+                let (measured, against) = told(print);
+                format!("as printed: {measured}, held against {against}")
+            }));
+        }
+        Verdict::Broken(reason) => lines.push(format!("broken: {reason}")),
+        Verdict::Unchecked(reason) => lines.push(format!("unchecked: {reason}")),
+        Verdict::Numbers(_) => {}
+    }
+    if let Some(misprint) = &claim.misprint {
+        lines.push(format!("printed: {}", misprint.printed.trim()));
+        lines.push(format!("corrected: {}", misprint.corrected.trim()));
+    }
+    if !claim.holds.is_empty() {
+        lines.push(format!("held by: {}", claim.holds.join(", ")));
+    }
+    lines.extend(claim.check_name().map(|check| format!("checked by: grazing_claims::checks::{check}")));
+    if !claim.figures.is_empty() {
+        lines.push(format!("shown in: {}", claim.figures.join(", ")));
+    }
+    lines.iter().map(|line| format!("          {line}\n")).collect()
+}
+
+fn paint(verdict: &Verdict, word: &str) -> String {
+    let colour = match verdict {
+        verdict if verdict.fails() => "1;31",
+        Verdict::Unchecked(_) => "2",
+        Verdict::Measured(outcome) if outcome.print.is_some() => "33",
+        _ => "32",
+    };
+    format!("\x1b[{colour}m{word}\x1b[0m")
+}
+
+/// The counts.
+pub(super) fn summary(findings: &[Finding<'_>]) -> String {
+    let count = |is: fn(&Finding<'_>) -> bool| findings.iter().filter(|finding| is(finding)).count();
+    let failing = count(|finding| finding.verdict.fails());
+    let unchecked = count(|finding| matches!(finding.verdict, Verdict::Unchecked(_)));
+    let misprints = count(|finding| finding.claim.misprint.is_some());
+    let holding = findings.len() - failing - unchecked;
+    format!(
+        "\n{} claims: {holding} hold ({misprints} of them not as printed), {failing} fail, {unchecked} cannot be tested by a \
+         computation.\n",
+        findings.len()
+    )
+}
