@@ -1,7 +1,6 @@
 //! Theorems 2.2 to 2.5: hypotheses met and the conclusion seen in the hybrid system; a hypothesis violated, named by the
 //! theorem, and the conclusion seen to fail.
 
-mod delayed;
 mod general;
 mod violations;
 
@@ -15,9 +14,9 @@ use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{GenericGrazing, HypothesesViolated, ResonantGrazing, Side};
 
-use self::delayed::Delayed;
 use self::general::{side_of_curve, side_of_orbit};
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::CheckResult;
+use crate::specimen::{DELAY, Exponential, RESTITUTION, VaryingReset, varying_at_grazing};
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
 use crate::sweep::generic::Existence;
 use crate::sweep::resonant::FIT_TOLERANCE;
@@ -25,27 +24,9 @@ use crate::sweep::simulation::{Seen, Suspect};
 use crate::sweep::{
     Extent, GenericRow, ResonantRow, Verdict, generic_cases, generic_rows, resonant_cases, resonant_rows,
 };
+use crate::tally::Votes;
 
 type Failure = Box<dyn Error + Send + Sync>;
-
-/// Cases that were looked at.
-#[derive(Debug, Default)]
-struct Count {
-    agreeing: usize,
-    cases: usize,
-}
-
-impl Count {
-    fn add(&mut self, agrees: bool) {
-        self.cases += 1;
-        self.agreeing += usize::from(agrees);
-    }
-
-    fn outcome(self, over: &str) -> Outcome {
-        let Self { agreeing, cases } = self;
-        Outcome::new(Measure::Agreement { agreeing, cases }, cases, over)
-    }
-}
 
 /// An oscillator for what is seen to fail.
 const ZETA: f64 = 0.03;
@@ -53,19 +34,19 @@ const EPSILON: f64 = 0.8;
 
 /// th:codim11.
 pub(super) fn generic_grazing_one_loop() -> CheckResult {
-    let mut count = Count::default();
+    let mut count = Votes::default();
     generic_sweep(&mut count, |loops| loops == 1)?;
     violations::generic(&mut count, 1);
     // a₁₂ = 0: the MPS that comes into being is not unstable.
     let resonance = theory()?.resonance(1, 3)?;
-    count.add(attracts(1, resonance.forcing_frequency()));
-    count.add(exists_for_both_signs_of_the_root(1, 0.97 * resonance.forcing_frequency()));
+    count.see(attracts(1, resonance.forcing_frequency()));
+    count.see(exists_for_both_signs_of_the_root(1, 0.97 * resonance.forcing_frequency()));
     // Impacts that take some time, α > 0, and so much that α < 0: the MPS is on the other side then.
     for shift in [0.05, -0.05] {
         for alpha in [0.5, -0.5] {
             let orbit = delayed(1.5 + shift, alpha)?;
             let seen = side_of_orbit(&orbit, 1)?;
-            count.add(match GenericGrazing::check(&orbit.grazing_point(), 1) {
+            count.see(match GenericGrazing::check(&orbit.grazing_point(), 1) {
                 Ok(theorem) => alpha > 0.0 && seen == Existence::On(theorem.side()),
                 Err(violated) => {
                     let map = orbit.grazing_point().map;
@@ -82,14 +63,14 @@ pub(super) fn generic_grazing_one_loop() -> CheckResult {
 
 /// th:codim1p.
 pub(super) fn generic_grazing_p_loops() -> CheckResult {
-    let mut count = Count::default();
+    let mut count = Votes::default();
     generic_sweep(&mut count, |loops| loops > 1)?;
     for p in [2, 3] {
         violations::generic(&mut count, p);
         let resonance = theory()?.resonance(p, 1)?;
         // κ_p = 0: the MPS that comes into being is not unstable.
-        count.add(attracts(p, resonance.forcing_frequency()));
-        count.add(exists_for_both_signs_of_the_root(p, 0.97 * resonance.forcing_frequency()));
+        count.see(attracts(p, resonance.forcing_frequency()));
+        count.see(exists_for_both_signs_of_the_root(p, 0.97 * resonance.forcing_frequency()));
         // With α < 0 it is a₁₂ < 0 that makes MPSs, to both sides of n − 1/(2p), and a₁₂ > 0 that makes none.
         for (from, negative) in [(2.0, true), (1.0, false)] {
             for share in [0.94, 1.06] {
@@ -97,7 +78,7 @@ pub(super) fn generic_grazing_p_loops() -> CheckResult {
                     let q = share * 0.5 / f64::from(p);
                     let orbit = delayed(if negative { from - q } else { from + q }, alpha)?;
                     let seen = side_of_orbit(&orbit, p)?;
-                    count.add(match GenericGrazing::check(&orbit.grazing_point(), p) {
+                    count.see(match GenericGrazing::check(&orbit.grazing_point(), p) {
                         Ok(theorem) => negative == (alpha < 0.0) && seen == Existence::On(theorem.side()),
                         Err(violated) => {
                             negative != (alpha < 0.0)
@@ -116,17 +97,17 @@ pub(super) fn generic_grazing_p_loops() -> CheckResult {
 
 /// th:codim21.
 pub(super) fn resonant_grazing_one_loop() -> CheckResult {
-    let mut count = Count::default();
+    let mut count = Votes::default();
     resonant_sweep(&mut count, |loops| loops == 1)?;
     violations::resonant(&mut count, 1);
     for n in [2, 3] {
         let ratio = 0.5 * f64::from(n);
-        count.add(no_curve_away_from_resonance(1, theory()?.damped_natural_frequency() / (ratio + 0.05)));
+        count.see(no_curve_away_from_resonance(1, theory()?.damped_natural_frequency() / (ratio + 0.05)));
         for alpha in [0.5, -0.5] {
             let orbit = delayed(ratio, alpha)?;
             let stated = stated_sides(&orbit, 1)?;
             let seen = [side_of_curve(&orbit, 1, 1.0)?, side_of_curve(&orbit, 1, -1.0)?];
-            count.add(match ResonantGrazing::check(&orbit.resonant_point(1)?, 1e-11) {
+            count.see(match ResonantGrazing::check(&orbit.resonant_point(1)?, 1e-11) {
                 Ok(theorem) => alpha > 0.0 && holds(&orbit, &theorem, seen)?,
                 // With α < 0 the curves are there for the other sign of η.
                 Err(violated) => {
@@ -142,18 +123,18 @@ pub(super) fn resonant_grazing_one_loop() -> CheckResult {
 
 /// th:codim2p.
 pub(super) fn resonant_grazing_p_loops() -> CheckResult {
-    let mut count = Count::default();
+    let mut count = Votes::default();
     resonant_sweep(&mut count, |loops| loops > 1)?;
     violations::resonant(&mut count, 2);
     for p in [2, 3] {
         let q = 0.5 / f64::from(p);
-        count.add(no_curve_away_from_resonance(p, theory()?.damped_natural_frequency() / (1.04 + q)));
+        count.see(no_curve_away_from_resonance(p, theory()?.damped_natural_frequency() / (1.04 + q)));
         // With α < 0 the resonances at n − 1/(2p) are the real ones, and those at n + 1/(2p) virtual.
         for (ratio, negative) in [(1.0 + q, false), (2.0 - q, true)] {
             for alpha in [0.5, -0.5] {
                 let orbit = delayed(ratio, alpha)?;
                 let seen = [side_of_curve(&orbit, p, 1.0)?, side_of_curve(&orbit, p, -1.0)?];
-                count.add(match ResonantGrazing::check(&orbit.resonant_point(p)?, 1e-11) {
+                count.see(match ResonantGrazing::check(&orbit.resonant_point(p)?, 1e-11) {
                     Ok(theorem) => negative == (alpha < 0.0) && holds(&orbit, &theorem, seen)?,
                     Err(violated) => {
                         negative != (alpha < 0.0)
@@ -169,19 +150,19 @@ pub(super) fn resonant_grazing_p_loops() -> CheckResult {
     ))
 }
 
-fn generic_sweep(count: &mut Count, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
+fn generic_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
     let mut cases = generic_cases(Extent::Whole)?;
     cases.retain(|case| wanted(case.loops));
     let rows: Vec<GenericRow> = generic_rows(&cases, || ())?;
-    rows.iter().for_each(|row| count.add(row.verdict != Verdict::Unexplained));
+    rows.iter().for_each(|row| count.see(row.verdict != Verdict::Unexplained));
     Ok(())
 }
 
-fn resonant_sweep(count: &mut Count, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
+fn resonant_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
     let mut cases = resonant_cases(Extent::Whole)?;
     cases.retain(|case| wanted(case.loops));
     let rows: Vec<ResonantRow> = resonant_rows(&cases, || ())?;
-    rows.iter().for_each(|row| count.add(row.verdict != Verdict::Unexplained));
+    rows.iter().for_each(|row| count.see(row.verdict != Verdict::Unexplained));
     Ok(())
 }
 
@@ -197,13 +178,13 @@ fn only(violated: &HypothesesViolated, quantity: Quantity) -> bool {
     violated.violated().map(|hypothesis| hypothesis.quantity).eq([quantity])
 }
 
-/// The grazing orbit of the oscillator whose impacts take time, at ω₁/ω = `ratio`, with the duration that gives `alpha`.
-fn delayed(ratio: f64, alpha: f64) -> Result<GrazingOrbit<Delayed>, Failure> {
+/// The grazing orbit of an oscillator whose impacts take time, at ω₁/ω = `ratio`, with a reset law that varies and has this α.
+fn delayed(ratio: f64, alpha: f64) -> Result<GrazingOrbit<VaryingReset>, Failure> {
     let omega = theory()?.damped_natural_frequency() / ratio;
-    let grazing = theory()?.grazing(omega)?;
-    let linear = LinearOscillator::new(ZETA, EPSILON, grazing.amplitude(), omega)?;
-    let oscillator = Delayed { linear, psi: (1.0 + EPSILON - alpha) / omega };
-    Ok(GrazingOrbit::find(&oscillator, grazing.phase())?)
+    let with = |size: f64| varying_at_grazing(ZETA, RESTITUTION, Exponential { size, ..DELAY }, omega);
+    let unit = with(1.0)?.grazing_point();
+    let wanted = (1.0 + unit.phi - alpha) * unit.forcing_frequency / unit.gamma;
+    Ok(with(wanted / unit.psi)?)
 }
 
 fn seen(solution: &LoopSolution, loops: u32, omega: f64) -> Option<(Seen, Option<bool>)> {
@@ -245,7 +226,7 @@ fn no_curve_away_from_resonance(loops: u32, omega: f64) -> bool {
 }
 
 /// sgn(η) as the theorem states it, whether or not its hypotheses hold.
-fn stated_sides(orbit: &GrazingOrbit<Delayed>, loops: u32) -> Result<[Side; 2], Failure> {
+fn stated_sides(orbit: &GrazingOrbit<VaryingReset>, loops: u32) -> Result<[Side; 2], Failure> {
     let point = orbit.resonant_point(loops)?;
     let stability = point.stability_coefficients();
     Ok([stability.plus, stability.minus].map(|s| side(point.unfolding.derivative() * s)))
@@ -253,7 +234,7 @@ fn stated_sides(orbit: &GrazingOrbit<Delayed>, loops: u32) -> Result<[Side; 2], 
 
 /// Both curves are seen for the stated sign of η, and the continued ones have the stated coefficients.
 fn holds(
-    orbit: &GrazingOrbit<Delayed>,
+    orbit: &GrazingOrbit<VaryingReset>,
     theorem: &ResonantGrazing,
     seen: [Existence; 2],
 ) -> Result<bool, Failure> {

@@ -7,7 +7,7 @@ use grazing_theorems::{
 };
 use nalgebra::{Matrix2, Vector2};
 
-use super::Count;
+use crate::tally::Votes;
 
 fn point([a11, a12, a21, a22]: [f64; 4]) -> GrazingPoint {
     GrazingPoint {
@@ -55,9 +55,9 @@ const DYADIC: [f64; 4] = [-0.5, 0.0, 0.0, -0.5];
 const LONG: f64 = 3.0;
 
 /// Theorem 2.2 (p = 1) or 2.3 names what fails.
-pub(super) fn generic(count: &mut Count, p: u32) {
+pub(super) fn generic(count: &mut Votes, p: u32) {
     let base = point(GENERIC);
-    count.add(GenericGrazing::check(&base, p).is_ok());
+    count.see(GenericGrazing::check(&base, p).is_ok());
     let mut list = common(GENERIC, EXPANDING);
     list.push((point(UNSTABLE), Quantity::StabilityMargin));
     let slow = GrazingPoint { psi: LONG, ..base };
@@ -75,19 +75,19 @@ pub(super) fn generic(count: &mut Count, p: u32) {
     }
     if p == 2 {
         list.push((point(TWO_LOOP), Quantity::TransversalityTimesDetuning));
-        count.add(names(GenericGrazing::check(&base, 0), Quantity::Loops));
+        count.see(names(GenericGrazing::check(&base, 0), Quantity::Loops));
     }
     if p == 3 {
         // τ = −0.6 < h₃ = −δ.
         list.push((point([-0.3, 0.8, -0.5, -0.3]), Quantity::AdmissibilityMargin));
     }
     for (point, quantity) in list {
-        count.add(names(GenericGrazing::check(&point, p), quantity));
+        count.see(names(GenericGrazing::check(&point, p), quantity));
     }
 }
 
 /// Theorem 2.4 (p = 1) or 2.5 (p = 2) names what fails.
-pub(super) fn resonant(count: &mut Count, p: u32) {
+pub(super) fn resonant(count: &mut Votes, p: u32) {
     let good = if p == 1 { ONE_LOOP } else { TWO_LOOP };
     let unfolding = |derivative: f64| match p {
         1 => Unfolding::OneLoop { off_diagonal_derivative: derivative },
@@ -99,7 +99,7 @@ pub(super) fn resonant(count: &mut Count, p: u32) {
         unfolding: unfolding(derivative),
     };
     let base = point(good);
-    count.add(ResonantGrazing::check(&with(base, 0.1, 1.0), 0.0).is_ok());
+    count.see(ResonantGrazing::check(&with(base, 0.1, 1.0), 0.0).is_ok());
     let expanding = if p == 1 { [1.5, 0.0, 0.0, 1.2] } else { [0.5, 1.5, -1.0, -0.5] };
     let mut list: Vec<_> = common(good, expanding)
         .into_iter()
@@ -131,7 +131,7 @@ pub(super) fn resonant(count: &mut Count, p: u32) {
         ]);
     }
     for (point, quantity) in list {
-        count.add(names(ResonantGrazing::check(&point, 0.0), quantity));
+        count.see(names(ResonantGrazing::check(&point, 0.0), quantity));
     }
 }
 
