@@ -20,4 +20,5 @@ pub mod outcome;
 pub mod printed;
 pub mod sampling;
 pub mod specimen;
+pub mod sweep;
 pub mod tally;

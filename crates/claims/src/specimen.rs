@@ -69,7 +69,7 @@ impl VaryingReset {
     /// The oscillator with a damping ratio, a forcing amplitude and a forcing frequency, and this reset law.
     ///
     /// # Errors
-    /// Parameters outside the domain of [`LinearOscillator::new`]; a size of Φ outside (0, 1].
+    /// Parameters outside the domain of [`LinearOscillator::new`]; a size of Φ that is not positive.
     pub fn new(
         damping_ratio: f64,
         restitution: Exponential,

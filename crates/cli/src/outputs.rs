@@ -112,6 +112,13 @@ pub const ALL: &[Output] = &[
         tables: &["fig10_path"],
         make: figures::fig10,
     },
+    Output {
+        name: "theorems",
+        title: "Theorems 2.2 to 2.5 against continuation and simulation",
+        figure: None,
+        tables: &["theorems_generic", "theorems_resonant"],
+        make: |study, _| Ok(Made { figure: None, tables: study.theorems_in_action()?.tables() }),
+    },
 ];
 
 impl Output {

@@ -77,6 +77,9 @@ pub enum StudyError {
         /// What went wrong.
         source: MapError,
     },
+    /// A case of the sweep over the theorems could not be worked out.
+    #[error("theorems 2.2 to 2.5: {0}")]
+    Sweep(#[from] grazing_claims::sweep::SweepError),
     /// A table could not be made.
     #[error("a table could not be made: {0}")]
     Table(String),

@@ -23,6 +23,7 @@ pub mod published;
 mod regions;
 mod space;
 mod study;
+mod sweep;
 mod table;
 
 pub use coefficients::Coefficients;
@@ -38,4 +39,5 @@ pub use fig08::Figure8;
 pub use fig09::Figure9;
 pub use fig10::Figure10;
 pub use study::Study;
+pub use sweep::TheoremsInAction;
 pub use table::Table;

@@ -18,6 +18,7 @@ use crate::fig09::Figure9;
 use crate::fig10::Figure10;
 use crate::parameters::Parameters;
 use crate::progress::{Progress, Silent};
+use crate::sweep::TheoremsInAction;
 use crate::table::Table;
 
 /// The reproduction at one set of parameters. What several outputs share is computed when it is first needed.
@@ -144,6 +145,15 @@ impl<'a> Study<'a> {
     /// None at parameters that passed their checks; a table could not be made.
     pub fn fig10(&self) -> Result<Figure10, StudyError> {
         Figure10::compute(&self.parameters)
+    }
+
+    /// Theorems 2.2 to 2.5 against continuation and simulation over many oscillators; the parameters of this study do not
+    /// matter.
+    ///
+    /// # Errors
+    /// A case could not be worked out.
+    pub fn theorems_in_action(&self) -> Result<TheoremsInAction, StudyError> {
+        TheoremsInAction::compute(self.progress)
     }
 
     /// The computed values of what the paper prints, under the names of `expected/published.toml`.

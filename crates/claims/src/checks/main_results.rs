@@ -13,6 +13,8 @@ pub(crate) mod simulation;
 pub(crate) mod specimen;
 mod system;
 
+mod theorems;
+
 use super::{Check, checks};
 
 pub(crate) const CHECKS: &[Check] = checks!["main_results":
@@ -60,4 +62,8 @@ pub(crate) const CHECKS: &[Check] = checks!["main_results":
     curves::crossing,
     resonant::sketch,
     resonant::remark,
+    theorems::generic_grazing_one_loop,
+    theorems::generic_grazing_p_loops,
+    theorems::resonant_grazing_one_loop,
+    theorems::resonant_grazing_p_loops,
 ];

@@ -1,5 +1,6 @@
 //! The numbers, to the digits that they are known to.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -137,6 +138,25 @@ fn curves_regions_and_parts_of_the_planar_sketches_hold() {
     ]
     .join("\n");
     snapshots().bind(|| assert_snapshot!("planar_sketches", text));
+}
+
+#[test]
+fn theorems_in_action_hold() {
+    let mut counts = BTreeMap::new();
+    for table in [&made().theorems.generic, &made().theorems.resonant] {
+        let [theorem, verdict, reason] = ["theorem", "verdict", "reason"].map(|name| words(table, name));
+        for row in 0..theorem.len() {
+            let key = (theorem[row].clone(), verdict[row].clone(), reason[row].clone());
+            *counts.entry(key).or_insert(0) += 1;
+        }
+    }
+    let mut text = String::new();
+    for ((theorem, verdict, reason), count) in counts {
+        assert_ne!(verdict, "unexplained");
+        writeln!(text, "{}", format!("{theorem} {verdict} {count} {reason}").trim_end())
+            .expect("writing to a string");
+    }
+    snapshots().bind(|| assert_snapshot!("theorems_in_action", text));
 }
 
 #[test]
