@@ -89,6 +89,20 @@ fn preimage_under_the_virtual_map_is_the_impact() {
 }
 
 #[test]
+fn preimage_is_found_at_every_low_velocity() {
+    // Newton's method cannot do better than the rounding of x over the velocity, and has to be content with that.
+    for omega in [0.37, 0.48, 0.8, 1.3] {
+        let (oscillator, graz) = at_grazing(omega);
+        for k in 0..400 {
+            let y = 1e-4 * libm::exp(0.015 * f64::from(k));
+            let top = virtual_map::<_, 1>(&oscillator, y, graz - 0.01, None).unwrap().jet.value;
+            let back = virtual_preimage(&oscillator, top[0], top[1]).unwrap();
+            assert!((back[0] - y).abs() < 1e-13 + 4e-16 / y, "{omega} {y} {}", back[0] - y);
+        }
+    }
+}
+
+#[test]
 fn grazing_is_a_fixed_point_of_the_global_map() {
     for omega in [0.4, 0.5, 0.67, 0.85, 0.99] {
         let (oscillator, graz) = at_grazing(omega);
