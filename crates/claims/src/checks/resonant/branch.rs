@@ -7,7 +7,7 @@ use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, 
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Observed, Place, Symbols, directions, everywhere, lowest, scaled,
+    EVERYWHERE, Failure, Loops, Observed, Place, Symbols, directions, everywhere, lowest, remembered, scaled,
 };
 use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
@@ -20,10 +20,10 @@ const RATIOS: [[f64; 2]; 4] = [[1.0, 0.0], [1.0, 0.3], [1.0, -0.3], [-1.0, 0.2]]
 const PHASE: f64 = 3e-14;
 
 /// Rounding of a located μ: the zeros of V are exact to the last places of the amplitude.
-const PARAMETER: f64 = 3e-15;
+const PARAMETER: f64 = 1e-15;
 
-/// Rounding of P_global^p and its first derivatives.
-const MAP: f64 = 1e-14;
+/// Rounding of P_global^p.
+const MAP: f64 = 1e-15;
 
 fn jacobian_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
     let start = place.resonance.unknowns();
@@ -57,7 +57,11 @@ pub(super) fn second_jacobian_is_regular() -> CheckResult {
         };
         found = found.min(smallest(u64::from(p), 20, scaled).0);
     }
-    Ok(Outcome::new(Measure::Margin { smallest: found }, 20 * loops.count(), "searches over δ in (0, 1), p = 2 to 12"))
+    Ok(Outcome::new(
+        Measure::Margin { smallest: found },
+        20 * loops.count(),
+        "searches over δ in (0, 1), p = 2 to 12",
+    ))
 }
 
 fn zero_velocity_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
@@ -84,11 +88,11 @@ fn branch_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>,
     let branch = place.resonance.theorem().branch();
     let mut found = Vec::new();
     for [y, eta] in RATIOS {
-        let remainder = |size: f64| {
+        let remainder = remembered(|size| {
             let (y, eta) = (y * size, eta * size);
             let [phase, mu] = place.on_branch(y, eta)?.relative();
             Some([phase - branch.k_1 * y, mu - branch.parameter(y, eta)])
-        };
+        });
         found.push((order(|size| Some((remainder(size)?[0], PHASE))), 2.0));
         found.push((order(|size| Some((remainder(size)?[1], PARAMETER))), 3.0));
     }
@@ -98,7 +102,7 @@ fn branch_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>,
 fn form_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
     let mut found = Vec::new();
     for [y, eta] in RATIOS {
-        let relative = |size: f64| Some(place.on_branch(y * size, eta * size)?.relative());
+        let relative = remembered(|size| Some(place.on_branch(y * size, eta * size)?.relative()));
         found.push((order(|size| Some((relative(size)?[0], PHASE))), 1.0));
         found.push((order(|size| Some((relative(size)?[1], PARAMETER))), 2.0));
     }
@@ -142,13 +146,14 @@ fn return_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>,
         let jet = global_iterate::<O, 2>(&near.oscillator(), place.loops(), x, near.unknowns[1]).ok()?;
         Some((jet, near.orbit.phase()))
     };
+    // First derivatives are known to ten, second ones to a hundred times the rounding of the map.
     let rounding = MAP * 10.0;
     let mut found = Vec::new();
     for direction in directions(2) {
-        let at = |size: f64| {
+        let at = remembered(|size| {
             let [x, z, mu, eta] = scaled(&direction, size);
             Some((x, z, mu, eta, jet(x, 0.0, mu, eta)?.0))
-        };
+        });
         let constant = order(|size| {
             let (x, _, mu, _, jet) = at(size)?;
             Some((jet.value[0] - symbols.power.m11 * x - column.x * mu, rounding))
@@ -167,7 +172,7 @@ fn return_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>,
             let (base, _) = jet(0.003, 0.0, -0.002, 0.004)?;
             let (there, _) = jet(0.003, z, -0.002, 0.004)?;
             let taylor = base.value[0] + (base.jacobian[(0, 1)] + 0.5 * base.hessians[0][(1, 1)] * z) * z;
-            Some((there.value[0] - taylor, rounding))
+            Some((there.value[0] - taylor, MAP))
         });
         let phase = order(|size| {
             let [x, z, mu, eta] = scaled(&direction, size);
@@ -216,13 +221,13 @@ fn vivid_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, 
     for [y, eta] in RATIOS {
         let k = core::array::from_fn(|_| sampler.between(-1.0, 1.0));
         let x = symbols.x(k, by_parameter);
-        let remainder = |size: f64| {
+        let remainder = remembered(|size| {
             let (y, eta) = (y * size, eta * size);
             let near = place.near([y, k[0] * y, k[1] * y * y + k[2] * eta * y, eta])?;
             let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
             let v = pair.difference().0;
             Some([v[0] - x[1] * y * y - x[2] * eta * y, v[1] - x[0] * y])
-        };
+        });
         found.push((order(|size| Some((remainder(size)?[0], MAP))), 3.0));
         found.push((order(|size| Some((remainder(size)?[1], MAP))), 2.0));
     }
@@ -256,7 +261,11 @@ pub(super) fn solution() -> CheckResult {
     let gaps = everywhere!(Loops::Any, solution_gaps);
     let largest = gaps.iter().copied().fold(0.0, f64::max);
     // A dozen roundings, and a₁₂ or κ_p of up to 10⁻¹³ at the located resonance.
-    Ok(Outcome::new(Measure::Deviation { largest, tolerance: 1e-11 }, gaps.len(), "resonances with p up to 5"))
+    Ok(Outcome::new(
+        Measure::Deviation { largest, tolerance: 1e-11 },
+        gaps.len(),
+        "resonances with p up to 5",
+    ))
 }
 
 /// Ψ^± against det(U ∓ I), which vanishes where U has the eigenvalue ±1.
@@ -287,7 +296,11 @@ pub(super) fn multiplier_conditions() -> CheckResult {
     let gaps = everywhere!(Loops::Any, psi_gaps);
     let largest = gaps.iter().copied().fold(0.0, f64::max);
     // Determinants of matrices with entries of size 1/y, relative to their squares.
-    Ok(Outcome::new(Measure::Deviation { largest, tolerance: 1e-13 }, gaps.len(), "MPSs on branches near resonances"))
+    Ok(Outcome::new(
+        Measure::Deviation { largest, tolerance: 1e-13 },
+        gaps.len(),
+        "MPSs on branches near resonances",
+    ))
 }
 
 fn psi_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
@@ -296,15 +309,18 @@ fn psi_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Fa
     let by_eta = symbols.alpha * symbols.omega * symbols.f;
     let mut found = Vec::new();
     for [y, eta] in RATIOS {
+        let conditions = remembered(|size| {
+            let near = place.on_branch(y * size, eta * size)?;
+            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
+            Some(psi(&pair.multipliers()))
+        });
         for (index, coefficient) in [stability.plus, stability.minus].into_iter().enumerate() {
             let observed = order(|size| {
                 let (y, eta) = (y * size, eta * size);
-                let near = place.on_branch(y, eta)?;
-                let pair =
-                    place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
                 // The phase of the zero is known to PHASE and enters y T with the factor α ω ξ_p.
-                let rounding = PHASE * (1.0 + by_eta.abs() + symbols.alpha * symbols.omega * symbols.xi.abs());
-                Some((y * psi(&pair.multipliers())[index] - coefficient * y + by_eta * eta, rounding))
+                let rounding =
+                    PHASE * (1.0 + by_eta.abs() + symbols.alpha * symbols.omega * symbols.xi.abs());
+                Some((y * conditions(size)?[index] - coefficient * y + by_eta * eta, rounding))
             });
             found.push((observed, 2.0));
         }

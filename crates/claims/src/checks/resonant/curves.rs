@@ -1,5 +1,6 @@
 //! The bifurcation curves and the orbits on them: eq:Upsilon1 to eq:admp11.
 
+use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::Memory;
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::virtual_map;
@@ -7,7 +8,7 @@ use grazing_theorems::auxiliary::{lucas_sequence, resonance_boundary};
 use nalgebra::Vector2;
 
 use super::places::{
-    Bifurcation, EVERYWHERE, Failure, Loops, Near, Observed, Place, everywhere, lowest,
+    Bifurcation, EVERYWHERE, Failure, Loops, Near, Observed, Place, everywhere, lowest, remembered,
 };
 use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
@@ -17,7 +18,7 @@ use crate::sampling::smallest;
 const PHASE: f64 = 1e-13;
 
 /// Rounding of a located μ; it enters V directly.
-const PARAMETER: f64 = 3e-15;
+const PARAMETER: f64 = 1e-15;
 
 /// η at which the leading term gives this impact velocity.
 fn eta_at(curve: &Bifurcation, velocity: f64) -> f64 {
@@ -31,14 +32,33 @@ fn along_curves<O: ImpactOscillator>(
     rounding: f64,
     remainder: impl Fn(&Bifurcation, f64, &Near<O>) -> Option<f64>,
 ) -> Vec<Observed> {
-    let one = |curve: &Bifurcation| {
-        let observed = order(|size| {
+    all_along_curves(place, stated, rounding, |curve, eta, near| Some(vec![remainder(curve, eta, near)?]))
+}
+
+/// The same for several remainders, whose number is that of the loops at most.
+fn all_along_curves<O: ImpactOscillator>(
+    place: &Place<O>,
+    stated: f64,
+    rounding: f64,
+    remainders: impl Fn(&Bifurcation, f64, &Near<O>) -> Option<Vec<f64>>,
+) -> Vec<Observed> {
+    let mut found = Vec::new();
+    for curve in &place.curves() {
+        let values = remembered(|size| {
             let eta = eta_at(curve, size);
-            Some((remainder(curve, eta, &place.on_curve(curve, eta)?)?, rounding))
+            remainders(curve, eta, &place.on_curve(curve, eta)?)
         });
-        (observed, stated)
-    };
-    place.curves().iter().map(one).collect()
+        for index in 0..place.loops() as usize {
+            let mut seen = false;
+            let observed = order(|size| {
+                let value = *values(size)?.get(index)?;
+                seen = true;
+                Some((value, rounding))
+            });
+            found.extend(seen.then_some((observed, stated)));
+        }
+    }
+    found
 }
 
 fn velocity_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
@@ -108,7 +128,11 @@ pub(super) fn simplification() -> CheckResult {
     let gaps = everywhere!(Loops::Any, simplification_gaps);
     let largest = gaps.iter().copied().fold(0.0, f64::max);
     // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
-    Ok(Outcome::new(Measure::Deviation { largest, tolerance: 1e-10 }, gaps.len(), "resonances with p up to 5"))
+    Ok(Outcome::new(
+        Measure::Deviation { largest, tolerance: 1e-10 },
+        gaps.len(),
+        "resonances with p up to 5",
+    ))
 }
 
 /// The exponent with which the two zeros of V separate behind the fold, less 1/2.
@@ -141,7 +165,8 @@ fn separation<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure
         };
         // Distances from the fold of a 32nd and a 64th of y: next terms of the relative size of their squares.
         let change = k_2 * at.unknowns[0] * at.unknowns[0] / 1024.0;
-        let (wide, narrow) = separated(change).zip(separated(change / 4.0)).ok_or("no zeros beyond a fold")?;
+        let (wide, narrow) =
+            separated(change).zip(separated(change / 4.0)).ok_or("no zeros beyond a fold")?;
         found.push((libm::log2(wide / narrow) / 2.0 - 0.5).abs());
     }
     Ok(found)
@@ -153,7 +178,11 @@ pub(super) fn square_root() -> CheckResult {
     let largest = gaps.iter().copied().fold(0.0, f64::max);
     // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
     let measure = Measure::Deviation { largest, tolerance: 0.01 };
-    Ok(Outcome::new(measure, gaps.len(), "exponents on either fold: zeros of V at two distances from SN curves"))
+    Ok(Outcome::new(
+        measure,
+        gaps.len(),
+        "exponents on either fold: zeros of V at two distances from SN curves",
+    ))
 }
 
 /// Whether an MPS on the curves is admissible for the stated sign of η, and has y < 0 for the other.
@@ -161,7 +190,7 @@ fn sides<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
     for curve in place.curves() {
         let sign = libm::copysign(1.0, place.point().unfolding.derivative() * curve.stability);
-        for velocity in [1e-2, 1e-3, 1e-4] {
+        for velocity in [1e-3, 3e-4, 1e-4] {
             let eta = sign * eta_at(&curve, velocity).abs();
             let Some((right, wrong)) = place.on_curve(&curve, eta).zip(place.on_curve(&curve, -eta)) else {
                 // The leading terms reach less far where s^- is small.
@@ -178,7 +207,8 @@ fn admissible(which: Loops) -> CheckResult {
     let cases = everywhere!(which, sides);
     let agreeing = cases.iter().filter(|agrees| **agrees).count();
     let measure = Measure::Agreement { agreeing, cases: cases.len() };
-    let over = "points of SN and PD curves for both signs of η: admissible for the stated one, y < 0 for the other";
+    let over =
+        "points of SN and PD curves for both signs of η: admissible for the stated one, y < 0 for the other";
     Ok(Outcome::new(measure, cases.len(), over))
 }
 
@@ -241,13 +271,13 @@ impl<O: ImpactOscillator> Place<O> {
 }
 
 fn recoil_phase_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    let mut found = Vec::new();
-    for form in 0..2 {
-        found.extend(along_curves(place, 2.0, PHASE, |curve, eta, near| {
-            Some(recoil(near)?[1] - place.recoil_phase_slopes(curve).ok()?[form] * eta)
-        }));
-    }
-    Ok(found)
+    let [fold, flip] = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
+    let (fold, flip) = (fold?, flip?);
+    Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
+        let slopes = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
+        let phase = recoil(near)?[1];
+        Some(slopes.iter().map(|slope| phase - slope * eta).collect())
+    }))
 }
 
 /// eq:admp8b, both forms.
@@ -264,14 +294,14 @@ fn visits<O: ImpactOscillator>(place: &Place<O>, near: &Near<O>) -> Option<Vec<V
 
 fn power_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
     let map = place.point().grazing.map;
-    let mut found = Vec::new();
-    for j in 1..=place.loops() {
-        let power = map.iterate(j).a;
-        found.extend(along_curves(place, 2.0, PHASE, |_, _, near| {
-            Some((visits(place, near)?[j as usize - 1] - power * recoil(near)?).norm())
-        }));
-    }
-    Ok(found)
+    Ok(all_along_curves(place, 2.0, PHASE, |_, _, near| {
+        let start = recoil(near)?;
+        let gaps = visits(place, near)?
+            .into_iter()
+            .zip(1..)
+            .map(|(visit, j)| (visit - map.iterate(j).a * start).norm());
+        Some(gaps.collect())
+    }))
 }
 
 /// eq:admp9.
@@ -280,20 +310,21 @@ pub(super) fn visits_by_powers() -> CheckResult {
     Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
 }
 
-fn visit_slope<O: ImpactOscillator>(place: &Place<O>, curve: &Bifurcation, j: u32) -> Result<f64, Failure> {
-    let map = place.point().grazing.map;
-    let entry = map.a.m12 * lucas_sequence(j, map.trace(), map.determinant());
-    Ok(entry * place.recoil_phase_slopes(curve)?[1])
-}
-
 fn visit_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    let mut found = Vec::new();
-    for j in 1..place.loops() {
-        found.extend(along_curves(place, 2.0, PHASE, |curve, eta, near| {
-            Some(visits(place, near)?[j as usize - 1][0] - visit_slope(place, curve, j).ok()? * eta)
-        }));
-    }
-    Ok(found)
+    let recoil = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
+    let [fold, flip] = recoil;
+    let (fold, flip) = (fold?[1], flip?[1]);
+    let map = place.point().grazing.map;
+    Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
+        let slope = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
+        let gap = |(visit, j): (&Vector2<f64>, u32)| {
+            let entry = map.a.m12 * lucas_sequence(j, map.trace(), map.determinant());
+            visit[0] - entry * slope * eta
+        };
+        let all = visits(place, near)?;
+        // The last visit is the virtual point of the impact.
+        Some(all[..all.len() - 1].iter().zip(1..).map(gap).collect())
+    }))
 }
 
 /// eq:admp10.
@@ -308,11 +339,14 @@ fn visit_signs<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failu
     for curve in place.curves() {
         for size in [1e-3, -1e-3, 1e-4, -1e-4] {
             let eta = eta_at(&curve, size);
-            let Some(visits) = place.on_curve(&curve, eta).and_then(|near| visits(place, &near)) else { continue };
+            let Some(visits) = place.on_curve(&curve, eta).and_then(|near| visits(place, &near)) else {
+                continue;
+            };
             let loops = place.loops() as usize;
-            let ends = [visits[loops - 1][0] > 0.0, visits[..loops - 1].iter().all(|visit| {
-                visit[0] * unfolding * curve.stability * eta < 0.0
-            })];
+            let ends = [
+                visits[loops - 1][0] > 0.0,
+                visits[..loops - 1].iter().all(|visit| visit[0] * unfolding * curve.stability * eta < 0.0),
+            ];
             found.extend(ends);
         }
     }
@@ -342,5 +376,9 @@ pub(super) fn sums_are_positive() -> CheckResult {
             searches += 5;
         }
     }
-    Ok(Outcome::new(Measure::Margin { smallest: found }, searches, "searches over δ in (0, 1), 0 < j < p ≤ 12"))
+    Ok(Outcome::new(
+        Measure::Margin { smallest: found },
+        searches,
+        "searches over δ in (0, 1), 0 < j < p ≤ 12",
+    ))
 }

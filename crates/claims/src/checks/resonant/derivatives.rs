@@ -9,7 +9,8 @@ use grazing_theorems::auxiliary::lucas_sequence;
 use nalgebra::Matrix2;
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, directions, everywhere, lowest, scaled,
+    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, directions, everywhere, lowest, remembered,
+    scaled,
 };
 use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
@@ -38,9 +39,9 @@ fn entries(
 ) -> Vec<Observed> {
     let mut found = Vec::new();
     for direction in directions(3) {
+        let matrix = remembered(|size| remainder(&scaled(&direction, size)));
         for (entry, stated) in stated.into_iter().enumerate() {
-            let observed =
-                order(|size| Some((remainder(&scaled(&direction, size))?[(entry / 2, entry % 2)], rounding)));
+            let observed = order(|size| Some((matrix(size)?[(entry / 2, entry % 2)], rounding)));
             found.push((observed, stated));
         }
     }
@@ -197,6 +198,9 @@ pub(super) fn slope(step: f64, f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
 /// derivatives twice.
 const STEP: f64 = 5e-3;
 
+/// Step in the parameters, on which angles of up to seventy radians depend.
+const PARAMETER_STEP: f64 = 1e-3;
+
 /// ξ_p, d_p, e_p and f_p by differences of P_global^p alone; f_p at fixed z and along the grazing curve.
 struct Differences {
     d: f64,
@@ -216,9 +220,9 @@ fn differences<O: ImpactOscillator>(place: &Place<O>) -> Option<Differences> {
     Some(Differences {
         xi: slope(STEP, |z| by_phase(0.0, phase + z, 0.0, 0.0))?,
         d: slope(STEP, |x| by_phase(x, phase, 0.0, 0.0))?,
-        e: slope(STEP, |mu| by_phase(0.0, phase, mu, 0.0))?,
-        f_fixed: slope(STEP, |eta| by_phase(0.0, phase, 0.0, eta))?,
-        f_followed: slope(STEP, |eta| by_phase(0.0, place.grazing(eta)?.phase(), 0.0, eta))?,
+        e: slope(PARAMETER_STEP, |mu| by_phase(0.0, phase, mu, 0.0))?,
+        f_fixed: slope(PARAMETER_STEP, |eta| by_phase(0.0, phase, 0.0, eta))?,
+        f_followed: slope(PARAMETER_STEP, |eta| by_phase(0.0, place.grazing(eta)?.phase(), 0.0, eta))?,
     })
 }
 

@@ -1,5 +1,8 @@
 //! Resonances to measure at, and points near them.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Memory, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
@@ -26,6 +29,7 @@ pub(super) struct Place<O> {
 pub(super) type Offset = [f64; 4];
 
 /// A point near a resonance, with the grazing orbit at its η.
+#[derive(Clone)]
 pub(super) struct Near<O> {
     pub(super) unknowns: Unknowns,
     pub(super) orbit: GrazingOrbit<O>,
@@ -47,8 +51,6 @@ pub(super) struct Symbols {
     pub(super) e: f64,
     /// f_p along the grazing curve: a₁₂' and eq:fp.
     pub(super) f: f64,
-    /// dz_graz/dη.
-    pub(super) drift: f64,
 }
 
 impl<O: ImpactOscillator> Place<O> {
@@ -84,7 +86,6 @@ impl<O: ImpactOscillator> Place<O> {
             d: jet.hessians[0][(0, 1)],
             e: jet.hessians[0][(1, 2)],
             f: point.off_diagonal_slope(),
-            drift: orbit.phase_slope(),
         })
     }
 
@@ -164,12 +165,17 @@ pub(super) struct Bifurcation {
 impl<O: ImpactOscillator> Near<O> {
     /// (z − z_graz,η, μ).
     pub(super) fn relative(&self) -> [f64; 2] {
-        [self.unknowns[unknown::PHASE] - self.orbit.phase(), self.unknowns[unknown::PRIMARY] - self.orbit.primary()]
+        [
+            self.unknowns[unknown::PHASE] - self.orbit.phase(),
+            self.unknowns[unknown::PRIMARY] - self.orbit.primary(),
+        ]
     }
 
     /// The oscillator at the point's parameters.
     pub(super) fn oscillator(&self) -> O {
-        self.orbit.oscillator().with_parameters([self.unknowns[unknown::PRIMARY], self.unknowns[unknown::SECONDARY]])
+        self.orbit
+            .oscillator()
+            .with_parameters([self.unknowns[unknown::PRIMARY], self.unknowns[unknown::SECONDARY]])
     }
 
     /// The impact (y, z).
@@ -278,12 +284,19 @@ pub(super) const EVERYWHERE: &str =
 /// hundredfold above its rounding.
 pub(super) const SLACK: f64 = 0.3;
 
+/// The same function, which computes each value once: several remainders are taken from one solution.
+pub(super) fn remembered<T: Clone>(f: impl Fn(f64) -> Option<T>) -> impl Fn(f64) -> Option<T> {
+    let known: RefCell<BTreeMap<u64, Option<T>>> = RefCell::default();
+    move |size| known.borrow_mut().entry(size.to_bits()).or_insert_with(|| f(size)).clone()
+}
+
 /// An observed order and the stated one.
 pub(super) type Observed = (f64, f64);
 
 /// The order that lies lowest in comparison with the stated one.
 pub(super) fn lowest(orders: &[Observed]) -> Measure {
-    let worst = orders.iter().copied().reduce(|a, b| if b.0 - b.1 < a.0 - a.1 || b.0.is_nan() { b } else { a });
+    let worst =
+        orders.iter().copied().reduce(|a, b| if b.0 - b.1 < a.0 - a.1 || b.0.is_nan() { b } else { a });
     let (observed, stated) = worst.unwrap_or((f64::NAN, f64::NAN));
     Measure::Order { observed, stated, slack: SLACK }
 }

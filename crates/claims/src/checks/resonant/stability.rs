@@ -5,7 +5,8 @@ use grazing_model::ImpactOscillator;
 use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, Symbols, directions, everywhere, lowest, scaled,
+    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, Symbols, directions, everywhere, lowest,
+    scaled,
 };
 use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
@@ -131,13 +132,21 @@ fn seam_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, F
 /// Lemma 5.1: y T and y D have a smooth extension through y = 0, p = 1.
 pub(super) fn extension_for_one_loop() -> CheckResult {
     let orders = everywhere!(Loops::One, seam_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), "extrapolations to y = 0 from both sides at resonances with p = 1"))
+    Ok(Outcome::new(
+        lowest(&orders),
+        orders.len(),
+        "extrapolations to y = 0 from both sides at resonances with p = 1",
+    ))
 }
 
 /// Lemma 5.2: the same for p ≥ 2.
 pub(super) fn extension_for_many_loops() -> CheckResult {
     let orders = everywhere!(Loops::Many, seam_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), "extrapolations to y = 0 from both sides at resonances with p = 2 to 5"))
+    Ok(Outcome::new(
+        lowest(&orders),
+        orders.len(),
+        "extrapolations to y = 0 from both sides at resonances with p = 2 to 5",
+    ))
 }
 
 /// Away from the resonance y T tends to −α ω a₁₂ S_p, which is not zero: T grows without bound as y falls to 0.
