@@ -97,7 +97,8 @@ fn preimage_is_found_at_every_low_velocity() {
             let y = 1e-4 * libm::exp(0.015 * f64::from(k));
             let top = virtual_map::<_, 1>(&oscillator, y, graz - 0.01, None).unwrap().jet.value;
             let back = virtual_preimage(&oscillator, top[0], top[1]).unwrap();
-            assert!((back[0] - y).abs() < 1e-13 + 4e-16 / y, "{omega} {y} {}", back[0] - y);
+            // x is a sum of terms of order one, each rounded; γ y is the slope of the root.
+            assert!((back[0] - y).abs() < 1e-13 + 2e-15 / y, "{omega} {y} {}", back[0] - y);
         }
     }
 }
