@@ -3,6 +3,8 @@
 mod branch;
 mod curves;
 mod derivatives;
+mod discussion;
+mod doubled;
 mod places;
 mod simulation;
 mod stability;
@@ -59,4 +61,10 @@ pub(crate) const CHECKS: &[Check] = checks!["resonant":
     curves::positions_of_visits,
     curves::sums_are_positive,
     curves::signs_of_visits,
+    discussion::periodic_response,
+    discussion::periodicity_regions,
+    discussion::direction_by_parity,
+    discussion::finite_differences,
+    discussion::criticality_of_figure_7,
+    discussion::doubled_solutions_graze,
 ];

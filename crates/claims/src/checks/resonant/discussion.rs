@@ -1,0 +1,298 @@
+//! Section 6.
+
+use std::collections::BTreeMap;
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{Route, Window};
+use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
+use grazing_model::maps::{global_iterate, global_map};
+use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_theorems::from_map::GrazingOrbit;
+use nalgebra::Vector2;
+use serde::Deserialize;
+
+use super::derivatives::slope;
+use super::doubled::DoubledEquations;
+use super::places::{Failure, Loops, Observed, Place, at_resonance, everywhere, lowest};
+use super::simulation::next_impact;
+use crate::convergence::order;
+use crate::outcome::{CheckResult, Measure, Outcome};
+
+fn agreement(cases: &[bool], over: &str) -> Outcome {
+    let agreeing = cases.iter().filter(|agrees| **agrees).count();
+    Outcome::new(Measure::Agreement { agreeing, cases: cases.len() }, cases.len(), over)
+}
+
+/// Near a resonance an MPS is stable between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0 of the (η, y) plane, and nowhere else.
+fn regions<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failure> {
+    let stability = place.point().stability_coefficients();
+    let by_eta = place.point().grazing.alpha()
+        * place.point().grazing.forcing_frequency
+        * place.point().off_diagonal_slope();
+    let mut found = Vec::new();
+    let radius = 1e-3;
+    // Angles in the half-plane y > 0, η in units in which the lines have slopes of order one.
+    for k in 1..40 {
+        let (sine, cosine) = libm::sincos(core::f64::consts::PI * f64::from(k) / 40.0);
+        let (y, eta) = (radius * sine, radius * cosine / by_eta);
+        let [plus, minus] = [stability.plus * y - by_eta * eta, stability.minus * y - by_eta * eta];
+        // The next terms move the lines by parts of some per cent at this radius.
+        if plus.abs().min(minus.abs()) < 0.05 * radius {
+            continue;
+        }
+        let Some(near) = place.on_branch(y, eta) else { continue };
+        let (solution, _) = place.resonance.equations().solution(&near.unknowns);
+        found.push(solution.stable() == (plus < 0.0 && minus > 0.0));
+    }
+    Ok(found)
+}
+
+/// Periodicity regions lie between the SN and the PD curve.
+pub(super) fn periodicity_regions() -> CheckResult {
+    Ok(agreement(
+        &everywhere!(Loops::Any, regions),
+        "MPSs around resonances, stable between SN and PD curves alone",
+    ))
+}
+
+/// Stable MPSs attract in direct simulation.
+fn attraction<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failure> {
+    let mut found = Vec::new();
+    for near in super::simulation::admissible(place) {
+        let (solution, _) = place.resonance.equations().solution(&near.unknowns);
+        let (trace, determinant) = (solution.multipliers.trace, solution.multipliers.determinant);
+        // Well inside the triangle of stability, so that two hundred impacts suffice.
+        if trace.abs() > 0.9 * (1.0 + determinant) || determinant > 0.9 {
+            continue;
+        }
+        let oscillator = near.oscillator();
+        let fixed = near.impact();
+        let mut here = fixed + Vector2::new(1e-3, -1e-3) * fixed[0];
+        let start = (here - fixed).norm();
+        for _ in 0..200 {
+            match next_impact(&oscillator, place.loops(), here) {
+                Some(next) => here = next,
+                None => break,
+            }
+        }
+        found.push((here - fixed).norm() < 0.01 * start);
+    }
+    Ok(found)
+}
+
+/// The response can be periodic near resonant grazing: stable MPSs attract.
+pub(super) fn periodic_response() -> CheckResult {
+    Ok(agreement(
+        &everywhere!(Loops::Any, attraction),
+        "perturbed stable MPSs near resonances, simulated for 200 impacts",
+    ))
+}
+
+/// The sign of a₁₂' by the parity of n, from differences of P_global, and the side on which the SN curve leaves.
+pub(super) fn direction_by_parity() -> CheckResult {
+    let mut cases = Vec::new();
+    for n in 1..=12_u32 {
+        for decay in [0.2, 0.5, 0.8] {
+            let skew = -libm::log(decay) / (core::f64::consts::PI * f64::from(n));
+            let theory = grazing_theorems::LinearOscillator::new(skew / (1.0 + skew * skew).sqrt(), 0.8)?;
+            let resonance = theory.resonance(1, n)?;
+            let place = at_resonance(&resonance)?;
+            let rate = slope(1e-3, |eta| {
+                let orbit = place.grazing(eta)?;
+                let jet = global_map::<_, 1>(orbit.oscillator(), 0.0, orbit.phase(), None).ok()?.jet;
+                Some(jet.derivative().m12)
+            })
+            .ok_or("no grazing orbit")?;
+            let odd = n % 2 == 1;
+            cases.push((rate > 0.0) == odd);
+            // s₁⁺ < 0: the saddle-node curve leaves to the side of −sgn a₁₂', the other to that of sgn a₁₂'.
+            for (curve, side) in place.curves().iter().zip([-1.0, 1.0]) {
+                let eta = libm::copysign(1e-4, if odd { side } else { -side })
+                    / curve.leading.impact_velocity_slope.abs();
+                let near = place.on_curve(curve, eta).ok_or("no point on a curve")?;
+                cases.push(near.unknowns[unknown::VELOCITY] > 0.0);
+            }
+        }
+    }
+    Ok(agreement(&cases, "the sign of a₁₂' and the sides of SN and PD curves, n = 1 to 12"))
+}
+
+/// All that the theorems need by differences of values of P_global alone, against from_map's derivatives.
+fn numerical_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
+    let orbit: &GrazingOrbit<O> = place.resonance.orbit();
+    let point = place.point();
+    let [primary, secondary] = orbit.oscillator().parameters();
+    let value = |loops: u32, x: f64, z: f64, mu: f64, eta: f64| {
+        let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary + eta]);
+        Some(global_iterate::<O, 1>(&oscillator, loops, x, z).ok()?.value)
+    };
+    let phase = orbit.phase();
+    let step = 2e-3;
+    let entry = |i: usize, x: f64, z: f64, mu: f64| {
+        slope(step, |h| Some(value(1, x * h, phase + z * h, mu * h, 0.0)?[i]))
+    };
+    let all = || {
+        let mut gaps = Vec::new();
+        for i in 0..2 {
+            let row = [entry(i, 1.0, 0.0, 0.0)?, entry(i, 0.0, 1.0, 0.0)?, entry(i, 0.0, 0.0, 1.0)?];
+            let map = point.grazing.map;
+            let stated = [map.a[(i, 0)], map.a[(i, 1)], map.b[i]];
+            gaps.extend(row.iter().zip(stated).map(|(a, b)| (a - b).abs() / (1.0 + b.abs())));
+        }
+        let by_phase = |loops: u32, from: f64, eta: f64, mu: f64| {
+            slope(step, |h| Some(value(loops, 0.0, from + h, mu, eta)?[0]))
+        };
+        let xi = slope(step, |h| by_phase(place.loops(), phase + h, 0.0, 0.0))?;
+        gaps.push((xi - point.second_phase_derivative).abs() / (1.0 + point.second_phase_derivative.abs()));
+        // Along the grazing curve: the orbits are found by Newton's method, the derivative by differences.
+        let by_eta = slope(5e-4, |eta| {
+            let there = place.grazing(eta)?;
+            by_phase(place.loops(), there.phase(), eta, there.primary() - primary)
+        })?;
+        let stated = point.off_diagonal_slope();
+        gaps.push((by_eta - stated).abs() / (1.0 + stated.abs()));
+        Some(gaps)
+    };
+    all().ok_or_else(|| "P_global is not defined around a resonance".into())
+}
+
+/// The quantities of the theorems by finite differences of P_global.
+pub(super) fn finite_differences() -> CheckResult {
+    let gaps = everywhere!(Loops::Any, numerical_gaps);
+    let largest = gaps.iter().copied().fold(0.0, f64::max);
+    // Nested differences of sixth order: rounding 10⁻¹⁵ over both steps is 10⁻⁹, and sixth derivatives in ω reach 10¹².
+    let measure = Measure::Deviation { largest, tolerance: 1e-7 };
+    Ok(Outcome::new(measure, gaps.len(), "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone"))
+}
+
+/// A number that the paper chose.
+fn printed(id: &str) -> Result<f64, Failure> {
+    #[derive(Deserialize)]
+    struct Printed {
+        value: Vec<BTreeMap<String, toml::Value>>,
+    }
+    let all: Printed = toml::from_str(include_str!("../../../../../expected/published.toml"))?;
+    let named =
+        |entry: &&BTreeMap<String, toml::Value>| entry.get("id").and_then(toml::Value::as_str) == Some(id);
+    let entry = all.value.iter().find(named).ok_or_else(|| format!("{id} is not in published.toml"))?;
+    let digits = entry.get("value").and_then(toml::Value::as_str).ok_or("no value")?;
+    Ok(digits.parse()?)
+}
+
+/// The resonances of Figure 7: p = 1 with n = 3, 4, 5, p = 2 and 3 with n = 1, 2.
+fn of_figure_7() -> Result<Vec<Place<LinearOscillator>>, Failure> {
+    let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
+    let indices = [(1, 3), (1, 4), (1, 5), (2, 1), (2, 2), (3, 1), (3, 2)];
+    indices.iter().map(|&(p, n)| at_resonance(&theory.resonance(p, n)?)).collect()
+}
+
+/// A window wide enough for the curves to end in it by themselves, at codimension-two points.
+const ROUTE: Route = Route {
+    window: Window { primary: [0.0, 3.0], secondary: [0.2, 1.2] },
+    control: StepControl::DRAWING,
+    step_limit: 3_000,
+    stop_at_events: true,
+    through_grazing: false,
+};
+
+/// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
+fn flips(place: &Place<LinearOscillator>, count: usize) -> Result<Vec<Unknowns>, Failure> {
+    let unfolded = place.resonance.unfold(&ROUTE)?;
+    let points: Vec<&MaximalPeriodicSolution> = unfolded
+        .period_doubling
+        .points
+        .iter()
+        .map(|point| &point.solution)
+        .filter(|solution| solution.impact_velocity() > 1e-4 && solution.admissible())
+        .collect();
+    let last = points.len().checked_sub(1).ok_or("the PD curve has no points")?;
+    Ok((0..count).map(|k| points[k * last / (count - 1).max(1)].unknowns).collect())
+}
+
+/// What becomes of the period doubling at a point of a PD curve.
+struct Criticality {
+    /// The period-doubled MPS beside it has a multiplier above 1.
+    unstable: bool,
+    /// The simulated orbit that starts beside the MPS, at the parameters of the period-doubled one, ends on the latter.
+    settles: bool,
+}
+
+/// The period-doubled MPS next to a point of a PD curve, and the orbit from the MPS at its parameters.
+fn criticality(
+    place: &Place<LinearOscillator>,
+    flip: &Unknowns,
+    simulate: bool,
+) -> Result<Criticality, Failure> {
+    let equations = DoubledEquations::new(place.resonance.equations());
+    let y = flip[unknown::VELOCITY];
+    let doubled = equations.near(flip, 0.1 * y).ok_or("no period-doubled MPS beside a PD point")?;
+    let multipliers = equations.multipliers(&doubled).ok_or("no multipliers")?;
+    let mut settles = false;
+    if simulate {
+        let parameters = [doubled.primary(), flip[unknown::SECONDARY]];
+        let oscillator = place.resonance.orbit().oscillator().with_parameters(parameters);
+        let [first, second] = doubled.impacts().map(|impact| impact.fixed_rows::<2>(0).into_owned());
+        // Off the middle of the two impacts, where the MPS is, by a hundredth of their distance.
+        let mut here = (first + second) * 0.5 + (first - second) * 0.01;
+        for _ in 0..2000 {
+            match next_impact(&oscillator, place.loops(), here) {
+                Some(next) => here = next,
+                None => break,
+            }
+        }
+        settles = (here - first).norm().min((here - second).norm()) < 1e-3 * (first - second).norm();
+    }
+    // 1 − T + D is the product of one less each multiplier; both are near those of the MPS taken twice, 1 and below 1.
+    Ok(Criticality { unstable: 1.0 - multipliers.trace + multipliers.determinant < 0.0, settles })
+}
+
+/// The period doublings of Figure 7. Printed: all create an unstable solution. Found: close to the resonances those with p = 1
+/// and even n do and the others create a stable one, on which simulated orbits end.
+pub(super) fn criticality_of_figure_7() -> CheckResult {
+    let (mut cases, mut printed) = (Vec::new(), Vec::new());
+    for place in of_figure_7()? {
+        let even = place.loops() == 1 && place.point().unfolding.derivative() < 0.0;
+        for flip in flips(&place, 25)? {
+            printed.push(criticality(&place, &flip, false)?.unstable);
+        }
+        let curve = &place.curves()[1];
+        // Close to the resonance: the leading terms rule, so that the velocities of the two impacts stand in proportion to y.
+        for y in [4e-3, 2e-3, 1e-3, 5e-4] {
+            let eta = y / curve.leading.impact_velocity_slope;
+            let Some(near) = place.on_curve(curve, eta) else { continue };
+            let found = criticality(&place, &near.unknowns, true)?;
+            cases.push(found.unstable == even && found.settles != even);
+        }
+    }
+    let over = "points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along";
+    let agreeing = printed.iter().filter(|unstable| **unstable).count();
+    Ok(agreement(&cases, over).against_print(Measure::Agreement { agreeing, cases: printed.len() }))
+}
+
+/// The order in η of μ at the grazing member of the period-doubled family, and of its first impact velocity.
+fn doubled_grazing_orders(place: &Place<LinearOscillator>) -> Vec<Observed> {
+    let equations = DoubledEquations::new(place.resonance.equations());
+    let curve = &place.curves()[1];
+    let at = super::places::remembered(|size| {
+        let near = place.on_curve(curve, size / curve.leading.impact_velocity_slope)?;
+        let grazing = equations.grazing(&near.unknowns)?;
+        Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
+    });
+    // Located amplitudes and velocities.
+    let part = |index: usize, rounding: f64| (order(|size| Some((at(size)?[index], rounding))), 1.0);
+    vec![part(0, 1e-15), part(1, 1e-13)]
+}
+
+/// The period-doubled solutions end at grazing bifurcations of their own, on curves that end at the resonance.
+pub(super) fn doubled_solutions_graze() -> CheckResult {
+    let mut orders = Vec::new();
+    for place in of_figure_7()? {
+        orders.extend(doubled_grazing_orders(&place));
+    }
+    // Infinite: not found.
+    if orders.iter().any(|(observed, _)| observed.is_infinite()) {
+        return Err("a period-doubled family was not followed to its grazing".into());
+    }
+    let over = "μ and y on the curves where period-doubled MPSs of Figure 7 graze, as η tends to 0";
+    Ok(Outcome::new(lowest(&orders), orders.len(), over))
+}
