@@ -12,5 +12,6 @@ pub mod checks;
 pub mod convergence;
 pub mod ledger;
 pub mod outcome;
+pub mod printed;
 pub mod sampling;
 pub mod specimen;

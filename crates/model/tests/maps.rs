@@ -89,16 +89,16 @@ fn preimage_under_the_virtual_map_is_the_impact() {
 }
 
 #[test]
-fn preimage_is_found_at_every_low_velocity() {
-    // Newton's method cannot do better than the rounding of x over the velocity, and has to be content with that.
-    for omega in [0.37, 0.48, 0.8, 1.3] {
-        let (oscillator, graz) = at_grazing(omega);
-        for k in 0..400 {
-            let y = 1e-4 * libm::exp(0.015 * f64::from(k));
-            let top = virtual_map::<_, 1>(&oscillator, y, graz - 0.01, None).unwrap().jet.value;
-            let back = virtual_preimage(&oscillator, top[0], top[1]).unwrap();
-            // x is a sum of terms of order one, each rounded; γ y is the slope of the root.
-            assert!((back[0] - y).abs() < 1e-13 + 2e-15 / y, "{omega} {y} {}", back[0] - y);
+fn every_point_near_grazing_beyond_the_wall_has_a_preimage() {
+    let (oscillator, graz) = at_grazing(OMEGA);
+    for exponent in 2..=14 {
+        for share in 0..500 {
+            let position = libm::pow(10.0, -f64::from(exponent)) * (1.0 + 0.01 * f64::from(share));
+            let phase = graz + 1e-3 * f64::from(share - 250);
+            let preimage = virtual_preimage(&oscillator, position, phase).unwrap();
+            let image = virtual_map::<_, 1>(&oscillator, preimage[0], preimage[1], None).unwrap().jet.value;
+            // Roundings of the position, of order one, and of the phase.
+            assert!((image[0] - position).abs() < 1e-14 && (image[1] - phase).abs() < 1e-14);
         }
     }
 }

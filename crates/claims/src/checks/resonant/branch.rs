@@ -7,9 +7,9 @@ use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, 
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Observed, Place, Symbols, directions, everywhere, lowest, remembered, scaled,
+    EVERYWHERE, Failure, Loops, Observed, Place, Symbols, directions, everywhere, lowest, order, remembered,
+    scaled,
 };
-use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::sampling::{Sampler, smallest};
 

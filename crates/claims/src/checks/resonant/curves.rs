@@ -8,9 +8,8 @@ use grazing_theorems::auxiliary::{lucas_sequence, resonance_boundary};
 use nalgebra::Vector2;
 
 use super::places::{
-    Bifurcation, EVERYWHERE, Failure, Loops, Near, Observed, Place, everywhere, lowest, remembered,
+    Bifurcation, EVERYWHERE, Failure, Loops, Near, Observed, Place, everywhere, lowest, order, remembered,
 };
-use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::sampling::smallest;
 

@@ -9,10 +9,9 @@ use grazing_theorems::auxiliary::lucas_sequence;
 use nalgebra::Matrix2;
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, directions, everywhere, lowest, remembered,
-    scaled,
+    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, directions, everywhere, lowest, order,
+    remembered, scaled,
 };
-use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
 
 /// Rounding of the entries of D P_virt and D(P_virt ∘ R), numbers of order one.

@@ -1,7 +1,5 @@
 //! Section 6.
 
-use std::collections::BTreeMap;
-
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Route, Window};
 use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
@@ -9,14 +7,13 @@ use grazing_model::maps::{global_iterate, global_map};
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
-use serde::Deserialize;
 
 use super::derivatives::slope;
 use super::doubled::DoubledEquations;
-use super::places::{Failure, Loops, Observed, Place, at_resonance, everywhere, lowest};
+use super::places::{Failure, Loops, Observed, Place, at_resonance, everywhere, lowest, order, remembered};
 use super::simulation::next_impact;
-use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::printed::printed;
 
 fn agreement(cases: &[bool], over: &str) -> Outcome {
     let agreeing = cases.iter().filter(|agrees| **agrees).count();
@@ -165,20 +162,6 @@ pub(super) fn finite_differences() -> CheckResult {
     Ok(Outcome::new(measure, gaps.len(), "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone"))
 }
 
-/// A number that the paper chose.
-fn printed(id: &str) -> Result<f64, Failure> {
-    #[derive(Deserialize)]
-    struct Printed {
-        value: Vec<BTreeMap<String, toml::Value>>,
-    }
-    let all: Printed = toml::from_str(include_str!("../../../../../expected/published.toml"))?;
-    let named =
-        |entry: &&BTreeMap<String, toml::Value>| entry.get("id").and_then(toml::Value::as_str) == Some(id);
-    let entry = all.value.iter().find(named).ok_or_else(|| format!("{id} is not in published.toml"))?;
-    let digits = entry.get("value").and_then(toml::Value::as_str).ok_or("no value")?;
-    Ok(digits.parse()?)
-}
-
 /// The resonances of Figure 7: p = 1 with n = 3, 4, 5, p = 2 and 3 with n = 1, 2.
 fn of_figure_7() -> Result<Vec<Place<LinearOscillator>>, Failure> {
     let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
@@ -273,7 +256,7 @@ pub(super) fn criticality_of_figure_7() -> CheckResult {
 fn doubled_grazing_orders(place: &Place<LinearOscillator>) -> Vec<Observed> {
     let equations = DoubledEquations::new(place.resonance.equations());
     let curve = &place.curves()[1];
-    let at = super::places::remembered(|size| {
+    let at = remembered(|size| {
         let near = place.on_curve(curve, size / curve.leading.impact_velocity_slope)?;
         let grazing = equations.grazing(&near.unknowns)?;
         Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])

@@ -13,6 +13,7 @@ use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{GrazingPoint, Resonance, ResonantPoint};
 use nalgebra::{Matrix2, Vector2};
 
+use crate::convergence;
 use crate::outcome::Measure;
 use crate::sampling::Sampler;
 use crate::specimen::{DELAY, RESTITUTION, VaryingReset, varying_at_grazing};
@@ -288,6 +289,17 @@ pub(super) const SLACK: f64 = 0.3;
 pub(super) fn remembered<T: Clone>(f: impl Fn(f64) -> Option<T>) -> impl Fn(f64) -> Option<T> {
     let known: RefCell<BTreeMap<u64, Option<T>>> = RefCell::default();
     move |size| known.borrow_mut().entry(size.to_bits()).or_insert_with(|| f(size)).clone()
+}
+
+/// The observed order of a remainder that exists down to the smallest size that was looked at; not a number if it does not.
+pub(super) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
+    let mut exists = false;
+    let observed = convergence::order(|size| {
+        let found = remainder(size);
+        exists = found.is_some();
+        found
+    });
+    if exists { observed } else { f64::NAN }
 }
 
 /// An observed order and the stated one.

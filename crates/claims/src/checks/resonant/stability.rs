@@ -6,9 +6,8 @@ use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{
     EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, Symbols, directions, everywhere, lowest,
-    scaled,
+    order, scaled,
 };
-use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
 
 /// T and D at a point, from the derivatives of the two sides of V.
