@@ -65,6 +65,7 @@ pub(crate) const CHECKS: &[Check] = checks!["resonant":
     discussion::periodicity_regions,
     discussion::direction_by_parity,
     discussion::finite_differences,
+    discussion::impacts_elsewhere,
     discussion::criticality_of_figure_7,
     discussion::doubled_solutions_graze,
 ];

@@ -210,12 +210,11 @@ struct Differences {
 }
 
 fn differences<O: ImpactOscillator>(place: &Place<O>) -> Option<Differences> {
-    let position = |x: f64, phase: f64, mu: f64, eta: f64| {
-        let near = place.near([0.0, 0.0, mu, eta])?;
-        Some(global_iterate::<O, 1>(&near.oscillator(), place.loops(), x, phase).ok()?.value[0])
-    };
     let phase = place.fixed_phase();
-    let by_phase = |x: f64, from: f64, mu: f64, eta: f64| slope(STEP, |z| position(x, from + z, mu, eta));
+    let by_phase = |x: f64, from: f64, mu: f64, eta: f64| {
+        let oscillator = place.near([0.0, 0.0, mu, eta])?.oscillator();
+        slope(STEP, |z| Some(global_iterate::<O, 1>(&oscillator, place.loops(), x, from + z).ok()?.value[0]))
+    };
     Some(Differences {
         xi: slope(STEP, |z| by_phase(0.0, phase + z, 0.0, 0.0))?,
         d: slope(STEP, |x| by_phase(x, phase, 0.0, 0.0))?,

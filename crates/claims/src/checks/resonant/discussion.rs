@@ -3,8 +3,9 @@
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Route, Window};
 use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
-use grazing_model::maps::{global_iterate, global_map};
-use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_model::maps::{global_iterate, global_map, virtual_map};
+use grazing_model::motion::Motion;
+use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
 
@@ -55,7 +56,7 @@ pub(super) fn periodicity_regions() -> CheckResult {
 /// Stable MPSs attract in direct simulation.
 fn attraction<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
-    for near in super::simulation::admissible(place) {
+    for near in super::simulation::admissible(place).iter().step_by(3) {
         let (solution, _) = place.resonance.equations().solution(&near.unknowns);
         let (trace, determinant) = (solution.multipliers.trace, solution.multipliers.determinant);
         // Well inside the triangle of stability, so that two hundred impacts suffice.
@@ -167,6 +168,66 @@ fn of_figure_7() -> Result<Vec<Place<LinearOscillator>>, Failure> {
     let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
     let indices = [(1, 3), (1, 4), (1, 5), (2, 1), (2, 2), (3, 1), (3, 2)];
     indices.iter().map(|&(p, n)| at_resonance(&theory.resonance(p, n)?)).collect()
+}
+
+/// The order in h of the difference between extrapolations to h = 0 from both sides, which is at least 3 for a function in C³.
+fn seam(f: impl Fn(f64) -> Option<f64>) -> f64 {
+    order(|size| {
+        let side = |h: f64| Some(4.0 * f(h)? - 6.0 * f(2.0 * h)? + 4.0 * f(3.0 * h)? - f(4.0 * h)?);
+        // Positions and phases of order one, multiplied by up to six.
+        Some((side(size)? - side(-size)?, 1e-14))
+    })
+}
+
+/// The return to Π of an MPS that grazes the wall between its impacts: from its maximum at the wall to the impact, through the
+/// reset law and on to the same maximum, grazing itself ignored as P_global ignores it.
+fn return_through_impact(
+    place: &Place<LinearOscillator>,
+    solution: &MaximalPeriodicSolution,
+) -> Option<[f64; 4]> {
+    let equations = place.resonance.equations();
+    let point = &solution.unknowns;
+    let oscillator = equations.oscillator_at(point);
+    let maximum = solution.highest_interior_maximum?;
+    let recoil = equations.recoil(point);
+    let omega = oscillator.forcing_frequency().value;
+    let phase = recoil.phase + omega * maximum.time;
+    let left = f64::from(place.loops()) * oscillator.forcing_period() - maximum.time;
+    let map = |x: f64, z: f64| {
+        let motion = oscillator.motion(State::at_rest(x, phase + z));
+        let mut time = left;
+        for _ in 0..20 {
+            let here = motion.at(time);
+            time -= here.position / here.velocity;
+        }
+        let reset = oscillator.reset::<1>(motion.at(time).velocity, phase + z + omega * time).value;
+        Some(virtual_map::<_, 1>(&oscillator, reset[0], reset[1], Some(maximum.time)).ok()?.jet.value)
+    };
+    let component = |i: usize, x: f64, z: f64| seam(|h| Some(map(0.1 * x * h, 0.1 * z * h)?[i]));
+    // A return that is not there has no order.
+    let returned = map(0.0, 0.0)?;
+    if (returned[0] - maximum.position).abs() > 1e-9 {
+        return None;
+    }
+    Some([component(0, 1.0, 0.3), component(1, 1.0, 0.3), component(0, -0.2, 1.0), component(1, -0.2, 1.0)])
+}
+
+/// Impacts elsewhere leave P_global smooth, as seen at MPSs that graze between their impacts.
+pub(super) fn impacts_elsewhere() -> CheckResult {
+    let mut orders = Vec::new();
+    for place in of_figure_7()? {
+        for curve in place.resonance.unfold(&ROUTE)?.grazing {
+            for point in curve.points.iter().step_by(10) {
+                // Impacts that are clearly none of grazing.
+                if point.solution.impact_velocity() > 0.05 {
+                    orders.extend(return_through_impact(&place, &point.solution).into_iter().flatten());
+                }
+            }
+        }
+    }
+    let orders: Vec<Observed> = orders.into_iter().map(|observed| (observed, 3.0)).collect();
+    let over = "returns through an impact of MPSs on the grazing curves of Figure 7, extrapolated from both sides of the wall";
+    Ok(Outcome::new(lowest(&orders), orders.len(), over))
 }
 
 /// A window wide enough for the curves to end in it by themselves, at codimension-two points.
