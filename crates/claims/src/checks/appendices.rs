@@ -1,6 +1,8 @@
 //! Appendices A and B.
 
+mod closed_forms;
 mod oscillator;
+mod printed_flow;
 
 use super::{Check, checks};
 
@@ -13,15 +15,15 @@ pub(crate) const CHECKS: &[Check] = checks!["appendices":
     oscillator::second_derivative_by_flow,
     oscillator::second_derivative_in_start,
     oscillator::second_derivative_of_one_loop,
-    oscillator::diagonal_at_resonance,
-    oscillator::resonant_second_derivative_of_one_loop,
-    oscillator::stability_of_one_loop,
-    oscillator::slope_of_one_loop,
+    closed_forms::diagonal_at_resonance,
+    closed_forms::resonant_second_derivative_of_one_loop,
+    closed_forms::stability_of_one_loop,
+    closed_forms::slope_of_one_loop,
     oscillator::second_derivative_of_many_loops,
-    oscillator::angles_at_resonance,
-    oscillator::resonant_second_derivative_of_many_loops,
-    oscillator::stability_of_many_loops,
-    oscillator::detuning_derivative,
-    oscillator::slope_of_many_loops,
-    oscillator::coefficients,
+    closed_forms::angles_at_resonance,
+    closed_forms::resonant_second_derivative_of_many_loops,
+    closed_forms::stability_of_many_loops,
+    closed_forms::detuning_derivative,
+    closed_forms::slope_of_many_loops,
+    closed_forms::coefficients,
 ];

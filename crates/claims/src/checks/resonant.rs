@@ -1,6 +1,7 @@
 //! Section 5: calculations for resonant grazing bifurcations; section 6: discussion.
 
 mod branch;
+mod criticality;
 mod curves;
 mod derivatives;
 mod discussion;
@@ -8,6 +9,7 @@ mod doubled;
 mod places;
 mod simulation;
 mod stability;
+mod visits;
 
 use super::{Check, checks};
 
@@ -54,18 +56,18 @@ pub(crate) const CHECKS: &[Check] = checks!["resonant":
     curves::velocity_of_many_loops,
     curves::functions_of_many_loops,
     curves::admissible_with_many_loops,
-    curves::phase,
-    curves::position_after_recoil,
-    curves::phase_after_recoil,
-    curves::visits_by_powers,
-    curves::positions_of_visits,
-    curves::sums_are_positive,
-    curves::signs_of_visits,
+    visits::phase,
+    visits::position_after_recoil,
+    visits::phase_after_recoil,
+    visits::visits_by_powers,
+    visits::positions_of_visits,
+    visits::sums_are_positive,
+    visits::signs_of_visits,
     discussion::periodic_response,
     discussion::periodicity_regions,
     discussion::direction_by_parity,
     discussion::finite_differences,
     discussion::impacts_elsewhere,
-    discussion::criticality_of_figure_7,
-    discussion::doubled_solutions_graze,
+    criticality::criticality_of_figure_7,
+    criticality::doubled_solutions_graze,
 ];

@@ -7,8 +7,8 @@ use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, 
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Observed, Place, Symbols, directions, everywhere, lowest, order, remembered,
-    scaled,
+    EVERYWHERE, Failure, Loops, Observed, Place, Symbols, directions, everywhere, largest, lowest, order,
+    remembered, scaled,
 };
 use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::sampling::{Sampler, smallest};
@@ -39,7 +39,7 @@ fn jacobian_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Fail
 /// At the resonance det J = 0 and det K is what eq:detJac2 says.
 pub(super) fn jacobians() -> CheckResult {
     let gaps = everywhere!(Loops::Any, jacobian_gaps);
-    let largest = gaps.iter().copied().fold(0.0, f64::max);
+    let largest = largest(&gaps);
     // Sums of products of some tens of roundings.
     let measure = Measure::Deviation { largest, tolerance: 1e-11 };
     Ok(Outcome::new(measure, gaps.len(), "derivatives of V at located resonances"))
@@ -77,7 +77,7 @@ fn zero_velocity_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>,
 /// Z(0, η) = z_graz,η and M(0, η) = 0.
 pub(super) fn at_zero_velocity() -> CheckResult {
     let gaps = everywhere!(Loops::Any, zero_velocity_gaps);
-    let largest = gaps.iter().copied().fold(0.0, f64::max);
+    let largest = largest(&gaps);
     // Both are located to some 10⁻¹⁴; K has entries down to 0.1.
     let measure = Measure::Deviation { largest, tolerance: 1e-12 };
     Ok(Outcome::new(measure, gaps.len(), "zeros of V with y = 0 for η up to 0.03 around resonances"))
@@ -259,7 +259,7 @@ fn solution_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Fail
 /// X₁ = X₂ = X₃ = 0 has the solution eq:k1231 or eq:k123p.
 pub(super) fn solution() -> CheckResult {
     let gaps = everywhere!(Loops::Any, solution_gaps);
-    let largest = gaps.iter().copied().fold(0.0, f64::max);
+    let largest = largest(&gaps);
     // A dozen roundings, and a₁₂ or κ_p of up to 10⁻¹³ at the located resonance.
     Ok(Outcome::new(
         Measure::Deviation { largest, tolerance: 1e-11 },
@@ -294,7 +294,7 @@ fn psi(multipliers: &grazing_continuation::mps::Multipliers) -> [f64; 2] {
 /// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻.
 pub(super) fn multiplier_conditions() -> CheckResult {
     let gaps = everywhere!(Loops::Any, psi_gaps);
-    let largest = gaps.iter().copied().fold(0.0, f64::max);
+    let largest = largest(&gaps);
     // Determinants of matrices with entries of size 1/y, relative to their squares.
     Ok(Outcome::new(
         Measure::Deviation { largest, tolerance: 1e-13 },

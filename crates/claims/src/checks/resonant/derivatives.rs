@@ -9,8 +9,8 @@ use grazing_theorems::auxiliary::lucas_sequence;
 use nalgebra::Matrix2;
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, directions, everywhere, lowest, order,
-    remembered, scaled,
+    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, directions, everywhere, largest, lowest,
+    order, remembered, scaled,
 };
 use crate::outcome::{CheckResult, Measure, Outcome};
 
@@ -230,15 +230,16 @@ fn second_derivative_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<[
     let symbols = place.symbols()?;
     let found = differences(place).ok_or("P_global is not defined around a resonance")?;
     let gap = |a: f64, b: f64| (a - b).abs() / (1.0 + b.abs());
-    let rest = gap(found.xi, symbols.xi).max(gap(found.d, symbols.d)).max(gap(found.e, symbols.e));
-    Ok(vec![[rest.max(gap(found.f_followed, symbols.f)), rest.max(gap(found.f_fixed, symbols.f))]])
+    let rest = [gap(found.xi, symbols.xi), gap(found.d, symbols.d), gap(found.e, symbols.e)];
+    let with = |f: f64| largest(&[rest[0], rest[1], rest[2], gap(f, symbols.f)]);
+    Ok(vec![[with(found.f_followed), with(found.f_fixed)]])
 }
 
 /// The display of d_p, e_p, f_p with ξ_p: that f_p is the f_p of eq:fp, and a₁₂' for p = 1, asks for the derivative along the
 /// grazing curve; at fixed z, as printed, it is not.
 pub(super) fn second_derivatives() -> CheckResult {
     let gaps = everywhere!(Loops::Any, second_derivative_gaps);
-    let largest = |index: usize| gaps.iter().map(|gap| gap[index]).fold(0.0, f64::max);
+    let largest = |index: usize| largest(&gaps.iter().map(|gap| gap[index]).collect::<Vec<_>>());
     // Nested differences: errors of sixth order grow with the derivatives in ω, some 10² for each order at large p n; rounding
     // is 10⁻¹⁵ over the square of the step.
     let measure = |index| Measure::Deviation { largest: largest(index), tolerance: 1e-6 };
@@ -263,7 +264,7 @@ fn slope_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure
 
 fn slopes(which: Loops, over: &str) -> CheckResult {
     let gaps = everywhere!(which, slope_gaps);
-    let largest = gaps.iter().copied().fold(0.0, f64::max);
+    let largest = largest(&gaps);
     // Differences of sixth order with a step of 10⁻³: rounding 10⁻¹⁵/10⁻³, and 10⁻¹⁸ times sixth derivatives of up to 10¹⁰.
     Ok(Outcome::new(Measure::Deviation { largest, tolerance: 1e-7 }, gaps.len(), over))
 }
@@ -286,13 +287,14 @@ fn power_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure
     let modulus = libm::pow(delta, 0.5 * f64::from(loops));
     let resonant = tau - 2.0 * delta.sqrt() * libm::cos(PI / f64::from(loops));
     let sums = [resonant, lucas_sequence(loops, tau, delta), lucas_sequence(loops + 1, tau, delta) + modulus];
-    Ok(vec![sums.iter().fold((power + Matrix2::identity() * modulus).amax(), |a, b| a.max(b.abs()))])
+    let rest = power + Matrix2::identity() * modulus;
+    Ok(sums.iter().chain(rest.iter()).map(|gap| gap.abs()).collect())
 }
 
 /// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
 pub(super) fn power_at_resonance() -> CheckResult {
     let gaps = everywhere!(Loops::Many, power_gaps);
-    let largest = gaps.iter().copied().fold(0.0, f64::max);
+    let largest = largest(&gaps);
     // Roundings of up to five factors.
     let measure = Measure::Deviation { largest, tolerance: 1e-11 };
     Ok(Outcome::new(measure, gaps.len(), "located resonances with p = 2 to 5"))

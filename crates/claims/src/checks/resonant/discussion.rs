@@ -2,7 +2,7 @@
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Route, Window};
-use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
+use grazing_continuation::mps::{MaximalPeriodicSolution, unknown};
 use grazing_model::maps::{global_iterate, global_map, virtual_map};
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
@@ -10,13 +10,12 @@ use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
 
 use super::derivatives::slope;
-use super::doubled::DoubledEquations;
-use super::places::{Failure, Loops, Observed, Place, at_resonance, everywhere, lowest, order, remembered};
+use super::places::{Failure, Loops, Observed, Place, at_resonance, everywhere, largest, lowest, order};
 use super::simulation::next_impact;
 use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::printed::printed;
 
-fn agreement(cases: &[bool], over: &str) -> Outcome {
+pub(super) fn agreement(cases: &[bool], over: &str) -> Outcome {
     let agreeing = cases.iter().filter(|agrees| **agrees).count();
     Outcome::new(Measure::Agreement { agreeing, cases: cases.len() }, cases.len(), over)
 }
@@ -157,14 +156,14 @@ fn numerical_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Fai
 /// The quantities of the theorems by finite differences of P_global.
 pub(super) fn finite_differences() -> CheckResult {
     let gaps = everywhere!(Loops::Any, numerical_gaps);
-    let largest = gaps.iter().copied().fold(0.0, f64::max);
+    let largest = largest(&gaps);
     // Nested differences of sixth order: rounding 10⁻¹⁵ over both steps is 10⁻⁹, and sixth derivatives in ω reach 10¹².
     let measure = Measure::Deviation { largest, tolerance: 1e-7 };
     Ok(Outcome::new(measure, gaps.len(), "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone"))
 }
 
 /// The resonances of Figure 7: p = 1 with n = 3, 4, 5, p = 2 and 3 with n = 1, 2.
-fn of_figure_7() -> Result<Vec<Place<LinearOscillator>>, Failure> {
+pub(super) fn of_figure_7() -> Result<Vec<Place<LinearOscillator>>, Failure> {
     let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
     let indices = [(1, 3), (1, 4), (1, 5), (2, 1), (2, 2), (3, 1), (3, 2)];
     indices.iter().map(|&(p, n)| at_resonance(&theory.resonance(p, n)?)).collect()
@@ -231,112 +230,10 @@ pub(super) fn impacts_elsewhere() -> CheckResult {
 }
 
 /// A window wide enough for the curves to end in it by themselves, at codimension-two points.
-const ROUTE: Route = Route {
+pub(super) const ROUTE: Route = Route {
     window: Window { primary: [0.0, 3.0], secondary: [0.2, 1.2] },
     control: StepControl::DRAWING,
     step_limit: 3_000,
     stop_at_events: true,
     through_grazing: false,
 };
-
-/// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
-fn flips(place: &Place<LinearOscillator>, count: usize) -> Result<Vec<Unknowns>, Failure> {
-    let unfolded = place.resonance.unfold(&ROUTE)?;
-    let points: Vec<&MaximalPeriodicSolution> = unfolded
-        .period_doubling
-        .points
-        .iter()
-        .map(|point| &point.solution)
-        .filter(|solution| solution.impact_velocity() > 1e-4 && solution.admissible())
-        .collect();
-    let last = points.len().checked_sub(1).ok_or("the PD curve has no points")?;
-    Ok((0..count).map(|k| points[k * last / (count - 1).max(1)].unknowns).collect())
-}
-
-/// What becomes of the period doubling at a point of a PD curve.
-struct Criticality {
-    /// The period-doubled MPS beside it has a multiplier above 1.
-    unstable: bool,
-    /// The simulated orbit that starts beside the MPS, at the parameters of the period-doubled one, ends on the latter.
-    settles: bool,
-}
-
-/// The period-doubled MPS next to a point of a PD curve, and the orbit from the MPS at its parameters.
-fn criticality(
-    place: &Place<LinearOscillator>,
-    flip: &Unknowns,
-    simulate: bool,
-) -> Result<Criticality, Failure> {
-    let equations = DoubledEquations::new(place.resonance.equations());
-    let y = flip[unknown::VELOCITY];
-    let doubled = equations.near(flip, 0.1 * y).ok_or("no period-doubled MPS beside a PD point")?;
-    let multipliers = equations.multipliers(&doubled).ok_or("no multipliers")?;
-    let mut settles = false;
-    if simulate {
-        let parameters = [doubled.primary(), flip[unknown::SECONDARY]];
-        let oscillator = place.resonance.orbit().oscillator().with_parameters(parameters);
-        let [first, second] = doubled.impacts().map(|impact| impact.fixed_rows::<2>(0).into_owned());
-        // Off the middle of the two impacts, where the MPS is, by a hundredth of their distance.
-        let mut here = (first + second) * 0.5 + (first - second) * 0.01;
-        for _ in 0..2000 {
-            match next_impact(&oscillator, place.loops(), here) {
-                Some(next) => here = next,
-                None => break,
-            }
-        }
-        settles = (here - first).norm().min((here - second).norm()) < 1e-3 * (first - second).norm();
-    }
-    // 1 − T + D is the product of one less each multiplier; both are near those of the MPS taken twice, 1 and below 1.
-    Ok(Criticality { unstable: 1.0 - multipliers.trace + multipliers.determinant < 0.0, settles })
-}
-
-/// The period doublings of Figure 7. Printed: all create an unstable solution. Found: close to the resonances those with p = 1
-/// and even n do and the others create a stable one, on which simulated orbits end.
-pub(super) fn criticality_of_figure_7() -> CheckResult {
-    let (mut cases, mut printed) = (Vec::new(), Vec::new());
-    for place in of_figure_7()? {
-        let even = place.loops() == 1 && place.point().unfolding.derivative() < 0.0;
-        for flip in flips(&place, 25)? {
-            printed.push(criticality(&place, &flip, false)?.unstable);
-        }
-        let curve = &place.curves()[1];
-        // Close to the resonance: the leading terms rule, so that the velocities of the two impacts stand in proportion to y.
-        for y in [4e-3, 2e-3, 1e-3, 5e-4] {
-            let eta = y / curve.leading.impact_velocity_slope;
-            let Some(near) = place.on_curve(curve, eta) else { continue };
-            let found = criticality(&place, &near.unknowns, true)?;
-            cases.push(found.unstable == even && found.settles != even);
-        }
-    }
-    let over = "points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along";
-    let agreeing = printed.iter().filter(|unstable| **unstable).count();
-    Ok(agreement(&cases, over).against_print(Measure::Agreement { agreeing, cases: printed.len() }))
-}
-
-/// The order in η of μ at the grazing member of the period-doubled family, and of its first impact velocity.
-fn doubled_grazing_orders(place: &Place<LinearOscillator>) -> Vec<Observed> {
-    let equations = DoubledEquations::new(place.resonance.equations());
-    let curve = &place.curves()[1];
-    let at = remembered(|size| {
-        let near = place.on_curve(curve, size / curve.leading.impact_velocity_slope)?;
-        let grazing = equations.grazing(&near.unknowns)?;
-        Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
-    });
-    // Located amplitudes and velocities.
-    let part = |index: usize, rounding: f64| (order(|size| Some((at(size)?[index], rounding))), 1.0);
-    vec![part(0, 1e-15), part(1, 1e-13)]
-}
-
-/// The period-doubled solutions end at grazing bifurcations of their own, on curves that end at the resonance.
-pub(super) fn doubled_solutions_graze() -> CheckResult {
-    let mut orders = Vec::new();
-    for place in of_figure_7()? {
-        orders.extend(doubled_grazing_orders(&place));
-    }
-    // Infinite: not found.
-    if orders.iter().any(|(observed, _)| observed.is_infinite()) {
-        return Err("a period-doubled family was not followed to its grazing".into());
-    }
-    let over = "μ and y on the curves where period-doubled MPSs of Figure 7 graze, as η tends to 0";
-    Ok(Outcome::new(lowest(&orders), orders.len(), over))
-}

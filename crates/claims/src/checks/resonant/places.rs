@@ -313,6 +313,11 @@ pub(super) fn lowest(orders: &[Observed]) -> Measure {
     Measure::Order { observed, stated, slack: SLACK }
 }
 
+/// The largest of some deviations, or what is not a number among them.
+pub(super) fn largest(gaps: &[f64]) -> f64 {
+    gaps.iter().copied().fold(0.0, |a: f64, b| if a.is_nan() || b <= a { a } else { b })
+}
+
 /// Directions (y, z, μ, η) in which points approach a resonance, y of either sign and never small.
 pub(super) fn directions(count: usize) -> Vec<Offset> {
     let mut sampler = Sampler::new(7);

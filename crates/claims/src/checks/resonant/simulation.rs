@@ -6,7 +6,7 @@ use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::{Matrix2, Vector2};
 
-use super::places::{Failure, Loops, Near, Place, everywhere};
+use super::places::{Failure, Loops, Near, Place, everywhere, largest};
 use crate::outcome::{CheckResult, Measure, Outcome};
 
 /// The next impact (y, z) after an impact, its phase counted near that of the first; `None` if it comes at another time than
@@ -74,7 +74,7 @@ fn gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
 /// eq:U: its eigenvalues are the multipliers of the MPS, seen as the growth of perturbations from impact to impact.
 pub(super) fn multipliers() -> CheckResult {
     let gaps = everywhere!(Loops::Any, gaps);
-    let largest = gaps.iter().copied().fold(0.0, f64::max);
+    let largest = largest(&gaps);
     // Differences: rounding of 10⁻¹⁵ over steps down to 2·10⁻⁵, products of two of them for the determinant.
     let measure = Measure::Deviation { largest, tolerance: 1e-7 };
     Ok(Outcome::new(measure, gaps.len(), "admissible MPSs near resonances, followed from impact to impact"))

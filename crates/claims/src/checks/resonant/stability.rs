@@ -5,8 +5,8 @@ use grazing_model::ImpactOscillator;
 use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, Symbols, directions, everywhere, lowest,
-    order, scaled,
+    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, Symbols, directions, everywhere, largest,
+    lowest, order, scaled,
 };
 use crate::outcome::{CheckResult, Measure, Outcome};
 
@@ -199,7 +199,7 @@ fn composition_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, F
 /// eq:TD: trace and determinant of U as it is defined.
 pub(super) fn trace_and_determinant() -> CheckResult {
     let gaps = everywhere!(Loops::Any, composition_gaps);
-    let largest = gaps.iter().copied().fold(0.0, f64::max);
+    let largest = largest(&gaps);
     // P_virt⁻¹ takes the root of x̂ ≈ y²/2γ, which is rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y, and in T.
     let measure = Measure::Deviation { largest, tolerance: 1e-10 };
     Ok(Outcome::new(measure, gaps.len(), "MPSs on branches near resonances"))
