@@ -1,11 +1,11 @@
 //! Appendices A and B.
 
-mod eigenvalues;
-mod polar;
-pub(crate) mod signs;
 mod closed_forms;
+mod eigenvalues;
 mod oscillator;
+mod polar;
 mod printed_flow;
+pub(crate) mod signs;
 
 use super::{Check, checks};
 
