@@ -3,6 +3,7 @@
 //! It is a library too, so that the tests can hold the README's commands against the command line's definition.
 
 pub mod arguments;
+pub mod codecheck;
 pub mod compare;
 pub mod failure;
 pub mod folder;
@@ -12,6 +13,7 @@ mod project;
 mod reproduce;
 pub mod tables;
 pub mod terminal;
+mod visual;
 
 use arguments::{Arguments, Command};
 use failure::Failure;

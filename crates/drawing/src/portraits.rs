@@ -24,6 +24,9 @@ pub(crate) struct Portrait {
 
 /// Thickness of the wall on the sheet, in points.
 const WALL_THICKNESS: f64 = 7.0;
+/// Height of a row with headings, numbers and axis titles, in points.
+pub(crate) const PORTRAIT_ROW: f64 = 140.0;
+/// Where a row's frames begin and end, from its upper edge.
 const TOP: f64 = 17.0;
 const BOTTOM: f64 = 112.0;
 const LEFT: f64 = 38.0;
@@ -61,20 +64,33 @@ pub(crate) fn read_portraits(table: Table<'_>) -> Result<Vec<Portrait>, DrawingE
     Ok(portraits)
 }
 
-/// Draws the row of portraits, all at one scale.
-pub(crate) fn draw_portraits(canvas: &Canvas, portraits: &[Portrait]) -> Result<(), DrawingError> {
+/// Into how many rows the portraits are set: one, or on a narrow sheet rows of at most two.
+pub(crate) fn portrait_rows(portraits: &[Portrait], narrow: bool) -> usize {
+    if narrow { portraits.len().div_ceil(2) } else { 1 }
+}
+
+/// Draws the portraits in so many rows, all at one scale.
+pub(crate) fn draw_portraits(
+    canvas: &Canvas,
+    portraits: &[Portrait],
+    rows: usize,
+) -> Result<(), DrawingError> {
     let window = common_window(portraits).checked("the phase portraits of fig02")?;
-    let count = portraits.len() as f64;
+    let columns = portraits.len().div_ceil(rows.max(1)).max(1);
+    let count = columns as f64;
     let width = (canvas.width - LEFT - 6.0 - GAP * (count - 1.0)) / count;
     for (place, portrait) in portraits.iter().enumerate() {
-        let left = LEFT + (width + GAP) * place as f64;
-        let bounds = Bounds { left, top: TOP, right: left + width - WALL_THICKNESS, bottom: BOTTOM };
+        let (column, row) = (place % columns, place / columns);
+        let left = LEFT + (width + GAP) * column as f64;
+        let above = PORTRAIT_ROW * row as f64;
+        let bounds =
+            Bounds { left, top: above + TOP, right: left + width - WALL_THICKNESS, bottom: above + BOTTOM };
         let panel = Panel::new(canvas, window, bounds);
         wall(&panel)?;
         let pen =
             if portrait.attractor { ATTRACTOR_ORBIT } else { branch_pen(portrait.p, PERIODIC_ORBIT.width) };
         panel.line(&without_jumps(&portrait.orbit), pen)?;
-        panel.axes_with("$x$", if place == 0 { "$y$" } else { "" }, place == 0)?;
+        panel.axes_with("$x$", if column == 0 { "$y$" } else { "" }, column == 0)?;
         jump(&panel, &portrait.orbit)?;
         let kind = match (portrait.attractor, portrait.p) {
             (true, _) => "attractor".to_owned(),
@@ -83,7 +99,7 @@ pub(crate) fn draw_portraits(canvas: &Canvas, portraits: &[Portrait]) -> Result<
         };
         let amplitude = significant(portrait.amplitude, 4);
         let heading = format!(r"{} $\mathcal{{A}}={amplitude}$, {kind}", panel_letter(portrait.number));
-        canvas.text((left, TOP - 5.0), &heading, TICK_SIZE, Anchor::Start, BLACK)?;
+        canvas.text((left, above + TOP - 5.0), &heading, TICK_SIZE, Anchor::Start, BLACK)?;
     }
     Ok(())
 }
