@@ -42,7 +42,7 @@ const WIDTH_MM: f64 = 156.0;
 /// Sheets at least this wide have all portraits in a row, and the magnification beside the diagram.
 const SIDE_BY_SIDE_MM: f64 = 120.0;
 /// Height of the diagram and of its magnification with their numbers and titles, in points.
-const DIAGRAM_HEIGHT: f64 = 237.0;
+const DIAGRAM_HEIGHT: f64 = 222.83;
 const STACKED_HEIGHT: f64 = 186.0;
 /// Room for the portraits' letters above the diagram, and above the magnification, in points.
 const LETTERS: f64 = 18.0;

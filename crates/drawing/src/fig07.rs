@@ -128,13 +128,16 @@ pub(crate) fn compose(figure: &Figure07<'_>, width: SheetWidth) -> Result<Canvas
 
     for (number, outline) in &boxes {
         let reach = 0.5 * (outline.right - outline.left).min(outline.bottom - outline.top);
+        let Bounds { left, top, right, bottom } = *outline;
+        // A small rectangle among many curves is named at the first corner where there is room.
+        let corners =
+            [(left, bottom), (left, top), (right, top), (right, bottom)].map(|corner| (corner, 1.0));
         let letter = panel_letter(*number);
-        labels.add(
-            &letter,
-            SMALL_LABEL_SIZE,
-            MAGNIFIED_TEXT,
-            &Wanted::Around(outline.centre(), reach + 1.0),
-        )?;
+        for (spot, clearance) in [(outline.centre(), reach + 1.0)].into_iter().chain(corners) {
+            if labels.add(&letter, SMALL_LABEL_SIZE, MAGNIFIED_TEXT, &Wanted::Around(spot, clearance))? {
+                break;
+            }
+        }
     }
     for piece in &section_pieces {
         if let Some(&end) = piece.last() {
