@@ -175,7 +175,7 @@ fn every_fault_of_a_figure_is_found_out() {
     assert_eq!(svg(good), [""; 0]);
     for (body, fault) in [
         ("<text x=\"95\" y=\"20\" font-size=\"8\">PD</text>", "leaves the sheet"),
-        ("<text x=\"5\" y=\"20\" font-size=\"5\">PD</text>", "set in 5.00"),
+        ("<text x=\"40\" y=\"20\" font-size=\"5\">PD</text>", "set in 5.00"),
         ("<text x=\"12\" y=\"21\" font-size=\"8\">SN</text>", "`SN` lies over `PD`"),
         ("<path d=\"M50,60L60,40\" stroke=\"#000\"/>", "a shape leaves"),
         ("<g transform=\"scale(0.1)\"><path d=\"M50,60L60,40\" stroke=\"#000\"/></g>", "0.100 points wide"),

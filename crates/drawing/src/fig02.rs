@@ -11,7 +11,7 @@ use crate::fig07::panel_letter;
 use crate::frames::Table;
 use crate::labels::Labels;
 use crate::markup::Label;
-use crate::portraits::{PORTRAIT_ROW, Portrait, draw_portraits, portrait_rows, read_portraits};
+use crate::portraits::{Portrait, ROW, SINGLE_ROW, draw_portraits, portrait_rows, read_portraits};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{BLACK, GUIDE, MAGNIFIER, MAGNIFIER_FRAME, SMALL_LABEL_SIZE, SheetWidth};
 use crate::svg_backend::{Anchor, POINTS_PER_MM};
@@ -43,7 +43,7 @@ const WIDTH_MM: f64 = 156.0;
 const SIDE_BY_SIDE_MM: f64 = 120.0;
 /// Height of the diagram and of its magnification with their numbers and titles, in points.
 const DIAGRAM_HEIGHT: f64 = 222.83;
-const STACKED_HEIGHT: f64 = 186.0;
+const STACKED_HEIGHT: f64 = 162.0;
 /// Room for the portraits' letters above the diagram, and above the magnification, in points.
 const LETTERS: f64 = 18.0;
 const STACKED_GAP: f64 = 8.0;
@@ -77,10 +77,11 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
     let width = width.mm(WIDTH_MM);
     let stacked = width < SIDE_BY_SIDE_MM;
     let rows = portrait_rows(&portraits, stacked);
-    let portraits_end = rows as f64 * PORTRAIT_ROW;
+    let row = if rows == 1 { SINGLE_ROW } else { ROW };
+    let portraits_end = rows as f64 * row;
     let height = portraits_end + if stacked { 2.0 * STACKED_HEIGHT + STACKED_GAP } else { DIAGRAM_HEIGHT };
     let canvas = Canvas::new(width, height / POINTS_PER_MM)?;
-    draw_portraits(&canvas, &portraits, rows)?;
+    draw_portraits(&canvas, &portraits, (rows, row))?;
     let (top, right) = (portraits_end + LETTERS, canvas.width - 6.0);
     let (whole, part) = if stacked {
         let middle = portraits_end + STACKED_HEIGHT;
