@@ -89,7 +89,7 @@ pub struct Reproduce {
     /// The parameter file.
     #[command(flatten)]
     pub parameters: ParameterFile,
-    /// Formats, separated by commas; tex: tables as LaTeX, and figures.tex to include all, with PDF
+    /// Formats, separated by commas; tex: LaTeX tables, and figures.tex to include all, with PDF
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
     pub format: Vec<Format>,
     /// Width of the figures: as in the paper, one column (86 mm) or two (178 mm) of a journal

@@ -2,7 +2,8 @@
 //!
 //! svg2pdf keeps fonts and resources in hash maps, so the numbers of its objects and the order of their entries change
 //! from run to run. Neither means anything; here entries are sorted, objects numbered as they are met from the
-//! catalogue on, and the table of their places is written anew.
+//! catalogue on, and the table of their places is written anew. The page's transparency group goes: the sheet is opaque,
+//! and LaTeX warns of a page that includes two such figures.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -91,9 +92,19 @@ fn objects(pdf: &[u8]) -> Result<BTreeMap<usize, Object>, ExportError> {
             .or_else(|| find(body, b"endobj"))
             .ok_or(ExportError::Layout("an object without its end"))?;
         let dictionary = sorted(&String::from_utf8_lossy(&body[..end]));
+        let is_page = dictionary.contains("\n  /Type /Page\n");
+        let dictionary = if is_page { without_group(&dictionary) } else { dictionary };
         objects.insert(number, Object { dictionary, rest: body[end..].to_vec() });
     }
     Ok(objects)
+}
+
+/// The dictionary of a page without its group.
+fn without_group(dictionary: &str) -> String {
+    const START: &str = "\n  /Group <<\n";
+    const END: &str = "\n  >>";
+    let cut = dictionary.split_once(START).and_then(|(before, rest)| Some((before, rest.split_once(END)?.1)));
+    cut.map_or_else(|| dictionary.to_owned(), |(before, after)| format!("{before}{after}"))
 }
 
 /// The dictionary with its entries of one line sorted, in each run of them; pdf-writer gives each entry a line.
@@ -173,6 +184,13 @@ mod tests {
             sorted(text),
             "<<\n  /Z 1\n  /Font <<\n    /f0 1 0 R\n    /f1 2 0 R\n  >>\n  /A 1\n  /B 1\n>>\n"
         );
+    }
+
+    #[test]
+    fn a_page_loses_its_group_and_nothing_else() {
+        let page = "<<\n  /Contents 7 0 R\n  /Group <<\n    /I true\n    /S /Transparency\n  >>\n  /Type /Page\n>>\n";
+        assert_eq!(without_group(page), "<<\n  /Contents 7 0 R\n  /Type /Page\n>>\n");
+        assert_eq!(without_group("<<\n>>\n"), "<<\n>>\n");
     }
 
     #[test]
