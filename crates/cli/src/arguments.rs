@@ -83,7 +83,7 @@ pub struct Reproduce {
     /// Make this output only; may be given several times
     #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(output_names()))]
     pub only: Vec<String>,
-    /// Write nothing; fail if files are not what the code makes, naming them and what mends them
+    /// Write no output; fail if files are not what the code makes, naming them and what mends them
     #[arg(long)]
     pub check: bool,
     /// The parameter file.
@@ -98,7 +98,7 @@ pub struct Reproduce {
     /// Dots per inch of PNG
     #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u16).range(50..=1200))]
     pub dpi: u16,
-    /// Folder for the figures, with data/ for tables [default: figures or journal, beside each other]
+    /// Folder for the figures, with data/ for tables [default: figures, or journal beside it]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Number of threads; the outputs do not depend on it [default: one for each core]
