@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use grazing_claims::ledger::ClaimKind;
 
 use crate::outputs;
+use crate::outputs::edition::Format;
 
 /// What the exit codes mean, for the end of the help.
 const EXIT_CODES: &str = "\
@@ -33,6 +34,13 @@ Examples:
   cargo xtask reproduce --only fig07     Figure 7 and its data
   cargo xtask reproduce --check          write nothing; fail if figures/ is not what the code makes
   cargo xtask reproduce --parameters mine.toml --output mine
+  cargo xtask reproduce --format pdf,tex --columns one
+                                         for a journal of two columns, into journal/
+
+figures/ holds SVG at the paper's widths. Other formats and widths go to journal/ beside it, or to
+the folder that --output names; runs with --only may mix widths there. Data come along as CSV.
+When a figure that is already there changes, a picture of before, after and the difference is drawn
+in the system's folder for temporary files, and named.
 
 Files are replaced whole and only once everything is computed: an interrupted run leaves each of
 them old or new. A published value that is not met is reported, but fails `compare` only.
@@ -92,18 +100,38 @@ pub struct Reproduce {
     /// Make this output only; may be given several times
     #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(output_names()))]
     pub only: Vec<String>,
-    /// Write nothing; fail if files are not what the code makes, naming them and what mends them
+    /// Write no output; fail if files are not what the code makes, naming them and what mends them
     #[arg(long)]
     pub check: bool,
     /// The parameter file.
     #[command(flatten)]
     pub parameters: ParameterFile,
-    /// Folder for the figures, with data/ for tables [default: that of the default parameters]
+    /// Formats, separated by commas; tex: LaTeX tables, and figures.tex to include all, with PDF
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
+    pub format: Vec<Format>,
+    /// Width of the figures: as in the paper, one column (86 mm) or two (178 mm) of a journal
+    #[arg(long, value_name = "WIDTH", default_value = "paper")]
+    pub columns: Columns,
+    /// Dots per inch of PNG
+    #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u16).range(50..=1200))]
+    pub dpi: u16,
+    /// Folder for the figures, with data/ for tables [default: figures, or journal beside it]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Number of threads; the outputs do not depend on it [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
+}
+
+/// How wide figures are made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Columns {
+    /// As in the paper.
+    Paper,
+    /// One column of a journal with two.
+    One,
+    /// Both columns.
+    Two,
 }
 
 /// The arguments of `grazing compare`.

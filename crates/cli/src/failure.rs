@@ -69,6 +69,15 @@ pub enum Failure {
         /// What stands in the way.
         reason: String,
     },
+    /// Other formats or widths than the default ones were to go to the default folder.
+    #[error(
+        "{folder} holds SVG at the paper's widths only: leave --output out, or name another folder, for other formats \
+         and widths"
+    )]
+    DefaultFolder {
+        /// The default folder.
+        folder: String,
+    },
     /// The threads could not be started.
     #[error("{jobs} threads could not be started: {reason}")]
     Threads {
@@ -120,6 +129,7 @@ impl Failure {
             | Failure::NoProject
             | Failure::NoClaim { .. }
             | Failure::Unwritable { .. }
+            | Failure::DefaultFolder { .. }
             | Failure::Threads { .. } => 2,
             Failure::Computation { .. }
             | Failure::Registry { .. }

@@ -4,6 +4,7 @@
 
 pub mod arguments;
 mod claims;
+pub mod codecheck;
 pub mod compare;
 pub mod failure;
 pub mod folder;
@@ -13,6 +14,7 @@ mod project;
 mod reproduce;
 pub mod tables;
 pub mod terminal;
+mod visual;
 
 use arguments::{Arguments, Command};
 use failure::Failure;

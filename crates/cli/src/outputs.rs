@@ -1,6 +1,8 @@
 //! The registry of outputs: what can be made, and from what.
 
+pub mod edition;
 mod figures;
+pub mod latex;
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -11,6 +13,7 @@ use grazing_reproduction::{Study, Table};
 use crate::failure::Failure;
 use crate::folder::{DATA, MadeFile};
 use crate::tables;
+use edition::{Edition, Format};
 
 /// An output when it is made: the figure as SVG, if it is one, and the tables in the order of the registry.
 struct Made {
@@ -124,26 +127,49 @@ pub const ALL: &[Output] = &[
 impl Output {
     /// The paths of its files in the output folder.
     pub fn paths(&self) -> impl Iterator<Item = PathBuf> {
-        self.figure.iter().map(PathBuf::from).chain(self.tables.iter().map(|table| table_path(table)))
+        self.paths_in(&Edition::default()).into_iter()
+    }
+
+    /// The paths of its files in the output folder of an edition.
+    pub fn paths_in(&self, edition: &Edition) -> Vec<PathBuf> {
+        let figures = self.figure.iter().flat_map(|figure| edition.figure_paths(figure));
+        let tables = self.tables.iter().map(|table| table_path(table));
+        figures.chain(tables).chain(self.latex_tables(edition).map(latex::table_path)).collect()
+    }
+
+    /// The file of the figure as SVG, if it is one.
+    pub fn figure(&self) -> Option<&'static str> {
+        self.figure
+    }
+
+    /// The tables that are printed, in an edition that has LaTeX: those of outputs without a figure.
+    pub(crate) fn latex_tables(&self, edition: &Edition) -> impl Iterator<Item = &'static str> {
+        let printed = self.figure.is_none() && edition.has(Format::Tex);
+        self.tables.iter().copied().filter(move |_| printed)
     }
 
     /// Computes the output.
     ///
     /// # Errors
     /// [`Failure::Computation`]; [`Failure::Registry`] if other tables were made than announced.
-    pub(crate) fn files(&self, study: &Study<'_>) -> Result<Vec<MadeFile>, Failure> {
-        let made = (self.make)(study, SheetWidth::Paper).map_err(|error| computation(self.name, &*error))?;
+    pub(crate) fn files(&self, study: &Study<'_>, edition: &Edition) -> Result<Vec<MadeFile>, Failure> {
+        let made = (self.make)(study, edition.width()).map_err(|error| computation(self.name, &*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
         if names != self.tables {
             return Err(Failure::Registry { output: self.name, made: names, registered: self.tables });
         }
         let mut files = Vec::new();
         if let (Some(file), Some(svg)) = (self.figure, made.figure) {
-            files.push(MadeFile { path: PathBuf::from(file), content: svg.into_bytes() });
+            files.extend(edition.figure_files(file, svg).map_err(|error| computation(self.name, &error))?);
         }
+        let printed: Vec<&str> = self.latex_tables(edition).collect();
         for table in &made.tables {
             let content = tables::csv(&table.frame).map_err(|error| computation(self.name, &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
+        }
+        for table in made.tables.iter().filter(|table| printed.contains(&table.name)) {
+            let content = latex::table(table, self.title).map_err(|error| computation(self.name, &error))?;
+            files.push(MadeFile { path: latex::table_path(table.name), content: content.into_bytes() });
         }
         Ok(files)
     }

@@ -6,11 +6,14 @@ use std::path::{Path, PathBuf};
 use grazing_reproduction::parameters::Parameters;
 
 use crate::failure::Failure;
+use crate::outputs::edition::Edition;
 
 /// The default parameter file, from the root of the repository.
 const PARAMETERS: &str = "figures/parameters.toml";
 /// The default output folder, from the root of the repository.
 const FIGURES: &str = "figures";
+/// The default output folder of other formats and widths.
+const JOURNAL: &str = "journal";
 
 /// The nearest folder, from the current one upwards, that holds the default parameter file; relative, as `../..`, so that
 /// messages name no folder above it.
@@ -35,10 +38,29 @@ pub(crate) fn parameters(named: Option<&Path>) -> Result<Parameters, Failure> {
 /// The folder that was named, or the default one.
 ///
 /// # Errors
-/// [`Failure::NoProject`] if none was named and there is no default one.
-pub(crate) fn output_folder(named: Option<&Path>) -> Result<PathBuf, Failure> {
-    match named {
-        Some(folder) => Ok(folder.to_owned()),
-        None => Ok(root().ok_or(Failure::NoProject)?.join(FIGURES)),
+/// [`Failure::NoProject`] if none was named and there is no default one; [`Failure::DefaultFolder`] if other formats or
+/// widths than the default ones were to go to the folder of the default ones.
+pub(crate) fn output_folder(named: Option<&Path>, edition: &Edition) -> Result<PathBuf, Failure> {
+    let Some(named) = named else {
+        let folder = if edition.is_default() { FIGURES } else { JOURNAL };
+        return Ok(root().ok_or(Failure::NoProject)?.join(folder));
+    };
+    let same = |default: &PathBuf| match (default.canonicalize(), named.canonicalize()) {
+        (Ok(default), Ok(named)) => default == named,
+        _ => false,
+    };
+    match root().map(|root| root.join(FIGURES)).filter(same) {
+        Some(default) if !edition.is_default() => {
+            Err(Failure::DefaultFolder { folder: default.display().to_string() })
+        }
+        _ => Ok(named.to_owned()),
     }
+}
+
+/// The root of the repository, for what belongs there.
+///
+/// # Errors
+/// [`Failure::NoProject`].
+pub(crate) fn root_folder() -> Result<PathBuf, Failure> {
+    root().ok_or(Failure::NoProject)
 }

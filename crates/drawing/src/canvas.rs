@@ -138,6 +138,9 @@ impl Canvas {
         };
         let (top, bottom) = (y - extent.ascent, y + extent.descent);
         let taken = Bounds { left, top, right: left + extent.width, bottom };
+        if label.runs.is_empty() {
+            return Ok(taken);
+        }
         self.texts.borrow_mut().push((label.source.clone(), taken));
         self.draw(&[(x, y)], Ink::Label(label, size, anchor, colour))?;
         for hat in self.fonts.hats(label, size)? {

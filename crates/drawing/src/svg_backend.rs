@@ -119,6 +119,10 @@ impl SvgBackend {
     pub(crate) fn line(&mut self, path: impl IntoIterator<Item = BackendCoord>, pen: &Pen) -> Outcome {
         let path: Vec<BackendCoord> = path.into_iter().collect();
         let data = path_data(simplify(&path), false);
+        if !data.contains('L') {
+            // A line shorter than print resolution is none.
+            return Ok(());
+        }
         self.element(format_args!("<path d=\"{data}\"{}/>", stroke(pen)))
     }
 
@@ -307,6 +311,14 @@ mod tests {
     fn points_that_coincide_in_print_are_written_once() {
         assert_eq!(path_data([(0, 0), (0, 0), (150, -25), (150, -25)], false), "M0,0L1.5,-0.25");
         assert_eq!(path_data([(0, 0), (100, 0), (0, 100)], true), "M0,0L1,0L0,1Z");
+    }
+
+    #[test]
+    fn a_line_that_shrinks_to_a_point_is_not_written() {
+        let pen = Pen { colour: Colour(0, 0, 0), width: 1.0, dashes: &[], opacity: 1.0, round: false };
+        let mut svg = SvgBackend::new(10.0, 10.0);
+        svg.line([(100, 200), (100, 200)], &pen).unwrap();
+        assert_eq!(svg.body, "");
     }
 
     #[test]
