@@ -40,6 +40,8 @@ pub struct Figure02<'a> {
 /// Width in the paper.
 const WIDTH_MM: f64 = 156.0;
 const HEIGHT_MM: f64 = 128.0;
+/// The tables of the diagram.
+const SHOWN: [&str; 3] = ["fig02_bifurcations", "fig02_branches", "fig02_attractor"];
 
 /// Draws Figure 2.
 ///
@@ -69,12 +71,13 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
     draw_portraits(&canvas, &portraits)?;
     let (top, bottom) = (158.0, canvas.height - 31.0);
     let split = 0.59 * canvas.width;
-    let whole = Panel::new(&canvas, window, Bounds { left: 38.0, top, right: split, bottom });
+    let whole = Panel::new(&canvas, window, Bounds { left: 38.0, top, right: split, bottom }).showing(&SHOWN);
     let part = Panel::new(
         &canvas,
         magnification,
         Bounds { left: split + 44.0, top, right: canvas.width - 6.0, bottom },
-    );
+    )
+    .showing(&SHOWN);
     let guides = letters(&whole, &portraits)?;
     magnifier(&whole, &part)?;
     for (panel, every_loop) in [(&whole, false), (&part, true)] {

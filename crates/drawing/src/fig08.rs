@@ -88,7 +88,8 @@ pub(crate) fn compose(figure: &Figure08<'_>, width: SheetWidth) -> Result<Canvas
         let left = TITLE_ROOM + pitch * place as f64 + LEFT;
         let right = TITLE_ROOM + pitch * (place + 1) as f64 - 3.0;
         let bounds = Bounds { left, top: 27.0, right, bottom: canvas.height - 30.0 };
-        let panel = Panel::new(&canvas, window, bounds);
+        let panel =
+            Panel::new(&canvas, window, bounds).showing(&["fig08_curves"]).only("panel", magnified.panel);
         let number = i64::from(magnified.panel);
         let own: Vec<&Curve> = curves.iter().filter(|c| c.panel == number).collect();
         draw_panel(&panel, &own, &regions, &markers)?;

@@ -69,7 +69,9 @@ pub(crate) fn draw_portraits(canvas: &Canvas, portraits: &[Portrait]) -> Result<
     for (place, portrait) in portraits.iter().enumerate() {
         let left = LEFT + (width + GAP) * place as f64;
         let bounds = Bounds { left, top: TOP, right: left + width - WALL_THICKNESS, bottom: BOTTOM };
-        let panel = Panel::new(canvas, window, bounds);
+        let panel = Panel::new(canvas, window, bounds)
+            .showing(&["fig02_portraits"])
+            .only("portrait", portrait.number);
         wall(&panel)?;
         let pen =
             if portrait.attractor { ATTRACTOR_ORBIT } else { branch_pen(portrait.p, PERIODIC_ORBIT.width) };
