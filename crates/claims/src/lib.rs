@@ -13,3 +13,4 @@ pub mod convergence;
 pub mod ledger;
 pub mod outcome;
 pub mod sampling;
+pub mod source;

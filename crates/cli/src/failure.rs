@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use grazing_claims::ledger::LedgerError;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::published::PublishedError;
 use thiserror::Error;
@@ -46,6 +47,14 @@ pub enum Failure {
         /// What stands in the way.
         reason: String,
     },
+    /// The page of the report cannot be written.
+    #[error("{}: cannot be written: {reason}; name another file for the page with --output FILE", path.display())]
+    UnwritablePage {
+        /// The file, or the folder it should stand in.
+        path: PathBuf,
+        /// What stands in the way.
+        reason: String,
+    },
     /// The threads could not be started.
     #[error("{jobs} threads could not be started: {reason}")]
     Threads {
@@ -72,6 +81,9 @@ pub enum Failure {
         /// The tables that should have been.
         registered: &'static [&'static str],
     },
+    /// The ledger of claims is not right.
+    #[error(transparent)]
+    Ledger(#[from] LedgerError),
     /// The list of published values is not right, or does not fit the computed ones.
     #[error(transparent)]
     Published(#[from] PublishedError),
@@ -93,8 +105,12 @@ impl Failure {
             Failure::Parameters(_)
             | Failure::NoProject
             | Failure::Unwritable { .. }
+            | Failure::UnwritablePage { .. }
             | Failure::Threads { .. } => 2,
-            Failure::Computation { .. } | Failure::Registry { .. } | Failure::Published(_) => 3,
+            Failure::Computation { .. }
+            | Failure::Registry { .. }
+            | Failure::Ledger(_)
+            | Failure::Published(_) => 3,
             Failure::File { .. } => 4,
         }
     }

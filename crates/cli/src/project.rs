@@ -8,13 +8,13 @@ use grazing_reproduction::parameters::Parameters;
 use crate::failure::Failure;
 
 /// The default parameter file, from the root of the repository.
-const PARAMETERS: &str = "figures/parameters.toml";
+pub(crate) const PARAMETERS: &str = "figures/parameters.toml";
 /// The default output folder, from the root of the repository.
-const FIGURES: &str = "figures";
+pub(crate) const FIGURES: &str = "figures";
 
 /// The nearest folder, from the current one upwards, that holds the default parameter file; relative, as `../..`, so that
 /// messages name no folder above it.
-fn root() -> Option<PathBuf> {
+pub(crate) fn root() -> Option<PathBuf> {
     let here = env::current_dir().ok()?;
     let above = here.ancestors().count();
     (0..above).map(|steps| PathBuf::from_iter(vec![".."; steps])).find(|root| root.join(PARAMETERS).is_file())
@@ -25,11 +25,18 @@ fn root() -> Option<PathBuf> {
 /// # Errors
 /// [`Failure::NoProject`] if none was named and there is no default one; [`Failure::Parameters`].
 pub(crate) fn parameters(named: Option<&Path>) -> Result<Parameters, Failure> {
-    let file = match named {
-        Some(file) => file.to_owned(),
-        None => root().ok_or(Failure::NoProject)?.join(PARAMETERS),
-    };
-    Ok(Parameters::from_file(&file)?)
+    Ok(Parameters::from_file(&parameter_file(named)?)?)
+}
+
+/// The parameter file that was named, or the default one.
+///
+/// # Errors
+/// [`Failure::NoProject`] if none was named and there is no default one.
+pub(crate) fn parameter_file(named: Option<&Path>) -> Result<PathBuf, Failure> {
+    match named {
+        Some(file) => Ok(file.to_owned()),
+        None => Ok(root().ok_or(Failure::NoProject)?.join(PARAMETERS)),
+    }
 }
 
 /// The folder that was named, or the default one.
