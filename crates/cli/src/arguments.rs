@@ -52,9 +52,10 @@ Examples:
   cargo xtask report                     writes report.html; open it in a browser
   cargo xtask report --output mine.html --parameters mine.toml
 
-One page for all: figures with the values behind them, tables, the published values, every claim with
-the computation that tests it, misprints, and the SHA-256 of each output. It needs no network. What is
-not met or does not hold is shown as such on the page and in the summary, and does not make this fail.
+One page for all: figures with the values behind them, tables, the published values, every claim
+with the computation that tests it, misprints, and the SHA-256 of each output. It needs no network.
+What is not met or does not hold is shown as such on the page and in the summary, and does not make
+this fail.
 
 ";
 

@@ -3,14 +3,14 @@
 
 const SYMBOLS = JSON.parse(document.getElementById("columns").textContent);
 
-/** Reads a table as the page keeps it: CSV in which `=` stands for the cell above. */
+/** Reads a table as the page keeps it: lines of cells between bars, in which `=` stands for the cell above. */
 function readTable(name, text) {
   const lines = text.split("\n");
-  const header = lines[0].split(",");
+  const header = lines[0].split("|");
   const rows = lines.length - 1;
   const columns = header.map(() => new Array(rows));
   for (let row = 0; row < rows; row += 1) {
-    const cells = lines[row + 1].split(",");
+    const cells = lines[row + 1].split("|");
     for (let column = 0; column < header.length; column += 1) {
       columns[column][row] = cells[column] === "=" ? columns[column][row - 1] : cells[column];
     }

@@ -41,8 +41,10 @@ function readPanels(svg) {
       columns: ["data-x-title", "data-y-title"].map((name, axis) => column(mark.getAttribute(name)) || before?.columns[axis] || ""),
       tables: mark.dataset.tables ? mark.dataset.tables.split(" ") : null,
       only: mark.dataset.only ? mark.dataset.only.split(" ") : null,
-      holds: (point) =>
-        point.x >= bounds.x && point.x <= bounds.x + bounds.w && point.y >= bounds.y && point.y <= bounds.y + bounds.h,
+      /** Whether the point lies in the panel, or beside it by no more than a margin, in points of the sheet. */
+      holds: (point, margin = 0.01) =>
+        point.x >= bounds.x - margin && point.x <= bounds.x + bounds.w + margin &&
+        point.y >= bounds.y - margin && point.y <= bounds.y + bounds.h + margin,
       toData: (point) => [
         x0 + ((point.x - bounds.x) / bounds.w) * (x1 - x0),
         y1 - ((point.y - bounds.y) / bounds.h) * (y1 - y0),
@@ -169,7 +171,7 @@ function setUpFigure(figure) {
   const point = (event) => {
     load();
     const spot = view.toSheet(event);
-    const panel = panels.find((candidate) => candidate.holds(spot));
+    const panel = panels.find((candidate) => candidate.holds(spot, 1));
     if (!panel) return;
     readout.setAttribute("aria-live", "off");
     tell(panel, panel.toData(spot), nearest(panel.points, spot, view.scale(), withHidden));

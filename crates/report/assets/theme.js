@@ -4,7 +4,7 @@
   const root = document.documentElement;
   root.classList.add("js");
   const dark = matchMedia("(prefers-color-scheme: dark)");
-  const NAMES = { auto: "Theme: as the system", light: "Theme: light", dark: "Theme: dark" };
+  const NAMES = { auto: "Theme: auto", light: "Theme: light", dark: "Theme: dark" };
   let choice = "auto";
   try {
     choice = localStorage.getItem("grazing-theme") || "auto";

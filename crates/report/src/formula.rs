@@ -44,8 +44,9 @@ pub fn mathml(latex: &str, displayed: bool) -> Result<String, FormulaError> {
     let mut text = String::new();
     push_mathml(&mut text, events.into_iter(), RenderConfig { display_mode, ..RenderConfig::default() })
         .map_err(|error| FormulaError { latex: latex.to_owned(), reason: error.to_string() })?;
-    // The converter escapes its own entities and leaves relations as they are.
-    Ok(text.replace("&amp;nbsp;", "\u{a0}").replace("><</mo>", ">&lt;</mo>").replace(">></mo>", ">&gt;</mo>"))
+    // The converter escapes its own entities, leaves relations as they are, and has the sign of micro- for the letter mu.
+    let tidied = text.replace("&amp;nbsp;", "\u{a0}").replace('\u{b5}', "\u{3bc}");
+    Ok(tidied.replace("><</mo>", ">&lt;</mo>").replace(">></mo>", ">&gt;</mo>"))
 }
 
 /// Words with formulas between dollars, as HTML; a formula that cannot be understood is shown as it stands.
@@ -115,7 +116,7 @@ mod tests {
     #[test]
     fn the_paper_s_habits_are_understood() {
         for latex in [
-            r"z = \omega t ~{\rm mod}~ 2\pi",
+            r"z = \omega(\mu) t ~{\rm mod}~ 2\pi",
             r"\frac{\dot{\phi} \dddot{\phi}}{\ddot{\phi}}",
             r"y \mapsto -\epsilon y \qquad \text{when $x = 0$ with $y > 0$}",
             r"\begin{aligned} a &= b, \\ c &= \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \end{aligned}",
@@ -123,7 +124,7 @@ mod tests {
             r"\frac{\partial \xi}{\partial z} \bigg|_{(x,z)=(0,z_{{\rm graz},0})} + \mathcal{O} \big( y^2 \big)",
         ] {
             let formula = mathml(latex, true).unwrap();
-            assert!(!formula.contains('$') && !formula.contains("&amp;"), "{formula}");
+            assert!(!["$", "&amp;", "\u{b5}"].iter().any(|wrong| formula.contains(wrong)), "{formula}");
         }
     }
 }

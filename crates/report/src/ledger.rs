@@ -294,7 +294,7 @@ fn outcome(verdict: &Verdict) -> String {
                     escape(&identifier("value", &value.id)),
                     crate::published::symbols(&value.quantity),
                     escape(&value.printed.replace('-', "−")),
-                    value.computed.map_or_else(|| "nothing".to_owned(), |computed| number(computed, 7)),
+                    value.computed.map_or_else(|| "nothing".to_owned(), crate::published::computed),
                 );
             }
             html.push_str("</ul>\n");

@@ -21,7 +21,11 @@ mod published;
 mod summary;
 mod table;
 
+// The sample serves the tests in this crate and those beside it.
 #[cfg(test)]
+extern crate self as grazing_report;
+#[cfg(test)]
+#[path = "../tests/sample/mod.rs"]
 mod sample;
 
 pub use figure::Figure;

@@ -23,7 +23,7 @@ pub struct PublishedEntry {
 }
 
 /// Digits of a computed number beside a print, which has four or five.
-pub(crate) const COMPUTED_DIGITS: usize = 8;
+const COMPUTED_DIGITS: usize = 8;
 
 pub(crate) fn section(report: &Report) -> String {
     let mut html = String::from(
@@ -35,7 +35,7 @@ pub(crate) fn section(report: &Report) -> String {
          <th scope=\"col\" class=\"number\">Computed</th><th scope=\"col\">Verdict</th><th scope=\"col\">Where</th></tr></thead>\n<tbody>\n",
     );
     for entry in &report.published {
-        let computed = entry.computed.map_or_else(String::new, |value| number(value, COMPUTED_DIGITS));
+        let computed = entry.computed.map_or_else(String::new, computed);
         let sort = entry.computed.map_or_else(String::new, |value| format!(" data-value=\"{value:e}\""));
         let verdict = match (entry.met, entry.computed) {
             (true, _) => "<span class=\"verdict passed\">met</span>",
@@ -58,7 +58,13 @@ pub(crate) fn section(report: &Report) -> String {
     html
 }
 
-/// The label in brackets, as a link where the ledger or a figure has it.
+/// A computed number beside a print; one with few digits, as parameters are, keeps them.
+pub(crate) fn computed(value: f64) -> String {
+    let whole = value.to_string();
+    if whole.len() <= COMPUTED_DIGITS { whole.replace('-', "−") } else { number(value, COMPUTED_DIGITS) }
+}
+
+/// The label, as a link where the ledger has it.
 fn place_of(report: &Report, label: &str) -> String {
     let name = format!("<code>{}</code>", escape(label));
     if report.claims.iter().any(|claim| claim.label == label) {

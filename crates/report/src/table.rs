@@ -25,7 +25,7 @@ pub struct TableOutput {
     pub tables: Vec<CsvTable>,
 }
 
-/// Significant digits shown; the whole number is in the data file, and under the pointer.
+/// Significant digits shown; the whole number is in the data file.
 const DIGITS: usize = 7;
 /// Tables with more rows begin closed.
 const LONG: usize = 40;
@@ -105,11 +105,10 @@ fn one(report: &Report, table: &CsvTable) -> String {
 fn shown(cell: &str, column: &str, numeric: bool) -> String {
     match cell.parse::<f64>() {
         Ok(value) if numeric && cell.contains('.') => {
-            format!(
-                "<td class=\"number\" data-value=\"{0}\" title=\"{0}\">{1}</td>",
-                escape(cell),
-                number(value, DIGITS)
-            )
+            let shown = number(value, DIGITS);
+            // What a script cannot read as a number is given for sorting.
+            let sort = if shown.contains('<') { format!(" data-value=\"{value:e}\"") } else { String::new() };
+            format!("<td class=\"number\"{sort}>{shown}</td>")
         }
         Ok(_) if numeric => format!("<td class=\"number\">{}</td>", escape(&cell.replace('-', "−"))),
         _ if numeric => "<td class=\"number\"></td>".to_owned(),
@@ -126,8 +125,8 @@ fn verdicts(cells: &Cells<'_>) -> String {
         return String::new();
     };
     let mut counts: Vec<(&str, usize)> = Vec::new();
-    for word in cells.rows.iter().filter_map(|row| row.get(column)) {
-        match counts.iter_mut().find(|(known, _)| known == word) {
+    for word in cells.rows.iter().filter_map(|row| row.get(column)).map(AsRef::as_ref) {
+        match counts.iter_mut().find(|(known, _)| *known == word) {
             Some((_, count)) => *count += 1,
             None => counts.push((word, 1)),
         }
@@ -143,7 +142,7 @@ fn verdicts(cells: &Cells<'_>) -> String {
 /// The colour of a verdict: agreement, disagreement, or neither.
 fn tone(verdict: &str) -> &'static str {
     let verdict = verdict.to_ascii_lowercase();
-    if verdict.contains("disagree") || verdict.contains("fail") {
+    if ["disagree", "unexplained", "fail"].iter().any(|word| verdict.contains(word)) {
         "failed"
     } else if verdict.contains("agree") || verdict == "met" || verdict == "passed" {
         "passed"
@@ -158,19 +157,20 @@ mod tests {
 
     #[test]
     fn verdicts_are_counted_and_coloured() {
-        let cells = Cells::read("p,verdict\n1,agrees\n2,disagrees\n3,agrees\n4,no claim\n");
+        let cells = Cells::read("p,verdict\n1,agreement\n2,unexplained\n3,agreement\n4,explained\n");
         let html = verdicts(&cells);
         let at = |text: &str| html.find(text).unwrap_or_else(|| panic!("{text} is missing in {html}"));
-        assert!(at("passed\">2 agrees") < at("failed\">1 disagrees"));
-        assert!(at("failed\">1 disagrees") < at("unchecked\">1 no claim"));
+        assert!(at("passed\">2 agreement") < at("unchecked\">1 explained"));
+        assert!(at("unchecked\">1 explained") < at("failed\">1 unexplained"));
     }
 
     #[test]
-    fn numbers_are_rounded_for_the_eye_and_whole_for_sorting() {
+    fn numbers_are_rounded_for_the_eye_and_can_be_sorted() {
         let cell = shown("-5.6794452873805710e2", "c_sn", true);
+        assert_eq!(cell, "<td class=\"number\">−567.9445</td>");
         assert_eq!(
-            cell,
-            "<td class=\"number\" data-value=\"-5.6794452873805710e2\" title=\"-5.6794452873805710e2\">−567.9445</td>"
+            shown("1.5000000000000000e-9", "c_sn", true),
+            "<td class=\"number\" data-value=\"1.5e-9\">1.5 × 10<sup>−9</sup></td>"
         );
         assert_eq!(shown("a<b", "kind", false), "<td>a&lt;b</td>");
     }

@@ -1,6 +1,6 @@
 //! A small report with everything in it, for the tests.
 
-use crate::{
+use grazing_report::{
     ClaimEntry, CsvTable, Figure, Manifest, Measured, MisprintEntry, OutputFile, PublishedEntry, Report,
     Source, TableOutput, Verdict,
 };
@@ -108,7 +108,7 @@ pub(crate) fn report() -> Report {
             title: hostile(),
             tables: vec![CsvTable {
                 name: "sweep".to_owned(),
-                csv: "p,c_sn,verdict\n1,-5.6794452873805710e2,agrees\n2,3.0,disagrees\n3,1.0e-7,agrees\n"
+                csv: "p,c_sn,verdict\n1,-5.6794452873805710e2,agreement\n2,3.0,unexplained\n3,1.0e-7,agreement\n"
                     .to_owned(),
             }],
         }],
