@@ -39,9 +39,24 @@ fn on_sheet(svg: &str, amplitude: f64, omega: f64) -> (f64, f64) {
     (numbers("x")[0] + across * numbers("width")[0], numbers("y")[0] + (1.0 - up) * numbers("height")[0])
 }
 
+/// Copies the source files: the program looks into them to find out where functions are.
+fn copy_sources(to: &Path, from: &Path) {
+    fs::create_dir_all(to).expect("the folder is ours");
+    for entry in fs::read_dir(from).expect("the sources can be read") {
+        let entry = entry.expect("the sources can be read");
+        let (path, copy) = (entry.path(), to.join(entry.file_name()));
+        if path.is_dir() {
+            copy_sources(&copy, &path);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            fs::copy(&path, &copy).expect("the folder is ours");
+        }
+    }
+}
+
 #[test]
 fn the_page_of_the_whole_study_is_complete_and_answers() {
     let folder = project(&quick_parameters());
+    copy_sources(&folder.path().join("crates"), &repository().join("crates"));
     let made = grazing(folder.path(), &["report", "--output", "pages/report.html"]);
     assert_eq!(made.code, Some(0), "{}", made.messages);
     assert!(made.output.contains("pages/report.html: "), "{}", made.output);
@@ -59,9 +74,17 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
             assert!(page.contains(&link), "{link} is missing");
         }
     }
-    for claim in &Ledger::of_the_paper().expect("the ledger is right").claims {
+    let claims = Ledger::of_the_paper().expect("the ledger is right").claims;
+    for claim in &claims {
         assert!(page.contains(&format!("id=\"claim-{}\"", claim.label)), "{} is missing", claim.label);
     }
+    let sources: BTreeSet<&str> =
+        values(&page, "href").into_iter().filter(|href| href.starts_with("../crates/")).collect();
+    for source in &sources {
+        assert!(pages.join(source).is_file(), "{source} leads nowhere");
+    }
+    let held = claims.iter().any(|claim| !claim.holds.is_empty());
+    assert_eq!(sources.is_empty(), !held, "claims lead to the functions that hold them");
     let here = folder.path().display().to_string();
     assert!(!page.contains(&here), "the page names a folder of this machine");
 
@@ -129,41 +152,4 @@ fn without_parameters_there_is_no_page() {
     assert_eq!((outcome.code, outcome.output.as_str()), (Some(2), ""));
     assert!(outcome.messages.starts_with("error: no figures/parameters.toml"), "{}", outcome.messages);
     assert_eq!(listing(folder.path()), [""; 0]);
-}
-
-#[test]
-fn links_to_source_files_lead_to_files_of_the_repository() {
-    // The repository itself is the project here, so that there are sources; the page goes elsewhere.
-    let parameters = empty_folder();
-    let file = parameters.path().join("quick.toml");
-    fs::write(&file, quick_parameters()).expect("the folder is ours");
-    let out = repository().join("target-of-this-test");
-    let page = out.join("report.html");
-    let arguments = [
-        "report",
-        "--parameters",
-        &file.display().to_string(),
-        "--output",
-        "target-of-this-test/report.html",
-    ];
-    let made = grazing(&repository(), &arguments);
-    let text = fs::read_to_string(&page);
-    fs::remove_dir_all(&out).expect("it was made by the program");
-    assert_eq!(made.code, Some(0), "{}", made.messages);
-    let text = text.expect("it was written");
-    let targets: BTreeSet<&str> =
-        values(&text, "href").into_iter().filter(|href| href.starts_with("../crates/")).collect();
-    for target in &targets {
-        assert!(
-            repository().join(Path::new(target).strip_prefix("..").expect("it leads up")).is_file(),
-            "{target}"
-        );
-    }
-    let held = Ledger::of_the_paper()
-        .expect("the ledger is right")
-        .claims
-        .iter()
-        .any(|claim| !claim.holds.is_empty());
-    assert_eq!(targets.is_empty(), !held, "claims that are held by functions lead to them");
-    assert!(!text.contains("href=\"../figures/"), "with other parameters, the files there are others");
 }

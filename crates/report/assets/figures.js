@@ -58,11 +58,25 @@ function readPanels(svg) {
   return panels;
 }
 
+/** Tables in the order in which they tell most, for figures that do not say: points, then curves; regions have no more. */
+function byTelling(tables) {
+  const telling = (table) => (table.name.endsWith("_points") ? 0 : 1);
+  return tables.filter((table) => !table.name.endsWith("_regions")).sort((a, b) => telling(a) - telling(b));
+}
+
+/** What a row is, in words. */
+function nameOf(cell) {
+  const kind = cell("kind");
+  if (kind) return KINDS[kind] || writtenCell(kind);
+  if (cell("stable") === undefined) return "Nearest computed point";
+  return cell("p") === "0" ? "Non-impacting solution" : `Solution with ${cell("p")} ${cell("p") === "1" ? "loop" : "loops"}`;
+}
+
 /** The rows that a panel shows, with their places on the sheet. */
 function rowsOf(panel, tables) {
   const points = [];
-  const named = panel.tables?.map((name) => tables.find((table) => table.name === name)).filter(Boolean) ?? tables;
-  named.forEach((table, rank) => {
+  const named = panel.tables?.map((name) => tables.find((table) => table.name === name)).filter(Boolean);
+  (named ?? byTelling(tables)).forEach((table, rank) => {
     const [xs, ys] = panel.columns.map(table.column);
     const kept = panel.only && table.column(panel.only[0]);
     if (!xs || !ys || (panel.only && !kept)) return;
@@ -151,8 +165,7 @@ function setUpFigure(figure) {
     if (!point) return;
     const { table, row } = point;
     const cell = (column) => table.column(column)?.[row];
-    const kind = cell("kind");
-    readout.append(element("p", "name", kind ? KINDS[kind] || writtenCell(kind) : "Nearest computed point"));
+    readout.append(element("p", "name", nameOf(cell)));
     const flags = element("p", "flags");
     for (const [column, yes, no] of [["stable", "stable", "unstable"], ["admissible", "admissible", "inadmissible"]]) {
       const value = cell(column);

@@ -49,17 +49,56 @@ pub fn mathml(latex: &str, displayed: bool) -> Result<String, FormulaError> {
     Ok(tidied.replace("><</mo>", ">&lt;</mo>").replace(">></mo>", ">&gt;</mo>"))
 }
 
-/// Words with formulas between dollars, as HTML; a formula that cannot be understood is shown as it stands.
+/// Words with formulas between dollars, as HTML; a formula that cannot be understood is shown as it stands. In the words,
+/// `_` after a single letter lowers what follows, and `^` raises it.
 pub fn prose(text: &str) -> String {
     let mut html = String::new();
     for (index, piece) in text.split('$').enumerate() {
         if index % 2 == 0 {
-            html.push_str(&escape(piece));
+            html.push_str(&scripts(&escape(piece)));
         } else {
             html.push_str(&shown(piece, false));
         }
     }
     html
+}
+
+/// The escaped text with sub- and superscripts: `h_p`, `c_{SN,1}`, `s_p^+`. Names of several letters, as of functions, stay.
+fn scripts(text: &str) -> String {
+    let mut html = String::new();
+    let (mut last, mut before_last) = (' ', ' ');
+    let mut rest = text;
+    while let Some(character) = rest.chars().next() {
+        rest = &rest[character.len_utf8()..];
+        let single = last.is_alphabetic() && !before_last.is_alphanumeric() && before_last != '_';
+        let (element, possible) = match character {
+            '_' => ("sub", single),
+            '^' => ("sup", last.is_alphanumeric() || last == ')'),
+            _ => ("", false),
+        };
+        let (script, after) = if possible { script(rest) } else { ("", rest) };
+        if script.is_empty() {
+            html.push(character);
+            (before_last, last) = (last, character);
+        } else {
+            html.push_str(&format!("<{element}>{script}</{element}>"));
+            // A superscript may follow a subscript, on the same letter.
+            rest = after;
+        }
+    }
+    html
+}
+
+/// What a script mark applies to, in braces or as far as letters and digits reach, or one sign; and the text after it.
+fn script(text: &str) -> (&str, &str) {
+    if let Some((script, after)) = text.strip_prefix('{').and_then(|inner| inner.split_once('}')) {
+        return (script, after);
+    }
+    let end = match text.chars().next() {
+        Some(sign @ ('+' | '−' | '±' | '∓' | '*')) => sign.len_utf8(),
+        _ => text.find(|character: char| !character.is_alphanumeric()).unwrap_or(text.len()),
+    };
+    text.split_at(end)
 }
 
 /// The formula, or its source where it cannot be understood.
@@ -111,6 +150,17 @@ mod tests {
         let error = mathml(r"\nosuchcommand{x}", false).unwrap_err();
         assert!(error.to_string().contains("nosuchcommand"), "{error}");
         assert_eq!(prose(r"a < $\nosuchcommand$"), r"a &lt; <code>\nosuchcommand</code>");
+    }
+
+    #[test]
+    fn words_have_sub_and_superscripts_and_names_of_functions_stay() {
+        assert_eq!(
+            prose("h_p < g_{p,1} and s_p^+ = η^2"),
+            "h<sub>p</sub> &lt; g<sub>p,1</sub> and s<sub>p</sub><sup>+</sup> = η<sup>2</sup>"
+        );
+        for text in ["grazing_theorems::from_map", "a _ b", "f_", "2^"] {
+            assert_eq!(prose(text), text);
+        }
     }
 
     #[test]

@@ -8,6 +8,7 @@
 //!
 //! This crate computes nothing and does no input or output.
 
+mod claim;
 mod columns;
 mod csv;
 mod figure;
@@ -28,9 +29,9 @@ extern crate self as grazing_report;
 #[path = "../tests/sample/mod.rs"]
 mod sample;
 
+pub use claim::{ClaimEntry, Measured, MisprintEntry, Source, State, Verdict};
 pub use figure::Figure;
 pub use formula::{FormulaError, mathml, prose};
-pub use ledger::{ClaimEntry, Measured, MisprintEntry, Source, State, Verdict};
 pub use manifest::{Manifest, OutputFile};
 pub use page::page;
 pub use published::PublishedEntry;

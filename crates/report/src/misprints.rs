@@ -39,7 +39,7 @@ pub(crate) fn section(report: &Report) -> String {
                 "<br><span class=\"samples\">Corrected: {}. Printed: {}. {samples} {}.</span>",
                 measured.html(),
                 print.html(),
-                escape(over)
+                prose(over)
             );
         }
         html.push_str("</dd>\n</dl>\n</article>\n");

@@ -17,6 +17,7 @@ const SCRIPTS: &[&str] = &[
     include_str!("../assets/figures.js"),
     include_str!("../assets/tables.js"),
     include_str!("../assets/claims.js"),
+    include_str!("../assets/formulas.js"),
 ];
 
 /// What the page may load: nothing but what stands in it.
