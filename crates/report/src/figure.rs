@@ -1,7 +1,7 @@
 //! Figures: SVG inside the page, with the numbers that are drawn.
 
 use crate::html::{escape, identifier, json_string, put};
-use crate::{CsvTable, Report, csv, ledger};
+use crate::{CsvTable, Report, csv, ledger, prose};
 
 /// A figure with its data.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,11 +21,19 @@ pub struct Figure {
 struct Parts {
     /// The attributes of the root that the page needs.
     view_box: String,
+    /// Millimetres.
+    width: f64,
     attributes: String,
     description: String,
     style: String,
     body: String,
 }
+
+/// How much larger than on paper figures are shown where there is room, in units of the page's type for a millimetre: all
+/// by the same factor, so that their labels are of one size.
+const SCALE: f64 = 0.34;
+/// The width, in millimetres, of a figure that does not say it.
+const WIDEST: f64 = 160.0;
 
 /// The families of the embedded fonts have names of their own on the page: the fonts are cut down to what figures need,
 /// and must not stand in for whole ones of the reader's system.
@@ -60,12 +68,13 @@ pub(crate) fn section(report: &Report) -> String {
 }
 
 fn one(report: &Report, figure: &Figure) -> String {
-    let Parts { view_box, attributes, description, body, .. } = parts(&figure.svg, &figure.name);
+    let Parts { view_box, width, attributes, description, body, .. } = parts(&figure.svg, &figure.name);
+    let width = width * SCALE;
     let name = escape(&figure.name);
     let title = escape(&figure.title);
     let heading = match figure.title.split_once(": ") {
         Some((number, rest)) => {
-            format!("<span class=\"eyebrow\">{}</span> {}", escape(number), escape(&capitalised(rest)))
+            format!("<span class=\"eyebrow\">{}</span> {}", escape(number), prose(&capitalised(rest)))
         }
         None => title.clone(),
     };
@@ -73,14 +82,14 @@ fn one(report: &Report, figure: &Figure) -> String {
         "<figure id=\"{name}\" class=\"figure\">\n<h3>{heading}</h3>\n<div class=\"workbench\">\n\
          <div class=\"sheet\" tabindex=\"0\" role=\"group\" aria-roledescription=\"zoomable figure\" aria-label=\"{title}\" \
          aria-describedby=\"{name}-caption\">\n\
-         <svg viewBox=\"{view_box}\" {attributes} role=\"img\" aria-label=\"{title}\">{body}</svg>\n</div>\n\
+         <svg viewBox=\"{view_box}\" style=\"max-width:{width:.1}rem\" {attributes} role=\"img\" aria-label=\"{title}\">{body}</svg>\n</div>\n\
          <div class=\"side\">\n<div class=\"tools scripted\" role=\"toolbar\" aria-label=\"Zoom of {title}\">\
          <button type=\"button\" data-zoom=\"in\" aria-label=\"Zoom in\">+</button>\
          <button type=\"button\" data-zoom=\"out\" aria-label=\"Zoom out\">−</button>\
          <button type=\"button\" data-zoom=\"all\">Whole figure</button></div>\n\
          <div class=\"readout scripted\" aria-live=\"off\"></div>\n</div>\n</div>\n"
     );
-    put!(html, "<figcaption id=\"{name}-caption\"><p>{}</p>\n", escape(&description));
+    put!(html, "<figcaption id=\"{name}-caption\"><p>{}</p>\n", prose(&description));
     html.push_str(&files(report, figure));
     let shown: Vec<&str> = report
         .claims
@@ -162,6 +171,10 @@ fn parts(svg: &str, name: &str) -> Parts {
         body = body.replace(reference, &own);
     }
     Parts {
+        width: attribute(head, "width")
+            .and_then(|width| width.strip_suffix("mm"))
+            .and_then(|width| width.parse().ok())
+            .unwrap_or(WIDEST),
         view_box: attribute(head, "viewBox").unwrap_or("0 0 100 100").to_owned(),
         attributes: attributes.trim_end().to_owned(),
         description: unescaped(&description),
@@ -205,6 +218,7 @@ mod tests {
     fn a_file_is_taken_apart_and_its_identifiers_are_its_own() {
         let parts = parts(SVG, "fig99");
         assert_eq!(parts.view_box, "0 0 10 10");
+        assert_eq!(parts.width, 1.0);
         assert_eq!(parts.description, "a < b");
         assert_eq!(parts.style, "@font-face{font-family:'Figure Text'}");
         assert_eq!(parts.attributes, "font-family=\"'Figure Text',serif\" fill=\"none\"");

@@ -1,7 +1,7 @@
 //! The top of the page: what it is about, and how everything came out.
 
-use crate::html::{counted, put};
-use crate::{Report, State};
+use crate::html::{counted, escape, put};
+use crate::{Report, State, prose};
 
 pub(crate) fn section(report: &Report) -> String {
     let met = report.published.iter().filter(|entry| entry.met).count();
@@ -53,12 +53,7 @@ pub(crate) fn section(report: &Report) -> String {
         .map(|figure| (&figure.name, &figure.title))
         .chain(report.tables.iter().map(|table| (&table.name, &table.title)))
     {
-        put!(
-            html,
-            "<li><a href=\"#{}\">{}</a></li>\n",
-            crate::html::escape(name),
-            crate::html::escape(title)
-        );
+        put!(html, "<li><a href=\"#{}\">{}</a></li>\n", escape(name), prose(title));
     }
     put!(
         html,

@@ -1,9 +1,9 @@
 //! Outputs that are tables only.
 
-use crate::Report;
 use crate::columns::{explanation, heading};
 use crate::csv::Cells;
 use crate::html::{counted, escape, number, put};
+use crate::{Report, prose};
 
 /// A table as CSV: a header, commas, no quotes.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,7 +39,7 @@ pub(crate) fn section(report: &Report) -> String {
     );
     for output in &report.tables {
         put!(html, "<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n", escape(&output.name));
-        put!(html, "<h3 id=\"{}-title\">{}</h3>\n", escape(&output.name), escape(&output.title));
+        put!(html, "<h3 id=\"{}-title\">{}</h3>\n", escape(&output.name), prose(&output.title));
         for table in &output.tables {
             html.push_str(&one(report, table));
         }
