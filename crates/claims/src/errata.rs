@@ -15,7 +15,8 @@ the printed one has to fail and the corrected one to hold. None of them touches 
 ";
 
 /// The two kinds with their headings: misprints with values that decide, and those of notation and wording.
-const KINDS: [(bool, &str); 2] = [(false, "Formulas, conditions and statements"), (true, "Notation and wording")];
+const KINDS: [(bool, &str); 2] =
+    [(false, "Formulas, conditions and statements"), (true, "Notation and wording")];
 
 /// The page, from the findings of the whole ledger.
 pub fn page(findings: &[Finding<'_>]) -> String {

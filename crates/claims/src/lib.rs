@@ -19,6 +19,7 @@ pub mod ledger;
 pub mod outcome;
 pub mod printed;
 pub mod sampling;
+pub mod source;
 pub mod specimen;
 pub mod sweep;
 pub mod tally;

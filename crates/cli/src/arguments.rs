@@ -69,6 +69,18 @@ corrected one holds.
 
 ";
 
+const EXAMPLES_OF_REPORT: &str = "\
+Examples:
+  cargo xtask report                     writes report.html; open it in a browser
+  cargo xtask report --output mine.html --parameters mine.toml
+
+One page for all: figures with the values behind them, tables, the published values, every claim
+with the computation that tests it, misprints, and the SHA-256 of each output. It needs no network.
+What is not met or does not hold is shown as such on the page and in the summary, and does not make
+this fail.
+
+";
+
 /// Regenerates the numerical results of "Resonant grazing bifurcations revisited" (arXiv 2602.22797)
 #[derive(Debug, Parser)]
 #[command(name = "grazing", version, subcommand_required = true, arg_required_else_help = true)]
@@ -92,6 +104,9 @@ pub enum Command {
     /// Test what the paper states, label by label, and print what each check measures
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_CLAIMS}{EXIT_CODES}"))]
     Claims(Claims),
+    /// Write one page with figures, tables, claims and a manifest, to be read in a browser
+    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_REPORT}{EXIT_CODES}"))]
+    Report(Report),
 }
 
 /// The arguments of `grazing reproduce`.
@@ -163,6 +178,20 @@ pub struct Claims {
     /// The parameter file.
     #[command(flatten)]
     pub parameters: ParameterFile,
+}
+
+/// The arguments of `grazing report`.
+#[derive(Debug, Args)]
+pub struct Report {
+    /// File of the page
+    #[arg(long, value_name = "FILE", default_value = "report.html")]
+    pub output: PathBuf,
+    /// The parameter file.
+    #[command(flatten)]
+    pub parameters: ParameterFile,
+    /// Number of threads; the page does not depend on it [default: one for each core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
 }
 
 /// The parameter file, which all commands share.

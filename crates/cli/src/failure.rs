@@ -78,6 +78,14 @@ pub enum Failure {
         /// The default folder.
         folder: String,
     },
+    /// The page of the report cannot be written.
+    #[error("{}: cannot be written: {reason}; name another file for the page with --output FILE", path.display())]
+    UnwritablePage {
+        /// The file, or the folder it should stand in.
+        path: PathBuf,
+        /// What stands in the way.
+        reason: String,
+    },
     /// The threads could not be started.
     #[error("{jobs} threads could not be started: {reason}")]
     Threads {
@@ -104,6 +112,9 @@ pub enum Failure {
         /// The tables that should have been.
         registered: &'static [&'static str],
     },
+    /// The ledger of claims is not right.
+    #[error(transparent)]
+    Ledger(#[from] LedgerError),
     /// The list of published values is not right, or does not fit the computed ones.
     #[error(transparent)]
     Published(#[from] PublishedError),
@@ -130,6 +141,7 @@ impl Failure {
             | Failure::NoClaim { .. }
             | Failure::Unwritable { .. }
             | Failure::DefaultFolder { .. }
+            | Failure::UnwritablePage { .. }
             | Failure::Threads { .. } => 2,
             Failure::Computation { .. }
             | Failure::Registry { .. }

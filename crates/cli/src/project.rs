@@ -9,9 +9,9 @@ use crate::failure::Failure;
 use crate::outputs::edition::Edition;
 
 /// The default parameter file, from the root of the repository.
-const PARAMETERS: &str = "figures/parameters.toml";
+pub(crate) const PARAMETERS: &str = "figures/parameters.toml";
 /// The default output folder, from the root of the repository.
-const FIGURES: &str = "figures";
+pub(crate) const FIGURES: &str = "figures";
 /// The default output folder of other formats and widths.
 const JOURNAL: &str = "journal";
 
@@ -28,11 +28,18 @@ pub(crate) fn root() -> Option<PathBuf> {
 /// # Errors
 /// [`Failure::NoProject`] if none was named and there is no default one; [`Failure::Parameters`].
 pub(crate) fn parameters(named: Option<&Path>) -> Result<Parameters, Failure> {
-    let file = match named {
-        Some(file) => file.to_owned(),
-        None => root().ok_or(Failure::NoProject)?.join(PARAMETERS),
-    };
-    Ok(Parameters::from_file(&file)?)
+    Ok(Parameters::from_file(&parameter_file(named)?)?)
+}
+
+/// The parameter file that was named, or the default one.
+///
+/// # Errors
+/// [`Failure::NoProject`] if none was named and there is no default one.
+pub(crate) fn parameter_file(named: Option<&Path>) -> Result<PathBuf, Failure> {
+    match named {
+        Some(file) => Ok(file.to_owned()),
+        None => Ok(root().ok_or(Failure::NoProject)?.join(PARAMETERS)),
+    }
 }
 
 /// The folder that was named, or the default one.

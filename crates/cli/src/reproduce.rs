@@ -97,7 +97,11 @@ fn is_chosen(output: &Output, only: &[String]) -> bool {
     only.is_empty() || only.iter().any(|name| name == output.name)
 }
 
-fn start_threads(jobs: u16) -> Result<(), Failure> {
+/// Sets the number of threads.
+///
+/// # Errors
+/// [`Failure::Threads`].
+pub(crate) fn start_threads(jobs: u16) -> Result<(), Failure> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(jobs))
         .build_global()

@@ -13,7 +13,7 @@ use crate::style::{
     BLACK, DISC_RADIUS, FRAME, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, STAR_RADIUS, TICK,
     TICK_LENGTH, TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
 };
-use crate::svg_backend::{Anchor, SvgBackend};
+use crate::svg_backend::{Anchor, PanelMark, SvgBackend};
 use crate::svg_text::UNITS;
 use crate::ticks::{Step, Tick};
 
@@ -22,6 +22,8 @@ pub(crate) struct Panel<'c> {
     pub(crate) canvas: &'c Canvas,
     pub(crate) window: Window,
     pub(crate) bounds: Bounds,
+    /// The tables whose rows it shows, and the column and number that its rows have, where others have other ones.
+    rows: (&'static [&'static str], Option<(&'static str, u32)>),
     area: DrawingArea<SvgBackend, Cartesian2d<RangedCoordf64, RangedCoordf64>>,
 }
 
@@ -49,7 +51,17 @@ impl<'c> Panel<'c> {
             window.y[0]..window.y[1],
             (units(bounds.left)..units(bounds.right), units(bounds.bottom)..units(bounds.top)),
         );
-        Panel { canvas, window, bounds, area: canvas.root().apply_coord_spec(coordinates) }
+        Panel { canvas, window, bounds, rows: (&[], None), area: canvas.root().apply_coord_spec(coordinates) }
+    }
+
+    /// The same panel, marked as showing rows of these tables, the most telling first.
+    pub(crate) fn showing(self, tables: &'static [&'static str]) -> Self {
+        Panel { rows: (tables, self.rows.1), ..self }
+    }
+
+    /// The same panel, marked as showing only rows with this number in this column.
+    pub(crate) fn only(self, column: &'static str, number: u32) -> Self {
+        Panel { rows: (self.rows.0, Some((column, number))), ..self }
     }
 
     /// Where a data point lies on the sheet.
@@ -151,6 +163,13 @@ impl<'c> Panel<'c> {
         y_numbers: bool,
     ) -> Result<(), DrawingError> {
         let Bounds { left, top, right, bottom } = self.bounds;
+        self.canvas.mark(&PanelMark {
+            window: &self.window,
+            bounds: &self.bounds,
+            titles: [x_title, y_title],
+            tables: self.rows.0,
+            only: self.rows.1,
+        });
         self.frame()?;
         let (x_ticks, x_step) = self.step(true)?;
         for minor in x_step.minor().multiples(self.window.x[0], self.window.x[1]) {

@@ -13,7 +13,7 @@ use crate::font::{Extent, Fonts};
 use crate::markup::Label;
 use crate::sheet::{Bounds, Spot};
 use crate::style::{Colour, Paint, Pen, SIZE_LIMIT, hat_pen};
-use crate::svg_backend::{Anchor, POINTS_PER_MM, SvgBackend};
+use crate::svg_backend::{Anchor, POINTS_PER_MM, PanelMark, SvgBackend};
 use crate::svg_text::UNITS;
 
 /// What an element puts on the sheet.
@@ -104,6 +104,11 @@ impl Canvas {
         let points =
             spots.iter().map(|s| ((s.0 * UNITS).round() as i32, (s.1 * UNITS).round() as i32)).collect();
         self.root.draw(&Element { points, ink }).map_err(|_| DrawingError::SurfaceInUse)
+    }
+
+    /// Says for programs where a panel is and what it shows; puts no ink on the sheet.
+    pub(crate) fn mark(&self, mark: &PanelMark<'_>) {
+        self.backend.borrow_mut().mark(mark);
     }
 
     pub(crate) fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {

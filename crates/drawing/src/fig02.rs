@@ -49,6 +49,8 @@ const LETTERS: f64 = 18.0;
 const STACKED_GAP: f64 = 8.0;
 /// Room below a diagram for numbers and axis title, in points.
 const BELOW: f64 = 31.0;
+/// The tables of the diagram.
+const SHOWN: [&str; 3] = ["fig02_bifurcations", "fig02_branches", "fig02_attractor"];
 
 /// Draws Figure 2.
 ///
@@ -91,8 +93,9 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
         let (split, bottom) = (0.59 * canvas.width, canvas.height - BELOW);
         (Bounds { left: 38.0, top, right: split, bottom }, Bounds { left: split + 44.0, top, right, bottom })
     };
-    let whole = Panel::new(&canvas, window, whole);
-    let part = Panel::new(&canvas, magnification, part);
+    let whole = Panel::new(&canvas, window, whole).showing(&SHOWN);
+    let part = Panel::new(&canvas, magnification, part).showing(&SHOWN);
+
     let guides = letters(&whole, &portraits)?;
     magnifier(&whole, &part)?;
     for (panel, every_loop) in [(&whole, false), (&part, true)] {

@@ -93,7 +93,7 @@ pub(crate) fn compose(figure: &Figure07<'_>, width: SheetWidth) -> Result<Canvas
     let width = width.mm(WIDTH_MM);
     let canvas = Canvas::new(width, (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM))?;
     let bounds = Bounds { left: 35.0, top: 5.0, right: canvas.width - 8.0, bottom: canvas.height - 30.0 };
-    let panel = Panel::new(&canvas, window, bounds);
+    let panel = Panel::new(&canvas, window, bounds).showing(&["fig07_points", "fig07_curves"]);
     let mut labels = Labels::new(&canvas, bounds);
 
     let mut shapes: Vec<(i64, Vec<Spot>)> = Vec::new();

@@ -101,7 +101,8 @@ pub(crate) fn compose(figure: &Figure08<'_>, width: SheetWidth) -> Result<Canvas
         let right = TITLE_ROOM + pitch * (column + 1) as f64 - 3.0;
         let above = row_pitch * row as f64;
         let bounds = Bounds { left, top: above + TOP, right, bottom: above + row_pitch - BOTTOM };
-        let panel = Panel::new(&canvas, window, bounds);
+        let panel =
+            Panel::new(&canvas, window, bounds).showing(&["fig08_curves"]).only("panel", magnified.panel);
         let number = i64::from(magnified.panel);
         let own: Vec<&Curve> = curves.iter().filter(|c| c.panel == number).collect();
         draw_panel(&panel, &own, &regions, &markers)?;

@@ -86,7 +86,9 @@ pub(crate) fn draw_portraits(
         let top = height * row as f64 + ABOVE;
         let bottom = height * (row + 1) as f64 - BELOW;
         let bounds = Bounds { left, top, right: left + width - WALL_THICKNESS, bottom };
-        let panel = Panel::new(canvas, window, bounds);
+        let panel = Panel::new(canvas, window, bounds)
+            .showing(&["fig02_portraits"])
+            .only("portrait", portrait.number);
         wall(&panel)?;
         let pen =
             if portrait.attractor { ATTRACTOR_ORBIT } else { branch_pen(portrait.p, PERIODIC_ORBIT.width) };
