@@ -51,7 +51,7 @@ pub(super) fn figure3(raw: &raw::Figure3, source: &Source<'_>) -> Checked<Figure
         position.strictly_contains(x) && phase.strictly_contains(z)
     })?;
     let radius = demand(source, "fig03.radius", &raw.radius, |r| LEAST_RADIUS < r && r <= MOST_RADIUS)?;
-    let axes = demand(source, "fig03.axes", &raw.axes, |z| 0.0 <= z && z <= TAU)?;
+    let axes = demand(source, "fig03.axes", &raw.axes, |z| (0.0..=TAU).contains(&z))?;
     let view = view(source, "fig03", &raw.view)?;
     Ok(Figure3 { zeta, frequency, start, position, phase, radius, axes, view })
 }
