@@ -5,7 +5,7 @@ use polars::prelude::DataFrame;
 use crate::DrawingError;
 use crate::canvas::Canvas;
 use crate::labels::Wanted;
-use crate::scene::{CurveKind, Margin, Scene, SurfaceKind};
+use crate::scene::{CurveKind, Margin, Scene, SurfaceKind, name_curve};
 use crate::style::{BLACK, LABEL_SIZE, RESET_COLOUR, SMALL_LABEL_SIZE, SheetWidth, TITLE_SIZE};
 
 /// What Figure 1 shows.
@@ -47,7 +47,7 @@ pub(crate) fn compose(figure: &Figure01<'_>, width: SheetWidth) -> Result<Canvas
     scene.paint(&canvas)?;
     let mut labels = scene.labels(&canvas, TITLE_SIZE)?;
     for reset in scene.longest(CurveKind::Reset) {
-        labels.add("$R$", LABEL_SIZE, RESET_COLOUR, &Wanted::Beside(&reset))?;
+        name_curve(&mut labels, "$R$", LABEL_SIZE, RESET_COLOUR, &reset)?;
     }
     for piece in &scene.surfaces {
         let spots = piece.spots();
@@ -60,7 +60,7 @@ pub(crate) fn compose(figure: &Figure01<'_>, width: SheetWidth) -> Result<Canvas
                 labels.add("outgoing set", SMALL_LABEL_SIZE, BLACK, &Wanted::Within(&spots))?;
             }
             SurfaceKind::Tangency => {
-                labels.add("tangency set", SMALL_LABEL_SIZE, BLACK, &Wanted::Beside(&spots))?;
+                name_curve(&mut labels, "tangency set", SMALL_LABEL_SIZE, BLACK, &spots)?;
             }
             _ => {}
         }

@@ -5,8 +5,7 @@ use polars::prelude::DataFrame;
 use crate::DrawingError;
 use crate::canvas::Canvas;
 use crate::labels::Wanted;
-use crate::scene::{CurveKind, Margin, PointKind, Scene, SurfaceKind};
-use crate::sheet::along;
+use crate::scene::{CurveKind, Margin, PointKind, Scene, SurfaceKind, name_curve};
 use crate::style::{BLACK, LABEL_SIZE, RETURN_COLOUR, SMALL_LABEL_SIZE, SPOT_RADIUS, SheetWidth, TITLE_SIZE};
 
 /// What Figure 3 shows.
@@ -58,22 +57,16 @@ pub(crate) fn compose(figure: &Figure03<'_>, width: SheetWidth) -> Result<Canvas
         labels.add(name, LABEL_SIZE, BLACK, &Wanted::Around(mark.spot(), SPOT_RADIUS + 0.5))?;
     }
     for map in scene.longest(CurveKind::Global) {
-        let beside = Wanted::Beside(&map);
-        let far = along(&map, 0.5).map(|(middle, _)| Wanted::Around(middle, 1.5));
-        for wanted in [Some(beside), far].into_iter().flatten() {
-            if labels.add(r"$P_{\mathrm{global}}$", LABEL_SIZE, RETURN_COLOUR, &wanted)? {
-                break;
-            }
-        }
+        name_curve(&mut labels, r"$P_{\mathrm{global}}$", LABEL_SIZE, RETURN_COLOUR, &map)?;
     }
     for periodic in scene.longest(CurveKind::Periodic) {
-        labels.add(r"$\Gamma$", TITLE_SIZE, BLACK, &Wanted::Beside(&periodic))?;
+        name_curve(&mut labels, r"$\Gamma$", TITLE_SIZE, BLACK, &periodic)?;
     }
     for piece in scene.surfaces.iter().filter(|piece| piece.kind == SurfaceKind::Section) {
         labels.add(r"$\Pi$", TITLE_SIZE, BLACK, &Wanted::Within(&piece.spots()))?;
     }
     for piece in scene.surfaces.iter().filter(|piece| piece.kind == SurfaceKind::Circle) {
-        labels.add("$x=y=0$", SMALL_LABEL_SIZE, BLACK, &Wanted::Beside(&piece.spots()))?;
+        name_curve(&mut labels, "$x=y=0$", SMALL_LABEL_SIZE, BLACK, &piece.spots())?;
     }
     labels.draw()?;
     Ok(canvas)

@@ -5,9 +5,9 @@ use polars::prelude::DataFrame;
 use crate::DrawingError;
 use crate::canvas::Canvas;
 use crate::labels::Wanted;
-use crate::scene::{CurveKind, Margin, PointKind, Scene, SurfaceKind};
+use crate::scene::{CurveKind, Margin, PointKind, Scene, SurfaceKind, name_curve};
 use crate::style::{
-    BLACK, LABEL_SIZE, RESET_COLOUR, RETURN_COLOUR, SMALL_LABEL_SIZE, SPOT_RADIUS, SheetWidth, TITLE_SIZE,
+    BLACK, RESET_COLOUR, RETURN_COLOUR, SMALL_LABEL_SIZE, SPOT_RADIUS, SheetWidth, TITLE_SIZE,
 };
 
 /// What Figure 9 shows.
@@ -57,7 +57,7 @@ pub(crate) fn compose(figure: &Figure09<'_>, width: SheetWidth) -> Result<Canvas
             PointKind::Section => format!("$(x^{{({0})}},0,z^{{({0})}})$", mark.number),
             PointKind::Graze => continue,
         };
-        labels.add(&name, LABEL_SIZE, BLACK, &Wanted::Around(mark.spot(), SPOT_RADIUS + 0.5))?;
+        labels.add(&name, SMALL_LABEL_SIZE, BLACK, &Wanted::Around(mark.spot(), SPOT_RADIUS + 0.5))?;
     }
     let arrows = [
         (CurveKind::Reset, "$R$", RESET_COLOUR),
@@ -65,7 +65,7 @@ pub(crate) fn compose(figure: &Figure09<'_>, width: SheetWidth) -> Result<Canvas
     ];
     for (kind, name, colour) in arrows {
         for arrow in scene.longest(kind) {
-            labels.add(name, SMALL_LABEL_SIZE, colour, &Wanted::Beside(&arrow))?;
+            name_curve(&mut labels, name, SMALL_LABEL_SIZE, colour, &arrow)?;
         }
     }
     if let Some(incoming) = scene.surfaces.iter().find(|piece| piece.kind == SurfaceKind::Incoming) {

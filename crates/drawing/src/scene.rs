@@ -14,8 +14,8 @@ use crate::labels::{Labels, Wanted};
 use crate::passing::{Course, interrupted};
 use crate::sheet::{Bounds, Spot, along, length};
 use crate::style::{
-    BLACK, CIRCLE, FACE_EDGE, FLOW, INCOMING_FACE, OPEN_SPOT, OUTGOING_FACE, PERIODIC_FLOW, Paint, Pen,
-    RESET, RETURN, SECTION_FACE, SPACE_AXIS, SPOT, SPOT_RADIUS, SPOT_RIM, TANGENCY, VIRTUAL_FLOW,
+    BLACK, CIRCLE, Colour, FACE_EDGE, FLOW, INCOMING_FACE, OPEN_SPOT, OUTGOING_FACE, PERIODIC_FLOW, Paint,
+    Pen, RESET, RETURN, SECTION_FACE, SPACE_AXIS, SPOT, SPOT_RADIUS, SPOT_RIM, TANGENCY, VIRTUAL_FLOW,
 };
 use crate::svg_backend::POINTS_PER_MM;
 
@@ -359,6 +359,23 @@ impl Scene {
         }
         Ok(labels)
     }
+}
+
+/// Names a curve beside it or, where there is no room, farther off with a line to its middle.
+pub(crate) fn name_curve(
+    labels: &mut Labels<'_>,
+    source: &str,
+    size: f64,
+    colour: Colour,
+    curve: &[Spot],
+) -> Result<(), DrawingError> {
+    if labels.add(source, size, colour, &Wanted::Beside(curve))? {
+        return Ok(());
+    }
+    if let Some((middle, _)) = along(curve, 0.5) {
+        labels.add(source, size, colour, &Wanted::Around(middle, 1.5))?;
+    }
+    Ok(())
 }
 
 /// Curves shorter than this (points) get no head.
