@@ -115,7 +115,7 @@ pub struct Reproduce {
     /// Make this output only; may be given several times
     #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(output_names()))]
     pub only: Vec<String>,
-    /// Write no output; fail if files are not what the code makes, naming them and what mends them
+    /// Write nothing; fail if files are not what the code makes, naming them and what mends them
     #[arg(long)]
     pub check: bool,
     /// The parameter file.

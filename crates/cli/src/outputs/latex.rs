@@ -138,7 +138,7 @@ pub(crate) fn snippet(outputs: &[&Output], edition: &Edition, rows: impl Fn(&str
         );
     };
     for output in outputs {
-        let caption = caption(output.title);
+        let caption = referring(caption(output.title), outputs);
         if let Some(figure) = output.figure {
             let pdf = Path::new(figure).with_extension("pdf");
             let body = format!("  \\includegraphics{{\\grazingfiles {}}}\n", pdf.display());
@@ -167,6 +167,20 @@ fn caption(title: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().map(|letter| letter.to_uppercase().to_string()).unwrap_or_default();
     format!("{}.", escaped(&format!("{first}{}", letters.as_str())))
+}
+
+/// The caption with references in the place of the numbers of figures that are included.
+fn referring(caption: String, outputs: &[&Output]) -> String {
+    let mut figures: Vec<(&str, &str)> = outputs
+        .iter()
+        .filter(|output| output.figure.is_some())
+        .filter_map(|output| Some((output.title.split_once(": ")?.0, output.name)))
+        .collect();
+    // The longest first, so that Figure 10 is not taken for Figure 1.
+    figures.sort_by_key(|(figure, _)| std::cmp::Reverse(figure.len()));
+    figures.into_iter().fold(caption, |caption, (figure, name)| {
+        caption.replace(figure, &format!("Figure~\\ref{{fig:{name}}}"))
+    })
 }
 
 /// Text with the characters that LaTeX reserves escaped, and mathematical signs as commands.
@@ -270,6 +284,13 @@ mod tests {
     fn captions_are_sentences_without_the_number() {
         assert_eq!(caption("Figure 7: two-parameter diagram"), "Two-parameter diagram.");
         assert_eq!(caption("Coefficients: all of them"), "Coefficients: all of them.");
+    }
+
+    #[test]
+    fn captions_refer_to_figures_by_their_labels() {
+        let outputs: Vec<&Output> = ALL.iter().collect();
+        let caption = referring("Three magnifications of Figure 7.".to_owned(), &outputs);
+        assert_eq!(caption, r"Three magnifications of Figure~\ref{fig:fig07}.");
     }
 
     #[test]
