@@ -49,9 +49,6 @@ pub enum Failure {
         /// What was asked for.
         wanted: String,
     },
-    /// The ledger of claims is not right.
-    #[error(transparent)]
-    Ledger(#[from] LedgerError),
     /// The parameter file is not right.
     #[error(transparent)]
     Parameters(#[from] ParameterError),

@@ -18,10 +18,11 @@ use grazing_reproduction::published::{Comparison, Published, Verdict};
 use crate::arguments::Report;
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
+use crate::outputs::edition::Edition;
 use crate::outputs::{self, computation};
 use crate::progress::Display;
 use crate::reproduce::start_threads;
-use crate::{project, terminal};
+use crate::{claims, project, terminal};
 
 /// Computes everything and writes the page.
 ///
@@ -70,7 +71,7 @@ fn assemble(
     let study = Study::new(parameters).with_progress(&display);
     let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
     for output in outputs::ALL {
-        let files = output.files(&study)?;
+        let files = output.files(&study, &Edition::default())?;
         made.extend(files.iter().map(|file| OutputFile::of(file.path.display().to_string(), &file.content)));
         let (svg, csv) = sorted(files);
         let (name, title) = (output.name.to_owned(), output.title.to_owned());
@@ -84,7 +85,10 @@ fn assemble(
     let published = published(&study)?;
     let root = project::root();
     let sources = root.as_deref().map(links::sources).unwrap_or_default();
-    let claims = ledger::entries(&Ledger::of_the_paper()?, &published, &sources, &display);
+    let ledger = Ledger::of_the_paper()?;
+    let all: Vec<_> = ledger.claims.iter().collect();
+    let findings = claims::findings(parameters, &all, &display)?;
+    let claims = findings.iter().map(|finding| ledger::entry(finding, &published, &sources)).collect();
     let root = root.and_then(|root| links::relative(page_folder, &root));
     let default = arguments.parameters.file.is_none();
     Ok(grazing_report::Report {

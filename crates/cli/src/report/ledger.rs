@@ -1,65 +1,14 @@
-//! The ledger with what came of every claim.
+//! Claims and what came of them, as the page shows them.
 
-use std::collections::BTreeMap;
-
-use grazing_claims::checks::Check;
-use grazing_claims::ledger::{Claim, Ledger, Misprint, Test};
-use grazing_claims::outcome::{CheckResult, Measure};
+use grazing_claims::audit::{Finding, PrintedNumber, Verdict as Found};
+use grazing_claims::ledger::Misprint;
+use grazing_claims::outcome::Measure;
 use grazing_claims::source::{Place, Sources};
 use grazing_report::{ClaimEntry, Measured, MisprintEntry, PublishedEntry, Source, Verdict};
-use grazing_reproduction::progress::Progress;
-use rayon::prelude::*;
 
-/// How the checks are called where progress is shown.
-const WHAT: &str = "claims";
-
-/// Tests every claim; the results do not depend on the number of threads.
-pub(crate) fn entries(
-    ledger: &Ledger,
-    published: &[PublishedEntry],
-    sources: &Sources,
-    progress: &(dyn Progress + Sync),
-) -> Vec<ClaimEntry> {
-    // Several claims may share a check.
-    let mut checks: Vec<&'static Check> = Vec::new();
-    for claim in &ledger.claims {
-        if let Test::Check(check) = claim.test()
-            && !checks.iter().any(|known| known.name == check.name)
-        {
-            checks.push(check);
-        }
-    }
-    progress.begin(WHAT, checks.len() as u64);
-    let results: Vec<(&str, CheckResult)> = checks
-        .par_iter()
-        .map(|check| {
-            let result = (check.run)();
-            progress.step(WHAT);
-            (check.name, result)
-        })
-        .collect();
-    progress.end(WHAT);
-    let results: BTreeMap<&str, CheckResult> = results.into_iter().collect();
-    ledger
-        .claims
-        .iter()
-        .map(|claim| {
-            let (verdict, check) = match claim.test() {
-                Test::Check(check) => {
-                    let place = sources.check(check.name);
-                    let verdict = results.get(check.name).map_or_else(not_run, checked);
-                    (verdict, Some(source(check.name, place)))
-                }
-                Test::Published(ids) => (compared(ids, published), None),
-                Test::Unchecked(reason) => (Verdict::Unchecked { reason: reason.to_owned() }, None),
-            };
-            entry(claim, verdict, check, sources)
-        })
-        .collect()
-}
-
-/// The claim as the page shows it.
-fn entry(claim: &Claim, verdict: Verdict, check: Option<Source>, sources: &Sources) -> ClaimEntry {
+/// The finding as the page shows it.
+pub(crate) fn entry(finding: &Finding<'_>, published: &[PublishedEntry], sources: &Sources) -> ClaimEntry {
+    let claim = finding.claim;
     ClaimEntry {
         label: claim.label.clone(),
         place: claim.place.clone(),
@@ -67,9 +16,9 @@ fn entry(claim: &Claim, verdict: Verdict, check: Option<Source>, sources: &Sourc
         says: claim.says.clone(),
         formula: claim.formula.clone(),
         holds: claim.holds.iter().map(|path| source(path, sources.item(path))).collect(),
-        check,
+        check: claim.check_name().map(|name| source(name, sources.check(name))),
         figures: claim.figures.clone(),
-        verdict,
+        verdict: verdict(&finding.verdict, published),
         misprint: claim.misprint.as_ref().map(misprint),
     }
 }
@@ -87,20 +36,18 @@ fn misprint(misprint: &Misprint) -> MisprintEntry {
     }
 }
 
-fn not_run() -> Verdict {
-    Verdict::Failed { error: "the check was not run".to_owned() }
-}
-
-fn checked(result: &CheckResult) -> Verdict {
-    match result {
-        Ok(outcome) => Verdict::Checked {
+fn verdict(found: &Found, published: &[PublishedEntry]) -> Verdict {
+    match found {
+        Found::Measured(outcome) => Verdict::Checked {
             passed: outcome.passes(),
             measured: measured(outcome.measure),
             print: outcome.print.map(measured),
             samples: outcome.samples,
             over: outcome.over.clone(),
         },
-        Err(error) => Verdict::Failed { error: error.to_string() },
+        Found::Broken(error) => Verdict::Failed { error: error.clone() },
+        Found::Numbers(numbers) => Verdict::Published { values: values(numbers, published) },
+        Found::Unchecked(reason) => Verdict::Unchecked { reason: reason.clone() },
     }
 }
 
@@ -113,11 +60,8 @@ fn measured(measure: Measure) -> Measured {
     }
 }
 
-/// The published values under these names; one that does not exist fails the claim.
-fn compared(ids: &[String], published: &[PublishedEntry]) -> Verdict {
-    let found = ids.iter().map(|id| published.iter().find(|entry| entry.id == *id).cloned().ok_or(id));
-    match found.collect::<Result<Vec<_>, _>>() {
-        Ok(values) => Verdict::Published { values },
-        Err(id) => Verdict::Failed { error: format!("expected/published.toml has no value {id}") },
-    }
+/// The published values that a claim names.
+fn values(numbers: &[PrintedNumber], published: &[PublishedEntry]) -> Vec<PublishedEntry> {
+    let named = |number: &PrintedNumber| published.iter().find(|entry| entry.id == number.id).cloned();
+    numbers.iter().filter_map(named).collect()
 }
