@@ -55,6 +55,9 @@ fn entry(number: usize, finding: &Finding<'_>, misprint: &Misprint) -> String {
 /// A measurement in words: what was measured, and what it is held against.
 pub fn told(measure: &Measure) -> (String, String) {
     match *measure {
+        Measure::Deviation { largest, tolerance } if largest.is_nan() => {
+            ("no number".to_owned(), format!("at most {tolerance:.0e}"))
+        }
         Measure::Deviation { largest, tolerance } => {
             (format!("deviation {largest:.1e}"), format!("at most {tolerance:.0e}"))
         }

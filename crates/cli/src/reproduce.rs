@@ -17,7 +17,7 @@ use crate::progress::Display;
 use crate::{codecheck, project, terminal, visual};
 
 /// What belongs in the output folder although the program does not make it.
-const KNOWN: [&str; 1] = ["parameters.toml"];
+const KNOWN: [&str; 2] = ["parameters.toml", "data/README.md"];
 
 /// Makes the outputs that were asked for.
 ///

@@ -48,6 +48,8 @@ pub struct MisprintEntry {
     pub reason: String,
     /// The computation that decides it.
     pub decided: String,
+    /// Whether it is one of notation or wording, which no computation decides.
+    pub typographic: bool,
 }
 
 /// What came of testing a claim.

@@ -8,17 +8,18 @@ pub(crate) fn section(report: &Report) -> String {
     let mut html = String::from(
         "<section id=\"misprints\" aria-labelledby=\"misprints-title\">\n<h2 id=\"misprints-title\">Misprints</h2>\n",
     );
-    let mut found = false;
-    for claim in &report.claims {
-        let Some(misprint) = &claim.misprint else {
-            continue;
-        };
-        if !found {
-            html.push_str(
-                "<p class=\"lead\">Each is decided by a computation that the corrected form passes and the printed form fails.</p>\n",
-            );
-            found = true;
-        }
+    let of_kind = |typographic: bool| {
+        let listed = report.claims.iter().filter_map(|claim| Some((claim, claim.misprint.as_ref()?)));
+        listed.filter(move |(_, misprint)| misprint.typographic == typographic)
+    };
+    let found = of_kind(false).chain(of_kind(true)).count() > 0;
+    if found {
+        html.push_str(
+            "<p class=\"lead\">First those that a computation decides: the corrected form passes it and the printed form fails. \
+             Then those of notation and wording.</p>\n",
+        );
+    }
+    for (claim, misprint) in of_kind(false).chain(of_kind(true)) {
         put!(
             html,
             "<article class=\"misprint\" id=\"{}\">\n<h3><a href=\"#{}\"><code>{}</code></a> <span class=\"place\">{}</span></h3>\n\

@@ -42,7 +42,7 @@ pub(crate) fn section(report: &Report) -> String {
         "#misprints",
         "neutral",
         &misprints.to_string(),
-        if misprints == 1 { "misprint, decided by computation" } else { "misprints, decided by computation" },
+        if misprints == 1 { "misprint" } else { "misprints" },
     );
     let files = report.manifest.outputs.len();
     card(&mut html, "#manifest", "neutral", &files.to_string(), "output files with their SHA-256");

@@ -68,6 +68,7 @@ pub(crate) fn report() -> Report {
         corrected: "$x = 2$".to_owned(),
         reason: hostile(),
         decided: "a count".to_owned(),
+        typographic: false,
     };
     let claims = vec![
         claim("eq:holds"),

@@ -305,12 +305,15 @@ pub(super) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64
 /// An observed order and the stated one.
 pub(super) type Observed = (f64, f64);
 
-/// The order that lies lowest in comparison with the stated one.
+/// The order that lies lowest in comparison with the stated one; where none lies too low, among the highest stated ones.
 pub(super) fn lowest(orders: &[Observed]) -> Measure {
-    let worst =
-        orders.iter().copied().reduce(|a, b| if b.0 - b.1 < a.0 - a.1 || b.0.is_nan() { b } else { a });
-    let (observed, stated) = worst.unwrap_or((f64::NAN, f64::NAN));
-    Measure::Order { observed, stated, slack: SLACK }
+    let measure = |(observed, stated): Observed| Measure::Order { observed, stated, slack: SLACK };
+    let lower = |a: Observed, b: Observed| if b.0 - b.1 < a.0 - a.1 || b.0.is_nan() { b } else { a };
+    let highest = orders.iter().fold(f64::NEG_INFINITY, |highest, order| highest.max(order.1));
+    let all = || orders.iter().copied();
+    let worst = all().reduce(lower).filter(|order| !measure(*order).holds());
+    let told = worst.or_else(|| all().filter(|order| order.1 == highest).reduce(lower));
+    measure(told.unwrap_or((f64::NAN, f64::NAN)))
 }
 
 /// The largest of some deviations, or what is not a number among them.
