@@ -87,6 +87,19 @@ impl ClaimKind {
             Self::Number => "number",
         }
     }
+
+    /// What it means, in a few words.
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Self::Definition => "what a symbol stands for",
+            Self::Assumption => "what is assumed",
+            Self::Identity => "two expressions are equal",
+            Self::Expansion => "an expression up to a remainder of stated order",
+            Self::Inequality => "something is positive, or lies between bounds",
+            Self::Theorem => "a lemma, proposition or theorem, or a statement in words",
+            Self::Number => "a printed number",
+        }
+    }
 }
 
 impl fmt::Display for ClaimKind {

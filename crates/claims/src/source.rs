@@ -34,7 +34,9 @@ impl Sources {
         let crate_name = names.next()?.strip_prefix("grazing_")?;
         let names: Vec<&str> = names.collect();
         let root = format!("crates/{}/src", crate_name.replace('_', "-"));
-        self.find(&root, &names).or_else(|| self.re_exported(&root, &names))
+        self.find(&root, &names)
+            .or_else(|| self.re_exported(&root, &names))
+            .or_else(|| self.implemented(&root, &names))
     }
 
     /// Where the check with this name of the ledger is defined.
@@ -62,13 +64,40 @@ impl Sources {
         None
     }
 
-    /// The first file of the crate that defines the item.
+    /// The first file of the crate with a block of the type's own items that defines the item: blocks may stand far from the
+    /// type.
+    fn implemented(&self, root: &str, names: &[&str]) -> Option<Place> {
+        let [.., owner, item] = names else {
+            return None;
+        };
+        let of_crate = self.files.iter().filter(|(file, _)| file.starts_with(&format!("{root}/")));
+        of_crate.filter(|(_, text)| text.lines().any(|line| implements(line, owner))).find_map(
+            |(file, text)| {
+                let line = text.lines().position(|line| defines(line, item))? + 1;
+                Some(Place { file: file.clone(), line })
+            },
+        )
+    }
+
+    /// The first file of the crate that defines the item; a type that a module re-exports is sought without the module.
     fn re_exported(&self, root: &str, names: &[&str]) -> Option<Place> {
+        let owner = names.iter().position(|name| name.starts_with(char::is_uppercase)).unwrap_or(0);
+        let names = &names[owner..];
         let of_crate = self.files.iter().filter(|(file, _)| file.starts_with(&format!("{root}/")));
         of_crate
             .filter(|_| !names.is_empty())
             .find_map(|(file, text)| defined(text, names).map(|line| Place { file: file.clone(), line }))
     }
+}
+
+/// Whether the line opens a block of a type's own items.
+fn implements(line: &str, name: &str) -> bool {
+    let header = line.strip_prefix("impl").filter(|_| !line.contains(" for "));
+    header.is_some_and(|header| {
+        header
+            .split(|character: char| !character.is_alphanumeric() && character != '_')
+            .any(|word| word == name)
+    })
 }
 
 /// The line, from 1, that defines the last of the names, if the text defines all of them: a type before what belongs to it.

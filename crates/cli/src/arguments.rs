@@ -164,7 +164,7 @@ pub struct Claims {
     #[arg(value_name = "LABEL")]
     pub labels: Vec<String>,
     /// Only claims of this kind
-    #[arg(long, value_name = "KIND", value_parser = PossibleValuesParser::new(ClaimKind::ALL.map(ClaimKind::name)))]
+    #[arg(long, value_name = "KIND", value_parser = PossibleValuesParser::new(claim_kinds()))]
     pub kind: Option<String>,
     /// Only where print and mathematics differ
     #[arg(long)]
@@ -204,4 +204,8 @@ pub struct ParameterFile {
 
 fn output_names() -> impl Iterator<Item = PossibleValue> {
     outputs::ALL.iter().map(|output| PossibleValue::new(output.name).help(output.title))
+}
+
+fn claim_kinds() -> impl Iterator<Item = PossibleValue> {
+    ClaimKind::ALL.into_iter().map(|kind| PossibleValue::new(kind.name()).help(kind.meaning()))
 }

@@ -142,6 +142,11 @@ impl Output {
         self.figure
     }
 
+    /// The names of its tables.
+    pub fn tables(&self) -> &'static [&'static str] {
+        self.tables
+    }
+
     /// The tables that are printed, in an edition that has LaTeX: those of outputs without a figure.
     pub(crate) fn latex_tables(&self, edition: &Edition) -> impl Iterator<Item = &'static str> {
         let printed = self.figure.is_none() && edition.has(Format::Tex);

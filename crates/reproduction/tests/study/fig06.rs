@@ -31,8 +31,10 @@ fn span(figure: &Figure6, name: &str) -> [f64; 2] {
 /// The default parameters with another phase of Figure 6.
 fn at_phase(phase: f64) -> Parameters {
     let text = include_str!("../../../../figures/parameters.toml");
-    let line = text.lines().find(|line| line.starts_with("phase = ")).expect("Figure 6 has a phase");
-    Parameters::parse(&text.replacen(line, &format!("phase = {phase:?}"), 1), "p.toml").expect("it is valid")
+    let (before, own) = text.split_once("[fig06]").expect("there is a Figure 6");
+    let line = own.lines().find(|line| line.starts_with("phase = ")).expect("Figure 6 has a phase");
+    let own = own.replacen(line, &format!("phase = {phase:?}"), 1);
+    Parameters::parse(&format!("{before}[fig06]{own}"), "p.toml").expect("it is valid")
 }
 
 /// Position and velocity after a time, from rest at the equilibrium, by the classical Runge–Kutta method on eq:oscf.
