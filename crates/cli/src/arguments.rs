@@ -172,7 +172,7 @@ pub struct Claims {
     /// Tell all that is known of each claim: statement, samples, functions, check, figures
     #[arg(long)]
     pub explain: bool,
-    /// Write ERRATA.md, the page of misprints, instead of holding it against the ledger; of all claims only
+    /// Test all claims and write ERRATA.md, the page of misprints, instead of checking it
     #[arg(long, conflicts_with_all = ["labels", "kind", "misprints"])]
     pub write_errata: bool,
     /// The parameter file.
