@@ -196,7 +196,12 @@ fn enclose<M: SmoothOscillator>(oscillator: &Integrated<M>, node: &Node, next: &
             let [a, jerk, snap] = derivatives(oscillator, x, y, acceleration, time).map(|c| c.modulus());
             return Bounds { acceleration: a, jerk, snap };
         }
-        guess = [0, 1].map(|i| guess[i].joined(&reached[i]).grown(0.05));
+        // Only what is too small grows: the one that is large enough would drive the other on.
+        for (guess, reached) in guess.iter_mut().zip(&reached) {
+            if !guess.holds(reached) {
+                *guess = guess.joined(reached).grown(0.1);
+            }
+        }
     }
     Bounds { acceleration: f64::INFINITY, jerk: f64::INFINITY, snap: f64::INFINITY }
 }
