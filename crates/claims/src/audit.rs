@@ -11,6 +11,8 @@ use crate::outcome::Outcome;
 /// A printed number with the computed one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PrintedNumber {
+    /// The identifier in `expected/published.toml`.
+    pub id: String,
     /// The quantity, in the paper's symbols.
     pub quantity: String,
     /// The number with the digits of the print.

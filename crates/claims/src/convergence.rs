@@ -17,6 +17,8 @@ pub fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
     for k in FIRST..FIRST + SIZES {
         match remainder(libm::ldexp(1.0, -k)) {
             Some((value, rounding)) if value.abs() > RESOLVED * rounding => resolved.push(value.abs()),
+            // What is not a number is not small.
+            Some((value, _)) if value.is_nan() => return f64::NAN,
             // Below rounding once, below rounding from there on.
             Some(_) => break,
             None => resolved.clear(),
@@ -41,6 +43,11 @@ mod tests {
     #[test]
     fn what_is_below_rounding_has_no_order() {
         assert_eq!(order(|_| Some((1e-17, 1e-16))), f64::INFINITY);
+    }
+
+    #[test]
+    fn what_is_not_a_number_has_none_either() {
+        assert!(order(|h| Some((if h < 0.001 { f64::NAN } else { h }, 1e-16))).is_nan());
     }
 
     #[test]

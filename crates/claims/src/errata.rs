@@ -10,24 +10,33 @@ const HEAD: &str = "\
 # Errata
 
 Where the print of *Resonant grazing bifurcations revisited* (D.J.W. Simpson and I. Ghosh, arXiv 2602.22797) and the mathematics differ.
-Made by `cargo xtask claims --write-errata` from `expected/claims.toml`; for each entry a check computes both forms: the
-printed one has to fail and the corrected one to hold. None of them touches a theorem of the paper.
+Made by `cargo xtask claims --write-errata` from `expected/claims.toml`. For each misprint of the first kind a check computes both forms:
+the printed one has to fail and the corrected one to hold. None of them touches a theorem of the paper.
 ";
+
+/// The two kinds with their headings: misprints with values that decide, and those of notation and wording.
+const KINDS: [(bool, &str); 2] =
+    [(false, "Formulas, conditions and statements"), (true, "Notation and wording")];
 
 /// The page, from the findings of the whole ledger.
 pub fn page(findings: &[Finding<'_>]) -> String {
     let mut page = HEAD.to_owned();
     let misprints = findings.iter().filter_map(|finding| Some((finding, finding.claim.misprint.as_ref()?)));
-    for (number, (finding, misprint)) in (1..).zip(misprints) {
+    let mut number = 0;
+    for (typographic, heading) in KINDS {
         // Writing to a string cannot fail.
-        let _ = write!(page, "\n{}", entry(number, finding, misprint));
+        let _ = write!(page, "\n## {heading}\n");
+        for (finding, misprint) in misprints.clone().filter(|(_, m)| m.typographic == typographic) {
+            number += 1;
+            let _ = write!(page, "\n{}", entry(number, finding, misprint));
+        }
     }
     page
 }
 
 fn entry(number: usize, finding: &Finding<'_>, misprint: &Misprint) -> String {
     let claim = finding.claim;
-    let mut entry = format!("## {number}. {} (`{}`)\n\n", claim.place, claim.label);
+    let mut entry = format!("### {number}. {} (`{}`)\n\n", claim.place, claim.label);
     let _ = writeln!(entry, "Printed: {}\n", misprint.printed.trim());
     let _ = writeln!(entry, "Corrected: {}\n", misprint.corrected.trim());
     let _ = writeln!(entry, "{}\n", misprint.reason.trim());

@@ -138,6 +138,9 @@ pub struct Misprint {
     pub reason: String,
     /// The computation that decides it, in words; its measurements are the check's.
     pub decided: String,
+    /// Whether it is one of notation or wording, so that there is no printed value that could fail.
+    #[serde(default)]
+    pub typographic: bool,
 }
 
 /// How a claim is tested.

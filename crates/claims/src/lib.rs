@@ -6,12 +6,20 @@
 //! under adversarial search, the cases in which a theorem's conclusion is seen in the hybrid system. Where print and
 //! mathematics differ, the check holds the print too, and passes only if the print fails.
 //!
+//! Expansions and theorems are measured on the paper's oscillator and on one whose reset law varies ([`specimen`]).
+//!
 //! Nothing here reads files or prints; sampling is seeded, so every run measures the same.
 
 pub mod audit;
 pub mod checks;
 pub mod convergence;
+pub mod eigenvalues;
 pub mod errata;
 pub mod ledger;
 pub mod outcome;
+pub mod printed;
 pub mod sampling;
+pub mod source;
+pub mod specimen;
+pub mod sweep;
+pub mod tally;

@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use grazing_claims::ledger::ClaimKind;
 
 use crate::outputs;
+use crate::outputs::edition::Format;
 
 /// What the exit codes mean, for the end of the help.
 const EXIT_CODES: &str = "\
@@ -33,6 +34,13 @@ Examples:
   cargo xtask reproduce --only fig07     Figure 7 and its data
   cargo xtask reproduce --check          write nothing; fail if figures/ is not what the code makes
   cargo xtask reproduce --parameters mine.toml --output mine
+  cargo xtask reproduce --format pdf,tex --columns one
+                                         for a journal of two columns, into journal/
+
+figures/ holds SVG at the paper's widths. Other formats and widths go to journal/ beside it, or to
+the folder that --output names; runs with --only may mix widths there. Data come along as CSV.
+When a figure that is already there changes, a picture of before, after and the difference is drawn
+in the system's folder for temporary files, and named.
 
 Files are replaced whole and only once everything is computed: an interrupted run leaves each of
 them old or new. A published value that is not met is reported, but fails `compare` only.
@@ -61,6 +69,18 @@ corrected one holds.
 
 ";
 
+const EXAMPLES_OF_REPORT: &str = "\
+Examples:
+  cargo xtask report                     writes report.html; open it in a browser
+  cargo xtask report --output mine.html --parameters mine.toml
+
+One page for all: figures with the values behind them, tables, the published values, every claim
+with the computation that tests it, misprints, and the SHA-256 of each output. It needs no network.
+What is not met or does not hold is shown as such on the page and in the summary, and does not make
+this fail.
+
+";
+
 /// Regenerates the numerical results of "Resonant grazing bifurcations revisited" (arXiv 2602.22797)
 #[derive(Debug, Parser)]
 #[command(name = "grazing", version, subcommand_required = true, arg_required_else_help = true)]
@@ -84,6 +104,9 @@ pub enum Command {
     /// Test what the paper states, label by label, and print what each check measures
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_CLAIMS}{EXIT_CODES}"))]
     Claims(Claims),
+    /// Write one page with figures, tables, claims and a manifest, to be read in a browser
+    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_REPORT}{EXIT_CODES}"))]
+    Report(Report),
 }
 
 /// The arguments of `grazing reproduce`.
@@ -98,12 +121,32 @@ pub struct Reproduce {
     /// The parameter file.
     #[command(flatten)]
     pub parameters: ParameterFile,
-    /// Folder for the figures, with data/ for tables [default: that of the default parameters]
+    /// Formats, separated by commas; tex: LaTeX tables, and figures.tex to include all, with PDF
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
+    pub format: Vec<Format>,
+    /// Width of the figures: as in the paper, one column (86 mm) or two (178 mm) of a journal
+    #[arg(long, value_name = "WIDTH", default_value = "paper")]
+    pub columns: Columns,
+    /// Dots per inch of PNG
+    #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u16).range(50..=1200))]
+    pub dpi: u16,
+    /// Folder for the figures, with data/ for tables [default: figures, or journal beside it]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Number of threads; the outputs do not depend on it [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
+}
+
+/// How wide figures are made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Columns {
+    /// As in the paper.
+    Paper,
+    /// One column of a journal with two.
+    One,
+    /// Both columns.
+    Two,
 }
 
 /// The arguments of `grazing compare`.
@@ -135,6 +178,20 @@ pub struct Claims {
     /// The parameter file.
     #[command(flatten)]
     pub parameters: ParameterFile,
+}
+
+/// The arguments of `grazing report`.
+#[derive(Debug, Args)]
+pub struct Report {
+    /// File of the page
+    #[arg(long, value_name = "FILE", default_value = "report.html")]
+    pub output: PathBuf,
+    /// The parameter file.
+    #[command(flatten)]
+    pub parameters: ParameterFile,
+    /// Number of threads; the page does not depend on it [default: one for each core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
 }
 
 /// The parameter file, which all commands share.

@@ -33,7 +33,8 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
     if chosen.is_empty() {
         return Err(Failure::NoClaim { wanted: arguments.labels.join(" ") });
     }
-    let findings = findings(&project::parameters(arguments.parameters.file.as_deref())?, &chosen)?;
+    let parameters = project::parameters(arguments.parameters.file.as_deref())?;
+    let findings = findings(&parameters, &chosen, &Display::new())?;
     let failing = findings.iter().filter(|finding| finding.verdict.fails()).count();
     terminal::say(&listing::table(&findings, arguments.explain, terminal::is_coloured()));
     terminal::say(&listing::summary(&findings));
@@ -53,8 +54,8 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
 pub(crate) fn findings<'a>(
     parameters: &Parameters,
     claims: &[&'a Claim],
+    display: &Display,
 ) -> Result<Vec<Finding<'a>>, Failure> {
-    let display = Display::new();
     let numbers = printed_numbers(parameters)?;
     let task = "claims";
     let checks: BTreeSet<&str> = claims.iter().filter_map(|claim| claim.check_name()).collect();
@@ -75,8 +76,9 @@ fn printed_numbers(parameters: &Parameters) -> Result<BTreeMap<String, PrintedNu
             Met::NotComputed => (None, false),
         };
         let value = comparison.published;
-        let (quantity, printed) = (value.quantity().to_owned(), value.printed().to_owned());
-        (value.id().to_owned(), PrintedNumber { quantity, printed, computed, met })
+        let (id, quantity, printed) = (value.id(), value.quantity(), value.printed());
+        let [id, quantity, printed] = [id, quantity, printed].map(str::to_owned);
+        (id.clone(), PrintedNumber { id, quantity, printed, computed, met })
     };
     Ok(published.compare(&computed).into_iter().map(number).collect())
 }

@@ -49,9 +49,6 @@ pub enum Failure {
         /// What was asked for.
         wanted: String,
     },
-    /// The ledger of claims is not right.
-    #[error(transparent)]
-    Ledger(#[from] LedgerError),
     /// The parameter file is not right.
     #[error(transparent)]
     Parameters(#[from] ParameterError),
@@ -65,6 +62,23 @@ pub enum Failure {
     #[error("{}: cannot be written: {reason}; name a folder for the outputs with --output DIR", path.display())]
     Unwritable {
         /// The folder or file.
+        path: PathBuf,
+        /// What stands in the way.
+        reason: String,
+    },
+    /// Other formats or widths than the default ones were to go to the default folder.
+    #[error(
+        "{folder} holds SVG at the paper's widths only: leave --output out, or name another folder, for other formats \
+         and widths"
+    )]
+    DefaultFolder {
+        /// The default folder.
+        folder: String,
+    },
+    /// The page of the report cannot be written.
+    #[error("{}: cannot be written: {reason}; name another file for the page with --output FILE", path.display())]
+    UnwritablePage {
+        /// The file, or the folder it should stand in.
         path: PathBuf,
         /// What stands in the way.
         reason: String,
@@ -95,6 +109,9 @@ pub enum Failure {
         /// The tables that should have been.
         registered: &'static [&'static str],
     },
+    /// The ledger of claims is not right.
+    #[error(transparent)]
+    Ledger(#[from] LedgerError),
     /// The list of published values is not right, or does not fit the computed ones.
     #[error(transparent)]
     Published(#[from] PublishedError),
@@ -120,6 +137,8 @@ impl Failure {
             | Failure::NoProject
             | Failure::NoClaim { .. }
             | Failure::Unwritable { .. }
+            | Failure::DefaultFolder { .. }
+            | Failure::UnwritablePage { .. }
             | Failure::Threads { .. } => 2,
             Failure::Computation { .. }
             | Failure::Registry { .. }

@@ -46,17 +46,7 @@ pub enum Change {
 /// [`Failure::Unwritable`].
 pub fn ensure_writable(folder: &Path, files: &[PathBuf]) -> Result<(), Failure> {
     for place in [folder.to_owned(), folder.join(DATA)] {
-        let existing = place
-            .ancestors()
-            .map(|path| if path.as_os_str().is_empty() { Path::new(".") } else { path })
-            .find(|path| path.symlink_metadata().is_ok())
-            .unwrap_or(Path::new("."));
-        let unwritable =
-            |reason: &str| Failure::Unwritable { path: existing.to_owned(), reason: reason.to_owned() };
-        if !existing.is_dir() {
-            return Err(unwritable("it is not a folder"));
-        }
-        unfinished_file(existing).map_err(|error| unwritable(&plain(&error)))?;
+        obstacle(&place).map_or(Ok(()), |(path, reason)| Err(Failure::Unwritable { path, reason }))?;
     }
     match files.iter().map(|file| folder.join(file)).find(|file| file.is_dir()) {
         Some(path) => {
@@ -64,6 +54,21 @@ pub fn ensure_writable(folder: &Path, files: &[PathBuf]) -> Result<(), Failure> 
         }
         None => Ok(()),
     }
+}
+
+/// What keeps files from being written into the folder, or into the nearest one above that is there: where, and why.
+pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
+    let existing = folder
+        .ancestors()
+        .map(|path| if path.as_os_str().is_empty() { Path::new(".") } else { path })
+        .find(|path| path.symlink_metadata().is_ok())
+        .unwrap_or(Path::new("."));
+    let reason = if existing.is_dir() {
+        plain(&unfinished_file(existing).err()?)
+    } else {
+        "it is not a folder".to_owned()
+    };
+    Some((existing.to_owned(), reason))
 }
 
 /// Writes all files, or none: each goes into a temporary file beside its place first, and only when all are complete

@@ -1,18 +1,21 @@
-//! The `grazing` program: runs the reproduction, writes figures and tables, and compares with the paper.
+//! The `grazing` program: runs the reproduction, writes figures, tables and a report, and compares with the paper.
 //!
 //! It is a library too, so that the tests can hold the README's commands against the command line's definition.
 
 pub mod arguments;
 mod claims;
+pub mod codecheck;
 pub mod compare;
 pub mod failure;
 pub mod folder;
 pub mod outputs;
 mod progress;
 mod project;
+mod report;
 mod reproduce;
 pub mod tables;
 pub mod terminal;
+mod visual;
 
 use arguments::{Arguments, Command};
 use failure::Failure;
@@ -26,5 +29,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Compare(arguments) => compare::run(arguments),
         Command::Claims(arguments) => claims::run(arguments),
+        Command::Report(arguments) => report::run(arguments),
     }
 }

@@ -1,6 +1,8 @@
 //! The registry of outputs: what can be made, and from what.
 
+pub mod edition;
 mod figures;
+pub mod latex;
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -11,6 +13,7 @@ use grazing_reproduction::{Study, Table};
 use crate::failure::Failure;
 use crate::folder::{DATA, MadeFile};
 use crate::tables;
+use edition::{Edition, Format};
 
 /// An output when it is made: the figure as SVG, if it is one, and the tables in the order of the registry.
 struct Made {
@@ -43,11 +46,46 @@ pub const ALL: &[Output] = &[
         make: |study, _| Ok(Made { figure: None, tables: vec![study.coefficient_table()?] }),
     },
     Output {
+        name: "fig01",
+        title: "Figure 1: phase space, impacting surface and reset law",
+        figure: Some("fig01.svg"),
+        tables: &["fig01_curves", "fig01_points", "fig01_surfaces"],
+        make: figures::fig01,
+    },
+    Output {
         name: "fig02",
         title: "Figure 2: one-parameter bifurcation diagram with phase portraits",
         figure: Some("fig02.svg"),
         tables: &["fig02_branches", "fig02_bifurcations", "fig02_attractor", "fig02_portraits"],
         make: figures::fig02,
+    },
+    Output {
+        name: "fig03",
+        title: "Figure 3: the return map near a grazing periodic solution",
+        figure: Some("fig03.svg"),
+        tables: &["fig03_curves", "fig03_points", "fig03_surfaces"],
+        make: figures::fig03,
+    },
+    Output {
+        name: "fig04",
+        title: "Figure 4: the boundaries g_p and h_p in the trapesium",
+        figure: Some("fig04.svg"),
+        tables: &["fig04_curves", "fig04_points"],
+        make: figures::fig04,
+    },
+    Output {
+        name: "fig05",
+        title: "Figure 5: unfolding of a resonant grazing bifurcation",
+        figure: Some("fig05.svg"),
+        tables: &["fig05_curves", "fig05_points", "fig05_regions"],
+        make: figures::fig05,
+    },
+    Output {
+        name: "fig06",
+        title: "Figure 6: the impact oscillator",
+        figure: Some("fig06.svg"),
+        tables: &["fig06_parts"],
+        make: figures::fig06,
     },
     Output {
         name: "fig07",
@@ -63,31 +101,75 @@ pub const ALL: &[Output] = &[
         tables: &["fig08_curves"],
         make: figures::fig08,
     },
+    Output {
+        name: "fig09",
+        title: "Figure 9: points on the impacting surface and on the section",
+        figure: Some("fig09.svg"),
+        tables: &["fig09_curves", "fig09_points", "fig09_surfaces"],
+        make: figures::fig09,
+    },
+    Output {
+        name: "fig10",
+        title: "Figure 10: the path of visits in the proof of Theorem 2.3",
+        figure: Some("fig10.svg"),
+        tables: &["fig10_path"],
+        make: figures::fig10,
+    },
+    Output {
+        name: "theorems",
+        title: "Theorems 2.2 to 2.5 against continuation and simulation",
+        figure: None,
+        tables: &["theorems_generic", "theorems_resonant"],
+        make: |study, _| Ok(Made { figure: None, tables: study.theorems_in_action()?.tables() }),
+    },
 ];
 
 impl Output {
     /// The paths of its files in the output folder.
     pub fn paths(&self) -> impl Iterator<Item = PathBuf> {
-        self.figure.iter().map(PathBuf::from).chain(self.tables.iter().map(|table| table_path(table)))
+        self.paths_in(&Edition::default()).into_iter()
+    }
+
+    /// The paths of its files in the output folder of an edition.
+    pub fn paths_in(&self, edition: &Edition) -> Vec<PathBuf> {
+        let figures = self.figure.iter().flat_map(|figure| edition.figure_paths(figure));
+        let tables = self.tables.iter().map(|table| table_path(table));
+        figures.chain(tables).chain(self.latex_tables(edition).map(latex::table_path)).collect()
+    }
+
+    /// The file of the figure as SVG, if it is one.
+    pub fn figure(&self) -> Option<&'static str> {
+        self.figure
+    }
+
+    /// The tables that are printed, in an edition that has LaTeX: those of outputs without a figure.
+    pub(crate) fn latex_tables(&self, edition: &Edition) -> impl Iterator<Item = &'static str> {
+        let printed = self.figure.is_none() && edition.has(Format::Tex);
+        self.tables.iter().copied().filter(move |_| printed)
     }
 
     /// Computes the output.
     ///
     /// # Errors
     /// [`Failure::Computation`]; [`Failure::Registry`] if other tables were made than announced.
-    pub(crate) fn files(&self, study: &Study<'_>) -> Result<Vec<MadeFile>, Failure> {
-        let made = (self.make)(study, SheetWidth::Paper).map_err(|error| computation(self.name, &*error))?;
+    pub(crate) fn files(&self, study: &Study<'_>, edition: &Edition) -> Result<Vec<MadeFile>, Failure> {
+        let made = (self.make)(study, edition.width()).map_err(|error| computation(self.name, &*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
         if names != self.tables {
             return Err(Failure::Registry { output: self.name, made: names, registered: self.tables });
         }
         let mut files = Vec::new();
         if let (Some(file), Some(svg)) = (self.figure, made.figure) {
-            files.push(MadeFile { path: PathBuf::from(file), content: svg.into_bytes() });
+            files.extend(edition.figure_files(file, svg).map_err(|error| computation(self.name, &error))?);
         }
+        let printed: Vec<&str> = self.latex_tables(edition).collect();
         for table in &made.tables {
             let content = tables::csv(&table.frame).map_err(|error| computation(self.name, &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
+        }
+        for table in made.tables.iter().filter(|table| printed.contains(&table.name)) {
+            let content = latex::table(table, self.title).map_err(|error| computation(self.name, &error))?;
+            files.push(MadeFile { path: latex::table_path(table.name), content: content.into_bytes() });
         }
         Ok(files)
     }

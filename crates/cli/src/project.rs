@@ -6,11 +6,14 @@ use std::path::{Path, PathBuf};
 use grazing_reproduction::parameters::Parameters;
 
 use crate::failure::Failure;
+use crate::outputs::edition::Edition;
 
 /// The default parameter file, from the root of the repository.
-const PARAMETERS: &str = "figures/parameters.toml";
+pub(crate) const PARAMETERS: &str = "figures/parameters.toml";
 /// The default output folder, from the root of the repository.
-const FIGURES: &str = "figures";
+pub(crate) const FIGURES: &str = "figures";
+/// The default output folder of other formats and widths.
+const JOURNAL: &str = "journal";
 
 /// The nearest folder, from the current one upwards, that holds the default parameter file; relative, as `../..`, so that
 /// messages name no folder above it.
@@ -25,20 +28,46 @@ pub(crate) fn root() -> Option<PathBuf> {
 /// # Errors
 /// [`Failure::NoProject`] if none was named and there is no default one; [`Failure::Parameters`].
 pub(crate) fn parameters(named: Option<&Path>) -> Result<Parameters, Failure> {
-    let file = match named {
-        Some(file) => file.to_owned(),
-        None => root().ok_or(Failure::NoProject)?.join(PARAMETERS),
-    };
-    Ok(Parameters::from_file(&file)?)
+    Ok(Parameters::from_file(&parameter_file(named)?)?)
+}
+
+/// The parameter file that was named, or the default one.
+///
+/// # Errors
+/// [`Failure::NoProject`] if none was named and there is no default one.
+pub(crate) fn parameter_file(named: Option<&Path>) -> Result<PathBuf, Failure> {
+    match named {
+        Some(file) => Ok(file.to_owned()),
+        None => Ok(root().ok_or(Failure::NoProject)?.join(PARAMETERS)),
+    }
 }
 
 /// The folder that was named, or the default one.
 ///
 /// # Errors
-/// [`Failure::NoProject`] if none was named and there is no default one.
-pub(crate) fn output_folder(named: Option<&Path>) -> Result<PathBuf, Failure> {
-    match named {
-        Some(folder) => Ok(folder.to_owned()),
-        None => Ok(root().ok_or(Failure::NoProject)?.join(FIGURES)),
+/// [`Failure::NoProject`] if none was named and there is no default one; [`Failure::DefaultFolder`] if other formats or
+/// widths than the default ones were to go to the folder of the default ones.
+pub(crate) fn output_folder(named: Option<&Path>, edition: &Edition) -> Result<PathBuf, Failure> {
+    let Some(named) = named else {
+        let folder = if edition.is_default() { FIGURES } else { JOURNAL };
+        return Ok(root().ok_or(Failure::NoProject)?.join(folder));
+    };
+    let same = |default: &PathBuf| match (default.canonicalize(), named.canonicalize()) {
+        (Ok(default), Ok(named)) => default == named,
+        _ => false,
+    };
+    match root().map(|root| root.join(FIGURES)).filter(same) {
+        Some(default) if !edition.is_default() => {
+            Err(Failure::DefaultFolder { folder: default.display().to_string() })
+        }
+        _ => Ok(named.to_owned()),
     }
+}
+
+/// The root of the repository, for what belongs there.
+///
+/// # Errors
+/// [`Failure::NoProject`].
+pub(crate) fn root_folder() -> Result<PathBuf, Failure> {
+    root().ok_or(Failure::NoProject)
 }

@@ -95,10 +95,13 @@ fn every_bad_command_line_is_refused() {
         "",
         "frobnicate",
         "reproduce --only fig7",
-        "reproduce --only fig01",
+        "reproduce --only fig11",
         "reproduce --chek",
         "reproduce --jobs 0",
         "reproduce --jobs many",
+        "reproduce --format gif",
+        "reproduce --columns three",
+        "reproduce --dpi 5000",
         "reproduce",
         "compare",
         "reproduce --parameters missing.toml",
@@ -115,6 +118,19 @@ fn every_bad_command_line_is_refused() {
         transcript.push_str(&format!("$ grazing {line}\n{}\n", first.join("\n").trim_end()));
     }
     snapshots().bind(|| insta::assert_snapshot!("messages_for_bad_command_lines", transcript));
+}
+
+#[test]
+fn other_formats_and_widths_are_kept_out_of_the_default_folder() {
+    for option in ["--format=pdf", "--columns=one"] {
+        let folder = project(INVENTED);
+        let before = listing(folder.path());
+        let outcome = grazing(folder.path(), &["reproduce", option, "--output", "figures/../figures"]);
+        assert_eq!(outcome.code, Some(2), "{option}: {}", outcome.messages);
+        let beginning = "error: figures holds SVG at the paper's widths only: ";
+        assert!(outcome.messages.starts_with(beginning), "{option}: {}", outcome.messages);
+        assert_eq!(listing(folder.path()), before, "{option}");
+    }
 }
 
 /// The path that the message names, and what puts an obstacle there.

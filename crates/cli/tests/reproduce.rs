@@ -32,7 +32,11 @@ fn the_whole_reproduction_passes_its_own_check_whatever_the_number_of_threads() 
         );
         assert!(folder.path().join("figures").join(file).is_file(), "{file} was not written");
     }
-    assert_eq!(listing(folder.path()).len(), files.len() + 3, "two folders and the parameters, nothing else");
+    assert_eq!(
+        listing(folder.path()).len(),
+        files.len() + 4,
+        "two folders, the parameters and codecheck.yml, nothing else"
+    );
     assert!(made.output.contains("published values are met"), "{}", made.output);
 
     let checked = grazing(folder.path(), &["reproduce", "--check", "--jobs", "2"]);

@@ -10,10 +10,10 @@ use crate::clip::{Window, clip_polygon, clip_polyline};
 use crate::markup::Label;
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
-    BLACK, DISC_RADIUS, FRAME, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, TICK, TICK_LENGTH,
-    TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
+    BLACK, DISC_RADIUS, FRAME, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, STAR_RADIUS, TICK,
+    TICK_LENGTH, TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
 };
-use crate::svg_backend::{Anchor, SvgBackend};
+use crate::svg_backend::{Anchor, PanelMark, SvgBackend};
 use crate::svg_text::UNITS;
 use crate::ticks::{Step, Tick};
 
@@ -22,6 +22,8 @@ pub(crate) struct Panel<'c> {
     pub(crate) canvas: &'c Canvas,
     pub(crate) window: Window,
     pub(crate) bounds: Bounds,
+    /// The tables whose rows it shows, and the column and number that its rows have, where others have other ones.
+    rows: (&'static [&'static str], Option<(&'static str, u32)>),
     area: DrawingArea<SvgBackend, Cartesian2d<RangedCoordf64, RangedCoordf64>>,
 }
 
@@ -32,6 +34,8 @@ pub(crate) enum Marker {
     Triangle,
     /// Any other codimension-two point.
     Disc,
+    /// A point of another figure.
+    Star,
 }
 
 /// Room that the largest tick labels and the gaps around them take, in points.
@@ -47,7 +51,17 @@ impl<'c> Panel<'c> {
             window.y[0]..window.y[1],
             (units(bounds.left)..units(bounds.right), units(bounds.bottom)..units(bounds.top)),
         );
-        Panel { canvas, window, bounds, area: canvas.root().apply_coord_spec(coordinates) }
+        Panel { canvas, window, bounds, rows: (&[], None), area: canvas.root().apply_coord_spec(coordinates) }
+    }
+
+    /// The same panel, marked as showing rows of these tables, the most telling first.
+    pub(crate) fn showing(self, tables: &'static [&'static str]) -> Self {
+        Panel { rows: (tables, self.rows.1), ..self }
+    }
+
+    /// The same panel, marked as showing only rows with this number in this column.
+    pub(crate) fn only(self, column: &'static str, number: u32) -> Self {
+        Panel { rows: (self.rows.0, Some((column, number))), ..self }
     }
 
     /// Where a data point lies on the sheet.
@@ -89,6 +103,11 @@ impl<'c> Panel<'c> {
         let (ink, size) = match marker {
             Marker::Triangle => (Ink::Triangle(TRIANGLE_SIZE, MARKER, Some(MARKER_RIM)), TRIANGLE_SIZE),
             Marker::Disc => (Ink::Disc(DISC_RADIUS, MARKER, Some(MARKER_RIM)), 2.0 * DISC_RADIUS),
+            Marker::Star => {
+                let centre = self.spot(point);
+                self.canvas.draw(&star(centre, STAR_RADIUS), Ink::Polygon(MARKER, Some(MARKER_RIM)))?;
+                return Ok(Some(Bounds::about(centre, 2.0 * STAR_RADIUS, 2.0 * STAR_RADIUS)));
+            }
         };
         self.put(vec![point], ink)?;
         Ok(Some(Bounds::about(self.spot(point), size, size)))
@@ -144,6 +163,13 @@ impl<'c> Panel<'c> {
         y_numbers: bool,
     ) -> Result<(), DrawingError> {
         let Bounds { left, top, right, bottom } = self.bounds;
+        self.canvas.mark(&PanelMark {
+            window: &self.window,
+            bounds: &self.bounds,
+            titles: [x_title, y_title],
+            tables: self.rows.0,
+            only: self.rows.1,
+        });
         self.frame()?;
         let (x_ticks, x_step) = self.step(true)?;
         for minor in x_step.minor().multiples(self.window.x[0], self.window.x[1]) {
@@ -188,4 +214,27 @@ impl<'c> Panel<'c> {
         let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)];
         self.canvas.draw(&corners, Ink::Line(FRAME))
     }
+}
+
+/// The outline of an upright star with five points.
+fn star((x, y): Spot, radius: f64) -> Vec<Spot> {
+    // Sines and cosines of multiples of 36 degrees, clockwise from the top; the inner corners are those of the pentagram.
+    const INNER: f64 = 0.381_97;
+    const TURNS: [Spot; 10] = [
+        (0.0, 1.0),
+        (0.587_79, 0.809_02),
+        (0.951_06, 0.309_02),
+        (0.951_06, -0.309_02),
+        (0.587_79, -0.809_02),
+        (0.0, -1.0),
+        (-0.587_79, -0.809_02),
+        (-0.951_06, -0.309_02),
+        (-0.951_06, 0.309_02),
+        (-0.587_79, 0.809_02),
+    ];
+    let corner = |(index, &(right, up)): (usize, &Spot)| {
+        let reach = if index % 2 == 0 { radius } else { INNER * radius };
+        (x + reach * right, y - reach * up)
+    };
+    TURNS.iter().enumerate().map(corner).collect()
 }

@@ -12,8 +12,8 @@ use crate::DrawingError;
 use crate::font::{Extent, Fonts};
 use crate::markup::Label;
 use crate::sheet::{Bounds, Spot};
-use crate::style::{Colour, Paint, Pen, SIZE_LIMIT};
-use crate::svg_backend::{Anchor, POINTS_PER_MM, SvgBackend};
+use crate::style::{Colour, Paint, Pen, SIZE_LIMIT, hat_pen};
+use crate::svg_backend::{Anchor, POINTS_PER_MM, PanelMark, SvgBackend};
 use crate::svg_text::UNITS;
 
 /// What an element puts on the sheet.
@@ -106,6 +106,11 @@ impl Canvas {
         self.root.draw(&Element { points, ink }).map_err(|_| DrawingError::SurfaceInUse)
     }
 
+    /// Says for programs where a panel is and what it shows; puts no ink on the sheet.
+    pub(crate) fn mark(&self, mark: &PanelMark<'_>) {
+        self.backend.borrow_mut().mark(mark);
+    }
+
     pub(crate) fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {
         self.fonts.measure(label, size)
     }
@@ -138,8 +143,14 @@ impl Canvas {
         };
         let (top, bottom) = (y - extent.ascent, y + extent.descent);
         let taken = Bounds { left, top, right: left + extent.width, bottom };
+        if label.runs.is_empty() {
+            return Ok(taken);
+        }
         self.texts.borrow_mut().push((label.source.clone(), taken));
         self.draw(&[(x, y)], Ink::Label(label, size, anchor, colour))?;
+        for hat in self.fonts.hats(label, size)? {
+            self.draw(&hat.map(|(right, down)| (left + right, y + down)), Ink::Line(hat_pen(size, colour)))?;
+        }
         Ok(taken)
     }
 
@@ -155,6 +166,12 @@ impl Canvas {
         let (x, y) = bounds.centre();
         let baseline = y + 0.5 * (extent.ascent - extent.descent);
         self.set((x, baseline), label, size, Anchor::Middle, colour)
+    }
+
+    /// The labels as they were written, in the order of drawing.
+    #[cfg(test)]
+    pub(crate) fn texts(&self) -> Vec<String> {
+        self.texts.borrow().iter().map(|(source, _)| source.clone()).collect()
     }
 
     /// The labels that overlap another one or leave the sheet: none, in a good figure.

@@ -11,10 +11,10 @@ use crate::fig07::panel_letter;
 use crate::frames::Table;
 use crate::labels::Labels;
 use crate::markup::Label;
-use crate::portraits::{Portrait, draw_portraits, read_portraits};
+use crate::portraits::{Portrait, ROW, SINGLE_ROW, draw_portraits, portrait_rows, read_portraits};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{BLACK, GUIDE, MAGNIFIER, MAGNIFIER_FRAME, SMALL_LABEL_SIZE, SheetWidth};
-use crate::svg_backend::Anchor;
+use crate::svg_backend::{Anchor, POINTS_PER_MM};
 
 /// What Figure 2 shows.
 ///
@@ -39,7 +39,18 @@ pub struct Figure02<'a> {
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 156.0;
-const HEIGHT_MM: f64 = 128.0;
+/// Sheets at least this wide have all portraits in a row, and the magnification beside the diagram.
+const SIDE_BY_SIDE_MM: f64 = 120.0;
+/// Height of the diagram and of its magnification with their numbers and titles, in points.
+const DIAGRAM_HEIGHT: f64 = 222.83;
+const STACKED_HEIGHT: f64 = 162.0;
+/// Room for the portraits' letters above the diagram, and above the magnification, in points.
+const LETTERS: f64 = 18.0;
+const STACKED_GAP: f64 = 8.0;
+/// Room below a diagram for numbers and axis title, in points.
+const BELOW: f64 = 31.0;
+/// The tables of the diagram.
+const SHOWN: [&str; 3] = ["fig02_bifurcations", "fig02_branches", "fig02_attractor"];
 
 /// Draws Figure 2.
 ///
@@ -51,7 +62,7 @@ pub fn draw_fig02(figure: &Figure02<'_>, width: SheetWidth) -> Result<String, Dr
         "fig02",
         "One-parameter bifurcation diagram with phase portraits",
         "Below: forcing amplitude across, x-value of the return map up; thick curves are stable, thin ones unstable; \
-         dots are long-term forward orbits. Right: magnification. Above: phase portraits with the wall.",
+         dots are long-term forward orbits. Framed: magnification. Above: phase portraits with the wall.",
     )
 }
 
@@ -65,16 +76,26 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
     let cloud: Vec<(f64, f64)> = amplitudes.into_iter().zip(attractor.numbers("x")?).collect();
     let portraits = read_portraits(Table::new("fig02_portraits", figure.portraits))?;
 
-    let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
-    draw_portraits(&canvas, &portraits)?;
-    let (top, bottom) = (158.0, canvas.height - 31.0);
-    let split = 0.59 * canvas.width;
-    let whole = Panel::new(&canvas, window, Bounds { left: 38.0, top, right: split, bottom });
-    let part = Panel::new(
-        &canvas,
-        magnification,
-        Bounds { left: split + 44.0, top, right: canvas.width - 6.0, bottom },
-    );
+    let width = width.mm(WIDTH_MM);
+    let stacked = width < SIDE_BY_SIDE_MM;
+    let rows = portrait_rows(&portraits, stacked);
+    let row = if rows == 1 { SINGLE_ROW } else { ROW };
+    let portraits_end = rows as f64 * row;
+    let height = portraits_end + if stacked { 2.0 * STACKED_HEIGHT + STACKED_GAP } else { DIAGRAM_HEIGHT };
+    let canvas = Canvas::new(width, height / POINTS_PER_MM)?;
+    draw_portraits(&canvas, &portraits, (rows, row))?;
+    let (top, right) = (portraits_end + LETTERS, canvas.width - 6.0);
+    let (whole, part) = if stacked {
+        let middle = portraits_end + STACKED_HEIGHT;
+        let below = Bounds { left: 38.0, top: middle + STACKED_GAP, right, bottom: canvas.height - BELOW };
+        (Bounds { left: 38.0, top, right, bottom: middle - BELOW }, below)
+    } else {
+        let (split, bottom) = (0.59 * canvas.width, canvas.height - BELOW);
+        (Bounds { left: 38.0, top, right: split, bottom }, Bounds { left: split + 44.0, top, right, bottom })
+    };
+    let whole = Panel::new(&canvas, window, whole).showing(&SHOWN);
+    let part = Panel::new(&canvas, magnification, part).showing(&SHOWN);
+
     let guides = letters(&whole, &portraits)?;
     magnifier(&whole, &part)?;
     for (panel, every_loop) in [(&whole, false), (&part, true)] {
@@ -84,7 +105,7 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
             labels.placer.keep_off_nameless(&on_sheet(panel, &magnification));
         }
         diagram(panel, labels, &branches, &bifurcations, &cloud, every_loop)?;
-        panel.axes(r"$\mathcal{A}$", if every_loop { "" } else { "$x$" })?;
+        panel.axes(r"$\mathcal{A}$", if every_loop && !stacked { "" } else { "$x$" })?;
     }
     Ok(canvas)
 }
@@ -156,10 +177,19 @@ mod tests {
     }
 
     #[test]
-    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
-        let misplaced =
-            with_sample(2_000, |figure| compose(figure, SheetWidth::Paper).unwrap().misplaced_texts());
-        assert!(misplaced.is_empty(), "{misplaced:?}");
+    fn no_two_labels_overlap_and_none_leaves_the_sheet_however_wide_it_is() {
+        for width in [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns] {
+            let misplaced = with_sample(2_000, |figure| compose(figure, width).unwrap().misplaced_texts());
+            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
+        }
+    }
+
+    #[test]
+    fn diagram_and_magnification_stand_one_above_the_other_in_one_column() {
+        let size =
+            |width| with_sample(10, |figure| compose(figure, width).map(|sheet| (sheet.width, sheet.height)));
+        let (one, paper) = (size(SheetWidth::OneColumn).unwrap(), size(SheetWidth::Paper).unwrap());
+        assert!(one.1 > 1.5 * one.0 && paper.0 > paper.1, "{one:?} {paper:?}");
     }
 
     #[test]

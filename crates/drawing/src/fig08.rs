@@ -50,10 +50,17 @@ struct Coefficients {
 const PANELS: usize = 3;
 /// Width in the paper.
 const WIDTH_MM: f64 = 156.0;
+/// Sheets at least this wide have the panels side by side; on others they stand one above the other.
+const SIDE_BY_SIDE_MM: f64 = 120.0;
+/// Height of a panel with its heading, numbers and axis title, side by side and one above the other.
 const HEIGHT_MM: f64 = 63.0;
-/// Room left of each panel for its numbers, in points; the first has the axis title too.
+const STACKED_HEIGHT_MM: f64 = 62.0;
+/// Room left of each panel for its numbers, in points; the first of a row has the axis title too.
 const LEFT: f64 = 31.0;
 const TITLE_ROOM: f64 = 13.0;
+/// Room above a panel for its heading and below for numbers and axis title, in points.
+const TOP: f64 = 27.0;
+const BOTTOM: f64 = 30.0;
 /// Curves shorter than this on the sheet (points) stay without a label.
 const LABELLED_LENGTH: f64 = 24.0;
 
@@ -81,18 +88,25 @@ pub(crate) fn compose(figure: &Figure08<'_>, width: SheetWidth) -> Result<Canvas
     let markers = read_points(Table::new("fig07_points", figure.points))?;
     let coefficients = read_coefficients(Table::new("fig08_coefficients", figure.coefficients))?;
 
-    let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
-    let pitch = (canvas.width - TITLE_ROOM - 6.0) / PANELS as f64;
+    let width = width.mm(WIDTH_MM);
+    let columns = if width >= SIDE_BY_SIDE_MM { PANELS } else { 1 };
+    let (rows, row_mm) = if columns == 1 { (PANELS, STACKED_HEIGHT_MM) } else { (1, HEIGHT_MM) };
+    let canvas = Canvas::new(width, rows as f64 * row_mm)?;
+    let pitch = (canvas.width - TITLE_ROOM - 6.0) / columns as f64;
+    let row_pitch = canvas.height / rows as f64;
     for (place, magnified) in figure.panels.iter().enumerate() {
         let window = magnified.window.checked("a panel of fig08")?;
-        let left = TITLE_ROOM + pitch * place as f64 + LEFT;
-        let right = TITLE_ROOM + pitch * (place + 1) as f64 - 3.0;
-        let bounds = Bounds { left, top: 27.0, right, bottom: canvas.height - 30.0 };
-        let panel = Panel::new(&canvas, window, bounds);
+        let (column, row) = (place % columns, place / columns);
+        let left = TITLE_ROOM + pitch * column as f64 + LEFT;
+        let right = TITLE_ROOM + pitch * (column + 1) as f64 - 3.0;
+        let above = row_pitch * row as f64;
+        let bounds = Bounds { left, top: above + TOP, right, bottom: above + row_pitch - BOTTOM };
+        let panel =
+            Panel::new(&canvas, window, bounds).showing(&["fig08_curves"]).only("panel", magnified.panel);
         let number = i64::from(magnified.panel);
         let own: Vec<&Curve> = curves.iter().filter(|c| c.panel == number).collect();
         draw_panel(&panel, &own, &regions, &markers)?;
-        panel.axes(r"$\mathcal{A}$", if place == 0 { r"$\omega$" } else { "" })?;
+        panel.axes(r"$\mathcal{A}$", if column == 0 { r"$\omega$" } else { "" })?;
         let own = coefficients.iter().find(|c| c.panel == number);
         draw_heading(&canvas, &bounds, magnified.panel, own)?;
     }
@@ -201,9 +215,19 @@ mod tests {
     }
 
     #[test]
-    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
-        let misplaced = with_sample(|figure| compose(figure, SheetWidth::Paper).unwrap().misplaced_texts());
-        assert!(misplaced.is_empty(), "{misplaced:?}");
+    fn no_two_labels_overlap_and_none_leaves_the_sheet_however_wide_it_is() {
+        for width in [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns] {
+            let misplaced = with_sample(|figure| compose(figure, width).unwrap().misplaced_texts());
+            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
+        }
+    }
+
+    #[test]
+    fn panels_stand_one_above_the_other_in_one_column() {
+        let size =
+            |width| with_sample(|figure| compose(figure, width).map(|sheet| (sheet.width, sheet.height)));
+        let (one, paper) = (size(SheetWidth::OneColumn).unwrap(), size(SheetWidth::Paper).unwrap());
+        assert!(one.1 > 2.0 * one.0 && paper.0 > 2.0 * paper.1, "{one:?} {paper:?}");
     }
 
     #[test]

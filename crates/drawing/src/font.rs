@@ -9,7 +9,7 @@ use std::fmt::Write;
 use ttf_parser::Face as Metrics;
 
 use crate::DrawingError;
-use crate::markup::{Face, Label, Level};
+use crate::markup::{Face, Label, Level, Run};
 
 /// Font files to hand to a converter (PDF, PNG) that must not use the system's fonts: name and bytes.
 pub const FONT_FILES: [(&str, &[u8]); 3] = [
@@ -29,6 +29,10 @@ pub(crate) const SCRIPT_SIZE: f64 = 0.72;
 pub(crate) const SUBSCRIPT_DROP: f64 = 0.19;
 /// How far a superscript's baseline is raised, in units of the font size.
 pub(crate) const SUPERSCRIPT_RISE: f64 = 0.36;
+
+/// Rise of a circumflex above the letter's ink, its height and half its width, and how far the slant of italics moves it
+/// to the right of the letter's middle, in units of the font size (by eye, after the font's own accents).
+const HAT: [f64; 4] = [0.07, 0.13, 0.15, 0.07];
 
 /// What a label occupies, in points: its width, and how far its ink reaches above and below the baseline.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,10 +88,40 @@ impl Fonts {
                 if let Some(ink) = face.glyph_bounding_box(glyph) {
                     extent.ascent = extent.ascent.max(rise + em * f64::from(ink.y_max));
                     extent.descent = extent.descent.max(-rise - em * f64::from(ink.y_min));
+                    if run.hat {
+                        let top = rise + em * f64::from(ink.y_max) + (HAT[0] + HAT[1]) * scale;
+                        extent.ascent = extent.ascent.max(top);
+                    }
                 }
             }
         }
         Ok(extent)
+    }
+}
+
+/// A circumflex as three spots, to the right of the label's start and below its baseline.
+pub(crate) type Hat = [(f64, f64); 3];
+
+impl Fonts {
+    /// The circumflexes over a label set at `size` points.
+    ///
+    /// They are drawn as lines: no font that viewers have can be counted on for an accent over an italic letter.
+    ///
+    /// # Errors
+    /// As [`measure`](Self::measure).
+    pub(crate) fn hats(&self, label: &Label, size: f64) -> Result<Vec<Hat>, DrawingError> {
+        let mut hats = Vec::new();
+        for (index, run) in label.runs.iter().enumerate().filter(|(_, run)| run.hat) {
+            let part = |runs: &[Run]| Label { source: label.source.clone(), runs: runs.to_vec() };
+            let before = self.measure(&part(&label.runs[..index]), size)?.width;
+            let letter = self.measure(&part(&label.runs[index..=index]), size)?;
+            let scale = if run.level == Level::Line { size } else { size * SCRIPT_SIZE };
+            let [_, height, half, slant] = HAT.map(|share| share * scale);
+            let middle = before + 0.5 * letter.width + slant;
+            let (top, foot) = (-letter.ascent, height - letter.ascent);
+            hats.push([(middle - half, foot), (middle, top), (middle + half, foot)]);
+        }
+        Ok(hats)
     }
 }
 
@@ -168,6 +202,22 @@ mod tests {
     }
 
     #[test]
+    fn a_hat_stands_over_its_letter_within_the_label() {
+        let fonts = Fonts::load().unwrap();
+        let parse = |s: &str| Label::parse(s).unwrap();
+        let (bare, hatted) = (parse("$(x,0)$"), parse(r"$(\hat{x},0)$"));
+        let extent = fonts.measure(&hatted, 10.0).unwrap();
+        assert_eq!(extent.width, fonts.measure(&bare, 10.0).unwrap().width);
+        let hats = fonts.hats(&hatted, 10.0).unwrap();
+        let (left, right) = (fonts.measure(&parse("$($"), 10.0).unwrap().width, extent.width);
+        assert_eq!(hats.len(), 1);
+        for (x, y) in hats[0] {
+            assert!(left < x && x < right && -extent.ascent <= y && y < -4.0, "{x} {y}");
+        }
+        assert!(fonts.hats(&bare, 10.0).unwrap().is_empty());
+    }
+
+    #[test]
     fn a_character_outside_the_fonts_is_an_error_that_names_it() {
         let fonts = Fonts::load().unwrap();
         let error = fonts.measure(&Label::parse("雪").unwrap(), 8.0).unwrap_err();
@@ -176,8 +226,8 @@ mod tests {
 
     #[test]
     fn every_command_of_the_markup_has_a_glyph() {
-        let greek = r"$\alpha\beta\gamma\delta\epsilon\zeta\eta\lambda\mu\pi\tau\phi\omega\Pi\Sigma$";
-        let signs = r"$\le\ge\approx\ast\times\pm\cdot\,-=\mathcal{APV}$";
+        let greek = r"$\alpha\beta\gamma\delta\epsilon\zeta\eta\lambda\mu\pi\tau\phi\omega\Gamma\Pi\Sigma$";
+        let signs = r"$\le\ge\approx\ast\sqrt\times\pm\cdot\,-='\mathcal{APV}$";
         for label in [greek, signs] {
             assert!(width(label, 8.0) > 40.0);
         }

@@ -7,6 +7,7 @@ use crate::markup::Label;
 use crate::placement::{Place, Placer};
 use crate::sheet::{Bounds, Spot, along, length, near};
 use crate::style::{Colour, LABEL_SIZE, LEADER, SMALL_LABEL_SIZE};
+use crate::svg_backend::Anchor;
 
 /// Free space kept around a label's ink, in points.
 const PADDING: f64 = 1.2;
@@ -25,8 +26,21 @@ pub(crate) enum Wanted<'a> {
 pub(crate) struct Labels<'c> {
     canvas: &'c Canvas,
     pub(crate) placer: Placer,
-    placed: Vec<(Label, f64, Colour, Place)>,
+    placed: Vec<Placed>,
 }
+
+/// A label of one or more centred lines in its place.
+struct Placed {
+    lines: Vec<Label>,
+    /// How far the ink of the lines reaches above and below their baselines at most.
+    reach: (f64, f64),
+    size: f64,
+    colour: Colour,
+    place: Place,
+}
+
+/// From one baseline to the next, in units of the font size.
+const LEADING: f64 = 1.15;
 
 impl<'c> Labels<'c> {
     pub(crate) fn new(canvas: &'c Canvas, panel: Bounds) -> Self {
@@ -41,16 +55,36 @@ impl<'c> Labels<'c> {
         colour: Colour,
         wanted: &Wanted<'_>,
     ) -> Result<bool, DrawingError> {
-        let label = Label::parse(source)?;
-        let extent = self.canvas.measure(&label, size)?;
-        let (width, height) = (extent.width + 2.0 * PADDING, extent.height() + 2.0 * PADDING);
+        self.add_lines(&[source], size, colour, wanted)
+    }
+
+    /// Finds a place for a label of several lines, each centred; false if there is none.
+    pub(crate) fn add_lines(
+        &mut self,
+        sources: &[&str],
+        size: f64,
+        colour: Colour,
+        wanted: &Wanted<'_>,
+    ) -> Result<bool, DrawingError> {
+        let mut lines = Vec::new();
+        let (mut width, mut ascent, mut descent) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for source in sources {
+            let label = Label::parse(source)?;
+            let extent = self.canvas.measure(&label, size)?;
+            width = width.max(extent.width);
+            ascent = ascent.max(extent.ascent);
+            descent = descent.max(extent.descent);
+            lines.push(label);
+        }
+        let further = LEADING * size * lines.len().saturating_sub(1) as f64;
+        let (width, height) = (width + 2.0 * PADDING, ascent + further + descent + 2.0 * PADDING);
         let place = match wanted {
             Wanted::Beside(curve) => self.placer.beside_curve(curve, width, height),
             Wanted::Around(spot, clearance) => self.placer.around(*spot, *clearance, width, height),
             Wanted::Within(polygon) => self.placer.within(polygon, width, height),
         };
         if let Some(place) = place {
-            self.placed.push((label, size, colour, place));
+            self.placed.push(Placed { lines, reach: (ascent, descent), size, colour, place });
         }
         Ok(place.is_some())
     }
@@ -82,11 +116,21 @@ impl<'c> Labels<'c> {
 
     /// Draws all labels and their leaders.
     pub(crate) fn draw(self) -> Result<(), DrawingError> {
-        for (label, size, colour, place) in &self.placed {
+        for Placed { lines, reach: (ascent, descent), size, colour, place } in &self.placed {
             if let Some((from, to)) = place.leader {
                 self.canvas.draw(&[from, to], Ink::Line(LEADER))?;
             }
-            self.canvas.text_in(&place.bounds, label, *size, *colour)?;
+            if let [label] = lines.as_slice() {
+                self.canvas.text_in(&place.bounds, label, *size, *colour)?;
+                continue;
+            }
+            let (x, y) = place.bounds.centre();
+            let middle = y + 0.5 * (ascent - descent);
+            for (index, label) in lines.iter().enumerate() {
+                let line = index as f64 - 0.5 * (lines.len() as f64 - 1.0);
+                let baseline = middle + LEADING * size * line;
+                self.canvas.text((x, baseline), &label.source, *size, Anchor::Middle, *colour)?;
+            }
         }
         Ok(())
     }

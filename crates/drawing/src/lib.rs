@@ -1,7 +1,7 @@
 //! The figures of the paper as SVG, drawn from data frames.
 //!
-//! One struct and one function a figure: [`Figure02`] and [`draw_fig02`], [`Figure07`] and [`draw_fig07`], [`Figure08`]
-//! and [`draw_fig08`]. A struct borrows the frames and says which windows are shown; the function returns the text of
+//! One struct and one function a figure: [`Figure01`] and [`draw_fig01`], [`Figure02`] and [`draw_fig02`], and so on. A
+//! struct borrows the frames and says which windows are shown; the function returns the text of
 //! an SVG file. This crate knows frames, windows and ink; it computes nothing about impacts, and equal input gives
 //! equal bytes.
 //!
@@ -10,24 +10,36 @@
 //! split at NaN. Text stays text, in fonts that are embedded in each file and measured when labels are placed.
 
 #[cfg(test)]
+mod inspection;
+#[cfg(test)]
 mod samples;
 
+mod arrow;
 mod axes;
 mod branches;
 mod canvas;
 mod clip;
 mod cloud;
 mod error;
+mod fig01;
 mod fig02;
+mod fig03;
+mod fig04;
+mod fig05;
+mod fig06;
 mod fig07;
 mod fig08;
+mod fig09;
+mod fig10;
 mod font;
 mod frames;
 mod kinds;
 mod labels;
 mod markup;
+mod passing;
 mod placement;
 mod portraits;
+mod scene;
 mod sheet;
 mod simplify;
 mod style;
@@ -37,8 +49,15 @@ mod ticks;
 
 pub use clip::Window;
 pub use error::DrawingError;
+pub use fig01::{Figure01, draw_fig01};
 pub use fig02::{Figure02, draw_fig02};
+pub use fig03::{Figure03, draw_fig03};
+pub use fig04::{Figure04, draw_fig04};
+pub use fig05::{Figure05, draw_fig05};
+pub use fig06::{Figure06, draw_fig06};
 pub use fig07::{Figure07, Magnified, Section, draw_fig07};
 pub use fig08::{Figure08, draw_fig08};
+pub use fig09::{Figure09, draw_fig09};
+pub use fig10::{Figure10, draw_fig10};
 pub use font::FONT_FILES;
 pub use style::SheetWidth;

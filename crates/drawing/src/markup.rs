@@ -5,9 +5,10 @@
 //! | `text` | upright text, as it stands |
 //! | `$x$` | mathematics: letters italic, digits and signs upright, spaces ignored |
 //! | `\alpha`, `\omega`, … | Greek letter (within `$…$`, like all below) |
-//! | `\le`, `\ge`, `\approx`, `\times`, `\pm`, `\cdot`, `\ast`, `\,` | ≤ ≥ ≈ × ± · ∗ and a thin space |
+//! | `\le`, `\ge`, `\approx`, `\times`, `\pm`, `\cdot`, `\ast`, `\sqrt`, `\,` | ≤ ≥ ≈ × ± · ∗ √ and a thin space |
 //! | `-`, `=` | minus sign; equals sign with thin spaces around it |
 //! | `\mathrm{graz}`, `\mathcal{A}` | upright words; script letters A, P and V |
+//! | `\hat{x}`, `'` | one letter with a circumflex; a prime |
 //! | `_x`, `^{12}` | subscript, superscript: one character, one command, or a group in braces |
 //!
 //! Scripts do not nest, and a superscript after a subscript follows it instead of standing above it.
@@ -36,6 +37,8 @@ pub(crate) struct Run {
     pub(crate) face: Face,
     pub(crate) level: Level,
     pub(crate) text: String,
+    /// A circumflex stands over the run, which is one letter.
+    pub(crate) hat: bool,
 }
 
 /// A parsed label.
@@ -45,7 +48,7 @@ pub(crate) struct Label {
     pub(crate) runs: Vec<Run>,
 }
 
-const COMMANDS: [(&str, char, Face); 22] = [
+const COMMANDS: [(&str, char, Face); 24] = [
     ("alpha", 'α', Face::Italic),
     ("beta", 'β', Face::Italic),
     ("gamma", 'γ', Face::Italic),
@@ -59,12 +62,14 @@ const COMMANDS: [(&str, char, Face); 22] = [
     ("tau", 'τ', Face::Italic),
     ("phi", 'φ', Face::Italic),
     ("omega", 'ω', Face::Italic),
+    ("Gamma", 'Γ', Face::Upright),
     ("Pi", 'Π', Face::Upright),
     ("Sigma", 'Σ', Face::Upright),
     ("le", '≤', Face::Signs),
     ("ge", '≥', Face::Signs),
     ("approx", '≈', Face::Signs),
     ("ast", '∗', Face::Signs),
+    ("sqrt", '√', Face::Signs),
     ("times", '×', Face::Upright),
     ("pm", '±', Face::Upright),
     ("cdot", '·', Face::Upright),
@@ -80,7 +85,7 @@ struct Parser<'a> {
 impl Label {
     /// Upright text as it stands, in which nothing is markup.
     pub(crate) fn plain(text: &str) -> Self {
-        let run = Run { face: Face::Upright, level: Level::Line, text: text.to_owned() };
+        let run = Run { face: Face::Upright, level: Level::Line, text: text.to_owned(), hat: false };
         Label { source: text.to_owned(), runs: vec![run] }
     }
 
@@ -113,8 +118,8 @@ impl Parser<'_> {
 
     fn push(&mut self, face: Face, level: Level, character: char) {
         match self.runs.last_mut() {
-            Some(run) if run.face == face && run.level == level => run.text.push(character),
-            _ => self.runs.push(Run { face, level, text: character.to_string() }),
+            Some(run) if run.face == face && run.level == level && !run.hat => run.text.push(character),
+            _ => self.runs.push(Run { face, level, text: character.to_string(), hat: false }),
         }
     }
 
@@ -139,6 +144,7 @@ impl Parser<'_> {
             '^' => self.script(Level::Superscript)?,
             '-' => self.push(Face::Upright, level, '−'),
             '=' => "\u{2009}=\u{2009}".chars().for_each(|c| self.push(Face::Upright, level, c)),
+            '\'' => self.push(Face::Upright, level, '′'),
             '{' | '}' | '$' => return self.fail("stray bracket or `$`"),
             letter if letter.is_alphabetic() => self.push(Face::Italic, level, letter),
             other => self.push(Face::Upright, level, other),
@@ -166,6 +172,14 @@ impl Parser<'_> {
         }
         match name.as_str() {
             "" if self.next() == Some(',') => self.push(Face::Upright, level, '\u{2009}'),
+            "hat" => {
+                let group = [self.next(), self.next(), self.next()];
+                let [Some('{'), Some(letter), Some('}')] = group else {
+                    return self.fail("one letter in braces should follow");
+                };
+                let text = letter.to_string();
+                self.runs.push(Run { face: Face::Italic, level, text, hat: true });
+            }
             "mathrm" | "mathcal" => {
                 if self.next() != Some('{') {
                     return self.fail("a group in braces should follow");
@@ -224,6 +238,14 @@ mod tests {
     }
 
     #[test]
+    fn a_hat_stands_over_one_letter_and_a_prime_follows_it() {
+        let label = Label::parse(r"$(\hat{x},0,z')$").unwrap();
+        let hats: Vec<_> = label.runs.iter().filter(|run| run.hat).map(|run| run.text.as_str()).collect();
+        assert_eq!(hats, ["x"]);
+        assert_eq!(label.runs.iter().map(|run| run.text.as_str()).collect::<String>(), "(x,0,z′)");
+    }
+
+    #[test]
     fn a_hyphen_is_a_minus_only_in_mathematics() {
         assert_eq!(runs("SN-GZ")[0].2, "SN-GZ");
         assert_eq!(runs("$-3$")[0].2, "−3");
@@ -236,6 +258,7 @@ mod tests {
             (r"$\nabla$", "unknown command"),
             ("$x_{a_b}$", "scripts do not nest"),
             ("$x_{a$", "stray bracket or `$`"),
+            (r"$\hat{xy}$", "one letter in braces should follow"),
             (r"$\mathcal{Q}$", "only A, P and V have script forms"),
             ("$x^", "nothing to raise or lower"),
         ] {

@@ -246,6 +246,31 @@ impl Placer {
     }
 }
 
+/// Centres for boxes side by side, as near to the ones wanted as can be without a gap below `gap`, in the order given.
+///
+/// Wanted centres ascend. Boxes that would meet move together, so that the sum of squared moves is least.
+pub(crate) fn side_by_side(wanted: &[(f64, f64)], gap: f64) -> Vec<f64> {
+    // Offsets of the boxes in a row without slack; centres less offsets have to ascend: pool those that descend.
+    let mut offsets = Vec::with_capacity(wanted.len());
+    let mut pools: Vec<(f64, usize)> = Vec::new();
+    for (index, &(centre, width)) in wanted.iter().enumerate() {
+        let offset = match index.checked_sub(1) {
+            None => 0.0,
+            Some(before) => offsets[before] + 0.5 * (wanted[before].1 + width) + gap,
+        };
+        offsets.push(offset);
+        pools.push((centre - offset, 1));
+        while let [.., (a, m), (b, n)] = pools[..]
+            && a > b
+        {
+            pools.truncate(pools.len() - 2);
+            pools.push(((a * m as f64 + b * n as f64) / (m + n) as f64, m + n));
+        }
+    }
+    let starts = pools.iter().flat_map(|&(start, members)| std::iter::repeat_n(start, members));
+    starts.zip(offsets).map(|(start, offset)| start + offset).collect()
+}
+
 /// A line from the box's edge towards the spot, which it stops short of.
 fn leader(bounds: &Bounds, at: Spot, short: f64) -> (Spot, Spot) {
     let nearest = (at.0.clamp(bounds.left, bounds.right), at.1.clamp(bounds.top, bounds.bottom));
@@ -295,6 +320,14 @@ mod tests {
         assert!(place.leader.is_some());
         // The leader stops at the clearance asked for.
         assert!((distance(place.leader.unwrap().1, (50.0, 51.0)) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn boxes_side_by_side_keep_their_gap_and_move_only_if_they_must() {
+        let centres = side_by_side(&[(0.0, 4.0), (10.0, 4.0), (11.0, 6.0), (30.0, 4.0)], 1.0);
+        // The two that meet need 6 between their centres and share the shortfall of 5.
+        assert_eq!(centres, [0.0, 7.5, 13.5, 30.0]);
+        assert!(side_by_side(&[], 1.0).is_empty());
     }
 
     #[test]

@@ -24,8 +24,12 @@ pub(crate) struct Portrait {
 
 /// Thickness of the wall on the sheet, in points.
 const WALL_THICKNESS: f64 = 7.0;
-const TOP: f64 = 17.0;
-const BOTTOM: f64 = 112.0;
+/// Height of a row with headings, numbers and axis titles, in points: of a single one, and of one among several.
+pub(crate) const SINGLE_ROW: f64 = 140.0;
+pub(crate) const ROW: f64 = 122.0;
+/// Room in a row above its frames and below them.
+const ABOVE: f64 = 17.0;
+const BELOW: f64 = 28.0;
 const LEFT: f64 = 38.0;
 const GAP: f64 = 13.0;
 const MOST: usize = 6;
@@ -61,20 +65,35 @@ pub(crate) fn read_portraits(table: Table<'_>) -> Result<Vec<Portrait>, DrawingE
     Ok(portraits)
 }
 
-/// Draws the row of portraits, all at one scale.
-pub(crate) fn draw_portraits(canvas: &Canvas, portraits: &[Portrait]) -> Result<(), DrawingError> {
+/// Into how many rows the portraits are set: one, or on a narrow sheet rows of at most two.
+pub(crate) fn portrait_rows(portraits: &[Portrait], narrow: bool) -> usize {
+    if narrow { portraits.len().div_ceil(2) } else { 1 }
+}
+
+/// Draws the portraits in so many rows of a height in points, all at one scale.
+pub(crate) fn draw_portraits(
+    canvas: &Canvas,
+    portraits: &[Portrait],
+    (rows, height): (usize, f64),
+) -> Result<(), DrawingError> {
     let window = common_window(portraits).checked("the phase portraits of fig02")?;
-    let count = portraits.len() as f64;
+    let columns = portraits.len().div_ceil(rows.max(1)).max(1);
+    let count = columns as f64;
     let width = (canvas.width - LEFT - 6.0 - GAP * (count - 1.0)) / count;
     for (place, portrait) in portraits.iter().enumerate() {
-        let left = LEFT + (width + GAP) * place as f64;
-        let bounds = Bounds { left, top: TOP, right: left + width - WALL_THICKNESS, bottom: BOTTOM };
-        let panel = Panel::new(canvas, window, bounds);
+        let (column, row) = (place % columns, place / columns);
+        let left = LEFT + (width + GAP) * column as f64;
+        let top = height * row as f64 + ABOVE;
+        let bottom = height * (row + 1) as f64 - BELOW;
+        let bounds = Bounds { left, top, right: left + width - WALL_THICKNESS, bottom };
+        let panel = Panel::new(canvas, window, bounds)
+            .showing(&["fig02_portraits"])
+            .only("portrait", portrait.number);
         wall(&panel)?;
         let pen =
             if portrait.attractor { ATTRACTOR_ORBIT } else { branch_pen(portrait.p, PERIODIC_ORBIT.width) };
         panel.line(&without_jumps(&portrait.orbit), pen)?;
-        panel.axes_with("$x$", if place == 0 { "$y$" } else { "" }, place == 0)?;
+        panel.axes_with("$x$", if column == 0 { "$y$" } else { "" }, column == 0)?;
         jump(&panel, &portrait.orbit)?;
         let kind = match (portrait.attractor, portrait.p) {
             (true, _) => "attractor".to_owned(),
@@ -83,7 +102,7 @@ pub(crate) fn draw_portraits(canvas: &Canvas, portraits: &[Portrait]) -> Result<
         };
         let amplitude = significant(portrait.amplitude, 4);
         let heading = format!(r"{} $\mathcal{{A}}={amplitude}$, {kind}", panel_letter(portrait.number));
-        canvas.text((left, TOP - 5.0), &heading, TICK_SIZE, Anchor::Start, BLACK)?;
+        canvas.text((left, top - 5.0), &heading, TICK_SIZE, Anchor::Start, BLACK)?;
     }
     Ok(())
 }

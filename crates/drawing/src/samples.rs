@@ -1,6 +1,6 @@
 //! Made-up frames with the columns and the crowding of the real ones, for the tests of the figures.
 
-use polars::prelude::{DataFrame, df};
+use polars::prelude::{CsvReader, DataFrame, SerReader, df};
 
 use crate::clip::Window;
 use crate::fig07::{Magnified, Section};
@@ -197,4 +197,16 @@ pub(crate) fn fig02_portraits() -> DataFrame {
         "y" => rows.iter().map(|r| r.5).collect::<Vec<_>>(),
     )
     .unwrap()
+}
+
+/// A table as `figures/data/` has it, for figures whose labels have to find room in one particular scene.
+pub(crate) fn written(name: &str) -> DataFrame {
+    let path = format!("{}/../../figures/data/{name}.csv", env!("CARGO_MANIFEST_DIR"));
+    let file = std::fs::File::open(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+    CsvReader::new(file).finish().unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+/// Curves, points and surfaces of a figure, as written.
+pub(crate) fn scene(figure: &str) -> [DataFrame; 3] {
+    ["curves", "points", "surfaces"].map(|table| written(&format!("{figure}_{table}")))
 }

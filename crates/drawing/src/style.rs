@@ -120,6 +120,7 @@ pub(crate) const MARKER: Paint = Paint::opaque(BLACK);
 pub(crate) const MARKER_RIM: Pen = Pen::solid(WHITE, 0.5);
 pub(crate) const TRIANGLE_SIZE: f64 = 6.4;
 pub(crate) const DISC_RADIUS: f64 = 2.1;
+pub(crate) const STAR_RADIUS: f64 = 3.8;
 
 /// A branch of the one-parameter diagram by its number of loops, 0 for the non-impacting solution.
 pub(crate) const fn branch_pen(p: i64, width: f64) -> Pen {
@@ -127,6 +128,9 @@ pub(crate) const fn branch_pen(p: i64, width: f64) -> Pen {
         1 => Colour(190, 95, 0),
         2 => Colour(25, 70, 190),
         3 => Colour(150, 30, 110),
+        4 => Colour(0, 120, 105),
+        5 => Colour(175, 60, 35),
+        6 => Colour(95, 95, 0),
         _ => BLACK,
     };
     Pen::solid(colour, width)
@@ -161,6 +165,78 @@ pub(crate) const MAGNIFIER_FRAME: Pen = Pen::solid(ORANGE, 1.9);
 /// Bifurcations in the one-parameter diagram.
 pub(crate) const POINT_RADIUS: f64 = 1.9;
 pub(crate) const POINT_RIM: Pen = Pen::solid(BLACK, 0.4);
+
+/// A circumflex over a letter of the size.
+pub(crate) fn hat_pen(size: f64, colour: Colour) -> Pen {
+    Pen::solid(colour, 0.06 * size)
+}
+
+/// Orbits in phase space.
+pub(crate) const FLOW: Pen = Pen { colour: FLOW_COLOUR, width: 1.1, dashes: &[], opacity: 1.0, round: true };
+pub(crate) const FLOW_COLOUR: Colour = Colour(20, 50, 140);
+/// Where an orbit goes on as if there were no wall.
+pub(crate) const VIRTUAL_FLOW: Pen = Pen::dashed(FLOW_COLOUR, 0.95, &[3.0, 2.0]);
+/// The grazing periodic solution.
+pub(crate) const PERIODIC_FLOW: Pen =
+    Pen { colour: BLACK, width: 1.5, dashes: &[], opacity: 1.0, round: true };
+/// The reset law, from impact to recoil.
+pub(crate) const RESET: Pen = Pen::dashed(RESET_COLOUR, 1.0, &[1.6, 1.5]);
+pub(crate) const RESET_COLOUR: Colour = Colour(178, 34, 24);
+/// A return map, from a point to its image.
+pub(crate) const RETURN: Pen = Pen::solid(RETURN_COLOUR, 0.8);
+pub(crate) const RETURN_COLOUR: Colour = Colour(0, 105, 75);
+/// Axes of phase space, and thin lines on its surfaces.
+pub(crate) const SPACE_AXIS: Pen = Pen::solid(BLACK, 0.55);
+pub(crate) const TANGENCY: Pen = Pen::solid(BLACK, 0.8);
+pub(crate) const CIRCLE: Pen = Pen::dashed(GREY, 0.5, &[0.8, 1.8]);
+/// Outlines of surfaces.
+pub(crate) const FACE_EDGE: Pen = Pen::solid(Colour(120, 120, 120), 0.4);
+/// The incoming set: darker than the outgoing set, so that they differ without colour.
+pub(crate) const INCOMING_FACE: Paint = Paint { colour: Colour(120, 155, 210), opacity: 0.5 };
+pub(crate) const OUTGOING_FACE: Paint = Paint { colour: Colour(236, 204, 150), opacity: 0.5 };
+pub(crate) const SECTION_FACE: Paint = Paint { colour: Colour(160, 208, 176), opacity: 0.5 };
+/// Points of orbits; virtual ones are open.
+pub(crate) const SPOT_RADIUS: f64 = 1.8;
+pub(crate) const SPOT: Paint = Paint::opaque(BLACK);
+pub(crate) const OPEN_SPOT: Paint = Paint::opaque(WHITE);
+pub(crate) const SPOT_RIM: Pen = Pen::solid(BLACK, 0.7);
+/// Gap in a curve where another one passes before it.
+pub(crate) const PASSING_GAP: f64 = 2.2;
+
+/// A boundary g_p: solid. Its colour is that of the branch with the same p.
+pub(crate) const fn resonance_pen(p: i64) -> Pen {
+    branch_pen(p, 1.1)
+}
+
+/// A boundary h_p: the colour of g_p, in short dashes.
+pub(crate) const fn admissibility_pen(p: i64) -> Pen {
+    Pen { dashes: &[2.6, 1.3], ..branch_pen(p, 1.1) }
+}
+
+/// What both families of boundaries tend to.
+pub(crate) const LIMIT: Pen = Pen::solid(BLACK, 0.6);
+/// Outline of an area of parameters.
+pub(crate) const OUTLINE: Pen = Pen::solid(BLACK, 0.8);
+/// From a curve's end to its label.
+pub(crate) const CURVE_LEADER: Pen = Pen::solid(GREY, 0.4);
+
+/// Bodies of the schematic, and their outlines.
+pub(crate) const BODY: Paint = Paint::opaque(Colour(222, 228, 236));
+pub(crate) const BODY_OUTLINE: Pen = Pen::solid(BLACK, 1.0);
+/// Wires, rods and housings.
+pub(crate) const WIRE: Pen = Pen { round: true, ..Pen::solid(BLACK, 0.9) };
+/// The piston in its cylinder.
+pub(crate) const PISTON: Pen = Pen::solid(BLACK, 2.0);
+/// Lines that only carry positions over to an axis.
+pub(crate) const PROJECTION: Pen = Pen::dashed(GREY, 0.5, &[2.0, 1.6]);
+/// Axes and dimensions that end in arrowheads.
+pub(crate) const AXIS: Pen = Pen::solid(BLACK, 0.6);
+/// A force, in the colour that says so.
+pub(crate) const FORCE: Pen = Pen::solid(RED, 1.3);
+
+/// The path between visits, and the area that it encloses with the w-axis.
+pub(crate) const PATH: Pen = Pen::solid(BLUE, 1.15);
+pub(crate) const PATH_AREA: Paint = Paint { colour: BLUE, opacity: 0.1 };
 
 /// No figure may be heavier than this, in bytes.
 pub(crate) const SIZE_LIMIT: usize = 2_000_000;

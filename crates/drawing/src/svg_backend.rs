@@ -8,8 +8,10 @@ use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
 };
 
+use crate::clip::Window;
 use crate::font::{self, TEXT_FAMILY};
 use crate::markup::Label;
+use crate::sheet::Bounds;
 use crate::simplify::simplify;
 use crate::style::{Colour, Paint, Pen};
 use crate::svg_text::{UNITS, escape, hundredths, points, spans};
@@ -23,6 +25,18 @@ pub(crate) enum Anchor {
     Start,
     Middle,
     End,
+}
+
+/// What a program has to know of a panel to read values off the sheet.
+pub(crate) struct PanelMark<'a> {
+    pub(crate) window: &'a Window,
+    pub(crate) bounds: &'a Bounds,
+    /// The titles of the axes; an empty one is that of the panel to the left.
+    pub(crate) titles: [&'a str; 2],
+    /// The tables whose rows are shown, the most telling first; none if any with columns for the axes may be.
+    pub(crate) tables: &'a [&'a str],
+    /// The column and the number that tell the panel's rows from those of other panels.
+    pub(crate) only: Option<(&'a str, u32)>,
 }
 
 /// Collects SVG elements; [`SvgBackend::finish`] wraps them into a document.
@@ -115,10 +129,42 @@ impl SvgBackend {
         Ok(())
     }
 
+    /// An invisible rectangle of class `panel` over the panel: `data-x` and `data-y` are the values at its left and right,
+    /// bottom and top edges.
+    pub(crate) fn mark(&mut self, mark: &PanelMark<'_>) {
+        let PanelMark { window: Window { x, y }, bounds, titles, .. } = mark;
+        let mut attributes = String::new();
+        if !mark.tables.is_empty() {
+            let _ = write!(attributes, " data-tables=\"{}\"", escape(&mark.tables.join(" ")));
+        }
+        if let Some((column, number)) = mark.only {
+            let _ = write!(attributes, " data-only=\"{} {number}\"", escape(column));
+        }
+        let _ = writeln!(
+            self.body,
+            "<rect class=\"panel\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" data-x=\"{} {}\" data-y=\"{} {}\" \
+             data-x-title=\"{}\" data-y-title=\"{}\"{attributes}/>",
+            points(bounds.left),
+            points(bounds.top),
+            points(bounds.right - bounds.left),
+            points(bounds.bottom - bounds.top),
+            x[0],
+            x[1],
+            y[0],
+            y[1],
+            escape(titles[0]),
+            escape(titles[1]),
+        );
+    }
+
     /// An open path.
     pub(crate) fn line(&mut self, path: impl IntoIterator<Item = BackendCoord>, pen: &Pen) -> Outcome {
         let path: Vec<BackendCoord> = path.into_iter().collect();
         let data = path_data(simplify(&path), false);
+        if !data.contains('L') {
+            // A line shorter than print resolution is none.
+            return Ok(());
+        }
         self.element(format_args!("<path d=\"{data}\"{}/>", stroke(pen)))
     }
 
@@ -310,6 +356,14 @@ mod tests {
     }
 
     #[test]
+    fn a_line_that_shrinks_to_a_point_is_not_written() {
+        let pen = Pen { colour: Colour(0, 0, 0), width: 1.0, dashes: &[], opacity: 1.0, round: false };
+        let mut svg = SvgBackend::new(10.0, 10.0);
+        svg.line([(100, 200), (100, 200)], &pen).unwrap();
+        assert_eq!(svg.body, "");
+    }
+
+    #[test]
     fn dashes_are_real_ones() {
         let pen =
             Pen { colour: Colour(1, 2, 255), width: 1.25, dashes: &[4.0, 1.5], opacity: 0.5, round: false };
@@ -317,6 +371,24 @@ mod tests {
             stroke(&pen),
             " stroke=\"#0102ff\" stroke-width=\"1.25\" stroke-opacity=\"0.5\" stroke-dasharray=\"4 1.5\""
         );
+    }
+
+    #[test]
+    fn a_mark_tells_the_window_and_its_place_and_has_no_ink() {
+        let mut svg = SvgBackend::new(100.0, 100.0);
+        svg.mark(&PanelMark {
+            window: &Window { x: [-0.5, 1.25], y: [0.0, 3.0] },
+            bounds: &Bounds { left: 10.0, top: 20.0, right: 90.5, bottom: 80.0 },
+            titles: [r"$\omega$", ""],
+            tables: &["points", "curves"],
+            only: Some(("panel", 2)),
+        });
+        assert_eq!(
+            svg.body,
+            "<rect class=\"panel\" x=\"10\" y=\"20\" width=\"80.5\" height=\"60\" data-x=\"-0.5 1.25\" data-y=\"0 3\" \
+             data-x-title=\"$\\omega$\" data-y-title=\"\" data-tables=\"points curves\" data-only=\"panel 2\"/>\n"
+        );
+        assert!(svg.finish("", "").contains("fill=\"none\""), "nothing is filled unless it says so");
     }
 
     #[test]

@@ -16,8 +16,8 @@ pub enum OscillatorError {
     /// ζ must lie in (0, 1): the oscillator is under-damped.
     #[error("the damping ratio is {0}, and must lie strictly between 0 and 1")]
     DampingRatio(f64),
-    /// ε must lie in (0, 1].
-    #[error("the coefficient of restitution is {0}, and must lie above 0 and at most at 1")]
+    /// ε must be positive and finite.
+    #[error("the coefficient of restitution is {0}, and must be positive and finite")]
     Restitution(f64),
     /// ω must be positive and finite.
     #[error("the forcing frequency is {0}, and must be positive and finite")]
@@ -46,8 +46,10 @@ pub struct LinearOscillator {
 impl LinearOscillator {
     /// The oscillator with damping ratio ζ, coefficient of restitution ε, forcing amplitude 𝒜 and frequency ω.
     ///
+    /// A wall that returns more than it takes, ε > 1, is allowed: the class of systems asks for Φ > 0 only (eq:R).
+    ///
     /// # Errors
-    /// ζ outside (0, 1), ε outside (0, 1], ω not positive, or 𝒜 not finite.
+    /// ζ outside (0, 1), ε or ω not positive and finite, or 𝒜 not finite.
     pub fn new(
         damping_ratio: f64,
         restitution: f64,
@@ -57,7 +59,7 @@ impl LinearOscillator {
         if !(damping_ratio > 0.0 && damping_ratio < 1.0) {
             return Err(OscillatorError::DampingRatio(damping_ratio));
         }
-        if !(restitution > 0.0 && restitution <= 1.0) {
+        if !(restitution > 0.0 && restitution.is_finite()) {
             return Err(OscillatorError::Restitution(restitution));
         }
         if !(frequency > 0.0 && frequency.is_finite()) {

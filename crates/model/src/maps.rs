@@ -108,7 +108,8 @@ pub fn virtual_preimage<O: ImpactOscillator>(
         if time.is_nan() || time >= 0.0 {
             return Err(below);
         }
-        if step.abs() <= TIME_TOLERANCE * time.abs() {
+        // Or x is zero to rounding, which for small x says less about the time.
+        if step.abs() <= TIME_TOLERANCE * time.abs() || here.position.abs() <= 4.0 * f64::EPSILON {
             return Ok(Vector2::new(motion.at(time).velocity, phase + frequency * time));
         }
     }
@@ -198,8 +199,9 @@ pub fn to_phase<O: ImpactOscillator, const ORDER: usize>(
 /// A step of Halley's method this short is the last: its error is of third order, about 10⁻¹⁵, as rounding of the time.
 const LAST_STEP: f64 = 1e-5;
 
-/// Newton's method for P_virt⁻¹ ends at this fraction of the evolution time (a few units in the last place).
-const TIME_TOLERANCE: f64 = 4.0 * f64::EPSILON;
+/// Newton's method for P_virt⁻¹, of second order, ends with a step of this fraction of the evolution time: what is left is of
+/// the order of its square.
+const TIME_TOLERANCE: f64 = 1e-9;
 
 /// Newton's method for an event time either converges within this many steps or is lost.
 const MAX_ITERATIONS: usize = 50;

@@ -92,6 +92,11 @@ fn parameters_outside_their_domains_are_rejected() {
     use grazing_model::OscillatorError::{Amplitude, DampingRatio, Frequency, Restitution};
     assert_eq!(LinearOscillator::new(1.0, 0.9, 0.3, 0.8), Err(DampingRatio(1.0)));
     assert_eq!(LinearOscillator::new(0.02, 0.0, 0.3, 0.8), Err(Restitution(0.0)));
+    assert_eq!(LinearOscillator::new(0.02, f64::INFINITY, 0.3, 0.8), Err(Restitution(f64::INFINITY)));
+    assert!(
+        LinearOscillator::new(0.02, 1.1, 0.3, 0.8).is_ok(),
+        "the class of systems asks for a positive one only"
+    );
     assert_eq!(LinearOscillator::new(0.02, 0.9, f64::INFINITY, 0.8), Err(Amplitude(f64::INFINITY)));
     assert_eq!(LinearOscillator::new(0.02, 0.9, 0.3, -0.8), Err(Frequency(-0.8)));
 }

@@ -89,6 +89,21 @@ fn preimage_under_the_virtual_map_is_the_impact() {
 }
 
 #[test]
+fn every_point_near_grazing_beyond_the_wall_has_a_preimage() {
+    let (oscillator, graz) = at_grazing(OMEGA);
+    for exponent in 2..=14 {
+        for share in 0..500 {
+            let position = libm::pow(10.0, -f64::from(exponent)) * (1.0 + 0.01 * f64::from(share));
+            let phase = graz + 1e-3 * f64::from(share - 250);
+            let preimage = virtual_preimage(&oscillator, position, phase).unwrap();
+            let image = virtual_map::<_, 1>(&oscillator, preimage[0], preimage[1], None).unwrap().jet.value;
+            // Roundings of the position, of order one, and of the phase.
+            assert!((image[0] - position).abs() < 1e-14 && (image[1] - phase).abs() < 1e-14);
+        }
+    }
+}
+
+#[test]
 fn grazing_is_a_fixed_point_of_the_global_map() {
     for omega in [0.4, 0.5, 0.67, 0.85, 0.99] {
         let (oscillator, graz) = at_grazing(omega);

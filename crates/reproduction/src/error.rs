@@ -3,7 +3,8 @@
 use grazing_continuation::fit::FitError;
 use grazing_continuation::resonance::ResonanceError;
 use grazing_model::OscillatorError;
-use grazing_theorems::{Resonance, TheoryError};
+use grazing_model::maps::MapError;
+use grazing_theorems::{HypothesesViolated, Resonance, TheoryError};
 
 /// A computation of the reproduction failed.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -14,6 +15,9 @@ pub enum StudyError {
     /// A parameter is outside a formula's domain.
     #[error(transparent)]
     Theory(#[from] TheoryError),
+    /// A theorem that a figure illustrates does not apply at its parameters.
+    #[error(transparent)]
+    Hypotheses(#[from] HypothesesViolated),
     /// A resonance could not be unfolded.
     #[error("resonance p = {loops}, n = {n}: {source}")]
     Resonance {
@@ -52,6 +56,30 @@ pub enum StudyError {
         /// The amplitude.
         amplitude: f64,
     },
+    /// An orbit of Figure 1 is not there.
+    #[error(
+        "figure 1: the orbit through (0, {velocity}, {phase}) on Sigma, begun {before} in phase earlier, meets the wall at \
+         another place first"
+    )]
+    Arrival {
+        /// The velocity y on Σ.
+        velocity: f64,
+        /// The phase z on Σ.
+        phase: f64,
+        /// By how much phase earlier it begins.
+        before: f64,
+    },
+    /// A map between Σ and Π is not defined at a point of a figure.
+    #[error("figure {figure}: {source}")]
+    Map {
+        /// The figure's number.
+        figure: u32,
+        /// What went wrong.
+        source: MapError,
+    },
+    /// A case of the sweep over the theorems could not be worked out.
+    #[error("theorems 2.2 to 2.5: {0}")]
+    Sweep(#[from] grazing_claims::sweep::SweepError),
     /// A table could not be made.
     #[error("a table could not be made: {0}")]
     Table(String),

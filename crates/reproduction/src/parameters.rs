@@ -5,25 +5,42 @@
 //! All quantities are dimensionless.
 
 mod error;
+mod fig04;
+mod fig05;
+mod fig06;
+mod fig10;
 mod range;
 mod raw;
 mod requirements;
 mod source;
+mod space;
 mod validate;
 
 use std::path::Path;
 
 pub use error::ParameterError;
+pub use fig04::Figure4;
+pub use fig05::Figure5;
+pub use fig06::Figure6;
+pub use fig10::Figure10;
 pub use range::{Range, Rectangle};
+pub use space::{Arrival, Figure1, Figure3, Figure9, Specimen, View};
 
 /// Everything that the figures and the table depend on, checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameters {
     zeta: f64,
     epsilon: f64,
+    fig01: Figure1,
     fig02: Figure2,
+    fig03: Figure3,
+    fig04: Figure4,
+    fig05: Figure5,
+    fig06: Figure6,
     fig07: Figure7,
     fig08: Figure8,
+    fig09: Figure9,
+    fig10: Figure10,
 }
 
 impl Parameters {
@@ -58,9 +75,34 @@ impl Parameters {
         self.epsilon
     }
 
+    /// What Figure 1 (fig:Bc) shows.
+    pub fn fig01(&self) -> &Figure1 {
+        &self.fig01
+    }
+
     /// What Figure 2 (fig:Z) shows.
     pub fn fig02(&self) -> &Figure2 {
         &self.fig02
+    }
+
+    /// What Figure 3 (fig:Ba) shows.
+    pub fn fig03(&self) -> &Figure3 {
+        &self.fig03
+    }
+
+    /// What Figure 4 (fig:D) shows.
+    pub fn fig04(&self) -> &Figure4 {
+        &self.fig04
+    }
+
+    /// What Figure 5 (fig:E) shows.
+    pub fn fig05(&self) -> &Figure5 {
+        &self.fig05
+    }
+
+    /// What Figure 6 (fig:F) shows.
+    pub fn fig06(&self) -> &Figure6 {
+        &self.fig06
     }
 
     /// What Figure 7 (fig:G) shows.
@@ -71,6 +113,16 @@ impl Parameters {
     /// What Figure 8 (fig:Y) shows.
     pub fn fig08(&self) -> &Figure8 {
         &self.fig08
+    }
+
+    /// What Figure 9 (fig:Bb) shows.
+    pub fn fig09(&self) -> &Figure9 {
+        &self.fig09
+    }
+
+    /// What Figure 10 (fig:I) shows.
+    pub fn fig10(&self) -> &Figure10 {
+        &self.fig10
     }
 }
 

@@ -6,11 +6,19 @@ use std::sync::OnceLock;
 use crate::StudyError;
 use crate::coefficients::{self, Coefficients};
 use crate::diagram::Diagram;
+use crate::fig01::Figure1;
 use crate::fig02::Figure2;
+use crate::fig03::Figure3;
+use crate::fig04::Figure4;
+use crate::fig05::Figure5;
+use crate::fig06::Figure6;
 use crate::fig07::Figure7;
 use crate::fig08::Figure8;
+use crate::fig09::Figure9;
+use crate::fig10::Figure10;
 use crate::parameters::Parameters;
 use crate::progress::{Progress, Silent};
+use crate::sweep::TheoremsInAction;
 use crate::table::Table;
 
 /// The reproduction at one set of parameters. What several outputs share is computed when it is first needed.
@@ -59,12 +67,52 @@ impl<'a> Study<'a> {
         coefficients::table(self.coefficients()?)
     }
 
+    /// The frames of Figure 1.
+    ///
+    /// # Errors
+    /// An orbit does not reach the wall where it should.
+    pub fn fig01(&self) -> Result<Figure1, StudyError> {
+        Figure1::compute(&self.parameters)
+    }
+
     /// The frames of Figure 2.
     ///
     /// # Errors
     /// A branch could not be started, or a portrait's solution is not there.
     pub fn fig02(&self) -> Result<Figure2, StudyError> {
         Figure2::compute(&self.parameters, self.progress)
+    }
+
+    /// The frames of Figure 3.
+    ///
+    /// # Errors
+    /// P_global is not defined at the point.
+    pub fn fig03(&self) -> Result<Figure3, StudyError> {
+        Figure3::compute(&self.parameters)
+    }
+
+    /// The frames of Figure 4.
+    ///
+    /// # Errors
+    /// None at parameters that passed their checks; a table could not be made.
+    pub fn fig04(&self) -> Result<Figure4, StudyError> {
+        Figure4::compute(&self.parameters)
+    }
+
+    /// The frames of Figure 5.
+    ///
+    /// # Errors
+    /// The theorem of the figure does not apply at the resonance.
+    pub fn fig05(&self) -> Result<Figure5, StudyError> {
+        Figure5::compute(&self.parameters)
+    }
+
+    /// The frames of Figure 6.
+    ///
+    /// # Errors
+    /// None at parameters that passed their checks; a table could not be made.
+    pub fn fig06(&self) -> Result<Figure6, StudyError> {
+        Figure6::compute(&self.parameters)
     }
 
     /// The frames of Figure 7.
@@ -81,6 +129,31 @@ impl<'a> Study<'a> {
     /// A resonance could not be located, unfolded or measured.
     pub fn fig08(&self) -> Result<Figure8, StudyError> {
         Figure8::compute(&self.parameters, self.diagram()?, self.coefficients()?)
+    }
+
+    /// The frames of Figure 9.
+    ///
+    /// # Errors
+    /// P_virt or P_global is not defined at a point.
+    pub fn fig09(&self) -> Result<Figure9, StudyError> {
+        Figure9::compute(&self.parameters)
+    }
+
+    /// The frames of Figure 10.
+    ///
+    /// # Errors
+    /// None at parameters that passed their checks; a table could not be made.
+    pub fn fig10(&self) -> Result<Figure10, StudyError> {
+        Figure10::compute(&self.parameters)
+    }
+
+    /// Theorems 2.2 to 2.5 against continuation and simulation over many oscillators; the parameters of this study do not
+    /// matter.
+    ///
+    /// # Errors
+    /// A case could not be worked out.
+    pub fn theorems_in_action(&self) -> Result<TheoremsInAction, StudyError> {
+        TheoremsInAction::compute(self.progress)
     }
 
     /// The computed values of what the paper prints, under the names of `expected/published.toml`.

@@ -194,6 +194,43 @@ fn portraits_and_panels_show_loops_that_are_computed() {
 }
 
 #[test]
+fn boundaries_in_the_trapesium_begin_with_two_loops() {
+    refusal_quoting("1", "[fig04]", "loops", "[2, 1]", "fig04.loops");
+    refusal("[fig04]", "loops", "[]", "fig04.loops");
+    refusal_quoting("13", "[fig04]", "loops", "[13]", "fig04.loops");
+}
+
+#[test]
+fn figure_5_is_about_a_resonance_with_both_parameters_around_zero() {
+    refusal("[fig05]", "n", "101", "fig05.n");
+    for key in ["mu", "eta"] {
+        for wrong in ["[0.0, 0.1]", "[-0.1, 0.0]", "[0.1, -0.1]", "[-0.1]"] {
+            refusal("[fig05]", key, wrong, &format!("fig05.{key}"));
+        }
+    }
+}
+
+#[test]
+fn the_oscillator_of_figure_6_keeps_off_the_wall() {
+    for wrong in ["0.0", "-0.1", "9", "nan"] {
+        let allowed = refusal("[fig06]", "amplitude", wrong, "fig06.amplitude");
+        assert!(allowed.contains("grazing amplitude"), "{allowed}");
+    }
+    refusal("[fig06]", "phase", "6.3", "fig06.phase");
+    refusal("[fig06]", "coils", "0", "fig06.coils");
+}
+
+#[test]
+fn the_path_of_figure_10_belongs_to_a_grazing_bifurcation_of_theorem_2_3() {
+    // At 0.6 of the natural frequency a12 is negative; at 0.85 tau lies below h_6.
+    for (wrong, reason) in [("0.6", "a12 alpha"), ("0.85", "h_p")] {
+        let allowed = refusal("[fig10]", "frequency", wrong, "fig10.frequency");
+        assert!(allowed.contains("Theorem 2.3") && allowed.contains(reason), "{allowed}");
+    }
+    refusal("[fig10]", "loops", "2", "fig10.loops");
+}
+
+#[test]
 fn the_work_of_the_attractor_is_bounded() {
     let section = "[fig02.attractor]";
     refusal(section, "amplitudes", "1", "fig02.attractor.amplitudes");
@@ -259,4 +296,52 @@ fn a_file_that_is_not_there_is_named() {
         Err(ParameterError::Unreadable { file, .. }) => assert_eq!(file, "no/such/parameters.toml"),
         other => panic!("{other:?}"),
     }
+}
+
+#[test]
+fn views_stand_above_the_plane_and_stretches_are_three_positive_numbers() {
+    for figure in ["fig01", "fig03", "fig09"] {
+        let section = format!("[{figure}.view]");
+        for (key, wrongs) in [
+            ("turn", vec!["181", "-200.0", "nan"]),
+            ("tilt", vec!["0", "90", "-10", "inf"]),
+            ("stretch", vec!["[1.0, 1.0]", "[1.0, 0.0, 1.0]", "[1, 1, 1, 1]", "[1.0, nan, 1.0]", "1.0"]),
+        ] {
+            for wrong in wrongs {
+                refusal(&section, key, wrong, &format!("{figure}.view.{key}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn surfaces_of_the_scenes_hold_the_wall_and_the_points_given() {
+    refusal("[fig01]", "velocity", "[0.1, 1.0]", "fig01.velocity");
+    refusal("[fig03]", "position", "[-1.0, -0.5]", "fig03.position");
+    refusal("[fig03]", "phase", "[-2.0, 0.5]", "fig03.phase");
+    refusal("[fig03]", "start", "[-5.0, 0.0]", "fig03.start");
+    refusal("[fig03]", "radius", "2.0", "fig03.radius");
+    refusal("[fig03]", "axes", "7.0", "fig03.axes");
+    refusal("[fig09]", "position", "[0, 1]", "fig09.position");
+    refusal("[fig09]", "phase", "[-4.0, 4.0]", "fig09.phase");
+    refusal("[fig09]", "impact", "[0.0, 0.0]", "fig09.impact");
+    refusal("[fig09]", "impact", "[9.0, 0.0]", "fig09.impact");
+    refusal("[fig09]", "loops", "4", "fig09.loops");
+    for figure in ["fig01", "fig09"] {
+        let section = format!("[{figure}]");
+        refusal(&section, "zeta", "1", &format!("{figure}.zeta"));
+        refusal(&section, "epsilon", "1.5", &format!("{figure}.epsilon"));
+        refusal(&section, "amplitude", "0", &format!("{figure}.amplitude"));
+        refusal(&section, "frequency", "-1", &format!("{figure}.frequency"));
+    }
+}
+
+#[test]
+fn orbits_of_figure_1_stay_within_one_period_of_the_phase() {
+    let section = "[[fig01.orbits]]";
+    refusal(section, "velocity", "-0.5", "fig01.orbits[1].velocity");
+    refusal(section, "velocity", "9.0", "fig01.orbits[1].velocity");
+    refusal(section, "phase", "6.3", "fig01.orbits[1].phase");
+    refusal(section, "before", "4.0", "fig01.orbits[1].before");
+    refusal(section, "after", "5.0", "fig01.orbits[1].after");
 }

@@ -38,8 +38,8 @@ pub enum TheoryError {
         /// The damping ratio, zeta.
         zeta: f64,
     },
-    /// The coefficient of restitution lies outside the interval (0, 1].
-    #[error("the coefficient of restitution epsilon must lie in (0, 1], but is {epsilon}")]
+    /// The coefficient of restitution is not a positive number.
+    #[error("the coefficient of restitution epsilon must be positive and finite, but is {epsilon}")]
     CoefficientOfRestitution {
         /// The coefficient of restitution, epsilon.
         epsilon: f64,

@@ -25,8 +25,11 @@ pub struct LinearOscillator {
 }
 
 impl LinearOscillator {
-    /// An oscillator with damping ratio `zeta` in (0, 1) and coefficient of restitution `epsilon` in (0, 1],
-    /// both dimensionless.
+    /// An oscillator with damping ratio `zeta` in (0, 1) and coefficient of restitution `epsilon`, positive and
+    /// finite, both dimensionless.
+    ///
+    /// The theorems ask for `phi > 0` only, and the paper speaks of `epsilon = 1 / E_p`, which is greater than
+    /// 1.
     ///
     /// # Errors
     /// [`TheoryError::DampingRatio`], [`TheoryError::CoefficientOfRestitution`] outside of these intervals.
@@ -34,7 +37,7 @@ impl LinearOscillator {
         if !(0.0 < zeta && zeta < 1.0) {
             return Err(TheoryError::DampingRatio { zeta });
         }
-        if !(0.0 < epsilon && epsilon <= 1.0) {
+        if !(0.0 < epsilon && epsilon.is_finite()) {
             return Err(TheoryError::CoefficientOfRestitution { epsilon });
         }
         Ok(Self { zeta, epsilon })

@@ -1,12 +1,22 @@
 //! From a study's frames to figures: one function a figure.
 
 use grazing_drawing::{
-    Figure02, Figure07, Figure08, Magnified, Section, SheetWidth, Window, draw_fig02, draw_fig07, draw_fig08,
+    Figure01, Figure02, Figure03, Figure04, Figure05, Figure06, Figure07, Figure08, Figure09, Figure10,
+    Magnified, Section, SheetWidth, Window, draw_fig01, draw_fig02, draw_fig03, draw_fig04, draw_fig05,
+    draw_fig06, draw_fig07, draw_fig08, draw_fig09, draw_fig10,
 };
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{Parameters, Range, Rectangle};
 
 use super::{Made, MadeResult};
+
+pub(super) fn fig01(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let made = study.fig01()?;
+    let figure =
+        Figure01 { curves: &made.curves.frame, points: &made.points.frame, surfaces: &made.surfaces.frame };
+    let figure = draw_fig01(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
 
 pub(super) fn fig02(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig02()?;
@@ -20,6 +30,40 @@ pub(super) fn fig02(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         magnification: window(shown.magnified_amplitude(), shown.magnified_x()),
     };
     let figure = draw_fig02(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
+
+pub(super) fn fig03(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let made = study.fig03()?;
+    let figure =
+        Figure03 { curves: &made.curves.frame, points: &made.points.frame, surfaces: &made.surfaces.frame };
+    let figure = draw_fig03(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
+
+pub(super) fn fig04(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let made = study.fig04()?;
+    let figure = Figure04 { curves: &made.curves.frame, points: &made.points.frame };
+    let figure = draw_fig04(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
+
+pub(super) fn fig05(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let made = study.fig05()?;
+    let shown = study.parameters().fig05();
+    let figure = Figure05 {
+        curves: &made.curves.frame,
+        points: &made.points.frame,
+        regions: &made.regions.frame,
+        window: window(shown.mu(), shown.eta()),
+    };
+    let figure = draw_fig05(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
+
+pub(super) fn fig06(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let made = study.fig06()?;
+    let figure = draw_fig06(&Figure06 { parts: &made.parts.frame }, width)?;
     Ok(Made { figure: Some(figure), tables: made.tables() })
 }
 
@@ -49,6 +93,20 @@ pub(super) fn fig08(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         panels: &magnified(study.parameters()),
     };
     let figure = draw_fig08(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
+
+pub(super) fn fig09(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let made = study.fig09()?;
+    let figure =
+        Figure09 { curves: &made.curves.frame, points: &made.points.frame, surfaces: &made.surfaces.frame };
+    let figure = draw_fig09(&figure, width)?;
+    Ok(Made { figure: Some(figure), tables: made.tables() })
+}
+
+pub(super) fn fig10(study: &Study<'_>, width: SheetWidth) -> MadeResult {
+    let made = study.fig10()?;
+    let figure = draw_fig10(&Figure10 { path: &made.path.frame }, width)?;
     Ok(Made { figure: Some(figure), tables: made.tables() })
 }
 

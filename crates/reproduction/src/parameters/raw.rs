@@ -10,9 +10,16 @@ use toml::Spanned;
 #[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct File {
     pub(super) oscillator: Oscillator,
+    pub(super) fig01: Figure1,
     pub(super) fig02: Figure2,
+    pub(super) fig03: Figure3,
+    pub(super) fig04: super::fig04::Raw,
+    pub(super) fig05: super::fig05::Raw,
+    pub(super) fig06: super::fig06::Raw,
     pub(super) fig07: Figure7,
     pub(super) fig08: Figure8,
+    pub(super) fig09: Figure9,
+    pub(super) fig10: super::fig10::Raw,
 }
 
 /// `[oscillator]`.
@@ -87,4 +94,66 @@ pub(super) struct Panel {
     pub(super) n: Spanned<u32>,
     pub(super) amplitude: Spanned<Vec<f64>>,
     pub(super) frequency: Spanned<Vec<f64>>,
+}
+
+/// `[fig01]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub(super) struct Figure1 {
+    pub(super) zeta: Spanned<f64>,
+    pub(super) epsilon: Spanned<f64>,
+    pub(super) amplitude: Spanned<f64>,
+    pub(super) frequency: Spanned<f64>,
+    pub(super) velocity: Spanned<Vec<f64>>,
+    pub(super) view: View,
+    pub(super) orbits: Spanned<Vec<Arrival>>,
+}
+
+/// One of `[[fig01.orbits]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub(super) struct Arrival {
+    pub(super) velocity: Spanned<f64>,
+    pub(super) phase: Spanned<f64>,
+    pub(super) before: Spanned<f64>,
+    pub(super) after: Spanned<f64>,
+}
+
+/// `[fig01.view]` and its like.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub(super) struct View {
+    pub(super) turn: Spanned<f64>,
+    pub(super) tilt: Spanned<f64>,
+    pub(super) stretch: Spanned<Vec<f64>>,
+}
+
+/// `[fig03]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub(super) struct Figure3 {
+    pub(super) zeta: Spanned<f64>,
+    pub(super) frequency: Spanned<f64>,
+    pub(super) start: Spanned<Vec<f64>>,
+    pub(super) position: Spanned<Vec<f64>>,
+    pub(super) phase: Spanned<Vec<f64>>,
+    pub(super) radius: Spanned<f64>,
+    pub(super) axes: Spanned<f64>,
+    pub(super) view: View,
+}
+
+/// `[fig09]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub(super) struct Figure9 {
+    pub(super) zeta: Spanned<f64>,
+    pub(super) epsilon: Spanned<f64>,
+    pub(super) amplitude: Spanned<f64>,
+    pub(super) frequency: Spanned<f64>,
+    pub(super) impact: Spanned<Vec<f64>>,
+    pub(super) loops: Spanned<u32>,
+    pub(super) position: Spanned<Vec<f64>>,
+    pub(super) velocity: Spanned<Vec<f64>>,
+    pub(super) phase: Spanned<Vec<f64>>,
+    pub(super) view: View,
 }

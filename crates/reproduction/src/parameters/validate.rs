@@ -1,5 +1,7 @@
 //! From the file as written to parameters that can be computed with.
 
+mod space;
+
 use std::ops::RangeInclusive;
 
 use grazing_theorems::{LinearOscillator, Resonance, TheoryError};
@@ -14,6 +16,7 @@ use super::requirements::{
 };
 use super::source::Source;
 use super::{Attractor, Figure2, Figure7, Figure8, Panel, Parameters, Portrait};
+use super::{fig04, fig05, fig06, fig10};
 
 type Checked<T> = Result<T, ParameterError>;
 
@@ -25,10 +28,17 @@ pub(super) fn parameters(file: raw::File, source: &Source<'_>) -> Checked<Parame
     })?;
     let oscillator = LinearOscillator::new(zeta, epsilon)
         .map_err(|error| source.forbid("oscillator.zeta", &file.oscillator.zeta, error.to_string()))?;
+    let fig01 = space::figure1(&file.fig01, source)?;
     let fig02 = figure2(&file.fig02, &oscillator, source)?;
+    let fig03 = space::figure3(&file.fig03, source)?;
+    let fig04 = fig04::check(&file.fig04, source)?;
+    let fig05 = fig05::check(&file.fig05, &oscillator, source)?;
+    let fig06 = fig06::check(&file.fig06, &oscillator, source)?;
     let fig07 = figure7(&file.fig07, &oscillator, source)?;
     let fig08 = figure8(&file.fig08, &fig07, &oscillator, source)?;
-    Ok(Parameters { zeta, epsilon, fig02, fig07, fig08 })
+    let fig09 = space::figure9(&file.fig09, source)?;
+    let fig10 = fig10::check(&file.fig10, &oscillator, source)?;
+    Ok(Parameters { zeta, epsilon, fig01, fig02, fig03, fig04, fig05, fig06, fig07, fig08, fig09, fig10 })
 }
 
 fn figure2(raw: &raw::Figure2, oscillator: &LinearOscillator, source: &Source<'_>) -> Checked<Figure2> {
@@ -163,7 +173,7 @@ fn figure8(
 }
 
 /// A number that is finite and passes the test, or the refusal with the key's requirement.
-fn demand<T: Copy + Into<f64>>(
+pub(super) fn demand<T: Copy + Into<f64>>(
     source: &Source<'_>,
     key: &str,
     value: &Spanned<T>,
@@ -178,7 +188,7 @@ fn demand<T: Copy + Into<f64>>(
 }
 
 /// A range whose lower end passes the test.
-fn range(
+pub(super) fn range(
     source: &Source<'_>,
     key: &str,
     value: &Spanned<Vec<f64>>,
@@ -210,7 +220,7 @@ fn range_inside(
 }
 
 /// A list of numbers of loops: some, none twice, each from 1 on.
-fn loops(source: &Source<'_>, key: &str, value: &Spanned<Vec<Spanned<u32>>>) -> Checked<Vec<u32>> {
+pub(super) fn loops(source: &Source<'_>, key: &str, value: &Spanned<Vec<Spanned<u32>>>) -> Checked<Vec<u32>> {
     let mut numbers = Vec::new();
     for written in value.get_ref() {
         let p = demand(source, key, written, |p| (1..=MOST_LOOPS).contains(&p))?;

@@ -1,6 +1,10 @@
 //! The frames of the default parameters: held fixed by snapshots, and against routes that share nothing with them.
 
 mod closed_form;
+mod fig04;
+mod fig05;
+mod fig06;
+mod fig10;
 mod independent;
 mod snapshots;
 
@@ -8,7 +12,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::{Figure2, Figure7, Figure8, Study, Table};
+use grazing_reproduction::{Figure2, Figure7, Figure8, Study, Table, TheoremsInAction};
 
 /// Everything that is reproduced, computed once for all tests.
 struct Made {
@@ -17,6 +21,7 @@ struct Made {
     fig02: Figure2,
     fig07: Figure7,
     fig08: Figure8,
+    theorems: TheoremsInAction,
 }
 
 fn made() -> &'static Made {
@@ -30,6 +35,7 @@ fn made() -> &'static Made {
             fig02: study.fig02().expect("figure 2 can be computed"),
             fig07: study.fig07().expect("figure 7 can be computed"),
             fig08: study.fig08().expect("figure 8 can be computed"),
+            theorems: study.theorems_in_action().expect("all cases can be worked out"),
             parameters,
         }
     })

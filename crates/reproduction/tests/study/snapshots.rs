@@ -1,9 +1,10 @@
 //! The numbers, to the digits that they are known to.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
-use grazing_reproduction::Table;
+use grazing_reproduction::{Study, Table};
 use insta::{Settings, assert_snapshot};
 
 use crate::{integers, made, numbers, words};
@@ -121,6 +122,41 @@ fn branches_and_curves_hold() {
     ]
     .join("\n");
     snapshots().bind(|| assert_snapshot!("branches_and_curves", text));
+}
+
+#[test]
+fn curves_regions_and_parts_of_the_planar_sketches_hold() {
+    let study = Study::new(&made().parameters);
+    let (fig04, fig05) = (study.fig04().expect("figure 4"), study.fig05().expect("figure 5"));
+    let fig06 = study.fig06().expect("figure 6");
+    let text = [
+        summary(&fig04.curves, &["kind", "p"], "tau", "delta"),
+        summary(&fig04.points, &["kind"], "tau", "delta"),
+        summary(&fig05.curves, &["kind"], "mu", "eta"),
+        summary(&fig05.regions, &["region", "kind"], "mu", "eta"),
+        summary(&fig06.parts, &["part"], "x", "height"),
+    ]
+    .join("\n");
+    snapshots().bind(|| assert_snapshot!("planar_sketches", text));
+}
+
+#[test]
+fn theorems_in_action_hold() {
+    let mut counts = BTreeMap::new();
+    for table in [&made().theorems.generic, &made().theorems.resonant] {
+        let [theorem, verdict, reason] = ["theorem", "verdict", "reason"].map(|name| words(table, name));
+        for row in 0..theorem.len() {
+            let key = (theorem[row].clone(), verdict[row].clone(), reason[row].clone());
+            *counts.entry(key).or_insert(0) += 1;
+        }
+    }
+    let mut text = String::new();
+    for ((theorem, verdict, reason), count) in counts {
+        assert_ne!(verdict, "unexplained");
+        writeln!(text, "{}", format!("{theorem} {verdict} {count} {reason}").trim_end())
+            .expect("writing to a string");
+    }
+    snapshots().bind(|| assert_snapshot!("theorems_in_action", text));
 }
 
 #[test]

@@ -1,0 +1,212 @@
+//! Appendix B: the closed forms at resonances.
+
+use core::f64::consts::{PI, TAU};
+
+use grazing_model::maps::{global_iterate, global_map};
+use grazing_theorems::{GrazingState, Resonance};
+
+use super::printed_flow::{CLOSED, DIFFERENCES, Turn, deviation, largest, model, worse};
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+
+/// Resonances with p loops, E_p and ε at random.
+fn resonances(loops: &[u32], count: usize) -> Result<Vec<Resonance>, grazing_theorems::TheoryError> {
+    let mut sampler = Sampler::new(12);
+    let mut one = || {
+        let p = sampler.one_of(loops);
+        let n = sampler.one_of(&[1, 2, 3, 4]);
+        let ratio = if p == 1 { 0.5 * f64::from(n) } else { f64::from(n) + 0.5 / f64::from(p) };
+        let skew = -libm::log(sampler.between(0.05, 0.95)) / (TAU * f64::from(p) * ratio);
+        let zeta = skew / (1.0 + skew * skew).sqrt();
+        grazing_theorems::LinearOscillator::new(zeta, sampler.between(0.1, 1.0))?.resonance(p, n)
+    };
+    (0..count).map(|_| one()).collect()
+}
+
+/// Resonances at which closed forms are compared.
+fn at_resonances(
+    loops: &[u32],
+    over: &str,
+    tolerance: f64,
+    pairs: impl Fn(&Resonance) -> Result<Vec<(f64, f64)>, Box<dyn std::error::Error + Send + Sync>>,
+) -> CheckResult {
+    let all = resonances(loops, 300)?;
+    let (mut found, mut samples) = (0.0, 0);
+    for resonance in &all {
+        let pairs = pairs(resonance)?;
+        samples += pairs.len();
+        found = worse(found, largest(pairs));
+    }
+    deviation(found, tolerance, samples, over)
+}
+
+const ONE: &str = "resonances with p = 1, n = 1 to 4, E and ε at random";
+const MANY: &str = "resonances with p = 2 to 6, n = 1 to 4, E and ε at random";
+const MORE_LOOPS: &[u32] = &[2, 3, 4, 5, 6];
+
+/// (−1)ⁿ.
+fn parity(resonance: &Resonance) -> f64 {
+    if resonance.index().is_multiple_of(2) { 1.0 } else { -1.0 }
+}
+
+/// ξ_p of the iterated map at a resonance.
+fn iterated(resonance: &Resonance) -> Result<f64, Box<dyn std::error::Error + Send + Sync>> {
+    let grazing = resonance.grazing();
+    let jet = global_iterate::<_, 2>(&model(&grazing)?, resonance.loops(), 0.0, grazing.phase())?;
+    Ok(jet.hessians[0][(1, 1)])
+}
+
+/// eq:xi1proof3.
+pub(super) fn resonant_second_derivative_of_one_loop() -> CheckResult {
+    at_resonances(&[1], ONE, 1e-11, |resonance| {
+        let decay = resonance.grazing().decay(1);
+        Ok(vec![(iterated(resonance)?, decay * (decay - parity(resonance)))])
+    })
+}
+
+/// eq:xipproof3.
+pub(super) fn resonant_second_derivative_of_many_loops() -> CheckResult {
+    at_resonances(MORE_LOOPS, MANY, 1e-11, |resonance| {
+        let decay = resonance.grazing().decay(resonance.loops());
+        Ok(vec![(iterated(resonance)?, decay * (decay + 1.0))])
+    })
+}
+
+/// a₁₁ = a₂₂ = (−1)ⁿ E₁ and the values of sine and cosine at resonance.
+pub(super) fn diagonal_at_resonance() -> CheckResult {
+    at_resonances(&[1], ONE, CLOSED, |resonance| {
+        let grazing = resonance.grazing();
+        let jet = global_map::<_, 1>(&model(&grazing)?, 0.0, grazing.phase(), None)?.jet;
+        let stated = parity(resonance) * grazing.decay(1);
+        let turn = Turn::new(&grazing, 1);
+        let angles = [(turn.sine, 0.0), (turn.cosine, parity(resonance))];
+        Ok([(jet.jacobian[(0, 0)], stated), (jet.jacobian[(1, 1)], stated)]
+            .into_iter()
+            .chain(angles)
+            .collect())
+    })
+}
+
+/// sin and cos of 2πp ω₁/ω and of 2πω₁/ω at a resonance with p ≥ 2.
+pub(super) fn angles_at_resonance() -> CheckResult {
+    at_resonances(MORE_LOOPS, MANY, CLOSED, |resonance| {
+        let (once, whole) =
+            (Turn::new(&resonance.grazing(), 1), Turn::new(&resonance.grazing(), resonance.loops()));
+        let (sine, cosine) = libm::sincos(PI / f64::from(resonance.loops()));
+        Ok(vec![(whole.sine, 0.0), (whole.cosine, -1.0), (once.sine, sine), (once.cosine, cosine)])
+    })
+}
+
+/// eq:xi1proof4: both lines against eq:c1 at the numerical A and ξ₁.
+pub(super) fn stability_of_one_loop() -> CheckResult {
+    at_resonances(&[1], ONE, 1e-10, |resonance| {
+        let grazing = resonance.grazing();
+        let (decay, sign) = (grazing.decay(1), parity(resonance));
+        let epsilon = grazing.oscillator().coefficient_of_restitution();
+        let jet = global_map::<_, 2>(&model(&grazing)?, 0.0, grazing.phase(), None)?.jet;
+        let (a, c, xi) = (jet.jacobian[(0, 0)], jet.jacobian[(1, 1)], jet.hessians[0][(1, 1)]);
+        let alpha = 1.0 + epsilon;
+        let mut pairs = Vec::new();
+        for side in [1.0, -1.0] {
+            // γ = ω², so that ω²/γ = 1.
+            let general = (1.0 - side * c) * (a * epsilon * epsilon - side) + alpha * alpha * xi / (1.0 - c);
+            let longer = (1.0 - side * sign * decay) * (sign * epsilon * epsilon * decay - side)
+                + alpha * alpha * decay * (decay - sign) / (1.0 - sign * decay);
+            let rebound = epsilon * decay;
+            let shorter = -side * (1.0 + side * 2.0 * sign * rebound + rebound * rebound);
+            pairs.extend([(longer, shorter), (general, shorter)]);
+        }
+        Ok(pairs)
+    })
+}
+
+/// eq:xipproof4: both lines against eq:cp at the numerical ξ_p.
+pub(super) fn stability_of_many_loops() -> CheckResult {
+    at_resonances(MORE_LOOPS, MANY, 1e-10, |resonance| {
+        let grazing = resonance.grazing();
+        let decay = grazing.decay(resonance.loops());
+        let epsilon = grazing.oscillator().coefficient_of_restitution();
+        let alpha = 1.0 + epsilon;
+        let xi = iterated(resonance)?;
+        let mut pairs = Vec::new();
+        for side in [1.0, -1.0] {
+            let loops = (1.0 + side * decay) * (-epsilon * epsilon * decay - side);
+            let shorter = -side * (1.0 - side * epsilon * decay) * (1.0 - side * epsilon * decay);
+            pairs.push((loops + alpha * alpha * decay, shorter));
+            pairs.push((loops + alpha * alpha * xi / (1.0 + decay), shorter));
+        }
+        Ok(pairs)
+    })
+}
+
+/// The derivative in ω of an entry or combination of entries of A along the grazing curve, by differences of P_global.
+fn along_grazing(
+    resonance: &Resonance,
+    of: impl Fn(&nalgebra::Matrix2<f64>) -> f64,
+) -> Result<f64, Box<dyn std::error::Error + Send + Sync>> {
+    let theory = resonance.grazing().oscillator();
+    let at = |h: f64| -> Result<f64, Box<dyn std::error::Error + Send + Sync>> {
+        let state = theory.grazing(resonance.forcing_frequency() + h)?;
+        Ok(of(&global_map::<_, 1>(&model(&state)?, 0.0, state.phase(), None)?.jet.derivative()))
+    };
+    // Angles 2πω₁/ω change fast at low ω: the step shrinks with ω².
+    let step = 2e-3 * resonance.forcing_frequency() * resonance.forcing_frequency();
+    let mut sum = 0.0;
+    for (k, weight) in [(1.0, 45.0), (2.0, -9.0), (3.0, 1.0)] {
+        sum += weight * (at(k * step)? - at(-k * step)?);
+    }
+    Ok(sum / (60.0 * step))
+}
+
+/// eq:xi1proof5.
+pub(super) fn slope_of_one_loop() -> CheckResult {
+    at_resonances(&[1], ONE, DIFFERENCES, |resonance| {
+        let omega = resonance.forcing_frequency();
+        let stated = -TAU * parity(resonance) * resonance.grazing().decay(1) / omega;
+        Ok(vec![(along_grazing(resonance, |a| a.m12)?, stated)])
+    })
+}
+
+/// The general κ_p' of the proof: the display before eq:xipproof5.
+fn detuning_slope(state: &GrazingState, loops: u32) -> f64 {
+    let turn = Turn::new(state, 1);
+    let (zeta, omega) = (state.oscillator().damping_ratio(), state.forcing_frequency());
+    let bracket = zeta * turn.cosine + turn.natural * turn.sine - zeta * libm::cos(PI / f64::from(loops));
+    2.0 * TAU / (omega * omega) * turn.decay * bracket
+}
+
+fn detuning(loops: u32) -> impl Fn(&nalgebra::Matrix2<f64>) -> f64 {
+    move |a| a.trace() - 2.0 * a.determinant().sqrt() * libm::cos(PI / f64::from(loops))
+}
+
+/// The display of κ_p', at resonances of other numbers of loops than p too.
+pub(super) fn detuning_derivative() -> CheckResult {
+    at_resonances(&[1, 2, 3, 4, 5, 6], "grazing states, p = 2 to 5", DIFFERENCES, |resonance| {
+        let pair =
+            |p: u32| Ok((along_grazing(resonance, detuning(p))?, detuning_slope(&resonance.grazing(), p)));
+        (2..=5).map(pair).collect()
+    })
+}
+
+/// eq:xipproof5.
+pub(super) fn slope_of_many_loops() -> CheckResult {
+    at_resonances(MORE_LOOPS, MANY, DIFFERENCES, |resonance| {
+        let p = resonance.loops();
+        let turn = Turn::new(&resonance.grazing(), 1);
+        let omega = resonance.forcing_frequency();
+        let stated = 2.0 * TAU * turn.natural / (omega * omega) * turn.decay * libm::sin(PI / f64::from(p));
+        Ok(vec![(along_grazing(resonance, detuning(p))?, stated)])
+    })
+}
+
+/// The last steps of both proofs: the general coefficients at resonance are those of Propositions 3.2 and 3.3.
+pub(super) fn coefficients() -> CheckResult {
+    at_resonances(&[1, 2, 3, 4, 5, 6], "resonances with p = 1 to 6, E and ε at random", 1e-8, |resonance| {
+        let point = resonance.resonant_point();
+        // Divided by the stated number: the coefficients have sizes of all orders, and c_PD loses digits where s⁻ is small.
+        Ok(vec![
+            (point.saddle_node_coefficient() / resonance.saddle_node_coefficient(), 1.0),
+            (point.period_doubling_coefficient() / resonance.period_doubling_coefficient(), 1.0),
+        ])
+    })
+}

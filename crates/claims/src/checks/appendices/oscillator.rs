@@ -1,0 +1,210 @@
+//! Appendix B: A, b and ξ_p from the flow as it is printed.
+
+use core::f64::consts::TAU;
+
+use grazing_model::maps::{global_iterate, global_map};
+
+use super::printed_flow::{
+    CLOSED, DIFFERENCES, Derivatives, Printed, STATES, STEP, Turn, deviation, first, largest, model, states,
+    worse,
+};
+use crate::convergence::order;
+use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::sampling::Sampler;
+
+/// eq:Abproof1: P_global ends where the printed flow from (x, 0) at z/ω comes to rest.
+pub(super) fn return_by_printed_flow() -> CheckResult {
+    let mut sampler = Sampler::new(13);
+    let (mut found, mut samples) = (0.0, 0);
+    for state in states(400)? {
+        let mut at = || 0.02 * sampler.between(-1.0, 1.0);
+        let (x, z, amplitude) = (at(), state.phase() + at(), state.amplitude() * (1.0 + at()));
+        let oscillator = grazing_model::ImpactOscillator::with_parameters(
+            &model(&state)?,
+            [amplitude, state.forcing_frequency()],
+        );
+        let Ok(landing) = global_map::<_, 1>(&oscillator, x, z, None) else { continue };
+        let printed = Printed { zeta: state.oscillator().damping_ratio(), omega: state.forcing_frequency() };
+        let omega = state.forcing_frequency();
+        let end = (landing.jet.value[1] + TAU) / omega;
+        let flow = |time: f64| printed.flow(time, [x, 0.0], z / omega, amplitude);
+        let velocity = first(STEP / omega.max(1.0), |h| flow(end + h));
+        found = worse(found, largest([(flow(end), landing.jet.value[0]), (velocity, 0.0)]));
+        samples += 1;
+    }
+    deviation(found, DIFFERENCES, samples, "returns to Π from points within 0.02 of grazing")
+}
+
+/// eq:Abproof2: both lines, as the order of what the linear terms leave of φ and φ̇ at the return.
+pub(super) fn first_order_terms() -> CheckResult {
+    let mut sampler = Sampler::new(14);
+    let mut worst = f64::INFINITY;
+    let all = states(60)?;
+    for state in &all {
+        let derivatives = Derivatives::new(state, 1);
+        let map = state.linearised_map();
+        let omega = state.forcing_frequency();
+        let shares: [f64; 3] = core::array::from_fn(|_| sampler.between(-1.0, 1.0));
+        let [by_x, by_start, by_amplitude] = [0, 1, 2].map(|k| [0, 1].map(|n| derivatives.mixed(n, k)));
+        let rates = [derivatives.velocity(), derivatives.acceleration()];
+        for line in 0..2 {
+            let observed = order(|size| {
+                let [d_1, d_2, d_3] = shares.map(|share| share * size);
+                let shift = (map.a.m21 * d_1 + map.a.m22 * d_2 + map.b.y * d_3) / omega;
+                let linear = rates[line] * shift
+                    + by_x[line] * d_1
+                    + by_start[line] * d_2 / omega
+                    + by_amplitude[line] * d_3;
+                let moved = [d_1, d_2 / omega, d_3];
+                // φ or φ̇ where the orbit ends to first order, less what the equation has on its left: x' or zero.
+                let actual = if line == 0 {
+                    derivatives.at([shift, moved[0], moved[1], moved[2]])
+                } else {
+                    first(derivatives.step(), |h| derivatives.at([shift + h, moved[0], moved[1], moved[2]]))
+                };
+                let left = if line == 0 { map.a.m11 * d_1 + map.a.m12 * d_2 + map.b.x * d_3 } else { 0.0 };
+                // Both the flow and the left-hand side differ from the linear terms in second order; the linear terms are
+                // known to the accuracy of the differences, so that they count for sizes above their hundredfold.
+                let gap = (actual - left).abs().max((linear - left).abs());
+                Some((gap, 1e-12 * (1.0 + size * 1e2)))
+            });
+            // What is not a number stays.
+            worst = if worst.is_nan() || worst <= observed { worst } else { observed };
+        }
+    }
+    // Slack for the third order at the sizes where the second stands clear of the accuracy of differences.
+    let measure = Measure::Order { observed: worst, stated: 2.0, slack: 0.3 };
+    Ok(Outcome::new(measure, 2 * all.len(), STATES))
+}
+
+/// eq:Abproof3 with derivatives of the printed flow by differences, against the derivatives of P_global.
+pub(super) fn entries_by_derivatives() -> CheckResult {
+    let all = states(300)?;
+    let mut found = 0.0;
+    for state in &all {
+        let derivatives = Derivatives::new(state, 1);
+        let omega = state.forcing_frequency();
+        let (velocity, acceleration) = (derivatives.velocity(), derivatives.acceleration());
+        let jet = global_map::<_, 1>(&model(state)?, 0.0, state.phase(), None)?.jet;
+        let entry = |variable: usize| {
+            let (position, rate) = (derivatives.mixed(0, variable), derivatives.mixed(1, variable));
+            [position - velocity / acceleration * rate, -omega / acceleration * rate]
+        };
+        for (variable, scale) in [(0, 1.0), (1, 1.0 / omega), (2, 1.0)] {
+            let [upper, lower] = entry(variable);
+            let stated = [jet.jacobian[(0, variable)], jet.jacobian[(1, variable)]];
+            found = worse(found, largest([(upper * scale, stated[0]), (lower * scale, stated[1])]));
+        }
+    }
+    deviation(found, DIFFERENCES, 6 * all.len(), STATES)
+}
+
+/// eq:Abproof4: all eight derivatives of φ at grazing.
+pub(super) fn derivatives_at_grazing() -> CheckResult {
+    let all = states(300)?;
+    let mut found = 0.0;
+    for state in &all {
+        let derivatives = Derivatives::new(state, 1);
+        let turn = Turn::new(state, 1);
+        let (omega, amplitude) = (state.forcing_frequency(), state.amplitude());
+        let upper = turn.decay * (turn.cosine + turn.skew * turn.sine);
+        let lower = turn.decay * turn.sine / turn.natural;
+        found = worse(
+            found,
+            largest([
+                (derivatives.velocity(), 0.0),
+                (derivatives.acceleration(), -omega * omega),
+                (derivatives.mixed(0, 0), upper),
+                (derivatives.mixed(1, 0), -lower),
+                (derivatives.mixed(0, 1), omega * omega * lower),
+                (derivatives.mixed(1, 1), omega * omega * turn.entry()),
+                (derivatives.mixed(0, 2), (1.0 - upper) / amplitude),
+                (derivatives.mixed(1, 2), lower / amplitude),
+            ]),
+        );
+    }
+    deviation(found, DIFFERENCES, 8 * all.len(), STATES)
+}
+
+/// The display of a₁₁ to b₂ at the end of the proof, against the derivatives of P_global.
+pub(super) fn matrix_and_vector() -> CheckResult {
+    let all = states(500)?;
+    let mut found = 0.0;
+    for state in &all {
+        let turn = Turn::new(state, 1);
+        let (omega, amplitude) = (state.forcing_frequency(), state.amplitude());
+        let upper = turn.decay * (turn.cosine + turn.skew * turn.sine);
+        let lower = turn.decay * turn.sine / turn.natural;
+        let stated = [
+            [upper, omega * lower, (1.0 - upper) / amplitude],
+            [-lower / omega, turn.entry(), lower / (omega * amplitude)],
+        ];
+        let jet = global_map::<_, 1>(&model(state)?, 0.0, state.phase(), None)?.jet;
+        for (i, row) in stated.iter().enumerate() {
+            found = worse(
+                found,
+                largest(row.iter().enumerate().map(|(k, entry)| (jet.jacobian[(i, k)], *entry))),
+            );
+        }
+    }
+    deviation(found, CLOSED, 6 * all.len(), STATES)
+}
+
+/// The display of ξ₁ by derivatives of φ, differences against the second derivative of P_global.
+pub(super) fn second_derivative_by_flow() -> CheckResult {
+    let all = states(200)?;
+    let mut found = 0.0;
+    for state in &all {
+        let derivatives = Derivatives::new(state, 1);
+        let omega = state.forcing_frequency();
+        let (velocity, acceleration) = (derivatives.velocity(), derivatives.acceleration());
+        let slip = velocity / acceleration;
+        let entry = state.linearised_map().a.m22;
+        let xi = (entry * entry * (acceleration - slip * derivatives.in_time(3, [0.0; 3]))
+            + 2.0 * entry * (derivatives.mixed(1, 1) - slip * derivatives.mixed(2, 1))
+            + derivatives.twice_in_start(0)
+            - slip * derivatives.twice_in_start(1))
+            / (omega * omega);
+        let jet = global_map::<_, 2>(&model(state)?, 0.0, state.phase(), None)?.jet;
+        found = worse(found, largest([(xi, jet.hessians[0][(1, 1)])]));
+    }
+    deviation(found, DIFFERENCES, all.len(), STATES)
+}
+
+/// eq:d2phidt02.
+pub(super) fn second_derivative_in_start() -> CheckResult {
+    let all = states(300)?;
+    let mut found = 0.0;
+    for state in &all {
+        let turn = Turn::new(state, 1);
+        let omega = state.forcing_frequency();
+        let stated = -omega * omega * turn.decay * (turn.cosine - 3.0 * turn.skew * turn.sine);
+        found = worse(found, largest([(Derivatives::new(state, 1).twice_in_start(0), stated)]));
+    }
+    deviation(found, DIFFERENCES, all.len(), STATES)
+}
+
+/// The printed ξ_p against the second derivative of P_global^p.
+fn xi(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
+    let all = states(200)?;
+    let (mut found, mut samples) = (0.0, 0);
+    for state in &all {
+        for p in loops.clone() {
+            let jet = global_iterate::<_, 2>(&model(state)?, p, 0.0, state.phase())?;
+            found = worse(found, largest([(jet.hessians[0][(1, 1)], Turn::new(state, p).xi())]));
+            samples += 1;
+        }
+    }
+    // Second derivatives of up to five composed maps.
+    deviation(found, 1e-11, samples, STATES)
+}
+
+/// eq:xi1proof2.
+pub(super) fn second_derivative_of_one_loop() -> CheckResult {
+    xi(1..=1)
+}
+
+/// eq:xipproof2, off resonance too.
+pub(super) fn second_derivative_of_many_loops() -> CheckResult {
+    xi(2..=5)
+}

@@ -1,0 +1,270 @@
+//! Section 4.4, step 1 of the proofs of theorems 2.2 and 2.3: the zero of V and its points on Π.
+
+use grazing_continuation::mps::Memory;
+use grazing_model::ImpactOscillator;
+use grazing_model::maps::{global_iterate, virtual_map};
+use grazing_theorems::GrazingPoint;
+use grazing_theorems::admissibility_boundary::admissibility_boundary;
+use grazing_theorems::auxiliary::{detuning, geometric_sum_determinant, lucas_sequence};
+use nalgebra::{Matrix2, Vector2};
+
+use super::iterates::printed_iterate;
+use super::specimens::{Grazing, delayed, map_with, sampled_point, specimens, uniform_order};
+use super::vivid::{derivatives, equations, scale, zero, zero_from};
+use crate::checks::appendices::signs::{determinant, search};
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::{Smallest, Votes};
+
+/// The slopes and curvatures in μ that are printed in step 1.
+struct Printed {
+    y: f64,
+    z: f64,
+    x_first: f64,
+    z_first: f64,
+    x_last: f64,
+    z_last: f64,
+}
+
+impl Printed {
+    fn new(point: &GrazingPoint, p: u32) -> Self {
+        let map = &point.map;
+        let (tau, delta) = (map.a.trace(), map.a.determinant());
+        let (s, s_next) = (lucas_sequence(p, tau, delta), lucas_sequence(p + 1, tau, delta));
+        let (a12, b) = (map.a.m12, printed_iterate(map, p).b);
+        let corner = s_next - map.a.m11 * s;
+        let det_k = (1.0 - corner) * b.x + a12 * s * b.y;
+        let (alpha, omega, gamma, phi) = (point.alpha(), point.forcing_frequency, point.gamma, point.phi);
+        let curvature = gamma * det_k * det_k / (2.0 * alpha * alpha * a12 * a12 * omega * omega * s * s);
+        Self {
+            y: gamma * det_k / (alpha * a12 * omega * s),
+            z: ((corner * (1.0 - alpha) - 1.0) * b.x - a12 * s * (1.0 - alpha) * b.y) / (alpha * a12 * s),
+            x_first: phi * phi * curvature,
+            z_first: -b.x / (a12 * s),
+            x_last: curvature,
+            z_last: (det_k - b.x) / (a12 * s),
+        }
+    }
+
+    /// The same for p = 1, as eq:yStar1codim1proof and eq:zStar1codim1proof have it.
+    fn one_loop(point: &GrazingPoint) -> Vector2<f64> {
+        let (a, b) = (point.map.a, point.map.b);
+        let alpha = point.alpha();
+        Vector2::new(
+            point.gamma * point.map.transversality() / (alpha * a.m12 * point.forcing_frequency),
+            ((a.m22 * (1.0 - alpha) - 1.0) * b.x - a.m12 * (1.0 - alpha) * b.y) / (alpha * a.m12),
+        )
+    }
+}
+
+/// The smallest order over oscillators and numbers of loops of a remainder at the zero of V for μ and for −μ.
+fn smallest_order(
+    loops: core::ops::RangeInclusive<u32>,
+    stated: f64,
+    remainder: impl Fn(&Grazing, u32, f64) -> Option<f64>,
+) -> CheckResult {
+    let mut orders = Smallest::default();
+    for grazing in specimens()? {
+        for p in loops.clone() {
+            let size = scale(&grazing, p).ok_or("no emerging orbit")?;
+            let [by_velocity, by_phase, _] = derivatives(&grazing, p)?;
+            let jacobian = Matrix2::from_columns(&[by_velocity, by_phase]);
+            let inverse = jacobian.try_inverse().ok_or("det J = 0")?;
+            // A phase's rounding for each return, carried over to the zero.
+            let rounding = 2e-15 * f64::from(p + 1) * (1.0 + inverse.amax());
+            orders.see(uniform_order(&[[size], [-size]], |[direction], h| {
+                Some((remainder(&grazing, p, h * direction)?, rounding))
+            }));
+        }
+    }
+    // The next term is of relative size h < 10⁻³ where remainders are resolved last; near a resonance its coefficient is large.
+    Ok(orders.order(stated, 0.1, "the zero of V by Newton's method on nine oscillators, μ of both signs"))
+}
+
+/// eq:yStar1codim1proof.
+pub(crate) fn one_loop_velocity() -> CheckResult {
+    smallest_order(1..=1, 2.0, |grazing, p, mu| {
+        Some(zero(grazing, p, mu)?[0] - Printed::one_loop(&grazing.grazing_point())[0] * mu)
+    })
+}
+
+/// eq:zStar1codim1proof.
+pub(crate) fn one_loop_phase() -> CheckResult {
+    smallest_order(1..=1, 2.0, |grazing, p, mu| {
+        let slope = Printed::one_loop(&grazing.grazing_point())[1];
+        Some(zero(grazing, p, mu)?[1] - grazing.phase() - slope * mu)
+    })
+}
+
+/// eq:yStarpcodim1proof.
+pub(crate) fn velocity() -> CheckResult {
+    smallest_order(1..=4, 2.0, |grazing, p, mu| {
+        Some(zero(grazing, p, mu)?[0] - Printed::new(&grazing.grazing_point(), p).y * mu)
+    })
+}
+
+/// eq:zStarpcodim1proof.
+pub(crate) fn phase() -> CheckResult {
+    smallest_order(1..=4, 2.0, |grazing, p, mu| {
+        let slope = Printed::new(&grazing.grazing_point(), p).z;
+        Some(zero(grazing, p, mu)?[1] - grazing.phase() - slope * mu)
+    })
+}
+
+/// The points (x⁽⁰⁾, z⁽⁰⁾) and (x⁽ᵖ⁾, z⁽ᵖ⁾) of the zero of V, the last by p returns.
+fn ends(grazing: &Grazing, p: u32, mu: f64) -> Option<[Vector2<f64>; 2]> {
+    let point = zero(grazing, p, mu)?;
+    let oscillator = equations(grazing, p).oscillator_at(&point);
+    let recoil = oscillator.reset::<1>(point[0], point[1]).value;
+    let first = virtual_map::<_, 1>(&oscillator, recoil[0], recoil[1], None).ok()?.jet.value;
+    let last = global_iterate::<_, 1>(&oscillator, p, first[0], first[1]).ok()?.value;
+    Some([first, last])
+}
+
+/// eq:x0codim1proof.
+pub(crate) fn first_position() -> CheckResult {
+    smallest_order(1..=4, 3.0, |grazing, p, mu| {
+        let curvature = Printed::new(&grazing.grazing_point(), p).x_first;
+        Some(ends(grazing, p, mu)?[0][0] - curvature * mu * mu)
+    })
+}
+
+/// eq:z0codim1proof.
+pub(crate) fn first_phase() -> CheckResult {
+    smallest_order(1..=4, 2.0, |grazing, p, mu| {
+        let slope = Printed::new(&grazing.grazing_point(), p).z_first;
+        Some(ends(grazing, p, mu)?[0][1] - grazing.phase() - slope * mu)
+    })
+}
+
+/// eq:xpcodim1proof.
+pub(crate) fn last_position() -> CheckResult {
+    smallest_order(1..=4, 3.0, |grazing, p, mu| {
+        let curvature = Printed::new(&grazing.grazing_point(), p).x_last;
+        Some(ends(grazing, p, mu)?[1][0] - curvature * mu * mu)
+    })
+}
+
+/// eq:zpcodim1proof.
+pub(crate) fn last_phase() -> CheckResult {
+    smallest_order(1..=4, 2.0, |grazing, p, mu| {
+        let slope = Printed::new(&grazing.grazing_point(), p).z_last;
+        Some(ends(grazing, p, mu)?[1][1] - grazing.phase() - slope * mu)
+    })
+}
+
+/// The solution of V = 0 for (y, z) is unique near grazing: Newton's method finds the same from all starts.
+pub(crate) fn implicit_function() -> CheckResult {
+    let mut sampler = Sampler::new(1);
+    let mut votes = Votes::default();
+    for grazing in specimens()? {
+        for p in 1..=4 {
+            for sign in [1.0, -1.0] {
+                let mu = sign * 0.002 * scale(&grazing, p).ok_or("no emerging orbit")?;
+                let expected = zero(&grazing, p, mu).ok_or("no zero of V")?;
+                let reach = 5.0 * (expected[0].abs() + (expected[1] - grazing.phase()).abs());
+                for _ in 0..6 {
+                    let mut start = expected;
+                    start[0] += sampler.between(-reach, reach);
+                    start[1] += sampler.between(-reach, reach);
+                    let found = zero_from(&grazing, p, start);
+                    votes.see(found.is_some_and(|found| (found - expected).amax() < 1e-10));
+                }
+                let value =
+                    equations(&grazing, p).pair::<1>(&expected, &mut Memory::default())?.difference().0;
+                votes.see(value.amax() < 1e-13);
+            }
+        }
+    }
+    Ok(votes.outcome(
+        "starts up to five times as far from the solution as grazing is, nine oscillators, p = 1 to 4",
+    ))
+}
+
+/// The one-loop MPS has y > 0 on the side of the sign of a₁₂ β if α > 0, and on the other side if α < 0.
+pub(crate) fn one_loop_side() -> CheckResult {
+    let mut votes = Votes::default();
+    for grazing in specimens()?.into_iter().chain(delayed()?) {
+        let point = grazing.grazing_point();
+        let size = 0.01 * scale(&grazing, 1).ok_or("no emerging orbit")?;
+        for mu in [size, -size] {
+            let y = zero(&grazing, 1, mu).ok_or("no zero of V")?[0];
+            let predicted = point.map.a.m12 * point.map.transversality() * mu > 0.0;
+            votes.see((y > 0.0) == (predicted == (point.alpha() > 0.0)));
+        }
+    }
+    Ok(votes.outcome(
+        "nine oscillators with α > 0 and two with α < 0, where the hypothesis is violated, μ of both signs",
+    ))
+}
+
+/// det K / β > 0 in the trapesium, by search.
+pub(crate) fn sign_of_det_k() -> CheckResult {
+    let over =
+        "searches over the trapesium up to 10⁻⁶ from its slanted sides, p = 2 to 15: the smallest det K / β";
+    Ok(search(2, over, |p, [x, y]| {
+        let delta = determinant(x);
+        geometric_sum_determinant(p, 0.999_999 * (2.0 * y - 1.0) * (delta + 1.0), delta)
+    }))
+}
+
+/// A grazing point with τ > h_p; a₁₂ and α of either sign.
+pub(super) fn above_boundary(
+    sampler: &mut Sampler,
+    p: u32,
+) -> Result<GrazingPoint, grazing_theorems::TheoryError> {
+    let delta = sampler.between(0.01, 0.99);
+    let lowest = admissibility_boundary(p, delta)?;
+    let share = sampler.between(0.001, 0.999);
+    let map = map_with(sampler, lowest + share * (delta + 1.0 - lowest), delta);
+    let mut point = sampled_point(sampler, map);
+    if sampler.between(0.0, 1.0) < 0.3 {
+        // γψ/ω between 2 and 5, and so α < 0.
+        point.psi = sampler.between(2.1, 5.0) * point.forcing_frequency / point.gamma;
+    }
+    Ok(point)
+}
+
+/// det J ≠ 0 if τ ≠ g_p: it has the sign of α a₁₂ κ_p.
+pub(crate) fn regular_jacobian() -> CheckResult {
+    let mut sampler = Sampler::new(2);
+    let mut votes = Votes::default();
+    for index in 0..2000 {
+        let p = 2 + index % 14;
+        let point = above_boundary(&mut sampler, p)?;
+        let kappa = detuning(p, point.map.trace(), point.map.determinant());
+        votes.see(point.impact_jacobian_determinant(p) * point.alpha() * point.map.a.m12 * kappa > 0.0);
+    }
+    Ok(votes.outcome("grazing points with τ > h_p, p = 2 to 15"))
+}
+
+/// dy*/dμ has the sign of βκ_p if a₁₂α > 0, and the other sign where this hypothesis is violated.
+pub(crate) fn side() -> CheckResult {
+    let mut sampler = Sampler::new(3);
+    let mut votes = Votes::default();
+    for index in 0..2000 {
+        let p = 2 + index % 14;
+        let point = above_boundary(&mut sampler, p)?;
+        let kappa = detuning(p, point.map.trace(), point.map.determinant());
+        let agrees = Printed::new(&point, p).y * point.map.transversality() * kappa > 0.0;
+        votes.see(agrees == (point.map.a.m12 * point.alpha() > 0.0));
+    }
+    Ok(votes.outcome("grazing points with τ > h_p, a₁₂α of either sign, p = 2 to 15"))
+}
+
+/// On the side of the sign of βκ_p all visits between the impacts lie below the wall: dx⁽ʲ⁾/dμ has the other sign.
+pub(crate) fn visits_on_the_side() -> CheckResult {
+    let mut sampler = Sampler::new(4);
+    let mut votes = Votes::default();
+    for index in 0..2000 {
+        let p = 2 + index % 14;
+        let point = above_boundary(&mut sampler, p)?;
+        let kappa = detuning(p, point.map.trace(), point.map.determinant());
+        let side = point.map.transversality() * kappa;
+        let orbit = point.emerging_orbit(p)?;
+        // Positions shrink with the eigenvalues, down to the rounding of the terms that they are made of.
+        let rounding = 1e-12 * (1.0 + orbit.visit_slope(0).amax()) * (1.0 + point.map.a.amax());
+        votes.see((1..p).all(|j| orbit.visit_slope(j).x * side.signum() < rounding));
+    }
+    Ok(votes.outcome("grazing points with τ > h_p, p = 2 to 15, all visits"))
+}

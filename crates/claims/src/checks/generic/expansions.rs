@@ -1,0 +1,202 @@
+//! Section 4.1, lemma 4.1 and its proof: orders of remainders near grazing.
+
+use grazing_model::maps::virtual_map;
+use grazing_model::motion::Motion;
+use grazing_model::{ImpactOscillator, State};
+use grazing_theorems::GrazingPoint;
+use nalgebra::Vector2;
+
+use super::maps::{ROUNDING, SLACK, near_grazing};
+use super::specimens::{Specimen, delayed, directions, specimens, uniform_order};
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::{Smallest, Votes};
+
+const SPECIMENS: &str =
+    "nine oscillators, Ψ = 0 or not, μ the amplitude or the frequency; nine directions in (y, z, μ) at once";
+
+/// The smallest order over specimens and directions of a remainder at (oscillator, y, z), and its rounding.
+fn smallest_order(
+    seed: u64,
+    stated: f64,
+    remainder: impl Fn(&GrazingPoint, &Specimen, f64, f64) -> Option<(f64, f64)>,
+) -> CheckResult {
+    let mut sampler = Sampler::new(seed);
+    let mut orders = Smallest::default();
+    for grazing in specimens()? {
+        let point = grazing.grazing_point();
+        orders.see(uniform_order(&directions::<3>(&mut sampler, 6), |direction, h| {
+            let (oscillator, y, z) = near_grazing(&grazing, direction, h);
+            remainder(&point, &oscillator, y, z)
+        }));
+    }
+    Ok(orders.order(stated, SLACK, SPECIMENS))
+}
+
+/// The vector field near grazing: the first display of the proof of le:discMapComponents.
+pub(crate) fn vector_field() -> CheckResult {
+    let mut sampler = Sampler::new(4);
+    let mut orders = Smallest::default();
+    for grazing in specimens()? {
+        let gamma = grazing.grazing_point().gamma;
+        let [primary, secondary] = grazing.oscillator().parameters();
+        orders.see(uniform_order(&directions::<4>(&mut sampler, 6), |[dx, dy, dz, dmu], h| {
+            let oscillator = grazing.oscillator().with_parameters([primary + h * dmu, secondary]);
+            let state = State { position: h * dx, velocity: h * dy, phase: grazing.phase() + h * dz };
+            let frequency =
+                oscillator.forcing_frequency().value - grazing.oscillator().forcing_frequency().value;
+            let remainder = (oscillator.acceleration(state) + gamma).abs() + frequency.abs();
+            Some((remainder, ROUNDING))
+        }));
+    }
+    Ok(orders.order(1.0, SLACK, "nine oscillators, ten directions in (x, y, z, μ)"))
+}
+
+/// Which of x, y and z of the orbit through an impact point.
+#[derive(Clone, Copy)]
+enum Coordinate {
+    Position,
+    Velocity,
+    Phase,
+}
+
+fn orbit_expansion(seed: u64, stated: f64, coordinate: Coordinate) -> CheckResult {
+    let mut sampler = Sampler::new(seed);
+    let mut orders = Smallest::default();
+    for grazing in specimens()? {
+        let GrazingPoint { gamma, forcing_frequency, .. } = grazing.grazing_point();
+        orders.see(uniform_order(&directions::<4>(&mut sampler, 8), |[dy, dz, dmu, dt], h| {
+            let (oscillator, y, z) = near_grazing(&grazing, [dy, dz, dmu], h);
+            let t = h * dt;
+            let there = oscillator.motion(State::on_wall(y, z)).at(t);
+            let phase = oscillator.forcing_frequency().value * t;
+            let remainder = match coordinate {
+                Coordinate::Position => there.position - (y * t - 0.5 * gamma * t * t),
+                Coordinate::Velocity => there.velocity - (y - gamma * t),
+                Coordinate::Phase => phase - forcing_frequency * t,
+            };
+            Some((remainder, ROUNDING))
+        }));
+    }
+    Ok(orders.order(stated, SLACK, "nine oscillators, twelve directions in (y, z, μ, t)"))
+}
+
+/// x(t) in the proof of le:discMapComponents.
+pub(crate) fn position_of_orbit() -> CheckResult {
+    orbit_expansion(5, 3.0, Coordinate::Position)
+}
+
+/// y(t) in the proof of le:discMapComponents.
+pub(crate) fn velocity_of_orbit() -> CheckResult {
+    orbit_expansion(6, 2.0, Coordinate::Velocity)
+}
+
+/// z(t) in the proof of le:discMapComponents.
+pub(crate) fn phase_of_orbit() -> CheckResult {
+    orbit_expansion(7, 2.0, Coordinate::Phase)
+}
+
+/// The evolution time T.
+pub(crate) fn evolution_time() -> CheckResult {
+    smallest_order(8, 2.0, |point, oscillator, y, z| {
+        let time = virtual_map::<_, 1>(oscillator, y, z, None).ok()?.time;
+        Some((time - y / point.gamma, ROUNDING))
+    })
+}
+
+/// (x̂, ẑ) or (x⁽⁰⁾, z⁽⁰⁾) minus its leading terms.
+fn virtual_remainder(
+    point: &GrazingPoint,
+    oscillator: &Specimen,
+    y: f64,
+    z: f64,
+    reset: bool,
+) -> Option<Vector2<f64>> {
+    let (from, leading) = if reset {
+        let alpha = point.alpha();
+        let shift = point.forcing_frequency * (1.0 - alpha) / point.gamma;
+        let position = point.phi * point.phi * y * y / (2.0 * point.gamma);
+        (oscillator.reset::<1>(y, z).value, Vector2::new(position, shift * y + z))
+    } else {
+        let shift = point.forcing_frequency / point.gamma;
+        (Vector2::new(y, z), Vector2::new(y * y / (2.0 * point.gamma), shift * y + z))
+    };
+    Some(virtual_map::<_, 1>(oscillator, from[0], from[1], None).ok()?.jet.value - leading)
+}
+
+/// eq:xHatzHat, first line.
+pub(crate) fn position_beyond_the_wall() -> CheckResult {
+    smallest_order(9, 3.0, |point, oscillator, y, z| {
+        Some((virtual_remainder(point, oscillator, y, z, false)?[0], ROUNDING))
+    })
+}
+
+/// eq:xHatzHat, second line.
+pub(crate) fn phase_beyond_the_wall() -> CheckResult {
+    smallest_order(10, 2.0, |point, oscillator, y, z| {
+        Some((virtual_remainder(point, oscillator, y, z, false)?[1], ROUNDING))
+    })
+}
+
+/// eq:x0z0, first line.
+pub(crate) fn position_before_the_recoil() -> CheckResult {
+    smallest_order(11, 3.0, |point, oscillator, y, z| {
+        Some((virtual_remainder(point, oscillator, y, z, true)?[0], ROUNDING))
+    })
+}
+
+/// eq:x0z0, second line.
+pub(crate) fn phase_before_the_recoil() -> CheckResult {
+    smallest_order(12, 2.0, |point, oscillator, y, z| {
+        Some((virtual_remainder(point, oscillator, y, z, true)?[1], ROUNDING))
+    })
+}
+
+/// le:discMapComponents: the four orders together, also where α < 0.
+pub(crate) fn components() -> CheckResult {
+    let mut sampler = Sampler::new(13);
+    let mut votes = Votes::default();
+    for grazing in specimens()?.into_iter().chain(delayed()?) {
+        let point = grazing.grazing_point();
+        let directions = directions::<3>(&mut sampler, 6);
+        for (component, stated) in [(0, 3.0), (1, 2.0)] {
+            for reset in [false, true] {
+                let observed = uniform_order(&directions, |direction, h| {
+                    let (oscillator, y, z) = near_grazing(&grazing, direction, h);
+                    let remainder = virtual_remainder(&point, &oscillator, y, z, reset)?;
+                    Some((remainder[component], ROUNDING))
+                });
+                votes.see(observed >= stated - SLACK);
+            }
+        }
+    }
+    Ok(votes.outcome("four components on eleven oscillators in nine directions: the order of the remainder"))
+}
+
+/// The reset law near grazing.
+fn reset_remainder(point: &GrazingPoint, oscillator: &Specimen, y: f64, z: f64) -> Vector2<f64> {
+    oscillator.reset::<1>(y, z).value - Vector2::new(-point.phi * y, z + point.psi * y)
+}
+
+/// y_rec and the first line of the reset law's expansion.
+pub(crate) fn recoil_velocity() -> CheckResult {
+    smallest_order(14, 2.0, |point, oscillator, y, z| {
+        Some((reset_remainder(point, oscillator, y, z)[0], ROUNDING))
+    })
+}
+
+/// z_rec and the second line of the reset law's expansion.
+pub(crate) fn recoil_phase() -> CheckResult {
+    smallest_order(15, 2.0, |point, oscillator, y, z| {
+        Some((reset_remainder(point, oscillator, y, z)[1], ROUNDING))
+    })
+}
+
+/// The reset law's expansion: both remainders, divided by y, are of first order.
+pub(crate) fn reset_law() -> CheckResult {
+    smallest_order(16, 1.0, |point, oscillator, y, z| {
+        let remainder = reset_remainder(point, oscillator, y, z);
+        // Where y = 0 the map is the identity.
+        Some(if y == 0.0 { (remainder.norm(), ROUNDING) } else { (remainder.norm() / y, ROUNDING / y.abs()) })
+    })
+}

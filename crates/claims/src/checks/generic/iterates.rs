@@ -1,0 +1,248 @@
+//! Section 4.2: iterates of the global map.
+
+use grazing_model::ImpactOscillator;
+use grazing_model::maps::global_iterate;
+use grazing_theorems::LinearisedMap;
+use grazing_theorems::admissibility_boundary::admissibility_boundary;
+use grazing_theorems::auxiliary::{
+    admissibility_sum, lucas_partial_sum, lucas_sequence, modulus_power, resonance_boundary,
+};
+use nalgebra::{Matrix2, Vector2};
+
+use super::specimens::{directions, sampled_map, specimens, uniform_order};
+use crate::checks::appendices::signs::{along, determinant, search};
+use crate::eigenvalues::Pair;
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::{Deviations, Smallest, Votes};
+
+/// Each of the two routes makes some p² roundings of the terms by which deviations are divided, p up to 15.
+const ROUNDING: f64 = 1e-13;
+
+/// eq:SpTp: the printed double sums against the recurrence.
+pub(crate) fn sums_of_eigenvalues() -> CheckResult {
+    let mut sampler = Sampler::new(1);
+    let mut deviations = Deviations::default();
+    for index in 0..2000 {
+        let p = 1 + index % 15;
+        let (tau, delta) = sampler.trapesium();
+        let pair = Pair::new(tau, delta);
+        let size = pair.moduli();
+        deviations.see((pair.s(p) - lucas_sequence(p as u32, tau, delta)).norm() / size.s(p).re);
+        if p > 1 {
+            deviations.see((pair.t(p) - lucas_partial_sum(p as u32, tau, delta)).norm() / size.t(p).re);
+        }
+    }
+    Ok(deviations.outcome(ROUNDING, "S_p and T_p at points of the trapesium, p = 1 to 15"))
+}
+
+/// H_p is the sum of the S_j / δ^(j−1).
+pub(crate) fn h_as_sum_of_s() -> CheckResult {
+    let mut sampler = Sampler::new(2);
+    let mut deviations = Deviations::default();
+    for index in 0..2000 {
+        let p = 2 + index % 14;
+        let (tau, delta) = sampler.trapesium();
+        let pair = Pair::new(tau, delta);
+        let sum: f64 =
+            (1..p).map(|j| lucas_sequence(j as u32, tau, delta) / libm::pow(delta, f64::from(j - 1))).sum();
+        deviations.see((pair.h(p) - sum).norm() / pair.moduli().h(p).re);
+    }
+    Ok(deviations.outcome(ROUNDING, "points of the trapesium, p = 2 to 15"))
+}
+
+/// eq:Hp9, multiplied by δ^(p−2) so that small δ does no harm.
+pub(crate) fn difference_of_products() -> CheckResult {
+    let mut sampler = Sampler::new(3);
+    let mut deviations = Deviations::default();
+    for index in 0..2000 {
+        let p = 1 + index % 15;
+        let (tau, delta) = sampler.trapesium();
+        let raised = libm::pow(delta, f64::from(p) - 2.0);
+        let size = Pair::new(tau, delta).moduli();
+        let terms = (size.s(p - 1) * size.t(p) + size.s(p) * size.t(p - 1) + size.h(p) * raised).re;
+        let at = p as u32;
+        let (s, s_before) = (lucas_sequence(at, tau, delta), lucas_sequence(at - 1, tau, delta));
+        let (t, t_before) = (lucas_partial_sum(at, tau, delta), lucas_partial_sum(at - 1, tau, delta));
+        let difference = s_before * t - s * t_before - raised * admissibility_sum(at, tau, delta);
+        // For p = 1 all terms vanish.
+        deviations.see(if terms > 0.0 { difference / terms } else { difference });
+    }
+    Ok(deviations.outcome(ROUNDING, "points of the trapesium, p = 1 to 15"))
+}
+
+/// eq:Pglobalp: the order of the remainder.
+pub(crate) fn iterated_map() -> CheckResult {
+    let mut sampler = Sampler::new(4);
+    let mut orders = Smallest::default();
+    for grazing in specimens()? {
+        let (phase, [primary, secondary]) = (grazing.phase(), grazing.oscillator().parameters());
+        let map = grazing.grazing_point().map;
+        for p in 1..=4_u32 {
+            let LinearisedMap { a, b } = map.iterate(p);
+            let directions = directions::<3>(&mut sampler, 4);
+            for component in 0..2 {
+                orders.see(uniform_order(&directions, |[dx, dz, dmu], h| {
+                    let oscillator = grazing.oscillator().with_parameters([primary + h * dmu, secondary]);
+                    let image = global_iterate::<_, 1>(&oscillator, p, h * dx, phase + h * dz).ok()?;
+                    let linear = a * Vector2::new(h * dx, h * dz) + b * (h * dmu);
+                    let remainder = image.value - Vector2::new(0.0, phase) - linear;
+                    // Positions of order one and phases up to 2π, p times.
+                    Some((remainder[component], 2e-15 * f64::from(p)))
+                }));
+            }
+        }
+    }
+    // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
+    Ok(orders.order(
+        2.0,
+        0.1,
+        "both components on nine oscillators, p = 1 to 4, seven directions in (x, z, μ) at once",
+    ))
+}
+
+/// A sampled map, its iterate by repeated application, and the size of the largest number on the way.
+fn repeated(map: &LinearisedMap, p: u32) -> (LinearisedMap, f64) {
+    let mut iterate = LinearisedMap { a: Matrix2::identity(), b: Vector2::zeros() };
+    let mut size = 1.0_f64;
+    for _ in 0..p {
+        iterate = LinearisedMap { a: map.a * iterate.a, b: map.a * iterate.b + map.b };
+        size = size.max(iterate.a.amax()).max(iterate.b.amax());
+    }
+    (iterate, size * (1.0 + map.a.amax()) * (1.0 + map.a.amax()))
+}
+
+/// The right-hand sides of eq:Ap and eq:b1pb2p, as they are printed.
+pub(crate) fn printed_iterate(map: &LinearisedMap, p: u32) -> LinearisedMap {
+    let (tau, delta) = (map.a.trace(), map.a.determinant());
+    let (s, s_next, t) =
+        (lucas_sequence(p, tau, delta), lucas_sequence(p + 1, tau, delta), lucas_partial_sum(p, tau, delta));
+    let LinearisedMap { a, b } = *map;
+    let beta = (1.0 - a.m22) * b.x + a.m12 * b.y;
+    LinearisedMap {
+        a: Matrix2::identity() * s_next + Matrix2::new(-a.m22, a.m12, a.m21, -a.m11) * s,
+        b: b * s + Vector2::new(beta, a.m21 * b.x + (1.0 - a.m11) * b.y) * t,
+    }
+}
+
+/// Tens of roundings of numbers of the size by which deviations are divided; τ and δ are rounded too.
+const MATRIX_ROUNDING: f64 = 1e-12;
+
+/// eq:Ap: the printed form against repeated multiplication.
+pub(crate) fn powers() -> CheckResult {
+    let mut sampler = Sampler::new(5);
+    let mut deviations = Deviations::default();
+    for index in 0..2000 {
+        let p = 1 + index % 15;
+        let map = sampled_map(&mut sampler);
+        let (expected, size) = repeated(&map, p);
+        deviations.see((printed_iterate(&map, p).a - expected.a).amax() / size);
+    }
+    Ok(deviations.outcome(MATRIX_ROUNDING, "matrices with (τ, δ) in the trapesium, p = 1 to 15"))
+}
+
+/// eq:b1pb2p: the printed form against repeated application.
+pub(crate) fn parameter_terms() -> CheckResult {
+    let mut sampler = Sampler::new(6);
+    let mut deviations = Deviations::default();
+    for index in 0..2000 {
+        let p = 1 + index % 15;
+        let map = sampled_map(&mut sampler);
+        let (expected, size) = repeated(&map, p);
+        deviations.see((printed_iterate(&map, p).b - expected.b).amax() / size);
+    }
+    Ok(deviations.outcome(MATRIX_ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 15"))
+}
+
+/// The step of the induction: the printed forms for p, mapped once more, are those for p + 1.
+pub(crate) fn induction() -> CheckResult {
+    let mut sampler = Sampler::new(7);
+    let mut deviations = Deviations::default();
+    for index in 0..2000 {
+        let p = index % 15;
+        let map = sampled_map(&mut sampler);
+        let (here, next) = (printed_iterate(&map, p), printed_iterate(&map, p + 1));
+        let size = (1.0 + here.a.amax() + here.b.amax()) * (1.0 + map.a.amax()) * (1.0 + map.a.amax());
+        deviations.see((map.a * here.a - next.a).amax() / size);
+        deviations.see((map.a * here.b + map.b - next.b).amax() / size);
+    }
+    Ok(deviations.outcome(MATRIX_ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 0 to 14"))
+}
+
+/// le:SpTp(a) by search: S_p / (τ − g_p) > 0 for h_p < τ ≤ δ + 1, also at τ = g_p.
+pub(crate) fn sign_of_s() -> CheckResult {
+    let over = "searches over h_p < τ ≤ δ + 1, p = 2 to 15: the smallest r^(2−p) S_p / (τ − g_p)";
+    Ok(search(2, over, |p, [x, y]| {
+        let delta = determinant(x);
+        let Ok(lowest) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
+        let tau = along(along(y, 1e-9, 1.0), lowest, delta + 1.0);
+        let kappa = tau - resonance_boundary(f64::from(p), delta);
+        // At τ = g_p the quotient is 0/0; at this distance S_p still has six digits.
+        let distance = if kappa.abs() < 1e-8 { 1e-8_f64.copysign(kappa) } else { kappa };
+        let s = lucas_sequence(p, tau - kappa + distance, delta);
+        s / distance * libm::pow(delta, 0.5 * (2.0 - f64::from(p)))
+    }))
+}
+
+/// le:SpTp(b).
+pub(crate) fn values_at_resonance() -> CheckResult {
+    let mut sampler = Sampler::new(8);
+    let mut deviations = Deviations::default();
+    for index in 0..2000 {
+        let p = 2 + index % 23;
+        let delta = sampler.between(0.001, 0.999);
+        let tau = resonance_boundary(f64::from(p), delta);
+        let modulus = modulus_power(p, delta);
+        deviations.see((lucas_sequence(p + 1, tau, delta) + modulus) / modulus);
+        deviations.see(lucas_partial_sum(p, tau, delta) * (delta - tau + 1.0) - 1.0 - modulus);
+    }
+    // S_(p+1) and T_p depend on the rounding of τ at most p² times as strongly.
+    Ok(deviations.outcome(1e-12, "determinants, p = 2 to 24"))
+}
+
+/// le:SpTp(c) by search.
+pub(crate) fn sign_of_t() -> CheckResult {
+    let over = "searches over g_(p/2) ≤ τ ≤ δ + 1, p = 2 to 15: the smallest T_p";
+    Ok(search(2, over, |p, [x, y]| {
+        let delta = determinant(x);
+        let lowest = resonance_boundary(0.5 * f64::from(p), delta);
+        lucas_partial_sum(p, along(y, lowest, delta + 1.0), delta)
+    }))
+}
+
+/// le:SpTp: all three parts where their hypotheses hold, and each seen to fail where its hypothesis does not.
+pub(crate) fn signs_and_values() -> CheckResult {
+    let mut sampler = Sampler::new(9);
+    let mut votes = Votes::default();
+    for index in 0..2000 {
+        let p = 2 + index % 14;
+        let loops = f64::from(p);
+        let delta = sampler.between(0.001, 0.999);
+        let (g, h) = (resonance_boundary(loops, delta), admissibility_boundary(p, delta)?);
+        let half = resonance_boundary(0.5 * loops, delta);
+        let tau = sampler.between(h, delta + 1.0);
+        votes.see(lucas_sequence(p, tau, delta) * (tau - g) > 0.0);
+        let tau = sampler.between(half, delta + 1.0);
+        votes.see(lucas_partial_sum(p, tau, delta) > 0.0);
+        let modulus = modulus_power(p, delta);
+        votes.see((lucas_sequence(p + 1, g, delta) / modulus + 1.0).abs() < 1e-12);
+        // Off the resonance the value is another one.
+        let off = g + 0.01 * delta.sqrt();
+        votes.see((lucas_sequence(p + 1, off, delta) / modulus + 1.0).abs() > 1e-6);
+        if p >= 3 {
+            // Just below g_(p/2) < h_p the other sign.
+            let below = half - 1e-3 * delta.sqrt() / (loops * loops);
+            votes.see(below < h && lucas_sequence(p, below, delta) * (below - g) < 0.0);
+        }
+    }
+    for p in 3..=15_u32 {
+        // Near δ = 1 T_p is negative at the θ between 2π/p and 4π/p at which Ξ is least, or for p = 3 below τ = −1.
+        let delta = 0.9999;
+        let share = (1..100).map(|k| 0.5 * f64::from(p) / (1.0 + f64::from(k) / 100.0));
+        let lowest = share
+            .map(|q| lucas_partial_sum(p, resonance_boundary(q, delta), delta))
+            .fold(f64::INFINITY, f64::min);
+        votes.see(lowest < 0.0);
+    }
+    Ok(votes.outcome("points where the hypotheses hold and points where they do not, p = 2 to 15"))
+}

@@ -1,0 +1,259 @@
+//! Section 4.1: the points of an impact on Σ and Π, and the discontinuity map.
+
+use grazing_model::maps::{discontinuity_map, virtual_map};
+use grazing_model::{ImpactOscillator, State};
+use nalgebra::{Vector2, Vector3};
+
+use super::specimens::{Grazing, Specimen, delayed, directions, specimens, uniform_order};
+use crate::convergence::order;
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::{Deviations, Smallest, Votes};
+
+/// How far below the stated order the observed one may lie: where remainders are resolved last, sizes are below 10⁻³, and the
+/// next term is of that relative size, times a coefficient of order ten at most.
+pub(super) const SLACK: f64 = 0.1;
+
+/// Rounding of positions of order one and of phases up to 2π.
+pub(super) const ROUNDING: f64 = 2e-15;
+
+/// The oscillator, impact velocity and impact phase at a distance from grazing in a direction of (y, z − z_graz, μ).
+pub(super) fn near_grazing(grazing: &Grazing, [dy, dz, dmu]: [f64; 3], h: f64) -> (Specimen, f64, f64) {
+    let [primary, secondary] = grazing.oscillator().parameters();
+    let oscillator = grazing.oscillator().with_parameters([primary + h * dmu, secondary]);
+    (oscillator, h * dy, grazing.phase() + h * dz)
+}
+
+/// The label `eq:`: the recoil is on the outgoing set.
+pub(crate) fn recoil() -> CheckResult {
+    let mut sampler = Sampler::new(1);
+    let mut margins = Smallest::default();
+    for grazing in specimens()? {
+        for _ in 0..200 {
+            // From the velocities of a graze to those of the largest orbits of the figures.
+            let y = libm::pow(10.0, sampler.between(-8.0, 0.5));
+            let z = sampler.between(0.0, core::f64::consts::TAU);
+            margins.see(-grazing.oscillator().reset::<1>(y, z).value[0] / y);
+        }
+    }
+    Ok(margins
+        .margin("impacts with velocities from 10⁻⁸ to 3 on nine oscillators: the smallest −y_rec / y_imp"))
+}
+
+/// The classical Runge–Kutta method on eq:f, from a state over a time of either sign: (x, y, z) at its end.
+pub(super) fn integrated(oscillator: &Specimen, from: State, duration: f64, steps: u32) -> Vector3<f64> {
+    let h = duration / f64::from(steps);
+    let omega = oscillator.forcing_frequency().value;
+    let field = |s: &Vector3<f64>| {
+        let state = State { position: s[0], velocity: s[1], phase: s[2] };
+        Vector3::new(s[1], oscillator.acceleration(state), omega)
+    };
+    let mut state = Vector3::new(from.position, from.velocity, from.phase);
+    for _ in 0..steps {
+        let k1 = field(&state);
+        let k2 = field(&(state + k1 * (0.5 * h)));
+        let k3 = field(&(state + k2 * (0.5 * h)));
+        let k4 = field(&(state + k3 * h));
+        state += (k1 + (k2 + k3) * 2.0 + k4) * (h / 6.0);
+    }
+    state
+}
+
+/// eq:Pvirt2: both virtual points against numerical integration, forwards for y > 0 and backwards for y < 0.
+pub(crate) fn virtual_points() -> CheckResult {
+    let mut sampler = Sampler::new(2);
+    let mut deviations = Deviations::default();
+    for grazing in specimens()? {
+        let oscillator = grazing.oscillator();
+        for index in 0..60 {
+            // Every twentieth point lies on the tangency set; impacts of negative velocity belong to the extension.
+            let y = if index % 20 == 0 { 0.0 } else { sampler.between(-0.05, 0.2) };
+            let z = grazing.phase() + sampler.between(-0.1, 0.1);
+            let recoil = oscillator.reset::<1>(y, z).value;
+            for (y, z) in [(y, z), (recoil[0], recoil[1])] {
+                let landing = virtual_map::<_, 1>(oscillator, y, z, None)?;
+                // For y = 0 the time is zero to the rounding of the velocity.
+                if y * landing.time < 0.0 || (y == 0.0 && landing.time.abs() > 1e-15) {
+                    return Err(format!("y = {y} takes the time {}", landing.time).into());
+                }
+                let image = landing.jet.value;
+                let expected = integrated(oscillator, State::on_wall(y, z), landing.time, 64);
+                deviations.see((expected - Vector3::new(image[0], 0.0, image[1])).amax());
+            }
+        }
+    }
+    // Sixty-four steps over a time below 0.5: some (10⁻²)⁴ times derivatives over 5!.
+    Ok(deviations.outcome(1e-10, "impacts near grazing on nine oscillators, and their recoils"))
+}
+
+/// Orbits hit Π transversally near grazing, where P_virt ends: the acceleration there is negative.
+pub(crate) fn transversality() -> CheckResult {
+    let mut sampler = Sampler::new(21);
+    let mut margins = Smallest::default();
+    for grazing in specimens()? {
+        let oscillator = grazing.oscillator();
+        for _ in 0..100 {
+            let y = sampler.between(-0.05, 0.05);
+            let z = grazing.phase() + sampler.between(-0.05, 0.05);
+            let image = virtual_map::<_, 1>(oscillator, y, z, None)?.jet.value;
+            margins.see(-oscillator.acceleration(State::at_rest(image[0], image[1])));
+        }
+    }
+    Ok(margins.margin("images under P_virt of points near grazing on nine oscillators: the smallest −ẍ"))
+}
+
+/// Both points are virtual: x̂ and x⁽⁰⁾ are positive for y ≠ 0.
+pub(crate) fn points_are_virtual() -> CheckResult {
+    let mut sampler = Sampler::new(3);
+    let mut margins = Smallest::default();
+    for grazing in specimens()? {
+        let oscillator = grazing.oscillator();
+        for _ in 0..100 {
+            let y = libm::pow(10.0, sampler.between(-5.0, -0.7));
+            let z = grazing.phase() + sampler.between(-0.1, 0.1);
+            let recoil = oscillator.reset::<1>(y, z).value;
+            for (y, z) in [(y, z), (recoil[0], recoil[1])] {
+                let x = virtual_map::<_, 1>(oscillator, y, z, None)?.jet.value[0];
+                margins.see(x / (y * y));
+            }
+        }
+    }
+    Ok(margins
+        .margin("impacts with velocities from 10⁻⁵ to 0.2 near grazing: the smallest x̂ / y² and x⁽⁰⁾ / y²"))
+}
+
+/// P_virt and P_virt ∘ R are well defined for small y < 0 and twice differentiable across y = 0: the difference of the second
+/// derivatives at ±y vanishes with y.
+pub(crate) fn smooth_across_tangency() -> CheckResult {
+    let mut orders = Smallest::default();
+    for grazing in specimens()? {
+        let oscillator = grazing.oscillator();
+        let phase = grazing.phase();
+        let second = |y: f64, reset: bool| {
+            if !reset {
+                return Some(virtual_map::<_, 2>(oscillator, y, phase, None).ok()?.jet);
+            }
+            let jet = oscillator.reset::<2>(y, phase);
+            let after = virtual_map::<_, 2>(oscillator, jet.value[0], jet.value[1], None).ok()?.jet;
+            Some(after.after::<2>(&jet))
+        };
+        for (reset, component) in [(false, 0), (false, 1), (true, 0), (true, 1)] {
+            orders.see(order(|h| {
+                let jump = second(h, reset)?.hessians[component] - second(-h, reset)?.hessians[component];
+                // Second derivatives of order ten.
+                Some((jump.norm(), 1e-13))
+            }));
+        }
+    }
+    Ok(orders.order(1.0, SLACK, "nine oscillators, both maps, both components"))
+}
+
+/// The preimage of a point of Π under P_virt on the outgoing set, by Newton's method.
+fn outgoing_preimage(oscillator: &Specimen, target: Vector2<f64>, gamma: f64) -> Option<Vector2<f64>> {
+    let omega = oscillator.forcing_frequency().value;
+    let velocity = -(2.0 * gamma * target[0]).sqrt();
+    let mut preimage = Vector2::new(velocity, target[1] - omega * velocity / gamma);
+    for _ in 0..20 {
+        let jet = virtual_map::<_, 1>(oscillator, preimage[0], preimage[1], None).ok()?.jet;
+        preimage -= jet.derivative().lu().solve(&(jet.value - target))?;
+    }
+    Some(preimage)
+}
+
+/// P_virt has two inverses for x > 0, one on either side of y = 0.
+pub(crate) fn two_inverses() -> CheckResult {
+    let mut sampler = Sampler::new(17);
+    let mut deviations = Deviations::default();
+    for grazing in specimens()? {
+        let oscillator = grazing.oscillator();
+        for _ in 0..50 {
+            let x = libm::pow(10.0, sampler.between(-6.0, -2.5));
+            let target = Vector2::new(x, grazing.phase() + sampler.between(-0.05, 0.05));
+            let incoming = grazing_model::maps::virtual_preimage(oscillator, target[0], target[1])?;
+            let outgoing = outgoing_preimage(oscillator, target, grazing.grazing_point().gamma)
+                .ok_or("no preimage on the outgoing set")?;
+            if incoming[0] <= 0.0 || outgoing[0] >= 0.0 {
+                return Err(format!("not on either side: {incoming} and {outgoing}").into());
+            }
+            for preimage in [incoming, outgoing] {
+                let image = virtual_map::<_, 1>(oscillator, preimage[0], preimage[1], None)?.jet.value;
+                deviations.see((image - target).amax());
+            }
+        }
+    }
+    // Newton's method ends where the phase is known to its rounding.
+    Ok(deviations
+        .outcome(1e-13, "positions from 10⁻⁶ to 0.003 beyond the wall, both preimages, nine oscillators"))
+}
+
+/// eq:Pdisc: P_disc maps (x̂, ẑ) to (x⁽⁰⁾, z⁽⁰⁾).
+pub(crate) fn discontinuity() -> CheckResult {
+    let mut sampler = Sampler::new(18);
+    let mut deviations = Deviations::default();
+    for grazing in specimens()? {
+        let oscillator = grazing.oscillator();
+        for _ in 0..100 {
+            let y = libm::pow(10.0, sampler.between(-4.0, -1.0));
+            let z = grazing.phase() + sampler.between(-0.1, 0.1);
+            let recoil = oscillator.reset::<1>(y, z).value;
+            let hat = virtual_map::<_, 1>(oscillator, y, z, None)?.jet.value;
+            let start = virtual_map::<_, 1>(oscillator, recoil[0], recoil[1], None)?.jet.value;
+            // A rounding of x̂, 10⁻¹⁶, changes the phase by that over y.
+            deviations.see((discontinuity_map::<_, 1>(oscillator, hat[0], hat[1])?.value - start).amax() * y);
+        }
+    }
+    Ok(deviations
+        .outcome(1e-14, "impacts with velocities from 10⁻⁴ to 0.1, nine oscillators: the deviation times y"))
+}
+
+/// P_disc minus its leading terms, at x̂ = s² with (z, μ) as near to grazing as s.
+fn discontinuity_remainder(
+    grazing: &Grazing,
+    [ds, dz, dmu]: [f64; 3],
+    h: f64,
+) -> Option<(Vector2<f64>, f64)> {
+    let point = grazing.grazing_point();
+    let (oscillator, s, z) = near_grazing(grazing, [ds.abs() + 0.1, dz, dmu], h);
+    let image = discontinuity_map::<_, 1>(&oscillator, s * s, z).ok()?.value;
+    let root = core::f64::consts::SQRT_2 / point.gamma.sqrt() * s;
+    let leading =
+        Vector2::new(point.phi * point.phi * s * s, z - point.alpha() * point.forcing_frequency * root);
+    // The preimage's velocity is known to a rounding of x̂ over itself.
+    Some((image - leading, ROUNDING / s))
+}
+
+fn leading_order(seed: u64, component: usize, stated: f64) -> CheckResult {
+    let mut sampler = Sampler::new(seed);
+    let mut orders = Smallest::default();
+    for grazing in specimens()?.into_iter().chain(delayed()?) {
+        orders.see(uniform_order(&directions::<3>(&mut sampler, 6), |direction, h| {
+            let (remainder, rounding) = discontinuity_remainder(&grazing, direction, h)?;
+            // Positions are of the size of x̂, phases of order one.
+            Some((remainder[component], if component == 0 { rounding * h } else { rounding }))
+        }));
+    }
+    Ok(orders.order(stated, SLACK, "eleven oscillators, α of either sign; nine directions in (√x̂, ẑ, μ)"))
+}
+
+/// The display after eq:Pdisc, first line: the coefficient of x̂ is φ².
+pub(crate) fn leading_position() -> CheckResult {
+    leading_order(19, 0, 3.0)
+}
+
+/// The display after eq:Pdisc, second line: the square root.
+pub(crate) fn leading_phase() -> CheckResult {
+    leading_order(20, 1, 2.0)
+}
+
+/// The sign of the square-root term is opposite to that of α.
+pub(crate) fn sign_of_square_root() -> CheckResult {
+    let mut votes = Votes::default();
+    for grazing in specimens()?.into_iter().chain(delayed()?) {
+        for exponent in [-6.0, -5.0, -4.0] {
+            let x = libm::pow(10.0, exponent);
+            let image = discontinuity_map::<_, 1>(grazing.oscillator(), x, grazing.phase())?.value;
+            votes.see((image[1] - grazing.phase()) * grazing.grazing_point().alpha() < 0.0);
+        }
+    }
+    Ok(votes.outcome("eleven oscillators, nine with α > 0 and two with α < 0, x̂ = 10⁻⁶ to 10⁻⁴"))
+}

@@ -1,0 +1,210 @@
+//! Section 4.4, step 2 of the proof of theorem 2.3: the affine map Q and the numbers u⁽ʲ⁾.
+
+use grazing_continuation::mps::Memory;
+use grazing_model::ImpactOscillator;
+use grazing_model::maps::{global_map, virtual_map};
+use grazing_theorems::auxiliary::{lucas_sequence, scaled_visit_position};
+use grazing_theorems::{GrazingPoint, LinearisedMap};
+use nalgebra::{Matrix2, Vector2};
+
+use super::iterates::printed_iterate;
+use super::specimens::{Failure, Grazing, sampled_map, specimens};
+use super::vivid::{derivatives, equations, scale, zero};
+use crate::eigenvalues::Pair;
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::Deviations;
+
+/// Tens of roundings of numbers of the size by which deviations are divided.
+const ROUNDING: f64 = 1e-12;
+
+/// d(x⁽ʲ⁾, z⁽ʲ⁾)/dμ at grazing, j = 0, …, p, by implicit differentiation of the zero of V and the chain rule through the maps
+/// of the oscillator.
+fn slopes_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, Failure> {
+    let [by_velocity, by_phase, by_parameter] = derivatives(grazing, p)?;
+    let jacobian = Matrix2::from_columns(&[by_velocity, by_phase]);
+    let impact = -jacobian.lu().solve(&by_parameter).ok_or("det J = 0")?;
+    let oscillator = grazing.oscillator();
+    let reset = oscillator.reset::<1>(0.0, grazing.phase());
+    let recoil = virtual_map::<_, 1>(oscillator, reset.value[0], reset.value[1], None)?.jet;
+    let start = recoil.after::<1>(&reset);
+    let mut slope = start.derivative() * impact + start.jacobian.column(2);
+    let mut slopes = vec![slope];
+    let step = global_map::<_, 1>(oscillator, 0.0, grazing.phase(), None)?.jet;
+    for _ in 0..p {
+        slope = step.derivative() * slope + step.jacobian.column(2);
+        slopes.push(slope);
+    }
+    Ok(slopes)
+}
+
+/// S_p, β, and the sum of the moduli of what a slope is made of.
+fn scaling(point: &GrazingPoint, p: u32) -> (f64, f64) {
+    let s = lucas_sequence(p, point.map.trace(), point.map.determinant());
+    (s, point.map.transversality())
+}
+
+/// The largest deviation over the specimens and p = 1 to 6 of something made of the numbers (u⁽ʲ⁾, w⁽ʲ⁾) of an oscillator.
+fn over_oscillators(
+    deviation: impl Fn(&GrazingPoint, u32, &[Vector2<f64>]) -> f64,
+    over: &str,
+) -> CheckResult {
+    let mut deviations = Deviations::default();
+    for grazing in specimens()? {
+        let point = grazing.grazing_point();
+        for p in 1..=6 {
+            let (s, beta) = scaling(&point, p);
+            let path: Vec<_> =
+                slopes_of_visits(&grazing, p)?.into_iter().map(|slope| slope * (s / beta)).collect();
+            let size = path.iter().map(Vector2::amax).fold(1.0, f64::max);
+            deviations.see(deviation(&point, p, &path) / size);
+        }
+    }
+    // Derivatives of the maps with thirteen digits, and J⁻¹, which S_p cancels.
+    Ok(deviations.outcome(1e-11, over))
+}
+
+const OSCILLATORS: &str = "nine oscillators, p = 1 to 6, derivatives by the chain rule";
+
+/// eq:ujwj: the scaled derivatives of the visits of oscillators against central differences of their positions.
+pub(crate) fn scaled_slopes() -> CheckResult {
+    let mut deviations = Deviations::default();
+    for grazing in specimens()? {
+        for p in 1..=3 {
+            let slopes = slopes_of_visits(&grazing, p)?;
+            let h = 1e-4 * scale(&grazing, p).ok_or("no emerging orbit")?;
+            let visits = |mu: f64| {
+                let point = zero(&grazing, p, mu)?;
+                equations(&grazing, p).visits(&point, &Memory::default()).ok()
+            };
+            let (ahead, behind) = (visits(h).ok_or("no zero of V")?, visits(-h).ok_or("no zero of V")?);
+            for (j, slope) in slopes.iter().enumerate().skip(1) {
+                let difference = (ahead[j - 1] - behind[j - 1]) / (2.0 * h);
+                deviations.see((difference - slope).amax() / (1.0 + slope.amax()));
+            }
+        }
+    }
+    // Rounding of 10⁻¹⁵ over a step of some 10⁻⁶, magnified by J⁻¹.
+    Ok(deviations.outcome(1e-7, "the visits j = 1 to p of nine oscillators, p = 1 to 3"))
+}
+
+/// eq:affineMap.
+pub(crate) fn affine_map() -> CheckResult {
+    over_oscillators(
+        |point, p, path| {
+            let (s, beta) = scaling(point, p);
+            path.windows(2)
+                .map(|pair| (point.map.a * pair[0] + point.map.b * (s / beta) - pair[1]).amax())
+                .fold(0.0, f64::max)
+        },
+        OSCILLATORS,
+    )
+}
+
+/// eq:affineMapj: the printed iterate against p steps.
+pub(crate) fn affine_map_iterated() -> CheckResult {
+    let mut sampler = Sampler::new(2);
+    let mut deviations = Deviations::default();
+    for index in 0..2000 {
+        let j = 1 + index % 12;
+        let map = sampled_map(&mut sampler);
+        // S_p/β, and the start, are arbitrary here.
+        let factor = sampler.between(-2.0, 2.0);
+        let start = Vector2::new(sampler.between(-1.0, 1.0), sampler.between(-1.0, 1.0));
+        let (mut here, mut size) = (start, 1.0_f64);
+        for _ in 0..j {
+            here = map.a * here + map.b * factor;
+            size = size.max(here.amax());
+        }
+        let LinearisedMap { a, b } = printed_iterate(&map, j);
+        let entries = (1.0 + map.a.amax()) * (1.0 + map.a.amax());
+        deviations.see((a * start + b * factor - here).amax() / (entries * (size + a.amax() + b.amax())));
+    }
+    Ok(deviations.outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, j = 1 to 12"))
+}
+
+/// u⁽⁰⁾ = 0 and w⁽⁰⁾ = −b_1p / (a₁₂ β).
+pub(crate) fn start() -> CheckResult {
+    over_oscillators(
+        |point, p, path| {
+            let b = printed_iterate(&point.map, p).b;
+            let w = -b.x / (point.map.a.m12 * point.map.transversality());
+            (path[0] - Vector2::new(0.0, w)).amax()
+        },
+        OSCILLATORS,
+    )
+}
+
+/// eq:ujcodim1proof on oscillators: u⁽ʲ⁾ is made of τ and δ alone.
+pub(crate) fn positions_of_oscillators() -> CheckResult {
+    over_oscillators(
+        |point, p, path| {
+            let (tau, delta) = (point.map.trace(), point.map.determinant());
+            let deviation = |(j, point): (usize, &Vector2<f64>)| {
+                (point.x - scaled_visit_position(j as u32, p, tau, delta)).abs()
+            };
+            path.iter().enumerate().map(deviation).fold(0.0, f64::max)
+        },
+        OSCILLATORS,
+    )
+}
+
+/// eq:ujcodim1proof from eq:affineMapj.
+pub(crate) fn positions() -> CheckResult {
+    let mut sampler = Sampler::new(3);
+    let mut deviations = Deviations::default();
+    for index in 0..3000 {
+        let p = 1 + index % 12;
+        let map = sampled_map(&mut sampler);
+        let (tau, delta, beta) = (map.trace(), map.determinant(), map.transversality());
+        let (s, last) = (lucas_sequence(p, tau, delta), printed_iterate(&map, p).b);
+        let entries = (1.0 + map.a.amax()) * (1.0 + map.a.amax());
+        for j in 0..=p {
+            // Multiplied by β: u⁽ʲ⁾ β = −A^j₁₂ b_1p / a₁₂ + S_p b_1j.
+            let LinearisedMap { a, b } = printed_iterate(&map, j);
+            let terms = [-a.m12 * last.x / map.a.m12, s * b.x];
+            let size = entries * (1.0 + terms[0].abs() + terms[1].abs() + last.amax() + b.amax());
+            let expected = beta * scaled_visit_position(j, p, tau, delta);
+            deviations.see((terms[0] + terms[1] - expected) / size);
+        }
+    }
+    Ok(deviations.outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 12, j = 0 to p"))
+}
+
+/// eq:u1codim1proof.
+pub(crate) fn first_position() -> CheckResult {
+    let mut sampler = Sampler::new(4);
+    let mut deviations = Deviations::default();
+    for index in 0..2000 {
+        let p = 2 + index % 14;
+        let (tau, delta) = sampler.trapesium();
+        let pair = Pair::new(tau, delta);
+        let size = pair.moduli().t(p).re;
+        deviations.see((pair.t(p) + scaled_visit_position(1, p as u32, tau, delta)).norm() / size);
+    }
+    // As for eq:SpTp.
+    Ok(deviations.outcome(1e-13, "points of the trapesium, p = 2 to 15"))
+}
+
+/// eq:upm1codim1proof.
+pub(crate) fn last_position() -> CheckResult {
+    let mut sampler = Sampler::new(5);
+    let mut deviations = Deviations::default();
+    for index in 0..2000 {
+        let p = 2 + index % 14;
+        let (tau, delta) = sampler.trapesium();
+        let pair = Pair::new(tau, delta);
+        let raised = libm::pow(delta, f64::from(p - 2));
+        let size = pair.moduli();
+        let terms = (size.s(p - 1) * size.t(p) + size.s(p) * size.t(p - 1) + size.h(p) * raised).re;
+        let last = scaled_visit_position(p as u32 - 1, p as u32, tau, delta);
+        deviations.see((pair.h(p) * raised + last).norm() / terms);
+    }
+    // As for eq:Hp9.
+    Ok(deviations.outcome(1e-13, "points of the trapesium, p = 2 to 15"))
+}
+
+/// fig:I: the path starts and ends on the w-axis.
+pub(crate) fn ends_on_axis() -> CheckResult {
+    over_oscillators(|_, p, path| path[0].x.abs().max(path[p as usize].x.abs()), OSCILLATORS)
+}

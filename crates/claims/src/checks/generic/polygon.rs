@@ -1,0 +1,274 @@
+//! Section 4.4, step 3 of the proof of theorem 2.3: the signs of the u⁽ʲ⁾ and the polygon 𝒫.
+
+use grazing_theorems::LinearisedMap;
+use grazing_theorems::admissibility_boundary::admissibility_boundary;
+use grazing_theorems::auxiliary::{
+    admissibility_sum, lucas_partial_sum, lucas_sequence, scaled_visit_position,
+};
+use nalgebra::{Matrix2, Vector2};
+
+use super::iterates::printed_iterate;
+use super::specimens::map_with;
+use crate::checks::appendices::signs::{along, determinant, search};
+use crate::eigenvalues::Pair;
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::{Deviations, Votes};
+
+/// τ above h_p by a share of the way to δ + 1, both in (0, 1).
+fn above(p: u32, [x, y]: [f64; 2]) -> Option<(f64, f64)> {
+    let delta = determinant(x);
+    let lowest = admissibility_boundary(p, delta).ok()?;
+    Some((along(along(y, 1e-6, 1.0), lowest, delta + 1.0), delta))
+}
+
+/// r to the power of an integer, r = √δ.
+fn r_to(delta: f64, k: u32) -> f64 {
+    libm::pow(delta, 0.5 * f64::from(k))
+}
+
+/// T_p > 0 and H_p > 0, and so u⁽¹⁾ < 0 and u⁽ᵖ⁻¹⁾ < 0, for τ > h_p.
+pub(crate) fn ends_are_negative() -> CheckResult {
+    let over = "searches over h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p, p = 2 to 15: the smallest T_p and r^(p−2) H_p";
+    Ok(search(2, over, |p, point| {
+        let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
+        lucas_partial_sum(p, tau, delta).min(admissibility_sum(p, tau, delta) * r_to(delta, p - 2))
+    }))
+}
+
+/// u⁽ʲ⁾ < 0 for all 0 < j < p and τ > h_p: the conclusion of the proof.
+pub(crate) fn all_are_negative() -> CheckResult {
+    let over = "searches over h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p, p = 2 to 15: the smallest −r^(1−j) u⁽ʲ⁾";
+    Ok(search(2, over, |p, point| {
+        let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
+        let scaled = |j: u32| -scaled_visit_position(j, p, tau, delta) / r_to(delta, j - 1);
+        (1..p).map(scaled).fold(f64::INFINITY, f64::min)
+    }))
+}
+
+/// The sum of a truncated geometric series.
+pub(crate) fn geometric_series() -> CheckResult {
+    let mut sampler = Sampler::new(6);
+    let mut deviations = Deviations::default();
+    for index in 0..1000 {
+        let n = 1 + index % 20;
+        let r = sampler.between(-1.5, 1.5);
+        let (sum, power) = (0..n).fold((0.0, 1.0), |(sum, power), _| (sum + power, power * r));
+        // The numerator cancels near r = 1.
+        deviations.see((sum * (1.0 - r) - (1.0 - power)) / (1.0 + power.abs()));
+    }
+    // Twenty roundings.
+    Ok(deviations.outcome(1e-13, "ratios between −1.5 and 1.5, one to twenty terms"))
+}
+
+/// S_j at τ = δ + 1.
+pub(crate) fn sums_at_unit_eigenvalue() -> CheckResult {
+    let mut sampler = Sampler::new(7);
+    let mut deviations = Deviations::default();
+    for index in 0..1000 {
+        let p = 2 + index % 14;
+        let delta = sampler.between(0.001, 0.999);
+        let pair = Pair::new(delta + 1.0, delta);
+        deviations.see((pair.first - 1.0).norm() * (1.0 - delta));
+        deviations.see((pair.second - delta).norm() * (1.0 - delta));
+        let top = libm::pow(delta, f64::from(p));
+        // The quotients, multiplied by their denominators.
+        let s = lucas_sequence(p, delta + 1.0, delta) * (1.0 - delta);
+        deviations.see((s - (1.0 - top)) / f64::from(p));
+        let t = lucas_partial_sum(p, delta + 1.0, delta) * (1.0 - delta) * (1.0 - delta);
+        deviations.see((t - (f64::from(p) * (1.0 - delta) - (1.0 - top))) / f64::from(p * p));
+    }
+    // δ + 1 is rounded, which changes an eigenvalue by that over 1 − δ.
+    Ok(deviations.outcome(1e-14, "λ₁, λ₂, S_p and T_p for determinants from 0.001 to 0.999, p = 2 to 15"))
+}
+
+/// eq:ujeig1.
+pub(crate) fn positions_at_unit_eigenvalue() -> CheckResult {
+    let mut sampler = Sampler::new(8);
+    let mut deviations = Deviations::default();
+    for index in 0..1000 {
+        let p = 2 + index % 14;
+        let delta = sampler.between(0.001, 0.999);
+        let raised = |k: u32| libm::pow(delta, f64::from(k));
+        for j in 1..p {
+            let expected = f64::from(j) * (1.0 - raised(p)) - f64::from(p) * (1.0 - raised(j));
+            let u = scaled_visit_position(j, p, delta + 1.0, delta);
+            // S and T reach p and p², and cancel.
+            let size = 1.0 + f64::from(p * p * p) * (1.0 - delta) * (1.0 - delta);
+            deviations.see((u * (1.0 - delta) * (1.0 - delta) - expected) / size);
+        }
+    }
+    Ok(deviations.outcome(1e-14, "determinants from 0.001 to 0.999, p = 2 to 15, all j"))
+}
+
+/// The path of a map with this trace and determinant. Others differ by an affine change of the w-coordinate, which does not
+/// matter to convexity; this one turns by equal angles where the eigenvalues are complex.
+fn path(p: u32, tau: f64, delta: f64) -> Vec<Vector2<f64>> {
+    let discriminant = 0.25 * tau * tau - delta;
+    let a12 = discriminant.abs().sqrt().max(0.1 * delta.sqrt());
+    // β = a₁₂ b₂ = 1.
+    let map = LinearisedMap {
+        a: Matrix2::new(0.5 * tau, a12, discriminant / a12, 0.5 * tau),
+        b: Vector2::new(0.0, 1.0 / a12),
+    };
+    let s = lucas_sequence(p, tau, delta);
+    let mut here = Vector2::new(0.0, -printed_iterate(&map, p).b.x / a12);
+    let mut path = vec![here];
+    for _ in 0..p {
+        here = map.a * here + map.b * s;
+        path.push(here);
+    }
+    path
+}
+
+fn cross(a: Vector2<f64>, b: Vector2<f64>) -> f64 {
+    a.x * b.y - a.y * b.x
+}
+
+/// The smallest sine of the angles under which the other vertices are seen from the edges of the closed polygon: positive if
+/// and only if it is strictly convex with its vertices in this order.
+fn convexity(path: &[Vector2<f64>]) -> f64 {
+    let mut range = (f64::INFINITY, f64::NEG_INFINITY);
+    for (i, from) in path.iter().enumerate() {
+        let next = (i + 1) % path.len();
+        let edge = path[next] - from;
+        for (k, vertex) in path.iter().enumerate() {
+            if k != i && k != next {
+                let sine = cross(edge, vertex - from) / (edge.norm() * (vertex - from).norm());
+                range = (range.0.min(sine), range.1.max(sine));
+            }
+        }
+    }
+    range.0.max(-range.1)
+}
+
+/// Whether two segments that share no vertex have a point in common.
+fn cross_each_other([a, b]: [Vector2<f64>; 2], [c, d]: [Vector2<f64>; 2]) -> bool {
+    let side = |from: Vector2<f64>, to: Vector2<f64>, point: Vector2<f64>| cross(to - from, point - from);
+    side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
+}
+
+/// The path is convex for h_p < τ < δ + 1, by search for the smallest of the numbers that decide it.
+///
+/// With e = p₁ − p₀ and c = e × Ae, a vertex n − 1 after the end of the edge at i lies on the side of δⁱ T_n c of it, one n before
+/// its start on that of δ^(i−1) H_(n+1) c, and u⁽ʲ⁾ tells the side of the edge that closes the polygon. So the polygon is convex, and its
+/// vertices in order, exactly if T_n > 0 and H_n > 0 for n = 2, …, p and u⁽ʲ⁾ < 0 for 0 < j < p.
+pub(crate) fn convex() -> CheckResult {
+    let over = "searches over h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p, p = 2 to 15: the smallest T_n, r^(n−2) H_n and \
+                −r^(1−j) u⁽ʲ⁾, n ≤ p, j < p";
+    Ok(search(2, over, |p, point| {
+        let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
+        (2..=p)
+            .map(|n| {
+                let h = admissibility_sum(n, tau, delta) * r_to(delta, n - 2);
+                let u = -scaled_visit_position(n - 1, p, tau, delta) / r_to(delta, n - 2);
+                lucas_partial_sum(n, tau, delta).min(h).min(u)
+            })
+            .fold(f64::INFINITY, f64::min)
+    }))
+}
+
+/// The path seen as a polygon: convex, in order and without intersections for τ > h_p, and not convex for smaller τ (p ≥ 3),
+/// although Q is affine there too.
+pub(crate) fn polygon() -> CheckResult {
+    let mut sampler = Sampler::new(9);
+    let mut votes = Votes::default();
+    for index in 0..3000 {
+        let p = 2 + index % 7;
+        // For smaller determinants the path shrinks below its rounding.
+        let delta = sampler.between(0.2, 0.98);
+        let boundary = admissibility_boundary(p, delta)?;
+        let tau = sampler.between(-0.999 * (delta + 1.0), 0.999 * (delta + 1.0));
+        if (tau - boundary).abs() < 1e-3 || p == 2 && tau < boundary {
+            continue;
+        }
+        let vertices = path(p, tau, delta);
+        let convex = convexity(&vertices) > 1e-12;
+        votes.see(convex == (tau > boundary));
+        if tau > boundary {
+            let edge = |i: usize| [vertices[i], vertices[i + 1]];
+            let apart = |i: usize, k: usize| !cross_each_other(edge(i), edge(k));
+            votes.see((0..p as usize).all(|i| (i + 2..p as usize).all(|k| apart(i, k))));
+        }
+    }
+    Ok(votes.outcome("paths for τ on either side of h_p, p = 2 to 8, as polygons of computed vertices"))
+}
+
+/// As τ decreases from δ + 1, no u⁽ˡ⁾ vanishes before τ = h_p, and there it is u⁽ᵖ⁻¹⁾ (p ≥ 3).
+pub(crate) fn first_zero() -> CheckResult {
+    let mut sampler = Sampler::new(10);
+    let mut votes = Votes::default();
+    for index in 0..600 {
+        let p = 3 + index % 13;
+        let delta = sampler.between(0.001, 0.999);
+        let boundary = admissibility_boundary(p, delta)?;
+        let scaled = |j: u32, tau: f64| scaled_visit_position(j, p, tau, delta) / r_to(delta, j - 1);
+        for k in 1..50 {
+            let tau = along(f64::from(k) / 50.0, boundary, delta + 1.0);
+            votes.see((1..p).all(|j| scaled(j, tau) < 0.0));
+        }
+        // At h_p itself, to the p² roundings of terms of order p.
+        votes.see(scaled(p - 1, boundary).abs() < 1e-11);
+        votes.see((1..p - 1).all(|j| scaled(j, boundary) < -1e-6));
+        votes.see(scaled(p - 1, boundary - 1e-4 * delta.sqrt()) > 0.0);
+    }
+    Ok(votes
+        .outcome("600 determinants, p = 3 to 15, fifty values of τ each from δ + 1 down to h_p and beyond"))
+}
+
+/// u⁽ʲ⁾ depends on the map through τ and δ alone, so that it may be followed in τ at fixed δ.
+pub(crate) fn invariance() -> CheckResult {
+    let mut sampler = Sampler::new(11);
+    let mut deviations = Deviations::default();
+    for index in 0..1000 {
+        let p = 2 + index % 7;
+        let (tau, delta) = sampler.trapesium();
+        let expected: Vec<f64> = path(p, tau, delta).iter().map(|point| point.x).collect();
+        let map = map_with(&mut sampler, tau, delta);
+        let (s, beta) = (lucas_sequence(p, tau, delta), map.transversality());
+        let mut here = Vector2::new(0.0, -printed_iterate(&map, p).b.x / map.a.m12);
+        // Multiplied by β, which may be small.
+        let size = (1.0 + here.amax()) * (1.0 + map.a.amax()) * (1.0 + map.a.amax());
+        for position in expected {
+            deviations.see((here.x - beta * position) / (size * (1.0 + position.abs())));
+            here = map.a * here + map.b * s;
+        }
+    }
+    // The balanced map divides by a₁₂, at least a tenth of r ≥ 0.03.
+    Ok(deviations.outcome(1e-11, "pairs of maps with the same τ and δ, p = 2 to 8"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sides_of_the_edges_are_told_by_t_and_h() {
+        let (p, tau, delta) = (7, 0.9, 0.6);
+        let vertices = path(p, tau, delta);
+        let edge = |i: usize| vertices[i + 1] - vertices[i];
+        let unit = cross(edge(0), edge(1));
+        for i in 0..p as usize {
+            for (k, vertex) in vertices.iter().enumerate().filter(|(k, _)| *k != i && *k != i + 1) {
+                let factor = if k > i {
+                    libm::pow(delta, i as f64) * lucas_partial_sum((k - i) as u32, tau, delta)
+                } else {
+                    libm::pow(delta, i as f64 - 1.0) * admissibility_sum((i - k + 1) as u32, tau, delta)
+                };
+                // Entries of order one, each vertex with some roundings.
+                assert!((cross(edge(i), vertex - vertices[i]) - factor * unit).abs() < 1e-14, "{i} {k}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_square_is_convex_in_order_only() {
+        let [a, b, c, d] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Vector2::new(x, y));
+        // The diagonal is seen at 45 degrees, to a rounding.
+        for square in [[a, b, c, d], [d, c, b, a]] {
+            assert!((convexity(&square) - libm::sqrt(0.5)).abs() < 1e-15);
+        }
+        assert!(convexity(&[a, c, b, d]) < 0.0);
+        assert!(cross_each_other([a, c], [b, d]) && !cross_each_other([a, b], [c, d]));
+    }
+}

@@ -1,0 +1,278 @@
+//! Section 4.3: the VIVID function and its derivatives at grazing.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_model::maps::{discontinuity_map, global_iterate, global_map, virtual_map};
+use grazing_model::motion::local_maxima;
+use grazing_model::orbit::{FlightEnd, Orbit};
+use grazing_model::{ImpactOscillator, State};
+use grazing_theorems::GenericGrazing;
+use nalgebra::Vector2;
+
+use super::determinants::printed_matrices;
+use super::maps::integrated;
+use super::specimens::{Failure, Grazing, Specimen, delayed, directions, specimens, uniform_order};
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::{Deviations, Smallest, Votes};
+
+/// The equations of p-loop MPSs of a specimen.
+pub(super) fn equations(grazing: &Grazing, p: u32) -> LoopEquations<Specimen> {
+    LoopEquations::new(*grazing.oscillator(), p, Formulation::Vivid)
+}
+
+/// The point (y, z; μ) with z and μ counted from grazing.
+pub(super) fn unknowns(grazing: &Grazing, y: f64, dz: f64, dmu: f64) -> Unknowns {
+    let [primary, secondary] = grazing.oscillator().parameters();
+    Unknowns::new(y, grazing.phase() + dz, primary + dmu, secondary)
+}
+
+/// The zero of V at μ, by Newton's method from its expansion.
+pub(super) fn zero(grazing: &Grazing, p: u32, mu: f64) -> Option<Unknowns> {
+    let emerging = grazing.grazing_point().emerging_orbit(p).ok()?;
+    let start = unknowns(grazing, emerging.impact_velocity_slope * mu, emerging.impact_phase_slope * mu, mu);
+    zero_from(grazing, p, start)
+}
+
+/// The zero of V at the parameters of a start, by Newton's method from there.
+pub(super) fn zero_from(grazing: &Grazing, p: u32, start: Unknowns) -> Option<Unknowns> {
+    let conditions = [Condition::Primary(start[2]), Condition::Secondary(start[3])];
+    locate(&equations(grazing, p), conditions, start, &mut Memory::default()).ok()
+}
+
+/// A size of μ at which the zero of V is as far from grazing as it is in the figures: y and z move by at most a tenth.
+pub(super) fn scale(grazing: &Grazing, p: u32) -> Option<f64> {
+    let emerging = grazing.grazing_point().emerging_orbit(p).ok()?;
+    Some(0.1 / (1.0 + emerging.impact_velocity_slope.abs() + emerging.impact_phase_slope.abs()))
+}
+
+/// The admissible MPSs of the specimens with up to four loops, on the side of theorems 2.2 and 2.3.
+fn admissible() -> Result<Vec<(Grazing, u32, Unknowns)>, Failure> {
+    let mut found = Vec::new();
+    for grazing in specimens()?.into_iter().chain(delayed()?) {
+        for p in 1..=4 {
+            let Ok(theorem) = GenericGrazing::check(&grazing.grazing_point(), p) else { continue };
+            // So near to grazing that the expansion decides on which side of the wall the visits lie.
+            let size = scale(&grazing, p).ok_or("no emerging orbit")? * 0.01;
+            let point = zero(&grazing, p, theorem.side().signum() * size).ok_or("no MPS")?;
+            found.push((grazing.clone(), p, point));
+        }
+    }
+    Ok(found)
+}
+
+/// eq:xjzj: the points of an MPS on Π are the maxima of its motion from the recoil on.
+pub(crate) fn visits() -> CheckResult {
+    let mut deviations = Deviations::default();
+    for (grazing, p, point) in admissible()? {
+        let equations = equations(&grazing, p);
+        let oscillator = equations.oscillator_at(&point);
+        let recoil = equations.recoil(&point);
+        let visits = equations.visits(&point, &Memory::default())?;
+        let maxima = local_maxima(&oscillator.motion(recoil), f64::from(p) * oscillator.forcing_period());
+        for (j, visit) in visits.iter().enumerate().take(p as usize - 1) {
+            let phase = |time: f64| {
+                recoil.phase + oscillator.forcing_frequency().value * time - TAU * (j as f64 + 1.0)
+            };
+            let nearest = maxima
+                .iter()
+                .map(|maximum| Vector2::new(maximum.position, phase(maximum.time)))
+                .min_by(|a, b| (a - visit).norm().total_cmp(&(b - visit).norm()))
+                .ok_or("no maximum")?;
+            deviations.see((nearest - visit).amax());
+            if visit[0] >= 0.0 {
+                return Err(format!("the visit {j} of p = {p} lies beyond the wall").into());
+            }
+        }
+    }
+    // Times of maxima are known to the rounding of the velocity.
+    Ok(deviations.outcome(1e-12, "visits of the admissible MPSs of eleven oscillators, p = 2 to 4"))
+}
+
+/// Whether the orbit from an impact has its next impact there again, p forcing periods later.
+fn returns(oscillator: &Specimen, p: u32, velocity: f64, phase: f64) -> bool {
+    let horizon = (f64::from(p) + 0.5) * oscillator.forcing_period();
+    let recoil = oscillator.reset::<1>(velocity, phase).value;
+    let lag = (recoil[1] - phase) / oscillator.forcing_frequency().value;
+    let Some(flight) = Orbit::new(oscillator, State::on_wall(velocity, phase), horizon, 10).next() else {
+        return false;
+    };
+    let turns = f64::from(p) * oscillator.forcing_period();
+    // Velocities down to 10⁻⁴, which magnify roundings of the position.
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
+    matches!(flight.end, FlightEnd::Impact(state) if near(state.velocity, velocity))
+        && near(flight.duration + lag, turns)
+}
+
+/// Zeros of V are MPSs: the simulated orbit has its next impact where it started, p periods later; from other points, and on
+/// the other side of grazing, where y < 0, there is no such orbit.
+pub(crate) fn zeros_are_orbits() -> CheckResult {
+    let mut votes = Votes::default();
+    for (grazing, p, point) in admissible()? {
+        let oscillator = equations(&grazing, p).oscillator_at(&point);
+        votes.see(point[0] > 0.0 && returns(&oscillator, p, point[0], point[1]));
+        votes.see(!returns(&oscillator, p, point[0] * 1.001, point[1]));
+        let mu = point[2] - grazing.oscillator().parameters()[0];
+        votes.see(zero(&grazing, p, -mu).is_some_and(|other| other[0] < 0.0));
+    }
+    Ok(votes.outcome(
+        "MPSs near grazing of eleven oscillators, p = 1 to 4, points beside them and on the other side",
+    ))
+}
+
+/// (x̂, ẑ) of an MPS is a fixed point of P_global^p ∘ P_disc.
+pub(crate) fn fixed_points() -> CheckResult {
+    let mut deviations = Deviations::default();
+    for (grazing, p, point) in admissible()? {
+        let oscillator = equations(&grazing, p).oscillator_at(&point);
+        let hat = virtual_map::<_, 1>(&oscillator, point[0], point[1], None)?.jet.value;
+        let start = discontinuity_map::<_, 1>(&oscillator, hat[0], hat[1])?.value;
+        let end = global_iterate::<_, 1>(&oscillator, p, start[0], start[1])?.value;
+        // The square root magnifies the rounding of x̂ by 1/y.
+        deviations.see((end - hat).amax() * point[0]);
+    }
+    // Newton's method for V and P_disc's for y, each with roundings of phases, p times.
+    Ok(deviations
+        .outcome(1e-13, "MPSs near grazing of eleven oscillators, p = 1 to 4: the deviation times y"))
+}
+
+/// eq:V: V against numerical integration of the way from the impact and of the way from the recoil, return by return.
+pub(crate) fn composition() -> CheckResult {
+    // Some hundred to a unit of time.
+    const STEPS: u32 = 800;
+    let mut sampler = Sampler::new(1);
+    let mut deviations = Deviations::default();
+    for grazing in specimens()? {
+        for index in 0..8 {
+            let p = 1 + index % 4;
+            let distance = [(); 3].map(|()| sampler.between(-0.02, 0.02));
+            let point = unknowns(&grazing, distance[0], distance[1], distance[2]);
+            let equations = equations(&grazing, p);
+            let oscillator = equations.oscillator_at(&point);
+            let (vivid, _) = equations.pair::<1>(&point, &mut Memory::default())?.difference();
+            let impact = virtual_map::<_, 1>(&oscillator, point[0], point[1], None)?;
+            let from = State::on_wall(point[0], point[1]);
+            let hat = integrated(&oscillator, from, impact.time, 64);
+            let recoil = oscillator.reset::<1>(point[0], point[1]).value;
+            let back = virtual_map::<_, 1>(&oscillator, recoil[0], recoil[1], None)?;
+            let mut visit = integrated(&oscillator, State::on_wall(recoil[0], recoil[1]), back.time, 64);
+            deviations.see(hat[1].abs().max(visit[1].abs()));
+            for _ in 0..p {
+                // Only the return time is taken from the map; that it ends on Π, y = 0, is seen.
+                let time = global_map::<_, 1>(&oscillator, visit[0], visit[2], None)?.time;
+                visit = integrated(&oscillator, State::at_rest(visit[0], visit[2]), time, STEPS);
+                deviations.see(visit[1]);
+                visit[2] -= TAU;
+            }
+            deviations.see((vivid - Vector2::new(visit[0] - hat[0], visit[2] - hat[2])).amax());
+        }
+    }
+    // The integration's error, of fourth order in steps of 0.01, after four returns.
+    Ok(deviations.outcome(1e-8, "points near grazing, y of either sign, nine oscillators, p = 1 to 4"))
+}
+
+/// V is twice differentiable across y = 0.
+pub(crate) fn smooth_across_tangency() -> CheckResult {
+    let mut orders = Smallest::default();
+    for grazing in specimens()? {
+        for p in 1..=3 {
+            let equations = equations(&grazing, p);
+            let second = |y: f64| {
+                let point = unknowns(&grazing, y, 0.0, 0.0);
+                let pair = equations.pair::<2>(&point, &mut Memory::default()).ok()?;
+                Some([0, 1].map(|i| pair.round_trip.hessians[i] - pair.impact.hessians[i]))
+            };
+            orders.see(uniform_order(&[[0.0], [1.0]], |[component], h| {
+                let i = component as usize;
+                // Second derivatives up to some hundreds.
+                Some(((second(h)?[i] - second(-h)?[i]).norm(), 1e-12))
+            }));
+        }
+    }
+    // The next term is of relative size h² < 10⁻³.
+    Ok(orders.order(1.0, 0.1, "nine oscillators, p = 1 to 3"))
+}
+
+/// V(0, z_graz; 0) = 0.
+pub(crate) fn vanishes_at_grazing() -> CheckResult {
+    let mut deviations = Deviations::default();
+    for grazing in specimens()? {
+        for p in 1..=6 {
+            let point = unknowns(&grazing, 0.0, 0.0, 0.0);
+            let pair = equations(&grazing, p).pair::<1>(&point, &mut Memory::default())?;
+            deviations.see(pair.difference().0.amax());
+        }
+    }
+    // Six returns with the rounding of a phase each.
+    Ok(deviations.outcome(1e-13, "nine oscillators, p = 1 to 6"))
+}
+
+/// The derivatives of V at grazing in (y, z, μ), from the derivatives of the maps.
+pub(super) fn derivatives(
+    grazing: &Grazing,
+    p: u32,
+) -> Result<[Vector2<f64>; 3], grazing_model::maps::MapError> {
+    let point = unknowns(grazing, 0.0, 0.0, 0.0);
+    let (_, derivative) = equations(grazing, p).pair::<1>(&point, &mut Memory::default())?.difference();
+    Ok([0, 1, 2].map(|column| derivative.column(column).into_owned()))
+}
+
+/// eq:Jac1Jac2: the derivatives of which J and K are made against differences of V.
+pub(crate) fn jacobians() -> CheckResult {
+    const STEP: f64 = 1e-5;
+    let mut deviations = Deviations::default();
+    for grazing in specimens()? {
+        for p in 1..=4 {
+            let exact = derivatives(&grazing, p)?;
+            let equations = equations(&grazing, p);
+            for (axis, expected) in exact.iter().enumerate() {
+                let vivid = |sign: f64| {
+                    let mut step = [0.0; 3];
+                    step[axis] = sign * STEP;
+                    let point = unknowns(&grazing, step[0], step[1], step[2]);
+                    Ok::<_, grazing_model::maps::MapError>(
+                        equations.pair::<1>(&point, &mut Memory::default())?.difference().0,
+                    )
+                };
+                let slope = (vivid(1.0)? - vivid(-1.0)?) / (2.0 * STEP);
+                deviations.see((slope - expected).amax() / (1.0 + expected.amax()));
+            }
+        }
+    }
+    // Third derivatives up to some hundreds times the step squared, and rounding over the step.
+    Ok(deviations.outcome(1e-7, "three derivatives at grazing of nine oscillators, p = 1 to 4"))
+}
+
+/// Expansions of V, a component each.
+fn expansion(seed: u64, component: usize) -> CheckResult {
+    let mut sampler = Sampler::new(seed);
+    let mut orders = Smallest::default();
+    for grazing in specimens()? {
+        let data = grazing.grazing_point();
+        for p in 1..=4 {
+            let (j, k) = printed_matrices(&data, p);
+            let equations = equations(&grazing, p);
+            orders.see(uniform_order(&directions::<3>(&mut sampler, 4), |[dy, dz, dmu], h| {
+                let point = unknowns(&grazing, h * dy, h * dz, h * dmu);
+                let (vivid, _) = equations.pair::<1>(&point, &mut Memory::default()).ok()?.difference();
+                let linear = j * Vector2::new(h * dy, h * dz) + k.column(1) * (h * dmu);
+                // A phase's rounding for each return.
+                Some((vivid[component] - linear[component], 2e-15 * f64::from(p + 1)))
+            }));
+        }
+    }
+    // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
+    Ok(orders.order(2.0, 0.1, "nine oscillators, p = 1 to 4, seven directions in (y, z, μ) at once"))
+}
+
+/// eq:V1.
+pub(crate) fn first_component() -> CheckResult {
+    expansion(2, 0)
+}
+
+/// eq:V2.
+pub(crate) fn second_component() -> CheckResult {
+    expansion(3, 1)
+}

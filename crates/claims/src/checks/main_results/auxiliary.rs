@@ -1,0 +1,256 @@
+//! Section 2.4: the auxiliary functions g_p, H_p and h_p, and what they say about Figure 2.
+
+use core::f64::consts::PI;
+
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_model::LinearOscillator;
+use grazing_theorems::GenericGrazing;
+use grazing_theorems::admissibility_boundary::admissibility_boundary;
+use grazing_theorems::auxiliary::{
+    admissibility_sum, lucas_sequence, resonance_boundary, scaled_visit_position,
+};
+use nalgebra::{Complex, Matrix2};
+
+use super::simulation::returns;
+use crate::convergence::order;
+use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::printed::printed;
+use crate::sampling::{Sampler, smallest};
+use crate::tally::{Deviations, Smallest, Votes};
+
+type Failure = Box<dyn core::error::Error + Send + Sync>;
+
+/// eq:gp: at τ = g_p(δ) the (1, 2) entry of Aᵖ vanishes, also for p between integers in the sense of S_p(τ) = 0 at the
+/// integer; for larger τ it has the sign of a₁₂.
+pub(super) fn resonance_boundary_is_a_zero() -> CheckResult {
+    let mut sampler = Sampler::new(31);
+    let mut largest = Deviations::default();
+    for _ in 0..3000 {
+        let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 9, 12, 15]);
+        let delta = sampler.between(0.001, 0.999);
+        let boundary = resonance_boundary(f64::from(p), delta);
+        largest.compare(boundary, 2.0 * delta.sqrt() * libm::cos(PI / f64::from(p)), 1.0);
+        let entry = |tau: f64, a11: f64| {
+            let a = Matrix2::new(a11, 1.0, a11 * (tau - a11) - delta, tau - a11);
+            (1..p).fold(a, |power, _| power * a)[(0, 1)]
+        };
+        let a11 = sampler.between(-1.0, 1.0);
+        largest.see(entry(boundary, a11).abs());
+        let above = boundary + sampler.between(1e-3, 1.0) * (delta + 1.0 - boundary);
+        largest.require(entry(above, a11) > 0.0);
+        // g_{p/2}: twice the angle, 2√δ cos(2π/p) = (g_p² − 2δ)/√δ... by the double angle formula.
+        let doubled = (boundary * boundary - 2.0 * delta) / delta.sqrt();
+        largest.compare(resonance_boundary(0.5 * f64::from(p), delta), doubled, 1.0 + 1.0 / delta.sqrt());
+    }
+    // Powers of a matrix of norm two in fifteen steps, of which the entry is what cancellation leaves.
+    Ok(largest.outcome(1e-12, "p up to 15 and random A with τ = g_p(δ), and with τ above it"))
+}
+
+/// eq:Hp: the double sum in complex arithmetic against the recurrence.
+pub(super) fn admissibility_sum_is_the_double_sum() -> CheckResult {
+    let mut sampler = Sampler::new(32);
+    let mut largest = Deviations::default();
+    for _ in 0..2000 {
+        let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 8, 10, 12]);
+        let (tau, delta) = sampler.trapesium();
+        let delta = delta.max(0.05);
+        let discriminant = tau * tau - 4.0 * delta;
+        let root = match discriminant.abs().sqrt() {
+            root if discriminant < 0.0 => Complex::new(0.0, root),
+            root => Complex::new(root, 0.0),
+        };
+        let [first, second] = [root, -root].map(|root| (Complex::new(tau, 0.0) + root) * 0.5);
+        let power = |base: Complex<f64>, exponent: u32| {
+            (0..exponent).fold(Complex::new(1.0, 0.0), |product, _| product / base)
+        };
+        let (mut sum, mut size) = (Complex::new(0.0, 0.0), 0.0);
+        for j in 1..p {
+            for k in 1..=j {
+                let term = power(first, j - k) * power(second, k - 1);
+                size += term.norm_sqr().sqrt();
+                sum += term;
+            }
+        }
+        largest.compare(sum.re, admissibility_sum(p, tau, delta), size);
+        largest.see(sum.im.abs() / size);
+    }
+    // Sixty terms of a dozen factors; eigenvalues near the double one lose digits that their sums keep.
+    Ok(largest.outcome(1e-13, "points of the trapesium, p = 2 to 12"))
+}
+
+/// δ^{(p−2)/2} H_p, which neither over- nor underflows.
+fn scaled_sum(p: u32, tau: f64, delta: f64) -> f64 {
+    libm::pow(delta, 0.5 * f64::from(p) - 1.0) * admissibility_sum(p, tau, delta)
+}
+
+/// h_p: H_p vanishes there and is positive above, found by search of the smallest quotient H_p/(τ − h_p).
+pub(super) fn admissibility_boundary_is_the_largest_zero() -> CheckResult {
+    let mut least = f64::INFINITY;
+    const STARTS: usize = 5;
+    for p in 3..=20 {
+        let (margin, _) = smallest(u64::from(p), STARTS, |[d, s]: [f64; 2]| {
+            let delta = 0.01 + 0.989_999 * d;
+            let Ok(boundary) = admissibility_boundary(p, delta) else {
+                return f64::NAN;
+            };
+            // Zero to a few roundings of 2√δ times the slope, which is some p³ at most.
+            if scaled_sum(p, boundary, delta).abs() > 1e-13 * f64::from(p * p * p) {
+                return -1.0;
+            }
+            // Cubed: many points close to the boundary.
+            let above = (1e-4 + s * s * s) * (delta + 1.0 - boundary);
+            scaled_sum(p, boundary + above, delta) / above
+        });
+        least = least.min(margin);
+    }
+    for k in 1..20 {
+        let delta = f64::from(k) / 20.0;
+        if (admissibility_boundary(2, delta)? + 2.0 * delta.sqrt()).abs() > 1e-15 {
+            least = -1.0;
+        }
+    }
+    let over = "searches for the smallest H_p/(τ − h_p) above h_p, p = 3 to 20";
+    Ok(Outcome::new(Measure::Margin { smallest: least }, 18 * STARTS, over))
+}
+
+/// le:admissibilityBoundary: g_{p/2} < h_p < g_{p−1} by adversarial search, from δ = 10⁻⁶ to 1 − 10⁻⁶.
+///
+/// Both margins shrink at an end of the interval, the lower one like 1 − √δ, the upper one like √δ, beyond the common
+/// factor 2√δ: they are measured against that.
+pub(super) fn bounds() -> CheckResult {
+    let mut least = f64::INFINITY;
+    const STARTS: usize = 5;
+    for p in 3..=30 {
+        for side in [0, 1] {
+            let (margin, _) = smallest(u64::from(p) + 100 * side, STARTS, |[d]: [f64; 1]| {
+                // r = √δ, close to either end at will.
+                let modulus = 1e-3 + (1.0 - 1e-3 - 5e-7) * (d * d * (3.0 - 2.0 * d));
+                let delta = modulus * modulus;
+                let Ok(boundary) = admissibility_boundary(p, delta) else {
+                    return f64::NAN;
+                };
+                let loops = f64::from(p);
+                if side == 0 {
+                    (boundary - resonance_boundary(0.5 * loops, delta)) / (2.0 * modulus * (1.0 - modulus))
+                } else {
+                    (resonance_boundary(loops - 1.0, delta) - boundary) / (2.0 * modulus * modulus)
+                }
+            });
+            least = least.min(margin);
+        }
+    }
+    let over = "searches for the smallest of both scaled margins, p = 3 to 30";
+    Ok(Outcome::new(Measure::Margin { smallest: least }, 28 * 2 * STARTS, over))
+}
+
+/// As p → ∞ both families tend to 2√δ, with second order in 1/p.
+pub(super) fn limit() -> CheckResult {
+    let mut sampler = Sampler::new(35);
+    let mut least = Smallest::default();
+    for _ in 0..10 {
+        let delta = sampler.between(0.05, 0.95);
+        let end = 2.0 * delta.sqrt();
+        for lower in [true, false] {
+            least.see_resolved(order(|h| {
+                // The size is 1/p; p up to 1024 shows the order.
+                let loops = libm::round(1.0 / h) as u32;
+                if loops > 1024 {
+                    return Some((0.0, 1.0));
+                }
+                let value = if lower {
+                    admissibility_boundary(loops, delta).ok()?
+                } else {
+                    resonance_boundary(1.0 / h, delta)
+                };
+                Some((end - value, 1e-15))
+            }));
+        }
+    }
+    // Slack for terms in 1/p³ at p near a thousand.
+    Ok(least.order(2.0, 0.05, "g_p and h_p at random δ, p up to 1024"))
+}
+
+/// Figure 2's (τ, δ), marked by a star in Figure 4: g₂ < τ, and h_p < τ < g_p for p = 3, 4, 5 and no other p; by
+/// theorem 2.3 two loops then emerge to the right and three to five to the left.
+pub(super) fn star() -> CheckResult {
+    let oscillator = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
+    let grazing = oscillator.grazing(printed("fig02_frequency")?)?;
+    let (tau, delta) = (grazing.trace(), grazing.determinant());
+    let mut cases = Votes::default();
+    cases.see(tau > resonance_boundary(2.0, delta));
+    for p in 3..=40 {
+        let inside = admissibility_boundary(p, delta)? < tau && tau < resonance_boundary(f64::from(p), delta);
+        cases.see(inside == (3..=5).contains(&p));
+    }
+    for p in 1..=5 {
+        let side = GenericGrazing::check(&grazing.grazing_point(), p)?.side().signum();
+        cases.see((side > 0.0) == (p <= 2));
+        cases.see(emerges(&grazing, p, side)?);
+        cases.see(!emerges(&grazing, p, -side)?);
+    }
+    Ok(cases.outcome("p = 2 to 40 at the star; p = 1 to 5 in the hybrid system on both sides of grazing"))
+}
+
+/// Whether an admissible p-loop MPS is seen in the hybrid system close to grazing on this side of it.
+fn emerges(grazing: &grazing_theorems::GrazingState, loops: u32, side: f64) -> Result<bool, Failure> {
+    let theory = grazing.oscillator();
+    let omega = grazing.forcing_frequency();
+    let (zeta, epsilon) = (theory.damping_ratio(), theory.coefficient_of_restitution());
+    let orbit = grazing.grazing_point().emerging_orbit(loops)?;
+    // An impact velocity so small that the expansion is a good start even close to a resonance.
+    let mu = side * 2e-4 / orbit.impact_velocity_slope.abs();
+    let oscillator = LinearOscillator::new(zeta, epsilon, grazing.amplitude() + mu, omega)?;
+    let equations = LoopEquations::new(oscillator, loops, Formulation::Vivid);
+    let start = Unknowns::new(
+        orbit.impact_velocity_slope * mu,
+        grazing.phase() + orbit.impact_phase_slope * mu,
+        grazing.amplitude() + mu,
+        omega,
+    );
+    let conditions = [Condition::Primary(start[2]), Condition::Secondary(omega)];
+    let zero = locate(&equations, conditions, start, &mut Memory::default())?;
+    let solution = equations.solution(&zero).0;
+    Ok(solution.admissible() && returns(&equations.oscillator_at(&zero), &solution))
+}
+
+/// p-loop MPSs with τ < h_p(δ) exist near δ = 1 for p = 5 and from p = 7 on, and not for p = 3, 4 and 6: by the signs of
+/// all u⁽ʲ⁾ over a grid of the trapesium, and for those that exist in a simulated oscillator.
+pub(super) fn beyond_the_boundary() -> CheckResult {
+    let mut cases = Votes::default();
+    for p in 3..=14 {
+        let mut found: Option<(f64, f64)> = None;
+        for delta in [0.3, 0.7, 0.9, 0.97, 0.999] {
+            let boundary = admissibility_boundary(p, delta)?;
+            // From −(δ + 1) up to h_p, off the ends by more than rounding.
+            let length = boundary + 1.0 + delta;
+            const STEPS: i32 = 1500;
+            let admissible = |k: &i32| {
+                let tau = -1.0 - delta + length * (f64::from(*k) + 0.5) / f64::from(STEPS);
+                lucas_sequence(p, tau, delta) != 0.0
+                    && (1..p).all(|j| scaled_visit_position(j, p, tau, delta) < 0.0)
+            };
+            let inside: Vec<i32> = (0..STEPS).filter(admissible).collect();
+            if let Some(middle) = inside.get(inside.len() / 2) {
+                found = Some((-1.0 - delta + length * (f64::from(*middle) + 0.5) / f64::from(STEPS), delta));
+            }
+        }
+        cases.see(found.is_some() == (p == 5 || p >= 7));
+        if let Some((tau, delta)) = found {
+            cases.see(beyond_in_simulation(p, tau, delta)?);
+        }
+    }
+    Ok(cases.outcome("p = 3 to 14 on grids of the trapesium, and an oscillator for each p found"))
+}
+
+/// Whether the linear oscillator with this trace and determinant has a p-loop MPS near grazing, one side or the other.
+fn beyond_in_simulation(p: u32, tau: f64, delta: f64) -> Result<bool, Failure> {
+    // 2πω₁/ω = 2π + θ and 4πζ/ω = −log δ; θ in (0, π) makes a₁₂ positive.
+    let turns = 1.0 + libm::acos(0.5 * tau / delta.sqrt()) / (2.0 * PI);
+    let ratio = -libm::log(delta) / (4.0 * PI * turns);
+    let zeta = ratio / (1.0 + ratio * ratio).sqrt();
+    let theory = grazing_theorems::LinearOscillator::new(zeta, 0.7)?;
+    let grazing = theory.grazing(theory.damped_natural_frequency() / turns)?;
+    let below = grazing.trace() < admissibility_boundary(p, grazing.determinant())?;
+    Ok(below && (emerges(&grazing, p, 1.0)? || emerges(&grazing, p, -1.0)?))
+}

@@ -1,0 +1,113 @@
+//! Section 1: what the text says about Figure 2 and about the Jacobian near grazing.
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns};
+use grazing_model::LinearOscillator;
+use grazing_model::maps::discontinuity_map;
+
+use super::simulation::{attracts, returns};
+use super::specimen::Specimen;
+use crate::convergence::order;
+use crate::outcome::CheckResult;
+use crate::printed::printed;
+use crate::sampling::Sampler;
+use crate::tally::{Smallest, Votes};
+
+type Failure = Box<dyn core::error::Error + Send + Sync>;
+
+/// The branch of p-loop MPSs that leaves the grazing bifurcation of Figure 2, with its equations and 𝒜_graz.
+fn branch(loops: u32) -> Result<(LoopEquations<LinearOscillator>, Curve, f64), Failure> {
+    let (zeta, epsilon, omega) = (printed("zeta")?, printed("epsilon")?, printed("fig02_frequency")?);
+    let grazing = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
+    let oscillator = LinearOscillator::new(zeta, epsilon, grazing.amplitude(), omega)?;
+    let equations = LoopEquations::new(oscillator, loops, Formulation::Vivid);
+    let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
+    let amplitude = grazing.amplitude();
+    let route = Route {
+        // A quarter to either side holds all that Figure 2 shows.
+        window: Window { primary: [0.75 * amplitude, 1.25 * amplitude], secondary: [0.0, 2.0 * omega] },
+        control: StepControl::DRAWING,
+        step_limit: 5_000,
+        stop_at_events: false,
+        through_grazing: false,
+    };
+    let start = Unknowns::new(0.0, grazing.phase(), amplitude, omega);
+    let curve = curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), Memory::default(), &route)?;
+    Ok((equations, curve, amplitude))
+}
+
+/// The first points of a branch beyond the grazing bifurcation.
+fn first(curve: &Curve) -> impl Iterator<Item = &MaximalPeriodicSolution> {
+    curve.points.iter().skip(1).take(3).map(|point| &point.solution)
+}
+
+/// MPSs with p = 1 and 2 emanate to the right, those with p = 3 to the left; all are unstable there, by multipliers and in
+/// simulation.
+pub(super) fn emanating_solutions() -> CheckResult {
+    let mut cases = Votes::default();
+    for loops in 1..=3 {
+        let (equations, curve, amplitude) = branch(loops)?;
+        for solution in first(&curve) {
+            let oscillator = equations.oscillator_at(&solution.unknowns);
+            cases.see((solution.parameters()[0] > amplitude) == (loops < 3));
+            cases.see(solution.admissible() && returns(&oscillator, solution));
+            cases.see(!solution.stable() && attracts(&oscillator, solution) == Some(false));
+        }
+    }
+    Ok(cases.outcome("the first points of the branches p = 1, 2, 3 of Figure 2"))
+}
+
+/// Two loops gain stability at a PD, three at an SN and lose it at a GZ; between GZ and PD no MPS with p ≤ 3 is stable.
+pub(super) fn stability_gained() -> CheckResult {
+    let mut cases = Votes::default();
+    let mut located = Vec::new();
+    for (loops, gained) in [(2, Condition::PERIOD_DOUBLING), (3, Condition::SADDLE_NODE)] {
+        let (equations, curve, _) = branch(loops)?;
+        let stable = |index: usize| curve.points.get(index).map(|point| point.solution.stable());
+        let event =
+            curve.events.iter().find(|event| event.solution.admissible() && event.condition == gained);
+        let event = event.ok_or("the event of Figure 2 was not found")?;
+        cases.see(stable(event.index - 1) == Some(false) && stable(event.index) == Some(true));
+        // A point well past the event attracts in simulation, one well before it does not.
+        for (index, attracting) in [(event.index + 5, true), (event.index.saturating_sub(5), false)] {
+            let solution = &curve.points.get(index).ok_or("the branch ends beside the event")?.solution;
+            cases.see(attracts(&equations.oscillator_at(&solution.unknowns), solution) == Some(attracting));
+        }
+        located.push(event.solution.parameters()[0]);
+        if loops == 3 {
+            let grazing = curve.events.iter().find(|event| event.condition == Condition::InteriorGrazing);
+            let grazing = grazing.ok_or("the grazing bifurcation of the three-loop MPS was not found")?;
+            // Admissible before, not admissible after.
+            let admissible = |index: usize| curve.points.get(index).map(|point| point.solution.admissible());
+            cases
+                .see(admissible(grazing.index - 1) == Some(true) && admissible(grazing.index) == Some(false));
+            located.push(grazing.solution.parameters()[0]);
+        }
+    }
+    // From left to right: 𝒜_graz, ..., GZ, PD; SN lies left of GZ.
+    let [pd, sn, gz] = located[..] else {
+        return Err("three bifurcations were expected".into());
+    };
+    cases.see(sn < gz && gz < pd);
+    Ok(cases.outcome("PD of two loops, SN and GZ of three loops on the branches of Figure 2"))
+}
+
+/// The Jacobian of P_disc grows like x̂^(−1/2): its entry times √x̂ tends to −αω/√(2γ).
+pub(super) fn singular_jacobian() -> CheckResult {
+    let mut sampler = Sampler::new(83);
+    let mut least = Smallest::default();
+    for _ in 0..100 {
+        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let point = orbit.grazing_point();
+        let limit = -point.alpha() * point.forcing_frequency / (2.0 * point.gamma).sqrt();
+        least.see_resolved(order(|h| {
+            let jet = discontinuity_map::<_, 1>(orbit.oscillator(), h * h, orbit.phase()).ok()?;
+            // The velocity at the wall is known to 10⁻¹⁶/h of itself.
+            Some((jet.jacobian[(1, 0)] * h - limit, 1e-15 / h))
+        }));
+    }
+    // First order in √x̂; slack for the second.
+    Ok(least.order(1.0, 0.3, "∂z⁽⁰⁾/∂x̂ times √x̂ for random oscillators with ψ ≠ 0"))
+}

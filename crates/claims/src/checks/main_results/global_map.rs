@@ -1,0 +1,127 @@
+//! Section 2.2: grazing and the global return map.
+
+use grazing_model::motion::local_maxima;
+use grazing_model::{ImpactOscillator, State};
+use nalgebra::Vector2;
+
+use super::returns::{derivative as difference, returned};
+use super::specimen::Specimen;
+use crate::convergence::order;
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::{Deviations, Smallest, Votes};
+
+/// ass:grazing: the orbit from (0, 0, z_graz) is periodic, touches the wall once per period and lies below it otherwise,
+/// and F < 0 where it touches; at another amplitude there is no such orbit.
+pub(super) fn grazing_orbit() -> CheckResult {
+    let mut sampler = Sampler::new(11);
+    let mut cases = Votes::default();
+    for _ in 0..300 {
+        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let oscillator = orbit.oscillator();
+        let period = oscillator.forcing_period();
+        let from = State::at_rest(0.0, orbit.phase());
+        let end = oscillator.flow::<1>(from, period).value;
+        // Over one period from half a period before the contact.
+        let middle = oscillator.flow::<1>(from, 0.5 * period).value;
+        let start = State {
+            position: middle[0],
+            velocity: middle[1],
+            phase: orbit.phase() + 0.5 * core::f64::consts::TAU,
+        };
+        let maxima = local_maxima(&oscillator.motion(start), period);
+        // Positions of order one are good to some roundings; maxima that do not touch lie far lower in one period.
+        let touching = maxima.iter().filter(|maximum| maximum.position > -1e-12).count();
+        let inside = maxima.iter().all(|maximum| maximum.position < 1e-12);
+        let periodic = end.amax() < 1e-12;
+        cases.see(periodic && touching == 1 && inside && oscillator.acceleration(from) < 0.0);
+        // A hypothesis violated: off the grazing value of μ no orbit from the wall at rest is periodic.
+        let [primary, secondary] = oscillator.parameters();
+        let off = oscillator.with_parameters([primary * 1.01, secondary]);
+        let [x, z] = returned(&off, [0.0, orbit.phase()])?.into();
+        cases.see(x.abs() + (z - orbit.phase()).abs() > 1e-6);
+    }
+    Ok(cases.outcome("grazing orbits of random oscillators, and values of μ beside them"))
+}
+
+/// eq:Pglobal: what the linear part leaves over is of second order.
+pub(super) fn expansion() -> CheckResult {
+    let mut sampler = Sampler::new(12);
+    let mut least = Smallest::default();
+    for _ in 0..60 {
+        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let oscillator = *orbit.oscillator();
+        let [primary, secondary] = oscillator.parameters();
+        let map = orbit.grazing_point().map;
+        let [x, z, mu] = [(); 3].map(|()| sampler.between(-1.0, 1.0));
+        let mut failure = None;
+        least.see_resolved(order(|h| {
+            let near = oscillator.with_parameters([primary + h * mu, secondary]);
+            let image = match returned(&near, [h * x, orbit.phase() + h * z]) {
+                Ok(image) => image,
+                Err(error) => {
+                    failure = Some(error);
+                    return None;
+                }
+            };
+            let linear = map.a * Vector2::new(h * x, h * z) + map.b * (h * mu);
+            let remainder = image - Vector2::new(0.0, orbit.phase()) - linear;
+            // The phase of a maximum is good to some 10⁻¹⁵, its derivatives are up to ten.
+            Some((remainder.norm(), 1e-14))
+        }));
+        if let Some(error) = failure {
+            return Err(error);
+        }
+    }
+    // Slack for the cubic terms at the smallest resolved sizes.
+    Ok(least.order(2.0, 0.3, "directions in (x, z, μ) at grazing orbits of random oscillators"))
+}
+
+/// eq:A: ∂(x', z')/∂(x, z) by hand-written derivatives against differences of event locations.
+pub(super) fn derivative() -> CheckResult {
+    let mut sampler = Sampler::new(13);
+    let mut largest = Deviations::default();
+    for _ in 0..200 {
+        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let a = orbit.grazing_point().map.a;
+        let scale = a.amax().max(1.0);
+        for column in 0..2 {
+            let measured: [f64; 2] = difference(STEP, |h| {
+                let mut start = [0.0, orbit.phase()];
+                start[column] += h;
+                Ok(returned(orbit.oscillator(), start)?.into())
+            })?;
+            for row in 0..2 {
+                largest.compare(measured[row], a[(row, column)], scale);
+            }
+        }
+    }
+    Ok(largest.outcome(DIFFERENCES, "entries of A of random oscillators"))
+}
+
+/// eq:b: ∂P_global/∂μ likewise, with the amplitude or the frequency as μ.
+pub(super) fn parameter_derivative() -> CheckResult {
+    let mut sampler = Sampler::new(14);
+    let mut largest = Deviations::default();
+    for _ in 0..200 {
+        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let b = orbit.grazing_point().map.b;
+        let [primary, secondary] = orbit.oscillator().parameters();
+        let measured: [f64; 2] = difference(STEP, |h| {
+            let near = orbit.oscillator().with_parameters([primary + h, secondary]);
+            Ok(returned(&near, [0.0, orbit.phase()])?.into())
+        })?;
+        let scale = b.amax().max(1.0);
+        for row in 0..2 {
+            largest.compare(measured[row], b[row], scale);
+        }
+    }
+    Ok(largest.outcome(DIFFERENCES, "entries of b of random oscillators"))
+}
+
+/// Step of the extrapolated differences: rounding 10⁻¹⁵/h, error h⁴ times fifth derivatives.
+const STEP: f64 = 1e-3;
+
+/// Accuracy of the extrapolated differences: at ω near 0.35 fifth derivatives are some 10⁴, so that h⁴/4 of them is 10⁻⁹
+/// and more; empirical, five times the largest that was seen.
+const DIFFERENCES: f64 = 1e-7;

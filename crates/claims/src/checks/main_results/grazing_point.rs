@@ -1,0 +1,74 @@
+//! Section 2.5: the factor of the square root, the constants of the grazing point, and κ_p.
+
+use core::f64::consts::PI;
+
+use grazing_model::maps::discontinuity_map;
+use grazing_model::motion::Motion;
+use grazing_model::{ImpactOscillator, State};
+use grazing_theorems::auxiliary::detuning;
+use nalgebra::Matrix2;
+
+use super::returns::derivative as difference;
+use super::specimen::Specimen;
+use crate::convergence::order;
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::{Deviations, Smallest, Votes};
+
+/// eq:alpha: z⁽⁰⁾ − ẑ = −α ω√(2x̂/γ) + O(x̂) along P_disc of an oscillator with ψ ≠ 0.
+pub(super) fn square_root_factor() -> CheckResult {
+    let mut sampler = Sampler::new(41);
+    let mut least = Smallest::default();
+    for _ in 0..200 {
+        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let point = orbit.grazing_point();
+        let alpha = 1.0 + point.phi - point.gamma * point.psi / point.forcing_frequency;
+        // The size is √x̂, so that the remainder is of second order.
+        least.see_resolved(order(|h| {
+            let disc = discontinuity_map::<_, 1>(orbit.oscillator(), h * h, orbit.phase()).ok()?.value;
+            let stated = -alpha * point.forcing_frequency * h * (2.0 / point.gamma).sqrt();
+            // Times from 10⁻² to 10⁻⁵ are found to the rounding of phases of order one.
+            Some((disc[1] - orbit.phase() - stated, 1e-14))
+        }));
+    }
+    // Slack for the terms of third order in √x̂.
+    Ok(least.order(2.0, 0.3, "random oscillators with ψ ≠ 0; order in √x̂"))
+}
+
+/// eq:phipsigamma: φ and ψ by differences of the reset law at zero velocity, γ by the second difference of Γ; γ > 0.
+pub(super) fn constants() -> CheckResult {
+    let mut sampler = Sampler::new(42);
+    let mut largest = Deviations::default();
+    for _ in 0..300 {
+        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let (oscillator, point) = (orbit.oscillator(), orbit.grazing_point());
+        let [recoil, phase] = difference(1e-3, |y| Ok(oscillator.reset::<1>(y, orbit.phase()).value.into()))?;
+        largest.compare(-recoil, point.phi, 1.0);
+        largest.compare(phase, point.psi, 1.0);
+        let motion = oscillator.motion(State::at_rest(0.0, orbit.phase()));
+        let [deceleration] = difference(1e-3, |t| Ok([-motion.at(t).velocity]))?;
+        largest.compare(deceleration, point.gamma, point.gamma.max(1.0));
+        largest.require(point.gamma > 0.0);
+    }
+    // Rounding 10⁻¹⁵ over the step 10⁻³; the error of fourth order is as small.
+    Ok(largest.outcome(1e-11, "random oscillators with ψ ≠ 0"))
+}
+
+/// κ_p: its sign is that of the (1, 2) entry of Aᵖ over a₁₂ for τ > h_p, and it vanishes with that entry.
+pub(super) fn detuning_has_the_sign_of_the_entry() -> CheckResult {
+    let mut sampler = Sampler::new(43);
+    let mut cases = Votes::default();
+    for _ in 0..3000 {
+        let p = sampler.one_of(&[2, 3, 4, 5, 6, 8, 10]);
+        let delta = sampler.between(0.01, 0.99);
+        let boundary = grazing_theorems::admissibility_boundary::admissibility_boundary(p, delta)?;
+        let tau = boundary + sampler.between(1e-6, 1.0) * (delta + 1.0 - boundary);
+        let a = Matrix2::new(0.3, 0.7, (0.3 * (tau - 0.3) - delta) / 0.7, tau - 0.3);
+        let entry = (1..p).fold(a, |power, _| power * a)[(0, 1)];
+        let kappa = detuning(p, tau, delta);
+        let definition = tau - 2.0 * delta.sqrt() * libm::cos(PI / f64::from(p));
+        // The definition to two roundings; the entry has no sign where κ_p is as small as its rounding.
+        cases.see((kappa - definition).abs() < 1e-15 && (kappa.abs() < 1e-12 || kappa * entry > 0.0));
+    }
+    Ok(cases.outcome("random p ≥ 2, δ and τ above h_p(δ)"))
+}

@@ -1,0 +1,221 @@
+//! Section 2.3: existence and stability of the non-impacting periodic solution.
+
+use grazing_model::maps::global_map;
+use grazing_model::orbit::{Orbit, OrbitEnd};
+use grazing_model::{ImpactOscillator, State};
+use grazing_theorems::LinearisedMap;
+use grazing_theorems::from_map::GrazingOrbit;
+use grazing_theorems::spectrum::{Eigenvalues, in_trapesium};
+use nalgebra::{Matrix2, Vector2};
+
+use super::returns::derivative as difference;
+use super::specimen::Specimen;
+use crate::convergence::order;
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::{Deviations, Smallest, Votes};
+
+type Failure = Box<dyn core::error::Error + Send + Sync>;
+
+/// τ and δ are trace and determinant of the flow over one period in (x, y), the wall ignored: P_global has the multipliers
+/// of Γ.
+pub(super) fn trace_and_determinant() -> CheckResult {
+    let mut sampler = Sampler::new(21);
+    let mut largest = Deviations::default();
+    for _ in 0..500 {
+        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let map = orbit.grazing_point().map;
+        let from = State::at_rest(0.0, orbit.phase());
+        let jet = orbit.oscillator().flow::<1>(from, orbit.oscillator().forcing_period());
+        let monodromy: Matrix2<f64> = jet.jacobian.fixed_columns::<2>(0).into_owned();
+        let size = map.a.amax().max(1.0);
+        largest.compare(map.trace(), monodromy.trace(), size);
+        largest.compare(map.determinant(), monodromy.determinant(), size * size);
+    }
+    // Products and sums of a dozen rounded numbers of the size of the entries.
+    Ok(largest.outcome(1e-13, "grazing orbits of random oscillators, against the monodromy matrix"))
+}
+
+/// The fixed point (x*, z*) of P_global at μ by Newton's method.
+fn fixed_point(orbit: &GrazingOrbit<Specimen>, mu: f64) -> Result<Vector2<f64>, Failure> {
+    let [primary, secondary] = orbit.oscillator().parameters();
+    let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary]);
+    let mut point = Vector2::new(0.0, orbit.phase());
+    for _ in 0..20 {
+        let jet = global_map::<_, 1>(&oscillator, point[0], point[1], None)?.jet;
+        let step = (jet.derivative() - Matrix2::identity()).try_inverse().ok_or("1 is an eigenvalue of A")?
+            * (jet.value - point);
+        point -= step;
+        // Converges quadratically: the next step would be rounding.
+        if step.amax() < 1e-9 {
+            return Ok(point);
+        }
+    }
+    Err("no fixed point of P_global was found".into())
+}
+
+/// A grazing orbit with the frequency as μ, which enters nonlinearly, away from the fold of 𝒜_graz(ω).
+fn nonlinear_orbit(sampler: &mut Sampler) -> Result<GrazingOrbit<Specimen>, Failure> {
+    loop {
+        let (specimen, phase) = Specimen::random(sampler)?;
+        let orbit = GrazingOrbit::find(&specimen, phase)?;
+        // At the fold grazing is not transversal, and Newton's method for the grazing orbit is singular.
+        if orbit.primary_slope().abs() > 0.1 {
+            return Ok(GrazingOrbit::find(&specimen.frequency_first(), phase)?);
+        }
+    }
+}
+
+/// eq:xStarzStar: the fixed point of P_global to first order.
+pub(super) fn fixed_point_expansion() -> CheckResult {
+    let mut sampler = Sampler::new(22);
+    let mut least = Smallest::default();
+    for _ in 0..100 {
+        let orbit = nonlinear_orbit(&mut sampler)?;
+        let slope = orbit.grazing_point().map.fixed_point_slope()?;
+        least.see_resolved(order(|mu| {
+            let found = fixed_point(&orbit, mu).ok()?;
+            let remainder = found - Vector2::new(0.0, orbit.phase()) - slope * mu;
+            // (I − A)⁻¹ amplifies roundings up to a hundredfold.
+            Some((remainder.norm(), 1e-13))
+        }));
+    }
+    // Slack for the next order at the smallest resolved μ.
+    Ok(least.order(2.0, 0.3, "random oscillators with the frequency as μ"))
+}
+
+/// eq:xStarzStarDeriv: dx*/dμ by differences of numerical fixed points.
+pub(super) fn position_slope() -> CheckResult {
+    let mut sampler = Sampler::new(23);
+    let mut largest = Deviations::default();
+    for _ in 0..100 {
+        let orbit = nonlinear_orbit(&mut sampler)?;
+        let map = orbit.grazing_point().map;
+        let [measured] = difference(1e-3, |mu| Ok([fixed_point(&orbit, mu)?[0]]))?;
+        let stated = map.transversality() / (map.determinant() - map.trace() + 1.0);
+        largest.compare(measured, stated, stated.abs().max(1.0));
+        largest.compare(map.fixed_point_position_slope()?, stated, stated.abs().max(1.0));
+    }
+    // h⁴ = 10⁻¹² times fifth derivatives of 𝒜/𝒜_graz(ω), which has its resonance ζ wide, ζ ≥ 0.01: empirical.
+    Ok(largest.outcome(1e-6, "random oscillators with the frequency as μ"))
+}
+
+/// eq:beta: β is det(I − A) times dx*/dμ by Cramer's rule, and its sign is the one with which x* crosses the wall.
+pub(super) fn transversality() -> CheckResult {
+    let mut sampler = Sampler::new(24);
+    let mut largest = Deviations::default();
+    for _ in 0..500 {
+        let (tau, delta) = sampler.trapesium();
+        let a11 = sampler.between(-1.5, 1.5);
+        let a12 = sampler.between(0.2, 2.0);
+        let a22 = tau - a11;
+        let a = Matrix2::new(a11, a12, (a11 * a22 - delta) / a12, a22);
+        let b = Vector2::new(sampler.between(-1.0, 1.0), sampler.between(-1.0, 1.0));
+        let map = LinearisedMap { a, b };
+        // Cramer: the first column of I − A replaced by b.
+        let replaced = Matrix2::new(b[0], -a12, b[1], 1.0 - a22);
+        largest.compare(map.transversality(), replaced.determinant(), a.amax().max(1.0));
+    }
+    for _ in 0..100 {
+        let orbit = nonlinear_orbit(&mut sampler)?;
+        let (ahead, back) = (fixed_point(&orbit, 1e-5)?, fixed_point(&orbit, -1e-5)?);
+        let agrees = (ahead[0] - back[0]) * orbit.grazing_point().map.transversality() > 0.0;
+        largest.require(agrees && ahead[0] * back[0] < 0.0);
+    }
+    // Sums of two products of numbers up to the size of A.
+    Ok(largest.outcome(1e-14, "random A and b with (τ, δ) in the trapesium; crossings of random oscillators"))
+}
+
+/// eq:eigs: the two numbers are the eigenvalues, a real pair in order or a conjugate pair.
+pub(super) fn eigenvalues() -> CheckResult {
+    let mut sampler = Sampler::new(25);
+    let mut largest = Deviations::default();
+    for _ in 0..2000 {
+        let (tau, delta) = sampler.trapesium();
+        match Eigenvalues::from_trace_and_determinant(tau, delta) {
+            Eigenvalues::Real { lambda_1, lambda_2 } => {
+                largest.see(if lambda_1 >= lambda_2 && tau * tau >= 4.0 * delta {
+                    0.0
+                } else {
+                    f64::INFINITY
+                });
+                for (lambda, sign) in [(lambda_1, 1.0), (lambda_2, -1.0)] {
+                    largest.see((lambda * lambda - tau * lambda + delta).abs());
+                    // Near a double eigenvalue the square root amplifies: compare what is under it.
+                    let root = 2.0 * lambda - tau;
+                    largest.see(if root * sign >= -1e-15 {
+                        (root * root - tau * tau + 4.0 * delta).abs()
+                    } else {
+                        1.0
+                    });
+                }
+            }
+            Eigenvalues::ComplexPair { modulus, argument } => {
+                let (im, re) = libm::sincos(argument);
+                largest.see((2.0 * modulus * re - tau).abs());
+                largest.see((modulus * modulus - delta).abs());
+                largest.require(im > 0.0 && tau * tau < 4.0 * delta);
+            }
+        }
+    }
+    // Numbers of order one and a handful of operations.
+    Ok(largest.outcome(1e-14, "points of the trapesium"))
+}
+
+/// eq:cT: with δ > 0, powers of A tend to zero if and only if (τ, δ) lies in the trapesium.
+pub(super) fn trapesium() -> CheckResult {
+    let mut sampler = Sampler::new(26);
+    let mut cases = Votes::default();
+    for k in 0..2000 {
+        let delta = sampler.between(1e-3, 1.5);
+        let mut tau = sampler.between(-3.0, 3.0);
+        let mut delta = delta;
+        // Every third matrix lies within 10⁻⁶ of one of the three sides on which stability is lost.
+        match k % 6 {
+            0 => tau = sampler.one_of(&[1.0, -1.0]) * (delta + 1.0) + sampler.between(-1e-6, 1e-6),
+            1 => delta = 1.0 + sampler.between(-1e-6, 1e-6),
+            _ => {}
+        }
+        let a11 = sampler.between(-1.5, 1.5);
+        let a12 = sampler.between(0.2, 2.0);
+        let mut power = Matrix2::new(a11, a12, (a11 * (tau - a11) - delta) / a12, tau - a11);
+        // A to the power 2⁴⁰, with its size kept apart: log|Aᴺ| = log of the size.
+        let mut log_size = 0.0;
+        for _ in 0..40 {
+            let size = power.amax();
+            power /= size;
+            log_size = 2.0 * (log_size + libm::log(size));
+            power *= power;
+        }
+        log_size += libm::log(power.amax());
+        cases.see((log_size < 0.0) == in_trapesium(tau, delta));
+    }
+    Ok(cases.outcome("random matrices with δ > 0, a third of them within 10⁻⁶ of a side"))
+}
+
+/// For small μ with βμ < 0 orbits of the hybrid system that start near the non-impacting solution approach it.
+pub(super) fn stability() -> CheckResult {
+    let mut sampler = Sampler::new(27);
+    let mut cases = Votes::default();
+    for _ in 0..60 {
+        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let map = orbit.grazing_point().map;
+        let slope = map.fixed_point_position_slope()?;
+        let size = 1e-3 / slope.abs();
+        let mu = if slope > 0.0 { -size } else { size };
+        let [primary, secondary] = orbit.oscillator().parameters();
+        let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary]);
+        let [x, z] = fixed_point(&orbit, mu)?.into();
+        // Loops contract like |λ|ⁿ: as many as make it 10⁻³, from a tenth of the distance to the wall.
+        let radius = map.eigenvalues().spectral_radius();
+        let loops = libm::ceil(libm::log(1e-4) / libm::log(radius));
+        let from = State::at_rest(x + 0.1 * x * sampler.between(-1.0, 1.0), z);
+        let horizon = loops * oscillator.forcing_period();
+        let approached = match Orbit::new(&oscillator, from, horizon, 5).finish() {
+            OrbitEnd::TimeIsUp(end) => libm::hypot(end.position - x, end.velocity) < 0.05 * x.abs(),
+            _ => false,
+        };
+        cases.see(x < 0.0 && approached);
+    }
+    Ok(cases.outcome("random oscillators just below grazing"))
+}

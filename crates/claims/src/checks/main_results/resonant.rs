@@ -1,0 +1,116 @@
+//! Section 2.6: the assumption, ξ_p, the sketch of the unfolding, and the remark.
+
+use grazing_continuation::locate::Condition;
+use grazing_model::motion::highest_maximum;
+use grazing_model::{ImpactOscillator, State};
+use grazing_theorems::from_map::GrazingOrbit;
+use nalgebra::{Matrix2, Vector2};
+
+use super::coefficients::{Resonant, resonant};
+use super::curves::{on_curve, unfolded};
+use super::returns::{iterated, second_derivative};
+use super::specimen::Specimen;
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::{Deviations, Votes};
+
+/// ass:grazing2: along a range of η there is a grazing orbit, touching at F < 0, whose phase and μ move continuously, with
+/// the slopes that are used along the grazing curve.
+pub(super) fn grazing_orbits() -> CheckResult {
+    let mut sampler = Sampler::new(51);
+    let mut cases = Votes::default();
+    for _ in 0..40 {
+        let (specimen, phase) = Specimen::random(&mut sampler)?;
+        let mut orbit = GrazingOrbit::find(&specimen, phase)?;
+        let [_, start] = orbit.oscillator().parameters();
+        const STEP: f64 = 1e-3;
+        for k in 1..=40 {
+            let predicted = [orbit.primary() + STEP * orbit.primary_slope(), start + STEP * f64::from(k)];
+            let near = orbit.phase() + STEP * orbit.phase_slope();
+            let next = GrazingOrbit::find(&specimen.with_parameters(predicted), near)?;
+            let from = State::at_rest(0.0, next.phase());
+            let motion = next.oscillator().motion(from);
+            let top = highest_maximum(&motion, 1.5 * next.oscillator().forcing_period());
+            // The contact one period later is the highest maximum, at the wall to rounding.
+            let touches = top.is_some_and(|top| top.position.abs() < 1e-12);
+            // The prediction is off by h²/2 times second derivatives, which are below 10⁴ for ζ ≥ 0.01.
+            let smooth =
+                (next.phase() - near).abs() + (next.primary() - predicted[0]).abs() < 5e3 * STEP * STEP;
+            cases.see(touches && smooth && next.oscillator().acceleration(from) < 0.0);
+            orbit = next;
+        }
+    }
+    Ok(cases.outcome("values of η along the grazing curves of random oscillators"))
+}
+
+/// eq:xi: by second differences of iterated event location.
+pub(super) fn second_phase_derivative() -> CheckResult {
+    let mut sampler = Sampler::new(52);
+    let mut largest = Deviations::default();
+    for _ in 0..200 {
+        let (specimen, phase) = Specimen::random(&mut sampler)?;
+        let orbit = GrazingOrbit::find(&specimen, phase)?;
+        let loops = sampler.one_of(&[1, 2, 3, 4]);
+        let xi = orbit.second_phase_derivative(loops)?;
+        let measured = second_derivative(2e-3, |h| {
+            Ok(iterated(orbit.oscillator(), loops, [0.0, orbit.phase() + h])?[0])
+        })?;
+        largest.compare(measured, xi, xi.abs().max(1.0));
+    }
+    // Rounding 10⁻¹⁵ over h² and h⁴ times sixth derivatives: empirical, five times the largest seen.
+    Ok(largest.outcome(1e-7, "random oscillators, p = 1 to 4, by second differences"))
+}
+
+/// fig:E: in the case c_SN < 0 < c_PD and β > 0, the non-impacting solution exists for μ < 0 and is stable, and the curves
+/// lie on opposite sides of the grazing curve, each on its side of η = 0.
+pub(super) fn sketch() -> CheckResult {
+    let mut sampler = Sampler::new(53);
+    let mut cases = Votes::default();
+    while cases_below(&cases, 60) {
+        let Resonant { point: located, .. } = resonant(&mut sampler, &[1, 2, 3])?;
+        let point = located.resonant_point();
+        let (sn, pd) = (point.saddle_node_coefficient(), point.period_doubling_coefficient());
+        let map = &point.grazing.map;
+        if !(sn < 0.0 && pd > 0.0 && map.transversality() > 0.0) {
+            continue;
+        }
+        let theorem = located.theorem();
+        // The fixed point of P_global moves to x < 0 for μ < 0.
+        let slope = map.fixed_point_position_slope()?;
+        cases.see(slope > 0.0 && map.eigenvalues().spectral_radius() < 1.0);
+        for (condition, side, curve) in [
+            (Condition::SADDLE_NODE, -1.0, theorem.saddle_node()),
+            (Condition::PERIOD_DOUBLING, 1.0, theorem.period_doubling()),
+        ] {
+            // A small velocity: the quadratic term rules.
+            let found = on_curve(&located, condition, 1e-4).ok_or("no point of the curve was found")?;
+            let [mu, eta] = unfolded(&located, &found).ok_or("no grazing orbit was found")?;
+            cases.see(mu * side > 0.0 && eta * curve.eta_side.signum() > 0.0);
+        }
+    }
+    Ok(cases.outcome("resonances of random oscillators in the case of the caption"))
+}
+
+fn cases_below(cases: &Votes, limit: usize) -> bool {
+    matches!(cases.measure(), crate::outcome::Measure::Agreement { cases, .. } if cases < limit)
+}
+
+/// Remark 2.1: with a₁₂ = 0, β = (1 − a₂₂) b₁, so β ≠ 0 is a₂₂ ≠ 1 and b₁ ≠ 0.
+pub(super) fn remark() -> CheckResult {
+    let mut sampler = Sampler::new(54);
+    let mut largest = Deviations::default();
+    for k in 0..1000 {
+        let entry = |k: i32, sampler: &mut Sampler, special: f64| {
+            if k == 0 { special } else { sampler.between(-1.5, 1.5) }
+        };
+        let a22 = entry(k % 5, &mut sampler, 1.0);
+        let b1 = entry(k % 7, &mut sampler, 0.0);
+        let a = Matrix2::new(sampler.between(-1.0, 1.0), 0.0, sampler.between(-1.0, 1.0), a22);
+        let map = grazing_theorems::LinearisedMap { a, b: Vector2::new(b1, sampler.between(-1.0, 1.0)) };
+        largest.compare(map.transversality(), (1.0 - a22) * b1, 1.0);
+        let implied = (map.transversality() != 0.0) == (a22 != 1.0 && b1 != 0.0);
+        largest.require(implied);
+    }
+    // One product either way.
+    Ok(largest.outcome(1e-15, "random A with a₁₂ = 0 and b, a₂₂ = 1 and b₁ = 0 among them"))
+}

@@ -1,0 +1,191 @@
+//! Section 2.1: equations of motion and reset law.
+
+use core::f64::consts::TAU;
+
+use grazing_model::motion::{Motion, first_crossing, highest_maximum};
+use grazing_model::orbit::{FlightEnd, Orbit};
+use grazing_model::{ImpactOscillator, State};
+
+use super::specimen::Specimen;
+use crate::convergence::order;
+use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::sampling::{Sampler, smallest};
+use crate::tally::{Deviations, Smallest, Votes};
+
+/// A state on the free side of the wall, without pattern.
+fn state(sampler: &mut Sampler) -> State {
+    State {
+        position: sampler.between(-1.5, 0.0),
+        velocity: sampler.between(-1.0, 1.0),
+        phase: sampler.between(0.0, TAU),
+    }
+}
+
+/// eq:F: the acceleration against second differences of the position along the flow.
+pub(super) fn equation_of_motion() -> CheckResult {
+    let mut sampler = Sampler::new(1);
+    let mut least = Smallest::default();
+    for _ in 0..200 {
+        let (oscillator, _) = Specimen::random(&mut sampler)?;
+        let from = state(&mut sampler);
+        let force = oscillator.acceleration(from);
+        let x = |time: f64| oscillator.flow::<1>(from, time).value[0];
+        least.see_resolved(order(|h| {
+            let difference = (x(h) - 2.0 * from.position + x(-h)) / (h * h);
+            // Positions of order one, three of them, over h².
+            Some((difference - force, 1e-16 / (h * h)))
+        }));
+    }
+    // Slack for the term of fourth order at the smallest resolved steps.
+    Ok(least.order(2.0, 0.3, "states of random oscillators; ẍ by second differences of the flow"))
+}
+
+/// eq:f: all three components of the vector field against first differences along the flow, parameters of both kinds.
+pub(super) fn vector_field() -> CheckResult {
+    let mut sampler = Sampler::new(2);
+    let mut least = Smallest::default();
+    for k in 0..200 {
+        let (oscillator, _) = Specimen::random(&mut sampler)?;
+        let oscillator = if k % 2 == 0 { oscillator } else { oscillator.frequency_first() };
+        let from = state(&mut sampler);
+        let field = [from.velocity, oscillator.acceleration(from), oscillator.forcing_frequency().value];
+        let motion = oscillator.motion(from);
+        for (i, component) in field.into_iter().enumerate() {
+            least.see(order(|h| {
+                let at = |time: f64| {
+                    let there = motion.at(time);
+                    // The phase after a time is what the forcing does: the acceleration names it.
+                    let forcing = |phase: f64| {
+                        oscillator.acceleration(State {
+                            position: there.position,
+                            velocity: there.velocity,
+                            phase,
+                        })
+                    };
+                    let phase = from.phase + component * time;
+                    [there.position, there.velocity, there.acceleration - forcing(phase)][i]
+                };
+                let difference = (at(h) - at(-h)) / (2.0 * h);
+                Some((if i < 2 { difference - component } else { difference }, 1e-15 / h))
+            }));
+        }
+    }
+    // Slack as above; the third component holds exactly, which leaves no order to be seen.
+    Ok(least.order(2.0, 0.3, "components of the field at states of random oscillators"))
+}
+
+/// eq:z: along orbits with impacts the phase lies in [0, 2π) and differs from ωt by the delays of the impacts alone.
+pub(super) fn phase() -> CheckResult {
+    let mut sampler = Sampler::new(3);
+    let mut largest = Deviations::default();
+    for _ in 0..40 {
+        let (at_grazing, _) = Specimen::random(&mut sampler)?;
+        let [amplitude, frequency] = at_grazing.parameters();
+        let oscillator = at_grazing.with_parameters([1.2 * amplitude, frequency]);
+        let from = State { position: -0.5, velocity: 0.0, phase: sampler.between(0.0, TAU) };
+        let horizon = 20.0 * oscillator.forcing_period();
+        let mut delays = 0.0;
+        for flight in Orbit::new(&oscillator, from, horizon, 200) {
+            let phase = flight.from.phase;
+            let elapsed = from.phase + frequency * flight.start + delays - phase;
+            let turns = libm::round(elapsed / TAU);
+            let inside = (0.0..TAU).contains(&phase);
+            largest.see(if inside { (elapsed - turns * TAU).abs() } else { f64::INFINITY });
+            if let FlightEnd::Impact(impact) = flight.end {
+                let [_, delay] = oscillator.factors(impact.velocity, impact.phase);
+                delays += impact.velocity * delay;
+            }
+        }
+    }
+    // Phases up to 130 added up over at most 200 impacts.
+    Ok(largest.outcome(1e-11, "flights of orbits with impacts"))
+}
+
+/// Σ_graz: where F < 0 at (0, 0, z), and only there, the orbit through the point stays on the free side around it.
+pub(super) fn grazing_set() -> CheckResult {
+    let mut sampler = Sampler::new(4);
+    let mut cases = Votes::default();
+    for _ in 0..2000 {
+        let (at_grazing, _) = Specimen::random(&mut sampler)?;
+        let [_, frequency] = at_grazing.parameters();
+        // Amplitudes above 1 reach the part of the tangency set where F > 0.
+        let oscillator = at_grazing.with_parameters([sampler.between(0.5, 3.0), frequency]);
+        let from = State::on_wall(0.0, sampler.between(0.0, TAU));
+        let force = oscillator.acceleration(from);
+        // At a time of 10⁻⁵ the jerk changes x by 10⁻¹⁵ times a number of order one, F by 10⁻¹⁰ |F|.
+        if force.abs() < 1e-4 {
+            continue;
+        }
+        let motion = oscillator.motion(from);
+        let free = [1e-5, -1e-5].map(|time| motion.at(time).position < 0.0);
+        cases.see(free == [force < 0.0; 2]);
+    }
+    Ok(cases.outcome("points of the tangency set, F of both signs"))
+}
+
+/// eq:R: the incoming set goes to the outgoing set, the tangency set to itself, and the law has the form with Φ and Ψ.
+pub(super) fn reset_form() -> CheckResult {
+    let mut sampler = Sampler::new(5);
+    let mut least = f64::INFINITY;
+    const LAWS: usize = 40;
+    for seed in 0..LAWS as u64 {
+        let (oscillator, _) = Specimen::random(&mut sampler)?;
+        let (margin, _) = smallest(seed, 6, |[a, b]: [f64; 2]| {
+            // Down to velocities at which only the quotient is of order one.
+            let (velocity, phase) = (0.6 * a * a * a, TAU * b);
+            let law = |velocity: f64| oscillator.reset::<1>(velocity, phase).value;
+            let tangent = law(0.0);
+            let image = law(velocity);
+            let [restitution, delay] = oscillator.factors(velocity, phase);
+            let form =
+                (image[0] + velocity * restitution).abs() + (image[1] - phase - velocity * delay).abs();
+            // Form and identity to a few roundings of the phase.
+            if tangent[0] != 0.0 || tangent[1] != phase || form > 4e-15 {
+                return -1.0;
+            }
+            if velocity > 0.0 { -image[0] / velocity } else { restitution }
+        });
+        least = least.min(margin);
+    }
+    let over = "adversarial searches for the smallest recoil velocity per impact velocity";
+    Ok(Outcome::new(Measure::Margin { smallest: least }, 6 * LAWS, over))
+}
+
+/// eq:resetLaw: simulated orbits stay in x ≤ 0, arrive at the wall with y > 0, and go on from R(y, z).
+pub(super) fn reset_law() -> CheckResult {
+    let mut sampler = Sampler::new(6);
+    let mut largest = Deviations::default();
+    for _ in 0..40 {
+        let (at_grazing, _) = Specimen::random(&mut sampler)?;
+        let [amplitude, frequency] = at_grazing.parameters();
+        let oscillator = at_grazing.with_parameters([sampler.between(1.02, 1.5) * amplitude, frequency]);
+        let from = State { position: -0.5, velocity: 0.0, phase: sampler.between(0.0, TAU) };
+        let horizon = 30.0 * oscillator.forcing_period();
+        let mut expected: Option<State> = None;
+        for flight in Orbit::new(&oscillator, from, horizon, 100) {
+            if let Some(State { velocity, phase, .. }) = expected {
+                let turns = libm::round((phase - flight.from.phase) / TAU);
+                largest.see(flight.from.position.abs());
+                largest.see((velocity - flight.from.velocity).abs());
+                largest.see((phase - turns * TAU - flight.from.phase).abs());
+            }
+            // No crossing on the way, and the position at the impact is zero.
+            let before = flight.duration * (1.0 - 1e-6);
+            let early = first_crossing(&flight.motion, before).is_some();
+            let top = highest_maximum(&flight.motion, before).map_or(0.0, |top| top.position.max(0.0));
+            largest.see(if early { f64::INFINITY } else { top });
+            expected = None;
+            if let FlightEnd::Impact(impact) = flight.end {
+                largest.require(impact.velocity >= 0.0);
+                largest.see(flight.motion.at(flight.duration).position.abs());
+                let [restitution, delay] = oscillator.factors(impact.velocity, impact.phase);
+                expected = Some(State::on_wall(
+                    -impact.velocity * restitution,
+                    impact.phase + impact.velocity * delay,
+                ));
+            }
+        }
+    }
+    // Event times are exact to rounding; phases are of order ten.
+    Ok(largest.outcome(1e-12, "properties of the impacts and flights of orbits"))
+}

@@ -1,0 +1,250 @@
+//! Theorems 2.2 to 2.5: hypotheses met and the conclusion seen in the hybrid system; a hypothesis violated, named by the
+//! theorem, and the conclusion seen to fail.
+
+mod general;
+mod violations;
+
+use std::error::Error;
+
+use grazing_continuation::fit::quadratic_coefficient;
+use grazing_continuation::locate::Condition;
+use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::LinearOscillator;
+use grazing_theorems::from_map::GrazingOrbit;
+use grazing_theorems::hypothesis::Quantity;
+use grazing_theorems::{GenericGrazing, HypothesesViolated, ResonantGrazing, Side};
+
+use self::general::{side_of_curve, side_of_orbit};
+use crate::outcome::CheckResult;
+use crate::specimen::{DELAY, Exponential, RESTITUTION, VaryingReset, varying_at_grazing};
+use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
+use crate::sweep::generic::Existence;
+use crate::sweep::resonant::FIT_TOLERANCE;
+use crate::sweep::simulation::{Seen, Suspect};
+use crate::sweep::{
+    Extent, GenericRow, ResonantRow, Verdict, generic_cases, generic_rows, resonant_cases, resonant_rows,
+};
+use crate::tally::Votes;
+
+type Failure = Box<dyn Error + Send + Sync>;
+
+/// An oscillator for what is seen to fail.
+const ZETA: f64 = 0.03;
+const EPSILON: f64 = 0.8;
+
+/// th:codim11.
+pub(super) fn generic_grazing_one_loop() -> CheckResult {
+    let mut count = Votes::default();
+    generic_sweep(&mut count, |loops| loops == 1)?;
+    violations::generic(&mut count, 1);
+    // a₁₂ = 0: the MPS that comes into being is not unstable.
+    let resonance = theory()?.resonance(1, 3)?;
+    count.see(attracts(1, resonance.forcing_frequency()));
+    count.see(exists_for_both_signs_of_the_root(1, 0.97 * resonance.forcing_frequency()));
+    // Impacts that take some time, α > 0, and so much that α < 0: the MPS is on the other side then.
+    for shift in [0.05, -0.05] {
+        for alpha in [0.5, -0.5] {
+            let orbit = delayed(1.5 + shift, alpha)?;
+            let seen = side_of_orbit(&orbit, 1)?;
+            count.see(match GenericGrazing::check(&orbit.grazing_point(), 1) {
+                Ok(theorem) => alpha > 0.0 && seen == Existence::On(theorem.side()),
+                Err(violated) => {
+                    let map = orbit.grazing_point().map;
+                    let stated = side(map.a.m12 * map.transversality());
+                    alpha < 0.0
+                        && only(&violated, Quantity::SquareRootFactor)
+                        && matches!(seen, Existence::On(seen) if seen != stated)
+                }
+            });
+        }
+    }
+    Ok(count.outcome("oscillators at grazing to both sides of p = 1 resonances; hypotheses violated in turn"))
+}
+
+/// th:codim1p.
+pub(super) fn generic_grazing_p_loops() -> CheckResult {
+    let mut count = Votes::default();
+    generic_sweep(&mut count, |loops| loops > 1)?;
+    for p in [2, 3] {
+        violations::generic(&mut count, p);
+        let resonance = theory()?.resonance(p, 1)?;
+        // κ_p = 0: the MPS that comes into being is not unstable.
+        count.see(attracts(p, resonance.forcing_frequency()));
+        count.see(exists_for_both_signs_of_the_root(p, 0.97 * resonance.forcing_frequency()));
+        // With α < 0 it is a₁₂ < 0 that makes MPSs, to both sides of n − 1/(2p), and a₁₂ > 0 that makes none.
+        for (from, negative) in [(2.0, true), (1.0, false)] {
+            for share in [0.94, 1.06] {
+                for alpha in [0.5, -0.5] {
+                    let q = share * 0.5 / f64::from(p);
+                    let orbit = delayed(if negative { from - q } else { from + q }, alpha)?;
+                    let seen = side_of_orbit(&orbit, p)?;
+                    count.see(match GenericGrazing::check(&orbit.grazing_point(), p) {
+                        Ok(theorem) => negative == (alpha < 0.0) && seen == Existence::On(theorem.side()),
+                        Err(violated) => {
+                            negative != (alpha < 0.0)
+                                && only(&violated, Quantity::OffDiagonalTimesSquareRootFactor)
+                                && seen == Existence::Nowhere
+                        }
+                    });
+                }
+            }
+        }
+    }
+    Ok(count.outcome(
+        "oscillators at grazing, p = 2 to 6, to both sides of g_p and h_p; hypotheses violated in turn",
+    ))
+}
+
+/// th:codim21.
+pub(super) fn resonant_grazing_one_loop() -> CheckResult {
+    let mut count = Votes::default();
+    resonant_sweep(&mut count, |loops| loops == 1)?;
+    violations::resonant(&mut count, 1);
+    for n in [2, 3] {
+        let ratio = 0.5 * f64::from(n);
+        count.see(no_curve_away_from_resonance(1, theory()?.damped_natural_frequency() / (ratio + 0.05)));
+        for alpha in [0.5, -0.5] {
+            let orbit = delayed(ratio, alpha)?;
+            let stated = stated_sides(&orbit, 1)?;
+            let seen = [side_of_curve(&orbit, 1, 1.0)?, side_of_curve(&orbit, 1, -1.0)?];
+            count.see(match ResonantGrazing::check(&orbit.resonant_point(1)?, 1e-11) {
+                Ok(theorem) => alpha > 0.0 && holds(&orbit, &theorem, seen)?,
+                // With α < 0 the curves are there for the other sign of η.
+                Err(violated) => {
+                    alpha < 0.0
+                        && only(&violated, Quantity::SquareRootFactor)
+                        && (0..2).all(|k| matches!(seen[k], Existence::On(side) if side != stated[k]))
+                }
+            });
+        }
+    }
+    Ok(count.outcome("p = 1 resonances, 1/E_p among the restitutions; hypotheses violated in turn"))
+}
+
+/// th:codim2p.
+pub(super) fn resonant_grazing_p_loops() -> CheckResult {
+    let mut count = Votes::default();
+    resonant_sweep(&mut count, |loops| loops > 1)?;
+    violations::resonant(&mut count, 2);
+    for p in [2, 3] {
+        let q = 0.5 / f64::from(p);
+        count.see(no_curve_away_from_resonance(p, theory()?.damped_natural_frequency() / (1.04 + q)));
+        // With α < 0 the resonances at n − 1/(2p) are the real ones, and those at n + 1/(2p) virtual.
+        for (ratio, negative) in [(1.0 + q, false), (2.0 - q, true)] {
+            for alpha in [0.5, -0.5] {
+                let orbit = delayed(ratio, alpha)?;
+                let seen = [side_of_curve(&orbit, p, 1.0)?, side_of_curve(&orbit, p, -1.0)?];
+                count.see(match ResonantGrazing::check(&orbit.resonant_point(p)?, 1e-11) {
+                    Ok(theorem) => negative == (alpha < 0.0) && holds(&orbit, &theorem, seen)?,
+                    Err(violated) => {
+                        negative != (alpha < 0.0)
+                            && only(&violated, Quantity::OffDiagonalTimesSquareRootFactor)
+                            && seen == [Existence::Nowhere; 2]
+                    }
+                });
+            }
+        }
+    }
+    Ok(count.outcome(
+        "resonances with p = 2 to 5, virtual ones and 1/E_p among the restitutions; hypotheses violated in turn",
+    ))
+}
+
+fn generic_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
+    let mut cases = generic_cases(Extent::Whole)?;
+    cases.retain(|case| wanted(case.loops));
+    let rows: Vec<GenericRow> = generic_rows(&cases, || ())?;
+    rows.iter().for_each(|row| count.see(row.verdict != Verdict::Unexplained));
+    Ok(())
+}
+
+fn resonant_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
+    let mut cases = resonant_cases(Extent::Whole)?;
+    cases.retain(|case| wanted(case.loops));
+    let rows: Vec<ResonantRow> = resonant_rows(&cases, || ())?;
+    rows.iter().for_each(|row| count.see(row.verdict != Verdict::Unexplained));
+    Ok(())
+}
+
+fn theory() -> Result<grazing_theorems::LinearOscillator, Failure> {
+    Ok(grazing_theorems::LinearOscillator::new(ZETA, EPSILON)?)
+}
+
+fn side(number: f64) -> Side {
+    if number > 0.0 { Side::Positive } else { Side::Negative }
+}
+
+fn only(violated: &HypothesesViolated, quantity: Quantity) -> bool {
+    violated.violated().map(|hypothesis| hypothesis.quantity).eq([quantity])
+}
+
+/// The grazing orbit of an oscillator whose impacts take time, at ω₁/ω = `ratio`, with a reset law that varies and has this α.
+fn delayed(ratio: f64, alpha: f64) -> Result<GrazingOrbit<VaryingReset>, Failure> {
+    let omega = theory()?.damped_natural_frequency() / ratio;
+    let with = |size: f64| varying_at_grazing(ZETA, RESTITUTION, Exponential { size, ..DELAY }, omega);
+    let unit = with(1.0)?.grazing_point();
+    let wanted = (1.0 + unit.phi - alpha) * unit.forcing_frequency / unit.gamma;
+    Ok(with(wanted / unit.psi)?)
+}
+
+fn seen(solution: &LoopSolution, loops: u32, omega: f64) -> Option<(Seen, Option<bool>)> {
+    let oscillator = LinearOscillator::new(ZETA, EPSILON, solution.amplitude, omega).ok()?;
+    let (velocity, phase) = (solution.velocity, solution.phase);
+    let suspect = Suspect { oscillator: &oscillator, loops, velocity, phase };
+    Some((suspect.follow(), suspect.attracts()))
+}
+
+/// The MPS that grazing makes at this frequency is there, and simulated orbits beside it come nearer.
+fn attracts(loops: u32, omega: f64) -> bool {
+    let solution = LoopSolutions::new(ZETA, EPSILON, omega, loops).with_velocity(0.01);
+    seen(&solution, loops, omega) == Some((Seen::Returns, Some(true)))
+}
+
+/// With 𝒜 = 𝒜_graz ± μ² instead, so that β = 0, the MPS exists for both signs of μ or, with the other sign, for none.
+fn exists_for_both_signs_of_the_root(loops: u32, omega: f64) -> bool {
+    let solutions = LoopSolutions::new(ZETA, EPSILON, omega, loops);
+    let exists = |mu: f64| {
+        let nearest = solutions.at(mu).into_iter().next();
+        nearest
+            .and_then(|solution| seen(&solution, loops, omega))
+            .is_some_and(|(seen, _)| seen == Seen::Returns)
+    };
+    let size = 1e-4 / solutions.slopes()[0].abs();
+    let by_root = |sign: f64, root: f64| exists(sign * root * root);
+    let root = size.sqrt();
+    [1.0, -1.0].iter().any(|sign| by_root(*sign, root) && by_root(*sign, -root))
+        && [1.0, -1.0].iter().any(|sign| !by_root(*sign, root) && !by_root(*sign, -root))
+}
+
+/// Away from a resonance no saddle-node and no period-doubling bifurcation of the MPS comes out of the grazing point: those
+/// nearby in frequency stay at a distance from it.
+fn no_curve_away_from_resonance(loops: u32, omega: f64) -> bool {
+    [0.0, 1e-4, -1e-4].iter().all(|eta| {
+        let solutions = LoopSolutions::new(ZETA, EPSILON, omega + eta, loops);
+        solutions.saddle_node().velocity.abs() > 0.01 && solutions.period_doubling().velocity.abs() > 0.01
+    })
+}
+
+/// sgn(η) as the theorem states it, whether or not its hypotheses hold.
+fn stated_sides(orbit: &GrazingOrbit<VaryingReset>, loops: u32) -> Result<[Side; 2], Failure> {
+    let point = orbit.resonant_point(loops)?;
+    let stability = point.stability_coefficients();
+    Ok([stability.plus, stability.minus].map(|s| side(point.unfolding.derivative() * s)))
+}
+
+/// Both curves are seen for the stated sign of η, and the continued ones have the stated coefficients.
+fn holds(
+    orbit: &GrazingOrbit<VaryingReset>,
+    theorem: &ResonantGrazing,
+    seen: [Existence; 2],
+) -> Result<bool, Failure> {
+    let located = ResonantGrazingPoint::find(orbit.oscillator(), theorem.loops(), orbit.phase())?;
+    let stated = [theorem.saddle_node(), theorem.period_doubling()];
+    let mut all = true;
+    for (k, condition) in [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING].into_iter().enumerate() {
+        let fit = quadratic_coefficient(&located, condition)?;
+        all &= seen[k] == Existence::On(stated[k].eta_side)
+            && (fit.value / stated[k].coefficient - 1.0).abs() < FIT_TOLERANCE;
+    }
+    Ok(all)
+}

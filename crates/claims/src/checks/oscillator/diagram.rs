@@ -1,0 +1,110 @@
+//! Section 3.2: the two-parameter diagram, Figure 7.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{CurveEnd, Route, Window};
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{Formulation, Memory, unknown};
+use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::orbit::{Orbit, OrbitEnd};
+use grazing_model::{ImpactOscillator, LinearOscillator, State};
+
+use crate::checks::main_results::simulation::attracts;
+use crate::outcome::CheckResult;
+use crate::printed::printed;
+use crate::sampling::Sampler;
+use crate::tally::Votes;
+
+/// Frequencies from below the lowest resonance that Figure 7 labels to above the highest.
+const FREQUENCIES: [f64; 2] = [0.36, 0.95];
+
+/// Left of the grazing curve orbits that start near φ_p approach it in the full system; right of it φ_p is no solution.
+pub(super) fn non_impacting_region() -> CheckResult {
+    let (zeta, epsilon) = (printed("zeta")?, printed("epsilon")?);
+    let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
+    let mut sampler = Sampler::new(151);
+    let mut cases = Votes::default();
+    for _ in 0..60 {
+        let omega = sampler.between(FREQUENCIES[0], FREQUENCIES[1]);
+        let grazing = theory.grazing(omega)?;
+        let share = sampler.between(0.1, 0.999);
+        let oscillator = LinearOscillator::new(zeta, epsilon, share * grazing.amplitude(), omega)?;
+        let phase = sampler.between(0.0, TAU);
+        let start = oscillator.non_impacting_solution(phase);
+        // Off by a tenth of the distance to the wall, towards it or not, in a norm that never grows.
+        let off = 0.1 * (1.0 - share) * sampler.between(-1.0, 1.0);
+        let from = State { position: start.position + off, ..start };
+        let periods = libm::ceil(5.0 / zeta / oscillator.forcing_period());
+        let end = Orbit::new(&oscillator, from, periods * oscillator.forcing_period(), 5).finish();
+        cases.see(match end {
+            OrbitEnd::TimeIsUp(end) => {
+                libm::hypot(end.position - start.position, end.velocity - start.velocity) < 0.05 * off.abs()
+            }
+            _ => false,
+        });
+        let beyond = oscillator.with_parameters([grazing.amplitude() / share, omega]);
+        cases.see(beyond.non_impacting_solution(grazing.phase()).position > 0.0);
+    }
+    Ok(cases.outcome("points left and right of the grazing curve, simulated"))
+}
+
+/// At each resonance of Figure 7 an SN and a PD curve leave, a GZ curve of the MPS closes the region, and the MPS is stable on
+/// one side of SN and PD and unstable on the other, in simulation too.
+pub(super) fn boundaries() -> CheckResult {
+    let (zeta, epsilon) = (printed("zeta")?, printed("epsilon")?);
+    let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
+    let mut cases = Votes::default();
+    let route = Route {
+        window: Window { primary: [0.0, 1.4], secondary: [0.3, 1.1] },
+        control: StepControl::DRAWING,
+        step_limit: 20_000,
+        stop_at_events: true,
+        through_grazing: false,
+    };
+    for resonance in theory.resonances(&[1, 2, 3], FREQUENCIES[0], FREQUENCIES[1])? {
+        let grazing = resonance.grazing();
+        let oscillator =
+            LinearOscillator::new(zeta, epsilon, grazing.amplitude(), grazing.forcing_frequency())?;
+        let located = ResonantGrazingPoint::find(&oscillator, resonance.loops(), grazing.phase())?;
+        let unfolded = located.unfold(&route)?;
+        for curve in [&unfolded.saddle_node, &unfolded.period_doubling] {
+            // Each curve ends at the grazing bifurcation of the MPS, or runs on to another resonance on the grazing curve.
+            cases.see(match &curve.end {
+                CurveEnd::Grazing => true,
+                CurveEnd::Event(event) => event.condition == Condition::InteriorGrazing,
+                _ => false,
+            });
+            // In the middle of the curve, one step of the impact velocity to either side at fixed η.
+            let middle = curve.points[curve.points.len() / 2].solution;
+            let equations = located.equations().with_formulation(Formulation::FixedPhase);
+            let beside = [0.98, 1.02].map(|factor| {
+                let mut start = middle.unknowns;
+                start[unknown::VELOCITY] *= factor;
+                let conditions = [
+                    Condition::ImpactVelocity(start[unknown::VELOCITY]),
+                    Condition::Secondary(start[unknown::SECONDARY]),
+                ];
+                let found = locate(&equations, conditions, start, &mut Memory::default());
+                found.ok().map(|point| (equations.oscillator_at(&point), equations.solution(&point).0))
+            });
+            let [Some((below, lower)), Some((above, upper))] = beside else {
+                return Err("no MPS beside the curve".into());
+            };
+            // One side is stable, the other is not; simulation agrees where the orbit is admissible.
+            cases.see(lower.stable() != upper.stable());
+            for (oscillator, solution) in [(below, lower), (above, upper)] {
+                if solution.admissible() {
+                    cases.see(attracts(&oscillator, &solution) == Some(solution.stable()));
+                }
+            }
+        }
+        // The region is closed by grazing of the MPS, which holds along the whole third curve.
+        cases.see(!unfolded.grazing.is_empty());
+        for curve in &unfolded.grazing {
+            let inner = &curve.points[1..];
+            cases.see(inner.iter().all(|point| point.solution.ceiling().abs() < 1e-11));
+        }
+    }
+    Ok(cases.outcome("SN, PD and GZ curves at the resonances of Figure 7, crossed in simulation"))
+}

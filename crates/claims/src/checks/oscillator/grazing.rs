@@ -1,0 +1,213 @@
+//! Section 3.3: parameter values associated with grazing.
+
+use core::f64::consts::{PI, TAU};
+
+use grazing_model::maps::global_map;
+use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_theorems::from_map::GrazingOrbit;
+use grazing_theorems::{GrazingPoint, GrazingState};
+
+use crate::checks::main_results::returns::{derivative, returned};
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::Deviations;
+
+type Failure = Box<dyn core::error::Error + Send + Sync>;
+
+/// The closed form at random parameters, and the numerical grazing orbit found from a start beside it.
+fn both(sampler: &mut Sampler) -> Result<(GrazingState, GrazingOrbit<LinearOscillator>), Failure> {
+    let (zeta, epsilon) = (sampler.between(0.005, 0.3), sampler.between(0.05, 1.0));
+    let omega = sampler.between(0.3, 2.5);
+    let closed = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
+    let near = LinearOscillator::new(zeta, epsilon, closed.amplitude() * 1.001, omega)?;
+    let orbit = GrazingOrbit::find(&near, closed.phase() + 1e-3)?;
+    Ok((closed, orbit))
+}
+
+/// What is measured in the numerical oscillator against a printed expression, over random parameters.
+fn compared(
+    seed: u64,
+    mut sample: impl FnMut(&GrazingState, &GrazingOrbit<LinearOscillator>, &mut Deviations) -> Result<(), Failure>,
+) -> Result<Deviations, Failure> {
+    let mut sampler = Sampler::new(seed);
+    let mut largest = Deviations::default();
+    for _ in 0..300 {
+        let (closed, orbit) = both(&mut sampler)?;
+        sample(&closed, &orbit, &mut largest)?;
+    }
+    Ok(largest)
+}
+
+/// F, Φ and Ψ of the linear oscillator, and that it is a member of the general class with them.
+pub(super) fn general_form() -> CheckResult {
+    let mut sampler = Sampler::new(111);
+    let mut largest = Deviations::default();
+    for _ in 0..1000 {
+        let (closed, orbit) = both(&mut sampler)?;
+        let oscillator = orbit.oscillator();
+        let state = State {
+            position: sampler.between(-2.0, 0.0),
+            velocity: sampler.between(-1.0, 1.0),
+            phase: sampler.between(0.0, TAU),
+        };
+        let zeta = closed.oscillator().damping_ratio();
+        let force = -2.0 * zeta * state.velocity - state.position - 1.0
+            + oscillator.amplitude() * libm::cos(state.phase);
+        largest.compare(oscillator.acceleration(state), force, 1.0);
+        let velocity = sampler.between(0.01, 2.0);
+        let image = oscillator.reset::<1>(velocity, state.phase).value;
+        largest.compare(-image[0] / velocity, closed.oscillator().coefficient_of_restitution(), 1.0);
+        largest.compare(image[1], state.phase, 1.0);
+    }
+    // A handful of operations on numbers of order one.
+    Ok(largest.outcome(1e-14, "random oscillators, states and impacts"))
+}
+
+/// eq:oscphipsigamma: φ, ψ, γ read off the reset law and the numerical grazing orbit.
+pub(super) fn constants() -> CheckResult {
+    let largest = compared(112, |closed, orbit, largest| {
+        let omega = closed.forcing_frequency();
+        let GrazingPoint { phi, psi, gamma, .. } = orbit.grazing_point();
+        largest.compare(phi, closed.oscillator().coefficient_of_restitution(), 1.0);
+        largest.compare(psi, 0.0, 1.0);
+        // 𝒜 cos z_graz comes with the error of the grazing orbit, times 𝒜 up to five.
+        largest.compare(gamma, omega * omega, 1.0);
+        let stated = closed.grazing_point();
+        largest.compare(stated.gamma, gamma, 1.0);
+        largest.compare(stated.phi, phi, 1.0);
+        largest.compare(stated.psi, psi, 1.0);
+        Ok(())
+    })?;
+    // Newton's method for the grazing orbit leaves some ten roundings of numbers of order one to five.
+    Ok(largest.outcome(1e-13, "numerical grazing orbits of random oscillators"))
+}
+
+/// eq:oscalpha.
+pub(super) fn square_root_factor() -> CheckResult {
+    let largest = compared(113, |closed, orbit, largest| {
+        let epsilon = closed.oscillator().coefficient_of_restitution();
+        largest.compare(orbit.grazing_point().alpha(), 1.0 + epsilon, 1.0);
+        largest.compare(closed.grazing_point().alpha(), 1.0 + epsilon, 1.0);
+        Ok(())
+    })?;
+    // One sum.
+    Ok(largest.outcome(1e-14, "numerical grazing orbits of random oscillators"))
+}
+
+/// eq:oscA: the printed entries against jets of the numerical map and against differences of event locations.
+pub(super) fn first_derivatives() -> CheckResult {
+    let largest = compared(114, |closed, orbit, largest| {
+        let (zeta, omega) = (closed.oscillator().damping_ratio(), closed.forcing_frequency());
+        let omega_1 = (1.0 - zeta * zeta).sqrt();
+        let decay = libm::exp(-2.0 * PI * zeta / omega);
+        let (sin, cos) = libm::sincos(2.0 * PI * omega_1 / omega);
+        let stated = [
+            [cos + zeta / omega_1 * sin, omega / omega_1 * sin],
+            [-sin / (omega_1 * omega), cos - zeta / omega_1 * sin],
+        ]
+        .map(|row| row.map(|entry| decay * entry));
+        let (jets, function) = (orbit.grazing_point().map.a, closed.linearised_map().a);
+        for column in 0..2 {
+            let measured: [f64; 2] = derivative(1e-3, |h| {
+                let mut start = [0.0, orbit.phase()];
+                start[column] += h;
+                Ok(returned(orbit.oscillator(), start)?.into())
+            })?;
+            for row in 0..2 {
+                let entry = stated[row][column];
+                largest.compare(jets[(row, column)], entry, 1.0);
+                largest.compare(function[(row, column)], entry, 1.0);
+                // Differences are good to fewer digits: counted as that much less.
+                largest.see(DIFFERENCES * (measured[row] - entry).abs());
+            }
+        }
+        Ok(())
+    })?;
+    // As for the constants, with arguments 2πω₁/ω up to twenty.
+    Ok(largest.outcome(1e-13, "entries of A of random oscillators, by jets and by differences"))
+}
+
+/// The weight of a difference quotient, which is good to 10⁻⁹ (rounding over the step, and the step to the fourth power)
+/// where the tolerance is 10⁻¹³.
+const DIFFERENCES: f64 = 1e-4;
+
+/// eq:oscb, likewise; μ = 𝒜 − 𝒜_graz(ω) at fixed ω.
+pub(super) fn parameter_derivatives() -> CheckResult {
+    let largest = compared(115, |closed, orbit, largest| {
+        let map = orbit.grazing_point().map;
+        let amplitude = closed.amplitude();
+        let scale = 1.0 / amplitude;
+        let stated = [(1.0 - map.a.m11) / amplitude, -map.a.m21 / amplitude];
+        let function = closed.linearised_map().b;
+        let [_, omega] = orbit.oscillator().parameters();
+        // Steps in proportion to the amplitude, which is small at resonance.
+        let measured: [f64; 2] = derivative(1e-3, |h| {
+            let near = orbit.oscillator().with_parameters([orbit.primary() + h * amplitude, omega]);
+            Ok(returned(&near, [0.0, orbit.phase()])?.into())
+        })?;
+        for row in 0..2 {
+            largest.compare(map.b[row], stated[row], scale);
+            largest.compare(function[row], stated[row], scale);
+            largest.see(DIFFERENCES * (measured[row] - stated[row] * amplitude).abs());
+        }
+        Ok(())
+    })?;
+    // As for A.
+    Ok(largest.outcome(1e-13, "entries of b of random oscillators, by jets and by differences"))
+}
+
+/// pr:oscAb: A and b of the numerical map as the proposition gives them, strongly damped oscillators and high frequencies
+/// included.
+pub(super) fn both_derivatives() -> CheckResult {
+    let mut sampler = Sampler::new(118);
+    let mut largest = Deviations::default();
+    for _ in 0..1000 {
+        let zeta = sampler.between(0.002, 0.8);
+        let omega = sampler.between(0.25, 5.0);
+        let closed = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
+        let oscillator = LinearOscillator::new(zeta, 0.7, closed.amplitude(), omega)?;
+        let map = global_map::<_, 1>(&oscillator, 0.0, closed.phase(), None)?.jet;
+        let stated = closed.linearised_map();
+        let scale = stated.a.amax().max(1.0);
+        largest.see((map.derivative() - stated.a).amax() / scale);
+        let by_primary = map.jacobian.column(2) * closed.amplitude();
+        largest.see((by_primary - stated.b * closed.amplitude()).amax() / scale);
+    }
+    // Derivatives of maxima: sums of a dozen terms of the size of the entries.
+    Ok(largest.outcome(1e-13, "A and b by jets of the map for damping ratios to 0.8, frequencies 0.25 to 5"))
+}
+
+/// eq:osctaudelta: trace and determinant of the numerical A.
+pub(super) fn trace_and_determinant() -> CheckResult {
+    let largest = compared(116, |closed, orbit, largest| {
+        let (zeta, omega) = (closed.oscillator().damping_ratio(), closed.forcing_frequency());
+        let omega_1 = (1.0 - zeta * zeta).sqrt();
+        let tau = 2.0 * libm::exp(-2.0 * PI * zeta / omega) * libm::cos(2.0 * PI * omega_1 / omega);
+        let delta = libm::exp(-4.0 * PI * zeta / omega);
+        let map = orbit.grazing_point().map;
+        for (computed, stated) in [
+            (map.trace(), tau),
+            (closed.trace(), tau),
+            (map.determinant(), delta),
+            (closed.determinant(), delta),
+        ] {
+            largest.compare(computed, stated, 1.0);
+        }
+        Ok(())
+    })?;
+    // As for A.
+    Ok(largest.outcome(1e-13, "numerical grazing orbits of random oscillators"))
+}
+
+/// The display after eq:osctaudelta: β = (δ − τ + 1)/𝒜_graz.
+pub(super) fn transversality() -> CheckResult {
+    let largest = compared(117, |closed, orbit, largest| {
+        let map = orbit.grazing_point().map;
+        let stated = (map.determinant() - map.trace() + 1.0) / closed.amplitude();
+        largest.compare(map.transversality(), stated, 1.0 / closed.amplitude());
+        largest.compare(closed.transversality(), stated, 1.0 / closed.amplitude());
+        Ok(())
+    })?;
+    // As for b.
+    Ok(largest.outcome(1e-13, "numerical grazing orbits of random oscillators"))
+}

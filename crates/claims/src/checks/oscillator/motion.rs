@@ -1,0 +1,266 @@
+//! Section 3.1: equation of motion, flow, the periodic solution and its grazing.
+
+use core::f64::consts::TAU;
+
+use grazing_model::motion::highest_maximum;
+use grazing_model::orbit::{FlightEnd, Orbit};
+use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use nalgebra::Matrix2;
+
+use crate::convergence::order;
+use crate::outcome::CheckResult;
+use crate::sampling::Sampler;
+use crate::tally::{Deviations, Smallest};
+
+type Failure = Box<dyn core::error::Error + Send + Sync>;
+
+/// An oscillator with parameters from their whole domains, frequencies around the natural one.
+fn oscillator(sampler: &mut Sampler) -> Result<LinearOscillator, Failure> {
+    Ok(LinearOscillator::new(
+        sampler.between(0.005, 0.9),
+        sampler.between(0.01, 1.0),
+        sampler.between(0.3, 3.0),
+        sampler.between(0.2, 3.0),
+    )?)
+}
+
+fn state(sampler: &mut Sampler) -> State {
+    State {
+        position: sampler.between(-2.0, 0.0),
+        velocity: sampler.between(-1.0, 1.0),
+        phase: sampler.between(0.0, TAU),
+    }
+}
+
+/// φ_p and its derivative as printed in eq:phip.
+fn printed_periodic(oscillator: &LinearOscillator, time: f64) -> [f64; 2] {
+    let (zeta, omega, amplitude) =
+        (oscillator.damping_ratio(), oscillator.frequency(), oscillator.amplitude());
+    let stiffness = 1.0 - omega * omega;
+    let gain = amplitude / (stiffness * stiffness + 4.0 * zeta * zeta * omega * omega);
+    let (sin, cos) = libm::sincos(omega * time);
+    [
+        gain * (stiffness * cos + 2.0 * zeta * omega * sin) - 1.0,
+        gain * omega * (2.0 * zeta * omega * cos - stiffness * sin),
+    ]
+}
+
+/// φ as printed in eq:flow.
+fn printed_flow(oscillator: &LinearOscillator, [x0, y0, t0]: [f64; 3], time: f64) -> f64 {
+    let (zeta, omega_1) = (oscillator.damping_ratio(), oscillator.natural_frequency());
+    let [start, start_rate] = printed_periodic(oscillator, t0);
+    let elapsed = time - t0;
+    let (sin, cos) = libm::sincos(omega_1 * elapsed);
+    libm::exp(-zeta * elapsed)
+        * ((cos + zeta / omega_1 * sin) * (x0 - start) + sin / omega_1 * (y0 - start_rate))
+        + printed_periodic(oscillator, time)[0]
+}
+
+/// ẍ + 2ζẋ + x + 1 − 𝒜 cos ωt by central differences of a motion x(t), and its rounding.
+fn defect(oscillator: &LinearOscillator, x: impl Fn(f64) -> f64, time: f64, h: f64) -> (f64, f64) {
+    let [back, here, ahead] = [x(time - h), x(time), x(time + h)];
+    let acceleration = (ahead - 2.0 * here + back) / (h * h);
+    let velocity = (ahead - back) / (2.0 * h);
+    let force = oscillator.amplitude() * libm::cos(oscillator.frequency() * time);
+    let (zeta, omega) = (oscillator.damping_ratio(), oscillator.frequency());
+    // Positions are sums of terms of the size of the response, which is large at resonance.
+    let size =
+        1.0 + here.abs() + oscillator.amplitude() / libm::hypot(1.0 - omega * omega, 2.0 * zeta * omega);
+    (acceleration + 2.0 * oscillator.damping_ratio() * velocity + here + 1.0 - force, 1e-16 * size / (h * h))
+}
+
+/// eq:oscf: the model's flow has no defect.
+pub(super) fn equation_of_motion() -> CheckResult {
+    let mut sampler = Sampler::new(101);
+    let mut least = Smallest::default();
+    for _ in 0..300 {
+        let oscillator = oscillator(&mut sampler)?;
+        let from = state(&mut sampler);
+        let start = from.phase / oscillator.frequency();
+        let time = start + sampler.between(0.0, 10.0);
+        let x = |t: f64| oscillator.flow::<1>(from, t - start).value[0];
+        least.see_resolved(order(|h| Some(defect(&oscillator, x, time, h))));
+    }
+    // Slack for the term of fourth order.
+    Ok(least.order(2.0, 0.3, "random oscillators and orbits of the model; defect by central differences"))
+}
+
+/// eq:oscResetLaw: at every impact of simulated orbits y becomes −εy, and neither x nor z changes.
+pub(super) fn reset_law() -> CheckResult {
+    let mut sampler = Sampler::new(102);
+    let mut largest = Deviations::default();
+    for _ in 0..60 {
+        let oscillator = oscillator(&mut sampler)?;
+        let from = state(&mut sampler);
+        let mut before: Option<State> = None;
+        for flight in Orbit::new(&oscillator, from, 20.0 * oscillator.forcing_period(), 60) {
+            if let Some(impact) = before {
+                largest.see((flight.from.velocity + oscillator.restitution() * impact.velocity).abs());
+                largest.see(flight.from.position.abs());
+                let turns = libm::round((impact.phase - flight.from.phase) / TAU);
+                largest.see((impact.phase - turns * TAU - flight.from.phase).abs());
+            }
+            before = match flight.end {
+                FlightEnd::Impact(impact) => Some(impact),
+                FlightEnd::TimeIsUp(_) => None,
+            };
+        }
+    }
+    // One product, and phases of some tens.
+    Ok(largest.outcome(1e-13, "impacts of orbits of random oscillators"))
+}
+
+/// ω₁ and −ζ ± iω₁: trace and determinant of the matrix of the free oscillator.
+pub(super) fn damped_frequency() -> CheckResult {
+    let mut sampler = Sampler::new(103);
+    let mut largest = Deviations::default();
+    for _ in 0..500 {
+        let oscillator = oscillator(&mut sampler)?;
+        let (zeta, omega_1) = (oscillator.damping_ratio(), oscillator.natural_frequency());
+        let free = Matrix2::new(0.0, 1.0, -1.0, -2.0 * zeta);
+        // Sum and product of −ζ + iω₁ and −ζ − iω₁.
+        largest.compare(-2.0 * zeta, free.trace(), 1.0);
+        largest.compare(zeta * zeta + omega_1 * omega_1, free.determinant(), 1.0);
+        let theory = grazing_theorems::LinearOscillator::new(zeta, oscillator.restitution())?;
+        largest.compare(theory.damped_natural_frequency(), omega_1, 1.0);
+        // Free motion returns to its direction after 2π/ω₁, shrunk by e^{−2πζ/ω₁}.
+        let still = LinearOscillator::new(zeta, oscillator.restitution(), 0.0, oscillator.frequency())?;
+        let from = state(&mut sampler);
+        let end = still.flow::<1>(from, TAU / omega_1).value;
+        let shrunk = libm::exp(-TAU * zeta / omega_1);
+        largest.compare(end[0] + 1.0, shrunk * (from.position + 1.0), 3.0);
+        largest.compare(end[1], shrunk * from.velocity, 3.0);
+    }
+    // Numbers of order one; near ζ = 0.9 the time 2π/ω₁ is some fifteen.
+    Ok(largest.outcome(1e-14, "random damping ratios"))
+}
+
+/// eq:flow: the print satisfies the initial condition and the equation, and is the model's flow.
+pub(super) fn flow() -> CheckResult {
+    let mut sampler = Sampler::new(104);
+    let mut least = Smallest::default();
+    for _ in 0..300 {
+        let oscillator = oscillator(&mut sampler)?;
+        let from = state(&mut sampler);
+        let start = from.phase / oscillator.frequency();
+        let initial = [from.position, from.velocity, start];
+        let x = |t: f64| printed_flow(&oscillator, initial, t);
+        let time = start + sampler.between(0.0, 10.0);
+        least.see_resolved(order(|h| Some(defect(&oscillator, x, time, h))));
+        // Initial position and velocity, the latter by a central difference of second order.
+        least.see_resolved(order(|h| {
+            Some(((x(start + h) - x(start - h)) / (2.0 * h) - from.velocity, 1e-14 / h))
+        }));
+        let gain = printed_periodic(&oscillator, 0.0).map(f64::abs);
+        let size = 10.0 + gain[0] + gain[1];
+        let same = (x(start) - from.position).abs() < 1e-14 * size
+            && (x(time) - oscillator.flow::<1>(from, time - start).value[0]).abs() < 1e-13 * size;
+        least.require(same);
+    }
+    // Slack as above; values agree to roundings of the periodic solution's size.
+    Ok(least.order(2.0, 0.3, "the printed solution: defect, initial state, and the model's flow"))
+}
+
+/// eq:phip: the print satisfies the equation, has period 2π/ω, and is the model's periodic solution.
+pub(super) fn periodic_solution() -> CheckResult {
+    let mut sampler = Sampler::new(105);
+    let mut least = Smallest::default();
+    for _ in 0..300 {
+        let oscillator = oscillator(&mut sampler)?;
+        let time = sampler.between(0.0, 10.0);
+        let x = |t: f64| printed_periodic(&oscillator, t)[0];
+        // At two times a quarter of a period apart: the fourth derivative is not small at both.
+        let later = time + 0.25 * oscillator.forcing_period();
+        least.see_resolved(order(|h| {
+            let [(one, rounding), (other, _)] = [time, later].map(|time| defect(&oscillator, x, time, h));
+            Some((libm::hypot(one, other), rounding))
+        }));
+        let model = oscillator.non_impacting_solution(oscillator.frequency() * time);
+        let [position, velocity] = printed_periodic(&oscillator, time);
+        let size = 1.0 + position.abs() + velocity.abs();
+        let from = State { position, velocity, phase: oscillator.frequency() * time };
+        let returned = oscillator.flow::<1>(from, oscillator.forcing_period()).value;
+        let same = (model.position - position).abs() + (model.velocity - velocity).abs() < 1e-12 * size
+            && (returned[0] - position).abs() + (returned[1] - velocity).abs() < 1e-12 * size;
+        least.require(same);
+    }
+    // Slack as above.
+    Ok(least.order(2.0, 0.3, "the printed periodic solution: defect, period, and the model's"))
+}
+
+/// As t → ∞ solutions converge to φ_p: distances shrink like e^{−ζt}.
+pub(super) fn attraction() -> CheckResult {
+    let mut sampler = Sampler::new(106);
+    let mut largest = Deviations::default();
+    for _ in 0..300 {
+        let oscillator = oscillator(&mut sampler)?;
+        let from = state(&mut sampler);
+        let zeta = oscillator.damping_ratio();
+        let distance = |time: f64| {
+            let there = oscillator.flow::<1>(from, time).value;
+            let periodic = oscillator.non_impacting_solution(from.phase + oscillator.frequency() * time);
+            // The norm in which the free oscillator turns without changing it: x² + 2ζxy + y².
+            let (x, y) = (there[0] - periodic.position, there[1] - periodic.velocity);
+            (x * x + 2.0 * zeta * x * y + y * y).sqrt()
+        };
+        let time = sampler.between(1.0, 8.0);
+        largest.compare(distance(time), libm::exp(-zeta * time) * distance(0.0), distance(0.0));
+    }
+    // Differences of positions that reach a hundred at resonance.
+    Ok(largest.outcome(1e-13, "random oscillators; distance to φ_p in the norm of the free motion"))
+}
+
+/// eq:Agraz: at the printed amplitude the highest maximum of φ_p, found by search, is the wall; beside it is not.
+pub(super) fn grazing_amplitude() -> CheckResult {
+    let mut sampler = Sampler::new(107);
+    let mut largest = Deviations::default();
+    for _ in 0..500 {
+        let oscillator = oscillator(&mut sampler)?;
+        let (zeta, omega) = (oscillator.damping_ratio(), oscillator.frequency());
+        let stiffness = 1.0 - omega * omega;
+        let amplitude = (stiffness * stiffness + 4.0 * zeta * zeta * omega * omega).sqrt();
+        let top = |amplitude: f64| {
+            let oscillator = oscillator.with_parameters([amplitude, omega]);
+            let from = oscillator.non_impacting_solution(sampler_phase(omega));
+            highest_maximum(&oscillator.motion(from), 1.01 * oscillator.forcing_period())
+                .map_or(f64::NAN, |top| top.position)
+        };
+        largest.see(top(amplitude).abs());
+        let theory = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
+        largest.compare(theory.amplitude(), amplitude, amplitude);
+        // The maximum is 𝒜/𝒜_graz − 1, on both sides of grazing.
+        for factor in [0.99, 1.01] {
+            largest.compare(top(factor * amplitude), factor - 1.0, 1.0);
+        }
+    }
+    // Positions of order one, gains up to a hundred at 𝒜 as small.
+    Ok(largest.outcome(1e-13, "random damping ratios and frequencies; maxima by search"))
+}
+
+/// Any phase to start from; one that depends on the frequency, so that no special one is hit.
+fn sampler_phase(omega: f64) -> f64 {
+    1.0 + 2.0 * omega
+}
+
+/// The display after eq:Agraz: z_graz is the phase of that maximum.
+pub(super) fn grazing_phase() -> CheckResult {
+    let mut sampler = Sampler::new(108);
+    let mut largest = Deviations::default();
+    for _ in 0..500 {
+        let (zeta, omega) = (sampler.between(0.005, 0.9), sampler.between(0.2, 3.0));
+        let theory = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
+        let oscillator = LinearOscillator::new(zeta, 0.7, theory.amplitude(), omega)?;
+        let start = sampler_phase(omega);
+        let from = oscillator.non_impacting_solution(start);
+        let top = highest_maximum(&oscillator.motion(from), 1.01 * oscillator.forcing_period())
+            .ok_or("φ_p has no maximum")?;
+        let (sin, cos) = libm::sincos(start + omega * top.time);
+        largest.compare(sin, 2.0 * zeta * omega / theory.amplitude(), 1.0);
+        largest.compare(cos, (1.0 - omega * omega) / theory.amplitude(), 1.0);
+        let (stated_sin, stated_cos) = libm::sincos(theory.phase());
+        largest.compare(sin, stated_sin, 1.0);
+        largest.compare(cos, stated_cos, 1.0);
+    }
+    // The time of a maximum: rounding of the velocity over its slope ω², which is 0.04 at least.
+    Ok(largest.outcome(1e-13, "random damping ratios and frequencies; maxima by search"))
+}

@@ -1,0 +1,314 @@
+//! Section 3.4: points of resonance.
+
+use core::f64::consts::PI;
+
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns};
+use grazing_model::motion::first_crossing;
+use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_theorems::from_map::GrazingOrbit;
+use grazing_theorems::hypothesis::Quantity;
+use grazing_theorems::{GenericGrazing, GrazingState, ResonantGrazing};
+
+use crate::checks::main_results::simulation::{attracts, returns};
+use crate::outcome::CheckResult;
+use crate::printed::{printed, printed_at_resonances};
+use crate::sampling::Sampler;
+use crate::tally::{Deviations, Votes};
+
+type Failure = Box<dyn core::error::Error + Send + Sync>;
+
+/// A function of the frequency, read off the numerical grazing orbit.
+fn measured(
+    theory: &grazing_theorems::LinearOscillator,
+    omega: f64,
+    value: impl Fn(&GrazingOrbit<LinearOscillator>) -> f64,
+) -> Result<f64, Failure> {
+    let closed = theory.grazing(omega)?;
+    let (zeta, epsilon) = (theory.damping_ratio(), theory.coefficient_of_restitution());
+    let oscillator = LinearOscillator::new(zeta, epsilon, closed.amplitude(), omega)?;
+    Ok(value(&GrazingOrbit::find(&oscillator, closed.phase())?))
+}
+
+/// All zeros in a range of ω₁/ω: sign changes over a grid much finer than the zeros are spaced, bisected.
+fn zeros(value: impl Fn(f64) -> Result<f64, Failure>, [first, last]: [f64; 2]) -> Result<Vec<f64>, Failure> {
+    const CELLS: i32 = 400;
+    // A grid without pattern: none of its points is a zero.
+    let at = |k: i32| first + (last - first) * (f64::from(k) + 0.137) / f64::from(CELLS);
+    let mut found = Vec::new();
+    let mut before = value(at(0))?;
+    for k in 1..CELLS {
+        let here = value(at(k))?;
+        if before * here < 0.0 {
+            let (mut low, mut high) = (at(k - 1), at(k));
+            for _ in 0..45 {
+                let middle = 0.5 * (low + high);
+                if value(middle)? * before > 0.0 { low = middle } else { high = middle }
+            }
+            found.push(0.5 * (low + high));
+        }
+        before = here;
+    }
+    Ok(found)
+}
+
+/// The range of ω₁/ω in which zeros are sought; ends are no resonances.
+const RATIOS: [f64; 2] = [0.22, 3.63];
+
+/// Holds the zeros of a function of ω₁/ω against a list, both ways.
+fn only_zeros(
+    largest: &mut Deviations,
+    theory: &grazing_theorems::LinearOscillator,
+    value: impl Fn(&GrazingOrbit<LinearOscillator>) -> f64,
+    expected: &[f64],
+) -> Result<(), Failure> {
+    let omega_1 = theory.damped_natural_frequency();
+    let found = zeros(|ratio| measured(theory, omega_1 / ratio, &value), RATIOS)?;
+    if found.len() != expected.len() {
+        largest.see(f64::INFINITY);
+    }
+    for (found, expected) in found.iter().zip(expected) {
+        largest.compare(*found, *expected, 1.0);
+    }
+    Ok(())
+}
+
+/// eq:resonance1: a₁₂ of the numerical map vanishes at ω₁/ω = n/2 and nowhere else.
+pub(super) fn one_loop() -> CheckResult {
+    let mut sampler = Sampler::new(121);
+    let mut largest = Deviations::default();
+    for _ in 0..4 {
+        let theory = grazing_theorems::LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
+        let expected: Vec<f64> = (1..8)
+            .map(|n| 0.5 * f64::from(n))
+            .filter(|ratio| (RATIOS[0]..RATIOS[1]).contains(ratio))
+            .collect();
+        only_zeros(&mut largest, &theory, |orbit| orbit.grazing_point().map.a.m12, &expected)?;
+        for n in 1..8 {
+            let resonance = theory.resonance(1, n)?;
+            let ratio = theory.damped_natural_frequency() / resonance.forcing_frequency();
+            largest.compare(ratio, 0.5 * f64::from(n), 1.0);
+        }
+    }
+    // a₁₂ is good to 10⁻¹⁴, its slope in ω₁/ω is E₁ times some ten, E₁ above 0.01.
+    Ok(largest.outcome(1e-12, "zeros of the numerical a₁₂ in a range of ω₁/ω, by bracketing"))
+}
+
+/// eq:resonancep: κ_p of the numerical map vanishes at ω₁/ω = n ± 1/(2p) and nowhere else.
+pub(super) fn many_loops() -> CheckResult {
+    let mut sampler = Sampler::new(122);
+    let mut largest = Deviations::default();
+    for p in [2, 3, 4, 7] {
+        let theory = grazing_theorems::LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
+        let offset = 0.5 / f64::from(p);
+        let mut expected: Vec<f64> = (0..=4)
+            .flat_map(|n| [f64::from(n) - offset, f64::from(n) + offset])
+            .filter(|ratio| (RATIOS[0]..RATIOS[1]).contains(ratio))
+            .collect();
+        expected.sort_by(f64::total_cmp);
+        let kappa = |orbit: &GrazingOrbit<LinearOscillator>| {
+            let map = orbit.grazing_point().map;
+            map.trace() - 2.0 * map.determinant().sqrt() * libm::cos(PI / f64::from(p))
+        };
+        only_zeros(&mut largest, &theory, kappa, &expected)?;
+        for n in 1..5 {
+            let omega_1 = theory.damped_natural_frequency();
+            largest.compare(
+                omega_1 / theory.resonance(p, n)?.forcing_frequency(),
+                f64::from(n) + offset,
+                1.0,
+            );
+            largest.compare(omega_1 / theory.virtual_resonance_frequency(p, n)?, f64::from(n) - offset, 1.0);
+        }
+    }
+    // As for one loop.
+    Ok(largest.outcome(1e-12, "zeros of the numerical κ_p in a range of ω₁/ω, p = 2, 3, 4, 7, by bracketing"))
+}
+
+/// The indices n of the labelled points of Figure 7: the printed frequencies belong to them, and between the lowest and the
+/// highest labelled frequency there are no others.
+pub(super) fn indices() -> CheckResult {
+    let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
+    let omega_1 = theory.damped_natural_frequency();
+    let mut cases = Votes::default();
+    for (loops, index, frequency) in printed_at_resonances("omega")? {
+        let ratio =
+            if loops == 1 { 0.5 * f64::from(index) } else { f64::from(index) + 0.5 / f64::from(loops) };
+        // Four printed decimals: half a unit of the last, relative to frequencies from 0.39, and ratios up to 2.5.
+        cases.see((omega_1 / frequency - ratio).abs() < 5e-4);
+    }
+    let labelled = [(1, vec![3, 4, 5]), (2, vec![1, 2]), (3, vec![1, 2])];
+    let frequency =
+        |loops: u32, index: u32| theory.resonance(loops, index).map(|found| found.forcing_frequency());
+    let (lowest, highest) = (frequency(1, 5)?, frequency(3, 1)?);
+    for (loops, mut stated) in labelled {
+        let found = theory.resonances(&[loops], lowest, highest)?;
+        let mut found: Vec<u32> = found.iter().map(|resonance| resonance.index()).collect();
+        found.sort_unstable();
+        stated.sort_unstable();
+        cases.see(found == stated);
+        // Each is a resonance of the numerical map, with SN and PD curves: the theorem's hypotheses hold.
+        for index in stated {
+            let resonance = theory.resonance(loops, index)?;
+            let grazing = resonance.grazing();
+            let oscillator = LinearOscillator::new(
+                theory.damping_ratio(),
+                theory.coefficient_of_restitution(),
+                grazing.amplitude(),
+                grazing.forcing_frequency(),
+            )?;
+            let point = GrazingOrbit::find(&oscillator, grazing.phase())?.resonant_point(loops)?;
+            cases.see(ResonantGrazing::check(&point, 1e-12).is_ok());
+        }
+    }
+    Ok(cases.outcome(
+        "printed frequencies, and the resonances p = 1, 2, 3 between the lowest and the highest labelled",
+    ))
+}
+
+/// The display after eq:resonancep: a₁₂ at the resonances of either sign, and the sign of a₁₂α.
+pub(super) fn off_diagonal() -> CheckResult {
+    let mut sampler = Sampler::new(123);
+    let mut largest = Deviations::default();
+    for _ in 0..60 {
+        let theory =
+            grazing_theorems::LinearOscillator::new(sampler.between(0.005, 0.2), sampler.between(0.1, 1.0))?;
+        let (p, n) = (sampler.one_of(&[2, 3, 4, 5, 8]), sampler.one_of(&[1, 2, 3]));
+        for sign in [1.0, -1.0] {
+            let omega = if sign > 0.0 {
+                theory.resonance(p, n)?.forcing_frequency()
+            } else {
+                theory.virtual_resonance_frequency(p, n)?
+            };
+            let decay = libm::exp(-2.0 * PI * theory.damping_ratio() / omega);
+            let stated =
+                sign * decay / (f64::from(n) + sign * 0.5 / f64::from(p)) * libm::sin(PI / f64::from(p));
+            let a12 = measured(&theory, omega, |orbit| orbit.grazing_point().map.a.m12)?;
+            largest.compare(a12, stated, 1.0);
+            let product = measured(&theory, omega, |orbit| {
+                orbit.grazing_point().map.a.m12 * orbit.grazing_point().alpha()
+            })?;
+            largest.require(product * sign > 0.0);
+        }
+        largest.compare(
+            theory.resonance(p, n)?.off_diagonal(),
+            libm::exp(-2.0 * PI * theory.damping_ratio() / theory.resonance(p, n)?.forcing_frequency())
+                / (f64::from(n) + 0.5 / f64::from(p))
+                * libm::sin(PI / f64::from(p)),
+            1.0,
+        );
+    }
+    // As for A.
+    Ok(largest.outcome(1e-13, "resonances with either sign of random oscillators"))
+}
+
+/// The MPS near grazing on one side, by the expansion in μ.
+fn near_grazing(
+    grazing: &GrazingState,
+    loops: u32,
+    side: f64,
+) -> Result<(LinearOscillator, MaximalPeriodicSolution), Failure> {
+    let theory = grazing.oscillator();
+    let omega = grazing.forcing_frequency();
+    let orbit = grazing.grazing_point().emerging_orbit(loops)?;
+    let mu = side * 1e-4 / orbit.impact_velocity_slope.abs();
+    let oscillator = LinearOscillator::new(
+        theory.damping_ratio(),
+        theory.coefficient_of_restitution(),
+        grazing.amplitude() + mu,
+        omega,
+    )?;
+    let equations = LoopEquations::new(oscillator, loops, Formulation::Vivid);
+    let start = Unknowns::new(
+        orbit.impact_velocity_slope * mu,
+        grazing.phase() + orbit.impact_phase_slope * mu,
+        grazing.amplitude() + mu,
+        omega,
+    );
+    let conditions = [Condition::Primary(start[2]), Condition::Secondary(omega)];
+    let zero = locate(&equations, conditions, start, &mut Memory::default())?;
+    Ok((oscillator, equations.solution(&zero).0))
+}
+
+/// At ω₁/ω = n − 1/(2p) the theorem's hypothesis a₁₂α > 0 fails, and near it the zero of the VIVID function with y > 0 is
+/// virtual: in the hybrid system its orbit meets the wall too early. At n + 1/(2p) it is none of that.
+pub(super) fn virtual_solutions() -> CheckResult {
+    let mut sampler = Sampler::new(124);
+    let mut cases = Votes::default();
+    for _ in 0..40 {
+        let theory =
+            grazing_theorems::LinearOscillator::new(sampler.between(0.005, 0.05), sampler.between(0.5, 1.0))?;
+        let (p, n) = (sampler.one_of(&[2, 3, 4]), sampler.one_of(&[1, 2]));
+        // Just beside the resonance, on either side of it.
+        let off = 1.0 + sampler.one_of(&[-1.0, 1.0]) * sampler.between(0.002, 0.01);
+        for real in [true, false] {
+            let frequency = if real {
+                theory.resonance(p, n)?.forcing_frequency()
+            } else {
+                theory.virtual_resonance_frequency(p, n)?
+            };
+            let grazing = theory.grazing(frequency * off)?;
+            let point = grazing.grazing_point();
+            let answer = GenericGrazing::check(&point, p);
+            cases.see(match &answer {
+                Ok(_) => real,
+                Err(violated) => {
+                    let only = Quantity::OffDiagonalTimesSquareRootFactor;
+                    !real && violated.violated().all(|hypothesis| hypothesis.quantity == only)
+                }
+            });
+            // The side on which y > 0.
+            let side = point.emerging_orbit(p)?.impact_velocity_slope.signum();
+            let (oscillator, solution) = near_grazing(&grazing, p, side)?;
+            cases.see(solution.impact_velocity() > 0.0 && solution.admissible() == real);
+            let reset = oscillator.reset::<1>(solution.unknowns[0], solution.unknowns[1]).value;
+            let motion = oscillator.motion(State::on_wall(reset[0], reset[1]));
+            let period = f64::from(p) * oscillator.forcing_period();
+            // An impact is early if it is before the last one by more than its resolution.
+            let early = first_crossing(&motion, period * (1.0 - 1e-5)).is_some();
+            cases.see(early != real && returns(&oscillator, &solution) == real);
+        }
+    }
+    Ok(cases.outcome("random oscillators beside n ± 1/(2p): hypotheses, admissibility, simulation"))
+}
+
+/// At p = 2, n = 1 the hypotheses of theorem 2.5 hold, and close to that frequency there is a stable two-loop MPS shortly
+/// after grazing that attracts orbits of the hybrid system.
+pub(super) fn stable_two_loops() -> CheckResult {
+    let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
+    let resonance = theory.resonance(2, 1)?;
+    let theorem = ResonantGrazing::check(&resonance.resonant_point(), 1e-12)?;
+    let mut cases = Votes::default();
+    cases.see(theorem.saddle_node().coefficient < 0.0);
+    let omega = resonance.forcing_frequency();
+    for k in -2..=2 {
+        // Frequencies so near that the quadratic unfolding of size cη² is below 𝒜 − 𝒜_graz.
+        let frequency = omega * (1.0 + 5e-4 * f64::from(k));
+        let grazing = theory.grazing(frequency)?;
+        for share in [0.01, 0.02, 0.04] {
+            let amplitude = grazing.amplitude() * (1.0 + share);
+            let oscillator = LinearOscillator::new(
+                theory.damping_ratio(),
+                theory.coefficient_of_restitution(),
+                amplitude,
+                frequency,
+            )?;
+            let equations = LoopEquations::new(oscillator, 2, Formulation::FixedPhase);
+            // At resonance μ = k₂y² to leading order.
+            let branch = theorem.branch();
+            let velocity = ((amplitude - grazing.amplitude()) / branch.k_2).sqrt();
+            let start =
+                Unknowns::new(velocity, grazing.phase() + branch.k_1 * velocity, amplitude, frequency);
+            let conditions = [Condition::Primary(amplitude), Condition::Secondary(frequency)];
+            let zero = locate(&equations, conditions, start, &mut Memory::default())?;
+            let solution = equations.solution(&zero).0;
+            cases.see(
+                solution.admissible()
+                    && solution.stable()
+                    && returns(&oscillator, &solution)
+                    && attracts(&oscillator, &solution) == Some(true),
+            );
+        }
+    }
+    Ok(cases.outcome("frequencies at the p = 2, n = 1 resonance, amplitudes 1 to 4 per cent past grazing"))
+}

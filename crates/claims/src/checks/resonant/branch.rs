@@ -1,0 +1,341 @@
+//! Z(y, η) and M(y, η): eq:ZM to the expansion of y Ψ^±.
+
+use grazing_continuation::mps::Memory;
+use grazing_model::ImpactOscillator;
+use grazing_model::maps::global_iterate;
+use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, resonance_boundary};
+use nalgebra::{Matrix2, Vector2};
+
+use super::places::{
+    EVERYWHERE, Failure, Loops, Observed, Place, Symbols, directions, everywhere, largest, lowest, order,
+    remembered, scaled,
+};
+use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::sampling::{Sampler, smallest};
+
+/// Ratios of y and η in which points run into the resonance.
+const RATIOS: [[f64; 2]; 4] = [[1.0, 0.0], [1.0, 0.3], [1.0, -0.3], [-1.0, 0.2]];
+
+/// Rounding of a located phase relative to z_graz: the quotient of 10⁻¹⁵ and entries of K.
+const PHASE: f64 = 3e-14;
+
+/// Rounding of a located μ: the zeros of V are exact to the last places of the amplitude.
+const PARAMETER: f64 = 1e-15;
+
+/// Rounding of P_global^p.
+const MAP: f64 = 1e-15;
+
+fn jacobian_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
+    let start = place.resonance.unknowns();
+    let pair = place.resonance.equations().pair::<1>(&start, &mut Memory::default())?;
+    let derivative = pair.difference().1;
+    let determinant = |first: usize| {
+        Matrix2::from_columns(&[derivative.column(first), derivative.column(first + 1)]).determinant()
+    };
+    let expected = place.point().grazing.parameter_jacobian_determinant_factored(place.loops());
+    Ok(vec![determinant(0).abs(), (determinant(1) - expected).abs() / (1.0 + expected.abs())])
+}
+
+/// At the resonance det J = 0 and det K is what eq:detJac2 says.
+pub(super) fn jacobians() -> CheckResult {
+    let gaps = everywhere!(Loops::Any, jacobian_gaps);
+    let largest = largest(&gaps);
+    // Sums of products of some tens of roundings.
+    let measure = Measure::Deviation { largest, tolerance: 1e-11 };
+    Ok(Outcome::new(measure, gaps.len(), "derivatives of V at located resonances"))
+}
+
+/// det K/β > 0 at resonance, so that K is non-singular: adversarial search over δ and p.
+pub(super) fn second_jacobian_is_regular() -> CheckResult {
+    let mut found = f64::INFINITY;
+    let loops = 2..=12_u32;
+    for p in loops.clone() {
+        let scaled = |[share]: [f64; 1]| {
+            // δ from 10⁻⁶ to 1 − 10⁻⁶.
+            let delta = 1e-6 + share * (1.0 - 2e-6);
+            geometric_sum_determinant(p, resonance_boundary(f64::from(p), delta), delta)
+        };
+        found = found.min(smallest(u64::from(p), 20, scaled).0);
+    }
+    Ok(Outcome::new(
+        Measure::Margin { smallest: found },
+        20 * loops.count(),
+        "searches over δ in (0, 1), p = 2 to 12",
+    ))
+}
+
+fn zero_velocity_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
+    let mut found = Vec::new();
+    for eta in [-0.03, -0.01, 0.005, 0.02] {
+        if let Some(near) = place.on_branch(0.0, eta) {
+            found.extend(near.relative().map(f64::abs));
+        }
+    }
+    Ok(found)
+}
+
+/// Z(0, η) = z_graz,η and M(0, η) = 0.
+pub(super) fn at_zero_velocity() -> CheckResult {
+    let gaps = everywhere!(Loops::Any, zero_velocity_gaps);
+    let largest = largest(&gaps);
+    // Both are located to some 10⁻¹⁴; K has entries down to 0.1.
+    let measure = Measure::Deviation { largest, tolerance: 1e-12 };
+    Ok(Outcome::new(measure, gaps.len(), "zeros of V with y = 0 for η up to 0.03 around resonances"))
+}
+
+/// Orders of Z − z_graz,η − k₁ y and of M − k₂ y² − k₃ η y.
+fn branch_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+    let branch = place.resonance.theorem().branch();
+    let mut found = Vec::new();
+    for [y, eta] in RATIOS {
+        let remainder = remembered(|size| {
+            let (y, eta) = (y * size, eta * size);
+            let [phase, mu] = place.on_branch(y, eta)?.relative();
+            Some([phase - branch.k_1 * y, mu - branch.parameter(y, eta)])
+        });
+        found.push((order(|size| Some((remainder(size)?[0], PHASE))), 2.0));
+        found.push((order(|size| Some((remainder(size)?[1], PARAMETER))), 3.0));
+    }
+    Ok(found)
+}
+
+fn form_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+    let mut found = Vec::new();
+    for [y, eta] in RATIOS {
+        let relative = remembered(|size| Some(place.on_branch(y * size, eta * size)?.relative()));
+        found.push((order(|size| Some((relative(size)?[0], PHASE))), 1.0));
+        found.push((order(|size| Some((relative(size)?[1], PARAMETER))), 2.0));
+    }
+    Ok(found)
+}
+
+/// eq:ZM: Z − z_graz,η is of first order, M of second.
+pub(super) fn form() -> CheckResult {
+    let orders = everywhere!(Loops::Any, form_orders);
+    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+}
+
+/// eq:k1231 in eq:ZM.
+pub(super) fn coefficients_of_one_loop() -> CheckResult {
+    let orders = everywhere!(Loops::One, branch_orders);
+    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+}
+
+/// eq:k123p in eq:ZM.
+pub(super) fn coefficients_of_many_loops() -> CheckResult {
+    let orders = everywhere!(Loops::Many, branch_orders);
+    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+}
+
+/// The coefficients of μ in x⁽ᵖ⁾ and z⁽ᵖ⁾ at resonance: b for p = 1, T_p (β, a₂₁ b₁ + (1 − a₁₁) b₂) for p ≥ 2.
+fn parameter_column<O: ImpactOscillator>(place: &Place<O>) -> Vector2<f64> {
+    let map = place.point().grazing.map;
+    if place.loops() == 1 {
+        return map.b;
+    }
+    let sum = lucas_partial_sum(place.loops(), map.trace(), map.determinant());
+    Vector2::new(map.transversality(), map.a.m21 * map.b.x + (1.0 - map.a.m11) * map.b.y) * sum
+}
+
+/// x⁽ᵖ⁾ as a polynomial in z⁽⁰⁾ − z_graz,η, coefficient by coefficient, and z⁽ᵖ⁾.
+fn return_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+    let symbols = place.symbols()?;
+    let column = parameter_column(place);
+    let jet = |x: f64, z: f64, mu: f64, eta: f64| {
+        let near = place.near([0.0, z, mu, eta])?;
+        let jet = global_iterate::<O, 2>(&near.oscillator(), place.loops(), x, near.unknowns[1]).ok()?;
+        Some((jet, near.orbit.phase()))
+    };
+    // First derivatives are known to ten, second ones to a hundred times the rounding of the map.
+    let rounding = MAP * 10.0;
+    let mut found = Vec::new();
+    for direction in directions(2) {
+        let at = remembered(|size| {
+            let [x, z, mu, eta] = scaled(&direction, size);
+            Some((x, z, mu, eta, jet(x, 0.0, mu, eta)?.0))
+        });
+        let constant = order(|size| {
+            let (x, _, mu, _, jet) = at(size)?;
+            Some((jet.value[0] - symbols.power.m11 * x - column.x * mu, rounding))
+        });
+        let linear = order(|size| {
+            let (x, _, mu, eta, jet) = at(size)?;
+            Some((jet.jacobian[(0, 1)] - symbols.d * x - symbols.e * mu - symbols.f * eta, rounding))
+        });
+        let quadratic = order(|size| {
+            let (.., jet) = at(size)?;
+            Some((jet.hessians[0][(1, 1)] - symbols.xi, 10.0 * rounding))
+        });
+        let cubic = order(|size| {
+            // At fixed x, μ, η: what Taylor's polynomial of second order in z leaves.
+            let z = direction[1] * size;
+            let (base, _) = jet(0.003, 0.0, -0.002, 0.004)?;
+            let (there, _) = jet(0.003, z, -0.002, 0.004)?;
+            let taylor = base.value[0] + (base.jacobian[(0, 1)] + 0.5 * base.hessians[0][(1, 1)] * z) * z;
+            Some((there.value[0] - taylor, MAP))
+        });
+        let phase = order(|size| {
+            let [x, z, mu, eta] = scaled(&direction, size);
+            let (jet, grazing) = jet(x, z, mu, eta)?;
+            let linear = symbols.power.m21 * x + symbols.power.m22 * z + column.y * mu;
+            Some((jet.value[1] - grazing - linear, rounding))
+        });
+        found.extend([(constant, 2.0), (linear, 2.0), (quadratic, 1.0), (cubic, 3.0), (phase, 2.0)]);
+    }
+    Ok(found)
+}
+
+/// eq:codim21proof1.
+pub(super) fn return_of_one_loop() -> CheckResult {
+    let orders = everywhere!(Loops::One, return_orders);
+    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+}
+
+/// eq:codim21proofp.
+pub(super) fn return_of_many_loops() -> CheckResult {
+    let orders = everywhere!(Loops::Many, return_orders);
+    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+}
+
+impl Symbols {
+    /// X₁, X₂, X₃ for any k₁, k₂, k₃; `by_parameter` is b₁ or T_p β.
+    fn x(&self, [k_1, k_2, k_3]: [f64; 3], by_parameter: f64) -> [f64; 3] {
+        let shift = (1.0 - self.alpha) * self.omega / self.gamma;
+        let (a, c) = (self.power.m11, self.power.m22);
+        [
+            -(1.0 - c) * k_1 + self.omega / self.gamma * (c * (1.0 - self.alpha) - 1.0),
+            by_parameter * k_2
+                + (a * self.phi * self.phi - 1.0) / (2.0 * self.gamma)
+                + 0.5 * self.xi * (k_1 + shift) * (k_1 + shift),
+            by_parameter * k_3 + self.f * (k_1 + shift),
+        ]
+    }
+}
+
+/// V(y, Z, M, η) for arbitrary k₁, k₂, k₃ in eq:ZM.
+fn vivid_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+    let symbols = place.symbols()?;
+    let by_parameter = parameter_column(place).x;
+    let mut sampler = Sampler::new(8);
+    let mut found = Vec::new();
+    for [y, eta] in RATIOS {
+        let k = core::array::from_fn(|_| sampler.between(-1.0, 1.0));
+        let x = symbols.x(k, by_parameter);
+        let remainder = remembered(|size| {
+            let (y, eta) = (y * size, eta * size);
+            let near = place.near([y, k[0] * y, k[1] * y * y + k[2] * eta * y, eta])?;
+            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
+            let v = pair.difference().0;
+            Some([v[0] - x[1] * y * y - x[2] * eta * y, v[1] - x[0] * y])
+        });
+        found.push((order(|size| Some((remainder(size)?[0], MAP))), 3.0));
+        found.push((order(|size| Some((remainder(size)?[1], MAP))), 2.0));
+    }
+    Ok(found)
+}
+
+/// The display of V(y, Z, M, η) with X₁, X₂, X₃, p = 1.
+pub(super) fn vivid_of_one_loop() -> CheckResult {
+    let orders = everywhere!(Loops::One, vivid_orders);
+    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+}
+
+/// The same for p ≥ 2.
+pub(super) fn vivid_of_many_loops() -> CheckResult {
+    let orders = everywhere!(Loops::Many, vivid_orders);
+    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+}
+
+fn solution_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
+    let branch = place.point().branch_expansion();
+    let symbols = place.symbols()?;
+    let by_parameter = parameter_column(place).x;
+    let k = [branch.k_1, branch.k_2, branch.k_3];
+    let sizes = symbols.x([0.0; 3], by_parameter);
+    let terms: [f64; 3] = core::array::from_fn(|i| sizes[i].abs() + k[i].abs() + 1.0 + symbols.f.abs());
+    Ok(symbols.x(k, by_parameter).iter().zip(terms).map(|(x, size)| x.abs() / size).collect())
+}
+
+/// X₁ = X₂ = X₃ = 0 has the solution eq:k1231 or eq:k123p.
+pub(super) fn solution() -> CheckResult {
+    let gaps = everywhere!(Loops::Any, solution_gaps);
+    let largest = largest(&gaps);
+    // A dozen roundings, and a₁₂ or κ_p of up to 10⁻¹³ at the located resonance.
+    Ok(Outcome::new(
+        Measure::Deviation { largest, tolerance: 1e-11 },
+        gaps.len(),
+        "resonances with p up to 5",
+    ))
+}
+
+/// Ψ^± against det(U ∓ I), which vanishes where U has the eigenvalue ±1.
+fn psi_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
+    let mut found = Vec::new();
+    for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
+        let Some(near) = place.on_branch(y, eta) else { continue };
+        let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default())?;
+        let inverse = pair.impact.derivative().try_inverse().ok_or("D P_virt is singular")?;
+        let u = pair.round_trip.derivative() * inverse;
+        let [plus, minus] = psi(&pair.multipliers());
+        let one = Matrix2::identity();
+        let size = 1.0 + u.amax() * u.amax();
+        found.push(((u - one).determinant() + plus).abs() / size);
+        found.push(((u + one).determinant() - minus).abs() / size);
+    }
+    Ok(found)
+}
+
+/// Ψ⁺ and Ψ⁻.
+fn psi(multipliers: &grazing_continuation::mps::Multipliers) -> [f64; 2] {
+    let (trace, determinant) = (multipliers.trace, multipliers.determinant);
+    [trace - determinant - 1.0, trace + determinant + 1.0]
+}
+
+/// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻.
+pub(super) fn multiplier_conditions() -> CheckResult {
+    let gaps = everywhere!(Loops::Any, psi_gaps);
+    let largest = largest(&gaps);
+    // Determinants of matrices with entries of size 1/y, relative to their squares.
+    Ok(Outcome::new(
+        Measure::Deviation { largest, tolerance: 1e-13 },
+        gaps.len(),
+        "MPSs on branches near resonances",
+    ))
+}
+
+fn psi_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+    let symbols = place.symbols()?;
+    let stability = place.point().stability_coefficients();
+    let by_eta = symbols.alpha * symbols.omega * symbols.f;
+    let mut found = Vec::new();
+    for [y, eta] in RATIOS {
+        let conditions = remembered(|size| {
+            let near = place.on_branch(y * size, eta * size)?;
+            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
+            Some(psi(&pair.multipliers()))
+        });
+        for (index, coefficient) in [stability.plus, stability.minus].into_iter().enumerate() {
+            let observed = order(|size| {
+                let (y, eta) = (y * size, eta * size);
+                // The phase of the zero is known to PHASE and enters y T with the factor α ω ξ_p.
+                let rounding =
+                    PHASE * (1.0 + by_eta.abs() + symbols.alpha * symbols.omega * symbols.xi.abs());
+                Some((y * conditions(size)?[index] - coefficient * y + by_eta * eta, rounding))
+            });
+            found.push((observed, 2.0));
+        }
+    }
+    Ok(found)
+}
+
+/// y Ψ^± = s₁^± y − α ω a₁₂' η + O(2).
+pub(super) fn stability_of_one_loop() -> CheckResult {
+    let orders = everywhere!(Loops::One, psi_orders);
+    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+}
+
+/// y Ψ^± = s_p^± y − α ω f_p η + O(2).
+pub(super) fn stability_of_many_loops() -> CheckResult {
+    let orders = everywhere!(Loops::Many, psi_orders);
+    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+}

@@ -1,0 +1,112 @@
+//! Section 6: what the period doublings of Figure 7 create.
+
+use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
+use grazing_model::{ImpactOscillator, LinearOscillator};
+
+use super::discussion::{ROUTE, agreement, of_figure_7};
+use super::doubled::DoubledEquations;
+use super::places::{Failure, Observed, Place, lowest, order, remembered};
+use super::simulation::next_impact;
+use crate::outcome::{CheckResult, Measure, Outcome};
+
+/// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
+fn flips(place: &Place<LinearOscillator>, count: usize) -> Result<Vec<Unknowns>, Failure> {
+    let unfolded = place.resonance.unfold(&ROUTE)?;
+    let points: Vec<&MaximalPeriodicSolution> = unfolded
+        .period_doubling
+        .points
+        .iter()
+        .map(|point| &point.solution)
+        .filter(|solution| solution.impact_velocity() > 1e-4 && solution.admissible())
+        .collect();
+    let last = points.len().checked_sub(1).ok_or("the PD curve has no points")?;
+    Ok((0..count).map(|k| points[k * last / (count - 1).max(1)].unknowns).collect())
+}
+
+/// What becomes of the period doubling at a point of a PD curve.
+struct Criticality {
+    /// The period-doubled MPS beside it has a multiplier above 1.
+    unstable: bool,
+    /// The simulated orbit that starts beside the MPS, at the parameters of the period-doubled one, ends on the latter.
+    settles: bool,
+}
+
+/// The period-doubled MPS next to a point of a PD curve, and the orbit from the MPS at its parameters.
+fn criticality(
+    place: &Place<LinearOscillator>,
+    flip: &Unknowns,
+    simulate: bool,
+) -> Result<Criticality, Failure> {
+    let equations = DoubledEquations::new(place.resonance.equations());
+    let y = flip[unknown::VELOCITY];
+    let doubled = equations.near(flip, 0.1 * y).ok_or("no period-doubled MPS beside a PD point")?;
+    let multipliers = equations.multipliers(&doubled).ok_or("no multipliers")?;
+    let mut settles = false;
+    if simulate {
+        let parameters = [doubled.primary(), flip[unknown::SECONDARY]];
+        let oscillator = place.resonance.orbit().oscillator().with_parameters(parameters);
+        let [first, second] = doubled.impacts().map(|impact| impact.fixed_rows::<2>(0).into_owned());
+        // Off the middle of the two impacts, where the MPS is, by a hundredth of their distance.
+        let mut here = (first + second) * 0.5 + (first - second) * 0.01;
+        for _ in 0..2000 {
+            match next_impact(&oscillator, place.loops(), here) {
+                Some(next) => here = next,
+                None => break,
+            }
+        }
+        settles = (here - first).norm().min((here - second).norm()) < 1e-3 * (first - second).norm();
+    }
+    // 1 − T + D is the product of one less each multiplier; both are near those of the MPS taken twice, 1 and below 1.
+    Ok(Criticality { unstable: 1.0 - multipliers.trace + multipliers.determinant < 0.0, settles })
+}
+
+/// The period doublings of Figure 7. Printed: all create an unstable solution. Found: close to the resonances those with p = 1
+/// and even n do and the others create a stable one, on which simulated orbits end.
+pub(super) fn criticality_of_figure_7() -> CheckResult {
+    let (mut cases, mut printed) = (Vec::new(), Vec::new());
+    for place in of_figure_7()? {
+        let even = place.loops() == 1 && place.point().unfolding.derivative() < 0.0;
+        for flip in flips(&place, 25)? {
+            printed.push(criticality(&place, &flip, false)?.unstable);
+        }
+        let curve = &place.curves()[1];
+        // Close to the resonance: the leading terms rule, so that the velocities of the two impacts stand in proportion to y.
+        for y in [4e-3, 2e-3, 1e-3, 5e-4] {
+            let eta = y / curve.leading.impact_velocity_slope;
+            let Some(near) = place.on_curve(curve, eta) else { continue };
+            let found = criticality(&place, &near.unknowns, true)?;
+            cases.push(found.unstable == even && found.settles != even);
+        }
+    }
+    let over = "points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along";
+    let agreeing = printed.iter().filter(|unstable| **unstable).count();
+    Ok(agreement(&cases, over).against_print(Measure::Agreement { agreeing, cases: printed.len() }))
+}
+
+/// The order in η of μ at the grazing member of the period-doubled family, and of its first impact velocity.
+fn doubled_grazing_orders(place: &Place<LinearOscillator>) -> Vec<Observed> {
+    let equations = DoubledEquations::new(place.resonance.equations());
+    let curve = &place.curves()[1];
+    let at = remembered(|size| {
+        let near = place.on_curve(curve, size / curve.leading.impact_velocity_slope)?;
+        let grazing = equations.grazing(&near.unknowns)?;
+        Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
+    });
+    // Located amplitudes and velocities.
+    let part = |index: usize, rounding: f64| (order(|size| Some((at(size)?[index], rounding))), 1.0);
+    vec![part(0, 1e-15), part(1, 1e-13)]
+}
+
+/// The period-doubled solutions end at grazing bifurcations of their own, on curves that end at the resonance.
+pub(super) fn doubled_solutions_graze() -> CheckResult {
+    let mut orders = Vec::new();
+    for place in of_figure_7()? {
+        orders.extend(doubled_grazing_orders(&place));
+    }
+    // Infinite: not found.
+    if orders.iter().any(|(observed, _)| observed.is_infinite()) {
+        return Err("a period-doubled family was not followed to its grazing".into());
+    }
+    let over = "μ and y on the curves where period-doubled MPSs of Figure 7 graze, as η tends to 0";
+    Ok(Outcome::new(lowest(&orders), orders.len(), over))
+}

@@ -1,0 +1,135 @@
+//! Period-doubled MPSs: orbits with two impacts in 2p loops, near the curve where an MPS has the multiplier −1.
+
+use grazing_continuation::mps::{
+    Formulation, LoopEquations, LoopPair, Memory, Multipliers, Unknowns, unknown,
+};
+use grazing_continuation::newton::{self, Linearisation};
+use grazing_model::ImpactOscillator;
+use grazing_model::maps::MapError;
+use nalgebra::{Matrix2, SMatrix, SVector, Vector2, Vector4};
+
+/// (y₁, z₁, y₂, z₂, μ) at fixed η.
+type Pair = SVector<f64, 5>;
+
+/// The condition that picks an orbit of the family.
+#[derive(Clone, Copy)]
+enum Pick {
+    /// y₁ − y₂ has this value.
+    Difference(f64),
+    /// y₂ has this value; at 0 the orbit grazes.
+    Lower(f64),
+}
+
+/// A period-doubled MPS.
+#[derive(Clone, Copy)]
+pub(super) struct Doubled {
+    point: Pair,
+    secondary: f64,
+}
+
+impl Doubled {
+    /// The two impacts with the parameters.
+    pub(super) fn impacts(&self) -> [Unknowns; 2] {
+        let [y_1, z_1, y_2, z_2, primary] = self.point.into();
+        [Vector4::new(y_1, z_1, primary, self.secondary), Vector4::new(y_2, z_2, primary, self.secondary)]
+    }
+
+    /// The primary parameter.
+    pub(super) fn primary(&self) -> f64 {
+        self.point[4]
+    }
+}
+
+/// The equations of period-doubled MPSs with 2p loops.
+pub(super) struct DoubledEquations<O>(LoopEquations<O>);
+
+impl<O: ImpactOscillator> DoubledEquations<O> {
+    /// Those that branch off the MPSs of these equations.
+    pub(super) fn new(equations: &LoopEquations<O>) -> Self {
+        // The form without virtual points: it is defined all along the curves.
+        Self(equations.with_formulation(Formulation::FixedPhase))
+    }
+
+    /// The two maps at both impacts, to one plane of constant phase.
+    fn pairs(&self, doubled: &Doubled) -> Result<[LoopPair; 2], MapError> {
+        let mut memory = Memory::default();
+        let [first, second] = doubled.impacts();
+        Ok([self.0.pair::<1>(&first, &mut memory)?, self.0.pair::<1>(&second, &mut memory)?])
+    }
+
+    fn solve(&self, start: Doubled, pick: Pick) -> Option<Doubled> {
+        let evaluate = |point: &Pair| {
+            let [first, second] = self.pairs(&Doubled { point: *point, ..start })?;
+            let mut system = Linearisation { residual: Pair::zeros(), jacobian: SMatrix::zeros() };
+            // From the first impact to the second, and from the second to the first.
+            for (row, from, to, columns) in [(0, first, second, [0, 2]), (2, second, first, [2, 0])] {
+                let gap = from.round_trip.value - to.impact.value;
+                system.residual.fixed_rows_mut::<2>(row).copy_from(&gap);
+                for i in 0..2 {
+                    for j in 0..2 {
+                        system.jacobian[(row + i, columns[0] + j)] += from.round_trip.jacobian[(i, j)];
+                        system.jacobian[(row + i, columns[1] + j)] -= to.impact.jacobian[(i, j)];
+                    }
+                    let primary = unknown::PRIMARY;
+                    system.jacobian[(row + i, 4)] =
+                        from.round_trip.jacobian[(i, primary)] - to.impact.jacobian[(i, primary)];
+                }
+            }
+            match pick {
+                Pick::Difference(difference) => {
+                    system.residual[4] = point[0] - point[2] - difference;
+                    (system.jacobian[(4, 0)], system.jacobian[(4, 2)]) = (1.0, -1.0);
+                }
+                Pick::Lower(velocity) => {
+                    system.residual[4] = point[2] - velocity;
+                    system.jacobian[(4, 2)] = 1.0;
+                }
+            }
+            Ok::<_, MapError>(system)
+        };
+        let solution = newton::solve(start.point, 25, evaluate).ok()?;
+        Some(Doubled { point: solution.point, ..start })
+    }
+
+    /// The period-doubled MPS whose two impact velocities differ by this much, next to a point with the multiplier −1.
+    pub(super) fn near(&self, flip: &Unknowns, difference: f64) -> Option<Doubled> {
+        let pair = self.0.pair::<1>(flip, &mut Memory::default()).ok()?;
+        // The eigenvector to −1: the kernel of the sum of the two derivatives.
+        let sum = pair.round_trip.derivative() + pair.impact.derivative();
+        let row = if sum.row(0).norm() > sum.row(1).norm() { 0 } else { 1 };
+        let vector = Vector2::new(1.0, -sum[(row, 0)] / sum[(row, 1)]) * (0.5 * difference);
+        let [y, z, primary, secondary] = (*flip).into();
+        let point = Pair::from([y + vector[0], z + vector[1], y - vector[0], z - vector[1], primary]);
+        self.solve(Doubled { point, secondary }, Pick::Difference(difference))
+    }
+
+    /// The member of the family that grazes: its second impact has the velocity 0.
+    pub(super) fn grazing(&self, flip: &Unknowns) -> Option<Doubled> {
+        // The family in 40 steps, each from the two before by extrapolation.
+        let steps = 40;
+        let y = flip[unknown::VELOCITY];
+        let mut here = self.near(flip, 0.1 * y)?;
+        let start = here.point[2];
+        let mut before: Option<Doubled> = None;
+        for k in 1..=steps {
+            let lower = start * (1.0 - f64::from(k) / f64::from(steps));
+            let guess = match before {
+                Some(past) => Doubled { point: here.point * 2.0 - past.point, ..here },
+                None => here,
+            };
+            before = Some(here);
+            here = self.solve(guess, Pick::Lower(lower))?;
+        }
+        Some(here)
+    }
+
+    /// Trace and determinant of the derivative of the return to the first impact, which takes two impacts.
+    pub(super) fn multipliers(&self, doubled: &Doubled) -> Option<Multipliers> {
+        let [first, second] = self.pairs(doubled).ok()?;
+        let step = |from: &LoopPair, to: &LoopPair| -> Option<Matrix2<f64>> {
+            Some(to.impact.derivative().try_inverse()? * from.round_trip.derivative())
+        };
+        let u = step(&second, &first)? * step(&first, &second)?;
+        Some(Multipliers { trace: u.trace(), determinant: u.determinant() })
+    }
+}

@@ -1,0 +1,81 @@
+//! Growth of perturbations in the hybrid system itself, impacts located one by one.
+
+use core::f64::consts::TAU;
+
+use grazing_model::orbit::{FlightEnd, Orbit};
+use grazing_model::{ImpactOscillator, State};
+use nalgebra::{Matrix2, Vector2};
+
+use super::places::{Failure, Loops, Near, Place, everywhere, largest};
+use crate::outcome::{CheckResult, Measure, Outcome};
+
+/// The next impact (y, z) after an impact, its phase counted near that of the first; `None` if it comes at another time than
+/// p periods later.
+pub(super) fn next_impact<O: ImpactOscillator>(
+    oscillator: &O,
+    loops: u32,
+    impact: Vector2<f64>,
+) -> Option<Vector2<f64>> {
+    let period = oscillator.forcing_period();
+    let expected = f64::from(loops) * period;
+    let start = State::on_wall(impact[0], impact[1]);
+    let flight = Orbit::new(oscillator, start, expected + 0.5 * period, usize::MAX).next()?;
+    let FlightEnd::Impact(next) = flight.end else { return None };
+    if (flight.duration - expected).abs() > 0.25 * period {
+        return None;
+    }
+    let turns = libm::round((next.phase - impact[1]) / TAU);
+    Some(Vector2::new(next.velocity, next.phase - turns * TAU))
+}
+
+/// Derivative of the map from impact to impact, by differences of fourth order with steps in proportion to the velocity.
+pub(super) fn impact_derivative<O: ImpactOscillator>(
+    oscillator: &O,
+    loops: u32,
+    impact: Vector2<f64>,
+) -> Option<Matrix2<f64>> {
+    // The map varies on the scale of y: the error is (step/y)⁴ = 10⁻¹², and rounding of 10⁻¹⁵ is divided by the step.
+    let step = 1e-3 * impact[0];
+    let column = |direction: Vector2<f64>| {
+        let at = |k: f64| next_impact(oscillator, loops, impact + direction * (k * step));
+        Some(((at(1.0)? - at(-1.0)?) * 8.0 - (at(2.0)? - at(-2.0)?)) / (12.0 * step))
+    };
+    Some(Matrix2::from_columns(&[column(Vector2::x())?, column(Vector2::y())?]))
+}
+
+/// Admissible MPSs near a resonance, with impact velocities that are small but not tiny.
+pub(super) fn admissible<O: ImpactOscillator>(place: &Place<O>) -> Vec<Near<O>> {
+    let mut found = Vec::new();
+    for y in [0.02, 0.05, 0.1] {
+        for eta in [-0.004, -0.001, 0.0, 0.001, 0.004] {
+            let Some(near) = place.on_branch(y, eta) else { continue };
+            let (solution, _) = place.resonance.equations().solution(&near.unknowns);
+            if solution.admissible() && solution.ceiling() < -1e-3 * y {
+                found.push(near);
+            }
+        }
+    }
+    found
+}
+
+fn gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
+    let mut found = Vec::new();
+    for near in admissible(place) {
+        let (solution, _) = place.resonance.equations().solution(&near.unknowns);
+        let simulated = impact_derivative(&near.oscillator(), place.loops(), near.impact())
+            .ok_or("an admissible MPS does not return in simulation")?;
+        let scale = 1.0 + solution.multipliers.trace.abs();
+        found.push((simulated.trace() - solution.multipliers.trace).abs() / scale);
+        found.push((simulated.determinant() - solution.multipliers.determinant).abs() / scale);
+    }
+    Ok(found)
+}
+
+/// eq:U: its eigenvalues are the multipliers of the MPS, seen as the growth of perturbations from impact to impact.
+pub(super) fn multipliers() -> CheckResult {
+    let gaps = everywhere!(Loops::Any, gaps);
+    let largest = largest(&gaps);
+    // Differences: rounding of 10⁻¹⁵ over steps down to 2·10⁻⁵, products of two of them for the determinant.
+    let measure = Measure::Deviation { largest, tolerance: 1e-7 };
+    Ok(Outcome::new(measure, gaps.len(), "admissible MPSs near resonances, followed from impact to impact"))
+}

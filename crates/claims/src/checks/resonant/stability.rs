@@ -1,0 +1,206 @@
+//! The multipliers of an MPS near a resonance: eq:U to eq:fp, Lemmas 5.1 and 5.2.
+
+use grazing_continuation::mps::{Memory, Multipliers};
+use grazing_model::ImpactOscillator;
+use grazing_model::maps::{discontinuity_map, global_iterate};
+
+use super::places::{
+    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, Symbols, directions, everywhere, largest,
+    lowest, order, scaled,
+};
+use crate::outcome::{CheckResult, Measure, Outcome};
+
+/// T and D at a point, from the derivatives of the two sides of V.
+fn multipliers<O: ImpactOscillator>(place: &Place<O>, near: &Near<O>) -> Option<Multipliers> {
+    let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
+    Some(pair.multipliers())
+}
+
+/// Rounding of y T and y D: P_global and its derivatives are exact to some 10⁻¹⁵ times their size, and so are these.
+const ROUNDING: f64 = 1e-14;
+
+impl Symbols {
+    /// The linear part of y T (eq:yT1, eq:yTp) with the phase counted from somewhere.
+    fn trace(&self, [y, phase, mu, eta]: Offset) -> f64 {
+        let loops = self.power.m11 * self.phi * self.phi + self.power.m22;
+        let by_velocity =
+            loops - self.alpha * self.xi * self.omega * self.omega * (1.0 - self.alpha) / self.gamma;
+        by_velocity * y - self.alpha * self.omega * (self.xi * phase + self.e * mu + self.f * eta)
+    }
+
+    fn rounding(&self) -> f64 {
+        ROUNDING * (1.0 + self.alpha * self.omega * (self.xi.abs() + self.e.abs() + self.f.abs()))
+    }
+}
+
+/// Whether phases are counted from z_graz,η, as they must be, or from z_graz,0, as is printed.
+#[derive(Clone, Copy, PartialEq)]
+enum Origin {
+    Moving,
+    Fixed,
+}
+
+fn trace_orders<O: ImpactOscillator>(place: &Place<O>, origin: Origin) -> Result<Vec<Observed>, Failure> {
+    let symbols = place.symbols()?;
+    let one = |direction: &Offset| {
+        let observed = order(|size| {
+            let mut offset = scaled(direction, size);
+            let near = place.near(offset)?;
+            let found = offset[0] * multipliers(place, &near)?.trace;
+            if origin == Origin::Fixed {
+                offset[1] = near.unknowns[1] - place.fixed_phase();
+            }
+            Some((found - symbols.trace(offset), symbols.rounding()))
+        });
+        (observed, 2.0)
+    };
+    Ok(directions(4).iter().map(one).collect())
+}
+
+fn trace_about_moving<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+    trace_orders(place, Origin::Moving)
+}
+
+fn trace_about_fixed<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+    trace_orders(place, Origin::Fixed)
+}
+
+fn trace(which: Loops) -> CheckResult {
+    let orders = everywhere!(which, trace_about_moving);
+    let printed = everywhere!(which, trace_about_fixed);
+    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE).against_print(lowest(&printed)))
+}
+
+/// eq:yT1, about z_graz,η; the print has z_graz,0.
+pub(super) fn trace_of_one_loop() -> CheckResult {
+    trace(Loops::One)
+}
+
+/// eq:yTp, about z_graz,η; the print has z_graz,0.
+pub(super) fn trace_of_many_loops() -> CheckResult {
+    trace(Loops::Many)
+}
+
+fn determinant_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+    let grazing = place.point().grazing;
+    let power = libm::pow(grazing.map.determinant(), f64::from(place.loops()));
+    let slope = grazing.phi * grazing.phi * power;
+    let one = |direction: &Offset| {
+        let observed = order(|size| {
+            let offset = scaled(direction, size);
+            let found = offset[0] * multipliers(place, &place.near(offset)?)?.determinant;
+            Some((found - slope * offset[0], ROUNDING))
+        });
+        (observed, 2.0)
+    };
+    Ok(directions(4).iter().map(one).collect())
+}
+
+/// eq:yD1.
+pub(super) fn determinant_of_one_loop() -> CheckResult {
+    let orders = everywhere!(Loops::One, determinant_orders);
+    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+}
+
+/// eq:yDp.
+pub(super) fn determinant_of_many_loops() -> CheckResult {
+    let orders = everywhere!(Loops::Many, determinant_orders);
+    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+}
+
+/// y T and y D at y = 0 extrapolated from four points on either side: they differ by O(h⁴) if the functions are smooth, and at
+/// least by O(h³) if they are three times differentiable, as is stated for F and R in C⁵.
+fn seam_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+    let rounding = 32.0 * place.symbols()?.rounding();
+    let part = |pick: fn(Multipliers) -> f64| {
+        let observed = order(|size| {
+            let extrapolated = |side: f64| {
+                let at = |k: f64| {
+                    let offset = [side * k * size, 0.002, -0.001, 0.003];
+                    Some(offset[0] * pick(multipliers(place, &place.near(offset)?)?))
+                };
+                Some(4.0 * at(1.0)? - 6.0 * at(2.0)? + 4.0 * at(3.0)? - at(4.0)?)
+            };
+            Some((extrapolated(1.0)? - extrapolated(-1.0)?, rounding))
+        });
+        (observed, 3.0)
+    };
+    Ok(vec![part(|both| both.trace), part(|both| both.determinant)])
+}
+
+/// Lemma 5.1: y T and y D have a smooth extension through y = 0, p = 1.
+pub(super) fn extension_for_one_loop() -> CheckResult {
+    let orders = everywhere!(Loops::One, seam_orders);
+    Ok(Outcome::new(
+        lowest(&orders),
+        orders.len(),
+        "extrapolations to y = 0 from both sides at resonances with p = 1",
+    ))
+}
+
+/// Lemma 5.2: the same for p ≥ 2.
+pub(super) fn extension_for_many_loops() -> CheckResult {
+    let orders = everywhere!(Loops::Many, seam_orders);
+    Ok(Outcome::new(
+        lowest(&orders),
+        orders.len(),
+        "extrapolations to y = 0 from both sides at resonances with p = 2 to 5",
+    ))
+}
+
+/// Away from the resonance y T tends to −α ω a₁₂ S_p, which is not zero: T grows without bound as y falls to 0.
+fn divergence_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+    let mut found = Vec::new();
+    for eta in [0.03, -0.02] {
+        let Some(orbit) = place.grazing(eta) else { continue };
+        let point = orbit.grazing_point();
+        let entry = point.map.iterate(place.loops()).a.m12;
+        let limit = -point.alpha() * point.forcing_frequency * entry;
+        // A limit of zero would be no divergence.
+        if limit.abs() < 1e-6 {
+            return Err(format!("y T tends to {limit}").into());
+        }
+        let observed = order(|size| {
+            let near = place.near([size, 0.0, 0.0, eta])?;
+            Some((size * multipliers(place, &near)?.trace - limit, ROUNDING * (1.0 + limit.abs())))
+        });
+        found.push((observed, 1.0));
+    }
+    Ok(found)
+}
+
+/// T → ∞ as y → 0.
+pub(super) fn divergence() -> CheckResult {
+    let orders = everywhere!(Loops::Any, divergence_orders);
+    let over = "η to either side of resonances: y T less its limit, which is other than zero";
+    Ok(Outcome::new(lowest(&orders), orders.len(), over))
+}
+
+/// U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against the quotient of the
+/// derivatives of the two sides of V.
+fn composition_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
+    let mut found = Vec::new();
+    for (y, eta) in [(0.05, 0.0), (0.02, 0.01), (0.1, -0.01), (0.03, 0.02)] {
+        let Some(near) = place.on_branch(y, eta) else { continue };
+        let oscillator = near.oscillator();
+        let mut memory = Memory::default();
+        let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut memory)?;
+        let virtual_point = pair.impact.value;
+        let disc = discontinuity_map::<O, 1>(&oscillator, virtual_point[0], virtual_point[1])?;
+        let around = global_iterate::<O, 1>(&oscillator, place.loops(), disc.value[0], disc.value[1])?;
+        let u = around.derivative() * disc.derivative();
+        let both = pair.multipliers();
+        found.push((u.trace() - both.trace).abs() / (1.0 + both.trace.abs()));
+        found.push((u.determinant() - both.determinant).abs() / (1.0 + both.trace.abs()));
+    }
+    Ok(found)
+}
+
+/// eq:TD: trace and determinant of U as it is defined.
+pub(super) fn trace_and_determinant() -> CheckResult {
+    let gaps = everywhere!(Loops::Any, composition_gaps);
+    let largest = largest(&gaps);
+    // P_virt⁻¹ takes the root of x̂ ≈ y²/2γ, which is rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y, and in T.
+    let measure = Measure::Deviation { largest, tolerance: 1e-10 };
+    Ok(Outcome::new(measure, gaps.len(), "MPSs on branches near resonances"))
+}

@@ -1,0 +1,193 @@
+//! From the names of items to the source files that hold them.
+//!
+//! Modules stand where Rust looks for them: `grazing_theorems::auxiliary::resonance_boundary` in
+//! `crates/theorems/src/auxiliary.rs`, or in a file below, if `auxiliary` has modules of its own. What the crates re-export
+//! at their root is found in the file that defines it.
+
+use std::collections::BTreeMap;
+
+/// A place in the source code.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place {
+    /// The file, from the root of the repository.
+    pub file: String,
+    /// The line, from 1.
+    pub line: usize,
+}
+
+/// The source files of the workspace, by path from the root of the repository.
+#[derive(Debug, Clone, Default)]
+pub struct Sources {
+    files: BTreeMap<String, String>,
+}
+
+impl Sources {
+    /// The sources in these files: path from the root of the repository with `/`, and text.
+    pub fn new(files: impl IntoIterator<Item = (String, String)>) -> Self {
+        Self { files: files.into_iter().collect() }
+    }
+
+    /// Where the item with this path is defined: a function, type, constant, method, field or variant of a crate of the
+    /// workspace, or a module.
+    pub fn item(&self, path: &str) -> Option<Place> {
+        let mut names = path.split("::");
+        let crate_name = names.next()?.strip_prefix("grazing_")?;
+        let names: Vec<&str> = names.collect();
+        let root = format!("crates/{}/src", crate_name.replace('_', "-"));
+        self.find(&root, &names).or_else(|| self.re_exported(&root, &names))
+    }
+
+    /// Where the check with this name of the ledger is defined.
+    pub fn check(&self, name: &str) -> Option<Place> {
+        let names: Vec<&str> = name.split("::").collect();
+        self.find("crates/claims/src/checks", &names)
+    }
+
+    /// The deepest file whose path the first names make; the other ones are defined in it.
+    fn find(&self, folder: &str, names: &[&str]) -> Option<Place> {
+        for depth in (0..=names.len()).rev() {
+            let module = names[..depth].join("/");
+            let candidates = match depth {
+                0 => vec![format!("{folder}/lib.rs"), format!("{folder}.rs")],
+                _ => vec![format!("{folder}/{module}.rs"), format!("{folder}/{module}/mod.rs")],
+            };
+            for file in candidates {
+                if let Some(text) = self.files.get(&file)
+                    && let Some(line) = defined(text, &names[depth..])
+                {
+                    return Some(Place { file, line });
+                }
+            }
+        }
+        None
+    }
+
+    /// The first file of the crate that defines the item.
+    fn re_exported(&self, root: &str, names: &[&str]) -> Option<Place> {
+        let of_crate = self.files.iter().filter(|(file, _)| file.starts_with(&format!("{root}/")));
+        of_crate
+            .filter(|_| !names.is_empty())
+            .find_map(|(file, text)| defined(text, names).map(|line| Place { file: file.clone(), line }))
+    }
+}
+
+/// The line, from 1, that defines the last of the names, if the text defines all of them: a type before what belongs to it.
+fn defined(text: &str, names: &[&str]) -> Option<usize> {
+    let mut at = 1;
+    for name in names {
+        // What belongs to a type may stand in any of its blocks, also before the type itself.
+        at = text.lines().position(|line| defines(line, name))? + 1;
+    }
+    Some(at)
+}
+
+/// Whether the line defines something of this name.
+fn defines(line: &str, name: &str) -> bool {
+    const KEYWORDS: [&str; 8] = ["fn ", "struct ", "enum ", "trait ", "type ", "const ", "static ", "mod "];
+    let line = line.trim_start();
+    if line.starts_with("//") {
+        return false;
+    }
+    let follows = |start: usize| {
+        line.get(start..).and_then(|rest| rest.strip_prefix(name)).is_some_and(|rest| {
+            !rest.starts_with(|character: char| character.is_alphanumeric() || character == '_')
+        })
+    };
+    let by_keyword = KEYWORDS.iter().any(|keyword| {
+        line.match_indices(keyword).any(|(at, _)| {
+            let begins = at == 0 || line.as_bytes()[at - 1] == b' ';
+            begins && follows(at + keyword.len())
+        })
+    });
+    let field = ["", "pub ", "pub(crate) "].iter().any(|visibility| {
+        line.starts_with(visibility) && follows(visibility.len()) && {
+            let rest = line[visibility.len() + name.len()..].trim_start();
+            // A field has a type after a colon; a variant ends its line, or opens its own fields.
+            let variant = name.starts_with(char::is_uppercase) && rest.starts_with([',', '(', '{']);
+            (rest.starts_with(':') && !rest.starts_with("::")) || variant
+        }
+    });
+    by_keyword || field
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::{Path, PathBuf};
+
+    use super::*;
+    use crate::checks;
+    use crate::ledger::Ledger;
+
+    fn of_the_workspace() -> Sources {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let mut files = Vec::new();
+        let mut folders = vec![PathBuf::from("crates")];
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(root.join(&folder)).expect("the sources can be read") {
+                let path = folder.join(entry.expect("the sources can be read").file_name());
+                if root.join(&path).is_dir() {
+                    folders.push(path);
+                } else if path.extension().is_some_and(|extension| extension == "rs") {
+                    let text = fs::read_to_string(root.join(&path)).expect("sources are text");
+                    files.push((path.display().to_string().replace('\\', "/"), text));
+                }
+            }
+        }
+        Sources::new(files)
+    }
+
+    #[test]
+    fn every_function_that_the_ledger_names_is_where_its_path_says() {
+        let sources = of_the_workspace();
+        let ledger = Ledger::of_the_paper().expect("the ledger is right");
+        for claim in &ledger.claims {
+            for path in &claim.holds {
+                assert!(sources.item(path).is_some(), "{}: there is no {path}", claim.label);
+            }
+        }
+    }
+
+    #[test]
+    fn every_check_is_where_its_name_says() {
+        let sources = of_the_workspace();
+        for check in checks::all() {
+            let place = sources.check(check.name).unwrap_or_else(|| panic!("{} is not found", check.name));
+            let section = check.name.split("::").next().unwrap_or_default();
+            assert!(place.file.starts_with(&format!("crates/claims/src/checks/{section}")), "{place:?}");
+        }
+    }
+
+    #[test]
+    fn items_of_all_kinds_are_found() {
+        let sources = of_the_workspace();
+        for (path, file) in [
+            ("grazing_theorems::auxiliary::resonance_boundary", "crates/theorems/src/auxiliary.rs"),
+            ("grazing_theorems::ResonantGrazing", "crates/theorems/src/resonant_theorem.rs"),
+            ("grazing_claims::outcome::Measure::Order", "crates/claims/src/outcome.rs"),
+            ("grazing_claims::ledger::Claim::label", "crates/claims/src/ledger.rs"),
+            ("grazing_claims::ledger::Claim::test", "crates/claims/src/ledger.rs"),
+            ("grazing_claims::sampling", "crates/claims/src/sampling.rs"),
+        ] {
+            let place = sources.item(path).unwrap_or_else(|| panic!("{path} is not found"));
+            assert_eq!(place.file, file, "{path}");
+        }
+        for path in
+            ["grazing_theorems::auxiliary::no_such_function", "grazing_nothing::at_all", "std::mem::swap"]
+        {
+            assert_eq!(sources.item(path), None, "{path}");
+        }
+    }
+
+    #[test]
+    fn calls_comments_and_longer_names_define_nothing() {
+        assert!(defines("    pub const fn order(self) -> f64 {", "order"));
+        assert!(defines("    pub label: String,", "label"));
+        assert!(defines("    Order {", "Order"));
+        for line in
+            ["order(x);", "// fn order", "fn order_of(x: f64)", "label::new()", "let label = 1;", "Orders,"]
+        {
+            assert!(!["order", "label", "Order"].iter().any(|name| defines(line, name)), "{line}");
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Theorems 2.2 to 2.5 in action: predictions against continuation and simulation, case by case.
+//!
+//! For many linear oscillators, numbers of loops and frequencies a theorem is asked what happens at the grazing bifurcation,
+//! and two routes tell what does happen. *Continuation* follows the branch of MPSs, or the saddle-node and period-doubling
+//! curves, from the grazing point and decides admissibility over the whole orbit. *Simulation* takes every periodic
+//! solution that can be an MPS from a quadratic equation ([`closed_form`]), starts the hybrid system at its impact and sees
+//! what comes of it ([`simulation`]). [`generic`] holds what theorems 2.2 and 2.3 come to, [`resonant`] theorems 2.4 and 2.5,
+//! [`cases`] the lists, and [`Verdict`] what is made of it all.
+//!
+//! Where a hypothesis fails the theorem is silent. What is seen there has to have a [`Reason`], which is checked as well: the
+//! first-order terms of section 4 tell which loop meets the wall, or that none does.
+
+pub mod cases;
+pub mod closed_form;
+pub mod generic;
+pub mod resonant;
+pub mod simulation;
+
+use std::collections::BTreeMap;
+
+use core::fmt;
+
+pub use cases::{Extent, GenericCase, ResonantCase, generic_cases, resonant_cases};
+pub use generic::{GenericRow, SweepError, generic_rows};
+pub use resonant::{ResonantRow, resonant_rows};
+
+/// What a case comes to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// The hypotheses hold, and all that the theorem concludes is seen.
+    Agreement,
+    /// A hypothesis fails, and what is seen is what the reason lets one expect.
+    Explained(Reason),
+    /// What is seen is neither concluded nor explained.
+    Unexplained,
+}
+
+/// Why there is something else to be seen than a theorem's conclusion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Reason {
+    /// a₁₂ α < 0, and no MPS: whenever y > 0 an interior loop meets the wall.
+    VirtualOrbit,
+    /// τ < h_p, and no MPS: whenever y > 0 an interior loop meets the wall.
+    InteriorLoop,
+    /// τ < h_p, and an MPS all the same: no interior loop meets the wall. The theorem does not ask for as little as that.
+    OrbitBelowTheBoundary,
+    /// a₁₂ α < 0 and τ < h_p, and an MPS all the same: no interior loop meets the wall.
+    OrbitWithNegativeFactor,
+    /// s_p⁺ or s_p⁻ vanishes (ε = 1/E_p): the curve that belongs to it does not come out of the resonance.
+    NoCurve,
+}
+
+impl Verdict {
+    /// The name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Agreement => "agreement",
+            Self::Explained(_) => "explained",
+            Self::Unexplained => "unexplained",
+        }
+    }
+
+    /// The reason in tables, empty for an agreement.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Explained(reason) => reason.name(),
+            Self::Agreement | Self::Unexplained => "",
+        }
+    }
+}
+
+impl Reason {
+    /// The name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::VirtualOrbit => "virtual orbit, a12 alpha < 0",
+            Self::InteriorLoop => "interior loop meets the wall, tau < h_p",
+            Self::OrbitBelowTheBoundary => "orbit exists, tau < h_p",
+            Self::OrbitWithNegativeFactor => "orbit exists, a12 alpha < 0 and tau < h_p",
+            Self::NoCurve => "no curve, s_p^+ or s_p^- is zero",
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Explained(reason) => write!(f, "{}: {}", self.name(), reason.name()),
+            Self::Agreement | Self::Unexplained => f.write_str(self.name()),
+        }
+    }
+}
+
+/// How often each verdict was reached, by theorem ("2.2" to "2.5").
+pub fn tally<'a>(rows: impl IntoIterator<Item = (&'a str, Verdict)>) -> BTreeMap<(&'a str, Verdict), usize> {
+    let mut counts = BTreeMap::new();
+    for key in rows {
+        *counts.entry(key).or_insert(0) += 1;
+    }
+    counts
+}

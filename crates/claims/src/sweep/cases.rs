@@ -1,0 +1,180 @@
+//! The lists of cases.
+
+use grazing_theorems::{LinearOscillator, TheoryError};
+
+/// How many cases are looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// All of them.
+    Whole,
+    /// Every ninth, for a quick look.
+    Reduced,
+}
+
+/// A linear oscillator on its curve of grazing bifurcations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GenericCase {
+    /// Damping ratio ζ.
+    pub zeta: f64,
+    /// Coefficient of restitution ε.
+    pub epsilon: f64,
+    /// Number of loops p of the MPS.
+    pub loops: u32,
+    /// The integer n of the nearest resonance: ω₁/ω is near n/2 for p = 1, in (n, n + 1) for p ≥ 2.
+    pub n: u32,
+    /// Forcing frequency ω.
+    pub omega: f64,
+}
+
+/// A resonance of a linear oscillator.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ResonantCase {
+    /// Damping ratio ζ.
+    pub zeta: f64,
+    /// Coefficient of restitution ε.
+    pub epsilon: f64,
+    /// Number of loops p of the MPS.
+    pub loops: u32,
+    /// The integer n.
+    pub n: u32,
+    /// ω₁/ω = n − 1/(2p) instead of n + 1/(2p): a₁₂ α < 0.
+    pub negative: bool,
+    /// ω*.
+    pub omega: f64,
+}
+
+/// Damping ratios.
+const ZETA: [f64; 4] = [0.005, 0.03, 0.08, 0.3];
+
+/// A coefficient of restitution, or one in units of 1/E_p, where s_p⁺ vanishes (s_1⁻ for p = 1 and even n).
+#[derive(Debug, Clone, Copy)]
+enum Restitution {
+    Plain(f64),
+    OverDecay(f64),
+}
+
+use Restitution::{OverDecay, Plain};
+
+const RESTITUTION: [Restitution; 6] =
+    [Plain(0.1), Plain(0.8), OverDecay(0.95), Plain(0.5), Plain(1.0), OverDecay(1.05)];
+
+impl Restitution {
+    /// ε, unless it is too large or the decay too strong.
+    fn value(self, decay: f64) -> Option<f64> {
+        match self {
+            Plain(epsilon) => (decay >= LEAST_DECAY).then_some(epsilon),
+            OverDecay(share) => (decay >= 10.0 * LEAST_DECAY).then_some(share / decay),
+        }
+    }
+}
+
+/// If less than this is left of a displacement after p periods, all that distinguishes p loops happens at impact velocities near
+/// the rounding of simulated motion; and if less than ten times this, ε near 1/E_p is nothing that anyone would think of.
+const LEAST_DECAY: f64 = 0.02;
+
+/// ω₁/ω less n for p ≥ 2: about the resonance q = 1/(2p), where a₁₂ > 0; to both sides of h_p, which lies between 1/(2(p−1))
+/// and 1/p by lemma 2.1; where p = 5 is known to have MPSs below h_p; and the same with a₁₂ < 0.
+fn fractions(p: f64) -> [f64; 14] {
+    let (q, before) = (0.5 / p, 0.5 / (p - 1.0));
+    let above = 0.5 * (q + before);
+    let below = 1.06 / p;
+    [
+        0.5 * q,
+        0.96 * q,
+        1.04 * q,
+        above,
+        below,
+        0.36,
+        0.46,
+        0.58,
+        0.64,
+        0.77,
+        1.0 - above,
+        1.0 - 1.04 * q,
+        1.0 - 0.96 * q,
+        1.0 - 0.5 * q,
+    ]
+}
+
+/// The same for p = 1, less n/2.
+const SHIFTS: [f64; 8] = [-0.22, -0.12, -0.05, -0.02, 0.02, 0.05, 0.12, 0.22];
+
+/// Grazing bifurcations away from resonances, for theorems 2.2 and 2.3.
+///
+/// # Errors
+/// A parameter of the lists outside its domain: an error in the program.
+pub fn generic_cases(extent: Extent) -> Result<Vec<GenericCase>, TheoryError> {
+    let mut cases = Vec::new();
+    let mut turn = 0;
+    for zeta in ZETA {
+        for loops in 1..=6 {
+            for n in first_n(zeta, loops)..=3 {
+                let (from, shifts) = if loops == 1 {
+                    (0.5 * f64::from(n), SHIFTS.to_vec())
+                } else {
+                    (f64::from(n), fractions(f64::from(loops)).to_vec())
+                };
+                for shift in shifts {
+                    let free = LinearOscillator::new(zeta, 1.0)?;
+                    let omega = free.damped_natural_frequency() / (from + shift);
+                    let decay = free.grazing(omega)?.decay(loops);
+                    let epsilon = RESTITUTION[turn % RESTITUTION.len()].value(decay);
+                    turn += 1;
+                    if let Some(epsilon) = epsilon {
+                        cases.push(GenericCase { zeta, epsilon, loops, n, omega });
+                    }
+                }
+            }
+        }
+    }
+    Ok(thinned(cases, extent))
+}
+
+/// Resonances for theorems 2.4 and 2.5, those with ω₁/ω = n − 1/(2p) and those with ε = 1/E_p included.
+///
+/// # Errors
+/// A parameter of the lists outside its domain: an error in the program.
+pub fn resonant_cases(extent: Extent) -> Result<Vec<ResonantCase>, TheoryError> {
+    let mut cases = Vec::new();
+    let mut turn = 0;
+    for zeta in ZETA {
+        let free = LinearOscillator::new(zeta, 1.0)?;
+        for loops in 1..=5 {
+            for n in first_n(zeta, loops)..=4 {
+                let mut add = |omega: f64, restitution: Restitution, negative: bool| {
+                    let decay = free.grazing(omega)?.decay(loops);
+                    if let Some(epsilon) = restitution.value(decay) {
+                        cases.push(ResonantCase { zeta, epsilon, loops, n, negative, omega });
+                    }
+                    Ok::<(), TheoryError>(())
+                };
+                let omega = free.resonance(loops, n)?.forcing_frequency();
+                // Half of them here, the other half at the next resonance.
+                turn += 1;
+                for restitution in RESTITUTION.into_iter().skip(turn % 2).step_by(2) {
+                    add(omega, restitution, false)?;
+                }
+                add(omega, OverDecay(1.0), false)?;
+                if loops > 1 && n > 0 {
+                    let omega = free.virtual_resonance_frequency(loops, n)?;
+                    for restitution in [Plain(0.8), OverDecay(1.05)] {
+                        add(omega, restitution, true)?;
+                    }
+                }
+            }
+        }
+    }
+    Ok(thinned(cases, extent))
+}
+
+/// With strong damping the resonances with p ≥ 2 are clear only at high frequencies, n = 0.
+fn first_n(zeta: f64, loops: u32) -> u32 {
+    u32::from(loops == 1 || zeta < 0.2)
+}
+
+fn thinned<T: Copy>(cases: Vec<T>, extent: Extent) -> Vec<T> {
+    match extent {
+        Extent::Whole => cases,
+        Extent::Reduced => cases.into_iter().step_by(9).collect(),
+    }
+}

@@ -1,0 +1,353 @@
+//! Theorems 2.2 and 2.3: on which side of grazing the MPS comes into being, and that it is unstable.
+
+use grazing_continuation::arclength::{Stall, StepControl};
+use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_model::maps::MapError;
+use grazing_model::{LinearOscillator, OscillatorError};
+use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
+use grazing_theorems::hypothesis::{Hypothesis, Quantity};
+use grazing_theorems::{GenericGrazing, GrazingPoint, HypothesesViolated, Side, TheoryError};
+use rayon::prelude::*;
+use thiserror::Error;
+
+use super::closed_form::LoopSolutions;
+use super::simulation::{Seen, Suspect};
+use super::{GenericCase, Reason, Verdict};
+
+/// A case could not be worked out.
+#[derive(Debug, Clone, Error)]
+pub enum SweepError {
+    /// A parameter outside the domain of the theory.
+    #[error(transparent)]
+    Theory(#[from] TheoryError),
+    /// A parameter outside the domain of the oscillator.
+    #[error(transparent)]
+    Oscillator(#[from] OscillatorError),
+    /// The grazing orbit was not found.
+    #[error(transparent)]
+    Orbit(#[from] GrazingOrbitError),
+    /// P_global is not defined.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// The branch cannot be started at the grazing point.
+    #[error("the branch of MPSs cannot be started: {0}")]
+    Branch(Stall<MapError>),
+    /// A bifurcation curve cannot be started at the resonance, or its coefficient cannot be measured.
+    #[error("the curves of the resonance cannot be followed: {0}")]
+    Curves(String),
+}
+
+/// On which side of grazing something exists.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Existence {
+    /// For this sign of μ only.
+    On(Side),
+    /// For no μ.
+    Nowhere,
+    /// For both signs of μ, or not the same at all sizes of μ that were looked at.
+    Unclear,
+}
+
+/// What theorem 2.2 or 2.3 says about a case, and what is seen.
+#[derive(Debug, Clone)]
+pub struct GenericRow {
+    /// The case.
+    pub case: GenericCase,
+    /// What the theorem knows about the grazing point, from derivatives of the numerical P_global.
+    pub point: GrazingPoint,
+    /// All hypotheses with their values.
+    pub hypotheses: Vec<Hypothesis>,
+    /// The side that the theorem gives; `None` if a hypothesis fails.
+    pub predicted: Option<Side>,
+    /// The side on which y > 0 and, to first order in μ, no interior loop meets the wall (section 4).
+    pub first_order: Existence,
+    /// What continuation from the grazing point finds.
+    pub continued: Existence,
+    /// What simulation of all candidates at small μ of both signs finds.
+    pub simulated: Existence,
+    /// The MPS is unstable by its multipliers along the branch and, where it is one, by simulation of perturbed orbits.
+    pub unstable: [bool; 2],
+    /// dy/dμ and dz/dμ by section 4 from derivatives of the numerical P_global, by closed form, and along the branch.
+    pub slopes: [[f64; 2]; 3],
+    /// What it comes to.
+    pub verdict: Verdict,
+}
+
+/// What the theorems say and what is seen, case by case in the order of the list.
+///
+/// `step` is told of every case that is done.
+///
+/// # Errors
+/// [`SweepError`] for the first case that could not be worked out.
+pub fn generic_rows(cases: &[GenericCase], step: impl Fn() + Sync) -> Result<Vec<GenericRow>, SweepError> {
+    let work = |case: &GenericCase| GenericRow::of(*case).inspect(|_| step());
+    cases.par_iter().map(work).collect()
+}
+
+/// Slopes of branches that were followed agree with first-order terms to this: extrapolation from impact velocities of a
+/// hundredth of what is near, to fourth order.
+pub const SLOPE_TOLERANCE: f64 = 1e-5;
+
+impl GenericRow {
+    /// Works out a case.
+    ///
+    /// # Errors
+    /// [`SweepError`].
+    pub fn of(case: GenericCase) -> Result<Self, SweepError> {
+        let GenericCase { zeta, epsilon, loops, omega, .. } = case;
+        let closed = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
+        let start = LinearOscillator::new(zeta, epsilon, closed.amplitude(), omega)?;
+        let orbit = GrazingOrbit::find(&start, closed.phase())?;
+        let point = orbit.grazing_point();
+        let (predicted, hypotheses) = match GenericGrazing::check(&point, loops) {
+            Ok(theorem) => (Some(theorem.side()), theorem.hypotheses().to_vec()),
+            Err(HypothesesViolated { hypotheses, .. }) => (None, hypotheses),
+        };
+        let emerging = point.emerging_orbit(loops)?;
+        let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);
+        let velocity = small_velocity(&point, loops);
+        let curve = branch(orbit.oscillator(), orbit.phase(), loops, velocity)?;
+        let (simulated, repels) = simulate(&start, &solutions, loops, velocity);
+        let mut row = Self {
+            case,
+            point,
+            hypotheses,
+            predicted,
+            first_order: first_order(&point, loops)?,
+            continued: continued(&curve, orbit.primary()),
+            simulated,
+            unstable: [curve.points.iter().skip(1).all(|point| !point.solution.stable()), repels],
+            slopes: [
+                [emerging.impact_velocity_slope, emerging.impact_phase_slope],
+                solutions.slopes(),
+                followed_slopes(&curve, orbit.primary(), orbit.phase()),
+            ],
+            verdict: Verdict::Unexplained,
+        };
+        row.verdict = row.judge();
+        Ok(row)
+    }
+
+    /// The value of a quantity about which the theorem makes a hypothesis; `None` if it makes none.
+    pub fn hypothesis(&self, quantity: Quantity) -> Option<f64> {
+        self.hypotheses.iter().find(|hypothesis| hypothesis.quantity == quantity).map(|found| found.value)
+    }
+
+    /// "2.2" or "2.3".
+    pub fn theorem(&self) -> &'static str {
+        if self.case.loops == 1 { "2.2" } else { "2.3" }
+    }
+
+    /// The largest relative difference of a slope by closed form or along the branch from the first-order terms.
+    pub fn slope_difference(&self) -> f64 {
+        let [theory, others @ ..] = &self.slopes;
+        let scale = libm::hypot(theory[0], theory[1]);
+        let off = |other: &[f64; 2]| libm::hypot(other[0] - theory[0], other[1] - theory[1]) / scale;
+        worst(others.iter().map(off))
+    }
+
+    fn judge(&self) -> Verdict {
+        let same = self.continued == self.simulated && self.simulated == self.first_order;
+        let close = self.slope_difference() < SLOPE_TOLERANCE;
+        if !(same && close) {
+            return Verdict::Unexplained;
+        }
+        let positive = self.point.map.a.m12 * self.point.alpha() > 0.0;
+        match (self.predicted, self.simulated) {
+            (Some(side), Existence::On(seen)) if side == seen && self.unstable == [true; 2] => {
+                Verdict::Agreement
+            }
+            (None, Existence::Nowhere) if positive => Verdict::Explained(Reason::InteriorLoop),
+            (None, Existence::Nowhere) => Verdict::Explained(Reason::VirtualOrbit),
+            (None, Existence::On(_)) if positive => Verdict::Explained(Reason::OrbitBelowTheBoundary),
+            (None, Existence::On(_)) => Verdict::Explained(Reason::OrbitWithNegativeFactor),
+            _ => Verdict::Unexplained,
+        }
+    }
+}
+
+/// The largest number, or NaN if there is one.
+pub(super) fn worst(differences: impl IntoIterator<Item = f64>) -> f64 {
+    differences
+        .into_iter()
+        .fold(0.0, |worst: f64, next| if worst.is_nan() || next <= worst { worst } else { next })
+}
+
+/// An impact velocity that is small against that of the next bifurcation on the branch, against the grazing frequency over
+/// 1 + φ, by which an impact shifts the phase, and against the depth of the interior loops.
+pub(crate) fn small_velocity(point: &GrazingPoint, loops: u32) -> f64 {
+    let off_diagonal = point.map.iterate(loops).a.m12.abs();
+    // Section 5: bifurcations lie at α ω |(Aᵖ)₁₂| / |s_p|, where |s_p| is at most about (1 + φ E_p)² ≤ 4.
+    let bifurcation = point.alpha().abs() * point.forcing_frequency * off_diagonal / 4.0;
+    let shift = point.gamma / (point.forcing_frequency * (1.0 + point.phi));
+    0.01 * bifurcation.min(shift).min(1.0)
+}
+
+/// Where y > 0 and all interior loops have x < 0, to first order in μ.
+fn first_order(point: &GrazingPoint, loops: u32) -> Result<Existence, SweepError> {
+    let emerging = point.emerging_orbit(loops)?;
+    let positive = |sign: f64| {
+        sign * emerging.impact_velocity_slope > 0.0
+            && (1..loops).all(|j| sign * emerging.visit_slope(j)[0] < 0.0)
+    };
+    Ok(match (positive(1.0), positive(-1.0)) {
+        (true, _) => Existence::On(Side::Positive),
+        (_, true) => Existence::On(Side::Negative),
+        _ => Existence::Nowhere,
+    })
+}
+
+/// Points of a branch that are looked at.
+const POINTS: usize = 5;
+
+/// The first points of the branch with y > 0.
+fn branch(oscillator: &LinearOscillator, phase: f64, loops: u32, length: f64) -> Result<Curve, SweepError> {
+    let equations = LoopEquations::new(*oscillator, loops, Formulation::Vivid);
+    let (amplitude, omega) = (oscillator.amplitude(), oscillator.frequency());
+    let curve = MpsCurve { equations, condition: Condition::Secondary(omega) };
+    let control =
+        StepControl { first: length, longest: length, shortest: 1e-3 * length, turn: core::f64::consts::PI };
+    let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
+    let route = Route {
+        window: Window { primary: everywhere, secondary: everywhere },
+        control,
+        step_limit: POINTS,
+        stop_at_events: false,
+        through_grazing: false,
+    };
+    let start = Unknowns::new(0.0, phase, amplitude, omega);
+    let direction = Unknowns::new(1.0, 0.0, 0.0, 0.0);
+    curve.follow(start, direction, Memory::default(), &route).map_err(SweepError::Branch)
+}
+
+fn continued(curve: &Curve, grazing: f64) -> Existence {
+    let seen = |point: &grazing_continuation::curve::CurvePoint| {
+        let side = if point.solution.parameters()[0] > grazing { Side::Positive } else { Side::Negative };
+        (side, point.solution.admissible())
+    };
+    let mut points = curve.points.iter().skip(1).map(seen);
+    let Some(first) = points.next() else { return Existence::Unclear };
+    if points.clone().count() + 1 < POINTS || points.any(|point| point != first) {
+        return Existence::Unclear;
+    }
+    if first.1 { Existence::On(first.0) } else { Existence::Nowhere }
+}
+
+/// dy/dμ and dz/dμ at grazing, extrapolated from the points of the branch.
+fn followed_slopes(curve: &Curve, grazing: f64, phase: f64) -> [f64; 2] {
+    let rows: Vec<[f64; 3]> = curve
+        .points
+        .iter()
+        .skip(1)
+        .map(|point| {
+            let [y, z, amplitude, _]: [f64; 4] = point.solution.unknowns.into();
+            // Both are smooth in y and finite at y = 0.
+            [y, (amplitude - grazing) / y, (z - phase) / y]
+        })
+        .collect();
+    let at: Vec<f64> = rows.iter().map(|row| row[0]).collect();
+    let limit = |k: usize| to_zero(&at, rows.iter().map(|row| row[k]).collect());
+    let (by_velocity, phase_by_velocity) = (limit(1), limit(2));
+    [1.0 / by_velocity, phase_by_velocity / by_velocity]
+}
+
+/// The value at zero of the polynomial through all points (Neville's scheme).
+pub(super) fn to_zero(at: &[f64], mut values: Vec<f64>) -> f64 {
+    for order in 1..values.len() {
+        for i in (order..values.len()).rev() {
+            let weight = at[i] / (at[i - order] - at[i]);
+            values[i] += weight * (values[i] - values[i - 1]);
+        }
+    }
+    values.last().copied().unwrap_or(f64::NAN)
+}
+
+/// Where an MPS is seen in the hybrid system at small μ, and whether orbits beside it leave.
+fn simulate(
+    oscillator: &LinearOscillator,
+    solutions: &LoopSolutions,
+    loops: u32,
+    velocity: f64,
+) -> (Existence, bool) {
+    let scale = velocity / solutions.slopes()[0].abs();
+    let mut repels = true;
+    let mut found = |side: Side| -> Option<bool> {
+        let at_sizes = [1.0, 0.5, 0.25].map(|size| {
+            let mu = side.signum() * scale * size;
+            // What does not shrink with μ does not emanate from grazing.
+            let near: Vec<_> = solutions
+                .at(mu)
+                .into_iter()
+                .filter(|solution| solution.velocity.abs() < 10.0 * velocity * size)
+                .collect();
+            let [solution] = near[..] else { return None };
+            let at = LinearOscillator::new(
+                oscillator.damping_ratio(),
+                oscillator.restitution(),
+                solution.amplitude,
+                oscillator.frequency(),
+            );
+            let at = at.ok()?;
+            let suspect =
+                Suspect { oscillator: &at, loops, velocity: solution.velocity, phase: solution.phase };
+            let seen = suspect.follow();
+            if seen == Seen::Returns {
+                repels &= suspect.repels_at_once();
+            }
+            match seen {
+                Seen::Returns => Some(true),
+                Seen::NoImpact | Seen::MeetsTheWall => Some(false),
+                Seen::GoesElsewhere => None,
+            }
+        });
+        let [first, rest @ ..] = at_sizes;
+        rest.iter().all(|other| *other == first).then_some(first).flatten()
+    };
+    let existence = match (found(Side::Negative), found(Side::Positive)) {
+        (Some(false), Some(true)) => Existence::On(Side::Positive),
+        (Some(true), Some(false)) => Existence::On(Side::Negative),
+        (Some(false), Some(false)) => Existence::Nowhere,
+        _ => Existence::Unclear,
+    };
+    (existence, repels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row() -> GenericRow {
+        let case = GenericCase { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, omega: 0.83 };
+        GenericRow::of(case).expect("the case can be worked out")
+    }
+
+    #[test]
+    fn each_thing_that_is_seen_is_needed_for_an_agreement() {
+        let good = row();
+        assert_eq!(good.verdict, Verdict::Agreement);
+        let Some(side) = good.predicted else { panic!("the theorem applies") };
+        let other = if side == Side::Positive { Side::Negative } else { Side::Positive };
+        let spoiled = [
+            GenericRow { predicted: Some(other), ..good.clone() },
+            GenericRow { continued: Existence::On(other), ..good.clone() },
+            GenericRow { simulated: Existence::Nowhere, ..good.clone() },
+            GenericRow { first_order: Existence::On(other), ..good.clone() },
+            GenericRow { unstable: [true, false], ..good.clone() },
+            GenericRow { unstable: [false, true], ..good.clone() },
+            GenericRow { slopes: [[1.0, 1.0], [1.0, 1.0], [1.0, 1.001]], ..good.clone() },
+            GenericRow { slopes: [[1.0, 1.0], [f64::NAN, 1.0], [1.0, 1.0]], ..good },
+        ];
+        for row in spoiled {
+            assert_eq!(row.judge(), Verdict::Unexplained, "{row:?}");
+        }
+    }
+
+    #[test]
+    fn the_polynomial_through_points_of_a_cubic_has_its_value_at_zero() {
+        let cubic = |x: f64| 2.0 + x * (1.0 - x * (3.0 - x));
+        let at = [0.1, 0.25, -0.2, 0.4];
+        assert!((to_zero(&at, at.map(cubic).to_vec()) - 2.0).abs() < 1e-14);
+    }
+}

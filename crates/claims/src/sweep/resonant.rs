@@ -1,0 +1,422 @@
+//! Theorems 2.4 and 2.5: the saddle-node curve and the curve of multiplier −1 that come out of a resonance.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{Curve, Route, Window};
+use grazing_continuation::fit::{Estimate, quadratic_coefficient};
+use grazing_continuation::locate::Condition;
+use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::LinearOscillator;
+use grazing_theorems::from_map::GrazingOrbit;
+use grazing_theorems::hypothesis::{Hypothesis, Quantity};
+use grazing_theorems::resonant_theorem::BifurcationCurve;
+use grazing_theorems::{HypothesesViolated, Resonance, ResonantGrazing, ResonantPoint, Side};
+use rayon::prelude::*;
+
+use super::closed_form::{LoopSolution, LoopSolutions};
+use super::generic::{Existence, SweepError, to_zero, worst};
+use super::simulation::{Seen, Suspect};
+use super::{Reason, ResonantCase, Verdict};
+
+/// A bifurcation curve as predicted and as seen.
+#[derive(Debug, Clone, Copy)]
+pub struct CurveRow {
+    /// The sign of η by the theorem; `None` if a hypothesis fails.
+    pub predicted: Option<Side>,
+    /// The sign of η of the continued curve with y > 0, admissible at all its points; not followed where the theorem is silent.
+    pub continued: Option<Existence>,
+    /// The sign of η for which simulation sees the bifurcation: for the saddle-node two MPSs on the side of the curve where
+    /// there are two solutions; for the multiplier −1 an MPS to either side of the curve.
+    pub simulated: Existence,
+    /// The multiplier 1 or −1 is crossed, by simulated derivatives to either side of the curve.
+    pub crossed: bool,
+    /// If |D| < 1, simulated orbits beside the MPS come nearer to one side of the curve and leave on the other; `None` if
+    /// |D| ≥ 1, where no MPS near the resonance is stable.
+    pub stability_changes: Option<bool>,
+    /// The quadratic coefficient by the theorem from derivatives of the numerical P_global; NaN where it is silent.
+    pub theorem: f64,
+    /// By proposition 3.2 or 3.3; NaN for ω₁/ω = n − 1/(2p).
+    pub proposition: f64,
+    /// Measured on the continued curve.
+    pub fit: Option<Estimate>,
+    /// The limit of μ/η² on the curve that the quadratic equation for y gives.
+    pub quadratic_equation: f64,
+}
+
+/// What theorem 2.4 or 2.5 says about a resonance, and what is seen.
+#[derive(Debug, Clone)]
+pub struct ResonantRow {
+    /// The case.
+    pub case: ResonantCase,
+    /// What the theorem knows about the resonance, from derivatives of the numerical P_global.
+    pub point: ResonantPoint,
+    /// 𝒜_graz at the resonance.
+    pub amplitude: f64,
+    /// E_p.
+    pub decay: f64,
+    /// All hypotheses with their values.
+    pub hypotheses: Vec<Hypothesis>,
+    /// All hypotheses hold.
+    pub holds: bool,
+    /// Saddle-node curve, and curve of multiplier −1.
+    pub curves: [CurveRow; 2],
+    /// What it comes to.
+    pub verdict: Verdict,
+}
+
+/// What the theorems say and what is seen, case by case in the order of the list.
+///
+/// `step` is told of every case that is done.
+///
+/// # Errors
+/// [`SweepError`] for the first case that could not be worked out.
+pub fn resonant_rows(cases: &[ResonantCase], step: impl Fn() + Sync) -> Result<Vec<ResonantRow>, SweepError> {
+    let work = |case: &ResonantCase| ResonantRow::of(*case).inspect(|_| step());
+    cases.par_iter().map(work).collect()
+}
+
+/// Closed forms, derivatives of the numerical map and the limit on the exact curve agree to this: rounding of first and second
+/// derivatives, divided by s_p⁺ where that is small.
+pub const EXACT_TOLERANCE: f64 = 1e-6;
+
+/// Fits agree to this: nine points at impact velocities up to some hundredths, beside which s_p⁺ can be as small as 0.002.
+pub const FIT_TOLERANCE: f64 = 1e-4;
+
+/// What is left of a₁₂, κ_p or s_p^± in numerical derivatives where it is zero.
+const ROUNDING: f64 = 1e-11;
+
+impl ResonantRow {
+    /// Works out a case.
+    ///
+    /// # Errors
+    /// [`SweepError`].
+    pub fn of(case: ResonantCase) -> Result<Self, SweepError> {
+        let ResonantCase { zeta, epsilon, loops, n, negative, omega } = case;
+        let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
+        let state = theory.grazing(omega)?;
+        let start = LinearOscillator::new(zeta, epsilon, state.amplitude(), omega)?;
+        let orbit = GrazingOrbit::find(&start, state.phase())?;
+        let point = orbit.resonant_point(loops)?;
+        let closed = if negative { None } else { Some(theory.resonance(loops, n)?) };
+        let (theorem, hypotheses) = asked(&point);
+        let located = match theorem {
+            Some(_) => Some(
+                ResonantGrazingPoint::find(&start, loops, state.phase())
+                    .map_err(|error| SweepError::Curves(error.to_string()))?,
+            ),
+            None => None,
+        };
+        let unfolded = located.as_ref().map(|located| followed(located, omega)).transpose()?;
+        let scene = Scene { case, point: &point, start };
+        let saddle_node = scene.curve(
+            Kind::SaddleNode,
+            theorem.as_ref().map(ResonantGrazing::saddle_node),
+            closed.as_ref(),
+            located.as_ref().zip(unfolded.as_ref().map(|curves| &curves[0])),
+        )?;
+        let period_doubling = scene.curve(
+            Kind::PeriodDoubling,
+            theorem.as_ref().map(ResonantGrazing::period_doubling),
+            closed.as_ref(),
+            located.as_ref().zip(unfolded.as_ref().map(|curves| &curves[1])),
+        )?;
+        let mut row = Self {
+            case,
+            point,
+            amplitude: state.amplitude(),
+            decay: state.decay(loops),
+            hypotheses,
+            holds: theorem.is_some(),
+            curves: [saddle_node, period_doubling],
+            verdict: Verdict::Unexplained,
+        };
+        row.verdict = row.judge();
+        Ok(row)
+    }
+
+    /// The value of a quantity about which the theorem makes a hypothesis; `None` if it makes none.
+    pub fn hypothesis(&self, quantity: Quantity) -> Option<f64> {
+        self.hypotheses.iter().find(|hypothesis| hypothesis.quantity == quantity).map(|found| found.value)
+    }
+
+    /// "2.4" or "2.5".
+    pub fn theorem(&self) -> &'static str {
+        if self.case.loops == 1 { "2.4" } else { "2.5" }
+    }
+
+    /// ε E_p.
+    pub fn rebound(&self) -> f64 {
+        self.case.epsilon * self.decay
+    }
+
+    fn judge(&self) -> Verdict {
+        if self.holds {
+            let agrees = self.curves.iter().all(CurveRow::agrees);
+            return if agrees { Verdict::Agreement } else { Verdict::Unexplained };
+        }
+        let stability = self.point.stability_coefficients();
+        let vanishes = [stability.plus, stability.minus].map(|s| s.abs() <= ROUNDING);
+        let nowhere = |curve: &CurveRow| curve.simulated == Existence::Nowhere;
+        if self.case.negative {
+            let none = self.curves.iter().all(nowhere);
+            return if none { Verdict::Explained(Reason::VirtualOrbit) } else { Verdict::Unexplained };
+        }
+        // The one whose coefficient vanishes is not there; the other one is.
+        let explained = vanishes[0] != vanishes[1]
+            && self.curves.iter().zip(vanishes).all(|(curve, vanishes)| nowhere(curve) == vanishes);
+        if explained { Verdict::Explained(Reason::NoCurve) } else { Verdict::Unexplained }
+    }
+}
+
+impl CurveRow {
+    /// The largest relative difference of the proposition and the exact curve from the theorem's coefficient.
+    pub fn difference(&self) -> f64 {
+        let off = |other: f64| ((other - self.theorem) / self.theorem).abs();
+        worst([self.proposition, self.quadratic_equation].map(off))
+    }
+
+    /// The relative difference of the fit from the theorem's coefficient.
+    pub fn fit_difference(&self) -> f64 {
+        self.fit.map_or(f64::NAN, |fit| ((fit.value - self.theorem) / self.theorem).abs())
+    }
+
+    /// All that the theorem says is seen.
+    pub fn agrees(&self) -> bool {
+        let Some(side) = self.predicted else { return false };
+        let on = Existence::On(side);
+        self.continued == Some(on)
+            && self.simulated == on
+            && self.crossed
+            && self.stability_changes != Some(false)
+            && self.difference() < EXACT_TOLERANCE
+            && self.fit_difference() < FIT_TOLERANCE
+    }
+}
+
+/// The theorem, with s_p^± that are zero up to rounding taken for zero.
+fn asked(point: &ResonantPoint) -> (Option<ResonantGrazing>, Vec<Hypothesis>) {
+    let stability = point.stability_coefficients();
+    match ResonantGrazing::check(point, ROUNDING) {
+        Ok(theorem) => {
+            let zero = stability.plus.abs() <= ROUNDING || stability.minus.abs() <= ROUNDING;
+            let hypotheses = theorem.hypotheses().to_vec();
+            (Some(theorem).filter(|_| !zero), hypotheses)
+        }
+        Err(HypothesesViolated { hypotheses, .. }) => (None, hypotheses),
+    }
+}
+
+/// The first points of both curves.
+fn followed(located: &ResonantGrazingPoint<LinearOscillator>, omega: f64) -> Result<[Curve; 2], SweepError> {
+    let length = 1e-3 * omega.min(1.0);
+    let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
+    let route = Route {
+        window: Window { primary: everywhere, secondary: everywhere },
+        control: StepControl { first: length, longest: length, shortest: 1e-4 * length, turn: 0.1 },
+        step_limit: 5,
+        stop_at_events: false,
+        through_grazing: false,
+    };
+    let unfolded = located.unfold(&route).map_err(|error| SweepError::Curves(error.to_string()))?;
+    Ok([unfolded.saddle_node, unfolded.period_doubling])
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    SaddleNode,
+    PeriodDoubling,
+}
+
+impl Kind {
+    fn multiplier(self) -> f64 {
+        match self {
+            Self::SaddleNode => 1.0,
+            Self::PeriodDoubling => -1.0,
+        }
+    }
+}
+
+/// A resonance to be looked at.
+struct Scene<'a> {
+    case: ResonantCase,
+    point: &'a ResonantPoint,
+    start: LinearOscillator,
+}
+
+/// How far from the curve the MPSs lie that are simulated, in units of the impact velocity on it.
+const ASIDE: f64 = 0.5;
+
+impl Scene<'_> {
+    fn curve(
+        &self,
+        kind: Kind,
+        theorem: Option<BifurcationCurve>,
+        closed: Option<&Resonance>,
+        continued: Option<(&ResonantGrazingPoint<LinearOscillator>, &Curve)>,
+    ) -> Result<CurveRow, SweepError> {
+        let condition = Condition::Multiplier(kind.multiplier());
+        let fit = continued.map(|(located, _)| quadratic_coefficient(located, condition)).transpose();
+        let velocity = self.small_velocity(kind);
+        let eta = self.small_eta(kind, velocity);
+        let seen = [1.0, -1.0].map(|sign| self.beside(kind, sign * eta));
+        let simulated = match seen.map(|seen| seen.mps) {
+            [true, false] => Existence::On(Side::Positive),
+            [false, true] => Existence::On(Side::Negative),
+            [false, false] => Existence::Nowhere,
+            [true, true] => Existence::Unclear,
+        };
+        let there = seen.into_iter().find(|seen| seen.mps);
+        Ok(CurveRow {
+            predicted: theorem.map(|curve| curve.eta_side),
+            continued: continued.map(|(_, curve)| sign_of_eta(curve, self.case.omega)),
+            simulated,
+            crossed: there.is_some_and(|seen| seen.crossed),
+            stability_changes: there.and_then(|seen| seen.stability_changes),
+            theorem: theorem.map_or(f64::NAN, |curve| curve.coefficient),
+            proposition: closed.map_or(f64::NAN, |resonance| match kind {
+                Kind::SaddleNode => resonance.saddle_node_coefficient(),
+                Kind::PeriodDoubling => resonance.period_doubling_coefficient(),
+            }),
+            fit: fit.map_err(|error| SweepError::Curves(error.to_string()))?,
+            quadratic_equation: self.limit(kind, eta),
+        })
+    }
+
+    fn solutions(&self, eta: f64) -> LoopSolutions {
+        let ResonantCase { zeta, epsilon, loops, omega, .. } = self.case;
+        LoopSolutions::new(zeta, epsilon, omega + eta, loops)
+    }
+
+    fn bifurcation(&self, kind: Kind, eta: f64) -> LoopSolution {
+        match kind {
+            Kind::SaddleNode => self.solutions(eta).saddle_node(),
+            Kind::PeriodDoubling => self.solutions(eta).period_doubling(),
+        }
+    }
+
+    /// s_p⁺ or s_p⁻.
+    fn stability_coefficient(&self, kind: Kind) -> f64 {
+        let stability = self.point.stability_coefficients();
+        match kind {
+            Kind::SaddleNode => stability.plus,
+            Kind::PeriodDoubling => stability.minus,
+        }
+    }
+
+    /// An impact velocity that is small against the frequency over 1 + ε, by which an impact shifts the phase, and smaller where
+    /// s_p^± is small, beside which terms of higher order have to be small.
+    fn small_velocity(&self, kind: Kind) -> f64 {
+        let ResonantCase { epsilon, omega, .. } = self.case;
+        let root = self.stability_coefficient(kind).abs().sqrt().min(1.0);
+        // Where it is zero nothing is to be waited for.
+        let root = if root < 1e-5 { 1.0 } else { root };
+        0.03 * root * (omega / (1.0 + epsilon)).min(1.0)
+    }
+
+    /// The η > 0 at which the bifurcation has about the given |y|, if that is small against the change of frequency by which the
+    /// free oscillation over p periods turns by a radian, and against 𝒜_graz, the distance from the pole of the response.
+    fn small_eta(&self, kind: Kind, velocity: f64) -> f64 {
+        let coefficient = self.stability_coefficient(kind);
+        let factor = self.point.grazing.alpha() * self.point.grazing.forcing_frequency;
+        let slope = factor * self.point.off_diagonal_slope() / coefficient.abs().max(1e-4);
+        let turn = self.case.omega * self.case.omega / (TAU * f64::from(self.case.loops));
+        (velocity / slope.abs()).min(3e-3 * turn).min(0.01 * self.start.amplitude())
+    }
+
+    /// The limit of μ/η² on the curve as η goes to zero.
+    fn limit(&self, kind: Kind, eta: f64) -> f64 {
+        let at: Vec<f64> = [1.0, -1.0, 0.5, -0.5, 0.25, -0.25].iter().map(|size| size * eta).collect();
+        let ratios = at.iter().map(|eta| self.bifurcation(kind, *eta).mu / (eta * eta)).collect();
+        to_zero(&at, ratios)
+    }
+
+    /// What is seen on both sides of the bifurcation at one η.
+    fn beside(&self, kind: Kind, eta: f64) -> Beside {
+        let nothing = Beside { mps: false, crossed: false, stability_changes: None };
+        let solutions = self.solutions(eta);
+        let middle = self.bifurcation(kind, eta);
+        // A bifurcation whose impact velocity does not go to zero with η does not come out of the resonance.
+        let nearer = self.bifurcation(kind, 0.25 * eta);
+        if nearer.velocity.abs() > 0.5 * middle.velocity.abs() {
+            return nothing;
+        }
+        let oscillators = [1.0 - ASIDE, 1.0 + ASIDE].map(|size| {
+            let solution = solutions.with_velocity(size * middle.velocity);
+            let omega = self.case.omega + eta;
+            let oscillator =
+                LinearOscillator::new(self.case.zeta, self.case.epsilon, solution.amplitude, omega);
+            (oscillator.unwrap_or(self.start), solution)
+        });
+        let suspects = [0, 1].map(|k| {
+            let (oscillator, solution) = &oscillators[k];
+            let (velocity, phase) = (solution.velocity, solution.phase);
+            Suspect { oscillator, loops: self.case.loops, velocity, phase }
+        });
+        if suspects.iter().any(|suspect| suspect.follow() != Seen::Returns) {
+            return nothing;
+        }
+        let sign = kind.multiplier();
+        let side = suspects.map(|suspect| {
+            suspect.multipliers().map(|[trace, determinant]| 1.0 - sign * trace + determinant > 0.0)
+        });
+        let crossed = matches!(side, [Some(a), Some(b)] if a != b);
+        // With |D| ≥ 1 all orbits beside it leave.
+        let stability_changes = (solutions.determinant() < 1.0)
+            .then(|| matches!(suspects.map(|suspect| suspect.attracts()), [Some(a), Some(b)] if a != b));
+        Beside { mps: true, crossed, stability_changes }
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Beside {
+    mps: bool,
+    crossed: bool,
+    stability_changes: Option<bool>,
+}
+
+/// The sign of η on a curve, if it is the same at all points and all are admissible.
+fn sign_of_eta(curve: &Curve, omega: f64) -> Existence {
+    let mut points = curve.points.iter().skip(1).map(|point| {
+        let side = if point.solution.parameters()[1] > omega { Side::Positive } else { Side::Negative };
+        (side, point.solution.admissible())
+    });
+    let Some(first) = points.next() else { return Existence::Unclear };
+    if points.any(|point| point != first) {
+        return Existence::Unclear;
+    }
+    if first.1 { Existence::On(first.0) } else { Existence::Nowhere }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_thing_that_is_seen_is_needed_for_an_agreement() {
+        let theory = grazing_theorems::LinearOscillator::new(0.03, 0.8).expect("valid");
+        let omega = theory.resonance(2, 1).expect("there is one").forcing_frequency();
+        let case = ResonantCase { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, negative: false, omega };
+        let row = ResonantRow::of(case).expect("the case can be worked out");
+        assert_eq!(row.verdict, Verdict::Agreement);
+        for good in row.curves {
+            assert!(good.agrees());
+            let Some(side) = good.predicted else { panic!("the theorem applies") };
+            let other = if side == Side::Positive { Side::Negative } else { Side::Positive };
+            let spoiled = [
+                CurveRow { predicted: Some(other), ..good },
+                CurveRow { continued: Some(Existence::On(other)), ..good },
+                CurveRow { simulated: Existence::Nowhere, ..good },
+                CurveRow { crossed: false, ..good },
+                CurveRow { stability_changes: Some(false), ..good },
+                CurveRow { theorem: 1.001 * good.theorem, ..good },
+                CurveRow { proposition: 1.001 * good.proposition, ..good },
+                CurveRow { quadratic_equation: f64::NAN, ..good },
+                CurveRow { fit: None, ..good },
+            ];
+            for curve in spoiled {
+                assert!(!curve.agrees(), "{curve:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! What the hybrid system does, simulated from event to event.
+
+use core::f64::consts::TAU;
+
+use grazing_model::orbit::{FlightEnd, Orbit};
+use grazing_model::{ImpactOscillator, State};
+use nalgebra::{Matrix2, Vector2};
+
+/// What comes of an impact that belongs to an MPS if there is one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// The next impact comes after p forcing periods, and is the same one: an MPS of the hybrid system.
+    Returns,
+    /// The impact velocity is not positive: no orbit of the hybrid system begins like this.
+    NoImpact,
+    /// The wall is met before p forcing periods are over: the solution is virtual.
+    MeetsTheWall,
+    /// No impact when it is due, or another one.
+    GoesElsewhere,
+}
+
+/// An impact (y, z) at which an MPS is to be looked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Suspect<'a, O> {
+    /// The oscillator.
+    pub oscillator: &'a O,
+    /// The number of loops p.
+    pub loops: u32,
+    /// Impact velocity y.
+    pub velocity: f64,
+    /// Impact phase z.
+    pub phase: f64,
+}
+
+/// Displacements are this part of the scale on which the motion changes.
+const PART: f64 = 3e-4;
+
+/// Impacts that differ less than this in proportion are the same.
+const RESOLUTION: f64 = 1e-3;
+
+/// How often a perturbed orbit is followed through p forcing periods before its fate counts as undecided.
+const MOST_RETURNS: usize = 5_000;
+
+impl<O: ImpactOscillator> Suspect<'_, O> {
+    /// Time from recoil to impact if it is an MPS: p forcing periods less what passes during the impact.
+    fn flight(&self) -> f64 {
+        let reset = self.oscillator.reset::<1>(self.velocity, self.phase).value;
+        let lag = (reset[1] - self.phase) / self.oscillator.forcing_frequency().value;
+        f64::from(self.loops) * self.oscillator.forcing_period() - lag
+    }
+
+    /// Follows the orbit to its next impact.
+    pub fn follow(&self) -> Seen {
+        if self.velocity.is_nan() || self.velocity <= 0.0 {
+            return Seen::NoImpact;
+        }
+        let due = self.flight();
+        let from = State::on_wall(self.velocity, self.phase);
+        let mut orbit = Orbit::new(self.oscillator, from, 1.5 * due, 2);
+        // The least that can differ is of the size of the impact: its velocity, and the time that this takes to vanish. The same
+        // impact is met to rounding over y², which is below a thousandth for y above 10⁻⁶.
+        let stop = self.velocity / self.oscillator.acceleration(from).abs();
+        match orbit.next().map(|flight| (flight.duration, flight.end)) {
+            Some((time, FlightEnd::Impact(impact))) => {
+                if time < due - RESOLUTION * stop {
+                    Seen::MeetsTheWall
+                } else if time <= due + RESOLUTION * stop
+                    && (impact.velocity - self.velocity).abs() <= RESOLUTION * self.velocity
+                {
+                    Seen::Returns
+                } else {
+                    Seen::GoesElsewhere
+                }
+            }
+            _ => Seen::GoesElsewhere,
+        }
+    }
+
+    /// How far from (y, z) the next impact is, if it begins at (y, z) + `by` and comes when it is due up to a quarter of a forcing
+    /// period.
+    ///
+    /// In (y, z) the map from impact to impact is smooth.
+    fn displaced(&self, by: Vector2<f64>) -> Option<Vector2<f64>> {
+        let (velocity, phase) = (self.velocity + by[0], self.phase + by[1]);
+        let recoil = self.oscillator.reset::<1>(velocity, phase).value;
+        let period = self.oscillator.forcing_period();
+        let due = f64::from(self.loops) * period - (recoil[1] - phase) * period / TAU;
+        let from = State::on_wall(velocity, phase);
+        let flight = Orbit::new(self.oscillator, from, due + 0.25 * period, 2).next()?;
+        let FlightEnd::Impact(impact) = flight.end else { return None };
+        let late = flight.duration - due;
+        (late > -0.25 * period)
+            .then(|| Vector2::new(impact.velocity - self.velocity, by[1] + late * TAU / period))
+    }
+
+    /// Whether an orbit displaced by a small part of y² is farther away at the next impact, or has it at another time.
+    ///
+    /// y² is the scale on which orbits beside an MPS far from resonance miss the wall.
+    pub fn repels_at_once(&self) -> bool {
+        let size = PART * self.velocity * self.velocity;
+        let grows = |by: Vector2<f64>| self.displaced(by * size).is_none_or(|next| next.norm() > size);
+        grows(Vector2::x()) || grows(Vector2::y())
+    }
+
+    /// Trace and determinant of the derivative of the map from impact to impact, by central differences with a small part of y;
+    /// `None` if an orbit does not come back when it is due.
+    ///
+    /// y is the scale on which this map varies near a resonance.
+    pub fn multipliers(&self) -> Option<[f64; 2]> {
+        let size = PART * self.velocity;
+        let column = |direction: Vector2<f64>| {
+            let ahead = self.displaced(direction * size)?;
+            Some((ahead - self.displaced(direction * -size)?) / (2.0 * size))
+        };
+        let derivative = Matrix2::from_columns(&[column(Vector2::x())?, column(Vector2::y())?]);
+        Some([derivative.trace(), derivative.determinant()])
+    }
+
+    /// Whether an orbit that is displaced by a small part of y comes ten times nearer in the long run (yes), or gets as far as
+    /// y/3 away or does not come back when it is due (no). `None` if neither has happened after many returns.
+    ///
+    /// For MPSs near a resonance. Beside a fold a displacement can grow a lot before it shrinks.
+    pub fn attracts(&self) -> Option<bool> {
+        let size = PART * self.velocity;
+        let mut displacement = Vector2::new(0.6, -0.8) * size;
+        for _ in 0..MOST_RETURNS {
+            match self.displaced(displacement) {
+                Some(next) if next.norm() < 0.1 * size => return Some(true),
+                Some(next) if next.norm() < self.velocity / 3.0 => displacement = next,
+                _ => return Some(false),
+            }
+        }
+        None
+    }
+}

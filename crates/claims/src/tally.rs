@@ -1,0 +1,162 @@
+//! Tallies of many measurements that end in one [`Outcome`]. What is not a number is never forgotten.
+
+use crate::outcome::{Measure, Outcome};
+
+/// The largest deviation seen.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Deviations {
+    largest: f64,
+    samples: usize,
+}
+
+impl Deviations {
+    /// Takes the modulus of one deviation into account.
+    pub fn see(&mut self, deviation: f64) {
+        let deviation = deviation.abs();
+        if deviation.is_nan() || deviation > self.largest {
+            self.largest = deviation;
+        }
+        self.samples += 1;
+    }
+
+    /// Takes into account the distance of two numbers relative to the scale of the terms they were computed from.
+    pub fn compare(&mut self, computed: f64, expected: f64, scale: f64) {
+        self.see((computed - expected) / scale);
+    }
+
+    /// Takes a yes-or-no condition into account, without which no deviation counts as small.
+    pub fn require(&mut self, holds: bool) {
+        self.see(if holds { 0.0 } else { f64::INFINITY });
+    }
+
+    /// The largest deviation against a tolerance.
+    pub fn measure(&self, tolerance: f64) -> Measure {
+        Measure::Deviation { largest: self.largest, tolerance }
+    }
+
+    /// The outcome, with the number of deviations seen.
+    pub fn outcome(&self, tolerance: f64, over: &str) -> Outcome {
+        Outcome::new(self.measure(tolerance), self.samples, over)
+    }
+}
+
+/// The smallest of many numbers: margins of an inequality, or orders of a remainder.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Smallest {
+    value: f64,
+    samples: usize,
+}
+
+impl Default for Smallest {
+    fn default() -> Self {
+        Self { value: f64::INFINITY, samples: 0 }
+    }
+}
+
+impl Smallest {
+    /// Takes one number into account.
+    pub fn see(&mut self, value: f64) {
+        if value.is_nan() || value < self.value {
+            self.value = value;
+        }
+        self.samples += 1;
+    }
+
+    /// Takes into account the order of a remainder that is there to be seen: if it never was, nothing was tested, and that
+    /// counts against the statement.
+    pub fn see_resolved(&mut self, order: f64) {
+        self.see(if order == f64::INFINITY { f64::NEG_INFINITY } else { order });
+    }
+
+    /// Takes a yes-or-no condition into account, without which no number counts as large.
+    pub fn require(&mut self, holds: bool) {
+        self.see(if holds { f64::INFINITY } else { f64::NEG_INFINITY });
+    }
+
+    /// The smallest number as a margin.
+    pub fn margin(&self, over: &str) -> Outcome {
+        Outcome::new(Measure::Margin { smallest: self.value }, self.samples, over)
+    }
+
+    /// The smallest number as an order.
+    pub fn order(&self, stated: f64, slack: f64, over: &str) -> Outcome {
+        Outcome::new(Measure::Order { observed: self.value, stated, slack }, self.samples, over)
+    }
+}
+
+/// How many cases agree with a statement.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Votes {
+    agreeing: usize,
+    cases: usize,
+}
+
+impl Votes {
+    /// Takes one case into account.
+    pub fn see(&mut self, agrees: bool) {
+        self.agreeing += usize::from(agrees);
+        self.cases += 1;
+    }
+
+    /// The count.
+    pub fn measure(&self) -> Measure {
+        Measure::Agreement { agreeing: self.agreeing, cases: self.cases }
+    }
+
+    /// The outcome.
+    pub fn outcome(&self, over: &str) -> Outcome {
+        Outcome::new(self.measure(), self.cases, over)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_a_number_stays() {
+        let mut deviations = Deviations::default();
+        let mut smallest = Smallest::default();
+        for value in [1.0, f64::NAN, -2.0] {
+            deviations.see(value);
+            smallest.see(value);
+        }
+        assert!(!deviations.outcome(10.0, "").measure.holds());
+        assert!(!smallest.margin("").measure.holds());
+    }
+
+    #[test]
+    fn the_extreme_is_kept() {
+        let mut deviations = Deviations::default();
+        let mut smallest = Smallest::default();
+        for value in [1.0, -3.0, 2.0] {
+            deviations.see(value);
+            smallest.see(value);
+        }
+        let outcome = deviations.outcome(3.0, "");
+        assert_eq!(outcome.measure, Measure::Deviation { largest: 3.0, tolerance: 3.0 });
+        assert_eq!(outcome.samples, 3);
+        assert_eq!(smallest.margin("").measure, Measure::Margin { smallest: -3.0 });
+    }
+
+    #[test]
+    fn a_remainder_that_was_never_seen_and_a_broken_condition_count_against_the_statement() {
+        let mut smallest = Smallest::default();
+        smallest.see_resolved(2.0);
+        assert!(smallest.order(2.0, 0.1, "").measure.holds());
+        smallest.see_resolved(f64::INFINITY);
+        assert!(!smallest.order(2.0, 0.1, "").measure.holds());
+        let (mut deviations, mut smallest) = (Deviations::default(), Smallest::default());
+        deviations.require(false);
+        smallest.require(false);
+        assert!(!deviations.measure(1.0).holds() && !smallest.margin("").measure.holds());
+    }
+
+    #[test]
+    fn votes_count_both_sides() {
+        let mut votes = Votes::default();
+        votes.see(true);
+        votes.see(false);
+        assert_eq!(votes.measure(), Measure::Agreement { agreeing: 1, cases: 2 });
+    }
+}

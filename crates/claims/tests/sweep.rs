@@ -1,0 +1,139 @@
+//! Theorems 2.2 to 2.5 over every ninth case of the sweep; the whole of it is what the ledger's checks and `reproduce` run.
+
+use grazing_claims::sweep::closed_form::LoopSolutions;
+use grazing_claims::sweep::simulation::{Seen, Suspect};
+use grazing_claims::sweep::{
+    Extent, GenericCase, ResonantCase, Verdict, generic_cases, generic_rows, resonant_cases, resonant_rows,
+};
+use grazing_model::orbit::{FlightEnd, Orbit};
+use grazing_model::{ImpactOscillator, LinearOscillator, State};
+
+#[test]
+fn no_disagreement_is_left_unexplained() {
+    let generic = generic_rows(&generic_cases(Extent::Reduced).unwrap(), || ()).unwrap();
+    for row in &generic {
+        assert_ne!(row.verdict, Verdict::Unexplained, "{row:?}");
+    }
+    let resonant = resonant_rows(&resonant_cases(Extent::Reduced).unwrap(), || ()).unwrap();
+    for row in &resonant {
+        assert_ne!(row.verdict, Verdict::Unexplained, "{row:?}");
+    }
+    let agreements = |verdicts: Vec<Verdict>| {
+        verdicts.into_iter().filter(|verdict| *verdict == Verdict::Agreement).count()
+    };
+    assert!(agreements(generic.iter().map(|row| row.verdict).collect()) > 20);
+    assert!(agreements(resonant.iter().map(|row| row.verdict).collect()) > 10);
+}
+
+#[test]
+fn the_cases_go_to_where_the_theorems_change_their_minds() {
+    let generic = generic_cases(Extent::Whole).unwrap();
+    let resonant = resonant_cases(Extent::Whole).unwrap();
+    let point = |case: &GenericCase| {
+        let theory = grazing_theorems::LinearOscillator::new(case.zeta, case.epsilon).unwrap();
+        theory.grazing(case.omega).unwrap()
+    };
+    for p in 1..=6 {
+        let of_p: Vec<_> = generic.iter().filter(|case| case.loops == p).map(point).collect();
+        // Both signs of a₁₂, and both sides of g_p with a₁₂ > 0.
+        for sign in [1.0, -1.0] {
+            assert!(of_p.iter().any(|state| sign * state.linearised_map().a.m12 > 0.0), "p = {p}");
+            let side = |state: &grazing_theorems::GrazingState| {
+                p == 1 || state.linearised_map().a.m12 > 0.0 && sign * state.detuning(p) > 0.0
+            };
+            assert!(of_p.iter().any(side), "p = {p}");
+        }
+    }
+    // ε to both sides of 1/E_p, and at it.
+    let rebound = |case: &ResonantCase| {
+        let theory = grazing_theorems::LinearOscillator::new(case.zeta, case.epsilon).unwrap();
+        case.epsilon * theory.grazing(case.omega).unwrap().decay(case.loops)
+    };
+    for (lower, upper) in [(0.9, 0.99), (1.0 - 1e-14, 1.0 + 1e-14), (1.01, 1.1)] {
+        assert!(resonant.iter().any(|case| (lower..=upper).contains(&rebound(case))), "{lower} {upper}");
+    }
+    assert!(resonant.iter().any(|case| case.negative));
+}
+
+/// How much the impact that comes about p forcing periods after one at (y, z) differs from it, by simulation.
+fn next_velocity(oscillator: &LinearOscillator, loops: u32, velocity: f64, phase: f64) -> Option<[f64; 2]> {
+    let period = oscillator.forcing_period();
+    let due = f64::from(loops) * period;
+    let from = State::on_wall(velocity, phase);
+    let flight = Orbit::new(oscillator, from, due + 0.25 * period, 2).next()?;
+    let FlightEnd::Impact(impact) = flight.end else { return None };
+    let late = (flight.duration - due) * oscillator.frequency();
+    (late.abs() < 1.0).then_some([impact.velocity - velocity, late])
+}
+
+/// Impacts (y, z) near grazing from which the hybrid system comes back to the same impact, found by Newton's method on simulated
+/// orbits alone, from a grid of impacts in which z is so dense that orbits of all kinds are met.
+fn found_by_search(oscillator: &LinearOscillator, loops: u32, centre: f64, scale: f64) -> Vec<[f64; 2]> {
+    let mut found: Vec<[f64; 2]> = Vec::new();
+    let steps = 400;
+    for i in 1..=8 {
+        let velocity = 0.25 * f64::from(i) * scale;
+        for k in -steps..=steps {
+            let phase = centre + 8.0 * scale * f64::from(k) / f64::from(steps);
+            let mut here = [velocity, phase];
+            for _ in 0..20 {
+                let value = |y: f64, z: f64| next_velocity(oscillator, loops, y, z);
+                let h = 1e-4 * here[0].abs();
+                let (Some(f), Some(fy), Some(fz)) = (
+                    value(here[0], here[1]),
+                    value(here[0] + h, here[1]),
+                    value(here[0], here[1] + h * here[0]),
+                ) else {
+                    break;
+                };
+                let [[a, c], [b, d]] = [
+                    [(fy[0] - f[0]) / h, (fy[1] - f[1]) / h],
+                    [(fz[0] - f[0]) / (h * here[0]), (fz[1] - f[1]) / (h * here[0])],
+                ];
+                let determinant = a * d - b * c;
+                let step = [(d * f[0] - b * f[1]) / determinant, (a * f[1] - c * f[0]) / determinant];
+                here = [here[0] - step[0], here[1] - step[1]];
+                if step[0].abs() + step[1].abs() < 1e-7 * scale {
+                    let new = found.iter().all(|other| (other[0] - here[0]).abs() > 1e-3 * scale);
+                    if here[0] > 0.0 && new {
+                        found.push(here);
+                    }
+                    break;
+                }
+                if here[0] <= 0.0 {
+                    break;
+                }
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn a_blind_search_by_simulation_finds_the_orbit_on_its_side_and_none_on_the_other() {
+    // Below and above g_p: the MPS is on the left of grazing and on the right.
+    for (loops, fraction) in [(1, 0.05), (1, -0.05), (2, 0.2), (2, 0.3), (3, 0.2)] {
+        let (zeta, epsilon) = (0.03, 0.8);
+        let from = if loops == 1 { 1.5 } else { 1.0 };
+        let omega = (1.0_f64 - zeta * zeta).sqrt() / (from + fraction);
+        let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);
+        let (stiffness, loss) = (1.0 - omega * omega, 2.0 * zeta * omega);
+        let centre = libm::atan2(loss, stiffness);
+        let scale = 0.01;
+        let mu = scale / solutions.slopes()[0];
+        let search = |mu: f64| {
+            let amplitude = solutions.grazing_amplitude() + mu;
+            let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, omega).unwrap();
+            (found_by_search(&oscillator, loops, centre, scale), oscillator)
+        };
+        let (there, oscillator) = search(mu);
+        assert_eq!(there.len(), 1, "p = {loops}, {fraction}: {there:?}");
+        let suspect = Suspect { oscillator: &oscillator, loops, velocity: there[0][0], phase: there[0][1] };
+        assert_eq!(suspect.follow(), Seen::Returns);
+        let exact = solutions.at(mu)[0];
+        // Newton's method stops at steps of 1e-7 of the scale.
+        assert!((there[0][0] / exact.velocity - 1.0).abs() < 1e-5, "{there:?} {exact:?}");
+        let (other, _) = search(-mu);
+        assert!(other.is_empty(), "p = {loops}, {fraction}: {other:?}");
+    }
+}

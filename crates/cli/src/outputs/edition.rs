@@ -1,0 +1,128 @@
+//! An edition: in which formats and how wide the figures are made.
+
+use std::path::{Path, PathBuf};
+
+use clap::ValueEnum;
+use grazing_drawing::SheetWidth;
+use grazing_export::{ExportError, Figure};
+
+use crate::arguments::{Columns, Reproduce};
+use crate::folder::MadeFile;
+
+/// A format of the outputs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+pub enum Format {
+    /// Figures as SVG.
+    Svg,
+    /// Figures as PDF.
+    Pdf,
+    /// Figures as PNG.
+    Png,
+    /// Tables as LaTeX, and a snippet that includes them and the figures as PDF.
+    Tex,
+}
+
+impl Format {
+    /// The word on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Format::Svg => "svg",
+            Format::Pdf => "pdf",
+            Format::Png => "png",
+            Format::Tex => "tex",
+        }
+    }
+}
+
+/// The formats and the width in which figures are made.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Edition {
+    formats: Vec<Format>,
+    columns: Columns,
+    /// Dots per inch of PNG.
+    resolution: u16,
+}
+
+impl Default for Edition {
+    /// SVG as wide as in the paper, which is what `figures/` holds.
+    fn default() -> Edition {
+        Edition { formats: vec![Format::Svg], columns: Columns::Paper, resolution: 300 }
+    }
+}
+
+impl Edition {
+    /// What the command line asks for.
+    pub fn new(arguments: &Reproduce) -> Edition {
+        let mut formats = arguments.format.clone();
+        if formats.contains(&Format::Tex) {
+            // The snippet includes the figures as PDF.
+            formats.push(Format::Pdf);
+        }
+        formats.sort_unstable();
+        formats.dedup();
+        Edition { formats, columns: arguments.columns, resolution: arguments.dpi }
+    }
+
+    /// True if it is what `figures/` holds.
+    pub fn is_default(&self) -> bool {
+        self.formats == [Format::Svg] && self.columns == Columns::Paper
+    }
+
+    /// True if it has the format.
+    pub fn has(&self, format: Format) -> bool {
+        self.formats.contains(&format)
+    }
+
+    /// True if its figures are as wide as both columns of a journal.
+    pub fn spans_columns(&self) -> bool {
+        self.columns == Columns::Two
+    }
+
+    /// How wide the figures are drawn.
+    pub fn width(&self) -> SheetWidth {
+        match self.columns {
+            Columns::Paper => SheetWidth::Paper,
+            Columns::One => SheetWidth::OneColumn,
+            Columns::Two => SheetWidth::TwoColumns,
+        }
+    }
+
+    /// The options that ask for it, each with a space before; none for the default edition.
+    pub(crate) fn options(&self) -> String {
+        let mut options = String::new();
+        if self.formats != [Format::Svg] {
+            let names: Vec<&str> = self.formats.iter().map(|format| format.name()).collect();
+            options.push_str(&format!(" --format {}", names.join(",")));
+        }
+        match self.columns {
+            Columns::Paper => {}
+            Columns::One => options.push_str(" --columns one"),
+            Columns::Two => options.push_str(" --columns two"),
+        }
+        if self.has(Format::Png) && self.resolution != Edition::default().resolution {
+            options.push_str(&format!(" --dpi {}", self.resolution));
+        }
+        options
+    }
+
+    /// The files of a figure, given that of the SVG.
+    pub(crate) fn figure_paths(&self, svg: &str) -> impl Iterator<Item = PathBuf> {
+        let formats = self.formats.iter().filter(|format| **format != Format::Tex);
+        formats.map(move |format| Path::new(svg).with_extension(format.name()))
+    }
+
+    /// A figure in all formats but LaTeX, which has none.
+    pub(crate) fn figure_files(&self, file: &str, svg: String) -> Result<Vec<MadeFile>, ExportError> {
+        let mut files = Vec::new();
+        for (format, path) in self.formats.iter().zip(self.figure_paths(file)) {
+            let content = match format {
+                Format::Svg => svg.clone().into_bytes(),
+                Format::Pdf => Figure::read(&svg)?.pdf()?,
+                Format::Png => Figure::read(&svg)?.png(f64::from(self.resolution))?,
+                Format::Tex => continue,
+            };
+            files.push(MadeFile { path, content });
+        }
+        Ok(files)
+    }
+}

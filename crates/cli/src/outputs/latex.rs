@@ -1,0 +1,302 @@
+//! LaTeX: tables for booktabs, and a snippet that includes figures and tables.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use grazing_reproduction::Table;
+use polars::prelude::{Column, DataFrame, DataType, PolarsResult};
+
+use super::Output;
+use super::edition::{Edition, Format};
+
+/// Significant digits of the number of least magnitude in a column; all its numbers have as many decimals.
+const DIGITS: i32 = 4;
+/// The most decimals; columns with smaller numbers are printed with powers of ten.
+const MOST_DECIMALS: i32 = 6;
+/// The most rows that fit a page; longer tables are left to the author.
+const MOST_ROWS: usize = 45;
+/// The snippet's file.
+pub(crate) const SNIPPET: &str = "figures.tex";
+
+/// What is printed of a table: its columns, in order. Others are printed whole.
+const SELECTED: [(&str, &[&str]); 1] =
+    [("coefficients", &["p", "n", "omega_star", "amplitude_graz", "s_plus", "s_minus", "c_sn", "c_pd"])];
+
+/// The headings of columns that have a symbol; others are printed by name.
+const HEADINGS: [(&str, &str); 16] = [
+    ("p", "$p$"),
+    ("n", "$n$"),
+    ("omega", r"$\omega$"),
+    ("amplitude", r"$\mathcal{A}$"),
+    ("zeta", r"$\zeta$"),
+    ("epsilon", r"$\epsilon$"),
+    ("omega_star", r"$\omega^*$"),
+    ("amplitude_graz", r"$\mathcal{A}_{\mathrm{graz}}$"),
+    ("s_plus", "$s_p^+$"),
+    ("s_minus", "$s_p^-$"),
+    ("c_sn", r"$c_{\mathrm{SN},p}$"),
+    ("c_pd", r"$c_{\mathrm{PD},p}$"),
+    ("trace", "$T$"),
+    ("determinant", "$D$"),
+    ("tau", r"$\tau$"),
+    ("delta", r"$\delta$"),
+];
+
+/// Where a table lies in the output folder.
+pub(crate) fn table_path(name: &str) -> PathBuf {
+    Path::new(name).with_extension("tex")
+}
+
+/// The table as a tabular of booktabs: numbers rounded and aligned at the decimal point, all quantities dimensionless.
+///
+/// # Errors
+/// Whatever the tables library finds wrong with the frame.
+pub(crate) fn table(table: &Table, title: &str) -> PolarsResult<String> {
+    let frame = selected(table)?;
+    let mut columns = Vec::new();
+    for column in frame.columns() {
+        columns.push(cells(column)?);
+    }
+    let alignment: String = columns.iter().map(|(_, numeric)| if *numeric { 'r' } else { 'l' }).collect();
+    let heading = |column: &Column| match HEADINGS.iter().find(|(name, _)| name == column.name()) {
+        Some((_, heading)) => (*heading).to_owned(),
+        None => escaped(column.name()),
+    };
+    let headings: Vec<String> = frame.columns().iter().map(heading).collect();
+    let mut text = format!(
+        "% {}\n% Needs \\usepackage{{booktabs}}. All quantities are dimensionless; numbers are rounded, those of data/{}.csv are\n\
+         % not.\n\\begin{{tabular}}{{{alignment}}}\n  \\toprule\n  {} \\\\\n  \\midrule\n",
+        escaped(title),
+        table.name,
+        headings.join(" & "),
+    );
+    for row in 0..frame.height() {
+        let cells: Vec<&str> = columns.iter().map(|(cells, _)| cells[row].as_str()).collect();
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "  {} \\\\", cells.join(" & "));
+    }
+    text.push_str("  \\bottomrule\n\\end{tabular}\n");
+    Ok(text)
+}
+
+fn selected(table: &Table) -> PolarsResult<DataFrame> {
+    match SELECTED.iter().find(|(name, _)| *name == table.name) {
+        Some((_, columns)) => table.frame.select(columns.iter().copied()),
+        None => Ok(table.frame.clone()),
+    }
+}
+
+/// The cells of a column, and whether they are numbers.
+fn cells(column: &Column) -> PolarsResult<(Vec<String>, bool)> {
+    if column.dtype() == &DataType::Float64 {
+        let numbers: Vec<Option<f64>> = column.f64()?.iter().collect();
+        return Ok((aligned(&numbers), true));
+    }
+    let numeric = column.dtype().is_integer();
+    let series = column.as_materialized_series();
+    let cells = series.iter().map(|value| match value.get_str() {
+        Some(text) => escaped(text),
+        None if value.is_null() => String::new(),
+        None => value.to_string(),
+    });
+    Ok((cells.collect(), numeric))
+}
+
+/// Numbers with one number of decimals, so that they align, or with powers of ten if they are too small for that.
+fn aligned(numbers: &[Option<f64>]) -> Vec<String> {
+    let finite = || numbers.iter().flatten().copied().filter(|number| number.is_finite());
+    let least = finite().map(f64::abs).filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min);
+    let exponent = if least.is_finite() { libm::floor(libm::log10(least)) as i32 } else { 0 };
+    let decimals = (DIGITS - 1 - exponent).max(0);
+    let print = |number: f64| {
+        if decimals <= MOST_DECIMALS {
+            let places = usize::try_from(decimals).unwrap_or(0);
+            return format!("${number:.places$}$");
+        }
+        let places = usize::try_from(DIGITS - 1).unwrap_or(0);
+        let printed = format!("{number:.places$e}");
+        let (mantissa, power) = printed.split_once('e').unwrap_or((&printed, "0"));
+        format!(r"${mantissa}\times10^{{{power}}}$")
+    };
+    let shown = |number: &Option<f64>| number.filter(|number| number.is_finite()).map(print);
+    numbers.iter().map(|number| shown(number).unwrap_or_default()).collect()
+}
+
+/// The snippet that includes the outputs; `rows` tells how many rows a table has.
+pub(crate) fn snippet(outputs: &[&Output], edition: &Edition, rows: impl Fn(&str) -> usize) -> String {
+    let mut text = "\
+% The figures and tables, to be read by \\input. The preamble needs \\usepackage{graphicx,booktabs}. If the files do not lie
+% beside the main document, say where they lie before, with a slash at the end: \\newcommand{\\grazingfiles}{journal/}.
+\\providecommand{\\grazingfiles}{}
+"
+    .to_owned();
+    let star = if edition.spans_columns() { "*" } else { "" };
+    let mut add = |float: &str, body: &str, caption: &str, label: &str| {
+        let _ = write!(
+            text,
+            "\n\\begin{{{float}}}\n  \\centering\n{body}  \\caption{{{caption}}}\n  \\label{{{label}}}\n\\end{{{float}}}\n"
+        );
+    };
+    for output in outputs {
+        let caption = referring(caption(output.title), outputs);
+        if let Some(figure) = output.figure {
+            let pdf = Path::new(figure).with_extension("pdf");
+            let body = format!("  \\includegraphics{{\\grazingfiles {}}}\n", pdf.display());
+            add(&format!("figure{star}"), &body, &caption, &format!("fig:{}", output.name));
+            continue;
+        }
+        for table in output.latex_tables(edition) {
+            let body = format!("  \\input{{\\grazingfiles {}}}\n", table_path(table).display());
+            if rows(table) > MOST_ROWS {
+                let body = format!("  % More rows than a page holds; set it with longtable.\n  %{body}");
+                add("table*", &body, &caption, &format!("tab:{table}"));
+            } else {
+                add("table*", &body, &caption, &format!("tab:{table}"));
+            }
+        }
+    }
+    text
+}
+
+/// A title as a caption: without the number, which LaTeX gives, as a sentence.
+fn caption(title: &str) -> String {
+    let text = match title.split_once(": ") {
+        Some((number, text)) if number.starts_with("Figure ") => text,
+        _ => title,
+    };
+    let mut letters = text.chars();
+    let first = letters.next().map(|letter| letter.to_uppercase().to_string()).unwrap_or_default();
+    format!("{}.", escaped(&format!("{first}{}", letters.as_str())))
+}
+
+/// The caption with references in the place of the numbers of figures that are included.
+fn referring(caption: String, outputs: &[&Output]) -> String {
+    let mut figures: Vec<(&str, &str)> = outputs
+        .iter()
+        .filter(|output| output.figure.is_some())
+        .filter_map(|output| Some((output.title.split_once(": ")?.0, output.name)))
+        .collect();
+    // The longest first, so that Figure 10 is not taken for Figure 1.
+    figures.sort_by_key(|(figure, _)| std::cmp::Reverse(figure.len()));
+    figures.into_iter().fold(caption, |caption, (figure, name)| {
+        caption.replace(figure, &format!("Figure~\\ref{{fig:{name}}}"))
+    })
+}
+
+/// Text with the characters that LaTeX reserves escaped, and mathematical signs as commands.
+pub fn escaped(text: &str) -> String {
+    const SIGNS: [(char, &str); 30] = [
+        ('\\', r"\textbackslash{}"),
+        ('~', r"\textasciitilde{}"),
+        ('^', r"\textasciicircum{}"),
+        ('–', "--"),
+        ('—', "---"),
+        ('’', "'"),
+        ('𝒜', r"$\mathcal{A}$"),
+        ('α', r"$\alpha$"),
+        ('β', r"$\beta$"),
+        ('γ', r"$\gamma$"),
+        ('δ', r"$\delta$"),
+        ('ε', r"$\epsilon$"),
+        ('ζ', r"$\zeta$"),
+        ('η', r"$\eta$"),
+        ('λ', r"$\lambda$"),
+        ('μ', r"$\mu$"),
+        ('ξ', r"$\xi$"),
+        ('π', r"$\pi$"),
+        ('τ', r"$\tau$"),
+        ('φ', r"$\varphi$"),
+        ('ω', r"$\omega$"),
+        ('Γ', r"$\Gamma$"),
+        ('Π', r"$\Pi$"),
+        ('Σ', r"$\Sigma$"),
+        ('≤', r"$\le$"),
+        ('≥', r"$\ge$"),
+        ('≈', r"$\approx$"),
+        ('×', r"$\times$"),
+        ('−', "$-$"),
+        ('±', r"$\pm$"),
+    ];
+    let mut escaped = String::new();
+    for character in text.chars() {
+        match SIGNS.iter().find(|(sign, _)| *sign == character) {
+            Some((_, command)) => escaped.push_str(command),
+            None => {
+                if "#$%&_{}".contains(character) {
+                    escaped.push('\\');
+                }
+                escaped.push(character);
+            }
+        }
+    }
+    escaped
+}
+
+/// How many rows a table has that was made by [`table`].
+pub(crate) fn rows(content: &[u8]) -> usize {
+    String::from_utf8_lossy(content).lines().filter(|line| line.ends_with(r"\\")).count().saturating_sub(1)
+}
+
+/// True if the edition has the snippet.
+pub(crate) fn has_snippet(edition: &Edition) -> bool {
+    edition.has(Format::Tex)
+}
+
+#[cfg(test)]
+mod tests {
+    use polars::prelude::df;
+
+    use super::*;
+    use crate::outputs::ALL;
+
+    #[test]
+    fn the_smallest_number_of_a_column_has_four_digits_and_the_others_its_decimals() {
+        let numbers = [Some(-1234.5678), Some(0.98765), None, Some(f64::NAN), Some(0.0)];
+        assert_eq!(aligned(&numbers), ["$-1234.5678$", "$0.9877$", "", "", "$0.0000$"]);
+    }
+
+    #[test]
+    fn numbers_too_small_for_decimals_get_powers_of_ten() {
+        assert_eq!(
+            aligned(&[Some(1.23456e-9), Some(2.0)]),
+            [r"$1.235\times10^{-9}$", r"$2.000\times10^{0}$"]
+        );
+    }
+
+    #[test]
+    fn a_table_has_headings_alignment_and_escaped_words() {
+        let frame = df!("kind" => ["a_b", "c"], "p" => [1_u32, 2], "omega" => [0.5, -2.25], "odd_name" => [true, false]);
+        let made = Table { name: "sample", frame: frame.expect("a frame") };
+        let text = table(&made, "A title with 50 %").expect("it can be printed");
+        assert!(text.starts_with("% A title with 50 \\%\n"), "{text}");
+        for line in [
+            r"\begin{tabular}{lrrl}",
+            r"  kind & $p$ & $\omega$ & odd\_name \\",
+            r"  a\_b & 1 & $0.5000$ & true \\",
+            r"  c & 2 & $-2.2500$ & false \\",
+        ] {
+            assert!(text.lines().any(|found| found == line), "{line} is missing in\n{text}");
+        }
+        assert_eq!(rows(text.as_bytes()), 2);
+    }
+
+    #[test]
+    fn captions_are_sentences_without_the_number() {
+        assert_eq!(caption("Figure 7: two-parameter diagram"), "Two-parameter diagram.");
+        assert_eq!(caption("Coefficients: all of them"), "Coefficients: all of them.");
+    }
+
+    #[test]
+    fn captions_refer_to_figures_by_their_labels() {
+        let outputs: Vec<&Output> = ALL.iter().collect();
+        let caption = referring("Three magnifications of Figure 7.".to_owned(), &outputs);
+        assert_eq!(caption, r"Three magnifications of Figure~\ref{fig:fig07}.");
+    }
+
+    #[test]
+    fn every_title_of_the_registry_can_be_set_by_any_latex() {
+        for output in ALL {
+            assert!(caption(output.title).is_ascii(), "a sign of `{}` has no command yet", output.title);
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! `grazing report`: everything on one page.
+
+mod ledger;
+mod links;
+mod versions;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use grazing_claims::ledger::Ledger;
+use grazing_report::{CsvTable, Figure, Manifest, OutputFile, PublishedEntry, State, TableOutput, page};
+use grazing_reproduction::Study;
+use grazing_reproduction::parameters::Parameters;
+use grazing_reproduction::published::{Comparison, Published, Verdict};
+
+use crate::arguments::Report;
+use crate::failure::Failure;
+use crate::folder::{self, MadeFile};
+use crate::outputs::edition::Edition;
+use crate::outputs::{self, computation};
+use crate::progress::Display;
+use crate::reproduce::start_threads;
+use crate::{claims, project, terminal};
+
+/// Computes everything and writes the page.
+///
+/// # Errors
+/// Any [`Failure`] that keeps the page from being made; claims that do not hold are shown on it.
+pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
+    let start = Instant::now();
+    let parameter_file = project::parameter_file(arguments.parameters.file.as_deref())?;
+    let parameters = Parameters::from_file(&parameter_file)?;
+    let (folder, name) = place(&arguments.output)?;
+    if let Some(jobs) = arguments.jobs {
+        start_threads(jobs)?;
+    }
+    let report = assemble(arguments, &parameter_file, &parameters, &folder)?;
+    let content = page(&report).into_bytes();
+    let size = content.len();
+    folder::write(&folder, &[MadeFile { path: name, content }])?;
+    terminal::say(&summary(&report, &arguments.output, size));
+    terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
+    Ok(())
+}
+
+/// The folder and the name of the page, once it is sure that it can be written.
+fn place(output: &Path) -> Result<(PathBuf, PathBuf), Failure> {
+    let folder = output.parent().unwrap_or(Path::new("")).to_owned();
+    let refuse = |path: &Path, reason: &str| {
+        Err(Failure::UnwritablePage { path: path.to_owned(), reason: reason.to_owned() })
+    };
+    let Some(name) = output.file_name().filter(|_| !output.is_dir()) else {
+        return refuse(output, "it is a folder");
+    };
+    match folder::obstacle(&folder) {
+        Some((path, reason)) => refuse(&path, &reason),
+        None => Ok((folder, PathBuf::from(name))),
+    }
+}
+
+/// Everything that the page shows.
+fn assemble(
+    arguments: &Report,
+    parameter_file: &Path,
+    parameters: &Parameters,
+    page_folder: &Path,
+) -> Result<grazing_report::Report, Failure> {
+    let display = Display::new();
+    let study = Study::new(parameters).with_progress(&display);
+    let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
+    for output in outputs::ALL {
+        let files = output.files(&study, &Edition::default())?;
+        made.extend(files.iter().map(|file| OutputFile::of(file.path.display().to_string(), &file.content)));
+        let (svg, csv) = sorted(files);
+        let (name, title) = (output.name.to_owned(), output.title.to_owned());
+        match svg {
+            Some(svg) => figures.push(Figure { name, title, svg, tables: csv }),
+            None => tables.push(TableOutput { name, title, tables: csv }),
+        }
+    }
+    // Their names are numbered as in the paper; the registry has them in the order in which they are best made.
+    figures.sort_by(|a, b| a.name.cmp(&b.name));
+    let published = published(&study)?;
+    let root = project::root();
+    let sources = root.as_deref().map(links::sources).unwrap_or_default();
+    let ledger = Ledger::of_the_paper()?;
+    let all: Vec<_> = ledger.claims.iter().collect();
+    let findings = claims::findings(parameters, &all, &display)?;
+    let claims = findings.iter().map(|finding| ledger::entry(finding, &published, &sources)).collect();
+    let root = root.and_then(|root| links::relative(page_folder, &root));
+    let default = arguments.parameters.file.is_none();
+    Ok(grazing_report::Report {
+        figures,
+        tables,
+        published,
+        claims,
+        manifest: Manifest {
+            program: versions::program(),
+            rust: versions::rust(),
+            libraries: versions::libraries(),
+            parameter_file: if default { project::PARAMETERS.to_owned() } else { file_name(parameter_file) },
+            parameters: fs::read_to_string(parameter_file)
+                .map_err(|reason| Failure::File { path: parameter_file.to_owned(), reason })?,
+            outputs: made,
+            // Other parameters give other files than those that stand in the repository.
+            folder: root.as_ref().filter(|_| default).map(|root| format!("{root}{}/", project::FIGURES)),
+        },
+        root,
+    })
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// The figure and the tables among the files of an output; all are text.
+fn sorted(files: Vec<MadeFile>) -> (Option<String>, Vec<CsvTable>) {
+    let (mut svg, mut tables) = (None, Vec::new());
+    for MadeFile { path, content } in files {
+        let text = String::from_utf8_lossy(&content).into_owned();
+        match path.extension().and_then(|extension| extension.to_str()) {
+            Some("svg") => svg = Some(text),
+            Some("csv") => {
+                let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                tables.push(CsvTable { name, csv: text });
+            }
+            _ => {}
+        }
+    }
+    (svg, tables)
+}
+
+/// The published values with the computed ones.
+fn published(study: &Study<'_>) -> Result<Vec<PublishedEntry>, Failure> {
+    let computed: BTreeMap<String, f64> =
+        study.published_values().map_err(|error| computation("published values", &error))?;
+    Ok(Published::printed()?.compare(&computed).iter().map(entry).collect())
+}
+
+fn entry(comparison: &Comparison<'_>) -> PublishedEntry {
+    let value = comparison.published;
+    PublishedEntry {
+        id: value.id().to_owned(),
+        quantity: value.quantity().to_owned(),
+        printed: value.printed().to_owned(),
+        computed: match comparison.verdict {
+            Verdict::Met { computed, .. } | Verdict::Off { computed, .. } => Some(computed),
+            Verdict::NotComputed => None,
+        },
+        met: comparison.is_met(),
+        label: value.label().to_owned(),
+        place: value.place().to_owned(),
+    }
+}
+
+/// What the page says at its top, and where it is.
+fn summary(report: &grazing_report::Report, output: &Path, size: usize) -> String {
+    let met = report.published.iter().filter(|entry| entry.met).count();
+    let states: Vec<State> = report.claims.iter().map(|claim| claim.verdict.state()).collect();
+    let count = |state| states.iter().filter(|found| **found == state).count();
+    let misprints = report.claims.iter().filter(|claim| claim.misprint.is_some()).count();
+    format!(
+        "{path}: {megabytes:.1} MB; open it in a browser, no network is needed.\n\
+         {met} of {published} published values met; claims: {passed} passed, {failed} failed, {unchecked} unchecked; \
+         misprints: {misprints}.\n\
+         {figures} figures, {files} output files.\n",
+        path = output.display(),
+        megabytes = size as f64 / 1e6,
+        published = report.published.len(),
+        passed = count(State::Passed),
+        failed = count(State::Failed),
+        unchecked = count(State::Unchecked),
+        figures = report.figures.len(),
+        files = report.manifest.outputs.len(),
+    )
+}

@@ -1,0 +1,62 @@
+//! Pictures of figures that change: before, after and the difference.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use grazing_export::{Figure, comparison};
+
+use crate::folder::MadeFile;
+use crate::terminal;
+
+/// How the folder of the pictures begins its name.
+const FOLDER: &str = "grazing-changes-";
+
+/// A figure whose file has another content.
+pub(crate) struct ChangedFigure<'a> {
+    before: Vec<u8>,
+    after: &'a MadeFile,
+}
+
+/// The figures among the files that are in the folder with another content.
+pub(crate) fn changed<'a>(folder: &Path, files: &'a [MadeFile]) -> Vec<ChangedFigure<'a>> {
+    let figures =
+        files.iter().filter(|file| file.path.extension().is_some_and(|extension| extension == "svg"));
+    figures
+        .filter_map(|after| {
+            // A figure that is missing or cannot be read has no picture from before.
+            let before = fs::read(folder.join(&after.path)).ok().filter(|before| *before != after.content)?;
+            Some(ChangedFigure { before, after })
+        })
+        .collect()
+}
+
+/// Draws each changed figure before, after and what differs, in a new folder for temporary files, and tells where.
+///
+/// Pictures are a help and not the result: one that cannot be drawn is told of and nothing more.
+pub(crate) fn show(changes: &[ChangedFigure<'_>]) {
+    if changes.is_empty() {
+        return;
+    }
+    let folder = match tempfile::Builder::new().prefix(FOLDER).tempdir() {
+        Ok(folder) => folder.keep(),
+        Err(error) => return terminal::note(&format!("the changes could not be drawn: {error}")),
+    };
+    for change in changes {
+        let name = change.after.path.display();
+        match draw(change, &folder) {
+            Ok(picture) => {
+                terminal::note(&format!("{name}: before, after and difference: {}", picture.display()));
+            }
+            Err(reason) => terminal::note(&format!("{name}: the change could not be drawn: {reason}")),
+        }
+    }
+}
+
+fn draw(change: &ChangedFigure<'_>, folder: &Path) -> Result<PathBuf, String> {
+    let read = |svg: &[u8]| Figure::read(&String::from_utf8_lossy(svg)).map_err(|error| error.to_string());
+    let before = read(&change.before).map_err(|error| format!("the figure before: {error}"))?;
+    let picture = comparison(&before, &read(&change.after.content)?).map_err(|error| error.to_string())?;
+    let path = folder.join(change.after.path.with_extension("png"));
+    fs::write(&path, picture).map_err(|error| error.to_string())?;
+    Ok(path)
+}

@@ -1,0 +1,266 @@
+//! Figure 4: the boundaries g_p and h_p in the trapesium.
+
+use polars::prelude::DataFrame;
+
+use crate::DrawingError;
+use crate::axes::{Marker, Panel};
+use crate::canvas::{Canvas, Ink};
+use crate::clip::Window;
+use crate::frames::{Table, runs};
+use crate::labels::{Labels, Wanted};
+use crate::markup::Label;
+use crate::placement::side_by_side;
+use crate::sheet::{Bounds, Spot};
+use crate::style::{
+    BLACK, CURVE_LEADER, Colour, LABEL_SIZE, LIMIT, NON_IMPACTING_AREA, OUTLINE, Pen, SMALL_LABEL_SIZE,
+    SheetWidth, admissibility_pen, resonance_pen,
+};
+use crate::svg_backend::Anchor;
+
+/// What Figure 4 shows.
+///
+/// Paper: Figure 4, fig:D.
+#[derive(Debug, Clone, Copy)]
+pub struct Figure04<'a> {
+    /// Columns kind (trapesium, limit, g, h), p, tau, delta. Rows that follow each other with equal kind and p are one
+    /// curve; the trapesium is a closed outline, every other curve ends on its top side.
+    pub curves: &'a DataFrame,
+    /// Columns tau, delta: the grazing bifurcation of Figure 2.
+    pub points: &'a DataFrame,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Family {
+    Trapesium,
+    Limit,
+    Resonance,
+    Admissibility,
+}
+
+struct Curve {
+    family: Family,
+    p: i64,
+    points: Vec<(f64, f64)>,
+}
+
+impl Curve {
+    fn pen(&self) -> Pen {
+        match self.family {
+            Family::Trapesium => OUTLINE,
+            Family::Limit => LIMIT,
+            Family::Resonance => resonance_pen(self.p),
+            Family::Admissibility => admissibility_pen(self.p),
+        }
+    }
+
+    fn label(&self) -> String {
+        match self.family {
+            Family::Trapesium => String::new(),
+            Family::Limit => r"$2\,\sqrt\delta$".to_owned(),
+            Family::Resonance => format!("$g_{{{}}}$", self.p),
+            Family::Admissibility => format!("$h_{{{}}}$", self.p),
+        }
+    }
+}
+
+/// Width in the paper.
+const WIDTH_MM: f64 = 120.0;
+const HEIGHT_MM: f64 = 74.0;
+/// The trapesium with a little room at its sharp corners.
+const WINDOW: Window = Window { x: [-2.12, 2.12], y: [0.0, 1.0] };
+/// Room above the panel: leaders, and the names of the curves.
+const NAMES_ABOVE: f64 = 10.0;
+/// Least gap between two names, in points.
+const NAME_GAP: f64 = 3.0;
+
+/// Draws Figure 4.
+///
+/// # Errors
+/// [`DrawingError`] if a column is missing or of the wrong type or a kind is unknown.
+pub fn draw_fig04(figure: &Figure04<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+    compose(figure, width)?.finish(
+        "fig04",
+        "The boundaries g_p and h_p in the trapesium",
+        "Trace across, determinant up. Solid: tau = g_p(delta), where the p-loop solution is in resonance. Dashed: tau = \
+         h_p(delta), beyond which it is known to be admissible. Star: the grazing bifurcation of Figure 2.",
+    )
+}
+
+pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
+    let curves = read_curves(Table::new("fig04_curves", figure.curves))?;
+    let points = Table::new("fig04_points", figure.points);
+    let (tau, delta) = (points.numbers("tau")?, points.numbers("delta")?);
+
+    let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
+    let bounds = Bounds { left: 37.0, top: 23.0, right: canvas.width - 12.0, bottom: canvas.height - 30.0 };
+    let panel = Panel::new(&canvas, WINDOW, bounds);
+    let mut labels = Labels::new(&canvas, bounds);
+
+    for curve in curves.iter().filter(|curve| curve.family == Family::Trapesium) {
+        panel.fill(&curve.points, NON_IMPACTING_AREA)?;
+    }
+    for curve in &curves {
+        for piece in panel.line(&curve.points, curve.pen())? {
+            labels.placer.keep_off(&piece);
+        }
+    }
+    panel.axes(r"$\tau$", r"$\delta$")?;
+    name_above(&panel, &curves)?;
+    for point in tau.into_iter().zip(delta) {
+        if let Some(taken) = panel.marker(point, Marker::Star)? {
+            labels.placer.block(taken);
+            let reach = 0.5 * (taken.right - taken.left);
+            labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Wanted::Around(panel.spot(point), reach))?;
+        }
+    }
+    for curve in curves.iter().filter(|curve| curve.family == Family::Trapesium) {
+        // Of the sides, the slanted ones say what they are; the others are read off the axis.
+        for side in curve.points.windows(2).filter(|side| side[0].1 != side[1].1) {
+            let text = if side[0].0 > 0.0 { r"$\tau=\delta+1$" } else { r"$\tau=-\delta-1$" };
+            let edge = [panel.spot(side[0]), panel.spot(side[1])];
+            labels.add(text, SMALL_LABEL_SIZE, BLACK, &Wanted::Beside(&edge))?;
+        }
+    }
+    labels.draw()?;
+    drop(panel);
+    Ok(canvas)
+}
+
+/// Names the curves in a row above their upper ends.
+fn name_above(panel: &Panel<'_>, curves: &[Curve]) -> Result<(), DrawingError> {
+    struct Name<'a> {
+        text: String,
+        end: Spot,
+        /// Where the curve comes from, for curves that end in one point.
+        before: f64,
+        curve: &'a Curve,
+    }
+    let mut names: Vec<Name<'_>> = Vec::new();
+    for curve in curves.iter().filter(|curve| curve.family != Family::Trapesium) {
+        let Some(&end) = curve.points.last().filter(|&&end| panel.window.contains(end)) else {
+            continue;
+        };
+        let before = curve.points[curve.points.len() * 19 / 20];
+        names.push(Name { text: curve.label(), end: panel.spot(end), before: panel.spot(before).0, curve });
+    }
+    names.sort_by(|a, b| (a.end.0 + a.before).total_cmp(&(b.end.0 + b.before)));
+    let mut boxes = Vec::new();
+    for name in &names {
+        let extent = panel.canvas.measure(&Label::parse(&name.text)?, LABEL_SIZE)?;
+        boxes.push((name.end.0, extent.width));
+    }
+    for (name, x) in names.iter().zip(side_by_side(&boxes, NAME_GAP)) {
+        let (end, top) = (name.end, panel.bounds.top);
+        let colour: Colour = name.curve.pen().colour;
+        let leader = [(end.0, end.1 - 0.6), (x, top - NAMES_ABOVE + 2.5)];
+        panel.canvas.draw(&leader, Ink::Line(CURVE_LEADER))?;
+        panel.canvas.text((x, top - NAMES_ABOVE), &name.text, LABEL_SIZE, Anchor::Middle, colour)?;
+    }
+    Ok(())
+}
+
+fn read_curves(table: Table<'_>) -> Result<Vec<Curve>, DrawingError> {
+    let families = table.words("kind", "trapesium, limit, g, h", |word| match word {
+        "trapesium" => Some(Family::Trapesium),
+        "limit" => Some(Family::Limit),
+        "g" => Some(Family::Resonance),
+        "h" => Some(Family::Admissibility),
+        _ => None,
+    })?;
+    let p = table.integers("p")?;
+    let (tau, delta) = (table.numbers("tau")?, table.numbers("delta")?);
+    let keys: Vec<_> = families.iter().copied().zip(p.iter().copied()).collect();
+    Ok(runs(&keys)
+        .into_iter()
+        .map(|rows| Curve {
+            family: families[rows.start],
+            p: p[rows.start],
+            points: rows.map(|i| (tau[i], delta[i])).collect(),
+        })
+        .collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use polars::prelude::df;
+
+    use super::*;
+    use crate::inspection::{coordinates, off_the_sheet};
+
+    /// The outline, the limit, and for each p a solid and a dashed curve; some share their ends.
+    fn sample() -> (DataFrame, DataFrame) {
+        let mut rows: Vec<(&str, i64, f64, f64)> =
+            [(-1.0, 0.0), (1.0, 0.0), (2.0, 1.0), (-2.0, 1.0), (-1.0, 0.0)]
+                .map(|(tau, delta)| ("trapesium", 0, tau, delta))
+                .to_vec();
+        let mut curve = |kind, p, end: f64, bulge: f64| {
+            for k in 0..=100 {
+                let root = f64::from(k) / 100.0;
+                rows.push((kind, p, end * root + bulge * root * (1.0 - root), root * root));
+            }
+        };
+        curve("limit", 0, 2.0, 0.0);
+        for (p, g, h) in [(2, 0.0, -2.0), (3, 1.0, -1.0), (4, 1.4, 0.0), (5, 1.6, 0.6), (6, 1.7, 1.0)] {
+            curve("g", p, g, 0.0);
+            curve("h", p, h, if p > 3 { 1.2 } else { 0.0 });
+        }
+        let curves = df!(
+            "kind" => rows.iter().map(|r| r.0).collect::<Vec<_>>(),
+            "p" => rows.iter().map(|r| r.1).collect::<Vec<_>>(),
+            "tau" => rows.iter().map(|r| r.2).collect::<Vec<_>>(),
+            "delta" => rows.iter().map(|r| r.3).collect::<Vec<_>>(),
+        );
+        (curves.unwrap(), df!("kind" => ["fig02"], "tau" => [-0.25], "delta" => [0.7]).unwrap())
+    }
+
+    fn with_sample<T>(test: impl Fn(&Figure04<'_>) -> T) -> T {
+        let (curves, points) = sample();
+        test(&Figure04 { curves: &curves, points: &points })
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
+        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
+            let misplaced = with_sample(|figure| compose(figure, width).unwrap().misplaced_texts());
+            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
+        }
+    }
+
+    #[test]
+    fn every_curve_is_named_and_the_star_says_where_it_comes_from() {
+        let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
+        for p in 2..=6 {
+            for family in ["g", "h"] {
+                let name = format!(">{family}</tspan>");
+                assert_eq!(svg.matches(&name).count(), 5);
+                assert!(svg.contains(&format!(">{p}</tspan>")), "{p}");
+            }
+        }
+        assert!(svg.contains(">Fig. 2<") && svg.contains('√'));
+        // Both slanted sides: δ + 1 and −δ − 1, besides the axis titles and the limit.
+        assert_eq!(svg.matches(">δ</tspan>").count(), 4);
+    }
+
+    #[test]
+    fn families_differ_without_colour() {
+        let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
+        assert_eq!(svg.matches("stroke-width=\"1.1\"").count(), 10);
+        assert_eq!(svg.matches("stroke-width=\"1.1\" stroke-dasharray").count(), 5);
+    }
+
+    #[test]
+    fn everything_is_on_the_sheet() {
+        let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
+        assert!(coordinates(&svg).len() > 200);
+        assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
+    }
+
+    #[test]
+    fn an_unknown_kind_is_an_error() {
+        let (mut curves, points) = sample();
+        let kinds = vec!["f"; curves.height()];
+        curves.with_column(polars::prelude::Column::new("kind".into(), kinds)).unwrap();
+        let error = draw_fig04(&Figure04 { curves: &curves, points: &points }, SheetWidth::Paper);
+        assert!(matches!(error, Err(DrawingError::UnknownWord { frame: "fig04_curves", .. })));
+    }
+}

@@ -1,0 +1,35 @@
+//! What the tests of figures ask of a finished SVG.
+
+/// All coordinates of paths and discs, in points from the top left corner; NaN where one cannot be read.
+pub(crate) fn coordinates(svg: &str) -> Vec<(f64, f64)> {
+    let number = |text: &str| text.parse::<f64>().unwrap_or(f64::NAN);
+    let mut found = Vec::new();
+    for data in attribute(svg, "d") {
+        // Fonts and bins aside, path data is M, L and Z with absolute coordinates.
+        for pair in data.split(['M', 'L', 'Z']).filter(|pair| !pair.is_empty()) {
+            let (x, y) = pair.split_once(',').unwrap_or(("", ""));
+            found.push((number(x), number(y)));
+        }
+    }
+    found.extend(attribute(svg, "cx").zip(attribute(svg, "cy")).map(|(x, y)| (number(x), number(y))));
+    found
+}
+
+/// Coordinates that are not on the sheet, or not numbers: none, in a good figure.
+pub(crate) fn off_the_sheet(svg: &str) -> Vec<(f64, f64)> {
+    let size = attribute(svg, "viewBox").next().unwrap_or_default();
+    let size: Vec<f64> = size.split(' ').filter_map(|side| side.parse().ok()).collect();
+    let [_, _, width, height] = size[..] else { panic!("the viewBox has four numbers") };
+    let on_sheet = |&(x, y): &(f64, f64)| (0.0..=width).contains(&x) && (0.0..=height).contains(&y);
+    coordinates(svg).into_iter().filter(|spot| !on_sheet(spot)).collect()
+}
+
+/// The values of an attribute, in order.
+fn attribute<'a>(svg: &'a str, name: &str) -> impl Iterator<Item = &'a str> {
+    let start = format!(" {name}=\"");
+    svg.match_indices(&start)
+        .map(|(at, found)| &svg[at + found.len()..])
+        .filter_map(|rest| rest.split('"').next())
+        .collect::<Vec<_>>()
+        .into_iter()
+}

@@ -1,0 +1,438 @@
+//! Scenes in phase space, as Figures 1, 3 and 9 show them: translucent surfaces, curves, points.
+//!
+//! The frames hold the projected coordinates and the order of painting; here they are scaled to the sheet. Of two curves
+//! that cross on the sheet the farther one is interrupted.
+
+use polars::prelude::DataFrame;
+
+use crate::DrawingError;
+use crate::arrow::{arrow, arrowhead, head_length};
+use crate::canvas::{Canvas, Ink};
+use crate::clip::Window;
+use crate::frames::{Table, runs};
+use crate::labels::{Labels, Wanted};
+use crate::passing::{Course, interrupted};
+use crate::sheet::{Bounds, Spot, along, length};
+use crate::style::{
+    BLACK, CIRCLE, Colour, FACE_EDGE, FLOW, INCOMING_FACE, OPEN_SPOT, OUTGOING_FACE, PERIODIC_FLOW, Paint,
+    Pen, RESET, RETURN, SECTION_FACE, SPACE_AXIS, SPOT, SPOT_RADIUS, SPOT_RIM, TANGENCY, VIRTUAL_FLOW,
+};
+use crate::svg_backend::POINTS_PER_MM;
+
+/// What a curve is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum CurveKind {
+    Orbit,
+    Virtual,
+    Periodic,
+    Reset,
+    Global,
+}
+
+impl CurveKind {
+    const KNOWN: &'static str = "orbit, virtual, periodic, reset, global";
+
+    fn parse(word: &str) -> Option<Self> {
+        Some(match word {
+            "orbit" => Self::Orbit,
+            "virtual" => Self::Virtual,
+            "periodic" => Self::Periodic,
+            "reset" => Self::Reset,
+            "global" => Self::Global,
+            _ => return None,
+        })
+    }
+
+    fn pen(self) -> Pen {
+        match self {
+            Self::Orbit => FLOW,
+            Self::Virtual => VIRTUAL_FLOW,
+            Self::Periodic => PERIODIC_FLOW,
+            Self::Reset => RESET,
+            Self::Global => RETURN,
+        }
+    }
+
+    /// True for what follows the flow, false for arrows of maps.
+    fn flows(self) -> bool {
+        matches!(self, Self::Orbit | Self::Virtual | Self::Periodic)
+    }
+}
+
+/// What a surface or a line on it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SurfaceKind {
+    Incoming,
+    Outgoing,
+    Section,
+    Tangency,
+    Circle,
+    Axis(&'static str),
+}
+
+impl SurfaceKind {
+    const KNOWN: &'static str = "incoming, outgoing, section, tangency, circle, x_axis, y_axis, z_axis";
+
+    fn parse(word: &str) -> Option<Self> {
+        Some(match word {
+            "incoming" => Self::Incoming,
+            "outgoing" => Self::Outgoing,
+            "section" => Self::Section,
+            "tangency" => Self::Tangency,
+            "circle" => Self::Circle,
+            "x_axis" => Self::Axis("$x$"),
+            "y_axis" => Self::Axis("$y$"),
+            "z_axis" => Self::Axis("$z$"),
+            _ => return None,
+        })
+    }
+
+    fn face(self) -> Option<Paint> {
+        match self {
+            Self::Incoming => Some(INCOMING_FACE),
+            Self::Outgoing => Some(OUTGOING_FACE),
+            Self::Section => Some(SECTION_FACE),
+            Self::Tangency | Self::Circle | Self::Axis(_) => None,
+        }
+    }
+}
+
+/// What a point is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PointKind {
+    Impact,
+    Recoil,
+    Graze,
+    Virtual,
+    Section,
+}
+
+impl PointKind {
+    const KNOWN: &'static str = "impact, recoil, graze, virtual, section";
+
+    fn parse(word: &str) -> Option<Self> {
+        Some(match word {
+            "impact" => Self::Impact,
+            "recoil" => Self::Recoil,
+            "graze" => Self::Graze,
+            "virtual" => Self::Virtual,
+            "section" => Self::Section,
+            _ => return None,
+        })
+    }
+}
+
+/// A curve or surface, or the part of one that lies in one layer; on the sheet once the scene has been fitted.
+pub(crate) struct Piece<K> {
+    pub(crate) kind: K,
+    pub(crate) number: i64,
+    layer: i64,
+    /// To the right, downwards and away from the viewer.
+    course: Course,
+}
+
+impl<K> Piece<K> {
+    pub(crate) fn spots(&self) -> Vec<Spot> {
+        self.course.iter().map(|&[x, y, _]| (x, y)).collect()
+    }
+}
+
+/// A point that is marked.
+pub(crate) struct Mark {
+    pub(crate) kind: PointKind,
+    pub(crate) number: i64,
+    layer: i64,
+    at: [f64; 3],
+    /// Beyond the wall, where no orbit of the full system comes.
+    open: bool,
+}
+
+impl Mark {
+    pub(crate) fn spot(&self) -> Spot {
+        (self.at[0], self.at[1])
+    }
+}
+
+/// Room around a scene on its sheet, in points.
+pub(crate) struct Margin {
+    pub(crate) left: f64,
+    pub(crate) right: f64,
+    pub(crate) top: f64,
+    pub(crate) bottom: f64,
+}
+
+/// Everything that a figure in phase space shows.
+pub(crate) struct Scene {
+    pub(crate) curves: Vec<Piece<CurveKind>>,
+    pub(crate) surfaces: Vec<Piece<SurfaceKind>>,
+    pub(crate) points: Vec<Mark>,
+}
+
+impl Scene {
+    /// Reads the three frames of a figure, under their names.
+    pub(crate) fn read(names: [&'static str; 3], frames: [&DataFrame; 3]) -> Result<Self, DrawingError> {
+        let [curves, points, surfaces] = [0, 1, 2].map(|k| Table::new(names[k], frames[k]));
+        Ok(Scene {
+            curves: read_pieces(curves, CurveKind::KNOWN, CurveKind::parse)?,
+            surfaces: read_pieces(surfaces, SurfaceKind::KNOWN, SurfaceKind::parse)?,
+            points: read_marks(points)?,
+        })
+    }
+
+    /// Scales the scene to a sheet of the width, whose height follows, and gives the empty sheet.
+    pub(crate) fn fit(
+        &mut self,
+        name: &'static str,
+        width_mm: f64,
+        margin: &Margin,
+    ) -> Result<Canvas, DrawingError> {
+        let places: Vec<[f64; 3]> = self.everything().map(|place| *place).collect();
+        // An empty cell anywhere leaves no window.
+        let whole = places.iter().flatten().all(|coordinate| coordinate.is_finite());
+        let range = |k: usize| {
+            let values = || places.iter().map(|place| place[k]);
+            let ends = [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)];
+            if whole { ends } else { [f64::NAN; 2] }
+        };
+        let window = Window { x: range(0), y: range(1) }.checked(name)?;
+        let width = width_mm * POINTS_PER_MM;
+        let scale = (width - margin.left - margin.right) / (window.x[1] - window.x[0]);
+        for [across, up, depth] in self.everything() {
+            *across = margin.left + scale * (*across - window.x[0]);
+            *up = margin.top + scale * (window.y[1] - *up);
+            *depth *= scale;
+        }
+        let height = margin.top + margin.bottom + scale * (window.y[1] - window.y[0]);
+        Canvas::new(width_mm, height / POINTS_PER_MM)
+    }
+
+    fn everything(&mut self) -> impl Iterator<Item = &mut [f64; 3]> {
+        let curves = self.curves.iter_mut().flat_map(|piece| &mut piece.course);
+        let surfaces = self.surfaces.iter_mut().flat_map(|piece| &mut piece.course);
+        curves.chain(surfaces).chain(self.points.iter_mut().map(|mark| &mut mark.at))
+    }
+
+    /// Paints everything, layer by layer; in a layer faces, lines on them, curves from far to near, points.
+    pub(crate) fn paint(&self, canvas: &Canvas) -> Result<(), DrawingError> {
+        let mut layers: Vec<i64> = self.curves.iter().map(|piece| piece.layer).collect();
+        layers.extend(self.surfaces.iter().map(|piece| piece.layer));
+        layers.extend(self.points.iter().map(|mark| mark.layer));
+        layers.sort_unstable();
+        layers.dedup();
+        let flows: Vec<&Course> =
+            self.curves.iter().filter(|c| c.kind.flows()).map(|piece| &piece.course).collect();
+        let headed = self.headed();
+        for layer in layers {
+            let here: Vec<_> = self.surfaces.iter().filter(|piece| piece.layer == layer).collect();
+            for piece in &here {
+                if let Some(paint) = piece.kind.face() {
+                    canvas.draw(&piece.spots(), Ink::Polygon(paint, Some(FACE_EDGE)))?;
+                }
+            }
+            for piece in &here {
+                self.line(canvas, piece)?;
+            }
+            let mut curves: Vec<usize> =
+                (0..self.curves.len()).filter(|&i| self.curves[i].layer == layer).collect();
+            curves.sort_by(|&a, &b| depth(&self.curves[b].course).total_cmp(&depth(&self.curves[a].course)));
+            for index in curves {
+                self.curve(canvas, index, &flows, headed.contains(&index))?;
+            }
+            for mark in self.points.iter().filter(|mark| mark.layer == layer) {
+                let paint = if mark.open { OPEN_SPOT } else { SPOT };
+                canvas.draw(&[mark.spot()], Ink::Disc(SPOT_RADIUS, paint, Some(SPOT_RIM)))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A line on a surface; an axis ends in a head where its last piece does.
+    fn line(&self, canvas: &Canvas, piece: &Piece<SurfaceKind>) -> Result<(), DrawingError> {
+        match piece.kind {
+            SurfaceKind::Tangency => canvas.draw(&piece.spots(), Ink::Line(TANGENCY)),
+            SurfaceKind::Circle => canvas.draw(&piece.spots(), Ink::Line(CIRCLE)),
+            SurfaceKind::Axis(_) if last_of(&self.surfaces, piece) => {
+                arrow(canvas, &piece.spots(), 0.0, SPACE_AXIS)
+            }
+            SurfaceKind::Axis(_) => canvas.draw(&piece.spots(), Ink::Line(SPACE_AXIS)),
+            SurfaceKind::Incoming | SurfaceKind::Outgoing | SurfaceKind::Section => Ok(()),
+        }
+    }
+
+    fn curve(
+        &self,
+        canvas: &Canvas,
+        index: usize,
+        flows: &[&Course],
+        headed: bool,
+    ) -> Result<(), DrawingError> {
+        let piece = &self.curves[index];
+        let pen = piece.kind.pen();
+        if !piece.kind.flows() {
+            let spots = piece.spots();
+            return if last_of(&self.curves, piece) {
+                arrow(canvas, &spots, SPOT_RADIUS + 0.8, pen)
+            } else {
+                canvas.draw(&spots, Ink::Line(pen))
+            };
+        }
+        for part in interrupted(&piece.course, flows) {
+            canvas.draw(&part, Ink::Line(pen))?;
+        }
+        if headed {
+            let spots = piece.spots();
+            let size = length(&spots);
+            let places: &[f64] = if size > TWO_HEADS { &[0.3, 0.72] } else { &[0.58] };
+            for share in places {
+                if let Some((middle, direction)) = along(&spots, *share) {
+                    let size = head_length(pen);
+                    let tip = (middle.0 + 0.5 * size * direction.0, middle.1 + 0.5 * size * direction.1);
+                    arrowhead(canvas, tip, direction, size, pen.colour)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Of each curve the longest piece, if it is long enough for a head that shows the direction of time, and every very
+    /// long one.
+    fn headed(&self) -> Vec<usize> {
+        let mut found: Vec<usize> = Vec::new();
+        let long = |i: usize| length(&self.curves[i].spots());
+        for index in 0..self.curves.len() {
+            let piece = &self.curves[index];
+            if !piece.kind.flows() || long(index) < HEADED_LENGTH {
+                continue;
+            }
+            if long(index) > OWN_HEAD {
+                found.push(index);
+                continue;
+            }
+            match found.iter_mut().find(|other| self.curves[**other].number == piece.number) {
+                Some(other) if long(*other) < long(index) => *other = index,
+                Some(_) => {}
+                None => found.push(index),
+            }
+        }
+        found
+    }
+
+    /// Of each curve of a kind, in order, its longest piece on the sheet.
+    pub(crate) fn longest(&self, kind: CurveKind) -> Vec<Vec<Spot>> {
+        let mut found: Vec<(i64, Vec<Spot>)> = Vec::new();
+        for piece in self.curves.iter().filter(|piece| piece.kind == kind) {
+            let spots = piece.spots();
+            match found.last_mut().filter(|(number, _)| *number == piece.number) {
+                Some((_, other)) if length(other) < length(&spots) => *other = spots,
+                Some(_) => {}
+                None => found.push((piece.number, spots)),
+            }
+        }
+        found.into_iter().map(|(_, spots)| spots).collect()
+    }
+
+    /// Labels for this scene, kept off its curves, lines and points; the axes are named already.
+    pub(crate) fn labels<'c>(&self, canvas: &'c Canvas, axis_size: f64) -> Result<Labels<'c>, DrawingError> {
+        let sheet = Bounds { left: 0.0, top: 0.0, right: canvas.width, bottom: canvas.height };
+        let mut labels = Labels::new(canvas, sheet.grown(-1.0));
+        for piece in &self.curves {
+            labels.placer.keep_off(&piece.spots());
+        }
+        for piece in &self.surfaces {
+            let mut spots = piece.spots();
+            if piece.kind.face().is_some() {
+                spots.extend(spots.first().copied());
+            }
+            labels.placer.keep_off(&spots);
+        }
+        for mark in &self.points {
+            // A box inside the disc, so that a leader may reach the disc's rim from any side.
+            labels.placer.block(Bounds::about(mark.spot(), 1.6 * SPOT_RADIUS, 1.6 * SPOT_RADIUS));
+        }
+        for piece in &self.surfaces {
+            if let (SurfaceKind::Axis(name), true) = (piece.kind, last_of(&self.surfaces, piece)) {
+                let spots = piece.spots();
+                if let Some(&tip) = spots.last() {
+                    labels.add(name, axis_size, BLACK, &Wanted::Around(tip, 2.0))?;
+                }
+            }
+        }
+        Ok(labels)
+    }
+}
+
+/// Names a curve beside it or, where there is no room, farther off with a line to its middle.
+pub(crate) fn name_curve(
+    labels: &mut Labels<'_>,
+    source: &str,
+    size: f64,
+    colour: Colour,
+    curve: &[Spot],
+) -> Result<(), DrawingError> {
+    if labels.add(source, size, colour, &Wanted::Beside(curve))? {
+        return Ok(());
+    }
+    if let Some((middle, _)) = along(curve, 0.5) {
+        labels.add(source, size, colour, &Wanted::Around(middle, 1.5))?;
+    }
+    Ok(())
+}
+
+/// Curves shorter than this (points) get no head.
+const HEADED_LENGTH: f64 = 24.0;
+/// Pieces longer than this get one in any case.
+const OWN_HEAD: f64 = 130.0;
+/// Pieces longer than this get two.
+const TWO_HEADS: f64 = 240.0;
+
+/// True if no later piece belongs to the same curve.
+fn last_of<K>(pieces: &[Piece<K>], piece: &Piece<K>) -> bool {
+    pieces
+        .iter()
+        .rev()
+        .find(|other| other.number == piece.number)
+        .is_some_and(|last| std::ptr::eq(last, piece))
+}
+
+/// Mean distance from the viewer.
+fn depth(course: &Course) -> f64 {
+    course.iter().map(|point| point[2]).sum::<f64>() / course.len() as f64
+}
+
+fn read_pieces<K: Copy + PartialEq>(
+    table: Table<'_>,
+    known: &'static str,
+    parse: impl Fn(&str) -> Option<K>,
+) -> Result<Vec<Piece<K>>, DrawingError> {
+    let kinds = table.words("kind", known, parse)?;
+    let [number, piece, layer] = ["number", "piece", "layer"].map(|name| table.integers(name));
+    let (number, piece, layer) = (number?, piece?, layer?);
+    let course = read_course(table)?;
+    let keys: Vec<_> = (0..kinds.len()).map(|i| (number[i], piece[i])).collect();
+    let pieces = runs(&keys).into_iter().map(|rows| Piece {
+        kind: kinds[rows.start],
+        number: number[rows.start],
+        layer: layer[rows.start],
+        course: course[rows].to_vec(),
+    });
+    Ok(pieces.collect())
+}
+
+fn read_marks(table: Table<'_>) -> Result<Vec<Mark>, DrawingError> {
+    let kinds = table.words("kind", PointKind::KNOWN, PointKind::parse)?;
+    let (number, layer) = (table.integers("number")?, table.integers("layer")?);
+    let (x, course) = (table.numbers("x")?, read_course(table)?);
+    let marks = (0..kinds.len()).map(|i| Mark {
+        kind: kinds[i],
+        number: number[i],
+        layer: layer[i],
+        at: course[i],
+        open: x[i] > 0.0,
+    });
+    Ok(marks.collect())
+}
+
+fn read_course(table: Table<'_>) -> Result<Course, DrawingError> {
+    let (across, up, depth) = (table.numbers("across")?, table.numbers("up")?, table.numbers("depth")?);
+    Ok((0..across.len()).map(|i| [across[i], up[i], depth[i]]).collect())
+}

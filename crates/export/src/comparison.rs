@@ -1,0 +1,113 @@
+//! Two versions of a figure side by side, and what differs.
+
+use resvg::tiny_skia::{Color, Pixmap, PixmapPaint, PremultipliedColorU8, Transform};
+
+use crate::raster::encode;
+use crate::{ExportError, Figure};
+
+/// Enough to read the labels.
+const RESOLUTION: f64 = 150.0;
+/// Space around each picture and height of its heading, in pixels.
+const MARGIN: u32 = 40;
+
+/// A PNG of both versions and of their difference: before, after, and after in grey with each pixel that differs in red
+/// where ink is gone or paler and in blue where it is new or darker.
+///
+/// # Errors
+/// [`ExportError`] of the pictures.
+pub fn comparison(before: &Figure, after: &Figure) -> Result<Vec<u8>, ExportError> {
+    let (before, after) = (before.pixels(RESOLUTION)?, after.pixels(RESOLUTION)?);
+    let difference = difference(&before, &after)?;
+    let pictures = [("before", before), ("after", after), ("difference", difference)];
+    let width = pictures.iter().map(|(_, picture)| picture.width() + MARGIN).sum::<u32>() + MARGIN;
+    let height = pictures.iter().map(|(_, picture)| picture.height()).max().unwrap_or(0) + 2 * MARGIN;
+    let mut sheet = blank(width, height)?;
+    sheet.fill(Color::from_rgba8(225, 225, 225, 255));
+    let mut left = MARGIN;
+    for (heading, picture) in &pictures {
+        draw(&mut sheet, &heading_picture(heading)?, left, 4);
+        draw(&mut sheet, picture, left, MARGIN);
+        left += picture.width() + MARGIN;
+    }
+    encode(&sheet, RESOLUTION)
+}
+
+fn draw(sheet: &mut Pixmap, picture: &Pixmap, left: u32, top: u32) {
+    let (left, top) = (i32::try_from(left).unwrap_or(0), i32::try_from(top).unwrap_or(0));
+    let (paint, transform) = (PixmapPaint::default(), Transform::identity());
+    sheet.draw_pixmap(left, top, picture.as_ref(), &paint, transform, None);
+}
+
+fn blank(width: u32, height: u32) -> Result<Pixmap, ExportError> {
+    Pixmap::new(width, height).ok_or(ExportError::Pixels { width, height })
+}
+
+/// A word in the figures' font.
+fn heading_picture(word: &str) -> Result<Pixmap, ExportError> {
+    let svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"80\" height=\"16\"><rect width=\"80\" height=\"16\" \
+         fill=\"#e1e1e1\"/><text x=\"0\" y=\"12\" font-family=\"STIX Two Text\" font-size=\"12\">{word}</text></svg>"
+    );
+    Figure::read(&svg)?.pixels(RESOLUTION)
+}
+
+/// What is new and what is gone; outside of either picture the sheet counts as white.
+fn difference(before: &Pixmap, after: &Pixmap) -> Result<Pixmap, ExportError> {
+    let (width, height) = (before.width().max(after.width()), before.height().max(after.height()));
+    let mut difference = blank(width, height)?;
+    let white = PremultipliedColorU8::from_rgba(255, 255, 255, 255);
+    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    for (pixel, (x, y)) in difference.pixels_mut().iter_mut().zip(places) {
+        let [old, new] = [before, after].map(|picture| picture.pixel(x, y).or(white));
+        let colour = match (old, new) {
+            (Some(old), Some(new)) if old == new => {
+                // Pale enough that a change stands out.
+                let grey = 200 + lightness(new) / 14;
+                [grey, grey, grey]
+            }
+            (Some(old), Some(new)) if lightness(old) < lightness(new) => [214, 47, 32],
+            _ => [25, 70, 190],
+        };
+        let [red, green, blue] = colour.map(|channel| u8::try_from(channel).unwrap_or(255));
+        *pixel = PremultipliedColorU8::from_rgba(red, green, blue, 255).unwrap_or(*pixel);
+    }
+    Ok(difference)
+}
+
+fn lightness(pixel: PremultipliedColorU8) -> u32 {
+    (u32::from(pixel.red()) + u32::from(pixel.green()) + u32::from(pixel.blue())) / 3
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn figure(rectangle: &str) -> Figure {
+        let svg =
+            format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"12\" height=\"12\">{rectangle}</svg>");
+        Figure::read(&svg).expect("an SVG")
+    }
+
+    #[test]
+    fn what_is_gone_is_red_and_what_is_new_is_blue() {
+        let before = figure("<rect width=\"4\" height=\"12\"/>").pixels(72.0).expect("pixels");
+        let after = figure("<rect x=\"2\" width=\"4\" height=\"12\"/>").pixels(72.0).expect("pixels");
+        let difference = difference(&before, &after).expect("pixels");
+        let colours: Vec<[u8; 3]> = (0..12)
+            .filter_map(|x| difference.pixel(x, 6))
+            .map(|pixel| [pixel.red(), pixel.green(), pixel.blue()])
+            .collect();
+        let (red, blue) = ([214, 47, 32], [25, 70, 190]);
+        assert_eq!(colours[..2], [red, red]);
+        assert_eq!(colours[4..6], [blue, blue]);
+        assert!(colours[2..4].iter().chain(&colours[6..]).all(|[r, g, b]| r == g && g == b));
+    }
+
+    #[test]
+    fn figures_of_different_sizes_can_be_compared() {
+        let small = figure("<rect width=\"4\" height=\"12\"/>");
+        let large = Figure::read("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"30\" height=\"5\"/>");
+        let picture = comparison(&small, &large.expect("an SVG")).expect("a picture");
+        assert_eq!(picture[..8], *b"\x89PNG\r\n\x1a\n");
+    }
+}

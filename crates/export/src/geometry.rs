@@ -1,0 +1,194 @@
+//! Where labels and lines come to lie, read from the finished figure and not from what was meant.
+
+use resvg::tiny_skia::{Point, Rect, Transform};
+use resvg::usvg::{Group, Node, Tree};
+use ttf_parser::Face;
+
+use crate::{ExportError, Figure};
+
+/// A rectangle of the sheet, in points to the right and downwards.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bounds {
+    /// The least horizontal coordinate.
+    pub left: f64,
+    /// The least vertical coordinate.
+    pub top: f64,
+    /// The greatest horizontal coordinate.
+    pub right: f64,
+    /// The greatest vertical coordinate.
+    pub bottom: f64,
+}
+
+impl Bounds {
+    /// True if all four numbers are finite.
+    pub fn is_finite(&self) -> bool {
+        [self.left, self.top, self.right, self.bottom].iter().all(|number| number.is_finite())
+    }
+
+    /// True if it lies in a sheet of this size or leaves it by no more than `slack` points.
+    pub fn lies_in(&self, (width, height): (f64, f64), slack: f64) -> bool {
+        self.left >= -slack
+            && self.top >= -slack
+            && self.right <= width + slack
+            && self.bottom <= height + slack
+    }
+
+    /// True if both share more than a strip of `slack` points.
+    pub fn overlaps(&self, other: &Bounds, slack: f64) -> bool {
+        self.left + slack < other.right
+            && other.left + slack < self.right
+            && self.top + slack < other.bottom
+            && other.top + slack < self.bottom
+    }
+
+    fn joined(self, other: Bounds) -> Bounds {
+        Bounds {
+            left: self.left.min(other.left),
+            top: self.top.min(other.top),
+            right: self.right.max(other.right),
+            bottom: self.bottom.max(other.bottom),
+        }
+    }
+
+    fn around(rectangle: Rect, transform: Transform) -> Bounds {
+        let (left, top, right, bottom) =
+            (rectangle.left(), rectangle.top(), rectangle.right(), rectangle.bottom());
+        let mut corners =
+            [(left, top), (right, top), (right, bottom), (left, bottom)].map(|(x, y)| Point::from_xy(x, y));
+        transform.map_points(&mut corners);
+        let spot = |point: Point| {
+            let (x, y) = (f64::from(point.x), f64::from(point.y));
+            Bounds { left: x, top: y, right: x, bottom: y }
+        };
+        corners.into_iter().map(spot).reduce(Bounds::joined).unwrap_or(spot(Point::zero()))
+    }
+}
+
+/// A label as it is set.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Text {
+    /// Its characters.
+    pub text: String,
+    /// The size of its line, in points.
+    pub size: f64,
+    /// The size of its smallest characters, which may be sub- or superscripts, in points.
+    pub smallest: f64,
+    /// The box of each character's ink.
+    pub glyphs: Vec<Bounds>,
+}
+
+impl Text {
+    /// The box of all its ink; `None` if it has none.
+    pub fn bounds(&self) -> Option<Bounds> {
+        self.glyphs.iter().copied().reduce(Bounds::joined)
+    }
+
+    /// True if ink of one label lies over ink of the other by more than `slack` points, character by character.
+    pub fn overlaps(&self, other: &Text, slack: f64) -> bool {
+        let apart = match (self.bounds(), other.bounds()) {
+            (Some(own), Some(foreign)) => !own.overlaps(&foreign, slack),
+            _ => true,
+        };
+        !apart
+            && self.glyphs.iter().any(|own| other.glyphs.iter().any(|foreign| own.overlaps(foreign, slack)))
+    }
+}
+
+/// A line or an area.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shape {
+    /// The box of its ink.
+    pub bounds: Bounds,
+    /// The width of its stroke in points; `None` if it is only filled.
+    pub stroke: Option<f64>,
+    /// The corners and ends of its pieces, in points of the sheet, in order.
+    pub points: Vec<(f64, f64)>,
+    /// Whether a clip path cuts it.
+    pub clipped: bool,
+}
+
+impl Figure {
+    /// All labels, in the order in which they are drawn.
+    pub fn texts(&self) -> Vec<Text> {
+        let mut texts = Vec::new();
+        for_each(self.tree.root(), false, &mut |node, _| {
+            if let Node::Text(text) = node {
+                texts.push(read_text(&self.tree, text));
+            }
+        });
+        texts
+    }
+
+    /// All lines and areas, in the order in which they are drawn.
+    pub fn shapes(&self) -> Vec<Shape> {
+        let mut shapes = Vec::new();
+        for_each(self.tree.root(), false, &mut |node, clipped| {
+            if let Node::Path(path) = node {
+                let transform = path.abs_transform();
+                // Our transforms are turns and even scalings, so one factor serves all directions.
+                let scale = f64::from(transform.get_scale().0);
+                let mut points = path.data().points().to_vec();
+                transform.map_points(&mut points);
+                shapes.push(Shape {
+                    bounds: Bounds::around(path.stroke_bounding_box(), transform),
+                    stroke: path.stroke().map(|stroke| scale * f64::from(stroke.width().get())),
+                    points: points.iter().map(|point| (f64::from(point.x), f64::from(point.y))).collect(),
+                    clipped,
+                });
+            }
+        });
+        shapes
+    }
+}
+
+fn for_each<'a>(group: &'a Group, clipped: bool, visit: &mut impl FnMut(&'a Node, bool)) {
+    let clipped = clipped || group.clip_path().is_some();
+    for node in group.children() {
+        match node {
+            Node::Group(inner) => for_each(inner, clipped, visit),
+            other => visit(other, clipped),
+        }
+    }
+}
+
+fn read_text(tree: &Tree, text: &resvg::usvg::Text) -> Text {
+    let sizes = || text.chunks().iter().flat_map(|chunk| chunk.spans()).map(|span| span.font_size().get());
+    let scale = text.abs_transform().get_scale().0;
+    let mut glyphs = Vec::new();
+    for glyph in text.layouted().iter().flat_map(|span| &span.positioned_glyphs) {
+        let ink = tree.fontdb().with_face_data(glyph.font, |data, index| {
+            Face::parse(data, index).ok().and_then(|face| face.glyph_bounding_box(glyph.id))
+        });
+        let corners = ink.flatten().map(|ink| [ink.x_min, ink.y_min, ink.x_max, ink.y_max].map(f32::from));
+        if let Some(rectangle) =
+            corners.and_then(|[left, low, right, high]| Rect::from_ltrb(left, low, right, high))
+        {
+            let transform = text.abs_transform().pre_concat(glyph.outline_transform());
+            glyphs.push(Bounds::around(rectangle, transform));
+        }
+    }
+    Text {
+        text: text.chunks().iter().map(|chunk| chunk.text()).collect(),
+        size: f64::from(scale * sizes().fold(0.0, f32::max)),
+        smallest: f64::from(scale * sizes().fold(f32::INFINITY, f32::min)),
+        glyphs,
+    }
+}
+
+/// Every character has a glyph.
+pub(crate) fn ensure_glyphs(tree: &Tree) -> Result<(), ExportError> {
+    let mut lacking = None;
+    for_each(tree.root(), false, &mut |node, _| {
+        if let Node::Text(text) = node {
+            let glyphs = || text.layouted().iter().flat_map(|span| &span.positioned_glyphs);
+            let label: String = text.chunks().iter().map(|chunk| chunk.text()).collect();
+            // A font's glyph 0 stands for all characters that it lacks.
+            if glyphs().any(|glyph| glyph.id.0 == 0)
+                || (glyphs().next().is_none() && !label.trim().is_empty())
+            {
+                lacking.get_or_insert(label);
+            }
+        }
+    });
+    lacking.map_or(Ok(()), |label| Err(ExportError::Glyph { label }))
+}

@@ -1,0 +1,26 @@
+//! The figures as a journal takes them, PDF and PNG, and what a reader of them sees.
+//!
+//! [`Figure::read`] reads the SVG that `grazing-drawing` makes. [`Figure::pdf`] keeps lines as lines and text as text, with
+//! the glyphs that are used embedded; [`Figure::png`] draws pixels at a resolution; [`Figure::texts`] and
+//! [`Figure::shapes`] tell where every label and line comes to lie, for checks; [`comparison`] sets two versions of a
+//! figure side by side. Sheets are measured in points (1/72 inch), as in the SVG.
+//!
+//! Only the fonts of the figures are known here, never the system's, so that equal input gives equal bytes on every
+//! machine. A character that these fonts lack is an error, not a box.
+//!
+//! svg2pdf and resvg are built without optimisation like all dependencies, but for the crates that touch every pixel.
+
+#![forbid(unsafe_code)]
+
+mod canonical;
+mod comparison;
+mod error;
+mod figure;
+mod geometry;
+mod pdf;
+mod raster;
+
+pub use comparison::comparison;
+pub use error::ExportError;
+pub use figure::Figure;
+pub use geometry::{Bounds, Shape, Text};

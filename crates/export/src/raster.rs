@@ -1,0 +1,48 @@
+//! PNG: the figure in pixels, on white.
+
+use resvg::tiny_skia::{Color, Pixmap, Transform};
+
+use crate::{ExportError, Figure};
+
+/// Points in an inch.
+const POINTS_PER_INCH: f64 = 72.0;
+/// Metres in an inch.
+const METRES_PER_INCH: f64 = 0.0254;
+
+impl Figure {
+    /// The figure as a PNG with `resolution` dots per inch, which the PNG says of itself, so that it keeps its size.
+    ///
+    /// # Errors
+    /// [`ExportError::Pixels`] if there would be no pixel or more than memory holds; [`ExportError::Png`].
+    pub fn png(&self, resolution: f64) -> Result<Vec<u8>, ExportError> {
+        encode(&self.pixels(resolution)?, resolution)
+    }
+
+    /// The figure in pixels.
+    pub(crate) fn pixels(&self, resolution: f64) -> Result<Pixmap, ExportError> {
+        let scale = resolution / POINTS_PER_INCH;
+        let (width, height) = self.size();
+        let (width, height) = ((scale * width).round() as u32, (scale * height).round() as u32);
+        let mut pixels = Pixmap::new(width, height).ok_or(ExportError::Pixels { width, height })?;
+        pixels.fill(Color::WHITE);
+        resvg::render(&self.tree, Transform::from_scale(scale as f32, scale as f32), &mut pixels.as_mut());
+        Ok(pixels)
+    }
+}
+
+/// Pixels as PNG, without transparency: the sheet is white.
+pub(crate) fn encode(pixels: &Pixmap, resolution: f64) -> Result<Vec<u8>, ExportError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let per_metre = (resolution / METRES_PER_INCH).round() as u32;
+    let unit = png::Unit::Meter;
+    encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit }));
+    let colours: Vec<u8> =
+        pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&colours)?;
+    writer.finish()?;
+    Ok(bytes)
+}

@@ -1,0 +1,197 @@
+//! What an SVG says comes out in PDF and PNG, in its place.
+
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+use grazing_export::{ExportError, Figure};
+
+/// An SVG with all features that the figures use; lengths in points.
+const SAMPLE: &str = include_str!("sample.svg");
+/// Pixels to a point at 288 dots per inch.
+const SCALE: f64 = 4.0;
+/// The resolution with so many pixels to a point.
+const RESOLUTION: f64 = 288.0;
+
+fn sample() -> Figure {
+    Figure::read(SAMPLE).expect("the sample can be read")
+}
+
+/// A decoded PNG.
+struct Picture {
+    width: u32,
+    height: u32,
+    per_metre: u32,
+    colours: Vec<u8>,
+}
+
+impl Picture {
+    fn of(figure: &Figure) -> Picture {
+        let bytes = figure.png(RESOLUTION).expect("it can be drawn");
+        let mut reader = png::Decoder::new(bytes.as_slice()).read_info().expect("a PNG");
+        let mut colours = vec![0; reader.output_buffer_size()];
+        let frame = reader.next_frame(&mut colours).expect("a frame");
+        let per_metre = reader.info().pixel_dims.expect("a resolution").xppu;
+        Picture { width: frame.width, height: frame.height, per_metre, colours }
+    }
+
+    /// Red, green and blue at a place in points.
+    fn at(&self, x: f64, y: f64) -> [u8; 3] {
+        let (x, y) = ((x * SCALE) as usize, (y * SCALE) as usize);
+        let start = 3 * (y * self.width as usize + x);
+        [self.colours[start], self.colours[start + 1], self.colours[start + 2]]
+    }
+}
+
+const WHITE: [u8; 3] = [255, 255, 255];
+
+#[test]
+fn the_sheet_keeps_its_physical_size() {
+    let picture = Picture::of(&sample());
+    // 60 by 30 millimetres at 288 dots per inch, rounded to pixels; and 288 / 0.0254 dots per metre.
+    assert_eq!((picture.width, picture.height, picture.per_metre), (680, 340, 11339));
+    let pdf = String::from_utf8_lossy(&sample().pdf().expect("a PDF")).into_owned();
+    let page = pdf.split_once("/MediaBox [0 0 ").expect("a page").1;
+    let size: Vec<f64> =
+        page.split_once(']').expect("its box").0.split(' ').map(|n| n.parse().expect("a length")).collect();
+    // Points; the writer has 32-bit numbers.
+    assert!((size[0] - 60.0 / 25.4 * 72.0).abs() < 1e-4 && (size[1] - 30.0 / 25.4 * 72.0).abs() < 1e-4);
+}
+
+#[test]
+fn lines_dashes_opacity_and_clipping_are_drawn_where_they_stand() {
+    let picture = Picture::of(&sample());
+    for x in [12.0, 75.0, 148.0] {
+        assert_eq!(picture.at(x, 30.0), [255, 0, 0], "a solid line at {x}");
+        assert_eq!(picture.at(x, 32.5), WHITE, "beside it at {x}");
+    }
+    for dash in 0..7 {
+        let x = 15.0 + 20.0 * f64::from(dash);
+        assert_eq!(picture.at(x, 40.0), [0, 0, 255], "a dash at {x}");
+        assert_eq!(picture.at(x + 10.0, 40.0), WHITE, "a gap at {}", x + 10.0);
+    }
+    // 0.3 of black on white, to a rounding of the blending.
+    assert!(picture.at(35.0, 50.0).iter().all(|c| c.abs_diff(179) <= 1), "{:?}", picture.at(35.0, 50.0));
+    assert_eq!(picture.at(40.0, 70.0), [0, 0, 0], "a line within its clip path");
+    assert_eq!(picture.at(120.0, 70.0), WHITE, "the same line outside");
+}
+
+#[test]
+fn labels_have_ink_within_their_boxes_and_scripts_their_rise_and_fall() {
+    let (figure, picture) = (sample(), Picture::of(&sample()));
+    let texts = figure.texts();
+    let words: Vec<&str> = texts.iter().map(|text| text.text.as_str()).collect();
+    assert_eq!(words, ["cSN = 12", "𝒜"]);
+    let has_ink = |b: &grazing_export::Bounds| {
+        let steps = |from: f64, to: f64| (0..=40).map(move |i| from + (to - from) * f64::from(i) / 40.0);
+        steps(b.left, b.right).any(|x| steps(b.top, b.bottom).any(|y| picture.at(x, y)[0] < 128))
+    };
+    for glyph in texts.iter().flat_map(|text| &text.glyphs) {
+        assert!(has_ink(glyph), "no ink in {glyph:?}");
+    }
+    let [c, s, _, equals, one, raised] = texts[0].glyphs[..] else { panic!("{:?}", texts[0].glyphs) };
+    assert!(s.bottom > c.bottom + 1.0 && raised.bottom < one.bottom - 3.0, "scripts");
+    assert!(c.left > 9.5 && s.left >= c.right - 1.0 && equals.left > s.right, "in order from x = 10");
+    // The view box is rounded to 0.01 point, a scale of 1 to within 1e-4.
+    let size = (texts[0].size, texts[0].smallest);
+    assert!((size.0 - 10.0).abs() < 1e-3 && (size.1 - 7.2).abs() < 1e-3, "{size:?}");
+    let script = texts[1].bounds().expect("ink");
+    assert!((script.right - 160.0).abs() < 1.5, "it ends at its anchor: {script:?}");
+}
+
+#[test]
+fn shapes_tell_their_stroke_and_whether_they_are_clipped() {
+    let strokes: Vec<_> = sample().shapes().iter().map(|shape| (shape.stroke, shape.clipped)).collect();
+    let (filled, two, four) = (None, Some(2.0), Some(4.0));
+    let wanted = [(filled, false), (two, false), (two, false), (filled, false), (four, true)];
+    assert_eq!(strokes.len(), wanted.len());
+    for (found, wanted) in strokes.iter().zip(wanted) {
+        let width = |stroke: Option<f64>| (stroke.unwrap_or(0.0) * 1e4).round();
+        assert_eq!((width(found.0), found.1), (width(wanted.0), wanted.1), "to 32-bit numbers");
+    }
+}
+
+#[test]
+fn text_stays_text_in_the_pdf_with_the_fonts_embedded() {
+    let pdf = String::from_utf8_lossy(&sample().pdf().expect("a PDF")).into_owned();
+    for font in ["STIXTwoText-Regular", "STIXTwoText-Italic", "STIXTwoMath"] {
+        assert!(pdf.contains(&format!("+{font}")), "{font}");
+    }
+    assert_eq!(pdf.matches("/FontFile2 ").count(), 3);
+    // The tables by which a reader turns glyphs back into characters.
+    for character in "cSN=12𝒜".chars() {
+        let units: String =
+            character.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("{unit:04X}")).collect();
+        assert!(pdf.contains(&format!("> <{units}>")), "{character} cannot be copied from the PDF");
+    }
+    let title: String = "A sample & its features".encode_utf16().map(|unit| format!("{unit:04X}")).collect();
+    assert!(pdf.contains(&format!("/Title <FEFF{title}>")));
+}
+
+#[test]
+fn equal_figures_give_equal_bytes_without_a_date() {
+    // Twelve times, because what is to be kept out comes from random hash seeds.
+    let first = sample().pdf().expect("a PDF");
+    for _ in 0..12 {
+        assert!(sample().pdf().expect("a PDF") == first);
+    }
+    let text = String::from_utf8_lossy(&first);
+    assert!(!text.contains("Date") && !text.contains("/ID"));
+    assert!(sample().png(96.0).expect("a PNG") == sample().png(96.0).expect("a PNG"));
+}
+
+#[test]
+fn the_objects_of_the_pdf_lie_where_its_table_says() {
+    let pdf = sample().pdf().expect("a PDF");
+    let text = String::from_utf8_lossy(&pdf[pdf.len() - 2000..]).into_owned();
+    let start: usize = text
+        .split_once("startxref\n")
+        .expect("an end")
+        .1
+        .lines()
+        .next()
+        .expect("a line")
+        .parse()
+        .expect("a place");
+    let table = String::from_utf8_lossy(&pdf[start..]).into_owned();
+    let places: Vec<usize> = table
+        .lines()
+        .filter(|line| line.ends_with(" n"))
+        .map(|line| line[..10].parse().expect("a place"))
+        .collect();
+    assert!(places.len() > 10);
+    for (place, number) in places.iter().zip(1..) {
+        assert!(pdf[*place..].starts_with(format!("{number} 0 obj\n").as_bytes()), "object {number}");
+    }
+    assert!(table.contains(&format!("/Size {}", places.len() + 1)));
+}
+
+#[test]
+fn another_reader_of_pdf_finds_the_text() {
+    let reader = Command::new("pdftotext")
+        .args(["-layout", "-", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn();
+    let Ok(mut reader) = reader else {
+        return writeln!(std::io::stderr(), "SKIPPED: there is no pdftotext")
+            .expect("a message can be written");
+    };
+    let mut input = reader.stdin.take().expect("it is piped");
+    input.write_all(&sample().pdf().expect("a PDF")).expect("pdftotext reads");
+    drop(input);
+    let output = reader.wait_with_output().expect("pdftotext ends");
+    let text = String::from_utf8(output.stdout).expect("text");
+    // It reads sub- and superscripts into the line or into lines of their own.
+    for part in ["c", "SN", "=", "1", "2", "𝒜"] {
+        assert!(text.contains(part), "`{part}` is missing in {text}");
+    }
+}
+
+#[test]
+fn what_cannot_be_drawn_is_refused() {
+    assert!(matches!(Figure::read("old"), Err(ExportError::Unreadable(_))));
+    let snow = SAMPLE.replace("𝒜", "雪");
+    assert!(matches!(Figure::read(&snow), Err(ExportError::Glyph { label }) if label == "雪"));
+    assert!(matches!(sample().png(1e-3), Err(ExportError::Pixels { width: 0, .. })));
+}

@@ -1,0 +1,180 @@
+//! Formulas: LaTeX in, MathML out.
+
+use pulldown_latex::config::DisplayMode;
+use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
+
+use crate::html::escape;
+
+/// A formula that could not be understood.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FormulaError {
+    /// The LaTeX.
+    pub latex: String,
+    /// What is wrong with it.
+    pub reason: String,
+}
+
+impl std::fmt::Display for FormulaError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {}", self.latex, self.reason)
+    }
+}
+
+impl std::error::Error for FormulaError {}
+
+/// The formula as MathML: displayed on lines of its own, or in a line of text.
+///
+/// # Errors
+/// [`FormulaError`] for commands that are not standard and for unbalanced braces.
+pub fn mathml(latex: &str, displayed: bool) -> Result<String, FormulaError> {
+    let prepared = prepared(latex);
+    let storage = Storage::new();
+    let mut events = Vec::new();
+    for event in Parser::new(&prepared, &storage) {
+        match event {
+            Ok(event) => events.push(Ok::<_, std::convert::Infallible>(event)),
+            Err(error) => {
+                let told = error.to_string();
+                let reason = told.lines().next().unwrap_or_default().to_owned();
+                return Err(FormulaError { latex: latex.to_owned(), reason });
+            }
+        }
+    }
+    let display_mode = if displayed { DisplayMode::Block } else { DisplayMode::Inline };
+    let mut text = String::new();
+    push_mathml(&mut text, events.into_iter(), RenderConfig { display_mode, ..RenderConfig::default() })
+        .map_err(|error| FormulaError { latex: latex.to_owned(), reason: error.to_string() })?;
+    // The converter escapes its own entities, leaves relations as they are, and has the sign of micro- for the letter mu.
+    let tidied = text.replace("&amp;nbsp;", "\u{a0}").replace('\u{b5}', "\u{3bc}");
+    Ok(tidied.replace("><</mo>", ">&lt;</mo>").replace(">></mo>", ">&gt;</mo>"))
+}
+
+/// Words with formulas between dollars, as HTML; a formula that cannot be understood is shown as it stands. In the words,
+/// `_` after a single letter lowers what follows, and `^` raises it.
+pub fn prose(text: &str) -> String {
+    let mut html = String::new();
+    for (index, piece) in text.split('$').enumerate() {
+        if index % 2 == 0 {
+            html.push_str(&scripts(&escape(piece)));
+        } else {
+            html.push_str(&shown(piece, false));
+        }
+    }
+    html
+}
+
+/// The escaped text with sub- and superscripts: `h_p`, `c_{SN,1}`, `s_p^+`. Names of several letters, as of functions, stay.
+fn scripts(text: &str) -> String {
+    let mut html = String::new();
+    let (mut last, mut before_last) = (' ', ' ');
+    let mut rest = text;
+    while let Some(character) = rest.chars().next() {
+        rest = &rest[character.len_utf8()..];
+        let single = last.is_alphabetic() && !before_last.is_alphanumeric() && before_last != '_';
+        let (element, possible) = match character {
+            '_' => ("sub", single),
+            '^' => ("sup", last.is_alphanumeric() || last == ')'),
+            _ => ("", false),
+        };
+        let (script, after) = if possible { script(rest) } else { ("", rest) };
+        if script.is_empty() {
+            html.push(character);
+            (before_last, last) = (last, character);
+        } else {
+            html.push_str(&format!("<{element}>{script}</{element}>"));
+            // A superscript may follow a subscript, on the same letter.
+            rest = after;
+        }
+    }
+    html
+}
+
+/// What a script mark applies to, in braces or as far as letters and digits reach, or one sign; and the text after it.
+fn script(text: &str) -> (&str, &str) {
+    if let Some((script, after)) = text.strip_prefix('{').and_then(|inner| inner.split_once('}')) {
+        return (script, after);
+    }
+    let end = match text.chars().next() {
+        Some(sign @ ('+' | '−' | '±' | '∓' | '*')) => sign.len_utf8(),
+        _ => text.find(|character: char| !character.is_alphanumeric()).unwrap_or(text.len()),
+    };
+    text.split_at(end)
+}
+
+/// The formula, or its source where it cannot be understood.
+pub(crate) fn shown(latex: &str, displayed: bool) -> String {
+    mathml(latex, displayed).unwrap_or_else(|_| format!("<code>{}</code>", escape(latex)))
+}
+
+/// The same formula without what the converter does not know: third derivatives as dots, and dollars in `\text`.
+fn prepared(latex: &str) -> String {
+    let plain = latex.replace("\\dddot", "\\overset{\\dots}");
+    let mut prepared = String::new();
+    let mut rest = plain.as_str();
+    while let Some(start) = rest.find("\\text{") {
+        let inner = start + "\\text{".len();
+        let Some(length) = rest[inner..].find('}') else {
+            break;
+        };
+        // The first dollar ends the text, the second begins the next one, and so on.
+        prepared.push_str(&rest[..inner]);
+        for (index, piece) in rest[inner..inner + length].split('$').enumerate() {
+            prepared.push_str(match index % 2 {
+                _ if index == 0 => "",
+                1 => "}",
+                _ => "\\text{",
+            });
+            prepared.push_str(piece);
+        }
+        rest = &rest[inner + length..];
+    }
+    prepared.push_str(rest);
+    prepared
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formulas_become_elements_and_signs_are_escaped() {
+        let formula = mathml(r"\tau < 2\sqrt{\delta}", true).unwrap();
+        assert!(
+            formula.starts_with("<math") && formula.contains("<msqrt>") && formula.contains("&lt;"),
+            "{formula}"
+        );
+    }
+
+    #[test]
+    fn what_cannot_be_understood_is_an_error_and_is_shown_as_it_stands() {
+        let error = mathml(r"\nosuchcommand{x}", false).unwrap_err();
+        assert!(error.to_string().contains("nosuchcommand"), "{error}");
+        assert_eq!(prose(r"a < $\nosuchcommand$"), r"a &lt; <code>\nosuchcommand</code>");
+    }
+
+    #[test]
+    fn words_have_sub_and_superscripts_and_names_of_functions_stay() {
+        assert_eq!(
+            prose("h_p < g_{p,1} and s_p^+ = η^2"),
+            "h<sub>p</sub> &lt; g<sub>p,1</sub> and s<sub>p</sub><sup>+</sup> = η<sup>2</sup>"
+        );
+        for text in ["grazing_theorems::from_map", "a _ b", "f_", "2^"] {
+            assert_eq!(prose(text), text);
+        }
+    }
+
+    #[test]
+    fn the_paper_s_habits_are_understood() {
+        for latex in [
+            r"z = \omega(\mu) t ~{\rm mod}~ 2\pi",
+            r"\frac{\dot{\phi} \dddot{\phi}}{\ddot{\phi}}",
+            r"y \mapsto -\epsilon y \qquad \text{when $x = 0$ with $y > 0$}",
+            r"\begin{aligned} a &= b, \\ c &= \begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix} \end{aligned}",
+            r"\left\{ (\tau,\delta) \in \mathbb{R}^2 \,\middle|\, 0 < \delta < 1 \right\}",
+            r"\frac{\partial \xi}{\partial z} \bigg|_{(x,z)=(0,z_{{\rm graz},0})} + \mathcal{O} \big( y^2 \big)",
+        ] {
+            let formula = mathml(latex, true).unwrap();
+            assert!(!["$", "&amp;", "\u{b5}"].iter().any(|wrong| formula.contains(wrong)), "{formula}");
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! Pieces of HTML: escaping, identifiers, links and numbers.
+
+/// Appends formatted text to a string, which cannot fail.
+macro_rules! put {
+    ($page:expr, $($argument:tt)*) => {{
+        use std::fmt::Write as _;
+        let _ = write!($page, $($argument)*);
+    }};
+}
+
+pub(crate) use put;
+
+/// The text with everything replaced that HTML would read as markup, also inside quoted attributes.
+pub(crate) fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\'' => escaped.push_str("&#39;"),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+/// The text as a string of JSON that can stand inside a script element.
+pub(crate) fn json_string(text: &str) -> String {
+    let mut json = String::with_capacity(text.len() + 2);
+    json.push('"');
+    for character in text.chars() {
+        match character {
+            '"' => json.push_str("\\\""),
+            '\\' => json.push_str("\\\\"),
+            '\n' => json.push_str("\\n"),
+            // A script element ends at the first `</script`, whatever stands around it.
+            '<' => json.push_str("\\u003c"),
+            control if control < ' ' => put!(json, "\\u{:04x}", u32::from(control)),
+            other => json.push(other),
+        }
+    }
+    json.push('"');
+    json
+}
+
+/// The identifier of the element for a label of the paper: all characters that links understand are kept.
+pub(crate) fn identifier(prefix: &str, label: &str) -> String {
+    let keep = |character: char| character.is_ascii_alphanumeric() || ":/-_.".contains(character);
+    let kept: String = label.chars().map(|character| if keep(character) { character } else { '_' }).collect();
+    format!("{prefix}-{kept}")
+}
+
+/// A number with so many significant digits, as a reader wants it: a true minus sign, powers of ten as powers.
+pub(crate) fn number(value: f64, digits: usize) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        let infinite = if value > 0.0 { "∞" } else { "−∞" };
+        return if value.is_nan() { "not a number" } else { infinite }.to_owned();
+    }
+    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let text = if (-3..6).contains(&exponent) {
+        let decimals = i32::try_from(digits).unwrap_or(17) - 1 - exponent;
+        format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
+    } else {
+        let power = exponent.to_string().replace('-', "−");
+        match trimmed(mantissa) {
+            "1" => format!("10<sup>{power}</sup>"),
+            "-1" => format!("-10<sup>{power}</sup>"),
+            mantissa => format!("{mantissa} × 10<sup>{power}</sup>"),
+        }
+    };
+    match text.strip_prefix('-') {
+        Some(rest) => format!("−{rest}"),
+        None => text,
+    }
+}
+
+/// Without zeros at the end of the decimals.
+fn trimmed(mantissa: &str) -> &str {
+    if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa }
+}
+
+/// `1 file`, `2 files`.
+pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markup_in_text_is_harmless() {
+        assert_eq!(escape("a<b & \"c\" > 'd'"), "a&lt;b &amp; &quot;c&quot; &gt; &#39;d&#39;");
+        assert_eq!(json_string("</script>\n\"\\\u{1}"), r#""\u003c/script>\n\"\\\u0001""#);
+        assert_eq!(identifier("claim", "eq:a b\"/c"), "claim-eq:a_b_/c");
+    }
+
+    #[test]
+    fn numbers_read_as_in_print() {
+        assert_eq!(number(-567.944_528, 6), "−567.945");
+        assert_eq!(number(0.0, 3), "0");
+        assert_eq!(number(3.14e-15, 2), "3.1 × 10<sup>−15</sup>");
+        assert_eq!(number(1e-12, 2), "10<sup>−12</sup>");
+        assert_eq!(number(-1e7, 2), "−10<sup>7</sup>");
+        assert_eq!(number(0.012_345, 3), "0.0123");
+        assert_eq!(number(f64::INFINITY, 3), "∞");
+    }
+}

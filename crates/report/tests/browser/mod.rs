@@ -1,0 +1,90 @@
+//! A page in headless Chromium, with checks that run in it.
+
+use std::fs::{self, File};
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// What the checks are, in the page's own language.
+const CHECKS: &str = include_str!("checks.js");
+/// The names under which systems have the browser.
+const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+/// Longer than the slowest start of the browser on a busy machine.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// A spot of a figure's sheet, and what the page has to tell of it.
+pub(crate) struct Spot<'a> {
+    pub(crate) figure: &'a str,
+    pub(crate) sheet: (f64, f64),
+    pub(crate) told: Vec<String>,
+    /// Whether it is about a point that is not drawn and has to be asked for.
+    pub(crate) hidden: bool,
+}
+
+/// Opens the page, runs the checks, and returns what they say, one line each; nothing where there is no browser, which is
+/// said on the error stream.
+pub(crate) fn checked(page: &str, spots: &[Spot<'_>]) -> Option<Vec<String>> {
+    let Some(browser) = NAMES.into_iter().find(|name| is_there(name)) else {
+        // What is printed by a macro is shown for failed tests only; everybody has to see this.
+        let tried = NAMES.join(", ");
+        let line = format!("\nskipped: no Chromium here, so the page was not opened ({tried} were tried)\n");
+        std::io::stderr().write_all(line.as_bytes()).expect("there is an error stream");
+        return None;
+    };
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let file = folder.path().join("page.html");
+    let told =
+        |spot: &Spot<'_>| spot.told.iter().map(|text| format!("{text:?}")).collect::<Vec<_>>().join(",");
+    let spots: Vec<String> = spots
+        .iter()
+        .map(|spot| {
+            let (figure, (x, y), hidden) = (spot.figure, spot.sheet, spot.hidden);
+            format!("{{figure:{figure:?},x:{x},y:{y},told:[{}],hidden:{hidden}}}", told(spot))
+        })
+        .collect();
+    let script = format!("<script>const SPOTS = [{}];\n{CHECKS}</script>\n</body>", spots.join(","));
+    fs::write(&file, page.replace("</body>", &script)).expect("the folder is ours");
+    let dom = dump(browser, folder.path(), &format!("file://{}", file.display()));
+    let result = dom.split("<pre id=\"checks\">").nth(1).and_then(|rest| rest.split("</pre>").next());
+    let result =
+        result.unwrap_or_else(|| panic!("the checks did not end; the browser wrote {} bytes", dom.len()));
+    Some(result.lines().map(str::to_owned).collect())
+}
+
+fn is_there(name: &str) -> bool {
+    let version = Command::new(name).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    version.is_ok_and(|status| status.success())
+}
+
+/// The document as it is after its scripts.
+fn dump(browser: &str, folder: &Path, address: &str) -> String {
+    let output = folder.join("dom.html");
+    let mut run = Command::new(browser)
+        .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run"])
+        .args(["--window-size=1400,1000", "--virtual-time-budget=20000", "--dump-dom"])
+        .arg(format!("--user-data-dir={}", folder.join("profile").display()))
+        .arg(address)
+        .stdout(File::create(&output).expect("the folder is ours"))
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the browser starts");
+    let start = Instant::now();
+    while run.try_wait().expect("the browser is ours").is_none() {
+        if start.elapsed() > PATIENCE {
+            run.kill().expect("the browser is ours");
+            run.wait().expect("it ends");
+            panic!("the browser did not end within {} s", PATIENCE.as_secs());
+        }
+        sleep(Duration::from_millis(50));
+    }
+    fs::read_to_string(&output).expect("the browser writes UTF-8")
+}
+
+/// Fails with the checks that did not pass; there have to be some that did.
+pub(crate) fn assert_all_pass(results: &[String]) {
+    let failed: Vec<&String> = results.iter().filter(|line| !line.starts_with("passed: ")).collect();
+    assert!(failed.is_empty(), "{failed:#?}");
+    assert!(results.len() >= 20, "{results:#?}");
+}

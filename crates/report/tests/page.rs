@@ -1,0 +1,42 @@
+//! The page of a small report, used in a browser.
+
+mod browser;
+mod sample;
+
+use browser::{Spot, assert_all_pass, checked};
+use grazing_report::page;
+
+#[test]
+fn the_page_answers_to_pointer_keys_and_filters() {
+    // The panel of the sample reaches from (20, 90) to (180, 10) on the sheet, from (0, -1) to (4, 1) in the data.
+    let told = |parts: &[&str]| parts.iter().map(|part| (*part).to_owned()).collect();
+    let spots = [
+        Spot {
+            figure: "fig98",
+            sheet: (101.0, 52.0),
+            told: told(&["𝒜 = 2.025, ω = −0.05", "Saddle-node", "unstable", "admissible", "p1"]),
+            hidden: false,
+        },
+        Spot { figure: "fig99", sheet: (20.0, 90.0), told: told(&["Saddle-node", "stable"]), hidden: false },
+        // This row is inadmissible, so it is not drawn.
+        Spot {
+            figure: "fig99",
+            sheet: (180.0, 10.0),
+            told: told(&["𝒜 = 4, ω = 1", "Period-doubling", "inadmissible"]),
+            hidden: true,
+        },
+    ];
+    if let Some(results) = checked(&page(&sample::report()), &spots) {
+        assert_all_pass(&results);
+    }
+}
+
+#[test]
+fn the_checks_notice_a_page_that_does_not_answer() {
+    let deaf = page(&sample::report()).replace("addEventListener(\"pointermove\", point)", "focus()");
+    let spot =
+        Spot { figure: "fig98", sheet: (100.0, 50.0), told: vec!["Saddle-node".to_owned()], hidden: false };
+    if let Some(results) = checked(&deaf, &[spot]) {
+        assert!(results.iter().any(|line| line.starts_with("FAILED: fig98 at 100, 50")), "{results:#?}");
+    }
+}

@@ -1,0 +1,128 @@
+//! A small report with everything in it, for the tests.
+
+use grazing_report::{
+    ClaimEntry, CsvTable, Figure, Manifest, Measured, MisprintEntry, OutputFile, PublishedEntry, Report,
+    Source, TableOutput, Verdict,
+};
+
+/// Text that would be markup if it were not escaped.
+pub(crate) const HOSTILE: &str = "<img src=\"x\" onerror='alert(1)'>&";
+
+/// A claim that passed its check.
+fn claim(label: &str) -> ClaimEntry {
+    ClaimEntry {
+        label: label.to_owned(),
+        place: "section 2.4, eq. (15)".to_owned(),
+        kind: "identity".to_owned(),
+        says: format!("What {label} says."),
+        formula: Some(r"g_p(\delta) = 2 \sqrt{\delta} \cos \left( \frac{\pi}{p} \right)".to_owned()),
+        holds: vec![Source {
+            name: "grazing_theorems::auxiliary::resonance_boundary".to_owned(),
+            file: Some(("crates/theorems/src/auxiliary.rs".to_owned(), 12)),
+        }],
+        check: Some(Source { name: "main_results::auxiliary::boundary".to_owned(), file: None }),
+        figures: vec!["fig98".to_owned(), "fig05".to_owned()],
+        verdict: Verdict::Checked {
+            passed: true,
+            measured: Measured::Deviation { largest: 2e-15, tolerance: 1e-12 },
+            print: None,
+            samples: 400,
+            over: "points of the trapesium".to_owned(),
+        },
+        misprint: None,
+    }
+}
+
+fn figure(name: &str, title: &str) -> Figure {
+    let svg = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"70mm\" height=\"40mm\" \
+         viewBox=\"0 0 200 120\" font-family=\"'STIX Two Text',serif\" fill=\"none\" role=\"img\">\n<title>{title}</title>\n\
+         <desc>A line through three points.</desc>\n<style>\n@font-face{{font-family:'STIX Two Text';src:url(data:font/ttf;base64,AAAA)}}\n</style>\n\
+         <rect width=\"200\" height=\"120\" fill=\"#ffffff\"/>\n<clipPath id=\"frame\"><rect x=\"20\" y=\"10\" width=\"160\" height=\"80\"/></clipPath>\n\
+         <path clip-path=\"url(#frame)\" d=\"M20,90L100,50L180,10\" stroke=\"#1946be\"/>\n\
+         <rect class=\"panel\" x=\"20\" y=\"10\" width=\"160\" height=\"80\" data-x=\"0 4\" data-y=\"-1 1\" data-x-title=\"$\\mathcal{{A}}$\" \
+         data-y-title=\"$\\omega$\"/>\n</svg>\n"
+    );
+    let csv = "kind,p,amplitude,omega,stable,admissible\nSN,1,0.0,-1.0,true,true\nSN,1,2.0,0.0,false,true\nPD,2,4.0,1.0,true,false\n";
+    let tables = vec![CsvTable { name: format!("{name}_points"), csv: csv.to_owned() }];
+    Figure { name: name.to_owned(), title: title.to_owned(), svg, tables }
+}
+
+fn published(id: &str, met: bool) -> PublishedEntry {
+    PublishedEntry {
+        id: id.to_owned(),
+        quantity: "tau of Figure 98".to_owned(),
+        printed: "0.5".to_owned(),
+        computed: met.then_some(0.501),
+        met,
+        label: "eq:holds".to_owned(),
+        place: "caption".to_owned(),
+    }
+}
+
+/// The report.
+pub(crate) fn report() -> Report {
+    let hostile = || HOSTILE.to_owned();
+    let misprint = MisprintEntry {
+        printed: "$x = 1$".to_owned(),
+        corrected: "$x = 2$".to_owned(),
+        reason: hostile(),
+        decided: "a count".to_owned(),
+    };
+    let claims = vec![
+        claim("eq:holds"),
+        ClaimEntry {
+            kind: "theorem".to_owned(),
+            place: "appendix B".to_owned(),
+            verdict: Verdict::Checked {
+                passed: true,
+                measured: Measured::Agreement { agreeing: 12, cases: 12 },
+                print: Some(Measured::Agreement { agreeing: 0, cases: 12 }),
+                samples: 12,
+                over: "cases".to_owned(),
+            },
+            misprint: Some(misprint),
+            ..claim("eq:misprinted")
+        },
+        ClaimEntry {
+            kind: "number".to_owned(),
+            formula: None,
+            verdict: Verdict::Published { values: vec![published("a", true)] },
+            ..claim("fig:number")
+        },
+        ClaimEntry {
+            says: hostile(),
+            place: hostile(),
+            formula: Some(format!(r"\nosuchcommand{{{HOSTILE}}}")),
+            holds: vec![Source { name: hostile(), file: Some((hostile(), 1)) }],
+            verdict: Verdict::Failed { error: hostile() },
+            ..claim("sub:2/hostile")
+        },
+        ClaimEntry { verdict: Verdict::Unchecked { reason: hostile() }, ..claim("eq:unchecked") },
+    ];
+    let file = |path: &str| OutputFile::of(path, path.as_bytes());
+    Report {
+        figures: vec![figure("fig98", "Figure 98: a line"), figure("fig99", "Figure 99: another line")],
+        tables: vec![TableOutput {
+            name: "sweep".to_owned(),
+            title: hostile(),
+            tables: vec![CsvTable {
+                name: "sweep".to_owned(),
+                csv: "p,c_sn,verdict\n1,-5.6794452873805710e2,agreement\n2,3.0,unexplained\n3,1.0e-7,agreement\n"
+                    .to_owned(),
+            }],
+        }],
+        published: vec![published("a", true), published("b", false)],
+        claims,
+        manifest: Manifest {
+            program: "grazing 0.1.0".to_owned(),
+            rust: "1.95.0".to_owned(),
+            libraries: vec![("libm".to_owned(), "0.2.16".to_owned())],
+            parameter_file: "figures/parameters.toml".to_owned(),
+            parameters: format!("# {HOSTILE}\n[oscillator]\n"),
+            outputs: ["fig98.svg", "data/fig98_points.csv", "data/sweep.csv"].map(file).to_vec(),
+            folder: Some("../figures/".to_owned()),
+        },
+        root: Some("../".to_owned()),
+    }
+}

@@ -1,0 +1,94 @@
+//! Figure 5 (fig:E): the quadratic unfolding of a resonant grazing bifurcation in the case c_SN < 0 < c_PD, β > 0.
+//!
+//! The curves are those of Theorems 2.4 and 2.5 at a resonance of the linear oscillator, without their O(η³).
+//!
+//! # Where a p-loop MPS is stable
+//!
+//! Near the resonance the MPSs are μ = k₂ y² + k₃ η y with impact velocity y > 0 (eq:ZM), and to leading order a multiplier
+//! is +1 where y = Υ⁺η and −1 where y = Υ⁻η (eq:Upsilon1, eq:Upsilonp): y (T − D − 1) = s⁺ (y − Υ⁺η) and
+//! y (T + D + 1) = s⁻ (y − Υ⁻η). An MPS is stable where the first is negative and the second positive (D < 1 there, by
+//! eq:yD1 and eq:yDp). In the case s⁺ < 0 < s⁻ that is y > Υ⁺η and y > Υ⁻η, of which one bound is positive and one
+//! negative, whatever the sign of η, since Υ⁺ and Υ⁻ are inversely proportional to s⁺ and s⁻. Where k₂ > 0, which
+//! here means β > 0, μ has its least value over y at y = Υ⁺η and grows beyond. So there is exactly one stable MPS where
+//! μ > c_SN η² on the side of η with the saddle-node curve, and where μ > c_PD η² on the other side: one region, beyond
+//! the grazing line but for the strip between it and the saddle-node curve, where the non-impacting solution is stable too.
+
+use grazing_theorems::resonant_theorem::BifurcationCurve;
+use grazing_theorems::{LinearOscillator, ResonantGrazing};
+
+use crate::StudyError;
+use crate::parameters::{self, Parameters};
+use crate::table::{Table, columns, row};
+
+/// The frames of Figure 5.
+#[derive(Clone, Debug)]
+pub struct Figure5 {
+    /// `fig05_curves`: the line of grazing bifurcations and the quadratic SN and PD curves.
+    pub curves: Table,
+    /// `fig05_points`: the resonance.
+    pub points: Table,
+    /// `fig05_regions`: where the non-impacting solution is stable, where an MPS is, and where both are.
+    pub regions: Table,
+}
+
+/// Samples of a curve from the resonance to the edge of the window.
+const SAMPLES: u32 = 100;
+
+/// |κ_p| or |a₁₂| that counts as zero at the closed form of a resonance, as in the theorem's own example.
+const RESONANCE_TOLERANCE: f64 = 1e-12;
+
+impl Figure5 {
+    /// All tables.
+    pub fn tables(&self) -> Vec<Table> {
+        vec![self.curves.clone(), self.points.clone(), self.regions.clone()]
+    }
+
+    pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
+        let shown = parameters.fig05();
+        let oscillator = LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
+        let resonance = oscillator.resonance(shown.loops(), shown.n())?;
+        let theorem = ResonantGrazing::check(&resonance.resonant_point(), RESONANCE_TOLERANCE)?;
+        let saddle_node = half_parabola(theorem.saddle_node(), shown);
+        let period_doubling = half_parabola(theorem.period_doubling(), shown);
+
+        let (mu, eta) = (shown.mu(), shown.eta());
+        let grazing = vec![[0.0, eta.lower()], [0.0, eta.upper()]];
+        let mut curves = columns! { "kind": "", "mu": 0.0, "eta": 0.0 };
+        for (kind, points) in [("graz", &grazing), ("SN", &saddle_node), ("PD", &period_doubling)] {
+            for [mu, eta] in points {
+                curves.push(row![kind, *mu, *eta]);
+            }
+        }
+        let mut points = columns! { "kind": "", "p": 0, "n": 0, "mu": 0.0, "eta": 0.0 };
+        points.push(row!["resonance", shown.loops(), shown.n(), 0.0, 0.0]);
+
+        let corner = |points: &[[f64; 2]]| [mu.upper(), points[points.len() - 1][1]];
+        let beyond = [corner(&period_doubling), corner(&saddle_node)];
+        let stable = saddle_node.iter().rev().chain(&period_doubling[1..]).chain(&beyond);
+        let before = [[mu.lower(), eta.upper()], [mu.lower(), eta.lower()]];
+        let on_the_line = [[0.0, saddle_node[saddle_node.len() - 1][1]]];
+        let polygons: [(&str, Vec<[f64; 2]>); 3] = [
+            ("non-impacting", grazing.iter().chain(&before).copied().collect()),
+            ("mps", stable.copied().collect()),
+            ("both", saddle_node.iter().chain(&on_the_line).copied().collect()),
+        ];
+        let mut regions = columns! { "region": 0, "kind": "", "mu": 0.0, "eta": 0.0 };
+        for (region, (kind, vertices)) in (1..).zip(&polygons) {
+            for [mu, eta] in vertices {
+                regions.push(row![region, *kind, *mu, *eta]);
+            }
+        }
+        Ok(Self {
+            curves: curves.finish("fig05_curves")?,
+            points: points.finish("fig05_points")?,
+            regions: regions.finish("fig05_regions")?,
+        })
+    }
+}
+
+/// μ = c η² from the resonance to the edge of the window, on the side of η that theory gives, as points (μ, η).
+fn half_parabola(curve: BifurcationCurve, shown: &parameters::Figure5) -> Vec<[f64; 2]> {
+    let edge = if curve.eta_side.signum() < 0.0 { shown.eta().lower() } else { shown.eta().upper() };
+    let eta = |k: u32| edge * (f64::from(k) / f64::from(SAMPLES));
+    (0..=SAMPLES).map(eta).filter_map(|eta| Some([curve.parameter(eta)?, eta])).collect()
+}

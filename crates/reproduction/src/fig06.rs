@@ -1,0 +1,163 @@
+//! Figure 6 (fig:F): the oscillator as a mechanical schematic, to scale along x.
+//!
+//! Along x everything stands where eq:oscf has it: the wall at x = 0, the equilibrium of the block's face at x = −1, the face
+//! itself at x = φ_p(t), the non-impacting solution at the chosen phase; the force arrow is proportional to 𝒜 cos(ωt).
+//! Across x, in the same unit, are lengths of drawing alone.
+
+mod shapes;
+
+use grazing_model::LinearOscillator;
+
+use crate::StudyError;
+use crate::parameters::Parameters;
+use crate::table::{Table, columns, row};
+
+/// The frames of Figure 6.
+#[derive(Clone, Debug)]
+pub struct Figure6 {
+    /// `fig06_parts`: polylines of (x, height), part by part; outlines end where they begin.
+    pub parts: Table,
+}
+
+/// A polyline of points (x, height).
+type Polyline = Vec<[f64; 2]>;
+
+/// Lengths of drawing, in units of the equilibrium's distance from the wall.
+mod lengths {
+    pub(super) const BLOCK_WIDTH: f64 = 0.9;
+    pub(super) const BLOCK_BOTTOM: f64 = 0.14;
+    pub(super) const BLOCK_TOP: f64 = 1.2;
+    pub(super) const SPRING_HEIGHT: f64 = 0.92;
+    pub(super) const SPRING_RADIUS: f64 = 0.15;
+    pub(super) const DASHPOT_HEIGHT: f64 = 0.42;
+    pub(super) const DASHPOT_RADIUS: f64 = 0.12;
+    /// Straight wire at either end of the spring, and rod between the anchor and the cylinder.
+    pub(super) const LEAD: f64 = 0.3;
+    /// Room between the piston at the ends of its stroke and the ends of the cylinder.
+    pub(super) const CLEARANCE: f64 = 0.15;
+    pub(super) const FORCE_HEIGHT: f64 = 0.92;
+    /// Arrow of the force 𝒜.
+    pub(super) const FULL_FORCE: f64 = 0.85;
+    pub(super) const DIMENSION_HEIGHT: f64 = 0.32;
+    pub(super) const EQUILIBRIUM_TOP: f64 = 0.56;
+    pub(super) const WALL_TOP: f64 = 1.45;
+    pub(super) const STRIP: f64 = 0.2;
+    pub(super) const AXIS_HEIGHT: f64 = -0.34;
+    pub(super) const TICK: f64 = 0.07;
+    pub(super) const AXIS_BEYOND_WALL: f64 = 0.42;
+}
+
+impl Figure6 {
+    /// All tables.
+    pub fn tables(&self) -> Vec<Table> {
+        vec![self.parts.clone()]
+    }
+
+    pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
+        let shown = parameters.fig06();
+        let oscillator = LinearOscillator::new(
+            parameters.zeta(),
+            parameters.epsilon(),
+            shown.amplitude(),
+            shown.frequency(),
+        )?;
+        let theory = grazing_theorems::LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
+        let instant = Instant {
+            face: oscillator.non_impacting_solution(shown.phase()).position,
+            // φ_p is harmonic about −1 and reaches 0 at the grazing amplitude.
+            stroke: shown.amplitude() / theory.grazing(shown.frequency())?.amplitude(),
+            force: libm::cos(shown.phase()),
+            coils: shown.coils(),
+        };
+        let mut columns = columns! { "part": "", "piece": 0, "x": 0.0, "height": 0.0 };
+        for (part, pieces) in instant.parts() {
+            for (piece, points) in (1..).zip(&pieces) {
+                for [x, height] in points {
+                    columns.push(row![part, piece, *x, *height]);
+                }
+            }
+        }
+        Ok(Self { parts: columns.finish("fig06_parts")? })
+    }
+}
+
+/// What is shown.
+struct Instant {
+    /// x of the block's face.
+    face: f64,
+    /// Largest displacement of the motion from x = −1.
+    stroke: f64,
+    /// Force over its amplitude.
+    force: f64,
+    coils: u32,
+}
+
+impl Instant {
+    /// All parts, each as polylines. What is listed later covers what is listed earlier.
+    fn parts(&self) -> Vec<(&'static str, Vec<Polyline>)> {
+        use lengths::*;
+        const EQUILIBRIUM: f64 = -1.0;
+        const WALL: f64 = 0.0;
+        let face = self.face;
+        let back = face - BLOCK_WIDTH;
+        // The rod is just long enough for the block to keep clear of the cylinder on its whole stroke.
+        let rod = 2.0 * (self.stroke + CLEARANCE);
+        let piston = back - rod;
+        let middle = EQUILIBRIUM - BLOCK_WIDTH - rod;
+        let (bottom_of_cylinder, mouth) =
+            (middle - self.stroke - CLEARANCE, middle + self.stroke + CLEARANCE);
+        let anchor = bottom_of_cylinder - LEAD;
+        let vertical = |x: f64, from: f64, to: f64| vec![[x, from], [x, to]];
+        let horizontal = |height: f64, from: f64, to: f64| vec![[from, height], [to, height]];
+        let tick = |x: f64| vertical(x, AXIS_HEIGHT, AXIS_HEIGHT + TICK);
+        let wheels = [0.22, 0.78].map(|share| {
+            shapes::circle([back + share * BLOCK_WIDTH, 0.5 * BLOCK_BOTTOM], 0.5 * BLOCK_BOTTOM)
+        });
+        vec![
+            ("anchor hatching", shapes::hatching([anchor - STRIP, anchor], [0.0, WALL_TOP])),
+            ("anchor", vec![vertical(anchor, 0.0, WALL_TOP)]),
+            ("wall hatching", shapes::hatching([WALL, WALL + STRIP], [0.0, WALL_TOP])),
+            ("wall", vec![vertical(WALL, 0.0, WALL_TOP)]),
+            ("floor", vec![horizontal(0.0, anchor, WALL)]),
+            (
+                "guide",
+                vec![
+                    vertical(face, BLOCK_BOTTOM, AXIS_HEIGHT),
+                    vertical(WALL, 0.0, AXIS_HEIGHT),
+                    vertical(EQUILIBRIUM, EQUILIBRIUM_TOP, AXIS_HEIGHT),
+                ],
+            ),
+            ("axis", vec![horizontal(AXIS_HEIGHT, back, WALL + AXIS_BEYOND_WALL)]),
+            ("tick", vec![tick(face), tick(EQUILIBRIUM), tick(WALL)]),
+            ("spring", vec![shapes::spring([anchor, back], SPRING_HEIGHT, SPRING_RADIUS, LEAD, self.coils)]),
+            (
+                "cylinder",
+                vec![vec![
+                    [mouth, DASHPOT_HEIGHT + DASHPOT_RADIUS],
+                    [bottom_of_cylinder, DASHPOT_HEIGHT + DASHPOT_RADIUS],
+                    [bottom_of_cylinder, DASHPOT_HEIGHT - DASHPOT_RADIUS],
+                    [mouth, DASHPOT_HEIGHT - DASHPOT_RADIUS],
+                ]],
+            ),
+            (
+                "rod",
+                vec![
+                    horizontal(DASHPOT_HEIGHT, anchor, bottom_of_cylinder),
+                    horizontal(DASHPOT_HEIGHT, piston, back),
+                ],
+            ),
+            (
+                "piston",
+                vec![vertical(
+                    piston,
+                    DASHPOT_HEIGHT - 0.8 * DASHPOT_RADIUS,
+                    DASHPOT_HEIGHT + 0.8 * DASHPOT_RADIUS,
+                )],
+            ),
+            ("wheel", wheels.into()),
+            ("block", vec![shapes::rectangle([back, face], [BLOCK_BOTTOM, BLOCK_TOP])]),
+            ("force", vec![horizontal(FORCE_HEIGHT, face, face + FULL_FORCE * self.force)]),
+            ("dimension", vec![horizontal(DIMENSION_HEIGHT, EQUILIBRIUM, WALL)]),
+        ]
+    }
+}

@@ -1,0 +1,173 @@
+//! Figure 9 (fig:Bb): an impact and the points on Σ and Π that it defines, for p loops.
+
+use grazing_model::maps::{global_map, virtual_map};
+use grazing_model::motion::{Motion, first_rest};
+use grazing_model::{ImpactOscillator, LinearOscillator, State};
+
+use crate::StudyError;
+use crate::parameters::{self, Parameters};
+use crate::space::{Drawn, Points, Space, axes, line, outline, trajectory};
+use crate::table::Table;
+
+/// The frames of Figure 9.
+#[derive(Clone, Debug)]
+pub struct Figure9 {
+    /// `fig09_curves`: real and virtual parts of the orbit near the wall, the reset law, and P_global from point to point.
+    pub curves: Table,
+    /// `fig09_points`: impact, recoil, (x̂, 0, ẑ) as `virtual`, and (x⁽ʲ⁾, 0, z⁽ʲ⁾) as `section` with number j.
+    pub points: Table,
+    /// `fig09_surfaces`: incoming and outgoing set, Π on both sides of the wall, the tangency set, and the axes.
+    pub surfaces: Table,
+}
+
+/// The points of Figure 9, phases near z_graz.
+struct Marks {
+    impact: State,
+    recoil: State,
+    /// (x̂, 0, ẑ) and the time to it from the impact.
+    ahead: (State, f64),
+    /// (x⁽⁰⁾, 0, z⁽⁰⁾) and the time, negative, to it from the recoil.
+    behind: (State, f64),
+    /// (x⁽ʲ⁾, 0, z⁽ʲ⁾) for j from 1 to p.
+    iterates: Vec<State>,
+}
+
+impl Marks {
+    fn compute(oscillator: &LinearOscillator, impact: State, loops: u32) -> Result<Self, StudyError> {
+        let failed = |source| StudyError::Map { figure: 9, source };
+        let reset = oscillator.reset::<1>(impact.velocity, impact.phase).value;
+        let recoil = State::on_wall(reset[0], reset[1]);
+        let virtual_point = |from: State| {
+            let landing = virtual_map::<_, 1>(oscillator, from.velocity, from.phase, None)?;
+            Ok((State::at_rest(landing.jet.value[0], landing.jet.value[1]), landing.time))
+        };
+        let (ahead, behind) =
+            (virtual_point(impact).map_err(failed)?, virtual_point(recoil).map_err(failed)?);
+        let mut iterates = Vec::new();
+        let mut last = behind.0;
+        for _ in 0..loops {
+            let landing = global_map::<_, 1>(oscillator, last.position, last.phase, None).map_err(failed)?;
+            last = State::at_rest(landing.jet.value[0], landing.jet.value[1]);
+            iterates.push(last);
+        }
+        Ok(Self { impact, recoil, ahead, behind, iterates })
+    }
+}
+
+impl Figure9 {
+    /// The tables that are written.
+    pub fn tables(&self) -> Vec<Table> {
+        vec![self.curves.clone(), self.points.clone(), self.surfaces.clone()]
+    }
+
+    pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
+        let shown = parameters.fig09();
+        let of = shown.specimen();
+        let oscillator = LinearOscillator::new(of.zeta(), of.epsilon(), of.amplitude(), of.frequency())?;
+        let theory = grazing_theorems::LinearOscillator::new(of.zeta(), of.epsilon())?;
+        let origin = theory.grazing(of.frequency())?.phase();
+        let [velocity, phase] = shown.impact();
+        let marks = Marks::compute(&oscillator, State::on_wall(velocity, origin + phase), shown.loops())?;
+        let space = Space::straight(shown.view());
+        Ok(Self {
+            curves: curves(&space, &oscillator, &marks, shown.position().lower())?,
+            points: points(&space, &marks)?,
+            surfaces: surfaces(&space, shown, origin)?,
+        })
+    }
+}
+
+fn curves(
+    space: &Space,
+    oscillator: &LinearOscillator,
+    marks: &Marks,
+    edge: f64,
+) -> Result<Table, StudyError> {
+    let mut drawn = Drawn::new(space);
+    let from_edge =
+        |state: State| trajectory(oscillator, state, to_level(oscillator, state, false, edge), 0.0);
+    let till_edge =
+        |state: State| trajectory(oscillator, state, 0.0, to_level(oscillator, state, true, edge));
+    drawn.curve("orbit", &from_edge(marks.impact));
+    drawn.curve("virtual", &trajectory(oscillator, marks.impact, 0.0, marks.ahead.1));
+    drawn.curve("reset", &line(marks.impact, marks.recoil));
+    drawn.curve("virtual", &trajectory(oscillator, marks.recoil, marks.behind.1, 0.0));
+    drawn.curve("orbit", &till_edge(marks.recoil));
+    let mut last = marks.behind.0;
+    for (place, &next) in marks.iterates.iter().enumerate() {
+        drawn.curve("global", &line(last, next));
+        let go_on = place + 1 < marks.iterates.len();
+        if next.position > 0.0 {
+            let [edge, wall] = [edge, 0.0].map(|level| to_level(oscillator, next, false, level));
+            drawn.curve("orbit", &trajectory(oscillator, next, edge, wall));
+            drawn.curve("virtual", &trajectory(oscillator, next, wall, 0.0));
+        } else {
+            drawn.curve("orbit", &from_edge(next));
+        }
+        if go_on {
+            drawn.curve(if next.position > 0.0 { "virtual" } else { "orbit" }, &till_edge(next));
+        }
+        last = next;
+    }
+    drawn.finish("fig09_curves")
+}
+
+/// The time from a state near the wall, in either direction of time, to where x has fallen to a level, or to the turning
+/// point if it does not fall so far.
+fn to_level(oscillator: &LinearOscillator, state: State, forwards: bool, level: f64) -> f64 {
+    /// The orbit starts at rest on Π; this share of a period later it moves.
+    const MOMENT: f64 = 1e-3;
+    let motion = oscillator.motion(state);
+    let period = oscillator.forcing_period() * if forwards { 1.0 } else { -1.0 };
+    let moment = if state.velocity == 0.0 { MOMENT * period } else { 0.0 };
+    let there = motion.at(moment);
+    let phase = state.phase + oscillator.frequency() * moment;
+    let moving = State { position: there.position, velocity: there.velocity, phase };
+    let rest = first_rest(&oscillator.motion(moving), forwards, period.abs());
+    let turning = moment + rest.unwrap_or(period);
+    if motion.at(turning).position >= level {
+        return turning;
+    }
+    // Up to the turning point x only falls.
+    let (mut above, mut below) = (0.0, turning);
+    loop {
+        let middle = 0.5 * (above + below);
+        if middle == above || middle == below {
+            return middle;
+        }
+        if motion.at(middle).position >= level {
+            above = middle;
+        } else {
+            below = middle;
+        }
+    }
+}
+
+fn points(space: &Space, marks: &Marks) -> Result<Table, StudyError> {
+    let mut points = Points::new(space);
+    points.point("impact", 0, marks.impact);
+    points.point("recoil", 0, marks.recoil);
+    points.point("virtual", 0, marks.ahead.0);
+    points.point("section", 0, marks.behind.0);
+    for (number, &state) in (1..).zip(&marks.iterates) {
+        points.point("section", number, state);
+    }
+    points.finish("fig09_points")
+}
+
+fn surfaces(space: &Space, shown: &parameters::Figure9, origin: f64) -> Result<Table, StudyError> {
+    let ends = |range: parameters::Range| [range.lower(), range.upper()];
+    let (position, velocity) = (ends(shown.position()), ends(shown.velocity()));
+    let phase = ends(shown.phase()).map(|z| origin + z);
+    let mut drawn = Drawn::new(space);
+    let corners = |end: f64| [(0.0, phase[0]), (end, phase[0]), (end, phase[1]), (0.0, phase[1])];
+    for (kind, end) in [("outgoing", velocity[0]), ("incoming", velocity[1])] {
+        drawn.face(kind, [0.0, end], &outline(corners(end).map(|(y, z)| State::on_wall(y, z))));
+    }
+    for end in position {
+        drawn.face("section", [end, 0.0], &outline(corners(end).map(|(x, z)| State::at_rest(x, z))));
+    }
+    drawn.curve("tangency", &line(State::on_wall(0.0, phase[0]), State::on_wall(0.0, phase[1])));
+    axes(&mut drawn, [position, velocity, phase], phase[0]);
+    drawn.finish("fig09_surfaces")
+}

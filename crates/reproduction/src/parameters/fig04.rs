@@ -1,0 +1,37 @@
+//! `[fig04]`: which boundaries Figure 4 shows.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::ParameterError;
+use super::requirements::requirement;
+use super::source::Source;
+use super::validate::loops;
+
+/// `[fig04]` as it is written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub(super) struct Raw {
+    loops: Spanned<Vec<Spanned<u32>>>,
+}
+
+/// Figure 4: the boundaries g_p and h_p in the trapesium.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure4 {
+    loops: Vec<u32>,
+}
+
+impl Figure4 {
+    /// The numbers of loops p whose boundaries are drawn: at least one, each 2 or more, none twice.
+    pub fn loops(&self) -> &[u32] {
+        &self.loops
+    }
+}
+
+pub(super) fn check(raw: &Raw, source: &Source<'_>) -> Result<Figure4, ParameterError> {
+    let numbers = loops(source, "fig04.loops", &raw.loops)?;
+    if let Some(written) = raw.loops.get_ref().iter().find(|p| *p.get_ref() < 2) {
+        return Err(source.forbid("fig04.loops", written, requirement("fig04.loops").to_owned()));
+    }
+    Ok(Figure4 { loops: numbers })
+}

@@ -1,0 +1,255 @@
+//! Phase space as Figures 1, 3 and 9 show it: projected along parallel rays, and split into layers.
+//!
+//! The scenes hold curves and two surfaces, Σ (x = 0) and Π (y = 0). Both are planes, so what hides what needs no
+//! comparison of depths: seen from anywhere, all that lies beyond Σ is painted before Σ and the rest after it, and
+//! likewise for Π on either side of Σ (a binary space partition with two planes). [`Space::layer`] is that order; curves
+//! are split where they pass from one side to another.
+
+use grazing_model::motion::Motion;
+use grazing_model::{ImpactOscillator, State};
+
+use crate::StudyError;
+use crate::parameters::View;
+use crate::table::{Columns, Table, columns, row};
+
+/// Samples of an orbit per forcing period: segments shorter than a point on the sheet.
+const SAMPLES: f64 = 300.0;
+/// Samples of a line that joins two points.
+const LINE_SAMPLES: u32 = 60;
+
+/// A way to see phase space on a page.
+#[derive(Clone, Debug)]
+pub(crate) struct Space {
+    shape: Shape,
+    stretch: [f64; 3],
+    /// Sine and cosine of the turn and of the tilt.
+    turn: (f64, f64),
+    tilt: (f64, f64),
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Shape {
+    /// x, y and z along straight axes.
+    Straight,
+    /// The phase as an angle: (x, y, z) ↦ ((ρ + x) cos ψ, y, (ρ + x) sin ψ) with ψ = z − z₀ and the radius ρ.
+    ///
+    /// One-to-one for x > −ρ, with z and z + 2π the same place, and right-handed as the straight axes are. Π stays in a
+    /// plane, y = 0.
+    Ring { radius: f64, origin: f64 },
+}
+
+/// A point on the page.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Sight {
+    /// To the right.
+    pub(crate) across: f64,
+    /// Upwards.
+    pub(crate) up: f64,
+    /// Away from the viewer.
+    pub(crate) depth: f64,
+}
+
+impl Space {
+    /// Straight axes.
+    pub(crate) fn straight(view: &View) -> Self {
+        Self::new(view, Shape::Straight)
+    }
+
+    /// The phase as an angle about an axis at distance `radius` from x = 0, measured from `origin`.
+    pub(crate) fn ring(view: &View, radius: f64, origin: f64) -> Self {
+        Self::new(view, Shape::Ring { radius, origin })
+    }
+
+    fn new(view: &View, shape: Shape) -> Self {
+        let turned = |degrees: f64| libm::sincos(degrees.to_radians());
+        Self { shape, stretch: view.stretch(), turn: turned(view.turn()), tilt: turned(view.tilt()) }
+    }
+
+    /// The orthographic projection of a state.
+    ///
+    /// With (X, Y, Z) the place in space, units stretched: turned by α about Y, then tilted by β,
+    /// across = X cos α + Z sin α, up = Y cos β + D sin β, depth = D cos β − Y sin β, where D = X sin α − Z cos α.
+    pub(crate) fn see(&self, state: State) -> Sight {
+        let State { position: x, velocity: y, phase: z } = state;
+        let place = match self.shape {
+            Shape::Straight => [x, y, z],
+            Shape::Ring { radius, origin } => {
+                let (sin, cos) = libm::sincos(z - origin);
+                [(radius + x) * cos, y, (radius + x) * sin]
+            }
+        };
+        let [right, height, front] = [0, 1, 2].map(|k| self.stretch[k] * place[k]);
+        let ((turn_sin, turn_cos), (tilt_sin, tilt_cos)) = (self.turn, self.tilt);
+        let away = right * turn_sin - front * turn_cos;
+        Sight {
+            across: right * turn_cos + front * turn_sin,
+            up: height * tilt_cos + away * tilt_sin,
+            depth: away * tilt_cos - height * tilt_sin,
+        }
+    }
+
+    /// The place in the order of painting, by the signs of x and of y: on a surface where a sign is 0.
+    ///
+    /// Beyond Σ: beyond Π 0, Π 1, before Π 2; Σ 3; before Σ: beyond Π 4, Π 5, before Π 6. On the ring Σ is not shown.
+    pub(crate) fn layer(&self, x: f64, y: f64) -> u32 {
+        // The viewer stands above y = 0, and on the side x < 0 if the scene is turned to the right.
+        let about_section = if y == 0.0 {
+            1
+        } else if y > 0.0 {
+            2
+        } else {
+            0
+        };
+        match self.shape {
+            Shape::Ring { .. } => about_section,
+            Shape::Straight if x == 0.0 => 3,
+            Shape::Straight if x * self.turn.0 < 0.0 => 4 + about_section,
+            Shape::Straight => about_section,
+        }
+    }
+
+    /// The layer of what lies right before a point of a surface: there a mark of the point is painted, after all that ends
+    /// in it.
+    fn layer_before(&self, state: State) -> u32 {
+        let before = |coordinate: f64, side: f64| if coordinate == 0.0 { side } else { coordinate };
+        self.layer(before(state.position, -self.turn.0), before(state.velocity, 1.0))
+    }
+
+    fn layer_between(&self, a: State, b: State) -> u32 {
+        self.layer(0.5 * (a.position + b.position), 0.5 * (a.velocity + b.velocity))
+    }
+}
+
+/// The motion from a state between two times of either sign, sampled, the wall ignored.
+pub(crate) fn trajectory<O: ImpactOscillator>(
+    oscillator: &O,
+    from: State,
+    start: f64,
+    end: f64,
+) -> Vec<State> {
+    let motion = oscillator.motion(from);
+    let frequency = oscillator.forcing_frequency().value;
+    let steps = libm::ceil(SAMPLES * (end - start).abs() / oscillator.forcing_period()).max(8.0);
+    (0..=steps as u32)
+        .map(|k| {
+            let time = start + (end - start) * f64::from(k) / steps;
+            if time == 0.0 {
+                return from;
+            }
+            let here = motion.at(time);
+            State { position: here.position, velocity: here.velocity, phase: from.phase + frequency * time }
+        })
+        .collect()
+}
+
+/// The line between two states in the coordinates x, y and z, sampled.
+pub(crate) fn line(from: State, to: State) -> Vec<State> {
+    (0..=LINE_SAMPLES)
+        .map(|k| {
+            let share = f64::from(k) / f64::from(LINE_SAMPLES);
+            let between = |a: f64, b: f64| if k == LINE_SAMPLES { b } else { a + share * (b - a) };
+            State {
+                position: between(from.position, to.position),
+                velocity: between(from.velocity, to.velocity),
+                phase: between(from.phase, to.phase),
+            }
+        })
+        .collect()
+}
+
+/// The closed outline through corners, without the first one again.
+pub(crate) fn outline(corners: [State; 4]) -> Vec<State> {
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).flat_map(|(&a, &b)| line(a, b).into_iter().take(LINE_SAMPLES as usize)).collect()
+}
+
+/// The curves or the surfaces of a figure, seen from its viewpoint.
+pub(crate) struct Drawn<'a> {
+    space: &'a Space,
+    columns: Columns,
+    number: u32,
+}
+
+impl<'a> Drawn<'a> {
+    pub(crate) fn new(space: &'a Space) -> Self {
+        let columns = columns! {
+            "kind": "", "number": 0, "piece": 0, "layer": 0,
+            "x": 0.0, "y": 0.0, "z": 0.0, "across": 0.0, "up": 0.0, "depth": 0.0,
+        };
+        Self { space, columns, number: 0 }
+    }
+
+    /// A curve, split into pieces where it changes its layer.
+    pub(crate) fn curve(&mut self, kind: &'static str, states: &[State]) {
+        self.number += 1;
+        let layers: Vec<u32> =
+            states.windows(2).map(|pair| self.space.layer_between(pair[0], pair[1])).collect();
+        let (mut start, mut piece) = (0, 0);
+        for end in 1..=layers.len() {
+            if end == layers.len() || layers[end] != layers[start] {
+                piece += 1;
+                for &state in &states[start..=end] {
+                    self.push(kind, piece, layers[start], state);
+                }
+                start = end;
+            }
+        }
+    }
+
+    /// A face of a surface: a closed outline on it, and the signs of x and y over it.
+    pub(crate) fn face(&mut self, kind: &'static str, [x, y]: [f64; 2], outline: &[State]) {
+        self.number += 1;
+        let layer = self.space.layer(x, y);
+        for &state in outline {
+            self.push(kind, 1, layer, state);
+        }
+    }
+
+    fn push(&mut self, kind: &'static str, piece: u32, layer: u32, state: State) {
+        let Sight { across, up, depth } = self.space.see(state);
+        let State { position: x, velocity: y, phase: z } = state;
+        self.columns.push(row![kind, self.number, piece, layer, x, y, z, across, up, depth]);
+    }
+
+    pub(crate) fn finish(self, name: &'static str) -> Result<Table, StudyError> {
+        Ok(self.columns.finish(name)?)
+    }
+}
+
+/// The points of a figure that have names, seen from its viewpoint.
+pub(crate) struct Points<'a> {
+    space: &'a Space,
+    columns: Columns,
+}
+
+impl<'a> Points<'a> {
+    pub(crate) fn new(space: &'a Space) -> Self {
+        let columns = columns! {
+            "kind": "", "number": 0, "layer": 0,
+            "x": 0.0, "y": 0.0, "z": 0.0, "across": 0.0, "up": 0.0, "depth": 0.0,
+        };
+        Self { space, columns }
+    }
+
+    /// A point on Σ or Π.
+    pub(crate) fn point(&mut self, kind: &'static str, number: u32, state: State) {
+        let Sight { across, up, depth } = self.space.see(state);
+        let State { position: x, velocity: y, phase: z } = state;
+        let layer = self.space.layer_before(state);
+        self.columns.push(row![kind, number, layer, x, y, z, across, up, depth]);
+    }
+
+    pub(crate) fn finish(self, name: &'static str) -> Result<Table, StudyError> {
+        Ok(self.columns.finish(name)?)
+    }
+}
+
+/// The three axes along the edges of a box that meet at (0, 0, `origin`), each a little longer than the box.
+pub(crate) fn axes(drawn: &mut Drawn<'_>, [x, y, z]: [[f64; 2]; 3], origin: f64) {
+    /// By how much of the box an axis is longer than it.
+    const OVERSHOOT: f64 = 0.12;
+    let beyond = |[low, high]: [f64; 2]| high + OVERSHOOT * (high - low);
+    drawn.curve("x_axis", &line(State::at_rest(x[0], origin), State::at_rest(beyond(x), origin)));
+    drawn.curve("y_axis", &line(State::on_wall(y[0], origin), State::on_wall(beyond(y), origin)));
+    drawn.curve("z_axis", &line(State::on_wall(0.0, z[0]), State::on_wall(0.0, beyond(z))));
+}
