@@ -103,8 +103,7 @@ impl Sampler<'_> {
                             change: after - value,
                             at: at(),
                             variable: "t",
-                            period: format!("2*pi/omega = t + {period:.6}"),
-                            right: "cos(omega*t) and sin(omega*t) with the frequency omega of motion.frequency, or multiples of it",
+                            period,
                         });
                     }
                 }
@@ -155,8 +154,7 @@ impl Sampler<'_> {
                         change: after - value,
                         at: at(),
                         variable: "z",
-                        period: "2*pi".to_owned(),
-                        right: "cos(z) and sin(z), or of multiples of z",
+                        period: TAU,
                     });
                 }
             }

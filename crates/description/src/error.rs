@@ -7,6 +7,7 @@ use thiserror::Error;
 use toml::Spanned;
 
 use crate::expression::{ExpressionError, Problem};
+use crate::names::variable;
 
 /// The first thing in a description that is not right, and what would be.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -20,7 +21,7 @@ pub enum DescriptionError {
         /// Where it stands.
         place: Place,
         /// What is wrong, and what would be right.
-        problem: Problem,
+        problem: Box<Problem>,
         /// The line of the expression with a mark under what is wrong.
         excerpt: String,
     },
@@ -38,7 +39,8 @@ pub enum DescriptionError {
     },
     /// The frequency is not positive over the ranges.
     #[error(
-        "{place}: the frequency is {value} at {at}: it must be positive over the ranges of both parameters"
+        "{place}: the frequency is {} at {at}: it must be positive over the ranges of both parameters",
+        rounded(*.value)
     )]
     Frequency {
         /// Where the expression stands.
@@ -50,7 +52,8 @@ pub enum DescriptionError {
     },
     /// The restitution is not positive over the ranges.
     #[error(
-        "{place}: the restitution is {value} at {at}: it must be positive, for the rebound to leave the wall"
+        "{place}: the restitution is {} at {at}: it must be positive, for the rebound to leave the wall",
+        rounded(*.value)
     )]
     Restitution {
         /// Where the expression stands.
@@ -62,8 +65,11 @@ pub enum DescriptionError {
     },
     /// An expression has not the period of the forcing.
     #[error(
-        "{place}: not periodic with the forcing: the value changes by {change:.3e} from {at} to {variable} + {period}; \
-         {variable} must enter as {right}"
+        "{place}: not periodic with the forcing: the value changes by {} from {at} over one period, to \
+         {variable} + {}; {variable} must enter as {}",
+        rounded(*.change),
+        rounded(*.period),
+        entry(.variable)
     )]
     Period {
         /// Where the expression stands.
@@ -74,10 +80,8 @@ pub enum DescriptionError {
         at: Point,
         /// The variable that grows by the period, t or z.
         variable: &'static str,
-        /// The period: 2π/ω in t with its value, 2π in z.
-        period: String,
-        /// How the variable must enter.
-        right: &'static str,
+        /// The period: 2π/ω in t, 2π in z.
+        period: f64,
     },
 }
 
@@ -109,12 +113,25 @@ impl std::fmt::Display for Point {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         for (index, (name, value)) in self.0.iter().enumerate() {
             let comma = if index == 0 { "" } else { ", " };
-            // To six digits, without zeros at the end.
-            let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(*value);
-            write!(formatter, "{comma}{name} = {rounded}")?;
+            write!(formatter, "{comma}{name} = {}", rounded(*value))?;
         }
         Ok(())
     }
+}
+
+/// How t or z must enter an expression that has the period of the forcing.
+fn entry(variable: &str) -> &'static str {
+    match variable {
+        "t" => {
+            "cos(omega*t) or sin(omega*t), where omega is the frequency of motion.frequency, or with multiples of omega"
+        }
+        _ => "cos(z) or sin(z), or with multiples of z",
+    }
+}
+
+/// The value to six digits, without zeros at the end.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
 }
 
 impl DescriptionError {
@@ -131,7 +148,14 @@ impl DescriptionError {
             place.line = source.line(text.span().start + start + error.span.start);
         }
         let excerpt = excerpt(text.get_ref(), &error.span);
-        DescriptionError::Expression { place, problem: error.problem.clone(), excerpt }
+        let problem = match error.problem.clone() {
+            Problem::UnknownName { name, nearest, known } => match variable(&name) {
+                Some(meaning) => Problem::NotHere { name, meaning, known },
+                None => Problem::UnknownName { name, nearest, known },
+            },
+            problem => problem,
+        };
+        DescriptionError::Expression { place, problem: Box::new(problem), excerpt }
     }
 }
 
@@ -140,6 +164,9 @@ fn excerpt(text: &str, span: &Range<usize>) -> String {
     let start = text[..span.start].rfind('\n').map_or(0, |newline| newline + 1);
     let end = text[span.start..].find('\n').map_or(text.len(), |length| span.start + length);
     let line = &text[start..end];
+    if line.trim().is_empty() {
+        return "    \"\"\n    ^".to_owned();
+    }
     let before = text[start..span.start].chars().count();
     let marked = text[span.start..span.end.min(end).max(span.start)].chars().count().max(1);
     format!("    {line}\n    {}^{}", " ".repeat(before), "~".repeat(marked - 1))

@@ -13,7 +13,10 @@ pub(crate) const MOST_LOOPS: u32 = 12;
 pub(crate) const REQUIREMENTS: Requirements = Requirements::new(KEYS, "see examples/ for what belongs here");
 
 const KEYS: &[(&str, &str)] = &[
-    ("name", "the name of the oscillator must be a text in quotation marks that is not empty"),
+    (
+        "name",
+        "the name of the oscillator must stand before the first table, as a text in quotation marks that is not empty",
+    ),
     ("parameters", "the table [parameters] holds constants by name, as zeta = 0.02; it may be empty"),
     ("parameters.*", "a constant must be a finite number"),
     ("primary", "the table [primary] holds name and range of the parameter whose grazing value is sought"),
@@ -35,7 +38,7 @@ const KEYS: &[(&str, &str)] = &[
     ("impact", "the table [impact] holds restitution and duration"),
     (
         "impact.restitution",
-        "the restitution must be an expression in y, z and the parameters in quotation marks, as \"0.9\"",
+        "the restitution must be an expression in y, z and the parameters in quotation marks, as \"0.8\"",
     ),
     (
         "impact.duration",

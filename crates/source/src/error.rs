@@ -47,7 +47,8 @@ pub enum SourceError {
     MissingKey {
         /// The file.
         file: String,
-        /// The line, from 1, of the table that lacks the key; the last line for a table that is missing itself.
+        /// The line, from 1, of the table that lacks the key, which is 1 at the top level; the last line for a table that
+        /// is missing itself.
         line: usize,
         /// The key with all that leads to it.
         key: String,

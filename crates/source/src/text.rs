@@ -98,13 +98,25 @@ impl<'a> Source<'a> {
     /// the message's backticks.
     fn explain(&self, error: &toml::de::Error, document: &DeTable<'_>) -> SourceError {
         let span = error.span().unwrap_or(0..0);
-        let path = path_in_table(document, span.start).unwrap_or_default();
+        // What the top level lacks has no place, and the text may begin with a table.
+        let path = if span.is_empty() {
+            String::new()
+        } else {
+            path_in_table(document, span.start).unwrap_or_default()
+        };
         let missing = error.message().strip_prefix("missing field `").and_then(|rest| rest.strip_suffix('`'));
         let Some(name) = missing else {
             return self.forbid_at(&path, span, self.requirements.of(&path).to_owned());
         };
         let key = joined(&path, name);
-        let line = if path.is_empty() { self.text.lines().count().max(1) } else { self.line(span.start) };
+        let line = if !path.is_empty() {
+            self.line(span.start)
+        } else if self.requirements.known_keys(name).is_empty() {
+            // A key of the top level must stand before the first table.
+            1
+        } else {
+            self.text.lines().count().max(1)
+        };
         let allowed = self.requirements.of(&key).to_owned();
         SourceError::MissingKey { file: self.file.to_owned(), line, key, allowed }
     }

@@ -77,9 +77,9 @@ impl Names<'_, '_> {
             ErrorKind::ArgumentCount | ErrorKind::TooManyArguments => {
                 Problem::Arguments { name: written.split('(').next().unwrap_or_default().trim().to_owned() }
             }
-            ErrorKind::Unsupported => {
-                Problem::NotSmooth { what: "a remainder, factorial, comparison or case".to_owned() }
-            }
+            ErrorKind::Unsupported => Problem::NotSmooth {
+                what: format!("{written}, with its remainder, factorial, comparison or case,"),
+            },
             ErrorKind::InvalidNumber => Problem::Number { written },
             ErrorKind::UnclosedParenthesis => Problem::Unclosed,
             ErrorKind::UnexpectedEnd => Problem::End,
@@ -88,19 +88,28 @@ impl Names<'_, '_> {
             ErrorKind::Domain => Problem::Domain { written },
             ErrorKind::Overflow | ErrorKind::Inexact => Problem::TooLarge { written },
             ErrorKind::TooDeep | ErrorKind::TooLong => Problem::TooDeep { most: MOST_DEPTH },
-            _ if operator_is_missing(text, span.start) => Problem::OperatorMissing,
-            _ => Problem::Unexpected { written },
+            _ if !value_ends_before(text, span.start) => {
+                Problem::Unexpected { written, expected: "a number, a name, a function or (" }
+            }
+            _ if written == ")" => Problem::Unopened,
+            _ if value_begins(&written) => Problem::OperatorMissing,
+            _ => Problem::Unexpected { written, expected: "an operator or the end" },
         }
     }
 }
 
-/// Whether a value ends before this place and another begins at it.
-fn operator_is_missing(text: &str, position: usize) -> bool {
-    let is_value = |character: char| character.is_alphanumeric() || character == '_' || character == '.';
-    let before = text[..position].trim_end().chars().next_back();
-    let after = text[position..].chars().next();
-    before.is_some_and(|character| is_value(character) || character == ')')
-        && after.is_some_and(|character| is_value(character) || character == '(')
+/// Whether a number, a name or a parenthesis ends right before this place.
+fn value_ends_before(text: &str, position: usize) -> bool {
+    text[..position].trim_end().ends_with(|character| is_value(character) || character == ')')
+}
+
+/// Whether a number, a name or a parenthesis begins with this.
+fn value_begins(text: &str) -> bool {
+    text.starts_with(|character| is_value(character) || character == '(')
+}
+
+fn is_value(character: char) -> bool {
+    character.is_alphanumeric() || character == '_' || character == '.'
 }
 
 /// The expression with the numbers of the variables that its text names.

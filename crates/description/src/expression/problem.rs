@@ -29,6 +29,16 @@ pub enum Problem {
         /// All names that are known in this place.
         known: Vec<String>,
     },
+    /// The name of a variable that this expression cannot depend on.
+    #[error("{name}, {meaning}, cannot be used here. Known here: {}", known.join(", "))]
+    NotHere {
+        /// The name.
+        name: String,
+        /// What it means where it can be used.
+        meaning: &'static str,
+        /// All names that are known in this place.
+        known: Vec<String>,
+    },
     /// A function that is not known.
     #[error("unknown function {name}: did you mean `{nearest}`? Known: {}", list())]
     UnknownFunction {
@@ -68,10 +78,12 @@ pub enum Problem {
     #[error("an operator is missing here: products are written with *, as in 2*x")]
     OperatorMissing,
     /// Something that cannot stand there.
-    #[error("{written} cannot stand here: a number, a name, a function or ( is expected")]
+    #[error("{written} cannot stand here: {expected} is expected")]
     Unexpected {
         /// What stands there.
         written: String,
+        /// What could.
+        expected: &'static str,
     },
     /// A character that means nothing.
     #[error(
@@ -91,6 +103,9 @@ pub enum Problem {
     /// A parenthesis that is not closed.
     #[error("this parenthesis is not closed: a ) is missing")]
     Unclosed,
+    /// A parenthesis that closes nothing.
+    #[error("this parenthesis closes nothing: a ( is missing before it, or the ) is one too many")]
+    Unopened,
     /// The text ends too early.
     #[error("the expression ends too early: a number, a name, a function or ( is expected")]
     End,
