@@ -12,8 +12,8 @@
 //!
 //! # The tape
 //! Constants are folded while the text is read, equal parts become one node, and whole powers are products. What is left is
-//! a short list of instructions on a few registers, which [`Expression::evaluate`] runs over plain numbers,
-//! jets or intervals alike; up to [`MOST_REGISTERS_ON_STACK`] registers it allocates nothing.
+//! a short list of instructions on a few values, which [`Expression::evaluate`] runs over plain numbers,
+//! jets or intervals alike; with up to [`MOST_VALUES_ON_STACK`] values at a time it allocates nothing.
 
 mod function;
 mod graph;
@@ -29,10 +29,11 @@ pub(crate) use function::is_function;
 use graph::Node;
 pub use problem::{ExpressionError, Problem};
 
-/// The most registers that an evaluation keeps on the stack; an expression that needs more of them allocates.
+/// The most values, those of the variables and those that wait for their use, that an evaluation keeps on the stack; an
+/// expression that needs more of them allocates.
 ///
-/// A register is a value that waits for its use: even (1 + x)(2 + x)…, written out, needs but two at a time.
-pub const MOST_REGISTERS_ON_STACK: usize = 32;
+/// Few values wait at a time: in (1 + x)(2 + x)(3 + x)…, written out, never more than two.
+pub const MOST_VALUES_ON_STACK: usize = 32;
 
 /// An expression in variables that are known by name and number.
 ///
@@ -46,24 +47,22 @@ struct Tape {
     /// All parts of the expression, each after those it is made of; the last one is the whole.
     nodes: Vec<Node>,
     instructions: Vec<Instruction>,
-    registers: usize,
-    result: Place,
+    /// The number of slots: the variables come first.
+    slots: usize,
+    /// The slot of the result.
+    result: Slot,
 }
 
-/// Where an operand stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Place {
-    Register(u32),
-    Variable(u32),
-}
+/// The number of a value while an expression is evaluated.
+type Slot = u32;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Instruction {
-    operation: Operation<Place>,
-    target: u32,
+    operation: Operation<Slot>,
+    target: Slot,
 }
 
-/// An operation on operands of some kind: nodes in the graph, places on the tape.
+/// An operation on operands that are given by number: of a node in the graph, of a slot on the tape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Operation<P> {
     Constant(f64),
@@ -117,13 +116,10 @@ impl<P: Copy> Operation<P> {
     }
 }
 
-impl Operation<Place> {
+impl Operation<Slot> {
     #[inline]
-    fn compute<S: Scalar>(&self, variables: &[S], registers: &[S]) -> S {
-        let get = |place: Place| match place {
-            Place::Register(index) => registers[index as usize],
-            Place::Variable(index) => variables[index as usize],
-        };
+    fn compute<S: Scalar>(&self, slots: &[S]) -> S {
+        let get = |slot: Slot| slots[slot as usize];
         match *self {
             Operation::Constant(value) => S::constant(value),
             Operation::Add(a, b) => get(a) + get(b),
@@ -134,6 +130,7 @@ impl Operation<Place> {
             Operation::Scale(a, value) => get(a).scale(value),
             Operation::Divide(a, b) => get(a) / get(b),
             Operation::Square(a) => get(a).square(),
+            Operation::Power(a, 3) => get(a).square() * get(a),
             Operation::Power(a, exponent) => get(a).power(exponent),
             Operation::Apply(function, a) => get(a).apply(function),
         }
@@ -175,9 +172,9 @@ impl Expression {
         self.0.instructions.len()
     }
 
-    /// The number of values that wait for their use at most at one time.
-    pub fn registers(&self) -> usize {
-        self.0.registers
+    /// The most values that there are at one time: those of the variables and those that wait for their use.
+    pub fn values(&self) -> usize {
+        self.0.slots
     }
 
     /// The value at these values of the variables, in the order of [`Expression::variables`].
@@ -186,25 +183,17 @@ impl Expression {
     /// With fewer values than variables.
     #[inline]
     pub fn evaluate<S: Scalar>(&self, variables: &[S]) -> S {
-        assert!(variables.len() >= self.0.variables.len(), "a value for every variable");
-        match self.0.registers {
-            0..=4 => self.run(variables, &mut [S::constant(0.0); 4]),
-            5..=8 => self.run(variables, &mut [S::constant(0.0); 8]),
-            9..=MOST_REGISTERS_ON_STACK => {
-                self.run(variables, &mut [S::constant(0.0); MOST_REGISTERS_ON_STACK])
+        let tape = &*self.0;
+        let variables = &variables[..tape.variables.len()];
+        match tape.slots {
+            0..=8 => tape.run(&mut on_stack::<S, 8>(variables)),
+            9..=16 => tape.run(&mut on_stack::<S, 16>(variables)),
+            17..=MOST_VALUES_ON_STACK => tape.run(&mut on_stack::<S, MOST_VALUES_ON_STACK>(variables)),
+            more => {
+                let mut slots = vec![S::constant(0.0); more];
+                slots[..variables.len()].copy_from_slice(variables);
+                tape.run(&mut slots)
             }
-            more => self.run(variables, &mut vec![S::constant(0.0); more]),
-        }
-    }
-
-    #[inline]
-    fn run<S: Scalar>(&self, variables: &[S], registers: &mut [S]) -> S {
-        for instruction in &self.0.instructions {
-            registers[instruction.target as usize] = instruction.operation.compute(variables, registers);
-        }
-        match self.0.result {
-            Place::Register(index) => registers[index as usize],
-            Place::Variable(index) => variables[index as usize],
         }
     }
 
@@ -219,36 +208,56 @@ impl Expression {
                 last_use[b] = index;
             }
         }
-        let mut places: Vec<Place> = Vec::with_capacity(nodes.len());
+        let mut slots: Vec<Slot> = Vec::with_capacity(nodes.len());
         let mut free = Vec::new();
-        let mut registers = 0;
+        let mut count = variables.len() as Slot;
         let mut instructions = Vec::new();
         for (index, node) in nodes.iter().enumerate() {
             let operation = match node {
                 Node::Variable(number) => {
-                    places.push(Place::Variable(*number as u32));
+                    slots.push(*number as Slot);
                     continue;
                 }
                 Node::Operation(operation) => operation,
             };
             if let Some((a, b)) = operation.operands() {
-                for (operand, repeated) in [(a, false), (b, a == b)] {
-                    if let Place::Register(register) = places[operand]
-                        && last_use[operand] == index
-                        && !repeated
-                    {
-                        free.push(register);
+                let mut release = |operand: usize| {
+                    let is_variable = matches!(nodes[operand], Node::Variable(_));
+                    if last_use[operand] == index && !is_variable {
+                        free.push(slots[operand]);
                     }
+                };
+                release(a);
+                if a != b {
+                    release(b);
                 }
             }
             let target = free.pop().unwrap_or_else(|| {
-                registers += 1;
-                registers - 1
+                count += 1;
+                count - 1
             });
-            instructions.push(Instruction { operation: operation.on(|operand| places[operand]), target });
-            places.push(Place::Register(target));
+            instructions.push(Instruction { operation: operation.on(|operand| slots[operand]), target });
+            slots.push(target);
         }
-        let result = *places.last().expect("an expression has at least one part");
-        Expression(Arc::new(Tape { variables, nodes, instructions, registers: registers as usize, result }))
+        let result = *slots.last().expect("an expression has at least one part");
+        Expression(Arc::new(Tape { variables, nodes, instructions, slots: count as usize, result }))
     }
+}
+
+impl Tape {
+    #[inline]
+    fn run<S: Scalar>(&self, slots: &mut [S]) -> S {
+        for instruction in &self.instructions {
+            slots[instruction.target as usize] = instruction.operation.compute(slots);
+        }
+        slots[self.result as usize]
+    }
+}
+
+/// As many slots, with the variables in the first ones.
+#[inline]
+fn on_stack<S: Scalar, const SLOTS: usize>(variables: &[S]) -> [S; SLOTS] {
+    let mut slots = [S::constant(0.0); SLOTS];
+    slots[..variables.len()].copy_from_slice(variables);
+    slots
 }

@@ -47,4 +47,4 @@ mod validate;
 
 pub use description::{Axis, Description};
 pub use error::{DescriptionError, Place, Point};
-pub use expression::{Expression, ExpressionError, MOST_REGISTERS_ON_STACK, Problem};
+pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK, Problem};

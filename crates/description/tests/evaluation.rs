@@ -1,6 +1,6 @@
 //! What expressions evaluate to, against the same formulas in Rust.
 
-use grazing_description::{Expression, MOST_REGISTERS_ON_STACK};
+use grazing_description::{Expression, MOST_VALUES_ON_STACK};
 
 /// Points that no symmetry relates; positive, for roots and logarithms.
 fn points() -> impl Iterator<Item = [f64; 3]> {
@@ -125,8 +125,8 @@ fn powers_beyond_the_third_are_right_for_negative_bases() {
 }
 
 #[test]
-fn many_registers_are_right_as_well() {
-    // A balanced tree of sums of depth d needs d + 1 registers when read from the left.
+fn many_values_at_a_time_are_right_as_well() {
+    // A balanced tree of sums of depth d needs d + 1 values beside its variables.
     fn tree(depth: u32, leaf: &mut u32) -> String {
         if depth == 0 {
             *leaf += 1;
@@ -145,13 +145,13 @@ fn many_registers_are_right_as_well() {
         let got = expression.evaluate(&[0.3, 0.0, 0.0]);
         // At most 512 terms below one.
         assert!((got - wanted).abs() <= 512.0 * f64::EPSILON, "{depth}: {got} != {wanted}");
-        assert_eq!(expression.registers(), depth as usize + 1);
+        assert_eq!(expression.values(), 3 + depth as usize + 1);
     }
     // Each of these waits until the last line: more than are kept on the stack.
-    let count = MOST_REGISTERS_ON_STACK + 5;
+    let count = MOST_VALUES_ON_STACK + 5;
     let sum = |sign: &str| (1..=count).map(|i| format!("sin({i}*x)")).collect::<Vec<_>>().join(sign);
     let expression = parse(&format!("({})*({})", sum(" + "), sum(" - ")));
-    assert!(expression.registers() > MOST_REGISTERS_ON_STACK, "{}", expression.registers());
+    assert!(expression.values() > MOST_VALUES_ON_STACK, "{}", expression.values());
     let terms: Vec<f64> = (1..=count).map(|i| libm::sin(i as f64 * 0.3)).collect();
     let plus: f64 = terms.iter().sum();
     let minus = 2.0 * terms[0] - plus;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use grazing_description::{Description, MOST_REGISTERS_ON_STACK};
+use grazing_description::{Description, MOST_VALUES_ON_STACK};
 use grazing_model::smooth::{Integrated, SmoothOscillator};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 
@@ -33,7 +33,7 @@ fn every_example_loads_and_is_evaluated_without_allocation() {
             description.restitution_expression(),
             description.duration_expression(),
         ] {
-            assert!(expression.registers() <= MOST_REGISTERS_ON_STACK, "{}: {expression}", path.display());
+            assert!(expression.values() <= MOST_VALUES_ON_STACK, "{}: {expression}", path.display());
         }
         examples += 1;
     }
