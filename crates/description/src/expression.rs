@@ -11,10 +11,12 @@
 //! large; fasteval and meval have had no release for years; evalexpr is under the AGPL.
 //!
 //! # The tape
-//! Constants are folded while the text is read, equal parts become one node, and whole powers are products. What is left is
+//! Constants are folded while the text is read, equal parts become one node, whole powers are products, and a sum with all
+//! its constant factors is one instruction, for choosing the next instruction takes longer than arithmetic. What is left is
 //! a short list of instructions on a few values, which [`Expression::evaluate`] runs over plain numbers,
 //! jets or intervals alike; with up to [`MOST_VALUES_ON_STACK`] values at a time it allocates nothing.
 
+mod assemble;
 mod function;
 mod graph;
 mod parse;
@@ -47,6 +49,8 @@ struct Tape {
     /// All parts of the expression, each after those it is made of; the last one is the whole.
     nodes: Vec<Node>,
     instructions: Vec<Instruction>,
+    /// The terms of all sums.
+    terms: Vec<(f64, Slot)>,
     /// The number of slots: the variables come first.
     slots: usize,
     /// The slot of the result.
@@ -58,8 +62,20 @@ type Slot = u32;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Instruction {
-    operation: Operation<Slot>,
+    step: Step,
     target: Slot,
+}
+
+/// What one instruction computes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Step {
+    Plain(Operation<Slot>),
+    /// A constant and slots times numbers, which stand in the list of terms from `start` to before `end`.
+    Sum {
+        start: u32,
+        end: u32,
+        constant: f64,
+    },
 }
 
 /// An operation on operands that are given by number: of a node in the graph, of a slot on the tape.
@@ -196,62 +212,30 @@ impl Expression {
             }
         }
     }
-
-    /// The tape of nodes of which each stands after those it is made of, and the last one is the whole.
-    fn assemble(variables: Vec<String>, nodes: Vec<Node>) -> Expression {
-        let mut last_use = vec![usize::MAX; nodes.len()];
-        for (index, node) in nodes.iter().enumerate() {
-            if let Node::Operation(operation) = node
-                && let Some((a, b)) = operation.operands()
-            {
-                last_use[a] = index;
-                last_use[b] = index;
-            }
-        }
-        let mut slots: Vec<Slot> = Vec::with_capacity(nodes.len());
-        let mut free = Vec::new();
-        let mut count = variables.len() as Slot;
-        let mut instructions = Vec::new();
-        for (index, node) in nodes.iter().enumerate() {
-            let operation = match node {
-                Node::Variable(number) => {
-                    slots.push(*number as Slot);
-                    continue;
-                }
-                Node::Operation(operation) => operation,
-            };
-            if let Some((a, b)) = operation.operands() {
-                let mut release = |operand: usize| {
-                    let is_variable = matches!(nodes[operand], Node::Variable(_));
-                    if last_use[operand] == index && !is_variable {
-                        free.push(slots[operand]);
-                    }
-                };
-                release(a);
-                if a != b {
-                    release(b);
-                }
-            }
-            let target = free.pop().unwrap_or_else(|| {
-                count += 1;
-                count - 1
-            });
-            instructions.push(Instruction { operation: operation.on(|operand| slots[operand]), target });
-            slots.push(target);
-        }
-        let result = *slots.last().expect("an expression has at least one part");
-        Expression(Arc::new(Tape { variables, nodes, instructions, slots: count as usize, result }))
-    }
 }
 
 impl Tape {
     #[inline]
     fn run<S: Scalar>(&self, slots: &mut [S]) -> S {
         for instruction in &self.instructions {
-            slots[instruction.target as usize] = instruction.operation.compute(slots);
+            slots[instruction.target as usize] = match instruction.step {
+                Step::Plain(operation) => operation.compute(slots),
+                Step::Sum { start, end, constant } => {
+                    let terms = &self.terms[start as usize..end as usize];
+                    sum(terms, slots) + S::constant(constant)
+                }
+            };
         }
         slots[self.result as usize]
     }
+}
+
+/// The sum of slots times numbers; there is at least one.
+#[inline]
+fn sum<S: Scalar>(terms: &[(f64, Slot)], slots: &[S]) -> S {
+    // Factors of one and minus one change no bit, and no branch is faster than one that is guessed wrong.
+    let product = |(factor, slot): (f64, Slot)| slots[slot as usize].scale(factor);
+    terms[1..].iter().fold(product(terms[0]), |sum, &term| sum + product(term))
 }
 
 /// As many slots, with the variables in the first ones.

@@ -7,9 +7,9 @@ use std::ops::Range;
 use grazing_source::nearest;
 use nanoexpr::{Context, ErrorKind, Evaluator};
 
-use super::function;
 use super::graph::{Graph, Term, parts};
 use super::{Expression, ExpressionError, Problem};
+use super::{assemble, function};
 
 /// Parentheses in parentheses beyond which nobody can read an expression.
 const MOST_DEPTH: usize = 100;
@@ -126,6 +126,6 @@ pub(super) fn expression(
             ExpressionError { problem: names.problem(text, error.kind, span.clone()), span }
         })?;
     let variables = variables.iter().map(|&name| name.to_owned()).collect();
-    let expression = Expression::assemble(variables, parts(term));
+    let expression = assemble::expression(variables, parts(term));
     Ok((expression, names.uses.into_inner()))
 }
