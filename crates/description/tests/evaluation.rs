@@ -42,6 +42,9 @@ fn expressions_evaluate_as_the_same_formulas_in_rust() {
         ("x^-2 + v^0.5 + t^7", |x, v, t| 1.0 / (x * x) + v.sqrt() + libm::pow(t, 7.0)),
         ("2*pi*x/(1 - 3*v)", |x, v, _| 2.0 * std::f64::consts::PI * x / (1.0 - 3.0 * v)),
         ("5 - x - (v - t)", |x, v, t| 5.0 - x - (v - t)),
+        ("(x + v) + (x + v) - ((t - 1) - (t - 1))", |x, v, _| 2.0 * (x + v)),
+        ("2*x - 2*x + (-v) - (-v) + 3*t", |_, _, t| 3.0 * t),
+        ("(x - v)*(x - v + t)/(1 + (x - v)^2)", |x, v, t| (x - v) * (x - v + t) / (1.0 + (x - v) * (x - v))),
     ];
     for (text, formula) in formulas {
         let expression = parse(text);

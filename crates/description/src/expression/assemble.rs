@@ -86,7 +86,14 @@ fn plans(nodes: &[Node]) -> Vec<Plan> {
             && let Some((a, b)) = operation.operands()
         {
             uses[a] += 1;
-            uses[b] += u32::from(a != b);
+            let two = matches!(
+                operation,
+                Operation::Add(..)
+                    | Operation::Subtract(..)
+                    | Operation::Multiply(..)
+                    | Operation::Divide(..)
+            );
+            uses[b] += u32::from(two);
         }
     }
     let parts = Parts { nodes, uses };
