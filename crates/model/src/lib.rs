@@ -14,6 +14,7 @@ pub mod maps;
 pub mod motion;
 pub mod orbit;
 mod oscillator;
+pub mod smooth;
 
 pub use jet::{FlowJet, MapJet, ParameterJet, flow_variable};
 pub use linear::{LinearMotion, LinearOscillator, OscillatorError};

@@ -4,7 +4,6 @@
 //! not ask again. `figures/parameters.toml` is the file of the paper's figures; nothing has a hidden default.
 //! All quantities are dimensionless.
 
-mod error;
 mod fig04;
 mod fig05;
 mod fig06;
@@ -12,17 +11,17 @@ mod fig10;
 mod range;
 mod raw;
 mod requirements;
-mod source;
 mod space;
 mod validate;
 
 use std::path::Path;
 
-pub use error::ParameterError;
 pub use fig04::Figure4;
 pub use fig05::Figure5;
 pub use fig06::Figure6;
 pub use fig10::Figure10;
+/// The first thing in a parameter file that is not right, and what would be.
+pub use grazing_source::SourceError as ParameterError;
 pub use range::{Range, Rectangle};
 pub use space::{Arrival, Figure1, Figure3, Figure9, Specimen, View};
 
@@ -61,7 +60,7 @@ impl Parameters {
     /// # Errors
     /// [`ParameterError`], the first thing in the text that is not right, with its line.
     pub fn parse(text: &str, file: &str) -> Result<Parameters, ParameterError> {
-        let source = source::Source::new(text, file);
+        let source = grazing_source::Source::new(text, file, requirements::REQUIREMENTS);
         validate::parameters(source.read()?, &source)
     }
 

@@ -5,8 +5,8 @@ use toml::Spanned;
 
 use super::ParameterError;
 use super::requirements::requirement;
-use super::source::Source;
 use super::validate::loops;
+use grazing_source::Source;
 
 /// `[fig04]` as it is written.
 #[derive(Deserialize)]

@@ -5,9 +5,9 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::requirements::{MOST_LOOPS, MOST_N, requirement};
-use super::source::Source;
 use super::validate::{demand, range};
 use super::{ParameterError, Range};
+use grazing_source::Source;
 
 /// `[fig05]` as it is written.
 #[derive(Deserialize)]

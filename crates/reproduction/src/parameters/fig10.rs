@@ -6,8 +6,8 @@ use toml::Spanned;
 
 use super::ParameterError;
 use super::requirements::MOST_LOOPS;
-use super::source::Source;
 use super::validate::demand;
+use grazing_source::Source;
 
 /// `[fig10]` as it is written.
 #[derive(Deserialize)]

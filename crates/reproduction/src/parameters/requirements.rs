@@ -1,5 +1,7 @@
 //! What each key of the parameter file must hold, in words for whoever has to mend one.
 
+use grazing_source::Requirements;
+
 /// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are not told apart.
 pub(super) const MOST_LOOPS: u32 = 12;
 /// The largest integer n of a resonance; its frequency is already below a twentieth of the natural one.
@@ -21,8 +23,12 @@ pub(super) const MOST_PERIODS: u32 = 1_000_000;
 /// The most forcing periods of all orbits together, about a minute of computation.
 pub(super) const MOST_PERIODS_IN_ALL: u64 = 200_000_000;
 
+/// The requirements of a parameter file.
+pub(super) const REQUIREMENTS: Requirements =
+    Requirements::new(KEYS, "see figures/parameters.toml for what belongs here");
+
 /// Every key with its requirement; members of lists of tables without their number.
-const REQUIREMENTS: &[(&str, &str)] = &[
+const KEYS: &[(&str, &str)] = &[
     ("oscillator", "the table [oscillator] holds zeta and epsilon"),
     ("oscillator.zeta", ZETA),
     ("oscillator.epsilon", EPSILON),
@@ -165,28 +171,7 @@ const LOOPS: &str =
 
 /// What the key must hold; the numbers of list members in the key do not matter.
 pub(super) fn requirement(key: &str) -> &'static str {
-    let plain = without_numbers(key);
-    REQUIREMENTS
-        .iter()
-        .find(|(known, _)| *known == plain)
-        .map_or("see figures/parameters.toml for what belongs here", |(_, requirement)| requirement)
-}
-
-/// The keys that are known in a table, in the order of the file; the top level is the table with the empty name.
-pub(super) fn known_keys(table: &str) -> Vec<&'static str> {
-    let plain = without_numbers(table);
-    REQUIREMENTS
-        .iter()
-        .filter_map(|(known, _)| match known.rsplit_once('.') {
-            Some((parent, name)) => (parent == plain).then_some(name),
-            None => plain.is_empty().then_some(*known),
-        })
-        .collect()
-}
-
-/// `fig08.panels` for `fig08.panels[2]`.
-fn without_numbers(key: &str) -> String {
-    key.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
+    REQUIREMENTS.of(key)
 }
 
 #[cfg(test)]
@@ -218,7 +203,7 @@ mod tests {
     fn the_known_keys_of_a_table_are_its_own_only() {
         let figures = (1..=10).map(|number| format!("fig{number:02}"));
         let tables: Vec<String> = ["oscillator".to_owned()].into_iter().chain(figures).collect();
-        assert_eq!(known_keys(""), tables);
-        assert_eq!(known_keys("fig08.panels[3]"), ["loops", "n", "amplitude", "frequency"]);
+        assert_eq!(REQUIREMENTS.known_keys(""), tables);
+        assert_eq!(REQUIREMENTS.known_keys("fig08.panels[3]"), ["loops", "n", "amplitude", "frequency"]);
     }
 }

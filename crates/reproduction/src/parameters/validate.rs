@@ -7,16 +7,16 @@ use std::ops::RangeInclusive;
 use grazing_theorems::{LinearOscillator, Resonance, TheoryError};
 use toml::Spanned;
 
-use super::error::ParameterError;
+use super::ParameterError;
 use super::range::{Range, Rectangle};
 use super::raw;
 use super::requirements::{
     MOST_AMPLITUDES, MOST_LOOPS, MOST_N, MOST_ORBITS, MOST_PERIODS, MOST_PERIODS_IN_ALL, MOST_PORTRAITS,
     PANELS, requirement,
 };
-use super::source::Source;
 use super::{Attractor, Figure2, Figure7, Figure8, Panel, Parameters, Portrait};
 use super::{fig04, fig05, fig06, fig10};
+use grazing_source::Source;
 
 type Checked<T> = Result<T, ParameterError>;
 

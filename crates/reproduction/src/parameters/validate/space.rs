@@ -8,8 +8,8 @@ use super::{Checked, bound_members, demand, range};
 use crate::parameters::range::Range;
 use crate::parameters::raw;
 use crate::parameters::requirements::{MOST_ARRIVALS, requirement};
-use crate::parameters::source::Source;
 use crate::parameters::space::{Arrival, Figure1, Figure3, Figure9, Specimen, View};
+use grazing_source::Source;
 
 /// Gamma is two units of x wide; a ring with a smaller radius would overlap itself.
 const LEAST_RADIUS: f64 = 2.0;

@@ -1,13 +1,13 @@
-//! What can be wrong with a parameter file.
+//! What can be wrong with a file.
 
 use thiserror::Error;
 
-/// The first thing in a parameter file that is not right, and what would be.
+/// The first thing in a file that is not right, and what would be.
 ///
 /// Keys are written with dots, members of a list of tables counted from 1: `fig08.panels[2].loops`. Values are given as
 /// the file writes them.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub enum ParameterError {
+pub enum SourceError {
     /// The file is not there, is no text, or may not be read.
     #[error("{file}: cannot be read: {reason}")]
     Unreadable {
@@ -47,7 +47,8 @@ pub enum ParameterError {
     MissingKey {
         /// The file.
         file: String,
-        /// The line, from 1, of the table that lacks the key; the last line for a table that is missing itself.
+        /// The line, from 1, of the table that lacks the key, which is 1 at the top level; the last line for a table that
+        /// is missing itself.
         line: usize,
         /// The key with all that leads to it.
         key: String,

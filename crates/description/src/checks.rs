@@ -1,0 +1,164 @@
+//! Checks at samples of the ranges: what the theorems assume of F, ω, Φ and Ψ.
+//!
+//! A sample proves nothing, but a wrong sign, a pole in the range or a forgotten factor shows at almost every point.
+
+use std::f64::consts::TAU;
+
+use grazing_model::smooth::SmoothOscillator;
+use grazing_source::Source;
+use toml::Spanned;
+
+use crate::description::Description;
+use crate::error::{DescriptionError, Place, Point};
+use crate::file::File;
+
+/// Points along the range of either parameter, both ends included.
+const ALONG: u32 = 7;
+/// Positions and velocities at which the force is sampled; empirical, for quantities of the order of one.
+const POSITIONS: [f64; 3] = [-1.0, -0.37, 0.0];
+const VELOCITIES: [f64; 3] = [-0.83, 0.0, 0.61];
+/// Impact velocities at which the reset law is sampled: the theorems are about slow impacts.
+const IMPACT_VELOCITIES: [f64; 5] = [0.0, 0.01, 0.1, 0.5, 1.0];
+/// Phases, as shares of the period, that no symmetry relates.
+const SHARES: [f64; 5] = [0.0, 0.137, 0.361, 0.592, 0.823];
+/// The relative change over one period that rounding may cause: the phase's error, a few units in the last place, is
+/// magnified by the derivative with respect to it, which is far below 1e6 for any forcing whose period could be resolved.
+const ROUNDING: f64 = 1e-9;
+
+type Checked = Result<(), DescriptionError>;
+
+/// Checks frequency, force and reset law at samples, in the order of the file.
+pub(crate) fn samples(description: &Description, raw: &File, source: &Source<'_>) -> Checked {
+    let sampler = Sampler { description, source };
+    let parameters = sampler.parameters();
+    for &parameters in &parameters {
+        sampler.frequency(&raw.motion.frequency, parameters)?;
+    }
+    for &parameters in &parameters {
+        sampler.force(&raw.motion.force, parameters)?;
+    }
+    for &parameters in &parameters {
+        sampler.restitution(&raw.impact.restitution, parameters)?;
+    }
+    for &parameters in &parameters {
+        sampler.duration(&raw.impact.duration, parameters)?;
+    }
+    Ok(())
+}
+
+struct Sampler<'a> {
+    description: &'a Description,
+    source: &'a Source<'a>,
+}
+
+impl Sampler<'_> {
+    fn parameters(&self) -> Vec<[f64; 2]> {
+        let along = |[lower, upper]: [f64; 2]| {
+            (0..ALONG).map(move |i| {
+                let share = f64::from(i) / f64::from(ALONG - 1);
+                lower * (1.0 - share) + upper * share
+            })
+        };
+        let primary = self.description.primary().range();
+        along(self.description.secondary().range())
+            .flat_map(|eta| along(primary).map(move |mu| [mu, eta]))
+            .collect()
+    }
+
+    /// The parameters and more variables by name.
+    fn point(&self, [mu, eta]: [f64; 2], variables: &[(&str, f64)]) -> Point {
+        let axes = [(self.description.primary().name(), mu), (self.description.secondary().name(), eta)];
+        Point(axes.iter().chain(variables).map(|&(name, value)| (name.to_owned(), value)).collect())
+    }
+
+    fn frequency(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
+        let place = || Place::new(self.source, "motion.frequency", text);
+        let value = self.description.forcing_frequency(mu, eta);
+        let at = || self.point([mu, eta], &[]);
+        if !value.is_finite() {
+            return Err(DescriptionError::NotFinite { place: place(), value, at: at() });
+        }
+        if value <= 0.0 {
+            return Err(DescriptionError::Frequency { place: place(), value, at: at() });
+        }
+        Ok(())
+    }
+
+    fn force(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
+        let place = || Place::new(self.source, "motion.force", text);
+        let period = TAU / self.description.forcing_frequency(mu, eta);
+        for x in POSITIONS {
+            for v in VELOCITIES {
+                for t in SHARES.map(|share| share * period) {
+                    let force = |t| self.description.force(x, v, t, mu, eta);
+                    let at = || self.point([mu, eta], &[("x", x), ("v", v), ("t", t)]);
+                    let (value, after) = (force(t), force(t + period));
+                    // The wall is at x = 0; far from it a force may have its poles.
+                    if !value.is_finite() && x == 0.0 {
+                        return Err(DescriptionError::NotFinite { place: place(), value, at: at() });
+                    }
+                    if (after - value).abs() > ROUNDING * (1.0 + value.abs()) {
+                        return Err(DescriptionError::Period {
+                            place: place(),
+                            change: after - value,
+                            at: at(),
+                            variable: "t",
+                            period,
+                        });
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn restitution(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
+        let place = || Place::new(self.source, "impact.restitution", text);
+        self.reset(
+            "impact.restitution",
+            text,
+            [mu, eta],
+            |y, z| self.description.restitution(y, z, mu, eta),
+            |value, at| (value <= 0.0).then(|| DescriptionError::Restitution { place: place(), value, at }),
+        )
+    }
+
+    fn duration(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
+        let duration = |y, z| self.description.impact_duration(y, z, mu, eta);
+        self.reset("impact.duration", text, [mu, eta], duration, |_, _| None)
+    }
+
+    /// Checks a function of the reset law: finite, 2π-periodic in z, and whatever `wrong` finds of a value.
+    fn reset(
+        &self,
+        key: &'static str,
+        text: &Spanned<String>,
+        parameters: [f64; 2],
+        function: impl Fn(f64, f64) -> f64,
+        wrong: impl Fn(f64, Point) -> Option<DescriptionError>,
+    ) -> Checked {
+        let place = || Place::new(self.source, key, text);
+        for y in IMPACT_VELOCITIES {
+            for z in SHARES.map(|share| share * TAU) {
+                let at = || self.point(parameters, &[("y", y), ("z", z)]);
+                let (value, after) = (function(y, z), function(y, z + TAU));
+                if !value.is_finite() {
+                    return Err(DescriptionError::NotFinite { place: place(), value, at: at() });
+                }
+                if let Some(error) = wrong(value, at()) {
+                    return Err(error);
+                }
+                if (after - value).abs() > ROUNDING * (1.0 + value.abs()) {
+                    return Err(DescriptionError::Period {
+                        place: place(),
+                        change: after - value,
+                        at: at(),
+                        variable: "z",
+                        period: TAU,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+}

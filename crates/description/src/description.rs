@@ -1,0 +1,140 @@
+//! The checked description and the oscillator that it is.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use grazing_model::smooth::{Scalar, SmoothOscillator};
+use grazing_source::{Source, SourceError};
+
+use crate::error::DescriptionError;
+use crate::expression::Expression;
+use crate::{checks, file, validate};
+
+/// An oscillator with a wall, as a file describes it; a clone shares everything with the original.
+///
+/// Paper: eq:F, eq:R. All quantities are as the file has them, dimensionless or not.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Description(pub(crate) Arc<Content>);
+
+#[derive(Debug, PartialEq)]
+pub(crate) struct Content {
+    pub(crate) name: String,
+    pub(crate) constants: Vec<(String, f64)>,
+    pub(crate) primary: Axis,
+    pub(crate) secondary: Axis,
+    pub(crate) force: Expression,
+    pub(crate) frequency: Expression,
+    pub(crate) restitution: Expression,
+    pub(crate) duration: Expression,
+    pub(crate) loops: Vec<u32>,
+}
+
+/// One of the two parameters with its range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    pub(crate) name: String,
+    pub(crate) range: [f64; 2],
+}
+
+impl Axis {
+    /// The name that the expressions use.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The lower and the upper end of the range: finite, lower < upper.
+    pub fn range(&self) -> [f64; 2] {
+        self.range
+    }
+}
+
+impl Description {
+    /// Reads and checks a description; its path appears in messages as it is given here.
+    ///
+    /// # Errors
+    /// [`DescriptionError`], the first thing in the file that is not right, with its line.
+    pub fn from_file(path: &Path) -> Result<Description, DescriptionError> {
+        let file = path.display().to_string();
+        match std::fs::read_to_string(path) {
+            Ok(text) => Description::parse(&text, &file),
+            Err(reason) => Err(SourceError::Unreadable { file, reason: reason.to_string() }.into()),
+        }
+    }
+
+    /// Checks the text of a description; `file` is the name that messages use.
+    ///
+    /// Φ > 0, ω > 0 and the periods of F, Φ and Ψ are checked at samples of the ranges.
+    ///
+    /// # Errors
+    /// [`DescriptionError`], the first thing in the text that is not right, with its line.
+    pub fn parse(text: &str, file: &str) -> Result<Description, DescriptionError> {
+        let source = Source::new(text, file, file::REQUIREMENTS);
+        let raw: file::File = source.read()?;
+        let description = validate::description(&raw, &source)?;
+        checks::samples(&description, &raw, &source)?;
+        Ok(description)
+    }
+
+    /// What the oscillator is called.
+    pub fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// The constants with their values, in the order of the alphabet.
+    pub fn constants(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.0.constants.iter().map(|(name, value)| (name.as_str(), *value))
+    }
+
+    /// The primary parameter, μ of the trait's functions.
+    pub fn primary(&self) -> &Axis {
+        &self.0.primary
+    }
+
+    /// The secondary parameter, η of the trait's functions.
+    pub fn secondary(&self) -> &Axis {
+        &self.0.secondary
+    }
+
+    /// The force F, an expression in x, v, t, μ, η.
+    pub fn force_expression(&self) -> &Expression {
+        &self.0.force
+    }
+
+    /// The forcing frequency ω, an expression in μ, η.
+    pub fn frequency_expression(&self) -> &Expression {
+        &self.0.frequency
+    }
+
+    /// The restitution Φ, an expression in y, z, μ, η.
+    pub fn restitution_expression(&self) -> &Expression {
+        &self.0.restitution
+    }
+
+    /// The impact duration Ψ, an expression in y, z, μ, η.
+    pub fn duration_expression(&self) -> &Expression {
+        &self.0.duration
+    }
+
+    /// The numbers of loops p to analyse: at least one, each 1 or more, none twice, as ordered in the file.
+    pub fn loops(&self) -> &[u32] {
+        &self.0.loops
+    }
+}
+
+impl SmoothOscillator for Description {
+    fn force<S: Scalar>(&self, x: S, y: S, t: S, mu: S, eta: S) -> S {
+        self.0.force.evaluate(&[x, y, t, mu, eta])
+    }
+
+    fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S {
+        self.0.frequency.evaluate(&[mu, eta])
+    }
+
+    fn restitution<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S {
+        self.0.restitution.evaluate(&[y, z, mu, eta])
+    }
+
+    fn impact_duration<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S {
+        self.0.duration.evaluate(&[y, z, mu, eta])
+    }
+}

@@ -1,0 +1,173 @@
+//! What can be wrong with a description.
+
+use std::ops::Range;
+
+use grazing_source::{Source, SourceError};
+use thiserror::Error;
+use toml::Spanned;
+
+use crate::expression::{ExpressionError, Problem};
+use crate::names::variable;
+
+/// The first thing in a description that is not right, and what would be.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum DescriptionError {
+    /// The file cannot be read, is no TOML, or has a key or value that is not right.
+    #[error(transparent)]
+    Source(#[from] SourceError),
+    /// An expression is not right.
+    #[error("{place}: {problem}\n{excerpt}")]
+    Expression {
+        /// Where it stands.
+        place: Place,
+        /// What is wrong, and what would be right.
+        problem: Box<Problem>,
+        /// The line of the expression with a mark under what is wrong.
+        excerpt: String,
+    },
+    /// An expression has no finite value at a point of the ranges.
+    #[error(
+        "{place}: the value is {value} at {at}: it must be a finite number over the ranges of both parameters"
+    )]
+    NotFinite {
+        /// Where the expression stands.
+        place: Place,
+        /// Its value.
+        value: f64,
+        /// The values of the variables.
+        at: Point,
+    },
+    /// The frequency is not positive over the ranges.
+    #[error(
+        "{place}: the frequency is {} at {at}: it must be positive over the ranges of both parameters",
+        rounded(*.value)
+    )]
+    Frequency {
+        /// Where the expression stands.
+        place: Place,
+        /// The frequency.
+        value: f64,
+        /// The values of the parameters.
+        at: Point,
+    },
+    /// The restitution is not positive over the ranges.
+    #[error(
+        "{place}: the restitution is {} at {at}: it must be positive, for the rebound to leave the wall",
+        rounded(*.value)
+    )]
+    Restitution {
+        /// Where the expression stands.
+        place: Place,
+        /// The restitution.
+        value: f64,
+        /// The values of the variables.
+        at: Point,
+    },
+    /// An expression has not the period of the forcing.
+    #[error(
+        "{place}: not periodic with the forcing: the value changes by {} from {at} over one period, to \
+         {variable} + {}; {variable} must enter as {}",
+        rounded(*.change),
+        rounded(*.period),
+        entry(.variable)
+    )]
+    Period {
+        /// Where the expression stands.
+        place: Place,
+        /// The change over one period.
+        change: f64,
+        /// The values of the variables before it.
+        at: Point,
+        /// The variable that grows by the period, t or z.
+        variable: &'static str,
+        /// The period: 2π/ω in t, 2π in z.
+        period: f64,
+    },
+}
+
+/// A key with its line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place {
+    file: String,
+    line: usize,
+    key: &'static str,
+}
+
+impl std::fmt::Display for Place {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(formatter, "{}:{}: {}", self.file, self.line, self.key)
+    }
+}
+
+impl Place {
+    pub(crate) fn new(source: &Source<'_>, key: &'static str, text: &Spanned<String>) -> Place {
+        Place { file: source.file().to_owned(), line: source.line(text.span().start), key }
+    }
+}
+
+/// Names with their values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point(pub Vec<(String, f64)>);
+
+impl std::fmt::Display for Point {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for (index, (name, value)) in self.0.iter().enumerate() {
+            let comma = if index == 0 { "" } else { ", " };
+            write!(formatter, "{comma}{name} = {}", rounded(*value))?;
+        }
+        Ok(())
+    }
+}
+
+/// How t or z must enter an expression that has the period of the forcing.
+fn entry(variable: &str) -> &'static str {
+    match variable {
+        "t" => {
+            "cos(omega*t) or sin(omega*t), where omega is the frequency of motion.frequency, or with multiples of omega"
+        }
+        _ => "cos(z) or sin(z), or with multiples of z",
+    }
+}
+
+/// The value to six digits, without zeros at the end.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+impl DescriptionError {
+    /// The error of an expression that stands in a file.
+    pub(crate) fn in_expression(
+        source: &Source<'_>,
+        key: &'static str,
+        text: &Spanned<String>,
+        error: &ExpressionError,
+    ) -> DescriptionError {
+        let mut place = Place::new(source, key, text);
+        // With escapes in it, the text's lines are not those of the file.
+        if let Some(start) = source.raw(text.span()).find(text.get_ref().as_str()) {
+            place.line = source.line(text.span().start + start + error.span.start);
+        }
+        let excerpt = excerpt(text.get_ref(), &error.span);
+        let problem = match error.problem.clone() {
+            Problem::UnknownName { name, nearest, known } => match variable(&name) {
+                Some(meaning) => Problem::NotHere { name, meaning, known },
+                None => Problem::UnknownName { name, nearest, known },
+            },
+            problem => problem,
+        };
+        DescriptionError::Expression { place, problem: Box::new(problem), excerpt }
+    }
+}
+
+/// The line of the text in which the span begins, with a mark under the span.
+fn excerpt(text: &str, span: &Range<usize>) -> String {
+    let start = text[..span.start].rfind('\n').map_or(0, |newline| newline + 1);
+    let end = text[span.start..].find('\n').map_or(text.len(), |length| span.start + length);
+    let line = &text[start..end];
+    if line.trim().is_empty() {
+        return "    \"\"\n    ^".to_owned();
+    }
+    let before = text[start..span.start].chars().count();
+    let marked = text[span.start..span.end.min(end).max(span.start)].chars().count().max(1);
+    format!("    {line}\n    {}^{}", " ".repeat(before), "~".repeat(marked - 1))
+}

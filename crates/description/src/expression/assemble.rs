@@ -1,0 +1,189 @@
+//! From the parts of an expression to the instructions on its tape.
+
+use std::sync::Arc;
+
+use super::graph::Node;
+use super::{Expression, Instruction, Operation, Slot, Step, Tape};
+
+/// The most terms that are summed in one go: all of them must be there first, and wait in a slot each.
+const MOST_TERMS: usize = 8;
+
+/// What is computed for one node, with the numbers of the nodes it is computed from.
+enum Plan {
+    /// Nothing: a variable, or a part of a sum that is computed with it.
+    Nothing,
+    Plain(Operation<usize>),
+    Sum(Vec<(f64, usize)>, f64),
+}
+
+impl Plan {
+    fn operands(&self) -> Vec<usize> {
+        let mut operands = match self {
+            Plan::Nothing => Vec::new(),
+            Plan::Plain(operation) => operation.operands().map_or(Vec::new(), |(a, b)| vec![a, b]),
+            Plan::Sum(terms, _) => terms.iter().map(|(_, operand)| *operand).collect(),
+        };
+        operands.sort_unstable();
+        operands.dedup();
+        operands
+    }
+}
+
+/// The expression of nodes of which each stands after those it is made of, and the last one is the whole.
+pub(super) fn expression(variables: Vec<String>, nodes: Vec<Node>) -> Expression {
+    let plans = plans(&nodes);
+    let mut last_use = vec![usize::MAX; nodes.len()];
+    for (index, plan) in plans.iter().enumerate() {
+        for operand in plan.operands() {
+            last_use[operand] = index;
+        }
+    }
+    let mut slots: Vec<Slot> = Vec::with_capacity(nodes.len());
+    let mut free = Vec::new();
+    let mut count = variables.len() as Slot;
+    let mut instructions = Vec::new();
+    let mut all_terms: Vec<(f64, Slot)> = Vec::new();
+    for (index, (node, plan)) in nodes.iter().zip(&plans).enumerate() {
+        if let Node::Variable(number) = node {
+            slots.push(*number as Slot);
+            continue;
+        }
+        let step = match plan {
+            Plan::Nothing => {
+                // No instruction reads it.
+                slots.push(Slot::MAX);
+                continue;
+            }
+            Plan::Plain(operation) => Step::Plain(operation.on(|operand| slots[operand])),
+            Plan::Sum(terms, constant) => {
+                let start = all_terms.len() as u32;
+                all_terms.extend(terms.iter().map(|&(factor, operand)| (factor, slots[operand])));
+                Step::Sum { start, end: all_terms.len() as u32, constant: *constant }
+            }
+        };
+        for operand in plan.operands() {
+            if last_use[operand] == index && !matches!(nodes[operand], Node::Variable(_)) {
+                free.push(slots[operand]);
+            }
+        }
+        let target = free.pop().unwrap_or_else(|| {
+            count += 1;
+            count - 1
+        });
+        instructions.push(Instruction { step, target });
+        slots.push(target);
+    }
+    let result = *slots.last().expect("an expression has at least one part");
+    let slots = count as usize;
+    Expression(Arc::new(Tape { variables, nodes, instructions, terms: all_terms, slots, result }))
+}
+
+/// What is computed for each node, sums with all their parts that nothing else needs in one go.
+fn plans(nodes: &[Node]) -> Vec<Plan> {
+    let mut uses = vec![0_u32; nodes.len()];
+    for node in nodes {
+        if let Node::Operation(operation) = node
+            && let Some((a, b)) = operation.operands()
+        {
+            uses[a] += 1;
+            let two = matches!(
+                operation,
+                Operation::Add(..)
+                    | Operation::Subtract(..)
+                    | Operation::Multiply(..)
+                    | Operation::Divide(..)
+            );
+            uses[b] += u32::from(two);
+        }
+    }
+    let parts = Parts { nodes, uses };
+    let mut absorbed = vec![false; nodes.len()];
+    let mut plans: Vec<Plan> = Vec::with_capacity(nodes.len());
+    // Wholes before their parts.
+    for (index, node) in nodes.iter().enumerate().rev() {
+        plans.push(match node {
+            Node::Operation(operation) if !absorbed[index] => match parts.sum(index, &mut absorbed) {
+                Some((terms, constant)) => Plan::Sum(terms, constant),
+                None => Plan::Plain(*operation),
+            },
+            _ => Plan::Nothing,
+        });
+    }
+    plans.reverse();
+    plans
+}
+
+struct Parts<'a> {
+    nodes: &'a [Node],
+    uses: Vec<u32>,
+}
+
+impl Parts<'_> {
+    fn operation(&self, index: usize) -> Option<Operation<usize>> {
+        match self.nodes[index] {
+            Node::Operation(operation) => Some(operation),
+            Node::Variable(_) => None,
+        }
+    }
+
+    /// The terms of a sum of which at least one part is absorbed, and its constant.
+    fn sum(&self, whole: usize, absorbed: &mut [bool]) -> Option<(Vec<(f64, usize)>, f64)> {
+        let mut terms = Vec::new();
+        let mut constant = 0.0;
+        let mut taken = Vec::new();
+        let mut rest = whole;
+        // From the last term to the first.
+        loop {
+            let (left, right) = match self.operation(rest) {
+                Some(Operation::Add(a, b)) => (a, Some((1.0, b))),
+                Some(Operation::Subtract(a, b)) => (a, Some((-1.0, b))),
+                Some(Operation::Shift(a, value)) => {
+                    constant += value;
+                    (a, None)
+                }
+                _ => break,
+            };
+            if let Some((sign, right)) = right {
+                terms.push(self.term(sign, right, &mut taken));
+            }
+            rest = left;
+            let more = matches!(
+                self.operation(left),
+                Some(Operation::Add(..) | Operation::Subtract(..) | Operation::Shift(..))
+            );
+            if !more || self.uses[left] > 1 || terms.len() == MOST_TERMS - 1 {
+                break;
+            }
+            taken.push(left);
+        }
+        if rest == whole {
+            return None;
+        }
+        match self.operation(rest) {
+            Some(Operation::Constant(value)) if self.uses[rest] == 1 => {
+                constant += value;
+                taken.push(rest);
+            }
+            _ => terms.push(self.term(1.0, rest, &mut taken)),
+        }
+        if taken.is_empty() || terms.is_empty() {
+            return None;
+        }
+        for part in taken {
+            absorbed[part] = true;
+        }
+        terms.reverse();
+        Some((terms, constant))
+    }
+
+    /// A number times a node, with the node's own factor if nothing else needs the product.
+    fn term(&self, sign: f64, index: usize, taken: &mut Vec<usize>) -> (f64, usize) {
+        let (factor, operand) = match self.operation(index) {
+            Some(Operation::Scale(a, factor)) if self.uses[index] == 1 => (factor, a),
+            Some(Operation::Negate(a)) if self.uses[index] == 1 => (-1.0, a),
+            _ => return (sign, index),
+        };
+        taken.push(index);
+        (sign * factor, operand)
+    }
+}

@@ -1,0 +1,269 @@
+//! The graph that the parser's arithmetic builds: equal parts are one node, and constants are folded.
+
+use std::cell::RefCell;
+
+use grazing_model::smooth::{Function, Scalar};
+use nanoexpr::{ErrorKind, Number};
+
+use super::Operation;
+
+/// A part of an expression; operands are given by their number in the list of nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Node {
+    Variable(usize),
+    Operation(Operation<usize>),
+}
+
+/// All nodes made so far, none twice.
+#[derive(Default)]
+pub(super) struct Graph {
+    nodes: RefCell<Vec<Node>>,
+}
+
+impl Graph {
+    /// The term of a variable.
+    pub(super) fn variable(&self, number: usize) -> Term<'_> {
+        self.term(Node::Variable(number))
+    }
+
+    fn term(&self, node: Node) -> Term<'_> {
+        let mut nodes = self.nodes.borrow_mut();
+        // Expressions that people write have so few nodes that a table of hashes would not be faster.
+        let index = nodes.iter().position(|known| *known == node).unwrap_or_else(|| {
+            nodes.push(node);
+            nodes.len() - 1
+        });
+        Term::Node(self, index)
+    }
+
+    fn operation(&self, operation: Operation<usize>) -> Term<'_> {
+        self.term(Node::Operation(operation))
+    }
+
+    /// The number of a constant's node.
+    fn constant(&self, value: f64) -> usize {
+        match self.operation(Operation::Constant(value)) {
+            Term::Node(_, index) => index,
+            Term::Number(_) => unreachable!("an operation is a node"),
+        }
+    }
+
+    /// The parts that `root` is made of, each once, operands first and the left one before the right one.
+    pub(super) fn parts(&self, root: usize) -> Vec<Node> {
+        let nodes = self.nodes.borrow();
+        let mut numbers = vec![None; nodes.len()];
+        let mut parts: Vec<Node> = Vec::new();
+        // A stack of our own: sums of thousands of terms are deep to the left.
+        let mut waiting = vec![(root, false)];
+        while let Some((index, ready)) = waiting.pop() {
+            if numbers[index].is_some() {
+                continue;
+            }
+            let node = nodes[index];
+            let operands = match node {
+                Node::Variable(_) => None,
+                Node::Operation(operation) => operation.operands(),
+            };
+            match operands {
+                Some((a, b)) if !ready => waiting.extend([(index, true), (b, false), (a, false)]),
+                _ => {
+                    numbers[index] = Some(parts.len());
+                    parts.push(match node {
+                        Node::Variable(number) => Node::Variable(number),
+                        Node::Operation(operation) => Node::Operation(
+                            operation.on(|operand| numbers[operand].expect("operands come first")),
+                        ),
+                    });
+                }
+            }
+        }
+        parts
+    }
+}
+
+/// What the parser computes with: a number, or a node of the graph.
+#[derive(Clone, Copy)]
+pub(super) enum Term<'g> {
+    Number(f64),
+    Node(&'g Graph, usize),
+}
+
+impl Default for Term<'_> {
+    fn default() -> Self {
+        Term::Number(0.0)
+    }
+}
+
+/// A constant that came out of constants; what it was computed from is to blame if it is none.
+fn number<'g>(value: f64) -> Result<Term<'g>, ErrorKind> {
+    if value.is_finite() {
+        Ok(Term::Number(value))
+    } else if value.is_nan() {
+        Err(ErrorKind::Domain)
+    } else {
+        Err(ErrorKind::Overflow)
+    }
+}
+
+impl Term<'_> {
+    /// The function of this term.
+    pub(super) fn apply(self, function: Function) -> Result<Self, ErrorKind> {
+        match self {
+            Term::Number(value) => match Scalar::apply(value, function) {
+                value if value.is_finite() => Ok(Term::Number(value)),
+                _ => Err(ErrorKind::Domain),
+            },
+            Term::Node(graph, a) => Ok(graph.operation(Operation::Apply(function, a))),
+        }
+    }
+
+    fn scaled(self, factor: f64) -> Result<Self, ErrorKind> {
+        let Term::Node(graph, a) = self else {
+            return self.multiply(Term::Number(factor));
+        };
+        Ok(if factor == 0.0 {
+            Term::Number(0.0)
+        } else if factor == 1.0 {
+            self
+        } else if factor == -1.0 {
+            return self.negate();
+        } else {
+            graph.operation(Operation::Scale(a, factor))
+        })
+    }
+
+    fn shifted(self, value: f64) -> Self {
+        match self {
+            Term::Node(graph, a) if value != 0.0 => graph.operation(Operation::Shift(a, value)),
+            _ => self,
+        }
+    }
+
+    /// exp(exponent · ln(self)).
+    fn real_power(self, exponent: Self) -> Result<Self, ErrorKind> {
+        exponent.multiply(self.apply(Function::Ln)?)?.apply(Function::Exp)
+    }
+
+    fn constant_power(self, exponent: f64) -> Result<Self, ErrorKind> {
+        let Term::Node(graph, a) = self else {
+            return self.power(Term::Number(exponent));
+        };
+        // Beyond it, no power of a double is of use.
+        let whole = exponent == exponent.trunc() && exponent.abs() <= 1024.0;
+        Ok(if whole {
+            match exponent as i32 {
+                0 => Term::Number(1.0),
+                1 => self,
+                2 => graph.operation(Operation::Square(a)),
+                exponent => graph.operation(Operation::Power(a, exponent)),
+            }
+        } else if exponent == 0.5 {
+            return self.apply(Function::Sqrt);
+        } else {
+            return self.real_power(Term::Number(exponent));
+        })
+    }
+}
+
+impl Number for Term<'_> {
+    fn parse(literal: &str) -> Option<Self> {
+        literal.parse().ok().filter(|value: &f64| value.is_finite()).map(Term::Number)
+    }
+
+    fn add(self, rhs: Self) -> Result<Self, ErrorKind> {
+        match (self, rhs) {
+            (Term::Number(a), Term::Number(b)) => number(a + b),
+            (node, Term::Number(value)) | (Term::Number(value), node) => Ok(node.shifted(value)),
+            (Term::Node(graph, a), Term::Node(_, b)) => Ok(graph.operation(Operation::Add(a, b))),
+        }
+    }
+
+    fn subtract(self, rhs: Self) -> Result<Self, ErrorKind> {
+        match (self, rhs) {
+            (Term::Number(a), Term::Number(b)) => number(a - b),
+            (node, Term::Number(value)) => Ok(node.shifted(-value)),
+            (Term::Number(0.0), node) => node.negate(),
+            (Term::Number(value), Term::Node(graph, b)) => {
+                Ok(graph.operation(Operation::Subtract(graph.constant(value), b)))
+            }
+            (Term::Node(graph, a), Term::Node(_, b)) => Ok(graph.operation(Operation::Subtract(a, b))),
+        }
+    }
+
+    fn multiply(self, rhs: Self) -> Result<Self, ErrorKind> {
+        match (self, rhs) {
+            (Term::Number(a), Term::Number(b)) => number(a * b),
+            (node, Term::Number(value)) | (Term::Number(value), node) => node.scaled(value),
+            (Term::Node(graph, a), Term::Node(_, b)) if a == b => Ok(graph.operation(Operation::Square(a))),
+            (Term::Node(graph, a), Term::Node(_, b)) => Ok(graph.operation(Operation::Multiply(a, b))),
+        }
+    }
+
+    fn divide(self, rhs: Self) -> Result<Self, ErrorKind> {
+        match (self, rhs) {
+            (_, Term::Number(0.0)) => Err(ErrorKind::DivisionByZero),
+            (Term::Number(a), Term::Number(b)) => number(a / b),
+            (Term::Node(..), Term::Number(value)) if is_power_of_two(value) => self.scaled(1.0 / value),
+            (Term::Node(graph, a), Term::Number(value)) => {
+                Ok(graph.operation(Operation::Divide(a, graph.constant(value))))
+            }
+            (Term::Number(0.0), Term::Node(..)) => Ok(self),
+            (Term::Number(value), Term::Node(graph, b)) => {
+                Ok(graph.operation(Operation::Divide(graph.constant(value), b)))
+            }
+            (Term::Node(graph, a), Term::Node(_, b)) => Ok(graph.operation(Operation::Divide(a, b))),
+        }
+    }
+
+    fn remainder(self, _: Self) -> Result<Self, ErrorKind> {
+        Err(ErrorKind::Unsupported)
+    }
+
+    fn power(self, rhs: Self) -> Result<Self, ErrorKind> {
+        match (self, rhs) {
+            (Term::Number(base), Term::Number(exponent)) if base == 0.0 && exponent < 0.0 => {
+                Err(ErrorKind::DivisionByZero)
+            }
+            (Term::Number(base), Term::Number(exponent)) => number(libm::pow(base, exponent)),
+            (Term::Node(..), Term::Number(exponent)) => self.constant_power(exponent),
+            (Term::Number(std::f64::consts::E), Term::Node(..)) => rhs.apply(Function::Exp),
+            (Term::Number(base), Term::Node(..)) if base > 0.0 => self.real_power(rhs),
+            (Term::Number(_), Term::Node(..)) => Err(ErrorKind::Domain),
+            (Term::Node(..), Term::Node(..)) => self.real_power(rhs),
+        }
+    }
+
+    fn negate(self) -> Result<Self, ErrorKind> {
+        Ok(match self {
+            Term::Number(value) => Term::Number(-value),
+            Term::Node(graph, a) => {
+                let node = graph.nodes.borrow()[a];
+                match node {
+                    Node::Operation(Operation::Negate(inner)) => Term::Node(graph, inner),
+                    Node::Operation(Operation::Scale(inner, factor)) => {
+                        graph.operation(Operation::Scale(inner, -factor))
+                    }
+                    _ => graph.operation(Operation::Negate(a)),
+                }
+            }
+        })
+    }
+
+    fn factorial(self) -> Result<Self, ErrorKind> {
+        Err(ErrorKind::Unsupported)
+    }
+}
+
+/// Whether division by the number is exactly multiplication by its reciprocal.
+fn is_power_of_two(value: f64) -> bool {
+    let (fraction, _) = libm::frexp(value);
+    fraction.abs() == 0.5 && (1.0 / value).is_finite()
+}
+
+/// The parts of a term; a number is one part.
+pub(super) fn parts(term: Term<'_>) -> Vec<Node> {
+    match term {
+        Term::Number(value) => vec![Node::Operation(Operation::Constant(value))],
+        Term::Node(graph, root) => graph.parts(root),
+    }
+}

@@ -1,0 +1,111 @@
+//! The file as it is written: types and keys are checked here, values are not.
+
+use std::collections::BTreeMap;
+
+use grazing_source::Requirements;
+use serde::Deserialize;
+use toml::Spanned;
+
+/// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are not told apart.
+pub(crate) const MOST_LOOPS: u32 = 12;
+
+/// What each key must hold, in words for whoever has to mend one.
+pub(crate) const REQUIREMENTS: Requirements = Requirements::new(KEYS, "see examples/ for what belongs here");
+
+const KEYS: &[(&str, &str)] = &[
+    (
+        "name",
+        "the name of the oscillator must stand before the first table, as a text in quotation marks that is not empty",
+    ),
+    ("parameters", "the table [parameters] holds constants by name, as zeta = 0.02; it may be empty"),
+    ("parameters.*", "a constant must be a finite number"),
+    ("primary", "the table [primary] holds name and range of the parameter whose grazing value is sought"),
+    ("primary.name", NAME),
+    ("primary.range", RANGE),
+    ("secondary", "the table [secondary] holds name and range of the parameter along the grazing curve"),
+    ("secondary.name", NAME),
+    ("secondary.range", RANGE),
+    ("motion", "the table [motion] holds force and frequency"),
+    (
+        "motion.force",
+        "the force must be an expression in x, v, t and the parameters in quotation marks, \
+         as \"-2*zeta*v - x - 1 + A*cos(omega*t)\"",
+    ),
+    (
+        "motion.frequency",
+        "the forcing frequency must be an expression in the parameters in quotation marks, as \"omega\"",
+    ),
+    ("impact", "the table [impact] holds restitution and duration"),
+    (
+        "impact.restitution",
+        "the restitution must be an expression in y, z and the parameters in quotation marks, as \"0.8\"",
+    ),
+    (
+        "impact.duration",
+        "the impact duration must be an expression in y, z and the parameters in quotation marks, \
+         \"0\" for impacts that take no time",
+    ),
+    ("analysis", "the table [analysis] holds loops"),
+    (
+        "analysis.loops",
+        "the numbers of loops must be a list of different whole numbers from 1 to 12, as [1, 2, 3]",
+    ),
+];
+
+const NAME: &str =
+    "the name must be of the letters a to z and A to Z, digits and _, with no digit first, as \"omega\"";
+const RANGE: &str = "the range must be [lower, upper] with finite numbers lower < upper";
+
+/// The whole file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub(crate) struct File {
+    pub(crate) name: Spanned<String>,
+    pub(crate) parameters: BTreeMap<Spanned<String>, Spanned<f64>>,
+    pub(crate) primary: Axis,
+    pub(crate) secondary: Axis,
+    pub(crate) motion: Motion,
+    pub(crate) impact: Impact,
+    pub(crate) analysis: Analysis,
+}
+
+/// `[primary]` and `[secondary]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub(crate) struct Axis {
+    pub(crate) name: Spanned<String>,
+    pub(crate) range: Spanned<Vec<f64>>,
+}
+
+/// `[motion]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub(crate) struct Motion {
+    pub(crate) force: Spanned<String>,
+    pub(crate) frequency: Spanned<String>,
+}
+
+/// `[impact]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub(crate) struct Impact {
+    pub(crate) restitution: Spanned<String>,
+    pub(crate) duration: Spanned<String>,
+}
+
+/// `[analysis]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table")]
+pub(crate) struct Analysis {
+    pub(crate) loops: Spanned<Vec<Spanned<u32>>>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_limit_of_loops_is_told_as_it_is_checked() {
+        assert!(REQUIREMENTS.of("analysis.loops").contains(&format!(" to {MOST_LOOPS},")));
+    }
+}

@@ -1,0 +1,50 @@
+//! An impact oscillator that is written in a text file.
+//!
+//! A [`Description`] is made from a TOML file that passed every check: it names constants and the two parameters μ and η,
+//! and gives the force F(x, v, t), the forcing frequency ω, the restitution Φ(y, z) and the impact duration Ψ(y, z) as
+//! expressions ([`Expression`]). It is a [`SmoothOscillator`](grazing_model::smooth::SmoothOscillator), as any oscillator
+//! that is written in Rust.
+//!
+//! ```
+//! use grazing_description::Description;
+//! use grazing_model::smooth::SmoothOscillator;
+//!
+//! let text = r#"
+//! name = "Duffing oscillator with a wall"
+//! [parameters]
+//! zeta = 0.05
+//! kappa = 0.1
+//! [primary]
+//! name = "A"
+//! range = [0.0, 1.5]
+//! [secondary]
+//! name = "omega"
+//! range = [0.4, 1.1]
+//! [motion]
+//! force = "-2*zeta*v - x - kappa*x^3 - 1 + A*cos(omega*t)"
+//! frequency = "omega"
+//! [impact]
+//! restitution = "0.8"
+//! duration = "0"
+//! [analysis]
+//! loops = [1, 2, 3]
+//! "#;
+//! let duffing = Description::parse(text, "duffing.toml")?;
+//! assert_eq!(duffing.force(-1.0, 0.0, 0.0, 0.5, 0.8), 1.0 + 0.1 - 1.0 + 0.5);
+//! # Ok::<(), grazing_description::DescriptionError>(())
+//! ```
+//!
+//! Whatever is wrong with a file is told as a [`DescriptionError`]: file, line, key, the expression with a mark under the
+//! place, what is wrong and what would be right.
+
+mod checks;
+mod description;
+mod error;
+mod expression;
+mod file;
+mod names;
+mod validate;
+
+pub use description::{Axis, Description};
+pub use error::{DescriptionError, Place, Point};
+pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK, Problem};

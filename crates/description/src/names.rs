@@ -1,0 +1,76 @@
+//! The names in a description: none may mean two things.
+
+use grazing_source::Source;
+
+use crate::error::DescriptionError;
+use crate::expression::is_function;
+use crate::file::{File, REQUIREMENTS};
+
+/// What the name of a variable of force or reset law means.
+pub(crate) fn variable(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "x" => "the position",
+        "v" => "the velocity",
+        "t" => "the time",
+        "y" => "the impact velocity",
+        "z" => "the impact phase",
+        _ => return None,
+    })
+}
+
+/// What a name means before any file says anything.
+fn own_meaning(name: &str) -> Option<&'static str> {
+    variable(name).or_else(|| {
+        Some(match name {
+            "pi" => "the number 3.14159...",
+            "e" => "the number 2.71828...",
+            name if is_function(name) => "a function",
+            _ => return None,
+        })
+    })
+}
+
+/// Whether an expression can contain the name.
+fn is_name(name: &str) -> bool {
+    let mut characters = name.chars();
+    characters.next().is_some_and(|first| first.is_ascii_alphabetic() || first == '_')
+        && characters.all(|character| character.is_ascii_alphanumeric() || character == '_')
+}
+
+/// Checks the names of constants and of the two parameters.
+pub(crate) fn check(file: &File, source: &Source<'_>) -> Result<(), DescriptionError> {
+    let mut constants: Vec<_> = file.parameters.iter().collect();
+    constants.sort_by_key(|(name, _)| name.span().start);
+    let mut seen: Vec<(&str, &'static str)> = Vec::new();
+    for (name, value) in constants {
+        let name = name.get_ref().as_str();
+        let meaning = "a constant in [parameters]";
+        if let Some(allowed) = wrong(name, meaning, &seen) {
+            return Err(source.forbid(&format!("parameters.{name}"), value, allowed).into());
+        }
+        seen.push((name, meaning));
+    }
+    for (key, written, meaning) in [
+        ("primary.name", &file.primary.name, "the primary parameter"),
+        ("secondary.name", &file.secondary.name, "the secondary parameter"),
+    ] {
+        let name = written.get_ref().as_str();
+        if let Some(allowed) = wrong(name, meaning, &seen) {
+            return Err(source.forbid(key, written, allowed).into());
+        }
+        seen.push((name, meaning));
+    }
+    Ok(())
+}
+
+/// What is wrong with a name, and what would be right, after these names with their meanings.
+fn wrong(name: &str, meaning: &str, seen: &[(&str, &'static str)]) -> Option<String> {
+    if !is_name(name) {
+        return Some(REQUIREMENTS.of("primary.name").to_owned());
+    }
+    let taken = own_meaning(name)
+        .or_else(|| seen.iter().find(|(other, _)| *other == name).map(|(_, meaning)| *meaning))?;
+    Some(format!(
+        "the name {name} would mean two things, {taken} and {meaning}: choose another one here, and in the expressions"
+    ))
+}

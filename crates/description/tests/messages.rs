@@ -1,0 +1,168 @@
+//! Whatever is wrong with a description is told with its place and what would be right.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use grazing_description::Description;
+
+/// A description that is right.
+const RIGHT: &str = r#"name = "Invented"
+[parameters]
+zeta = 0.1
+kappa = 0.2
+[primary]
+name = "A"
+range = [0.0, 1.5]
+[secondary]
+name = "omega"
+range = [0.4, 1.1]
+[motion]
+force = "-2*zeta*v - x - kappa*x^3 - 1 + A*cos(omega*t)"
+frequency = "omega"
+[impact]
+restitution = "0.8"
+duration = "0"
+[analysis]
+loops = [1, 2, 3]
+"#;
+
+/// What is done to it: after which table the line of which key becomes which line.
+const EDITS: &[(&str, &str, &str)] = &[
+    // The file.
+    ("", "name", "name = Invented"),
+    ("", "name", "name = \" \""),
+    ("", "name", ""),
+    ("", "name", "title = \"Invented\""),
+    ("", "[motion]", "[movement]"),
+    ("", "[parameters]", ""),
+    ("[analysis]", "loops", "loop = [1]"),
+    ("[impact]", "duration", ""),
+    ("[impact]", "restitution", "restitution = 0.8"),
+    ("[parameters]", "zeta", "zeta = \"small\""),
+    ("[parameters]", "zeta", "zeta = inf"),
+    ("[primary]", "range", "range = [1.5, 0.0]"),
+    ("[primary]", "range", "range = [1.5, 1.5]"),
+    ("[primary]", "range", "range = [0.0]"),
+    ("[secondary]", "range", "range = [0.4, nan]"),
+    ("[analysis]", "loops", "loops = [1, 0]"),
+    ("[analysis]", "loops", "loops = [1, -2]"),
+    ("[analysis]", "loops", "loops = [13]"),
+    ("[analysis]", "loops", "loops = [2, 2]"),
+    ("[analysis]", "loops", "loops = []"),
+    // Names.
+    ("[parameters]", "zeta", "zeta = 0.1\nx = 1"),
+    ("[parameters]", "zeta", "zeta = 0.1\nt = 1"),
+    ("[parameters]", "zeta", "zeta = 0.1\nv = 1"),
+    ("[parameters]", "zeta", "zeta = 0.1\ny = 1"),
+    ("[parameters]", "zeta", "zeta = 0.1\nz = 1"),
+    ("[parameters]", "zeta", "zeta = 0.1\npi = 3"),
+    ("[parameters]", "zeta", "zeta = 0.1\ne = 3"),
+    ("[parameters]", "zeta", "zeta = 0.1\nsin = 3"),
+    ("[parameters]", "zeta", "zeta = 0.1\nomega = 3"),
+    ("[parameters]", "zeta", "zeta = 0.1\n\"ζ\" = 3"),
+    ("[secondary]", "name", "name = \"A\""),
+    ("[secondary]", "name", "name = \"forcing frequency\""),
+    ("[motion]", "force", "force = \"-2*zeta*v - x - 1 + cos(omega*t)\""),
+    ("[secondary]", "name", "name = \"epsilon\""),
+    // Expressions.
+    ("[motion]", "force", "force = \"\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*cos(omga*t)\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*cosine(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - log(2 - x) + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*cos(omega, t)\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*cos()\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*cos omega\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*cos\""),
+    ("[motion]", "force", "force = \"-x - 1 + A(cos(omega*t))\""),
+    ("[motion]", "force", "force = \"-2x - 1 + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-(x + 1)(x + 2) + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*cos(omega*t\""),
+    ("[motion]", "force", "force = \"-x - 1) + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - * 1 + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - 1 +\""),
+    ("[motion]", "force", "force = \"-x - 1 + A·cos(ωt)\""),
+    ("[motion]", "force", "force = \"-x - 1e999 + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - 1/(zeta - zeta) + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - sqrt(kappa - 1) + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - 10^400 + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"\"\"\n-x - 1\n    - 2*zeta*w\n    + A*cos(omega*t)\"\"\""),
+    ("[motion]", "frequency", "frequency = \"omega + x\""),
+    ("[impact]", "restitution", "restitution = \"0.8 - 0.1*v\""),
+    ("[motion]", "force", "force = \"-x, -1\""),
+    // Not smooth.
+    ("[motion]", "force", "force = \"-x - 1 - zeta*abs(v)*v + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - 1 - zeta*sign(v) + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-max(x, 0) - 1 + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-min(x, 0) - 1 + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*floor(cos(omega*t))\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*(t % 2)\""),
+    ("[motion]", "force", "force = \"-x - 1 + (x > -1 ? A : 0)*cos(omega*t)\""),
+    // Values.
+    ("[motion]", "frequency", "frequency = \"omega - 0.5\""),
+    ("[motion]", "frequency", "frequency = \"sqrt(omega - 0.5)\""),
+    ("[motion]", "force", "force = \"-x - 1/v + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*cos(2.1*omega*t)\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*cos(omega*t/2)\""),
+    ("[motion]", "force", "force = \"-x - 1 + A*t + 0*omega\""),
+    ("[impact]", "restitution", "restitution = \"0.8 - y\""),
+    ("[impact]", "restitution", "restitution = \"0.8 - A*(1 + cos(z))/2\""),
+    ("[impact]", "restitution", "restitution = \"0.8 + 0.1*cos(z/2)\""),
+    ("[impact]", "restitution", "restitution = \"y^-0.2\""),
+    ("[impact]", "duration", "duration = \"0.1*z\""),
+    ("[impact]", "duration", "duration = \"0.1/y\""),
+];
+
+/// The right description with one line changed.
+fn edited(table: &str, key: &str, line: &str) -> String {
+    let mut inside = table.is_empty();
+    let mut done = false;
+    let mut text = String::new();
+    for old in RIGHT.lines() {
+        inside |= old == table;
+        if inside && !done && (old == key || old.starts_with(&format!("{key} ="))) {
+            done = true;
+            if !line.is_empty() {
+                writeln!(text, "{line}").expect("a string takes it");
+            }
+        } else {
+            writeln!(text, "{old}").expect("a string takes it");
+        }
+    }
+    assert!(done, "{table} {key}");
+    text
+}
+
+#[test]
+fn the_description_without_edits_is_right() {
+    let description = Description::parse(RIGHT, "invented.toml").expect("it is right");
+    assert_eq!(description.name(), "Invented");
+    assert_eq!(description.constants().collect::<Vec<_>>(), [("kappa", 0.2), ("zeta", 0.1)]);
+    assert_eq!((description.primary().name(), description.primary().range()), ("A", [0.0, 1.5]));
+    assert_eq!((description.secondary().name(), description.secondary().range()), ("omega", [0.4, 1.1]));
+    assert_eq!(description.loops(), [1, 2, 3]);
+}
+
+#[test]
+fn every_bad_description_is_refused_with_its_place_and_what_would_be_right() {
+    let mut transcript = String::new();
+    for (table, key, line) in EDITS {
+        let edit = if line.is_empty() { "removed" } else { line };
+        let error = match Description::parse(&edited(table, key, line), "invented.toml") {
+            Ok(_) => panic!("{table} {key}: {edit}: not refused"),
+            Err(error) => error.to_string(),
+        };
+        assert!(error.starts_with("invented.toml:"), "{error}");
+        writeln!(transcript, "{table} {key}: {edit}\n{error}\n").expect("a string takes it");
+    }
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../expected"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!("messages_for_bad_descriptions", transcript));
+}
+
+#[test]
+fn a_file_that_is_not_there_is_said_to_be() {
+    let error = Description::from_file(Path::new("nowhere/oscillator.toml")).expect_err("there is none");
+    assert!(error.to_string().starts_with("nowhere/oscillator.toml: cannot be read: "), "{error}");
+}

@@ -1,0 +1,177 @@
+//! Intervals that hold the range of a function; bounds are right to rounding.
+
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::scalar::{Coefficient, Function, Scalar};
+
+/// All numbers from `lower` to `upper`; with a bound that is not a number, nothing is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Interval {
+    pub(super) lower: f64,
+    pub(super) upper: f64,
+}
+
+/// Nothing known.
+const UNKNOWN: Interval = Interval { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
+
+impl Interval {
+    pub(super) fn new(a: f64, b: f64) -> Self {
+        if a.is_nan() || b.is_nan() {
+            return UNKNOWN;
+        }
+        Self { lower: a.min(b), upper: a.max(b) }
+    }
+
+    /// The largest modulus.
+    pub(super) fn modulus(&self) -> f64 {
+        self.lower.abs().max(self.upper.abs())
+    }
+
+    pub(super) fn holds(&self, inner: &Self) -> bool {
+        self.lower <= inner.lower && inner.upper <= self.upper
+    }
+
+    /// The smallest interval that holds both.
+    pub(super) fn joined(&self, other: &Self) -> Self {
+        Self { lower: self.lower.min(other.lower), upper: self.upper.max(other.upper) }
+    }
+
+    /// Grown by a share of its width and a little more.
+    pub(super) fn grown(&self, share: f64) -> Self {
+        let by = share * (self.upper - self.lower) + 1e-12 * self.modulus();
+        Self { lower: self.lower - by, upper: self.upper + by }
+    }
+
+    /// The range of a function that is monotone on the interval.
+    fn monotone(self, function: impl Fn(f64) -> f64) -> Self {
+        Self::new(function(self.lower), function(self.upper))
+    }
+
+    /// The range of the cosine.
+    fn cosine(self) -> Self {
+        if !(self.upper - self.lower < TAU) {
+            return Self { lower: -1.0, upper: 1.0 };
+        }
+        let ends = self.monotone(libm::cos);
+        // A multiple of 2π, or an odd multiple of π, inside.
+        let passes =
+            |start: f64| libm::floor((self.upper - start) / TAU) >= libm::ceil((self.lower - start) / TAU);
+        let upper = if passes(0.0) { 1.0 } else { ends.upper };
+        let lower = if passes(PI) { -1.0 } else { ends.lower };
+        Self { lower, upper }
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { lower: self.lower + other.lower, upper: self.upper + other.upper }
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self { lower: self.lower - other.upper, upper: self.upper - other.lower }
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { lower: -self.upper, upper: -self.lower }
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let products = [
+            self.lower * other.lower,
+            self.lower * other.upper,
+            self.upper * other.lower,
+            self.upper * other.upper,
+        ];
+        let mut range = Self::new(products[0], products[0]);
+        for product in products {
+            range = range.joined(&Self::new(product, product));
+        }
+        range
+    }
+}
+
+impl Div for Interval {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        if other.lower <= 0.0 && other.upper >= 0.0 {
+            return UNKNOWN;
+        }
+        self * Self::new(1.0 / other.lower, 1.0 / other.upper)
+    }
+}
+
+impl Scalar for Interval {
+    fn constant(value: f64) -> Self {
+        Self::new(value, value)
+    }
+
+    fn apply(self, function: Function) -> Self {
+        let quarter = Self::constant(FRAC_PI_2);
+        match function {
+            Function::Cos => self.cosine(),
+            Function::Sin => (self - quarter).cosine(),
+            Function::Tan => {
+                let branch = |x: f64| libm::floor(x / PI + 0.5);
+                if branch(self.lower) == branch(self.upper) { self.monotone(libm::tan) } else { UNKNOWN }
+            }
+            Function::Tanh => self.monotone(libm::tanh),
+            Function::Atan => self.monotone(libm::atan),
+            Function::Exp => self.monotone(libm::exp),
+            Function::Ln => self.monotone(libm::log),
+            Function::Sqrt => self.monotone(f64::sqrt),
+        }
+    }
+
+    fn square(self) -> Self {
+        let range = self.monotone(|x| x * x);
+        if self.lower < 0.0 && self.upper > 0.0 { Self { lower: 0.0, ..range } } else { range }
+    }
+}
+
+impl Coefficient for Interval {
+    fn derivatives(self, function: Function) -> [Self; 3] {
+        let one = Self::constant(1.0);
+        let value = self.apply(function);
+        match function {
+            Function::Sin => [value, self.apply(Function::Cos), -value],
+            Function::Cos => [value, -self.apply(Function::Sin), -value],
+            Function::Tan => {
+                let slope = one + value.square();
+                [value, slope, (value * slope).scale(2.0)]
+            }
+            Function::Tanh => {
+                let slope = one - value.square();
+                [value, slope, (value * slope).scale(-2.0)]
+            }
+            Function::Atan => {
+                let slope = one / (one + self.square());
+                [value, slope, (self * slope.square()).scale(-2.0)]
+            }
+            Function::Exp => [value; 3],
+            Function::Ln => {
+                let slope = one / self;
+                [value, slope, -slope.square()]
+            }
+            Function::Sqrt => {
+                let slope = Self::constant(0.5) / value;
+                [value, slope, -slope / self.scale(2.0)]
+            }
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! Numbers that a force can be evaluated with: plain ones, jets, time series, intervals.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A smooth function of one variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Function {
+    /// Sine.
+    Sin,
+    /// Cosine.
+    Cos,
+    /// Tangent.
+    Tan,
+    /// Hyperbolic tangent.
+    Tanh,
+    /// Arc tangent.
+    Atan,
+    /// Exponential.
+    Exp,
+    /// Natural logarithm.
+    Ln,
+    /// Square root.
+    Sqrt,
+}
+
+impl Function {
+    /// The value with the first and second derivative; not a number outside the domain.
+    #[inline]
+    pub(super) fn derivatives(self, x: f64) -> [f64; 3] {
+        match self {
+            Self::Sin => {
+                let (sin, cos) = libm::sincos(x);
+                [sin, cos, -sin]
+            }
+            Self::Cos => {
+                let (sin, cos) = libm::sincos(x);
+                [cos, -sin, -cos]
+            }
+            Self::Tan => {
+                let tan = libm::tan(x);
+                let slope = 1.0 + tan * tan;
+                [tan, slope, 2.0 * tan * slope]
+            }
+            Self::Tanh => {
+                let tanh = libm::tanh(x);
+                let slope = 1.0 - tanh * tanh;
+                [tanh, slope, -2.0 * tanh * slope]
+            }
+            Self::Atan => {
+                let slope = 1.0 / (1.0 + x * x);
+                [libm::atan(x), slope, -2.0 * x * slope * slope]
+            }
+            Self::Exp => [libm::exp(x); 3],
+            Self::Ln => [libm::log(x), 1.0 / x, -1.0 / (x * x)],
+            Self::Sqrt => {
+                let root = x.sqrt();
+                [root, 0.5 / root, -0.25 / (root * x)]
+            }
+        }
+    }
+}
+
+/// A number in an expression.
+pub trait Scalar:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+{
+    /// A constant.
+    fn constant(value: f64) -> Self;
+
+    /// The function of this number.
+    fn apply(self, function: Function) -> Self;
+
+    /// The number times a plain one.
+    #[inline]
+    fn scale(self, factor: f64) -> Self {
+        self * Self::constant(factor)
+    }
+
+    /// The square; an interval's is tighter than the product with itself.
+    #[inline]
+    fn square(self) -> Self {
+        self * self
+    }
+
+    /// A whole power, by squaring; negative ones through the reciprocal.
+    fn power(self, exponent: i32) -> Self {
+        if exponent < 0 {
+            return Self::constant(1.0) / self.power(-exponent);
+        }
+        match exponent {
+            0 => Self::constant(1.0),
+            1 => self,
+            even if even % 2 == 0 => self.power(even / 2).square(),
+            odd => self.power(odd - 1) * self,
+        }
+    }
+}
+
+/// A number whose functions come with their derivatives: what a series can be made of.
+pub(super) trait Coefficient: Scalar {
+    /// The function with its first and second derivative.
+    fn derivatives(self, function: Function) -> [Self; 3];
+}
+
+impl Scalar for f64 {
+    #[inline]
+    fn constant(value: f64) -> Self {
+        value
+    }
+
+    #[inline]
+    fn apply(self, function: Function) -> Self {
+        match function {
+            Function::Sin => libm::sin(self),
+            Function::Cos => libm::cos(self),
+            function => function.derivatives(self)[0],
+        }
+    }
+}
+
+impl Coefficient for f64 {
+    #[inline]
+    fn derivatives(self, function: Function) -> [Self; 3] {
+        function.derivatives(self)
+    }
+}

@@ -1,0 +1,76 @@
+//! Series in time to second order, for the derivatives of a motion.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::scalar::{Coefficient, Function, Scalar};
+
+/// c₀ + c₁ t + c₂ t².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Series<C>(pub(super) [C; 3]);
+
+impl<C: Coefficient> Add for Series<C> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let ([a0, a1, a2], [b0, b1, b2]) = (self.0, other.0);
+        Self([a0 + b0, a1 + b1, a2 + b2])
+    }
+}
+
+impl<C: Coefficient> Sub for Series<C> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        let ([a0, a1, a2], [b0, b1, b2]) = (self.0, other.0);
+        Self([a0 - b0, a1 - b1, a2 - b2])
+    }
+}
+
+impl<C: Coefficient> Neg for Series<C> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self(self.0.map(|c| -c))
+    }
+}
+
+impl<C: Coefficient> Mul for Series<C> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let ([a0, a1, a2], [b0, b1, b2]) = (self.0, other.0);
+        Self([a0 * b0, a0 * b1 + a1 * b0, a0 * b2 + a1 * b1 + a2 * b0])
+    }
+}
+
+impl<C: Coefficient> Div for Series<C> {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let ([a0, a1, a2], [b0, b1, b2]) = (self.0, other.0);
+        let q0 = a0 / b0;
+        let q1 = (a1 - q0 * b1) / b0;
+        Self([q0, q1, (a2 - q0 * b2 - q1 * b1) / b0])
+    }
+}
+
+impl<C: Coefficient> Scalar for Series<C> {
+    fn constant(value: f64) -> Self {
+        Self([C::constant(value), C::constant(0.0), C::constant(0.0)])
+    }
+
+    fn apply(self, function: Function) -> Self {
+        let [c0, c1, c2] = self.0;
+        let [value, slope, curvature] = c0.derivatives(function);
+        Self([value, slope * c1, slope * c2 + (curvature * c1.square()).scale(0.5)])
+    }
+
+    fn scale(self, factor: f64) -> Self {
+        Self(self.0.map(|c| c.scale(factor)))
+    }
+
+    fn square(self) -> Self {
+        let [c0, c1, c2] = self.0;
+        Self([c0.square(), (c0 * c1).scale(2.0), (c0 * c2).scale(2.0) + c1.square()])
+    }
+}

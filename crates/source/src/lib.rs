@@ -1,0 +1,13 @@
+//! TOML files that people write: the way back from a mistake to file, line, key, value and what would be right.
+//!
+//! A [`Source`] is a file's text with the [`Requirements`] of its keys. It reads the text into a raw struct, and turns
+//! whatever is wrong into a [`SourceError`]. The parameters of the figures and the descriptions of oscillators are read
+//! through it.
+
+mod error;
+mod requirements;
+mod text;
+
+pub use error::SourceError;
+pub use requirements::Requirements;
+pub use text::{Source, nearest};

@@ -1,0 +1,51 @@
+//! What each key of a file must hold.
+
+/// Every key of a kind of file with what it must hold, in words for whoever has to mend one.
+#[derive(Debug, Clone, Copy)]
+pub struct Requirements {
+    keys: &'static [(&'static str, &'static str)],
+    otherwise: &'static str,
+}
+
+impl Requirements {
+    /// The requirements of these keys in the order of the file.
+    ///
+    /// Keys have dots, members of lists of tables are without their number: `fig08.panels.loops`. The key `table.*`
+    /// stands for any name in a table. `otherwise` is said of a key that is not in the list.
+    pub const fn new(keys: &'static [(&'static str, &'static str)], otherwise: &'static str) -> Requirements {
+        Requirements { keys, otherwise }
+    }
+
+    /// What the key must hold; the numbers of list members in the key do not matter.
+    pub fn of(&self, key: &str) -> &'static str {
+        let plain = without_numbers(key);
+        let any = plain.rsplit_once('.').map(|(table, _)| format!("{table}.*"));
+        self.keys
+            .iter()
+            .find(|(known, _)| *known == plain || Some(*known) == any.as_deref())
+            .map_or(self.otherwise, |(_, requirement)| requirement)
+    }
+
+    /// The keys that are known in a table, in the order of the file; the top level is the table with the empty name.
+    /// `*` is a table's only key where any name may stand.
+    pub fn known_keys(&self, table: &str) -> Vec<&'static str> {
+        let plain = without_numbers(table);
+        self.keys
+            .iter()
+            .filter_map(|(known, _)| match known.rsplit_once('.') {
+                Some((parent, name)) => (parent == plain).then_some(name),
+                None => plain.is_empty().then_some(*known),
+            })
+            .collect()
+    }
+
+    /// Whether any name may stand in the table.
+    pub(crate) fn any_key(&self, table: &str) -> bool {
+        self.known_keys(table) == ["*"]
+    }
+}
+
+/// `fig08.panels` for `fig08.panels[2]`.
+fn without_numbers(key: &str) -> String {
+    key.split('[').map(|part| part.split_once(']').map_or(part, |(_, rest)| rest)).collect()
+}
