@@ -1,5 +1,7 @@
-//! The method of Dormand and Prince of order 8 for ẍ = F(x, ẋ, t), on plain numbers with error control and on jets along the
-//! same steps.
+//! The method of Dormand and Prince of order 8 for ẍ = F(x, ẋ, t), with control of the error of plain position and velocity.
+//!
+//! Jets go through the same steps as plain numbers would: what comes out are the derivatives of the numerical solution with
+//! its steps held, and so the solutions of the variational equations to the same order.
 
 use super::jet::Jet;
 use super::scalar::Scalar;
@@ -7,76 +9,107 @@ use super::tableau::{ERROR_3, ERROR_5, NODES, STAGES, WEIGHTS};
 
 /// A number that slopes can be added up in.
 pub(super) trait Linear: Scalar {
-    fn add_multiple(&mut self, factor: f64, other: &Self);
+    /// This with `step` times the weighted sum of others added.
+    fn combined(&self, others: &[Self], step: f64, weights: &[(usize, f64)]) -> Self;
+
+    /// Without derivatives.
+    fn plain(&self) -> f64;
 }
 
 impl Linear for f64 {
-    #[inline]
-    fn add_multiple(&mut self, factor: f64, other: &Self) {
-        *self += factor * other;
+    #[inline(always)]
+    fn combined(&self, others: &[Self], step: f64, weights: &[(usize, f64)]) -> Self {
+        weights.iter().fold(*self, |sum, &(from, weight)| sum + step * weight * others[from])
+    }
+
+    #[inline(always)]
+    fn plain(&self) -> f64 {
+        *self
     }
 }
 
-impl<const ORDER: usize> Linear for Jet<ORDER> {
-    #[inline]
-    fn add_multiple(&mut self, factor: f64, other: &Self) {
-        Jet::add_multiple(self, factor, other);
+impl<const LENGTH: usize> Linear for Jet<LENGTH> {
+    #[inline(always)]
+    fn combined(&self, others: &[Self], step: f64, weights: &[(usize, f64)]) -> Self {
+        self.combined(others, step, weights)
+    }
+
+    #[inline(always)]
+    fn plain(&self) -> f64 {
+        self.value()
     }
 }
 
 /// Position and velocity.
 pub(super) type Pair<S> = [S; 2];
 
-/// The slopes (ẋ, ẏ) at the stages of a step.
-fn stages<S: Linear>(
-    force: &impl Fn(S, S, f64) -> S,
-    [x, y]: Pair<S>,
-    time: f64,
-    step: f64,
-) -> [Pair<S>; STAGES] {
-    let mut slopes = [[y, force(x, y, time)]; STAGES];
-    for (stage, (fraction, weights)) in NODES.iter().enumerate().skip(1) {
-        let mut at = [x, y];
-        for (from, weight) in *weights {
-            at[0].add_multiple(step * weight, &slopes[*from][0]);
-            at[1].add_multiple(step * weight, &slopes[*from][1]);
-        }
-        slopes[stage] = [at[1], force(at[0], at[1], time + fraction * step)];
-    }
-    slopes
+/// The slopes ẋ and ẏ at the stages of a step.
+struct Slopes<S> {
+    velocities: [S; STAGES],
+    accelerations: [S; STAGES],
 }
 
-fn added<S: Linear>(
-    [mut x, mut y]: Pair<S>,
-    slopes: &[Pair<S>; STAGES],
-    step: f64,
-    weights: &[(usize, f64)],
-) -> Pair<S> {
-    for (from, weight) in weights {
-        x.add_multiple(step * weight, &slopes[*from][0]);
-        y.add_multiple(step * weight, &slopes[*from][1]);
+impl<S: Linear> Slopes<S> {
+    #[inline(always)]
+    fn of_step(force: &impl Fn(S, S, f64) -> S, [x, y]: &Pair<S>, time: f64, step: f64) -> Self {
+        let mut slopes =
+            Self { velocities: [*y; STAGES], accelerations: [force(*x, *y, time); STAGES] };
+        for (stage, (fraction, weights)) in NODES.iter().enumerate().skip(1) {
+            let [x, y] = slopes.applied(&[*x, *y], step, weights);
+            slopes.velocities[stage] = y;
+            slopes.accelerations[stage] = force(x, y, time + fraction * step);
+        }
+        slopes
     }
-    [x, y]
+
+    #[inline(always)]
+    fn applied(&self, [x, y]: &Pair<S>, step: f64, weights: &[(usize, f64)]) -> Pair<S> {
+        [x.combined(&self.velocities, step, weights), y.combined(&self.accelerations, step, weights)]
+    }
+
+    /// The error estimate of a step over what is allowed.
+    #[inline(always)]
+    fn error(&self, step: f64, from: &Pair<S>, to: &Pair<S>) -> f64 {
+        let plain = Slopes {
+            velocities: self.velocities.each_ref().map(S::plain),
+            accelerations: self.accelerations.each_ref().map(S::plain),
+        };
+        let estimates = [&ERROR_5, &ERROR_3].map(|weights| plain.applied(&[0.0; 2], 1.0, weights));
+        let mut squares = [0.0; 2];
+        for i in 0..2 {
+            let scale = TOLERANCE * (1.0 + from[i].plain().abs().max(to[i].plain().abs()));
+            for (square, estimate) in squares.iter_mut().zip(&estimates) {
+                let ratio = estimate[i] / scale;
+                *square += ratio * ratio;
+            }
+        }
+        let [fifth, third] = squares;
+        if fifth == 0.0 && third == 0.0 {
+            return 0.0;
+        }
+        step.abs() * fifth / (2.0 * (fifth + 0.01 * third)).sqrt()
+    }
 }
 
 /// One step, without an error estimate.
+#[inline]
 pub(super) fn step<S: Linear>(
     force: &impl Fn(S, S, f64) -> S,
-    from: Pair<S>,
+    from: &Pair<S>,
     time: f64,
     step: f64,
 ) -> Pair<S> {
     if step == 0.0 {
-        return from;
+        return *from;
     }
-    added(from, &stages(force, from, time, step), step, &WEIGHTS)
+    Slopes::of_step(force, from, time, step).applied(from, step, &WEIGHTS)
 }
 
 /// A point of a solution, with the step that is proposed from there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Node {
+pub(super) struct Node<S> {
     pub(super) time: f64,
-    pub(super) state: Pair<f64>,
+    pub(super) state: Pair<S>,
     pub(super) proposal: f64,
 }
 
@@ -88,49 +121,32 @@ const TOLERANCE: f64 = 1e-13;
 const SAFETY: f64 = 0.9;
 const SHRINK: f64 = 0.3;
 const GROW: f64 = 3.0;
-/// A step this much shorter than the time scale of the forcing means that the solution is not smooth, or escapes.
+/// A step this short means that the solution is not smooth, or escapes: all times are of order one (dimensionless).
 const SHORTEST: f64 = 1e-9;
 
-impl Node {
+impl<S: Linear> Node<S> {
     /// The next node, `longest` away at most in time; `None` if the solution cannot be continued.
-    pub(super) fn next(&self, force: &impl Fn(f64, f64, f64) -> f64, longest: f64) -> Option<Node> {
+    #[inline]
+    pub(super) fn next(&self, force: &impl Fn(S, S, f64) -> S, longest: f64) -> Option<Self> {
         let mut trial = if self.proposal.abs() < longest.abs() { self.proposal } else { longest };
         loop {
-            let slopes = stages(force, self.state, self.time, trial);
-            let state = added(self.state, &slopes, trial, &WEIGHTS);
-            let error = error(&slopes, trial, self.state, state);
-            if error.is_nan() && trial.abs() <= SHORTEST {
-                return None;
-            }
+            let slopes = Slopes::of_step(force, &self.state, self.time, trial);
+            let state = slopes.applied(&self.state, trial, &WEIGHTS);
+            let error = slopes.error(trial, &self.state, &state);
             // The step's error is of order 8 in it.
-            let factor = if error > 0.0 { SAFETY * libm::pow(error, -0.125) } else { GROW };
-            let factor = if factor.is_nan() { SHRINK } else { factor.clamp(SHRINK, GROW) };
+            let factor = if error > 0.0 { SAFETY / error.sqrt().sqrt().sqrt() } else { GROW };
+            let factor = if error.is_nan() { SHRINK } else { factor.clamp(SHRINK, GROW) };
             if error <= 1.0 {
                 let proposal = trial * factor;
                 // A step that was cut at the end says nothing against the proposal.
                 let proposal =
                     if trial.abs() < self.proposal.abs() && factor >= 1.0 { self.proposal } else { proposal };
-                return Some(Node { time: self.time + trial, state, proposal });
+                return Some(Self { time: self.time + trial, state, proposal });
             }
-            trial *= factor.min(0.9);
+            trial *= factor.min(SAFETY);
             if trial.abs() < SHORTEST {
                 return None;
             }
         }
     }
-}
-
-/// The error estimate of a step over what is allowed.
-fn error(slopes: &[Pair<f64>; STAGES], step: f64, from: Pair<f64>, to: Pair<f64>) -> f64 {
-    let (mut fifth, mut third) = (0.0, 0.0);
-    let [e5, e3] = [added([0.0; 2], slopes, 1.0, &ERROR_5), added([0.0; 2], slopes, 1.0, &ERROR_3)];
-    for i in 0..2 {
-        let scale = TOLERANCE * (1.0 + from[i].abs().max(to[i].abs()));
-        fifth += e5[i] * e5[i] / (scale * scale);
-        third += e3[i] * e3[i] / (scale * scale);
-    }
-    if fifth == 0.0 && third == 0.0 {
-        return 0.0;
-    }
-    step.abs() * fifth / (2.0 * (fifth + 0.01 * third)).sqrt()
 }
