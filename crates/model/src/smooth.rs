@@ -19,6 +19,7 @@ use nalgebra::{Matrix2, Matrix4, RowVector4, Vector2};
 
 use crate::jet::{FlowJet, MapJet, ParameterJet};
 use crate::oscillator::{ImpactOscillator, State};
+use integrator::Node;
 use jet::{FIRST, Jet, SECOND};
 pub use motion::IntegratedMotion;
 pub use scalar::{Function, Scalar};
@@ -82,9 +83,19 @@ impl<M: SmoothOscillator> Integrated<M> {
         [Jet::variable(variable::PRIMARY, mu), Jet::variable(variable::SECONDARY, eta)]
     }
 
-    /// Length of the first step that is tried in an integration (empirical: right for forces without fast scales).
-    fn first_step(&self) -> f64 {
-        core::f64::consts::TAU / (16.0 * self.frequency)
+    /// No step is longer, so that the search for events has cells of a reasonable size (empirical).
+    fn longest_step(&self) -> f64 {
+        core::f64::consts::TAU / (10.0 * self.frequency)
+    }
+
+    /// The start of an integration in the direction of time of `duration`.
+    fn first_node(&self, from: State, duration: f64) -> Node {
+        Node {
+            time: from.phase / self.frequency,
+            state: [from.position, from.velocity],
+            proposal: (0.5 * self.longest_step()).copysign(duration),
+            last: None,
+        }
     }
 
     fn reset_jet<const LENGTH: usize>(&self, velocity: f64, phase: f64) -> MapJet {

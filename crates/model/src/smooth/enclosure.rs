@@ -1,6 +1,6 @@
 //! Derivatives of a motion, and bounds of them between two nodes that are proved by interval arithmetic.
 
-use super::integrator::{Node, step};
+use super::integrator::Node;
 use super::interval::Interval;
 use super::scalar::{Coefficient, Scalar};
 use super::series::Series;
@@ -37,25 +37,24 @@ const HALVINGS: u32 = 12;
 /// Bounds of the derivatives between two nodes; `None` if nothing can be proved.
 pub(super) fn enclose<M: SmoothOscillator>(
     oscillator: &Integrated<M>,
-    node: &Node<f64>,
-    next: &Node<f64>,
+    node: &Node,
+    next: &Node,
 ) -> Option<Bounds> {
     halved(oscillator, node, next, HALVINGS)
 }
 
 fn halved<M: SmoothOscillator>(
     oscillator: &Integrated<M>,
-    node: &Node<f64>,
-    next: &Node<f64>,
+    node: &Node,
+    next: &Node,
     halvings: u32,
 ) -> Option<Bounds> {
     if let Some(bounds) = boxed(oscillator, node, next) {
         return Some(bounds);
     }
     let halvings = halvings.checked_sub(1)?;
-    let half = 0.5 * (next.time - node.time);
-    let state = step(&|x, y, t| oscillator.force(x, y, t), &node.state, node.time, half);
-    let middle = Node { time: node.time + half, state, proposal: half };
+    let time = 0.5 * (node.time + next.time);
+    let middle = oscillator.next_node(&Node { last: None, ..*node }, time - node.time)?;
     let [a, b] = [[node, &middle], [&middle, next]].map(|[a, b]| halved(oscillator, a, b, halvings));
     let (a, b) = (a?, b?);
     Some(Bounds {
@@ -67,11 +66,7 @@ fn halved<M: SmoothOscillator>(
 
 /// Bounds from a box that the solution cannot leave (Picard's criterion): with F taken over the box, velocity and position
 /// stay inside it.
-fn boxed<M: SmoothOscillator>(
-    oscillator: &Integrated<M>,
-    node: &Node<f64>,
-    next: &Node<f64>,
-) -> Option<Bounds> {
+fn boxed<M: SmoothOscillator>(oscillator: &Integrated<M>, node: &Node, next: &Node) -> Option<Bounds> {
     let [mu, eta] = oscillator.parameters.map(Interval::constant);
     let time = Interval::new(node.time, next.time);
     let duration = Interval::new(0.0, next.time - node.time);

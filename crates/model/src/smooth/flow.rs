@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix2x6, Matrix6, Vector2};
 
-use super::integrator::Node;
+use super::integrator::Surroundings;
 use super::jet::{FIRST, Jet};
 use super::{Integrated, Scalar, SmoothOscillator, variable};
 use crate::jet::{FlowJet, flow_variable as flow};
@@ -44,35 +44,30 @@ impl<M: SmoothOscillator> Integrated<M> {
         let start = from.phase / self.frequency;
         // t = z₀/ω + s.
         let origin = Jet::constant(from.phase) / self.model.forcing_frequency(mu, eta) - Jet::constant(start);
-        let force = |x, y, t: f64| self.model.force(x, y, origin + Jet::constant(t), mu, eta);
+        let surroundings = Surroundings { origin, parameters: [mu, eta] };
         let end = start + duration;
-        let mut node = Node {
-            time: start,
-            state: [
-                Jet::variable(variable::POSITION, from.position),
-                Jet::variable(variable::VELOCITY, from.velocity),
-            ],
-            proposal: self.first_step().copysign(duration),
-        };
-        if node.proposal.abs() < duration.abs() {
-            // Whether the first step is too long is cheaper to find out with plain numbers.
-            let plain = Node { time: start, state: [from.position, from.velocity], proposal: node.proposal };
-            node.proposal = plain.next(&|x, y, t| self.force(x, y, t), duration)?.time - start;
-        }
+        let mut node = self.first_node(from, duration);
+        let mut jets = [
+            Jet::variable(variable::POSITION, from.position),
+            Jet::variable(variable::VELOCITY, from.velocity),
+        ];
         while node.time != end {
-            node = node.next(&force, end - node.time)?;
-            if (end - node.time).abs() <= 4.0 * f64::EPSILON * end.abs().max(start.abs()) {
-                node.time = end;
+            let mut next = self.next_node(&node, end - node.time)?;
+            if (end - next.time).abs() <= 4.0 * f64::EPSILON * end.abs().max(start.abs()) {
+                next.time = end;
             }
+            let step = next.last.as_ref()?;
+            jets = self.jets_after(&jets, node.time, step, &surroundings);
+            node = next;
         }
-        let [x, y] = node.state;
-        let acceleration = force(x, y, end);
+        let [x, y] = jets;
+        let acceleration = self.model.force(x, y, origin + Jet::constant(end), mu, eta);
         // dF/dt along the motion, from F's derivatives with x, y and t as variables of their own.
         let [mu, eta] = self.parameters.map(Jet::<FIRST>::constant);
         let [x, y, t] = [(0, x.value()), (1, y.value()), (2, end)].map(|(i, value)| Jet::variable(i, value));
         let slope = self.model.force(x, y, t, mu, eta);
         let jerk = slope.first(0) * y.value() + slope.first(1) * acceleration.value() + slope.first(2);
-        Some(Passage { state: node.state, acceleration, jerk })
+        Some(Passage { state: jets, acceleration, jerk })
     }
 
     /// Adds the derivatives in the phase z₀ to a jet that has all others.
@@ -101,7 +96,8 @@ impl<M: SmoothOscillator> Integrated<M> {
             if LENGTH == FIRST {
                 continue;
             }
-            let [by_position, by_velocity] = [jet.jacobian[(i, flow::POSITION)], jet.jacobian[(i, flow::VELOCITY)]];
+            let [by_position, by_velocity] =
+                [jet.jacobian[(i, flow::POSITION)], jet.jacobian[(i, flow::VELOCITY)]];
             let hessian = &mut jet.hessians[i];
             let mut set = |column: usize, rate: f64| {
                 let entry = (along(&|row| hessian[(row, column)]) - rate) / frequency;

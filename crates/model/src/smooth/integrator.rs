@@ -1,152 +1,344 @@
-//! The method of Dormand and Prince of order 8 for ẍ = F(x, ẋ, t), with control of the error of plain position and velocity.
+//! Gauss's collocation of order 12 for ẍ = F(x, ẋ, t), with control of the step, on plain numbers and on jets.
 //!
-//! Jets go through the same steps as plain numbers would: what comes out are the derivatives of the numerical solution with
-//! its steps held, and so the solutions of the variational equations to the same order.
+//! On a step the acceleration is a polynomial that agrees with F at the stages. Its values there solve a small system, for
+//! which the derivatives of F are at hand; with jets the same system, whose plain part is solved, needs one more
+//! iteration of Newton's method for each order of derivatives. So the derivatives are those of the numerical solution, its
+//! steps held, and cost a few evaluations of F at six points a step.
 
-use super::jet::Jet;
+use super::jet::{FIRST, Jet, PLANAR, SECOND};
 use super::scalar::Scalar;
-use super::tableau::{ERROR_3, ERROR_5, NODES, STAGES, WEIGHTS};
-
-/// A number that slopes can be added up in.
-pub(super) trait Linear: Scalar {
-    /// This with `step` times the weighted sum of others added.
-    fn combined(&self, others: &[Self], step: f64, weights: &[(usize, f64)]) -> Self;
-
-    /// Without derivatives.
-    fn plain(&self) -> f64;
-}
-
-impl Linear for f64 {
-    #[inline(always)]
-    fn combined(&self, others: &[Self], step: f64, weights: &[(usize, f64)]) -> Self {
-        weights.iter().fold(*self, |sum, &(from, weight)| sum + step * weight * others[from])
-    }
-
-    #[inline(always)]
-    fn plain(&self) -> f64 {
-        *self
-    }
-}
-
-impl<const LENGTH: usize> Linear for Jet<LENGTH> {
-    #[inline(always)]
-    fn combined(&self, others: &[Self], step: f64, weights: &[(usize, f64)]) -> Self {
-        self.combined(others, step, weights)
-    }
-
-    #[inline(always)]
-    fn plain(&self) -> f64 {
-        self.value()
-    }
-}
+use super::tableau::{BARYCENTRIC, LEGENDRE, MATRIX, NODES, POSITION_WEIGHTS, SQUARE, STAGES, WEIGHTS};
+use super::{Integrated, SmoothOscillator};
 
 /// Position and velocity.
 pub(super) type Pair<S> = [S; 2];
 
-/// The slopes ẋ and ẏ at the stages of a step.
-struct Slopes<S> {
-    velocities: [S; STAGES],
-    accelerations: [S; STAGES],
-}
-
-impl<S: Linear> Slopes<S> {
-    #[inline(always)]
-    fn of_step(force: &impl Fn(S, S, f64) -> S, [x, y]: &Pair<S>, time: f64, step: f64) -> Self {
-        let mut slopes =
-            Self { velocities: [*y; STAGES], accelerations: [force(*x, *y, time); STAGES] };
-        for (stage, (fraction, weights)) in NODES.iter().enumerate().skip(1) {
-            let [x, y] = slopes.applied(&[*x, *y], step, weights);
-            slopes.velocities[stage] = y;
-            slopes.accelerations[stage] = force(x, y, time + fraction * step);
-        }
-        slopes
-    }
-
-    #[inline(always)]
-    fn applied(&self, [x, y]: &Pair<S>, step: f64, weights: &[(usize, f64)]) -> Pair<S> {
-        [x.combined(&self.velocities, step, weights), y.combined(&self.accelerations, step, weights)]
-    }
-
-    /// The error estimate of a step over what is allowed.
-    #[inline(always)]
-    fn error(&self, step: f64, from: &Pair<S>, to: &Pair<S>) -> f64 {
-        let plain = Slopes {
-            velocities: self.velocities.each_ref().map(S::plain),
-            accelerations: self.accelerations.each_ref().map(S::plain),
-        };
-        let estimates = [&ERROR_5, &ERROR_3].map(|weights| plain.applied(&[0.0; 2], 1.0, weights));
-        let mut squares = [0.0; 2];
-        for i in 0..2 {
-            let scale = TOLERANCE * (1.0 + from[i].plain().abs().max(to[i].plain().abs()));
-            for (square, estimate) in squares.iter_mut().zip(&estimates) {
-                let ratio = estimate[i] / scale;
-                *square += ratio * ratio;
-            }
-        }
-        let [fifth, third] = squares;
-        if fifth == 0.0 && third == 0.0 {
-            return 0.0;
-        }
-        step.abs() * fifth / (2.0 * (fifth + 0.01 * third)).sqrt()
-    }
-}
-
-/// One step, without an error estimate.
-#[inline]
-pub(super) fn step<S: Linear>(
-    force: &impl Fn(S, S, f64) -> S,
-    from: &Pair<S>,
-    time: f64,
-    step: f64,
-) -> Pair<S> {
-    if step == 0.0 {
-        return *from;
-    }
-    Slopes::of_step(force, from, time, step).applied(from, step, &WEIGHTS)
+/// A step that has been solved: its length and the accelerations at the stages.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Step {
+    length: f64,
+    accelerations: [f64; STAGES],
 }
 
 /// A point of a solution, with the step that is proposed from there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Node<S> {
+pub(super) struct Node {
     pub(super) time: f64,
-    pub(super) state: Pair<S>,
+    pub(super) state: Pair<f64>,
     pub(super) proposal: f64,
+    /// The step that led here.
+    pub(super) last: Option<Step>,
 }
 
-/// Error allowed in a step, relative to 1 + the modulus: a few roundings, so that derivatives of what is computed are those of
-/// the flow to about ten digits at least.
-const TOLERANCE: f64 = 1e-13;
-/// The new step is this share of what the error estimate suggests, and changes by these factors at most (empirical, as usual
-/// for this method).
+/// What F depends on besides position and velocity, as jets: the time origin's shift and the parameters.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Surroundings<const LENGTH: usize> {
+    pub(super) origin: Jet<LENGTH>,
+    pub(super) parameters: [Jet<LENGTH>; 2],
+}
+
+/// Size of the two highest coefficients of the acceleration on a step that is allowed, relative to 1 + the largest
+/// acceleration (empirical). Coefficients fall geometrically with the degree; an error at the end comes from those of degree 12
+/// and above, so that it is of the order of 10⁻¹⁵.
+const TOLERANCE: f64 = 1e-6;
+/// The new step is this share of what the coefficients suggest, and changes by these factors at most (empirical).
 const SAFETY: f64 = 0.9;
 const SHRINK: f64 = 0.3;
-const GROW: f64 = 3.0;
+const GROW: f64 = 2.0;
 /// A step this short means that the solution is not smooth, or escapes: all times are of order one (dimensionless).
 const SHORTEST: f64 = 1e-9;
+/// The stages are solved for within this many iterations or the step is too long.
+const ITERATIONS: usize = 12;
+/// A correction this small, relative to 1 + the largest acceleration, lets the matrix stand; the next ones are smaller by about as much.
+const NEAR: f64 = 1e-3;
+/// A correction this small is the last.
+const CONVERGED: f64 = 1e-12;
 
-impl<S: Linear> Node<S> {
-    /// The next node, `longest` away at most in time; `None` if the solution cannot be continued.
+/// The factors of the matrix I − h A F_y − h² A² F_x of Newton's method, without pivots: it is close to the identity where
+/// the step is not too long, and where it is not the iteration fails and the step is shortened.
+struct Factors([[f64; STAGES]; STAGES]);
+
+impl Factors {
     #[inline]
-    pub(super) fn next(&self, force: &impl Fn(S, S, f64) -> S, longest: f64) -> Option<Self> {
-        let mut trial = if self.proposal.abs() < longest.abs() { self.proposal } else { longest };
-        loop {
-            let slopes = Slopes::of_step(force, &self.state, self.time, trial);
-            let state = slopes.applied(&self.state, trial, &WEIGHTS);
-            let error = slopes.error(trial, &self.state, &state);
-            // The step's error is of order 8 in it.
-            let factor = if error > 0.0 { SAFETY / error.sqrt().sqrt().sqrt() } else { GROW };
-            let factor = if error.is_nan() { SHRINK } else { factor.clamp(SHRINK, GROW) };
-            if error <= 1.0 {
-                let proposal = trial * factor;
-                // A step that was cut at the end says nothing against the proposal.
-                let proposal =
-                    if trial.abs() < self.proposal.abs() && factor >= 1.0 { self.proposal } else { proposal };
-                return Some(Self { time: self.time + trial, state, proposal });
+    fn new(slopes: &[Pair<f64>; STAGES], step: f64) -> Self {
+        let mut m = [[0.0; STAGES]; STAGES];
+        for i in 0..STAGES {
+            let [by_position, by_velocity] = [slopes[i][0] * step * step, slopes[i][1] * step];
+            for j in 0..STAGES {
+                m[i][j] = -by_position * SQUARE[i][j] - by_velocity * MATRIX[i][j];
             }
-            trial *= factor.min(SAFETY);
-            if trial.abs() < SHORTEST {
+            m[i][i] += 1.0;
+        }
+        for k in 0..STAGES {
+            let inverse = 1.0 / m[k][k];
+            m[k][k] = inverse;
+            for i in k + 1..STAGES {
+                let factor = m[i][k] * inverse;
+                m[i][k] = factor;
+                for j in k + 1..STAGES {
+                    m[i][j] -= factor * m[k][j];
+                }
+            }
+        }
+        Self(m)
+    }
+
+    #[inline(always)]
+    fn solve(&self, b: &mut [f64; STAGES]) {
+        for i in 0..STAGES {
+            for k in 0..i {
+                b[i] -= self.0[i][k] * b[k];
+            }
+        }
+        for i in (0..STAGES).rev() {
+            for k in i + 1..STAGES {
+                b[i] -= self.0[i][k] * b[k];
+            }
+            b[i] *= self.0[i][i];
+        }
+    }
+
+    #[inline(always)]
+    fn solve_jets<const LENGTH: usize>(&self, b: &mut [Jet<LENGTH>; STAGES]) {
+        for i in 0..STAGES {
+            let mut sum = b[i];
+            for k in 0..i {
+                sum.add_multiple(-self.0[i][k], &b[k]);
+            }
+            b[i] = sum;
+        }
+        for i in (0..STAGES).rev() {
+            let mut sum = b[i];
+            for k in i + 1..STAGES {
+                sum.add_multiple(-self.0[i][k], &b[k]);
+            }
+            b[i] = sum.scale(self.0[i][i]);
+        }
+    }
+}
+
+fn sum(weights: &[f64; STAGES], values: &[f64; STAGES]) -> f64 {
+    let mut sum = 0.0;
+    for j in 0..STAGES {
+        sum += weights[j] * values[j];
+    }
+    sum
+}
+
+impl Step {
+    /// Position and velocity at a stage.
+    #[inline(always)]
+    fn stage(&self, [x, y]: Pair<f64>, i: usize) -> Pair<f64> {
+        let h = self.length;
+        let position = x + h * (NODES[i] * y + h * sum(&SQUARE[i], &self.accelerations));
+        [position, y + h * sum(&MATRIX[i], &self.accelerations)]
+    }
+
+    /// Position and velocity at the end.
+    pub(super) fn end(&self, [x, y]: Pair<f64>) -> Pair<f64> {
+        let h = self.length;
+        let position = x + h * (y + h * sum(&POSITION_WEIGHTS, &self.accelerations));
+        [position, y + h * sum(&WEIGHTS, &self.accelerations)]
+    }
+
+    /// The accelerations at the stages of another step, which begins at a fraction of this one, by interpolation.
+    fn guess(&self, begin: f64, length: f64) -> [f64; STAGES] {
+        NODES.map(|node| {
+            let at = begin + node * length / self.length;
+            let (mut numerator, mut denominator) = (0.0, 0.0);
+            for j in 0..STAGES {
+                let gap = at - NODES[j];
+                if gap == 0.0 {
+                    return self.accelerations[j];
+                }
+                let weight = BARYCENTRIC[j] / gap;
+                numerator += weight * self.accelerations[j];
+                denominator += weight;
+            }
+            numerator / denominator
+        })
+    }
+
+    /// 1 + the largest acceleration.
+    fn scale(&self) -> f64 {
+        1.0 + self.accelerations.iter().fold(0.0, |largest, k| k.abs().max(largest))
+    }
+
+    /// The two highest coefficients over what is allowed.
+    fn roughness(&self) -> f64 {
+        let [a, b] = LEGENDRE.map(|weights| sum(&weights, &self.accelerations));
+        (a.abs() + 0.1 * b.abs()) / (TOLERANCE * self.scale())
+    }
+}
+
+impl<M: SmoothOscillator> Integrated<M> {
+    /// Solves for the accelerations of a step by Newton's method; `None` if it does not converge.
+    fn solve_step(&self, from: Pair<f64>, time: f64, guess: Step) -> Option<Step> {
+        let mut step = guess;
+        let mut factors = None;
+        for _ in 0..ITERATIONS {
+            let mut residual = [0.0; STAGES];
+            let current = match factors.take() {
+                Some(factors) => {
+                    for i in 0..STAGES {
+                        let [x, y] = step.stage(from, i);
+                        residual[i] = self.force(x, y, time + NODES[i] * step.length) - step.accelerations[i];
+                    }
+                    factors
+                }
+                None => {
+                    let (forces, factors) = self.linearised(from, time, &step);
+                    for i in 0..STAGES {
+                        residual[i] = forces[i] - step.accelerations[i];
+                    }
+                    factors
+                }
+            };
+            current.solve(&mut residual);
+            let mut correction = 0.0_f64;
+            for i in 0..STAGES {
+                step.accelerations[i] += residual[i];
+                correction = if residual[i].abs() <= correction { correction } else { residual[i].abs() };
+            }
+            if !correction.is_finite() {
                 return None;
             }
+            let scale = step.scale();
+            if correction <= CONVERGED * scale {
+                return Some(step);
+            }
+            if correction <= NEAR * scale {
+                factors = Some(current);
+            }
+        }
+        None
+    }
+
+    /// The forces at the stages, and the factors of Newton's matrix.
+    #[inline]
+    fn linearised(&self, from: Pair<f64>, time: f64, step: &Step) -> ([f64; STAGES], Factors) {
+        let [mu, eta] = self.parameters.map(Jet::<PLANAR>::constant);
+        let mut forces = [0.0; STAGES];
+        let mut slopes = [[0.0; 2]; STAGES];
+        for i in 0..STAGES {
+            let [x, y] = step.stage(from, i);
+            let t = Jet::constant(time + NODES[i] * step.length);
+            let force = self.model.force(Jet::variable(0, x), Jet::variable(1, y), t, mu, eta);
+            forces[i] = force.value();
+            slopes[i] = [force.first(0), force.first(1)];
+        }
+        (forces, Factors::new(&slopes, step.length))
+    }
+
+    /// The node after this one, `longest` away at most in time; `None` if the solution cannot be continued.
+    pub(super) fn next_node(&self, node: &Node, longest: f64) -> Option<Node> {
+        let mut trial = if node.proposal.abs() < longest.abs() { node.proposal } else { longest };
+        loop {
+            let guess = match &node.last {
+                Some(last) => last.guess(1.0, trial),
+                None => [self.force(node.state[0], node.state[1], node.time); STAGES],
+            };
+            let solved = self.solve_step(node.state, node.time, Step { length: trial, accelerations: guess });
+            let Some(step) = solved else {
+                trial *= SHRINK;
+                if trial.abs() < SHORTEST {
+                    return None;
+                }
+                continue;
+            };
+            let roughness = step.roughness();
+            // The coefficients are of order 5 in the step, the highest of them.
+            let factor = if roughness > 0.0 { SAFETY * libm::pow(roughness, -0.2) } else { GROW };
+            let factor = factor.clamp(SHRINK, GROW);
+            if roughness <= 1.0 || trial.abs() < SHORTEST {
+                // A step that was cut at the end says nothing against the proposal.
+                let cut = trial.abs() < node.proposal.abs() && factor >= 1.0;
+                let proposal = if cut { node.proposal } else { trial * factor };
+                let longest = self.longest_step();
+                let proposal = if proposal.abs() < longest { proposal } else { longest.copysign(proposal) };
+                return Some(Node {
+                    time: node.time + trial,
+                    state: step.end(node.state),
+                    proposal,
+                    last: Some(step),
+                });
+            }
+            trial *= factor.min(SAFETY);
+        }
+    }
+
+    /// The state at a time after a node, on the way to the next one.
+    pub(super) fn state_between(&self, node: &Node, next: &Node, time: f64) -> Pair<f64> {
+        let length = time - node.time;
+        if length == 0.0 {
+            return node.state;
+        }
+        let unknown = [f64::NAN; 2];
+        let Some(whole) = &next.last else { return unknown };
+        let guess = Step { length, accelerations: whole.guess(0.0, length) };
+        self.solve_step(node.state, node.time, guess).map_or(unknown, |step| step.end(node.state))
+    }
+
+    /// The jets at the end of a step that has been solved.
+    #[inline(never)]
+    pub(super) fn jets_after<const LENGTH: usize>(
+        &self,
+        from: &Pair<Jet<LENGTH>>,
+        time: f64,
+        step: &Step,
+        surroundings: &Surroundings<LENGTH>,
+    ) -> Pair<Jet<LENGTH>> {
+        let plain = from.each_ref().map(Jet::value);
+        let (_, factors) = self.linearised(plain, time, step);
+        let first_order = from.each_ref().map(Jet::resized::<FIRST>);
+        let mut first = step.accelerations.map(Jet::<FIRST>::constant);
+        let reduced = Surroundings {
+            origin: surroundings.origin.resized(),
+            parameters: surroundings.parameters.each_ref().map(Jet::resized),
+        };
+        self.corrected(&first_order, time, step.length, &reduced, &factors, &mut first);
+        let mut accelerations = first.each_ref().map(Jet::resized::<LENGTH>);
+        if LENGTH == SECOND {
+            self.corrected(from, time, step.length, surroundings, &factors, &mut accelerations);
+        }
+        let h = step.length;
+        let [mut x, mut y] = *from;
+        x.add_multiple(h, &from[1]);
+        for j in 0..STAGES {
+            x.add_multiple(h * h * POSITION_WEIGHTS[j], &accelerations[j]);
+            y.add_multiple(h * WEIGHTS[j], &accelerations[j]);
+        }
+        [x, y]
+    }
+
+    /// One iteration of Newton's method with jets.
+    #[inline(always)]
+    fn corrected<const LENGTH: usize>(
+        &self,
+        from: &Pair<Jet<LENGTH>>,
+        time: f64,
+        h: f64,
+        surroundings: &Surroundings<LENGTH>,
+        factors: &Factors,
+        accelerations: &mut [Jet<LENGTH>; STAGES],
+    ) {
+        let [mu, eta] = surroundings.parameters;
+        let mut residual = *accelerations;
+        for i in 0..STAGES {
+            let [mut x, mut y] = *from;
+            x.add_multiple(h * NODES[i], &from[1]);
+            for j in 0..STAGES {
+                x.add_multiple(h * h * SQUARE[i][j], &accelerations[j]);
+            }
+            for j in 0..STAGES {
+                y.add_multiple(h * MATRIX[i][j], &accelerations[j]);
+            }
+            let t = surroundings.origin + Jet::constant(time + NODES[i] * h);
+            residual[i] = self.model.force(x, y, t, mu, eta) - accelerations[i];
+        }
+        factors.solve_jets(&mut residual);
+        for i in 0..STAGES {
+            accelerations[i].add_multiple(1.0, &residual[i]);
         }
     }
 }

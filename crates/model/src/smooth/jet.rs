@@ -17,7 +17,10 @@ pub(super) const SECOND: usize = FIRST + VARIABLES * (VARIABLES + 1) / 2;
 const PAIRS: [[usize; 2]; SECOND - FIRST] =
     [[0, 0], [0, 1], [0, 2], [0, 3], [1, 1], [1, 2], [2, 2], [2, 3], [1, 3], [3, 3]];
 
-/// A value with its derivatives; `LENGTH` is [`FIRST`] or [`SECOND`], and sets the order.
+/// Length of a jet of first order in two variables alone.
+pub(super) const PLANAR: usize = 3;
+
+/// A value with its derivatives; `LENGTH` is [`PLANAR`], [`FIRST`] or [`SECOND`], and sets the order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Jet<const LENGTH: usize>([f64; LENGTH]);
 
@@ -47,17 +50,19 @@ impl<const LENGTH: usize> Jet<LENGTH> {
         place.map_or(f64::NAN, |k| self.0[FIRST + k])
     }
 
-    /// This with `step` times the weighted sum of others added.
+    /// Adds the multiple of another jet.
     #[inline(always)]
-    pub(super) fn combined(&self, others: &[Self], step: f64, weights: &[(usize, f64)]) -> Self {
-        let mut sum = self.0;
-        for &(from, weight) in weights {
-            let (factor, other) = (step * weight, &others[from].0);
-            for i in 0..LENGTH {
-                sum[i] += factor * other[i];
-            }
+    pub(super) fn add_multiple(&mut self, factor: f64, other: &Self) {
+        for i in 0..LENGTH {
+            self.0[i] += factor * other.0[i];
         }
-        Self(sum)
+    }
+
+    /// The same without the derivatives that a jet of this length has no place for, or with zeros for those that it has
+    /// and this one has not.
+    #[inline]
+    pub(super) fn resized<const OTHER: usize>(&self) -> Jet<OTHER> {
+        Jet(from_fn(|i| if i < LENGTH { self.0[i] } else { 0.0 }))
     }
 
     /// The function whose value and derivatives at this jet's value are given.

@@ -3,7 +3,7 @@
 use core::cell::RefCell;
 
 use super::enclosure::{derivatives, enclose};
-use super::integrator::{Node, step};
+use super::integrator::Node;
 use super::{Integrated, SmoothOscillator};
 use crate::motion::{Bounds, Kinematics, Motion, Walk};
 use crate::oscillator::State;
@@ -11,7 +11,7 @@ use crate::oscillator::State;
 /// Nodes of the solution from a state in one direction of time, found when they are needed.
 #[derive(Debug)]
 struct Course {
-    nodes: Vec<Node<f64>>,
+    nodes: Vec<Node>,
     /// Bounds of the derivatives between a node and the next.
     bounds: Vec<Bounds>,
     /// The solution cannot be continued beyond the last node.
@@ -34,8 +34,7 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
     pub(super) fn new(oscillator: &Integrated<M>, from: State) -> Self {
         let start = from.phase / oscillator.frequency;
         let course = |sign: f64| {
-            let proposal = sign * oscillator.first_step();
-            let first = Node { time: start, state: [from.position, from.velocity], proposal };
+            let first = oscillator.first_node(from, sign);
             RefCell::new(Course { nodes: vec![first], bounds: Vec::new(), ended: false })
         };
         Self { oscillator: oscillator.clone(), start, courses: [course(1.0), course(-1.0)] }
@@ -52,7 +51,7 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
             if (last.time - self.start).abs() > time.abs() {
                 return;
             }
-            match last.next(&|x, y, t| self.oscillator.force(x, y, t), last.proposal) {
+            match self.oscillator.next_node(&last, last.proposal) {
                 Some(node) => course.nodes.push(node),
                 None => course.ended = true,
             }
@@ -81,12 +80,11 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         let mut course = self.course(time).borrow_mut();
         self.extend(&mut course, time);
         let passed = course.nodes.partition_point(|node| (node.time - self.start).abs() <= time.abs());
-        if passed == course.nodes.len() && course.ended || time.is_nan() {
+        if passed == course.nodes.len() || time.is_nan() {
             return [f64::NAN; 2];
         }
-        let node = course.nodes[passed.max(1) - 1];
-        let rest = self.start + time - node.time;
-        step(&|x, y, t| self.oscillator.force(x, y, t), &node.state, node.time, rest)
+        let last = passed.clamp(1, course.nodes.len() - 1);
+        self.oscillator.state_between(&course.nodes[last - 1], &course.nodes[last], self.start + time)
     }
 
     fn kinematics(&self, [position, velocity]: [f64; 2], t: f64) -> Kinematics {
@@ -110,7 +108,7 @@ impl<M: SmoothOscillator> Motion for IntegratedMotion<M> {
             let mut course = self.course(end).borrow_mut();
             self.enclose(&mut course, end);
             let begin = if from * to > 0.0 { from.abs().min(to.abs()) } else { 0.0 };
-            let reach = |node: &Node<f64>| (node.time - self.start).abs();
+            let reach = |node: &Node| (node.time - self.start).abs();
             for (ends, here) in course.nodes.windows(2).zip(&course.bounds) {
                 if reach(&ends[1]) >= begin && reach(&ends[0]) <= end.abs() {
                     largest.acceleration = largest.acceleration.max(here.acceleration);
@@ -159,7 +157,7 @@ impl<M> Clone for Nodes<'_, M> {
 impl<M> Copy for Nodes<'_, M> {}
 
 impl<M> Nodes<'_, M> {
-    fn node(&self) -> Node<f64> {
+    fn node(&self) -> Node {
         self.motion.courses[0].borrow().nodes[self.index]
     }
 }
