@@ -5,7 +5,7 @@
 //! iteration of Newton's method for each order of derivatives. So the derivatives are those of the numerical solution, its
 //! steps held, and cost a few evaluations of F at six points a step.
 
-use super::jet::{FIRST, Jet, PLANAR, SECOND};
+use super::jet::{FIRST, Jet, PLAIN, PLANAR, SECOND};
 use super::scalar::Scalar;
 use super::tableau::{BARYCENTRIC, LEGENDRE, MATRIX, NODES, POSITION_WEIGHTS, SQUARE, STAGES, WEIGHTS};
 use super::{Integrated, SmoothOscillator};
@@ -40,7 +40,7 @@ pub(super) struct Surroundings<const LENGTH: usize> {
 /// Size of the two highest coefficients of the acceleration on a step that is allowed, relative to 1 + the largest
 /// acceleration (empirical). Coefficients fall geometrically with the degree; an error at the end comes from those of degree 12
 /// and above, so that it is of the order of 10⁻¹⁵.
-const TOLERANCE: f64 = 1e-6;
+const TOLERANCE: f64 = 5e-6;
 /// The new step is this share of what the coefficients suggest, and changes by these factors at most (empirical).
 const SAFETY: f64 = 0.9;
 const SHRINK: f64 = 0.3;
@@ -288,19 +288,20 @@ impl<M: SmoothOscillator> Integrated<M> {
         step: &Step,
         surroundings: &Surroundings<LENGTH>,
     ) -> Pair<Jet<LENGTH>> {
-        let plain = from.each_ref().map(Jet::value);
-        let (_, factors) = self.linearised(plain, time, step);
-        let first_order = from.each_ref().map(Jet::resized::<FIRST>);
-        let mut first = step.accelerations.map(Jet::<FIRST>::constant);
+        let (_, factors) = self.linearised(from.each_ref().map(Jet::value), time, step);
         let reduced = Surroundings {
             origin: surroundings.origin.resized(),
             parameters: surroundings.parameters.each_ref().map(Jet::resized),
         };
-        self.corrected(&first_order, time, step.length, &reduced, &factors, &mut first);
-        let mut accelerations = first.each_ref().map(Jet::resized::<LENGTH>);
-        if LENGTH == SECOND {
-            self.corrected(from, time, step.length, surroundings, &factors, &mut accelerations);
-        }
+        let plain = step.accelerations.map(Jet::<PLAIN>::constant);
+        let first_order = from.each_ref().map(Jet::resized);
+        let first: [Jet<FIRST>; STAGES] =
+            self.corrected(&first_order, time, step.length, &reduced, &factors, &plain);
+        let accelerations = if LENGTH == SECOND {
+            self.corrected(from, time, step.length, surroundings, &factors, &first)
+        } else {
+            first.each_ref().map(Jet::resized)
+        };
         let h = step.length;
         let [mut x, mut y] = *from;
         x.add_multiple(h, &from[1]);
@@ -311,19 +312,19 @@ impl<M: SmoothOscillator> Integrated<M> {
         [x, y]
     }
 
-    /// One iteration of Newton's method with jets.
+    /// One iteration of Newton's method with jets, from accelerations that are right to one order less.
     #[inline(always)]
-    fn corrected<const LENGTH: usize>(
+    fn corrected<const LENGTH: usize, const LESS: usize>(
         &self,
         from: &Pair<Jet<LENGTH>>,
         time: f64,
         h: f64,
         surroundings: &Surroundings<LENGTH>,
         factors: &Factors,
-        accelerations: &mut [Jet<LENGTH>; STAGES],
-    ) {
+        accelerations: &[Jet<LESS>; STAGES],
+    ) -> [Jet<LENGTH>; STAGES] {
         let [mu, eta] = surroundings.parameters;
-        let mut residual = *accelerations;
+        let mut corrected = [Jet::constant(0.0); STAGES];
         for i in 0..STAGES {
             let [mut x, mut y] = *from;
             x.add_multiple(h * NODES[i], &from[1]);
@@ -334,11 +335,13 @@ impl<M: SmoothOscillator> Integrated<M> {
                 y.add_multiple(h * MATRIX[i][j], &accelerations[j]);
             }
             let t = surroundings.origin + Jet::constant(time + NODES[i] * h);
-            residual[i] = self.model.force(x, y, t, mu, eta) - accelerations[i];
+            corrected[i] = self.model.force(x, y, t, mu, eta);
+            corrected[i].add_multiple(-1.0, &accelerations[i]);
         }
-        factors.solve_jets(&mut residual);
+        factors.solve_jets(&mut corrected);
         for i in 0..STAGES {
-            accelerations[i].add_multiple(1.0, &residual[i]);
+            corrected[i].add_multiple(1.0, &accelerations[i]);
         }
+        corrected
     }
 }

@@ -17,10 +17,12 @@ pub(super) const SECOND: usize = FIRST + VARIABLES * (VARIABLES + 1) / 2;
 const PAIRS: [[usize; 2]; SECOND - FIRST] =
     [[0, 0], [0, 1], [0, 2], [0, 3], [1, 1], [1, 2], [2, 2], [2, 3], [1, 3], [3, 3]];
 
+/// Length of a jet without derivatives.
+pub(super) const PLAIN: usize = 1;
 /// Length of a jet of first order in two variables alone.
 pub(super) const PLANAR: usize = 3;
 
-/// A value with its derivatives; `LENGTH` is [`PLANAR`], [`FIRST`] or [`SECOND`], and sets the order.
+/// A value with its derivatives; `LENGTH` is [`PLAIN`], [`PLANAR`], [`FIRST`] or [`SECOND`], and sets the order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Jet<const LENGTH: usize>([f64; LENGTH]);
 
@@ -50,11 +52,11 @@ impl<const LENGTH: usize> Jet<LENGTH> {
         place.map_or(f64::NAN, |k| self.0[FIRST + k])
     }
 
-    /// Adds the multiple of another jet.
+    /// Adds the multiple of another jet, of this length or less; derivatives that it has no place for are zero.
     #[inline(always)]
-    pub(super) fn add_multiple(&mut self, factor: f64, other: &Self) {
-        for i in 0..LENGTH {
-            self.0[i] += factor * other.0[i];
+    pub(super) fn add_multiple<const OTHER: usize>(&mut self, factor: f64, other: &Jet<OTHER>) {
+        for (sum, entry) in self.0.iter_mut().zip(&other.0) {
+            *sum += factor * entry;
         }
     }
 
