@@ -66,7 +66,7 @@ pub trait Motion {
     /// Bounds of the derivatives for all times between `from` and `to`.
     fn bounds(&self, from: f64, to: f64) -> Bounds;
 
-    /// The longest stride h of [`walk`](Self::walk) up to a horizon.
+    /// The longest stride h of [`walk`](Self::walk) up to a horizon, which may lie in the past.
     fn stride(&self, horizon: f64) -> f64;
 
     /// The time after so many strides; without an own choice all are of the same length.
@@ -207,7 +207,7 @@ pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<
     let bounds = motion.bounds(0.0, sign * horizon);
     let mut first = motion.at(0.0);
     let mut start = 0.0;
-    let stride = motion.stride(horizon);
+    let stride = motion.stride(sign * horizon);
     while start < horizon {
         let end = (start + stride).min(horizon);
         let last = motion.at(sign * end);

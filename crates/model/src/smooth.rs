@@ -141,10 +141,19 @@ impl<M: SmoothOscillator> ImpactOscillator for Integrated<M> {
     }
 
     fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet {
+        self.flow_along::<ORDER>(&self.motion(from), from, duration)
+    }
+
+    fn flow_along<const ORDER: usize>(
+        &self,
+        motion: &IntegratedMotion<M>,
+        from: State,
+        duration: f64,
+    ) -> FlowJet {
         if ORDER >= 2 {
-            self.flow_jet::<SECOND>(from, duration)
+            self.flow_jet::<SECOND>(motion, from, duration)
         } else {
-            self.flow_jet::<FIRST>(from, duration)
+            self.flow_jet::<FIRST>(motion, from, duration)
         }
     }
 

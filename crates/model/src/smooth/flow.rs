@@ -4,7 +4,7 @@ use nalgebra::{Matrix2x6, Matrix6, Vector2};
 
 use super::integrator::Surroundings;
 use super::jet::{FIRST, Jet};
-use super::{Integrated, Scalar, SmoothOscillator, variable};
+use super::{Integrated, IntegratedMotion, Scalar, SmoothOscillator, variable};
 use crate::jet::{FlowJet, flow_variable as flow};
 use crate::oscillator::State;
 
@@ -25,8 +25,13 @@ struct Passage<const LENGTH: usize> {
 
 impl<M: SmoothOscillator> Integrated<M> {
     /// The jet of the flow; not numbers if the solution does not exist for so long.
-    pub(super) fn flow_jet<const LENGTH: usize>(&self, from: State, duration: f64) -> FlowJet {
-        let Some(passage) = self.integrate::<LENGTH>(from, duration) else {
+    pub(super) fn flow_jet<const LENGTH: usize>(
+        &self,
+        motion: &IntegratedMotion<M>,
+        from: State,
+        duration: f64,
+    ) -> FlowJet {
+        let Some(passage) = self.integrate::<LENGTH>(motion, from, duration) else {
             return FlowJet {
                 value: Vector2::repeat(f64::NAN),
                 jacobian: Matrix2x6::repeat(f64::NAN),
@@ -39,27 +44,25 @@ impl<M: SmoothOscillator> Integrated<M> {
     }
 
     /// Position and velocity at the end with derivatives in all variables but the phase.
-    fn integrate<const LENGTH: usize>(&self, from: State, duration: f64) -> Option<Passage<LENGTH>> {
+    fn integrate<const LENGTH: usize>(
+        &self,
+        motion: &IntegratedMotion<M>,
+        from: State,
+        duration: f64,
+    ) -> Option<Passage<LENGTH>> {
         let [mu, eta] = self.parameter_jets::<LENGTH>();
         let start = from.phase / self.frequency;
         // t = z₀/ω + s.
         let origin = Jet::constant(from.phase) / self.model.forcing_frequency(mu, eta) - Jet::constant(start);
         let surroundings = Surroundings { origin, parameters: [mu, eta] };
         let end = start + duration;
-        let mut node = self.first_node(from, duration);
         let mut jets = [
             Jet::variable(variable::POSITION, from.position),
             Jet::variable(variable::VELOCITY, from.velocity),
         ];
-        while node.time != end {
-            let mut next = self.next_node(&node, end - node.time)?;
-            if (end - next.time).abs() <= 4.0 * f64::EPSILON * end.abs().max(start.abs()) {
-                next.time = end;
-            }
-            let step = next.last.as_ref()?;
-            jets = self.jets_after(&jets, node.time, step, &surroundings);
-            node = next;
-        }
+        motion.for_each_step(duration, |time, step| {
+            jets = self.jets_after(&jets, time, step, &surroundings);
+        })?;
         let [x, y] = jets;
         let acceleration = self.model.force(x, y, origin + Jet::constant(end), mu, eta);
         // dF/dt along the motion, from F's derivatives with x, y and t as variables of their own.

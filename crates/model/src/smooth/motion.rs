@@ -3,7 +3,7 @@
 use core::cell::RefCell;
 
 use super::enclosure::{derivatives, enclose};
-use super::integrator::Node;
+use super::integrator::{Node, Step};
 use super::{Integrated, SmoothOscillator};
 use crate::motion::{Bounds, Kinematics, Motion, Walk};
 use crate::oscillator::State;
@@ -75,16 +75,35 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         }
     }
 
+    /// The number of the last node before or at a time since the start, nodes being made until the time is passed; `None` if
+    /// the solution does not get that far.
+    fn node_before(&self, course: &mut Course, time: f64) -> Option<usize> {
+        self.extend(course, time);
+        let passed = course.nodes.partition_point(|node| (node.time - self.start).abs() <= time.abs());
+        (passed < course.nodes.len()).then(|| passed.saturating_sub(1))
+    }
+
     /// Position and velocity at a time since the start; not numbers where the solution has ended.
     fn state(&self, time: f64) -> [f64; 2] {
-        let mut course = self.course(time).borrow_mut();
-        self.extend(&mut course, time);
-        let passed = course.nodes.partition_point(|node| (node.time - self.start).abs() <= time.abs());
-        if passed == course.nodes.len() || time.is_nan() {
-            return [f64::NAN; 2];
+        let course = &mut *self.course(time).borrow_mut();
+        let Some(k) = self.node_before(course, time) else { return [f64::NAN; 2] };
+        let [node, next] = [&course.nodes[k], &course.nodes[k + 1]];
+        let step = self.oscillator.step_between(node, next, self.start + time);
+        step.map_or([f64::NAN; 2], |step| step.end(node.state))
+    }
+
+    /// Calls `visit` with the beginning and the solution of each step up to a time since the start.
+    pub(super) fn for_each_step(&self, time: f64, mut visit: impl FnMut(f64, &Step)) -> Option<()> {
+        let course = &mut *self.course(time).borrow_mut();
+        let k = self.node_before(course, time)?;
+        for ends in course.nodes[..=k].windows(2) {
+            visit(ends[0].time, ends[1].last.as_ref()?);
         }
-        let last = passed.clamp(1, course.nodes.len() - 1);
-        self.oscillator.state_between(&course.nodes[last - 1], &course.nodes[last], self.start + time)
+        let [node, next] = [&course.nodes[k], &course.nodes[k + 1]];
+        if node.time != self.start + time {
+            visit(node.time, &self.oscillator.step_between(node, next, self.start + time)?);
+        }
+        Some(())
     }
 
     fn kinematics(&self, [position, velocity]: [f64; 2], t: f64) -> Kinematics {
