@@ -66,6 +66,18 @@ pub trait Motion {
     /// Bounds of the derivatives for all times between `from` and `to`.
     fn bounds(&self, from: f64, to: f64) -> Bounds;
 
+    /// Bounds between two nearby times, in this order; those for all times will do where they are about as good.
+    #[inline]
+    fn bounds_between(&self, _from: f64, _to: f64, all: &Bounds) -> Bounds {
+        *all
+    }
+
+    /// How far bounds are worth having when the first event may come sooner; all the way, where they cost nothing.
+    #[inline]
+    fn foresight(&self) -> f64 {
+        f64::INFINITY
+    }
+
     /// The longest stride h of [`walk`](Self::walk) up to a horizon, which may lie in the past.
     fn stride(&self, horizon: f64) -> f64;
 
@@ -154,8 +166,18 @@ fn cells_above(
 ///
 /// A maximum that only touches the wall (x ≤ 0 to rounding) is no crossing.
 pub fn first_crossing(motion: &impl Motion, horizon: f64) -> Option<Crossing> {
-    let bounds = motion.bounds(0.0, horizon);
-    cells_above(motion, &bounds, horizon, 0.0).find_map(|cell| cell.crossing(motion, &bounds))
+    let mut reach = motion.foresight().min(horizon);
+    loop {
+        let bounds = motion.bounds(0.0, reach);
+        let crossing = cells_above(motion, &bounds, reach, 0.0).find_map(|cell| {
+            let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
+            cell.crossing(motion, &bounds)
+        });
+        if crossing.is_some() || reach >= horizon {
+            return crossing;
+        }
+        reach = (2.0 * reach).min(horizon);
+    }
 }
 
 /// All local maxima of x(t) for t in (0, horizon), in order of time.
@@ -163,6 +185,7 @@ pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
     let bounds = motion.bounds(0.0, horizon);
     let mut found = Vec::new();
     for cell in cells_above(motion, &bounds, horizon, f64::NEG_INFINITY) {
+        let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
         cell.maxima(motion, &bounds, f64::NEG_INFINITY, &mut |maximum| {
             found.push(maximum);
             f64::NEG_INFINITY
@@ -174,10 +197,11 @@ pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
 /// The highest local maximum of x(t) for t in (0, horizon), or `None` if there is no local maximum.
 pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
     let bounds = motion.bounds(0.0, horizon);
-    let mut candidates: Vec<Cell> = Vec::with_capacity(16);
+    let mut candidates: Vec<(Cell, Bounds)> = Vec::with_capacity(16);
     // Where the velocity changes from + to − there is a maximum, at least as high as the cell's ends.
     let mut threshold = f64::NEG_INFINITY;
     for cell in cells_above(motion, &bounds, horizon, f64::NEG_INFINITY) {
+        let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
         match cell.course(&bounds) {
             Course::Monotone | Course::Curved { falling: false } => continue,
             Course::Curved { falling: true } | Course::Open => {}
@@ -185,10 +209,10 @@ pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
         if cell.first.velocity > 0.0 && cell.last.velocity <= 0.0 {
             threshold = threshold.max(cell.first.position.max(cell.last.position));
         }
-        candidates.push(cell);
+        candidates.push((cell, bounds));
     }
     let mut highest: Option<Maximum> = None;
-    for cell in candidates {
+    for (cell, bounds) in candidates {
         threshold = cell.maxima(motion, &bounds, threshold, &mut |maximum| {
             if highest.is_none_or(|other| other.position < maximum.position) {
                 highest = Some(maximum);
@@ -215,6 +239,7 @@ pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<
             return None;
         }
         let cell = Cell { start: sign * start, first, end: sign * end, last };
+        let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
         if let Some(time) = cell.rest(motion, &bounds) {
             return Some(time);
         }

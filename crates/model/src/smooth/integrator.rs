@@ -18,6 +18,8 @@ pub(super) type Pair<S> = [S; 2];
 pub(super) struct Step {
     length: f64,
     accelerations: [f64; STAGES],
+    /// The two highest coefficients of h² F_x and h F_y on the step, which the derivatives of the flow depend on.
+    slope_roughness: f64,
 }
 
 /// A point of a solution, with the step that is proposed from there.
@@ -37,8 +39,8 @@ pub(super) struct Surroundings<const LENGTH: usize> {
     pub(super) parameters: [Jet<LENGTH>; 2],
 }
 
-/// Size of the two highest coefficients of the acceleration on a step that is allowed, relative to 1 + the largest
-/// acceleration (empirical). Coefficients fall geometrically with the degree; an error at the end comes from those of degree 12
+/// Size of the two highest coefficients on a step that is allowed: of the acceleration, relative to 1 + the largest one, and of its
+/// derivatives (empirical). Coefficients fall geometrically with the degree; an error at the end comes from those of degree 12
 /// and above, so that it is of the order of 10⁻¹⁵.
 const TOLERANCE: f64 = 5e-6;
 /// The new step is this share of what the coefficients suggest, and changes by these factors at most (empirical).
@@ -54,18 +56,17 @@ const NEAR: f64 = 1e-3;
 /// A correction this small is the last.
 const CONVERGED: f64 = 1e-12;
 
-/// The factors of the matrix I − h A F_y − h² A² F_x of Newton's method, without pivots: it is close to the identity where
+/// The factors of the matrix I − h² A² F_x − h A F_y of Newton's method, without pivots: it is close to the identity where
 /// the step is not too long, and where it is not the iteration fails and the step is shortened.
 struct Factors([[f64; STAGES]; STAGES]);
 
 impl Factors {
     #[inline]
-    fn new(slopes: &[Pair<f64>; STAGES], step: f64) -> Self {
+    fn new([by_position, by_velocity]: &[[f64; STAGES]; 2]) -> Self {
         let mut m = [[0.0; STAGES]; STAGES];
         for i in 0..STAGES {
-            let [by_position, by_velocity] = [slopes[i][0] * step * step, slopes[i][1] * step];
             for j in 0..STAGES {
-                m[i][j] = -by_position * SQUARE[i][j] - by_velocity * MATRIX[i][j];
+                m[i][j] = -by_position[i] * SQUARE[i][j] - by_velocity[i] * MATRIX[i][j];
             }
             m[i][i] += 1.0;
         }
@@ -125,6 +126,12 @@ fn sum(weights: &[f64; STAGES], values: &[f64; STAGES]) -> f64 {
     sum
 }
 
+/// The two highest coefficients of a function in Legendre polynomials on a step, taken together.
+fn highest(values: &[f64; STAGES]) -> f64 {
+    let [a, b] = LEGENDRE.map(|weights| sum(&weights, values));
+    a.abs() + 0.1 * b.abs()
+}
+
 impl Step {
     /// Position and velocity at a stage.
     #[inline(always)]
@@ -166,8 +173,7 @@ impl Step {
 
     /// The two highest coefficients over what is allowed.
     fn roughness(&self) -> f64 {
-        let [a, b] = LEGENDRE.map(|weights| sum(&weights, &self.accelerations));
-        (a.abs() + 0.1 * b.abs()) / (TOLERANCE * self.scale())
+        (highest(&self.accelerations) / self.scale() + self.slope_roughness) / TOLERANCE
     }
 }
 
@@ -187,7 +193,8 @@ impl<M: SmoothOscillator> Integrated<M> {
                     factors
                 }
                 None => {
-                    let (forces, factors) = self.linearised(from, time, &step);
+                    let (forces, factors, roughness) = self.linearised(from, time, &step);
+                    step.slope_roughness = roughness;
                     for i in 0..STAGES {
                         residual[i] = forces[i] - step.accelerations[i];
                     }
@@ -216,18 +223,19 @@ impl<M: SmoothOscillator> Integrated<M> {
 
     /// The forces at the stages, and the factors of Newton's matrix.
     #[inline]
-    fn linearised(&self, from: Pair<f64>, time: f64, step: &Step) -> ([f64; STAGES], Factors) {
+    fn linearised(&self, from: Pair<f64>, time: f64, step: &Step) -> ([f64; STAGES], Factors, f64) {
         let [mu, eta] = self.parameters.map(Jet::<PLANAR>::constant);
         let mut forces = [0.0; STAGES];
-        let mut slopes = [[0.0; 2]; STAGES];
+        let mut slopes = [[0.0; STAGES]; 2];
         for i in 0..STAGES {
             let [x, y] = step.stage(from, i);
             let t = Jet::constant(time + NODES[i] * step.length);
             let force = self.model.force(Jet::variable(0, x), Jet::variable(1, y), t, mu, eta);
             forces[i] = force.value();
-            slopes[i] = [force.first(0), force.first(1)];
+            slopes[0][i] = step.length * step.length * force.first(0);
+            slopes[1][i] = step.length * force.first(1);
         }
-        (forces, Factors::new(&slopes, step.length))
+        (forces, Factors::new(&slopes), highest(&slopes[0]) + highest(&slopes[1]))
     }
 
     /// The node after this one, `longest` away at most in time; `None` if the solution cannot be continued.
@@ -238,7 +246,11 @@ impl<M: SmoothOscillator> Integrated<M> {
                 Some(last) => last.guess(1.0, trial),
                 None => [self.force(node.state[0], node.state[1], node.time); STAGES],
             };
-            let solved = self.solve_step(node.state, node.time, Step { length: trial, accelerations: guess });
+            let solved = self.solve_step(
+                node.state,
+                node.time,
+                Step { length: trial, accelerations: guess, slope_roughness: 0.0 },
+            );
             let Some(step) = solved else {
                 trial *= SHRINK;
                 if trial.abs() < SHORTEST {
@@ -271,7 +283,7 @@ impl<M: SmoothOscillator> Integrated<M> {
     pub(super) fn step_between(&self, node: &Node, next: &Node, time: f64) -> Option<Step> {
         let length = time - node.time;
         let accelerations = next.last.as_ref()?.guess(0.0, length);
-        self.solve_step(node.state, node.time, Step { length, accelerations })
+        self.solve_step(node.state, node.time, Step { length, accelerations, slope_roughness: 0.0 })
     }
 
     /// The jets at the end of a step that has been solved.
@@ -283,7 +295,7 @@ impl<M: SmoothOscillator> Integrated<M> {
         step: &Step,
         surroundings: &Surroundings<LENGTH>,
     ) -> Pair<Jet<LENGTH>> {
-        let (_, factors) = self.linearised(from.each_ref().map(Jet::value), time, step);
+        let (_, factors, _) = self.linearised(from.each_ref().map(Jet::value), time, step);
         let reduced = Surroundings {
             origin: surroundings.origin.resized(),
             parameters: surroundings.parameters.each_ref().map(Jet::resized),

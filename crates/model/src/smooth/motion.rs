@@ -18,6 +18,24 @@ struct Course {
     ended: bool,
 }
 
+/// Bounds over no time at all.
+const NO_BOUNDS: Bounds = Bounds { acceleration: 0.0, jerk: 0.0, snap: 0.0 };
+
+impl Course {
+    /// Raises bounds to those between two times, counted away from the start.
+    fn largest_bounds(&self, start: f64, [begin, end]: [f64; 2], largest: &mut Bounds) {
+        let first = self.nodes.partition_point(|node| (node.time - start).abs() <= begin).saturating_sub(1);
+        for (node, here) in self.nodes.iter().zip(&self.bounds).skip(first) {
+            if (node.time - start).abs() >= end {
+                return;
+            }
+            largest.acceleration = largest.acceleration.max(here.acceleration);
+            largest.jerk = largest.jerk.max(here.jerk);
+            largest.snap = largest.snap.max(here.snap);
+        }
+    }
+}
+
 /// A motion of an [`Integrated`] oscillator.
 ///
 /// It exists up to where its solution escapes; beyond, all is not a number.
@@ -119,24 +137,27 @@ impl<M: SmoothOscillator> Motion for IntegratedMotion<M> {
     }
 
     fn bounds(&self, from: f64, to: f64) -> Bounds {
-        let mut largest = Bounds { acceleration: 0.0, jerk: 0.0, snap: 0.0 };
+        let mut largest = NO_BOUNDS;
         for end in [from.max(to).max(0.0), from.min(to).min(0.0)] {
-            if end == 0.0 {
-                continue;
-            }
-            let mut course = self.course(end).borrow_mut();
-            self.enclose(&mut course, end);
-            let begin = if from * to > 0.0 { from.abs().min(to.abs()) } else { 0.0 };
-            let reach = |node: &Node| (node.time - self.start).abs();
-            for (ends, here) in course.nodes.windows(2).zip(&course.bounds) {
-                if reach(&ends[1]) >= begin && reach(&ends[0]) <= end.abs() {
-                    largest.acceleration = largest.acceleration.max(here.acceleration);
-                    largest.jerk = largest.jerk.max(here.jerk);
-                    largest.snap = largest.snap.max(here.snap);
-                }
+            if end != 0.0 {
+                let mut course = self.course(end).borrow_mut();
+                self.enclose(&mut course, end);
+                let begin = if from * to > 0.0 { from.abs().min(to.abs()) } else { 0.0 };
+                course.largest_bounds(self.start, [begin, end.abs()], &mut largest);
             }
         }
         largest
+    }
+
+    fn bounds_between(&self, from: f64, to: f64, _: &Bounds) -> Bounds {
+        let mut largest = NO_BOUNDS;
+        let course = self.course(to).borrow();
+        course.largest_bounds(self.start, [from.abs(), to.abs()], &mut largest);
+        largest
+    }
+
+    fn foresight(&self) -> f64 {
+        core::f64::consts::TAU / self.oscillator.frequency
     }
 
     fn stride(&self, horizon: f64) -> f64 {
