@@ -190,3 +190,86 @@ impl Coefficient for Interval {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FUNCTIONS: [Function; 8] = [
+        Function::Sin,
+        Function::Cos,
+        Function::Tan,
+        Function::Tanh,
+        Function::Atan,
+        Function::Exp,
+        Function::Ln,
+        Function::Sqrt,
+    ];
+
+    /// Intervals of many sizes and places, and points of each.
+    fn samples() -> impl Iterator<Item = (Interval, [f64; 9])> {
+        let ends = (0..40).map(|k| (-3.0 + 0.31 * f64::from(k), 0.05 + 0.17 * f64::from(k % 11)));
+        ends.map(|(start, width)| {
+            let points = core::array::from_fn(|i| start + width * i as f64 / 8.0);
+            (Interval::new(start, start + width), points)
+        })
+    }
+
+    #[track_caller]
+    fn assert_holds(range: Interval, value: f64) {
+        // Bounds are right to rounding.
+        let slack = 1e-14 * (1.0 + value.abs());
+        assert!(
+            value.is_nan() || (range.lower - slack <= value && value <= range.upper + slack),
+            "{range:?} {value}"
+        );
+    }
+
+    #[test]
+    fn ranges_of_functions_and_of_their_derivatives_are_held() {
+        for function in FUNCTIONS {
+            for (interval, points) in samples() {
+                let ranges = interval.derivatives(function);
+                assert_eq!(ranges[0], interval.apply(function));
+                for point in points {
+                    for (range, value) in ranges.into_iter().zip(function.derivatives(point)) {
+                        assert_holds(range, value);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn ranges_of_operations_are_held() {
+        for (a, first) in samples() {
+            for (b, second) in samples() {
+                for x in first {
+                    assert_holds(a.square(), x * x);
+                    assert_holds(a.scale(-2.0) - b, -2.0 * x - second[0]);
+                    for y in second {
+                        assert_holds(a * b, x * y);
+                        assert_holds(a / b, x / y);
+                        assert_holds(-a + b, y - x);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn ranges_of_the_cosine_are_exact_where_it_turns() {
+        let across = Interval::new(3.0, 3.5).apply(Function::Cos);
+        assert_eq!((across.lower, across.upper), (-1.0, libm::cos(3.5)));
+        let wide = Interval::new(-1.0, 6.0).apply(Function::Cos);
+        assert_eq!((wide.lower, wide.upper), (-1.0, 1.0));
+    }
+
+    #[test]
+    fn nothing_is_known_of_what_is_not_a_number() {
+        let zero = Interval::constant(0.0);
+        assert_eq!(UNKNOWN * zero, UNKNOWN);
+        assert_eq!(zero / Interval::new(-1.0, 1.0), UNKNOWN);
+        assert_eq!(Interval::new(-1.0, 1.0).apply(Function::Ln), UNKNOWN);
+    }
+}

@@ -164,3 +164,59 @@ pub(super) const LEGENDRE: [[f64; STAGES]; 2] = [
 /// Barycentric weights of the interpolation through the stages, up to a common factor.
 pub(super) const BARYCENTRIC: [f64; STAGES] =
     [-0.22509359338805926, 0.6783208298917364, -1.0, 1.0, -0.6783208298917364, 0.22509359338805926];
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sums of six terms of order one.
+    const ROUNDING: f64 = 1e-15;
+
+    fn moment(weights: &[f64; STAGES], power: u32) -> f64 {
+        let powers = NODES.map(|c| (0..power).fold(1.0, |product, _| product * c));
+        weights.iter().zip(powers).map(|(weight, power)| weight * power).sum()
+    }
+
+    #[test]
+    fn weights_integrate_polynomials_up_to_degree_eleven() {
+        for power in 0..12_u32 {
+            let n = f64::from(power);
+            assert!((moment(&WEIGHTS, power) - 1.0 / (n + 1.0)).abs() < ROUNDING);
+            // ∫ (1 − t) tⁿ dt; the factor takes one degree.
+            if power < 11 {
+                let exact = 1.0 / (n + 1.0) - 1.0 / (n + 2.0);
+                assert!((moment(&POSITION_WEIGHTS, power) - exact).abs() < ROUNDING);
+            }
+        }
+    }
+
+    #[test]
+    fn stages_integrate_polynomials_up_to_degree_five() {
+        for (i, c) in NODES.into_iter().enumerate() {
+            let mut power_of_c = c;
+            for power in 0..6_u32 {
+                let n = f64::from(power);
+                assert!((moment(&MATRIX[i], power) - power_of_c / (n + 1.0)).abs() < ROUNDING);
+                power_of_c *= c;
+                // Twice integrated for positions; A² is exact to one degree less.
+                if power < 5 {
+                    let twice = power_of_c / ((n + 1.0) * (n + 2.0));
+                    assert!((moment(&SQUARE[i], power) - twice).abs() < ROUNDING);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn highest_coefficients_are_those_of_legendre_polynomials() {
+        // P₅ and P₄ in u = 2c − 1, and what is orthogonal to them.
+        let fifth = NODES.map(|c| 2.0 * c - 1.0).map(|u| u * (15.0 + u * u * (63.0 * u * u - 70.0)) / 8.0);
+        let fourth = NODES.map(|c| 2.0 * c - 1.0).map(|u| (3.0 + u * u * (35.0 * u * u - 30.0)) / 8.0);
+        let product = |a: &[f64; STAGES], b: &[f64; STAGES]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        for (values, expected) in [(fifth, [1.0, 0.0]), (fourth, [0.0, 1.0])] {
+            for (weights, expected) in LEGENDRE.iter().zip(expected) {
+                // Weights up to five.
+                assert!((product(weights, &values) - expected).abs() < 10.0 * ROUNDING);
+            }
+        }
+    }
+}
