@@ -60,6 +60,7 @@ const CONVERGED: f64 = 1e-12;
 /// the step is not too long, and where it is not the iteration fails and the step is shortened.
 struct Factors([[f64; STAGES]; STAGES]);
 
+#[expect(clippy::needless_range_loop, reason = "indices as in the formulas")]
 impl Factors {
     #[inline]
     fn new([by_position, by_velocity]: &[[f64; STAGES]; 2]) -> Self {
@@ -179,6 +180,7 @@ impl Step {
 
 impl<M: SmoothOscillator> Integrated<M> {
     /// Solves for the accelerations of a step by Newton's method; `None` if it does not converge.
+    #[expect(clippy::needless_range_loop, reason = "indices as in the formulas")]
     fn solve_step(&self, from: Pair<f64>, time: f64, guess: Step) -> Option<Step> {
         let mut step = guess;
         let mut factors = None;

@@ -50,7 +50,8 @@ impl Interval {
 
     /// The range of the cosine.
     fn cosine(self) -> Self {
-        if !(self.upper - self.lower < TAU) {
+        let width = self.upper - self.lower;
+        if width >= TAU || width.is_nan() {
             return Self { lower: -1.0, upper: 1.0 };
         }
         let ends = self.monotone(libm::cos);

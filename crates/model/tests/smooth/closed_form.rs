@@ -33,7 +33,7 @@ fn flow_along_a_motion_is_the_flow() {
     let (integrated, _) = both();
     let motion = integrated.motion(FROM);
     // The motion is known farther than it is needed, and in the other direction.
-    (motion.at(30.0), motion.at(-20.0));
+    assert!(motion.at(30.0).position.is_finite() && motion.at(-20.0).position.is_finite());
     for duration in [-6.0, 0.0, 0.4, 9.0] {
         let along = integrated.flow_along::<2>(&motion, FROM, duration);
         assert_eq!(along, integrated.flow::<2>(FROM, duration));
