@@ -40,8 +40,8 @@ pub(super) struct Surroundings<const LENGTH: usize> {
 }
 
 /// Size of the two highest coefficients on a step that is allowed: of the acceleration, relative to 1 + the largest one, and of its
-/// derivatives (empirical). Coefficients fall geometrically with the degree; an error at the end comes from those of degree 12
-/// and above, so that it is of the order of 10⁻¹⁵.
+/// derivatives (empirical). Coefficients fall geometrically with the degree; an error at the end comes from those of degree
+/// twelve and above, which are then 10⁻¹³ or so, and enter with a small factor. Tests hold flows to 10⁻¹².
 const TOLERANCE: f64 = 5e-6;
 /// The new step is this share of what the coefficients suggest, and changes by these factors at most (empirical).
 const SAFETY: f64 = 0.9;
