@@ -12,7 +12,8 @@ use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::LinearOscillator;
+use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
+use grazing_model::{ImpactOscillator, LinearOscillator};
 
 fn main() {
     divan::main();
@@ -22,14 +23,14 @@ const ZETA: f64 = 0.02;
 const EPSILON: f64 = 0.9;
 
 /// A curve that is ready to be followed.
-struct Start {
-    curve: MpsCurve<LinearOscillator>,
+struct Start<O> {
+    curve: MpsCurve<O>,
     point: Unknowns,
     direction: Unknowns,
     route: Route,
 }
 
-impl Start {
+impl<O: ImpactOscillator> Start<O> {
     fn follow(&self) -> Curve {
         let Self { curve, point, direction, route } = self;
         curve.clone().follow(*point, *direction, Memory::default(), route).unwrap()
@@ -104,7 +105,7 @@ fn one_parameter_branch(bencher: Bencher<'_, '_>, p: u32, formulation: Formulati
 }
 
 /// A bifurcation curve from a resonance to its end.
-fn from_resonance(Place { p, n }: Place, condition: Condition) -> Start {
+fn from_resonance(Place { p, n }: Place, condition: Condition) -> Start<LinearOscillator> {
     let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
     let grazing = theory.resonance(p, n).unwrap().grazing();
     let (amplitude, omega) = (grazing.amplitude(), grazing.forcing_frequency());
@@ -129,4 +130,59 @@ fn point_of_a_saddle_node_curve(bencher: Bencher<'_, '_>, resonance: &Place) {
 #[divan::bench(args = RESONANCES)]
 fn point_of_a_period_doubling_curve(bencher: Bencher<'_, '_>, resonance: &Place) {
     from_resonance(*resonance, Condition::PERIOD_DOUBLING).bench(bencher);
+}
+
+/// The paper's oscillator with a cubic spring, and a reset law that varies, given by its force.
+#[derive(Clone, Debug)]
+struct Duffing;
+
+impl SmoothOscillator for Duffing {
+    #[inline]
+    fn force<S: Scalar>(&self, x: S, y: S, t: S, amplitude: S, omega: S) -> S {
+        amplitude * (omega * t).apply(Function::Cos)
+            - y.scale(2.0 * ZETA)
+            - x
+            - x.square() * x.scale(0.1)
+            - S::constant(1.0)
+    }
+
+    fn forcing_frequency<S: Scalar>(&self, _: S, omega: S) -> S {
+        omega
+    }
+
+    fn restitution<S: Scalar>(&self, y: S, _: S, _: S, _: S) -> S {
+        S::constant(EPSILON) - y.scale(0.1)
+    }
+
+    fn impact_duration<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+        S::constant(0.05)
+    }
+}
+
+/// A formulation that can be listed.
+struct Way(Formulation);
+
+impl core::fmt::Display for Way {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{:?}", self.0)
+    }
+}
+
+/// The saddle-node curve of the Duffing oscillator with p = 1, its flow integrated.
+#[divan::bench(args = [Way(Formulation::Vivid), Way(Formulation::FixedPhase)])]
+fn point_of_a_saddle_node_curve_of_an_integrated_oscillator(
+    bencher: Bencher<'_, '_>,
+    &Way(formulation): &Way,
+) {
+    // Near the resonance that continues n = 3 of the linear oscillator.
+    let oscillator = Integrated::new(Duffing, [0.673, 0.7597]);
+    let resonance = ResonantGrazingPoint::find(&oscillator, 1, -0.3).unwrap();
+    let condition = Condition::SADDLE_NODE;
+    let start = Start {
+        curve: MpsCurve { equations: resonance.equations().with_formulation(formulation), condition },
+        point: resonance.unknowns(),
+        direction: resonance.direction(condition),
+        route: route([0.3, 1.0], [0.7, 0.8], true),
+    };
+    start.bench(bencher);
 }

@@ -143,11 +143,23 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     /// The two maps to the plane of constant phase `plane`, which exist at every point.
     fn fixed_phase_pair<const ORDER: usize>(&self, point: &Unknowns, plane: f64) -> LoopPair {
         let oscillator = self.oscillator_at(point);
+        self.fixed_phase_pair_along::<ORDER>(point, plane, &oscillator.motion(self.recoil(point)))
+    }
+
+    /// The same with the motion from the recoil at hand.
+    fn fixed_phase_pair_along<const ORDER: usize>(
+        &self,
+        point: &Unknowns,
+        plane: f64,
+        motion: &O::Motion,
+    ) -> LoopPair {
+        let oscillator = self.oscillator_at(point);
         let (velocity, phase) = (point[unknown::VELOCITY], point[unknown::PHASE]);
         let reset = oscillator.reset::<ORDER>(velocity, phase);
         let recoil = reset.value;
         let turns = f64::from(self.loops) * core::f64::consts::TAU;
-        let around = maps::to_phase::<O, ORDER>(&oscillator, recoil[0], recoil[1], plane + turns);
+        let around =
+            maps::to_phase_along::<O, ORDER>(&oscillator, motion, recoil[0], recoil[1], plane + turns);
         let impact = maps::to_phase::<O, ORDER>(&oscillator, velocity, phase, plane);
         LoopPair { round_trip: around.after::<ORDER>(&reset), impact }
     }
@@ -199,28 +211,34 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     ///
     /// Needs no virtual points, whatever the formulation. The second value is the pair of maps that it was read off.
     pub fn solution(&self, point: &Unknowns) -> (MaximalPeriodicSolution, LoopPair) {
-        let pair = self.fixed_phase_pair::<1>(point, point[unknown::PHASE]);
-        (self.orbit(point, pair.multipliers()), pair)
+        let motion = self.oscillator_at(point).motion(self.recoil(point));
+        let pair = self.fixed_phase_pair_along::<1>(point, point[unknown::PHASE], &motion);
+        (self.orbit(point, &motion, pair.multipliers()), pair)
     }
 
     /// The same at a point with y = 0 that is approached along a curve with the given tangent, where the multipliers are
     /// limits.
     pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> MaximalPeriodicSolution {
-        let pair = self.fixed_phase_pair::<2>(point, point[unknown::PHASE]);
-        self.orbit(point, pair.limiting_multipliers(tangent))
+        let motion = self.oscillator_at(point).motion(self.recoil(point));
+        let pair = self.fixed_phase_pair_along::<2>(point, point[unknown::PHASE], &motion);
+        self.orbit(point, &motion, pair.limiting_multipliers(tangent))
     }
 
-    fn orbit(&self, point: &Unknowns, multipliers: Multipliers) -> MaximalPeriodicSolution {
+    fn orbit(
+        &self,
+        point: &Unknowns,
+        motion: &O::Motion,
+        multipliers: Multipliers,
+    ) -> MaximalPeriodicSolution {
         let oscillator = self.oscillator_at(point);
         let recoil = self.recoil(point);
         let lag = (recoil.phase - point[unknown::PHASE]) / oscillator.forcing_frequency().value;
         let flight = f64::from(self.loops) * oscillator.forcing_period() - lag;
-        let motion = oscillator.motion(recoil);
         MaximalPeriodicSolution {
             loops: self.loops,
             unknowns: *point,
             multipliers,
-            highest_interior_maximum: highest_maximum(&motion, flight),
+            highest_interior_maximum: highest_maximum(motion, flight),
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Impact oscillators as hybrid systems: flow, reset law, Poincaré maps and orbits with impacts.
 //!
 //! The general class is the trait [`ImpactOscillator`] (section 2.1 of the paper, eq:F to eq:resetLaw); its first member
-//! is the [`LinearOscillator`] (section 3, eq:oscf, eq:oscResetLaw), whose flow is known in closed form. The maps of
+//! is the [`LinearOscillator`] (section 3, eq:oscf, eq:oscResetLaw), whose flow is known in closed form; any
+//! other is given by its force and reset law ([`smooth`]), and its flow is integrated. The maps of
 //! sections 2 and 4 stand in [`maps`], the search for maxima and impacts in [`motion`], and orbits with impacts in
 //! [`orbit`].
 //!

@@ -182,9 +182,26 @@ pub fn to_phase<O: ImpactOscillator, const ORDER: usize>(
     phase: f64,
     target: f64,
 ) -> MapJet {
+    to_phase_along::<O, ORDER>(
+        oscillator,
+        &oscillator.motion(State::on_wall(velocity, phase)),
+        velocity,
+        phase,
+        target,
+    )
+}
+
+/// [`to_phase`] with the motion from (y, z) at hand.
+pub fn to_phase_along<O: ImpactOscillator, const ORDER: usize>(
+    oscillator: &O,
+    motion: &O::Motion,
+    velocity: f64,
+    phase: f64,
+    target: f64,
+) -> MapJet {
     let frequency = oscillator.forcing_frequency();
     let time = (target - phase) / frequency.value;
-    let jet = oscillator.flow::<ORDER>(State::on_wall(velocity, phase), time);
+    let jet = oscillator.flow_along::<ORDER>(motion, State::on_wall(velocity, phase), time);
     // s = (target − z)/ω(μ, η).
     let omega = Vector4::new(0.0, 0.0, frequency.gradient[0], frequency.gradient[1]);
     let mut ds = -omega * (time / frequency.value);
@@ -228,7 +245,7 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
             break;
         }
         if step.abs() <= LAST_STEP {
-            return finish_landing::<O, ORDER, FIRST>(oscillator, from, time, turn);
+            return finish_landing::<O, ORDER, FIRST>(oscillator, &motion, from, time, turn);
         }
         here = motion.at(time);
     }
@@ -239,11 +256,12 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
 #[inline]
 fn finish_landing<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
     oscillator: &O,
+    motion: &O::Motion,
     from: State,
     time: f64,
     turn: f64,
 ) -> Result<Landing, MapError> {
-    let jet = oscillator.flow::<ORDER>(from, time);
+    let jet = oscillator.flow_along::<ORDER>(motion, from, time);
     let acceleration = jet.jacobian[(1, flow::DURATION)];
     if acceleration.is_nan() || acceleration >= 0.0 {
         return Err(MapError::NotAMaximum { acceleration });

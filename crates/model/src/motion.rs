@@ -46,7 +46,7 @@ pub struct Bounds {
     pub snap: f64,
 }
 
-/// A walk along a motion in equal strides: the position at once, the derivatives when they are asked for.
+/// A walk along a motion in strides: the position at once, the derivatives when they are asked for.
 pub trait Walk: Copy {
     /// x.
     fn position(&self) -> f64;
@@ -60,16 +60,39 @@ pub trait Walk: Copy {
 
 /// A smooth motion x(t), t being the time since it began.
 pub trait Motion {
-    /// The motion at a time of either sign.
+    /// The motion at a time of either sign; not numbers where it has ceased to exist.
     fn at(&self, time: f64) -> Kinematics;
 
     /// Bounds of the derivatives for all times between `from` and `to`.
     fn bounds(&self, from: f64, to: f64) -> Bounds;
 
-    /// Spacing h of [`walk`](Self::walk).
-    fn stride(&self) -> f64;
+    /// Bounds between two nearby times, in this order; those for all times will do where they are about as good.
+    #[inline]
+    fn bounds_between(&self, _from: f64, _to: f64, all: &Bounds) -> Bounds {
+        *all
+    }
 
-    /// A walk through the times 0, h, 2h, …, standing at 0.
+    /// How far bounds are worth having when the first event may come sooner; all the way, where they cost nothing.
+    #[inline]
+    fn foresight(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    /// The longest stride h of [`walk`](Self::walk) up to a horizon, which may lie in the past.
+    fn stride(&self, horizon: f64) -> f64;
+
+    /// The time after so many strides; without an own choice all are of the same length.
+    #[inline]
+    fn time_after(&self, strides: f64) -> f64 {
+        strides * self.stride(0.0)
+    }
+
+    /// The number of strides, a whole one, that end at `horizon` or before.
+    fn strides_within(&self, horizon: f64) -> f64 {
+        libm::floor(horizon / self.stride(horizon))
+    }
+
+    /// A walk through the times after 0, 1, 2, … strides, standing at 0.
     fn walk(&self) -> impl Walk;
 }
 
@@ -98,10 +121,10 @@ fn cells_above(
     horizon: f64,
     level: f64,
 ) -> impl Iterator<Item = Cell> {
-    let stride = motion.stride();
+    let stride = motion.stride(horizon);
     // Positions at both ends below this rule the cell out: |x − chord| ≤ h²/8 · max|ẍ|.
     let relevant = level - stride * stride / 8.0 * bounds.acceleration;
-    let whole_cells = libm::floor(horizon / stride);
+    let whole_cells = motion.strides_within(horizon);
     let mut walk = motion.walk();
     let (mut index, mut position) = (0.0, walk.position());
     // The derivatives at the point where the walk stands, if the cell before needed them.
@@ -119,20 +142,23 @@ fn cells_above(
                 let first = known.filter(|_| cell == index + 1.0).unwrap_or_else(|| before.kinematics());
                 let last = here.kinematics();
                 (walk, index, position, known) = (here, cell, next, Some(last));
-                return Some(Cell { start: (cell - 1.0) * stride, first, end: cell * stride, last });
+                let [start, end] = [cell - 1.0, cell].map(|strides| motion.time_after(strides));
+                return Some(Cell { start, first, end, last });
             }
             above = next_above;
         }
         if cell > index {
             (walk, index, known) = (here, cell, None);
         }
-        let start = index * stride;
-        // The rest of the time, shorter than a stride, comes last.
-        (index == whole_cells && start < horizon).then(|| {
-            index += 1.0;
-            let first = known.unwrap_or_else(|| walk.kinematics());
-            Cell { start, first, end: horizon, last: motion.at(horizon) }
-        })
+        let start = motion.time_after(index.min(whole_cells));
+        // The rest of the time, shorter than a stride, comes last, unless the motion ends before the horizon.
+        if index > whole_cells || start >= horizon {
+            return None;
+        }
+        index += 1.0;
+        let last = motion.at(horizon);
+        let first = known.unwrap_or_else(|| walk.kinematics());
+        last.position.is_finite().then_some(Cell { start, first, end: horizon, last })
     })
 }
 
@@ -140,8 +166,18 @@ fn cells_above(
 ///
 /// A maximum that only touches the wall (x ≤ 0 to rounding) is no crossing.
 pub fn first_crossing(motion: &impl Motion, horizon: f64) -> Option<Crossing> {
-    let bounds = motion.bounds(0.0, horizon);
-    cells_above(motion, &bounds, horizon, 0.0).find_map(|cell| cell.crossing(motion, &bounds))
+    let mut reach = motion.foresight().min(horizon);
+    loop {
+        let bounds = motion.bounds(0.0, reach);
+        let crossing = cells_above(motion, &bounds, reach, 0.0).find_map(|cell| {
+            let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
+            cell.crossing(motion, &bounds)
+        });
+        if crossing.is_some() || reach >= horizon {
+            return crossing;
+        }
+        reach = (2.0 * reach).min(horizon);
+    }
 }
 
 /// All local maxima of x(t) for t in (0, horizon), in order of time.
@@ -149,6 +185,7 @@ pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
     let bounds = motion.bounds(0.0, horizon);
     let mut found = Vec::new();
     for cell in cells_above(motion, &bounds, horizon, f64::NEG_INFINITY) {
+        let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
         cell.maxima(motion, &bounds, f64::NEG_INFINITY, &mut |maximum| {
             found.push(maximum);
             f64::NEG_INFINITY
@@ -160,10 +197,11 @@ pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
 /// The highest local maximum of x(t) for t in (0, horizon), or `None` if there is no local maximum.
 pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
     let bounds = motion.bounds(0.0, horizon);
-    let mut candidates: Vec<Cell> = Vec::with_capacity(16);
+    let mut candidates: Vec<(Cell, Bounds)> = Vec::with_capacity(16);
     // Where the velocity changes from + to − there is a maximum, at least as high as the cell's ends.
     let mut threshold = f64::NEG_INFINITY;
     for cell in cells_above(motion, &bounds, horizon, f64::NEG_INFINITY) {
+        let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
         match cell.course(&bounds) {
             Course::Monotone | Course::Curved { falling: false } => continue,
             Course::Curved { falling: true } | Course::Open => {}
@@ -171,10 +209,10 @@ pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
         if cell.first.velocity > 0.0 && cell.last.velocity <= 0.0 {
             threshold = threshold.max(cell.first.position.max(cell.last.position));
         }
-        candidates.push(cell);
+        candidates.push((cell, bounds));
     }
     let mut highest: Option<Maximum> = None;
-    for cell in candidates {
+    for (cell, bounds) in candidates {
         threshold = cell.maxima(motion, &bounds, threshold, &mut |maximum| {
             if highest.is_none_or(|other| other.position < maximum.position) {
                 highest = Some(maximum);
@@ -193,10 +231,15 @@ pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<
     let bounds = motion.bounds(0.0, sign * horizon);
     let mut first = motion.at(0.0);
     let mut start = 0.0;
+    let stride = motion.stride(sign * horizon);
     while start < horizon {
-        let end = (start + motion.stride()).min(horizon);
+        let end = (start + stride).min(horizon);
         let last = motion.at(sign * end);
+        if !last.position.is_finite() {
+            return None;
+        }
         let cell = Cell { start: sign * start, first, end: sign * end, last };
+        let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
         if let Some(time) = cell.rest(motion, &bounds) {
             return Some(time);
         }

@@ -7,6 +7,7 @@ mod closed_forms;
 mod formulations;
 mod generic_grazing;
 mod hybrid;
+mod integrated;
 mod located_resonances;
 mod newton;
 mod one_parameter_branches;

@@ -123,7 +123,7 @@ impl Motion for LinearMotion {
         }
     }
 
-    fn stride(&self) -> f64 {
+    fn stride(&self, _: f64) -> f64 {
         self.stride.length
     }
 

@@ -1,24 +1,32 @@
-//! Jets in the initial state and the parameters.
+//! Jets in four variables: a value with its first, or first and second, derivatives.
 
+use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::scalar::{Function, Scalar};
 
-/// The number of variables: x₀, y₀, z₀, μ, η.
-pub(super) const VARIABLES: usize = 5;
-/// Where the second derivatives begin.
-const SECOND: usize = 1 + VARIABLES;
-/// All coefficients of a jet of second order.
-const ALL: usize = SECOND + VARIABLES * (VARIABLES + 1) / 2;
+/// The number of variables.
+pub(super) const VARIABLES: usize = 4;
+/// Length of a jet of first order: the value and the gradient.
+pub(super) const FIRST: usize = 1 + VARIABLES;
+/// Length of a jet of second order: with the upper triangle of the second derivatives.
+pub(super) const SECOND: usize = FIRST + VARIABLES * (VARIABLES + 1) / 2;
 
-/// A value with its derivatives up to `ORDER` (1 or 2) in five variables: the value, the gradient, and the upper triangle of
-/// the second derivatives row by row.
+/// The two variables of each second derivative, in the order in which they are stored; pairs of neighbours share one, which
+/// lets products be taken two at a time.
+const PAIRS: [[usize; 2]; SECOND - FIRST] =
+    [[0, 0], [0, 1], [0, 2], [0, 3], [1, 1], [1, 2], [2, 2], [2, 3], [1, 3], [3, 3]];
+
+/// Length of a jet without derivatives.
+pub(super) const PLAIN: usize = 1;
+/// Length of a jet of first order in two variables alone.
+pub(super) const PLANAR: usize = 3;
+
+/// A value with its derivatives; `LENGTH` is [`PLAIN`], [`PLANAR`], [`FIRST`] or [`SECOND`], and sets the order.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Jet<const ORDER: usize>([f64; ALL]);
+pub(super) struct Jet<const LENGTH: usize>([f64; LENGTH]);
 
-impl<const ORDER: usize> Jet<ORDER> {
-    const LENGTH: usize = if ORDER >= 2 { ALL } else { SECOND };
-
+impl<const LENGTH: usize> Jet<LENGTH> {
     /// A variable with its value.
     pub(super) fn variable(index: usize, value: f64) -> Self {
         let mut jet = Self::constant(value);
@@ -26,6 +34,7 @@ impl<const ORDER: usize> Jet<ORDER> {
         jet
     }
 
+    #[inline]
     pub(super) fn value(&self) -> f64 {
         self.0[0]
     }
@@ -36,98 +45,89 @@ impl<const ORDER: usize> Jet<ORDER> {
 
     /// The second derivative; zero in a jet of first order.
     pub(super) fn second(&self, a: usize, b: usize) -> f64 {
-        let (row, column) = (a.min(b), a.max(b));
-        self.0[SECOND + row * VARIABLES - row * (row + 1) / 2 + column]
+        if LENGTH < SECOND {
+            return 0.0;
+        }
+        let place = PAIRS.iter().position(|&pair| pair == [a.min(b), a.max(b)]);
+        place.map_or(f64::NAN, |k| self.0[FIRST + k])
     }
 
-    /// Adds the multiple of another jet.
-    #[inline]
-    pub(super) fn add_multiple(&mut self, factor: f64, other: &Self) {
-        for i in 0..Self::LENGTH {
-            self.0[i] += factor * other.0[i];
+    /// Adds the multiple of another jet, of this length or less; derivatives that it has no place for are zero.
+    #[inline(always)]
+    pub(super) fn add_multiple<const OTHER: usize>(&mut self, factor: f64, other: &Jet<OTHER>) {
+        for (sum, entry) in self.0.iter_mut().zip(&other.0) {
+            *sum += factor * entry;
         }
+    }
+
+    /// The same without the derivatives that a jet of this length has no place for, or with zeros for those that it has
+    /// and this one has not.
+    #[inline]
+    pub(super) fn resized<const OTHER: usize>(&self) -> Jet<OTHER> {
+        Jet(from_fn(|i| if i < LENGTH { self.0[i] } else { 0.0 }))
     }
 
     /// The function whose value and derivatives at this jet's value are given.
-    #[inline]
+    #[inline(always)]
     fn compose(&self, [value, slope, curvature]: [f64; 3]) -> Self {
-        let mut jet = [0.0; ALL];
+        let p = &self.0;
+        let mut jet = p.map(|entry| slope * entry);
         jet[0] = value;
-        for i in 1..Self::LENGTH {
-            jet[i] = slope * self.0[i];
-        }
-        if ORDER >= 2 {
-            let mut k = SECOND;
-            for a in 1..SECOND {
-                let bent = curvature * self.0[a];
-                for b in a..SECOND {
-                    jet[k] += bent * self.0[b];
-                    k += 1;
-                }
+        if LENGTH == SECOND {
+            let bent: [f64; VARIABLES] = from_fn(|a| curvature * p[1 + a]);
+            for (k, [a, b]) in PAIRS.into_iter().enumerate() {
+                jet[FIRST + k] += bent[a] * p[1 + b];
             }
         }
         Self(jet)
     }
 }
 
-impl<const ORDER: usize> Add for Jet<ORDER> {
+impl<const LENGTH: usize> Add for Jet<LENGTH> {
     type Output = Self;
 
-    #[inline]
-    fn add(mut self, other: Self) -> Self {
-        for i in 0..Self::LENGTH {
-            self.0[i] += other.0[i];
-        }
-        self
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(from_fn(|i| self.0[i] + other.0[i]))
     }
 }
 
-impl<const ORDER: usize> Sub for Jet<ORDER> {
+impl<const LENGTH: usize> Sub for Jet<LENGTH> {
     type Output = Self;
 
-    #[inline]
-    fn sub(mut self, other: Self) -> Self {
-        for i in 0..Self::LENGTH {
-            self.0[i] -= other.0[i];
-        }
-        self
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(from_fn(|i| self.0[i] - other.0[i]))
     }
 }
 
-impl<const ORDER: usize> Neg for Jet<ORDER> {
+impl<const LENGTH: usize> Neg for Jet<LENGTH> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
-        self.scale(-1.0)
+        Self(self.0.map(|entry| -entry))
     }
 }
 
-impl<const ORDER: usize> Mul for Jet<ORDER> {
+impl<const LENGTH: usize> Mul for Jet<LENGTH> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let (p, q) = (&self.0, &other.0);
-        let mut jet = [0.0; ALL];
+        let mut jet: [f64; LENGTH] = from_fn(|i| p[0] * q[i] + p[i] * q[0]);
         jet[0] = p[0] * q[0];
-        for i in 1..Self::LENGTH {
-            jet[i] = p[0] * q[i] + p[i] * q[0];
-        }
-        if ORDER >= 2 {
-            let mut k = SECOND;
-            for a in 1..SECOND {
-                for b in a..SECOND {
-                    jet[k] += p[a] * q[b] + p[b] * q[a];
-                    k += 1;
-                }
+        if LENGTH == SECOND {
+            for (k, [a, b]) in PAIRS.into_iter().enumerate() {
+                jet[FIRST + k] += p[1 + a] * q[1 + b] + p[1 + b] * q[1 + a];
             }
         }
         Self(jet)
     }
 }
 
-impl<const ORDER: usize> Div for Jet<ORDER> {
+impl<const LENGTH: usize> Div for Jet<LENGTH> {
     type Output = Self;
 
     #[inline]
@@ -138,29 +138,27 @@ impl<const ORDER: usize> Div for Jet<ORDER> {
     }
 }
 
-impl<const ORDER: usize> Scalar for Jet<ORDER> {
-    #[inline]
+impl<const LENGTH: usize> Scalar for Jet<LENGTH> {
+    #[inline(always)]
     fn constant(value: f64) -> Self {
-        let mut jet = [0.0; ALL];
+        let mut jet = [0.0; LENGTH];
         jet[0] = value;
         Self(jet)
     }
 
-    #[inline]
+    #[inline(always)]
     fn apply(self, function: Function) -> Self {
         self.compose(function.derivatives(self.0[0]))
     }
 
-    #[inline]
-    fn scale(mut self, factor: f64) -> Self {
-        for i in 0..Self::LENGTH {
-            self.0[i] *= factor;
-        }
-        self
+    #[inline(always)]
+    fn scale(self, factor: f64) -> Self {
+        Self(self.0.map(|entry| factor * entry))
     }
 
-    #[inline]
+    #[inline(always)]
     fn square(self) -> Self {
-        self * self
+        let value = self.0[0];
+        self.compose([value * value, 2.0 * value, 2.0])
     }
 }

@@ -2,10 +2,8 @@
 
 use core::cell::RefCell;
 
-use super::integrator::{Node, step};
-use super::interval::Interval;
-use super::scalar::Scalar;
-use super::series::Series;
+use super::enclosure::{derivatives, enclose};
+use super::integrator::{Node, Step};
 use super::{Integrated, SmoothOscillator};
 use crate::motion::{Bounds, Kinematics, Motion, Walk};
 use crate::oscillator::State;
@@ -20,188 +18,201 @@ struct Course {
     ended: bool,
 }
 
+/// Bounds over no time at all.
+const NO_BOUNDS: Bounds = Bounds { acceleration: 0.0, jerk: 0.0, snap: 0.0 };
+
+impl Course {
+    /// Raises bounds to those between two times, counted away from the start.
+    fn largest_bounds(&self, start: f64, [begin, end]: [f64; 2], largest: &mut Bounds) {
+        let first = self.nodes.partition_point(|node| (node.time - start).abs() <= begin).saturating_sub(1);
+        for (node, here) in self.nodes.iter().zip(&self.bounds).skip(first) {
+            if (node.time - start).abs() >= end {
+                return;
+            }
+            largest.acceleration = largest.acceleration.max(here.acceleration);
+            largest.jerk = largest.jerk.max(here.jerk);
+            largest.snap = largest.snap.max(here.snap);
+        }
+    }
+}
+
 /// A motion of an [`Integrated`] oscillator.
+///
+/// It exists up to where its solution escapes; beyond, all is not a number.
 #[derive(Debug)]
 pub struct IntegratedMotion<M> {
     oscillator: Integrated<M>,
     /// The time t = z/ω at which it begins.
     start: f64,
-    frequency: f64,
     /// Forwards and backwards.
     courses: [RefCell<Course>; 2],
 }
 
-/// Strides of the walk along a motion in one forcing period (empirical; any number finds the same events).
-const STRIDES: f64 = 16.0;
-
 impl<M: SmoothOscillator> IntegratedMotion<M> {
     pub(super) fn new(oscillator: &Integrated<M>, from: State) -> Self {
-        let frequency = oscillator.frequency;
-        let period = core::f64::consts::TAU / frequency;
-        let start = from.phase / frequency;
+        let start = from.phase / oscillator.frequency;
         let course = |sign: f64| {
-            let first = Node {
-                time: start,
-                state: [from.position, from.velocity],
-                proposal: sign * period / STRIDES,
-            };
+            let first = oscillator.first_node(from, sign);
             RefCell::new(Course { nodes: vec![first], bounds: Vec::new(), ended: false })
         };
-        Self { oscillator: oscillator.clone(), start, frequency, courses: [course(1.0), course(-1.0)] }
+        Self { oscillator: oscillator.clone(), start, courses: [course(1.0), course(-1.0)] }
     }
 
-    fn force(&self, x: f64, y: f64, t: f64) -> f64 {
-        let [mu, eta] = self.oscillator.parameters;
-        self.oscillator.model.force(x, y, t, mu, eta)
+    fn course(&self, time: f64) -> &RefCell<Course> {
+        &self.courses[usize::from(time < 0.0)]
     }
 
     /// Makes nodes until the time is passed.
     fn extend(&self, course: &mut Course, time: f64) {
-        let forwards = time >= 0.0;
         while !course.ended {
             let last = course.nodes[course.nodes.len() - 1];
-            let reached = last.time - self.start;
-            if (forwards && reached > time) || (!forwards && reached < time) {
+            if (last.time - self.start).abs() > time.abs() {
                 return;
             }
-            match last.next(&|x, y, t| self.force(x, y, t), last.proposal) {
+            match self.oscillator.next_node(&last, last.proposal) {
                 Some(node) => course.nodes.push(node),
                 None => course.ended = true,
             }
         }
     }
 
+    /// Makes nodes until the time is passed, and bounds between them.
+    ///
+    /// Where no bounds can be proved the solution is about to escape, and counts as ended.
+    fn enclose(&self, course: &mut Course, time: f64) {
+        self.extend(course, time);
+        for k in course.bounds.len()..course.nodes.len() - 1 {
+            match enclose(&self.oscillator, &course.nodes[k], &course.nodes[k + 1]) {
+                Some(bounds) => course.bounds.push(bounds),
+                None => {
+                    course.nodes.truncate(k + 1);
+                    course.ended = true;
+                    return;
+                }
+            }
+        }
+    }
+
+    /// The number of the last node before or at a time since the start, nodes being made until the time is passed; `None` if
+    /// the solution does not get that far.
+    fn node_before(&self, course: &mut Course, time: f64) -> Option<usize> {
+        self.extend(course, time);
+        let passed = course.nodes.partition_point(|node| (node.time - self.start).abs() <= time.abs());
+        (passed < course.nodes.len()).then(|| passed.saturating_sub(1))
+    }
+
     /// Position and velocity at a time since the start; not numbers where the solution has ended.
     fn state(&self, time: f64) -> [f64; 2] {
-        let mut course = self.courses[usize::from(time < 0.0)].borrow_mut();
-        self.extend(&mut course, time);
-        let target = self.start + time;
-        let passed = course.nodes.partition_point(|node| (node.time - self.start).abs() <= time.abs());
-        if passed == course.nodes.len() && course.ended {
-            return [f64::NAN; 2];
+        let course = &mut *self.course(time).borrow_mut();
+        let Some(k) = self.node_before(course, time) else { return [f64::NAN; 2] };
+        let [node, next] = [&course.nodes[k], &course.nodes[k + 1]];
+        let step = self.oscillator.step_between(node, next, self.start + time);
+        step.map_or([f64::NAN; 2], |step| step.end(node.state))
+    }
+
+    /// Calls `visit` with the beginning and the solution of each step up to a time since the start.
+    pub(super) fn for_each_step(&self, time: f64, mut visit: impl FnMut(f64, &Step)) -> Option<()> {
+        let course = &mut *self.course(time).borrow_mut();
+        let k = self.node_before(course, time)?;
+        for ends in course.nodes[..=k].windows(2) {
+            visit(ends[0].time, ends[1].last.as_ref()?);
         }
-        let node = course.nodes[passed.max(1) - 1];
-        step(&|x, y, t| self.force(x, y, t), node.state, node.time, target - node.time)
+        let [node, next] = [&course.nodes[k], &course.nodes[k + 1]];
+        if node.time != self.start + time {
+            visit(node.time, &self.oscillator.step_between(node, next, self.start + time)?);
+        }
+        Some(())
+    }
+
+    fn kinematics(&self, [position, velocity]: [f64; 2], t: f64) -> Kinematics {
+        let acceleration = self.oscillator.force(position, velocity, t);
+        let [jerk, _] = derivatives(&self.oscillator, [position, velocity, acceleration], t, false);
+        Kinematics { position, velocity, acceleration, jerk }
     }
 }
 
 impl<M: SmoothOscillator> Motion for IntegratedMotion<M> {
     fn at(&self, time: f64) -> Kinematics {
-        let [position, velocity] = self.state(time);
-        let t = self.start + time;
-        let acceleration = self.force(position, velocity, t);
-        let [_, jerk, _] = derivatives(&self.oscillator, position, velocity, acceleration, t);
-        Kinematics { position, velocity, acceleration, jerk }
+        self.kinematics(self.state(time), self.start + time)
     }
 
     fn bounds(&self, from: f64, to: f64) -> Bounds {
-        let mut largest = Bounds { acceleration: 0.0, jerk: 0.0, snap: 0.0 };
-        for (course, end) in self.courses.iter().zip([from.max(to).max(0.0), from.min(to).min(0.0)]) {
-            let mut course = course.borrow_mut();
-            if end == 0.0 {
-                continue;
-            }
-            self.extend(&mut course, end);
-            let begin = if from * to > 0.0 { from.abs().min(to.abs()) } else { 0.0 };
-            for k in 0..course.nodes.len() - 1 {
-                let (node, next) = (course.nodes[k], course.nodes[k + 1]);
-                if course.bounds.len() == k {
-                    course.bounds.push(enclose(&self.oscillator, &node, &next));
-                }
-                let here = course.bounds[k];
-                let reaches = |node: &Node| (node.time - self.start).abs();
-                if reaches(&next) >= begin && reaches(&node) <= end.abs() {
-                    largest.acceleration = largest.acceleration.max(here.acceleration);
-                    largest.jerk = largest.jerk.max(here.jerk);
-                    largest.snap = largest.snap.max(here.snap);
-                }
+        let mut largest = NO_BOUNDS;
+        for end in [from.max(to).max(0.0), from.min(to).min(0.0)] {
+            if end != 0.0 {
+                let mut course = self.course(end).borrow_mut();
+                self.enclose(&mut course, end);
+                let begin = if from * to > 0.0 { from.abs().min(to.abs()) } else { 0.0 };
+                course.largest_bounds(self.start, [begin, end.abs()], &mut largest);
             }
         }
         largest
     }
 
-    fn stride(&self) -> f64 {
-        core::f64::consts::TAU / (self.frequency * STRIDES)
+    fn bounds_between(&self, from: f64, to: f64, _: &Bounds) -> Bounds {
+        let mut largest = NO_BOUNDS;
+        let course = self.course(to).borrow();
+        course.largest_bounds(self.start, [from.abs(), to.abs()], &mut largest);
+        largest
+    }
+
+    fn foresight(&self) -> f64 {
+        core::f64::consts::TAU / self.oscillator.frequency
+    }
+
+    fn stride(&self, horizon: f64) -> f64 {
+        let mut course = self.course(horizon).borrow_mut();
+        self.extend(&mut course, horizon);
+        course.nodes.windows(2).fold(0.0, |longest, ends| (ends[1].time - ends[0].time).abs().max(longest))
+    }
+
+    fn time_after(&self, strides: f64) -> f64 {
+        self.course(1.0).borrow().nodes[strides as usize].time - self.start
+    }
+
+    fn strides_within(&self, horizon: f64) -> f64 {
+        let mut course = self.course(1.0).borrow_mut();
+        self.extend(&mut course, horizon);
+        course.nodes.partition_point(|node| node.time - self.start <= horizon) as f64 - 1.0
     }
 
     fn walk(&self) -> impl Walk {
-        Steps { motion: self, index: 0.0 }
+        Nodes { motion: self, index: 0 }
     }
 }
 
-/// A walk along the motion.
+/// A walk along the motion from node to node, within what is known of it.
 #[derive(Debug)]
-struct Steps<'a, M> {
+struct Nodes<'a, M> {
     motion: &'a IntegratedMotion<M>,
-    index: f64,
+    index: usize,
 }
 
-impl<M> Clone for Steps<'_, M> {
+impl<M> Clone for Nodes<'_, M> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<M> Copy for Steps<'_, M> {}
+impl<M> Copy for Nodes<'_, M> {}
 
-impl<M: SmoothOscillator> Walk for Steps<'_, M> {
+impl<M> Nodes<'_, M> {
+    fn node(&self) -> Node {
+        self.motion.courses[0].borrow().nodes[self.index]
+    }
+}
+
+impl<M: SmoothOscillator> Walk for Nodes<'_, M> {
     fn position(&self) -> f64 {
-        self.motion.state(self.index * self.motion.stride())[0]
+        self.node().state[0]
     }
 
     fn kinematics(&self) -> Kinematics {
-        self.motion.at(self.index * self.motion.stride())
+        let node = self.node();
+        self.motion.kinematics(node.state, node.time)
     }
 
     fn advance(&mut self) {
-        self.index += 1.0;
+        self.index += 1;
     }
-}
-
-/// ẍ, d³x/dt³ and d⁴x/dt⁴ at a point of the motion, or their ranges, from position, velocity, and acceleration.
-fn derivatives<M: SmoothOscillator, C: super::scalar::Coefficient>(
-    oscillator: &Integrated<M>,
-    x: C,
-    y: C,
-    acceleration: C,
-    t: C,
-) -> [C; 3] {
-    let zero = C::constant(0.0);
-    let [mu, eta] = oscillator.parameters.map(Series::constant);
-    let time = Series([t, C::constant(1.0), zero]);
-    let force = |x, y| oscillator.model.force(Series(x), Series(y), time, mu, eta).0;
-    let [_, jerk, _] = force([x, y, zero], [y, acceleration, zero]);
-    let [_, _, snap] = force([x, y, acceleration.scale(0.5)], [y, acceleration, jerk.scale(0.5)]);
-    [acceleration, jerk, snap.scale(2.0)]
-}
-
-/// A box is tried and grown this often before nothing is said to be known.
-const TRIALS: usize = 40;
-
-/// Bounds of the derivatives between two nodes, from a box that the solution cannot leave (Picard's criterion): with F taken
-/// over the box, velocity and position stay inside it.
-fn enclose<M: SmoothOscillator>(oscillator: &Integrated<M>, node: &Node, next: &Node) -> Bounds {
-    let [mu, eta] = oscillator.parameters.map(Interval::constant);
-    let time = Interval::new(node.time, next.time);
-    let duration = Interval::new(0.0, next.time - node.time);
-    let start = node.state.map(Interval::constant);
-    let mut guess = [0, 1].map(|i| Interval::new(node.state[i], next.state[i]).grown(0.05));
-    for _ in 0..TRIALS {
-        let [x, y] = guess;
-        let acceleration = oscillator.model.force(x, y, time, mu, eta);
-        let reached = [start[0] + duration * y, start[1] + duration * acceleration];
-        if guess[0].holds(&reached[0]) && guess[1].holds(&reached[1]) {
-            let [x, y] = reached;
-            let acceleration = oscillator.model.force(x, y, time, mu, eta);
-            let [a, jerk, snap] = derivatives(oscillator, x, y, acceleration, time).map(|c| c.modulus());
-            return Bounds { acceleration: a, jerk, snap };
-        }
-        // Only what is too small grows: the one that is large enough would drive the other on.
-        for (guess, reached) in guess.iter_mut().zip(&reached) {
-            if !guess.holds(reached) {
-                *guess = guess.joined(reached).grown(0.1);
-            }
-        }
-    }
-    Bounds { acceleration: f64::INFINITY, jerk: f64::INFINITY, snap: f64::INFINITY }
 }

@@ -74,3 +74,32 @@ impl<C: Coefficient> Scalar for Series<C> {
         Self([c0.square(), (c0 * c1).scale(2.0), (c0 * c2).scale(2.0) + c1.square()])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The coefficients of a series are those of a function of t: compared by differences at t = 0.
+    #[test]
+    fn coefficients_are_derivatives() {
+        fn expression<S: Scalar>(t: S, function: Function) -> S {
+            let inner = S::constant(0.4) + t.scale(0.7) - t.square().scale(0.3);
+            let bent = inner.apply(function) / (S::constant(1.5) + t * inner);
+            -bent.power(3) + bent.square() * t
+        }
+        // Fourth derivatives of up to 1e3 times h²/12, and rounding 1e-16/h².
+        let (step, tolerance) = (1e-4, 1e-5);
+        let list = [Function::Sin, Function::Cos, Function::Tan, Function::Tanh];
+        for function in list.into_iter().chain([Function::Atan, Function::Exp, Function::Ln, Function::Sqrt])
+        {
+            let Series([value, slope, bend]) = expression(Series([0.0, 1.0, 0.0]), function);
+            let [below, here, above] = [-step, 0.0, step].map(|t| expression(t, function));
+            assert!((value - here).abs() < 1e-15, "{function:?}");
+            assert!((slope - (above - below) / (2.0 * step)).abs() < tolerance, "{function:?}");
+            assert!(
+                (2.0 * bend - (above - 2.0 * here + below) / (step * step)).abs() < tolerance,
+                "{function:?}"
+            );
+        }
+    }
+}

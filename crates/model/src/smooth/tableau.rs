@@ -1,114 +1,222 @@
-//! Coefficients of the method of Dormand and Prince of order 8 with error estimates of orders 5 and 3.
+//! Coefficients of Gauss's collocation for ẍ = F(x, ẋ, t): six points, order 12.
 //!
-//! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd edition, section II.10
-//! (the method DOP853).
+//! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd edition, section II.7; the
+//! nodes are the zeros of the Legendre polynomial of degree six, shifted to the unit interval, and the other coefficients
+//! integrals of Lagrange's polynomials on them, computed to 50 digits and rounded. Tests hold them to the conditions that define them.
 
 /// Number of stages.
-pub(super) const STAGES: usize = 12;
+pub(super) const STAGES: usize = 6;
 
-/// For each stage the fraction of the step at which it stands, and the weights of the slopes before it that are not zero.
-pub(super) const NODES: [(f64, &[(usize, f64)]); STAGES] = [
-    (0.0, &[]),
-    (0.05260015195876773, &[(0, 0.05260015195876773)]),
-    (0.0789002279381516, &[(0, 0.0197250569845379), (1, 0.0591751709536137)]),
-    (0.1183503419072274, &[(0, 0.02958758547680685), (2, 0.08876275643042054)]),
-    (0.2816496580927726, &[(0, 0.2413651341592667), (2, -0.8845494793282861), (3, 0.924834003261792)]),
-    (0.3333333333333333, &[(0, 0.037037037037037035), (3, 0.17082860872947386), (4, 0.12546768756682242)]),
-    (0.25, &[(0, 0.037109375), (3, 0.17025221101954405), (4, 0.06021653898045596), (5, -0.017578125)]),
-    (
-        0.3076923076923077,
-        &[
-            (0, 0.03709200011850479),
-            (3, 0.17038392571223998),
-            (4, 0.10726203044637328),
-            (5, -0.015319437748624402),
-            (6, 0.008273789163814023),
-        ],
-    ),
-    (
-        0.6512820512820513,
-        &[
-            (0, 0.6241109587160757),
-            (3, -3.3608926294469414),
-            (4, -0.868219346841726),
-            (5, 27.59209969944671),
-            (6, 20.154067550477894),
-            (7, -43.48988418106996),
-        ],
-    ),
-    (
-        0.6,
-        &[
-            (0, 0.47766253643826434),
-            (3, -2.4881146199716677),
-            (4, -0.590290826836843),
-            (5, 21.230051448181193),
-            (6, 15.279233632882423),
-            (7, -33.28821096898486),
-            (8, -0.020331201708508627),
-        ],
-    ),
-    (
-        0.8571428571428571,
-        &[
-            (0, -0.9371424300859873),
-            (3, 5.186372428844064),
-            (4, 1.0914373489967295),
-            (5, -8.149787010746927),
-            (6, -18.52006565999696),
-            (7, 22.739487099350505),
-            (8, 2.4936055526796523),
-            (9, -3.0467644718982196),
-        ],
-    ),
-    (
-        1.0,
-        &[
-            (0, 2.273310147516538),
-            (3, -10.53449546673725),
-            (4, -2.0008720582248625),
-            (5, -17.9589318631188),
-            (6, 27.94888452941996),
-            (7, -2.8589982771350235),
-            (8, -8.87285693353063),
-            (9, 12.360567175794303),
-            (10, 0.6433927460157636),
-        ],
-    ),
+/// Fractions c of the step at which the stages stand.
+pub(super) const NODES: [f64; STAGES] = [
+    0.03376524289842399,
+    0.16939530676686773,
+    0.38069040695840156,
+    0.6193095930415985,
+    0.8306046932331322,
+    0.966234757101576,
 ];
 
-/// Weights of the slopes in the result.
-pub(super) const WEIGHTS: [(usize, f64); 8] = [
-    (0, 0.054293734116568765),
-    (5, 4.450312892752409),
-    (6, 1.8915178993145003),
-    (7, -5.801203960010585),
-    (8, 0.3111643669578199),
-    (9, -0.1521609496625161),
-    (10, 0.20136540080403034),
-    (11, 0.04471061572777259),
+/// The matrix A: velocities at the stages from accelerations.
+pub(super) const MATRIX: [[f64; STAGES]; STAGES] = [
+    [
+        0.04283112309479259,
+        -0.014763725997197413,
+        0.009325050706477751,
+        -0.005668858049483512,
+        0.002854433315099335,
+        -0.0008127801712647621,
+    ],
+    [
+        0.09267349143037887,
+        0.09019039326203465,
+        -0.020300102293239586,
+        0.010363156240246424,
+        -0.004887192928037671,
+        0.0013555610554850618,
+    ],
+    [
+        0.08224792261284387,
+        0.196032162333245,
+        0.11697848364317276,
+        -0.020482527745656096,
+        0.007989991899662336,
+        -0.002075625784866334,
+    ],
+    [
+        0.0877378719744515,
+        0.17239079462440696,
+        0.25443949503200164,
+        0.11697848364317276,
+        -0.0156513758091757,
+        0.0034143235767412987,
+    ],
+    [
+        0.08430668513410011,
+        0.18526797945210696,
+        0.2235938110460991,
+        0.2542570695795851,
+        0.09019039326203465,
+        -0.007011245240793691,
+    ],
+    [
+        0.08647502636084993,
+        0.17752635320896998,
+        0.23962582533582905,
+        0.22463191657986778,
+        0.19514451252126672,
+        0.04283112309479259,
+    ],
 ];
 
-/// Weights of the slopes in the error estimate of order 5.
-pub(super) const ERROR_5: [(usize, f64); 8] = [
-    (0, 0.01312004499419488),
-    (5, -1.2251564463762044),
-    (6, -0.4957589496572502),
-    (7, 1.6643771824549864),
-    (8, -0.35032884874997366),
-    (9, 0.3341791187130175),
-    (10, 0.08192320648511571),
-    (11, -0.022355307863886294),
+/// A²: positions at the stages from accelerations.
+pub(super) const SQUARE: [[f64; STAGES]; STAGES] = [
+    [
+        0.0009062542019565115,
+        -0.000728597116125314,
+        0.0007910269586116769,
+        -0.0007067539021853538,
+        0.0004564771422405692,
+        -0.00014836147050330408,
+    ],
+    [
+        0.011272367531794366,
+        0.00390834824478407,
+        -0.0014724868010943912,
+        0.001099266905658843,
+        -0.0006768904072940142,
+        0.0002167795034717414,
+    ],
+    [
+        0.030008019623627546,
+        0.036978289259468146,
+        0.0065490339168957825,
+        -0.0016615098173008262,
+        0.0008475346186204161,
+        -0.0002587746262343742,
+    ],
+    [
+        0.0499002696506509,
+        0.08200342744527161,
+        0.05416511129506007,
+        0.0065490339168957825,
+        -0.0011352871017627473,
+        0.0002896308105595239,
+    ],
+    [
+        0.06847583667161725,
+        0.11859257878058808,
+        0.10635984886129551,
+        0.04796147404218138,
+        0.00390834824478407,
+        -0.0003460083900134244,
+    ],
+    [
+        0.07972907161944999,
+        0.1441910039270223,
+        0.13628542646896577,
+        0.0819565862174019,
+        0.023736460480774324,
+        0.0009062542019565115,
+    ],
 ];
 
-/// Weights of the slopes in the error estimate of order 3.
-pub(super) const ERROR_3: [(usize, f64); 8] = [
-    (0, -0.18980075407240762),
-    (5, 4.450312892752409),
-    (6, 1.8915178993145003),
-    (7, -5.801203960010585),
-    (8, -0.4226823213237919),
-    (9, -0.1521609496625161),
-    (10, 0.20136540080403034),
-    (11, 0.02265179219836082),
+/// The weights b: velocity at the end from accelerations.
+pub(super) const WEIGHTS: [f64; STAGES] = [
+    0.08566224618958518,
+    0.1803807865240693,
+    0.23395696728634552,
+    0.23395696728634552,
+    0.1803807865240693,
+    0.08566224618958518,
 ];
+
+/// bA: position at the end from accelerations.
+pub(super) const POSITION_WEIGHTS: [f64; STAGES] = [
+    0.08276983963976924,
+    0.1498251278559757,
+    0.14489179419935322,
+    0.08906517308699231,
+    0.030555658668093604,
+    0.0028924065498159377,
+];
+
+/// The two highest coefficients of the acceleration in Legendre polynomials on the step, of degrees five and four.
+pub(super) const LEGENDRE: [[f64; STAGES]; 2] = [
+    [
+        -0.19383956497639704,
+        0.5841366366832269,
+        -0.8611509641779073,
+        0.8611509641779073,
+        -0.5841366366832269,
+        0.19383956497639704,
+    ],
+    [
+        0.3253490729764043,
+        -0.6952259288768108,
+        0.3698768559004065,
+        0.3698768559004065,
+        -0.6952259288768108,
+        0.3253490729764043,
+    ],
+];
+
+/// Barycentric weights of the interpolation through the stages, up to a common factor.
+pub(super) const BARYCENTRIC: [f64; STAGES] =
+    [-0.22509359338805926, 0.6783208298917364, -1.0, 1.0, -0.6783208298917364, 0.22509359338805926];
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sums of six terms of order one.
+    const ROUNDING: f64 = 1e-15;
+
+    fn moment(weights: &[f64; STAGES], power: u32) -> f64 {
+        let powers = NODES.map(|c| (0..power).fold(1.0, |product, _| product * c));
+        weights.iter().zip(powers).map(|(weight, power)| weight * power).sum()
+    }
+
+    #[test]
+    fn weights_integrate_polynomials_up_to_degree_eleven() {
+        for power in 0..12_u32 {
+            let n = f64::from(power);
+            assert!((moment(&WEIGHTS, power) - 1.0 / (n + 1.0)).abs() < ROUNDING);
+            // ∫ (1 − t) tⁿ dt; the factor takes one degree.
+            if power < 11 {
+                let exact = 1.0 / (n + 1.0) - 1.0 / (n + 2.0);
+                assert!((moment(&POSITION_WEIGHTS, power) - exact).abs() < ROUNDING);
+            }
+        }
+    }
+
+    #[test]
+    fn stages_integrate_polynomials_up_to_degree_five() {
+        for (i, c) in NODES.into_iter().enumerate() {
+            let mut power_of_c = c;
+            for power in 0..6_u32 {
+                let n = f64::from(power);
+                assert!((moment(&MATRIX[i], power) - power_of_c / (n + 1.0)).abs() < ROUNDING);
+                power_of_c *= c;
+                // Twice integrated for positions; A² is exact to one degree less.
+                if power < 5 {
+                    let twice = power_of_c / ((n + 1.0) * (n + 2.0));
+                    assert!((moment(&SQUARE[i], power) - twice).abs() < ROUNDING);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn highest_coefficients_are_those_of_legendre_polynomials() {
+        // P₅ and P₄ in u = 2c − 1, and what is orthogonal to them.
+        let fifth = NODES.map(|c| 2.0 * c - 1.0).map(|u| u * (15.0 + u * u * (63.0 * u * u - 70.0)) / 8.0);
+        let fourth = NODES.map(|c| 2.0 * c - 1.0).map(|u| (3.0 + u * u * (35.0 * u * u - 30.0)) / 8.0);
+        let product = |a: &[f64; STAGES], b: &[f64; STAGES]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        for (values, expected) in [(fifth, [1.0, 0.0]), (fourth, [0.0, 1.0])] {
+            for (weights, expected) in LEGENDRE.iter().zip(expected) {
+                // Weights up to five.
+                assert!((product(weights, &values) - expected).abs() < 10.0 * ROUNDING);
+            }
+        }
+    }
+}

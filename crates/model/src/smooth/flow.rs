@@ -1,0 +1,156 @@
+//! The flow of an integrated oscillator with its derivatives.
+
+use nalgebra::{Matrix2x6, Matrix6, Vector2};
+
+use super::integrator::Surroundings;
+use super::jet::{FIRST, Jet};
+use super::{Integrated, IntegratedMotion, Scalar, SmoothOscillator, variable};
+use crate::jet::{FlowJet, flow_variable as flow};
+use crate::oscillator::State;
+
+/// Columns of a [`FlowJet`] and the variables of the jets that are integrated.
+const INTEGRATED: [(usize, usize); 4] = [
+    (flow::POSITION, variable::POSITION),
+    (flow::VELOCITY, variable::VELOCITY),
+    (flow::PRIMARY, variable::PRIMARY),
+    (flow::SECONDARY, variable::SECONDARY),
+];
+
+/// The end of an integration.
+struct Passage<const LENGTH: usize> {
+    state: [Jet<LENGTH>; 2],
+    acceleration: Jet<LENGTH>,
+    jerk: f64,
+}
+
+impl<M: SmoothOscillator> Integrated<M> {
+    /// The jet of the flow; not numbers if the solution does not exist for so long.
+    pub(super) fn flow_jet<const LENGTH: usize>(
+        &self,
+        motion: &IntegratedMotion<M>,
+        from: State,
+        duration: f64,
+    ) -> FlowJet {
+        let Some(passage) = self.integrate::<LENGTH>(motion, from, duration) else {
+            return FlowJet {
+                value: Vector2::repeat(f64::NAN),
+                jacobian: Matrix2x6::repeat(f64::NAN),
+                hessians: [Matrix6::repeat(f64::NAN); 2],
+            };
+        };
+        let mut jet = passage.flow_jet();
+        self.add_phase::<LENGTH>(from, &mut jet);
+        jet
+    }
+
+    /// Position and velocity at the end with derivatives in all variables but the phase.
+    fn integrate<const LENGTH: usize>(
+        &self,
+        motion: &IntegratedMotion<M>,
+        from: State,
+        duration: f64,
+    ) -> Option<Passage<LENGTH>> {
+        let [mu, eta] = self.parameter_jets::<LENGTH>();
+        let start = from.phase / self.frequency;
+        // t = z₀/ω + s.
+        let origin = Jet::constant(from.phase) / self.model.forcing_frequency(mu, eta) - Jet::constant(start);
+        let surroundings = Surroundings { origin, parameters: [mu, eta] };
+        let end = start + duration;
+        let mut jets = [
+            Jet::variable(variable::POSITION, from.position),
+            Jet::variable(variable::VELOCITY, from.velocity),
+        ];
+        motion.for_each_step(duration, |time, step| {
+            jets = self.jets_after(&jets, time, step, &surroundings);
+        })?;
+        let [x, y] = jets;
+        let acceleration = self.model.force(x, y, origin + Jet::constant(end), mu, eta);
+        // dF/dt along the motion, from F's derivatives with x, y and t as variables of their own.
+        let [mu, eta] = self.parameters.map(Jet::<FIRST>::constant);
+        let [x, y, t] = [(0, x.value()), (1, y.value()), (2, end)].map(|(i, value)| Jet::variable(i, value));
+        let slope = self.model.force(x, y, t, mu, eta);
+        let jerk = slope.first(0) * y.value() + slope.first(1) * acceleration.value() + slope.first(2);
+        Some(Passage { state: jets, acceleration, jerk })
+    }
+
+    /// Adds the derivatives in the phase z₀ to a jet that has all others.
+    ///
+    /// A motion that begins ε later on its own way arrives where it did when it ends ε later: with F₀ = F at the start
+    /// (y₀ ∂x₀ + F₀ ∂y₀ + ω ∂z₀ − ∂s) φ = 0, identically, so that every derivative of this is zero as well.
+    fn add_phase<const LENGTH: usize>(&self, from: State, jet: &mut FlowJet) {
+        let [mu, eta] = self.parameter_jets::<FIRST>();
+        let omega = self.model.forcing_frequency(mu, eta);
+        let frequency = self.frequency;
+        let [x, y] = [(variable::POSITION, from.position), (variable::VELOCITY, from.velocity)]
+            .map(|(i, value)| Jet::<FIRST>::variable(i, value));
+        let force = self.model.force(x, y, Jet::constant(from.phase) / omega, mu, eta);
+        let [x, y] = [from.position, from.velocity].map(Jet::<FIRST>::constant);
+        let [mu, eta] = self.parameters.map(Jet::constant);
+        let time = Jet::variable(variable::PHASE, from.phase).scale(1.0 / frequency);
+        let by_phase = self.model.force(x, y, time, mu, eta).first(variable::PHASE);
+        let along = |entry: &dyn Fn(usize) -> f64| {
+            entry(flow::DURATION)
+                - from.velocity * entry(flow::POSITION)
+                - force.value() * entry(flow::VELOCITY)
+        };
+        for i in 0..2 {
+            let first = along(&|column| jet.jacobian[(i, column)]) / frequency;
+            jet.jacobian[(i, flow::PHASE)] = first;
+            if LENGTH == FIRST {
+                continue;
+            }
+            let [by_position, by_velocity] =
+                [jet.jacobian[(i, flow::POSITION)], jet.jacobian[(i, flow::VELOCITY)]];
+            let hessian = &mut jet.hessians[i];
+            let mut set = |column: usize, rate: f64| {
+                let entry = (along(&|row| hessian[(row, column)]) - rate) / frequency;
+                hessian[(flow::PHASE, column)] = entry;
+                hessian[(column, flow::PHASE)] = entry;
+            };
+            for (column, variable) in INTEGRATED {
+                let mut rate = force.first(variable) * by_velocity;
+                match variable {
+                    variable::POSITION => {}
+                    variable::VELOCITY => rate += by_position,
+                    _ => rate += omega.first(variable) * first,
+                }
+                set(column, rate);
+            }
+            set(flow::DURATION, 0.0);
+            set(flow::PHASE, by_phase * by_velocity);
+        }
+    }
+}
+
+impl<const LENGTH: usize> Passage<LENGTH> {
+    /// The flow's jet, with nothing yet in the place of the phase.
+    fn flow_jet(&self) -> FlowJet {
+        let [x, y] = &self.state;
+        let mut jet = FlowJet {
+            value: Vector2::new(x.value(), y.value()),
+            jacobian: Matrix2x6::zeros(),
+            hessians: [Matrix6::zeros(); 2],
+        };
+        // d/ds: the velocity and the acceleration.
+        let slopes = [y, &self.acceleration];
+        for i in 0..2 {
+            for (column, variable) in INTEGRATED {
+                jet.jacobian[(i, column)] = self.state[i].first(variable);
+            }
+            jet.jacobian[(i, flow::DURATION)] = slopes[i].value();
+            if LENGTH == FIRST {
+                continue;
+            }
+            let hessian = &mut jet.hessians[i];
+            for (row, a) in INTEGRATED {
+                for (column, b) in INTEGRATED {
+                    hessian[(row, column)] = self.state[i].second(a, b);
+                }
+                hessian[(row, flow::DURATION)] = slopes[i].first(a);
+                hessian[(flow::DURATION, row)] = slopes[i].first(a);
+            }
+            hessian[(flow::DURATION, flow::DURATION)] = [self.acceleration.value(), self.jerk][i];
+        }
+        jet
+    }
+}

@@ -1,0 +1,118 @@
+//! Nonlinear forces: what holds without a closed form.
+
+use grazing_model::motion::{Motion, local_maxima};
+use grazing_model::smooth::{Integrated, SmoothOscillator};
+use grazing_model::{ImpactOscillator, State, flow_variable};
+
+use crate::models::{Conservative, Dragged, Duffing, FROM, Saturating};
+
+/// Derivatives of the flow against central differences of one order less.
+fn assert_derivatives<M: SmoothOscillator>(oscillator: &Integrated<M>) {
+    // Differences of order h²: the error is 1e-12 times third derivatives (up to a few hundred), rounding 1e-14/h = 1e-8.
+    let (step, tolerance) = (2e-6, 1e-7);
+    let [mu, eta] = oscillator.parameters();
+    let jet = |variable: usize, by: f64| {
+        let mut arguments = [FROM.position, FROM.velocity, FROM.phase, 6.0, mu, eta];
+        arguments[variable] += by;
+        let [position, velocity, phase, duration, mu, eta] = arguments;
+        oscillator.with_parameters([mu, eta]).flow::<2>(State { position, velocity, phase }, duration)
+    };
+    let here = jet(0, 0.0);
+    for variable in 0..6 {
+        let [above, below] = [jet(variable, step), jet(variable, -step)];
+        let slope = (above.value - below.value) / (2.0 * step);
+        assert!((slope - here.jacobian.column(variable)).amax() < tolerance, "{variable}");
+        let bend = (above.jacobian - below.jacobian) / (2.0 * step);
+        for i in 0..2 {
+            let error = (bend.row(i) - here.hessians[i].row(variable)).amax();
+            assert!(error < tolerance * (1.0 + here.hessians[i].amax()), "{variable}: {error:e}");
+        }
+    }
+    let end = State {
+        position: here.value[0],
+        velocity: here.value[1],
+        phase: FROM.phase + 6.0 * oscillator.forcing_frequency().value,
+    };
+    // ẏ = F, to rounding.
+    assert!((here.jacobian[(1, flow_variable::DURATION)] - oscillator.acceleration(end)).abs() < 1e-14);
+}
+
+#[test]
+fn derivatives_of_the_flow_are_those_of_differences() {
+    assert_derivatives(&Integrated::new(Duffing, [0.6, 0.76]));
+    assert_derivatives(&Integrated::new(Saturating, [0.6, 0.76]));
+    assert_derivatives(&Integrated::new(Dragged, [0.6, 0.76]));
+}
+
+#[test]
+fn flow_of_a_sum_of_times_is_the_composition() {
+    let oscillator = Integrated::new(Duffing, [0.6, 0.76]);
+    let whole = oscillator.flow::<1>(FROM, 8.0).value;
+    let half = oscillator.flow::<1>(FROM, 3.3).value;
+    let between = State { position: half[0], velocity: half[1], phase: FROM.phase + 3.3 * 0.76 };
+    let rest = oscillator.flow::<1>(between, 4.7).value;
+    let back = oscillator.flow::<1>(between, -3.3).value;
+    // Different steps: what they agree on is right.
+    assert!((whole - rest).amax() < 1e-12);
+    assert!((back[0] - FROM.position).abs().max((back[1] - FROM.velocity).abs()) < 1e-12);
+}
+
+#[test]
+fn energy_of_a_conservative_oscillator_is_kept_over_a_hundred_periods() {
+    let oscillator = Integrated::new(Conservative, [0.0, 1.0]);
+    let energy = |x: f64, y: f64| 0.5 * y * y + x + 0.5 * x * x + x * x * x * x / 40.0;
+    let motion = oscillator.motion(FROM);
+    let start = energy(FROM.position, FROM.velocity);
+    for k in 1..=100 {
+        let here = motion.at(core::f64::consts::TAU * f64::from(k));
+        // Roundings of 1e-16 in each of two thousand steps, and the truncation of each.
+        assert!((energy(here.position, here.velocity) - start).abs() < 1e-12, "period {k}");
+    }
+}
+
+/// Sampled derivatives stay within the proved bounds, and these are not idle.
+fn assert_bounded<M: SmoothOscillator>(oscillator: &Integrated<M>) {
+    for (from, to) in [(0.0, 12.0), (-2.5, 0.0), (-2.0, 3.0), (4.0, 5.0)] {
+        let motion = oscillator.motion(FROM);
+        let bounds = motion.bounds(from, to);
+        let mut largest = [0.0_f64; 3];
+        // The snap by a central difference of the jerk, of order h².
+        let step = 1e-4;
+        for k in 0..=300 {
+            let time = from + (to - from) * f64::from(k) / 300.0;
+            let here = motion.at(time);
+            let snap = (motion.at(time + step).jerk - motion.at(time - step).jerk) / (2.0 * step);
+            for (largest, sampled) in largest.iter_mut().zip([here.acceleration, here.jerk, snap]) {
+                *largest = largest.max(sampled.abs());
+            }
+        }
+        for (bound, sampled) in [bounds.acceleration, bounds.jerk, bounds.snap].into_iter().zip(largest) {
+            assert!(sampled <= bound + 1e-6, "{sampled} exceeds {bound}");
+            // Boxes a tenth of a period long: intervals forget how position and velocity hang together.
+            assert!(bound < 40.0 * sampled, "{bound} for {sampled}");
+        }
+    }
+}
+
+#[test]
+fn bounds_hold_and_are_not_idle() {
+    assert_bounded(&Integrated::new(Duffing, [0.6, 0.76]));
+    assert_bounded(&Integrated::new(Saturating, [0.6, 0.76]));
+    assert_bounded(&Integrated::new(Dragged, [0.6, 0.76]));
+}
+
+#[test]
+fn maxima_are_where_samples_show_them() {
+    let oscillator = Integrated::new(Duffing, [0.9, 0.45]);
+    let motion = oscillator.motion(FROM);
+    let maxima = local_maxima(&motion, 60.0);
+    for maximum in &maxima {
+        let here = motion.at(maximum.time);
+        // Rounding of the velocity.
+        assert!(here.velocity.abs() < 1e-12 && here.acceleration < 0.0);
+        assert!((here.position - maximum.position).abs() < 1e-12);
+    }
+    let falls = |time: f64| motion.at(time).velocity > 0.0 && motion.at(time + 0.01).velocity <= 0.0;
+    let sampled = (0..6000).filter(|&k| falls(0.01 * f64::from(k))).count();
+    assert_eq!(maxima.len(), sampled);
+}
