@@ -98,14 +98,9 @@
 //!
 //! # Where the code departs from the print
 //!
-//! - `s_1^+-` in `eq:impFormulap` is `s_p^+-`.
-//! - `f_p`, and `a12'` in `eq:yT1`, are derivatives along the grazing curve, not partial derivatives at fixed
-//!   `z`: see [`ResonantPoint::off_diagonal_slope`]. Accordingly `z_graz,0` in `eq:yT1` and `eq:yTp` is
-//!   `z_graz,eta`.
-//! - `eq:Sp2` holds for `tau^2 != 4 delta` (the text before `eq:detJac2` asks for `tau != delta + 1`
-//!   instead); the functions here need neither.
-//! - `g_PD` in section 5 is made with `Upsilon^-`, where the proofs print `Upsilon^+`; `c_PD` in `eq:coeffs1`
-//!   and `eq:coeffsp` is right.
+//! Misprints stand in `ERRATA.md`, each with the computation that decides it. Here they concern `s_p^+-` in
+//! `eq:impFormulap`; `f_p`, and `a12'` in `eq:yT1`, which are derivatives along the grazing curve
+//! ([`ResonantPoint::off_diagonal_slope`]); and the condition of `eq:Sp2`, which the functions here do not need.
 
 pub mod admissibility_boundary;
 pub mod auxiliary;
