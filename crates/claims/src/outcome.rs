@@ -57,7 +57,8 @@ impl Measure {
         match *self {
             Self::Deviation { largest, tolerance } => largest <= tolerance,
             Self::Order { observed, stated, slack } => observed >= stated - slack,
-            Self::Margin { smallest } => smallest > 0.0,
+            // A search that never met its domain comes back with infinity.
+            Self::Margin { smallest } => smallest > 0.0 && smallest.is_finite(),
             Self::Agreement { agreeing, cases } => cases > 0 && agreeing == cases,
         }
     }
@@ -107,5 +108,6 @@ mod tests {
         assert!(!Measure::Deviation { largest: nan, tolerance: 1.0 }.holds());
         assert!(!Measure::Order { observed: nan, stated: 2.0, slack: 0.3 }.holds());
         assert!(!Measure::Margin { smallest: nan }.holds());
+        assert!(!Measure::Margin { smallest: f64::INFINITY }.holds());
     }
 }
