@@ -4,7 +4,7 @@
 //! and two routes tell what does happen. *Continuation* follows the branch of MPSs, or the saddle-node and period-doubling
 //! curves, from the grazing point and decides admissibility over the whole orbit. *Simulation* takes every periodic
 //! solution that can be an MPS from a quadratic equation ([`closed_form`]), starts the hybrid system at its impact and sees
-//! what comes of it ([`simulation`]). [`generic`] holds what theorems 2.2 and 2.3 come to, [`resonant`] theorems 2.4 and 2.5,
+//! what comes of it ([`simulation`](grazing_unfold::simulation)). [`generic`] holds what theorems 2.2 and 2.3 come to, [`resonant`] theorems 2.4 and 2.5,
 //! [`cases`] the lists, and [`Verdict`] what is made of it all.
 //!
 //! Where a hypothesis fails the theorem is silent. What is seen there has to have a [`Reason`], which is checked as well: the
@@ -14,7 +14,6 @@ pub mod cases;
 pub mod closed_form;
 pub mod generic;
 pub mod resonant;
-pub mod simulation;
 
 use std::collections::BTreeMap;
 

@@ -1,12 +1,12 @@
 //! Theorems 2.2 to 2.5 over every ninth case of the sweep; the whole of it is what the ledger's checks and `reproduce` run.
 
 use grazing_claims::sweep::closed_form::LoopSolutions;
-use grazing_claims::sweep::simulation::{Seen, Suspect};
 use grazing_claims::sweep::{
     Extent, GenericCase, ResonantCase, Verdict, generic_cases, generic_rows, resonant_cases, resonant_rows,
 };
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_unfold::simulation::{Seen, Suspect};
 
 #[test]
 fn no_disagreement_is_left_unexplained() {

@@ -10,8 +10,8 @@ use grazing_claims::errata;
 use grazing_claims::ledger::{Claim, Ledger};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::progress::Progress;
 use grazing_reproduction::published::{Published, Verdict as Met};
+use grazing_unfold::progress::Progress;
 
 use crate::arguments::Claims;
 use crate::failure::Failure;

@@ -5,7 +5,7 @@ use std::io::{self, IsTerminal};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use grazing_reproduction::progress::Progress;
+use grazing_unfold::progress::Progress;
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 
 use crate::terminal;

@@ -48,11 +48,21 @@ pub struct ResonantGrazingPoint<O> {
 /// The residual that Newton's method leaves in a₁₂ or κ_p at a located resonance is a few roundings of terms of order one.
 const RESONANCE_TOLERANCE: f64 = 1e-12;
 
-impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
-    /// Locates the resonance near the parameters of `oscillator` and the phase `near`, and checks the theorem's hypotheses.
+/// A resonant grazing point that has been located, whether or not a theorem applies there.
+///
+/// det J = 0 on the curve of grazing bifurcations, through a₁₂ = 0 (p = 1) or κ_p = 0 (p ≥ 2).
+#[derive(Clone, Debug)]
+pub struct LocatedResonance<O> {
+    equations: LoopEquations<O>,
+    orbit: GrazingOrbit<O>,
+    point: ResonantPoint,
+}
+
+impl<O: ImpactOscillator> LocatedResonance<O> {
+    /// Locates the resonance near the parameters of `oscillator` and the phase `near`.
     ///
     /// # Errors
-    /// No resonance is found, or a hypothesis fails there.
+    /// None is found.
     pub fn find(oscillator: &O, loops: u32, near: f64) -> Result<Self, ResonanceError> {
         let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::Vivid);
         let [primary, secondary] = oscillator.parameters();
@@ -62,8 +72,42 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
             .map_err(ResonanceError::NotLocated)?;
         let orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
         let point = orbit.resonant_point(loops)?;
-        let theorem = ResonantGrazing::check(&point, RESONANCE_TOLERANCE)?;
-        Ok(Self { equations, orbit, theorem, point })
+        Ok(Self { equations, orbit, point })
+    }
+
+    /// The number of loops p.
+    pub fn loops(&self) -> u32 {
+        self.equations.loops()
+    }
+
+    /// The grazing orbit at the resonance.
+    pub fn orbit(&self) -> &GrazingOrbit<O> {
+        &self.orbit
+    }
+
+    /// What the theorem asks about.
+    pub fn resonant_point(&self) -> &ResonantPoint {
+        &self.point
+    }
+
+    /// The resonance with the theorem that holds there.
+    ///
+    /// # Errors
+    /// A hypothesis of Theorem 2.4 or 2.5 fails; all are listed with their values.
+    pub fn checked(&self) -> Result<ResonantGrazingPoint<O>, HypothesesViolated> {
+        let theorem = ResonantGrazing::check(&self.point, RESONANCE_TOLERANCE)?;
+        let Self { equations, orbit, point } = self.clone();
+        Ok(ResonantGrazingPoint { equations, orbit, theorem, point })
+    }
+}
+
+impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
+    /// Locates the resonance near the parameters of `oscillator` and the phase `near`, and checks the theorem's hypotheses.
+    ///
+    /// # Errors
+    /// No resonance is found, or a hypothesis fails there.
+    pub fn find(oscillator: &O, loops: u32, near: f64) -> Result<Self, ResonanceError> {
+        Ok(LocatedResonance::find(oscillator, loops, near)?.checked()?)
     }
 
     /// The number of loops p.

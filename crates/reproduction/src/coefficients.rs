@@ -1,11 +1,15 @@
 //! The table of coefficients: by closed form, by the general theorem, and by measurement on the continued curves.
 
-use grazing_continuation::fit::{Estimate, quadratic_coefficient};
-use grazing_continuation::locate::Condition;
+use grazing_continuation::fit::Estimate;
+use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::LinearOscillator;
+use grazing_theorems::Resonance;
+use grazing_unfold::Diagram;
+use grazing_unfold::diagram::Coefficients as Measured;
 use rayon::prelude::*;
 
 use crate::StudyError;
-use crate::diagram::{Diagram, DiagramResonance};
+use crate::parameters::Parameters;
 use crate::table::{Table, columns, row};
 
 /// The quadratic coefficients at one resonance, reached in three ways.
@@ -30,19 +34,16 @@ pub struct Coefficients {
 }
 
 impl Coefficients {
-    fn of(resonance: &DiagramResonance) -> Result<Self, StudyError> {
-        let DiagramResonance { closed_form, located } = resonance;
+    fn of(
+        closed_form: &Resonance,
+        located: &ResonantGrazingPoint<LinearOscillator>,
+    ) -> Result<Self, StudyError> {
         let (loops, n) = (closed_form.loops(), closed_form.index());
-        let fit = |condition, curve| {
-            quadratic_coefficient(located, condition).map_err(|source| StudyError::Fit {
-                curve,
-                loops,
-                n,
-                source,
-            })
+        let Measured { theorem, fit: [saddle_node, period_doubling] } = Measured::of(located);
+        let fitted = |curve, fit: Result<Estimate, _>| {
+            fit.map_err(|source| StudyError::Fit { curve, loops, n, source })
         };
         let stability = closed_form.stability_coefficients();
-        let theorem = located.theorem();
         Ok(Self {
             loops,
             n,
@@ -50,15 +51,23 @@ impl Coefficients {
             amplitude: closed_form.grazing().amplitude(),
             stability: [stability.plus, stability.minus],
             closed_form: [closed_form.saddle_node_coefficient(), closed_form.period_doubling_coefficient()],
-            theorem: [theorem.saddle_node().coefficient, theorem.period_doubling().coefficient],
-            fit: [fit(Condition::SADDLE_NODE, "SN")?, fit(Condition::PERIOD_DOUBLING, "PD")?],
+            theorem,
+            fit: [fitted("SN", saddle_node)?, fitted("PD", period_doubling)?],
         })
     }
 }
 
 /// The coefficients at all resonances of Figure 7, by p and increasing frequency.
-pub(crate) fn compute(diagram: &Diagram) -> Result<Vec<Coefficients>, StudyError> {
-    diagram.resonances.par_iter().map(Coefficients::of).collect()
+pub(crate) fn compute(
+    parameters: &Parameters,
+    diagram: &Diagram<LinearOscillator>,
+) -> Result<Vec<Coefficients>, StudyError> {
+    let theory = grazing_theorems::LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
+    let resonances: Vec<_> = diagram.unfolding().collect();
+    resonances
+        .into_par_iter()
+        .map(|(found, located)| Coefficients::of(&theory.resonance(found.loops, found.n)?, located))
+        .collect()
 }
 
 /// `coefficients.csv`.

@@ -4,7 +4,8 @@ use grazing_continuation::fit::FitError;
 use grazing_continuation::resonance::ResonanceError;
 use grazing_model::OscillatorError;
 use grazing_model::maps::MapError;
-use grazing_theorems::{HypothesesViolated, Resonance, TheoryError};
+use grazing_theorems::{HypothesesViolated, TheoryError};
+use grazing_unfold::UnfoldError;
 
 /// A computation of the reproduction failed.
 #[derive(Clone, Debug, thiserror::Error)]
@@ -18,6 +19,19 @@ pub enum StudyError {
     /// A theorem that a figure illustrates does not apply at its parameters.
     #[error(transparent)]
     Hypotheses(#[from] HypothesesViolated),
+    /// There is no grazing in the window.
+    #[error(transparent)]
+    Unfold(#[from] UnfoldError),
+    /// A resonance was seen and could not be located.
+    #[error("a resonance of p = {loops} near {near:?}: {source}")]
+    Unlocated {
+        /// Number of loops p.
+        loops: u32,
+        /// The parameters (A, omega) near which it was seen.
+        near: [f64; 2],
+        /// What went wrong.
+        source: ResonanceError,
+    },
     /// A resonance could not be unfolded.
     #[error("resonance p = {loops}, n = {n}: {source}")]
     Resonance {
@@ -86,8 +100,8 @@ pub enum StudyError {
 }
 
 impl StudyError {
-    pub(crate) fn resonance(resonance: &Resonance, source: ResonanceError) -> Self {
-        Self::Resonance { loops: resonance.loops(), n: resonance.index(), source }
+    pub(crate) fn resonance(loops: u32, n: u32, source: ResonanceError) -> Self {
+        Self::Resonance { loops, n, source }
     }
 }
 

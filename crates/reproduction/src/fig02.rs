@@ -9,8 +9,8 @@ use grazing_theorems::GrazingState;
 
 use crate::StudyError;
 use crate::parameters::Parameters;
-use crate::progress::Progress;
 use crate::table::Table;
+use grazing_unfold::progress::Progress;
 
 /// The frames of Figure 2.
 #[derive(Clone, Debug)]

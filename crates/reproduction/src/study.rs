@@ -3,9 +3,13 @@
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
+use grazing_model::LinearOscillator;
+use grazing_unfold::Diagram;
+use grazing_unfold::progress::{Progress, Silent};
+
 use crate::StudyError;
 use crate::coefficients::{self, Coefficients};
-use crate::diagram::Diagram;
+use crate::diagram;
 use crate::fig01::Figure1;
 use crate::fig02::Figure2;
 use crate::fig03::Figure3;
@@ -17,7 +21,6 @@ use crate::fig08::Figure8;
 use crate::fig09::Figure9;
 use crate::fig10::Figure10;
 use crate::parameters::Parameters;
-use crate::progress::{Progress, Silent};
 use crate::sweep::TheoremsInAction;
 use crate::table::Table;
 
@@ -25,7 +28,7 @@ use crate::table::Table;
 pub struct Study<'a> {
     parameters: Parameters,
     progress: &'a dyn Progress,
-    diagram: OnceLock<Result<Diagram, StudyError>>,
+    diagram: OnceLock<Result<Diagram<LinearOscillator>, StudyError>>,
     coefficients: OnceLock<Result<Vec<Coefficients>, StudyError>>,
 }
 
@@ -55,7 +58,8 @@ impl<'a> Study<'a> {
     /// # Errors
     /// A resonance could not be located, unfolded or measured.
     pub fn coefficients(&self) -> Result<&[Coefficients], StudyError> {
-        let computed = self.coefficients.get_or_init(|| coefficients::compute(self.diagram()?));
+        let computed =
+            self.coefficients.get_or_init(|| coefficients::compute(&self.parameters, self.diagram()?));
         computed.as_deref().map_err(Clone::clone)
     }
 
@@ -120,7 +124,7 @@ impl<'a> Study<'a> {
     /// # Errors
     /// A resonance could not be located or unfolded.
     pub fn fig07(&self) -> Result<Figure7, StudyError> {
-        Figure7::of(&self.parameters, self.diagram()?)
+        Figure7::of(self.diagram()?)
     }
 
     /// The frames of Figure 8.
@@ -181,8 +185,8 @@ impl<'a> Study<'a> {
         Ok(values)
     }
 
-    fn diagram(&self) -> Result<&Diagram, StudyError> {
-        let computed = self.diagram.get_or_init(|| Diagram::compute(&self.parameters, self.progress));
+    fn diagram(&self) -> Result<&Diagram<LinearOscillator>, StudyError> {
+        let computed = self.diagram.get_or_init(|| diagram::compute(&self.parameters, self.progress));
         computed.as_ref().map_err(Clone::clone)
     }
 }

@@ -9,8 +9,8 @@ use grazing_theorems::Side;
 use grazing_theorems::hypothesis::Quantity;
 
 use crate::StudyError;
-use crate::progress::Progress;
 use crate::table::{Columns, Table, columns, row};
+use grazing_unfold::progress::Progress;
 
 /// The four theorems against continuation and simulation.
 #[derive(Clone, Debug)]

@@ -13,7 +13,7 @@ pub struct Table {
 
 /// A table in the making, one row at a time, with one type a column.
 pub(crate) struct Columns {
-    names: Vec<&'static str>,
+    names: Vec<String>,
     cells: Vec<Cells>,
 }
 
@@ -59,14 +59,15 @@ impl From<bool> for Cell {
 
 impl Columns {
     /// Columns with names and, by way of a sample row, types.
-    pub(crate) fn new<const N: usize>(columns: [(&'static str, Cell); N]) -> Self {
+    pub(crate) fn new<const N: usize>(columns: [(String, Cell); N]) -> Self {
         let cells = columns.iter().map(|(_, sample)| match sample {
             Cell::Text(_) => Cells::Text(Vec::new()),
             Cell::Integer(_) => Cells::Integer(Vec::new()),
             Cell::Number(_) => Cells::Number(Vec::new()),
             Cell::Flag(_) => Cells::Flag(Vec::new()),
         });
-        Self { names: columns.iter().map(|(name, _)| *name).collect(), cells: cells.collect() }
+        let cells = cells.collect();
+        Self { names: columns.into_iter().map(|(name, _)| name).collect(), cells }
     }
 
     /// Adds a row. A number that is not finite becomes an empty cell.
@@ -91,8 +92,8 @@ impl Columns {
 
     /// The finished table.
     pub(crate) fn finish(self, name: &'static str) -> Result<Table, PolarsError> {
-        let columns = self.names.iter().zip(self.cells).map(|(name, cells)| {
-            let name = (*name).into();
+        let columns = self.names.into_iter().zip(self.cells).map(|(name, cells)| {
+            let name = name.into();
             match cells {
                 Cells::Text(values) => Column::new(name, values),
                 Cells::Integer(values) => Column::new(name, values),
@@ -104,10 +105,10 @@ impl Columns {
     }
 }
 
-/// Names and types of columns: `columns! { "kind": "", "p": 0, "omega": 0.0 }`.
+/// Names and types of columns: `columns! { "kind": "", "p": 0, axes.secondary: 0.0 }`.
 macro_rules! columns {
-    ($($name:literal: $sample:expr),* $(,)?) => {
-        $crate::table::Columns::new([$(($name, $crate::table::Cell::from($sample))),*])
+    ($($name:tt $(. $field:ident)?: $sample:expr),* $(,)?) => {
+        $crate::table::Columns::new([$((::std::string::String::from($name $(. $field)?), $crate::table::Cell::from($sample))),*])
     };
 }
 

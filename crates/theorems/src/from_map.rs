@@ -6,8 +6,9 @@
 
 use grazing_model::maps::{MapError, global_iterate, global_map};
 use grazing_model::{ImpactOscillator, MapJet, State};
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::{Matrix2, Vector2, Vector3};
 
+use crate::auxiliary::detuning;
 use crate::grazing::GrazingPoint;
 use crate::spectrum::LinearisedMap;
 use crate::unfolding::{ResonantPoint, Unfolding};
@@ -71,7 +72,12 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     }
 
     /// The grazing orbit known to pass through (0, 0, phase) at the oscillator's parameters.
-    fn at(oscillator: O, phase: f64) -> Result<Self, GrazingOrbitError> {
+    ///
+    /// At a fold of the grazing curve, where μ_graz has no derivative in η, the slopes are not numbers.
+    ///
+    /// # Errors
+    /// P_global is not defined there.
+    pub fn at(oscillator: O, phase: f64) -> Result<Self, GrazingOrbitError> {
         let map = global_map::<O, 2>(&oscillator, 0.0, phase, None)?.jet;
         let by_eta = map.jacobian.column(3).into_owned();
         let slopes =
@@ -125,10 +131,34 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
 
     /// dA/dη along the grazing curve: z_graz and the primary parameter move with η.
     pub fn derivative_of_map(&self) -> Matrix2<f64> {
+        self.derivative_along(&Vector3::new(self.slopes[0], self.slopes[1], 1.0))
+    }
+
+    /// The derivative of A along a tangent (z, μ, η) of the grazing curve, which exists at its folds too.
+    pub fn derivative_along(&self, tangent: &Vector3<f64>) -> Matrix2<f64> {
         Matrix2::from_fn(|i, j| {
             let hessian = &self.map.hessians[i];
-            hessian[(j, 1)] * self.slopes[0] + hessian[(j, 2)] * self.slopes[1] + hessian[(j, 3)]
+            hessian[(j, 1)] * tangent[0] + hessian[(j, 2)] * tangent[1] + hessian[(j, 3)] * tangent[2]
         })
+    }
+
+    /// What vanishes at a resonance, with its derivative along a direction in which A changes by `rate`.
+    ///
+    /// a₁₂ for p = 1; κ_p = τ − g_p(δ) for p ≥ 2, which is not a number where δ ≤ 0. Paper: eq:gp, section 2.6.
+    pub fn detuning(&self, loops: u32, rate: &Matrix2<f64>) -> [f64; 2] {
+        let a = self.map.derivative();
+        if loops == 1 {
+            return [a[(0, 1)], rate[(0, 1)]];
+        }
+        let determinant_rate = rate[(0, 0)] * a[(1, 1)] + a[(0, 0)] * rate[(1, 1)]
+            - rate[(0, 1)] * a[(1, 0)]
+            - a[(0, 1)] * rate[(1, 0)];
+        let cosine = libm::cos(core::f64::consts::PI / f64::from(loops));
+        let determinant = a.determinant();
+        [
+            detuning(loops, a.trace(), determinant),
+            rate.trace() - cosine * determinant_rate / determinant.sqrt(),
+        ]
     }
 
     /// ξ_p = ∂²P_global,1^p/∂z² at grazing. Paper: eq:xi.
@@ -146,19 +176,11 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     /// # Errors
     /// An iterate of P_global is not defined.
     pub fn resonant_point(&self, loops: u32) -> Result<ResonantPoint, MapError> {
-        let rate = self.derivative_of_map();
-        let a = self.map.derivative();
+        let [_, derivative] = self.detuning(loops, &self.derivative_of_map());
         let unfolding = if loops == 1 {
-            Unfolding::OneLoop { off_diagonal_derivative: rate[(0, 1)] }
+            Unfolding::OneLoop { off_diagonal_derivative: derivative }
         } else {
-            let determinant_rate = rate[(0, 0)] * a[(1, 1)] + a[(0, 0)] * rate[(1, 1)]
-                - rate[(0, 1)] * a[(1, 0)]
-                - a[(0, 1)] * rate[(1, 0)];
-            let cosine = libm::cos(core::f64::consts::PI / f64::from(loops));
-            Unfolding::MultiLoop {
-                loops,
-                detuning_derivative: rate.trace() - cosine * determinant_rate / a.determinant().sqrt(),
-            }
+            Unfolding::MultiLoop { loops, detuning_derivative: derivative }
         };
         Ok(ResonantPoint {
             grazing: self.grazing_point(),

@@ -13,8 +13,8 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use super::closed_form::LoopSolutions;
-use super::simulation::{Seen, Suspect};
 use super::{GenericCase, Reason, Verdict};
+use grazing_unfold::simulation::{Seen, Suspect};
 
 /// A case could not be worked out.
 #[derive(Debug, Clone, Error)]

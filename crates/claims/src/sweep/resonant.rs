@@ -16,8 +16,8 @@ use rayon::prelude::*;
 
 use super::closed_form::{LoopSolution, LoopSolutions};
 use super::generic::{Existence, SweepError, to_zero, worst};
-use super::simulation::{Seen, Suspect};
 use super::{Reason, ResonantCase, Verdict};
+use grazing_unfold::simulation::{Seen, Suspect};
 
 /// A bifurcation curve as predicted and as seen.
 #[derive(Debug, Clone, Copy)]

@@ -13,8 +13,8 @@ use rayon::prelude::*;
 use super::Setting;
 use super::branches::Bifurcation;
 use crate::StudyError;
-use crate::progress::Progress;
 use crate::table::{Table, columns, row};
+use grazing_unfold::progress::Progress;
 
 /// `fig02_attractor.csv`: x on Π along orbits after a transient, at amplitudes between GZ and PD.
 ///

@@ -4,12 +4,13 @@ use grazing_continuation::curve::{Curve, CurvePoint, MpsCurve};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns};
 use grazing_model::LinearOscillator;
+use grazing_unfold::diagram::Kind;
 use rayon::prelude::*;
 
 use super::Setting;
 use crate::StudyError;
-use crate::diagram::{Kind, branch_route};
-use crate::grazing_curve::centred;
+use crate::diagram::branch_route;
+use crate::plane::centred;
 use crate::table::{Table, columns, row};
 
 /// The branch of p-loop MPSs that emanates from the grazing bifurcation.

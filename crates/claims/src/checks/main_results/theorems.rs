@@ -20,11 +20,11 @@ use crate::specimen::{DELAY, Exponential, RESTITUTION, VaryingReset, varying_at_
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
 use crate::sweep::generic::Existence;
 use crate::sweep::resonant::FIT_TOLERANCE;
-use crate::sweep::simulation::{Seen, Suspect};
 use crate::sweep::{
     Extent, GenericRow, ResonantRow, Verdict, generic_cases, generic_rows, resonant_cases, resonant_rows,
 };
 use crate::tally::Votes;
+use grazing_unfold::simulation::{Seen, Suspect};
 
 type Failure = Box<dyn Error + Send + Sync>;
 

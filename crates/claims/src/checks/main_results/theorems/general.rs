@@ -8,7 +8,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 
 use super::Failure;
 use crate::sweep::generic::{Existence, small_velocity};
-use crate::sweep::simulation::{Seen, Suspect};
+use grazing_unfold::simulation::{Seen, Suspect};
 
 fn follow<O: ImpactOscillator>(oscillator: &O, loops: u32, point: &Unknowns) -> Seen {
     Suspect { oscillator, loops, velocity: point[0], phase: point[1] }.follow()

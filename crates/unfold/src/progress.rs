@@ -1,5 +1,7 @@
 //! Telling how far long work has come.
 
+use crate::diagram::DiagramCurve;
+
 /// Hears of the progress of a computation; called from any thread.
 pub trait Progress: Sync {
     /// Work of a number of steps begins.
@@ -8,6 +10,8 @@ pub trait Progress: Sync {
     fn step(&self, what: &str);
     /// The work is done.
     fn end(&self, what: &str);
+    /// The curves of one resonance are done; those of others may take a while.
+    fn unfolded(&self, _curves: &[DiagramCurve]) {}
 }
 
 /// Hears nothing.

@@ -1,0 +1,158 @@
+//! Tables of a two-parameter diagram, whatever the oscillator and its parameters are called.
+
+use core::f64::consts::{PI, TAU};
+
+use grazing_continuation::mps::MaximalPeriodicSolution;
+use grazing_model::ImpactOscillator;
+use grazing_unfold::diagram::Diagram;
+use grazing_unfold::magnification::Polyline;
+use grazing_unfold::regions::Polygon;
+
+use crate::StudyError;
+use crate::table::{Columns, Table, columns, row};
+
+/// The names of the two parameters, which head their columns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Axes {
+    /// The primary parameter μ.
+    pub primary: String,
+    /// The secondary parameter η.
+    pub secondary: String,
+}
+
+impl Axes {
+    /// The forcing amplitude and frequency of the paper's oscillator.
+    pub fn of_the_paper() -> Self {
+        Self { primary: "amplitude".to_owned(), secondary: "omega".to_owned() }
+    }
+
+    fn names(&self) -> [&str; 2] {
+        [&self.primary, &self.secondary]
+    }
+}
+
+/// Grazing curves and bifurcation curves, point by point.
+///
+/// # Errors
+/// The table could not be made.
+pub fn curves<O: ImpactOscillator>(
+    name: &'static str,
+    axes: &Axes,
+    diagram: &Diagram<O>,
+) -> Result<Table, StudyError> {
+    let [primary, secondary] = axes.names();
+    let mut columns = columns! {
+        "kind": "", "p": 0, "n": 0, secondary: 0.0, primary: 0.0, "impact_velocity": 0.0, "impact_phase": 0.0,
+        "trace": 0.0, "determinant": 0.0, "max_interior_x": 0.0, "stable": false, "admissible": false, "arc": 0,
+    };
+    for (arc, curve) in (0..).zip(&diagram.grazing) {
+        for state in &curve.states {
+            let [primary, secondary] = state.orbit.oscillator().parameters();
+            let map = state.orbit.grazing_point().map;
+            columns.push(row![
+                "graz",
+                0,
+                0,
+                secondary,
+                primary,
+                0.0,
+                0.0,
+                map.trace(),
+                map.determinant(),
+                f64::NAN,
+                state.stable,
+                state.admissible,
+                arc,
+            ]);
+        }
+    }
+    let first = u32::try_from(diagram.grazing.len()).unwrap_or(u32::MAX);
+    for (arc, curve) in (first..).zip(&diagram.curves) {
+        for point in &curve.curve.points {
+            let solution = &point.solution;
+            let [velocity, phase, primary, secondary] = solution.unknowns.into();
+            columns.push(row![
+                curve.kind.name(),
+                curve.loops,
+                curve.n,
+                secondary,
+                primary,
+                velocity,
+                diagram.grazing_phase(secondary).map_or(f64::NAN, |graz| centred(phase - graz)),
+                solution.multipliers.trace,
+                solution.multipliers.determinant,
+                solution.ceiling(),
+                solution.stable(),
+                solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
+                arc,
+            ]);
+        }
+    }
+    Ok(columns.finish(name)?)
+}
+
+/// Resonances at which a theorem holds, and other codimension-two points.
+///
+/// # Errors
+/// The table could not be made.
+pub fn points<O: ImpactOscillator>(
+    name: &'static str,
+    axes: &Axes,
+    diagram: &Diagram<O>,
+) -> Result<Table, StudyError> {
+    let [primary, secondary] = axes.names();
+    let mut columns = columns! { "kind": "", "p": 0, "n": 0, secondary: 0.0, primary: 0.0 };
+    for (resonance, point) in diagram.unfolding() {
+        let [_, _, primary, secondary] = point.unknowns().into();
+        columns.push(row!["resonance", resonance.loops, resonance.n, secondary, primary]);
+    }
+    for corner in &diagram.corners {
+        let [_, _, primary, secondary] = corner.unknowns.into();
+        columns.push(row![corner.kind, corner.loops, corner.n, secondary, primary]);
+    }
+    Ok(columns.finish(name)?)
+}
+
+/// Regions of stability, corner by corner.
+///
+/// # Errors
+/// The table could not be made.
+pub fn regions(name: &'static str, axes: &Axes, polygons: &[Polygon]) -> Result<Table, StudyError> {
+    let [primary, secondary] = axes.names();
+    let mut columns = columns! { "region": 0, "kind": "", "p": 0, "n": 0, secondary: 0.0, primary: 0.0 };
+    for (region, polygon) in (1..).zip(polygons) {
+        for [primary, secondary] in &polygon.vertices {
+            columns.push(row![region, polygon.kind, polygon.loops, polygon.n, *secondary, *primary]);
+        }
+    }
+    Ok(columns.finish(name)?)
+}
+
+/// Curves of magnifications, panel by panel from 1.
+///
+/// # Errors
+/// The table could not be made.
+pub fn magnifications(
+    name: &'static str,
+    axes: &Axes,
+    panels: &[Vec<Polyline>],
+) -> Result<Table, StudyError> {
+    let [primary, secondary] = axes.names();
+    let mut columns: Columns =
+        columns! { "panel": 0, "kind": "", "source": "", "arc": 0, secondary: 0.0, primary: 0.0 };
+    for (panel, polylines) in (1..).zip(panels) {
+        for (arc, polyline) in (1..).zip(polylines) {
+            for [primary, secondary] in &polyline.points {
+                let (kind, source) = (polyline.kind_name(), polyline.source.name());
+                columns.push(row![panel, kind, source, arc, *secondary, *primary]);
+            }
+        }
+    }
+    Ok(columns.finish(name)?)
+}
+
+/// An angle brought into (−π, π].
+pub(crate) fn centred(angle: f64) -> f64 {
+    let turned = angle - TAU * libm::floor(angle / TAU);
+    if turned > PI { turned - TAU } else { turned }
+}

@@ -1,0 +1,301 @@
+//! The two-parameter diagram: grazing curves, resonances, the curves that leave them, and codimension-two points.
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{Curve, CurveEnd, Route, Window};
+use grazing_continuation::fit::{Estimate, FitError, quadratic_coefficient};
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::Unknowns;
+use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance, same_point};
+use grazing_model::ImpactOscillator;
+use rayon::prelude::*;
+
+use crate::free::{self, Survey};
+use crate::grazing::GrazingCurve;
+use crate::progress::Progress;
+use crate::resonances::{self, Resonance, Unlocated};
+use crate::{Scope, UnfoldError};
+
+/// Kinds of bifurcation curves, by the names the figures use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Saddle-node bifurcations of MPSs.
+    SaddleNode,
+    /// Period-doubling bifurcations of MPSs.
+    PeriodDoubling,
+    /// Grazing bifurcations of MPSs: an interior maximum touches the wall.
+    Grazing,
+}
+
+impl Kind {
+    /// SN, PD or GZ.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::SaddleNode => "SN",
+            Self::PeriodDoubling => "PD",
+            Self::Grazing => "GZ",
+        }
+    }
+
+    /// The kind of a condition that a curve or an event can have.
+    pub fn of(condition: Condition) -> Option<Self> {
+        match condition {
+            Condition::Multiplier(multiplier) if multiplier > 0.0 => Some(Self::SaddleNode),
+            Condition::Multiplier(_) => Some(Self::PeriodDoubling),
+            Condition::InteriorGrazing => Some(Self::Grazing),
+            _ => None,
+        }
+    }
+}
+
+/// A bifurcation curve of the diagram.
+#[derive(Clone, Debug)]
+pub struct DiagramCurve {
+    /// What happens along it.
+    pub kind: Kind,
+    /// Number of loops p.
+    pub loops: u32,
+    /// The integer n of the resonance from which the curve, or the point at which it starts, was reached.
+    pub n: u32,
+    /// The curve.
+    pub curve: Curve,
+}
+
+impl DiagramCurve {
+    /// First and last point.
+    fn ends(&self) -> [Unknowns; 2] {
+        let points = &self.curve.points;
+        [points[0].solution.unknowns, points[points.len() - 1].solution.unknowns]
+    }
+}
+
+/// A codimension-two point other than a resonance.
+#[derive(Clone, Copy, Debug)]
+pub struct Corner {
+    /// The two bifurcations that meet there: SN-GZ, PD-GZ or GZ-GZ.
+    pub kind: &'static str,
+    /// Number of loops p.
+    pub loops: u32,
+    /// The integer n of the resonance from which it was reached.
+    pub n: u32,
+    /// (y, z, μ, η).
+    pub unknowns: Unknowns,
+}
+
+/// A resonance whose curves could not be followed.
+#[derive(Clone, Debug)]
+pub struct NotUnfolded {
+    /// Number of loops p.
+    pub loops: u32,
+    /// The integer n.
+    pub n: u32,
+    /// What happened.
+    pub reason: ResonanceError,
+}
+
+/// Everything in the diagram.
+#[derive(Clone, Debug)]
+pub struct Diagram<O> {
+    /// What was asked for.
+    pub scope: Scope,
+    /// The pieces of the curve of grazing bifurcations of the non-impacting solution.
+    pub grazing: Vec<GrazingCurve<O>>,
+    /// All resonances on it, by p and along the curve.
+    pub resonances: Vec<Resonance<O>>,
+    /// SN, PD and GZ curves from the resonances at which a theorem holds.
+    pub curves: Vec<DiagramCurve>,
+    /// Codimension-two points other than resonances.
+    pub corners: Vec<Corner>,
+    /// Resonances that were seen and could not be located.
+    pub unlocated: Vec<Unlocated>,
+    /// Resonances whose curves could not be followed.
+    pub not_unfolded: Vec<NotUnfolded>,
+}
+
+/// A curve of this many points has lost its way.
+const STEP_LIMIT: usize = 20_000;
+
+/// The route through a window to the first event.
+pub fn route(window: Window, control: StepControl) -> Route {
+    Route { window, control, step_limit: STEP_LIMIT, stop_at_events: true, through_grazing: false }
+}
+
+/// Values of η, as shares of its range, at which grazing of the free motion is looked for; those in the middle first.
+const SURVEYED: [f64; 9] = [0.5, 0.25, 0.75, 0.0, 1.0, 0.125, 0.375, 0.625, 0.875];
+
+impl<O: ImpactOscillator> Diagram<O> {
+    /// Finds the grazing curves of an oscillator and all resonances on them, and follows the curves that leave these.
+    ///
+    /// The oscillator's own parameters do not matter. Grazing is looked for at nine values of η; a piece of the grazing curve that none of
+    /// them meets is not seen. Resonances are unfolded in parallel; the result does not depend on the number of threads.
+    ///
+    /// # Errors
+    /// There is no grazing in the ranges, with what was seen instead.
+    pub fn compute(oscillator: &O, scope: &Scope, progress: &dyn Progress) -> Result<Self, UnfoldError> {
+        let grazing = grazing_curves(oscillator, scope, progress)?;
+        let mut diagram = Self {
+            scope: scope.clone(),
+            grazing,
+            resonances: Vec::new(),
+            curves: Vec::new(),
+            corners: Vec::new(),
+            unlocated: Vec::new(),
+            not_unfolded: Vec::new(),
+        };
+        for curve in &diagram.grazing {
+            let (mut found, mut lost) = resonances::on_curve(curve, scope);
+            diagram.resonances.append(&mut found);
+            diagram.unlocated.append(&mut lost);
+        }
+        let order = |loops| scope.loops.iter().position(|asked| *asked == loops);
+        diagram.resonances.sort_by_key(|resonance| order(resonance.loops));
+        for (resonance, unfolded) in diagram.follow(progress) {
+            let (loops, n) = (diagram.resonances[resonance].loops, diagram.resonances[resonance].n);
+            match unfolded {
+                Ok(curves) => curves.into_iter().for_each(|curve| diagram.add(curve)),
+                Err(reason) => diagram.not_unfolded.push(NotUnfolded { loops, n, reason }),
+            }
+        }
+        Ok(diagram)
+    }
+
+    /// The resonances at which a theorem holds, with their places in the list of all.
+    pub fn unfolding(&self) -> impl Iterator<Item = (&Resonance<O>, &ResonantGrazingPoint<O>)> {
+        self.resonances.iter().filter_map(|resonance| Some((resonance, resonance.theorem.as_ref().ok()?)))
+    }
+
+    /// The grazing phase z_graz at a value of η; none where no grazing curve is.
+    pub fn grazing_phase(&self, secondary: f64) -> Option<f64> {
+        self.grazing.iter().find_map(|curve| curve.at(secondary)).map(|orbit| orbit.phase())
+    }
+
+    /// The curves from every resonance at which a theorem holds, each resonance by itself, in the order of the list.
+    fn follow(&self, progress: &dyn Progress) -> Vec<(usize, Result<Vec<DiagramCurve>, ResonanceError>)> {
+        let what = "bifurcation curves";
+        let route = route(self.scope.window, StepControl::DRAWING);
+        let points: Vec<_> =
+            self.resonances.iter().enumerate().filter(|(_, found)| found.theorem.is_ok()).collect();
+        progress.begin(what, points.len() as u64);
+        let followed = points
+            .into_par_iter()
+            .filter_map(|(index, resonance)| {
+                let point = resonance.theorem.as_ref().ok()?;
+                let unfolded = point.unfold(&route).map(|unfolded| listed(resonance, unfolded));
+                if let Ok(curves) = &unfolded {
+                    progress.unfolded(curves);
+                }
+                progress.step(what);
+                Some((index, unfolded))
+            })
+            .collect();
+        progress.end(what);
+        followed
+    }
+
+    /// Adds a curve unless it is one of those that are there, followed from its other end.
+    fn add(&mut self, new: DiagramCurve) {
+        let [start, end] = new.ends();
+        let known = self.curves.iter().any(|old| {
+            let [first, last] = old.ends();
+            let same = |a, b| same_point(&first, a) && same_point(&last, b);
+            old.kind == new.kind && old.loops == new.loops && (same(&start, &end) || same(&end, &start))
+        });
+        if known {
+            return;
+        }
+        if let CurveEnd::Event(event) = &new.curve.end {
+            let pair = [Some(new.kind), Kind::of(event.condition)];
+            let kind = match pair {
+                [Some(Kind::SaddleNode), Some(Kind::Grazing)]
+                | [Some(Kind::Grazing), Some(Kind::SaddleNode)] => "SN-GZ",
+                [Some(Kind::PeriodDoubling), Some(Kind::Grazing)]
+                | [Some(Kind::Grazing), Some(Kind::PeriodDoubling)] => "PD-GZ",
+                _ => "GZ-GZ",
+            };
+            let unknowns = event.solution.unknowns;
+            if !self.corners.iter().any(|corner| same_point(&corner.unknowns, &unknowns)) {
+                self.corners.push(Corner { kind, loops: new.loops, n: new.n, unknowns });
+            }
+        }
+        self.curves.push(new);
+    }
+}
+
+/// The curves of a resonance in the order in which they are listed.
+fn listed<O>(resonance: &Resonance<O>, unfolded: UnfoldedResonance) -> Vec<DiagramCurve> {
+    let of_kind = |kind, curve| DiagramCurve { kind, loops: resonance.loops, n: resonance.n, curve };
+    let own = [
+        of_kind(Kind::SaddleNode, unfolded.saddle_node),
+        of_kind(Kind::PeriodDoubling, unfolded.period_doubling),
+    ];
+    own.into_iter().chain(unfolded.grazing.into_iter().map(|curve| of_kind(Kind::Grazing, curve))).collect()
+}
+
+/// The pieces of the grazing curve in the ranges.
+fn grazing_curves<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    progress: &dyn Progress,
+) -> Result<Vec<GrazingCurve<O>>, UnfoldError> {
+    let what = "grazing of free motion";
+    progress.begin(what, SURVEYED.len() as u64);
+    let surveys: Vec<Survey<O>> = SURVEYED
+        .par_iter()
+        .map(|share| {
+            let secondary = scope.parameters([0.0, *share])[1];
+            let survey = free::survey(oscillator, scope, secondary);
+            progress.step(what);
+            survey
+        })
+        .collect();
+    progress.end(what);
+    let mut curves: Vec<GrazingCurve<O>> = Vec::new();
+    for orbit in surveys.iter().flat_map(|survey| &survey.grazing) {
+        if !curves.iter().any(|curve| curve.passes(orbit, scope))
+            && let Ok(curve) = GrazingCurve::through(orbit, scope)
+        {
+            curves.push(curve);
+        }
+    }
+    if curves.is_empty() { Err(explanation(&surveys)) } else { Ok(curves) }
+}
+
+/// Why no survey has seen grazing.
+fn explanation<O>(surveys: &[Survey<O>]) -> UnfoldError {
+    if let Some(at) = surveys.iter().flat_map(|survey| &survey.pushed).next() {
+        return UnfoldError::Pushed { at: *at };
+    }
+    let extremes =
+        surveys.iter().filter_map(|survey| survey.extremes).reduce(|[low, high], [lower, higher]| {
+            [
+                if lower.position < low.position { lower } else { low },
+                if higher.position > high.position { higher } else { high },
+            ]
+        });
+    let ran_away = surveys.iter().find_map(|survey| survey.ran_away);
+    match (extremes, ran_away) {
+        (Some([lowest, highest]), _) => UnfoldError::NoGrazing { lowest, highest },
+        (None, Some(at)) => UnfoldError::RunsAway { at },
+        (None, None) => UnfoldError::NoOrbit,
+    }
+}
+
+/// The quadratic coefficients at a resonance, by its theorem and measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coefficients {
+    /// c_SN,p and c_PD,p by Theorem 2.4 or 2.5.
+    pub theorem: [f64; 2],
+    /// c_SN,p and c_PD,p as limits of μ/η² on the continued curves.
+    pub fit: [Result<Estimate, FitError>; 2],
+}
+
+impl Coefficients {
+    /// The coefficients at a resonance.
+    pub fn of<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> Self {
+        let theorem = point.theorem();
+        Self {
+            theorem: [theorem.saddle_node().coefficient, theorem.period_doubling().coefficient],
+            fit: [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING]
+                .map(|condition| quadratic_coefficient(point, condition)),
+        }
+    }
+}

@@ -1,0 +1,31 @@
+//! Why there is nothing to unfold.
+
+use crate::free::Height;
+
+/// The search for a grazing curve found none.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum UnfoldError {
+    /// Motion without the wall runs away from wherever it was begun.
+    #[error("without the wall all motion that was tried runs away, at {at:?} for one")]
+    RunsAway {
+        /// Parameters (μ, η) at which it does.
+        at: [f64; 2],
+    },
+    /// No periodic motion with the period of the forcing was found.
+    #[error("no periodic motion with the period of the forcing was found without the wall")]
+    NoOrbit,
+    /// Periodic motion stays on one side of the wall everywhere in the ranges.
+    #[error("periodic motion touches the wall nowhere in the ranges: its highest points lie between x = {} and x = {}", lowest.position, highest.position)]
+    NoGrazing {
+        /// The lowest of the highest points.
+        lowest: Height,
+        /// The highest of them.
+        highest: Height,
+    },
+    /// Where periodic motion comes to the wall it is not turned back.
+    #[error("the wall is touched with F = {} at {:?}, which must be negative", at.acceleration, at.parameters)]
+    Pushed {
+        /// Where it touches.
+        at: Height,
+    },
+}

@@ -1,0 +1,218 @@
+//! The diagram close to one resonance, with the quadratic approximations that the theorem gives.
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::Window;
+use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint};
+use grazing_model::ImpactOscillator;
+use grazing_theorems::from_map::GrazingOrbit;
+use grazing_theorems::resonant_theorem::BifurcationCurve;
+
+use crate::diagram::{Diagram, Kind, route};
+use crate::grazing::GrazingCurve;
+use crate::resonances::Resonance;
+
+/// What a polyline shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// A continued curve.
+    Continuation,
+    /// The quadratic approximation μ = c η².
+    Quadratic,
+}
+
+impl Source {
+    /// `continuation` or `quadratic`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Continuation => "continuation",
+            Self::Quadratic => "quadratic",
+        }
+    }
+}
+
+/// A polyline of a magnification, as points (μ, η).
+#[derive(Clone, Debug)]
+pub struct Polyline {
+    /// The bifurcation; `None` for grazing of the non-impacting solution.
+    pub kind: Option<Kind>,
+    /// Continued or approximated.
+    pub source: Source,
+    /// Its points in order.
+    pub points: Vec<[f64; 2]>,
+}
+
+impl Polyline {
+    /// graz, SN, PD or GZ.
+    pub fn kind_name(&self) -> &'static str {
+        self.kind.map_or("graz", Kind::name)
+    }
+}
+
+/// Short steps, for curves seen at thirty times the scale of the diagram.
+const MAGNIFIED: StepControl = StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-9, turn: 0.02 };
+
+/// Samples of a quadratic approximation from the resonance to the edge of the window, and of the grazing curve across it.
+const SAMPLES: u32 = 100;
+
+/// The curves in a window about a resonance: grazing, the resonance's own, its neighbours', quadratic approximations.
+///
+/// # Errors
+/// The resonance's curves could not be followed.
+pub fn magnify<O: ImpactOscillator>(
+    diagram: &Diagram<O>,
+    resonance: &Resonance<O>,
+    point: &ResonantGrazingPoint<O>,
+    window: Window,
+) -> Result<Vec<Polyline>, ResonanceError> {
+    let continued = |kind, points| Polyline { kind, source: Source::Continuation, points };
+    let mut list: Vec<_> =
+        diagram.grazing.iter().map(|curve| continued(None, close_to(curve, window))).collect();
+    list.retain(|polyline| polyline.points.len() > 1);
+
+    let unfolded = point.unfold(&route(window, MAGNIFIED))?;
+    list.push(continued(Some(Kind::SaddleNode), unfolded.saddle_node.parameters()));
+    list.push(continued(Some(Kind::PeriodDoubling), unfolded.period_doubling.parameters()));
+    list.extend(unfolded.grazing.iter().map(|curve| continued(Some(Kind::Grazing), curve.parameters())));
+    let others =
+        diagram.curves.iter().filter(|curve| (curve.loops, curve.n) != (resonance.loops, resonance.n));
+    for other in others {
+        let points = other.curve.parameters();
+        if points.iter().any(|point| inside(window, *point)) {
+            list.push(continued(Some(other.kind), points));
+        }
+    }
+
+    let theorem = point.theorem();
+    for (kind, curve) in
+        [(Kind::SaddleNode, theorem.saddle_node()), (Kind::PeriodDoubling, theorem.period_doubling())]
+    {
+        let points = quadratic(point, curve, window);
+        list.push(Polyline { kind: Some(kind), source: Source::Quadratic, points });
+    }
+    Ok(list)
+}
+
+fn inside(window: Window, [primary, secondary]: [f64; 2]) -> bool {
+    let within = |[low, high]: [f64; 2], value: f64| low <= value && value <= high;
+    within(window.primary, primary) && within(window.secondary, secondary)
+}
+
+/// The part of a grazing curve with η in the window, with points close enough for it.
+fn close_to<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Vec<[f64; 2]> {
+    let [low, high] = window.secondary;
+    let spacing = (high - low) / f64::from(SAMPLES);
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    for pair in curve.states.windows(2) {
+        let [a, b] = [&pair[0], &pair[1]].map(|state| state.orbit.oscillator().parameters());
+        if a[1].max(b[1]) < low || a[1].min(b[1]) > high {
+            continue;
+        }
+        let parts = libm::ceil((b[1] - a[1]).abs() / spacing).clamp(1.0, f64::from(SAMPLES)) as u32;
+        for part in 0..=parts {
+            let way = f64::from(part) / f64::from(parts);
+            let between = |values: [f64; 2]| values[0] + (values[1] - values[0]) * way;
+            let near =
+                pair[0].orbit.oscillator().with_parameters([between([a[0], b[0]]), between([a[1], b[1]])]);
+            let phase = between([pair[0].orbit.phase(), pair[1].orbit.phase()]);
+            let Ok(orbit) = GrazingOrbit::find(&near, phase) else { continue };
+            let [primary, secondary] = orbit.oscillator().parameters();
+            if low <= secondary && secondary <= high && points.last() != Some(&[primary, secondary]) {
+                points.push([primary, secondary]);
+            }
+        }
+    }
+    points
+}
+
+/// primary = primary_graz(η) + c η² from the resonance to the edge of the window, on the side of η that theory gives.
+fn quadratic<O: ImpactOscillator>(
+    point: &ResonantGrazingPoint<O>,
+    curve: BifurcationCurve,
+    window: Window,
+) -> Vec<[f64; 2]> {
+    let [_, origin] = point.orbit().oscillator().parameters();
+    let edge = if curve.eta_side.signum() < 0.0 { window.secondary[0] } else { window.secondary[1] };
+    let mut points = Vec::new();
+    let mut near = point.orbit().clone();
+    for k in 0..=SAMPLES {
+        let secondary = origin + (edge - origin) * f64::from(k) / f64::from(SAMPLES);
+        let step = secondary - near.oscillator().parameters()[1];
+        let start =
+            near.oscillator().with_parameters([near.primary() + near.primary_slope() * step, secondary]);
+        let Ok(orbit) = GrazingOrbit::find(&start, near.phase() + near.phase_slope() * step) else { break };
+        near = orbit;
+        let Some(mu) = curve.parameter(secondary - origin) else { continue };
+        points.push([near.primary() + mu, secondary]);
+        if !inside(window, [near.primary() + mu, secondary]) {
+            break;
+        }
+    }
+    points
+}
+
+/// A window about a resonance in which the curves and their approximations can be told apart and compared.
+///
+/// Its half-height in η is where the terms beyond the quadratic one are some fifth of it on the more faithful curve, but not
+/// more than half the way to the next resonance of the same p; across it holds all that is drawn, with a margin.
+pub fn window_about<O: ImpactOscillator>(
+    diagram: &Diagram<O>,
+    resonance: &Resonance<O>,
+    point: &ResonantGrazingPoint<O>,
+) -> Window {
+    let whole = diagram.scope.window;
+    let [_, origin] = point.orbit().oscillator().parameters();
+    let mut reach = 0.25 * (whole.secondary[1] - whole.secondary[0]);
+    for (other, at) in diagram.unfolding() {
+        let gap = (at.orbit().oscillator().parameters()[1] - origin).abs();
+        if other.loops == resonance.loops && gap > 0.0 {
+            reach = reach.min(0.5 * gap);
+        }
+    }
+    let own: Vec<_> = diagram
+        .curves
+        .iter()
+        .filter(|curve| {
+            (curve.loops, curve.n) == (resonance.loops, resonance.n) && curve.kind != Kind::Grazing
+        })
+        .collect();
+    // The more faithful curve counts: beside a steep one nothing could be seen of the other.
+    let faithful = own.iter().map(|curve| faithful(point, curve.kind, &curve.curve.parameters()));
+    reach = reach.min(1.2 * faithful.fold(0.0, f64::max));
+    let secondary = [(origin - reach).max(whole.secondary[0]), (origin + reach).min(whole.secondary[1])];
+    let shown = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], secondary };
+    let mut extent = [f64::INFINITY, f64::NEG_INFINITY];
+    let curves = own.iter().map(|curve| curve.curve.parameters());
+    let grazing = diagram.grazing.iter().map(|curve| close_to(curve, shown));
+    for [primary, _] in curves.chain(grazing).flatten().filter(|at| inside(shown, *at)) {
+        extent = [extent[0].min(primary), extent[1].max(primary)];
+    }
+    let margin = 0.05 * (extent[1] - extent[0]);
+    Window { primary: [extent[0] - margin, extent[1] + margin], secondary }
+}
+
+/// How far from the resonance in η a curve stays within a fifth of its quadratic approximation, or how far it goes.
+fn faithful<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>, kind: Kind, curve: &[[f64; 2]]) -> f64 {
+    let theorem = point.theorem();
+    let coefficient = match kind {
+        Kind::PeriodDoubling => theorem.period_doubling().coefficient,
+        _ => theorem.saddle_node().coefficient,
+    };
+    let [_, origin] = point.orbit().oscillator().parameters();
+    let mut reached = 0.0;
+    let mut near = point.orbit().clone();
+    for [primary, secondary] in curve.iter().skip(1) {
+        let eta = secondary - origin;
+        let step = secondary - near.oscillator().parameters()[1];
+        let start =
+            near.oscillator().with_parameters([near.primary() + near.primary_slope() * step, *secondary]);
+        let Ok(orbit) = GrazingOrbit::find(&start, near.phase() + near.phase_slope() * step) else { break };
+        near = orbit;
+        let difference = primary - near.primary() - coefficient * eta * eta;
+        if difference.abs() > 0.2 * (coefficient * eta * eta).abs() {
+            break;
+        }
+        reached = eta.abs();
+    }
+    // A curve that bends at once is shown over its first steps.
+    f64::max(reached, curve.get(1).map_or(0.0, |first| (first[1] - origin).abs()))
+}
