@@ -8,7 +8,7 @@ use std::path::Path;
 use program::repository;
 
 /// Files that are not snapshots and belong there.
-const BY_HAND: [&str; 3] = ["published.toml", "claims.toml", "labels.txt"];
+const BY_HAND: [&str; 4] = ["published.toml", "published_examples.toml", "claims.toml", "labels.txt"];
 
 /// The test file that a snapshot says it comes from.
 fn source(snapshot: &str) -> Option<&str> {
