@@ -27,6 +27,7 @@ pub(crate) struct Content {
     pub(crate) restitution: Expression,
     pub(crate) duration: Expression,
     pub(crate) loops: Vec<u32>,
+    pub(crate) start: Option<[f64; 2]>,
 }
 
 /// One of the two parameters with its range.
@@ -113,6 +114,11 @@ impl Description {
     /// The impact duration Ψ, an expression in y, z, μ, η.
     pub fn duration_expression(&self) -> &Expression {
         &self.0.duration
+    }
+
+    /// Position and velocity at time zero from which the non-impacting motion is looked for, if the file gives them.
+    pub fn start(&self) -> Option<[f64; 2]> {
+        self.0.start
     }
 
     /// The numbers of loops p to analyse: at least one, each 1 or more, none twice, as ordered in the file.

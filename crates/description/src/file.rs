@@ -45,10 +45,15 @@ const KEYS: &[(&str, &str)] = &[
         "the impact duration must be an expression in y, z and the parameters in quotation marks, \
          \"0\" for impacts that take no time",
     ),
-    ("analysis", "the table [analysis] holds loops"),
+    ("analysis", "the table [analysis] holds loops and may hold start"),
     (
         "analysis.loops",
         "the numbers of loops must be a list of different whole numbers from 1 to 12, as [1, 2, 3]",
+    ),
+    (
+        "analysis.start",
+        "the start of the search for the non-impacting motion must be position and velocity at time zero, \
+         two finite numbers, as [-1.0, 0.0]; it may be left out",
     ),
 ];
 
@@ -98,6 +103,7 @@ pub(crate) struct Impact {
 #[serde(deny_unknown_fields, expecting = "a table")]
 pub(crate) struct Analysis {
     pub(crate) loops: Spanned<Vec<Spanned<u32>>>,
+    pub(crate) start: Option<Spanned<Vec<f64>>>,
 }
 
 #[cfg(test)]

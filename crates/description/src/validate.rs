@@ -65,6 +65,7 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
         }
     }
     let loops = loops(&raw.analysis.loops, source)?;
+    let start = raw.analysis.start.as_ref().map(|start| finite(start, source)).transpose()?;
     let name = name.to_owned();
     Ok(Description(Arc::new(Content {
         name,
@@ -76,7 +77,16 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
         restitution,
         duration,
         loops,
+        start,
     })))
+}
+
+fn finite(start: &Spanned<Vec<f64>>, source: &Source<'_>) -> Checked<[f64; 2]> {
+    let key = "analysis.start";
+    match start.get_ref()[..] {
+        [position, velocity] if position.is_finite() && velocity.is_finite() => Ok([position, velocity]),
+        _ => Err(source.forbid(key, start, REQUIREMENTS.of(key).to_owned()).into()),
+    }
 }
 
 fn axis(table: &str, raw: &file::Axis, source: &Source<'_>) -> Checked<Axis> {

@@ -23,6 +23,7 @@ mod space;
 mod study;
 mod sweep;
 mod table;
+pub mod unfolded;
 
 pub use coefficients::Coefficients;
 pub use error::StudyError;

@@ -20,13 +20,70 @@ pub struct Axes {
     pub secondary: String,
 }
 
+/// Names of columns of these tables, which a parameter's column must not repeat.
+const TAKEN: &[&str] = &[
+    "kind",
+    "p",
+    "n",
+    "arc",
+    "region",
+    "panel",
+    "source",
+    "impact_velocity",
+    "impact_phase",
+    "trace",
+    "determinant",
+    "max_interior_x",
+    "stable",
+    "admissible",
+    "phase",
+    "a11",
+    "a12",
+    "a21",
+    "a22",
+    "b1",
+    "b2",
+    "frequency",
+    "tau",
+    "delta",
+    "alpha",
+    "beta",
+    "gamma",
+    "phi",
+    "psi",
+    "kappa",
+    "xi",
+    "a12_prime",
+    "kappa_prime",
+    "s_plus",
+    "s_minus",
+    "c_sn",
+    "c_pd",
+    "theorem",
+    "hypothesis",
+    "value",
+    "holds",
+];
+
 impl Axes {
-    /// The forcing amplitude and frequency of the paper's oscillator.
-    pub fn of_the_paper() -> Self {
-        Self { primary: "amplitude".to_owned(), secondary: "omega".to_owned() }
+    /// The columns of parameters with these names; `_` is added to one that names another column.
+    pub fn new(primary: &str, secondary: &str) -> Self {
+        let column = |name: &str| {
+            let mut column = name.to_owned();
+            while TAKEN.contains(&column.as_str()) {
+                column.push('_');
+            }
+            column
+        };
+        Self { primary: column(primary), secondary: column(secondary) }
     }
 
-    fn names(&self) -> [&str; 2] {
+    /// The forcing amplitude and frequency of the paper's oscillator.
+    pub fn of_the_paper() -> Self {
+        Self::new("amplitude", "omega")
+    }
+
+    pub(crate) fn names(&self) -> [&str; 2] {
         [&self.primary, &self.secondary]
     }
 }

@@ -18,23 +18,29 @@ pub(crate) struct Columns {
 }
 
 enum Cells {
-    Text(Vec<&'static str>),
+    Text(Vec<String>),
     Integer(Vec<u32>),
     Number(Vec<Option<f64>>),
     Flag(Vec<bool>),
 }
 
 /// One cell.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(crate) enum Cell {
-    Text(&'static str),
+    Text(String),
     Integer(u32),
     Number(f64),
     Flag(bool),
 }
 
-impl From<&'static str> for Cell {
-    fn from(value: &'static str) -> Self {
+impl From<&str> for Cell {
+    fn from(value: &str) -> Self {
+        Self::Text(value.to_owned())
+    }
+}
+
+impl From<String> for Cell {
+    fn from(value: String) -> Self {
         Self::Text(value)
     }
 }

@@ -137,6 +137,18 @@ impl Hypothesis {
         Self::new(quantity, value, Condition::NonZero)
     }
 
+    /// What the theorem asks, as "a12 alpha > 0".
+    #[must_use]
+    pub fn statement(&self) -> String {
+        let quantity = self.quantity;
+        match self.condition {
+            Condition::AtLeast(bound) => format!("{quantity} >= {bound}"),
+            Condition::Positive => format!("{quantity} > 0"),
+            Condition::NonZero => format!("{quantity} != 0"),
+            Condition::Zero { .. } => format!("{quantity} = 0"),
+        }
+    }
+
     /// Whether the value is as the theorem asks; a value that is not a number never is.
     #[must_use]
     pub fn holds(&self) -> bool {
@@ -153,11 +165,9 @@ impl Hypothesis {
 impl fmt::Display for Hypothesis {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { quantity, value, condition } = self;
-        match condition {
-            Condition::AtLeast(bound) => write!(formatter, "{quantity} >= {bound}")?,
-            Condition::Positive => write!(formatter, "{quantity} > 0")?,
-            Condition::NonZero => write!(formatter, "{quantity} != 0")?,
-            Condition::Zero { tolerance } => write!(formatter, "{quantity} = 0 (within {tolerance:e})")?,
+        formatter.write_str(&self.statement())?;
+        if let Condition::Zero { tolerance } = condition {
+            write!(formatter, " (within {tolerance:e})")?;
         }
         write!(formatter, ", where {quantity} is {value}")
     }

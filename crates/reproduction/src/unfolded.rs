@@ -1,0 +1,119 @@
+//! What there is to know about the resonant grazing bifurcations of any oscillator, as data frames.
+
+mod tables;
+
+use grazing_continuation::curve::Window;
+use grazing_description::Description;
+use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Integrated;
+use grazing_unfold::diagram::{Coefficients, Kind};
+use grazing_unfold::magnification::{Polyline, magnify, window_about};
+use grazing_unfold::progress::Progress;
+use grazing_unfold::regions::{self, Polygon};
+use grazing_unfold::sides::{Sides, simulate};
+use grazing_unfold::{Diagram, Scope};
+use rayon::prelude::*;
+
+use crate::StudyError;
+use crate::plane::{self, Axes};
+use crate::table::Table;
+
+/// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a
+/// magnification.
+#[derive(Clone, Debug)]
+pub struct Unfolded<O> {
+    /// The names of the parameters.
+    pub axes: Axes,
+    /// Grazing curves, resonances, bifurcation curves, codimension-two points.
+    pub diagram: Diagram<O>,
+    /// Where solutions are stable.
+    pub regions: Vec<Polygon>,
+    /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`].
+    pub resonances: Vec<AtResonance>,
+}
+
+/// What was found at a resonance.
+#[derive(Clone, Debug)]
+pub struct AtResonance {
+    /// Number of loops p.
+    pub loops: u32,
+    /// The integer n.
+    pub n: u32,
+    /// c_SN and c_PD by the theorem and measured.
+    pub coefficients: Coefficients,
+    /// What the simulated hybrid system does beside the SN and the PD curve; nothing where no MPS was found there.
+    pub sides: [Option<Sides>; 2],
+    /// The window of the magnification.
+    pub window: Window,
+    /// Its curves; none where they could not be followed.
+    pub magnified: Vec<Polyline>,
+}
+
+impl Unfolded<Integrated<Description>> {
+    /// The analysis of an oscillator from a text file.
+    ///
+    /// # Errors
+    /// There is no grazing in the ranges.
+    pub fn described(description: &Description, progress: &dyn Progress) -> Result<Self, StudyError> {
+        let (primary, secondary) = (description.primary(), description.secondary());
+        let window = Window { primary: primary.range(), secondary: secondary.range() };
+        let scope = Scope { window, loops: description.loops().to_vec(), start: description.start() };
+        let oscillator = Integrated::new(description.clone(), [window.primary[0], window.secondary[0]]);
+        Self::compute(&oscillator, &scope, Axes::new(primary.name(), secondary.name()), progress)
+    }
+}
+
+impl<O: ImpactOscillator> Unfolded<O> {
+    /// The analysis of any oscillator; its own parameters do not matter.
+    ///
+    /// # Errors
+    /// There is no grazing in the ranges.
+    pub fn compute(
+        oscillator: &O,
+        scope: &Scope,
+        axes: Axes,
+        progress: &dyn Progress,
+    ) -> Result<Self, StudyError> {
+        let diagram = Diagram::compute(oscillator, scope, progress)?;
+        let what = "coefficients and magnifications";
+        let found: Vec<_> = diagram.unfolding().collect();
+        progress.begin(what, found.len() as u64);
+        // Each resonance by itself; the order of the results is that of the list, whatever the threads do.
+        let resonances = found
+            .into_par_iter()
+            .map(|(resonance, point)| {
+                let window = window_about(&diagram, resonance, point);
+                let at = AtResonance {
+                    loops: resonance.loops,
+                    n: resonance.n,
+                    coefficients: Coefficients::of(point),
+                    sides: [Kind::SaddleNode, Kind::PeriodDoubling].map(|kind| simulate(point, kind).ok()),
+                    window,
+                    magnified: magnify(&diagram, resonance, point, window).unwrap_or_default(),
+                };
+                progress.step(what);
+                at
+            })
+            .collect();
+        progress.end(what);
+        Ok(Self { axes, regions: regions::all(&diagram), diagram, resonances })
+    }
+
+    /// All tables: `grazing`, `grazing_loops`, `curves`, `points`, `regions`, `coefficients`, `hypotheses`, `magnifications`.
+    ///
+    /// # Errors
+    /// A table could not be made.
+    pub fn tables(&self) -> Result<Vec<Table>, StudyError> {
+        let magnified: Vec<_> = self.resonances.iter().map(|at| at.magnified.clone()).collect();
+        Ok(vec![
+            tables::grazing(self)?,
+            tables::grazing_loops(self)?,
+            plane::curves("curves", &self.axes, &self.diagram)?,
+            plane::points("points", &self.axes, &self.diagram)?,
+            plane::regions("regions", &self.axes, &self.regions)?,
+            tables::coefficients(self)?,
+            tables::hypotheses(self)?,
+            plane::magnifications("magnifications", &self.axes, &magnified)?,
+        ])
+    }
+}

@@ -1,0 +1,166 @@
+//! The tables that only an oscillator in general has: quantities along the grazing curve, hypotheses, coefficients.
+
+use grazing_continuation::fit::{Estimate, FitError};
+use grazing_model::ImpactOscillator;
+use grazing_theorems::hypothesis::Hypothesis;
+use grazing_theorems::{ResonantPoint, Unfolding};
+
+use super::Unfolded;
+use crate::StudyError;
+use crate::table::{Table, columns, row};
+
+/// `grazing.csv`: the grazing orbit and the map around it, point by point along the curve.
+pub(super) fn grazing<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Result<Table, StudyError> {
+    let [primary, secondary] = unfolded.axes.names();
+    let mut columns = columns! {
+        "arc": 0, secondary: 0.0, primary: 0.0, "phase": 0.0, "frequency": 0.0, "a11": 0.0, "a12": 0.0, "a21": 0.0,
+        "a22": 0.0, "b1": 0.0, "b2": 0.0, "tau": 0.0, "delta": 0.0, "alpha": 0.0, "beta": 0.0, "gamma": 0.0, "phi": 0.0,
+        "psi": 0.0, "stable": false, "admissible": false,
+    };
+    for (arc, curve) in (0..).zip(&unfolded.diagram.grazing) {
+        for state in &curve.states {
+            let [primary, secondary] = state.orbit.oscillator().parameters();
+            let point = state.orbit.grazing_point();
+            let (a, b) = (point.map.a, point.map.b);
+            columns.push(row![
+                arc,
+                secondary,
+                primary,
+                state.orbit.phase(),
+                point.forcing_frequency,
+                a.m11,
+                a.m12,
+                a.m21,
+                a.m22,
+                b.x,
+                b.y,
+                point.map.trace(),
+                point.map.determinant(),
+                point.alpha(),
+                point.map.transversality(),
+                point.gamma,
+                point.phi,
+                point.psi,
+                state.stable,
+                state.admissible,
+            ]);
+        }
+    }
+    Ok(columns.finish("grazing")?)
+}
+
+/// `grazing_loops.csv`: what depends on p, along the grazing curve for each p.
+pub(super) fn grazing_loops<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Result<Table, StudyError> {
+    let [primary, secondary] = unfolded.axes.names();
+    let mut columns = columns! {
+        "p": 0, "arc": 0, secondary: 0.0, primary: 0.0, "a12": 0.0, "kappa": 0.0, "a12_prime": 0.0, "kappa_prime": 0.0,
+        "xi": 0.0, "s_plus": 0.0, "s_minus": 0.0,
+    };
+    for &loops in &unfolded.diagram.scope.loops {
+        for (arc, curve) in (0..).zip(&unfolded.diagram.grazing) {
+            for state in &curve.states {
+                // Where an iterate of P_global has no maximum near Π there is nothing to tell.
+                let Ok(point) = state.orbit.resonant_point(loops) else { continue };
+                let [primary, secondary] = state.orbit.oscillator().parameters();
+                let stability = point.stability_coefficients();
+                let [a12_prime, kappa_prime] = slopes(&point);
+                let map = &point.grazing.map;
+                let kappa = match loops {
+                    1 => f64::NAN,
+                    _ => grazing_theorems::auxiliary::detuning(loops, map.trace(), map.determinant()),
+                };
+                columns.push(row![
+                    loops,
+                    arc,
+                    secondary,
+                    primary,
+                    map.a.m12,
+                    kappa,
+                    a12_prime,
+                    kappa_prime,
+                    point.second_phase_derivative,
+                    stability.plus,
+                    stability.minus,
+                ]);
+            }
+        }
+    }
+    Ok(columns.finish("grazing_loops")?)
+}
+
+/// a₁₂' and κ_p', whichever belongs to p; the other is not a number.
+fn slopes(point: &ResonantPoint) -> [f64; 2] {
+    match point.unfolding {
+        Unfolding::OneLoop { off_diagonal_derivative } => [off_diagonal_derivative, f64::NAN],
+        Unfolding::MultiLoop { detuning_derivative, .. } => [f64::NAN, detuning_derivative],
+    }
+}
+
+/// `coefficients.csv`: the resonances at which a theorem holds.
+pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Result<Table, StudyError> {
+    let (primary, secondary) =
+        (format!("{}_graz", unfolded.axes.primary), format!("{}_star", unfolded.axes.secondary));
+    let mut columns = columns! {
+        "p": 0, "n": 0, secondary: 0.0, primary: 0.0, "s_plus": 0.0, "s_minus": 0.0, "c_sn": 0.0, "c_pd": 0.0,
+        "c_sn_fit": 0.0, "c_pd_fit": 0.0, "c_sn_fit_error": 0.0, "c_pd_fit_error": 0.0, "tau": 0.0, "delta": 0.0,
+        "alpha": 0.0, "beta": 0.0, "gamma": 0.0, "xi": 0.0, "a12_prime": 0.0, "kappa_prime": 0.0,
+        "sn_as_simulated": false, "pd_as_simulated": false,
+    };
+    let value = |fit: &Result<Estimate, FitError>| fit.as_ref().map_or(f64::NAN, |estimate| estimate.value);
+    let error = |fit: &Result<Estimate, FitError>| fit.as_ref().map_or(f64::NAN, |estimate| estimate.error);
+    for ((resonance, point), at) in unfolded.diagram.unfolding().zip(&unfolded.resonances) {
+        let [_, _, primary, secondary] = point.unknowns().into();
+        let known = point.resonant_point();
+        let stability = known.stability_coefficients();
+        let [a12_prime, kappa_prime] = slopes(known);
+        let [saddle_node, period_doubling] = &at.coefficients.fit;
+        let simulated = at.sides.map(|sides| sides.is_some_and(|sides| sides.as_predicted()));
+        columns.push(row![
+            resonance.loops,
+            resonance.n,
+            secondary,
+            primary,
+            stability.plus,
+            stability.minus,
+            at.coefficients.theorem[0],
+            at.coefficients.theorem[1],
+            value(saddle_node),
+            value(period_doubling),
+            error(saddle_node),
+            error(period_doubling),
+            known.grazing.map.trace(),
+            known.grazing.map.determinant(),
+            known.grazing.alpha(),
+            known.grazing.map.transversality(),
+            known.grazing.gamma,
+            known.second_phase_derivative,
+            a12_prime,
+            kappa_prime,
+            simulated[0],
+            simulated[1],
+        ]);
+    }
+    Ok(columns.finish("coefficients")?)
+}
+
+/// `hypotheses.csv`: for every resonance what its theorem asks, one by one.
+pub(super) fn hypotheses<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Result<Table, StudyError> {
+    let [primary, secondary] = unfolded.axes.names();
+    let mut columns = columns! {
+        "p": 0, "n": 0, secondary: 0.0, primary: 0.0, "theorem": "", "hypothesis": "", "value": 0.0, "holds": false,
+    };
+    for resonance in &unfolded.diagram.resonances {
+        let [primary, secondary] = resonance.located.orbit().oscillator().parameters();
+        let asked: &[Hypothesis] = match &resonance.theorem {
+            Ok(point) => point.theorem().hypotheses(),
+            Err(violated) => &violated.hypotheses,
+        };
+        let theorem = if resonance.loops == 1 { "2.4" } else { "2.5" };
+        for hypothesis in asked {
+            let condition = hypothesis.statement();
+            let (n, value, holds) = (resonance.n, hypothesis.value, hypothesis.holds());
+            columns.push(row![resonance.loops, n, secondary, primary, theorem, condition, value, holds]);
+        }
+    }
+    Ok(columns.finish("hypotheses")?)
+}
