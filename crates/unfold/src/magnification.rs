@@ -8,7 +8,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::diagram::{Diagram, Kind, route};
-use crate::grazing::GrazingCurve;
+use crate::grazing::{GrazingCurve, between};
 use crate::resonances::Resonance;
 
 /// What a polyline shows.
@@ -107,18 +107,13 @@ fn close_to<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Vec
         if a[1].max(b[1]) < low || a[1].min(b[1]) > high {
             continue;
         }
-        let parts = libm::ceil((b[1] - a[1]).abs() / spacing).clamp(1.0, f64::from(SAMPLES)) as u32;
+        let ends = [a[1].clamp(low, high), b[1].clamp(low, high)];
+        let parts = libm::ceil((ends[1] - ends[0]).abs() / spacing).clamp(1.0, f64::from(SAMPLES)) as u32;
         for part in 0..=parts {
-            let way = f64::from(part) / f64::from(parts);
-            let between = |values: [f64; 2]| values[0] + (values[1] - values[0]) * way;
-            let near =
-                pair[0].orbit.oscillator().with_parameters([between([a[0], b[0]]), between([a[1], b[1]])]);
-            let phase = between([pair[0].orbit.phase(), pair[1].orbit.phase()]);
-            let Ok(orbit) = GrazingOrbit::find(&near, phase) else { continue };
-            let [primary, secondary] = orbit.oscillator().parameters();
-            if low <= secondary && secondary <= high && points.last() != Some(&[primary, secondary]) {
-                points.push([primary, secondary]);
-            }
+            let share = f64::from(part) / f64::from(parts);
+            let secondary = ends[0] * (1.0 - share) + ends[1] * share;
+            let point = between(pair, secondary).map(|orbit| orbit.oscillator().parameters());
+            points.extend(point.filter(|point| points.last() != Some(point)));
         }
     }
     points
