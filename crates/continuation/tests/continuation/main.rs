@@ -4,6 +4,8 @@
 
 mod arclength;
 mod closed_forms;
+mod criticality;
+mod doubled;
 mod formulations;
 mod generic_grazing;
 mod hybrid;
