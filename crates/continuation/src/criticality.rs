@@ -25,9 +25,11 @@
 //! know of no impact but those of the MPS; where an orbit meets the wall in between, as near a grazing bifurcation of the MPS, they
 //! hold for the smaller s.
 
+mod at_resonance;
 mod codimension_two;
 mod normal_form;
 
+pub use at_resonance::coefficient_at_resonance;
 pub use codimension_two::{GeneralisedPeriodDoubling, NotDegenerate, generalised_period_doublings};
 
 use grazing_model::ThirdOrder;

@@ -40,14 +40,11 @@ pub enum NotDegenerate {
 /// Newton's method starts within a step of the curve, and needs a few evaluations.
 const LIMIT: usize = 25;
 
-/// The interval of the search, as a share of the chord, at its end: c is as exact as that or less.
-const NARROW: f64 = 1e-11;
+/// Evaluations of c; the Illinois method needs about ten, and near a pole any number.
+const EVALUATIONS: usize = 50;
 
-/// Evaluations of c; the Illinois method needs about ten.
-const EVALUATIONS: usize = 100;
-
-/// c at a zero, in proportion to the values beside it.
-const ZERO: f64 = 1e-6;
+/// c counts as zero below this, in proportion to the values beside it: a few roundings, as far from a resonance as a change of sign.
+const ZERO: f64 = 1e-11;
 
 /// The generalised period doublings between successive points of a curve of period doublings, where c changes its sign.
 ///
@@ -99,26 +96,21 @@ fn between<O: ThirdOrder>(
     };
     let scale = values[0].abs().max(values[1].abs());
     let ([mut low, mut high], [mut at_low, mut at_high]) = ([0.0, 1.0], values);
-    let mut last = at(0.5)?;
+    let mut coefficient = at_high;
     for _ in 0..EVALUATIONS {
         let share = (low * at_high - high * at_low) / (at_high - at_low);
-        last = at(share)?;
-        let value = last.1.coefficient;
+        let (unknowns, normal_form) = at(share)?;
+        coefficient = normal_form.coefficient;
+        if coefficient.abs() < ZERO * scale {
+            return Ok((unknowns, normal_form));
+        }
         // The end that stays counts half, so that both ends come close.
-        if value * at_high < 0.0 {
+        if coefficient * at_high < 0.0 {
             (low, at_low) = (high, at_high);
         } else {
             at_low *= 0.5;
         }
-        (high, at_high) = (share, value);
-        if value == 0.0 || (high - low).abs() < NARROW || value.abs() < 1e-12 * scale {
-            break;
-        }
+        (high, at_high) = (share, coefficient);
     }
-    let (_, normal_form) = last;
-    let coefficient = normal_form.coefficient;
-    if coefficient.is_nan() || coefficient.abs() > ZERO * scale {
-        return Err(NotDegenerate::NoZero { coefficient });
-    }
-    Ok(last)
+    Err(NotDegenerate::NoZero { coefficient })
 }
