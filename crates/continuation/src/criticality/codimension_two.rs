@@ -6,7 +6,7 @@ use grazing_model::maps::MapError;
 use super::{CriticalityError, PeriodDoubling, period_doubling};
 use crate::curve::CurvePoint;
 use crate::locate::{Condition, conditioned};
-use crate::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use crate::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
 use crate::newton::{self, NewtonFailure};
 
 /// A point of codimension two at which c = 0: a curve of saddle-nodes of doubled orbits ends there.
@@ -40,11 +40,14 @@ pub enum NotDegenerate {
 /// Newton's method starts within a step of the curve, and needs a few evaluations.
 const LIMIT: usize = 25;
 
-/// Evaluations of c; the Illinois method needs about ten, and near a pole any number.
+/// Evaluations of c; the Illinois method needs about ten, and near a pole all are in vain.
 const EVALUATIONS: usize = 50;
 
-/// c counts as zero below this, in proportion to the values beside it: a few roundings, as far from a resonance as a change of sign.
-const ZERO: f64 = 1e-11;
+/// y² c ends the search below this, a few roundings of terms of order one.
+const ROUNDING: f64 = 1e-14;
+
+/// y² c counts as zero below this, where the rounding is worse: c loses digits in proportion to 1/y.
+const ZERO: f64 = 1e-9;
 
 /// The generalised period doublings between successive points of a curve of period doublings, where c changes its sign.
 ///
@@ -94,14 +97,16 @@ fn between<O: ThirdOrder>(
         })?;
         Ok((solution.point, period_doubling(equations, &solution.point)?))
     };
-    let scale = values[0].abs().max(values[1].abs());
     let ([mut low, mut high], [mut at_low, mut at_high]) = ([0.0, 1.0], values);
     let mut coefficient = at_high;
-    for _ in 0..EVALUATIONS {
+    for evaluation in 1..=EVALUATIONS {
         let share = (low * at_high - high * at_low) / (at_high - at_low);
         let (unknowns, normal_form) = at(share)?;
         coefficient = normal_form.coefficient;
-        if coefficient.abs() < ZERO * scale {
+        let velocity = unknowns[unknown::VELOCITY];
+        let size = (velocity * velocity * coefficient).abs();
+        let last = evaluation == EVALUATIONS || share == high;
+        if size < ROUNDING || (last && size < ZERO) {
             return Ok((unknowns, normal_form));
         }
         // The end that stays counts half, so that both ends come close.

@@ -123,8 +123,8 @@ mod tests {
     #[test]
     fn quadratic_family_has_its_known_fold() {
         // u ↦ u + u² at u = 0 with v ↦ v/2 + u, along q = (1, 2)/√5: a = 1/√5.
-        let flip = implicit(Vector2::zeros(), |[u, v]| [[u + u.square(), v.scale(0.5) + u], [u, v]]).fold();
-        assert!((flip.coefficient - 1.0 / f64::sqrt(5.0)).abs() < 1e-15);
+        let fold = implicit(Vector2::zeros(), |[u, v]| [[u + u.square(), v.scale(0.5) + u], [u, v]]).fold();
+        assert!((fold.coefficient - 1.0 / f64::sqrt(5.0)).abs() < 1e-15);
     }
 
     #[test]

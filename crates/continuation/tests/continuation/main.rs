@@ -5,7 +5,6 @@
 mod arclength;
 mod closed_forms;
 mod criticality;
-mod doubled;
 mod formulations;
 mod generic_grazing;
 mod hybrid;

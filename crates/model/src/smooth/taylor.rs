@@ -66,6 +66,7 @@ fn third_derivative(function: Function, x: f64, [value, slope, curvature]: [f64;
 impl Add for Taylor {
     type Output = Self;
 
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self(from_fn(|k| self.0[k] + other.0[k]))
     }
@@ -74,6 +75,7 @@ impl Add for Taylor {
 impl Sub for Taylor {
     type Output = Self;
 
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Self(from_fn(|k| self.0[k] - other.0[k]))
     }
@@ -82,6 +84,7 @@ impl Sub for Taylor {
 impl Neg for Taylor {
     type Output = Self;
 
+    #[inline]
     fn neg(self) -> Self {
         Self(self.0.map(|c| -c))
     }
@@ -90,8 +93,10 @@ impl Neg for Taylor {
 impl Mul for Taylor {
     type Output = Self;
 
+    #[inline]
     fn mul(self, other: Self) -> Self {
-        Self(from_fn(|k| (0..=k).map(|j| self.0[j] * other.0[k - j]).sum()))
+        let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (self.0, other.0);
+        Self([a0 * b0, a0 * b1 + a1 * b0, a0 * b2 + a1 * b1 + a2 * b0, a0 * b3 + a1 * b2 + a2 * b1 + a3 * b0])
     }
 }
 
@@ -106,10 +111,12 @@ impl Div for Taylor {
 }
 
 impl Scalar for Taylor {
+    #[inline]
     fn constant(value: f64) -> Self {
         Self([value, 0.0, 0.0, 0.0])
     }
 
+    #[inline]
     fn apply(self, function: Function) -> Self {
         let x = self.value();
         let known = function.derivatives(x);
@@ -117,6 +124,7 @@ impl Scalar for Taylor {
         self.compose([value, slope, curvature, third_derivative(function, x, known)])
     }
 
+    #[inline]
     fn scale(self, factor: f64) -> Self {
         Self(self.0.map(|c| factor * c))
     }

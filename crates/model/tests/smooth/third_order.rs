@@ -111,8 +111,8 @@ fn assert_series<M: SmoothOscillator>(oscillator: &Integrated<M>) {
         let bend = |parameter: f64, i: usize| 0.5 * q.dot(&(jet(parameter).hessians[i] * q));
         let here = jet(0.0);
         let computed = series(oscillator, duration, &line);
-        for i in 0..2 {
-            let [value, first, second, third] = computed[i].coefficients();
+        for (i, component) in computed.iter().enumerate() {
+            let [value, first, second, third] = component.coefficients();
             // Whole steps and parts of them: as exact as either.
             assert!((value - here.value[i]).abs() < 1e-13);
             assert!((first - (here.jacobian.row(i) * q)[0]).abs() < 1e-12);

@@ -24,10 +24,10 @@ impl<M: SmoothOscillator> Integrated<M> {
             let time = time + passed * step.length;
             let plain = state.map(|component| component.value());
             let guess = Step { length, accelerations: step.guess(passed, length), slope_roughness: 0.0 };
-            let part = self.solve_step(plain, time, guess)?;
-            let (_, factors, _) = self.linearised(plain, time, &part);
+            let solved = self.solve_step(plain, time, guess)?;
+            let (_, factors, _) = self.linearised(plain, time, &solved);
             let [time, length] = [time, length].map(Taylor::constant);
-            state = self.series_step(state, [time, length], part.accelerations, &factors);
+            state = self.series_step(state, [time, length], solved.accelerations, &factors);
         }
         Some(state)
     }
@@ -61,8 +61,13 @@ impl<M: SmoothOscillator> Integrated<M> {
         let [mu, eta] = self.parameters.map(Taylor::constant);
         let mut accelerations = plain.map(Taylor::constant);
         let sum = |weights: &[f64; STAGES], values: &[Taylor; STAGES]| {
-            let terms = weights.iter().zip(values).map(|(weight, value)| value.scale(*weight));
-            terms.fold(Taylor::constant(0.0), |sum, term| sum + term)
+            let mut sum = [0.0; Taylor::ORDER + 1];
+            for (weight, value) in weights.iter().zip(values) {
+                for (sum, coefficient) in sum.iter_mut().zip(value.coefficients()) {
+                    *sum += weight * coefficient;
+                }
+            }
+            Taylor::new(sum)
         };
         for _ in 0..Taylor::ORDER {
             let residuals: [Taylor; STAGES] = core::array::from_fn(|i| {

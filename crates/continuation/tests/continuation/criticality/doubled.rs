@@ -12,11 +12,11 @@ use nalgebra::{Matrix2, SMatrix, SVector, Vector2, Vector4};
 type Five = SVector<f64, 5>;
 
 /// An orbit with two impacts in 2p loops.
-pub(crate) struct Doubled {
+pub(super) struct Doubled {
     /// The two impacts, at the same parameters.
-    pub(crate) impacts: [Unknowns; 2],
+    pub(super) impacts: [Unknowns; 2],
     /// Trace and determinant of the derivative of the return to the first, which takes both.
-    pub(crate) multipliers: Multipliers,
+    pub(super) multipliers: Multipliers,
 }
 
 fn impacts(point: &Five, secondary: f64) -> [Unknowns; 2] {
@@ -33,7 +33,7 @@ fn pairs<O: ImpactOscillator>(
 }
 
 /// The doubled orbit at the η of a period doubling whose impacts lie 2s apart in the direction q.
-pub(crate) fn doubled<O: ImpactOscillator>(
+pub(super) fn doubled<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     flip: &Unknowns,
     q: Vector2<f64>,
