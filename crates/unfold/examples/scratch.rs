@@ -73,16 +73,18 @@ fn run<O: ImpactOscillator>(o: &O, scope: &Scope) {
     println!("not unfolded {:?}", d.not_unfolded);
     for c in &d.curves {
         println!(
-            "{} p={} n={} {} points end {}",
+            "{} p={} n={} {} points {:?} {:?} end {}",
             c.kind.name(),
             c.loops,
             c.n,
             c.curve.points.len(),
+            c.curve.parameters()[0],
+            c.curve.parameters().last(),
             format!("{:?}", c.curve.end).chars().take(60).collect::<String>()
         );
     }
     for c in &d.corners {
-        println!("{} p={} n={} {:?}", c.kind, c.loops, c.n, c.unknowns);
+        println!("{} p={} n={} {:?}", c.kind, c.loops, c.n, c.unknowns());
     }
     for p in regions::all(&d) {
         println!("region {} p={} n={} {} vertices", p.kind, p.loops, p.n, p.vertices.len());

@@ -147,7 +147,7 @@ fn quadratic<O: ImpactOscillator>(
 
 /// A window about a resonance in which the curves and their approximations can be told apart and compared.
 ///
-/// Its half-height in η is where the terms beyond the quadratic one are some fifth of it on the more faithful curve, but not
+/// Its half-height in η is where the terms beyond the quadratic one are some fifth of it, but not
 /// more than half the way to the next resonance of the same p; across it holds all that is drawn, with a margin.
 pub fn window_about<O: ImpactOscillator>(
     diagram: &Diagram<O>,
@@ -170,9 +170,11 @@ pub fn window_about<O: ImpactOscillator>(
             (curve.loops, curve.n) == (resonance.loops, resonance.n) && curve.kind != Kind::Grazing
         })
         .collect();
-    // The more faithful curve counts: beside a steep one nothing could be seen of the other.
     let faithful = own.iter().map(|curve| faithful(point, curve.kind, &curve.curve.parameters()));
-    reach = reach.min(1.2 * faithful.fold(0.0, f64::max));
+    let [least, most] = faithful
+        .fold([f64::INFINITY, 0.0], |[least, most], reach| [f64::min(least, reach), f64::max(most, reach)]);
+    // Beside a much steeper curve nothing could be seen of the other.
+    reach = reach.min(1.2 * if least > 0.1 * most { least } else { most });
     let secondary = [(origin - reach).max(whole.secondary[0]), (origin + reach).min(whole.secondary[1])];
     let shown = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], secondary };
     let mut extent = [f64::INFINITY, f64::NEG_INFINITY];

@@ -69,11 +69,11 @@ fn stable_mps<O: ImpactOscillator>(diagram: &Diagram<O>) -> Vec<Polygon> {
     polygons
 }
 
-/// At the resonance where a curve begins the MPSs exist on the side of greater μ (beta > 0).
+/// Beside the saddle-node curve MPSs exist on the side of greater μ: on the branch μ = k₂ y² + k₃ η y it is a minimum.
 fn exists_at_greater_primary<O: ImpactOscillator>(diagram: &Diagram<O>, curve: &DiagramCurve) -> bool {
     let own =
         diagram.unfolding().find(|(resonance, _)| resonance.loops == curve.loops && resonance.n == curve.n);
-    own.is_none_or(|(_, point)| point.resonant_point().grazing.map.transversality() > 0.0)
+    own.is_none_or(|(_, point)| point.theorem().branch().k_2 > 0.0)
 }
 
 /// A chain of curves that is being followed.
@@ -90,13 +90,16 @@ const MEET: f64 = 1e-7;
 impl Chain<'_> {
     /// Walks from the far end of an SN curve back to its resonance and on, until the chain closes; false if it does not.
     ///
-    /// `greater` says whether the MPS exists on the side of greater μ at the resonance.
+    /// `greater` says whether the MPS exists on the side of greater μ of the curve.
     fn close(&mut self, first: usize, greater: bool) -> bool {
         let mut points = self.curves[first].curve.parameters();
         points.reverse();
         let start = points[0];
-        // The side of greater μ lies to the right of a walk towards greater η, and to the left otherwise.
-        let clockwise = (points[points.len() - 1][1] > start[1]) == greater;
+        // Where the walk comes to the resonance, along the grazing curve, the side of greater μ lies to its right if η grows.
+        let clockwise = match points.as_slice() {
+            [.., before, resonance] => (resonance[1] > before[1]) == greater,
+            _ => return false,
+        };
         self.vertices = points;
         self.extend(start, clockwise)
     }
