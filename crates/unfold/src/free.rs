@@ -55,7 +55,7 @@ const RELAXED: f64 = 1e-3;
 /// Motion this far away, the wall's distance from rest being of order one, has run away.
 const FAR: f64 = 1e6;
 /// Steps in (x, y, share of the range of μ) that do not jump over the highest point's changes (empirical).
-const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.04, shortest: 1e-8, turn: 0.1 };
+const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.04, shortest: 1e-6, turn: 0.1 };
 /// A branch of this many points goes nowhere.
 const STEP_LIMIT: usize = 4000;
 

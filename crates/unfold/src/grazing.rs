@@ -51,7 +51,7 @@ pub struct GrazingCurve<O> {
 }
 
 /// Steps in z (radians) and the shares of both ranges, short enough for the resonances between to be told apart.
-const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.01, shortest: 1e-9, turn: 0.035 };
+const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.01, shortest: 1e-6, turn: 0.035 };
 /// A curve of this many points goes nowhere.
 const STEP_LIMIT: usize = 20_000;
 
