@@ -17,6 +17,7 @@ impl grazing_unfold::progress::Progress for P {
 }
 fn run<O: ImpactOscillator>(o: &O, scope: &Scope) {
     let t = Instant::now();
+    if std::env::var("SURVEY").is_ok() { for k in 0..5 { let t = Instant::now(); let e = scope.window.secondary; let s = grazing_unfold::free::survey(o, scope, e[0] + (e[1]-e[0])*k as f64/4.0); println!("survey {k} {:?} grazing {} ran away {:?} extremes {:?}", t.elapsed(), s.grazing.len(), s.ran_away, s.extremes); } }
     let d = match Diagram::compute(o, scope, &P) {
         Ok(d) => d,
         Err(e) => {
