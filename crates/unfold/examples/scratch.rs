@@ -65,6 +65,9 @@ fn run<O: ImpactOscillator>(o: &O, scope: &Scope) {
                     }
                 }
                 println!("  {t1:?} {:?}", t.elapsed());
+                let w = magnification::window_about(&d, r, point);
+                let un = point.unfold(&grazing_unfold::diagram::route(w, grazing_continuation::arclength::StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-6, turn: 0.02 })).unwrap();
+                println!("   magnified SN {} {:?} last {:?} vivid ended {:?}", un.saddle_node.points.len(), un.saddle_node.end, un.saddle_node.points.last().unwrap().solution.unknowns, un.saddle_node.vivid_ended);
                 println!("      window {:?}", magnification::window_about(&d, r, point));
             }
             Err(v) => println!("{v}"),

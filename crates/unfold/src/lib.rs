@@ -45,14 +45,14 @@
 //!     }
 //! }
 //!
-//! let window = Window { primary: [0.0, 0.6], secondary: [0.6, 0.7] };
+//! let window = Window { primary: [0.0, 0.4], secondary: [0.62, 0.67] };
 //! let scope = Scope { window, loops: vec![1], start: None };
 //! let pendulum = Integrated::new(Pendulum { damping: 0.05 }, [0.0, 0.6]);
 //! let diagram = Diagram::compute(&pendulum, &scope, &Silent)?;
 //! for (resonance, point) in diagram.unfolding() {
-//!     // Three half-swings in a forcing period; the saddle-node curve bends to smaller amplitudes.
+//!     // Three half-swings in a forcing period; the saddle-node curve bends to greater amplitudes.
 //!     assert_eq!((resonance.loops, resonance.n), (1, 3));
-//!     assert!(point.theorem().saddle_node().coefficient < 0.0);
+//!     assert!(point.theorem().saddle_node().coefficient > 0.0);
 //! }
 //! assert_eq!(diagram.unfolding().count(), 1);
 //! # Ok::<(), grazing_unfold::UnfoldError>(())

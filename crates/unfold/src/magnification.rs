@@ -184,7 +184,8 @@ pub fn window_about<O: ImpactOscillator>(
         extent = [extent[0].min(primary), extent[1].max(primary)];
     }
     let margin = 0.05 * (extent[1] - extent[0]);
-    Window { primary: [extent[0] - margin, extent[1] + margin], secondary }
+    let [least, most] = whole.primary;
+    Window { primary: [(extent[0] - margin).max(least), (extent[1] + margin).min(most)], secondary }
 }
 
 /// How far from the resonance in η a curve stays within a fifth of its quadratic approximation, or how far it goes.
