@@ -1,0 +1,5 @@
+//! What is found of an oscillator that nothing is known about, against oscillators of which it is known otherwise.
+
+mod resonances;
+mod search;
+mod specimens;
