@@ -15,6 +15,9 @@ use grazing_unfold::{Diagram, Scope, UnfoldError};
 pub(crate) const ZETA: f64 = 0.02;
 pub(crate) const EPSILON: f64 = 0.9;
 
+/// A damping ratio at which motion settles soon.
+pub(crate) const DAMPED: f64 = 0.1;
+
 /// A file of the repository.
 pub(crate) fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name)
@@ -29,9 +32,9 @@ pub(crate) fn closed_form() -> LinearOscillator {
     LinearOscillator::new(ZETA, EPSILON, 0.5, 0.8).unwrap()
 }
 
-/// The closed form of grazing at a forcing frequency.
-pub(crate) fn grazing_at(frequency: f64) -> GrazingState {
-    grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap().grazing(frequency).unwrap()
+/// The closed form of grazing of the linear oscillator.
+pub(crate) fn grazing_at(zeta: f64, frequency: f64) -> GrazingState {
+    grazing_theorems::LinearOscillator::new(zeta, EPSILON).unwrap().grazing(frequency).unwrap()
 }
 
 /// The oscillator of an example, and all that its file asks for.
@@ -44,11 +47,11 @@ pub(crate) fn example(name: &str) -> (Integrated<Description>, Scope) {
     (Integrated::new(description, [primary[1], secondary[1]]), scope)
 }
 
-/// An oscillator with parameters `mu` and `eta`, and constants `zeta` and `epsilon` as in the paper's figures.
+/// An oscillator with parameters `mu` and `eta`, and a constant `zeta` for its damping.
 pub(crate) fn written(force: &str, frequency: &str, scope: &Scope) -> Integrated<Description> {
     let Window { primary, secondary } = scope.window;
     let text = format!(
-        "name = \"Test\"\n[parameters]\nzeta = {ZETA}\n[primary]\nname = \"mu\"\nrange = {primary:?}\n\
+        "name = \"Test\"\n[parameters]\nzeta = {DAMPED}\n[primary]\nname = \"mu\"\nrange = {primary:?}\n\
          [secondary]\nname = \"eta\"\nrange = {secondary:?}\n[motion]\nforce = \"{force}\"\n\
          frequency = \"{frequency}\"\n[impact]\nrestitution = \"{EPSILON}\"\nduration = \"0\"\n\
          [analysis]\nloops = [1]\n"
