@@ -88,7 +88,7 @@ impl Corner {
     }
 }
 
-/// A resonance whose curves could not be followed.
+/// A resonance one of whose curves, or all of them, could not be followed.
 #[derive(Clone, Debug)]
 pub struct NotUnfolded {
     /// Number of loops p.
@@ -157,9 +157,13 @@ impl<O: ImpactOscillator> Diagram<O> {
         diagram.resonances.sort_by_key(|resonance| order(resonance.loops));
         for (resonance, unfolded) in diagram.follow(progress) {
             let (loops, n) = (diagram.resonances[resonance].loops, diagram.resonances[resonance].n);
+            let failed = |reason| NotUnfolded { loops, n, reason };
             match unfolded {
-                Ok(curves) => curves.into_iter().for_each(|curve| diagram.add(curve)),
-                Err(reason) => diagram.not_unfolded.push(NotUnfolded { loops, n, reason }),
+                Ok((curves, missing)) => {
+                    curves.into_iter().for_each(|curve| diagram.add(curve));
+                    diagram.not_unfolded.extend(missing.into_iter().map(failed));
+                }
+                Err(reason) => diagram.not_unfolded.push(failed(reason)),
             }
         }
         diagram.grow();
@@ -201,7 +205,7 @@ impl<O: ImpactOscillator> Diagram<O> {
     }
 
     /// The curves from every resonance at which a theorem holds, each resonance by itself, in the order of the list.
-    fn follow(&self, progress: &dyn Progress) -> Vec<(usize, Result<Vec<DiagramCurve>, ResonanceError>)> {
+    fn follow(&self, progress: &dyn Progress) -> Vec<(usize, Result<Followed, ResonanceError>)> {
         let what = "bifurcation curves";
         let route = route(self.scope.window, StepControl::DRAWING);
         let points: Vec<_> =
@@ -212,7 +216,7 @@ impl<O: ImpactOscillator> Diagram<O> {
             .filter_map(|(index, resonance)| {
                 let point = resonance.theorem.as_ref().ok()?;
                 let unfolded = point.unfold(&route).map(|unfolded| listed(resonance, unfolded));
-                if let Ok(curves) = &unfolded {
+                if let Ok((curves, _)) = &unfolded {
                     progress.unfolded(curves);
                 }
                 progress.step(what);
@@ -252,14 +256,18 @@ impl<O: ImpactOscillator> Diagram<O> {
     }
 }
 
+/// The curves of a resonance, and why others are not there.
+type Followed = (Vec<DiagramCurve>, Vec<ResonanceError>);
+
 /// The curves of a resonance in the order in which they are listed.
-fn listed<O>(resonance: &Resonance<O>, unfolded: UnfoldedResonance) -> Vec<DiagramCurve> {
+fn listed<O>(resonance: &Resonance<O>, unfolded: UnfoldedResonance) -> Followed {
     let of_kind = |kind, curve| DiagramCurve { kind, loops: resonance.loops, n: resonance.n, curve };
     let own = [
         of_kind(Kind::SaddleNode, unfolded.saddle_node),
         of_kind(Kind::PeriodDoubling, unfolded.period_doubling),
     ];
-    own.into_iter().chain(unfolded.grazing.into_iter().map(|curve| of_kind(Kind::Grazing, curve))).collect()
+    let grazing = unfolded.grazing.into_iter().map(|curve| of_kind(Kind::Grazing, curve));
+    (own.into_iter().chain(grazing).collect(), unfolded.missing)
 }
 
 /// The pieces of the grazing curve in the ranges.
