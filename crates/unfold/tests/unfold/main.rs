@@ -2,6 +2,7 @@
 
 mod examples;
 mod paper;
+mod regions;
 mod resonances;
 mod search;
 mod specimens;
