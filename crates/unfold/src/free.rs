@@ -63,19 +63,22 @@ const STEP_LIMIT: usize = 4000;
 pub fn survey<O: ImpactOscillator>(oscillator: &O, scope: &Scope, secondary: f64) -> Survey<O> {
     let orbits = FreeOrbits { oscillator, scope, secondary };
     let mut survey = Survey { grazing: Vec::new(), extremes: None, pushed: Vec::new(), ran_away: None };
+    let mut branches: Vec<Vec<Vector3<f64>>> = Vec::new();
     for share in SHARES {
-        let mut begun: Vec<Vector3<f64>> = Vec::new();
         let usual = POSITIONS.map(|position| [position, 0.0]);
         for start in scope.start.into_iter().chain(usual) {
             match orbits.relaxed(share, Vector2::from(start)) {
-                Ok(Some(orbit)) if begun.iter().all(|other| (other - orbit).norm() > SAME) => {
-                    begun.push(orbit);
+                Ok(Some(orbit)) => {
+                    survey.note(orbits.highest(&orbit).0);
+                    if branches.iter().any(|branch| orbits.on_branch(&orbit, branch)) {
+                        continue;
+                    }
                     let up = Vector3::new(0.0, 0.0, 1.0);
                     for direction in [up, -up] {
-                        orbits.follow(orbit, direction, &mut survey);
+                        branches.push(orbits.follow(orbit, direction, &mut survey));
                     }
                 }
-                Ok(_) => {}
+                Ok(None) => {}
                 Err(RunsAway) => {
                     survey.ran_away.get_or_insert(orbits.parameters(share));
                 }
@@ -154,7 +157,12 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
                 break;
             }
         }
-        let solution = newton::solve(state, 20, |state| {
+        Ok(self.settled(share, state))
+    }
+
+    /// The periodic orbit near a state, by Newton's method.
+    fn settled(&self, share: f64, near: Vector2<f64>) -> Option<Vector3<f64>> {
+        let solution = newton::solve(near, 20, |state| {
             let system = self.evaluate(&Vector3::new(state[0], state[1], share), &mut ())?;
             let jacobian: Matrix2<f64> = system.jacobian.fixed_view::<2, 2>(0, 0).into_owned();
             Ok::<_, RunsAway>(Linearisation {
@@ -162,26 +170,46 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
                 jacobian,
             })
         });
-        Ok(solution.ok().map(|solution| Vector3::new(solution.point[0], solution.point[1], share)))
+        solution.ok().map(|solution| Vector3::new(solution.point[0], solution.point[1], share))
     }
 
-    /// Follows an orbit through the range of μ and adds what is seen to the survey.
-    fn follow(&self, start: Vector3<f64>, direction: Vector3<f64>, survey: &mut Survey<O>) {
-        let Ok(mut walker) = Continuation::new(self, STEPS, start, direction, ()) else { return };
+    /// Whether an orbit is one of those that have been followed.
+    fn on_branch(&self, orbit: &Vector3<f64>, branch: &[Vector3<f64>]) -> bool {
+        branch.windows(2).any(|pair| {
+            let way = (orbit[2] - pair[0][2]) / (pair[1][2] - pair[0][2]);
+            let near = pair[0] + (pair[1] - pair[0]) * way;
+            (0.0..=1.0).contains(&way)
+                && (near - orbit).norm() < STEPS.longest
+                && self
+                    .settled(orbit[2], near.fixed_rows::<2>(0).into_owned())
+                    .is_some_and(|settled| (settled - orbit).norm() <= SAME)
+        })
+    }
+
+    /// Follows an orbit through the range of μ and adds what is seen to the survey; the orbits, the last one maybe out of the range.
+    fn follow(
+        &self,
+        start: Vector3<f64>,
+        direction: Vector3<f64>,
+        survey: &mut Survey<O>,
+    ) -> Vec<Vector3<f64>> {
+        let mut branch = vec![start];
+        let Ok(mut walker) = Continuation::new(self, STEPS, start, direction, ()) else { return branch };
         let mut before = (start, self.highest(&start));
-        survey.note(before.1.0);
         for _ in 0..STEP_LIMIT {
-            let Ok(station) = walker.advance() else { return };
+            let Ok(station) = walker.advance() else { return branch };
+            branch.push(station.point);
             let after = (station.point, self.highest(&station.point));
             if before.1.0.position.is_sign_negative() != after.1.0.position.is_sign_negative() {
                 self.touch(before, after, survey);
             }
             if !(0.0..=1.0).contains(&after.0[2]) {
-                return;
+                return branch;
             }
             survey.note(after.1.0);
             before = after;
         }
+        branch
     }
 
     /// The highest point of an orbit, and its phase.
