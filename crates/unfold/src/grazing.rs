@@ -53,7 +53,7 @@ pub struct GrazingCurve<O> {
 }
 
 /// Steps in z (radians) and the shares of both ranges.
-const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.01, shortest: 1e-9, turn: 0.035 };
+const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.01, shortest: 1e-6, turn: 0.035 };
 /// A curve of this many points goes nowhere.
 const STEP_LIMIT: usize = 20_000;
 /// The angle in radians by which A turns between neighbouring points: a cubic follows a sine this far to two parts in ten thousand,
@@ -104,11 +104,7 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
             let [a, b] = [parameters(&pair[0])[1], parameters(&pair[1])[1]];
             a.min(b) <= secondary && secondary <= a.max(b)
         })?;
-        let [[a, from], [b, to]] = [parameters(&pair[0]), parameters(&pair[1])];
-        let way = (secondary - from) / (to - from);
-        let phases = [pair[0].orbit.phase(), pair[1].orbit.phase()];
-        let near = pair[0].orbit.oscillator().with_parameters([a + (b - a) * way, secondary]);
-        GrazingOrbit::find(&near, phases[0] + (phases[1] - phases[0]) * way).ok()
+        between(pair, secondary)
     }
 
     /// Whether the curve passes through a grazing orbit.
@@ -124,6 +120,18 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
             (-ENDS..=1.0 + ENDS).contains(&along) && (a + (b - a) * along - target).norm() < CHORD
         })
     }
+}
+
+/// The grazing orbit at a value of η between those of two neighbouring points of a curve.
+pub(crate) fn between<O: ImpactOscillator>(
+    neighbours: &[GrazingState<O>],
+    secondary: f64,
+) -> Option<GrazingOrbit<O>> {
+    let [first, last] = [neighbours.first()?, neighbours.last()?].map(|state| &state.orbit);
+    let [[a, from], [b, to]] = [first, last].map(|orbit| orbit.oscillator().parameters());
+    let way = if to == from { 0.0 } else { (secondary - from) / (to - from) };
+    let near = first.oscillator().with_parameters([a + (b - a) * way, secondary]);
+    GrazingOrbit::find(&near, first.phase() + (last.phase() - first.phase()) * way).ok()
 }
 
 /// A point of the curve lies no farther than this from the chord between two neighbours: an eighth of the longest step times
