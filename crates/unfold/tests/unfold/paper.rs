@@ -193,8 +193,8 @@ fn points_of_figure_7_are_the_committed_ones() {
     assert_eq!(integrated.corners.len(), closed.corners.len());
     for (corner, theirs) in integrated.corners.iter().zip(&closed.corners) {
         assert_eq!((corner.kind, corner.loops, corner.n), (theirs.kind, theirs.loops, theirs.n));
-        assert_same(&corner.unknowns, &theirs.unknowns);
-        let [_, _, primary, secondary] = corner.unknowns.into();
+        assert_same(&corner.unknowns(), &theirs.unknowns());
+        let [_, _, primary, secondary] = corner.unknowns().into();
         ours.push((format!("{} {} {}", corner.kind, corner.loops, corner.n), [primary, secondary]));
     }
     let committed = rows("fig07_points.csv", &["kind", "p", "n", "amplitude", "omega"]);
