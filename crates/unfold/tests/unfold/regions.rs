@@ -3,9 +3,10 @@
 #[path = "../../../reproduction/tests/study/closed_form.rs"]
 mod closed_form;
 
-use grazing_model::ImpactOscillator;
+use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::regions::{self, Polygon};
+use grazing_unfold::simulation::{Seen, Suspect};
 use grazing_unfold::{Diagram, Scope};
 
 use crate::specimens::{EPSILON, ZETA, constant, example, grazing_at, scope};
@@ -63,7 +64,7 @@ fn points_of(polygon: &Polygon, scope: &Scope) -> Vec<[f64; 2]> {
     lattice.filter(|point| inside(polygon, *point) && distance(polygon, *point, scope) > 1e-4).collect()
 }
 
-/// In every polygon there is a stable, admissible solution where it says so, and the polygons are those of the curves.
+/// In every polygon there is a stable, admissible solution, to which simulation from event to event returns.
 ///
 /// `reduced` gives the amplitude and the frequency at which the linear oscillator is the one that was looked at.
 fn assert_stable_inside<O: ImpactOscillator>(
@@ -80,9 +81,15 @@ fn assert_stable_inside<O: ImpactOscillator>(
             let stable = if polygon.loops == 0 {
                 amplitude < grazing_at(zeta, frequency).amplitude()
             } else {
+                let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, frequency).unwrap();
+                let returns = |orbit: &closed_form::Orbit| {
+                    let (velocity, phase) = (orbit.velocity, orbit.phase);
+                    let suspect = Suspect { oscillator: &oscillator, loops: polygon.loops, velocity, phase };
+                    suspect.follow() == Seen::Returns
+                };
                 closed_form::orbits(zeta, epsilon, amplitude, frequency, polygon.loops)
                     .iter()
-                    .any(|orbit| orbit.stable() && orbit.admissible())
+                    .any(|orbit| orbit.stable() && orbit.admissible() && returns(orbit))
             };
             assert!(stable, "p = {}, n = {} at {point:?}", polygon.loops, polygon.n);
         }
