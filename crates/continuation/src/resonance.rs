@@ -208,15 +208,21 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
     pub fn branch_off(&self, corner: &Event, route: &Route) -> Result<Curve, ResonanceError> {
         let condition = corner.condition;
         let bounds = |solution: &MaximalPeriodicSolution| match condition {
-            Condition::InteriorGrazing => solution.stable(),
+            Condition::InteriorGrazing => {
+                solution.stable() && solution.ceiling() <= MaximalPeriodicSolution::TOUCH
+            }
             _ => solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
+        };
+        // A curve to the inadmissible side of a point at which two maxima touch the wall ends there at once.
+        let onwards = |solution: &MaximalPeriodicSolution| {
+            bounds(solution) && !same_point(&solution.unknowns, &corner.solution.unknowns)
         };
         let mut reason = "it bounds no region of stable solutions to either side".to_owned();
         for sign in [1.0, -1.0] {
             let curve = MpsCurve { equations: self.equations.clone(), condition };
             let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
             match curve.follow(corner.solution.unknowns, direction, corner.memory.clone(), route) {
-                Ok(curve) if curve.points.get(1).is_some_and(|point| bounds(&point.solution)) => {
+                Ok(curve) if curve.points.get(1).is_some_and(|point| onwards(&point.solution)) => {
                     return Ok(curve);
                 }
                 Ok(_) => {}

@@ -174,15 +174,16 @@ impl<O: ImpactOscillator> Diagram<O> {
     fn grow(&mut self) {
         let route = route(self.scope.window, StepControl::DRAWING);
         let mut next = 0;
-        while let Some(Corner { loops, n, event, .. }) = self.corners.get(next).cloned() {
+        while let Some(Corner { kind: meeting, loops, n, event }) = self.corners.get(next).cloned() {
             next += 1;
             let Some(kind) = Kind::of(event.condition) else { continue };
             let corner = event.solution.unknowns;
-            let known = self.curves.iter().any(|curve| {
+            let there = self.curves.iter().filter(|curve| {
                 curve.kind == kind
                     && curve.loops == loops
                     && curve.ends().iter().any(|end| same_point(end, &corner))
             });
+            let known = there.count() >= if meeting == "GZ-GZ" { 2 } else { 1 };
             let point = self.unfolding().find(|(resonance, _)| resonance.loops == loops && resonance.n == n);
             // A curve that bounds no region of stable solutions there is not part of the diagram.
             if let Some((_, point)) = point

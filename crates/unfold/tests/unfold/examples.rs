@@ -70,7 +70,8 @@ fn assert_unfolds(name: &str) {
             }
             Err(violated) => {
                 for hypothesis in violated.violated() {
-                    write!(text, ", {} violated by {:.7e}", hypothesis.statement(), hypothesis.value).unwrap();
+                    write!(text, ", {} violated by {:.7e}", hypothesis.statement(), hypothesis.value)
+                        .unwrap();
                 }
                 writeln!(text).unwrap();
             }
