@@ -393,25 +393,4 @@ mod tests {
             assert_eq!(column, wanted);
         }
     }
-    #[test]
-    fn zz_preview() {
-        for (i, sample) in oscillators().iter().enumerate() {
-            for (w, width) in [
-                ("one", SheetWidth::OneColumn),
-                ("paper", SheetWidth::Paper),
-                ("two", SheetWidth::TwoColumns),
-            ] {
-                std::fs::write(
-                    format!("/tmp/dr/d{i}_{w}.svg"),
-                    crate::draw_diagram(&sample.diagram(), width).unwrap(),
-                )
-                .unwrap();
-                for (k, svg) in
-                    draw_magnifications(&sample.magnifications(), width).unwrap().iter().enumerate()
-                {
-                    std::fs::write(format!("/tmp/dr/m{i}_{w}_{k}.svg"), svg).unwrap();
-                }
-            }
-        }
-    }
 }

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `text` | upright text, as it stands |
 //! | `$x$` | mathematics: letters italic, digits and signs upright, spaces ignored |
-//! | `\alpha`, `\omega`, … | Greek letter (within `$…$`, like all below) |
+//! | `\alpha`, `\omega`, `\Omega`, … | Greek letter (within `$…$`, like all below) |
 //! | `\le`, `\ge`, `\approx`, `\times`, `\pm`, `\cdot`, `\ast`, `\sqrt`, `\,` | ≤ ≥ ≈ × ± · ∗ √ and a thin space |
 //! | `-`, `=` | minus sign; equals sign with thin spaces around it |
 //! | `\mathrm{graz}`, `\mathcal{A}` | upright words; script letters A, P and V |

@@ -13,8 +13,10 @@ use crate::ticks::{Step, Tick, decimal, scientific};
 const NUMBER_GAP: f64 = 9.0;
 /// Numbers with more significant digits are printed less a round one.
 const MOST_DIGITS: i32 = 5;
-/// Numbers whose decimal exponent is not among these are printed with a power of ten before the title.
-const PLAIN_EXPONENTS: std::ops::RangeInclusive<i32> = -3..=4;
+/// Numbers whose decimal exponent is not among these are printed with a power of ten before the title; of numbers that
+/// have become small because a round one was taken off, fewer are printed as they are.
+const PLAIN_EXPONENTS: std::ops::RangeInclusive<i32> = -4..=4;
+const PLAIN_REST_EXPONENTS: std::ops::RangeInclusive<i32> = -2..=4;
 
 /// Which way an axis runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,7 +57,8 @@ impl Scale {
         };
         let largest = largest(offset);
         let magnitude = digits(largest) - 1 + step.exponent();
-        let power = if largest == 0 || PLAIN_EXPONENTS.contains(&magnitude) {
+        let plain = if offset == 0 { PLAIN_EXPONENTS } else { PLAIN_REST_EXPONENTS };
+        let power = if largest == 0 || plain.contains(&magnitude) {
             0
         } else if offset == 0 {
             -magnitude

@@ -151,7 +151,7 @@ impl Grid {
 
     /// Whether the vertical axis of a panel has a title of its own.
     pub(crate) fn is_titled(&self, place: usize) -> bool {
-        self.all_titled || place % self.lefts.len() == 0
+        self.all_titled || place.is_multiple_of(self.lefts.len())
     }
 }
 

@@ -125,7 +125,7 @@ pub(crate) fn magnified_table(curves: &[SampleCurve], [across, up]: [&str; 2]) -
         for (kind, _, _, arc, points) in curves[..1].iter().chain(own) {
             rows.extend(points.iter().map(|&(a, w)| (panel, *kind, "continuation", *arc, a, w)));
             if *kind == "SN" || *kind == "PD" {
-                let straight = [points[0], points[1]].map(|q| (2.0 * q.0 - points[0].0, q.1));
+                let straight = [points[0], points[30]].map(|q| (1.02 * q.0 - 0.02 * points[0].0, q.1));
                 rows.extend(straight.iter().map(|&(a, w)| (panel, *kind, "quadratic", *arc, a, w)));
             }
         }

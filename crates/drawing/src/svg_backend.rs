@@ -431,6 +431,35 @@ mod tests {
     }
 
     #[test]
+    fn a_mark_names_its_columns_where_readers_would_take_the_titles_for_others() {
+        let marked = |columns, titles| {
+            let mut svg = SvgBackend::new(100.0, 100.0);
+            svg.mark(&PanelMark {
+                window: &Window { x: [0.0, 1.0], y: [0.0, 1.0] },
+                bounds: &Bounds { left: 10.0, top: 20.0, right: 90.5, bottom: 80.0 },
+                titles,
+                tables: &[],
+                only: None,
+                columns: Some(columns),
+            });
+            svg.body.contains("data-columns")
+        };
+        assert!(!marked(["amplitude", "omega"], [r"$\mathcal{A}$", r"$\omega$"]));
+        assert!(!marked(["amplitude", "omega"], [r"$\mathcal{A}$", ""]));
+        assert!(marked(["A", "omega"], ["$A$", r"$\omega$"]));
+        assert!(marked(["F_0", "omega_2"], ["$F_{0}$", r"$\omega_{2}$"]));
+    }
+
+    #[test]
+    fn a_title_may_read_upwards() {
+        let mut svg = SvgBackend::new(100.0, 100.0);
+        let label = Label::plain("amplitude");
+        svg.label_upwards((1050, 5000), &label, 10.0, Colour(0, 0, 0)).unwrap();
+        assert!(svg.body.contains("x=\"10.5\" y=\"50\""), "{}", svg.body);
+        assert!(svg.body.contains("transform=\"rotate(-90 10.5 50)\""), "{}", svg.body);
+    }
+
+    #[test]
     fn elements_of_plotters_keep_their_hundredths() {
         let mut svg = SvgBackend::new(10.0, 10.0);
         let red = BackendColor { alpha: 1.0, rgb: (255, 0, 0) };
