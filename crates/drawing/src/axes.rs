@@ -7,7 +7,10 @@ use plotters::prelude::Cartesian2d;
 use crate::DrawingError;
 use crate::canvas::{Canvas, Element, Ink};
 use crate::clip::{Window, clip_polygon, clip_polyline};
+use crate::font::Fonts;
 use crate::markup::Label;
+use crate::numbers::{Direction, Numbers};
+use crate::plane::Plane;
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
     BLACK, DISC_RADIUS, FRAME, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, STAR_RADIUS, TICK,
@@ -15,7 +18,6 @@ use crate::style::{
 };
 use crate::svg_backend::{Anchor, PanelMark, SvgBackend};
 use crate::svg_text::UNITS;
-use crate::ticks::{Step, Tick};
 
 /// A window of data space laid over a rectangle of the sheet.
 pub(crate) struct Panel<'c> {
@@ -23,7 +25,9 @@ pub(crate) struct Panel<'c> {
     pub(crate) window: Window,
     pub(crate) bounds: Bounds,
     /// The tables whose rows it shows, and the column and number that its rows have, where others have other ones.
-    rows: (&'static [&'static str], Option<(&'static str, u32)>),
+    rows: (Vec<&'static str>, Option<(&'static str, u32)>),
+    /// The columns that hold what is across and up, where the titles do not say it.
+    columns: Option<[String; 2]>,
     area: DrawingArea<SvgBackend, Cartesian2d<RangedCoordf64, RangedCoordf64>>,
 }
 
@@ -40,8 +44,12 @@ pub(crate) enum Marker {
 
 /// Room that the largest tick labels and the gaps around them take, in points.
 const TICK_GAP: f64 = 2.5;
-/// Least distance between the numbers along an axis, in points.
-const NUMBER_GAP: f64 = 9.0;
+/// Titles of vertical axes that are wider than this (points) are turned to read upwards.
+const WIDEST_LEVEL_TITLE: f64 = 24.0;
+/// Free space between a title and what is left of it, in points.
+const SHEET_GAP: f64 = 3.0;
+/// Titles too long for their axis are set smaller, down to this size (points).
+const LEAST_TITLE_SIZE: f64 = 6.5;
 
 impl<'c> Panel<'c> {
     pub(crate) fn new(canvas: &'c Canvas, window: Window, bounds: Bounds) -> Self {
@@ -51,12 +59,19 @@ impl<'c> Panel<'c> {
             window.y[0]..window.y[1],
             (units(bounds.left)..units(bounds.right), units(bounds.bottom)..units(bounds.top)),
         );
-        Panel { canvas, window, bounds, rows: (&[], None), area: canvas.root().apply_coord_spec(coordinates) }
+        let area = canvas.root().apply_coord_spec(coordinates);
+        Panel { canvas, window, bounds, rows: (Vec::new(), None), columns: None, area }
     }
 
     /// The same panel, marked as showing rows of these tables, the most telling first.
-    pub(crate) fn showing(self, tables: &'static [&'static str]) -> Self {
-        Panel { rows: (tables, self.rows.1), ..self }
+    pub(crate) fn showing(self, tables: &[&'static str]) -> Self {
+        Panel { rows: (tables.to_vec(), self.rows.1), ..self }
+    }
+
+    /// The same panel, marked as showing these parameters.
+    pub(crate) fn over(self, plane: &Plane<'_>) -> Self {
+        let columns = [&plane.across, &plane.up].map(|axis| axis.column.to_owned());
+        Panel { columns: Some(columns), ..self }
     }
 
     /// The same panel, marked as showing only rows with this number in this column.
@@ -118,38 +133,6 @@ impl<'c> Panel<'c> {
         self.canvas.draw(&[(self.bounds.left, self.bounds.top)], Ink::Bins(bin, data, paint))
     }
 
-    /// The finest round step whose numbers keep their distance.
-    fn step(&self, horizontal: bool) -> Result<(Vec<Tick>, Step), DrawingError> {
-        let ([low, high], room) = if horizontal {
-            (self.window.x, self.bounds.right - self.bounds.left)
-        } else {
-            (self.window.y, self.bounds.bottom - self.bounds.top)
-        };
-        let mut coarsest = None;
-        for step in Step::round_steps(high - low) {
-            // A step so fine that its ticks would touch needs no measuring.
-            if (high - low) / step.size() * 4.0 > room {
-                continue;
-            }
-            let ticks = step.multiples(low, high);
-            let mut widest = 0.0_f64;
-            for tick in &ticks {
-                let extent = self.canvas.measure(&Label::plain(&tick.label), TICK_SIZE)?;
-                widest = widest.max(if horizontal { extent.width } else { extent.height() });
-            }
-            let pitch = step.size() / (high - low) * room;
-            let fits = pitch >= widest + NUMBER_GAP + if horizontal { 4.0 } else { 6.0 };
-            if fits && ticks.len() >= 2 {
-                return Ok((ticks, step));
-            }
-            if ticks.len() >= 2 {
-                coarsest = Some((ticks, step));
-            }
-        }
-        Ok(coarsest
-            .unwrap_or_else(|| (Vec::new(), Step::round_steps(high - low).last().unwrap_or(Step::ONE))))
-    }
-
     /// Frame, outward ticks, numbers and axis titles; an empty title is left out.
     pub(crate) fn axes(&self, x_title: &str, y_title: &str) -> Result<(), DrawingError> {
         self.axes_with(x_title, y_title, true)
@@ -160,51 +143,58 @@ impl<'c> Panel<'c> {
         &self,
         x_title: &str,
         y_title: &str,
-        y_numbers: bool,
+        y_numbers_shown: bool,
     ) -> Result<(), DrawingError> {
         let Bounds { left, top, right, bottom } = self.bounds;
         self.canvas.mark(&PanelMark {
             window: &self.window,
             bounds: &self.bounds,
             titles: [x_title, y_title],
-            tables: self.rows.0,
+            tables: &self.rows.0,
             only: self.rows.1,
+            columns: self.columns.as_ref().map(|columns| columns.each_ref().map(String::as_str)),
         });
         self.frame()?;
-        let (x_ticks, x_step) = self.step(true)?;
-        for minor in x_step.minor().multiples(self.window.x[0], self.window.x[1]) {
+        let x_numbers = Numbers::along(self.canvas.fonts(), self.window.x, right - left, Direction::Across)?;
+        for minor in &x_numbers.minor {
             let (x, _) = self.spot((minor.value, self.window.y[0]));
             self.canvas.draw(&[(x, bottom), (x, bottom + MINOR_TICK_LENGTH)], Ink::Line(TICK))?;
         }
         let baseline = bottom + TICK_LENGTH + TICK_GAP + 0.66 * TICK_SIZE;
-        for tick in &x_ticks {
+        for tick in &x_numbers.ticks {
             let (x, _) = self.spot((tick.value, self.window.y[0]));
             self.canvas.draw(&[(x, bottom), (x, bottom + TICK_LENGTH)], Ink::Line(TICK))?;
             self.canvas.text((x, baseline), &tick.label, TICK_SIZE, Anchor::Middle, BLACK)?;
         }
-        let (y_ticks, y_step) = self.step(false)?;
-        for minor in y_step.minor().multiples(self.window.y[0], self.window.y[1]) {
+        let y_numbers = Numbers::along(self.canvas.fonts(), self.window.y, bottom - top, Direction::Up)?;
+        for minor in &y_numbers.minor {
             let (_, y) = self.spot((self.window.x[0], minor.value));
             self.canvas.draw(&[(left, y), (left - MINOR_TICK_LENGTH, y)], Ink::Line(TICK))?;
         }
-        let mut reach = 0.0_f64;
-        for tick in &y_ticks {
+        let reach = if y_numbers_shown { y_numbers.width } else { 0.0 };
+        for tick in &y_numbers.ticks {
             let (_, y) = self.spot((self.window.x[0], tick.value));
             self.canvas.draw(&[(left, y), (left - TICK_LENGTH, y)], Ink::Line(TICK))?;
-            if !y_numbers {
+            if !y_numbers_shown {
                 continue;
             }
-            let label = Label::plain(&tick.label);
-            let extent = self.canvas.measure(&label, TICK_SIZE)?;
-            reach = reach.max(extent.width);
             let spot = (left - TICK_LENGTH - TICK_GAP, y + 0.33 * TICK_SIZE);
             self.canvas.text(spot, &tick.label, TICK_SIZE, Anchor::End, BLACK)?;
         }
+        let x_title = &x_numbers.title(x_title);
         let below = (0.5 * (left + right), baseline + 1.2 * TITLE_SIZE);
-        self.canvas.text(below, x_title, TITLE_SIZE, Anchor::Middle, BLACK)?;
-        let beside =
-            (left - TICK_LENGTH - 2.0 * TICK_GAP - reach - 1.0, 0.5 * (top + bottom) + 0.25 * TITLE_SIZE);
-        self.canvas.text(beside, y_title, TITLE_SIZE, Anchor::End, BLACK)?;
+        let size = title_size(self.canvas, x_title, right - left)?;
+        self.canvas.text(below, x_title, size, Anchor::Middle, BLACK)?;
+        let y_title = &y_numbers.title(y_title);
+        let edge = left - TICK_LENGTH - 2.0 * TICK_GAP - reach - 1.0;
+        let extent = self.canvas.measure(&Label::parse(y_title)?, TITLE_SIZE)?;
+        if extent.width > WIDEST_LEVEL_TITLE {
+            let size = title_size(self.canvas, y_title, bottom - top)?;
+            self.canvas.text_upwards((edge - extent.descent, 0.5 * (top + bottom)), y_title, size, BLACK)?;
+        } else {
+            let beside = (edge, 0.5 * (top + bottom) + 0.25 * TITLE_SIZE);
+            self.canvas.text(beside, y_title, TITLE_SIZE, Anchor::End, BLACK)?;
+        }
         Ok(())
     }
 
@@ -214,6 +204,36 @@ impl<'c> Panel<'c> {
         let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)];
         self.canvas.draw(&corners, Ink::Line(FRAME))
     }
+}
+
+/// The size at which a title fits on an axis of so many points.
+fn title_size(canvas: &Canvas, title: &str, room: f64) -> Result<f64, DrawingError> {
+    let width = canvas.measure(&Label::parse(title)?, TITLE_SIZE)?.width;
+    Ok(if width > room { (TITLE_SIZE * room / width).max(LEAST_TITLE_SIZE) } else { TITLE_SIZE })
+}
+
+/// Points that ticks, numbers and title of a vertical axis take left of the frame; an empty title takes none.
+pub(crate) fn room_beside(
+    fonts: &Fonts,
+    range: [f64; 2],
+    height: f64,
+    title: &str,
+) -> Result<f64, DrawingError> {
+    let numbers = Numbers::along(fonts, range, height, Direction::Up)?;
+    let beside_title = TICK_LENGTH + 2.0 * TICK_GAP + numbers.width + 1.0;
+    let extent = fonts.measure(&Label::parse(&numbers.title(title))?, TITLE_SIZE)?;
+    let level = extent.width <= WIDEST_LEVEL_TITLE;
+    Ok(beside_title + if level { extent.width } else { extent.height() } + SHEET_GAP)
+}
+
+/// Points by which the numbers of a horizontal axis reach beyond its right end, at least 0.
+pub(crate) fn overhang(fonts: &Fonts, [low, high]: [f64; 2], width: f64) -> Result<f64, DrawingError> {
+    let mut reach = 0.0_f64;
+    for tick in Numbers::along(fonts, [low, high], width, Direction::Across)?.ticks {
+        let half = 0.5 * fonts.measure(&Label::plain(&tick.label), TICK_SIZE)?.width;
+        reach = reach.max(half - (high - tick.value) / (high - low) * width);
+    }
+    Ok(reach)
 }
 
 /// The outline of an upright star with five points.

@@ -23,6 +23,8 @@ pub(crate) enum Ink<'a> {
     Disc(f64, Paint, Option<Pen>),
     Triangle(f64, Paint, Option<Pen>),
     Label(&'a Label, f64, Anchor, Colour),
+    /// A label that reads upwards, centred.
+    Upwards(&'a Label, f64, Colour),
     Bins(f64, &'a str, Paint),
 }
 
@@ -68,6 +70,7 @@ impl<C> Drawable<SvgBackend> for Element<'_, C> {
                     Ink::Label(label, size, anchor, colour) => {
                         backend.label((x, y), label, *size, *anchor, *colour)
                     }
+                    Ink::Upwards(label, size, colour) => backend.label_upwards((x, y), label, *size, *colour),
                     Ink::Bins(bin, data, paint) => backend.bins((x, y), *bin, data, paint),
                     Ink::Line(_) | Ink::Polygon(..) => Ok(()),
                 }
@@ -111,6 +114,10 @@ impl Canvas {
         self.backend.borrow_mut().mark(mark);
     }
 
+    pub(crate) fn fonts(&self) -> &Fonts {
+        &self.fonts
+    }
+
     pub(crate) fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {
         self.fonts.measure(label, size)
     }
@@ -150,6 +157,29 @@ impl Canvas {
         self.draw(&[(x, y)], Ink::Label(label, size, anchor, colour))?;
         for hat in self.fonts.hats(label, size)? {
             self.draw(&hat.map(|(right, down)| (left + right, y + down)), Ink::Line(hat_pen(size, colour)))?;
+        }
+        Ok(taken)
+    }
+
+    /// A label that reads upwards, the middle of its baseline at the spot; returns the box of its ink.
+    pub(crate) fn text_upwards(
+        &self,
+        (x, y): Spot,
+        source: &str,
+        size: f64,
+        colour: Colour,
+    ) -> Result<Bounds, DrawingError> {
+        let label = Label::parse(source)?;
+        let Extent { width, ascent, descent } = self.measure(&label, size)?;
+        let (top, bottom) = (y - 0.5 * width, y + 0.5 * width);
+        let taken = Bounds { left: x - ascent, top, right: x + descent, bottom };
+        self.texts.borrow_mut().push((label.source.clone(), taken));
+        self.draw(&[(x, y)], Ink::Upwards(&label, size, colour))?;
+        for hat in self.fonts.hats(&label, size)? {
+            self.draw(
+                &hat.map(|(right, down)| (x + down, bottom - right)),
+                Ink::Line(hat_pen(size, colour)),
+            )?;
         }
         Ok(taken)
     }

@@ -15,11 +15,11 @@ pub struct Window {
 
 impl Window {
     /// Checks that both ranges are finite and increasing.
-    pub(crate) fn checked(self, name: &'static str) -> Result<Self, DrawingError> {
+    pub(crate) fn checked(self, name: &str) -> Result<Self, DrawingError> {
         for (axis, [low, high]) in [("horizontal", self.x), ("vertical", self.y)] {
-            // Written so that NaN fails too.
-            if !(low.is_finite() && high.is_finite() && low < high) {
-                return Err(DrawingError::Window { window: name, axis, low, high });
+            // Written so that NaN fails too, and a range wider than numbers go.
+            if !(low < high && (high - low).is_finite()) {
+                return Err(DrawingError::Window { window: name.to_owned(), axis, low, high });
             }
         }
         Ok(self)
@@ -186,5 +186,6 @@ mod tests {
             "horizontal range of the panel must be finite and increasing, but it is 1 to 0"
         );
         assert!(Window { x: [0.0, 1.0], y: [0.0, f64::NAN] }.checked("the panel").is_err());
+        assert!(Window { x: [-1e308, 1e308], y: [0.0, 1.0] }.checked("the panel").is_err());
     }
 }

@@ -9,7 +9,7 @@ pub enum DrawingError {
         /// The frame's name, as the figure calls it.
         frame: &'static str,
         /// The column that is wanted.
-        column: &'static str,
+        column: String,
         /// The columns that are there, separated by commas.
         present: String,
     },
@@ -19,7 +19,7 @@ pub enum DrawingError {
         /// The frame's name.
         frame: &'static str,
         /// The column's name.
-        column: &'static str,
+        column: String,
         /// What the figure reads from it.
         wanted: &'static str,
         /// The type found.
@@ -31,7 +31,7 @@ pub enum DrawingError {
         /// The frame's name.
         frame: &'static str,
         /// The column's name.
-        column: &'static str,
+        column: String,
         /// The row, counted from 0.
         row: usize,
     },
@@ -41,7 +41,7 @@ pub enum DrawingError {
         /// The frame's name.
         frame: &'static str,
         /// The column's name.
-        column: &'static str,
+        column: String,
         /// The value found.
         value: String,
         /// The values allowed, separated by commas.
@@ -51,7 +51,7 @@ pub enum DrawingError {
     #[error("{axis} range of {window} must be finite and increasing, but it is {low} to {high}")]
     Window {
         /// Which window.
-        window: &'static str,
+        window: String,
         /// Which axis of it.
         axis: &'static str,
         /// Its lower end.

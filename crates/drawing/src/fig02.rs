@@ -7,7 +7,7 @@ use crate::axes::Panel;
 use crate::branches::{diagram, read_bifurcations, read_branches};
 use crate::canvas::{Canvas, Ink};
 use crate::clip::Window;
-use crate::fig07::panel_letter;
+use crate::diagram::panel_letter;
 use crate::frames::Table;
 use crate::labels::Labels;
 use crate::markup::Label;

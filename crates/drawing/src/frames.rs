@@ -4,36 +4,41 @@ use polars::prelude::{Column, DataFrame, DataType};
 
 use crate::DrawingError;
 
-/// A borrowed frame together with the name that error messages use for it.
-#[derive(Clone, Copy)]
-pub(crate) struct Table<'a> {
-    name: &'static str,
+/// A borrowed frame together with its name, by which error messages and the marks in an SVG call it.
+#[derive(Debug, Clone, Copy)]
+pub struct Table<'a> {
+    pub(crate) name: &'static str,
     frame: &'a DataFrame,
 }
 
 impl<'a> Table<'a> {
-    pub(crate) fn new(name: &'static str, frame: &'a DataFrame) -> Self {
+    /// The frame under the name, which is that of its CSV file without the ending.
+    pub fn new(name: &'static str, frame: &'a DataFrame) -> Self {
         Table { name, frame }
     }
 
-    fn column(&self, column: &'static str) -> Result<&'a Column, DrawingError> {
+    fn column(&self, column: &str) -> Result<&'a Column, DrawingError> {
         self.frame.column(column).map_err(|_| DrawingError::MissingColumn {
             frame: self.name,
-            column,
+            column: column.to_owned(),
             present: self.frame.get_column_names().iter().map(|n| n.as_str()).collect::<Vec<_>>().join(", "),
         })
     }
 
     fn cast(
         &self,
-        column: &'static str,
+        column: &str,
         wanted: &'static str,
         to: &DataType,
         admits: fn(&DataType) -> bool,
     ) -> Result<Column, DrawingError> {
         let raw = self.column(column)?;
-        let wrong =
-            || DrawingError::ColumnType { frame: self.name, column, wanted, found: raw.dtype().to_string() };
+        let wrong = || DrawingError::ColumnType {
+            frame: self.name,
+            column: column.to_owned(),
+            wanted,
+            found: raw.dtype().to_string(),
+        };
         // A column without a single value has no type of its own.
         let empty = raw.null_count() == raw.len();
         if !empty && !admits(raw.dtype()) {
@@ -43,21 +48,21 @@ impl<'a> Table<'a> {
     }
 
     /// A column of numbers; empty cells become NaN, at which lines are split.
-    pub(crate) fn numbers(&self, column: &'static str) -> Result<Vec<f64>, DrawingError> {
+    pub(crate) fn numbers(&self, column: &str) -> Result<Vec<f64>, DrawingError> {
         let cast = self.cast(column, "numbers", &DataType::Float64, |t| t.is_primitive_numeric())?;
         let values = cast.f64().map_err(|_| self.unreadable(column, "numbers", &cast))?;
         Ok(values.iter().map(|v| v.unwrap_or(f64::NAN)).collect())
     }
 
     /// A column of whole numbers.
-    pub(crate) fn integers(&self, column: &'static str) -> Result<Vec<i64>, DrawingError> {
+    pub(crate) fn integers(&self, column: &str) -> Result<Vec<i64>, DrawingError> {
         let cast = self.cast(column, "whole numbers", &DataType::Int64, |t| t.is_integer())?;
         let values = cast.i64().map_err(|_| self.unreadable(column, "whole numbers", &cast))?;
         self.every_row(column, values.iter())
     }
 
     /// A column of truth values.
-    pub(crate) fn flags(&self, column: &'static str) -> Result<Vec<bool>, DrawingError> {
+    pub(crate) fn flags(&self, column: &str) -> Result<Vec<bool>, DrawingError> {
         let cast = self.cast(column, "true or false", &DataType::Boolean, |t| t.is_bool())?;
         let values = cast.bool().map_err(|_| self.unreadable(column, "true or false", &cast))?;
         self.every_row(column, values.iter())
@@ -66,7 +71,7 @@ impl<'a> Table<'a> {
     /// A column of words, each translated by `translate`; `known` lists what it accepts.
     pub(crate) fn words<T>(
         &self,
-        column: &'static str,
+        column: &str,
         known: &'static str,
         translate: impl Fn(&str) -> Option<T>,
     ) -> Result<Vec<T>, DrawingError> {
@@ -78,7 +83,7 @@ impl<'a> Table<'a> {
             .map(|word| {
                 translate(word).ok_or_else(|| DrawingError::UnknownWord {
                     frame: self.name,
-                    column,
+                    column: column.to_owned(),
                     value: word.to_owned(),
                     known,
                 })
@@ -88,17 +93,24 @@ impl<'a> Table<'a> {
 
     fn every_row<T>(
         &self,
-        column: &'static str,
+        column: &str,
         values: impl Iterator<Item = Option<T>>,
     ) -> Result<Vec<T>, DrawingError> {
         values
             .enumerate()
-            .map(|(row, v)| v.ok_or(DrawingError::EmptyCell { frame: self.name, column, row }))
+            .map(|(row, v)| {
+                v.ok_or(DrawingError::EmptyCell { frame: self.name, column: column.to_owned(), row })
+            })
             .collect()
     }
 
-    fn unreadable(&self, column: &'static str, wanted: &'static str, found: &Column) -> DrawingError {
-        DrawingError::ColumnType { frame: self.name, column, wanted, found: found.dtype().to_string() }
+    fn unreadable(&self, column: &str, wanted: &'static str, found: &Column) -> DrawingError {
+        DrawingError::ColumnType {
+            frame: self.name,
+            column: column.to_owned(),
+            wanted,
+            found: found.dtype().to_string(),
+        }
     }
 }
 
@@ -147,7 +159,8 @@ mod tests {
         let table = Table::new("t", &frame);
         let x = table.numbers("x").unwrap();
         assert!(x[0] == 1.5 && x[1].is_nan());
-        assert!(matches!(table.integers("p"), Err(DrawingError::EmptyCell { column: "p", row: 1, .. })));
+        let error = table.integers("p").unwrap_err();
+        assert!(matches!(error, DrawingError::EmptyCell { column, row: 1, .. } if column == "p"));
     }
 
     #[test]

@@ -24,6 +24,12 @@ pub(crate) fn off_the_sheet(svg: &str) -> Vec<(f64, f64)> {
     coordinates(svg).into_iter().filter(|spot| !on_sheet(spot)).collect()
 }
 
+/// The spots of each path that is drawn with this colour.
+pub(crate) fn paths(svg: &str, colour: &str) -> Vec<Vec<(f64, f64)>> {
+    let stroke = format!("stroke=\"{colour}\"");
+    svg.lines().filter(|line| line.contains("<path") && line.contains(&stroke)).map(coordinates).collect()
+}
+
 /// The values of an attribute, in order.
 fn attribute<'a>(svg: &'a str, name: &str) -> impl Iterator<Item = &'a str> {
     let start = format!(" {name}=\"");

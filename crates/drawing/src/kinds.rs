@@ -2,6 +2,7 @@
 
 use crate::DrawingError;
 use crate::frames::{Table, runs};
+use crate::plane::Plane;
 use crate::style::{Colour, GRAZ, MPS_GRAZING, PERIOD_DOUBLING, Pen, SADDLE_NODE};
 
 /// A kind of codimension-one bifurcation.
@@ -59,7 +60,7 @@ impl Kind {
     }
 }
 
-/// A closed region of the two-parameter plane; vertices are (amplitude, omega).
+/// A closed region of the parameter plane; vertices are (across, up).
 pub(crate) struct Region {
     pub(crate) p: i64,
     pub(crate) impacting: bool,
@@ -67,7 +68,7 @@ pub(crate) struct Region {
 }
 
 /// Reads a frame of regions: rows of one `region` number, in order, are one polygon.
-pub(crate) fn read_regions(table: Table<'_>) -> Result<Vec<Region>, DrawingError> {
+pub(crate) fn read_regions(table: Table<'_>, plane: &Plane<'_>) -> Result<Vec<Region>, DrawingError> {
     let ids = table.integers("region")?;
     let impacting = table.words("kind", "non-impacting, mps", |word| match word {
         "non-impacting" => Some(false),
@@ -75,14 +76,13 @@ pub(crate) fn read_regions(table: Table<'_>) -> Result<Vec<Region>, DrawingError
         _ => None,
     })?;
     let p = table.integers("p")?;
-    let omega = table.numbers("omega")?;
-    let amplitude = table.numbers("amplitude")?;
+    let points = plane.points(table)?;
     Ok(runs(&ids)
         .into_iter()
         .map(|rows| Region {
             p: p[rows.start],
             impacting: impacting[rows.start],
-            vertices: rows.map(|i| (amplitude[i], omega[i])).collect(),
+            vertices: points[rows].to_vec(),
         })
         .collect())
 }

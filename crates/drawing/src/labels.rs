@@ -91,11 +91,13 @@ impl<'c> Labels<'c> {
 
     /// Names bifurcation curves by their kind, the longest first, those shorter than `least` (points) not at all.
     ///
-    /// A curve is named once, though it may come twice, followed from its two ends.
+    /// A curve is named once, though it may come twice, followed from its two ends. `grazing` names the grazing curve of
+    /// the non-impacting solution.
     pub(crate) fn name_curves(
         &mut self,
         mut curves: Vec<(Kind, Vec<Spot>)>,
         least: f64,
+        grazing: &str,
     ) -> Result<(), DrawingError> {
         curves.sort_by(|a, b| length(&b.1).total_cmp(&length(&a.1)));
         let mut named: Vec<(Kind, Vec<Spot>)> = Vec::new();
@@ -107,8 +109,9 @@ impl<'c> Labels<'c> {
             if named.iter().any(again) {
                 continue;
             }
-            let size = if kind == Kind::Graz { LABEL_SIZE } else { SMALL_LABEL_SIZE };
-            self.add(kind.label(), size, kind.text_colour(), &Wanted::Beside(&piece))?;
+            let (name, size) =
+                if kind == Kind::Graz { (grazing, LABEL_SIZE) } else { (kind.label(), SMALL_LABEL_SIZE) };
+            self.add(name, size, kind.text_colour(), &Wanted::Beside(&piece))?;
             named.push((kind, piece));
         }
         Ok(())

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `text` | upright text, as it stands |
 //! | `$x$` | mathematics: letters italic, digits and signs upright, spaces ignored |
-//! | `\alpha`, `\omega`, … | Greek letter (within `$…$`, like all below) |
+//! | `\alpha`, `\omega`, `\Omega`, … | Greek letter (within `$…$`, like all below) |
 //! | `\le`, `\ge`, `\approx`, `\times`, `\pm`, `\cdot`, `\ast`, `\sqrt`, `\,` | ≤ ≥ ≈ × ± · ∗ √ and a thin space |
 //! | `-`, `=` | minus sign; equals sign with thin spaces around it |
 //! | `\mathrm{graz}`, `\mathcal{A}` | upright words; script letters A, P and V |
@@ -48,23 +48,60 @@ pub(crate) struct Label {
     pub(crate) runs: Vec<Run>,
 }
 
-const COMMANDS: [(&str, char, Face); 24] = [
+/// Greek letters by their names.
+pub(crate) const GREEK: [(&str, char, Face); 49] = [
     ("alpha", 'α', Face::Italic),
     ("beta", 'β', Face::Italic),
     ("gamma", 'γ', Face::Italic),
     ("delta", 'δ', Face::Italic),
     ("epsilon", 'ϵ', Face::Italic),
+    ("varepsilon", 'ε', Face::Italic),
     ("zeta", 'ζ', Face::Italic),
     ("eta", 'η', Face::Italic),
+    ("theta", 'θ', Face::Italic),
+    ("iota", 'ι', Face::Italic),
+    ("kappa", 'κ', Face::Italic),
     ("lambda", 'λ', Face::Italic),
     ("mu", 'μ', Face::Italic),
+    ("nu", 'ν', Face::Italic),
+    ("xi", 'ξ', Face::Italic),
+    ("omicron", 'ο', Face::Italic),
     ("pi", 'π', Face::Italic),
+    ("rho", 'ρ', Face::Italic),
+    ("sigma", 'σ', Face::Italic),
     ("tau", 'τ', Face::Italic),
+    ("upsilon", 'υ', Face::Italic),
     ("phi", 'φ', Face::Italic),
+    ("chi", 'χ', Face::Italic),
+    ("psi", 'ψ', Face::Italic),
     ("omega", 'ω', Face::Italic),
+    ("Alpha", 'Α', Face::Upright),
+    ("Beta", 'Β', Face::Upright),
     ("Gamma", 'Γ', Face::Upright),
+    ("Delta", 'Δ', Face::Upright),
+    ("Epsilon", 'Ε', Face::Upright),
+    ("Zeta", 'Ζ', Face::Upright),
+    ("Eta", 'Η', Face::Upright),
+    ("Theta", 'Θ', Face::Upright),
+    ("Iota", 'Ι', Face::Upright),
+    ("Kappa", 'Κ', Face::Upright),
+    ("Lambda", 'Λ', Face::Upright),
+    ("Mu", 'Μ', Face::Upright),
+    ("Nu", 'Ν', Face::Upright),
+    ("Xi", 'Ξ', Face::Upright),
+    ("Omicron", 'Ο', Face::Upright),
     ("Pi", 'Π', Face::Upright),
+    ("Rho", 'Ρ', Face::Upright),
     ("Sigma", 'Σ', Face::Upright),
+    ("Tau", 'Τ', Face::Upright),
+    ("Upsilon", 'Υ', Face::Upright),
+    ("Phi", 'Φ', Face::Upright),
+    ("Chi", 'Χ', Face::Upright),
+    ("Psi", 'Ψ', Face::Upright),
+    ("Omega", 'Ω', Face::Upright),
+];
+
+const SIGNS: [(&str, char, Face); 8] = [
     ("le", '≤', Face::Signs),
     ("ge", '≥', Face::Signs),
     ("approx", '≈', Face::Signs),
@@ -166,7 +203,7 @@ impl Parser<'_> {
             self.position += 1;
         }
         let name: String = self.characters[start..self.position].iter().collect();
-        if let Some(&(_, character, face)) = COMMANDS.iter().find(|c| c.0 == name) {
+        if let Some(&(_, character, face)) = GREEK.iter().chain(&SIGNS).find(|c| c.0 == name) {
             self.push(face, level, character);
             return Ok(());
         }

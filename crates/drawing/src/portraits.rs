@@ -4,7 +4,7 @@ use crate::DrawingError;
 use crate::axes::Panel;
 use crate::canvas::{Canvas, Ink};
 use crate::clip::Window;
-use crate::fig07::panel_letter;
+use crate::diagram::panel_letter;
 use crate::frames::{Table, runs};
 use crate::sheet::Bounds;
 use crate::style::{

@@ -3,10 +3,13 @@
 use polars::prelude::{CsvReader, DataFrame, SerReader, df};
 
 use crate::clip::Window;
-use crate::fig07::{Magnified, Section};
+use crate::diagram::{Magnified, Section};
 
 pub(crate) const WINDOW: Window = Window { x: [0.0, 1.2], y: [0.3, 1.0] };
-pub(crate) const SECTION: Section = Section { omega: 0.85, amplitude: [0.2, 0.4] };
+
+pub(crate) fn section() -> Section {
+    Section { across: [0.2, 0.4], up: [0.85, 0.85], label: "Fig. 2".to_owned() }
+}
 
 pub(crate) fn magnified() -> [Magnified; 3] {
     [(1, 0.55), (2, 0.3), (3, 0.18)].map(|(panel, a)| {
@@ -16,7 +19,7 @@ pub(crate) fn magnified() -> [Magnified; 3] {
 }
 
 /// The frequency at which the made-up grazing curve has the amplitude.
-fn graz(amplitude: f64) -> f64 {
+pub(crate) fn graz(amplitude: f64) -> f64 {
     1.0 - 0.6 * amplitude * amplitude - 0.2 * amplitude
 }
 
@@ -24,12 +27,18 @@ fn shares(count: u32) -> impl Iterator<Item = f64> {
     (0..=count).map(move |i| f64::from(i) / f64::from(count))
 }
 
-type SampleCurve = (&'static str, u32, u32, u32, Vec<(f64, f64)>);
+/// A made-up resonance: p, n, the amplitude at which it lies on the grazing curve, and the size of its loop of curves.
+pub(crate) type Resonance = (u32, u32, f64, f64);
 
-/// Kind, p, n, arc and (amplitude, omega) of the made-up curves: at each of three resonances a loop of SN, GZ, PD.
-fn curves() -> Vec<SampleCurve> {
+const RESONANCES: [Resonance; 3] = [(1, 1, 0.55, 0.5), (2, 1, 0.3, 0.18), (3, 1, 0.18, 0.06)];
+
+/// Kind, p, n, arc and points of a made-up curve.
+pub(crate) type SampleCurve = (&'static str, u32, u32, u32, Vec<(f64, f64)>);
+
+/// The grazing curve and at each resonance a loop of SN, GZ, PD.
+pub(crate) fn curves(resonances: &[Resonance]) -> Vec<SampleCurve> {
     let mut curves = vec![("graz", 0, 0, 0, shares(200).map(|s| (1.3 * s, graz(1.3 * s))).collect())];
-    for (p, amplitude, size) in [(1, 0.55, 0.5), (2, 0.3, 0.18), (3, 0.18, 0.06)] {
+    for (&(p, n, amplitude, size), number) in resonances.iter().zip(1..) {
         let omega = graz(amplitude);
         let arc = |from: (f64, f64), to: (f64, f64), bulge: f64| {
             let point = |s: f64| {
@@ -40,15 +49,16 @@ fn curves() -> Vec<SampleCurve> {
         };
         let (low, high) =
             ((amplitude - 0.4 * size, omega - 0.3 * size), (amplitude + 0.5 * size, omega + 0.6 * size));
-        curves.push(("SN", p, 1, 3 * p, arc((amplitude, omega), low, 0.2)));
-        curves.push(("PD", p, 1, 3 * p + 1, arc((amplitude, omega), high, -1.0)));
-        curves.push(("GZ", p, 1, 3 * p + 2, arc(low, high, 1.0)));
+        curves.push(("SN", p, n, 3 * number, arc((amplitude, omega), low, 0.2)));
+        curves.push(("PD", p, n, 3 * number + 1, arc((amplitude, omega), high, -1.0)));
+        curves.push(("GZ", p, n, 3 * number + 2, arc(low, high, 1.0)));
     }
     curves
 }
 
-pub(crate) fn fig07_curves() -> DataFrame {
-    let rows: Vec<_> = curves()
+/// A table of curves with these names of the two parameters.
+pub(crate) fn curve_table(curves: Vec<SampleCurve>, [across, up]: [&str; 2]) -> DataFrame {
+    let rows: Vec<_> = curves
         .into_iter()
         .flat_map(|(kind, p, n, arc, points)| points.into_iter().map(move |(a, w)| (kind, p, n, arc, a, w)))
         .collect();
@@ -57,62 +67,66 @@ pub(crate) fn fig07_curves() -> DataFrame {
         "p" => rows.iter().map(|r| r.1).collect::<Vec<_>>(),
         "n" => rows.iter().map(|r| r.2).collect::<Vec<_>>(),
         "arc" => rows.iter().map(|r| r.3).collect::<Vec<_>>(),
-        "amplitude" => rows.iter().map(|r| r.4).collect::<Vec<_>>(),
-        "omega" => rows.iter().map(|r| r.5).collect::<Vec<_>>(),
+        across => rows.iter().map(|r| r.4).collect::<Vec<_>>(),
+        up => rows.iter().map(|r| r.5).collect::<Vec<_>>(),
         "stable" => vec![true; rows.len()],
         "admissible" => vec![true; rows.len()],
     )
     .unwrap()
 }
 
-pub(crate) fn fig07_points() -> DataFrame {
-    let ends: Vec<_> = curves().into_iter().filter(|c| c.0 != "graz").map(|c| (c.0, c.4)).collect();
-    let kinds = ends.iter().map(|(kind, _)| match *kind {
+/// The codimension-two points at the ends of such curves.
+pub(crate) fn point_table(curves: &[SampleCurve], [across, up]: [&str; 2]) -> DataFrame {
+    let ends: Vec<_> = curves.iter().filter(|curve| curve.0 != "graz").collect();
+    let kinds = ends.iter().map(|curve| match curve.0 {
         "SN" => "resonance",
         "PD" => "PD-GZ",
         _ => "SN-GZ",
     });
-    let firsts: Vec<(f64, f64)> =
-        ends.iter().map(|(kind, points)| if *kind == "PD" { points[100] } else { points[0] }).collect();
+    let spots = ends.iter().map(|curve| if curve.0 == "PD" { curve.4[100] } else { curve.4[0] });
+    let spots: Vec<(f64, f64)> = spots.collect();
     df!(
         "kind" => kinds.collect::<Vec<_>>(),
-        "amplitude" => firsts.iter().map(|p| p.0).collect::<Vec<_>>(),
-        "omega" => firsts.iter().map(|p| p.1).collect::<Vec<_>>(),
+        "p" => ends.iter().map(|curve| curve.1).collect::<Vec<_>>(),
+        across => spots.iter().map(|p| p.0).collect::<Vec<_>>(),
+        up => spots.iter().map(|p| p.1).collect::<Vec<_>>(),
     )
     .unwrap()
 }
 
-pub(crate) fn fig07_regions() -> DataFrame {
-    let curves = curves();
-    let mut rows: Vec<(u32, &str, u32, f64, f64)> = Vec::new();
-    let mut below = curves[0].4.clone();
-    below.extend([(-0.1, graz(1.3)), (-0.1, 1.0)]);
-    rows.extend(below.into_iter().map(|(a, w)| (0, "non-impacting", 0, a, w)));
-    for p in 1..=3 {
-        let of = |kind| curves.iter().find(|c| c.0 == kind && c.1 == p).unwrap().4.clone();
-        let outline = of("SN").into_iter().chain(of("GZ")).chain(of("PD").into_iter().rev());
-        rows.extend(outline.map(|(a, w)| (p, "mps", p, a, w)));
+/// The regions that such curves bound; `corners` of the region without impacts lie beside its part of the grazing curve.
+pub(crate) fn region_table(
+    curves: &[SampleCurve],
+    corners: [(f64, f64); 2],
+    [across, up]: [&str; 2],
+) -> DataFrame {
+    let below = curves[0].4.iter().copied().chain(corners);
+    let mut rows: Vec<(u32, &str, u32, f64, f64)> =
+        below.map(|(a, w)| (0, "non-impacting", 0, a, w)).collect();
+    for (own, number) in curves[1..].chunks(3).zip(1..) {
+        let [sn, pd, gz] = own else { panic!("each resonance has three curves") };
+        let outline = sn.4.iter().chain(&gz.4).chain(pd.4.iter().rev());
+        rows.extend(outline.map(|&(a, w)| (number, "mps", sn.1, a, w)));
     }
     df!(
         "region" => rows.iter().map(|r| r.0).collect::<Vec<_>>(),
         "kind" => rows.iter().map(|r| r.1).collect::<Vec<_>>(),
         "p" => rows.iter().map(|r| r.2).collect::<Vec<_>>(),
-        "amplitude" => rows.iter().map(|r| r.3).collect::<Vec<_>>(),
-        "omega" => rows.iter().map(|r| r.4).collect::<Vec<_>>(),
+        across => rows.iter().map(|r| r.3).collect::<Vec<_>>(),
+        up => rows.iter().map(|r| r.4).collect::<Vec<_>>(),
     )
     .unwrap()
 }
 
-pub(crate) fn fig08_curves() -> DataFrame {
+/// The same curves once for each resonance, in its panel, with straight lines for approximations.
+pub(crate) fn magnified_table(curves: &[SampleCurve], [across, up]: [&str; 2]) -> DataFrame {
     let mut rows: Vec<(u32, &str, &str, u32, f64, f64)> = Vec::new();
-    for panel in 1..=3 {
-        for (kind, p, _, arc, points) in curves() {
-            if kind == "graz" || p == panel {
-                rows.extend(points.iter().map(|&(a, w)| (panel, kind, "continuation", arc, a, w)));
-            }
-            if p == panel && kind != "GZ" {
-                let straight = [points[0], points[1]].map(|q| (2.0 * q.0 - points[0].0, q.1));
-                rows.extend(straight.iter().map(|&(a, w)| (panel, kind, "quadratic", arc, a, w)));
+    for (own, panel) in curves[1..].chunks(3).zip(1..) {
+        for (kind, _, _, arc, points) in curves[..1].iter().chain(own) {
+            rows.extend(points.iter().map(|&(a, w)| (panel, *kind, "continuation", *arc, a, w)));
+            if *kind == "SN" || *kind == "PD" {
+                let straight = [points[0], points[30]].map(|q| (1.02 * q.0 - 0.02 * points[0].0, q.1));
+                rows.extend(straight.iter().map(|&(a, w)| (panel, *kind, "quadratic", *arc, a, w)));
             }
         }
     }
@@ -121,10 +135,28 @@ pub(crate) fn fig08_curves() -> DataFrame {
         "kind" => rows.iter().map(|r| r.1).collect::<Vec<_>>(),
         "source" => rows.iter().map(|r| r.2).collect::<Vec<_>>(),
         "arc" => rows.iter().map(|r| r.3).collect::<Vec<_>>(),
-        "amplitude" => rows.iter().map(|r| r.4).collect::<Vec<_>>(),
-        "omega" => rows.iter().map(|r| r.5).collect::<Vec<_>>(),
+        across => rows.iter().map(|r| r.4).collect::<Vec<_>>(),
+        up => rows.iter().map(|r| r.5).collect::<Vec<_>>(),
     )
     .unwrap()
+}
+
+const NAMES: [&str; 2] = ["amplitude", "omega"];
+
+pub(crate) fn fig07_curves() -> DataFrame {
+    curve_table(curves(&RESONANCES), NAMES)
+}
+
+pub(crate) fn fig07_points() -> DataFrame {
+    point_table(&curves(&RESONANCES), NAMES)
+}
+
+pub(crate) fn fig07_regions() -> DataFrame {
+    region_table(&curves(&RESONANCES), [(-0.1, graz(1.3)), (-0.1, 1.0)], NAMES)
+}
+
+pub(crate) fn fig08_curves() -> DataFrame {
+    magnified_table(&curves(&RESONANCES), NAMES)
 }
 
 pub(crate) fn fig08_coefficients() -> DataFrame {

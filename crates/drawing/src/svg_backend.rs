@@ -37,6 +37,14 @@ pub(crate) struct PanelMark<'a> {
     pub(crate) tables: &'a [&'a str],
     /// The column and the number that tell the panel's rows from those of other panels.
     pub(crate) only: Option<(&'a str, u32)>,
+    /// The columns that hold what is across and up; none if the titles say it.
+    pub(crate) columns: Option<[&'a str; 2]>,
+}
+
+/// The column that readers of the sheet take a title for: its letters, and that of the forcing amplitude.
+fn column_of(title: &str) -> String {
+    let letters = title.replace(r"\mathcal", "").replace(|c: char| !c.is_ascii_alphabetic() && c != '_', "");
+    if letters == "A" { "amplitude".to_owned() } else { letters }
 }
 
 /// Collects SVG elements; [`SvgBackend::finish`] wraps them into a document.
@@ -130,7 +138,7 @@ impl SvgBackend {
     }
 
     /// An invisible rectangle of class `panel` over the panel: `data-x` and `data-y` are the values at its left and right,
-    /// bottom and top edges.
+    /// bottom and top edges; `data-columns` the columns that hold them, where the titles do not say it.
     pub(crate) fn mark(&mut self, mark: &PanelMark<'_>) {
         let PanelMark { window: Window { x, y }, bounds, titles, .. } = mark;
         let mut attributes = String::new();
@@ -139,6 +147,12 @@ impl SvgBackend {
         }
         if let Some((column, number)) = mark.only {
             let _ = write!(attributes, " data-only=\"{} {number}\"", escape(column));
+        }
+        if let Some(columns) = mark.columns {
+            let said = |(title, column): (&&str, &&str)| title.is_empty() || column_of(title) == *column;
+            if !titles.iter().zip(&columns).all(said) {
+                let _ = write!(attributes, " data-columns=\"{}\"", escape(&columns.join(" ")));
+            }
         }
         let _ = writeln!(
             self.body,
@@ -220,10 +234,34 @@ impl SvgBackend {
             Anchor::Middle => " text-anchor=\"middle\"",
             Anchor::End => " text-anchor=\"end\"",
         };
+        self.text((x, y), label, size, anchor, colour)
+    }
+
+    /// A label that reads upwards, the middle of its baseline at the point.
+    pub(crate) fn label_upwards(
+        &mut self,
+        (x, y): BackendCoord,
+        label: &Label,
+        size: f64,
+        colour: Colour,
+    ) -> Outcome {
+        let turn =
+            format!(" text-anchor=\"middle\" transform=\"rotate(-90 {} {})\"", hundredths(x), hundredths(y));
+        self.text((x, y), label, size, &turn, colour)
+    }
+
+    fn text(
+        &mut self,
+        (x, y): BackendCoord,
+        label: &Label,
+        size: f64,
+        attributes: &str,
+        colour: Colour,
+    ) -> Outcome {
         let spans = spans(label, size);
         let (x, y, colour) = (hundredths(x), hundredths(y), hex(colour));
         self.element(format_args!(
-            "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\"{anchor} fill=\"{colour}\">{spans}</text>",
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{}\"{attributes} fill=\"{colour}\">{spans}</text>",
             points(size)
         ))
     }
@@ -382,6 +420,7 @@ mod tests {
             titles: [r"$\omega$", ""],
             tables: &["points", "curves"],
             only: Some(("panel", 2)),
+            columns: None,
         });
         assert_eq!(
             svg.body,
@@ -389,6 +428,35 @@ mod tests {
              data-x-title=\"$\\omega$\" data-y-title=\"\" data-tables=\"points curves\" data-only=\"panel 2\"/>\n"
         );
         assert!(svg.finish("", "").contains("fill=\"none\""), "nothing is filled unless it says so");
+    }
+
+    #[test]
+    fn a_mark_names_its_columns_where_readers_would_take_the_titles_for_others() {
+        let marked = |columns, titles| {
+            let mut svg = SvgBackend::new(100.0, 100.0);
+            svg.mark(&PanelMark {
+                window: &Window { x: [0.0, 1.0], y: [0.0, 1.0] },
+                bounds: &Bounds { left: 10.0, top: 20.0, right: 90.5, bottom: 80.0 },
+                titles,
+                tables: &[],
+                only: None,
+                columns: Some(columns),
+            });
+            svg.body.contains("data-columns")
+        };
+        assert!(!marked(["amplitude", "omega"], [r"$\mathcal{A}$", r"$\omega$"]));
+        assert!(!marked(["amplitude", "omega"], [r"$\mathcal{A}$", ""]));
+        assert!(marked(["A", "omega"], ["$A$", r"$\omega$"]));
+        assert!(marked(["F_0", "omega_2"], ["$F_{0}$", r"$\omega_{2}$"]));
+    }
+
+    #[test]
+    fn a_title_may_read_upwards() {
+        let mut svg = SvgBackend::new(100.0, 100.0);
+        let label = Label::plain("amplitude");
+        svg.label_upwards((1050, 5000), &label, 10.0, Colour(0, 0, 0)).unwrap();
+        assert!(svg.body.contains("x=\"10.5\" y=\"50\""), "{}", svg.body);
+        assert!(svg.body.contains("transform=\"rotate(-90 10.5 50)\""), "{}", svg.body);
     }
 
     #[test]

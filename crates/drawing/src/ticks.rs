@@ -10,7 +10,7 @@ pub(crate) struct Tick {
 /// `mantissa` times ten to the power of `exponent`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Step {
-    mantissa: i64,
+    mantissa: i128,
     exponent: i32,
 }
 
@@ -22,32 +22,41 @@ impl Step {
         self.value(1)
     }
 
+    /// Ten to this power is the unit that the step is a small multiple of.
+    pub(crate) fn exponent(self) -> i32 {
+        self.exponent
+    }
+
     /// The number `index * step`, written exactly.
-    fn label(self, index: i64) -> String {
-        let units = index * self.mantissa;
-        let sign = if units < 0 { "−" } else { "" };
-        let digits = units.unsigned_abs().to_string();
-        if units == 0 || self.exponent >= 0 {
-            let zeros = if units == 0 { 0 } else { self.exponent as usize };
-            return format!("{sign}{digits}{}", "0".repeat(zeros));
-        }
-        let decimals = self.exponent.unsigned_abs() as usize;
-        let padded = format!("{digits:0>width$}", width = decimals + 1);
-        let (whole, fraction) = padded.split_at(padded.len() - decimals);
-        format!("{sign}{whole}.{fraction}")
+    fn label(self, index: i128) -> String {
+        decimal(index * self.mantissa, self.exponent)
     }
 
     /// The number `index * step` correctly rounded, by reading its decimal digits.
-    fn value(self, index: i64) -> f64 {
+    fn value(self, index: i128) -> f64 {
         format!("{}e{}", index * self.mantissa, self.exponent).parse().unwrap_or(f64::NAN)
     }
 
-    /// All multiples of the step from `low` to `high`, ends included up to a billionth of the step.
-    pub(crate) fn multiples(self, low: f64, high: f64) -> Vec<Tick> {
+    /// Which multiples of the step lie from `low` to `high`, ends included up to a billionth of the step.
+    fn indices(self, [low, high]: [f64; 2]) -> std::ops::RangeInclusive<i128> {
         let step = self.value(1);
-        let first = (low / step - 1e-9).ceil() as i64;
-        let last = (high / step + 1e-9).floor() as i64;
-        (first..=last).map(|i| Tick { value: self.value(i), label: self.label(i) }).collect()
+        (low / step - 1e-9).ceil() as i128..=(high / step + 1e-9).floor() as i128
+    }
+
+    /// The least and the greatest multiple of the step in a range, in units of ten to its exponent.
+    pub(crate) fn units(self, range: [f64; 2]) -> [i128; 2] {
+        let indices = self.indices(range);
+        [*indices.start(), *indices.end()].map(|index| index * self.mantissa)
+    }
+
+    /// All multiples of the step in a range, in units of ten to its exponent.
+    pub(crate) fn all_units(self, range: [f64; 2]) -> impl Iterator<Item = i128> {
+        self.indices(range).map(move |index| index * self.mantissa)
+    }
+
+    /// All multiples of the step from `low` to `high`.
+    pub(crate) fn multiples(self, low: f64, high: f64) -> Vec<Tick> {
+        self.indices([low, high]).map(|i| Tick { value: self.value(i), label: self.label(i) }).collect()
     }
 
     /// The step of the smaller ticks between: a fifth, or a quarter of two, which is a half of the unit.
@@ -70,6 +79,44 @@ impl Step {
     }
 }
 
+/// `units` times ten to the power of `exponent`, written exactly.
+pub(crate) fn decimal(units: i128, exponent: i32) -> String {
+    let sign = if units < 0 { "−" } else { "" };
+    let digits = units.unsigned_abs().to_string();
+    if units == 0 || exponent >= 0 {
+        let zeros = if units == 0 { 0 } else { exponent as usize };
+        return format!("{sign}{digits}{}", "0".repeat(zeros));
+    }
+    let decimals = exponent.unsigned_abs() as usize;
+    let padded = format!("{digits:0>width$}", width = decimals + 1);
+    let (whole, fraction) = padded.split_at(padded.len() - decimals);
+    format!("{sign}{whole}.{fraction}")
+}
+
+/// The same without zeros at the end, in markup within `$`: with a power of ten where it would have many zeros.
+pub(crate) fn scientific(mut units: i128, mut exponent: i32) -> String {
+    while units != 0 && units % 10 == 0 {
+        (units, exponent) = (units / 10, exponent + 1);
+    }
+    let further = units.unsigned_abs().to_string().len() as i32 - 1;
+    if (-4..=6).contains(&(exponent + further)) && exponent <= 3 {
+        return decimal(units, exponent);
+    }
+    format!(r"{}\,\times\,10^{{{}}}", decimal(units, -further), exponent + further)
+}
+
+/// A number with so many significant digits in markup within `$`: plain between a thousandth and a hundred thousand, with
+/// a power of ten beyond.
+pub(crate) fn measured(value: f64, digits: usize) -> String {
+    let scientific = format!("{:.*e}", digits.saturating_sub(1), value.abs());
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    if value == 0.0 || exponent.parse().is_ok_and(|exponent: i32| (-3..=4).contains(&exponent)) {
+        return significant(value, digits);
+    }
+    let sign = if value < 0.0 { "−" } else { "" };
+    format!(r"{sign}{mantissa}\,\times\,10^{{{exponent}}}")
+}
+
 /// A number with so many significant digits, as printed in running text (with a true minus sign).
 pub(crate) fn significant(value: f64, digits: usize) -> String {
     let scientific = format!("{:.*e}", digits.saturating_sub(1), value.abs());
@@ -83,7 +130,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
 mod tests {
     use super::*;
 
-    fn step(mantissa: i64, exponent: i32) -> Step {
+    fn step(mantissa: i128, exponent: i32) -> Step {
         Step { mantissa, exponent }
     }
 
@@ -129,5 +176,23 @@ mod tests {
         assert_eq!(significant(0.012345, 3), "0.0123");
         assert_eq!(significant(99.996, 4), "100.0");
         assert_eq!(significant(4321.7, 4), "4322");
+    }
+
+    #[test]
+    fn coefficients_of_any_magnitude_keep_their_digits() {
+        assert_eq!(measured(-282.44, 4), "−282.4");
+        assert_eq!(measured(0.001_234_5, 3), "0.00123");
+        assert_eq!(measured(-1.234_56e8, 4), r"−1.235\,\times\,10^{8}");
+        assert_eq!(measured(9.999_96e-5, 4), r"1.000\,\times\,10^{-4}");
+        assert_eq!(measured(0.0, 2), "0.0");
+    }
+
+    #[test]
+    fn round_numbers_are_written_without_needless_zeros() {
+        assert_eq!(scientific(432_100, -6), "0.4321");
+        assert_eq!(scientific(-120, 0), "−120");
+        assert_eq!(scientific(1_230, 9), r"1.23\,\times\,10^{12}");
+        assert_eq!(scientific(5, -9), r"5\,\times\,10^{-9}");
+        assert_eq!(scientific(0, -3), "0");
     }
 }

@@ -22,7 +22,7 @@ const REACH = 28;
 const PREFERENCE = 5;
 const SVG = "http://www.w3.org/2000/svg";
 
-/** The panels that the figure says it has; a panel without a title shares that of the one before. */
+/** The panels that the figure says it has; one that names no columns has those of its titles, or of the panel before. */
 function readPanels(svg) {
   const panels = [];
   const column = (title) => {
@@ -38,7 +38,9 @@ function readPanels(svg) {
     const [y0, y1] = range("data-y");
     panels.push({
       bounds,
-      columns: ["data-x-title", "data-y-title"].map((name, axis) => column(mark.getAttribute(name)) || before?.columns[axis] || ""),
+      columns:
+        mark.dataset.columns?.split(" ") ??
+        ["data-x-title", "data-y-title"].map((name, axis) => column(mark.getAttribute(name)) || before?.columns[axis] || ""),
       tables: mark.dataset.tables ? mark.dataset.tables.split(" ") : null,
       only: mark.dataset.only ? mark.dataset.only.split(" ") : null,
       /** Whether the point lies in the panel, or beside it by no more than a margin, in points of the sheet. */

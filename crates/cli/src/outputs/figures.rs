@@ -77,7 +77,11 @@ pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         regions: &made.regions.frame,
         window: plane(parameters.fig07().window()),
         magnified: &magnified(parameters),
-        section: Section { omega: section.frequency(), amplitude: ends(section.amplitude()) },
+        section: &Section {
+            across: ends(section.amplitude()),
+            up: [section.frequency(); 2],
+            label: "Fig. 2".to_owned(),
+        },
     };
     let figure = draw_fig07(&figure, width)?;
     Ok(Made { figure: Some(figure), tables: made.tables() })

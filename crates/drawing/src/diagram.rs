@@ -1,0 +1,425 @@
+//! A two-parameter bifurcation diagram, like Figure 7.
+
+use crate::DrawingError;
+use crate::axes::{Marker, Panel, overhang, room_beside};
+use crate::canvas::Canvas;
+use crate::clip::Window;
+use crate::frames::{Table, runs};
+use crate::kinds::{Kind, read_regions};
+use crate::labels::{Labels, Wanted};
+use crate::plane::Plane;
+use crate::sheet::{Bounds, Spot, area};
+use crate::style::{
+    BLACK, LABEL_SIZE, MAGNIFIED, MAGNIFIED_TEXT, MPS_AREA, NON_IMPACTING_AREA, SECTION, SMALL_LABEL_SIZE,
+    SheetWidth, TRIANGLE_SIZE,
+};
+
+/// A part of the diagram that a panel of another sheet magnifies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Magnified {
+    /// Number of that panel, from 1; the letter (a) stands for the first.
+    pub panel: u32,
+    /// What is shown there, in units of the two parameters.
+    pub window: Window,
+}
+
+/// A line along which another diagram runs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    /// Its two ends across, in units of the primary parameter.
+    pub across: [f64; 2],
+    /// Its two ends up, in units of the secondary parameter.
+    pub up: [f64; 2],
+    /// What is written at its second end, in the markup of labels.
+    pub label: String,
+}
+
+/// A two-parameter bifurcation diagram.
+///
+/// Paper: Figure 7, fig:G, is one.
+#[derive(Debug, Clone, Copy)]
+pub struct Diagram<'a> {
+    /// The name of the file without its ending, by which errors call the diagram.
+    pub name: &'static str,
+    /// The title of the SVG, for readers who cannot see it.
+    pub title: &'a str,
+    /// The description of the SVG, likewise.
+    pub description: &'a str,
+    /// The two parameters.
+    pub plane: &'a Plane<'a>,
+    /// Columns kind (graz, SN, PD, GZ), p, n, arc, stable, admissible and the two parameters. Rows that follow each
+    /// other with equal kind, p, n and arc are one curve; inadmissible rows are not drawn, nor are unstable ones of GZ.
+    pub curves: Table<'a>,
+    /// Columns kind (resonance, or any other word for another codimension-two point), p and the two parameters.
+    pub points: Table<'a>,
+    /// Columns region, kind (non-impacting, mps), p and the two parameters: vertices of polygons. Resonances of a p
+    /// without a region have p written beside them.
+    pub regions: Option<Table<'a>>,
+    /// What is shown of the plane.
+    pub window: Window,
+    /// Rectangles that are drawn because another sheet magnifies them.
+    pub magnified: &'a [Magnified],
+    /// Lines along which other diagrams run.
+    pub sections: &'a [Section],
+}
+
+struct Curve {
+    kind: Kind,
+    points: Vec<(f64, f64)>,
+}
+
+/// Width in the paper.
+const WIDTH_MM: f64 = 120.0;
+/// Height as a share of the width, up to the most that leaves room for a caption and text on the page.
+const HEIGHT_SHARE: f64 = 0.8;
+const MOST_HEIGHT_MM: f64 = 118.0;
+/// On narrower sheets the diagram is taller than this share says, so that its labels find room.
+const LEAST_HEIGHT_MM: f64 = 78.0;
+/// Room around the panel for the common numbers and titles, in points; longer ones get more.
+const MARGINS: Bounds = Bounds { left: 35.0, top: 5.0, right: 8.0, bottom: 30.0 };
+/// Curves shorter than this on the sheet (points) stay without a label.
+const LABELLED_LENGTH: f64 = 42.0;
+/// Free space from a resonance to its label, in points: the triangle and its rim, seen along the diagonal.
+const OFF_TRIANGLE: f64 = 5.4;
+/// Rectangles smaller than this (points) hide under the triangle in them.
+const HIDDEN: f64 = 0.5 * TRIANGLE_SIZE;
+
+/// Draws a two-parameter bifurcation diagram; returns the text of an SVG file.
+///
+/// # Errors
+/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown or a window is empty.
+pub fn draw_diagram(diagram: &Diagram<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+    compose(diagram, width)?.finish(diagram.name, diagram.title, diagram.description)
+}
+
+pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
+    let window = diagram.window.checked(diagram.name)?;
+    for magnified in diagram.magnified {
+        magnified.window.checked(&format!("a rectangle of {}", diagram.name))?;
+    }
+    let plane = diagram.plane;
+    let curves = read_curves(diagram.curves, plane)?;
+    let regions = diagram.regions.map_or(Ok(Vec::new()), |table| read_regions(table, plane))?;
+    let markers = read_points(diagram.points, plane)?;
+
+    let width = width.mm(WIDTH_MM);
+    let canvas = Canvas::new(width, (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM))?;
+    let bounds = bounds(&canvas, &window, plane)?;
+    let panel =
+        Panel::new(&canvas, window, bounds).showing(&[diagram.points.name, diagram.curves.name]).over(plane);
+    let mut labels = Labels::new(&canvas, bounds);
+
+    let mut shapes: Vec<(i64, Vec<Spot>)> = Vec::new();
+    for region in &regions {
+        let paint = if region.impacting { MPS_AREA } else { NON_IMPACTING_AREA };
+        let shape = panel.fill(&region.vertices, paint)?;
+        if region.impacting && !shape.is_empty() {
+            shapes.push((region.p, shape));
+        }
+    }
+    let mut drawn: Vec<(Kind, Vec<Spot>)> = Vec::new();
+    for curve in &curves {
+        for piece in panel.line(&curve.points, curve.kind.pen())? {
+            labels.placer.keep_off(&piece);
+            drawn.push((curve.kind, piece));
+        }
+    }
+    let mut section_ends: Vec<(Spot, &str)> = Vec::new();
+    for section in diagram.sections {
+        let [from, to] = [0, 1].map(|end| (section.across[end], section.up[end]));
+        for piece in panel.line(&[from, to], SECTION)? {
+            labels.placer.keep_off(&piece);
+            section_ends.extend(piece.last().map(|&end| (end, section.label.as_str())));
+        }
+    }
+    let mut unnamed: Vec<(i64, Spot)> = Vec::new();
+    for marked in &markers {
+        if let Some(taken) = panel.marker(marked.point, marked.marker)? {
+            labels.placer.block(taken.grown(0.5));
+            if marked.marker == Marker::Triangle && !shapes.iter().any(|(p, _)| *p == marked.p) {
+                unnamed.push((marked.p, taken.centre()));
+            }
+        }
+    }
+    let mut boxes = Vec::new();
+    for magnified in diagram.magnified {
+        let outline = rectangle(&panel, &magnified.window, &mut labels)?;
+        boxes.extend(outline.map(|outline| (magnified.panel, outline)));
+    }
+    panel.axes(&plane.across.title, &plane.up.title)?;
+
+    for (number, outline) in &boxes {
+        letter(&mut labels, *number, outline)?;
+    }
+    for (end, label) in &section_ends {
+        labels.add(label, SMALL_LABEL_SIZE, BLACK, &Wanted::Around(*end, 2.5))?;
+    }
+    for (p, shape) in by_area(&shapes) {
+        let text = format!("$p={p}$");
+        let inside = labels.add(&text, LABEL_SIZE, BLACK, &Wanted::Within(shape))?
+            || labels.add(&text, SMALL_LABEL_SIZE, BLACK, &Wanted::Within(shape))?;
+        if !inside && let Some(spot) = labels.placer.deep_inside(shape) {
+            labels.add(&text, SMALL_LABEL_SIZE, BLACK, &Wanted::Around(spot, 1.0))?;
+        }
+    }
+    for (p, spot) in &unnamed {
+        labels.add(&format!("$p={p}$"), SMALL_LABEL_SIZE, BLACK, &Wanted::Around(*spot, OFF_TRIANGLE))?;
+    }
+    labels.name_curves(drawn, LABELLED_LENGTH, &plane.grazing)?;
+    labels.draw()?;
+    drop(panel);
+    Ok(canvas)
+}
+
+/// Where the panel is: within the margins, wider ones if the numbers or the title need them.
+fn bounds(canvas: &Canvas, window: &Window, plane: &Plane<'_>) -> Result<Bounds, DrawingError> {
+    let (top, bottom) = (MARGINS.top, canvas.height - MARGINS.bottom);
+    let left = room_beside(canvas.fonts(), window.y, bottom - top, &plane.up.title)?.max(MARGINS.left);
+    let beyond = overhang(canvas.fonts(), window.x, canvas.width - left - MARGINS.right)?;
+    let right = canvas.width - MARGINS.right.max(beyond + 2.0);
+    Ok(Bounds { left, top, right, bottom })
+}
+
+/// The letter by which the figures name a panel: (a) for the first, (aa) for the 27th.
+pub(crate) fn panel_letter(number: u32) -> String {
+    let mut letters = String::new();
+    let mut rest = number;
+    while let Some(before) = rest.checked_sub(1) {
+        letters.insert(0, char::from(b'a' + (before % 26) as u8));
+        rest = before / 26;
+    }
+    format!("({letters})")
+}
+
+/// Draws a rectangle; returns where it is seen, if it is.
+fn rectangle(
+    panel: &Panel<'_>,
+    window: &Window,
+    labels: &mut Labels<'_>,
+) -> Result<Option<Bounds>, DrawingError> {
+    let [[left, right], [low, high]] = [window.x, window.y];
+    let corners = [(left, low), (right, low), (right, high), (left, high), (left, low)];
+    for piece in panel.line(&corners, MAGNIFIED)? {
+        labels.placer.keep_off(&piece);
+    }
+    let (a, b) = (panel.spot((left, high)), panel.spot((right, low)));
+    let Bounds { left, top, right, bottom } = panel.bounds;
+    let outline =
+        Bounds { left: a.0.max(left), top: a.1.max(top), right: b.0.min(right), bottom: b.1.min(bottom) };
+    Ok((outline.left <= outline.right && outline.top <= outline.bottom).then_some(outline))
+}
+
+/// Names a rectangle: around its middle or, a small one among many curves, at the first corner where there is room.
+fn letter(labels: &mut Labels<'_>, number: u32, outline: &Bounds) -> Result<(), DrawingError> {
+    let Bounds { left, top, right, bottom } = *outline;
+    let reach = 0.5 * (right - left).min(bottom - top);
+    let clearance = if 2.0 * reach < HIDDEN { OFF_TRIANGLE } else { reach + 1.0 };
+    let corners = [(left, bottom), (left, top), (right, top), (right, bottom)].map(|corner| (corner, 1.0));
+    let letter = panel_letter(number);
+    for (spot, clearance) in [(outline.centre(), clearance)].into_iter().chain(corners) {
+        if labels.add(&letter, SMALL_LABEL_SIZE, MAGNIFIED_TEXT, &Wanted::Around(spot, clearance))? {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// Largest first; equal areas keep their order.
+fn by_area(shapes: &[(i64, Vec<Spot>)]) -> Vec<(i64, &[Spot])> {
+    let mut sorted: Vec<(i64, &[Spot])> = shapes.iter().map(|(p, shape)| (*p, shape.as_slice())).collect();
+    sorted.sort_by(|a, b| area(b.1).total_cmp(&area(a.1)));
+    sorted
+}
+
+fn read_curves(table: Table<'_>, plane: &Plane<'_>) -> Result<Vec<Curve>, DrawingError> {
+    let kinds = table.words("kind", Kind::KNOWN, Kind::parse)?;
+    let (p, n, arc) = (table.integers("p")?, table.integers("n")?, table.integers("arc")?);
+    let points = plane.points(table)?;
+    let (stable, admissible) = (table.flags("stable")?, table.flags("admissible")?);
+    let keys: Vec<_> = (0..kinds.len()).map(|i| (kinds[i], p[i], n[i], arc[i])).collect();
+    let curves = runs(&keys).into_iter().map(|rows| {
+        let (first, last) = (rows.start, rows.end - 1);
+        let points = rows.map(|i| {
+            // At an end of a GZ curve, a codimension-two point, stability is marginal and its flag a toss-up.
+            let shown = admissible[i] && (kinds[i] != Kind::Grazing || stable[i] || i == first || i == last);
+            if shown { points[i] } else { (f64::NAN, f64::NAN) }
+        });
+        Curve { kind: kinds[first], points: points.collect() }
+    });
+    let mut curves: Vec<Curve> = curves.collect();
+    // The wide grazing curve lies below the others.
+    curves.sort_by_key(|curve| curve.kind != Kind::Graz);
+    Ok(curves)
+}
+
+/// A codimension-two point (across, up) and its marker.
+pub(crate) struct MarkedPoint {
+    pub(crate) point: (f64, f64),
+    pub(crate) marker: Marker,
+    pub(crate) p: i64,
+}
+
+/// Triangles for resonances, discs for all other points.
+pub(crate) fn read_points(table: Table<'_>, plane: &Plane<'_>) -> Result<Vec<MarkedPoint>, DrawingError> {
+    let markers = table.words("kind", "any word", |word| {
+        Some(if word == "resonance" { Marker::Triangle } else { Marker::Disc })
+    })?;
+    let (p, points) = (table.integers("p")?, plane.points(table)?);
+    let marked = markers.into_iter().enumerate();
+    let mut points: Vec<_> =
+        marked.map(|(i, marker)| MarkedPoint { point: points[i], marker, p: p[i] }).collect();
+    points.sort_by_key(|marked| marked.marker == Marker::Triangle);
+    Ok(points)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample_oscillator::{Affine, SampleOscillator, oscillators};
+
+    const WIDTHS: [SheetWidth; 3] = [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns];
+    const UNIT: Affine = Affine(1.0, 0.0);
+
+    fn texts(sample: &SampleOscillator) -> Vec<String> {
+        let sheet = compose(&sample.diagram(), SheetWidth::Paper).unwrap();
+        assert!(sheet.misplaced_texts().is_empty(), "{:?}", sheet.misplaced_texts());
+        sheet.texts()
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet_for_any_oscillator_at_any_width() {
+        for sample in oscillators() {
+            for width in WIDTHS {
+                let misplaced = compose(&sample.diagram(), width).unwrap().misplaced_texts();
+                assert!(misplaced.is_empty(), "{:?} {width:?}: {misplaced:?}", sample.plane);
+            }
+        }
+    }
+
+    #[test]
+    fn equal_input_gives_equal_bytes() {
+        for sample in oscillators() {
+            let svg = || draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
+            assert_eq!(svg(), svg());
+        }
+    }
+
+    #[test]
+    fn axes_and_grazing_curve_bear_the_names_of_the_parameters() {
+        let sample = SampleOscillator::new(["F_0", "Omega"], UNIT, UNIT, 3);
+        let texts = texts(&sample);
+        for title in ["$F_{0}$", r"$\Omega$", r"$F_{0,\mathrm{graz}}$"] {
+            assert!(texts.iter().any(|text| text == title), "{title}: {texts:?}");
+        }
+        let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
+        assert!(svg.contains("data-tables=\"points curves\" data-columns=\"F_0 Omega\""));
+    }
+
+    #[test]
+    fn a_resonance_without_a_region_has_its_p_beside_it() {
+        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 5);
+        let count = |texts: &[String]| texts.iter().filter(|text| text.starts_with("$p=")).count();
+        assert_eq!(count(&texts(&sample)), 5);
+        sample.regions = None;
+        assert_eq!(count(&texts(&sample)), 5);
+        let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
+        assert!(!svg.contains("fill-opacity"), "no region is filled");
+    }
+
+    #[test]
+    fn without_a_resonance_the_grazing_curve_stands_alone() {
+        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 0);
+        sample.regions = None;
+        assert_eq!(sample.points.height(), 0);
+        let texts = texts(&sample);
+        assert!(texts.contains(&r"$A_{\mathrm{graz}}$".to_owned()));
+        assert!(!texts.iter().any(|text| ["SN", "PD", "GZ"].contains(&text.as_str())), "{texts:?}");
+    }
+
+    #[test]
+    fn resonances_may_come_without_their_curves() {
+        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 4);
+        // The first 201 rows are the grazing curve.
+        (sample.curves, sample.regions) = (sample.curves.head(Some(201)), None);
+        let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
+        // A triangle is a path of three corners.
+        let triangles = svg.lines().filter(|line| line.contains('Z') && line.matches('L').count() == 2);
+        assert_eq!(triangles.count(), 4);
+    }
+
+    #[test]
+    fn the_grazing_curve_may_fold_back_and_fall_into_pieces() {
+        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 0);
+        let share = |i: i32| f64::from(i) / 50.0 - 1.0;
+        let fold = |(arc, middle): (u32, f64)| {
+            let points = (0..=100).map(|i| (middle + 0.2 * share(i) * share(i), 0.65 + 0.3 * share(i)));
+            ("graz", 0, 0, arc, points.collect())
+        };
+        let pieces: Vec<_> = [(0, 0.2), (1, 0.7)].map(fold).to_vec();
+        sample.curves = crate::samples::curve_table(pieces, ["A", "omega"]);
+        sample.regions = None;
+        let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
+        let curves = crate::inspection::paths(&svg, "#78c86e");
+        assert_eq!(curves.len(), 2);
+        // Each runs left, turns and runs back to the right: its ends are over each other.
+        for curve in &curves {
+            let (first, last) = (curve[0], curve[curve.len() - 1]);
+            assert!((first.0 - last.0).abs() < 0.02 && (first.1 - last.1).abs() > 50.0);
+            assert!(curve.iter().any(|spot| spot.0 < first.0 - 20.0));
+        }
+        assert!(texts(&sample).iter().filter(|text| text.contains("graz")).count() == 2);
+    }
+
+    #[test]
+    fn missing_columns_are_errors_that_name_the_parameter() {
+        let sample = SampleOscillator::new(["F_0", "Omega"], UNIT, UNIT, 2);
+        let regions = sample.regions.clone().unwrap();
+        for (frame, name, columns) in [
+            (
+                &sample.curves,
+                "curves",
+                &["kind", "p", "n", "arc", "stable", "admissible", "F_0", "Omega"][..],
+            ),
+            (&sample.points, "points", &["kind", "p", "F_0", "Omega"]),
+            (&regions, "regions", &["region", "kind", "p", "F_0", "Omega"]),
+        ] {
+            for wanted in columns {
+                let less = frame.drop(wanted).unwrap();
+                let mut diagram = sample.diagram();
+                match name {
+                    "curves" => diagram.curves = Table::new(name, &less),
+                    "points" => diagram.points = Table::new(name, &less),
+                    _ => diagram.regions = Some(Table::new(name, &less)),
+                }
+                let error = draw_diagram(&diagram, SheetWidth::Paper).unwrap_err();
+                let DrawingError::MissingColumn { frame, column, .. } = error else { panic!("{error}") };
+                assert_eq!((frame, column.as_str()), (name, *wanted));
+            }
+        }
+    }
+
+    #[test]
+    fn only_rectangles_that_are_seen_have_their_letters() {
+        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 4);
+        let whole = sample.window;
+        sample.window.x[1] = sample.magnified[0].window.x[0] - 0.01;
+        let letters = texts(&sample).into_iter().filter(|text| text.starts_with('(')).collect::<Vec<_>>();
+        assert_eq!(letters, ["(b)", "(c)", "(d)"]);
+        sample.window = whole;
+        assert!(texts(&sample).contains(&"(a)".to_owned()));
+    }
+
+    #[test]
+    fn an_empty_rectangle_is_an_error_that_names_the_diagram() {
+        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 2);
+        sample.magnified[1].window.y = [0.5, 0.5];
+        let error = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap_err();
+        assert!(error.to_string().contains("a rectangle of diagram"), "{error}");
+    }
+
+    #[test]
+    fn panels_have_letters_beyond_z() {
+        let letters = [1, 3, 26, 27, 52, 53, 703].map(panel_letter);
+        assert_eq!(letters, ["(a)", "(c)", "(z)", "(aa)", "(az)", "(ba)", "(aaa)"]);
+    }
+}

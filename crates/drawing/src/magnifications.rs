@@ -1,0 +1,396 @@
+//! Magnifications about resonances, one panel each, like Figure 8.
+
+use std::ops::Range;
+
+use crate::DrawingError;
+use crate::axes::Panel;
+use crate::canvas::Canvas;
+use crate::diagram::{Magnified, MarkedPoint, panel_letter, read_points};
+use crate::font::Fonts;
+use crate::frames::{Table, runs};
+use crate::kinds::{Kind, Region, read_regions};
+use crate::labels::Labels;
+use crate::markup::Label;
+use crate::panel_grid::{Grid, HEADING_LEADING, SUBHEADING_LEADING};
+use crate::plane::Plane;
+use crate::sheet::{Bounds, Spot};
+use crate::style::{BLACK, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, SheetWidth, TICK_SIZE, approximation};
+use crate::svg_backend::Anchor;
+use crate::ticks::measured;
+
+/// Magnifications about resonances.
+///
+/// Paper: Figure 8, fig:Y, is one sheet of them.
+#[derive(Debug, Clone, Copy)]
+pub struct Magnifications<'a> {
+    /// The name of the file without its ending, by which errors call the sheets.
+    pub name: &'static str,
+    /// The title of the SVG, for readers who cannot see it.
+    pub title: &'a str,
+    /// The description of the SVG, likewise.
+    pub description: &'a str,
+    /// The two parameters.
+    pub plane: &'a Plane<'a>,
+    /// Columns panel, kind (graz, SN, PD, GZ), source (continuation, quadratic), arc and the two parameters. Rows that
+    /// follow each other with equal panel, kind, source and arc are one curve.
+    pub curves: Table<'a>,
+    /// As [`Diagram::points`](crate::Diagram::points).
+    pub points: Table<'a>,
+    /// As [`Diagram::regions`](crate::Diagram::regions).
+    pub regions: Option<Table<'a>>,
+    /// The panels in the order in which they are drawn, row by row.
+    pub panels: &'a [MagnifiedPanel],
+}
+
+/// One panel of [`Magnifications`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MagnifiedPanel {
+    /// Its number and its window.
+    pub shown: Magnified,
+    /// What is written over it beside its letter.
+    pub heading: Option<Heading>,
+}
+
+/// The resonance about which a panel is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Heading {
+    /// Number of loops p.
+    pub p: i64,
+    /// The integer n of the resonance, if it is to be written.
+    pub n: Option<i64>,
+    /// The coefficient c_SN, in units of the primary parameter over the square of the secondary one; NaN is left out.
+    pub c_sn: f64,
+    /// The coefficient c_PD, likewise.
+    pub c_pd: f64,
+}
+
+struct Curve {
+    panel: i64,
+    kind: Kind,
+    approximate: bool,
+    points: Vec<(f64, f64)>,
+}
+
+/// Curves shorter than this on the sheet (points) stay without a label.
+const LABELLED_LENGTH: f64 = 24.0;
+/// Significant digits of coefficients.
+const DIGITS: usize = 4;
+
+/// Draws magnifications; returns the texts of SVG files.
+///
+/// Panels stand three in a row, on narrow sheets one above the other, three rows on a sheet: as many sheets are drawn as
+/// there have to be, all with about as many panels, none if there is no panel.
+///
+/// # Errors
+/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown or a window is empty.
+pub fn draw_magnifications(
+    figure: &Magnifications<'_>,
+    width: SheetWidth,
+) -> Result<Vec<String>, DrawingError> {
+    let sheets = compose(figure, width)?;
+    let count = sheets.len();
+    let finish = |(canvas, number): (Canvas, usize)| {
+        let of = if count > 1 { format!(" ({number} of {count})") } else { String::new() };
+        canvas.finish(figure.name, &format!("{}{of}", figure.title), figure.description)
+    };
+    sheets.into_iter().zip(1..).map(finish).collect()
+}
+
+pub(crate) fn compose(figure: &Magnifications<'_>, width: SheetWidth) -> Result<Vec<Canvas>, DrawingError> {
+    for MagnifiedPanel { shown, .. } in figure.panels {
+        shown.window.checked(&format!("a panel of {}", figure.name))?;
+    }
+    let plane = figure.plane;
+    let content = Content {
+        curves: read_curves(figure.curves, plane)?,
+        regions: figure.regions.map_or(Ok(Vec::new()), |table| read_regions(table, plane))?,
+        markers: read_points(figure.points, plane)?,
+    };
+    let sheets = Grid::sheets(width, figure.panels.len());
+    sheets.into_iter().map(|range| draw_sheet(figure, &content, range, width)).collect()
+}
+
+struct Content {
+    curves: Vec<Curve>,
+    regions: Vec<Region>,
+    markers: Vec<MarkedPoint>,
+}
+
+fn draw_sheet(
+    figure: &Magnifications<'_>,
+    content: &Content,
+    panels: Range<usize>,
+    width: SheetWidth,
+) -> Result<Canvas, DrawingError> {
+    let Magnifications { plane, panels: all, .. } = figure;
+    let (panels, fonts) = (&all[panels], Fonts::load()?);
+    let windows: Vec<_> = panels.iter().map(|panel| panel.shown.window).collect();
+    let captions: Vec<Caption> = panels.iter().map(Caption::new).collect();
+    let mut grid = Grid::new(&fonts, width, all.len(), &windows, &plane.up.title)?;
+    // All captions of a sheet are alike: if one needs two lines for its coefficients, each has two.
+    let mut split = false;
+    for (place, caption) in captions.iter().enumerate() {
+        split |= !caption.fits(&fonts, grid.heading_room(place))?;
+    }
+    if split {
+        grid.add_heading_line();
+    }
+    let canvas = Canvas::new(grid.width_mm(), grid.height_mm())?;
+    for (place, (MagnifiedPanel { shown, .. }, caption)) in panels.iter().zip(captions).enumerate() {
+        let bounds = grid.bounds(place);
+        let panel = Panel::new(&canvas, shown.window, bounds)
+            .showing(&[figure.curves.name])
+            .only("panel", shown.panel)
+            .over(plane);
+        let number = i64::from(shown.panel);
+        let own: Vec<&Curve> = content.curves.iter().filter(|curve| curve.panel == number).collect();
+        draw_panel(&panel, &own, content, &plane.grazing)?;
+        panel.axes(&plane.across.title, if grid.is_titled(place) { &plane.up.title } else { "" })?;
+        draw_caption(&canvas, &bounds, grid.heading_rise(), caption, split)?;
+    }
+    Ok(canvas)
+}
+
+fn draw_panel(
+    panel: &Panel<'_>,
+    curves: &[&Curve],
+    content: &Content,
+    grazing: &str,
+) -> Result<(), DrawingError> {
+    let mut labels = Labels::new(panel.canvas, panel.bounds);
+    for region in &content.regions {
+        panel.fill(&region.vertices, if region.impacting { MPS_AREA } else { NON_IMPACTING_AREA })?;
+    }
+    let mut drawn: Vec<(Kind, Vec<Spot>)> = Vec::new();
+    for curve in curves {
+        let pen = if curve.approximate { approximation(curve.kind.pen()) } else { curve.kind.pen() };
+        for piece in panel.line(&curve.points, pen)? {
+            if curve.approximate {
+                labels.placer.keep_off_nameless(&piece);
+            } else {
+                labels.placer.keep_off(&piece);
+                drawn.push((curve.kind, piece));
+            }
+        }
+    }
+    for marked in &content.markers {
+        if let Some(taken) = panel.marker(marked.point, marked.marker)? {
+            labels.placer.block(taken.grown(0.5));
+        }
+    }
+    labels.name_curves(drawn, LABELLED_LENGTH, grazing)?;
+    labels.draw()
+}
+
+/// What is written over a panel: its letter, p and n on the first line, and the coefficients.
+struct Caption {
+    first: String,
+    coefficients: Vec<String>,
+}
+
+impl Caption {
+    fn new(panel: &MagnifiedPanel) -> Self {
+        let letter = panel_letter(panel.shown.panel);
+        let Some(Heading { p, n, c_sn, c_pd }) = panel.heading else {
+            return Caption { first: letter, coefficients: Vec::new() };
+        };
+        let n = n.map_or_else(String::new, |n| format!(", $n={n}$"));
+        let known = [("SN", c_sn), ("PD", c_pd)].into_iter().filter(|(_, value)| value.is_finite());
+        let written = |(kind, value)| format!(r"$c_{{\mathrm{{{kind},}}{p}}}={}$", measured(value, DIGITS));
+        Caption { first: format!("{letter}  $p={p}${n}"), coefficients: known.map(written).collect() }
+    }
+
+    /// The coefficients on one line.
+    fn joined(&self) -> String {
+        self.coefficients.join(",  ")
+    }
+
+    fn fits(&self, fonts: &Fonts, room: f64) -> Result<bool, DrawingError> {
+        Ok(fonts.measure(&Label::parse(&self.joined())?, TICK_SIZE)?.width <= room)
+    }
+
+    /// The coefficients on one line or, if they are to be split, on a line each.
+    fn lines(self, split: bool) -> Vec<String> {
+        let joined = self.joined();
+        if split {
+            self.coefficients
+        } else {
+            Some(joined).into_iter().filter(|joined| !joined.is_empty()).collect()
+        }
+    }
+}
+
+/// Draws a caption whose first line has its baseline so many points above the panel.
+fn draw_caption(
+    canvas: &Canvas,
+    bounds: &Bounds,
+    rise: f64,
+    caption: Caption,
+    split: bool,
+) -> Result<(), DrawingError> {
+    let mut baseline = bounds.top - rise;
+    canvas.text((bounds.left, baseline), &caption.first, LABEL_SIZE, Anchor::Start, BLACK)?;
+    baseline += HEADING_LEADING;
+    for line in caption.lines(split) {
+        canvas.text((bounds.left, baseline), &line, TICK_SIZE, Anchor::Start, BLACK)?;
+        baseline += SUBHEADING_LEADING;
+    }
+    Ok(())
+}
+
+fn read_curves(table: Table<'_>, plane: &Plane<'_>) -> Result<Vec<Curve>, DrawingError> {
+    let (panel, arc) = (table.integers("panel")?, table.integers("arc")?);
+    let kinds = table.words("kind", Kind::KNOWN, Kind::parse)?;
+    let approximate = table.words("source", "continuation, quadratic", |word| match word {
+        "continuation" => Some(false),
+        "quadratic" => Some(true),
+        _ => None,
+    })?;
+    let points = plane.points(table)?;
+    let keys: Vec<_> = (0..kinds.len()).map(|i| (panel[i], kinds[i], approximate[i], arc[i])).collect();
+    let mut curves: Vec<Curve> = runs(&keys)
+        .into_iter()
+        .map(|rows| Curve {
+            panel: panel[rows.start],
+            kind: kinds[rows.start],
+            approximate: approximate[rows.start],
+            points: points[rows].to_vec(),
+        })
+        .collect();
+    // The wide grazing curve lies lowest, approximations on top of the curves they approximate.
+    curves.sort_by_key(|curve| (curve.kind != Kind::Graz, curve.approximate));
+    Ok(curves)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample_oscillator::{Affine, SampleOscillator, oscillators};
+
+    const WIDTHS: [SheetWidth; 3] = [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns];
+    const UNIT: Affine = Affine(1.0, 0.0);
+
+    fn sample(count: u32) -> SampleOscillator {
+        SampleOscillator::new(["A", "omega"], UNIT, UNIT, count)
+    }
+
+    #[test]
+    fn no_two_labels_overlap_and_none_leaves_the_sheet_for_any_oscillator_at_any_width() {
+        for sample in oscillators() {
+            for width in WIDTHS {
+                for sheet in compose(&sample.magnifications(), width).unwrap() {
+                    let misplaced = sheet.misplaced_texts();
+                    assert!(misplaced.is_empty(), "{:?} {width:?}: {misplaced:?}", sample.plane);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn equal_input_gives_equal_bytes() {
+        for sample in oscillators() {
+            let svg = || draw_magnifications(&sample.magnifications(), SheetWidth::Paper).unwrap();
+            assert_eq!(svg(), svg());
+        }
+    }
+
+    #[test]
+    fn every_resonance_has_its_panel_on_one_of_the_sheets() {
+        for (count, sheets) in [(0, 0), (1, 1), (5, 1), (9, 1), (20, 3), (30, 4)] {
+            let sample = sample(count);
+            let found = compose(&sample.magnifications(), SheetWidth::TwoColumns).unwrap();
+            assert_eq!(found.len(), sheets);
+            let texts: Vec<String> = found.iter().flat_map(Canvas::texts).collect();
+            for panel in &sample.panels {
+                let heading = panel.heading.unwrap();
+                let letter = panel_letter(panel.shown.panel);
+                let line = format!("{letter}  $p={}$, $n={}$", heading.p, heading.n.unwrap());
+                assert!(texts.contains(&line), "{line}: {texts:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn sheets_are_no_taller_than_a_page_with_its_caption() {
+        for sample in oscillators() {
+            for width in WIDTHS {
+                for sheet in compose(&sample.magnifications(), width).unwrap() {
+                    // A4 less margins of 30 mm above and below, and 30 mm for the caption.
+                    assert!(sheet.height < (297.0 - 90.0) * crate::svg_backend::POINTS_PER_MM);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn one_sheet_of_several_says_which_it_is() {
+        let titles = |count| -> Vec<String> {
+            let svgs = draw_magnifications(&sample(count).magnifications(), SheetWidth::Paper).unwrap();
+            let title =
+                |svg: &String| svg.split("<title>").nth(1)?.split("</title>").next().map(str::to_owned);
+            svgs.iter().filter_map(title).collect()
+        };
+        assert_eq!(titles(2), ["Magnifications"]);
+        assert_eq!(titles(10), ["Magnifications (1 of 2)", "Magnifications (2 of 2)"]);
+    }
+
+    #[test]
+    fn coefficients_of_any_magnitude_find_room_and_missing_ones_are_left_out() {
+        let mut sample = sample(3);
+        for (panel, (c_sn, c_pd)) in
+            sample.panels.iter_mut().zip([(-1.234_56e8, 9.876_54e-5), (f64::NAN, 0.5), (f64::NAN, f64::NAN)])
+        {
+            panel.heading = Some(Heading { p: 12, n: Some(7), c_sn, c_pd });
+        }
+        let sheets = compose(&sample.magnifications(), SheetWidth::Paper).unwrap();
+        assert!(sheets[0].misplaced_texts().is_empty());
+        let texts = sheets[0].texts();
+        let written: Vec<&str> =
+            texts.iter().filter(|text| text.starts_with("$c_")).map(String::as_str).collect();
+        assert_eq!(
+            written,
+            [
+                r"$c_{\mathrm{SN,}12}=−1.235\,\times\,10^{8}$",
+                r"$c_{\mathrm{PD,}12}=9.877\,\times\,10^{-5}$",
+                r"$c_{\mathrm{PD,}12}=0.5000$",
+            ]
+        );
+    }
+
+    #[test]
+    fn axes_that_are_printed_less_a_number_have_titles_of_their_own() {
+        let count = |up| {
+            let sample = SampleOscillator::new(["A", "omega"], UNIT, up, 3);
+            let sheets = compose(&sample.magnifications(), SheetWidth::Paper).unwrap();
+            sheets[0].texts().iter().filter(|text| text.contains(r"\omega")).count()
+        };
+        assert_eq!(count(UNIT), 1);
+        assert_eq!(count(Affine(1e-6, 4321.0)), 3);
+    }
+
+    #[test]
+    fn panels_may_be_without_curves_regions_and_heading() {
+        let mut sample = sample(4);
+        // The first 201 rows are the grazing curve in the first panel.
+        sample.magnified_curves = sample.magnified_curves.head(Some(201));
+        (sample.regions, sample.panels[1].heading) = (None, None);
+        let texts = compose(&sample.magnifications(), SheetWidth::Paper).unwrap()[0].texts();
+        assert!(texts.contains(&"(b)".to_owned()));
+        assert_eq!(texts.iter().filter(|text| text.contains("graz")).count(), 1);
+    }
+
+    #[test]
+    fn missing_columns_are_errors_that_name_the_parameter() {
+        let sample = SampleOscillator::new(["F_0", "Omega"], UNIT, UNIT, 2);
+        for wanted in ["panel", "kind", "source", "arc", "F_0", "Omega"] {
+            let less = sample.magnified_curves.drop(wanted).unwrap();
+            let figure =
+                Magnifications { curves: Table::new("magnified_curves", &less), ..sample.magnifications() };
+            let error = draw_magnifications(&figure, SheetWidth::Paper).unwrap_err();
+            let DrawingError::MissingColumn { frame: "magnified_curves", column, .. } = error else {
+                panic!("{error}")
+            };
+            assert_eq!(column, wanted);
+        }
+    }
+}
