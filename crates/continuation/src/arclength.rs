@@ -43,7 +43,8 @@ pub struct StepControl {
     pub first: f64,
     /// Steps never get longer than this.
     pub longest: f64,
-    /// A step that would have to be shorter than this ends the curve.
+    /// A step that would have to be shorter than this ends the curve; longer than [`newton::STEP_TOLERANCE`], below which the
+    /// corrector cannot judge a step.
     pub shortest: f64,
     /// The tangent turns by about this angle from point to point, in radians.
     pub turn: f64,
@@ -51,7 +52,7 @@ pub struct StepControl {
 
 impl StepControl {
     /// Steps for curves that are drawn: two degrees of turn look smooth at any magnification used (empirical).
-    pub const DRAWING: Self = Self { first: 1e-3, longest: 0.02, shortest: 1e-8, turn: 0.035 };
+    pub const DRAWING: Self = Self { first: 1e-3, longest: 0.02, shortest: 1e-6, turn: 0.035 };
 }
 
 /// A point on the curve.

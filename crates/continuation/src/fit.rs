@@ -35,16 +35,18 @@ pub struct Estimate {
 /// Points per fit. Each halves the impact velocity of the one before.
 const LEVELS: usize = 9;
 
-/// Impact velocity of the first point; small against the velocities (order one) at which the curves end.
-const FIRST_VELOCITY: f64 = 0.04;
+/// Impact velocities of the first point: small against the velocities (order one) at which the curves end, and smaller for forces
+/// that change on shorter scales.
+const FIRST_VELOCITIES: [f64; 6] = [0.04, 0.02, 0.01, 0.005, 0.0025, 0.00125];
 
-/// How often the first impact velocity is halved where the curve does not reach that far.
-const RETREATS: usize = 6;
+/// Extrapolations from which the best one is taken.
+const ATTEMPTS: usize = 3;
 
 /// lim μ/η² along the SN or PD curve as it runs into the resonance.
 ///
 /// The curve's equations are solved at a sequence of impact velocities that fall by halves, μ = primary − primary_graz(η)
-/// and η are read off, and μ/η² is extrapolated to y = 0 by Neville's scheme, whose best entry is kept.
+/// and η are read off, and μ/η² is extrapolated to y = 0 by Neville's scheme, whose best entry is kept. The sequence is begun
+/// at several velocities, and nearer to the resonance where the curve does not reach that far.
 ///
 /// # Errors
 /// A point of the curve or its grazing orbit was not found, even close to the resonance.
@@ -52,14 +54,21 @@ pub fn quadratic_coefficient<O: ImpactOscillator>(
     resonance: &ResonantGrazingPoint<O>,
     condition: Condition,
 ) -> Result<Estimate, FitError> {
-    let mut first = FIRST_VELOCITY;
-    for _ in 0..RETREATS {
-        if let Ok(estimate) = extrapolated_from(resonance, condition, first) {
-            return Ok(estimate);
+    let mut best: Result<Estimate, FitError> = extrapolated_from(resonance, condition, FIRST_VELOCITIES[0]);
+    let mut successes = usize::from(best.is_ok());
+    for first in &FIRST_VELOCITIES[1..] {
+        if successes == ATTEMPTS {
+            break;
         }
-        first *= 0.5;
+        let next = extrapolated_from(resonance, condition, *first);
+        successes += usize::from(next.is_ok());
+        best = match (best, next) {
+            (Ok(best), Ok(next)) => Ok(if next.error < best.error { next } else { best }),
+            (Ok(best), Err(_)) => Ok(best),
+            (Err(_), next) => next,
+        };
     }
-    extrapolated_from(resonance, condition, first)
+    best
 }
 
 /// The coefficient from impact velocities `first`, `first`/2, ….

@@ -228,7 +228,11 @@ fn starting_point<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStati
 fn starting_signs<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStation) -> Option<Signs> {
     let (solution, pair) = equations.equations.solution(&first.point);
     let least = [1.0, -1.0].map(|multiplier| pair.characteristic(multiplier).0.abs());
-    let clear = matches!(equations.condition, Condition::Multiplier(_)) || least[0].min(least[1]) > 1e-9;
+    let clear = match equations.condition {
+        // Where another maximum touches the wall its sign is a toss-up; at y = 0 the loops' maxima all do, and count as touching.
+        Condition::Multiplier(_) => first.point[unknown::VELOCITY] == 0.0 || solution.ceiling().abs() > 1e-8,
+        _ => least[0].min(least[1]) > 1e-9,
+    };
     clear.then(|| signs(equations.condition, &pair, &solution))
 }
 

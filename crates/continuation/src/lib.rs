@@ -12,9 +12,11 @@
 //!        └─ locate, curve    conditions, points, curves with events and named ends
 //!             └─ resonance   resonant grazing points and the curves that leave them in the direction of the theory
 //!                  └─ fit    quadratic coefficients measured on these curves
+//!   mps ─ criticality        normal forms of saddle-node and period-doubling bifurcations, from third derivatives
 //! ```
 
 pub mod arclength;
+pub mod criticality;
 pub mod curve;
 pub mod fit;
 mod follow;

@@ -141,7 +141,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     }
 
     /// The two maps to the plane of constant phase `plane`, which exist at every point.
-    fn fixed_phase_pair<const ORDER: usize>(&self, point: &Unknowns, plane: f64) -> LoopPair {
+    pub(crate) fn fixed_phase_pair<const ORDER: usize>(&self, point: &Unknowns, plane: f64) -> LoopPair {
         let oscillator = self.oscillator_at(point);
         self.fixed_phase_pair_along::<ORDER>(point, plane, &oscillator.motion(self.recoil(point)))
     }

@@ -7,7 +7,7 @@ use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side}
 
 use crate::curve::{Curve, CurveEnd, Event, MpsCurve, Route};
 use crate::locate::{Condition, LocateFailure, locate};
-use crate::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
+use crate::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns, unknown};
 
 /// A resonant grazing point could not be analysed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -25,7 +25,7 @@ pub enum ResonanceError {
     #[error(transparent)]
     Hypotheses(#[from] HypothesesViolated),
     /// The theory gives a direction in which the numerical equations have no curve.
-    #[error("the {curve} curve cannot be started at the resonance: {reason}")]
+    #[error("the {curve} curve cannot be started: {reason}")]
     NotStarted {
         /// Which curve.
         curve: &'static str,
@@ -191,27 +191,41 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
                 other.points.last().is_some_and(|last| same_point(&last.solution.unknowns, &corner))
             };
             if event.condition == Condition::InteriorGrazing && !grazing.iter().any(reached) {
-                grazing.push(self.graze(event, route)?);
+                grazing.push(self.branch_off(event, route)?);
             }
         }
         Ok(UnfoldedResonance { saddle_node, period_doubling, grazing })
     }
 
-    /// Follows the GZ curve from a codimension-two point to the side where the MPS is stable.
-    fn graze(&self, corner: &Event, route: &Route) -> Result<Curve, ResonanceError> {
-        let mut reason = "the solution is stable to neither side".to_owned();
+    /// Follows the other curve of a codimension-two point at which one curve ends: GZ to the side where the MPS is stable, SN and PD
+    /// to the side where it is admissible.
+    ///
+    /// # Errors
+    /// There is no such side, or the curve cannot be started.
+    pub fn branch_off(&self, corner: &Event, route: &Route) -> Result<Curve, ResonanceError> {
+        let condition = corner.condition;
+        let bounds = |solution: &MaximalPeriodicSolution| match condition {
+            Condition::InteriorGrazing => solution.stable(),
+            _ => solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
+        };
+        let mut reason = "it bounds no region of stable solutions to either side".to_owned();
         for sign in [1.0, -1.0] {
-            let curve = MpsCurve { equations: self.equations.clone(), condition: Condition::InteriorGrazing };
+            let curve = MpsCurve { equations: self.equations.clone(), condition };
             let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
             match curve.follow(corner.solution.unknowns, direction, corner.memory.clone(), route) {
-                Ok(curve) if curve.points.get(1).is_some_and(|point| point.solution.stable()) => {
+                Ok(curve) if curve.points.get(1).is_some_and(|point| bounds(&point.solution)) => {
                     return Ok(curve);
                 }
                 Ok(_) => {}
                 Err(stall) => reason = stall.to_string(),
             }
         }
-        Err(ResonanceError::NotStarted { curve: "interior grazing", reason })
+        let curve = match condition {
+            Condition::InteriorGrazing => "interior grazing",
+            Condition::Multiplier(multiplier) if multiplier > 0.0 => "saddle-node",
+            _ => "period-doubling",
+        };
+        Err(ResonanceError::NotStarted { curve, reason })
     }
 }
 

@@ -7,21 +7,10 @@ use crate::clip::Window;
 use crate::frames::{Table, runs};
 use crate::kinds::{Kind, read_regions};
 use crate::labels::{Labels, Wanted};
+use crate::magnified::{Magnified, letter, rectangle};
 use crate::plane::Plane;
 use crate::sheet::{Bounds, Spot, area};
-use crate::style::{
-    BLACK, LABEL_SIZE, MAGNIFIED, MAGNIFIED_TEXT, MPS_AREA, NON_IMPACTING_AREA, SECTION, SMALL_LABEL_SIZE,
-    SheetWidth, TRIANGLE_SIZE,
-};
-
-/// A part of the diagram that a panel of another sheet magnifies.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Magnified {
-    /// Number of that panel, from 1; the letter (a) stands for the first.
-    pub panel: u32,
-    /// What is shown there, in units of the two parameters.
-    pub window: Window,
-}
+use crate::style::{BLACK, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, SECTION, SMALL_LABEL_SIZE, SheetWidth};
 
 /// A line along which another diagram runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,9 +69,7 @@ const MARGINS: Bounds = Bounds { left: 35.0, top: 5.0, right: 8.0, bottom: 30.0 
 /// Curves shorter than this on the sheet (points) stay without a label.
 const LABELLED_LENGTH: f64 = 42.0;
 /// Free space from a resonance to its label, in points: the triangle and its rim, seen along the diagonal.
-const OFF_TRIANGLE: f64 = 5.4;
-/// Rectangles smaller than this (points) hide under the triangle in them.
-const HIDDEN: f64 = 0.5 * TRIANGLE_SIZE;
+pub(crate) const OFF_TRIANGLE: f64 = 5.4;
 
 /// Draws a two-parameter bifurcation diagram; returns the text of an SVG file.
 ///
@@ -178,50 +165,6 @@ fn bounds(canvas: &Canvas, window: &Window, plane: &Plane<'_>) -> Result<Bounds,
     let beyond = overhang(canvas.fonts(), window.x, canvas.width - left - MARGINS.right)?;
     let right = canvas.width - MARGINS.right.max(beyond + 2.0);
     Ok(Bounds { left, top, right, bottom })
-}
-
-/// The letter by which the figures name a panel: (a) for the first, (aa) for the 27th.
-pub(crate) fn panel_letter(number: u32) -> String {
-    let mut letters = String::new();
-    let mut rest = number;
-    while let Some(before) = rest.checked_sub(1) {
-        letters.insert(0, char::from(b'a' + (before % 26) as u8));
-        rest = before / 26;
-    }
-    format!("({letters})")
-}
-
-/// Draws a rectangle; returns where it is seen, if it is.
-fn rectangle(
-    panel: &Panel<'_>,
-    window: &Window,
-    labels: &mut Labels<'_>,
-) -> Result<Option<Bounds>, DrawingError> {
-    let [[left, right], [low, high]] = [window.x, window.y];
-    let corners = [(left, low), (right, low), (right, high), (left, high), (left, low)];
-    for piece in panel.line(&corners, MAGNIFIED)? {
-        labels.placer.keep_off(&piece);
-    }
-    let (a, b) = (panel.spot((left, high)), panel.spot((right, low)));
-    let Bounds { left, top, right, bottom } = panel.bounds;
-    let outline =
-        Bounds { left: a.0.max(left), top: a.1.max(top), right: b.0.min(right), bottom: b.1.min(bottom) };
-    Ok((outline.left <= outline.right && outline.top <= outline.bottom).then_some(outline))
-}
-
-/// Names a rectangle: around its middle or, a small one among many curves, at the first corner where there is room.
-fn letter(labels: &mut Labels<'_>, number: u32, outline: &Bounds) -> Result<(), DrawingError> {
-    let Bounds { left, top, right, bottom } = *outline;
-    let reach = 0.5 * (right - left).min(bottom - top);
-    let clearance = if 2.0 * reach < HIDDEN { OFF_TRIANGLE } else { reach + 1.0 };
-    let corners = [(left, bottom), (left, top), (right, top), (right, bottom)].map(|corner| (corner, 1.0));
-    let letter = panel_letter(number);
-    for (spot, clearance) in [(outline.centre(), clearance)].into_iter().chain(corners) {
-        if labels.add(&letter, SMALL_LABEL_SIZE, MAGNIFIED_TEXT, &Wanted::Around(spot, clearance))? {
-            break;
-        }
-    }
-    Ok(())
 }
 
 /// Largest first; equal areas keep their order.
@@ -410,16 +353,25 @@ mod tests {
     }
 
     #[test]
+    fn rectangles_smaller_than_the_triangle_leave_it_visible_and_keep_their_letters() {
+        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
+        let rectangles = |sample: &SampleOscillator| {
+            let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
+            crate::inspection::paths(&svg, "#f08200").len()
+        };
+        assert_eq!(rectangles(&sample), 3);
+        let Window { x: [left, _], y: [low, _] } = sample.magnified[1].window;
+        // A thousandth of the range is a third of a point.
+        sample.magnified[1].window = Window { x: [left, left + 0.001], y: [low, low + 0.001] };
+        assert_eq!(rectangles(&sample), 2);
+        assert!(texts(&sample).contains(&"(b)".to_owned()));
+    }
+
+    #[test]
     fn an_empty_rectangle_is_an_error_that_names_the_diagram() {
         let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 2);
         sample.magnified[1].window.y = [0.5, 0.5];
         let error = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap_err();
         assert!(error.to_string().contains("a rectangle of diagram"), "{error}");
-    }
-
-    #[test]
-    fn panels_have_letters_beyond_z() {
-        let letters = [1, 3, 26, 27, 52, 53, 703].map(panel_letter);
-        assert_eq!(letters, ["(a)", "(c)", "(z)", "(aa)", "(az)", "(ba)", "(aaa)"]);
     }
 }

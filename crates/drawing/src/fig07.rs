@@ -4,8 +4,9 @@ use polars::prelude::DataFrame;
 
 use crate::DrawingError;
 use crate::clip::Window;
-use crate::diagram::{Diagram, Magnified, Section, draw_diagram};
+use crate::diagram::{Diagram, Section, draw_diagram};
 use crate::frames::Table;
+use crate::magnified::Magnified;
 use crate::plane::{Axis, Plane};
 use crate::style::SheetWidth;
 

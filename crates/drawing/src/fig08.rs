@@ -3,10 +3,11 @@
 use polars::prelude::DataFrame;
 
 use crate::DrawingError;
-use crate::diagram::Magnified;
+use crate::captions::Heading;
 use crate::fig07::forcing_plane;
 use crate::frames::Table;
-use crate::magnifications::{Heading, Magnifications, MagnifiedPanel, draw_magnifications};
+use crate::magnifications::{Magnifications, MagnifiedPanel, draw_magnifications};
+use crate::magnified::Magnified;
 use crate::plane::Plane;
 use crate::style::SheetWidth;
 

@@ -5,18 +5,17 @@ use std::ops::Range;
 use crate::DrawingError;
 use crate::axes::Panel;
 use crate::canvas::Canvas;
-use crate::diagram::{Magnified, MarkedPoint, panel_letter, read_points};
+use crate::captions::{Caption, Heading};
+use crate::diagram::{MarkedPoint, read_points};
 use crate::font::Fonts;
 use crate::frames::{Table, runs};
 use crate::kinds::{Kind, Region, read_regions};
 use crate::labels::Labels;
-use crate::markup::Label;
-use crate::panel_grid::{Grid, HEADING_LEADING, SUBHEADING_LEADING};
+use crate::magnified::Magnified;
+use crate::panel_grid::Grid;
 use crate::plane::Plane;
-use crate::sheet::{Bounds, Spot};
-use crate::style::{BLACK, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, SheetWidth, TICK_SIZE, approximation};
-use crate::svg_backend::Anchor;
-use crate::ticks::measured;
+use crate::sheet::Spot;
+use crate::style::{MPS_AREA, NON_IMPACTING_AREA, SheetWidth, approximation};
 
 /// Magnifications about resonances.
 ///
@@ -51,19 +50,6 @@ pub struct MagnifiedPanel {
     pub heading: Option<Heading>,
 }
 
-/// The resonance about which a panel is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Heading {
-    /// Number of loops p.
-    pub p: i64,
-    /// The integer n of the resonance, if it is to be written.
-    pub n: Option<i64>,
-    /// The coefficient c_SN, in units of the primary parameter over the square of the secondary one; NaN is left out.
-    pub c_sn: f64,
-    /// The coefficient c_PD, likewise.
-    pub c_pd: f64,
-}
-
 struct Curve {
     panel: i64,
     kind: Kind,
@@ -73,9 +59,6 @@ struct Curve {
 
 /// Curves shorter than this on the sheet (points) stay without a label.
 const LABELLED_LENGTH: f64 = 24.0;
-/// Significant digits of coefficients.
-const DIGITS: usize = 4;
-
 /// Draws magnifications; returns the texts of SVG files.
 ///
 /// Panels stand three in a row, on narrow sheets one above the other, three rows on a sheet: as many sheets are drawn as
@@ -125,7 +108,8 @@ fn draw_sheet(
     let Magnifications { plane, panels: all, .. } = figure;
     let (panels, fonts) = (&all[panels], Fonts::load()?);
     let windows: Vec<_> = panels.iter().map(|panel| panel.shown.window).collect();
-    let captions: Vec<Caption> = panels.iter().map(Caption::new).collect();
+    let captions: Vec<Caption> =
+        panels.iter().map(|panel| Caption::new(panel.shown.panel, panel.heading)).collect();
     let mut grid = Grid::new(&fonts, width, all.len(), &windows, &plane.up.title)?;
     // All captions of a sheet are alike: if one needs two lines for its coefficients, each has two.
     let mut split = false;
@@ -146,7 +130,7 @@ fn draw_sheet(
         let own: Vec<&Curve> = content.curves.iter().filter(|curve| curve.panel == number).collect();
         draw_panel(&panel, &own, content, &plane.grazing)?;
         panel.axes(&plane.across.title, if grid.is_titled(place) { &plane.up.title } else { "" })?;
-        draw_caption(&canvas, &bounds, grid.heading_rise(), caption, split)?;
+        caption.draw(&canvas, &bounds, grid.heading_rise(), split)?;
     }
     Ok(canvas)
 }
@@ -182,62 +166,6 @@ fn draw_panel(
     labels.draw()
 }
 
-/// What is written over a panel: its letter, p and n on the first line, and the coefficients.
-struct Caption {
-    first: String,
-    coefficients: Vec<String>,
-}
-
-impl Caption {
-    fn new(panel: &MagnifiedPanel) -> Self {
-        let letter = panel_letter(panel.shown.panel);
-        let Some(Heading { p, n, c_sn, c_pd }) = panel.heading else {
-            return Caption { first: letter, coefficients: Vec::new() };
-        };
-        let n = n.map_or_else(String::new, |n| format!(", $n={n}$"));
-        let known = [("SN", c_sn), ("PD", c_pd)].into_iter().filter(|(_, value)| value.is_finite());
-        let written = |(kind, value)| format!(r"$c_{{\mathrm{{{kind},}}{p}}}={}$", measured(value, DIGITS));
-        Caption { first: format!("{letter}  $p={p}${n}"), coefficients: known.map(written).collect() }
-    }
-
-    /// The coefficients on one line.
-    fn joined(&self) -> String {
-        self.coefficients.join(",  ")
-    }
-
-    fn fits(&self, fonts: &Fonts, room: f64) -> Result<bool, DrawingError> {
-        Ok(fonts.measure(&Label::parse(&self.joined())?, TICK_SIZE)?.width <= room)
-    }
-
-    /// The coefficients on one line or, if they are to be split, on a line each.
-    fn lines(self, split: bool) -> Vec<String> {
-        let joined = self.joined();
-        if split {
-            self.coefficients
-        } else {
-            Some(joined).into_iter().filter(|joined| !joined.is_empty()).collect()
-        }
-    }
-}
-
-/// Draws a caption whose first line has its baseline so many points above the panel.
-fn draw_caption(
-    canvas: &Canvas,
-    bounds: &Bounds,
-    rise: f64,
-    caption: Caption,
-    split: bool,
-) -> Result<(), DrawingError> {
-    let mut baseline = bounds.top - rise;
-    canvas.text((bounds.left, baseline), &caption.first, LABEL_SIZE, Anchor::Start, BLACK)?;
-    baseline += HEADING_LEADING;
-    for line in caption.lines(split) {
-        canvas.text((bounds.left, baseline), &line, TICK_SIZE, Anchor::Start, BLACK)?;
-        baseline += SUBHEADING_LEADING;
-    }
-    Ok(())
-}
-
 fn read_curves(table: Table<'_>, plane: &Plane<'_>) -> Result<Vec<Curve>, DrawingError> {
     let (panel, arc) = (table.integers("panel")?, table.integers("arc")?);
     let kinds = table.words("kind", Kind::KNOWN, Kind::parse)?;
@@ -265,6 +193,7 @@ fn read_curves(table: Table<'_>, plane: &Plane<'_>) -> Result<Vec<Curve>, Drawin
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::magnified::panel_letter;
     use crate::sample_oscillator::{Affine, SampleOscillator, oscillators};
 
     const WIDTHS: [SheetWidth; 3] = [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns];

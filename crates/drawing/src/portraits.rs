@@ -4,8 +4,8 @@ use crate::DrawingError;
 use crate::axes::Panel;
 use crate::canvas::{Canvas, Ink};
 use crate::clip::Window;
-use crate::diagram::panel_letter;
 use crate::frames::{Table, runs};
+use crate::magnified::panel_letter;
 use crate::sheet::Bounds;
 use crate::style::{
     ATTRACTOR_ORBIT, BLACK, IMPACT, PERIODIC_ORBIT, TICK_SIZE, WALL, WALL_FACE, WALL_HATCHING, branch_pen,

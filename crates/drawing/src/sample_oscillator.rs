@@ -2,10 +2,12 @@
 
 use polars::prelude::DataFrame;
 
+use crate::captions::Heading;
 use crate::clip::Window;
-use crate::diagram::{Diagram, Magnified, Section};
+use crate::diagram::{Diagram, Section};
 use crate::frames::Table;
-use crate::magnifications::{Heading, Magnifications, MagnifiedPanel};
+use crate::magnifications::{Magnifications, MagnifiedPanel};
+use crate::magnified::Magnified;
 use crate::plane::Plane;
 use crate::samples::{Resonance, curve_table, curves, graz, magnified_table, point_table, region_table};
 

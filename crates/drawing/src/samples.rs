@@ -3,7 +3,8 @@
 use polars::prelude::{CsvReader, DataFrame, SerReader, df};
 
 use crate::clip::Window;
-use crate::diagram::{Magnified, Section};
+use crate::diagram::Section;
+use crate::magnified::Magnified;
 
 pub(crate) const WINDOW: Window = Window { x: [0.0, 1.2], y: [0.3, 1.0] };
 

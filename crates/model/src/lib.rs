@@ -4,7 +4,7 @@
 //! is the [`LinearOscillator`] (section 3, eq:oscf, eq:oscResetLaw), whose flow is known in closed form; any
 //! other is given by its force and reset law ([`smooth`]), and its flow is integrated. The maps of
 //! sections 2 and 4 stand in [`maps`], the search for maxima and impacts in [`motion`], and orbits with impacts in
-//! [`orbit`].
+//! [`orbit`]; third derivatives, for the criticality of bifurcations, come with [`ThirdOrder`].
 //!
 //! All quantities are dimensionless. Nothing here reads, writes or prints; all transcendental functions come from `libm`,
 //! so that the same input gives the same bits on every machine.
@@ -16,7 +16,9 @@ pub mod motion;
 pub mod orbit;
 mod oscillator;
 pub mod smooth;
+mod third_order;
 
 pub use jet::{FlowJet, MapJet, ParameterJet, flow_variable};
 pub use linear::{LinearMotion, LinearOscillator, OscillatorError};
 pub use oscillator::{ImpactOscillator, State};
+pub use third_order::ThirdOrder;

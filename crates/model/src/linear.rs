@@ -2,6 +2,7 @@
 
 mod flow;
 mod motion;
+mod series;
 
 pub use motion::LinearMotion;
 

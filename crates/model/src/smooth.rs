@@ -30,6 +30,8 @@ mod motion;
 mod scalar;
 mod series;
 mod tableau;
+mod taylor;
+mod third_order;
 
 use nalgebra::{Matrix2, Matrix4, RowVector4, Vector2};
 
@@ -39,6 +41,7 @@ use integrator::Node;
 use jet::{FIRST, Jet, SECOND};
 pub use motion::IntegratedMotion;
 pub use scalar::{Function, Scalar};
+pub use taylor::Taylor;
 
 /// The variables of jets, by number.
 ///

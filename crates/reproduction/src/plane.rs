@@ -207,7 +207,7 @@ pub fn points<O: ImpactOscillator>(
         columns.push(row!["resonance", resonance.loops, resonance.n, secondary, primary]);
     }
     for corner in &diagram.corners {
-        let [_, _, primary, secondary] = corner.unknowns.into();
+        let [_, _, primary, secondary] = corner.unknowns().into();
         columns.push(row![corner.kind, corner.loops, corner.n, secondary, primary]);
     }
     Ok(columns.finish(name)?)

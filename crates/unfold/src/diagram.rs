@@ -1,7 +1,7 @@
 //! The two-parameter diagram: grazing curves, resonances, the curves that leave them, and codimension-two points.
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, CurveEnd, Route, Window};
+use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, Window};
 use grazing_continuation::fit::{Estimate, FitError, quadratic_coefficient};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::Unknowns;
@@ -76,7 +76,7 @@ impl DiagramCurve {
 }
 
 /// A codimension-two point other than a resonance.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Corner {
     /// The two bifurcations that meet there: SN-GZ, PD-GZ or GZ-GZ.
     pub kind: &'static str,
@@ -84,8 +84,15 @@ pub struct Corner {
     pub loops: u32,
     /// The integer n of the resonance from which it was reached.
     pub n: u32,
+    /// The event that ended the curve on which it was reached.
+    pub event: Event,
+}
+
+impl Corner {
     /// (y, z, μ, η).
-    pub unknowns: Unknowns,
+    pub fn unknowns(&self) -> Unknowns {
+        self.event.solution.unknowns
+    }
 }
 
 /// A resonance whose curves could not be followed.
@@ -186,7 +193,32 @@ impl<O: ImpactOscillator> Diagram<O> {
                 Err(reason) => self.not_unfolded.push(NotUnfolded { loops, n, reason }),
             }
         }
+        self.grow();
         self
+    }
+
+    /// Follows what is missing of the two curves that meet at each codimension-two point, and so on from where that ends.
+    fn grow(&mut self) {
+        let route = route(self.scope.window, StepControl::DRAWING);
+        let mut next = 0;
+        while let Some(Corner { loops, n, event, .. }) = self.corners.get(next).cloned() {
+            next += 1;
+            let Some(kind) = Kind::of(event.condition) else { continue };
+            let corner = event.solution.unknowns;
+            let known = self.curves.iter().any(|curve| {
+                curve.kind == kind
+                    && curve.loops == loops
+                    && curve.ends().iter().any(|end| same_point(end, &corner))
+            });
+            let point = self.unfolding().find(|(resonance, _)| resonance.loops == loops && resonance.n == n);
+            // A curve that bounds no region of stable solutions there is not part of the diagram.
+            if let Some((_, point)) = point
+                && !known
+                && let Ok(curve) = point.branch_off(&event, &route)
+            {
+                self.add(DiagramCurve { kind, loops, n, curve });
+            }
+        }
     }
 
     /// The resonances at which a theorem holds, with their places in the list of all.
@@ -237,8 +269,8 @@ impl<O: ImpactOscillator> Diagram<O> {
                 _ => "GZ-GZ",
             };
             let unknowns = event.solution.unknowns;
-            if !self.corners.iter().any(|corner| same_point(&corner.unknowns, &unknowns)) {
-                self.corners.push(Corner { kind, loops: new.loops, n: new.n, unknowns });
+            if !self.corners.iter().any(|corner| same_point(&corner.unknowns(), &unknowns)) {
+                self.corners.push(Corner { kind, loops: new.loops, n: new.n, event: event.clone() });
             }
         }
         self.curves.push(new);

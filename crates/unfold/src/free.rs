@@ -45,17 +45,19 @@ pub struct Height {
 }
 
 /// Where the search begins: shares of the range of μ, and positions at rest.
-const SHARES: [f64; 3] = [0.0, 1.0, 0.5];
+const SHARES: [f64; 3] = [0.0, 1.0, LAST_RESORT];
+/// The share from which a search begins if there is nothing at the ends.
+const LAST_RESORT: f64 = 0.5;
 const POSITIONS: [f64; 3] = [-1.0, 0.0, -0.25];
 
-/// Forcing periods after which motion that still changes counts as not relaxing: ten time constants at a damping of 10⁻³.
-const LONGEST_RELAXATION: usize = 2000;
+/// Forcing periods for which motion is left to relax; Newton's method starts from wherever it is then.
+const LONGEST_RELAXATION: usize = 200;
 /// Newton's method takes over when a period changes the state by less than this.
 const RELAXED: f64 = 1e-3;
 /// Motion this far away, the wall's distance from rest being of order one, has run away.
 const FAR: f64 = 1e6;
 /// Steps in (x, y, share of the range of μ) that do not jump over the highest point's changes (empirical).
-const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.04, shortest: 1e-8, turn: 0.1 };
+const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.2 };
 /// A branch of this many points goes nowhere.
 const STEP_LIMIT: usize = 4000;
 
@@ -63,16 +65,20 @@ const STEP_LIMIT: usize = 4000;
 pub fn survey<O: ImpactOscillator>(oscillator: &O, scope: &Scope, secondary: f64) -> Survey<O> {
     let orbits = FreeOrbits { oscillator, scope, secondary };
     let mut survey = Survey { grazing: Vec::new(), extremes: None, pushed: Vec::new(), ran_away: None };
+    // Orbits at the ends of the range that have been followed, or come to.
+    let mut known: Vec<Vector3<f64>> = Vec::new();
     for share in SHARES {
-        let mut begun: Vec<Vector3<f64>> = Vec::new();
+        if share == LAST_RESORT && !known.is_empty() {
+            break;
+        }
         let usual = POSITIONS.map(|position| [position, 0.0]);
         for start in scope.start.into_iter().chain(usual) {
             match orbits.relaxed(share, Vector2::from(start)) {
-                Ok(Some(orbit)) if begun.iter().all(|other| (other - orbit).norm() > SAME) => {
-                    begun.push(orbit);
+                Ok(Some(orbit)) if known.iter().all(|other| (other - orbit).norm() > SAME) => {
+                    known.push(orbit);
                     let up = Vector3::new(0.0, 0.0, 1.0);
                     for direction in [up, -up] {
-                        orbits.follow(orbit, direction, &mut survey);
+                        known.extend(orbits.follow(orbit, direction, &mut survey));
                     }
                 }
                 Ok(_) => {}
@@ -154,7 +160,12 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
                 break;
             }
         }
-        let solution = newton::solve(state, 20, |state| {
+        Ok(self.at(share, state))
+    }
+
+    /// The periodic orbit near a state at a share of the range of μ.
+    fn at(&self, share: f64, near: Vector2<f64>) -> Option<Vector3<f64>> {
+        let solution = newton::solve(near, 20, |state| {
             let system = self.evaluate(&Vector3::new(state[0], state[1], share), &mut ())?;
             let jacobian: Matrix2<f64> = system.jacobian.fixed_view::<2, 2>(0, 0).into_owned();
             Ok::<_, RunsAway>(Linearisation {
@@ -162,26 +173,35 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
                 jacobian,
             })
         });
-        Ok(solution.ok().map(|solution| Vector3::new(solution.point[0], solution.point[1], share)))
+        solution.ok().map(|solution| Vector3::new(solution.point[0], solution.point[1], share))
     }
 
-    /// Follows an orbit through the range of μ and adds what is seen to the survey.
-    fn follow(&self, start: Vector3<f64>, direction: Vector3<f64>, survey: &mut Survey<O>) {
-        let Ok(mut walker) = Continuation::new(self, STEPS, start, direction, ()) else { return };
+    /// Follows an orbit through the range of μ and adds what is seen to the survey; the orbit at the end of the range.
+    fn follow(
+        &self,
+        start: Vector3<f64>,
+        direction: Vector3<f64>,
+        survey: &mut Survey<O>,
+    ) -> Option<Vector3<f64>> {
+        let mut walker = Continuation::new(self, STEPS, start, direction, ()).ok()?;
         let mut before = (start, self.highest(&start));
         survey.note(before.1.0);
         for _ in 0..STEP_LIMIT {
-            let Ok(station) = walker.advance() else { return };
+            let station = walker.advance().ok()?;
             let after = (station.point, self.highest(&station.point));
             if before.1.0.position.is_sign_negative() != after.1.0.position.is_sign_negative() {
                 self.touch(before, after, survey);
             }
             if !(0.0..=1.0).contains(&after.0[2]) {
-                return;
+                let edge = after.0[2].clamp(0.0, 1.0);
+                let way = (edge - before.0[2]) / (after.0[2] - before.0[2]);
+                let near = before.0 + (after.0 - before.0) * way;
+                return self.at(edge, near.fixed_rows::<2>(0).into_owned());
             }
             survey.note(after.1.0);
             before = after;
         }
+        None
     }
 
     /// The highest point of an orbit, and its phase.

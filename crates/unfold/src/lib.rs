@@ -12,6 +12,51 @@
 //!
 //! Everything is written against [`ImpactOscillator`](grazing_model::ImpactOscillator): the paper's oscillator with its closed
 //! form and one that is integrated from a text file differ in their flow alone.
+//!
+//! An oscillator of your own is its force, frequency and reset law:
+//!
+//! ```
+//! use grazing_continuation::curve::Window;
+//! use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
+//! use grazing_unfold::{Diagram, Scope, progress::Silent};
+//!
+//! /// A pendulum at rest beside a wall, its point of suspension forced to and fro.
+//! #[derive(Clone)]
+//! struct Pendulum {
+//!     damping: f64,
+//! }
+//!
+//! impl SmoothOscillator for Pendulum {
+//!     fn force<S: Scalar>(&self, x: S, y: S, t: S, amplitude: S, omega: S) -> S {
+//!         let angle = x + S::constant(0.5);
+//!         amplitude * (omega * t).apply(Function::Cos) - y.scale(self.damping) - angle.apply(Function::Sin)
+//!     }
+//!
+//!     fn forcing_frequency<S: Scalar>(&self, _: S, omega: S) -> S {
+//!         omega
+//!     }
+//!
+//!     fn restitution<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+//!         S::constant(0.8)
+//!     }
+//!
+//!     fn impact_duration<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+//!         S::constant(0.0)
+//!     }
+//! }
+//!
+//! let window = Window { primary: [0.0, 0.4], secondary: [0.62, 0.67] };
+//! let scope = Scope { window, loops: vec![1], start: None };
+//! let pendulum = Integrated::new(Pendulum { damping: 0.05 }, [0.0, 0.6]);
+//! let diagram = Diagram::compute(&pendulum, &scope, &Silent)?;
+//! for (resonance, point) in diagram.unfolding() {
+//!     // Three half-swings in a forcing period; the saddle-node curve bends to greater amplitudes.
+//!     assert_eq!((resonance.loops, resonance.n), (1, 3));
+//!     assert!(point.theorem().saddle_node().coefficient > 0.0);
+//! }
+//! assert_eq!(diagram.unfolding().count(), 1);
+//! # Ok::<(), grazing_unfold::UnfoldError>(())
+//! ```
 
 pub mod diagram;
 mod error;

@@ -8,7 +8,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::diagram::{Diagram, Kind, route};
-use crate::grazing::GrazingCurve;
+use crate::grazing::{GrazingCurve, between};
 use crate::resonances::Resonance;
 
 /// What a polyline shows.
@@ -49,7 +49,7 @@ impl Polyline {
 }
 
 /// Short steps, for curves seen at thirty times the scale of the diagram.
-const MAGNIFIED: StepControl = StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-9, turn: 0.02 };
+const MAGNIFIED: StepControl = StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-6, turn: 0.02 };
 
 /// Samples of a quadratic approximation from the resonance to the edge of the window, and of the grazing curve across it.
 const SAMPLES: u32 = 100;
@@ -107,18 +107,13 @@ fn close_to<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Vec
         if a[1].max(b[1]) < low || a[1].min(b[1]) > high {
             continue;
         }
-        let parts = libm::ceil((b[1] - a[1]).abs() / spacing).clamp(1.0, f64::from(SAMPLES)) as u32;
+        let ends = [a[1].clamp(low, high), b[1].clamp(low, high)];
+        let parts = libm::ceil((ends[1] - ends[0]).abs() / spacing).clamp(1.0, f64::from(SAMPLES)) as u32;
         for part in 0..=parts {
-            let way = f64::from(part) / f64::from(parts);
-            let between = |values: [f64; 2]| values[0] + (values[1] - values[0]) * way;
-            let near =
-                pair[0].orbit.oscillator().with_parameters([between([a[0], b[0]]), between([a[1], b[1]])]);
-            let phase = between([pair[0].orbit.phase(), pair[1].orbit.phase()]);
-            let Ok(orbit) = GrazingOrbit::find(&near, phase) else { continue };
-            let [primary, secondary] = orbit.oscillator().parameters();
-            if low <= secondary && secondary <= high && points.last() != Some(&[primary, secondary]) {
-                points.push([primary, secondary]);
-            }
+            let share = f64::from(part) / f64::from(parts);
+            let secondary = ends[0] * (1.0 - share) + ends[1] * share;
+            let point = between(pair, secondary).map(|orbit| orbit.oscillator().parameters());
+            points.extend(point.filter(|point| points.last() != Some(point)));
         }
     }
     points
@@ -152,7 +147,7 @@ fn quadratic<O: ImpactOscillator>(
 
 /// A window about a resonance in which the curves and their approximations can be told apart and compared.
 ///
-/// Its half-height in η is where the terms beyond the quadratic one are some fifth of it on the more faithful curve, but not
+/// Its half-height in η is where the terms beyond the quadratic one are some fifth of it, but not
 /// more than half the way to the next resonance of the same p; across it holds all that is drawn, with a margin.
 pub fn window_about<O: ImpactOscillator>(
     diagram: &Diagram<O>,
@@ -175,9 +170,11 @@ pub fn window_about<O: ImpactOscillator>(
             (curve.loops, curve.n) == (resonance.loops, resonance.n) && curve.kind != Kind::Grazing
         })
         .collect();
-    // The more faithful curve counts: beside a steep one nothing could be seen of the other.
     let faithful = own.iter().map(|curve| faithful(point, curve.kind, &curve.curve.parameters()));
-    reach = reach.min(1.2 * faithful.fold(0.0, f64::max));
+    let [least, most] = faithful
+        .fold([f64::INFINITY, 0.0], |[least, most], reach| [f64::min(least, reach), f64::max(most, reach)]);
+    // Beside a much steeper curve nothing could be seen of the other.
+    reach = reach.min(1.2 * if least > 0.1 * most { least } else { most });
     let secondary = [(origin - reach).max(whole.secondary[0]), (origin + reach).min(whole.secondary[1])];
     let shown = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], secondary };
     let mut extent = [f64::INFINITY, f64::NEG_INFINITY];
@@ -187,7 +184,8 @@ pub fn window_about<O: ImpactOscillator>(
         extent = [extent[0].min(primary), extent[1].max(primary)];
     }
     let margin = 0.05 * (extent[1] - extent[0]);
-    Window { primary: [extent[0] - margin, extent[1] + margin], secondary }
+    let [least, most] = whole.primary;
+    Window { primary: [(extent[0] - margin).max(least), (extent[1] + margin).min(most)], secondary }
 }
 
 /// How far from the resonance in η a curve stays within a fifth of its quadratic approximation, or how far it goes.

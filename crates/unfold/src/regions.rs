@@ -69,11 +69,11 @@ fn stable_mps<O: ImpactOscillator>(diagram: &Diagram<O>) -> Vec<Polygon> {
     polygons
 }
 
-/// At the resonance where a curve begins the MPSs exist on the side of greater μ (beta > 0).
+/// Beside the saddle-node curve MPSs exist on the side of greater μ: on the branch μ = k₂ y² + k₃ η y it is a minimum.
 fn exists_at_greater_primary<O: ImpactOscillator>(diagram: &Diagram<O>, curve: &DiagramCurve) -> bool {
     let own =
         diagram.unfolding().find(|(resonance, _)| resonance.loops == curve.loops && resonance.n == curve.n);
-    own.is_none_or(|(_, point)| point.resonant_point().grazing.map.transversality() > 0.0)
+    own.is_none_or(|(_, point)| point.theorem().branch().k_2 > 0.0)
 }
 
 /// A chain of curves that is being followed.
@@ -90,79 +90,85 @@ const MEET: f64 = 1e-7;
 impl Chain<'_> {
     /// Walks from the far end of an SN curve back to its resonance and on, until the chain closes; false if it does not.
     ///
-    /// `greater` says whether the MPS exists on the side of greater μ at the resonance.
+    /// `greater` says whether the MPS exists on the side of greater μ of the curve.
     fn close(&mut self, first: usize, greater: bool) -> bool {
         let mut points = self.curves[first].curve.parameters();
         points.reverse();
         let start = points[0];
-        // The side of greater μ lies to the right of a walk towards greater η, and to the left otherwise.
-        let clockwise = (points[points.len() - 1][1] > start[1]) == greater;
-        let leaves = matches!(self.curves[first].curve.end, CurveEnd::LeftWindow);
+        // Where the walk comes to the resonance, along the grazing curve, the side of greater μ lies to its right if η grows.
+        let clockwise = match points.as_slice() {
+            [.., before, resonance] => (resonance[1] > before[1]) == greater,
+            _ => return false,
+        };
         self.vertices = points;
-        loop {
-            let here = self.vertices[self.vertices.len() - 1];
-            if let Some(mut next) = self.curve_at(here) {
-                self.vertices.append(&mut next);
-            } else if self.edge.meets(here) {
-                let Some(mut next) = self.along_edge(here, start, leaves, clockwise) else {
-                    return false;
-                };
-                self.vertices.append(&mut next);
-            } else {
-                return false;
-            }
-            let here = self.vertices[self.vertices.len() - 1];
-            if distance(here, start) < MEET {
-                return true;
-            }
-        }
+        self.extend(start, clockwise)
     }
 
-    /// The points of a curve of the same MPS that has an end here and is not taken yet, from this end on.
-    fn curve_at(&mut self, here: [f64; 2]) -> Option<Vec<[f64; 2]>> {
-        let loops = self.curves[self.taken[0]].loops;
-        for (index, curve) in self.curves.iter().enumerate() {
-            if curve.loops != loops || self.taken.contains(&index) {
-                continue;
+    /// Goes on from the last vertex to `start`, along curves that meet there or along the edge to the next curve that leads on.
+    fn extend(&mut self, start: [f64; 2], clockwise: bool) -> bool {
+        let here = self.vertices[self.vertices.len() - 1];
+        if distance(here, start) < MEET {
+            return true;
+        }
+        let ways = match self.curve_at(here) {
+            Some((index, points)) => vec![(Some(index), points)],
+            None if self.edge.meets(here) => self.along_edge(here, start, clockwise),
+            None => Vec::new(),
+        };
+        ways.into_iter().any(|(index, mut points)| {
+            let length = self.vertices.len();
+            self.vertices.append(&mut points);
+            self.taken.extend(index);
+            let closed = self.extend(start, clockwise);
+            if !closed {
+                self.vertices.truncate(length);
+                self.taken.truncate(self.taken.len() - usize::from(index.is_some()));
             }
+            closed
+        })
+    }
+
+    /// A curve of the same MPS that has an end here and is not taken yet, with its points from this end on.
+    fn curve_at(&self, here: [f64; 2]) -> Option<(usize, Vec<[f64; 2]>)> {
+        self.untaken().find_map(|(index, curve)| {
             let mut points = curve.curve.parameters();
             if distance(points[points.len() - 1], here) < MEET {
                 points.reverse();
             }
-            if distance(points[0], here) < MEET {
-                self.taken.push(index);
-                return Some(points);
-            }
-        }
-        None
+            (distance(points[0], here) < MEET).then_some((index, points))
+        })
     }
 
-    /// Along the edge to the nearest other end on it: the corners passed, and that end.
+    fn untaken(&self) -> impl Iterator<Item = (usize, &DiagramCurve)> {
+        let loops = self.curves[self.taken[0]].loops;
+        let curves = self.curves.iter().enumerate();
+        curves.filter(move |(index, curve)| curve.loops == loops && !self.taken.contains(index))
+    }
+
+    /// Ways along the edge to other ends on it, the nearest first: the corners passed, and that end.
     fn along_edge(
         &self,
         here: [f64; 2],
         start: [f64; 2],
-        back_to_start: bool,
         clockwise: bool,
-    ) -> Option<Vec<[f64; 2]>> {
-        let loops = self.curves[self.taken[0]].loops;
-        let mut targets: Vec<[f64; 2]> = Vec::new();
-        for (index, curve) in self.curves.iter().enumerate() {
-            if curve.loops == loops
-                && !self.taken.contains(&index)
-                && matches!(curve.curve.end, CurveEnd::LeftWindow)
-            {
-                targets.extend(curve.curve.parameters().last());
-            }
-        }
-        if back_to_start {
+    ) -> Vec<(Option<usize>, Vec<[f64; 2]>)> {
+        let leaves = |curve: &DiagramCurve| matches!(curve.curve.end, CurveEnd::LeftWindow);
+        let mut targets: Vec<[f64; 2]> = self
+            .untaken()
+            .filter(|(_, curve)| leaves(curve))
+            .filter_map(|(_, curve)| curve.curve.parameters().last().copied())
+            .collect();
+        if leaves(&self.curves[self.taken[0]]) {
             targets.push(start);
         }
         let ahead = |point: &[f64; 2]| self.edge.way([here, *point], clockwise);
-        let target = targets.into_iter().min_by(|a, b| ahead(a).total_cmp(&ahead(b)))?;
-        let mut path = self.edge.corners([here, target], clockwise);
-        path.push(target);
-        Some(path)
+        targets.sort_by(|a, b| ahead(a).total_cmp(&ahead(b)));
+        let path = |target: [f64; 2]| {
+            let mut path = self.edge.corners([here, target], clockwise);
+            path.push(target);
+            (None, path)
+        };
+        targets.into_iter().map(path).collect()
     }
 }
 

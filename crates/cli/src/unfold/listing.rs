@@ -16,7 +16,7 @@ use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::sides::Sides;
 
 use super::Analysis;
-use super::numbers::{agreement, brief, range, significant};
+use super::numbers::{agreement, brief, fixed, range, significant};
 use super::reason::place;
 
 /// The widest line.
@@ -146,11 +146,11 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     let rows = found.iter().map(|((resonance, point), _)| {
         let [mu, eta] = point.orbit().oscillator().parameters();
         let grazing = &point.resonant_point().grazing;
-        let quantities =
-            [grazing.map.trace(), grazing.map.determinant(), grazing.alpha(), grazing.map.transversality()];
         let mut row = vec![resonance.loops.to_string(), resonance.n.to_string()];
         row.extend([eta, mu].map(|value| significant(value, PARAMETER)));
-        row.extend(quantities.map(|value| significant(value, QUANTITY)));
+        // Where p = 2, tau is zero but for rounding.
+        row.extend([grazing.map.trace(), grazing.map.determinant()].map(|value| fixed(value, QUANTITY)));
+        row.extend([grazing.alpha(), grazing.map.transversality()].map(|value| significant(value, QUANTITY)));
         row
     });
     text.push_str(&aligned(&["p", "n", secondary, primary, "tau", "delta", "alpha", "beta"], rows));
@@ -245,7 +245,7 @@ fn corners(description: &Description, unfolded: &Analysis) -> String {
         return String::new();
     }
     let rows = corners.iter().map(|corner| {
-        let [velocity, _, primary, secondary] = corner.unknowns.into();
+        let [velocity, _, primary, secondary] = corner.unknowns().into();
         let mut row = vec![corner.kind.to_owned(), corner.loops.to_string(), corner.n.to_string()];
         row.extend([secondary, primary, velocity].map(|value| significant(value, PARAMETER)));
         row

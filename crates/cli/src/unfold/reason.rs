@@ -23,11 +23,10 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
                     at(highest.parameters)
                 );
             }
-            let (side, end) =
-                if highest.position < 0.0 { ("stays below", "at most") } else { ("passes", "at least") };
+            let side = if highest.position < 0.0 { "stays below" } else { "passes" };
             format!(
                 "no grazing: without the wall, periodic motion {side} x = 0 everywhere in {ranges}; it comes nearest at {}, \
-                 where its highest point, {end} reached, is x = {}: {}",
+                 where its highest point is x = {}: {}",
                 at(nearest.parameters),
                 brief(nearest.position, 4),
                 widening(nearest, axes)

@@ -4,6 +4,7 @@
 
 mod arclength;
 mod closed_forms;
+mod criticality;
 mod formulations;
 mod generic_grazing;
 mod hybrid;

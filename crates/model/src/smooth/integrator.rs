@@ -5,6 +5,8 @@
 //! iteration of Newton's method for each order of derivatives. So the derivatives are those of the numerical solution, its
 //! steps held, and cost a few evaluations of F at six points a step.
 
+mod taylor;
+
 use super::jet::{FIRST, Jet, PLAIN, PLANAR, SECOND};
 use super::scalar::Scalar;
 use super::tableau::{BARYCENTRIC, LEGENDRE, MATRIX, NODES, POSITION_WEIGHTS, SQUARE, STAGES, WEIGHTS};

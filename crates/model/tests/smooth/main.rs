@@ -5,3 +5,4 @@ mod escape;
 mod models;
 mod nonlinear;
 mod reset;
+mod third_order;

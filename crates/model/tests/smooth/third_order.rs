@@ -1,0 +1,224 @@
+//! Derivatives along curves to third order: the closed form against automatic differentiation, the integrated flow against the
+//! closed form and against differences.
+
+use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
+use grazing_model::{ImpactOscillator, LinearOscillator, State, ThirdOrder, maps};
+use nalgebra::{SVector, Vector4};
+use num_dual::{Dual3_64, DualNum, third_derivative};
+
+use crate::models::{Dragged, Duffing, FROM, Linear, Saturating};
+
+/// Curves of (x₀, y₀, z₀, s), coefficients of the first to the third order: bent, and special in no way.
+const CURVES: [[[f64; 4]; 3]; 3] = [
+    [[0.3, -0.5, 0.7, 0.4], [0.0; 4], [0.0; 4]],
+    [[-0.2, 0.6, 0.1, -0.8], [0.5, 0.2, -0.4, 0.3], [0.1, -0.6, 0.2, 0.5]],
+    [[0.0, 0.4, -0.9, 0.0], [0.3, 0.0, 0.7, -0.2], [0.0, 0.2, 0.0, 0.4]],
+];
+
+/// Times of either sign, and none at all.
+const DURATIONS: [f64; 5] = [-5.0, -0.3, 0.0, 1.3, 9.0];
+
+fn series(oscillator: &impl ThirdOrder, duration: f64, curve: &[[f64; 4]; 3]) -> [Taylor; 2] {
+    let start = [FROM.position, FROM.velocity, FROM.phase, duration];
+    let [x, y, z, s] = [0, 1, 2, 3].map(|i| Taylor::new([start[i], curve[0][i], curve[1][i], curve[2][i]]));
+    oscillator.flow_series([x, y, z], s)
+}
+
+/// eq:flow as printed, with eq:phip, for ζ = 0.02 along a curve.
+fn printed(
+    [amplitude, omega]: [f64; 2],
+    duration: f64,
+    curve: &[[f64; 4]; 3],
+    parameter: Dual3_64,
+) -> [Dual3_64; 2] {
+    let start = [FROM.position, FROM.velocity, FROM.phase, duration];
+    let along = |i: usize| {
+        let [first, second, third] = [0, 1, 2].map(|k: usize| curve[k][i]);
+        (((parameter * third) + second) * parameter + first) * parameter + start[i]
+    };
+    let (zeta, omega_1) = (0.02, f64::sqrt(1.0 - 0.02 * 0.02));
+    let (stiffness, loss) = (1.0 - omega * omega, 2.0 * zeta * omega);
+    let factor = amplitude / (stiffness * stiffness + loss * loss);
+    let periodic = |z: Dual3_64| {
+        let (sin, cos) = z.sin_cos();
+        [(cos * stiffness + sin * loss) * factor - 1.0, (cos * loss - sin * stiffness) * (factor * omega)]
+    };
+    let (z, s) = (along(2), along(3));
+    let ([x0, y0], [x1, y1]) = (periodic(z), periodic(z + s * omega));
+    let (u, v) = (along(0) - x0, along(1) - y0);
+    let decay = (s * -zeta).exp();
+    let (sin, cos) = (s * omega_1).sin_cos();
+    let sin = sin / omega_1;
+    let position = decay * ((cos + sin * zeta) * u + sin * v);
+    let velocity = decay * ((cos - sin * zeta) * v - sin * u);
+    [position + x1, velocity + y1]
+}
+
+#[test]
+fn closed_form_is_the_printed_solution_under_automatic_differentiation() {
+    let parameters = [0.3, 0.8];
+    let oscillator = LinearOscillator::new(0.02, 0.9, parameters[0], parameters[1]).unwrap();
+    for curve in &CURVES {
+        for duration in DURATIONS {
+            let computed = series(&oscillator, duration, curve);
+            for i in 0..2 {
+                let (value, first, second, third) =
+                    third_derivative(|s| printed(parameters, duration, curve, s)[i], 0.0);
+                let expected = [value, first, second / 2.0, third / 6.0];
+                for (computed, expected) in computed[i].coefficients().into_iter().zip(expected) {
+                    // Roundings of terms of order ten.
+                    assert!((computed - expected).abs() < 1e-13, "{duration}: {computed} {expected}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn integrated_flow_is_that_of_the_closed_form() {
+    let closed = LinearOscillator::new(0.02, 1.0, 0.3, 0.8).unwrap();
+    let integrated = Integrated::new(Linear, [0.3, 0.8]);
+    for curve in &CURVES {
+        for duration in DURATIONS {
+            let [a, b] = [series(&integrated, duration, curve), series(&closed, duration, curve)];
+            for (a, b) in a.iter().zip(&b) {
+                for (a, b) in a.coefficients().into_iter().zip(b.coefficients()) {
+                    // As derivatives of the first two orders, which this integrator has to 1e-12 over a period.
+                    assert!((a - b).abs() < 1e-12, "{duration}: {a} {b}");
+                }
+            }
+        }
+    }
+}
+
+/// Coefficients along straight lines: the first two orders against the exact derivatives in all directions, the third against
+/// central differences of the exact second one.
+fn assert_series<M: SmoothOscillator>(oscillator: &Integrated<M>) {
+    let direction = Vector4::new(0.3, -0.5, 0.7, 0.4);
+    let line = [direction.into(), [0.0; 4], [0.0; 4]];
+    for duration in [-3.0, 0.0, 6.0] {
+        let jet = |parameter: f64| {
+            let moved = direction * parameter;
+            let from = State {
+                position: FROM.position + moved[0],
+                velocity: FROM.velocity + moved[1],
+                phase: FROM.phase + moved[2],
+            };
+            oscillator.flow::<2>(from, duration + moved[3])
+        };
+        let q: SVector<f64, 6> =
+            SVector::from([direction[0], direction[1], direction[2], direction[3], 0.0, 0.0]);
+        let bend = |parameter: f64, i: usize| 0.5 * q.dot(&(jet(parameter).hessians[i] * q));
+        let here = jet(0.0);
+        let computed = series(oscillator, duration, &line);
+        for (i, component) in computed.iter().enumerate() {
+            let [value, first, second, third] = component.coefficients();
+            // Whole steps and parts of them: as exact as either.
+            assert!((value - here.value[i]).abs() < 1e-13);
+            assert!((first - (here.jacobian.row(i) * q)[0]).abs() < 1e-12);
+            assert!((second - bend(0.0, i)).abs() < 1e-11);
+            // Steps h and h/2 extrapolated: an error of h⁴/4 = 6e-15 times a fifth derivative, and rounding, 1e-12/h.
+            let difference = |h: f64| (bend(h, i) - bend(-h, i)) / (2.0 * h) / 3.0;
+            let h = 4e-4;
+            let extrapolated = (4.0 * difference(0.5 * h) - difference(h)) / 3.0;
+            let error = third - extrapolated;
+            assert!(error.abs() < 1e-8 * (1.0 + third.abs()), "{duration}: {third} {extrapolated}");
+        }
+    }
+}
+
+#[test]
+fn third_derivatives_of_nonlinear_flows_are_those_of_differences() {
+    assert_series(&Integrated::new(Duffing, [0.6, 0.76]));
+    assert_series(&Integrated::new(Saturating, [0.6, 0.76]));
+}
+
+/// The flow for a time that moves along the curve against that in many short flights, which move along it as well.
+fn assert_composition<M: SmoothOscillator>(oscillator: &Integrated<M>, tolerance: f64) {
+    const FLIGHTS: u32 = 100;
+    for duration in [-3.0, 6.0] {
+        for curve in &CURVES {
+            let whole = series(oscillator, duration, curve);
+            let start = [FROM.position, FROM.velocity, FROM.phase, duration];
+            let [mut x, mut y, mut z, s] =
+                [0, 1, 2, 3].map(|i| Taylor::new([start[i], curve[0][i], curve[1][i], curve[2][i]]));
+            let part = s.scale(1.0 / f64::from(FLIGHTS));
+            for _ in 0..FLIGHTS {
+                [x, y] = oscillator.flow_series([x, y, z], part);
+                z = z + part.scale(0.76);
+            }
+            for (whole, parts) in whole.iter().zip([x, y]) {
+                for (a, b) in whole.coefficients().into_iter().zip(parts.coefficients()) {
+                    assert!((a - b).abs() < tolerance * (1.0 + b.abs()), "{duration}: {a} {b}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn flow_along_a_curve_of_times_is_that_of_many_short_flights() {
+    // Roundings of a hundred flights.
+    assert_composition(&Integrated::new(Duffing, [0.6, 0.76]), 1e-12);
+    assert_composition(&Integrated::new(Saturating, [0.6, 0.76]), 1e-12);
+    // The drag bends within a tenth, so that each order of derivatives has larger errors than the one before.
+    assert_composition(&Integrated::new(Dragged, [0.6, 0.76]), 1e-10);
+}
+
+/// A reset law that bends in both arguments.
+#[derive(Clone, Debug)]
+struct Bent;
+
+impl SmoothOscillator for Bent {
+    fn force<S: Scalar>(&self, x: S, y: S, t: S, amplitude: S, omega: S) -> S {
+        Duffing.force(x, y, t, amplitude, omega)
+    }
+
+    fn forcing_frequency<S: Scalar>(&self, _: S, omega: S) -> S {
+        omega
+    }
+
+    fn restitution<S: Scalar>(&self, y: S, z: S, mu: S, _: S) -> S {
+        S::constant(0.9) - (y * z).apply(Function::Tanh) * mu
+    }
+
+    fn impact_duration<S: Scalar>(&self, y: S, z: S, _: S, eta: S) -> S {
+        (y - z).apply(Function::Sin) * eta
+    }
+}
+
+#[test]
+fn impact_and_flight_to_a_plane_of_constant_phase_agree_with_differences() {
+    let oscillator = Integrated::new(Bent, [0.6, 0.76]);
+    let (point, direction, target) = ([0.4, 0.2], [0.6, -0.8], 7.0);
+    let image = |[y, z]: [Taylor; 2]| {
+        let recoil = oscillator.reset_series(y, z);
+        oscillator.to_phase_series(recoil, target)
+    };
+    let [y, z] = [0, 1].map(|i| Taylor::new([point[i], direction[i], 0.0, 0.0]));
+    let computed = image([y, z]);
+    let bend = |parameter: f64, i: usize| {
+        let [y, z] = [0, 1].map(|k: usize| point[k] + parameter * direction[k]);
+        let reset = oscillator.reset::<2>(y, z);
+        let flight = maps::to_phase::<_, 2>(&oscillator, reset.value[0], reset.value[1], target);
+        let q = Vector4::new(direction[0], direction[1], 0.0, 0.0);
+        0.5 * q.dot(&(flight.after::<2>(&reset).hessians[i] * q))
+    };
+    for (i, component) in computed.iter().enumerate() {
+        let [.., second, third] = component.coefficients();
+        assert!((second - bend(0.0, i)).abs() < 1e-11);
+        // As for the Duffing oscillator's flow, with a longer step.
+        let difference = |h: f64| (bend(h, i) - bend(-h, i)) / (2.0 * h) / 3.0;
+        let h = 1e-3;
+        let extrapolated = (4.0 * difference(0.5 * h) - difference(h)) / 3.0;
+        let error = third - extrapolated;
+        assert!(error.abs() < 1e-8 * (1.0 + third.abs()), "{third} {extrapolated}");
+    }
+}
+
+#[test]
+fn a_solution_that_escapes_is_not_a_number() {
+    let oscillator = Integrated::new(crate::models::Escaping, [0.6, 0.76]);
+    let [x, y] = series(&oscillator, 40.0, &CURVES[0]);
+    assert!(x.value().is_nan() && y.value().is_nan());
+}
