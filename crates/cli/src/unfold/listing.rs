@@ -373,7 +373,7 @@ mod tests {
             "Resonances that could not be unfolded \
              p = 1 near A = 0.25, omega = 0.5: the resonance was not located: the point found lies 0.5 away, on a step of \
              length 0.001 \
-             p = 2, n = 3 the saddle-node curve cannot be started at the resonance: it ends at once"
+             p = 2, n = 3 the saddle-node curve cannot be started: it ends at once"
         );
         let nothing = Diagram { unlocated: Vec::new(), not_unfolded: Vec::new(), ..diagram };
         assert_eq!(missing(&description, &nothing), "");
