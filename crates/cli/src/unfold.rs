@@ -2,6 +2,7 @@
 
 mod explanation;
 mod keeper;
+mod layout;
 mod listing;
 mod numbers;
 mod reason;
