@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use grazing_claims::ledger::ClaimKind;
@@ -17,14 +17,15 @@ Exit codes:
   1  a check failed: files are not what the code makes, or a published value is not met
   2  bad input: command line, parameter file, or a folder that cannot be written;
      nothing was written
-  3  the computation failed; nothing was written
+  3  the computation failed; nothing was written, by `unfold` everything but what it names
   4  a file could not be read or written all the same, as on a full disk;
      each file is either old or new";
 
 const ABOUT: &str = "\
 Regenerates the numerical results of \"Resonant grazing bifurcations revisited\" by
 D. J. W. Simpson and I. Ghosh (arXiv 2602.22797): its figures as SVG, every number drawn as
-CSV, and a comparison with the numbers that the paper prints.
+CSV, and a comparison with the numbers that the paper prints. Does the same analysis for any
+oscillator with a wall that a text file describes.
 
 In a clone of the repository, `cargo xtask COMMAND` builds this program and runs `grazing COMMAND`.";
 
@@ -81,6 +82,26 @@ this fail.
 
 ";
 
+const EXAMPLES_OF_UNFOLD: &str = "\
+Examples:
+  cargo xtask unfold examples/duffing.toml
+                                         into unfolded/duffing/: diagram.svg, magnifications.svg
+                                         and every number as CSV in data/
+  cargo xtask unfold mine.toml --loops 1,2 --explain
+                                         other p than the file's; every hypothesis with its value
+  cargo xtask unfold examples/*.toml     all examples, each into a folder of its own
+  cargo xtask unfold mine.toml --format pdf --columns one --output figures-of-mine
+
+The file names the parameters, their ranges, and gives force, forcing frequency, restitution and
+impact duration as expressions; examples/ has five with comments, and a page that explains the
+columns. The terminal shows the grazing curve, every resonant grazing bifurcation on it, and there
+the coefficients of Theorem 2.4 or 2.5 beside measured ones, or the hypothesis that fails.
+
+Files are written whole, and only when everything is computed. Meanwhile the curves that are
+finished stand in data/curves.unfinished.csv, where an interrupted run leaves them.
+
+";
+
 /// Regenerates the numerical results of "Resonant grazing bifurcations revisited" (arXiv 2602.22797)
 #[derive(Debug, Parser)]
 #[command(name = "grazing", version, subcommand_required = true, arg_required_else_help = true)]
@@ -107,6 +128,9 @@ pub enum Command {
     /// Write one page with figures, tables, claims and a manifest, to be read in a browser
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_REPORT}{EXIT_CODES}"))]
     Report(Report),
+    /// Find and unfold the resonant grazing bifurcations of an oscillator from a text file
+    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_UNFOLD}{EXIT_CODES}"))]
+    Unfold(Unfold),
 }
 
 /// The arguments of `grazing reproduce`.
@@ -194,12 +218,52 @@ pub struct Report {
     pub jobs: Option<u16>,
 }
 
+/// The arguments of `grazing unfold`.
+#[derive(Debug, Args)]
+pub struct Unfold {
+    /// Description of an oscillator, as examples/duffing.toml; several are done one after the other
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// Folder for the results, of several files for one folder each [default: unfolded/NAME-OF-FILE]
+    #[arg(long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Formats of the figures, separated by commas
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg", value_parser = picture_formats())]
+    pub format: Vec<Format>,
+    /// Width of the figures: as in the paper, one column (86 mm) or two (178 mm) of a journal
+    #[arg(long, value_name = "WIDTH", default_value = "paper")]
+    pub columns: Columns,
+    /// Dots per inch of PNG
+    #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u16).range(50..=1200))]
+    pub dpi: u16,
+    /// Numbers of loops p, separated by commas [default: those of the file]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub loops: Option<Vec<u32>>,
+    /// Number of threads; the results do not depend on it [default: one for each core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
+    /// Tell every hypothesis and every quantity of every resonance
+    #[arg(long)]
+    pub explain: bool,
+}
+
 /// The parameter file, which all commands share.
 #[derive(Debug, Args)]
 pub struct ParameterFile {
     /// File of parameters [default: figures/parameters.toml, in this folder or the nearest above]
     #[arg(long = "parameters", value_name = "FILE")]
     pub file: Option<PathBuf>,
+}
+
+/// Formats of figures: all but LaTeX.
+fn picture_formats() -> impl TypedValueParser<Value = Format> {
+    PossibleValuesParser::new([Format::Svg, Format::Pdf, Format::Png].map(Format::name)).map(
+        |name| match name.as_str() {
+            "pdf" => Format::Pdf,
+            "png" => Format::Png,
+            _ => Format::Svg,
+        },
+    )
 }
 
 fn output_names() -> impl Iterator<Item = PossibleValue> {

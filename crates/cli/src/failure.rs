@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use grazing_claims::ledger::LedgerError;
+use grazing_description::DescriptionError;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::published::PublishedError;
 use thiserror::Error;
 
-/// A failure, with the one line that is printed for it.
+/// A failure, with what is printed for it: one line, and where an expression is wrong the expression with a mark.
 #[derive(Debug, Error)]
 pub enum Failure {
     /// Files are not what the code makes.
@@ -52,6 +53,47 @@ pub enum Failure {
     /// The parameter file is not right.
     #[error(transparent)]
     Parameters(#[from] ParameterError),
+    /// The description of an oscillator is not right.
+    #[error(transparent)]
+    Description(#[from] DescriptionError),
+    /// Two descriptions would be unfolded into one folder.
+    #[error("{} and {} would both go to {}: unfold them one by one, with --output DIR", first.display(), second.display(), folder.display())]
+    SameFolder {
+        /// The first of the files.
+        first: PathBuf,
+        /// The other.
+        second: PathBuf,
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// An oscillator has nothing to unfold.
+    #[error("{}: {reason}", file.display())]
+    NothingToUnfold {
+        /// The description.
+        file: PathBuf,
+        /// What was seen instead, and what can be done.
+        reason: String,
+    },
+    /// Not all resonances of an oscillator could be unfolded.
+    #[error("{}: {missing} of {all} resonances could not be unfolded, as told above; everything else is written", file.display())]
+    PartlyUnfolded {
+        /// The description.
+        file: PathBuf,
+        /// How many resonances could not be located or followed.
+        missing: usize,
+        /// How many there are.
+        all: usize,
+    },
+    /// Not all of several oscillators could be unfolded.
+    #[error("{failing} of {all} files failed, as told above")]
+    SomeFiles {
+        /// How many failed.
+        failing: usize,
+        /// How many there are.
+        all: usize,
+        /// The exit code of the first that did.
+        code: u8,
+    },
     /// There is no default parameter file.
     #[error(
         "no figures/parameters.toml in this folder or in one above: run this inside a clone of the repository, or name \
@@ -134,6 +176,8 @@ impl Failure {
             | Failure::ClaimsFail { .. }
             | Failure::ErrataStale => 1,
             Failure::Parameters(_)
+            | Failure::Description(_)
+            | Failure::SameFolder { .. }
             | Failure::NoProject
             | Failure::NoClaim { .. }
             | Failure::Unwritable { .. }
@@ -141,10 +185,13 @@ impl Failure {
             | Failure::UnwritablePage { .. }
             | Failure::Threads { .. } => 2,
             Failure::Computation { .. }
+            | Failure::NothingToUnfold { .. }
+            | Failure::PartlyUnfolded { .. }
             | Failure::Registry { .. }
             | Failure::Published(_)
             | Failure::Ledger(_) => 3,
             Failure::File { .. } => 4,
+            Failure::SomeFiles { code, .. } => *code,
         }
     }
 }

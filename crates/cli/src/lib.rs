@@ -15,6 +15,7 @@ mod report;
 mod reproduce;
 pub mod tables;
 pub mod terminal;
+mod unfold;
 mod visual;
 
 use arguments::{Arguments, Command};
@@ -30,5 +31,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Compare(arguments) => compare::run(arguments),
         Command::Claims(arguments) => claims::run(arguments),
         Command::Report(arguments) => report::run(arguments),
+        Command::Unfold(arguments) => unfold::run(arguments),
     }
 }

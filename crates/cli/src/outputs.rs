@@ -194,6 +194,7 @@ pub(crate) fn computation(what: &'static str, error: &dyn Error) -> Failure {
     Failure::Computation { what, reason }
 }
 
-fn table_path(name: &str) -> PathBuf {
+/// Where a table lies in the output folder.
+pub(crate) fn table_path(name: &str) -> PathBuf {
     Path::new(DATA).join(format!("{name}.csv"))
 }

@@ -25,7 +25,7 @@ const KNOWN: [&str; 2] = ["parameters.toml", "data/README.md"];
 /// [`Failure::CheckFailed`] if a check was asked for and files differ; any other [`Failure`] if they could not be made.
 pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     let start = Instant::now();
-    let edition = Edition::new(arguments);
+    let edition = Edition::new(&arguments.format, arguments.columns, arguments.dpi);
     let parameters = project::parameters(arguments.parameters.file.as_deref())?;
     let output_folder = project::output_folder(arguments.output.as_deref(), &edition)?;
     let chosen: Vec<&Output> =
@@ -172,7 +172,7 @@ fn mending_command(arguments: &Reproduce, edition: &Edition) -> String {
 }
 
 /// A line for each file, and one that counts.
-fn summary(told: &[(String, Change)]) -> String {
+pub(crate) fn summary(told: &[(String, Change)]) -> String {
     let width = told.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     let mut text = String::new();
     let mut counts = [0; 3];

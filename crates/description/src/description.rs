@@ -8,6 +8,7 @@ use grazing_source::{Source, SourceError};
 
 use crate::error::DescriptionError;
 use crate::expression::Expression;
+use crate::file::MOST_LOOPS;
 use crate::{checks, file, validate};
 
 /// An oscillator with a wall, as a file describes it; a clone shares everything with the original.
@@ -16,7 +17,7 @@ use crate::{checks, file, validate};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Description(pub(crate) Arc<Content>);
 
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Content {
     pub(crate) name: String,
     pub(crate) constants: Vec<(String, f64)>,
@@ -26,8 +27,22 @@ pub(crate) struct Content {
     pub(crate) frequency: Expression,
     pub(crate) restitution: Expression,
     pub(crate) duration: Expression,
+    pub(crate) texts: Texts,
     pub(crate) loops: Vec<u32>,
     pub(crate) start: Option<[f64; 2]>,
+}
+
+/// The four expressions as the file has them, for whoever wants to see what was read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Texts {
+    /// The force F.
+    pub force: String,
+    /// The forcing frequency ω.
+    pub frequency: String,
+    /// The restitution Φ.
+    pub restitution: String,
+    /// The impact duration Ψ.
+    pub duration: String,
 }
 
 /// One of the two parameters with its range.
@@ -116,6 +131,11 @@ impl Description {
         &self.0.duration
     }
 
+    /// The expressions as the file has them.
+    pub fn texts(&self) -> &Texts {
+        &self.0.texts
+    }
+
     /// Position and velocity at time zero from which the non-impacting motion is looked for, if the file gives them.
     pub fn start(&self) -> Option<[f64; 2]> {
         self.0.start
@@ -124,6 +144,20 @@ impl Description {
     /// The numbers of loops p to analyse: at least one, each 1 or more, none twice, as ordered in the file.
     pub fn loops(&self) -> &[u32] {
         &self.0.loops
+    }
+
+    /// The same oscillator with other numbers of loops p to analyse.
+    ///
+    /// # Errors
+    /// [`DescriptionError::Loops`] unless there is at least one number, all lie between 1 and 12, and none stands twice.
+    pub fn with_loops(&self, loops: &[u32]) -> Result<Description, DescriptionError> {
+        let twice = (1..loops.len()).any(|index| loops[..index].contains(&loops[index]));
+        if loops.is_empty() || twice || !loops.iter().all(|number| (1..=MOST_LOOPS).contains(number)) {
+            return Err(DescriptionError::Loops { loops: loops.to_vec() });
+        }
+        let mut content = (*self.0).clone();
+        content.loops = loops.to_vec();
+        Ok(Description(Arc::new(content)))
     }
 }
 

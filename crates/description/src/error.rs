@@ -7,6 +7,7 @@ use thiserror::Error;
 use toml::Spanned;
 
 use crate::expression::{ExpressionError, Problem};
+use crate::file::REQUIREMENTS;
 use crate::names::variable;
 
 /// The first thing in a description that is not right, and what would be.
@@ -62,6 +63,12 @@ pub enum DescriptionError {
         value: f64,
         /// The values of the variables.
         at: Point,
+    },
+    /// Numbers of loops that were asked for instead of the file's are not right.
+    #[error("{loops:?}: {}", REQUIREMENTS.of("analysis.loops"))]
+    Loops {
+        /// The numbers.
+        loops: Vec<u32>,
     },
     /// An expression has not the period of the forcing.
     #[error(

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use grazing_source::Source;
 use toml::Spanned;
 
-use crate::description::{Axis, Content, Description};
+use crate::description::{Axis, Content, Description, Texts};
 use crate::error::DescriptionError;
 use crate::expression::Expression;
 use crate::file::{self, File, MOST_LOOPS, REQUIREMENTS};
@@ -76,6 +76,12 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
         frequency,
         restitution,
         duration,
+        texts: Texts {
+            force: raw.motion.force.get_ref().clone(),
+            frequency: raw.motion.frequency.get_ref().clone(),
+            restitution: raw.impact.restitution.get_ref().clone(),
+            duration: raw.impact.duration.get_ref().clone(),
+        },
         loops,
         start,
     })))

@@ -2,14 +2,16 @@
 
 use core::f64::consts::{PI, TAU};
 
+use grazing_continuation::curve::CurvePoint;
 use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_model::ImpactOscillator;
-use grazing_unfold::diagram::Diagram;
+use grazing_unfold::diagram::{Diagram, DiagramCurve};
+use grazing_unfold::grazing::{GrazingCurve, GrazingState};
 use grazing_unfold::magnification::Polyline;
 use grazing_unfold::regions::Polygon;
 
 use crate::StudyError;
-use crate::table::{Columns, Table, columns, row};
+use crate::table::{Cell, Columns, Table, columns, row};
 
 /// The names of the two parameters, which head their columns.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -97,55 +99,96 @@ pub fn curves<O: ImpactOscillator>(
     axes: &Axes,
     diagram: &Diagram<O>,
 ) -> Result<Table, StudyError> {
+    let curves = diagram.curves.iter().map(|curve| bifurcation_rows(diagram, curve));
+    joined(name, axes, grazing_rows(diagram).into_iter().chain(curves))
+}
+
+/// The rows of a curve but for its number.
+pub(crate) type CurveRows = Vec<[Cell; 12]>;
+
+/// The table of curves, numbered in their order.
+pub(crate) fn joined(
+    name: &'static str,
+    axes: &Axes,
+    curves: impl IntoIterator<Item = CurveRows>,
+) -> Result<Table, StudyError> {
     let [primary, secondary] = axes.names();
     let mut columns = columns! {
         "kind": "", "p": 0, "n": 0, secondary: 0.0, primary: 0.0, "impact_velocity": 0.0, "impact_phase": 0.0,
         "trace": 0.0, "determinant": 0.0, "max_interior_x": 0.0, "stable": false, "admissible": false, "arc": 0,
     };
-    for (arc, curve) in (0..).zip(&diagram.grazing) {
-        for state in &curve.states {
-            let [primary, secondary] = state.orbit.oscillator().parameters();
-            let map = state.orbit.grazing_point().map;
-            columns.push(row![
-                "graz",
-                0,
-                0,
-                secondary,
-                primary,
-                0.0,
-                0.0,
-                map.trace(),
-                map.determinant(),
-                f64::NAN,
-                state.stable,
-                state.admissible,
-                arc,
-            ]);
-        }
-    }
-    let first = u32::try_from(diagram.grazing.len()).unwrap_or(u32::MAX);
-    for (arc, curve) in (first..).zip(&diagram.curves) {
-        for point in &curve.curve.points {
-            let solution = &point.solution;
-            let [velocity, phase, primary, secondary] = solution.unknowns.into();
-            columns.push(row![
-                curve.kind.name(),
-                curve.loops,
-                curve.n,
+    for (arc, curve) in (0..).zip(curves) {
+        for [
+            kind,
+            p,
+            n,
+            secondary,
+            primary,
+            velocity,
+            phase,
+            trace,
+            determinant,
+            ceiling,
+            stable,
+            admissible,
+        ] in curve
+        {
+            columns.push([
+                kind,
+                p,
+                n,
                 secondary,
                 primary,
                 velocity,
-                diagram.grazing_phase(secondary).map_or(f64::NAN, |graz| centred(phase - graz)),
-                solution.multipliers.trace,
-                solution.multipliers.determinant,
-                solution.ceiling(),
-                solution.stable(),
-                solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
-                arc,
+                phase,
+                trace,
+                determinant,
+                ceiling,
+                stable,
+                admissible,
+                Cell::Integer(arc),
             ]);
         }
     }
     Ok(columns.finish(name)?)
+}
+
+/// The pieces of the grazing curve.
+pub(crate) fn grazing_rows<O: ImpactOscillator>(diagram: &Diagram<O>) -> Vec<CurveRows> {
+    let rows = |curve: &GrazingCurve<O>| {
+        let row = |state: &GrazingState<O>| {
+            let [primary, secondary] = state.orbit.oscillator().parameters();
+            let map = state.orbit.grazing_point().map;
+            let (stable, admissible) = (state.stable, state.admissible);
+            let (trace, determinant) = (map.trace(), map.determinant());
+            row!["graz", 0, 0, secondary, primary, 0.0, 0.0, trace, determinant, f64::NAN, stable, admissible]
+        };
+        curve.states.iter().map(row).collect()
+    };
+    diagram.grazing.iter().map(rows).collect()
+}
+
+/// A bifurcation curve, which need not be in the diagram yet; its grazing curves are.
+pub(crate) fn bifurcation_rows<O: ImpactOscillator>(diagram: &Diagram<O>, curve: &DiagramCurve) -> CurveRows {
+    let row = |point: &CurvePoint| {
+        let solution = &point.solution;
+        let [velocity, phase, primary, secondary] = solution.unknowns.into();
+        row![
+            curve.kind.name(),
+            curve.loops,
+            curve.n,
+            secondary,
+            primary,
+            velocity,
+            diagram.grazing_phase(secondary).map_or(f64::NAN, |graz| centred(phase - graz)),
+            solution.multipliers.trace,
+            solution.multipliers.determinant,
+            solution.ceiling(),
+            solution.stable(),
+            solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
+        ]
+    };
+    curve.curve.points.iter().map(row).collect()
 }
 
 /// Resonances at which a theorem holds, and other codimension-two points.

@@ -1,5 +1,6 @@
 //! What there is to know about the resonant grazing bifurcations of any oscillator, as data frames.
 
+mod finished;
 mod tables;
 
 use grazing_continuation::curve::Window;
@@ -8,7 +9,6 @@ use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Integrated;
 use grazing_unfold::diagram::{Coefficients, Kind};
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
-use grazing_unfold::progress::Progress;
 use grazing_unfold::regions::{self, Polygon};
 use grazing_unfold::sides::{Sides, simulate};
 use grazing_unfold::{Diagram, Scope};
@@ -17,6 +17,8 @@ use rayon::prelude::*;
 use crate::StudyError;
 use crate::plane::{self, Axes};
 use crate::table::Table;
+use finished::Finished;
+pub use finished::Observer;
 
 /// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a
 /// magnification.
@@ -54,7 +56,7 @@ impl Unfolded<Integrated<Description>> {
     ///
     /// # Errors
     /// There is no grazing in the ranges.
-    pub fn described(description: &Description, progress: &dyn Progress) -> Result<Self, StudyError> {
+    pub fn described(description: &Description, progress: &dyn Observer) -> Result<Self, StudyError> {
         let (primary, secondary) = (description.primary(), description.secondary());
         let window = Window { primary: primary.range(), secondary: secondary.range() };
         let scope = Scope { window, loops: description.loops().to_vec(), start: description.start() };
@@ -72,9 +74,11 @@ impl<O: ImpactOscillator> Unfolded<O> {
         oscillator: &O,
         scope: &Scope,
         axes: Axes,
-        progress: &dyn Progress,
+        progress: &dyn Observer,
     ) -> Result<Self, StudyError> {
-        let diagram = Diagram::compute(oscillator, scope, progress)?;
+        let located = Diagram::located(oscillator, scope, progress)?;
+        let followed = located.follow(&Finished::new(progress, &axes, &located));
+        let diagram = located.with(followed);
         let what = "coefficients and magnifications";
         let found: Vec<_> = diagram.unfolding().collect();
         progress.begin(what, found.len() as u64);
@@ -99,7 +103,19 @@ impl<O: ImpactOscillator> Unfolded<O> {
         Ok(Self { axes, regions: regions::all(&diagram), diagram, resonances })
     }
 
-    /// All tables: `grazing`, `grazing_loops`, `curves`, `points`, `regions`, `coefficients`, `hypotheses`, `magnifications`.
+    /// The names of all tables, in their order.
+    pub const TABLES: [&'static str; 8] = [
+        "grazing",
+        "grazing_loops",
+        "curves",
+        "points",
+        "regions",
+        "coefficients",
+        "hypotheses",
+        "magnifications",
+    ];
+
+    /// All tables, which [`TABLES`](Self::TABLES) names.
     ///
     /// # Errors
     /// A table could not be made.

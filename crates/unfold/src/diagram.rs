@@ -61,6 +61,13 @@ pub struct DiagramCurve {
 }
 
 impl DiagramCurve {
+    /// Whether it is another one, perhaps followed from its other end.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let ([first, last], [start, end]) = (self.ends(), other.ends());
+        let same = |a, b| same_point(&first, a) && same_point(&last, b);
+        self.kind == other.kind && self.loops == other.loops && (same(&start, &end) || same(&end, &start))
+    }
+
     /// First and last point.
     fn ends(&self) -> [Unknowns; 2] {
         let points = &self.curve.points;
@@ -97,6 +104,15 @@ pub struct NotUnfolded {
     pub n: u32,
     /// What happened.
     pub reason: ResonanceError,
+}
+
+/// What came of following the curves from a resonance.
+#[derive(Clone, Debug)]
+pub struct Followed {
+    /// The place of the resonance in the diagram's list.
+    pub resonance: usize,
+    /// Its curves, or why there are none.
+    pub curves: Result<Vec<DiagramCurve>, ResonanceError>,
 }
 
 /// Everything in the diagram.
@@ -138,6 +154,16 @@ impl<O: ImpactOscillator> Diagram<O> {
     /// # Errors
     /// There is no grazing in the ranges, with what was seen instead.
     pub fn compute(oscillator: &O, scope: &Scope, progress: &dyn Progress) -> Result<Self, UnfoldError> {
+        let located = Self::located(oscillator, scope, progress)?;
+        let followed = located.follow(progress);
+        Ok(located.with(followed))
+    }
+
+    /// The first half of [`compute`](Self::compute): grazing curves and resonances, no bifurcation curve yet.
+    ///
+    /// # Errors
+    /// There is no grazing in the ranges, with what was seen instead.
+    pub fn located(oscillator: &O, scope: &Scope, progress: &dyn Progress) -> Result<Self, UnfoldError> {
         let grazing = grazing_curves(oscillator, scope, progress)?;
         let mut diagram = Self {
             scope: scope.clone(),
@@ -155,15 +181,20 @@ impl<O: ImpactOscillator> Diagram<O> {
         }
         let order = |loops| scope.loops.iter().position(|asked| *asked == loops);
         diagram.resonances.sort_by_key(|resonance| order(resonance.loops));
-        for (resonance, unfolded) in diagram.follow(progress) {
-            let (loops, n) = (diagram.resonances[resonance].loops, diagram.resonances[resonance].n);
-            match unfolded {
-                Ok(curves) => curves.into_iter().for_each(|curve| diagram.add(curve)),
-                Err(reason) => diagram.not_unfolded.push(NotUnfolded { loops, n, reason }),
+        Ok(diagram)
+    }
+
+    /// The diagram with what came of following the curves from its resonances, in the order of their list.
+    pub fn with(mut self, followed: Vec<Followed>) -> Self {
+        for Followed { resonance, curves } in followed {
+            let (loops, n) = (self.resonances[resonance].loops, self.resonances[resonance].n);
+            match curves {
+                Ok(curves) => curves.into_iter().for_each(|curve| self.add(curve)),
+                Err(reason) => self.not_unfolded.push(NotUnfolded { loops, n, reason }),
             }
         }
-        diagram.grow();
-        Ok(diagram)
+        self.grow();
+        self
     }
 
     /// Follows what is missing of the two curves that meet at each codimension-two point, and so on from where that ends.
@@ -201,7 +232,7 @@ impl<O: ImpactOscillator> Diagram<O> {
     }
 
     /// The curves from every resonance at which a theorem holds, each resonance by itself, in the order of the list.
-    fn follow(&self, progress: &dyn Progress) -> Vec<(usize, Result<Vec<DiagramCurve>, ResonanceError>)> {
+    pub fn follow(&self, progress: &dyn Progress) -> Vec<Followed> {
         let what = "bifurcation curves";
         let route = route(self.scope.window, StepControl::DRAWING);
         let points: Vec<_> =
@@ -211,12 +242,12 @@ impl<O: ImpactOscillator> Diagram<O> {
             .into_par_iter()
             .filter_map(|(index, resonance)| {
                 let point = resonance.theorem.as_ref().ok()?;
-                let unfolded = point.unfold(&route).map(|unfolded| listed(resonance, unfolded));
-                if let Ok(curves) = &unfolded {
-                    progress.unfolded(curves);
+                let curves = point.unfold(&route).map(|unfolded| listed(resonance, unfolded));
+                if let Ok(curves) = &curves {
+                    progress.unfolded(index, curves);
                 }
                 progress.step(what);
-                Some((index, unfolded))
+                Some(Followed { resonance: index, curves })
             })
             .collect();
         progress.end(what);
@@ -225,13 +256,7 @@ impl<O: ImpactOscillator> Diagram<O> {
 
     /// Adds a curve unless it is one of those that are there, followed from its other end.
     fn add(&mut self, new: DiagramCurve) {
-        let [start, end] = new.ends();
-        let known = self.curves.iter().any(|old| {
-            let [first, last] = old.ends();
-            let same = |a, b| same_point(&first, a) && same_point(&last, b);
-            old.kind == new.kind && old.loops == new.loops && (same(&start, &end) || same(&end, &start))
-        });
-        if known {
+        if self.curves.iter().any(|old| old.is_same(&new)) {
             return;
         }
         if let CurveEnd::Event(event) = &new.curve.end {

@@ -10,8 +10,8 @@ pub trait Progress: Sync {
     fn step(&self, what: &str);
     /// The work is done.
     fn end(&self, what: &str);
-    /// The curves of one resonance are done; those of others may take a while.
-    fn unfolded(&self, _curves: &[DiagramCurve]) {}
+    /// The curves of one resonance are done, by its place in the diagram's list; those of others may take a while.
+    fn unfolded(&self, _resonance: usize, _curves: &[DiagramCurve]) {}
 }
 
 /// Hears nothing.

@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use grazing_drawing::SheetWidth;
 use grazing_export::{ExportError, Figure};
 
-use crate::arguments::{Columns, Reproduce};
+use crate::arguments::Columns;
 use crate::folder::MadeFile;
 
 /// A format of the outputs.
@@ -52,15 +52,15 @@ impl Default for Edition {
 
 impl Edition {
     /// What the command line asks for.
-    pub fn new(arguments: &Reproduce) -> Edition {
-        let mut formats = arguments.format.clone();
+    pub fn new(formats: &[Format], columns: Columns, resolution: u16) -> Edition {
+        let mut formats = formats.to_vec();
         if formats.contains(&Format::Tex) {
             // The snippet includes the figures as PDF.
             formats.push(Format::Pdf);
         }
         formats.sort_unstable();
         formats.dedup();
-        Edition { formats, columns: arguments.columns, resolution: arguments.dpi }
+        Edition { formats, columns, resolution }
     }
 
     /// True if it is what `figures/` holds.

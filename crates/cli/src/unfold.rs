@@ -1,0 +1,172 @@
+//! `grazing unfold`: the resonant grazing bifurcations of an oscillator that a text file describes.
+
+mod explanation;
+mod keeper;
+mod listing;
+mod numbers;
+mod reason;
+mod sheets;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use grazing_description::Description;
+use grazing_model::smooth::Integrated;
+use grazing_reproduction::unfolded::Unfolded;
+use grazing_reproduction::{StudyError, Table};
+
+use crate::arguments;
+use crate::failure::Failure;
+use crate::folder::{self, MadeFile};
+use crate::outputs::edition::Edition;
+use crate::outputs::{computation, table_path};
+use crate::reproduce::{start_threads, summary};
+use crate::{tables, terminal};
+use keeper::Keeper;
+
+/// The folder of the results, with a folder in it for each file.
+const RESULTS: &str = "unfolded";
+
+/// What the analysis of an oscillator from a text file comes to.
+type Analysis = Unfolded<Integrated<Description>>;
+
+/// A file that is to be unfolded.
+struct Task {
+    file: PathBuf,
+    description: Description,
+    folder: PathBuf,
+}
+
+/// Unfolds every file, one after the other, once all are known to be right and their folders to be writable.
+///
+/// # Errors
+/// Bad input, before anything is computed; what went wrong with a single file, or with how many of several.
+pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
+    let edition = Edition::new(&arguments.format, arguments.columns, arguments.dpi);
+    let tasks = tasks(arguments)?;
+    for task in &tasks {
+        let figures = sheets::FILES.iter().flat_map(|file| edition.figure_paths(file));
+        let tables = Analysis::TABLES.iter().map(|name| table_path(name));
+        folder::ensure_writable(&task.folder, &figures.chain(tables).collect::<Vec<_>>())?;
+    }
+    if let Some(jobs) = arguments.jobs {
+        start_threads(jobs)?;
+    }
+    let (mut failing, mut code) = (0, None);
+    for (number, task) in tasks.iter().enumerate() {
+        if number > 0 {
+            terminal::say("\n");
+        }
+        match task.run(&edition, arguments.explain) {
+            Err(failure) if tasks.len() == 1 => return Err(failure),
+            Err(failure) => {
+                terminal::report(&failure);
+                failing += 1;
+                code.get_or_insert(failure.exit_code());
+            }
+            Ok(()) => {}
+        }
+    }
+    match code {
+        Some(code) => Err(Failure::SomeFiles { failing, all: tasks.len(), code }),
+        None => Ok(()),
+    }
+}
+
+/// The files with what they describe, and the folders of their results, no two of which are the same.
+fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
+    let mut tasks: Vec<Task> = Vec::new();
+    for file in &arguments.files {
+        let mut description = Description::from_file(file)?;
+        if let Some(loops) = &arguments.loops {
+            description = description.with_loops(loops)?;
+        }
+        let named = file.file_stem().unwrap_or_default();
+        let folder = match &arguments.output {
+            Some(folder) if arguments.files.len() == 1 => folder.clone(),
+            Some(folder) => folder.join(named),
+            None => Path::new(RESULTS).join(named),
+        };
+        if let Some(other) = tasks.iter().find(|other| other.folder == folder) {
+            let (first, second) = (other.file.clone(), file.clone());
+            return Err(Failure::SameFolder { first, second, folder });
+        }
+        tasks.push(Task { file: file.clone(), description, folder });
+    }
+    Ok(tasks)
+}
+
+impl Task {
+    /// Computes, writes and tells everything.
+    fn run(&self, edition: &Edition, explain: bool) -> Result<(), Failure> {
+        let start = Instant::now();
+        terminal::say(&listing::oscillator(&self.description, &self.file));
+        let keeper = Keeper::new(&self.folder);
+        let unfolded =
+            Unfolded::described(&self.description, &keeper).map_err(|error| self.failure(&error))?;
+        let tables = unfolded.tables().map_err(|error| computation("tables", &error))?;
+        let files = self.files(&unfolded, &tables, edition)?;
+        let changes = folder::write(&self.folder, &files)?;
+        self.remove_other_sheets(&files, edition)?;
+        keeper.clear()?;
+        terminal::say(&listing::results(&self.description, &unfolded));
+        if explain {
+            terminal::say(&explanation::all(&self.description, &unfolded));
+        }
+        let names = files.iter().map(|file| self.folder.join(&file.path).display().to_string());
+        terminal::say(&format!("\n{}", summary(&names.zip(changes).collect::<Vec<_>>())));
+        terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
+        let missing = unfolded.diagram.unlocated.len() + unfolded.diagram.not_unfolded.len();
+        if missing > 0 {
+            let all = unfolded.diagram.unlocated.len() + unfolded.diagram.resonances.len();
+            return Err(Failure::PartlyUnfolded { file: self.file.clone(), missing, all });
+        }
+        Ok(())
+    }
+
+    /// The failure that tells, with the file's names of the parameters, why there is nothing to unfold.
+    fn failure(&self, error: &StudyError) -> Failure {
+        match error {
+            StudyError::Unfold(error) => Failure::NothingToUnfold {
+                file: self.file.clone(),
+                reason: reason::of(error, &self.description),
+            },
+            error => computation("unfold", error),
+        }
+    }
+
+    /// Figures and tables.
+    fn files(
+        &self,
+        unfolded: &Analysis,
+        tables: &[Table],
+        edition: &Edition,
+    ) -> Result<Vec<MadeFile>, Failure> {
+        let mut files = Vec::new();
+        let drawn = sheets::figures(&self.description, unfolded, tables, edition.width())
+            .map_err(|error| computation("figures", &*error))?;
+        for (name, svg) in drawn {
+            files.extend(edition.figure_files(&name, svg).map_err(|error| computation("figures", &error))?);
+        }
+        for table in tables {
+            let content = tables::csv(&table.frame).map_err(|error| computation("tables", &error))?;
+            files.push(MadeFile { path: table_path(table.name), content });
+        }
+        Ok(files)
+    }
+
+    /// Removes sheets of magnifications that an earlier run made of more resonances.
+    fn remove_other_sheets(&self, made: &[MadeFile], edition: &Edition) -> Result<(), Failure> {
+        for name in sheets::possible_names() {
+            for path in edition.figure_paths(&name).filter(|path| made.iter().all(|file| file.path != *path))
+            {
+                let path = self.folder.join(path);
+                if path.is_file() {
+                    fs::remove_file(&path).map_err(|reason| Failure::File { path, reason })?;
+                }
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,83 @@
+//! All that the theorems ask and use at every resonance.
+
+use std::fmt::Write;
+
+use grazing_description::Description;
+use grazing_model::ImpactOscillator;
+use grazing_theorems::Unfolding;
+use grazing_theorems::hypothesis::Hypothesis;
+use grazing_unfold::resonances::Resonance;
+
+use super::Analysis;
+use super::listing::wrapped;
+use super::numbers::significant;
+use super::reason::place;
+
+const DIGITS: usize = 9;
+
+/// Hypotheses with their values and quantities, resonance by resonance.
+pub(super) fn all(description: &Description, unfolded: &Analysis) -> String {
+    let mut text = String::new();
+    for resonance in &unfolded.diagram.resonances {
+        text.push_str(&explained(description, resonance));
+    }
+    text
+}
+
+fn explained<O: ImpactOscillator>(description: &Description, resonance: &Resonance<O>) -> String {
+    let at = place(description, resonance.located.orbit().oscillator().parameters());
+    let (theorem, hypotheses): (_, &[Hypothesis]) = match &resonance.theorem {
+        Ok(point) => (point.theorem().theorem(), point.theorem().hypotheses()),
+        Err(violated) => (violated.theorem, &violated.hypotheses),
+    };
+    let answer = if resonance.theorem.is_ok() { "applies" } else { "does not apply" };
+    let mut text = format!("\np = {}, n = {} at {at}: {theorem} {answer}\n", resonance.loops, resonance.n);
+    for hypothesis in hypotheses {
+        let word = if hypothesis.holds() { "holds" } else { "FAILS" };
+        let (statement, value) = (hypothesis.statement(), significant(hypothesis.value, DIGITS));
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "  {word}  {statement:24} {value:>16}");
+    }
+    text.push_str(&wrapped("  where ", &quantities(resonance)));
+    text
+}
+
+/// The quantities of section 2, as `tau = -0.5, delta = 0.8`.
+fn quantities<O: ImpactOscillator>(resonance: &Resonance<O>) -> String {
+    let point = resonance.located.resonant_point();
+    let grazing = &point.grazing;
+    let (a, b) = (grazing.map.a, grazing.map.b);
+    let number = |value| significant(value, DIGITS);
+    let stability = point.stability_coefficients();
+    let (slope, derivative) = match point.unfolding {
+        Unfolding::OneLoop { off_diagonal_derivative } => ("a12'", off_diagonal_derivative),
+        Unfolding::MultiLoop { detuning_derivative, .. } => ("kappa_p'", detuning_derivative),
+    };
+    let listed: Vec<String> = [
+        ("tau", grazing.map.trace()),
+        ("delta", grazing.map.determinant()),
+        ("alpha", grazing.alpha()),
+        ("beta", grazing.map.transversality()),
+        ("gamma", grazing.gamma),
+        ("phi", grazing.phi),
+        ("psi", grazing.psi),
+        ("xi_p", point.second_phase_derivative),
+        (slope, derivative),
+        ("s_p^+", stability.plus),
+        ("s_p^-", stability.minus),
+    ]
+    .into_iter()
+    .map(|(name, value)| format!("{name} = {}", number(value)))
+    .collect();
+    let matrix = [a.m11, a.m12, a.m21, a.m22].map(number);
+    format!(
+        "A = [{} {}; {} {}], b = [{}; {}], {}",
+        matrix[0],
+        matrix[1],
+        matrix[2],
+        matrix[3],
+        number(b.x),
+        number(b.y),
+        listed.join(", ")
+    )
+}

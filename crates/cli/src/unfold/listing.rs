@@ -1,0 +1,326 @@
+//! What there is to tell of an oscillator and its resonances, as lines on the terminal.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use grazing_continuation::curve::CurveEnd;
+use grazing_continuation::fit::{Estimate, FitError};
+use grazing_continuation::locate::Condition;
+use grazing_description::Description;
+use grazing_model::ImpactOscillator;
+use grazing_reproduction::unfolded::AtResonance;
+use grazing_theorems::HypothesesViolated;
+use grazing_theorems::hypothesis::Hypothesis;
+use grazing_unfold::diagram::{DiagramCurve, Kind};
+use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
+use grazing_unfold::sides::Sides;
+
+use super::Analysis;
+use super::numbers::{agreement, brief, range, significant};
+use super::reason::place;
+
+/// The widest line.
+const WIDTH: usize = 100;
+/// Digits of parameters, of coefficients, and of other quantities.
+const PARAMETER: usize = 8;
+const COEFFICIENT: usize = 9;
+const QUANTITY: usize = 5;
+
+/// The oscillator as the file has it.
+pub(super) fn oscillator(description: &Description, file: &Path) -> String {
+    let texts = description.texts();
+    let constants: Vec<String> =
+        description.constants().map(|(name, value)| format!("{name} = {value}")).collect();
+    let loops: Vec<String> = description.loops().iter().map(u32::to_string).collect();
+    let (primary, secondary) = (description.primary(), description.secondary());
+    let mut text = format!("{} ({})\n\n", description.name(), file.display());
+    let lines = [
+        ("motion", format!("x'' = {} for x < 0, where v = x'", texts.force)),
+        ("frequency", texts.frequency.clone()),
+        (
+            "impact",
+            "at x = 0, with velocity y = v and phase z = frequency*t: y -> -y*Phi, z -> z + y*Psi".to_owned(),
+        ),
+        ("", format!("Phi = {}, Psi = {}", texts.restitution, texts.duration)),
+        ("constants", if constants.is_empty() { "none".to_owned() } else { constants.join(", ") }),
+        ("primary", format!("{} from {}", primary.name(), range(primary.range()))),
+        ("secondary", format!("{} from {}", secondary.name(), range(secondary.range()))),
+        ("loops", format!("p = {}", loops.join(", "))),
+    ];
+    for (word, content) in lines {
+        text.push_str(&wrapped(&format!("  {word:11}"), &content));
+    }
+    text
+}
+
+/// All that was found, in the order in which it was.
+pub(super) fn results(description: &Description, unfolded: &Analysis) -> String {
+    let mut text = grazing_curves(description, unfolded);
+    text.push_str(&resonances(description, unfolded));
+    text.push_str(&silent_theorems(description, unfolded));
+    text.push_str(&missing(description, unfolded));
+    text.push_str(&corners(description, unfolded));
+    text.push_str(&odd_ends(description, unfolded));
+    text
+}
+
+fn grazing_curves(description: &Description, unfolded: &Analysis) -> String {
+    let mut text = "\nGrazing of the non-impacting solution\n".to_owned();
+    for (arc, curve) in unfolded.diagram.grazing.iter().enumerate() {
+        let points: Vec<[f64; 2]> = curve.parameters().collect();
+        let extent = |index: usize| {
+            let values = points.iter().map(|point| point[index]);
+            range([values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)])
+        };
+        let (primary, secondary) = (description.primary().name(), description.secondary().name());
+        let content = format!(
+            "{secondary} from {}, {primary} from {}, {} points; {}; {}",
+            extent(1),
+            extent(0),
+            points.len(),
+            ends(&curve.ends),
+            stability(curve, secondary)
+        );
+        text.push_str(&wrapped(&format!("  curve {arc:<5}"), &content));
+    }
+    text
+}
+
+fn ends(ends: &[GrazingEnd; 2]) -> String {
+    let told = |end: &GrazingEnd| match end {
+        GrazingEnd::LeftWindow => "leaves the ranges".to_owned(),
+        GrazingEnd::Closed => "is closed".to_owned(),
+        GrazingEnd::Stalled(stall) => format!("is lost ({stall})"),
+        GrazingEnd::StepLimit => "was followed no further".to_owned(),
+    };
+    let [first, last] = ends.each_ref().map(told);
+    match ends {
+        [GrazingEnd::Closed, _] | [_, GrazingEnd::Closed] => "closed".to_owned(),
+        _ if first == last => format!("{first} at both ends"),
+        _ => format!("{first} at its beginning and {last} at its end"),
+    }
+}
+
+/// Where the solution is stable, piece by piece.
+fn stability(curve: &GrazingCurve<impl ImpactOscillator>, secondary: &str) -> String {
+    let word = |stable: bool, admissible: bool| match (stable, admissible) {
+        (true, true) => "stable",
+        (false, true) => "unstable",
+        (true, false) => "stable but beyond the wall elsewhere",
+        (false, false) => "unstable and beyond the wall elsewhere",
+    };
+    let mut pieces: Vec<(&str, [f64; 2])> = Vec::new();
+    for (state, [_, here]) in curve.states.iter().zip(curve.parameters()) {
+        let word = word(state.stable, state.admissible);
+        match pieces.last_mut() {
+            Some((last, to)) if *last == word => to[1] = here,
+            _ => pieces.push((word, [here, here])),
+        }
+    }
+    match pieces.as_slice() {
+        [(word, _)] => format!("{word} throughout"),
+        _ => {
+            let told = pieces.iter().map(|(word, ends)| format!("{word} for {secondary} {}", range(*ends)));
+            told.collect::<Vec<_>>().join(", ")
+        }
+    }
+}
+
+/// Resonances at which a theorem holds, and the coefficients there.
+fn resonances(description: &Description, unfolded: &Analysis) -> String {
+    let found: Vec<_> = unfolded.diagram.unfolding().zip(&unfolded.resonances).collect();
+    let (primary, secondary) = (description.primary().name(), description.secondary().name());
+    let loops: Vec<String> = description.loops().iter().map(u32::to_string).collect();
+    let all = unfolded.diagram.resonances.len();
+    if all == 0 {
+        let loops = loops.join(", ");
+        return format!("\nResonant grazing bifurcations\n  none on the grazing curve for p = {loops}\n");
+    }
+    let mut text = format!(
+        "\nResonant grazing bifurcations: {all}; at {} of them Theorem 2.4 (p = 1) or 2.5 (p >= 2) applies\n",
+        found.len()
+    );
+    if found.is_empty() {
+        return text;
+    }
+    let rows = found.iter().map(|((resonance, point), _)| {
+        let [mu, eta] = point.orbit().oscillator().parameters();
+        let grazing = &point.resonant_point().grazing;
+        let quantities =
+            [grazing.map.trace(), grazing.map.determinant(), grazing.alpha(), grazing.map.transversality()];
+        let mut row = vec![resonance.loops.to_string(), resonance.n.to_string()];
+        row.extend([eta, mu].map(|value| significant(value, PARAMETER)));
+        row.extend(quantities.map(|value| significant(value, QUANTITY)));
+        row
+    });
+    text.push_str(&aligned(&["p", "n", secondary, primary, "tau", "delta", "alpha", "beta"], rows));
+    text.push_str(&format!(
+        "\nCurves that leave them: {primary} = {primary}_graz({secondary}) + c eta^2 + ..., \
+         eta = {secondary} less that of the resonance\n"
+    ));
+    let rows = found.iter().flat_map(|((resonance, _), at)| {
+        [Kind::SaddleNode, Kind::PeriodDoubling]
+            .map(|kind| coefficient(resonance.loops, resonance.n, kind, at))
+    });
+    let header =
+        ["p", "n", "curve", "c by theorem", "c measured", "digits agreeing", "simulation as predicted"];
+    text.push_str(&aligned(&header, rows));
+    text
+}
+
+/// A row: one coefficient by the theorem, measured, and whether simulation agrees.
+fn coefficient(loops: u32, n: u32, kind: Kind, at: &AtResonance) -> Vec<String> {
+    let index = usize::from(kind == Kind::PeriodDoubling);
+    let theorem = at.coefficients.theorem[index];
+    let fit: &Result<Estimate, FitError> = &at.coefficients.fit[index];
+    let (measured, digits) = match fit {
+        Ok(estimate) => {
+            (significant(estimate.value, COEFFICIENT), agreement(theorem, estimate.value).to_string())
+        }
+        Err(_) => ("not found".to_owned(), "-".to_owned()),
+    };
+    vec![
+        loops.to_string(),
+        n.to_string(),
+        kind.name().to_owned(),
+        significant(theorem, COEFFICIENT),
+        measured,
+        digits,
+        verdict(at.sides[index].as_ref()).to_owned(),
+    ]
+}
+
+fn verdict(sides: Option<&Sides>) -> &'static str {
+    match sides {
+        Some(sides) if sides.as_predicted() => "yes",
+        None => "unclear",
+        Some(sides) if sides.attracts.contains(&None) => "unclear",
+        Some(_) => "no",
+    }
+}
+
+/// Resonances at which no theorem applies, with what fails.
+fn silent_theorems(description: &Description, unfolded: &Analysis) -> String {
+    let mut text = String::new();
+    for resonance in &unfolded.diagram.resonances {
+        let Err(violated) = &resonance.theorem else { continue };
+        if text.is_empty() {
+            text.push_str("\nResonances where the theorem does not apply, and no curve is followed\n");
+        }
+        let at = place(description, resonance.located.orbit().oscillator().parameters());
+        let content = format!("{at}: {}", failing(violated));
+        text.push_str(&wrapped(&format!("  p = {}, n = {}  ", resonance.loops, resonance.n), &content));
+    }
+    text
+}
+
+/// The hypotheses that fail, with their values.
+fn failing(violated: &HypothesesViolated) -> String {
+    let told =
+        |hypothesis: &Hypothesis| format!("{} fails: {}", hypothesis.statement(), brief(hypothesis.value, 4));
+    violated.violated().map(told).collect::<Vec<_>>().join(", ")
+}
+
+/// Resonances that could not be located, or whose curves could not be followed.
+fn missing(description: &Description, unfolded: &Analysis) -> String {
+    let diagram = &unfolded.diagram;
+    let mut text = String::new();
+    if !diagram.unlocated.is_empty() || !diagram.not_unfolded.is_empty() {
+        text.push_str("\nResonances that could not be unfolded\n");
+    }
+    for lost in &diagram.unlocated {
+        let content =
+            format!("near {}: seen, but not located: {}", place(description, lost.near), lost.reason);
+        text.push_str(&wrapped(&format!("  p = {}  ", lost.loops), &content));
+    }
+    for lost in &diagram.not_unfolded {
+        text.push_str(&wrapped(&format!("  p = {}, n = {}  ", lost.loops, lost.n), &lost.reason.to_string()));
+    }
+    text
+}
+
+fn corners(description: &Description, unfolded: &Analysis) -> String {
+    let corners = &unfolded.diagram.corners;
+    if corners.is_empty() {
+        return String::new();
+    }
+    let rows = corners.iter().map(|corner| {
+        let [velocity, _, primary, secondary] = corner.unknowns().into();
+        let mut row = vec![corner.kind.to_owned(), corner.loops.to_string(), corner.n.to_string()];
+        row.extend([secondary, primary, velocity].map(|value| significant(value, PARAMETER)));
+        row
+    });
+    let (primary, secondary) = (description.primary().name(), description.secondary().name());
+    let table = aligned(&["kind", "p", "n", secondary, primary, "impact velocity"], rows);
+    format!("\nCodimension-two points on these curves\n{table}")
+}
+
+/// Curves that end neither at the edge of the ranges nor at a point of codimension two.
+fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
+    let mut text = String::new();
+    for curve in &unfolded.diagram.curves {
+        let Some(end) = odd_end(&curve.curve.end) else { continue };
+        if text.is_empty() {
+            text.push_str("\nCurves that end unexpectedly\n");
+        }
+        let DiagramCurve { kind, loops, n, .. } = curve;
+        let last = curve.curve.points.last();
+        let at = last.map_or(String::new(), |last| place(description, last.solution.parameters()));
+        let mark = format!("  {} of p = {loops}, n = {n}  ", kind.name());
+        text.push_str(&wrapped(&mark, &format!("at {at}: {end}")));
+    }
+    text
+}
+
+fn odd_end(end: &CurveEnd) -> Option<String> {
+    match end {
+        CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Event(_) => None,
+        CurveEnd::EventNotLocated { condition, failure } => {
+            let what = match condition {
+                Condition::InteriorGrazing => "a point where a maximum between impacts touches the wall",
+                _ => "a point where both bifurcations meet",
+            };
+            Some(format!("{what} was seen and not located: {failure}"))
+        }
+        CurveEnd::Stalled(stall) => Some(format!("no further point was found: {stall}")),
+        CurveEnd::StepLimit => Some("it was followed no further after very many points".to_owned()),
+    }
+}
+
+/// Columns as wide as they must be, numbers and words to the right.
+fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
+    let lines: Vec<Vec<String>> =
+        std::iter::once(header.iter().map(|&word| word.to_owned()).collect()).chain(rows).collect();
+    let width = |column: usize| lines.iter().map(|line| line[column].len()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..header.len()).map(width).collect();
+    let mut text = String::new();
+    for line in &lines {
+        for (cell, width) in line.iter().zip(&widths) {
+            // Writing to a string cannot fail.
+            let _ = write!(text, "  {cell:>width$}");
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Words after a mark, on as many lines as they need, all with the mark's indent.
+pub(super) fn wrapped(mark: &str, content: &str) -> String {
+    let indent = mark.chars().count();
+    let mut text = mark.to_owned();
+    let mut column = indent;
+    for word in content.split_whitespace() {
+        let length = word.chars().count();
+        if column > indent && column + 1 + length > WIDTH {
+            let _ = write!(text, "\n{:indent$}", "");
+            column = indent;
+        }
+        if column > indent {
+            text.push(' ');
+            column += 1;
+        }
+        text.push_str(word);
+        column += length;
+    }
+    format!("{}\n", text.trim_end())
+}

@@ -1,0 +1,103 @@
+//! Why there is nothing to unfold, and what can be done, with the parameters' own names.
+
+use grazing_description::{Axis, Description};
+use grazing_unfold::UnfoldError;
+use grazing_unfold::free::Height;
+
+use super::numbers::brief;
+
+/// What was seen instead of grazing, and the remedy.
+pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
+    let at = |parameters| place(description, parameters);
+    let axes = [description.primary(), description.secondary()];
+    let ranges = axes.map(|axis| format!("{} = {}", axis.name(), written(axis.range()))).join(", ");
+    match error {
+        UnfoldError::NoGrazing { lowest, highest } => {
+            let nearest = if highest.position < 0.0 { highest } else { lowest };
+            if lowest.position < 0.0 && highest.position > 0.0 {
+                return format!(
+                    "no grazing was found for {ranges}, though without the wall periodic motion stays below x = 0 at {} and \
+                     passes it at {}: narrow the ranges to where its highest point comes to x = 0, or begin near it with \
+                     analysis.start",
+                    at(lowest.parameters),
+                    at(highest.parameters)
+                );
+            }
+            let (side, end) =
+                if highest.position < 0.0 { ("stays below", "at most") } else { ("passes", "at least") };
+            format!(
+                "no grazing: without the wall, periodic motion {side} x = 0 everywhere in {ranges}; it comes nearest at {}, \
+                 where its highest point, {end} reached, is x = {}: {}",
+                at(nearest.parameters),
+                brief(nearest.position, 4),
+                widening(nearest, axes)
+            )
+        }
+        UnfoldError::Pushed { at: height } if height.acceleration >= 0.0 => format!(
+            "no grazing: at {} periodic motion touches the wall with F = {}, so that it is pushed against the wall instead of \
+             being turned back; F must be negative where the wall is touched: check the signs in motion.force (motion takes \
+             place in x < 0), or leave these parameters out of the ranges",
+            at(height.parameters),
+            brief(height.acceleration, 4)
+        ),
+        UnfoldError::Pushed { at: height } => format!(
+            "no grazing was located: at {} periodic motion comes to the wall (x = {}, F = {}), but no regular grazing orbit was \
+             found there: move or narrow the ranges",
+            at(height.parameters),
+            brief(height.position, 4),
+            brief(height.acceleration, 4)
+        ),
+        UnfoldError::RunsAway { at: parameters } => format!(
+            "no periodic motion: without the wall, motion runs away from wherever it was begun, for one at {}: check the signs \
+             in motion.force, or begin near a periodic motion with analysis.start = [x, v]",
+            at(*parameters)
+        ),
+        UnfoldError::NoOrbit => format!(
+            "no periodic motion with the period of the forcing was found without the wall for {ranges}: from all starts that \
+             were tried, motion does not settle down: begin near such a motion with analysis.start = [x, v], move the ranges, \
+             or increase the damping"
+        ),
+    }
+}
+
+/// Values of both parameters, as `A = 0.5, omega = 0.8`.
+pub(super) fn place(description: &Description, [primary, secondary]: [f64; 2]) -> String {
+    let (first, second) = (description.primary().name(), description.secondary().name());
+    format!("{first} = {}, {second} = {}", brief(primary, 6), brief(secondary, 6))
+}
+
+fn written([low, high]: [f64; 2]) -> String {
+    format!("[{}, {}]", brief(low, 6), brief(high, 6))
+}
+
+/// Parameters this close to an end of a range, as a share of its width, count as being there: those of the search lie apart
+/// by such steps.
+const EDGE: f64 = 0.05;
+
+/// Which range to widen, and to which side.
+fn widening(nearest: &Height, axes: [&Axis; 2]) -> String {
+    let keys = ["primary.range", "secondary.range"];
+    let sides: Vec<String> = (0..2)
+        .filter_map(|index| {
+            let [low, high] = axes[index].range();
+            let share = (nearest.parameters[index] - low) / (high - low);
+            let name = axes[index].name();
+            let beyond = if share > 1.0 - EDGE {
+                format!("above {}", brief(high, 6))
+            } else if share < EDGE {
+                format!("below {}", brief(low, 6))
+            } else {
+                return None;
+            };
+            Some(format!("{} ({name}) {beyond}", keys[index]))
+        })
+        .collect();
+    let widen = if sides.is_empty() {
+        format!("{} ({}) or {} ({})", keys[0], axes[0].name(), keys[1], axes[1].name())
+    } else {
+        sides.join(" or ")
+    };
+    format!(
+        "widen {widen}, or, if there is another periodic motion, begin near it with analysis.start = [x, v]"
+    )
+}

@@ -1,0 +1,99 @@
+//! The figures: a two-parameter diagram, and magnifications about its resonances.
+
+use std::error::Error;
+
+use grazing_description::Description;
+use grazing_drawing::{
+    Diagram, Heading, Magnifications, Magnified, MagnifiedPanel, Plane, SheetWidth, Table as Drawn, Window,
+    draw_diagram, draw_magnifications,
+};
+use grazing_reproduction::Table;
+
+use super::Analysis;
+
+/// The files of the figures, if all magnifications find room on one sheet.
+pub(super) const FILES: [&str; 2] = ["diagram.svg", "magnifications.svg"];
+
+/// More sheets than a hundred would take some nine hundred resonances.
+const MOST_SHEETS: usize = 100;
+
+/// The file of a sheet of magnifications, if there are several numbered from 1.
+fn sheet_name(number: usize, count: usize) -> String {
+    if count == 1 { FILES[1].to_owned() } else { format!("magnifications-{number}.svg") }
+}
+
+/// All names that a sheet of magnifications can have.
+pub(super) fn possible_names() -> impl Iterator<Item = String> {
+    std::iter::once(sheet_name(1, 1)).chain((1..=MOST_SHEETS).map(|number| sheet_name(number, MOST_SHEETS)))
+}
+
+/// The figures as SVG with the names of their files.
+pub(super) fn figures(
+    description: &Description,
+    unfolded: &Analysis,
+    tables: &[Table],
+    width: SheetWidth,
+) -> Result<Vec<(String, String)>, Box<dyn Error>> {
+    let frame = |name: &'static str| {
+        let table =
+            tables.iter().find(|table| table.name == name).ok_or(format!("there is no table {name}"))?;
+        Ok::<_, String>(Drawn::new(name, &table.frame))
+    };
+    let (points, regions) = (frame("points")?, frame("regions")?);
+    let (primary, secondary) = (description.primary(), description.secondary());
+    let mut plane = Plane::of_parameters(primary.name(), secondary.name());
+    // The columns may have other names than the parameters.
+    plane.across.column = &unfolded.axes.primary;
+    plane.up.column = &unfolded.axes.secondary;
+    let panels = panels(unfolded);
+    let magnified: Vec<Magnified> = panels.iter().map(|panel| panel.shown).collect();
+    let axes = format!("{} across, {} up.", primary.name(), secondary.name());
+    let diagram = Diagram {
+        name: "diagram",
+        title: &format!("{}: two-parameter bifurcation diagram", description.name()),
+        description: &format!(
+            "{axes} Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing bifurcations of \
+             maximal periodic solutions; regions of stability in grey."
+        ),
+        plane: &plane,
+        curves: frame("curves")?,
+        points,
+        regions: Some(regions),
+        window: Window { x: primary.range(), y: secondary.range() },
+        magnified: &magnified,
+        sections: &[],
+    };
+    let mut figures = vec![(FILES[0].to_owned(), draw_diagram(&diagram, width)?)];
+    let magnifications = Magnifications {
+        name: "magnifications",
+        title: &format!("{}: magnifications about resonant grazing bifurcations", description.name()),
+        description: &format!(
+            "{axes} Dashed: the quadratic approximations to the saddle-node and period-doubling curves."
+        ),
+        plane: &plane,
+        curves: frame("magnifications")?,
+        points,
+        regions: Some(regions),
+        panels: &panels,
+    };
+    let sheets = draw_magnifications(&magnifications, width)?;
+    let count = sheets.len();
+    figures.extend(sheets.into_iter().zip(1..).map(|(svg, number)| (sheet_name(number, count), svg)));
+    Ok(figures)
+}
+
+/// A panel for each resonance whose curves are there, numbered as in `magnifications.csv`.
+fn panels(unfolded: &Analysis) -> Vec<MagnifiedPanel> {
+    let wide = |[low, high]: [f64; 2]| low.is_finite() && high.is_finite() && low < high;
+    let numbered = (1..).zip(&unfolded.resonances);
+    let shown = numbered
+        .filter(|(_, at)| !at.magnified.is_empty() && wide(at.window.primary) && wide(at.window.secondary));
+    shown
+        .map(|(panel, at)| {
+            let [c_sn, c_pd] = at.coefficients.theorem;
+            let window = Window { x: at.window.primary, y: at.window.secondary };
+            let heading = Heading { p: i64::from(at.loops), n: Some(i64::from(at.n)), c_sn, c_pd };
+            MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }
+        })
+        .collect()
+}
