@@ -221,10 +221,10 @@ pub struct Report {
 /// The arguments of `grazing unfold`.
 #[derive(Debug, Args)]
 pub struct Unfold {
-    /// Description of an oscillator, as examples/duffing.toml; several are done one after the other
+    /// Description of an oscillator, as examples/duffing.toml; there may be several
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
-    /// Folder for the results, of several files for one folder each [default: unfolded/NAME-OF-FILE]
+    /// Folder for the results, of several files with one for each in it [default: unfolded/NAME]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Formats of the figures, separated by commas

@@ -5,7 +5,7 @@ mod program;
 use std::fs;
 use std::path::Path;
 
-use program::{INVENTED, edited, empty_folder, grazing, listing, project, snapshots};
+use program::{INVENTED, edited, empty_folder, grazing, listing, project, repository, snapshots};
 
 /// What is done to valid parameters: after which section the line of which key becomes which line.
 const EDITS: &[(&str, &str, &str)] = &[
@@ -90,6 +90,15 @@ fn every_bad_command_line_is_refused() {
     let folder = empty_folder();
     fs::write(folder.path().join("file"), "").expect("the folder is ours");
     fs::write(folder.path().join("p.toml"), INVENTED).expect("the folder is ours");
+    let oscillator = fs::read_to_string(repository().join("examples/duffing.toml")).expect("it is there");
+    fs::create_dir(folder.path().join("below")).expect("the folder is ours");
+    for (name, text) in [
+        ("o.toml", &oscillator),
+        ("below/o.toml", &oscillator),
+        ("bad.toml", &oscillator.replace("kappa*x^3", "kapa*x^3")),
+    ] {
+        fs::write(folder.path().join(name), text).expect("the folder is ours");
+    }
     let mut transcript = String::new();
     for line in [
         "",
@@ -108,6 +117,15 @@ fn every_bad_command_line_is_refused() {
         "reproduce --parameters p.toml",
         "reproduce --parameters p.toml --output file",
         "reproduce --parameters p.toml --output file/below",
+        "unfold",
+        "unfold missing.toml",
+        "unfold p.toml",
+        "unfold o.toml bad.toml",
+        "unfold o.toml below/o.toml",
+        "unfold o.toml --loops 2,2",
+        "unfold o.toml --loops 0",
+        "unfold o.toml --format tex",
+        "unfold o.toml --output file",
     ] {
         let before = listing(folder.path());
         let outcome = grazing(folder.path(), &line.split_whitespace().collect::<Vec<_>>());

@@ -24,9 +24,17 @@ fn the_command_line_is_well_defined() {
 #[test]
 fn help_tells_of_commands_and_exit_codes() {
     let text = help(&["--help"]);
-    for told in
-        ["reproduce", "compare", "report", "cargo xtask", "2602.22797", "Exit codes:", "\n  1  ", "\n  2  "]
-    {
+    for told in [
+        "reproduce",
+        "compare",
+        "report",
+        "unfold",
+        "cargo xtask",
+        "2602.22797",
+        "Exit codes:",
+        "\n  1  ",
+        "\n  2  ",
+    ] {
         assert!(text.contains(told), "`{told}` is missing in\n{text}");
     }
 }

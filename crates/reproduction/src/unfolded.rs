@@ -17,7 +17,6 @@ use rayon::prelude::*;
 use crate::StudyError;
 use crate::plane::{self, Axes};
 use crate::table::Table;
-use finished::Finished;
 pub use finished::Observer;
 
 /// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a
@@ -77,7 +76,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
         progress: &dyn Observer,
     ) -> Result<Self, StudyError> {
         let located = Diagram::located(oscillator, scope, progress)?;
-        let followed = located.follow(&Finished::new(progress, &axes, &located));
+        let followed = finished::follow(progress, &axes, &located);
         let diagram = located.with(followed);
         let what = "coefficients and magnifications";
         let found: Vec<_> = diagram.unfolding().collect();

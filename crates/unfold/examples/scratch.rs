@@ -17,7 +17,20 @@ impl grazing_unfold::progress::Progress for P {
 }
 fn run<O: ImpactOscillator>(o: &O, scope: &Scope) {
     let t = Instant::now();
-    if std::env::var("SURVEY").is_ok() { for k in 0..5 { let t = Instant::now(); let e = scope.window.secondary; let s = grazing_unfold::free::survey(o, scope, e[0] + (e[1]-e[0])*k as f64/4.0); println!("survey {k} {:?} grazing {} ran away {:?} extremes {:?}", t.elapsed(), s.grazing.len(), s.ran_away, s.extremes); } }
+    if std::env::var("SURVEY").is_ok() {
+        for k in 0..5 {
+            let t = Instant::now();
+            let e = scope.window.secondary;
+            let s = grazing_unfold::free::survey(o, scope, e[0] + (e[1] - e[0]) * k as f64 / 4.0);
+            println!(
+                "survey {k} {:?} grazing {} ran away {:?} extremes {:?}",
+                t.elapsed(),
+                s.grazing.len(),
+                s.ran_away,
+                s.extremes
+            );
+        }
+    }
     let d = match Diagram::compute(o, scope, &P) {
         Ok(d) => d,
         Err(e) => {
@@ -66,8 +79,24 @@ fn run<O: ImpactOscillator>(o: &O, scope: &Scope) {
                 }
                 println!("  {t1:?} {:?}", t.elapsed());
                 let w = magnification::window_about(&d, r, point);
-                let un = point.unfold(&grazing_unfold::diagram::route(w, grazing_continuation::arclength::StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-6, turn: 0.02 })).unwrap();
-                println!("   magnified SN {} {:?} last {:?} vivid ended {:?}", un.saddle_node.points.len(), un.saddle_node.end, un.saddle_node.points.last().unwrap().solution.unknowns, un.saddle_node.vivid_ended);
+                let un = point
+                    .unfold(&grazing_unfold::diagram::route(
+                        w,
+                        grazing_continuation::arclength::StepControl {
+                            first: 1e-4,
+                            longest: 4e-3,
+                            shortest: 1e-6,
+                            turn: 0.02,
+                        },
+                    ))
+                    .unwrap();
+                println!(
+                    "   magnified SN {} {:?} last {:?} vivid ended {:?}",
+                    un.saddle_node.points.len(),
+                    un.saddle_node.end,
+                    un.saddle_node.points.last().unwrap().solution.unknowns,
+                    un.saddle_node.vivid_ended
+                );
                 println!("      window {:?}", magnification::window_about(&d, r, point));
             }
             Err(v) => println!("{v}"),

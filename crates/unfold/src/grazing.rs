@@ -3,6 +3,8 @@
 //! The grazing orbit is a zero of P_global(0, z; μ, η) − (0, z) in (z, μ, η): a curve, followed by arclength with folds in μ and
 //! η passed like any other point. Paper: Assumption 2.2, made true by the change of parameter μ ↦ μ − μ_graz(η).
 
+use core::f64::consts::TAU;
+
 use grazing_continuation::arclength::{Continuation, CurveEquations, Stall, StepControl};
 use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_continuation::newton::{self, Linearisation};
@@ -11,7 +13,7 @@ use grazing_model::motion::highest_maximum;
 use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix2, Matrix3, Vector3};
 
 use crate::Scope;
 
@@ -20,7 +22,7 @@ use crate::Scope;
 pub struct GrazingState<O> {
     /// The grazing orbit, with P_global to second order.
     pub orbit: GrazingOrbit<O>,
-    /// The curve's tangent (z, μ, η) there, not normalised.
+    /// The curve's tangent (z, μ, η) there, a unit vector once μ and η are counted in their ranges.
     pub tangent: Vector3<f64>,
     /// Inside the trapesium: without the wall the orbit is asymptotically stable.
     pub stable: bool,
@@ -50,10 +52,15 @@ pub struct GrazingCurve<O> {
     pub ends: [GrazingEnd; 2],
 }
 
-/// Steps in z (radians) and the shares of both ranges, short enough for the resonances between to be told apart.
+/// Steps in z (radians) and the shares of both ranges.
 const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.01, shortest: 1e-6, turn: 0.035 };
 /// A curve of this many points goes nowhere.
 const STEP_LIMIT: usize = 20_000;
+/// The angle in radians by which A turns between neighbouring points: a cubic follows a sine this far to two parts in ten thousand,
+/// so that the resonances between are told apart.
+const TURN: f64 = 0.5;
+/// How often the way between two points is halved at most.
+const HALVINGS: u32 = 12;
 
 impl<O: ImpactOscillator> GrazingCurve<O> {
     /// The curve through a grazing orbit, followed to both sides until it leaves the ranges.
@@ -62,8 +69,7 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
     /// The curve has no unique tangent at the orbit.
     pub fn through(orbit: &GrazingOrbit<O>, scope: &Scope) -> Result<Self, Stall<MapError>> {
         let equations = GrazingEquations { oscillator: orbit.oscillator(), scope };
-        let shares = scope.shares(orbit.oscillator().parameters());
-        let start = Vector3::new(orbit.phase(), shares[0], shares[1]);
+        let start = scope.place(orbit);
         let onwards = Vector3::new(0.0, 0.0, 1.0);
         let (mut points, last) = equations.follow(start, onwards)?;
         let mut ends = [last, last];
@@ -83,8 +89,7 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
             points.iter_mut().for_each(|(_, tangent)| *tangent = -*tangent);
             ends.reverse();
         }
-        let states = points.iter().filter_map(|(point, tangent)| equations.state(point, tangent)).collect();
-        Ok(Self { states, ends })
+        Ok(Self { states: equations.states(&points), ends })
     }
 
     /// The parameters (μ, η) along the curve.
@@ -168,6 +173,45 @@ impl<O: ImpactOscillator> CurveEquations<3> for GrazingEquations<'_, O> {
     }
 }
 
+/// The start of a curve, if the curve comes back to it between two of its points; with the phase as far on as it is then.
+fn back_at(
+    (start, tangent): (Vector3<f64>, Vector3<f64>),
+    before: &Vector3<f64>,
+    after: &Vector3<f64>,
+) -> Option<(Vector3<f64>, Vector3<f64>)> {
+    let gap = |point: &Vector3<f64>| {
+        let mut gap = point - start;
+        gap[0] = libm::remainder(gap[0], TAU);
+        gap
+    };
+    let [past, now] = [gap(before), gap(after)];
+    let near = past.norm().max(now.norm()) <= (after - before).norm() * (1.0 + STEPS.turn);
+    if !near || past.dot(&tangent) >= 0.0 || now.dot(&tangent) < 0.0 {
+        return None;
+    }
+    let mut back = start;
+    back[0] = after[0] - now[0];
+    Some((back, tangent))
+}
+
+impl<O: ImpactOscillator> GrazingState<O> {
+    /// About the angle by which A turns on a way of some length in z and the shares of the ranges, in radians.
+    ///
+    /// A and its derivative along the curve are compared in units of x in which a₁₂ and a₂₁ are equally large.
+    fn turn(&self, length: f64) -> f64 {
+        let a = self.orbit.grazing_point().map.a;
+        let change = self.orbit.derivative_along(&self.tangent) * length;
+        let square = |i: usize, j: usize| a[(i, j)] * a[(i, j)] + change[(i, j)] * change[(i, j)];
+        let unit = (square(1, 0) / square(0, 1)).sqrt();
+        let size = |m: Matrix2<f64>| {
+            let [p, q, r, s] = [m[(0, 0)], m[(0, 1)], m[(1, 0)], m[(1, 1)]];
+            p * p + s * s + q * q * unit + r * r / unit
+        };
+        // Not a number where there is no turning: that is no reason for points between.
+        (size(change) / size(a)).sqrt()
+    }
+}
+
 impl<O: ImpactOscillator> GrazingEquations<'_, O> {
     fn oscillator_at(&self, point: &Vector3<f64>) -> O {
         self.scope.oscillator_at(self.oscillator, [point[1], point[2]])
@@ -187,23 +231,28 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
                 Err(stall) => return Ok((points, GrazingEnd::Stalled(stall))),
             };
             let (point, tangent) = (station.point, station.tangent);
-            if let Some(edge) = self.on_the_edge(&points[points.len() - 1].0, &point) {
-                points.push((edge, tangent));
+            let (before, _) = points[points.len() - 1];
+            if let Some(edge) = self.on_the_edge(&before, &point) {
+                points.push((edge, self.tangent(&edge, &tangent).unwrap_or(tangent)));
                 return Ok((points, GrazingEnd::LeftWindow));
             }
-            points.push((point, tangent));
-            if points.len() > 10 && self.is_back(&start, &point) {
+            if points.len() > 10
+                && let Some(back) = back_at(points[0], &before, &point)
+            {
+                points.push(back);
                 return Ok((points, GrazingEnd::Closed));
             }
+            points.push((point, tangent));
         }
         Ok((points, GrazingEnd::StepLimit))
     }
 
-    /// The curve has come back to its start, within a step.
-    fn is_back(&self, start: &Vector3<f64>, point: &Vector3<f64>) -> bool {
-        let mut gap = point - start;
-        gap[0] = libm::remainder(gap[0], core::f64::consts::TAU);
-        gap.norm() < 0.5 * STEPS.longest
+    /// The unit tangent at a point of the curve, to the side of `onwards`.
+    fn tangent(&self, point: &Vector3<f64>, onwards: &Vector3<f64>) -> Option<Vector3<f64>> {
+        let jacobian = self.evaluate(point, &mut None).ok()?.jacobian;
+        let across = jacobian.row(0).transpose().cross(&jacobian.row(1).transpose());
+        let tangent = across.try_normalize(0.0)?;
+        Some(if tangent.dot(onwards) < 0.0 { -tangent } else { tangent })
     }
 
     /// The point at which the curve leaves the ranges between two of its points, if it does.
@@ -230,6 +279,52 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
         let mut point = located.map_or(*outside, |solution| solution.point);
         point[share] = edge;
         Some(point)
+    }
+
+    /// All that is known at the points, and at more between them where A turns far from one to the next.
+    fn states(&self, points: &Points) -> Vec<GrazingState<O>> {
+        let mut states: Vec<GrazingState<O>> = Vec::with_capacity(points.len());
+        for (point, tangent) in points {
+            let Some(state) = self.state(point, tangent) else { continue };
+            if let Some(last) = states.pop() {
+                self.fill(last, &state, HALVINGS, &mut states);
+            }
+            states.push(state);
+        }
+        states
+    }
+
+    /// Adds a point and those between it and the next.
+    fn fill(
+        &self,
+        from: GrazingState<O>,
+        to: &GrazingState<O>,
+        halvings: u32,
+        states: &mut Vec<GrazingState<O>>,
+    ) {
+        let gap = self.scope.place(&to.orbit) - self.scope.place(&from.orbit);
+        let turn = from.turn(gap.norm()).max(to.turn(gap.norm()));
+        let middle = if turn > TURN && halvings > 0 { self.middle(&from, &gap) } else { None };
+        let Some(middle) = middle else { return states.push(from) };
+        self.fill(from, &middle, halvings - 1, states);
+        self.fill(middle, to, halvings - 1, states);
+    }
+
+    /// The point of the curve half the way on from a point.
+    fn middle(&self, from: &GrazingState<O>, gap: &Vector3<f64>) -> Option<GrazingState<O>> {
+        let half = self.scope.place(&from.orbit) + gap * 0.5;
+        let mut time = None;
+        let located = newton::solve(half, 20, |point| {
+            let mut system = self.evaluate(point, &mut time)?;
+            system.residual[2] = gap.dot(&(point - half));
+            system.jacobian.set_row(2, &gap.transpose());
+            Ok::<_, MapError>(system)
+        });
+        let point = located.ok()?.point;
+        if (point - half).norm() > 0.5 * gap.norm() {
+            return None;
+        }
+        self.state(&point, &self.tangent(&point, gap)?)
     }
 
     /// All that is known at a point; nothing where P_global has no second derivatives.

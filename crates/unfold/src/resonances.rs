@@ -60,6 +60,9 @@ fn numbered<O: ImpactOscillator>(located: LocatedResonance<O>) -> Resonance<O> {
     Resonance { loops, n: winding::index(located.orbit(), loops), theorem: located.checked(), located }
 }
 
+/// Parts of a stretch in which bisection begins.
+const PARTS: u32 = 8;
+
 /// The grazing curve between two neighbouring points, and a₁₂ or κ_p along it as a cubic with the right values and slopes at both
 /// ends, so that two zeros between the points are seen as well.
 struct Stretch<'a, O> {
@@ -69,20 +72,10 @@ struct Stretch<'a, O> {
     slopes: [f64; 2],
 }
 
-/// Parts of a stretch between which a sign change is looked for.
-const PARTS: u32 = 8;
-
 impl<'a, O: ImpactOscillator> Stretch<'a, O> {
     fn new(ends: [&'a GrazingState<O>; 2], loops: u32, scope: &Scope) -> Self {
         // The stretch's length in the variables in which the curve was followed.
-        let place = |state: &GrazingState<O>| {
-            let [primary, secondary] = scope.shares(state.orbit.oscillator().parameters());
-            [state.orbit.phase(), primary, secondary]
-        };
-        let [a, b] = ends.map(place);
-        let length =
-            ((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]) + (b[2] - a[2]) * (b[2] - a[2]))
-                .sqrt();
+        let length = (scope.place(&ends[1].orbit) - scope.place(&ends[0].orbit)).norm();
         let at = ends.map(|state| {
             let rate = state.orbit.derivative_along(&state.tangent) * length;
             state.orbit.detuning(loops, &rate)
@@ -98,12 +91,26 @@ impl<'a, O: ImpactOscillator> Stretch<'a, O> {
         rest * rest * ((1.0 + 2.0 * way) * a + way * da) + way * way * ((1.0 + 2.0 * rest) * b - rest * db)
     }
 
+    /// The shares of the way between which the cubic has one zero at most: its extrema and the ends of the parts, in order.
+    fn brackets(&self) -> Vec<f64> {
+        let [a, b] = self.values;
+        let [da, db] = self.slopes;
+        // The derivative is q₂ w² + q₁ w + q₀ at the share w of the way.
+        let [q2, q1, q0] = [6.0 * (a - b) + 3.0 * (da + db), 6.0 * (b - a) - 4.0 * da - 2.0 * db, da];
+        let root = (q1 * q1 - 4.0 * q2 * q0).sqrt();
+        // Without cancellation; not numbers where there are no extrema.
+        let half = -0.5 * (q1 + root.copysign(q1));
+        let mut points: Vec<f64> = (0..=PARTS).map(|k| f64::from(k) / f64::from(PARTS)).collect();
+        points.extend([half / q2, q0 / half].into_iter().filter(|way| *way > 0.0 && *way < 1.0));
+        points.sort_by(f64::total_cmp);
+        points
+    }
+
     /// The shares of the way at which the cubic changes its sign.
     fn zeros(&self) -> Vec<f64> {
-        let part = |k: u32| f64::from(k) / f64::from(PARTS);
         let mut found = Vec::new();
-        for k in 0..PARTS {
-            let (mut low, mut high) = (part(k), part(k + 1));
+        for bracket in self.brackets().windows(2) {
+            let (mut low, mut high) = (bracket[0], bracket[1]);
             let sign = self.at(low) > 0.0;
             // Where κ_p is not a number (δ ≤ 0) there is no resonance.
             if self.at(low).is_nan() || self.at(high).is_nan() || sign == (self.at(high) > 0.0) {
@@ -129,5 +136,78 @@ impl<'a, O: ImpactOscillator> Stretch<'a, O> {
     fn locate(&self, way: f64, loops: u32) -> Result<LocatedResonance<O>, ResonanceError> {
         let oscillator = self.ends[0].orbit.oscillator().with_parameters(self.parameters(way));
         LocatedResonance::find(&oscillator, loops, self.between(way, |state| state.orbit.phase()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use grazing_continuation::curve::Window;
+    use grazing_model::LinearOscillator;
+    use grazing_theorems::from_map::GrazingOrbit;
+    use nalgebra::Vector3;
+
+    use super::*;
+
+    fn states() -> [GrazingState<LinearOscillator>; 2] {
+        [0.8, 0.81].map(|frequency| {
+            let near = LinearOscillator::new(0.02, 0.9, 0.3, frequency).expect("valid");
+            let phase = libm::atan2(0.04 * frequency, 1.0 - frequency * frequency);
+            let orbit = GrazingOrbit::find(&near, phase).expect("it grazes");
+            GrazingState { orbit, tangent: Vector3::y(), stable: true, admissible: true }
+        })
+    }
+
+    /// The zeros found of (w − a)(w − b) c, or of (w − a) c without b.
+    fn found(a: f64, b: Option<f64>, c: f64) -> Vec<f64> {
+        let [first, second] = states();
+        let value = |w: f64| c * (w - a) * b.map_or(1.0, |b| w - b);
+        let slope = |w: f64| c * b.map_or(1.0, |b| 2.0 * w - a - b);
+        let stretch = Stretch {
+            ends: [&first, &second],
+            values: [value(0.0), value(1.0)],
+            slopes: [slope(0.0), slope(1.0)],
+        };
+        stretch.zeros()
+    }
+
+    #[test]
+    fn two_zeros_within_a_step_are_seen_however_close_they_are() {
+        for (a, b) in [(0.2, 0.7), (0.3, 0.34), (0.51, 0.52), (1e-4, 1.0 - 1e-4), (0.1, 0.1 + 1e-5)] {
+            for c in [1.0, -30.0] {
+                let zeros = found(a, Some(b), c);
+                assert_eq!(zeros.len(), 2, "{a} {b}");
+                // Twenty halvings of an eighth, and a parabola's rounding over the distance of its zeros.
+                for (zero, wanted) in zeros.iter().zip([a, b]) {
+                    assert!((zero - wanted).abs() < 2e-7, "{zero} instead of {wanted}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_zero_is_seen_once_and_none_where_there_is_none() {
+        for a in [1e-9, 0.125, 0.3, 0.5, 0.875, 1.0 - 1e-9] {
+            assert_eq!(found(a, None, -2.0).len(), 1, "{a}");
+        }
+        for (a, b) in [(-0.1, Some(1.1)), (-0.1, Some(-0.2)), (1.01, None), (-0.01, None)] {
+            assert!(found(a, b, 3.0).is_empty(), "{a} {b:?}");
+        }
+    }
+
+    #[test]
+    fn neighbouring_stretches_share_a_zero_at_their_common_end_between_them() {
+        // One step ends where the next begins: the zero belongs to one of them, whatever its sign of rounding.
+        let scope = Scope {
+            window: Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] },
+            loops: vec![1],
+            start: None,
+        };
+        let [first, second] = states();
+        for end in [0.0, 1e-18, -1e-18] {
+            let ends = [&first, &second];
+            let before = Stretch { values: [-1.0, end], slopes: [1.0; 2], ..Stretch::new(ends, 1, &scope) };
+            let after = Stretch { values: [end, 1.0], slopes: [1.0; 2], ..Stretch::new(ends, 1, &scope) };
+            assert_eq!(before.zeros().len() + after.zeros().len(), 1, "{end}");
+        }
     }
 }

@@ -2,6 +2,8 @@
 
 use grazing_continuation::curve::Window;
 use grazing_model::ImpactOscillator;
+use grazing_theorems::from_map::GrazingOrbit;
+use nalgebra::Vector3;
 
 /// The part of the parameter plane that is looked at, and the solutions that are looked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +32,12 @@ impl Scope {
     pub(crate) fn shares(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
         let share = |[lower, upper]: [f64; 2], value: f64| (value - lower) / (upper - lower);
         [share(self.window.primary, primary), share(self.window.secondary, secondary)]
+    }
+
+    /// Phase and shares of the ranges of a grazing orbit, the variables in which grazing curves are followed.
+    pub(crate) fn place<O: ImpactOscillator>(&self, orbit: &GrazingOrbit<O>) -> Vector3<f64> {
+        let [primary, secondary] = self.shares(orbit.oscillator().parameters());
+        Vector3::new(orbit.phase(), primary, secondary)
     }
 
     /// The widths of the ranges of μ and η.

@@ -10,7 +10,7 @@ use grazing_unfold::resonances::Resonance;
 
 use super::Analysis;
 use super::listing::wrapped;
-use super::numbers::significant;
+use super::numbers::brief;
 use super::reason::place;
 
 const DIGITS: usize = 9;
@@ -34,7 +34,7 @@ fn explained<O: ImpactOscillator>(description: &Description, resonance: &Resonan
     let mut text = format!("\np = {}, n = {} at {at}: {theorem} {answer}\n", resonance.loops, resonance.n);
     for hypothesis in hypotheses {
         let word = if hypothesis.holds() { "holds" } else { "FAILS" };
-        let (statement, value) = (hypothesis.statement(), significant(hypothesis.value, DIGITS));
+        let (statement, value) = (hypothesis.statement(), brief(hypothesis.value, DIGITS));
         // Writing to a string cannot fail.
         let _ = writeln!(text, "  {word}  {statement:24} {value:>16}");
     }
@@ -47,7 +47,7 @@ fn quantities<O: ImpactOscillator>(resonance: &Resonance<O>) -> String {
     let point = resonance.located.resonant_point();
     let grazing = &point.grazing;
     let (a, b) = (grazing.map.a, grazing.map.b);
-    let number = |value| significant(value, DIGITS);
+    let number = |value| brief(value, DIGITS);
     let stability = point.stability_coefficients();
     let (slope, derivative) = match point.unfolding {
         Unfolding::OneLoop { off_diagonal_derivative } => ("a12'", off_diagonal_derivative),

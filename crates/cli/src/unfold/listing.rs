@@ -11,12 +11,13 @@ use grazing_model::ImpactOscillator;
 use grazing_reproduction::unfolded::AtResonance;
 use grazing_theorems::HypothesesViolated;
 use grazing_theorems::hypothesis::Hypothesis;
+use grazing_unfold::Diagram;
 use grazing_unfold::diagram::{DiagramCurve, Kind};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::sides::Sides;
 
 use super::Analysis;
-use super::numbers::{agreement, brief, range, significant};
+use super::numbers::{agreement, brief, fixed, range, significant};
 use super::reason::place;
 
 /// The widest line.
@@ -58,7 +59,7 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
     let mut text = grazing_curves(description, unfolded);
     text.push_str(&resonances(description, unfolded));
     text.push_str(&silent_theorems(description, unfolded));
-    text.push_str(&missing(description, unfolded));
+    text.push_str(&missing(description, &unfolded.diagram));
     text.push_str(&corners(description, unfolded));
     text.push_str(&odd_ends(description, unfolded));
     text
@@ -146,11 +147,11 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     let rows = found.iter().map(|((resonance, point), _)| {
         let [mu, eta] = point.orbit().oscillator().parameters();
         let grazing = &point.resonant_point().grazing;
-        let quantities =
-            [grazing.map.trace(), grazing.map.determinant(), grazing.alpha(), grazing.map.transversality()];
         let mut row = vec![resonance.loops.to_string(), resonance.n.to_string()];
         row.extend([eta, mu].map(|value| significant(value, PARAMETER)));
-        row.extend(quantities.map(|value| significant(value, QUANTITY)));
+        // Where p = 2, tau is zero but for rounding.
+        row.extend([grazing.map.trace(), grazing.map.determinant()].map(|value| fixed(value, QUANTITY)));
+        row.extend([grazing.alpha(), grazing.map.transversality()].map(|value| significant(value, QUANTITY)));
         row
     });
     text.push_str(&aligned(&["p", "n", secondary, primary, "tau", "delta", "alpha", "beta"], rows));
@@ -222,15 +223,13 @@ fn failing(violated: &HypothesesViolated) -> String {
 }
 
 /// Resonances that could not be located, or whose curves could not be followed.
-fn missing(description: &Description, unfolded: &Analysis) -> String {
-    let diagram = &unfolded.diagram;
+fn missing<O>(description: &Description, diagram: &Diagram<O>) -> String {
     let mut text = String::new();
     if !diagram.unlocated.is_empty() || !diagram.not_unfolded.is_empty() {
         text.push_str("\nResonances that could not be unfolded\n");
     }
     for lost in &diagram.unlocated {
-        let content =
-            format!("near {}: seen, but not located: {}", place(description, lost.near), lost.reason);
+        let content = format!("near {}: {}", place(description, lost.near), lost.reason);
         text.push_str(&wrapped(&format!("  p = {}  ", lost.loops), &content));
     }
     for lost in &diagram.not_unfolded {
@@ -323,4 +322,62 @@ pub(super) fn wrapped(mark: &str, content: &str) -> String {
         column += length;
     }
     format!("{}\n", text.trim_end())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use grazing_continuation::curve::Window;
+    use grazing_continuation::locate::LocateFailure;
+    use grazing_continuation::resonance::ResonanceError;
+    use grazing_unfold::Scope;
+    use grazing_unfold::diagram::NotUnfolded;
+    use grazing_unfold::resonances::Unlocated;
+
+    #[test]
+    fn resonances_that_could_not_be_unfolded_are_named_with_the_reason() {
+        let description =
+            Description::parse(include_str!("../../../../examples/duffing.toml"), "examples/duffing.toml")
+                .unwrap();
+        let window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
+        let failure = LocateFailure::Elsewhere { distance: 0.5, step: 0.001 };
+        let diagram = Diagram::<()> {
+            scope: Scope { window, loops: vec![1], start: None },
+            grazing: Vec::new(),
+            resonances: Vec::new(),
+            curves: Vec::new(),
+            corners: Vec::new(),
+            unlocated: vec![Unlocated {
+                loops: 1,
+                near: [0.25, 0.5],
+                reason: ResonanceError::NotLocated(failure),
+            }],
+            not_unfolded: vec![NotUnfolded {
+                loops: 2,
+                n: 3,
+                reason: ResonanceError::NotStarted {
+                    curve: "saddle-node",
+                    reason: "it ends at once".to_owned(),
+                },
+            }],
+        };
+        let told = missing(&description, &diagram);
+        let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(
+            words,
+            "Resonances that could not be unfolded \
+             p = 1 near A = 0.25, omega = 0.5: the resonance was not located: the point found lies 0.5 away, on a step of \
+             length 0.001 \
+             p = 2, n = 3 the saddle-node curve cannot be started at the resonance: it ends at once"
+        );
+        let nothing = Diagram { unlocated: Vec::new(), not_unfolded: Vec::new(), ..diagram };
+        assert_eq!(missing(&description, &nothing), "");
+    }
+
+    #[test]
+    fn words_are_wrapped_under_the_first() {
+        let text = wrapped("  mark  ", &"word ".repeat(40));
+        assert!(text.lines().count() > 2 && text.lines().all(|line| line.chars().count() <= WIDTH));
+        assert!(text.lines().skip(1).all(|line| line.starts_with("        word")), "{text}");
+    }
 }

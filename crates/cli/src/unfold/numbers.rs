@@ -27,6 +27,12 @@ pub(super) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// The value with this many decimals, for a column of numbers of order one.
+pub(super) fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    if text.chars().any(|digit| ('1'..='9').contains(&digit)) { text } else { format!("{:.decimals$}", 0.0) }
+}
+
 /// Both ends of a range.
 pub(super) fn range([low, high]: [f64; 2]) -> String {
     format!("{} to {}", brief(low, 6), brief(high, 6))

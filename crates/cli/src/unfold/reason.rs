@@ -23,19 +23,18 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
                     at(highest.parameters)
                 );
             }
-            let (side, end) =
-                if highest.position < 0.0 { ("stays below", "at most") } else { ("passes", "at least") };
+            let side = if highest.position < 0.0 { "stays below" } else { "passes" };
             format!(
                 "no grazing: without the wall, periodic motion {side} x = 0 everywhere in {ranges}; it comes nearest at {}, \
-                 where its highest point, {end} reached, is x = {}: {}",
+                 where its highest point is x = {}: {}",
                 at(nearest.parameters),
                 brief(nearest.position, 4),
                 widening(nearest, axes)
             )
         }
-        UnfoldError::Pushed { at: height } if height.acceleration >= 0.0 => format!(
-            "no grazing: at {} periodic motion touches the wall with F = {}, so that it is pushed against the wall instead of \
-             being turned back; F must be negative where the wall is touched: check the signs in motion.force (motion takes \
+        UnfoldError::Pushed { at: height } if height.acceleration > -TURNED => format!(
+            "no grazing: at {} periodic motion comes to the wall with F = {}, so that it rests at the wall or is pushed against \
+             it instead of being turned back; F must be negative where the wall is touched: check the signs in motion.force (motion takes \
              place in x < 0), or leave these parameters out of the ranges",
             at(height.parameters),
             brief(height.acceleration, 4)
@@ -66,12 +65,14 @@ pub(super) fn place(description: &Description, [primary, secondary]: [f64; 2]) -
     format!("{first} = {}, {second} = {}", brief(primary, 6), brief(secondary, 6))
 }
 
+/// A deceleration below this is what rounding leaves of none.
+const TURNED: f64 = 1e-9;
+
 fn written([low, high]: [f64; 2]) -> String {
     format!("[{}, {}]", brief(low, 6), brief(high, 6))
 }
 
-/// Parameters this close to an end of a range, as a share of its width, count as being there: those of the search lie apart
-/// by such steps.
+/// Parameters this close to an end of a range, as a share of its width, count as being there.
 const EDGE: f64 = 0.05;
 
 /// Which range to widen, and to which side.

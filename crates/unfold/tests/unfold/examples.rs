@@ -1,0 +1,120 @@
+//! The examples: what the theorems say at every resonance, what is measured there, and what simulation does.
+
+use std::fmt::Write;
+
+use grazing_description::Description;
+use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Integrated;
+use grazing_theorems::hypothesis::Quantity;
+use grazing_unfold::diagram::{Coefficients, Kind};
+use grazing_unfold::resonances::{Resonance, on_curve};
+use grazing_unfold::sides;
+use insta::{Settings, assert_snapshot};
+use rayon::prelude::*;
+
+use crate::specimens::{example, file, grazing_curves};
+
+/// All resonances of an example.
+fn resonances(name: &str) -> Vec<Resonance<Integrated<Description>>> {
+    let (oscillator, scope) = example(name);
+    let curves = grazing_curves(&oscillator, &scope).unwrap_or_else(|error| panic!("{name}: {error}"));
+    assert_eq!(curves.len(), 1, "{name}");
+    let (found, lost) = on_curve(&curves[0], &scope);
+    assert!(lost.is_empty(), "{name}: {lost:?}");
+    for resonance in &found {
+        // Where a theorem fails it is for the reason of Proposition 3.3: solutions on the other side of ω₁/ω = n are virtual.
+        if let Err(violated) = &resonance.theorem {
+            let quantities: Vec<_> = violated.violated().map(|hypothesis| hypothesis.quantity).collect();
+            assert_eq!(quantities, [Quantity::OffDiagonalTimesSquareRootFactor], "{name}: {violated}");
+        }
+    }
+    found
+}
+
+/// Theorem and fit agree to five digits, and simulation lands on the predicted side of both curves.
+fn assert_theory_holds(name: &str, resonances: &[Resonance<Integrated<Description>>]) {
+    let failures: Vec<String> = resonances
+        .par_iter()
+        .filter_map(|resonance| Some((resonance, resonance.theorem.as_ref().ok()?)))
+        .flat_map_iter(|(resonance, point)| {
+            let place = format!("{name}, p = {}, n = {}", resonance.loops, resonance.n);
+            let Coefficients { theorem, fit } = Coefficients::of(point);
+            let kinds = [Kind::SaddleNode, Kind::PeriodDoubling];
+            kinds.into_iter().zip(theorem).zip(fit).flat_map(move |((kind, theorem), fit)| {
+                let place = format!("{place}, {}", kind.name());
+                // Five digits.
+                let agrees = fit.as_ref().is_ok_and(|fit| ((fit.value - theorem) / theorem).abs() < 1e-5);
+                let measured = (!agrees).then(|| format!("{place}: {theorem:e}, measured {fit:?}"));
+                let sides = sides::simulate(point, kind);
+                let lands = sides.as_ref().is_ok_and(sides::Sides::as_predicted);
+                let simulated = (!lands).then(|| format!("{place}: {sides:?}"));
+                measured.into_iter().chain(simulated)
+            })
+        })
+        .collect();
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+fn assert_unfolds(name: &str) {
+    let found = resonances(&format!("{name}.toml"));
+    let mut text = String::new();
+    for resonance in &found {
+        let [mu, eta] = resonance.located.orbit().oscillator().parameters();
+        write!(text, "p = {}, n = {}: eta {eta:.7e}, mu {mu:.7e}", resonance.loops, resonance.n).unwrap();
+        match &resonance.theorem {
+            Ok(point) => {
+                let theorem = point.theorem();
+                let [sn, pd] =
+                    [theorem.saddle_node(), theorem.period_doubling()].map(|curve| curve.coefficient);
+                writeln!(text, ", c_SN {sn:.7e}, c_PD {pd:.7e}").unwrap();
+            }
+            Err(violated) => {
+                for hypothesis in violated.violated() {
+                    write!(text, ", {} violated by {:.7e}", hypothesis.statement(), hypothesis.value).unwrap();
+                }
+                writeln!(text).unwrap();
+            }
+        }
+    }
+    let mut settings = Settings::clone_current();
+    settings.set_snapshot_path(file("expected"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| assert_snapshot!(format!("example_{name}"), text));
+    assert_theory_holds(name, &found);
+}
+
+#[test]
+fn theory_holds_at_the_resonances_of_the_papers_oscillator() {
+    assert_unfolds("paper");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_of_the_duffing_oscillator() {
+    assert_unfolds("duffing");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_with_an_impact_that_varies_and_lasts() {
+    assert_unfolds("varying-impact");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_with_quadratic_damping() {
+    assert_unfolds("quadratic-damping");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_where_the_clearance_is_the_parameter() {
+    assert_unfolds("clearance");
+}
+
+#[test]
+fn every_example_has_its_test() {
+    let mut names: Vec<String> = std::fs::read_dir(file("examples"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path().file_stem().unwrap().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    assert_eq!(names, ["clearance", "duffing", "paper", "quadratic-damping", "varying-impact"]);
+}

@@ -1,0 +1,59 @@
+//! Resonances on the grazing curve of the linear oscillator, of which all are known.
+
+use grazing_model::ImpactOscillator;
+use grazing_theorems::LinearOscillator as Theory;
+use grazing_unfold::resonances::on_curve;
+
+use crate::specimens::{EPSILON, ZETA, assert_within, closed_form, grazing_curves, scope};
+
+/// Forcing frequency and n of all resonances of a p in a range, and whether a theorem holds there: eq:resonance1, eq:resonancep.
+fn expected(loops: u32, [lowest, highest]: [f64; 2]) -> Vec<(f64, u32, bool)> {
+    let theory = Theory::new(ZETA, EPSILON).unwrap();
+    let mut list: Vec<_> = theory
+        .resonances(&[loops], lowest, highest)
+        .unwrap()
+        .iter()
+        .map(|resonance| (resonance.forcing_frequency(), resonance.index(), true))
+        .collect();
+    if loops > 1 {
+        let virtual_ones =
+            (1..=10).map(|n| (theory.virtual_resonance_frequency(loops, n).unwrap(), n, false));
+        list.extend(virtual_ones.filter(|(frequency, ..)| (lowest..=highest).contains(frequency)));
+    }
+    list.sort_by(|a, b| a.0.total_cmp(&b.0));
+    list
+}
+
+fn assert_all_found(secondary: [f64; 2], loops: &[u32]) {
+    let scope = scope([0.0, 20.0], secondary, loops);
+    let curves = grazing_curves(&closed_form(), &scope).unwrap();
+    let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
+    let (found, lost) = on_curve(curve, &scope);
+    assert!(lost.is_empty(), "{lost:?}");
+    let mut listed = found.iter();
+    for &loops in &scope.loops {
+        for (frequency, n, holds) in expected(loops, secondary) {
+            let next = listed.next().unwrap_or_else(|| panic!("p = {loops}, n = {n} is missing"));
+            assert_eq!((next.loops, next.n, next.theorem.is_ok()), (loops, n, holds), "near {frequency}");
+            // Newton's method on smooth equations.
+            assert_within(next.located.orbit().oscillator().parameters()[1], frequency, 1e-10);
+        }
+    }
+    assert!(listed.next().is_none());
+}
+
+#[test]
+fn all_resonances_in_a_wide_window_are_found_once_with_their_n() {
+    assert_all_found([0.2, 3.0], &[1, 2, 3, 4, 5, 6]);
+}
+
+#[test]
+fn all_resonances_at_low_frequencies_are_found_once_with_their_n() {
+    // Steps as for the wide window would be longer here than the resonances are apart.
+    assert_all_found([0.12, 0.4], &[6, 1]);
+}
+
+#[test]
+fn all_resonances_at_high_frequencies_are_found_once_with_their_n() {
+    assert_all_found([1.0, 4.2], &[2, 1, 5]);
+}

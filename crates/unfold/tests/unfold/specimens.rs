@@ -1,0 +1,80 @@
+//! Oscillators to look at, and what they are looked at with.
+
+use std::path::{Path, PathBuf};
+
+use grazing_continuation::curve::Window;
+use grazing_description::Description;
+use grazing_model::smooth::Integrated;
+use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_theorems::GrazingState;
+use grazing_unfold::grazing::GrazingCurve;
+use grazing_unfold::progress::Silent;
+use grazing_unfold::{Diagram, Scope, UnfoldError};
+
+/// The damping ratio and the coefficient of restitution of the paper's figures.
+pub(crate) const ZETA: f64 = 0.02;
+pub(crate) const EPSILON: f64 = 0.9;
+
+/// A damping ratio at which motion settles soon.
+pub(crate) const DAMPED: f64 = 0.1;
+
+/// A file of the repository.
+pub(crate) fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name)
+}
+
+pub(crate) fn scope(primary: [f64; 2], secondary: [f64; 2], loops: &[u32]) -> Scope {
+    Scope { window: Window { primary, secondary }, loops: loops.to_vec(), start: None }
+}
+
+/// The paper's oscillator; its own parameters do not matter.
+pub(crate) fn closed_form() -> LinearOscillator {
+    LinearOscillator::new(ZETA, EPSILON, 0.5, 0.8).unwrap()
+}
+
+/// The closed form of grazing of the linear oscillator.
+pub(crate) fn grazing_at(zeta: f64, frequency: f64) -> GrazingState {
+    grazing_theorems::LinearOscillator::new(zeta, EPSILON).unwrap().grazing(frequency).unwrap()
+}
+
+/// The oscillator of an example, and all that its file asks for.
+pub(crate) fn example(name: &str) -> (Integrated<Description>, Scope) {
+    let description =
+        Description::from_file(&file("examples").join(name)).unwrap_or_else(|error| panic!("{error}"));
+    let [primary, secondary] = [description.primary(), description.secondary()].map(|axis| axis.range());
+    let mut scope = scope(primary, secondary, description.loops());
+    scope.start = description.start();
+    (Integrated::new(description, [primary[1], secondary[1]]), scope)
+}
+
+/// An oscillator with parameters `mu` and `eta`, and a constant `zeta` for its damping.
+pub(crate) fn written(force: &str, frequency: &str, scope: &Scope) -> Integrated<Description> {
+    let Window { primary, secondary } = scope.window;
+    let text = format!(
+        "name = \"Test\"\n[parameters]\nzeta = {DAMPED}\n[primary]\nname = \"mu\"\nrange = {primary:?}\n\
+         [secondary]\nname = \"eta\"\nrange = {secondary:?}\n[motion]\nforce = \"{force}\"\n\
+         frequency = \"{frequency}\"\n[impact]\nrestitution = \"{EPSILON}\"\nduration = \"0\"\n\
+         [analysis]\nloops = [1]\n"
+    );
+    let description = Description::parse(&text, "test.toml").unwrap_or_else(|error| panic!("{error}"));
+    Integrated::new(description, [primary[1], secondary[1]])
+}
+
+/// The pieces of the grazing curve.
+pub(crate) fn grazing_curves<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+) -> Result<Vec<GrazingCurve<O>>, UnfoldError> {
+    let only_grazing = Scope { loops: Vec::new(), ..scope.clone() };
+    Diagram::compute(oscillator, &only_grazing, &Silent).map(|diagram| diagram.grazing)
+}
+
+/// Fails unless the numbers differ by at most `bound`.
+#[track_caller]
+pub(crate) fn assert_within(computed: f64, expected: f64, bound: f64) {
+    let difference = (computed - expected).abs();
+    assert!(
+        difference <= bound,
+        "{computed:e} instead of {expected:e}: off by {difference:e}, more than {bound:e}"
+    );
+}
