@@ -3,9 +3,9 @@
 mod explanation;
 mod keeper;
 mod listing;
-mod numbers;
+pub(crate) mod numbers;
 mod reason;
-mod sheets;
+pub(crate) mod sheets;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ use keeper::Keeper;
 const RESULTS: &str = "unfolded";
 
 /// What the analysis of an oscillator from a text file comes to.
-type Analysis = Unfolded<Integrated<Description>>;
+pub(crate) type Analysis = Unfolded<Integrated<Description>>;
 
 /// A file that is to be unfolded.
 struct Task {
@@ -97,14 +97,24 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     Ok(tasks)
 }
 
+/// The failure that tells, with the file's names of the parameters, why there is nothing to unfold.
+pub(crate) fn failure(description: &Description, file: &Path, error: &StudyError) -> Failure {
+    match error {
+        StudyError::Unfold(error) => {
+            Failure::NothingToUnfold { file: file.to_owned(), reason: reason::of(error, description) }
+        }
+        error => computation("unfold", error),
+    }
+}
+
 impl Task {
     /// Computes, writes and tells everything.
     fn run(&self, edition: &Edition, explain: bool) -> Result<(), Failure> {
         let start = Instant::now();
         terminal::say(&listing::oscillator(&self.description, &self.file));
         let keeper = Keeper::new(&self.folder);
-        let unfolded =
-            Unfolded::described(&self.description, &keeper).map_err(|error| self.failure(&error))?;
+        let unfolded = Unfolded::described(&self.description, &keeper)
+            .map_err(|error| failure(&self.description, &self.file, &error))?;
         let tables = unfolded.tables().map_err(|error| computation("tables", &error))?;
         let files = self.files(&unfolded, &tables, edition)?;
         let changes = folder::write(&self.folder, &files)?;
@@ -123,17 +133,6 @@ impl Task {
             return Err(Failure::PartlyUnfolded { file: self.file.clone(), missing, all });
         }
         Ok(())
-    }
-
-    /// The failure that tells, with the file's names of the parameters, why there is nothing to unfold.
-    fn failure(&self, error: &StudyError) -> Failure {
-        match error {
-            StudyError::Unfold(error) => Failure::NothingToUnfold {
-                file: self.file.clone(),
-                reason: reason::of(error, &self.description),
-            },
-            error => computation("unfold", error),
-        }
     }
 
     /// Figures and tables.
