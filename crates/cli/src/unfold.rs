@@ -21,6 +21,7 @@ use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
 use crate::outputs::edition::Edition;
 use crate::outputs::{computation, table_path};
+use crate::report::oscillators::{Material, PAGE};
 use crate::reproduce::{start_threads, summary};
 use crate::{tables, terminal};
 use keeper::Keeper;
@@ -34,6 +35,8 @@ pub(crate) type Analysis = Unfolded<Integrated<Description>>;
 /// A file that is to be unfolded.
 struct Task {
     file: PathBuf,
+    /// What stands in the file.
+    text: String,
     description: Description,
     folder: PathBuf,
 }
@@ -48,7 +51,8 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     for task in &tasks {
         let figures = sheets::FILES.iter().flat_map(|file| edition.figure_paths(file));
         let tables = Analysis::TABLES.iter().map(|name| table_path(name));
-        folder::ensure_writable(&task.folder, &figures.chain(tables).collect::<Vec<_>>())?;
+        let page = std::iter::once(PathBuf::from(PAGE));
+        folder::ensure_writable(&task.folder, &figures.chain(tables).chain(page).collect::<Vec<_>>())?;
     }
     if let Some(jobs) = arguments.jobs {
         start_threads(jobs)?;
@@ -92,7 +96,8 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
             let (first, second) = (other.file.clone(), file.clone());
             return Err(Failure::SameFolder { first, second, folder });
         }
-        tasks.push(Task { file: file.clone(), description, folder });
+        let text = fs::read_to_string(file).map_err(|reason| Failure::File { path: file.clone(), reason })?;
+        tasks.push(Task { file: file.clone(), text, description, folder });
     }
     Ok(tasks)
 }
@@ -135,7 +140,7 @@ impl Task {
         Ok(())
     }
 
-    /// Figures and tables.
+    /// Figures, tables and the page that shows them.
     fn files(
         &self,
         unfolded: &Analysis,
@@ -145,13 +150,16 @@ impl Task {
         let mut files = Vec::new();
         let drawn = sheets::figures(&self.description, unfolded, tables, edition.width())
             .map_err(|error| computation("figures", &*error))?;
-        for (name, svg) in drawn {
+        for (name, svg) in drawn.clone() {
             files.extend(edition.figure_files(&name, svg).map_err(|error| computation("figures", &error))?);
         }
         for table in tables {
             let content = tables::csv(&table.frame).map_err(|error| computation("tables", &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
         }
+        let Self { file, text, description, .. } = self;
+        let material = Material { file, text, description, unfolded, figures: &drawn, tables };
+        files.push(material.page(&files)?);
         Ok(files)
     }
 

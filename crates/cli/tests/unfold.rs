@@ -47,7 +47,7 @@ const TABLES: [&str; 8] = [
 /// What belongs in a folder of results.
 fn results() -> Vec<String> {
     let tables = TABLES.map(|table| format!("data/{table}.csv"));
-    let mut all = vec!["data".to_owned(), "diagram.svg".to_owned(), "magnifications.svg".to_owned()];
+    let mut all = ["data", "diagram.svg", "magnifications.svg", "report.html"].map(str::to_owned).to_vec();
     all.extend(tables);
     all.sort();
     all
