@@ -22,10 +22,11 @@ pub(crate) fn title(report: &Report) -> &'static str {
 pub(crate) fn section(report: &Report) -> String {
     let mut html = format!(
         "<section id=\"oscillators\" aria-labelledby=\"oscillators-title\">\n<h2 id=\"oscillators-title\">{}</h2>\n\
-         <p class=\"lead\">The same analysis of an oscillator that a text file describes: its grazing curve, the resonant grazing \
+         <p class=\"lead\">{} that a text file describes: its grazing curve, the resonant grazing \
          bifurcations on it with the coefficients that Theorems 2.4 (<i>p</i> = 1) and 2.5 (<i>p</i> ≥ 2) give, the curves of \
          bifurcations that are continued from there, and simulation beside them.</p>\n",
-        title(report)
+        title(report),
+        if report.is_of_the_paper() { "The same analysis of any oscillator" } else { "An oscillator" },
     );
     html.push_str(figure::USE);
     if report.oscillators.len() > 1 {
@@ -41,7 +42,7 @@ pub(crate) fn section(report: &Report) -> String {
 /// All oscillators in a table, with links.
 fn overview(report: &Report) -> String {
     let mut html = String::from(
-        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"All oscillators\">\n<table class=\"sortable\"><thead><tr>\
+        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"All oscillators\">\n<table class=\"sortable overview\"><thead><tr>\
          <th scope=\"col\">Oscillator</th><th scope=\"col\" class=\"number\">Resonances</th><th scope=\"col\">Verdict</th></tr></thead>\n<tbody>\n",
     );
     for entry in &report.oscillators {

@@ -196,16 +196,18 @@ impl Material<'_> {
         let magnified = self.table("magnifications")?;
         let sheets = self.figures.len().saturating_sub(1);
         let figure = |(index, (file, svg)): (usize, &(String, String))| {
-            let (title, drawn) = match index {
-                0 => ("two-parameter bifurcation diagram".to_owned(), curves.clone()),
-                _ if sheets == 1 => ("magnifications about the resonances".to_owned(), magnified.clone()),
+            let (title, tables) = match index {
+                0 => ("two-parameter bifurcation diagram".to_owned(), vec![points.clone(), curves.clone()]),
+                _ if sheets == 1 => {
+                    ("magnifications about the resonances".to_owned(), vec![magnified.clone()])
+                }
                 sheet => (
                     format!("magnifications about the resonances, sheet {sheet} of {sheets}"),
-                    CsvTable { name: magnified.name.clone(), csv: rows_of_panels(&magnified.csv, svg) },
+                    vec![CsvTable { name: magnified.name.clone(), csv: rows_of_panels(&magnified.csv, svg) }],
                 ),
             };
             let name = file.trim_end_matches(".svg").to_owned();
-            Figure { name, title, svg: svg.clone(), tables: vec![points.clone(), drawn] }
+            Figure { name, title, svg: svg.clone(), tables }
         };
         Ok(self.figures.iter().enumerate().map(figure).collect())
     }
