@@ -9,7 +9,7 @@ use grazing_theorems::hypothesis::Hypothesis;
 use grazing_unfold::resonances::Resonance;
 
 use super::Analysis;
-use super::listing::wrapped;
+use super::listing::{KEPT, wrapped};
 use super::numbers::brief;
 use super::reason::place;
 
@@ -67,17 +67,9 @@ fn quantities<O: ImpactOscillator>(resonance: &Resonance<O>) -> String {
         ("s_p^-", stability.minus),
     ]
     .into_iter()
-    .map(|(name, value)| format!("{name} = {}", number(value)))
+    .map(|(name, value)| format!("{name}{KEPT}={KEPT}{}", number(value)))
     .collect();
-    let matrix = [a.m11, a.m12, a.m21, a.m22].map(number);
-    format!(
-        "A = [{} {}; {} {}], b = [{}; {}], {}",
-        matrix[0],
-        matrix[1],
-        matrix[2],
-        matrix[3],
-        number(b.x),
-        number(b.y),
-        listed.join(", ")
-    )
+    let matrix = format!("A = [{}, {}; {}, {}],", number(a.m11), number(a.m12), number(a.m21), number(a.m22));
+    let vector = format!("b = [{}; {}],", number(b.x), number(b.y));
+    format!("{} {} {}", matrix.replace(' ', KEPT), vector.replace(' ', KEPT), listed.join(", "))
 }

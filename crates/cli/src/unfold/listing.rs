@@ -155,22 +155,22 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
         row
     });
     text.push_str(&aligned(&["p", "n", secondary, primary, "tau", "delta", "alpha", "beta"], rows));
-    text.push_str(&format!(
-        "\nCurves that leave them: {primary} = {primary}_graz({secondary}) + c eta^2 + ..., \
-         eta = {secondary} less that of the resonance\n"
-    ));
-    let rows = found.iter().flat_map(|((resonance, _), at)| {
-        [Kind::SaddleNode, Kind::PeriodDoubling]
-            .map(|kind| coefficient(resonance.loops, resonance.n, kind, at))
+    text.push('\n');
+    let formula = format!("{primary} = {primary}_graz({secondary}) + c eta^2 + ...,").replace(' ', KEPT);
+    let content = format!("{formula} where eta is {secondary} less that of the resonance");
+    text.push_str(&wrapped("Curves that leave them:  ", &content));
+    let rows = found.iter().flat_map(|((_, point), at)| {
+        let [_, eta] = point.orbit().oscillator().parameters();
+        [Kind::SaddleNode, Kind::PeriodDoubling].map(|kind| coefficient(eta, kind, at))
     });
     let header =
-        ["p", "n", "curve", "c by theorem", "c measured", "digits agreeing", "simulation as predicted"];
+        ["p", "n", secondary, "curve", "c by theorem", "c measured", "digits agreeing", "as simulated"];
     text.push_str(&aligned(&header, rows));
     text
 }
 
 /// A row: one coefficient by the theorem, measured, and whether simulation agrees.
-fn coefficient(loops: u32, n: u32, kind: Kind, at: &AtResonance) -> Vec<String> {
+fn coefficient(secondary: f64, kind: Kind, at: &AtResonance) -> Vec<String> {
     let index = usize::from(kind == Kind::PeriodDoubling);
     let theorem = at.coefficients.theorem[index];
     let fit: &Result<Estimate, FitError> = &at.coefficients.fit[index];
@@ -181,8 +181,10 @@ fn coefficient(loops: u32, n: u32, kind: Kind, at: &AtResonance) -> Vec<String> 
         Err(_) => ("not found".to_owned(), "-".to_owned()),
     };
     vec![
-        loops.to_string(),
-        n.to_string(),
+        at.loops.to_string(),
+        at.n.to_string(),
+        // Enough to tell resonances with the same p and n apart.
+        significant(secondary, QUANTITY),
         kind.name().to_owned(),
         significant(theorem, COEFFICIENT),
         measured,
@@ -303,12 +305,15 @@ fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     text
 }
 
+/// A space at which no line ends.
+pub(super) const KEPT: &str = "\u{a0}";
+
 /// Words after a mark, on as many lines as they need, all with the mark's indent.
 pub(super) fn wrapped(mark: &str, content: &str) -> String {
     let indent = mark.chars().count();
     let mut text = mark.to_owned();
     let mut column = indent;
-    for word in content.split_whitespace() {
+    for word in content.split([' ', '\t', '\n', '\r']).filter(|word| !word.is_empty()) {
         let length = word.chars().count();
         if column > indent && column + 1 + length > WIDTH {
             let _ = write!(text, "\n{:indent$}", "");
@@ -321,7 +326,7 @@ pub(super) fn wrapped(mark: &str, content: &str) -> String {
         text.push_str(word);
         column += length;
     }
-    format!("{}\n", text.trim_end())
+    format!("{}\n", text.trim_end().replace(KEPT, " "))
 }
 
 #[cfg(test)]

@@ -89,3 +89,52 @@ impl<O: ImpactOscillator> Progress for Finished<'_, O> {
         let _ = self.sender.send((resonance, curves.iter().map(rows).collect()));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Mutex;
+
+    use grazing_continuation::curve::Window;
+    use grazing_model::LinearOscillator;
+    use grazing_unfold::Scope;
+    use polars::prelude::DataFrame;
+
+    use super::*;
+    use crate::unfolded::Unfolded;
+
+    /// Remembers what was handed on.
+    #[derive(Default)]
+    struct Collector(Mutex<Vec<DataFrame>>);
+
+    impl Progress for Collector {
+        fn begin(&self, _: &str, _: u64) {}
+        fn step(&self, _: &str) {}
+        fn end(&self, _: &str) {}
+    }
+
+    impl Observer for Collector {
+        fn curves(&self, finished: &Table) {
+            assert_eq!(finished.name, "curves");
+            self.0.lock().expect("nobody panics").push(finished.frame.clone());
+        }
+    }
+
+    #[test]
+    fn every_finished_resonance_is_handed_on_until_the_table_is_the_beginning_of_the_whole_one() {
+        let oscillator = LinearOscillator::new(0.05, 0.9, 0.5, 0.9).expect("it is in the domain");
+        let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.1] };
+        let scope = Scope { window, loops: vec![2, 3], start: None };
+        let collector = Collector::default();
+        let unfolded = Unfolded::compute(&oscillator, &scope, Axes::of_the_paper(), &collector)
+            .expect("there is grazing in the window");
+        let frames = collector.0.into_inner().expect("nobody panicked");
+        assert_eq!(frames.len(), unfolded.resonances.len(), "one table a resonance");
+        assert!(frames.len() > 1);
+        let tables = unfolded.tables().expect("the tables can be made");
+        let whole = &tables.iter().find(|table| table.name == "curves").expect("it is one of them").frame;
+        let last = frames.last().expect("there are some");
+        // What begins at codimension-two points of the finished curves comes after all of them.
+        assert!(last.equals_missing(&whole.head(Some(last.height()))));
+        assert!(frames.windows(2).all(|pair| pair[0].height() < pair[1].height()));
+    }
+}
