@@ -4,7 +4,7 @@ mod explanation;
 mod keeper;
 mod listing;
 pub(crate) mod numbers;
-mod reason;
+pub(crate) mod reason;
 pub(crate) mod sheets;
 
 use std::fs;

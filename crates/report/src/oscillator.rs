@@ -38,6 +38,9 @@ pub struct OscillatorEntry {
     pub tables: Vec<CsvTable>,
     /// The resonant grazing bifurcations, in the order in which they were found.
     pub resonances: Vec<ResonanceEntry>,
+    /// What could not be unfolded and why, in words: resonances that were seen and not located, curves that could not be
+    /// followed.
+    pub lost: Vec<String>,
     /// The files that were written, as paths from the page's folder: `diagram.svg`, `data/points.csv`. None of them need
     /// be there; those that are get links.
     pub files: Vec<String>,
@@ -48,8 +51,8 @@ pub struct OscillatorEntry {
 pub struct ResonanceEntry {
     /// Number of loops p.
     pub loops: u32,
-    /// The integer n; unknown where the bifurcation could not be located.
-    pub n: Option<u32>,
+    /// The integer n.
+    pub n: u32,
     /// The primary parameter.
     pub primary: f64,
     /// The secondary parameter.
@@ -65,8 +68,6 @@ pub enum Finding {
     Unfolded(Box<[CoefficientEntry; 2]>),
     /// The theorem does not apply: the hypotheses that fail, with the values of their quantities.
     Silent(Vec<(String, f64)>),
-    /// It was seen, but not located, or no curve could be followed from it; why.
-    Lost(String),
 }
 
 /// A coefficient, c_SN or c_PD.
@@ -123,7 +124,7 @@ impl ResonanceEntry {
     pub(crate) fn coefficients(&self) -> &[CoefficientEntry] {
         match &self.finding {
             Finding::Unfolded(coefficients) => coefficients.as_slice(),
-            Finding::Silent(_) | Finding::Lost(_) => &[],
+            Finding::Silent(_) => &[],
         }
     }
 }
@@ -163,7 +164,7 @@ mod tests {
             as_predicted: as_predicted[index],
         };
         let finding = Finding::Unfolded(Box::new([entry(0), entry(1)]));
-        ResonanceEntry { loops: 1, n: Some(1), primary: 0.0, secondary: 0.0, finding }
+        ResonanceEntry { loops: 1, n: 1, primary: 0.0, secondary: 0.0, finding }
     }
 
     fn tally(resonances: Vec<ResonanceEntry>) -> Tally {

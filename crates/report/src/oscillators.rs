@@ -2,7 +2,7 @@
 
 use crate::formula::{shown, words};
 use crate::html::{counted, escape, number, put};
-use crate::oscillator::{CoefficientEntry, ENOUGH, Finding, OscillatorEntry, ResonanceEntry, Tally};
+use crate::oscillator::{CoefficientEntry, ENOUGH, Finding, OscillatorEntry, ResonanceEntry};
 use crate::{Report, columns, figure, table};
 
 /// Significant digits of coefficients and of parameters.
@@ -52,20 +52,25 @@ fn overview(report: &Report) -> String {
             escape(&entry.anchor()),
             escape(&entry.name),
             entry.resonances.len(),
-            verdicts(&entry.tally()),
+            verdicts(entry),
         );
     }
     html.push_str("</tbody></table>\n</div>\n");
     html
 }
 
-/// The verdicts on agreement and simulation; none where no theorem applies.
-fn verdicts(tally: &Tally) -> String {
-    if tally.all == 0 {
-        return "<span class=\"verdict unchecked\">no theorem applies</span>".to_owned();
+/// The verdicts on agreement and simulation, where a theorem applies, and how much is lost.
+fn verdicts(entry: &OscillatorEntry) -> String {
+    let tally = entry.tally();
+    let mut told = match tally.all {
+        0 => vec![("unchecked", "no theorem applies".to_owned())],
+        _ => vec![tally.agreement(), tally.simulation()],
+    };
+    if !entry.lost.is_empty() {
+        told.push(("misprint", format!("{} not unfolded", entry.lost.len())));
     }
-    let told = [tally.agreement(), tally.simulation()];
-    told.map(|(tone, words)| format!("<span class=\"verdict {tone}\">{words}</span>")).join(" ")
+    let told = told.iter().map(|(tone, words)| format!("<span class=\"verdict {tone}\">{words}</span>"));
+    told.collect::<Vec<_>>().join(" ")
 }
 
 fn one(entry: &OscillatorEntry) -> String {
@@ -79,7 +84,7 @@ fn one(entry: &OscillatorEntry) -> String {
         "<section class=\"oscillator\" id=\"{anchor}\" aria-labelledby=\"{anchor}-title\">\n<h3 id=\"{anchor}-title\">{}</h3>\n\
          <p class=\"links\"><span>From</span> {file}</p>\n<p class=\"judgements\">{}</p>\n",
         escape(&entry.name),
-        verdicts(&entry.tally()),
+        verdicts(entry),
     );
     for paragraph in &entry.about {
         put!(html, "<p class=\"about\">{}</p>\n", words(paragraph));
@@ -218,40 +223,38 @@ fn row(resonance: &ResonanceEntry, curve: &str, coefficient: &CoefficientEntry) 
         "<tr><td class=\"number\">{}</td><td class=\"number\">{}</td>{}{}<td>{curve}</td>{}{measured}{digits}\
          <td><span class=\"verdict {tone}\">{simulated}</span></td></tr>\n",
         resonance.loops,
-        resonance.n.map_or_else(String::new, |n| n.to_string()),
+        resonance.n,
         cell(resonance.secondary, PARAMETER),
         cell(resonance.primary, PARAMETER),
         cell(coefficient.theorem, COEFFICIENT),
     )
 }
 
-/// Resonances from which no curve leaves, with the reasons.
+/// Resonances at which no theorem applies, and what could not be unfolded, with the reasons.
 fn without_curves(entry: &OscillatorEntry) -> String {
     let mut items = String::new();
     for resonance in &entry.resonances {
-        let reason = match &resonance.finding {
-            Finding::Unfolded(_) => continue,
-            Finding::Silent(hypotheses) => {
-                let failing = hypotheses.iter().map(|(statement, value)| {
-                    format!("<code>{}</code> fails: {}", escape(statement), number(*value, VALUE))
-                });
-                format!("the theorem does not apply: {}", failing.collect::<Vec<_>>().join(", "))
-            }
-            Finding::Lost(reason) => escape(reason),
-        };
-        let n = resonance.n.map_or_else(String::new, |n| format!(", <i>n</i> = {n}"));
+        let Finding::Silent(hypotheses) = &resonance.finding else { continue };
+        let failing = hypotheses.iter().map(|(statement, value)| {
+            format!("<code>{}</code> fails: {}", escape(statement), number(*value, VALUE))
+        });
         put!(
             items,
-            "<li><i>p</i> = {}{n} at {} = {}, {} = {}: {reason}</li>\n",
+            "<li><i>p</i> = {}, <i>n</i> = {} at {} = {}, {} = {}: {}</li>\n",
             resonance.loops,
+            resonance.n,
             columns::symbol(&entry.primary.0),
             number(resonance.primary, PARAMETER),
             columns::symbol(&entry.secondary.0),
             number(resonance.secondary, PARAMETER),
+            failing.collect::<Vec<_>>().join(", "),
         );
     }
-    if items.is_empty() {
-        return items;
-    }
-    format!("<h4>Resonances without curves</h4>\n<ul class=\"reasons\">\n{items}</ul>\n")
+    let lost: String = entry.lost.iter().map(|reason| format!("<li>{}</li>\n", escape(reason))).collect();
+    let list = |title: &str, items: &str| match items {
+        "" => String::new(),
+        _ => format!("<h4>{title}</h4>\n<ul class=\"reasons\">\n{items}</ul>\n"),
+    };
+    list("Resonances at which the theorem does not apply", &items)
+        + &list("What could not be unfolded", &lost)
 }

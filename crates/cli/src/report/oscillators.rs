@@ -23,6 +23,7 @@ use crate::folder::MadeFile;
 use crate::outputs::computation;
 use crate::progress::Display;
 use crate::unfold::numbers::agreement;
+use crate::unfold::reason::place;
 use crate::unfold::{self, Analysis, sheets};
 use crate::{project, tables};
 
@@ -157,6 +158,7 @@ impl Material<'_> {
             figures: self.figures()?,
             tables: shown,
             resonances: resonances(self.unfolded),
+            lost: lost(self.description, self.unfolded),
             files: Vec::new(),
         })
     }
@@ -256,35 +258,40 @@ fn leading_comment(text: &str) -> Vec<String> {
     paragraphs
 }
 
-/// All resonances with what came of them; those that could not be located at the end.
+/// All resonances with what came of them.
 fn resonances(unfolded: &Analysis) -> Vec<ResonanceEntry> {
-    let diagram = &unfolded.diagram;
+    // Those with a theorem are measured in the order of the list.
     let mut measured = unfolded.resonances.iter();
-    let mut entries: Vec<ResonanceEntry> = Vec::new();
-    for resonance in &diagram.resonances {
+    let mut entries = Vec::new();
+    for resonance in &unfolded.diagram.resonances {
         let [primary, secondary] = resonance.located.orbit().oscillator().parameters();
-        let (loops, n) = (resonance.loops, resonance.n);
-        let lost = diagram.not_unfolded.iter().find(|lost| (lost.loops, lost.n) == (loops, n));
-        // Resonances with a theorem are measured in the order of the list.
-        let finding = match (&resonance.theorem, lost) {
-            (Err(violated), _) => {
+        let finding = match &resonance.theorem {
+            Ok(_) => {
+                let Some(at) = measured.next() else { continue };
+                Finding::Unfolded(Box::new([0, 1].map(|index| coefficient(at, index))))
+            }
+            Err(violated) => {
                 let failing = violated.violated();
                 Finding::Silent(failing.map(|failing| (failing.statement(), failing.value)).collect())
             }
-            (Ok(_), lost) => match (measured.next(), lost) {
-                (Some(at), None) => Finding::Unfolded(Box::new([0, 1].map(|index| coefficient(at, index)))),
-                (_, Some(lost)) => Finding::Lost(format!("no curve could be followed: {}", lost.reason)),
-                (None, None) => Finding::Lost("no curve was followed".to_owned()),
-            },
         };
-        entries.push(ResonanceEntry { loops, n: Some(n), primary, secondary, finding });
-    }
-    for lost in &diagram.unlocated {
-        let ([primary, secondary], loops) = (lost.near, lost.loops);
-        let finding = Finding::Lost(format!("seen near here, but not located: {}", lost.reason));
-        entries.push(ResonanceEntry { loops, n: None, primary, secondary, finding });
+        entries.push(ResonanceEntry { loops: resonance.loops, n: resonance.n, primary, secondary, finding });
     }
     entries
+}
+
+/// What could not be located or followed, in words.
+fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
+    let diagram = &unfolded.diagram;
+    let unlocated = diagram
+        .unlocated
+        .iter()
+        .map(|lost| format!("p = {} near {}: {}", lost.loops, place(description, lost.near), lost.reason));
+    let not_followed = diagram
+        .not_unfolded
+        .iter()
+        .map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason));
+    unlocated.chain(not_followed).collect()
 }
 
 /// c_SN (0) or c_PD (1).
@@ -338,6 +345,7 @@ mod tests {
             figures: Vec::new(),
             tables: Vec::new(),
             resonances: Vec::new(),
+            lost: Vec::new(),
             files: Vec::new(),
         };
         let mut entries = ["a", "b", "a", "a"].map(entry);

@@ -93,10 +93,10 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
             csv: "p,n,A_star,F_0_graz,c_sn\n2,1,7.5e-1,5.0e-1,-1.25e1\n3,1,7.0e-1,6.0e-1,2.5e1\n".to_owned(),
         }],
         resonances: vec![
-            resonance(Some(1), Finding::Unfolded(Box::new(unfolded))),
-            resonance(Some(2), Finding::Silent(vec![("a12 alpha > 0".to_owned(), -0.25)])),
-            resonance(None, Finding::Lost(hostile())),
+            resonance(1, Finding::Unfolded(Box::new(unfolded))),
+            resonance(2, Finding::Silent(vec![("a12 alpha > 0".to_owned(), -0.25)])),
         ],
+        lost: vec![hostile()],
         files: Vec::new(),
     }
 }
