@@ -74,9 +74,12 @@ const EXAMPLES_OF_REPORT: &str = "\
 Examples:
   cargo xtask report                     writes report.html; open it in a browser
   cargo xtask report --output mine.html --parameters mine.toml
+  cargo xtask report --oscillator my.toml
+                                         with an oscillator of one's own beside those of examples/
 
 One page for all: figures with the values behind them, tables, the published values, every claim
-with the computation that tests it, misprints, and the SHA-256 of each output. It needs no network.
+with the computation that tests it, misprints, other oscillators from text files, and the SHA-256
+of each output. It needs no network.
 What is not met or does not hold is shown as such on the page and in the summary, and does not make
 this fail.
 
@@ -85,8 +88,8 @@ this fail.
 const EXAMPLES_OF_UNFOLD: &str = "\
 Examples:
   cargo xtask unfold examples/duffing.toml
-                                         into unfolded/duffing/: diagram.svg, magnifications.svg
-                                         and every number as CSV in data/
+                                         into unfolded/duffing/: diagram.svg, magnifications.svg,
+                                         every number as CSV in data/, all on one page: report.html
   cargo xtask unfold mine.toml --loops 1,2 --explain
                                          other p than the file's; every hypothesis with its value
   cargo xtask unfold examples/*.toml     all examples, each into a folder of its own
@@ -210,6 +213,9 @@ pub struct Report {
     /// File of the page
     #[arg(long, value_name = "FILE", default_value = "report.html")]
     pub output: PathBuf,
+    /// Description of an oscillator to be shown beside those in examples/; may be given several times
+    #[arg(long = "oscillator", value_name = "FILE")]
+    pub oscillators: Vec<PathBuf>,
     /// The parameter file.
     #[command(flatten)]
     pub parameters: ParameterFile,

@@ -12,6 +12,8 @@ use crate::outputs::edition::Edition;
 pub(crate) const PARAMETERS: &str = "figures/parameters.toml";
 /// The default output folder, from the root of the repository.
 pub(crate) const FIGURES: &str = "figures";
+/// The folder of example oscillators, from the root of the repository.
+pub(crate) const EXAMPLES: &str = "examples";
 /// The default output folder of other formats and widths.
 const JOURNAL: &str = "journal";
 

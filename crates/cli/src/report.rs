@@ -2,6 +2,7 @@
 
 mod ledger;
 mod links;
+pub(crate) mod oscillators;
 mod versions;
 
 use std::collections::BTreeMap;
@@ -23,6 +24,7 @@ use crate::outputs::{self, computation};
 use crate::progress::Display;
 use crate::reproduce::start_threads;
 use crate::{claims, project, terminal};
+use oscillators::Source;
 
 /// Computes everything and writes the page.
 ///
@@ -33,10 +35,11 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     let parameter_file = project::parameter_file(arguments.parameters.file.as_deref())?;
     let parameters = Parameters::from_file(&parameter_file)?;
     let (folder, name) = place(&arguments.output)?;
+    let sources = Source::all(project::root().as_deref(), &arguments.oscillators)?;
     if let Some(jobs) = arguments.jobs {
         start_threads(jobs)?;
     }
-    let report = assemble(arguments, &parameter_file, &parameters, &folder)?;
+    let report = assemble(arguments, &parameter_file, &parameters, &sources, &folder)?;
     let content = page(&report).into_bytes();
     let size = content.len();
     folder::write(&folder, &[MadeFile { path: name, content }])?;
@@ -65,9 +68,16 @@ fn assemble(
     arguments: &Report,
     parameter_file: &Path,
     parameters: &Parameters,
+    oscillators: &[Source],
     page_folder: &Path,
 ) -> Result<grazing_report::Report, Failure> {
     let display = Display::new();
+    let mut entries = Vec::new();
+    // First, as of all that is shown only these can have nothing to compute.
+    for source in oscillators {
+        entries.push(source.entry(&display)?);
+    }
+    oscillators::distinguish(&mut entries);
     let study = Study::new(parameters).with_progress(&display);
     let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
     for output in outputs::ALL {
@@ -89,13 +99,18 @@ fn assemble(
     let all: Vec<_> = ledger.claims.iter().collect();
     let findings = claims::findings(parameters, &all, &display)?;
     let claims = findings.iter().map(|finding| ledger::entry(finding, &published, &sources)).collect();
-    let root = root.and_then(|root| links::relative(page_folder, &root));
+    let repository = root;
+    let root = repository.as_deref().and_then(|root| links::relative(page_folder, root));
+    let placed = oscillators.iter().zip(entries);
+    let oscillators =
+        placed.map(|(source, entry)| source.placed(entry, repository.as_deref(), root.as_deref())).collect();
     let default = arguments.parameters.file.is_none();
     Ok(grazing_report::Report {
         figures,
         tables,
         published,
         claims,
+        oscillators,
         manifest: Manifest {
             program: versions::program(),
             rust: versions::rust(),
@@ -165,7 +180,7 @@ fn summary(report: &grazing_report::Report, output: &Path, size: usize) -> Strin
         "{path}: {megabytes:.1} MB; open it in a browser, no network is needed.\n\
          {met} of {published} published values met; claims: {passed} passed, {failed} failed, {unchecked} unchecked; \
          misprints: {misprints}.\n\
-         {figures} figures, {files} output files.\n",
+         {figures} figures, {files} output files, {oscillators} other oscillators.\n",
         path = output.display(),
         megabytes = size as f64 / 1e6,
         published = report.published.len(),
@@ -174,5 +189,6 @@ fn summary(report: &grazing_report::Report, output: &Path, size: usize) -> Strin
         unchecked = count(State::Unchecked),
         figures = report.figures.len(),
         files = report.manifest.outputs.len(),
+        oscillators = report.oscillators.len(),
     )
 }

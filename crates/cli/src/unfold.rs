@@ -4,9 +4,9 @@ mod explanation;
 mod keeper;
 mod layout;
 mod listing;
-mod numbers;
-mod reason;
-mod sheets;
+pub(crate) mod numbers;
+pub(crate) mod reason;
+pub(crate) mod sheets;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -22,6 +22,7 @@ use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
 use crate::outputs::edition::Edition;
 use crate::outputs::{computation, table_path};
+use crate::report::oscillators::{Material, PAGE};
 use crate::reproduce::{start_threads, summary};
 use crate::{tables, terminal};
 use keeper::Keeper;
@@ -30,11 +31,13 @@ use keeper::Keeper;
 const RESULTS: &str = "unfolded";
 
 /// What the analysis of an oscillator from a text file comes to.
-type Analysis = Unfolded<Integrated<Description>>;
+pub(crate) type Analysis = Unfolded<Integrated<Description>>;
 
 /// A file that is to be unfolded.
 struct Task {
     file: PathBuf,
+    /// What stands in the file.
+    text: String,
     description: Description,
     folder: PathBuf,
 }
@@ -49,7 +52,8 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     for task in &tasks {
         let figures = sheets::FILES.iter().flat_map(|file| edition.figure_paths(file));
         let tables = Analysis::TABLES.iter().map(|name| table_path(name));
-        folder::ensure_writable(&task.folder, &figures.chain(tables).collect::<Vec<_>>())?;
+        let page = std::iter::once(PathBuf::from(PAGE));
+        folder::ensure_writable(&task.folder, &figures.chain(tables).chain(page).collect::<Vec<_>>())?;
     }
     if let Some(jobs) = arguments.jobs {
         start_threads(jobs)?;
@@ -93,9 +97,20 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
             let (first, second) = (other.file.clone(), file.clone());
             return Err(Failure::SameFolder { first, second, folder });
         }
-        tasks.push(Task { file: file.clone(), description, folder });
+        let text = fs::read_to_string(file).map_err(|reason| Failure::File { path: file.clone(), reason })?;
+        tasks.push(Task { file: file.clone(), text, description, folder });
     }
     Ok(tasks)
+}
+
+/// The failure that tells, with the file's names of the parameters, why there is nothing to unfold.
+pub(crate) fn failure(description: &Description, file: &Path, error: &StudyError) -> Failure {
+    match error {
+        StudyError::Unfold(error) => {
+            Failure::NothingToUnfold { file: file.to_owned(), reason: reason::of(error, description) }
+        }
+        error => computation("unfold", error),
+    }
 }
 
 impl Task {
@@ -104,8 +119,8 @@ impl Task {
         let start = Instant::now();
         terminal::say(&listing::oscillator(&self.description, &self.file));
         let keeper = Keeper::new(&self.folder);
-        let unfolded =
-            Unfolded::described(&self.description, &keeper).map_err(|error| self.failure(&error))?;
+        let unfolded = Unfolded::described(&self.description, &keeper)
+            .map_err(|error| failure(&self.description, &self.file, &error))?;
         let tables = unfolded.tables().map_err(|error| computation("tables", &error))?;
         let files = self.files(&unfolded, &tables, edition)?;
         let changes = folder::write(&self.folder, &files)?;
@@ -126,18 +141,7 @@ impl Task {
         Ok(())
     }
 
-    /// The failure that tells, with the file's names of the parameters, why there is nothing to unfold.
-    fn failure(&self, error: &StudyError) -> Failure {
-        match error {
-            StudyError::Unfold(error) => Failure::NothingToUnfold {
-                file: self.file.clone(),
-                reason: reason::of(error, &self.description),
-            },
-            error => computation("unfold", error),
-        }
-    }
-
-    /// Figures and tables.
+    /// Figures, tables and the page that shows them.
     fn files(
         &self,
         unfolded: &Analysis,
@@ -147,13 +151,16 @@ impl Task {
         let mut files = Vec::new();
         let drawn = sheets::figures(&self.description, unfolded, tables, edition.width())
             .map_err(|error| computation("figures", &*error))?;
-        for (name, svg) in drawn {
+        for (name, svg) in drawn.clone() {
             files.extend(edition.figure_files(&name, svg).map_err(|error| computation("figures", &error))?);
         }
         for table in tables {
             let content = tables::csv(&table.frame).map_err(|error| computation("tables", &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
         }
+        let Self { file, text, description, .. } = self;
+        let material = Material { file, text, description, unfolded, figures: &drawn, tables };
+        files.push(material.page(&files)?);
         Ok(files)
     }
 

@@ -11,7 +11,7 @@ use std::path::Path;
 use browser::{Spot, assert_all_pass, checked};
 use grazing_claims::ledger::Ledger;
 use grazing_cli::outputs;
-use program::{DEFAULT, edited, empty_folder, grazing, listing, project, repository};
+use program::{DEFAULT, edited, empty_folder, grazing, listing, narrow_duffing, project, repository};
 
 /// The heaviest page that opens at once from any disk, in bytes.
 const HEAVIEST: usize = 6_000_000;
@@ -57,7 +57,13 @@ fn copy_sources(to: &Path, from: &Path) {
 fn the_page_of_the_whole_study_is_complete_and_answers() {
     let folder = project(&quick_parameters());
     copy_sources(&folder.path().join("crates"), &repository().join("crates"));
-    let made = grazing(folder.path(), &["report", "--output", "pages/report.html"]);
+    // One example, and a file of the same name elsewhere; that of the paper's oscillator is not shown again.
+    fs::create_dir(folder.path().join("examples")).expect("the folder is ours");
+    for file in ["examples/duffing.toml", "examples/paper.toml", "duffing.toml"] {
+        fs::write(folder.path().join(file), narrow_duffing()).expect("the folder is ours");
+    }
+    let arguments = ["report", "--output", "pages/report.html", "--oscillator", "duffing.toml"];
+    let made = grazing(folder.path(), &arguments);
     assert_eq!(made.code, Some(0), "{}", made.messages);
     assert!(made.output.contains("pages/report.html: "), "{}", made.output);
     assert!(made.output.contains(" published values met; claims: "), "{}", made.output);
@@ -85,6 +91,17 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     }
     let held = claims.iter().any(|claim| !claim.holds.is_empty());
     assert_eq!(sources.is_empty(), !held, "claims lead to the functions that hold them");
+    for wanted in [
+        "id=\"oscillator-duffing\"",
+        "id=\"oscillator-duffing-2\"",
+        "href=\"../examples/duffing.toml\"",
+        "id=\"oscillator-duffing-2-magnifications\"",
+        "that of Duffing&#39;s equation",
+        "simulation as predicted at 2 of 2",
+    ] {
+        assert!(page.contains(wanted), "{wanted} is missing");
+    }
+    assert!(!page.contains("id=\"oscillator-paper\""));
     let here = folder.path().display().to_string();
     assert!(!page.contains(&here), "the page names a folder of this machine");
 
@@ -142,6 +159,23 @@ fn a_place_that_cannot_be_written_is_found_before_anything_is_computed() {
             outcome.messages
         );
         assert_eq!(listing(folder.path()), before, "{output}");
+    }
+}
+
+#[test]
+fn an_oscillator_that_is_not_right_is_found_before_anything_is_computed() {
+    let folder = project(&quick_parameters());
+    let wrong = narrow_duffing().replace("kappa*x^3", "kapa*x^3");
+    fs::write(folder.path().join("wrong.toml"), wrong).expect("the folder is ours");
+    for (file, told) in [("wrong.toml", "kapa"), ("missing.toml", "missing.toml")] {
+        let outcome = grazing(folder.path(), &["report", "--oscillator", file]);
+        assert_eq!((outcome.code, outcome.output.as_str()), (Some(2), ""), "{}", outcome.messages);
+        assert!(
+            outcome.messages.starts_with("error: ") && outcome.messages.contains(told),
+            "{}",
+            outcome.messages
+        );
+        assert!(!folder.path().join("report.html").exists());
     }
 }
 

@@ -8,17 +8,8 @@ use std::process::{Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use program::{edited, empty_folder, grazing, listing, repository, snapshots};
+use program::{empty_folder, grazing, listing, narrow_duffing, repository, snapshots};
 use tempfile::TempDir;
-
-/// The Duffing oscillator of examples/ in ranges with a single resonance of p = 3, to save time.
-fn narrow() -> String {
-    let whole =
-        fs::read_to_string(repository().join("examples/duffing.toml")).expect("it is among the examples");
-    let narrow = edited(&whole, "[primary]", "range", "range = [0.2, 0.4]");
-    let narrow = edited(&narrow, "[secondary]", "range", "range = [0.95, 1.0]");
-    edited(&narrow, "[analysis]", "loops", "loops = [3]")
-}
 
 /// A folder with files.
 fn folder_with(files: &[(&str, &str)]) -> TempDir {
@@ -47,7 +38,7 @@ const TABLES: [&str; 8] = [
 /// What belongs in a folder of results.
 fn results() -> Vec<String> {
     let tables = TABLES.map(|table| format!("data/{table}.csv"));
-    let mut all = vec!["data".to_owned(), "diagram.svg".to_owned(), "magnifications.svg".to_owned()];
+    let mut all = ["data", "diagram.svg", "magnifications.svg", "report.html"].map(str::to_owned).to_vec();
     all.extend(tables);
     all.sort();
     all
@@ -55,7 +46,7 @@ fn results() -> Vec<String> {
 
 #[test]
 fn an_example_is_unfolded_into_the_same_files_whatever_the_number_of_threads() {
-    let folder = folder_with(&[("duffing.toml", &narrow())]);
+    let folder = folder_with(&[("duffing.toml", &narrow_duffing())]);
     let made = grazing(folder.path(), &["unfold", "duffing.toml", "--jobs", "1", "--explain"]);
     assert_eq!((made.code, made.errors()), (Some(0), ""), "{}", made.messages);
     let first = folder.path().join("unfolded/duffing");
@@ -135,7 +126,7 @@ fn explained(results: &Path) {
 
 #[test]
 fn an_interrupted_run_keeps_the_curves_that_were_finished_and_the_next_says_so() {
-    let folder = folder_with(&[("duffing.toml", &narrow())]);
+    let folder = folder_with(&[("duffing.toml", &narrow_duffing())]);
     let kept = folder.path().join("unfolded/duffing/data/curves.unfinished.csv");
     let mut run = Command::new(env!("CARGO_BIN_EXE_grazing"))
         .args(["unfold", "duffing.toml"])

@@ -1,7 +1,7 @@
 //! Figures: SVG inside the page, with the numbers that are drawn.
 
 use crate::html::{escape, identifier, json_string, put};
-use crate::{CsvTable, Report, csv, ledger, prose};
+use crate::{CsvTable, OscillatorEntry, Report, csv, ledger, prose};
 
 /// A figure with its data.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +42,8 @@ const FAMILIES: [(&str, &str); 2] = [("STIX Two Text", "Figure Text"), ("STIX Tw
 /// The style sheets of all figures, each once: they hold the fonts.
 pub(crate) fn styles(report: &Report) -> String {
     let mut styles: Vec<String> = Vec::new();
-    for figure in &report.figures {
+    let of_oscillators = report.oscillators.iter().flat_map(|oscillator| &oscillator.figures);
+    for figure in report.figures.iter().chain(of_oscillators) {
         // Each rule stands on a line of its own.
         for rule in parts(&figure.svg, &figure.name).style.lines() {
             if !rule.trim().is_empty() && !styles.iter().any(|known| known == rule) {
@@ -53,12 +54,14 @@ pub(crate) fn styles(report: &Report) -> String {
     styles.join("\n")
 }
 
+/// How figures are used.
+pub(crate) const USE: &str = "<p class=\"lead scripted\">Point at a figure to read values off it; the nearest computed point is shown \
+     with its row of the data. Click into a figure, or Tab to it, and the wheel or <kbd>+</kbd> <kbd>−</kbd> zoom, arrows move, \
+     <kbd>0</kbd> shows all, <kbd>n</kbd> and <kbd>p</kbd> step through the computed points.</p>\n";
+
 pub(crate) fn section(report: &Report) -> String {
-    let mut html = String::from(
-        "<section id=\"figures\" aria-labelledby=\"figures-title\">\n<h2 id=\"figures-title\">Figures</h2>\n\
-         <p class=\"lead scripted\">Point at a figure to read values off it; the nearest computed point is shown with its row of the \
-         data. Click into a figure, or Tab to it, and the wheel or <kbd>+</kbd> <kbd>−</kbd> zoom, arrows move, <kbd>0</kbd> shows \
-         all, <kbd>n</kbd> and <kbd>p</kbd> step through the computed points.</p>\n",
+    let mut html = format!(
+        "<section id=\"figures\" aria-labelledby=\"figures-title\">\n<h2 id=\"figures-title\">Figures</h2>\n{USE}"
     );
     for figure in &report.figures {
         html.push_str(&one(report, figure));
@@ -68,77 +71,107 @@ pub(crate) fn section(report: &Report) -> String {
 }
 
 fn one(report: &Report, figure: &Figure) -> String {
-    let Parts { view_box, width, attributes, description, body, .. } = parts(&figure.svg, &figure.name);
-    let width = width * SCALE;
-    let name = escape(&figure.name);
-    let title = escape(&figure.title);
     let heading = match figure.title.split_once(": ") {
         Some((number, rest)) => {
             format!("<span class=\"eyebrow\">{}</span> {}", escape(number), prose(&capitalised(rest)))
         }
-        None => title.clone(),
+        None => escape(&figure.title),
     };
-    let mut html = format!(
-        "<figure id=\"{name}\" class=\"figure\">\n<h3>{heading}</h3>\n<div class=\"workbench\">\n\
-         <div class=\"sheet\" tabindex=\"0\" role=\"group\" aria-roledescription=\"zoomable figure\" aria-label=\"{title}\" \
-         aria-describedby=\"{name}-caption\">\n\
-         <svg viewBox=\"{view_box}\" style=\"max-width:{width:.1}rem\" {attributes} role=\"img\" aria-label=\"{title}\">{body}</svg>\n</div>\n\
-         <div class=\"side\">\n<div class=\"tools scripted\" role=\"toolbar\" aria-label=\"Zoom of {title}\">\
-         <button type=\"button\" data-zoom=\"in\" aria-label=\"Zoom in\">+</button>\
-         <button type=\"button\" data-zoom=\"out\" aria-label=\"Zoom out\">−</button>\
-         <button type=\"button\" data-zoom=\"all\">Whole figure</button></div>\n\
-         <div class=\"readout scripted\" aria-live=\"off\"></div>\n</div>\n</div>\n"
-    );
-    put!(html, "<figcaption id=\"{name}-caption\"><p>{}</p>\n", prose(&description));
-    html.push_str(&files(report, figure));
+    let own = own_files(figure);
+    let outputs = report.manifest.outputs.iter().filter(|file| own.contains(&file.path));
+    let files: Vec<String> = outputs.map(|file| report.manifest.link(&file.path)).collect();
     let shown: Vec<&str> = report
         .claims
         .iter()
         .filter(|claim| claim.figures.contains(&figure.name))
         .map(|claim| claim.label.as_str())
         .collect();
+    let mut links = linked("Files", &files);
     if !shown.is_empty() {
-        put!(html, "<p class=\"links\"><span>Claims</span> {}</p>\n", ledger::links(&shown));
+        links.push_str(&linked("Claims", &[ledger::links(&shown)]));
     }
-    html.push_str("</figcaption>\n");
-    html.push_str(&data(figure));
-    html.push_str("</figure>\n");
-    html
+    let frame =
+        Frame { id: &figure.name, label: &figure.title, heading: format!("<h3>{heading}</h3>"), links };
+    frame.around(figure)
 }
 
-fn capitalised(text: &str) -> String {
+/// A figure of an oscillator.
+pub(crate) fn of_oscillator(oscillator: &OscillatorEntry, figure: &Figure) -> String {
+    let own = own_files(figure);
+    let files = oscillator.files.iter().filter(|path| own.contains(path));
+    let files: Vec<String> =
+        files.map(|path| format!("<a href=\"{0}\"><code>{0}</code></a>", escape(path))).collect();
+    let frame = Frame {
+        id: &format!("{}-{}", oscillator.anchor(), figure.name),
+        label: &format!("{}: {}", oscillator.name, figure.title),
+        heading: format!("<h4>{}</h4>", prose(&capitalised(&figure.title))),
+        links: linked("Files", &files),
+    };
+    frame.around(figure)
+}
+
+/// What surrounds a figure on the page.
+struct Frame<'a> {
+    /// The identifier of the figure.
+    id: &'a str,
+    /// The name for those who do not see it.
+    label: &'a str,
+    /// HTML.
+    heading: String,
+    links: String,
+}
+
+impl Frame<'_> {
+    fn around(&self, figure: &Figure) -> String {
+        let Parts { view_box, width, attributes, description, body, .. } = parts(&figure.svg, self.id);
+        let width = width * SCALE;
+        let (name, title, heading) = (escape(self.id), escape(self.label), &self.heading);
+        format!(
+            "<figure id=\"{name}\" class=\"figure\">\n{heading}\n<div class=\"workbench\">\n\
+             <div class=\"sheet\" tabindex=\"0\" role=\"group\" aria-roledescription=\"zoomable figure\" aria-label=\"{title}\" \
+             aria-describedby=\"{name}-caption\">\n\
+             <svg viewBox=\"{view_box}\" style=\"max-width:{width:.1}rem\" {attributes} role=\"img\" aria-label=\"{title}\">{body}</svg>\n</div>\n\
+             <div class=\"side\">\n<div class=\"tools scripted\" role=\"toolbar\" aria-label=\"Zoom of {title}\">\
+             <button type=\"button\" data-zoom=\"in\" aria-label=\"Zoom in\">+</button>\
+             <button type=\"button\" data-zoom=\"out\" aria-label=\"Zoom out\">−</button>\
+             <button type=\"button\" data-zoom=\"all\">Whole figure</button></div>\n\
+             <div class=\"readout scripted\" aria-live=\"off\"></div>\n</div>\n</div>\n\
+             <figcaption id=\"{name}-caption\"><p>{}</p>\n{}</figcaption>\n{}</figure>\n",
+            prose(&description),
+            self.links,
+            data(figure, self.id),
+        )
+    }
+}
+
+/// The paths that the figure's own files have among all.
+fn own_files(figure: &Figure) -> Vec<String> {
+    let tables = figure.tables.iter().map(|table| table.path());
+    std::iter::once(format!("{}.svg", figure.name)).chain(tables).collect()
+}
+
+/// A line of links with a word before them; nothing if there are none.
+fn linked(word: &str, links: &[String]) -> String {
+    match links {
+        [] => String::new(),
+        _ => format!("<p class=\"links\"><span>{word}</span> {}</p>\n", links.join(" ")),
+    }
+}
+
+pub(crate) fn capitalised(text: &str) -> String {
     let mut characters = text.chars();
     characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
-/// The figure's own files, among the outputs.
-fn files(report: &Report, figure: &Figure) -> String {
-    let own = |path: &str| {
-        path == format!("{}.svg", figure.name)
-            || figure.tables.iter().any(|table| path == format!("data/{}.csv", table.name))
-    };
-    let links: Vec<String> = report
-        .manifest
-        .outputs
-        .iter()
-        .filter(|file| own(&file.path))
-        .map(|file| report.manifest.link(&file.path))
-        .collect();
-    if links.is_empty() {
-        return String::new();
-    }
-    format!("<p class=\"links\"><span>Files</span> {}</p>\n", links.join(" "))
-}
-
 /// The tables for the scripts.
-fn data(figure: &Figure) -> String {
+fn data(figure: &Figure, id: &str) -> String {
     let mut json = String::from("{");
     for (index, table) in figure.tables.iter().enumerate() {
         let comma = if index == 0 { "" } else { ",\n" };
         put!(json, "{comma}{}:{}", json_string(&table.name), json_string(&csv::compact(&table.csv)));
     }
     json.push('}');
-    let id = identifier("data", &figure.name);
+    let id = identifier("data", id);
     format!("<script type=\"application/json\" id=\"{}\">{json}</script>\n", escape(&id))
 }
 

@@ -63,6 +63,11 @@ pub fn prose(text: &str) -> String {
     html
 }
 
+/// Words without formulas, as HTML, with sub- and superscripts as in [`prose`].
+pub(crate) fn words(text: &str) -> String {
+    scripts(&escape(text))
+}
+
 /// The escaped text with sub- and superscripts: `h_p`, `c_{SN,1}`, `s_p^+`. Names of several letters, as of functions, stay.
 fn scripts(text: &str) -> String {
     let mut html = String::new();

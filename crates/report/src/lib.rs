@@ -17,6 +17,8 @@ mod html;
 mod ledger;
 mod manifest;
 mod misprints;
+mod oscillator;
+mod oscillators;
 mod page;
 mod published;
 mod summary;
@@ -33,6 +35,7 @@ pub use claim::{ClaimEntry, Measured, MisprintEntry, Source, State, Verdict};
 pub use figure::Figure;
 pub use formula::{FormulaError, mathml, prose};
 pub use manifest::{Manifest, OutputFile};
+pub use oscillator::{CoefficientEntry, Finding, OscillatorEntry, ResonanceEntry};
 pub use page::page;
 pub use published::PublishedEntry;
 pub use table::{CsvTable, TableOutput};
@@ -48,9 +51,21 @@ pub struct Report {
     pub published: Vec<PublishedEntry>,
     /// The ledger of claims, in the order of the paper.
     pub claims: Vec<ClaimEntry>,
+    /// Oscillators from text files. A page can be about them alone: parts of which there is nothing are left out.
+    pub oscillators: Vec<OscillatorEntry>,
     /// What was made, from what, and by what.
     pub manifest: Manifest,
     /// The path from the page's folder to the root of the repository, as `../` or nothing, for the links to source files;
     /// without it, files are named but not linked.
     pub root: Option<String>,
+}
+
+impl Report {
+    /// Whether anything of the paper is shown.
+    fn is_of_the_paper(&self) -> bool {
+        !(self.figures.is_empty()
+            && self.tables.is_empty()
+            && self.published.is_empty()
+            && self.claims.is_empty())
+    }
 }

@@ -1,13 +1,17 @@
 //! The page as a whole.
 
+use std::collections::BTreeSet;
+
+use crate::csv::Cells;
 use crate::html::{escape, put};
-use crate::{Report, columns, figure, ledger, manifest, misprints, published, summary, table};
+use crate::{Report, columns, figure, ledger, manifest, misprints, oscillators, published, summary, table};
 
 const STYLE: &[&str] = &[
     include_str!("../assets/base.css"),
     include_str!("../assets/figures.css"),
     include_str!("../assets/tables.css"),
     include_str!("../assets/claims.css"),
+    include_str!("../assets/oscillators.css"),
     include_str!("../assets/print.css"),
 ];
 const THEME: &str = include_str!("../assets/theme.js");
@@ -24,15 +28,33 @@ const SCRIPTS: &[&str] = &[
 const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; font-src data:";
 
-const SECTIONS: [(&str, &str); 7] = [
-    ("summary", "Summary"),
-    ("published", "Values"),
-    ("figures", "Figures"),
-    ("tables", "Tables"),
-    ("claims", "Claims"),
-    ("misprints", "Misprints"),
-    ("manifest", "Manifest"),
-];
+/// A part of the page.
+struct Section {
+    id: &'static str,
+    /// Its name in the bar.
+    title: &'static str,
+    html: fn(&Report) -> String,
+}
+
+/// The parts that have something to show.
+fn sections(report: &Report) -> Vec<Section> {
+    let ledger = !report.claims.is_empty();
+    let oscillators = if report.oscillators.len() == 1 { "Oscillator" } else { "Oscillators" };
+    [
+        (true, "summary", "Summary", summary::section as fn(&Report) -> String),
+        (!report.published.is_empty(), "published", "Values", published::section),
+        (!report.figures.is_empty(), "figures", "Figures", figure::section),
+        (!report.tables.is_empty(), "tables", "Tables", table::section),
+        (ledger, "claims", "Claims", ledger::section),
+        (ledger, "misprints", "Misprints", misprints::section),
+        (!report.oscillators.is_empty(), "oscillators", oscillators, oscillators::section),
+        (true, "manifest", "Manifest", manifest::section),
+    ]
+    .into_iter()
+    .filter(|(there, ..)| *there)
+    .map(|(_, id, title, html)| Section { id, title, html })
+    .collect()
+}
 
 /// The page: one HTML text that needs nothing else.
 pub fn page(report: &Report) -> String {
@@ -41,44 +63,46 @@ pub fn page(report: &Report) -> String {
          <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n\
-         <title>Resonant grazing bifurcations, reproduced</title>\n<style>\n{}\n{}</style>\n<script>\n{THEME}</script>\n</head>\n<body>\n",
+         <title>{}</title>\n<style>\n{}\n{}</style>\n<script>\n{THEME}</script>\n</head>\n<body>\n",
         escape(POLICY),
+        escape(summary::title(report)),
         figure::styles(report),
         STYLE.concat(),
     );
     html.push_str("<a class=\"skip\" href=\"#content\">Skip to the content</a>\n<header class=\"bar\">\n<nav aria-label=\"Sections\"><ul>\n");
-    for (id, title) in SECTIONS {
+    let sections = sections(report);
+    for Section { id, title, .. } in &sections {
         put!(html, "<li><a href=\"#{id}\">{title}</a></li>\n");
     }
     html.push_str(
         "</ul></nav>\n<button type=\"button\" id=\"theme\" class=\"scripted\">Theme</button>\n</header>\n<main id=\"content\" tabindex=\"-1\">\n",
     );
-    for section in [
-        summary::section,
-        published::section,
-        figure::section,
-        table::section,
-        ledger::section,
-        misprints::section,
-        manifest::section,
-    ] {
-        html.push_str(&section(report));
+    for section in sections {
+        html.push_str(&(section.html)(report));
     }
     put!(
         html,
         "</main>\n<footer><p>{}. Licence: MIT or Apache-2.0; embedded fonts: SIL Open Font License.</p></footer>\n\
          <script type=\"application/json\" id=\"columns\">{}</script>\n<script>\n{}</script>\n</body>\n</html>\n",
         escape(&report.manifest.program),
-        columns::json(),
+        columns::json(headers(report).iter().map(String::as_str)),
         SCRIPTS.concat(),
     );
     html
 }
 
+/// The names of the columns of oscillators' tables, which are those of their parameters too.
+fn headers(report: &Report) -> BTreeSet<String> {
+    let oscillators = report.oscillators.iter();
+    let drawn =
+        oscillators.flat_map(|oscillator| oscillator.figures.iter().flat_map(|figure| &figure.tables));
+    let first_line = |csv: &str| csv.lines().next().unwrap_or_default().to_owned();
+    let header = |line: &String| Cells::read(line).header.iter().map(ToString::to_string).collect::<Vec<_>>();
+    drawn.map(|table| first_line(&table.csv)).flat_map(|line| header(&line)).collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeSet;
-
     use super::*;
     use crate::sample;
 
@@ -181,5 +205,48 @@ mod tests {
     fn fonts_are_embedded_once() {
         let html = page(&sample::report());
         assert_eq!(html.matches("@font-face").count(), 1);
+    }
+
+    #[test]
+    fn a_page_about_oscillators_alone_has_no_empty_parts() {
+        let html = page(&sample::oscillators_alone());
+        let markup = markup(&html);
+        for id in ["published", "figures", "tables", "claims", "misprints"] {
+            assert!(
+                !markup.contains(&format!("id=\"{id}\"")) && !markup.contains(&format!("#{id}\"")),
+                "{id}"
+            );
+        }
+        assert!(html.contains("<title>Sample oscillator</title>"));
+        assert!(markup.contains("href=\"data/points.csv\""), "its own files are linked");
+        for attribute in ["href", "aria-labelledby", "aria-describedby", "data-filters"] {
+            let ids: BTreeSet<&str> = values(&markup, "id").into_iter().collect();
+            let targets = values(&markup, attribute).into_iter();
+            for target in targets.filter_map(|value| match attribute {
+                "href" => value.strip_prefix('#'),
+                _ => Some(value),
+            }) {
+                assert!(ids.contains(target), "{attribute} {target} leads nowhere");
+            }
+        }
+    }
+
+    #[test]
+    fn a_page_without_oscillators_does_not_mention_any() {
+        let report = Report { oscillators: Vec::new(), ..sample::report() };
+        assert!(!markup(&page(&report)).contains("scillators\""));
+    }
+
+    #[test]
+    fn tables_of_oscillators_do_not_lead_to_files_of_the_paper() {
+        // Both have a table of this name.
+        let mut report = sample::report();
+        report.manifest.outputs.push(crate::OutputFile::of("data/coefficients.csv", b""));
+        let html = page(&report);
+        let part = &html[html.find("<section id=\"oscillators\"").expect("there are oscillators")..];
+        let part = &part[..part.find("<section id=\"manifest\"").expect("the manifest follows")];
+        assert!(
+            part.contains("id=\"table-oscillator-one-coefficients\"") && !part.contains("href=\"../figures/")
+        );
     }
 }

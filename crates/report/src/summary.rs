@@ -1,9 +1,76 @@
 //! The top of the page: what it is about, and how everything came out.
 
 use crate::html::{counted, escape, put};
-use crate::{Report, State, prose};
+use crate::oscillator::{ENOUGH, Tally};
+use crate::{OscillatorEntry, Report, State, figure, prose};
+
+/// The title of the page.
+pub(crate) fn title(report: &Report) -> &str {
+    match report.oscillators.as_slice() {
+        _ if report.is_of_the_paper() => "Resonant grazing bifurcations, reproduced",
+        [oscillator] => &oscillator.name,
+        _ => "Resonant grazing bifurcations",
+    }
+}
 
 pub(crate) fn section(report: &Report) -> String {
+    if report.is_of_the_paper() { of_the_paper(report) } else { of_oscillators(report) }
+}
+
+/// The top of a page about oscillators alone.
+fn of_oscillators(report: &Report) -> String {
+    let mut html = format!(
+        "<section id=\"summary\" aria-labelledby=\"title\">\n<p class=\"eyebrow\">Report</p>\n<h1 id=\"title\">{}</h1>\n\
+         <p class=\"lead\">Resonant grazing bifurcations, as in D. J. W. Simpson and I. Ghosh, \
+         <cite>Resonant grazing bifurcations revisited</cite> \
+         (<a href=\"https://arxiv.org/abs/2602.22797\" rel=\"noreferrer\">arXiv 2602.22797</a>).</p>\n<ul class=\"cards\">\n",
+        escape(title(report)),
+    );
+    let tallies: Vec<_> = report.oscillators.iter().map(OscillatorEntry::tally).collect();
+    let sum = |count: fn(&Tally) -> usize| tallies.iter().map(count).sum::<usize>();
+    let (all, agreeing) = (sum(|tally| tally.all), sum(|tally| tally.agreeing));
+    let (predicted, contradicted) = (sum(|tally| tally.predicted), sum(|tally| tally.contradicted));
+    let found: usize = report.oscillators.iter().map(|oscillator| oscillator.resonances.len()).sum();
+    let what = if found == 1 { "resonant grazing bifurcation" } else { "resonant grazing bifurcations" };
+    card(&mut html, "#oscillators", "neutral", &found.to_string(), what);
+    if all > 0 {
+        let tone = if agreeing == all { "passed" } else { "neutral" };
+        let words = format!("coefficients measured as by the theorem, to {ENOUGH} digits");
+        card(&mut html, "#oscillators", tone, &format!("{agreeing} of {all}"), &words);
+        let tone = if contradicted > 0 {
+            "failed"
+        } else if predicted == all {
+            "passed"
+        } else {
+            "neutral"
+        };
+        card(&mut html, "#oscillators", tone, &format!("{predicted} of {all}"), "simulations as predicted");
+    }
+    html.push_str("</ul>\n<nav class=\"contents\" aria-label=\"Figures\"><ul>\n");
+    html.push_str(&contents_of_oscillators(report));
+    html.push_str("</ul></nav>\n</section>\n");
+    html
+}
+
+/// Lines of the table of contents.
+fn contents_of_oscillators(report: &Report) -> String {
+    let mut html = String::new();
+    for oscillator in &report.oscillators {
+        let anchor = oscillator.anchor();
+        put!(html, "<li><a href=\"#{}\">{}</a></li>\n", escape(&anchor), escape(&oscillator.name));
+        // The figures of many oscillators would be too long a list.
+        if report.oscillators.len() == 1 {
+            for figure in &oscillator.figures {
+                let target = format!("{anchor}-{}", figure.name);
+                let title = prose(&figure::capitalised(&figure.title));
+                put!(html, "<li><a href=\"#{}\">{title}</a></li>\n", escape(&target));
+            }
+        }
+    }
+    html
+}
+
+fn of_the_paper(report: &Report) -> String {
     let met = report.published.iter().filter(|entry| entry.met).count();
     let all = report.published.len();
     let count = |state| report.claims.iter().filter(|claim| claim.verdict.state() == state).count();
@@ -46,6 +113,11 @@ pub(crate) fn section(report: &Report) -> String {
     );
     let files = report.manifest.outputs.len();
     card(&mut html, "#manifest", "neutral", &files.to_string(), "output files with their SHA-256");
+    let others = report.oscillators.len();
+    if others > 0 {
+        let what = if others == 1 { "other oscillator" } else { "other oscillators" };
+        card(&mut html, "#oscillators", "neutral", &others.to_string(), &format!("{what}, from text files"));
+    }
     html.push_str("</ul>\n<nav class=\"contents\" aria-label=\"Figures and tables\"><ul>\n");
     for (name, title) in report
         .figures
@@ -55,6 +127,7 @@ pub(crate) fn section(report: &Report) -> String {
     {
         put!(html, "<li><a href=\"#{}\">{}</a></li>\n", escape(name), prose(title));
     }
+    html.push_str(&contents_of_oscillators(report));
     put!(
         html,
         "</ul></nav>\n<p class=\"made\">{}, {}, {}.</p>\n</section>\n",

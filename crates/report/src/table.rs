@@ -3,7 +3,7 @@
 use crate::columns::{explanation, heading};
 use crate::csv::Cells;
 use crate::html::{counted, escape, number, put};
-use crate::{Report, prose};
+use crate::{OscillatorEntry, Report, prose};
 
 /// A table as CSV: a header, commas, no quotes.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,6 +12,13 @@ pub struct CsvTable {
     pub name: String,
     /// The text.
     pub csv: String,
+}
+
+impl CsvTable {
+    /// The path of its file among the outputs.
+    pub(crate) fn path(&self) -> String {
+        format!("data/{}.csv", self.name)
+    }
 }
 
 /// An output that is one or more tables.
@@ -50,9 +57,27 @@ pub(crate) fn section(report: &Report) -> String {
 }
 
 fn one(report: &Report, table: &CsvTable) -> String {
+    let path = table.path();
+    let written = report.manifest.outputs.iter().any(|file| file.path == path);
+    let link = written.then(|| report.manifest.link(&path));
+    // Short ones are open.
+    let open = table.csv.lines().count() <= LONG + 1;
+    folded(table, &table.name, open, link)
+}
+
+/// A table of an oscillator.
+pub(crate) fn of_oscillator(oscillator: &OscillatorEntry, table: &CsvTable) -> String {
+    let path = table.path();
+    let written = oscillator.files.contains(&path);
+    let link = written.then(|| format!("<a href=\"{0}\"><code>{0}</code></a>", escape(&path)));
+    folded(table, &format!("{}-{}", oscillator.anchor(), table.name), false, link)
+}
+
+/// A table that can be folded away, with a name that no other on the page has.
+fn folded(table: &CsvTable, id: &str, open: bool, link: Option<String>) -> String {
     let cells = Cells::read(&table.csv);
-    let name = escape(&table.name);
-    let open = if cells.rows.len() > LONG { "" } else { " open" };
+    let (name, id) = (escape(&table.name), escape(id));
+    let open = if open { " open" } else { "" };
     let mut html = format!(
         "<details class=\"table\"{open}>\n<summary><code>{name}</code> <span>{}</span>{}</summary>\n",
         counted(cells.rows.len(), "row", "rows"),
@@ -60,13 +85,13 @@ fn one(report: &Report, table: &CsvTable) -> String {
     );
     put!(
         html,
-        "<p class=\"scripted filter\"><label>Filter <input type=\"search\" data-filters=\"table-{name}\" \
+        "<p class=\"scripted filter\"><label>Filter <input type=\"search\" data-filters=\"table-{id}\" \
          placeholder=\"text of a row\"></label> <output>{}</output></p>\n",
         counted(cells.rows.len(), "row", "rows"),
     );
     put!(
         html,
-        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{name}\">\n<table class=\"sortable data\" id=\"table-{name}\"><thead><tr>"
+        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{name}\">\n<table class=\"sortable data\" id=\"table-{id}\"><thead><tr>"
     );
     let numeric: Vec<bool> = (0..cells.header.len())
         .map(|column| {
@@ -94,9 +119,8 @@ fn one(report: &Report, table: &CsvTable) -> String {
         html.push_str("</tr>\n");
     }
     html.push_str("</tbody></table>\n</div>\n");
-    let path = format!("data/{}.csv", table.name);
-    if report.manifest.outputs.iter().any(|file| file.path == path) {
-        put!(html, "<p class=\"links\"><span>File</span> {}</p>\n", report.manifest.link(&path));
+    if let Some(link) = link {
+        put!(html, "<p class=\"links\"><span>File</span> {link}</p>\n");
     }
     html.push_str("</details>\n");
     html

@@ -25,6 +25,13 @@ fn the_page_answers_to_pointer_keys_and_filters() {
             told: told(&["𝒜 = 4, ω = 1", "Period-doubling", "inadmissible"]),
             hidden: true,
         },
+        // The middle of the panel, in the columns of this oscillator.
+        Spot {
+            figure: "oscillator-one-diagram",
+            sheet: (101.0, 52.0),
+            told: told(&["F0 = 2.025, A = −0.05", "Resonant grazing"]),
+            hidden: false,
+        },
     ];
     if let Some(results) = checked(&page(&sample::report()), &spots) {
         assert_all_pass(&results);
@@ -38,5 +45,14 @@ fn the_checks_notice_a_page_that_does_not_answer() {
         Spot { figure: "fig98", sheet: (100.0, 50.0), told: vec!["Saddle-node".to_owned()], hidden: false };
     if let Some(results) = checked(&deaf, &[spot]) {
         assert!(results.iter().any(|line| line.starts_with("FAILED: fig98 at 100, 50")), "{results:#?}");
+    }
+}
+
+#[test]
+fn a_page_about_an_oscillator_alone_answers_too() {
+    let told = ["F0 = 4, A = 1", "Saddle-node and grazing"].map(str::to_owned).to_vec();
+    let spot = Spot { figure: "oscillator-one-diagram", sheet: (180.0, 10.0), told, hidden: false };
+    if let Some(results) = checked(&page(&sample::oscillators_alone()), &[spot]) {
+        assert_all_pass(&results);
     }
 }

@@ -27,7 +27,8 @@ pub(crate) fn sources(root: &Path) -> Sources {
     Sources::new(files)
 }
 
-fn with_slashes(path: &Path) -> String {
+/// The path with slashes between its parts, on any system.
+pub(crate) fn with_slashes(path: &Path) -> String {
     path.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")
 }
 

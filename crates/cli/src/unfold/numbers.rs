@@ -39,7 +39,7 @@ pub(super) fn range([low, high]: [f64; 2]) -> String {
 }
 
 /// How many digits two values have in common, 0 to 15: the order of magnitude of their relative difference.
-pub(super) fn agreement(value: f64, other: f64) -> u32 {
+pub(crate) fn agreement(value: f64, other: f64) -> u32 {
     let difference = (value - other).abs() / value.abs().max(other.abs());
     libm::floor(-libm::log10(difference.max(1e-15))).clamp(0.0, 15.0) as u32
 }

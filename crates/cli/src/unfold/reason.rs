@@ -60,7 +60,7 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
 }
 
 /// Values of both parameters, as `A = 0.5, omega = 0.8`.
-pub(super) fn place(description: &Description, [primary, secondary]: [f64; 2]) -> String {
+pub(crate) fn place(description: &Description, [primary, secondary]: [f64; 2]) -> String {
     let (first, second) = (description.primary().name(), description.secondary().name());
     format!("{first} = {}, {second} = {}", brief(primary, 6), brief(secondary, 6))
 }

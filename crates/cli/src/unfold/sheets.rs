@@ -28,7 +28,7 @@ pub(super) fn possible_names() -> impl Iterator<Item = String> {
 }
 
 /// The figures as SVG with the names of their files.
-pub(super) fn figures(
+pub(crate) fn figures(
     description: &Description,
     unfolded: &Analysis,
     tables: &[Table],

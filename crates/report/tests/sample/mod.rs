@@ -1,8 +1,8 @@
 //! A small report with everything in it, for the tests.
 
 use grazing_report::{
-    ClaimEntry, CsvTable, Figure, Manifest, Measured, MisprintEntry, OutputFile, PublishedEntry, Report,
-    Source, TableOutput, Verdict,
+    ClaimEntry, CoefficientEntry, CsvTable, Figure, Finding, Manifest, Measured, MisprintEntry,
+    OscillatorEntry, OutputFile, PublishedEntry, Report, ResonanceEntry, Source, TableOutput, Verdict,
 };
 
 /// Text that would be markup if it were not escaped.
@@ -57,6 +57,68 @@ fn published(id: &str, met: bool) -> PublishedEntry {
         met,
         label: "eq:holds".to_owned(),
         place: "caption".to_owned(),
+    }
+}
+
+/// An oscillator, with text of others in every place.
+pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
+    let hostile = || HOSTILE.to_owned();
+    let coefficient = |measured, as_predicted| CoefficientEntry { theorem: -12.5, measured, as_predicted };
+    let resonance = |n, finding| ResonanceEntry { loops: 2, n, primary: 0.5, secondary: 0.75, finding };
+    let unfolded = [coefficient(Some((-12.500_001, 7)), Some(true)), coefficient(None, None)];
+    let mut drawn = figure("diagram", "two-parameter bifurcation diagram");
+    // The panel says which columns it shows, as titles of parameters do not.
+    drawn.svg = drawn.svg.replace("data-x=", "data-columns=\"F_0 A\" data-tables=\"points\" data-x=");
+    drawn.tables = vec![CsvTable {
+        name: "points".to_owned(),
+        csv: "kind,p,n,F_0,A\nresonance,1,1,2.0,0.0\nSN-GZ,1,1,4.0,1.0\n".to_owned(),
+    }];
+    OscillatorEntry {
+        id: id.to_owned(),
+        name: name.to_owned(),
+        file: hostile(),
+        link: Some("../examples/sample.toml".to_owned()),
+        about: vec![hostile(), "x + kappa x^3 of $\\nobody$".to_owned()],
+        force: hostile(),
+        frequency: hostile(),
+        restitution: hostile(),
+        duration: hostile(),
+        constants: vec![("zeta".to_owned(), 0.02), ("kappa".to_owned(), -0.1)],
+        primary: ("F_0".to_owned(), [0.0, 4.0]),
+        secondary: ("A".to_owned(), [-1.0, 1.0]),
+        loops: vec![1, 2],
+        figures: vec![drawn],
+        tables: vec![CsvTable {
+            name: "coefficients".to_owned(),
+            csv: "p,n,A_star,F_0_graz,c_sn\n2,1,7.5e-1,5.0e-1,-1.25e1\n3,1,7.0e-1,6.0e-1,2.5e1\n".to_owned(),
+        }],
+        resonances: vec![
+            resonance(1, Finding::Unfolded(Box::new(unfolded))),
+            resonance(2, Finding::Silent(vec![("a12 alpha > 0".to_owned(), -0.25)])),
+        ],
+        lost: vec![hostile()],
+        files: Vec::new(),
+    }
+}
+
+/// A report about an oscillator alone, with its files beside the page.
+pub(crate) fn oscillators_alone() -> Report {
+    let files = ["diagram.svg", "data/points.csv"];
+    let mut entry = oscillator("one", "Sample oscillator");
+    entry.files = files.map(str::to_owned).to_vec();
+    let report = report();
+    Report {
+        figures: Vec::new(),
+        tables: Vec::new(),
+        published: Vec::new(),
+        claims: Vec::new(),
+        oscillators: vec![entry],
+        manifest: Manifest {
+            outputs: files.map(|path| OutputFile::of(path, path.as_bytes())).to_vec(),
+            folder: Some(String::new()),
+            ..report.manifest
+        },
+        root: None,
     }
 }
 
@@ -115,6 +177,7 @@ pub(crate) fn report() -> Report {
         }],
         published: vec![published("a", true), published("b", false)],
         claims,
+        oscillators: vec![oscillator("one", "Sample oscillator"), oscillator("two", HOSTILE)],
         manifest: Manifest {
             program: "grazing 0.1.0".to_owned(),
             rust: "1.95.0".to_owned(),

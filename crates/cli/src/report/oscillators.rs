@@ -1,0 +1,355 @@
+//! Oscillators from text files, as the page shows them, and a page about one of them.
+
+use std::collections::BTreeSet;
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use grazing_continuation::fit::{Estimate, FitError};
+use grazing_description::{Axis, Description};
+use grazing_drawing::SheetWidth;
+use grazing_model::ImpactOscillator;
+use grazing_report::{
+    CoefficientEntry, CsvTable, Figure, Finding, Manifest, OscillatorEntry, OutputFile, Report,
+    ResonanceEntry,
+};
+use grazing_reproduction::Table;
+use grazing_reproduction::unfolded::{AtResonance, Observer, Unfolded};
+use grazing_unfold::sides::Sides;
+
+use super::{file_name, links, versions};
+use crate::failure::Failure;
+use crate::folder::MadeFile;
+use crate::outputs::computation;
+use crate::progress::Display;
+use crate::unfold::numbers::agreement;
+use crate::unfold::reason::place;
+use crate::unfold::{self, Analysis, sheets};
+use crate::{project, tables};
+
+/// The example whose results the page shows anyway: the oscillator of the paper.
+const PAPER: &str = "paper.toml";
+/// The tables that are shown as such.
+const SHOWN: [&str; 3] = ["coefficients", "hypotheses", "points"];
+/// The name of the page about an oscillator, in the folder of its results.
+pub(crate) const PAGE: &str = "report.html";
+
+/// A file that describes an oscillator.
+pub(crate) struct Source {
+    file: PathBuf,
+    text: String,
+    description: Description,
+}
+
+/// What there is of an oscillator once it is unfolded.
+pub(crate) struct Material<'a> {
+    /// The file.
+    pub(crate) file: &'a Path,
+    /// What stands in it.
+    pub(crate) text: &'a str,
+    /// What that means.
+    pub(crate) description: &'a Description,
+    /// What came of it.
+    pub(crate) unfolded: &'a Analysis,
+    /// The figures as SVG, with the names of their files.
+    pub(crate) figures: &'a [(String, String)],
+    /// All tables.
+    pub(crate) tables: &'a [Table],
+}
+
+impl Source {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// It cannot be read, or something in it is not right.
+    pub(crate) fn read(file: &Path) -> Result<Self, Failure> {
+        let description = Description::from_file(file)?;
+        let text =
+            fs::read_to_string(file).map_err(|reason| Failure::File { path: file.to_owned(), reason })?;
+        Ok(Self { file: file.to_owned(), text, description })
+    }
+
+    /// The examples of the repository in the order of their names, but for that of the paper, then the given files.
+    ///
+    /// # Errors
+    /// One cannot be read, or something in it is not right.
+    pub(crate) fn all(root: Option<&Path>, given: &[PathBuf]) -> Result<Vec<Self>, Failure> {
+        let folder = root.map(|root| root.join(project::EXAMPLES)).filter(|folder| folder.is_dir());
+        let entries = folder.and_then(|folder| fs::read_dir(folder).ok()).into_iter().flatten().flatten();
+        let is_shown = |path: &PathBuf| {
+            path.extension().is_some_and(|extension| extension == "toml")
+                && path.file_name() != Some(OsStr::new(PAPER))
+        };
+        let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_shown).collect();
+        files.sort();
+        files.extend_from_slice(given);
+        files.iter().map(|file| Self::read(file)).collect()
+    }
+
+    /// Unfolds the oscillator.
+    ///
+    /// # Errors
+    /// There is nothing to unfold, or a figure or table could not be made.
+    pub(crate) fn entry(&self, display: &Display) -> Result<OscillatorEntry, Failure> {
+        let Self { file, text, description } = self;
+        let unfolded = &Unfolded::described(description, display)
+            .map_err(|error| unfold::failure(description, file, &error))?;
+        let tables = &unfolded.tables().map_err(|error| computation("tables", &error))?;
+        let figures = &sheets::figures(description, unfolded, tables, SheetWidth::Paper)
+            .map_err(|error| computation("figures", &*error))?;
+        Material { file, text, description, unfolded, figures, tables }.entry()
+    }
+
+    /// Names the entry as the page is to name its file, and links that where it is part of the repository.
+    pub(crate) fn placed(
+        &self,
+        mut entry: OscillatorEntry,
+        root: Option<&Path>,
+        link: Option<&str>,
+    ) -> OscillatorEntry {
+        let examples = root.map(|root| root.join(project::EXAMPLES));
+        if examples.is_some() && self.file.parent() == examples.as_deref() {
+            entry.file = format!("{}/{}", project::EXAMPLES, entry.file);
+            entry.link = link.map(|link| format!("{link}{}", entry.file));
+        }
+        entry
+    }
+}
+
+/// Gives every entry an identifier of its own: files in different folders can have the same name.
+pub(crate) fn distinguish(entries: &mut [OscillatorEntry]) {
+    let mut taken = BTreeSet::new();
+    for entry in entries {
+        let stem = entry.id.clone();
+        let mut number = 1;
+        while !taken.insert(entry.id.clone()) {
+            number += 1;
+            entry.id = format!("{stem}-{number}");
+        }
+    }
+}
+
+/// Finished curves are not kept: the page is made quickly.
+impl Observer for Display {}
+
+impl Material<'_> {
+    /// The oscillator as a page shows it.
+    ///
+    /// # Errors
+    /// A table could not be written.
+    pub(crate) fn entry(&self) -> Result<OscillatorEntry, Failure> {
+        let texts = self.description.texts();
+        let axis = |axis: &Axis| (axis.name().to_owned(), axis.range());
+        let shown = SHOWN.iter().map(|name| self.table(name)).collect::<Result<_, _>>()?;
+        Ok(OscillatorEntry {
+            id: self.file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+            name: self.description.name().to_owned(),
+            file: file_name(self.file),
+            link: None,
+            about: leading_comment(self.text),
+            force: texts.force.clone(),
+            frequency: texts.frequency.clone(),
+            restitution: texts.restitution.clone(),
+            duration: texts.duration.clone(),
+            constants: self.description.constants().map(|(name, value)| (name.to_owned(), value)).collect(),
+            primary: axis(self.description.primary()),
+            secondary: axis(self.description.secondary()),
+            loops: self.description.loops().to_vec(),
+            figures: self.figures()?,
+            tables: shown,
+            resonances: resonances(self.unfolded),
+            lost: lost(self.description, self.unfolded),
+            files: Vec::new(),
+        })
+    }
+
+    /// The page about this oscillator alone, to stand in the folder of the files that were made of it.
+    ///
+    /// # Errors
+    /// A table could not be written.
+    pub(crate) fn page(&self, made: &[MadeFile]) -> Result<MadeFile, Failure> {
+        let outputs: Vec<OutputFile> =
+            made.iter().map(|file| OutputFile::of(links::with_slashes(&file.path), &file.content)).collect();
+        let mut entry = self.entry()?;
+        entry.files = outputs.iter().map(|file| file.path.clone()).collect();
+        let report = Report {
+            figures: Vec::new(),
+            tables: Vec::new(),
+            published: Vec::new(),
+            claims: Vec::new(),
+            manifest: Manifest {
+                program: versions::program(),
+                rust: versions::rust(),
+                libraries: versions::libraries(),
+                parameter_file: entry.file.clone(),
+                parameters: self.text.to_owned(),
+                outputs,
+                folder: Some(String::new()),
+            },
+            oscillators: vec![entry],
+            root: None,
+        };
+        Ok(MadeFile { path: PathBuf::from(PAGE), content: grazing_report::page(&report).into_bytes() })
+    }
+
+    /// The figures, each with the tables that it shows.
+    fn figures(&self) -> Result<Vec<Figure>, Failure> {
+        let (points, curves) = (self.table("points")?, self.table("curves")?);
+        let magnified = self.table("magnifications")?;
+        let sheets = self.figures.len().saturating_sub(1);
+        let figure = |(index, (file, svg)): (usize, &(String, String))| {
+            let (title, tables) = match index {
+                0 => ("two-parameter bifurcation diagram".to_owned(), vec![points.clone(), curves.clone()]),
+                _ if sheets == 1 => {
+                    ("magnifications about the resonances".to_owned(), vec![magnified.clone()])
+                }
+                sheet => (
+                    format!("magnifications about the resonances, sheet {sheet} of {sheets}"),
+                    vec![CsvTable { name: magnified.name.clone(), csv: rows_of_panels(&magnified.csv, svg) }],
+                ),
+            };
+            let name = file.trim_end_matches(".svg").to_owned();
+            Figure { name, title, svg: svg.clone(), tables }
+        };
+        Ok(self.figures.iter().enumerate().map(figure).collect())
+    }
+
+    /// A table as text; an empty one if there is none of that name.
+    fn table(&self, name: &str) -> Result<CsvTable, Failure> {
+        let table = self.tables.iter().find(|table| table.name == name);
+        let csv = match table {
+            Some(table) => tables::csv(&table.frame).map_err(|error| computation("tables", &error))?,
+            None => Vec::new(),
+        };
+        Ok(CsvTable { name: name.to_owned(), csv: String::from_utf8_lossy(&csv).into_owned() })
+    }
+}
+
+/// The rows of `magnifications.csv` that belong to the panels of a sheet, with the header.
+fn rows_of_panels(csv: &str, svg: &str) -> String {
+    const MARK: &str = "data-only=\"panel ";
+    let marks = svg.match_indices(MARK).filter_map(|(at, _)| svg[at + MARK.len()..].split('"').next());
+    let panels: BTreeSet<&str> = marks.collect();
+    let mut lines = csv.lines();
+    let header = lines.next().unwrap_or_default();
+    let column = header.split(',').position(|name| name == "panel");
+    let here = |line: &&str| {
+        column.and_then(|column| line.split(',').nth(column)).is_none_or(|panel| panels.contains(panel))
+    };
+    std::iter::once(header).chain(lines.filter(here)).flat_map(|line| [line, "\n"]).collect()
+}
+
+/// The paragraphs of the comment with which a file begins.
+fn leading_comment(text: &str) -> Vec<String> {
+    let comment = text.lines().map_while(|line| line.trim_start().strip_prefix('#')).map(str::trim);
+    let mut paragraphs = vec![String::new()];
+    for line in comment {
+        match paragraphs.last_mut() {
+            Some(last) if !line.is_empty() => {
+                if !last.is_empty() {
+                    last.push(' ');
+                }
+                last.push_str(line);
+            }
+            _ => paragraphs.push(String::new()),
+        }
+    }
+    paragraphs.retain(|paragraph| !paragraph.is_empty());
+    paragraphs
+}
+
+/// All resonances with what came of them.
+fn resonances(unfolded: &Analysis) -> Vec<ResonanceEntry> {
+    // Those with a theorem are measured in the order of the list.
+    let mut measured = unfolded.resonances.iter();
+    let mut entries = Vec::new();
+    for resonance in &unfolded.diagram.resonances {
+        let [primary, secondary] = resonance.located.orbit().oscillator().parameters();
+        let finding = match &resonance.theorem {
+            Ok(_) => {
+                let Some(at) = measured.next() else { continue };
+                Finding::Unfolded(Box::new([0, 1].map(|index| coefficient(at, index))))
+            }
+            Err(violated) => {
+                let failing = violated.violated();
+                Finding::Silent(failing.map(|failing| (failing.statement(), failing.value)).collect())
+            }
+        };
+        entries.push(ResonanceEntry { loops: resonance.loops, n: resonance.n, primary, secondary, finding });
+    }
+    entries
+}
+
+/// What could not be located or followed, in words.
+fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
+    let diagram = &unfolded.diagram;
+    let unlocated = diagram
+        .unlocated
+        .iter()
+        .map(|lost| format!("p = {} near {}: {}", lost.loops, place(description, lost.near), lost.reason));
+    let not_followed = diagram
+        .not_unfolded
+        .iter()
+        .map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason));
+    unlocated.chain(not_followed).collect()
+}
+
+/// c_SN (0) or c_PD (1).
+fn coefficient(at: &AtResonance, index: usize) -> CoefficientEntry {
+    let theorem = at.coefficients.theorem[index];
+    let fit: &Result<Estimate, FitError> = &at.coefficients.fit[index];
+    let measured = fit.as_ref().ok().map(|estimate| (estimate.value, agreement(theorem, estimate.value)));
+    CoefficientEntry { theorem, measured, as_predicted: at.sides[index].as_ref().and_then(as_predicted) }
+}
+
+/// Whether simulation lands on the predicted side; nothing if that is undecided.
+fn as_predicted(sides: &Sides) -> Option<bool> {
+    (sides.as_predicted() || !sides.attracts.contains(&None)).then(|| sides.as_predicted())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_leading_comment_is_put_together_by_paragraphs() {
+        let text = "# A block on a spring\n#   beside a wall.\n#\n# Values are ours.\n\nname = \"o\" # not this\n# nor this\n";
+        assert_eq!(leading_comment(text), ["A block on a spring beside a wall.", "Values are ours."]);
+        assert_eq!(leading_comment("name = \"o\"\n# later\n"), [""; 0]);
+    }
+
+    #[test]
+    fn a_sheet_gets_the_rows_of_its_own_panels() {
+        let csv = "kind,panel,x\nSN,1,0.5\nSN,2,0.25\nPD,10,0.125\n";
+        let svg = "<rect data-only=\"panel 2\"/>\n<rect data-only=\"panel 10\"/>";
+        assert_eq!(rows_of_panels(csv, svg), "kind,panel,x\nSN,2,0.25\nPD,10,0.125\n");
+    }
+
+    #[test]
+    fn files_of_the_same_name_have_addresses_of_their_own() {
+        let source = Source::read(Path::new("../../examples/duffing.toml")).expect("it is right");
+        let entry = |id: &str| OscillatorEntry {
+            id: id.to_owned(),
+            name: source.description.name().to_owned(),
+            file: String::new(),
+            link: None,
+            about: Vec::new(),
+            force: String::new(),
+            frequency: String::new(),
+            restitution: String::new(),
+            duration: String::new(),
+            constants: Vec::new(),
+            primary: (String::new(), [0.0, 1.0]),
+            secondary: (String::new(), [0.0, 1.0]),
+            loops: vec![1],
+            figures: Vec::new(),
+            tables: Vec::new(),
+            resonances: Vec::new(),
+            lost: Vec::new(),
+            files: Vec::new(),
+        };
+        let mut entries = ["a", "b", "a", "a"].map(entry);
+        distinguish(&mut entries);
+        assert_eq!(entries.map(|entry| entry.id), ["a", "b", "a-2", "a-3"]);
+    }
+}
