@@ -18,6 +18,7 @@
 pub mod arclength;
 pub mod criticality;
 pub mod curve;
+pub mod cusp;
 pub mod fit;
 mod follow;
 pub mod locate;

@@ -2,6 +2,7 @@
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, Window};
+use grazing_continuation::cusp::cusps;
 use grazing_continuation::fit::{Estimate, FitError, quadratic_coefficient};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::Unknowns;
@@ -78,13 +79,13 @@ impl DiagramCurve {
 /// A codimension-two point other than a resonance.
 #[derive(Clone, Debug)]
 pub struct Corner {
-    /// The two bifurcations that meet there: SN-GZ, PD-GZ or GZ-GZ.
+    /// The two bifurcations that meet there: SN-GZ, PD-GZ or GZ-GZ; `cusp` where an SN curve turns back.
     pub kind: &'static str,
     /// Number of loops p.
     pub loops: u32,
     /// The integer n of the resonance from which it was reached.
     pub n: u32,
-    /// The event that ended the curve on which it was reached.
+    /// The event on the curve on which it was reached: its end, but for cusps.
     pub event: Event,
 }
 
@@ -135,6 +136,9 @@ pub struct Diagram<O> {
     /// Resonances whose curves could not be followed.
     pub not_unfolded: Vec<NotUnfolded>,
 }
+
+/// The kind of a point at which a saddle-node curve turns back.
+const CUSP: &str = "cusp";
 
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;
@@ -206,7 +210,7 @@ impl<O: ImpactOscillator> Diagram<O> {
         let mut next = 0;
         while let Some(Corner { kind: meeting, loops, n, event }) = self.corners.get(next).cloned() {
             next += 1;
-            let Some(kind) = Kind::of(event.condition) else { continue };
+            let Some(kind) = Kind::of(event.condition).filter(|_| meeting != CUSP) else { continue };
             let corner = event.solution.unknowns;
             let there = self.curves.iter().filter(|curve| {
                 curve.kind == kind
@@ -278,7 +282,19 @@ impl<O: ImpactOscillator> Diagram<O> {
                 self.corners.push(Corner { kind, loops: new.loops, n: new.n, event: event.clone() });
             }
         }
+        for event in self.cusps(&new) {
+            self.corners.push(Corner { kind: CUSP, loops: new.loops, n: new.n, event });
+        }
         self.curves.push(new);
+    }
+
+    /// The cusps of a saddle-node curve; other curves have none.
+    fn cusps(&self, new: &DiagramCurve) -> Vec<Event> {
+        let own = self.unfolding().find(|(resonance, _)| resonance.loops == new.loops);
+        match (new.kind, own) {
+            (Kind::SaddleNode, Some((_, point))) => cusps(point.equations(), &new.curve),
+            _ => Vec::new(),
+        }
     }
 }
 

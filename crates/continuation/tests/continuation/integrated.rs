@@ -1,8 +1,11 @@
 //! Oscillators that are given by their force, through everything that the closed form goes through.
 
+use grazing_continuation::criticality::saddle_node;
 use grazing_continuation::curve::Curve;
+use grazing_continuation::cusp::cusps;
 use grazing_continuation::fit;
 use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
@@ -106,4 +109,23 @@ fn coefficients_of_a_duffing_oscillator_with_one_loop_are_those_of_the_theorem()
 fn coefficients_of_a_duffing_oscillator_with_two_loops_are_those_of_the_theorem() {
     // Found by homotopy from the linear oscillator's resonance with n = 1 (empirical: where Newton's method starts).
     assert_fit_agrees(2, [0.0868, 0.3983, 0.9134]);
+}
+
+#[test]
+fn normal_form_of_a_saddle_node_degenerates_where_its_curve_turns_back_in_a_cusp() {
+    // Near the resonance p = 2 of the cubic spring (empirical).
+    let start = Integrated::new(Spring { kappa: 0.1, varying: false }, [0.3983, 0.9134]);
+    let resonance = ResonantGrazingPoint::find(&start, 2, 0.09).unwrap();
+    let secondary = resonance.orbit().oscillator().parameters()[1];
+    let curves = resonance.unfold(&route([0.0, 1.5], [secondary - 0.05, secondary + 0.05], true)).unwrap();
+    let cusps = cusps(resonance.equations(), &curves.saddle_node);
+    assert_eq!(cusps.len(), 1);
+    let coefficient = |solution: &MaximalPeriodicSolution| {
+        saddle_node(resonance.equations(), &solution.unknowns).unwrap().coefficient
+    };
+    let [before, after] = [cusps[0].index - 1, cusps[0].index + 1]
+        .map(|index| coefficient(&curves.saddle_node.points[index].solution));
+    // It changes by its own size within a step; what is left is the error of second derivatives, some 10⁻⁹, magnified.
+    assert!(before * after < 0.0, "{before} {after}");
+    assert_within(coefficient(&cusps[0].solution) / (before - after), 0.0, 1e-5);
 }
