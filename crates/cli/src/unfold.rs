@@ -2,6 +2,7 @@
 
 mod explanation;
 mod keeper;
+mod layout;
 mod listing;
 pub(crate) mod numbers;
 pub(crate) mod reason;

@@ -9,7 +9,7 @@ use grazing_theorems::hypothesis::Hypothesis;
 use grazing_unfold::resonances::Resonance;
 
 use super::Analysis;
-use super::listing::{KEPT, wrapped};
+use super::layout::{KEPT, wrapped};
 use super::numbers::brief;
 use super::reason::place;
 

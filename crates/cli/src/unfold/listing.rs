@@ -1,6 +1,5 @@
 //! What there is to tell of an oscillator and its resonances, as lines on the terminal.
 
-use std::fmt::Write;
 use std::path::Path;
 
 use grazing_continuation::curve::CurveEnd;
@@ -17,11 +16,10 @@ use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::sides::Sides;
 
 use super::Analysis;
+use super::layout::{KEPT, aligned, wrapped};
 use super::numbers::{agreement, brief, fixed, range, significant};
 use super::reason::place;
 
-/// The widest line.
-const WIDTH: usize = 100;
 /// Digits of parameters, of coefficients, and of other quantities.
 const PARAMETER: usize = 8;
 const COEFFICIENT: usize = 9;
@@ -288,47 +286,6 @@ fn odd_end(end: &CurveEnd) -> Option<String> {
     }
 }
 
-/// Columns as wide as they must be, numbers and words to the right.
-fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
-    let lines: Vec<Vec<String>> =
-        std::iter::once(header.iter().map(|&word| word.to_owned()).collect()).chain(rows).collect();
-    let width = |column: usize| lines.iter().map(|line| line[column].len()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..header.len()).map(width).collect();
-    let mut text = String::new();
-    for line in &lines {
-        for (cell, width) in line.iter().zip(&widths) {
-            // Writing to a string cannot fail.
-            let _ = write!(text, "  {cell:>width$}");
-        }
-        text.push('\n');
-    }
-    text
-}
-
-/// A space at which no line ends.
-pub(super) const KEPT: &str = "\u{a0}";
-
-/// Words after a mark, on as many lines as they need, all with the mark's indent.
-pub(super) fn wrapped(mark: &str, content: &str) -> String {
-    let indent = mark.chars().count();
-    let mut text = mark.to_owned();
-    let mut column = indent;
-    for word in content.split([' ', '\t', '\n', '\r']).filter(|word| !word.is_empty()) {
-        let length = word.chars().count();
-        if column > indent && column + 1 + length > WIDTH {
-            let _ = write!(text, "\n{:indent$}", "");
-            column = indent;
-        }
-        if column > indent {
-            text.push(' ');
-            column += 1;
-        }
-        text.push_str(word);
-        column += length;
-    }
-    format!("{}\n", text.trim_end().replace(KEPT, " "))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -373,16 +330,9 @@ mod tests {
             "Resonances that could not be unfolded \
              p = 1 near A = 0.25, omega = 0.5: the resonance was not located: the point found lies 0.5 away, on a step of \
              length 0.001 \
-             p = 2, n = 3 the saddle-node curve cannot be started at the resonance: it ends at once"
+             p = 2, n = 3 the saddle-node curve cannot be started: it ends at once"
         );
         let nothing = Diagram { unlocated: Vec::new(), not_unfolded: Vec::new(), ..diagram };
         assert_eq!(missing(&description, &nothing), "");
-    }
-
-    #[test]
-    fn words_are_wrapped_under_the_first() {
-        let text = wrapped("  mark  ", &"word ".repeat(40));
-        assert!(text.lines().count() > 2 && text.lines().all(|line| line.chars().count() <= WIDTH));
-        assert!(text.lines().skip(1).all(|line| line.starts_with("        word")), "{text}");
     }
 }
