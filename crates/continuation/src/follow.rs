@@ -265,6 +265,7 @@ fn locate_event<O: ImpactOscillator>(
 ) -> Result<(MaximalPeriodicSolution, Memory), LocateFailure> {
     let mut memory = after.memory.clone();
     let mut near = (before.point + after.point) * 0.5;
+    let mut sought = condition;
     if condition == Condition::InteriorGrazing {
         // The maximum that crosses the wall is the highest one at whichever end is inadmissible.
         let solution = if beyond.ceiling() > MaximalPeriodicSolution::TOUCH {
@@ -276,10 +277,20 @@ fn locate_event<O: ImpactOscillator>(
             equations.equations.solution(&before.point).0
         };
         if let Some(maximum) = solution.highest_interior_maximum {
-            memory.grazing_time = maximum.time;
+            if equations.condition == Condition::InteriorGrazing {
+                // One maximum touches the wall all along the curve; this is another one.
+                sought = Condition::SecondInteriorGrazing;
+                memory.second_grazing_time = maximum.time;
+            } else {
+                memory.grazing_time = maximum.time;
+            }
         }
     }
-    let point = locate(&equations.equations, [equations.condition, condition], near, &mut memory)?;
+    let point = locate(&equations.equations, [equations.condition, sought], near, &mut memory)?;
+    if sought == Condition::SecondInteriorGrazing {
+        // The curve that can start from there is that of the second maximum.
+        core::mem::swap(&mut memory.grazing_time, &mut memory.second_grazing_time);
+    }
     let (distance, step) = ((point - near).norm(), (after.point - before.point).norm());
     if distance > 2.0 * step {
         return Err(LocateFailure::Elsewhere { distance, step });

@@ -14,6 +14,8 @@ pub enum Condition {
     Multiplier(f64),
     /// The interior maximum that the memory holds touches the wall: a grazing bifurcation of the MPS.
     InteriorGrazing,
+    /// A second interior maximum that the memory holds touches the wall, where one does already.
+    SecondInteriorGrazing,
     /// The impact velocity has this value; 0 is where the MPS meets the non-impacting solution.
     ImpactVelocity(f64),
     /// The primary parameter has this value.
@@ -44,6 +46,7 @@ impl Condition {
         Ok(match self {
             Self::Multiplier(multiplier) => pair.characteristic(multiplier),
             Self::InteriorGrazing => equations.interior_maximum(point, memory)?,
+            Self::SecondInteriorGrazing => equations.second_interior_maximum(point, memory)?,
             Self::ImpactVelocity(value) => coordinate(unknown::VELOCITY, value),
             Self::Primary(value) => coordinate(unknown::PRIMARY, value),
             Self::Secondary(value) => coordinate(unknown::SECONDARY, value),

@@ -51,6 +51,8 @@ pub struct Memory {
     reference_phase: Option<f64>,
     /// Time from the recoil to the interior maximum that a grazing curve holds at the wall.
     pub(crate) grazing_time: f64,
+    /// The same for a second interior maximum, where two touch the wall.
+    pub(crate) second_grazing_time: f64,
 }
 
 /// The equations of p-loop MPSs of one oscillator.
@@ -198,11 +200,28 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         point: &Unknowns,
         memory: &mut Memory,
     ) -> Result<(f64, Vector4<f64>), MapError> {
+        self.maximum_at(point, &mut memory.grazing_time)
+    }
+
+    /// The same for the second maximum that `memory` holds.
+    ///
+    /// # Errors
+    /// The maximum has disappeared.
+    pub(crate) fn second_interior_maximum(
+        &self,
+        point: &Unknowns,
+        memory: &mut Memory,
+    ) -> Result<(f64, Vector4<f64>), MapError> {
+        self.maximum_at(point, &mut memory.second_grazing_time)
+    }
+
+    /// The value of x at the maximum near a time after the recoil, with its first derivatives in the unknowns.
+    fn maximum_at(&self, point: &Unknowns, time: &mut f64) -> Result<(f64, Vector4<f64>), MapError> {
         let oscillator = self.oscillator_at(point);
         let reset = oscillator.reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE]);
         let (velocity, phase) = (reset.value[0], reset.value[1]);
-        let landing = maps::virtual_map::<O, 1>(&oscillator, velocity, phase, Some(memory.grazing_time))?;
-        memory.grazing_time = landing.time;
+        let landing = maps::virtual_map::<O, 1>(&oscillator, velocity, phase, Some(*time))?;
+        *time = landing.time;
         let jet = landing.jet.after::<1>(&reset);
         Ok((jet.value[0], jet.jacobian.row(0).transpose()))
     }

@@ -177,11 +177,11 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
     /// codimension-two points at which these end.
     ///
     /// # Errors
-    /// A curve cannot be started.
+    /// The SN or the PD curve cannot be started.
     pub fn unfold(&self, route: &Route) -> Result<UnfoldedResonance, ResonanceError> {
         let saddle_node = self.leave(Condition::SADDLE_NODE, route)?;
         let period_doubling = self.leave(Condition::PERIOD_DOUBLING, route)?;
-        let mut grazing: Vec<Curve> = Vec::new();
+        let (mut grazing, mut missing): (Vec<Curve>, Vec<ResonanceError>) = (Vec::new(), Vec::new());
         for curve in [&saddle_node, &period_doubling] {
             let CurveEnd::Event(event) = &curve.end else {
                 continue;
@@ -191,10 +191,13 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
                 other.points.last().is_some_and(|last| same_point(&last.solution.unknowns, &corner))
             };
             if event.condition == Condition::InteriorGrazing && !grazing.iter().any(reached) {
-                grazing.push(self.branch_off(event, route)?);
+                match self.branch_off(event, route) {
+                    Ok(curve) => grazing.push(curve),
+                    Err(reason) => missing.push(reason),
+                }
             }
         }
-        Ok(UnfoldedResonance { saddle_node, period_doubling, grazing })
+        Ok(UnfoldedResonance { saddle_node, period_doubling, grazing, missing })
     }
 
     /// Follows the other curve of a codimension-two point at which one curve ends: GZ to the side where the MPS is stable, SN and PD
@@ -205,15 +208,21 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
     pub fn branch_off(&self, corner: &Event, route: &Route) -> Result<Curve, ResonanceError> {
         let condition = corner.condition;
         let bounds = |solution: &MaximalPeriodicSolution| match condition {
-            Condition::InteriorGrazing => solution.stable(),
+            Condition::InteriorGrazing => {
+                solution.stable() && solution.ceiling() <= MaximalPeriodicSolution::TOUCH
+            }
             _ => solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
+        };
+        // A curve to the inadmissible side of a point at which two maxima touch the wall ends there at once.
+        let onwards = |solution: &MaximalPeriodicSolution| {
+            bounds(solution) && !same_point(&solution.unknowns, &corner.solution.unknowns)
         };
         let mut reason = "it bounds no region of stable solutions to either side".to_owned();
         for sign in [1.0, -1.0] {
             let curve = MpsCurve { equations: self.equations.clone(), condition };
             let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
             match curve.follow(corner.solution.unknowns, direction, corner.memory.clone(), route) {
-                Ok(curve) if curve.points.get(1).is_some_and(|point| bounds(&point.solution)) => {
+                Ok(curve) if curve.points.get(1).is_some_and(|point| onwards(&point.solution)) => {
                     return Ok(curve);
                 }
                 Ok(_) => {}
@@ -238,6 +247,8 @@ pub struct UnfoldedResonance {
     pub period_doubling: Curve,
     /// Grazing bifurcations of the MPS.
     pub grazing: Vec<Curve>,
+    /// Why there is no GZ curve from a codimension-two point where there should be one.
+    pub missing: Vec<ResonanceError>,
 }
 
 /// Two located points are the same codimension-two point: located to 10⁻¹⁰, different ones are much farther apart.

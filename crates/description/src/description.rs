@@ -166,6 +166,11 @@ impl SmoothOscillator for Description {
         self.0.force.evaluate(&[x, y, t, mu, eta])
     }
 
+    fn force_at<S: Scalar>(&self, t: S, mu: S, eta: S) -> impl FnMut(S, S) -> S {
+        let mut force = self.0.force.hold(&[t, mu, eta]);
+        move |x, y| force(&[x, y])
+    }
+
     fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S {
         self.0.frequency.evaluate(&[mu, eta])
     }

@@ -13,8 +13,9 @@
 //! # The tape
 //! Constants are folded while the text is read, equal parts become one node, whole powers are products, and a sum with all
 //! its constant factors is one instruction, for choosing the next instruction takes longer than arithmetic. What is left is
-//! a short list of instructions on a few values, which [`Expression::evaluate`] runs over plain numbers,
-//! jets or intervals alike; with up to [`MOST_VALUES_ON_STACK`] values at a time it allocates nothing.
+//! a short list of instructions, each of which adds one value to a list that begins with those of the variables.
+//! [`Expression::evaluate`] runs it over plain numbers, jets or intervals alike. Instructions that need none of the variables
+//! that move stand first, so that [`Expression::hold`] can run them once for many values of those.
 
 mod assemble;
 mod function;
@@ -22,7 +23,10 @@ mod graph;
 mod parse;
 mod print;
 mod problem;
+#[cfg(test)]
+mod tests;
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use grazing_model::smooth::{Function, Scalar};
@@ -31,11 +35,8 @@ pub(crate) use function::is_function;
 use graph::Node;
 pub use problem::{ExpressionError, Problem};
 
-/// The most values, those of the variables and those that wait for their use, that an evaluation keeps on the stack; an
-/// expression that needs more of them allocates.
-///
-/// Few values wait at a time: in (1 + x)(2 + x)(3 + x)…, written out, never more than two.
-pub const MOST_VALUES_ON_STACK: usize = 32;
+/// The most results of instructions that an evaluation keeps on the stack; an expression with more of them allocates.
+pub const MOST_VALUES_ON_STACK: usize = 24;
 
 /// An expression in variables that are known by name and number.
 ///
@@ -43,42 +44,38 @@ pub const MOST_VALUES_ON_STACK: usize = 32;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expression(Arc<Tape>);
 
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Default, PartialEq)]
 struct Tape {
     variables: Vec<String>,
     /// All parts of the expression, each after those it is made of; the last one is the whole.
     nodes: Vec<Node>,
     instructions: Vec<Instruction>,
+    /// The number of variables that move; they come first.
+    moving: usize,
+    /// The number of instructions that need no variable that moves; they come first.
+    held: usize,
     /// The terms of all sums.
-    terms: Vec<(f64, Slot)>,
-    /// The number of slots: the variables come first.
-    slots: usize,
-    /// The slot of the result.
-    result: Slot,
+    terms: Vec<(f64, Place)>,
+    /// The place of the result.
+    result: Place,
 }
 
-/// The number of a value while an expression is evaluated.
-type Slot = u32;
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Instruction {
-    step: Step,
-    target: Slot,
-}
+/// The place of a value in the list: those of the variables come first, then one for each instruction.
+type Place = usize;
 
 /// What one instruction computes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Step {
-    Plain(Operation<Slot>),
-    /// A constant and slots times numbers, which stand in the list of terms from `start` to before `end`.
+enum Instruction {
+    Plain(Operation<Place>),
+    /// A constant and values times numbers, which stand in the list of terms from `start` to before `end`.
     Sum {
-        start: u32,
-        end: u32,
+        start: usize,
+        end: usize,
         constant: f64,
     },
 }
 
-/// An operation on operands that are given by number: of a node in the graph, of a slot on the tape.
+/// An operation on operands that are given by number: of a node in the graph, of a value's place on the tape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Operation<P> {
     Constant(f64),
@@ -132,10 +129,10 @@ impl<P: Copy> Operation<P> {
     }
 }
 
-impl Operation<Slot> {
-    #[inline]
-    fn compute<S: Scalar>(&self, slots: &[S]) -> S {
-        let get = |slot: Slot| slots[slot as usize];
+impl Operation<Place> {
+    #[inline(always)]
+    fn compute<'v, S: Scalar + 'v>(&self, get: impl Fn(Place) -> &'v S) -> S {
+        let get = |place: Place| *get(place);
         match *self {
             Operation::Constant(value) => S::constant(value),
             Operation::Add(a, b) => get(a) + get(b),
@@ -166,16 +163,18 @@ impl Expression {
         variables: &[&str],
         constants: &[(&str, f64)],
     ) -> Result<Expression, ExpressionError> {
-        parse::expression(text, variables, constants).map(|(expression, _)| expression)
+        parse::expression(text, variables, variables.len(), constants).map(|(expression, _)| expression)
     }
 
-    /// As [`Expression::parse`], with the numbers of the variables that the text names.
+    /// As [`Expression::parse`], with the numbers of the variables that the text names; the first so many `moving` ones are
+    /// those that [`Expression::hold`] leaves free.
     pub(crate) fn parse_with_uses(
         text: &str,
         variables: &[&str],
+        moving: usize,
         constants: &[(&str, f64)],
     ) -> Result<(Expression, Vec<usize>), ExpressionError> {
-        parse::expression(text, variables, constants)
+        parse::expression(text, variables, moving, constants)
     }
 
     /// The names of the variables, in the order of their values.
@@ -188,60 +187,72 @@ impl Expression {
         self.0.instructions.len()
     }
 
-    /// The most values that there are at one time: those of the variables and those that wait for their use.
-    pub fn values(&self) -> usize {
-        self.0.slots
-    }
-
     /// The value at these values of the variables, in the order of [`Expression::variables`].
     ///
     /// # Panics
     /// With fewer values than variables.
-    #[inline]
     pub fn evaluate<S: Scalar>(&self, variables: &[S]) -> S {
         let tape = &*self.0;
         let variables = &variables[..tape.variables.len()];
-        match tape.slots {
-            0..=8 => tape.run(&mut on_stack::<S, 8>(variables)),
-            9..=16 => tape.run(&mut on_stack::<S, 16>(variables)),
-            17..=MOST_VALUES_ON_STACK => tape.run(&mut on_stack::<S, MOST_VALUES_ON_STACK>(variables)),
-            more => {
-                let mut slots = vec![S::constant(0.0); more];
-                slots[..variables.len()].copy_from_slice(variables);
-                tape.run(&mut slots)
-            }
+        match tape.instructions.len() {
+            0..=8 => tape.whole(variables, &mut [S::constant(0.0); 8]),
+            9..=MOST_VALUES_ON_STACK => tape.whole(variables, &mut [S::constant(0.0); MOST_VALUES_ON_STACK]),
+            more => tape.whole(variables, &mut vec![S::constant(0.0); more]),
         }
+    }
+
+    /// The expression as a function of the variables that move, with these values of the others.
+    ///
+    /// # Panics
+    /// With fewer values than there are variables that do not move.
+    pub(crate) fn hold<'a, S: Scalar>(&'a self, others: &[S]) -> impl FnMut(&[S]) -> S + use<'a, S> {
+        let tape = &*self.0;
+        let others = &others[..tape.variables.len() - tape.moving];
+        let mut known = Vec::with_capacity(others.len() + tape.instructions.len());
+        known.extend_from_slice(others);
+        known.resize(known.capacity(), S::constant(0.0));
+        tape.run(0..tape.held, &[], tape.moving, &mut known);
+        move |moving| {
+            tape.run(tape.held..tape.instructions.len(), moving, tape.moving, &mut known);
+            *value(tape.result, moving, tape.moving, &known)
+        }
+    }
+}
+
+/// The value at a place: of one of the first variables, so many as are `free`, or one that is known.
+#[inline(always)]
+fn value<'v, S>(place: Place, variables: &'v [S], free: usize, known: &'v [S]) -> &'v S {
+    match place.checked_sub(free) {
+        Some(index) => &known[index],
+        None => &variables[place],
     }
 }
 
 impl Tape {
+    fn whole<S: Scalar>(&self, variables: &[S], results: &mut [S]) -> S {
+        self.run(0..self.instructions.len(), variables, variables.len(), results);
+        *value(self.result, variables, variables.len(), results)
+    }
+
+    /// Runs some of the instructions, in order.
     #[inline]
-    fn run<S: Scalar>(&self, slots: &mut [S]) -> S {
-        for instruction in &self.instructions {
-            slots[instruction.target as usize] = match instruction.step {
-                Step::Plain(operation) => operation.compute(slots),
-                Step::Sum { start, end, constant } => {
-                    let terms = &self.terms[start as usize..end as usize];
-                    sum(terms, slots) + S::constant(constant)
+    fn run<S: Scalar>(&self, which: Range<usize>, variables: &[S], free: usize, known: &mut [S]) {
+        let first = self.variables.len() - free;
+        for place in which {
+            let get = |place: Place| value(place, variables, free, known);
+            let result = match &self.instructions[place] {
+                Instruction::Plain(operation) => operation.compute(get),
+                Instruction::Sum { start, end, constant } => {
+                    // Factors of one and minus one change no bit, and no branch is faster than one that is guessed wrong.
+                    let [(factor, place), rest @ ..] = &self.terms[*start..*end] else {
+                        unreachable!("a sum has a term");
+                    };
+                    let sum = get(*place).scale(*factor);
+                    rest.iter().fold(sum, |sum, &(factor, place)| sum.plus(factor, get(place)))
+                        + S::constant(*constant)
                 }
             };
+            known[first + place] = result;
         }
-        slots[self.result as usize]
     }
-}
-
-/// The sum of slots times numbers; there is at least one.
-#[inline]
-fn sum<S: Scalar>(terms: &[(f64, Slot)], slots: &[S]) -> S {
-    // Factors of one and minus one change no bit, and no branch is faster than one that is guessed wrong.
-    let product = |(factor, slot): (f64, Slot)| slots[slot as usize].scale(factor);
-    terms[1..].iter().fold(product(terms[0]), |sum, &term| sum + product(term))
-}
-
-/// As many slots, with the variables in the first ones.
-#[inline]
-fn on_stack<S: Scalar, const SLOTS: usize>(variables: &[S]) -> [S; SLOTS] {
-    let mut slots = [S::constant(0.0); SLOTS];
-    slots[..variables.len()].copy_from_slice(variables);
-    slots
 }

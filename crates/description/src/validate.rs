@@ -13,11 +13,12 @@ use crate::names;
 
 type Checked<T> = Result<T, DescriptionError>;
 
-/// The keys of the four expressions with the variables that each may use beside the parameters.
-const FORCE: (&str, &[&str]) = ("motion.force", &["x", "v", "t"]);
-const FREQUENCY: (&str, &[&str]) = ("motion.frequency", &[]);
-const RESTITUTION: (&str, &[&str]) = ("impact.restitution", &["y", "z"]);
-const DURATION: (&str, &[&str]) = ("impact.duration", &["y", "z"]);
+/// The keys of the four expressions with the variables that each may use beside the parameters, and how many of them, the
+/// first ones, move while the others are held.
+const FORCE: (&str, &[&str], usize) = ("motion.force", &["x", "v", "t"], 2);
+const FREQUENCY: (&str, &[&str], usize) = ("motion.frequency", &[], 0);
+const RESTITUTION: (&str, &[&str], usize) = ("impact.restitution", &["y", "z"], 2);
+const DURATION: (&str, &[&str], usize) = ("impact.duration", &["y", "z"], 2);
 
 /// Checks everything that can be checked without evaluating an expression.
 pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Description> {
@@ -38,11 +39,12 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
     let secondary = axis("secondary", &raw.secondary, source)?;
 
     let mut used = [false; 2];
-    let mut expression = |(key, variables): (&'static str, &[&str]), text: &Spanned<String>| {
+    let mut expression = |(key, variables, moving): (&'static str, &[&str], usize),
+                          text: &Spanned<String>| {
         let axes = [primary.name.as_str(), secondary.name.as_str()];
         let variables = [variables, &axes].concat();
         let constants: Vec<_> = constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-        let (expression, uses) = Expression::parse_with_uses(text.get_ref(), &variables, &constants)
+        let (expression, uses) = Expression::parse_with_uses(text.get_ref(), &variables, moving, &constants)
             .map_err(|error| DescriptionError::in_expression(source, key, text, &error))?;
         for (used, place) in used.iter_mut().zip(variables.len() - 2..) {
             *used |= uses.contains(&place);

@@ -33,11 +33,26 @@ fn every_example_loads_and_is_evaluated_without_allocation() {
             description.restitution_expression(),
             description.duration_expression(),
         ] {
-            assert!(expression.values() <= MOST_VALUES_ON_STACK, "{}: {expression}", path.display());
+            assert!(expression.instructions() <= MOST_VALUES_ON_STACK, "{}: {expression}", path.display());
         }
         examples += 1;
     }
     assert!(examples >= 4);
+}
+
+#[test]
+fn the_force_at_one_time_is_the_force() {
+    for entry in fs::read_dir(folder()).expect("examples/ can be read") {
+        let path = entry.expect("examples/ can be read").path();
+        let description = Description::from_file(&path).unwrap_or_else(|error| panic!("{error}"));
+        for t in [0.0, 0.7, 5.1] {
+            let mut force = description.force_at(t, 0.6, 0.8);
+            for [x, v] in [[-0.4, 0.7], [0.0, 0.0], [-1.1, -0.3]] {
+                // The same instructions in another order.
+                assert_eq!(force(x, v), description.force(x, v, t, 0.6, 0.8), "{}", path.display());
+            }
+        }
+    }
 }
 
 #[test]

@@ -7,8 +7,8 @@
 //! motion, which the search for events needs.
 //!
 //! The integrator is Gauss's collocation of order 12 with six points. Its steps are long and its stages solve a system whose
-//! matrix is that of the variational equations: jets of second order cost two evaluations of F at each of the six points. An
-//! explicit method of the same accuracy takes many times as many, all of them with jets.
+//! matrix is that of the variational equations: jets of any order cost one more evaluation of F at each of the six points,
+//! which is made at several points side by side. An explicit method of the same accuracy takes many times as many.
 //!
 //! **Why no library.** Control of the step in those that we know goes through `std`'s powers, so that the bits would depend on
 //! the machine; and none carries variational equations of second order along with the solution.
@@ -29,9 +29,11 @@ mod jet;
 mod motion;
 mod scalar;
 mod series;
+mod stages;
 mod tableau;
 mod taylor;
 mod third_order;
+mod variational;
 
 use nalgebra::{Matrix2, Matrix4, RowVector4, Vector2};
 
@@ -61,6 +63,14 @@ mod variable {
 pub trait SmoothOscillator: Clone + Send + Sync {
     /// The force F(x, y, t; μ, η) per mass.
     fn force<S: Scalar>(&self, x: S, y: S, t: S, mu: S, eta: S) -> S;
+
+    /// The force at one time, as a function of position and velocity.
+    ///
+    /// The integrator asks for it again and again at the same times: an implementor saves most of its work who computes
+    /// here, once, what depends on time and parameters alone.
+    fn force_at<S: Scalar>(&self, t: S, mu: S, eta: S) -> impl FnMut(S, S) -> S {
+        move |x, y| self.force(x, y, t, mu, eta)
+    }
 
     /// The angular frequency ω(μ, η) of the forcing.
     fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S;

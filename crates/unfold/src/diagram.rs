@@ -95,7 +95,7 @@ impl Corner {
     }
 }
 
-/// A resonance whose curves could not be followed.
+/// A resonance one of whose curves, or all of them, could not be followed.
 #[derive(Clone, Debug)]
 pub struct NotUnfolded {
     /// Number of loops p.
@@ -111,8 +111,10 @@ pub struct NotUnfolded {
 pub struct Followed {
     /// The place of the resonance in the diagram's list.
     pub resonance: usize,
-    /// Its curves, or why there are none.
-    pub curves: Result<Vec<DiagramCurve>, ResonanceError>,
+    /// Its curves.
+    pub curves: Vec<DiagramCurve>,
+    /// Why others are not there.
+    pub missing: Vec<ResonanceError>,
 }
 
 /// Everything in the diagram.
@@ -186,11 +188,12 @@ impl<O: ImpactOscillator> Diagram<O> {
 
     /// The diagram with what came of following the curves from its resonances, in the order of their list.
     pub fn with(mut self, followed: Vec<Followed>) -> Self {
-        for Followed { resonance, curves } in followed {
+        for Followed { resonance, curves, missing } in followed {
             let (loops, n) = (self.resonances[resonance].loops, self.resonances[resonance].n);
-            match curves {
-                Ok(curves) => curves.into_iter().for_each(|curve| self.add(curve)),
-                Err(reason) => self.not_unfolded.push(NotUnfolded { loops, n, reason }),
+            let failed = |reason| NotUnfolded { loops, n, reason };
+            self.not_unfolded.extend(missing.into_iter().map(failed));
+            for curve in curves {
+                self.add(curve);
             }
         }
         self.grow();
@@ -201,15 +204,16 @@ impl<O: ImpactOscillator> Diagram<O> {
     fn grow(&mut self) {
         let route = route(self.scope.window, StepControl::DRAWING);
         let mut next = 0;
-        while let Some(Corner { loops, n, event, .. }) = self.corners.get(next).cloned() {
+        while let Some(Corner { kind: meeting, loops, n, event }) = self.corners.get(next).cloned() {
             next += 1;
             let Some(kind) = Kind::of(event.condition) else { continue };
             let corner = event.solution.unknowns;
-            let known = self.curves.iter().any(|curve| {
+            let there = self.curves.iter().filter(|curve| {
                 curve.kind == kind
                     && curve.loops == loops
                     && curve.ends().iter().any(|end| same_point(end, &corner))
             });
+            let known = there.count() >= if meeting == "GZ-GZ" { 2 } else { 1 };
             let point = self.unfolding().find(|(resonance, _)| resonance.loops == loops && resonance.n == n);
             // A curve that bounds no region of stable solutions there is not part of the diagram.
             if let Some((_, point)) = point
@@ -242,12 +246,13 @@ impl<O: ImpactOscillator> Diagram<O> {
             .into_par_iter()
             .filter_map(|(index, resonance)| {
                 let point = resonance.theorem.as_ref().ok()?;
-                let curves = point.unfold(&route).map(|unfolded| listed(resonance, unfolded));
-                if let Ok(curves) = &curves {
-                    progress.unfolded(index, curves);
-                }
+                let followed = match point.unfold(&route) {
+                    Ok(unfolded) => listed(index, resonance, unfolded),
+                    Err(reason) => Followed { resonance: index, curves: Vec::new(), missing: vec![reason] },
+                };
+                progress.unfolded(index, &followed.curves);
                 progress.step(what);
-                Some(Followed { resonance: index, curves })
+                Some(followed)
             })
             .collect();
         progress.end(what);
@@ -278,13 +283,15 @@ impl<O: ImpactOscillator> Diagram<O> {
 }
 
 /// The curves of a resonance in the order in which they are listed.
-fn listed<O>(resonance: &Resonance<O>, unfolded: UnfoldedResonance) -> Vec<DiagramCurve> {
+fn listed<O>(index: usize, resonance: &Resonance<O>, unfolded: UnfoldedResonance) -> Followed {
     let of_kind = |kind, curve| DiagramCurve { kind, loops: resonance.loops, n: resonance.n, curve };
     let own = [
         of_kind(Kind::SaddleNode, unfolded.saddle_node),
         of_kind(Kind::PeriodDoubling, unfolded.period_doubling),
     ];
-    own.into_iter().chain(unfolded.grazing.into_iter().map(|curve| of_kind(Kind::Grazing, curve))).collect()
+    let grazing = unfolded.grazing.into_iter().map(|curve| of_kind(Kind::Grazing, curve));
+    let curves = own.into_iter().chain(grazing).collect();
+    Followed { resonance: index, curves, missing: unfolded.missing }
 }
 
 /// The pieces of the grazing curve in the ranges.

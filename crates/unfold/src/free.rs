@@ -196,7 +196,9 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
                 let edge = after.0[2].clamp(0.0, 1.0);
                 let way = (edge - before.0[2]) / (after.0[2] - before.0[2]);
                 let near = before.0 + (after.0 - before.0) * way;
-                return self.at(edge, near.fixed_rows::<2>(0).into_owned());
+                let last = self.at(edge, near.fixed_rows::<2>(0).into_owned())?;
+                survey.note(self.highest(&last).0);
+                return Some(last);
             }
             survey.note(after.1.0);
             before = after;

@@ -147,8 +147,9 @@ fn quadratic<O: ImpactOscillator>(
 
 /// A window about a resonance in which the curves and their approximations can be told apart and compared.
 ///
-/// Its half-height in η is where the terms beyond the quadratic one are some fifth of it, but not
-/// more than half the way to the next resonance of the same p; across it holds all that is drawn, with a margin.
+/// Its half-height in η is where the terms beyond the quadratic one are some fifth of it on the curve that bends sooner, or a
+/// little beyond, but not more than half the way to the next resonance of the same p; across it holds all that is drawn, with
+/// a margin.
 pub fn window_about<O: ImpactOscillator>(
     diagram: &Diagram<O>,
     resonance: &Resonance<O>,
@@ -173,8 +174,9 @@ pub fn window_about<O: ImpactOscillator>(
     let faithful = own.iter().map(|curve| faithful(point, curve.kind, &curve.curve.parameters()));
     let [least, most] = faithful
         .fold([f64::INFINITY, 0.0], |[least, most], reach| [f64::min(least, reach), f64::max(most, reach)]);
-    // Beside a much steeper curve nothing could be seen of the other.
-    reach = reach.min(1.2 * if least > 0.1 * most { least } else { most });
+    // Between both curves, nearer to the one that bends sooner: beside it little could be seen of a much steeper one.
+    let middle = libm::cbrt(least * least * most);
+    reach = reach.min(1.2 * middle);
     let secondary = [(origin - reach).max(whole.secondary[0]), (origin + reach).min(whole.secondary[1])];
     let shown = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], secondary };
     let mut extent = [f64::INFINITY, f64::NEG_INFINITY];

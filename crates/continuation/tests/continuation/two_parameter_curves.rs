@@ -99,7 +99,8 @@ fn corner(curve: &Curve) -> Option<&Event> {
 #[test]
 fn grazing_curve_starts_at_the_end_of_sn_and_arrives_at_the_end_of_pd() {
     for unfolded in unfolded() {
-        let UnfoldedResonance { saddle_node, period_doubling, grazing } = &unfolded.curves;
+        let UnfoldedResonance { saddle_node, period_doubling, grazing, missing } = &unfolded.curves;
+        assert!(missing.is_empty(), "{missing:?}");
         for curve in grazing {
             let start = &corner(saddle_node).unwrap().solution.unknowns;
             assert!(same_point(start, &curve.points[0].solution.unknowns));

@@ -3,10 +3,7 @@
 use std::sync::Arc;
 
 use super::graph::Node;
-use super::{Expression, Instruction, Operation, Slot, Step, Tape};
-
-/// The most terms that are summed in one go: all of them must be there first, and wait in a slot each.
-const MOST_TERMS: usize = 8;
+use super::{Expression, Instruction, Operation, Place, Tape};
 
 /// What is computed for one node, with the numbers of the nodes it is computed from.
 enum Plan {
@@ -18,64 +15,58 @@ enum Plan {
 
 impl Plan {
     fn operands(&self) -> Vec<usize> {
-        let mut operands = match self {
+        match self {
             Plan::Nothing => Vec::new(),
             Plan::Plain(operation) => operation.operands().map_or(Vec::new(), |(a, b)| vec![a, b]),
             Plan::Sum(terms, _) => terms.iter().map(|(_, operand)| *operand).collect(),
-        };
-        operands.sort_unstable();
-        operands.dedup();
-        operands
+        }
     }
 }
 
 /// The expression of nodes of which each stands after those it is made of, and the last one is the whole.
-pub(super) fn expression(variables: Vec<String>, nodes: Vec<Node>) -> Expression {
+pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: Vec<Node>) -> Expression {
     let plans = plans(&nodes);
-    let mut last_use = vec![usize::MAX; nodes.len()];
-    for (index, plan) in plans.iter().enumerate() {
-        for operand in plan.operands() {
-            last_use[operand] = index;
-        }
-    }
-    let mut slots: Vec<Slot> = Vec::with_capacity(nodes.len());
-    let mut free = Vec::new();
-    let mut count = variables.len() as Slot;
-    let mut instructions = Vec::new();
-    let mut all_terms: Vec<(f64, Slot)> = Vec::new();
+    let mut moves = vec![false; nodes.len()];
     for (index, (node, plan)) in nodes.iter().zip(&plans).enumerate() {
-        if let Node::Variable(number) = node {
-            slots.push(*number as Slot);
-            continue;
-        }
-        let step = match plan {
-            Plan::Nothing => {
-                // No instruction reads it.
-                slots.push(Slot::MAX);
-                continue;
-            }
-            Plan::Plain(operation) => Step::Plain(operation.on(|operand| slots[operand])),
-            Plan::Sum(terms, constant) => {
-                let start = all_terms.len() as u32;
-                all_terms.extend(terms.iter().map(|&(factor, operand)| (factor, slots[operand])));
-                Step::Sum { start, end: all_terms.len() as u32, constant: *constant }
-            }
+        moves[index] = match node {
+            Node::Variable(number) => *number < moving,
+            Node::Operation(_) => plan.operands().iter().any(|&operand| moves[operand]),
         };
-        for operand in plan.operands() {
-            if last_use[operand] == index && !matches!(nodes[operand], Node::Variable(_)) {
-                free.push(slots[operand]);
+    }
+    // Nodes of which nothing is computed have no place.
+    let mut places: Vec<Place> = vec![Place::MAX; nodes.len()];
+    let mut tape = Tape { variables, moving, ..Tape::default() };
+    for pass in [false, true] {
+        for (index, (node, plan)) in nodes.iter().zip(&plans).enumerate() {
+            if let Node::Variable(number) = node {
+                places[index] = *number;
+            } else if moves[index] == pass && tape.add(plan, &places) {
+                places[index] = tape.variables.len() + tape.instructions.len() - 1;
             }
         }
-        let target = free.pop().unwrap_or_else(|| {
-            count += 1;
-            count - 1
-        });
-        instructions.push(Instruction { step, target });
-        slots.push(target);
+        if !pass {
+            tape.held = tape.instructions.len();
+        }
     }
-    let result = *slots.last().expect("an expression has at least one part");
-    let slots = count as usize;
-    Expression(Arc::new(Tape { variables, nodes, instructions, terms: all_terms, slots, result }))
+    tape.result = *places.last().expect("an expression has at least one part");
+    tape.nodes = nodes;
+    Expression(Arc::new(tape))
+}
+
+impl Tape {
+    /// Adds the instruction of a plan; false if there is none.
+    fn add(&mut self, plan: &Plan, places: &[Place]) -> bool {
+        self.instructions.push(match plan {
+            Plan::Nothing => return false,
+            Plan::Plain(operation) => Instruction::Plain(operation.on(|operand| places[operand])),
+            Plan::Sum(terms, constant) => {
+                let start = self.terms.len();
+                self.terms.extend(terms.iter().map(|&(factor, operand)| (factor, places[operand])));
+                Instruction::Sum { start, end: self.terms.len(), constant: *constant }
+            }
+        });
+        true
+    }
 }
 
 /// What is computed for each node, sums with all their parts that nothing else needs in one go.
@@ -151,7 +142,7 @@ impl Parts<'_> {
                 self.operation(left),
                 Some(Operation::Add(..) | Operation::Subtract(..) | Operation::Shift(..))
             );
-            if !more || self.uses[left] > 1 || terms.len() == MOST_TERMS - 1 {
+            if !more || self.uses[left] > 1 {
                 break;
             }
             taken.push(left);

@@ -116,6 +116,7 @@ fn is_value(character: char) -> bool {
 pub(super) fn expression(
     text: &str,
     variables: &[&str],
+    moving: usize,
     constants: &[(&str, f64)],
 ) -> Result<(Expression, Vec<usize>), ExpressionError> {
     let graph = Graph::default();
@@ -126,6 +127,6 @@ pub(super) fn expression(
             ExpressionError { problem: names.problem(text, error.kind, span.clone()), span }
         })?;
     let variables = variables.iter().map(|&name| name.to_owned()).collect();
-    let expression = assemble::expression(variables, parts(term));
+    let expression = assemble::expression(variables, moving, parts(term));
     Ok((expression, names.uses.into_inner()))
 }

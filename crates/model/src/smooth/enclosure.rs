@@ -1,32 +1,45 @@
 //! Derivatives of a motion, and bounds of them between two nodes that are proved by interval arithmetic.
 
-use super::integrator::Node;
+use super::integrator::{Node, Pair};
 use super::interval::Interval;
-use super::scalar::{Coefficient, Scalar};
+use super::jet::{Jet, PLANAR};
+use super::scalar::Scalar;
 use super::series::Series;
 use super::{Integrated, SmoothOscillator};
 use crate::motion::Bounds;
 
-/// d³x/dt³ and d⁴x/dt⁴ at a point of the motion, or their ranges, from position, velocity, and acceleration; the second only
-/// if it is `wanted`.
+/// d²x/dt² and d³x/dt³ at a point of the motion.
 #[inline]
-pub(super) fn derivatives<M: SmoothOscillator, C: Coefficient>(
+pub(super) fn derivatives<M: SmoothOscillator>(
     oscillator: &Integrated<M>,
-    [x, y, acceleration]: [C; 3],
-    t: C,
-    wanted: bool,
-) -> [C; 2] {
-    let zero = C::constant(0.0);
-    let [mu, eta] = oscillator.parameters.map(Series::constant);
-    let time = Series([t, C::constant(1.0), zero]);
-    let force = |x, y| oscillator.model.force(Series(x), Series(y), time, mu, eta).0;
-    let [_, jerk, _] = force([x, y, zero], [y, acceleration, zero]);
-    if !wanted {
-        return [jerk, zero];
-    }
-    let [_, _, snap] = force([x, y, acceleration.scale(0.5)], [y, acceleration, jerk.scale(0.5)]);
-    [jerk, snap.scale(2.0)]
+    [x, y]: Pair<f64>,
+    t: f64,
+) -> [f64; 2] {
+    let [mu, eta] = oscillator.parameters.map(Jet::<PLANAR>::constant);
+    // First in time, along the motion but with its velocity held, then in the velocity.
+    let force = oscillator.model.force(Jet([x, y, 0.0]), Jet([y, 0.0, 1.0]), Jet([t, 1.0, 0.0]), mu, eta);
+    let acceleration = force.value();
+    [acceleration, force.first(0) + force.first(1) * acceleration]
 }
+
+/// The ranges of d³x/dt³ and d⁴x/dt⁴ from those of position, velocity and acceleration.
+fn ranges<M: SmoothOscillator>(
+    oscillator: &Integrated<M>,
+    [x, y, acceleration]: [Interval; 3],
+    time: Interval,
+) -> [Interval; 2] {
+    let [zero, one] = [0.0, 1.0].map(Interval::constant);
+    let [mu, eta] = oscillator.parameters.map(Series::constant);
+    let position = Series([x, y, acceleration.scale(0.5), zero]);
+    // The term of second order in the velocity is half the jerk, which is not known yet: F_y goes with it.
+    let velocity = Series([y, acceleration, zero, one]);
+    let Series([_, jerk, bend, by_velocity]) =
+        oscillator.model.force(position, velocity, Series([time, one, zero, zero]), mu, eta);
+    [jerk, bend.scale(2.0) + by_velocity * jerk]
+}
+
+/// The range of F over a first box grows by this share (empirical: most boxes are then right at once).
+const WIDENED: f64 = 0.1;
 
 /// A box is tried and grown this often before the interval of time is halved.
 const TRIALS: usize = 8;
@@ -71,14 +84,18 @@ fn boxed<M: SmoothOscillator>(oscillator: &Integrated<M>, node: &Node, next: &No
     let time = Interval::new(node.time, next.time);
     let duration = Interval::new(0.0, next.time - node.time);
     let start = node.state.map(Interval::constant);
-    let mut guess = [0, 1].map(|i| Interval::new(node.state[i], next.state[i]).grown(0.05));
+    let mut force = oscillator.model.force_at(time, mu, eta);
+    // F over a box that holds both ends, grown for what a box of this F would reach beyond.
+    let [x, y] = [0, 1].map(|i| Interval::new(node.state[i], next.state[i]).grown(0.05));
+    let velocity = start[1] + duration * force(x, y).grown(WIDENED);
+    let mut guess = [start[0] + duration * velocity.joined(&y), velocity.joined(&y)];
     for _ in 0..TRIALS {
         let [x, y] = guess;
-        let acceleration = oscillator.model.force(x, y, time, mu, eta);
+        let acceleration = force(x, y);
         let reached = [start[0] + duration * y, start[1] + duration * acceleration];
         if guess[0].holds(&reached[0]) && guess[1].holds(&reached[1]) {
             let [x, y] = reached;
-            let [jerk, snap] = derivatives(oscillator, [x, y, acceleration], time, true).map(|c| c.modulus());
+            let [jerk, snap] = ranges(oscillator, [x, y, acceleration], time).map(|range| range.modulus());
             let bounds = Bounds { acceleration: acceleration.modulus(), jerk, snap };
             return (bounds.acceleration + jerk + snap).is_finite().then_some(bounds);
         }

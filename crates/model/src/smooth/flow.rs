@@ -2,8 +2,9 @@
 
 use nalgebra::{Matrix2x6, Matrix6, Vector2};
 
-use super::integrator::Surroundings;
+use super::enclosure::derivatives;
 use super::jet::{FIRST, Jet};
+use super::variational::Surroundings;
 use super::{Integrated, IntegratedMotion, Scalar, SmoothOscillator, variable};
 use crate::jet::{FlowJet, flow_variable as flow};
 use crate::oscillator::State;
@@ -65,11 +66,7 @@ impl<M: SmoothOscillator> Integrated<M> {
         })?;
         let [x, y] = jets;
         let acceleration = self.model.force(x, y, origin + Jet::constant(end), mu, eta);
-        // dF/dt along the motion, from F's derivatives with x, y and t as variables of their own.
-        let [mu, eta] = self.parameters.map(Jet::<FIRST>::constant);
-        let [x, y, t] = [(0, x.value()), (1, y.value()), (2, end)].map(|(i, value)| Jet::variable(i, value));
-        let slope = self.model.force(x, y, t, mu, eta);
-        let jerk = slope.first(0) * y.value() + slope.first(1) * acceleration.value() + slope.first(2);
+        let [_, jerk] = derivatives(self, [x.value(), y.value()], end);
         Some(Passage { state: jets, acceleration, jerk })
     }
 

@@ -1,15 +1,15 @@
 //! Gauss's collocation of order 12 for ẍ = F(x, ẋ, t), with control of the step, on plain numbers and on jets.
 //!
-//! On a step the acceleration is a polynomial that agrees with F at the stages. Its values there solve a small system, for
-//! which the derivatives of F are at hand; with jets the same system, whose plain part is solved, needs one more
-//! iteration of Newton's method for each order of derivatives. So the derivatives are those of the numerical solution, its
-//! steps held, and cost a few evaluations of F at six points a step.
+//! On a step the acceleration is a polynomial that agrees with F at the stages. Its values there solve a small system by
+//! Newton's method, whose matrix is that of the variational equations as well ([`variational`](super::variational)).
+//! F is evaluated at all six stages at once.
 
 mod taylor;
 
-use super::jet::{FIRST, Jet, PLAIN, PLANAR, SECOND};
+use super::jet::{Jet, PLANAR};
 use super::scalar::Scalar;
-use super::tableau::{BARYCENTRIC, LEGENDRE, MATRIX, NODES, POSITION_WEIGHTS, SQUARE, STAGES, WEIGHTS};
+use super::stages::{Lanes, Stages};
+use super::tableau::{LAGRANGE, LEGENDRE, MATRIX, NODES, POSITION_WEIGHTS, SQUARE, STAGES, WEIGHTS};
 use super::{Integrated, SmoothOscillator};
 
 /// Position and velocity.
@@ -18,8 +18,8 @@ pub(super) type Pair<S> = [S; 2];
 /// A step that has been solved: its length and the accelerations at the stages.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
-    length: f64,
-    accelerations: [f64; STAGES],
+    pub(super) length: f64,
+    pub(super) accelerations: Stages,
     /// The two highest coefficients of h² F_x and h F_y on the step, which the derivatives of the flow depend on.
     slope_roughness: f64,
 }
@@ -32,13 +32,6 @@ pub(super) struct Node {
     pub(super) proposal: f64,
     /// The step that led here.
     pub(super) last: Option<Step>,
-}
-
-/// What F depends on besides position and velocity, as jets: the time origin's shift and the parameters.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Surroundings<const LENGTH: usize> {
-    pub(super) origin: Jet<LENGTH>,
-    pub(super) parameters: [Jet<LENGTH>; 2],
 }
 
 /// Size of the two highest coefficients on a step that is allowed: of the acceleration, relative to 1 + the largest one, and of its
@@ -55,21 +48,23 @@ const SHORTEST: f64 = 1e-9;
 const ITERATIONS: usize = 12;
 /// A correction this small, relative to 1 + the largest acceleration, lets the matrix stand; the next ones are smaller by about as much.
 const NEAR: f64 = 1e-3;
-/// A correction this small is the last.
+/// A correction is the last if it is this small, or if the next one would be below rounding.
 const CONVERGED: f64 = 1e-12;
+const ROUNDING: f64 = 1e-15;
 
 /// The factors of the matrix I − h² A² F_x − h A F_y of Newton's method, without pivots: it is close to the identity where
 /// the step is not too long, and where it is not the iteration fails and the step is shortened.
-struct Factors([[f64; STAGES]; STAGES]);
+pub(super) struct Factors([[f64; STAGES]; STAGES]);
 
 #[expect(clippy::needless_range_loop, reason = "indices as in the formulas")]
 impl Factors {
+    /// From h² F_x and h F_y at the stages.
     #[inline]
-    fn new([by_position, by_velocity]: &[[f64; STAGES]; 2]) -> Self {
+    pub(super) fn new([by_position, by_velocity]: &[Stages; 2]) -> Self {
         let mut m = [[0.0; STAGES]; STAGES];
         for i in 0..STAGES {
             for j in 0..STAGES {
-                m[i][j] = -by_position[i] * SQUARE[i][j] - by_velocity[i] * MATRIX[i][j];
+                m[i][j] = -by_position.0[i] * SQUARE.0[j].0[i] - by_velocity.0[i] * MATRIX.0[j].0[i];
             }
             m[i][i] += 1.0;
         }
@@ -87,8 +82,8 @@ impl Factors {
         Self(m)
     }
 
-    #[inline(always)]
-    fn solve(&self, b: &mut [f64; STAGES]) {
+    #[inline]
+    pub(super) fn solve(&self, Lanes(mut b): Stages) -> Stages {
         for i in 0..STAGES {
             for k in 0..i {
                 b[i] -= self.0[i][k] * b[k];
@@ -100,78 +95,56 @@ impl Factors {
             }
             b[i] *= self.0[i][i];
         }
+        Lanes(b)
     }
-
-    #[inline(always)]
-    fn solve_jets<const LENGTH: usize>(&self, b: &mut [Jet<LENGTH>; STAGES]) {
-        for i in 0..STAGES {
-            let mut sum = b[i];
-            for k in 0..i {
-                sum.add_multiple(-self.0[i][k], &b[k]);
-            }
-            b[i] = sum;
-        }
-        for i in (0..STAGES).rev() {
-            let mut sum = b[i];
-            for k in i + 1..STAGES {
-                sum.add_multiple(-self.0[i][k], &b[k]);
-            }
-            b[i] = sum.scale(self.0[i][i]);
-        }
-    }
-}
-
-fn sum(weights: &[f64; STAGES], values: &[f64; STAGES]) -> f64 {
-    let mut sum = 0.0;
-    for j in 0..STAGES {
-        sum += weights[j] * values[j];
-    }
-    sum
 }
 
 /// The two highest coefficients of a function in Legendre polynomials on a step, taken together.
-fn highest(values: &[f64; STAGES]) -> f64 {
-    let [a, b] = LEGENDRE.map(|weights| sum(&weights, values));
+fn highest(values: &Stages) -> f64 {
+    let [a, b] = LEGENDRE.map(|weights| values.weighted(&weights));
     a.abs() + 0.1 * b.abs()
 }
 
 impl Step {
-    /// Position and velocity at a stage.
+    /// The times of the stages.
+    pub(super) fn times(&self, start: f64) -> Stages {
+        Lanes(NODES).scale(self.length) + Stages::constant(start)
+    }
+
+    /// Position and velocity at the stages.
     #[inline(always)]
-    fn stage(&self, [x, y]: Pair<f64>, i: usize) -> Pair<f64> {
+    pub(super) fn stages(&self, [x, y]: Pair<f64>) -> Pair<Stages> {
         let h = self.length;
-        let position = x + h * (NODES[i] * y + h * sum(&SQUARE[i], &self.accelerations));
-        [position, y + h * sum(&MATRIX[i], &self.accelerations)]
+        let straight = Stages::constant(x) + Lanes(NODES).scale(h * y);
+        let position = straight.plus(h * h, &self.accelerations.through(&SQUARE));
+        [position, Stages::constant(y).plus(h, &self.accelerations.through(&MATRIX))]
     }
 
     /// Position and velocity at the end.
     pub(super) fn end(&self, [x, y]: Pair<f64>) -> Pair<f64> {
         let h = self.length;
-        let position = x + h * (y + h * sum(&POSITION_WEIGHTS, &self.accelerations));
-        [position, y + h * sum(&WEIGHTS, &self.accelerations)]
+        let position = x + h * (y + h * self.accelerations.weighted(&POSITION_WEIGHTS));
+        [position, y + h * self.accelerations.weighted(&WEIGHTS)]
     }
 
     /// The accelerations at the stages of another step, which begins at a fraction of this one, by interpolation.
-    fn guess(&self, begin: f64, length: f64) -> [f64; STAGES] {
-        NODES.map(|node| {
-            let at = begin + node * length / self.length;
-            let (mut numerator, mut denominator) = (0.0, 0.0);
-            for j in 0..STAGES {
-                let gap = at - NODES[j];
-                if gap == 0.0 {
-                    return self.accelerations[j];
-                }
-                let weight = BARYCENTRIC[j] / gap;
-                numerator += weight * self.accelerations[j];
-                denominator += weight;
+    fn guess(&self, begin: f64, length: f64) -> Stages {
+        let at = Lanes(NODES).scale(length / self.length) + Stages::constant(begin);
+        let gaps = NODES.map(|node| at - Stages::constant(node));
+        let mut guess = Stages::constant(0.0);
+        for (j, (factor, value)) in LAGRANGE.into_iter().zip(self.accelerations.0).enumerate() {
+            let mut term = Stages::constant(factor * value);
+            for k in (0..STAGES).filter(|&k| k != j) {
+                term = term * gaps[k];
             }
-            numerator / denominator
-        })
+            guess = guess + term;
+        }
+        guess
     }
 
     /// 1 + the largest acceleration.
     fn scale(&self) -> f64 {
-        1.0 + self.accelerations.iter().fold(0.0, |largest, k| k.abs().max(largest))
+        1.0 + self.accelerations.modulus()
     }
 
     /// The two highest coefficients over what is allowed.
@@ -182,64 +155,59 @@ impl Step {
 
 impl<M: SmoothOscillator> Integrated<M> {
     /// Solves for the accelerations of a step by Newton's method; `None` if it does not converge.
-    #[expect(clippy::needless_range_loop, reason = "indices as in the formulas")]
     fn solve_step(&self, from: Pair<f64>, time: f64, guess: Step) -> Option<Step> {
         let mut step = guess;
-        let mut factors = None;
+        let h = step.length;
+        let [mu, eta] = self.parameters;
+        let [mu, eta] = [Jet::<PLANAR, Stages>::constant(mu), Jet::constant(eta)];
+        let mut force = self.model.force_at(Jet::fixed(step.times(time)), mu, eta);
+        let mut kept = None;
+        let mut before = 1.0;
         for _ in 0..ITERATIONS {
-            let mut residual = [0.0; STAGES];
-            let current = match factors.take() {
-                Some(factors) => {
-                    for i in 0..STAGES {
-                        let [x, y] = step.stage(from, i);
-                        residual[i] = self.force(x, y, time + NODES[i] * step.length) - step.accelerations[i];
-                    }
-                    factors
-                }
-                None => {
-                    let (forces, factors, roughness) = self.linearised(from, time, &step);
-                    step.slope_roughness = roughness;
-                    for i in 0..STAGES {
-                        residual[i] = forces[i] - step.accelerations[i];
-                    }
-                    factors
-                }
-            };
-            current.solve(&mut residual);
-            let mut correction = 0.0_f64;
-            for i in 0..STAGES {
-                step.accelerations[i] += residual[i];
-                correction = if residual[i].abs() <= correction { correction } else { residual[i].abs() };
-            }
-            if !correction.is_finite() {
+            let [x, y] = step.stages(from);
+            let force = force(Jet::variable(0, x), Jet::variable(1, y));
+            let factors = kept.take().unwrap_or_else(|| {
+                let slopes = [force.first(0).scale(h * h), force.first(1).scale(h)];
+                step.slope_roughness = highest(&slopes[0]) + highest(&slopes[1]);
+                Factors::new(&slopes)
+            });
+            let correction = factors.solve(force.value() - step.accelerations);
+            step.accelerations = step.accelerations + correction;
+            let size = correction.modulus() / step.scale();
+            if !size.is_finite() {
                 return None;
             }
-            let scale = step.scale();
-            if correction <= CONVERGED * scale {
+            // The next one would be smaller than this one by the factor by which this one is smaller than the last, or by more.
+            if size <= CONVERGED || size * (size / before) <= ROUNDING {
                 return Some(step);
             }
-            if correction <= NEAR * scale {
-                factors = Some(current);
+            before = size;
+            if size <= NEAR {
+                kept = Some(factors);
             }
         }
         None
     }
 
-    /// The forces at the stages, and the factors of Newton's matrix.
-    #[inline]
-    fn linearised(&self, from: Pair<f64>, time: f64, step: &Step) -> ([f64; STAGES], Factors, f64) {
-        let [mu, eta] = self.parameters.map(Jet::<PLANAR>::constant);
-        let mut forces = [0.0; STAGES];
-        let mut slopes = [[0.0; STAGES]; 2];
-        for i in 0..STAGES {
-            let [x, y] = step.stage(from, i);
-            let t = Jet::constant(time + NODES[i] * step.length);
-            let force = self.model.force(Jet::variable(0, x), Jet::variable(1, y), t, mu, eta);
-            forces[i] = force.value();
-            slopes[0][i] = step.length * step.length * force.first(0);
-            slopes[1][i] = step.length * force.first(1);
-        }
-        (forces, Factors::new(&slopes), highest(&slopes[0]) + highest(&slopes[1]))
+    /// h² F_x and h F_y at the stages of a step.
+    fn slopes(&self, from: Pair<f64>, time: f64, step: &Step) -> [Stages; 2] {
+        let h = step.length;
+        let parameters = self.parameters.map(Jet::<PLANAR, Stages>::constant);
+        let ([x, y], [mu, eta]) = (step.stages(from), parameters);
+        let time = Jet::fixed(step.times(time));
+        let force = self.model.force(Jet::variable(0, x), Jet::variable(1, y), time, mu, eta);
+        [force.first(0).scale(h * h), force.first(1).scale(h)]
+    }
+
+    /// A part of a step that has been solved, as long as `share` of it, from where it begins at a share of it.
+    fn part(&self, from: Pair<f64>, time: f64, step: &Step, [begin, share]: [f64; 2]) -> Option<Step> {
+        let length = step.length * share;
+        let accelerations = step.guess(begin, length);
+        self.solve_step(
+            from,
+            time + begin * step.length,
+            Step { length, accelerations, slope_roughness: 0.0 },
+        )
     }
 
     /// The node after this one, `longest` away at most in time; `None` if the solution cannot be continued.
@@ -248,7 +216,7 @@ impl<M: SmoothOscillator> Integrated<M> {
         loop {
             let guess = match &node.last {
                 Some(last) => last.guess(1.0, trial),
-                None => [self.force(node.state[0], node.state[1], node.time); STAGES],
+                None => Stages::constant(self.force(node.state[0], node.state[1], node.time)),
             };
             let solved = self.solve_step(
                 node.state,
@@ -289,72 +257,6 @@ impl<M: SmoothOscillator> Integrated<M> {
         let accelerations = next.last.as_ref()?.guess(0.0, length);
         self.solve_step(node.state, node.time, Step { length, accelerations, slope_roughness: 0.0 })
     }
-
-    /// The jets at the end of a step that has been solved.
-    #[inline(never)]
-    pub(super) fn jets_after<const LENGTH: usize>(
-        &self,
-        from: &Pair<Jet<LENGTH>>,
-        time: f64,
-        step: &Step,
-        surroundings: &Surroundings<LENGTH>,
-    ) -> Pair<Jet<LENGTH>> {
-        let (_, factors, _) = self.linearised(from.each_ref().map(Jet::value), time, step);
-        let reduced = Surroundings {
-            origin: surroundings.origin.resized(),
-            parameters: surroundings.parameters.each_ref().map(Jet::resized),
-        };
-        let plain = step.accelerations.map(Jet::<PLAIN>::constant);
-        let first_order = from.each_ref().map(Jet::resized);
-        let first: [Jet<FIRST>; STAGES] =
-            self.corrected(&first_order, time, step.length, &reduced, &factors, &plain);
-        let accelerations = if LENGTH == SECOND {
-            self.corrected(from, time, step.length, surroundings, &factors, &first)
-        } else {
-            first.each_ref().map(Jet::resized)
-        };
-        let h = step.length;
-        let [mut x, mut y] = *from;
-        x.add_multiple(h, &from[1]);
-        for j in 0..STAGES {
-            x.add_multiple(h * h * POSITION_WEIGHTS[j], &accelerations[j]);
-            y.add_multiple(h * WEIGHTS[j], &accelerations[j]);
-        }
-        [x, y]
-    }
-
-    /// One iteration of Newton's method with jets, from accelerations that are right to one order less.
-    #[inline(always)]
-    fn corrected<const LENGTH: usize, const LESS: usize>(
-        &self,
-        from: &Pair<Jet<LENGTH>>,
-        time: f64,
-        h: f64,
-        surroundings: &Surroundings<LENGTH>,
-        factors: &Factors,
-        accelerations: &[Jet<LESS>; STAGES],
-    ) -> [Jet<LENGTH>; STAGES] {
-        let [mu, eta] = surroundings.parameters;
-        let mut corrected = [Jet::constant(0.0); STAGES];
-        for i in 0..STAGES {
-            let [mut x, mut y] = *from;
-            x.add_multiple(h * NODES[i], &from[1]);
-            for j in 0..STAGES {
-                x.add_multiple(h * h * SQUARE[i][j], &accelerations[j]);
-            }
-            for j in 0..STAGES {
-                y.add_multiple(h * MATRIX[i][j], &accelerations[j]);
-            }
-            let t = surroundings.origin + Jet::constant(time + NODES[i] * h);
-            corrected[i] = self.model.force(x, y, t, mu, eta);
-            corrected[i].add_multiple(-1.0, &accelerations[i]);
-        }
-        factors.solve_jets(&mut corrected);
-        for i in 0..STAGES {
-            corrected[i].add_multiple(1.0, &accelerations[i]);
-        }
-        corrected
-    }
 }
 
 #[cfg(test)]
@@ -390,7 +292,7 @@ mod tests {
         let length = 6.0 / f64::from(count);
         (0..count).fold([-0.4, 0.7], |state, k| {
             let time = length * f64::from(k);
-            let accelerations = [oscillator.force(state[0], state[1], time); STAGES];
+            let accelerations = Stages::constant(oscillator.force(state[0], state[1], time));
             let guess = Step { length, accelerations, slope_roughness: 0.0 };
             oscillator.solve_step(state, time, guess).unwrap().end(state)
         })

@@ -125,8 +125,7 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
     }
 
     fn kinematics(&self, [position, velocity]: [f64; 2], t: f64) -> Kinematics {
-        let acceleration = self.oscillator.force(position, velocity, t);
-        let [jerk, _] = derivatives(&self.oscillator, [position, velocity, acceleration], t, false);
+        let [acceleration, jerk] = derivatives(&self.oscillator, [position, velocity], t);
         Kinematics { position, velocity, acceleration, jerk }
     }
 }

@@ -76,6 +76,12 @@ pub trait Scalar:
         self * Self::constant(factor)
     }
 
+    /// The sum with another number times a plain one.
+    #[inline]
+    fn plus(self, factor: f64, other: &Self) -> Self {
+        self + other.scale(factor)
+    }
+
     /// The square; an interval's is tighter than the product with itself.
     #[inline]
     fn square(self) -> Self {

@@ -1,19 +1,19 @@
-//! Series in time to second order, for the derivatives of a motion.
+//! Series in time to second order, with one perturbation, for the derivatives of a motion.
 
+use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::scalar::{Coefficient, Function, Scalar};
 
-/// c₀ + c₁ t + c₂ t².
+/// c₀ + c₁ t + c₂ t² + c₃ ε, with products of t and ε left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Series<C>(pub(super) [C; 3]);
+pub(super) struct Series<C>(pub(super) [C; 4]);
 
 impl<C: Coefficient> Add for Series<C> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        let ([a0, a1, a2], [b0, b1, b2]) = (self.0, other.0);
-        Self([a0 + b0, a1 + b1, a2 + b2])
+        Self(from_fn(|i| self.0[i] + other.0[i]))
     }
 }
 
@@ -21,8 +21,7 @@ impl<C: Coefficient> Sub for Series<C> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        let ([a0, a1, a2], [b0, b1, b2]) = (self.0, other.0);
-        Self([a0 - b0, a1 - b1, a2 - b2])
+        Self(from_fn(|i| self.0[i] - other.0[i]))
     }
 }
 
@@ -38,8 +37,8 @@ impl<C: Coefficient> Mul for Series<C> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let ([a0, a1, a2], [b0, b1, b2]) = (self.0, other.0);
-        Self([a0 * b0, a0 * b1 + a1 * b0, a0 * b2 + a1 * b1 + a2 * b0])
+        let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (self.0, other.0);
+        Self([a0 * b0, a0 * b1 + a1 * b0, a0 * b2 + a1 * b1 + a2 * b0, a0 * b3 + a3 * b0])
     }
 }
 
@@ -47,22 +46,24 @@ impl<C: Coefficient> Div for Series<C> {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        let ([a0, a1, a2], [b0, b1, b2]) = (self.0, other.0);
+        let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (self.0, other.0);
         let q0 = a0 / b0;
         let q1 = (a1 - q0 * b1) / b0;
-        Self([q0, q1, (a2 - q0 * b2 - q1 * b1) / b0])
+        Self([q0, q1, (a2 - q0 * b2 - q1 * b1) / b0, (a3 - q0 * b3) / b0])
     }
 }
 
 impl<C: Coefficient> Scalar for Series<C> {
     fn constant(value: f64) -> Self {
-        Self([C::constant(value), C::constant(0.0), C::constant(0.0)])
+        let zero = C::constant(0.0);
+        Self([C::constant(value), zero, zero, zero])
     }
 
     fn apply(self, function: Function) -> Self {
-        let [c0, c1, c2] = self.0;
+        let [c0, c1, c2, c3] = self.0;
         let [value, slope, curvature] = c0.derivatives(function);
-        Self([value, slope * c1, slope * c2 + (curvature * c1.square()).scale(0.5)])
+        let bent = (curvature * c1.square()).scale(0.5);
+        Self([value, slope * c1, slope * c2 + bent, slope * c3])
     }
 
     fn scale(self, factor: f64) -> Self {
@@ -70,8 +71,8 @@ impl<C: Coefficient> Scalar for Series<C> {
     }
 
     fn square(self) -> Self {
-        let [c0, c1, c2] = self.0;
-        Self([c0.square(), (c0 * c1).scale(2.0), (c0 * c2).scale(2.0) + c1.square()])
+        let [c0, c1, c2, c3] = self.0;
+        Self([c0.square(), (c0 * c1).scale(2.0), (c0 * c2).scale(2.0) + c1.square(), (c0 * c3).scale(2.0)])
     }
 }
 
@@ -92,7 +93,7 @@ mod tests {
         let list = [Function::Sin, Function::Cos, Function::Tan, Function::Tanh];
         for function in list.into_iter().chain([Function::Atan, Function::Exp, Function::Ln, Function::Sqrt])
         {
-            let Series([value, slope, bend]) = expression(Series([0.0, 1.0, 0.0]), function);
+            let Series([value, slope, bend, other]) = expression(Series([0.0, 1.0, 0.0, 2.0]), function);
             let [below, here, above] = [-step, 0.0, step].map(|t| expression(t, function));
             assert!((value - here).abs() < 1e-15, "{function:?}");
             assert!((slope - (above - below) / (2.0 * step)).abs() < tolerance, "{function:?}");
@@ -100,6 +101,8 @@ mod tests {
                 (2.0 * bend - (above - 2.0 * here + below) / (step * step)).abs() < tolerance,
                 "{function:?}"
             );
+            // Twice the slope, to rounding.
+            assert!((other - 2.0 * slope).abs() < 1e-14, "{function:?}");
         }
     }
 }

@@ -4,6 +4,8 @@
 //! nodes are the zeros of the Legendre polynomial of degree six, shifted to the unit interval, and the other coefficients
 //! integrals of Lagrange's polynomials on them, computed to 50 digits and rounded. Tests hold them to the conditions that define them.
 
+use super::stages::{Lanes, Stages};
+
 /// Number of stages.
 pub(super) const STAGES: usize = 6;
 
@@ -17,8 +19,23 @@ pub(super) const NODES: [f64; STAGES] = [
     0.966234757101576,
 ];
 
+/// A matrix that acts on numbers at the stages, by columns.
+pub(super) struct Matrix(pub(super) [Stages; STAGES]);
+
+impl Matrix {
+    const fn from_rows(rows: [[f64; STAGES]; STAGES]) -> Self {
+        let mut columns = [Lanes([0.0; STAGES]); STAGES];
+        let mut place = 0;
+        while place < STAGES * STAGES {
+            columns[place % STAGES].0[place / STAGES] = rows[place / STAGES][place % STAGES];
+            place += 1;
+        }
+        Self(columns)
+    }
+}
+
 /// The matrix A: velocities at the stages from accelerations.
-pub(super) const MATRIX: [[f64; STAGES]; STAGES] = [
+pub(super) static MATRIX: Matrix = Matrix::from_rows([
     [
         0.04283112309479259,
         -0.014763725997197413,
@@ -67,10 +84,10 @@ pub(super) const MATRIX: [[f64; STAGES]; STAGES] = [
         0.19514451252126672,
         0.04283112309479259,
     ],
-];
+]);
 
 /// A²: positions at the stages from accelerations.
-pub(super) const SQUARE: [[f64; STAGES]; STAGES] = [
+pub(super) static SQUARE: Matrix = Matrix::from_rows([
     [
         0.0009062542019565115,
         -0.000728597116125314,
@@ -119,7 +136,7 @@ pub(super) const SQUARE: [[f64; STAGES]; STAGES] = [
         0.023736460480774324,
         0.0009062542019565115,
     ],
-];
+]);
 
 /// The weights b: velocity at the end from accelerations.
 pub(super) const WEIGHTS: [f64; STAGES] = [
@@ -161,9 +178,16 @@ pub(super) const LEGENDRE: [[f64; STAGES]; 2] = [
     ],
 ];
 
-/// Barycentric weights of the interpolation through the stages, up to a common factor.
-pub(super) const BARYCENTRIC: [f64; STAGES] =
-    [-0.22509359338805926, 0.6783208298917364, -1.0, 1.0, -0.6783208298917364, 0.22509359338805926];
+/// The factors of Lagrange's polynomials on the stages: 1/((c_j − c_1) ⋯ (c_j − c_6)), without the factor that is zero.
+pub(super) const LAGRANGE: [f64; STAGES] = [
+    -48.847570374052054,
+    147.20243244417318,
+    -217.01004297283262,
+    217.01004297283262,
+    -147.20243244417318,
+    48.847570374052054,
+];
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -192,15 +216,16 @@ mod tests {
     #[test]
     fn stages_integrate_polynomials_up_to_degree_five() {
         for (i, c) in NODES.into_iter().enumerate() {
+            let [row, twice_row] = [&MATRIX, &SQUARE].map(|matrix| matrix.0.map(|column| column.0[i]));
             let mut power_of_c = c;
             for power in 0..6_u32 {
                 let n = f64::from(power);
-                assert!((moment(&MATRIX[i], power) - power_of_c / (n + 1.0)).abs() < ROUNDING);
+                assert!((moment(&row, power) - power_of_c / (n + 1.0)).abs() < ROUNDING);
                 power_of_c *= c;
                 // Twice integrated for positions; A² is exact to one degree less.
                 if power < 5 {
                     let twice = power_of_c / ((n + 1.0) * (n + 2.0));
-                    assert!((moment(&SQUARE[i], power) - twice).abs() < ROUNDING);
+                    assert!((moment(&twice_row, power) - twice).abs() < ROUNDING);
                 }
             }
         }
@@ -217,6 +242,16 @@ mod tests {
                 // Weights up to five.
                 assert!((product(weights, &values) - expected).abs() < 10.0 * ROUNDING);
             }
+        }
+    }
+
+    #[test]
+    fn lagranges_polynomials_are_one_at_their_own_stage() {
+        for (j, factor) in LAGRANGE.into_iter().enumerate() {
+            let others = (0..STAGES).filter(|&k| k != j);
+            let product = others.fold(factor, |product, k| product * (NODES[j] - NODES[k]));
+            // Five differences of rounded nodes, the smallest of 0.1.
+            assert!((product - 1.0).abs() < 10.0 * ROUNDING);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The tables that only an oscillator in general has: quantities along the grazing curve, hypotheses, coefficients.
 
+use grazing_continuation::criticality::coefficient_at_resonance;
 use grazing_continuation::fit::{Estimate, FitError};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::hypothesis::Hypothesis;
@@ -104,7 +105,7 @@ pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Resul
         "p": 0, "n": 0, secondary: 0.0, primary: 0.0, "s_plus": 0.0, "s_minus": 0.0, "c_sn": 0.0, "c_pd": 0.0,
         "c_sn_fit": 0.0, "c_pd_fit": 0.0, "c_sn_fit_error": 0.0, "c_pd_fit_error": 0.0, "tau": 0.0, "delta": 0.0,
         "alpha": 0.0, "beta": 0.0, "gamma": 0.0, "xi": 0.0, "a12_prime": 0.0, "kappa_prime": 0.0,
-        "sn_as_simulated": false, "pd_as_simulated": false,
+        "pd_criticality": 0.0, "sn_as_simulated": false, "pd_as_simulated": false,
     };
     let value = |fit: &Result<Estimate, FitError>| fit.as_ref().map_or(f64::NAN, |estimate| estimate.value);
     let error = |fit: &Result<Estimate, FitError>| fit.as_ref().map_or(f64::NAN, |estimate| estimate.error);
@@ -136,6 +137,7 @@ pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Resul
             known.second_phase_derivative,
             a12_prime,
             kappa_prime,
+            coefficient_at_resonance(known),
             simulated[0],
             simulated[1],
         ]);

@@ -55,7 +55,9 @@ fn assert_theory_holds(name: &str, resonances: &[Resonance<Integrated<Descriptio
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-fn assert_unfolds(name: &str) {
+/// The snapshot bears the name of the example after `example_`.
+fn assert_unfolds(snapshot: &str) {
+    let name = snapshot.trim_start_matches("example_");
     let found = resonances(&format!("{name}.toml"));
     let mut text = String::new();
     for resonance in &found {
@@ -70,7 +72,8 @@ fn assert_unfolds(name: &str) {
             }
             Err(violated) => {
                 for hypothesis in violated.violated() {
-                    write!(text, ", {} violated by {:.7e}", hypothesis.statement(), hypothesis.value).unwrap();
+                    write!(text, ", {} violated by {:.7e}", hypothesis.statement(), hypothesis.value)
+                        .unwrap();
                 }
                 writeln!(text).unwrap();
             }
@@ -80,40 +83,42 @@ fn assert_unfolds(name: &str) {
     settings.set_snapshot_path(file("expected"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    settings.bind(|| assert_snapshot!(format!("example_{name}"), text));
+    settings.bind(|| assert_snapshot!(snapshot, text));
     assert_theory_holds(name, &found);
 }
 
 #[test]
 fn theory_holds_at_the_resonances_of_the_papers_oscillator() {
-    assert_unfolds("paper");
+    assert_unfolds("example_paper");
 }
 
 #[test]
 fn theory_holds_at_the_resonances_of_the_duffing_oscillator() {
-    assert_unfolds("duffing");
+    assert_unfolds("example_duffing");
 }
 
 #[test]
 fn theory_holds_at_the_resonances_with_an_impact_that_varies_and_lasts() {
-    assert_unfolds("varying-impact");
+    assert_unfolds("example_varying-impact");
 }
 
 #[test]
 fn theory_holds_at_the_resonances_with_quadratic_damping() {
-    assert_unfolds("quadratic-damping");
+    assert_unfolds("example_quadratic-damping");
 }
 
 #[test]
 fn theory_holds_at_the_resonances_where_the_clearance_is_the_parameter() {
-    assert_unfolds("clearance");
+    assert_unfolds("example_clearance");
 }
 
 #[test]
 fn every_example_has_its_test() {
     let mut names: Vec<String> = std::fs::read_dir(file("examples"))
         .unwrap()
-        .map(|entry| entry.unwrap().path().file_stem().unwrap().to_string_lossy().into_owned())
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .map(|path| path.file_stem().unwrap().to_string_lossy().into_owned())
         .collect();
     names.sort();
     assert_eq!(names, ["clearance", "duffing", "paper", "quadratic-damping", "varying-impact"]);

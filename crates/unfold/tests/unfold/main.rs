@@ -1,7 +1,9 @@
 //! What is found of an oscillator that nothing is known about, against oscillators of which it is known otherwise.
 
+mod corners;
 mod examples;
 mod paper;
+mod regions;
 mod resonances;
 mod search;
 mod specimens;

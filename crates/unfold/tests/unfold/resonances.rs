@@ -2,9 +2,10 @@
 
 use grazing_model::ImpactOscillator;
 use grazing_theorems::LinearOscillator as Theory;
+use grazing_unfold::diagram::Coefficients;
 use grazing_unfold::resonances::on_curve;
 
-use crate::specimens::{EPSILON, ZETA, assert_within, closed_form, grazing_curves, scope};
+use crate::specimens::{DAMPED, EPSILON, ZETA, assert_within, closed_form, grazing_curves, scope, written};
 
 /// Forcing frequency and n of all resonances of a p in a range, and whether a theorem holds there: eq:resonance1, eq:resonancep.
 fn expected(loops: u32, [lowest, highest]: [f64; 2]) -> Vec<(f64, u32, bool)> {
@@ -56,4 +57,28 @@ fn all_resonances_at_low_frequencies_are_found_once_with_their_n() {
 #[test]
 fn all_resonances_at_high_frequencies_are_found_once_with_their_n() {
     assert_all_found([1.0, 4.2], &[2, 1, 5]);
+}
+
+#[test]
+fn resonances_in_the_stiffness_lie_where_the_free_frequency_is_in_step() {
+    let scope = scope([0.0, 1.5], [0.8, 2.0], &[1, 2]);
+    let oscillator = written("-2*zeta*v - eta*x - 1 + mu*cos(0.8*t)", "0.8", &scope);
+    let curves = grazing_curves(&oscillator, &scope).unwrap();
+    let (found, lost) = on_curve(&curves[0], &scope);
+    assert!(lost.is_empty(), "{lost:?}");
+    // ω₁ = 0.8 n/2 for p = 1 and 0.8 (n ± 1/4) for p = 2, where ω₁² = η − ζ²: eq:resonance1, eq:resonancep.
+    let wanted = [(1, 3, 1.5, true), (2, 1, 1.25, true), (2, 2, 1.75, false)];
+    assert_eq!(found.len(), wanted.len());
+    for (resonance, (loops, n, ratio, holds)) in found.iter().zip(wanted) {
+        assert_eq!((resonance.loops, resonance.n, resonance.theorem.is_ok()), (loops, n, holds));
+        let stiffness = 0.64 * ratio * ratio + DAMPED * DAMPED;
+        // Integration and Newton's method.
+        assert_within(resonance.located.orbit().oscillator().parameters()[1], stiffness, 1e-10);
+        let Ok(point) = &resonance.theorem else { continue };
+        let Coefficients { theorem, fit } = Coefficients::of(point);
+        for (theorem, fit) in theorem.into_iter().zip(fit) {
+            // Five digits, as for the examples.
+            assert_within(fit.unwrap().value / theorem, 1.0, 1e-5);
+        }
+    }
 }

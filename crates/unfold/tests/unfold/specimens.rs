@@ -47,6 +47,11 @@ pub(crate) fn example(name: &str) -> (Integrated<Description>, Scope) {
     (Integrated::new(description, [primary[1], secondary[1]]), scope)
 }
 
+/// A constant of a description.
+pub(crate) fn constant(description: &Description, name: &str) -> f64 {
+    description.constants().find(|(known, _)| *known == name).unwrap_or_else(|| panic!("{name}")).1
+}
+
 /// An oscillator with parameters `mu` and `eta`, and a constant `zeta` for its damping.
 pub(crate) fn written(force: &str, frequency: &str, scope: &Scope) -> Integrated<Description> {
     let Window { primary, secondary } = scope.window;

@@ -1,10 +1,15 @@
 //! Steps of the collocation whose start, time and length move along a curve.
 
-use super::{Factors, MATRIX, NODES, POSITION_WEIGHTS, Pair, SQUARE, STAGES, Step, WEIGHTS};
+use super::{Factors, Pair, Step};
+use crate::smooth::stages::{Lanes, Stages};
+use crate::smooth::tableau::{MATRIX, Matrix, NODES, POSITION_WEIGHTS, SQUARE, STAGES, WEIGHTS};
 use crate::smooth::{Integrated, Scalar, SmoothOscillator, Taylor};
 
 /// Parts of a step: with order 12, two take three and a half digits off an error.
 const PARTS: u32 = 2;
+
+/// Taylor polynomials at the stages, order by order.
+type Orders = [Stages; Taylor::ORDER + 1];
 
 impl<M: SmoothOscillator> Integrated<M> {
     /// The end of a step that plain numbers have chosen, from a start that moves; `None` if a part of it cannot be solved.
@@ -17,17 +22,16 @@ impl<M: SmoothOscillator> Integrated<M> {
         time: f64,
         step: &Step,
     ) -> Option<Pair<Taylor>> {
-        let length = step.length / f64::from(PARTS);
+        let share = 1.0 / f64::from(PARTS);
         let mut state = from;
         for part in 0..PARTS {
-            let passed = f64::from(part) / f64::from(PARTS);
-            let time = time + passed * step.length;
+            let begin = f64::from(part) * share;
             let plain = state.map(|component| component.value());
-            let guess = Step { length, accelerations: step.guess(passed, length), slope_roughness: 0.0 };
-            let solved = self.solve_step(plain, time, guess)?;
-            let (_, factors, _) = self.linearised(plain, time, &solved);
-            let [time, length] = [time, length].map(Taylor::constant);
-            state = self.series_step(state, [time, length], solved.accelerations, &factors);
+            let solved = self.part(plain, time, step, [begin, share])?;
+            let time = time + begin * step.length;
+            let factors = Factors::new(&self.slopes(plain, time, &solved));
+            let when = [time, solved.length].map(Taylor::constant);
+            state = self.series_step(state, when, solved.accelerations, &factors);
         }
         Some(state)
     }
@@ -42,54 +46,48 @@ impl<M: SmoothOscillator> Integrated<M> {
         by: Taylor,
     ) -> Pair<Taylor> {
         let [x, y] = from.map(|component| component.value());
-        let accelerations = [self.force(x, y, time.value()); STAGES];
+        let accelerations = Stages::constant(self.force(x, y, time.value()));
         // Newton's matrix of a step without length is the identity.
-        let factors = Factors::new(&[[0.0; STAGES]; 2]);
+        let factors = Factors::new(&[Stages::constant(0.0); 2]);
         self.series_step(from, [time, by], accelerations, &factors)
     }
 
     /// The end of a step whose accelerations at s = 0 are known: each iteration of Newton's method with the matrix at s = 0
     /// adds one order.
-    #[expect(clippy::needless_range_loop, reason = "indices as in the formulas")]
     fn series_step(
         &self,
         [x0, y0]: Pair<Taylor>,
         [time, length]: [Taylor; 2],
-        plain: [f64; STAGES],
+        plain: Stages,
         factors: &Factors,
     ) -> Pair<Taylor> {
         let [mu, eta] = self.parameters.map(Taylor::constant);
-        let mut accelerations = plain.map(Taylor::constant);
-        let sum = |weights: &[f64; STAGES], values: &[Taylor; STAGES]| {
-            let mut sum = [0.0; Taylor::ORDER + 1];
-            for (weight, value) in weights.iter().zip(values) {
-                for (sum, coefficient) in sum.iter_mut().zip(value.coefficients()) {
-                    *sum += weight * coefficient;
-                }
-            }
-            Taylor::new(sum)
-        };
+        let mut accelerations: Orders = [Stages::constant(0.0); Taylor::ORDER + 1];
+        accelerations[0] = plain;
         for _ in 0..Taylor::ORDER {
-            let residuals: [Taylor; STAGES] = core::array::from_fn(|i| {
-                let x = x0 + length * (y0.scale(NODES[i]) + length * sum(&SQUARE[i], &accelerations));
-                let y = y0 + length * sum(&MATRIX[i], &accelerations);
-                self.model.force(x, y, time + length.scale(NODES[i]), mu, eta) - accelerations[i]
-            });
-            let mut corrections = [[0.0; Taylor::ORDER + 1]; STAGES];
-            for k in 0..=Taylor::ORDER {
-                let mut order = residuals.map(|residual| residual.coefficients()[k]);
-                factors.solve(&mut order);
-                for i in 0..STAGES {
-                    corrections[i][k] = order[i];
+            let [positions, velocities] = [&SQUARE, &MATRIX].map(|matrix| at_stages(&accelerations, matrix));
+            let mut residuals = accelerations.map(|order| -order);
+            for i in 0..STAGES {
+                let x = x0 + length * (y0.scale(NODES[i]) + length * positions[i]);
+                let y = y0 + length * velocities[i];
+                let force = self.model.force(x, y, time + length.scale(NODES[i]), mu, eta);
+                for (order, coefficient) in residuals.iter_mut().zip(force.coefficients()) {
+                    order.0[i] += coefficient;
                 }
             }
-            for i in 0..STAGES {
-                accelerations[i] = accelerations[i] + Taylor::new(corrections[i]);
+            for (order, residual) in accelerations.iter_mut().zip(residuals) {
+                *order = *order + factors.solve(residual);
             }
         }
-        [
-            x0 + length * (y0 + length * sum(&POSITION_WEIGHTS, &accelerations)),
-            y0 + length * sum(&WEIGHTS, &accelerations),
-        ]
+        let weighted = |weights: &[f64; STAGES]| {
+            Taylor::new(accelerations.map(|order: Lanes<STAGES>| order.weighted(weights)))
+        };
+        [x0 + length * (y0 + length * weighted(&POSITION_WEIGHTS)), y0 + length * weighted(&WEIGHTS)]
     }
+}
+
+/// What a matrix makes of Taylor polynomials at the stages.
+fn at_stages(orders: &Orders, matrix: &Matrix) -> [Taylor; STAGES] {
+    let sums = orders.map(|order| order.through(matrix));
+    core::array::from_fn(|i| Taylor::new(sums.map(|order| order.0[i])))
 }

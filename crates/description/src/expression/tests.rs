@@ -1,0 +1,184 @@
+//! The tape against its expression, node by node, over several kinds of number.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use grazing_model::smooth::{Function, Scalar};
+use proptest::prelude::*;
+
+use super::graph::Node;
+use super::{Expression, parse};
+
+/// A number with one derivative.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Dual(f64, f64);
+
+/// All numbers from the first to the second.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Range(f64, f64);
+
+impl Range {
+    fn around(values: [f64; 4]) -> Self {
+        Self(
+            values.into_iter().fold(f64::INFINITY, f64::min),
+            values.into_iter().fold(-f64::INFINITY, f64::max),
+        )
+    }
+}
+
+macro_rules! operations {
+    ($($number:ident, $trait:ident, $name:ident, |$a:ident, $b:ident| $result:expr;)*) => {$(
+        impl $trait for $number {
+            type Output = Self;
+
+            fn $name(self, other: Self) -> Self {
+                let ($a, $b) = (self, other);
+                $result
+            }
+        }
+    )*};
+}
+
+operations! {
+    Dual, Add, add, |a, b| Dual(a.0 + b.0, a.1 + b.1);
+    Dual, Sub, sub, |a, b| Dual(a.0 - b.0, a.1 - b.1);
+    Dual, Mul, mul, |a, b| Dual(a.0 * b.0, a.0 * b.1 + a.1 * b.0);
+    Dual, Div, div, |a, b| Dual(a.0 / b.0, (a.1 - a.0 / b.0 * b.1) / b.0);
+    Range, Add, add, |a, b| Range(a.0 + b.0, a.1 + b.1);
+    Range, Sub, sub, |a, b| Range(a.0 - b.1, a.1 - b.0);
+    Range, Mul, mul, |a, b| Range::around([a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1]);
+    Range, Div, div, |a, b| Range::around([a.0 / b.0, a.0 / b.1, a.1 / b.0, a.1 / b.1]);
+}
+
+impl Neg for Dual {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Dual(-self.0, -self.1)
+    }
+}
+
+impl Neg for Range {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Range(-self.1, -self.0)
+    }
+}
+
+impl Scalar for Dual {
+    fn constant(value: f64) -> Self {
+        Dual(value, 0.0)
+    }
+
+    /// Not the derivative, but the same for the same argument: enough to compare.
+    fn apply(self, function: Function) -> Self {
+        Dual(self.0.apply(function), self.1)
+    }
+}
+
+impl Scalar for Range {
+    fn constant(value: f64) -> Self {
+        Range(value, value)
+    }
+
+    fn apply(self, function: Function) -> Self {
+        Range(self.0.apply(function), self.1.apply(function))
+    }
+}
+
+/// A polynomial of x, v and t with small whole numbers; parts are often equal.
+fn polynomial() -> impl Strategy<Value = String> {
+    let leaf = prop::sample::select(&["x", "v", "t", "2", "3"][..]).prop_map(str::to_owned);
+    leaf.prop_recursive(5, 40, 2, |inner| {
+        let operator = prop::sample::select(&["+", "-", "*"][..]);
+        prop_oneof![
+            1 => inner.clone().prop_map(|a| format!("(-{a})")),
+            1 => inner.clone().prop_map(|a| format!("{a}^3")),
+            6 => (inner.clone(), operator, inner).prop_map(|(a, o, b)| format!("({a}{o}{b})")),
+        ]
+    })
+}
+
+/// The same with functions and quotients.
+fn formula() -> impl Strategy<Value = String> {
+    (polynomial(), polynomial(), prop::sample::select(&["sin", "cos", "exp", "atan", "sqrt"][..]))
+        .prop_map(|(a, b, name)| format!("({a})*{name}({b}) - ({b})/(1 + t^2) + {name}(2*t)*x - {name}(v)"))
+}
+
+const NAMES: [&str; 3] = ["x", "v", "t"];
+
+/// The expression; none where the text asks for a function of a constant outside its domain.
+fn read(text: &str, moving: usize) -> Option<Expression> {
+    parse::expression(text, &NAMES, moving, &[]).ok().map(|(expression, _)| expression)
+}
+
+/// The value node by node.
+fn plain<S: Scalar>(expression: &Expression, variables: &[S]) -> S {
+    let mut values: Vec<S> = Vec::new();
+    for node in &expression.0.nodes {
+        values.push(match node {
+            Node::Variable(number) => variables[*number],
+            Node::Operation(operation) => operation.compute(|place| &values[place]),
+        });
+    }
+    *values.last().expect("an expression has a part")
+}
+
+/// The values at the first point with none, some and all of the variables held, after those at the second.
+fn all_ways<S: Scalar>(text: &str, [first, second]: [[S; 3]; 2]) -> Vec<S> {
+    let held = (0..=3).filter_map(|moving| {
+        let expression = read(text, moving)?;
+        let mut function = expression.hold(&first[moving..]);
+        // What was computed for other values is forgotten.
+        function(&second[..moving]);
+        Some(function(&first[..moving]))
+    });
+    held.collect()
+}
+
+fn bits([a, b]: [f64; 2]) -> [u64; 2] {
+    // One NaN is as good as another.
+    [a, b].map(|value| if value.is_nan() { 0 } else { value.to_bits() })
+}
+
+proptest! {
+    #[test]
+    fn variables_that_are_held_change_no_bit(text in formula()) {
+        let Some(whole) = read(&text, 3) else { return Ok(()) };
+        let numbers = [0.7, -0.4, 1.9];
+        for value in all_ways(&text, [numbers, [1.1, 0.2, 0.3]]) {
+            prop_assert_eq!(bits([value, 0.0]), bits([whole.evaluate(&numbers), 0.0]), "{}", text);
+        }
+        let duals = [Dual(0.7, 1.0), Dual(-0.4, 0.3), Dual(1.9, -2.0)];
+        for Dual(a, b) in all_ways(&text, [duals, [Dual(1.1, 0.0); 3]]) {
+            let wanted = whole.evaluate(&duals);
+            prop_assert_eq!(bits([a, b]), bits([wanted.0, wanted.1]), "{}", text);
+        }
+        let ranges = [Range(0.7, 0.9), Range(-0.4, 0.3), Range(1.9, 2.0)];
+        for Range(a, b) in all_ways(&text, [ranges, [Range(1.1, 1.2); 3]]) {
+            let wanted = whole.evaluate(&ranges);
+            prop_assert_eq!(bits([a, b]), bits([wanted.0, wanted.1]), "{}", text);
+        }
+    }
+
+    #[test]
+    fn the_tape_gives_what_its_nodes_give(text in polynomial()) {
+        let Some(expression) = read(&text, 3) else { return Ok(()) };
+        let numbers = [1.0, -2.0, 3.0];
+        let duals = [Dual(1.0, 2.0), Dual(-2.0, 1.0), Dual(3.0, -1.0)];
+        let ranges = [Range(1.0, 2.0), Range(-2.0, 1.0), Range(3.0, 3.0)];
+        let (a, b) = (plain(&expression, &numbers), plain(&expression, &duals));
+        let c = plain(&expression, &ranges);
+        // Whole numbers far below 2^53 are exact in any order.
+        let exact = |value: f64| value.abs() < 1e12;
+        if exact(a) {
+            prop_assert_eq!(expression.evaluate(&numbers), a, "{}", text);
+        }
+        if exact(b.0) && exact(b.1) {
+            prop_assert_eq!(expression.evaluate(&duals), b, "{}", text);
+        }
+        if exact(c.0) && exact(c.1) {
+            prop_assert_eq!(expression.evaluate(&ranges), c, "{}", text);
+        }
+    }
+}

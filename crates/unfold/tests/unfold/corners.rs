@@ -1,0 +1,54 @@
+//! Codimension-two points at which a second interior maximum touches the wall.
+
+use grazing_continuation::curve::CurveEnd;
+use grazing_continuation::resonance::same_point;
+use grazing_model::motion::Motion;
+use grazing_model::{ImpactOscillator, State};
+use grazing_unfold::diagram::Kind;
+use grazing_unfold::progress::Silent;
+use grazing_unfold::{Diagram, regions};
+
+use crate::specimens::{assert_within, example, scope};
+
+#[test]
+fn grazing_goes_on_with_another_maximum_where_a_second_one_touches_the_wall() {
+    let (oscillator, _) = example("varying-impact.toml");
+    let scope = scope([0.0, 1.2], [0.4, 0.6], &[2]);
+    let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
+    let meeting: Vec<_> = diagram.corners.iter().filter(|corner| corner.kind == "GZ-GZ").collect();
+    let [corner] = meeting.as_slice() else { panic!("{} of them", meeting.len()) };
+    let [velocity, phase, primary, secondary] = corner.unknowns().into();
+
+    let curves: Vec<_> = diagram.curves.iter().filter(|curve| curve.kind == Kind::Grazing).collect();
+    let [before, after] = curves.as_slice() else { panic!("{} of them", curves.len()) };
+    let [reached, begun] = [before.curve.points.last().unwrap(), &after.curve.points[0]];
+    assert!(same_point(&reached.solution.unknowns, &corner.unknowns()));
+    assert!(same_point(&begun.solution.unknowns, &corner.unknowns()));
+    assert!(matches!(after.curve.end, CurveEnd::Grazing));
+
+    // The maxima that touch the wall on the two curves are different ones, and both do at the corner.
+    let here = oscillator.with_parameters([primary, secondary]);
+    let recoil = here.reset::<1>(velocity, phase).value;
+    let motion = here.motion(State::on_wall(recoil[0], recoil[1]));
+    let points = [&before.curve.points[before.curve.points.len() - 2], &after.curve.points[1]];
+    let times = points.map(|point| point.solution.highest_interior_maximum.unwrap().time).map(|near| {
+        (0..20).fold(near, |time, _| {
+            let now = motion.at(time);
+            time - now.velocity / now.acceleration
+        })
+    });
+    assert!((times[0] - times[1]).abs() > 1.0);
+    for time in times {
+        // Located to the tolerance of Newton's method.
+        assert_within(motion.at(time).position, 0.0, 1e-11);
+    }
+    for point in before.curve.points.iter().chain(&after.curve.points).skip(1) {
+        assert!(point.solution.stable() || point.solution.impact_velocity() == 0.0);
+        assert_within(point.solution.ceiling(), 0.0, 1e-11);
+    }
+    // Together they close the region of stable solutions.
+    let regions = regions::all(&diagram);
+    let closed = regions.iter().filter(|region| (region.loops, region.n) == (2, 2));
+    let corners = closed.filter(|region| region.vertices.contains(&[primary, secondary]));
+    assert_eq!(corners.count(), 1);
+}

@@ -1,0 +1,137 @@
+//! Polygons of stability against all maximal periodic solutions in closed form, which a quadratic equation gives.
+
+#[path = "../../../reproduction/tests/study/closed_form.rs"]
+mod closed_form;
+
+use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_unfold::progress::Silent;
+use grazing_unfold::regions::{self, Polygon};
+use grazing_unfold::simulation::{Seen, Suspect};
+use grazing_unfold::{Diagram, Scope};
+
+use crate::specimens::{EPSILON, ZETA, constant, example, grazing_at, scope};
+
+/// Cells of the lattice of points, each way.
+const LATTICE: u32 = 40;
+
+/// Whether a point lies inside a polygon: the parity of the edges that a ray crosses.
+fn inside(polygon: &Polygon, [x, y]: [f64; 2]) -> bool {
+    let mut odd = false;
+    let vertices = &polygon.vertices;
+    for (k, a) in vertices.iter().enumerate() {
+        let b = vertices[(k + 1) % vertices.len()];
+        if (a[1] > y) != (b[1] > y) && x < a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1]) {
+            odd = !odd;
+        }
+    }
+    odd
+}
+
+/// The distance of a point from the border of a polygon, in shares of the ranges.
+fn distance(polygon: &Polygon, at: [f64; 2], scope: &Scope) -> f64 {
+    let [primary, secondary] = [scope.window.primary, scope.window.secondary];
+    let place = |p: [f64; 2]| {
+        [
+            (p[0] - primary[0]) / (primary[1] - primary[0]),
+            (p[1] - secondary[0]) / (secondary[1] - secondary[0]),
+        ]
+    };
+    let [x, y] = place(at);
+    let vertices = &polygon.vertices;
+    let mut least = f64::INFINITY;
+    for (k, a) in vertices.iter().enumerate() {
+        let [a, b] = [place(*a), place(vertices[(k + 1) % vertices.len()])];
+        let [u, v] = [b[0] - a[0], b[1] - a[1]];
+        let along = (((x - a[0]) * u + (y - a[1]) * v) / (u * u + v * v)).clamp(0.0, 1.0);
+        // Where two vertices are one there is no edge.
+        let along = if along.is_nan() { 0.0 } else { along };
+        least = least.min(libm::hypot(a[0] + along * u - x, a[1] + along * v - y));
+    }
+    least
+}
+
+/// Points of the polygon on a lattice over its extent, those on its very border left out.
+fn points_of(polygon: &Polygon, scope: &Scope) -> Vec<[f64; 2]> {
+    let extent = |axis: usize| {
+        let values = polygon.vertices.iter().map(|vertex| vertex[axis]);
+        values
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
+    };
+    let [across, up] = [extent(0), extent(1)];
+    let at = |[low, high]: [f64; 2], k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(LATTICE);
+    let lattice = (0..LATTICE).flat_map(|i| (0..LATTICE).map(move |j| [at(across, i), at(up, j)]));
+    // The chords of curves whose steps turn by two degrees leave them by less than this.
+    lattice.filter(|point| inside(polygon, *point) && distance(polygon, *point, scope) > 1e-4).collect()
+}
+
+/// In every polygon there is a stable, admissible solution, to which simulation from event to event returns.
+///
+/// `reduced` gives the amplitude and the frequency at which the linear oscillator is the one that was looked at.
+fn assert_stable_inside<O: ImpactOscillator>(
+    diagram: &Diagram<O>,
+    [zeta, epsilon]: [f64; 2],
+    reduced: impl Fn([f64; 2]) -> [f64; 2],
+) -> Vec<(u32, u32)> {
+    let mut found = Vec::new();
+    for polygon in regions::all(diagram) {
+        let points = points_of(&polygon, &diagram.scope);
+        assert!(points.len() > 20, "p = {}, n = {}: {} points", polygon.loops, polygon.n, points.len());
+        for point in points {
+            let [amplitude, frequency] = reduced(point);
+            let stable = if polygon.loops == 0 {
+                amplitude < grazing_at(zeta, frequency).amplitude()
+            } else {
+                let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, frequency).unwrap();
+                let returns = |orbit: &closed_form::Orbit| {
+                    let (velocity, phase) = (orbit.velocity, orbit.phase);
+                    let suspect = Suspect { oscillator: &oscillator, loops: polygon.loops, velocity, phase };
+                    suspect.follow() == Seen::Returns
+                };
+                closed_form::orbits(zeta, epsilon, amplitude, frequency, polygon.loops)
+                    .iter()
+                    .any(|orbit| orbit.stable() && orbit.admissible() && returns(orbit))
+            };
+            assert!(stable, "p = {}, n = {} at {point:?}", polygon.loops, polygon.n);
+        }
+        found.push((polygon.loops, polygon.n));
+    }
+    found.sort_unstable();
+    found
+}
+
+#[test]
+fn solutions_are_stable_and_admissible_inside_the_polygons_of_the_linear_oscillator() {
+    // The window and the loops of Figure 7 are of this kind.
+    let scope = scope([0.0, 1.3], [0.35, 1.02], &[1, 2, 3]);
+    let diagram = Diagram::compute(&crate::specimens::closed_form(), &scope, &Silent).unwrap();
+    let found = assert_stable_inside(&diagram, [ZETA, EPSILON], |at| at);
+    assert_eq!(found[0], (0, 0));
+    // Every resonance at which a theorem holds is a corner of a polygon of its MPSs; two may share one.
+    let polygons = regions::all(&diagram);
+    for (resonance, point) in diagram.unfolding() {
+        let [primary, secondary] = point.orbit().oscillator().parameters();
+        let corners = polygons.iter().filter(|polygon| {
+            let near = |at: &[f64; 2]| libm::hypot(at[0] - primary, at[1] - secondary) < 1e-9;
+            polygon.loops == resonance.loops && polygon.vertices.iter().any(near)
+        });
+        assert_eq!(corners.count(), 1, "p = {}, n = {}", resonance.loops, resonance.n);
+    }
+}
+
+#[test]
+fn solutions_are_stable_and_admissible_inside_the_polygons_where_the_clearance_is_the_parameter() {
+    let (oscillator, _) = example("clearance.toml");
+    let [alpha, r] = ["alpha", "r"].map(|name| constant(oscillator.model(), name));
+    let scope = scope([0.05, 1.0], [1.7, 2.3], &[1]);
+    let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
+    // A greater clearance leads away from the wall.
+    for state in &diagram.grazing[0].states {
+        assert!(state.orbit.grazing_point().map.transversality() < 0.0);
+    }
+    // In units of the clearance the distance of the wall is 1 and the forcing is 1/σ.
+    let found = assert_stable_inside(&diagram, [alpha, r], |[sigma, omega]| [1.0 / sigma, omega]);
+    assert_eq!(found, [(0, 0), (1, 1)]);
+    // The corner of great clearance belongs to the motion without impacts.
+    let polygons = regions::all(&diagram);
+    assert!(polygons.iter().any(|polygon| polygon.loops == 0 && inside(polygon, [0.99, 2.29])));
+}
