@@ -213,7 +213,7 @@ pub struct Report {
     /// File of the page
     #[arg(long, value_name = "FILE", default_value = "report.html")]
     pub output: PathBuf,
-    /// Description of an oscillator to be shown beside those in examples/; may be given several times
+    /// Oscillator to show beside those of examples/, as a text file; may be given several times
     #[arg(long = "oscillator", value_name = "FILE")]
     pub oscillators: Vec<PathBuf>,
     /// The parameter file.

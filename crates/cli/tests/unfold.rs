@@ -57,7 +57,10 @@ fn an_example_is_unfolded_into_the_same_files_whatever_the_number_of_threads() {
     let again = grazing(folder.path(), &again);
     assert_eq!(again.code, Some(0), "{}", again.messages);
     for file in results().iter().filter(|file| *file != "data") {
-        assert_eq!(read(&first, file), read(&folder.path().join("again"), file), "{file}");
+        // The page lists the pictures too, each on a line of its own.
+        let again = read(&folder.path().join("again"), file);
+        let again: Vec<&str> = again.lines().filter(|line| !line.contains(".png")).collect();
+        assert!(read(&first, file).lines().eq(again), "{file}");
     }
     let picture = fs::read(folder.path().join("again/diagram.png")).expect("PNG was asked for");
     assert!(picture.starts_with(b"\x89PNG"));
