@@ -101,7 +101,7 @@ fn told(output: &str, coefficients: &str) {
         let (shown, exact): (f64, f64) = (theorem.parse().unwrap(), cell(column).parse().unwrap());
         // Nine digits are shown.
         assert!((shown / exact - 1.0).abs() < 1e-8, "{shown} {exact}");
-        // The issue asks for five.
+        // Five are promised of every example.
         assert!(digits.parse::<u32>().unwrap() >= 5 && simulated == "yes", "{words:?}");
     }
     for line in output.lines() {
