@@ -220,6 +220,9 @@ const LAST_STEP: f64 = 1e-5;
 /// the order of its square.
 const TIME_TOLERANCE: f64 = 1e-9;
 
+/// An event time this many forcing periods from where it was expected is none: at rest, say, any time would do.
+const MOST_PERIODS: f64 = 20.0;
+
 /// Newton's method for an event time either converges within this many steps or is lost.
 const MAX_ITERATIONS: usize = 50;
 
@@ -234,6 +237,7 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
     turn: f64,
 ) -> Result<Landing, MapError> {
     let motion = oscillator.motion(from);
+    let farthest = MOST_PERIODS * oscillator.forcing_period();
     let mut time = guess;
     let mut here = motion.at(time);
     for _ in 0..MAX_ITERATIONS {
@@ -241,7 +245,9 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
         let newton = here.velocity / here.acceleration;
         let step = newton / (1.0 - 0.5 * newton * here.jerk / here.acceleration);
         time -= step;
-        if !time.is_finite() {
+        // Not a number is far as well.
+        let near = (time - guess).abs() <= farthest;
+        if !near {
             break;
         }
         if step.abs() <= LAST_STEP {

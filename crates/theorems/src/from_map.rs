@@ -29,6 +29,9 @@ pub enum GrazingOrbitError {
     },
 }
 
+/// A longer step of Newton's method, in radians and units of the primary parameter, leads nowhere: all quantities are of order one.
+const LONGEST_STEP: f64 = 1e3;
+
 /// The grazing periodic orbit of an oscillator at one value of the secondary parameter.
 ///
 /// Paper: Assumption 2.2 with μ = primary − primary_graz(η): the change of parameter that puts grazing at
@@ -58,7 +61,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
             let defect = Vector2::new(map.value[0], map.value[1] - phase);
             residual = defect.norm();
             let jacobian = Self::by_phase_and_primary(&map);
-            let Some(step) = jacobian.lu().solve(&defect).filter(|step| step.norm().is_finite()) else {
+            let Some(step) = jacobian.lu().solve(&defect).filter(|step| step.norm() <= LONGEST_STEP) else {
                 break;
             };
             phase -= step[0];

@@ -93,6 +93,8 @@ pub fn survey<O: ImpactOscillator>(oscillator: &O, scope: &Scope, secondary: f64
 
 /// Motion through less than this is rest: maxima of what rounding leaves are none.
 const REST: f64 = 1e-9;
+/// Instants of a period at which rest is seen: no motion is slow at all of them.
+const INSTANTS: u32 = 32;
 
 /// Orbits closer than this are one: Newton's method leaves far less.
 const SAME: f64 = 1e-6;
@@ -212,7 +214,10 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
         let motion = oscillator.motion(State { position: point[0], velocity: point[1], phase: 0.0 });
         let frequency = oscillator.forcing_frequency().value;
         let period = TAU / frequency;
-        let at_rest = motion.bounds(0.0, period).acceleration * period * period <= REST;
+        let at_rest = (0..=INSTANTS).all(|instant| {
+            let here = motion.at(period * f64::from(instant) / f64::from(INSTANTS));
+            here.velocity.abs() * period <= REST && here.acceleration.abs() * period * period <= REST
+        });
         // A little more than a period, so that a maximum at phase zero lies inside.
         let highest = if at_rest { None } else { highest_maximum(&motion, 1.25 * period) };
         let (position, time) = highest.map_or((point[0], 0.0), |maximum| (maximum.position, maximum.time));
