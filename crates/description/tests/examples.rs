@@ -11,6 +11,12 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples")
 }
 
+fn files() -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder()).expect("examples/ can be read");
+    let paths = entries.map(|entry| entry.expect("examples/ can be read").path());
+    paths.filter(|path| path.extension().is_some_and(|extension| extension == "toml")).collect()
+}
+
 fn example(name: &str) -> Description {
     Description::from_file(&folder().join(name)).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -22,8 +28,7 @@ fn constant(description: &Description, name: &str) -> f64 {
 #[test]
 fn every_example_loads_and_is_evaluated_without_allocation() {
     let mut examples = 0;
-    for entry in fs::read_dir(folder()).expect("examples/ can be read") {
-        let path = entry.expect("examples/ can be read").path();
+    for path in files() {
         let text = fs::read_to_string(&path).expect("an example is text");
         assert!(text.starts_with("# "), "{}: says where it comes from", path.display());
         let description = Description::from_file(&path).unwrap_or_else(|error| panic!("{error}"));
@@ -42,8 +47,7 @@ fn every_example_loads_and_is_evaluated_without_allocation() {
 
 #[test]
 fn the_force_at_one_time_is_the_force() {
-    for entry in fs::read_dir(folder()).expect("examples/ can be read") {
-        let path = entry.expect("examples/ can be read").path();
+    for path in files() {
         let description = Description::from_file(&path).unwrap_or_else(|error| panic!("{error}"));
         for t in [0.0, 0.7, 5.1] {
             let mut force = description.force_at(t, 0.6, 0.8);
