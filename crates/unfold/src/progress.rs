@@ -12,6 +12,10 @@ pub trait Progress: Sync {
     fn end(&self, what: &str);
     /// The curves of one resonance are done, by its place in the diagram's list; those of others may take a while.
     fn unfolded(&self, _resonance: usize, _curves: &[DiagramCurve]) {}
+    /// Whether nothing more is to be begun, as when time is up: long loops ask this and end with what they have.
+    fn stopped(&self) -> bool {
+        false
+    }
 }
 
 /// Hears nothing.
