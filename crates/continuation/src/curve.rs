@@ -85,6 +85,8 @@ pub enum CurveEnd {
     LeftWindow,
     /// The impact velocity reached zero; the last point of the curve lies there.
     Grazing,
+    /// It came back to its first point, which is its last as well.
+    Closed,
     /// An event, which is the last point of the curve.
     Event(Event),
     /// An event was seen between the last two points, and could not be located.
@@ -120,6 +122,8 @@ pub struct Curve {
     pub events: Vec<Event>,
     /// Why it ends.
     pub end: CurveEnd,
+    /// Why it begins where it does, if that was not given but found: [`MpsCurve::follow_both_ways`].
+    pub beginning: Option<CurveEnd>,
     /// Index of the first point that was computed without virtual points, if VIVID ended on the way.
     pub vivid_ended: Option<usize>,
 }

@@ -1,5 +1,6 @@
 //! Following a curve of MPSs point by point: events, changes of formulation, ends.
 
+use core::f64::consts::TAU;
 use core::ops::ControlFlow;
 
 use grazing_model::ImpactOscillator;
@@ -35,6 +36,7 @@ impl<O: ImpactOscillator> MpsCurve<O> {
                 points: vec![starting_point(&self, &here)],
                 events: Vec::new(),
                 end: CurveEnd::StepLimit,
+                beginning: None,
                 vivid_ended: None,
             },
         };
@@ -47,6 +49,35 @@ impl<O: ImpactOscillator> MpsCurve<O> {
             follower.curve.vivid_ended = Some(follower.curve.points.len());
         }
         Ok(follower.curve)
+    }
+
+    /// Follows the curve through a point of it to both sides: first to the side of `direction`, then to the other, in one list.
+    ///
+    /// # Errors
+    /// As [`follow`](Self::follow).
+    pub fn follow_both_ways(
+        self,
+        through: Unknowns,
+        direction: Unknowns,
+        memory: &Memory,
+        route: &Route,
+    ) -> Result<Curve, Stall<MapError>> {
+        let mut before = self.clone().follow(through, direction, memory.clone(), route)?;
+        if matches!(before.end, CurveEnd::Closed) {
+            return Ok(before);
+        }
+        let after = self.follow(through, -direction, memory.clone(), route)?;
+        // The point stands in both.
+        let shared = before.points.len() - 1;
+        before.points.reverse();
+        before.points.extend(after.points.into_iter().skip(1));
+        // An event lies before the point of its index, and beyond it once the order is turned.
+        before.events.reverse();
+        before.events.iter_mut().for_each(|event| event.index = shared + 1 - event.index);
+        let later = after.events.into_iter().map(|event| Event { index: event.index + shared, ..event });
+        before.events.extend(later);
+        (before.beginning, before.end, before.vivid_ended) = (Some(before.end), after.end, None);
+        Ok(before)
     }
 }
 
@@ -110,12 +141,35 @@ impl Follower<'_> {
             self.locate_events(equations, past, now, before, &after, &solution)?;
         }
         self.signs = Some(now);
+        if let Some(start) = self.back_at_the_start(before, &after) {
+            self.curve.points.push(start);
+            return ControlFlow::Break(CurveEnd::Closed);
+        }
         if !self.route.window.contains(&after.point) {
             self.end_on_the_edge(equations, before, after);
             return ControlFlow::Break(CurveEnd::LeftWindow);
         }
         self.curve.points.push(CurvePoint { solution, memory: after.memory });
         ControlFlow::Continue(())
+    }
+
+    /// The first point, if the curve passes it between two of its points; with the phase as far on as it is then.
+    fn back_at_the_start(&self, before: &MpsStation, after: &MpsStation) -> Option<CurvePoint> {
+        let [first, second, ..] = self.curve.points.as_slice() else { return None };
+        let onwards = second.solution.unknowns - first.solution.unknowns;
+        let gap = |point: &Unknowns| {
+            let mut gap = point - first.solution.unknowns;
+            gap[unknown::PHASE] = libm::remainder(gap[unknown::PHASE], TAU);
+            gap
+        };
+        let [past, now] = [gap(&before.point), gap(&after.point)];
+        let step = (after.point - before.point).norm() * (1.0 + self.route.control.turn);
+        let passes = past.norm().max(now.norm()) <= step && past.dot(&onwards) < 0.0 && now.dot(&onwards) >= 0.0;
+        (self.curve.points.len() > FEWEST_OF_A_LOOP && passes).then(|| {
+            let mut point = first.clone();
+            point.solution.unknowns[unknown::PHASE] = after.point[unknown::PHASE] - now[unknown::PHASE];
+            point
+        })
     }
 
     /// Locates all events between two points and lists them in the order of the curve.
@@ -213,6 +267,9 @@ impl Follower<'_> {
         self.curve.points.push(CurvePoint { solution, memory });
     }
 }
+
+/// A closed curve has more points than this: its tangent turns once round, by a few degrees from point to point.
+const FEWEST_OF_A_LOOP: usize = 10;
 
 /// The first point; at y = 0 its multipliers are limits along the tangent.
 fn starting_point<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStation) -> CurvePoint {

@@ -16,6 +16,7 @@
 //! ```
 
 pub mod arclength;
+mod branching;
 pub mod criticality;
 pub mod curve;
 pub mod cusp;

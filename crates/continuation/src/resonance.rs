@@ -5,9 +5,9 @@ use grazing_model::maps::MapError;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side};
 
-use crate::curve::{Curve, CurveEnd, Event, MpsCurve, Route};
+use crate::curve::{Curve, CurveEnd, MpsCurve, Route};
 use crate::locate::{Condition, LocateFailure, locate};
-use crate::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns, unknown};
+use crate::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
 
 /// A resonant grazing point could not be analysed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -191,50 +191,13 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
                 other.points.last().is_some_and(|last| same_point(&last.solution.unknowns, &corner))
             };
             if event.condition == Condition::InteriorGrazing && !grazing.iter().any(reached) {
-                match self.branch_off(event, route) {
+                match self.equations.branch_off(event, route) {
                     Ok(curve) => grazing.push(curve),
                     Err(reason) => missing.push(reason),
                 }
             }
         }
         Ok(UnfoldedResonance { saddle_node, period_doubling, grazing, missing })
-    }
-
-    /// Follows the other curve of a codimension-two point at which one curve ends: GZ to the side where the MPS is stable, SN and PD
-    /// to the side where it is admissible.
-    ///
-    /// # Errors
-    /// There is no such side, or the curve cannot be started.
-    pub fn branch_off(&self, corner: &Event, route: &Route) -> Result<Curve, ResonanceError> {
-        let condition = corner.condition;
-        let bounds = |solution: &MaximalPeriodicSolution| match condition {
-            Condition::InteriorGrazing => {
-                solution.stable() && solution.ceiling() <= MaximalPeriodicSolution::TOUCH
-            }
-            _ => solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
-        };
-        // A curve to the inadmissible side of a point at which two maxima touch the wall ends there at once.
-        let onwards = |solution: &MaximalPeriodicSolution| {
-            bounds(solution) && !same_point(&solution.unknowns, &corner.solution.unknowns)
-        };
-        let mut reason = "it bounds no region of stable solutions to either side".to_owned();
-        for sign in [1.0, -1.0] {
-            let curve = MpsCurve { equations: self.equations.clone(), condition };
-            let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
-            match curve.follow(corner.solution.unknowns, direction, corner.memory.clone(), route) {
-                Ok(curve) if curve.points.get(1).is_some_and(|point| onwards(&point.solution)) => {
-                    return Ok(curve);
-                }
-                Ok(_) => {}
-                Err(stall) => reason = stall.to_string(),
-            }
-        }
-        let curve = match condition {
-            Condition::InteriorGrazing => "interior grazing",
-            Condition::Multiplier(multiplier) if multiplier > 0.0 => "saddle-node",
-            _ => "period-doubling",
-        };
-        Err(ResonanceError::NotStarted { curve, reason })
     }
 }
 

@@ -1,100 +1,22 @@
 //! The two-parameter diagram: grazing curves, resonances, the curves that leave them, and codimension-two points.
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, Window};
-use grazing_continuation::cusp::cusps;
+use grazing_continuation::curve::{Route, Window};
 use grazing_continuation::fit::{Estimate, FitError, quadratic_coefficient};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::Unknowns;
-use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance, same_point};
+use grazing_continuation::mps::{Formulation, LoopEquations};
+use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance};
 use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
+use crate::curves::Net;
+pub use crate::curves::{Corner, DiagramCurve, Kind};
 use crate::free::{self, Survey};
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
+use crate::regions::{self, Region};
 use crate::resonances::{self, Resonance, Unlocated};
 use crate::{Scope, UnfoldError};
-
-/// Kinds of bifurcation curves, by the names the figures use.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Saddle-node bifurcations of MPSs.
-    SaddleNode,
-    /// Period-doubling bifurcations of MPSs.
-    PeriodDoubling,
-    /// Grazing bifurcations of MPSs: an interior maximum touches the wall.
-    Grazing,
-}
-
-impl Kind {
-    /// SN, PD or GZ.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::SaddleNode => "SN",
-            Self::PeriodDoubling => "PD",
-            Self::Grazing => "GZ",
-        }
-    }
-
-    /// The kind of a condition that a curve or an event can have.
-    pub fn of(condition: Condition) -> Option<Self> {
-        match condition {
-            Condition::Multiplier(multiplier) if multiplier > 0.0 => Some(Self::SaddleNode),
-            Condition::Multiplier(_) => Some(Self::PeriodDoubling),
-            Condition::InteriorGrazing => Some(Self::Grazing),
-            _ => None,
-        }
-    }
-}
-
-/// A bifurcation curve of the diagram.
-#[derive(Clone, Debug)]
-pub struct DiagramCurve {
-    /// What happens along it.
-    pub kind: Kind,
-    /// Number of loops p.
-    pub loops: u32,
-    /// The integer n of the resonance from which the curve, or the point at which it starts, was reached.
-    pub n: u32,
-    /// The curve.
-    pub curve: Curve,
-}
-
-impl DiagramCurve {
-    /// Whether it is another one, perhaps followed from its other end.
-    pub fn is_same(&self, other: &Self) -> bool {
-        let ([first, last], [start, end]) = (self.ends(), other.ends());
-        let same = |a, b| same_point(&first, a) && same_point(&last, b);
-        self.kind == other.kind && self.loops == other.loops && (same(&start, &end) || same(&end, &start))
-    }
-
-    /// First and last point.
-    fn ends(&self) -> [Unknowns; 2] {
-        let points = &self.curve.points;
-        [points[0].solution.unknowns, points[points.len() - 1].solution.unknowns]
-    }
-}
-
-/// A codimension-two point other than a resonance.
-#[derive(Clone, Debug)]
-pub struct Corner {
-    /// The two bifurcations that meet there: SN-GZ, PD-GZ or GZ-GZ; `cusp` where an SN curve turns back.
-    pub kind: &'static str,
-    /// Number of loops p.
-    pub loops: u32,
-    /// The integer n of the resonance from which it was reached.
-    pub n: u32,
-    /// The event on the curve on which it was reached: its end, but for cusps.
-    pub event: Event,
-}
-
-impl Corner {
-    /// (y, z, μ, η).
-    pub fn unknowns(&self) -> Unknowns {
-        self.event.solution.unknowns
-    }
-}
 
 /// A resonance one of whose curves, or all of them, could not be followed.
 #[derive(Clone, Debug)]
@@ -131,14 +53,13 @@ pub struct Diagram<O> {
     pub curves: Vec<DiagramCurve>,
     /// Codimension-two points other than resonances.
     pub corners: Vec<Corner>,
+    /// Where solutions are stable, and where that is not decided.
+    pub regions: Vec<Region>,
     /// Resonances that were seen and could not be located.
     pub unlocated: Vec<Unlocated>,
     /// Resonances whose curves could not be followed.
     pub not_unfolded: Vec<NotUnfolded>,
 }
-
-/// The kind of a point at which a saddle-node curve turns back.
-const CUSP: &str = "cusp";
 
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;
@@ -162,7 +83,7 @@ impl<O: ImpactOscillator> Diagram<O> {
     pub fn compute(oscillator: &O, scope: &Scope, progress: &dyn Progress) -> Result<Self, UnfoldError> {
         let located = Self::located(oscillator, scope, progress)?;
         let followed = located.follow(progress);
-        Ok(located.with(followed))
+        Ok(located.with(followed, progress))
     }
 
     /// The first half of [`compute`](Self::compute): grazing curves and resonances, no bifurcation curve yet.
@@ -177,6 +98,7 @@ impl<O: ImpactOscillator> Diagram<O> {
             resonances: Vec::new(),
             curves: Vec::new(),
             corners: Vec::new(),
+            regions: Vec::new(),
             unlocated: Vec::new(),
             not_unfolded: Vec::new(),
         };
@@ -190,43 +112,32 @@ impl<O: ImpactOscillator> Diagram<O> {
         Ok(diagram)
     }
 
-    /// The diagram with what came of following the curves from its resonances, in the order of their list.
-    pub fn with(mut self, followed: Vec<Followed>) -> Self {
+    /// The diagram with what came of following the curves from its resonances, in the order of their list, and all that follows
+    /// from these: the curves that begin where they end, those to which no resonance leads, and the regions.
+    pub fn with(mut self, followed: Vec<Followed>, progress: &dyn Progress) -> Self {
+        let mut nets: Vec<Net<O>> = self.scope.loops.iter().map(|&loops| Net::new(self.equations(loops))).collect();
         for Followed { resonance, curves, missing } in followed {
             let (loops, n) = (self.resonances[resonance].loops, self.resonances[resonance].n);
             let failed = |reason| NotUnfolded { loops, n, reason };
             self.not_unfolded.extend(missing.into_iter().map(failed));
-            for curve in curves {
-                self.add(curve);
+            if let Some(net) = nets.iter_mut().find(|net| net.loops() == loops) {
+                curves.into_iter().for_each(|curve| net.add(curve));
             }
         }
-        self.grow();
+        let route = route(self.scope.window, StepControl::DRAWING);
+        nets.iter_mut().for_each(|net| net.grow(&route));
+        self.regions = regions::decide(&self, &mut nets, progress);
+        for net in nets {
+            self.curves.extend(net.curves);
+            self.corners.extend(net.corners);
+        }
         self
     }
 
-    /// Follows what is missing of the two curves that meet at each codimension-two point, and so on from where that ends.
-    fn grow(&mut self) {
-        let route = route(self.scope.window, StepControl::DRAWING);
-        let mut next = 0;
-        while let Some(Corner { kind: meeting, loops, n, event }) = self.corners.get(next).cloned() {
-            next += 1;
-            let Some(kind) = Kind::of(event.condition).filter(|_| meeting != CUSP) else { continue };
-            let corner = event.solution.unknowns;
-            let there = self.curves.iter().filter(|curve| {
-                curve.kind == kind
-                    && curve.loops == loops
-                    && curve.ends().iter().any(|end| same_point(end, &corner))
-            });
-            let known = there.count() >= if meeting == "GZ-GZ" { 2 } else { 1 };
-            let point = self.unfolding().find(|(resonance, _)| resonance.loops == loops && resonance.n == n);
-            // A curve that bounds no region of stable solutions there is not part of the diagram.
-            if let Some((_, point)) = point
-                && !known
-                && let Ok(curve) = point.branch_off(&event, &route)
-            {
-                self.add(DiagramCurve { kind, loops, n, curve });
-            }
-        }
+    /// The equations of the p-loop MPSs.
+    pub fn equations(&self, loops: u32) -> LoopEquations<O> {
+        let oscillator = self.grazing[0].states[0].orbit.oscillator();
+        LoopEquations::new(oscillator.clone(), loops, Formulation::Vivid)
     }
 
     /// The resonances at which a theorem holds, with their places in the list of all.
@@ -261,40 +172,6 @@ impl<O: ImpactOscillator> Diagram<O> {
             .collect();
         progress.end(what);
         followed
-    }
-
-    /// Adds a curve unless it is one of those that are there, followed from its other end.
-    fn add(&mut self, new: DiagramCurve) {
-        if self.curves.iter().any(|old| old.is_same(&new)) {
-            return;
-        }
-        if let CurveEnd::Event(event) = &new.curve.end {
-            let pair = [Some(new.kind), Kind::of(event.condition)];
-            let kind = match pair {
-                [Some(Kind::SaddleNode), Some(Kind::Grazing)]
-                | [Some(Kind::Grazing), Some(Kind::SaddleNode)] => "SN-GZ",
-                [Some(Kind::PeriodDoubling), Some(Kind::Grazing)]
-                | [Some(Kind::Grazing), Some(Kind::PeriodDoubling)] => "PD-GZ",
-                _ => "GZ-GZ",
-            };
-            let unknowns = event.solution.unknowns;
-            if !self.corners.iter().any(|corner| same_point(&corner.unknowns(), &unknowns)) {
-                self.corners.push(Corner { kind, loops: new.loops, n: new.n, event: event.clone() });
-            }
-        }
-        for event in self.cusps(&new) {
-            self.corners.push(Corner { kind: CUSP, loops: new.loops, n: new.n, event });
-        }
-        self.curves.push(new);
-    }
-
-    /// The cusps of a saddle-node curve; other curves have none.
-    fn cusps(&self, new: &DiagramCurve) -> Vec<Event> {
-        let own = self.unfolding().find(|(resonance, _)| resonance.loops == new.loops);
-        match (new.kind, own) {
-            (Kind::SaddleNode, Some((_, point))) => cusps(point.equations(), &new.curve),
-            _ => Vec::new(),
-        }
     }
 }
 

@@ -99,12 +99,17 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
 
     /// The first grazing orbit of the curve at a value of η, if it comes there.
     pub fn at(&self, secondary: f64) -> Option<GrazingOrbit<O>> {
+        self.all_at(secondary).next()
+    }
+
+    /// The grazing orbits of the curve at a value of η, in its order.
+    pub fn all_at(&self, secondary: f64) -> impl Iterator<Item = GrazingOrbit<O>> {
         let parameters = |state: &GrazingState<O>| state.orbit.oscillator().parameters();
-        let pair = self.states.windows(2).find(|pair| {
+        let around = move |pair: &&[GrazingState<O>]| {
             let [a, b] = [parameters(&pair[0])[1], parameters(&pair[1])[1]];
             a.min(b) <= secondary && secondary <= a.max(b)
-        })?;
-        between(pair, secondary)
+        };
+        self.states.windows(2).filter(around).filter_map(move |pair| between(pair, secondary))
     }
 
     /// Whether the curve passes through a grazing orbit.

@@ -58,8 +58,10 @@
 //! # Ok::<(), grazing_unfold::UnfoldError>(())
 //! ```
 
+mod curves;
 pub mod diagram;
 mod error;
+mod faces;
 pub mod free;
 pub mod grazing;
 pub mod magnification;
@@ -69,6 +71,8 @@ pub mod resonances;
 mod scope;
 pub mod sides;
 pub mod simulation;
+mod slices;
+mod survey;
 mod winding;
 
 pub use diagram::Diagram;

@@ -1,223 +1,378 @@
-//! Regions of stability as polygons in the plane of the two parameters (μ, η).
+//! Regions of stability in the plane of the two parameters (μ, η), decided face by face.
 //!
-//! The boundary of a region of stable MPSs is a chain of bifurcation curves that meet at codimension-two points: from a
-//! resonance along PD to its end, along GZ, along SN back to the resonance. Where a chain leaves the window it goes on
-//! along the edge of the window to the next curve that leaves it. The region of the non-impacting solution lies beside a
-//! grazing curve that crosses the window.
+//! The curves of one p cut the window into faces. In every face the solutions are looked at along slices of constant η: a face in
+//! which every slice sees a stable, admissible solution all along is shaded, one in which none does is not, and where slices do not
+//! agree, or a branch could not be followed, that is said.
 
-use grazing_continuation::curve::{CurveEnd, Window};
+use core::fmt;
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::Window;
 use grazing_model::ImpactOscillator;
+use rayon::prelude::*;
 
-use crate::diagram::{Diagram, DiagramCurve, Kind};
+use crate::curves::{DiagramCurve, Kind, Net};
+use crate::diagram::{Diagram, route};
+use crate::faces::{self, Face, Point, chords, extent};
 use crate::grazing::{GrazingCurve, GrazingEnd};
+use crate::progress::Progress;
+use crate::survey::Survey;
 
-/// A polygon, its vertices in order, as points (μ, η).
+/// What is known of a region.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Polygon {
-    /// `non-impacting` or `mps`.
-    pub kind: &'static str,
-    /// Number of loops p; 0 for the non-impacting solution.
-    pub loops: u32,
-    /// The integer n of the resonance at which the polygon begins; 0 for the non-impacting solution.
-    pub n: u32,
-    /// The corners.
-    pub vertices: Vec<[f64; 2]>,
+pub enum RegionKind {
+    /// The non-impacting solution is stable and stays off the wall.
+    NonImpacting,
+    /// A p-loop MPS is stable and admissible.
+    Mps,
+    /// Not decided, with the reason.
+    Undecided(Doubt),
 }
 
-/// All regions of a diagram.
-pub fn all<O: ImpactOscillator>(diagram: &Diagram<O>) -> Vec<Polygon> {
+impl RegionKind {
+    /// `non-impacting`, `mps` or `undecided`.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::NonImpacting => "non-impacting",
+            Self::Mps => "mps",
+            Self::Undecided(_) => "undecided",
+        }
+    }
+}
+
+/// Why it is not decided whether solutions are stable and admissible.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Doubt {
+    /// Along a slice solutions gain or lose stability or admissibility where no curve runs.
+    Disagreement {
+        /// The secondary parameter of the slice.
+        secondary: f64,
+        /// The primary parameters between which the slice lies in the face.
+        primary: [f64; 2],
+    },
+    /// Stability changes on a branch without a saddle-node, period-doubling or grazing bifurcation.
+    UnnamedChange,
+    /// A branch could not be followed to its end.
+    Broken(String),
+    /// No slice was made.
+    Unseen,
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Disagreement { secondary, primary: [from, to] } => write!(
+                f,
+                "solutions change at {secondary} between {from} and {to}, where no curve was found"
+            ),
+            Self::UnnamedChange => write!(
+                f,
+                "stability changes without a saddle-node, period-doubling or grazing bifurcation"
+            ),
+            Self::Broken(end) => write!(f, "a branch of solutions could not be followed further: {end}"),
+            Self::Unseen => write!(f, "no slice was made"),
+        }
+    }
+}
+
+/// A region, as points (μ, η).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    /// What is known of it.
+    pub kind: RegionKind,
+    /// Number of loops p; 0 for the non-impacting solution.
+    pub loops: u32,
+    /// The integer n of a resonance whose curves bound it; 0 without one, and for the non-impacting solution.
+    pub n: u32,
+    /// Its border and those of its holes, vertex by vertex: a point lies inside if a ray from it crosses them an odd number of times.
+    pub rings: Vec<Vec<[f64; 2]>>,
+}
+
+impl Region {
+    /// Whether a point (μ, η) lies inside.
+    pub fn contains(&self, point: [f64; 2]) -> bool {
+        faces::holds(&self.rings, point)
+    }
+}
+
+/// What a slice of constant η shows.
+#[derive(Clone, Debug)]
+pub(crate) struct Sight {
+    secondary: f64,
+    /// Intervals of μ with a stable, admissible solution.
+    good: Vec<[f64; 2]>,
+    doubts: Vec<(f64, Doubt)>,
+}
+
+impl Sight {
+    pub(crate) fn new(secondary: f64) -> Self {
+        Self { secondary, good: Vec::new(), doubts: Vec::new() }
+    }
+
+    /// Adds an interval of μ, its ends in any order, in which there are good solutions.
+    pub(crate) fn see(&mut self, [a, b]: [f64; 2]) {
+        let mut joined = [a.min(b), a.max(b)];
+        self.good.retain(|[from, to]| {
+            let apart = *to < joined[0] || joined[1] < *from;
+            if !apart {
+                joined = [joined[0].min(*from), joined[1].max(*to)];
+            }
+            apart
+        });
+        self.good.push(joined);
+    }
+
+    /// Something that cannot be told, and the μ near which it was met.
+    pub(crate) fn doubt(&mut self, primary: f64, doubt: Doubt) {
+        self.doubts.push((primary, doubt));
+    }
+
+    /// The share of an interval in which there are good solutions.
+    fn share(&self, [from, to]: [f64; 2]) -> f64 {
+        let common = self.good.iter().map(|[low, high]| (high.min(to) - low.max(from)).max(0.0));
+        common.sum::<f64>() / (to - from)
+    }
+}
+
+/// A face and what was found in it.
+struct Judged {
+    face: Face,
+    verdict: Result<bool, Doubt>,
+    /// Values of η at which slices do not agree with the rest.
+    trouble: Vec<f64>,
+}
+
+/// Chords shorter than this share of the window tell nothing if there are longer ones: curves are drawn by chords of their own.
+const SHORT: f64 = 2e-3;
+/// Along a chord of a face there are good solutions on none or all of it, give or take what the curves' chords leave.
+const PURE: f64 = 0.1;
+/// Values of η in a face at which the longest chord is looked for.
+const TRIALS: u32 = 15;
+/// A face's slice is good enough if its chord has this share of the longest one.
+const LONG_ENOUGH: f64 = 0.25;
+/// Slices of the whole window to begin with.
+const SLICES: u32 = 32;
+/// How often slices are added in faces that have none.
+const ROUNDS: usize = 6;
+
+/// Decides all regions of a diagram, and adds the curves that are found to be missing on the way.
+pub(crate) fn decide<O: ImpactOscillator>(
+    diagram: &Diagram<O>,
+    nets: &mut [Net<O>],
+    progress: &dyn Progress,
+) -> Vec<Region> {
     let window = diagram.scope.window;
-    let mut polygons: Vec<_> =
+    let what = "regions";
+    let grazing = |secondary: f64| -> Vec<[f64; 2]> {
+        let orbits = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary));
+        orbits.map(|orbit| [orbit.phase(), orbit.primary()]).collect()
+    };
+    progress.begin(what, nets.len() as u64);
+    let of_mps: Vec<Vec<Region>> = nets
+        .par_iter_mut()
+        .map(|net| {
+            let regions = stable_mps(net, window, &grazing, progress);
+            progress.step(what);
+            regions
+        })
+        .collect();
+    progress.end(what);
+    let mut regions: Vec<_> =
         diagram.grazing.iter().filter_map(|curve| non_impacting(curve, window)).collect();
-    polygons.extend(stable_mps(diagram));
-    polygons
+    regions.extend(of_mps.into_iter().flatten());
+    regions
+}
+
+fn stable_mps<O: ImpactOscillator>(
+    net: &mut Net<O>,
+    window: Window,
+    grazing: &(dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
+    progress: &dyn Progress,
+) -> Vec<Region> {
+    let mut survey = Survey::new(net, route(window, StepControl::DRAWING), grazing);
+    let [low, high] = window.secondary;
+    let all: Vec<f64> =
+        (0..=SLICES).map(|k| low + (high - low) * f64::from(k) / f64::from(SLICES)).collect();
+    survey.look_at(&all, progress);
+    let mut judge = Judge { window, sights: survey.sights() };
+    for _ in 0..ROUNDS {
+        let faces = faces::cut(window, &joined(window, survey.lines()));
+        let unseen: Vec<f64> = faces.iter().filter_map(|face| judge.unseen(face)).collect();
+        if unseen.is_empty() || progress.stopped() {
+            break;
+        }
+        survey.look_at(&unseen, progress);
+        judge.sights = survey.sights();
+    }
+    let lines = joined(window, survey.lines());
+    judge.regions(&lines, &net.curves)
+}
+
+/// What decides faces.
+struct Judge {
+    window: Window,
+    sights: Vec<Sight>,
+}
+
+impl Judge {
+    fn length(&self, [from, to]: [f64; 2]) -> f64 {
+        (to - from) / (self.window.primary[1] - self.window.primary[0])
+    }
+
+    fn longest(&self, face: &Face, secondary: f64) -> f64 {
+        chords(face, secondary).into_iter().map(|chord| self.length(chord)).fold(0.0, f64::max)
+    }
+
+    /// The η at which a slice is needed to judge a face, if none of those that there are will do.
+    fn unseen(&self, face: &Face) -> Option<f64> {
+        let [low, high] = extent(face);
+        let trial = |k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(TRIALS);
+        let trials = (0..TRIALS).map(|k| (trial(k), self.longest(face, trial(k))));
+        let (best, length) = trials.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let seen = self.sights.iter().any(|sight| {
+            low < sight.secondary
+                && sight.secondary < high
+                && self.longest(face, sight.secondary) >= LONG_ENOUGH * length
+        });
+        (!seen && length > 0.0).then_some(best)
+    }
+
+    fn judge(&self, face: Face) -> Judged {
+        let [low, high] = extent(&face);
+        let mut votes: Vec<(f64, f64, f64)> = Vec::new();
+        let (mut doubt, mut trouble) = (None, Vec::new());
+        for sight in self.sights.iter().filter(|sight| low <= sight.secondary && sight.secondary <= high) {
+            for chord in chords(&face, sight.secondary) {
+                let (length, share) = (self.length(chord), sight.share(chord));
+                votes.push((sight.secondary, length, share));
+                let within = |primary: f64| chord[0] < primary && primary < chord[1];
+                let told = sight.doubts.iter().find(|(primary, _)| within(*primary));
+                let mixed = PURE < share && share < 1.0 - PURE && length > SHORT;
+                if let Some((_, reason)) = told {
+                    doubt.get_or_insert(reason.clone());
+                    trouble.push(sight.secondary);
+                } else if mixed {
+                    let (secondary, primary) = (sight.secondary, chord);
+                    doubt.get_or_insert(Doubt::Disagreement { secondary, primary });
+                    trouble.push(sight.secondary);
+                }
+            }
+        }
+        let total: f64 = votes.iter().map(|(_, length, _)| length).sum();
+        let yes: f64 = votes.iter().filter(|(_, _, share)| *share >= 0.5).map(|(_, length, _)| length).sum();
+        let majority = yes > 0.5 * total;
+        let minority = if majority { total - yes } else { yes };
+        if minority > PURE * total {
+            let against = votes.iter().filter(|(_, _, share)| (*share >= 0.5) != majority);
+            trouble.extend(against.map(|(secondary, ..)| *secondary));
+            if let Some(&secondary) = trouble.first() {
+                doubt.get_or_insert(Doubt::Disagreement { secondary, primary: self.window.primary });
+            }
+        }
+        let verdict = match doubt {
+            _ if votes.is_empty() => Err(Doubt::Unseen),
+            Some(doubt) => Err(doubt),
+            None => Ok(majority),
+        };
+        Judged { face, verdict, trouble }
+    }
+
+    /// Horizontal lines that part the slices at which there is trouble from the others.
+    fn bands(&self, judged: &[Judged]) -> Vec<Vec<Point>> {
+        let levels: Vec<f64> = self.sights.iter().map(|sight| sight.secondary).collect();
+        let mut cuts: Vec<f64> = Vec::new();
+        for level in judged.iter().flat_map(|judged| &judged.trouble) {
+            let below = levels.iter().copied().filter(|other| other < level).fold(f64::NEG_INFINITY, f64::max);
+            let above = levels.iter().copied().filter(|other| other > level).fold(f64::INFINITY, f64::min);
+            cuts.extend([below, above].into_iter().filter(|other| other.is_finite()).map(|other| 0.5 * (other + level)));
+        }
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup();
+        let [left, right] = self.window.primary;
+        cuts.into_iter().map(|level| vec![[left, level], [right, level]]).collect()
+    }
+
+    /// The regions into which lines cut the window.
+    fn regions(&self, lines: &[Vec<Point>], curves: &[DiagramCurve]) -> Vec<Region> {
+        let judge = |lines: &[Vec<Point>]| -> Vec<Judged> {
+            faces::cut(self.window, lines).into_iter().map(|face| self.judge(face)).collect()
+        };
+        let mut judged = judge(lines);
+        let bands = self.bands(&judged);
+        if !bands.is_empty() {
+            judged = judge(&[lines, bands.as_slice()].concat());
+        }
+        let loops = curves.first().map_or(0, |curve| curve.loops);
+        let faces: Vec<&Face> = judged.iter().filter(|j| j.verdict == Ok(true)).map(|j| &j.face).collect();
+        let mut regions: Vec<(usize, Region)> = Vec::new();
+        for rings in faces::unite(&faces) {
+            let place = self.bordering(&rings, curves);
+            let n = place.map_or(0, |index| curves[index].n);
+            regions.push((place.unwrap_or(usize::MAX), Region { kind: RegionKind::Mps, loops, n, rings }));
+        }
+        regions.sort_by_key(|(place, _)| *place);
+        let mut regions: Vec<Region> = regions.into_iter().map(|(_, region)| region).collect();
+        for judged in judged {
+            if let Err(doubt) = judged.verdict {
+                regions.push(Region { kind: RegionKind::Undecided(doubt), loops, n: 0, rings: judged.face });
+            }
+        }
+        regions
+    }
+
+    /// The first saddle-node curve on the border of a region, or else the first curve.
+    fn bordering(&self, face: &Face, curves: &[DiagramCurve]) -> Option<usize> {
+        let on_border = |curve: &DiagramCurve| {
+            let points = curve.curve.parameters();
+            let inner = &points[1..points.len().max(2) - 1];
+            inner.iter().any(|point| face.iter().flatten().any(|vertex| gap(self.window, *vertex, *point) < MEET))
+        };
+        let first = |saddle_node: bool| {
+            curves.iter().position(|curve| (curve.kind == Kind::SaddleNode) == saddle_node && on_border(curve))
+        };
+        first(true).or_else(|| first(false))
+    }
+}
+
+/// Ends of curves closer than this share of the ranges meet there; they were located to about 10⁻¹⁰.
+const MEET: f64 = 1e-7;
+
+/// The distance of two points in shares of the ranges.
+fn gap(window: Window, a: Point, b: Point) -> f64 {
+    let share = |i: usize, [low, high]: [f64; 2]| ((a[i] - b[i]) / (high - low)).abs();
+    share(0, window.primary).max(share(1, window.secondary))
+}
+
+/// The lines with ends that meet made equal.
+fn joined(window: Window, mut lines: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
+    let mut ends: Vec<Point> = Vec::new();
+    for line in &mut lines {
+        let last = line.len().saturating_sub(1);
+        for index in [0, last] {
+            let Some(point) = line.get_mut(index) else { continue };
+            match ends.iter().find(|end| gap(window, **end, *point) < MEET) {
+                Some(end) => *point = *end,
+                None => ends.push(*point),
+            }
+        }
+    }
+    lines
 }
 
 /// Where the non-impacting solution is stable, beside a grazing curve that crosses the window; none where it does not, or loses
 /// its stability or another maximum touches the wall on the way.
-fn non_impacting<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Option<Polygon> {
+fn non_impacting<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Option<Region> {
     let crosses = curve.ends == [GrazingEnd::LeftWindow; 2];
     if !crosses || curve.states.iter().any(|state| !(state.stable && state.admissible)) {
         return None;
     }
-    let mut vertices: Vec<[f64; 2]> = curve.parameters().collect();
-    // For beta > 0 the solution keeps off the wall at smaller μ: to the left of a walk towards greater η.
+    let line: Vec<Point> = curve.parameters().collect();
+    let middle = line[line.len() / 2];
     let beta = curve.states[0].orbit.grazing_point().map.transversality();
-    let [start, end] = [vertices[0], vertices[vertices.len() - 1]];
-    vertices.append(&mut Edge { window }.corners([end, start], beta < 0.0));
-    Some(Polygon { kind: "non-impacting", loops: 0, n: 0, vertices })
-}
-
-/// Where a p-loop MPS is stable and admissible: one polygon for each chain of curves that closes.
-fn stable_mps<O: ImpactOscillator>(diagram: &Diagram<O>) -> Vec<Polygon> {
-    let mut used = vec![false; diagram.curves.len()];
-    let mut polygons = Vec::new();
-    for (index, curve) in diagram.curves.iter().enumerate() {
-        if curve.kind != Kind::SaddleNode || used[index] {
-            continue;
-        }
-        let edge = Edge { window: diagram.scope.window };
-        let greater = exists_at_greater_primary(diagram, curve);
-        let mut chain = Chain { curves: &diagram.curves, edge, taken: vec![index], vertices: Vec::new() };
-        if chain.close(index, greater) {
-            for index in chain.taken {
-                used[index] = true;
-            }
-            polygons.push(Polygon { kind: "mps", loops: curve.loops, n: curve.n, vertices: chain.vertices });
-        }
-    }
-    polygons
-}
-
-/// Beside the saddle-node curve MPSs exist on the side of greater μ: on the branch μ = k₂ y² + k₃ η y it is a minimum.
-fn exists_at_greater_primary<O: ImpactOscillator>(diagram: &Diagram<O>, curve: &DiagramCurve) -> bool {
-    let own =
-        diagram.unfolding().find(|(resonance, _)| resonance.loops == curve.loops && resonance.n == curve.n);
-    own.is_none_or(|(_, point)| point.theorem().branch().k_2 > 0.0)
-}
-
-/// A chain of curves that is being followed.
-struct Chain<'a> {
-    curves: &'a [DiagramCurve],
-    edge: Edge,
-    taken: Vec<usize>,
-    vertices: Vec<[f64; 2]>,
-}
-
-/// Ends of curves closer than this meet there; they were located to about 10⁻¹⁰.
-const MEET: f64 = 1e-7;
-
-impl Chain<'_> {
-    /// Walks from the far end of an SN curve back to its resonance and on, until the chain closes; false if it does not.
-    ///
-    /// `greater` says whether the MPS exists on the side of greater μ of the curve.
-    fn close(&mut self, first: usize, greater: bool) -> bool {
-        let mut points = self.curves[first].curve.parameters();
-        points.reverse();
-        let start = points[0];
-        // Where the walk comes to the resonance, along the grazing curve, the side of greater μ lies to its right if η grows.
-        let clockwise = match points.as_slice() {
-            [.., before, resonance] => (resonance[1] > before[1]) == greater,
-            _ => return false,
-        };
-        self.vertices = points;
-        self.extend(start, clockwise)
-    }
-
-    /// Goes on from the last vertex to `start`, along curves that meet there or along the edge to the next curve that leads on.
-    fn extend(&mut self, start: [f64; 2], clockwise: bool) -> bool {
-        let here = self.vertices[self.vertices.len() - 1];
-        if distance(here, start) < MEET {
-            return true;
-        }
-        let ways = match self.curve_at(here) {
-            Some((index, points)) => vec![(Some(index), points)],
-            None if self.edge.meets(here) => self.along_edge(here, start, clockwise),
-            None => Vec::new(),
-        };
-        ways.into_iter().any(|(index, mut points)| {
-            let length = self.vertices.len();
-            self.vertices.append(&mut points);
-            self.taken.extend(index);
-            let closed = self.extend(start, clockwise);
-            if !closed {
-                self.vertices.truncate(length);
-                self.taken.truncate(self.taken.len() - usize::from(index.is_some()));
-            }
-            closed
-        })
-    }
-
-    /// A curve of the same MPS that has an end here and is not taken yet, with its points from this end on.
-    fn curve_at(&self, here: [f64; 2]) -> Option<(usize, Vec<[f64; 2]>)> {
-        self.untaken().find_map(|(index, curve)| {
-            let mut points = curve.curve.parameters();
-            if distance(points[points.len() - 1], here) < MEET {
-                points.reverse();
-            }
-            (distance(points[0], here) < MEET).then_some((index, points))
-        })
-    }
-
-    fn untaken(&self) -> impl Iterator<Item = (usize, &DiagramCurve)> {
-        let loops = self.curves[self.taken[0]].loops;
-        let curves = self.curves.iter().enumerate();
-        curves.filter(move |(index, curve)| curve.loops == loops && !self.taken.contains(index))
-    }
-
-    /// Ways along the edge to other ends on it, the nearest first: the corners passed, and that end.
-    fn along_edge(
-        &self,
-        here: [f64; 2],
-        start: [f64; 2],
-        clockwise: bool,
-    ) -> Vec<(Option<usize>, Vec<[f64; 2]>)> {
-        let leaves = |curve: &DiagramCurve| matches!(curve.curve.end, CurveEnd::LeftWindow);
-        let mut targets: Vec<[f64; 2]> = self
-            .untaken()
-            .filter(|(_, curve)| leaves(curve))
-            .filter_map(|(_, curve)| curve.curve.parameters().last().copied())
-            .collect();
-        if leaves(&self.curves[self.taken[0]]) {
-            targets.push(start);
-        }
-        let ahead = |point: &[f64; 2]| self.edge.way([here, *point], clockwise);
-        targets.sort_by(|a, b| ahead(a).total_cmp(&ahead(b)));
-        let path = |target: [f64; 2]| {
-            let mut path = self.edge.corners([here, target], clockwise);
-            path.push(target);
-            (None, path)
-        };
-        targets.into_iter().map(path).collect()
-    }
-}
-
-/// The edge of the window.
-#[derive(Clone, Copy)]
-struct Edge {
-    window: Window,
-}
-
-impl Edge {
-    fn meets(&self, [primary, secondary]: [f64; 2]) -> bool {
-        let near =
-            |[low, high]: [f64; 2], value: f64| (value - low).abs() < MEET || (value - high).abs() < MEET;
-        near(self.window.primary, primary) || near(self.window.secondary, secondary)
-    }
-
-    /// The corners on the way from one point of the edge to another.
-    fn corners(&self, [from, to]: [[f64; 2]; 2], clockwise: bool) -> Vec<[f64; 2]> {
-        let ([left, right], [low, high]) = (self.window.primary, self.window.secondary);
-        let ahead = |point: &[f64; 2]| self.way([from, *point], clockwise);
-        let mut corners = vec![[left, high], [right, high], [right, low], [left, low]];
-        corners.sort_by(|a, b| ahead(a).total_cmp(&ahead(b)));
-        corners.retain(|corner| ahead(corner) < ahead(&to));
-        corners
-    }
-
-    /// The way along the edge from one point to another, one unit a side.
-    fn way(&self, [from, to]: [[f64; 2]; 2], clockwise: bool) -> f64 {
-        let gap = self.perimeter(to) - self.perimeter(from);
-        let gap = if clockwise { gap } else { -gap };
-        gap - 4.0 * libm::floor(gap / 4.0)
-    }
-
-    /// Position along the edge, clockwise from the lower left corner, one unit a side.
-    fn perimeter(&self, [primary, secondary]: [f64; 2]) -> f64 {
-        let share = |[low, high]: [f64; 2], value: f64| (value - low) / (high - low);
-        let across = share(self.window.primary, primary);
-        let up = share(self.window.secondary, secondary);
-        let distances = [across, 1.0 - up, 1.0 - across, up];
-        let side = (0..4).min_by(|i, j| distances[*i].abs().total_cmp(&distances[*j].abs())).unwrap_or(0);
-        match side {
-            0 => up,
-            1 => 1.0 + across,
-            2 => 2.0 + (1.0 - up),
-            _ => 3.0 + (1.0 - across),
-        }
-    }
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).abs().max((a[1] - b[1]).abs())
+    // For beta > 0 the solution keeps off the wall at smaller μ.
+    let beside = |face: &Face| {
+        chords(face, middle[1]).iter().any(|[from, to]| if beta > 0.0 { *to == middle[0] } else { *from == middle[0] })
+    };
+    let rings = faces::cut(window, &[line]).into_iter().find(|face| beside(face))?;
+    Some(Region { kind: RegionKind::NonImpacting, loops: 0, n: 0, rings })
 }

@@ -12,26 +12,26 @@ use nalgebra::{Matrix2, Vector2};
 
 /// One of the at most two p-loop MPSs.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Orbit {
-    pub(crate) velocity: f64,
-    pub(crate) phase: f64,
-    pub(crate) trace: f64,
-    pub(crate) determinant: f64,
-    pub(crate) ceiling: f64,
+pub struct Orbit {
+    pub velocity: f64,
+    pub phase: f64,
+    pub trace: f64,
+    pub determinant: f64,
+    pub ceiling: f64,
 }
 
 impl Orbit {
-    pub(crate) fn stable(&self) -> bool {
+    pub fn stable(&self) -> bool {
         self.trace.abs() - 1.0 < self.determinant
     }
 
-    pub(crate) fn admissible(&self) -> bool {
+    pub fn admissible(&self) -> bool {
         self.velocity > 0.0 && self.ceiling <= 0.0
     }
 }
 
 /// The MPSs with p = `loops` at the amplitude and frequency, virtual ones (y < 0) included.
-pub(crate) fn orbits(zeta: f64, epsilon: f64, amplitude: f64, omega: f64, loops: u32) -> Vec<Orbit> {
+pub fn orbits(zeta: f64, epsilon: f64, amplitude: f64, omega: f64, loops: u32) -> Vec<Orbit> {
     let time = TAU * f64::from(loops) / omega;
     let omega_1 = (1.0 - zeta * zeta).sqrt();
     let decay = libm::exp(-zeta * time);

@@ -1,0 +1,102 @@
+//! Shaded regions of the linear oscillator against its MPSs in closed form.
+
+use grazing_continuation::curve::Window;
+use grazing_model::LinearOscillator;
+use grazing_unfold::progress::Silent;
+use grazing_unfold::regions::{Region, RegionKind};
+use grazing_unfold::{Diagram, Scope};
+
+use crate::closed_form::orbits;
+use crate::random::Random;
+
+/// What became of the random points of one oscillator.
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    /// Points with a stable, admissible MPS of some p that is shaded.
+    pub shaded: usize,
+    /// (p, amplitude, frequency) with a stable, admissible MPS where nothing is shaded or hatched.
+    pub missed: Vec<(u32, [f64; 2])>,
+    /// (p, amplitude, frequency) without one where it is shaded.
+    pub false_shading: Vec<(u32, [f64; 2])>,
+    /// The share of the points that is hatched, for any p.
+    pub hatched: f64,
+    /// Why regions are hatched.
+    pub doubts: Vec<String>,
+}
+
+/// The distance from a border within which a point tells nothing.
+const BORDER: f64 = 0.002;
+
+/// The distance of a point from the border of a region.
+fn distance(region: &Region, [x, y]: [f64; 2]) -> f64 {
+    let mut least = f64::INFINITY;
+    for ring in &region.rings {
+        for (k, a) in ring.iter().enumerate() {
+            let b = ring[(k + 1) % ring.len()];
+            let [u, v] = [b[0] - a[0], b[1] - a[1]];
+            let along = (((x - a[0]) * u + (y - a[1]) * v) / (u * u + v * v)).clamp(0.0, 1.0);
+            let along = if along.is_nan() { 0.0 } else { along };
+            least = least.min(libm::hypot(a[0] + along * u - x, a[1] + along * v - y));
+        }
+    }
+    least
+}
+
+/// Whether a stable, admissible MPS is there all around a point, or nowhere around it; `None` close to a border.
+fn exact(zeta: f64, epsilon: f64, [amplitude, omega]: [f64; 2], loops: u32) -> Option<bool> {
+    let at = |a: f64, w: f64| {
+        orbits(zeta, epsilon, a, w, loops).iter().any(|orbit| orbit.stable() && orbit.admissible())
+    };
+    let here = at(amplitude, omega);
+    let around = (0..16).all(|k| {
+        let angle = f64::from(k) * core::f64::consts::TAU / 16.0;
+        at(amplitude + BORDER * libm::cos(angle), omega + BORDER * libm::sin(angle)) == here
+    });
+    around.then_some(here)
+}
+
+/// Compares the regions of one oscillator with the closed form at random points.
+pub fn compare(zeta: f64, epsilon: f64, window: Window, loops: &[u32], points: usize, random: &mut Random) -> Outcome {
+    let scope = Scope { window, loops: loops.to_vec(), start: None };
+    let oscillator = LinearOscillator::new(zeta, epsilon, window.primary[0], window.secondary[0])
+        .unwrap_or_else(|error| panic!("zeta {zeta}, epsilon {epsilon}: {error}"));
+    let mut outcome = Outcome::default();
+    let diagram = match Diagram::compute(&oscillator, &scope, &Silent) {
+        Ok(diagram) => diagram,
+        Err(error) => {
+            outcome.doubts.push(error.to_string());
+            return outcome;
+        }
+    };
+    for region in &diagram.regions {
+        if let RegionKind::Undecided(doubt) = &region.kind {
+            outcome.doubts.push(format!("p = {}: {doubt}", region.loops));
+        }
+    }
+    let mut hatched = 0;
+    for _ in 0..points {
+        let [primary, secondary] = [window.primary, window.secondary];
+        let point = [random.uniform(primary[0], primary[1]), random.uniform(secondary[0], secondary[1])];
+        let mut doubtful = false;
+        for &p in loops {
+            let of_p: Vec<_> = diagram.regions.iter().filter(|region| region.loops == p).collect();
+            let inside: Vec<_> = of_p.iter().filter(|region| region.contains(point)).collect();
+            if inside.iter().any(|region| matches!(region.kind, RegionKind::Undecided(_))) {
+                doubtful = true;
+                continue;
+            }
+            let shaded = !inside.is_empty();
+            let Some(stable) = exact(zeta, epsilon, point, p) else { continue };
+            match (shaded, stable) {
+                (true, true) => outcome.shaded += 1,
+                (false, false) => {}
+                _ if of_p.iter().any(|region| distance(region, point) < BORDER) => {}
+                (true, false) => outcome.false_shading.push((p, point)),
+                (false, true) => outcome.missed.push((p, point)),
+            }
+        }
+        hatched += usize::from(doubtful);
+    }
+    outcome.hatched = hatched as f64 / points as f64;
+    outcome
+}

@@ -1,0 +1,162 @@
+//! The bifurcation curves of the p-loop MPSs of one p, and the codimension-two points at which they meet.
+
+use grazing_continuation::curve::{Curve, CurveEnd, Event, Route};
+use grazing_continuation::cusp::cusps;
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::{LoopEquations, Unknowns};
+use grazing_continuation::resonance::same_point;
+use grazing_model::ImpactOscillator;
+
+/// Kinds of bifurcation curves, by the names the figures use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Saddle-node bifurcations of MPSs.
+    SaddleNode,
+    /// Period-doubling bifurcations of MPSs.
+    PeriodDoubling,
+    /// Grazing bifurcations of MPSs: an interior maximum touches the wall.
+    Grazing,
+}
+
+impl Kind {
+    /// SN, PD or GZ.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::SaddleNode => "SN",
+            Self::PeriodDoubling => "PD",
+            Self::Grazing => "GZ",
+        }
+    }
+
+    /// The kind of a condition that a curve or an event can have.
+    pub fn of(condition: Condition) -> Option<Self> {
+        match condition {
+            Condition::Multiplier(multiplier) if multiplier > 0.0 => Some(Self::SaddleNode),
+            Condition::Multiplier(_) => Some(Self::PeriodDoubling),
+            Condition::InteriorGrazing => Some(Self::Grazing),
+            _ => None,
+        }
+    }
+}
+
+/// A bifurcation curve of the diagram.
+#[derive(Clone, Debug)]
+pub struct DiagramCurve {
+    /// What happens along it.
+    pub kind: Kind,
+    /// Number of loops p.
+    pub loops: u32,
+    /// The integer n of the resonance from which the curve, or the point at which it starts, was reached; 0 if from none.
+    pub n: u32,
+    /// The curve.
+    pub curve: Curve,
+}
+
+impl DiagramCurve {
+    /// Whether it is another one, perhaps followed from its other end.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let ([first, last], [start, end]) = (self.ends(), other.ends());
+        let same = |a, b| same_point(&first, a) && same_point(&last, b);
+        self.kind == other.kind && self.loops == other.loops && (same(&start, &end) || same(&end, &start))
+    }
+
+    /// First and last point.
+    pub(crate) fn ends(&self) -> [Unknowns; 2] {
+        let points = &self.curve.points;
+        [points[0].solution.unknowns, points[points.len() - 1].solution.unknowns]
+    }
+}
+
+/// A codimension-two point other than a resonance.
+#[derive(Clone, Debug)]
+pub struct Corner {
+    /// The two bifurcations that meet there: SN-GZ, PD-GZ or GZ-GZ; `cusp` where an SN curve turns back.
+    pub kind: &'static str,
+    /// Number of loops p.
+    pub loops: u32,
+    /// The integer n of the resonance from which it was reached; 0 if from none.
+    pub n: u32,
+    /// The event on the curve on which it was reached: its end, but for cusps.
+    pub event: Event,
+}
+
+impl Corner {
+    /// (y, z, μ, η).
+    pub fn unknowns(&self) -> Unknowns {
+        self.event.solution.unknowns
+    }
+}
+
+/// The curves of one p, as far as they are known.
+#[derive(Clone, Debug)]
+pub(crate) struct Net<O> {
+    pub(crate) equations: LoopEquations<O>,
+    pub(crate) curves: Vec<DiagramCurve>,
+    pub(crate) corners: Vec<Corner>,
+    /// How many of the codimension-two points have been looked at for further curves.
+    grown: usize,
+}
+
+/// The kind of a point at which a saddle-node curve turns back.
+const CUSP: &str = "cusp";
+
+impl<O: ImpactOscillator> Net<O> {
+    pub(crate) fn new(equations: LoopEquations<O>) -> Self {
+        Self { equations, curves: Vec::new(), corners: Vec::new(), grown: 0 }
+    }
+
+    pub(crate) fn loops(&self) -> u32 {
+        self.equations.loops()
+    }
+
+    /// Adds a curve unless it is one of those that are there, followed from its other end.
+    pub(crate) fn add(&mut self, new: DiagramCurve) {
+        if self.curves.iter().any(|old| old.is_same(&new)) {
+            return;
+        }
+        for end in [new.curve.beginning.as_ref(), Some(&new.curve.end)] {
+            if let Some(CurveEnd::Event(event)) = end {
+                self.meet(&new, event);
+            }
+        }
+        if new.kind == Kind::SaddleNode {
+            for event in cusps(&self.equations, &new.curve) {
+                self.corners.push(Corner { kind: CUSP, loops: new.loops, n: new.n, event });
+            }
+        }
+        self.curves.push(new);
+    }
+
+    /// Adds the codimension-two point at an end of a curve, unless it is known.
+    fn meet(&mut self, curve: &DiagramCurve, event: &Event) {
+        let kind = match [Some(curve.kind), Kind::of(event.condition)] {
+            [Some(Kind::SaddleNode), Some(Kind::Grazing)] | [Some(Kind::Grazing), Some(Kind::SaddleNode)] => {
+                "SN-GZ"
+            }
+            [Some(Kind::PeriodDoubling), Some(Kind::Grazing)]
+            | [Some(Kind::Grazing), Some(Kind::PeriodDoubling)] => "PD-GZ",
+            _ => "GZ-GZ",
+        };
+        let unknowns = event.solution.unknowns;
+        if !self.corners.iter().any(|corner| same_point(&corner.unknowns(), &unknowns)) {
+            self.corners.push(Corner { kind, loops: curve.loops, n: curve.n, event: event.clone() });
+        }
+    }
+
+    /// Follows what is missing of the two curves that meet at each codimension-two point, and so on from where that ends.
+    pub(crate) fn grow(&mut self, route: &Route) {
+        while let Some(Corner { kind: meeting, loops, n, event }) = self.corners.get(self.grown).cloned() {
+            self.grown += 1;
+            let Some(kind) = Kind::of(event.condition).filter(|_| meeting != CUSP) else { continue };
+            let corner = event.solution.unknowns;
+            let there = self.curves.iter().filter(|curve| {
+                curve.kind == kind && curve.ends().iter().any(|end| same_point(end, &corner))
+            });
+            let known = there.count() >= if meeting == "GZ-GZ" { 2 } else { 1 };
+            // A curve that bounds no region of stable solutions there is not part of the diagram.
+            if !known && let Ok(curve) = self.equations.branch_off(&event, route) {
+                self.add(DiagramCurve { kind, loops, n, curve });
+            }
+        }
+    }
+}

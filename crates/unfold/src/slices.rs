@@ -1,0 +1,219 @@
+//! Slices of the parameter plane: all branches of p-loop MPSs at one value of η.
+//!
+//! A branch begins on the grazing curve, where y = 0, on the edge of the window, or is closed. Those from the grazing curve are
+//! followed from there. The others have neighbours in the slices beside: (y, η) are coordinates of the surface of MPSs, so that
+//! an MPS is carried from slice to slice with its y held.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{Curve, CurveEnd, Event, MpsCurve, Route, Window};
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{
+    Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns, unknown,
+};
+use grazing_model::ImpactOscillator;
+
+/// The branches at one η.
+#[derive(Clone, Debug)]
+pub(crate) struct Slice {
+    pub(crate) secondary: f64,
+    pub(crate) branches: Vec<Curve>,
+}
+
+/// A piece of a branch on which stability and admissibility do not change.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stretch {
+    /// The primary parameter at its ends.
+    pub(crate) primary: [f64; 2],
+    /// The MPSs are stable and admissible.
+    pub(crate) good: bool,
+}
+
+/// Where MPSs begin or cease to be stable or admissible.
+#[derive(Clone, Debug)]
+pub(crate) struct Border<'a> {
+    pub(crate) primary: f64,
+    /// The bifurcation; none was located where it is missing.
+    pub(crate) event: Option<&'a Event>,
+}
+
+/// Steps along branches, which need not be drawn (empirical: neighbouring folds and grazings of the oscillators that were tried lie
+/// much farther apart).
+const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.07 };
+/// A branch of this many points has lost its way.
+const STEP_LIMIT: usize = 5_000;
+/// Branches from the grazing curve begin at this impact velocity, beside the singular point (empirical; what lies between is narrower
+/// than y² in μ).
+const BESIDE_GRAZING: f64 = 1e-4;
+/// An MPS this close to the chord between two points of a branch lies on it: chords leave a branch by an eighth of a step times the
+/// angle by which it turns.
+const ON_BRANCH: f64 = 3e-3;
+/// MPSs of a branch that are carried to a neighbouring slice.
+const CARRIED: usize = 8;
+
+/// What finds slices.
+pub(crate) struct Slicer<'a, O> {
+    pub(crate) equations: LoopEquations<O>,
+    pub(crate) window: Window,
+    /// The points (z, μ) of the grazing curve at some η.
+    pub(crate) grazing: &'a (dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
+}
+
+impl<O: ImpactOscillator> Slicer<'_, O> {
+    pub(crate) fn new<'a>(
+        equations: &LoopEquations<O>,
+        window: Window,
+        grazing: &'a (dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
+    ) -> Slicer<'a, O> {
+        Slicer { equations: equations.with_formulation(Formulation::FixedPhase), window, grazing }
+    }
+
+    /// The branches at some η that begin on the grazing curve.
+    pub(crate) fn from_grazing(&self, secondary: f64) -> Slice {
+        let mut slice = Slice { secondary, branches: Vec::new() };
+        for [phase, primary] in (self.grazing)(secondary) {
+            let near = Unknowns::new(BESIDE_GRAZING, phase, primary, secondary);
+            if let Some(start) = self.at(near, &mut Memory::default()) {
+                self.add(&mut slice, start, &Memory::default(), false);
+            }
+        }
+        slice
+    }
+
+    /// Adds the branches of a slice that a neighbouring slice leads to, and says whether there are any.
+    pub(crate) fn carry(&self, from: &Slice, to: &mut Slice) -> bool {
+        let before = to.branches.len();
+        for branch in &from.branches {
+            let every = (branch.points.len() / CARRIED).max(1);
+            for point in branch.points.iter().skip(every / 2).step_by(every) {
+                let mut near = point.solution.unknowns;
+                near[unknown::SECONDARY] = to.secondary;
+                let mut memory = point.memory.clone();
+                if let Some(start) = self.at(near, &mut memory) {
+                    self.add(to, start, &memory, true);
+                }
+            }
+        }
+        to.branches.len() > before
+    }
+
+    /// The MPS with the impact velocity and the η of `near`, if it lies in the window and nearby.
+    fn at(&self, near: Unknowns, memory: &mut Memory) -> Option<Unknowns> {
+        let [velocity, _, _, secondary] = near.into();
+        let conditions = [Condition::Secondary(secondary), Condition::ImpactVelocity(velocity)];
+        let found = locate(&self.equations, conditions, near, memory).ok()?;
+        self.window.contains(&found).then_some(found)
+    }
+
+    /// Follows the branch through an MPS, to greater velocities or to both sides, unless it is known.
+    fn add(&self, slice: &mut Slice, through: Unknowns, memory: &Memory, both: bool) {
+        if slice.branches.iter().any(|branch| self.passes(branch, &through)) {
+            return;
+        }
+        let secondary = slice.secondary;
+        // No branch leaves its own η.
+        let window = Window { secondary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
+        let route =
+            Route { window, control: STEPS, step_limit: STEP_LIMIT, stop_at_events: false, through_grazing: false };
+        let curve = MpsCurve { equations: self.equations.clone(), condition: Condition::Secondary(secondary) };
+        let upwards = Unknowns::new(1.0, 0.0, 0.0, 0.0);
+        let followed = if both {
+            curve.follow_both_ways(through, upwards, memory, &route)
+        } else {
+            curve.follow(through, upwards, memory.clone(), &route)
+        };
+        if let Ok(curve) = followed {
+            slice.branches.push(curve);
+        }
+    }
+
+    /// Whether an MPS lies on a branch.
+    fn passes(&self, branch: &Curve, at: &Unknowns) -> bool {
+        let [low, high] = self.window.primary;
+        let gap = |point: &Unknowns| {
+            let mut gap = point - at;
+            gap[unknown::PHASE] = libm::remainder(gap[unknown::PHASE], TAU);
+            gap[unknown::PRIMARY] /= high - low;
+            gap
+        };
+        branch.points.windows(2).any(|pair| {
+            let [a, b] = [gap(&pair[0].solution.unknowns), gap(&pair[1].solution.unknowns)];
+            let along = (-a.dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
+            (a + (b - a) * along).norm() < ON_BRANCH
+        })
+    }
+}
+
+/// A point of a branch: one of the curve's, or an event.
+struct Vertex<'a> {
+    solution: &'a MaximalPeriodicSolution,
+    event: Option<&'a Event>,
+}
+
+fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
+    let mut vertices = Vec::with_capacity(branch.points.len() + branch.events.len());
+    let mut events = branch.events.iter().peekable();
+    for (index, point) in branch.points.iter().enumerate() {
+        while let Some(event) = events.next_if(|event| event.index <= index) {
+            vertices.push(Vertex { solution: &event.solution, event: Some(event) });
+        }
+        vertices.push(Vertex { solution: &point.solution, event: None });
+    }
+    vertices.extend(events.map(|event| Vertex { solution: &event.solution, event: Some(event) }));
+    vertices
+}
+
+/// A stable MPS of the hybrid system.
+fn good(solution: &MaximalPeriodicSolution) -> bool {
+    solution.stable() && solution.admissible()
+}
+
+/// The stretches of a branch and what lies between them, if MPSs are stable and admissible on one of both.
+pub(crate) fn stretches<'a, O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    branch: &'a Curve,
+) -> (Vec<Stretch>, Vec<Border<'a>>) {
+    let vertices = vertices(branch);
+    let status = |pair: &[Vertex<'_>]| {
+        let [a, b] = [&pair[0], &pair[1]];
+        match [a.event, b.event] {
+            [None, _] => good(a.solution),
+            [_, None] => good(b.solution),
+            // Two events in a row: what lies between is looked at.
+            _ => between(equations, a.solution, b.solution).is_some_and(|solution| good(&solution)),
+        }
+    };
+    let primary = |vertex: &Vertex<'_>| vertex.solution.parameters()[0];
+    let stretches: Vec<Stretch> = vertices
+        .windows(2)
+        .map(|pair| Stretch { primary: [primary(&pair[0]), primary(&pair[1])], good: status(pair) })
+        .collect();
+    let borders = stretches.windows(2).zip(&vertices[1..]).filter(|(pair, _)| pair[0].good != pair[1].good);
+    let borders = borders.map(|(_, vertex)| Border { primary: primary(vertex), event: vertex.event }).collect();
+    (stretches, borders)
+}
+
+/// The MPS with the mean impact velocity of two neighbours on a branch.
+fn between<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    a: &MaximalPeriodicSolution,
+    b: &MaximalPeriodicSolution,
+) -> Option<MaximalPeriodicSolution> {
+    let middle = (a.unknowns + b.unknowns) * 0.5;
+    let [velocity, _, _, secondary] = middle.into();
+    let conditions = [Condition::Secondary(secondary), Condition::ImpactVelocity(velocity)];
+    let equations = equations.with_formulation(Formulation::FixedPhase);
+    let found = locate(&equations, conditions, middle, &mut Memory::default()).ok()?;
+    Some(equations.solution(&found).0)
+}
+
+/// The primary parameter at which a branch could not be followed to its end, if that is so.
+pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, &CurveEnd)> {
+    let ends = [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];
+    ends.into_iter().filter_map(|(point, end)| {
+        let (point, end) = (point?, end?);
+        let whole = matches!(end, CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed);
+        (!whole).then(|| (point.solution.parameters()[0], end))
+    })
+}

@@ -1,0 +1,162 @@
+//! Whether the curves of one p are all there: slices of the plane in which every bifurcation must lie on a known curve.
+//!
+//! One that does not starts a new curve, until none is left unexplained.
+
+use grazing_continuation::curve::{Event, MpsCurve, Route};
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{Formulation, Unknowns, unknown};
+use grazing_model::ImpactOscillator;
+use rayon::prelude::*;
+
+use crate::curves::{DiagramCurve, Kind, Net};
+use crate::faces::Point;
+use crate::progress::Progress;
+use crate::regions::{Doubt, Sight};
+use crate::slices::{Slice, Slicer, broken_at, stretches};
+
+/// The slices through the surface of p-loop MPSs, in the order of η.
+pub(crate) struct Survey<'a, O> {
+    net: &'a mut Net<O>,
+    slicer: Slicer<'a, O>,
+    route: Route,
+    slices: Vec<Surveyed>,
+}
+
+/// A slice and how far it has been worked on.
+struct Surveyed {
+    slice: Slice,
+    /// Its branches have been carried to both neighbours.
+    carried: bool,
+    /// The number of its branches whose bifurcations are explained.
+    explained: usize,
+}
+
+/// Bifurcations closer than this, in (y, z) and shares of the range of μ, are one: both were located to some 10⁻¹⁰.
+const SAME: f64 = 1e-6;
+/// A bifurcation this far from a chord between two points of a curve may be one of the curve.
+const NEAR: f64 = 0.05;
+
+impl<'a, O: ImpactOscillator> Survey<'a, O> {
+    pub(crate) fn new(
+        net: &'a mut Net<O>,
+        route: Route,
+        grazing: &'a (dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
+    ) -> Self {
+        let slicer = Slicer::new(&net.equations, route.window, grazing);
+        Self { net, slicer, route, slices: Vec::new() }
+    }
+
+    /// The curves as polylines.
+    pub(crate) fn lines(&self) -> Vec<Vec<Point>> {
+        self.net.curves.iter().map(|curve| curve.curve.parameters()).collect()
+    }
+
+    /// Adds slices at more values of η, and all curves that these show to be missing.
+    pub(crate) fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
+        let found: Vec<Slice> = levels.par_iter().map(|level| self.slicer.from_grazing(*level)).collect();
+        self.slices.extend(found.into_iter().map(|slice| Surveyed { slice, carried: false, explained: 0 }));
+        self.slices.sort_by(|a, b| a.slice.secondary.total_cmp(&b.slice.secondary));
+        self.carry(progress);
+        self.explain(progress);
+    }
+
+    /// Carries branches from slice to slice until no slice has one that its neighbours do not know.
+    fn carry(&mut self, progress: &dyn Progress) {
+        while self.slices.iter().any(|surveyed| !surveyed.carried) && !progress.stopped() {
+            let fresh: Vec<bool> = self.slices.iter_mut().map(|s| !core::mem::replace(&mut s.carried, true)).collect();
+            let pairs = |k: usize| fresh[k] || fresh[k + 1];
+            let upwards = (0..self.slices.len().saturating_sub(1)).filter(|k| pairs(*k)).map(|k| [k, k + 1]);
+            let both: Vec<[usize; 2]> = upwards.clone().chain(upwards.rev().map(|[low, high]| [high, low])).collect();
+            for [from, to] in both {
+                let Ok([source, target]) = self.slices.get_disjoint_mut([from, to]) else { continue };
+                if self.slicer.carry(&source.slice, &mut target.slice) {
+                    target.carried = false;
+                }
+            }
+        }
+    }
+
+    /// Starts a curve at every bifurcation that lies on none.
+    fn explain(&mut self, progress: &dyn Progress) {
+        for index in 0..self.slices.len() {
+            let surveyed = &mut self.slices[index];
+            let from = core::mem::replace(&mut surveyed.explained, surveyed.slice.branches.len());
+            let branches = &self.slices[index].slice.branches[from..];
+            for branch in branches {
+                let (_, borders) = stretches(&self.net.equations, branch);
+                for event in borders.iter().filter_map(|border| border.event) {
+                    if !progress.stopped() && !explained(self.net, event, self.route.window.primary) {
+                        start(self.net, event, &self.route);
+                    }
+                }
+            }
+        }
+    }
+
+    /// What every slice shows.
+    pub(crate) fn sights(&self) -> Vec<Sight> {
+        let sight = |Surveyed { slice, .. }: &Surveyed| {
+            let mut sight = Sight::new(slice.secondary);
+            for branch in &slice.branches {
+                let (stretches, borders) = stretches(&self.net.equations, branch);
+                for stretch in stretches.iter().filter(|stretch| stretch.good) {
+                    sight.see(stretch.primary);
+                }
+                for border in borders.iter().filter(|border| border.event.is_none()) {
+                    sight.doubt(border.primary, Doubt::UnnamedChange);
+                }
+                for (primary, end) in broken_at(branch) {
+                    sight.doubt(primary, Doubt::Broken(format!("{end:?}")));
+                }
+            }
+            sight
+        };
+        self.slices.iter().map(sight).collect()
+    }
+}
+
+/// Whether a bifurcation on a slice lies on a known curve.
+fn explained<O: ImpactOscillator>(net: &Net<O>, event: &Event, [left, right]: [f64; 2]) -> bool {
+    let Some(kind) = Kind::of(event.condition) else { return true };
+    let here = event.solution.unknowns;
+    let secondary = here[unknown::SECONDARY];
+    let distance = |point: &Unknowns| {
+        let mut gap = point - here;
+        gap[unknown::PHASE] = libm::remainder(gap[unknown::PHASE], core::f64::consts::TAU);
+        gap[unknown::PRIMARY] /= right - left;
+        gap[unknown::SECONDARY] = 0.0;
+        gap.norm()
+    };
+    let equations = net.equations.with_formulation(Formulation::FixedPhase);
+    net.curves.iter().filter(|curve| curve.kind == kind).any(|curve| {
+        curve.curve.points.windows(2).any(|pair| {
+            let [a, b] = [pair[0].solution.unknowns, pair[1].solution.unknowns];
+            let [from, to] = [a[unknown::SECONDARY] - secondary, b[unknown::SECONDARY] - secondary];
+            if from * to > 0.0 {
+                return false;
+            }
+            let way = if from == to { 0.0 } else { from / (from - to) };
+            let mut near = a + (b - a) * way;
+            near[unknown::SECONDARY] = secondary;
+            if distance(&near) > NEAR {
+                return false;
+            }
+            let mut memory = pair[0].memory.clone();
+            let found = locate(&equations, [event.condition, Condition::Secondary(secondary)], near, &mut memory);
+            found.is_ok_and(|found| distance(&found) < SAME) || distance(&near) < SAME
+        })
+    })
+}
+
+/// Follows the curve through a bifurcation that lies on none that is known.
+fn start<O: ImpactOscillator>(net: &mut Net<O>, event: &Event, route: &Route) {
+    let Some(kind) = Kind::of(event.condition) else { return };
+    let equations = net.equations.with_formulation(Formulation::FixedPhase);
+    let curve = MpsCurve { equations, condition: event.condition };
+    // Across the slice.
+    let upwards = Unknowns::new(0.0, 0.0, 0.0, 1.0);
+    if let Ok(curve) = curve.follow_both_ways(event.solution.unknowns, upwards, &event.memory, route) {
+        net.add(DiagramCurve { kind, loops: net.loops(), n: 0, curve });
+        net.grow(route);
+    }
+}
