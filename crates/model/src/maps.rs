@@ -210,7 +210,29 @@ pub fn to_phase_along<O: ImpactOscillator, const ORDER: usize>(
         let curvature = if a >= 2 && b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
         -(omega[a] * ds[b] + omega[b] * ds[a] + time * curvature) / frequency.value
     };
-    substitute_duration::<ORDER, { flow::VELOCITY }>(&jet, &ds, dds)
+    substitute_duration::<ORDER>(&jet, &map_columns::<{ flow::VELOCITY }>(), &ds, dds)
+}
+
+/// The flow over one forcing period from phase zero, the wall ignored; its coordinates are (x, y), and its variables (x, y, μ, η).
+///
+/// Its fixed points are the periodic solutions without impacts.
+pub fn stroboscopic_map<O: ImpactOscillator, const ORDER: usize>(
+    oscillator: &O,
+    position: f64,
+    velocity: f64,
+) -> MapJet {
+    let frequency = oscillator.forcing_frequency();
+    let time = TAU / frequency.value;
+    let jet = oscillator.flow::<ORDER>(State { position, velocity, phase: 0.0 }, time);
+    let omega = Vector4::new(0.0, 0.0, frequency.gradient[0], frequency.gradient[1]);
+    // s = 2π/ω(μ, η).
+    let ds = -omega * (time / frequency.value);
+    let dds = |a: usize, b: usize| {
+        let curvature = if a >= 2 && b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
+        -(omega[a] * ds[b] + omega[b] * ds[a] + time * curvature) / frequency.value
+    };
+    let columns = [flow::POSITION, flow::VELOCITY, flow::PRIMARY, flow::SECONDARY];
+    substitute_duration::<ORDER>(&jet, &columns, &ds, dds)
 }
 
 /// A step of Halley's method this short is the last: its error is of third order, about 10⁻¹⁵, as rounding of the time.
@@ -328,13 +350,13 @@ fn second_along(hessian: &Matrix6<f64>, columns: &[usize; 4], ds: &Vector4<f64>,
         + hessian[(flow::DURATION, flow::DURATION)] * ds[a] * ds[b]
 }
 
-/// The flow's jet with its duration replaced by a function s(u, z; μ, η) with derivatives `ds` and `dds`.
-fn substitute_duration<const ORDER: usize, const FIRST: usize>(
+/// The flow's jet in the variables of some columns, with its duration replaced by a function of them with derivatives `ds` and `dds`.
+fn substitute_duration<const ORDER: usize>(
     jet: &FlowJet,
+    columns: &[usize; 4],
     ds: &Vector4<f64>,
     dds: impl Fn(usize, usize) -> f64,
 ) -> MapJet {
-    let columns = map_columns::<FIRST>();
     let mut map = MapJet::identity(jet.value);
     for component in 0..2 {
         let rate = jet.jacobian[(component, flow::DURATION)];
@@ -344,7 +366,7 @@ fn substitute_duration<const ORDER: usize, const FIRST: usize>(
         if ORDER >= 2 {
             for a in 0..4 {
                 for b in 0..=a {
-                    let entry = second_along(&jet.hessians[component], &columns, ds, a, b) + rate * dds(a, b);
+                    let entry = second_along(&jet.hessians[component], columns, ds, a, b) + rate * dds(a, b);
                     map.set_second(component, [a, b], entry);
                 }
             }

@@ -13,18 +13,25 @@ use nalgebra::{Matrix2, Vector2};
 /// One of the at most two p-loop MPSs.
 #[derive(Clone, Copy, Debug)]
 pub struct Orbit {
+    /// Impact velocity y.
     pub velocity: f64,
+    /// Impact phase z.
     pub phase: f64,
+    /// Trace T of the derivative of the map from impact to impact.
     pub trace: f64,
+    /// Its determinant D.
     pub determinant: f64,
+    /// The highest interior maximum of x; minus infinity without one.
     pub ceiling: f64,
 }
 
 impl Orbit {
+    /// Both multipliers lie inside the unit circle; D is less than one for every oscillator of this kind.
     pub fn stable(&self) -> bool {
         self.trace.abs() - 1.0 < self.determinant
     }
 
+    /// It has an impact, and no interior maximum lies above the wall.
     pub fn admissible(&self) -> bool {
         self.velocity > 0.0 && self.ceiling <= 0.0
     }

@@ -70,7 +70,7 @@ pub fn compare(zeta: f64, epsilon: f64, window: Window, loops: &[u32], points: u
     };
     for region in &diagram.regions {
         if let RegionKind::Undecided(doubt) = &region.kind {
-            outcome.doubts.push(format!("p = {}: {doubt}", region.loops));
+            outcome.doubts.push(format!("p = {}: {doubt} {:?}", region.loops, region.rings));
         }
     }
     let mut hatched = 0;

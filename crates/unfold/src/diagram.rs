@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use crate::curves::Net;
 pub use crate::curves::{Corner, DiagramCurve, Kind};
-use crate::free::{self, Survey};
+use crate::free::non_impacting::{self, NonImpacting};
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::regions::{self, Region};
@@ -49,7 +49,7 @@ pub struct Diagram<O> {
     pub grazing: Vec<GrazingCurve<O>>,
     /// All resonances on it, by p and along the curve.
     pub resonances: Vec<Resonance<O>>,
-    /// SN, PD and GZ curves from the resonances at which a theorem holds.
+    /// Folds and period doublings of non-impacting motion (p = 0); then SN, PD and GZ curves of the MPSs, by p.
     pub curves: Vec<DiagramCurve>,
     /// Codimension-two points other than resonances.
     pub corners: Vec<Corner>,
@@ -69,14 +69,10 @@ pub fn route(window: Window, control: StepControl) -> Route {
     Route { window, control, step_limit: STEP_LIMIT, stop_at_events: true, through_grazing: false }
 }
 
-/// Values of η, as shares of its range, at which grazing of the free motion is looked for; those in the middle first.
-const SURVEYED: [f64; 9] = [0.5, 0.25, 0.75, 0.0, 1.0, 0.125, 0.375, 0.625, 0.875];
-
 impl<O: ImpactOscillator> Diagram<O> {
     /// Finds the grazing curves of an oscillator and all resonances on them, and follows the curves that leave these.
     ///
-    /// The oscillator's own parameters do not matter. Grazing is looked for at nine values of η; a piece of the grazing curve that none of
-    /// them meets is not seen. Resonances are unfolded in parallel; the result does not depend on the number of threads.
+    /// The oscillator's own parameters do not matter. Resonances are unfolded in parallel; the result does not depend on the number of threads.
     ///
     /// # Errors
     /// There is no grazing in the ranges, with what was seen instead.
@@ -91,14 +87,14 @@ impl<O: ImpactOscillator> Diagram<O> {
     /// # Errors
     /// There is no grazing in the ranges, with what was seen instead.
     pub fn located(oscillator: &O, scope: &Scope, progress: &dyn Progress) -> Result<Self, UnfoldError> {
-        let grazing = grazing_curves(oscillator, scope, progress)?;
+        let NonImpacting { grazing, curves, regions } = non_impacting::find(oscillator, scope, progress)?;
         let mut diagram = Self {
             scope: scope.clone(),
             grazing,
             resonances: Vec::new(),
-            curves: Vec::new(),
+            curves,
             corners: Vec::new(),
-            regions: Vec::new(),
+            regions,
             unlocated: Vec::new(),
             not_unfolded: Vec::new(),
         };
@@ -126,7 +122,8 @@ impl<O: ImpactOscillator> Diagram<O> {
         }
         let route = route(self.scope.window, StepControl::DRAWING);
         nets.iter_mut().for_each(|net| net.grow(&route));
-        self.regions = regions::decide(&self, &mut nets, progress);
+        let of_mps = regions::of_mps(&self, &mut nets, progress);
+        self.regions.extend(of_mps);
         for net in nets {
             self.curves.extend(net.curves);
             self.corners.extend(net.corners);
@@ -185,55 +182,6 @@ fn listed<O>(index: usize, resonance: &Resonance<O>, unfolded: UnfoldedResonance
     let grazing = unfolded.grazing.into_iter().map(|curve| of_kind(Kind::Grazing, curve));
     let curves = own.into_iter().chain(grazing).collect();
     Followed { resonance: index, curves, missing: unfolded.missing }
-}
-
-/// The pieces of the grazing curve in the ranges.
-fn grazing_curves<O: ImpactOscillator>(
-    oscillator: &O,
-    scope: &Scope,
-    progress: &dyn Progress,
-) -> Result<Vec<GrazingCurve<O>>, UnfoldError> {
-    let what = "grazing of free motion";
-    progress.begin(what, SURVEYED.len() as u64);
-    let surveys: Vec<Survey<O>> = SURVEYED
-        .par_iter()
-        .map(|share| {
-            let secondary = scope.parameters([0.0, *share])[1];
-            let survey = free::survey(oscillator, scope, secondary);
-            progress.step(what);
-            survey
-        })
-        .collect();
-    progress.end(what);
-    let mut curves: Vec<GrazingCurve<O>> = Vec::new();
-    for orbit in surveys.iter().flat_map(|survey| &survey.grazing) {
-        if !curves.iter().any(|curve| curve.passes(orbit, scope))
-            && let Ok(curve) = GrazingCurve::through(orbit, scope)
-        {
-            curves.push(curve);
-        }
-    }
-    if curves.is_empty() { Err(explanation(&surveys)) } else { Ok(curves) }
-}
-
-/// Why no survey has seen grazing.
-fn explanation<O>(surveys: &[Survey<O>]) -> UnfoldError {
-    if let Some(at) = surveys.iter().flat_map(|survey| &survey.pushed).next() {
-        return UnfoldError::Pushed { at: *at };
-    }
-    let extremes =
-        surveys.iter().filter_map(|survey| survey.extremes).reduce(|[low, high], [lower, higher]| {
-            [
-                if lower.position < low.position { lower } else { low },
-                if higher.position > high.position { higher } else { high },
-            ]
-        });
-    let ran_away = surveys.iter().find_map(|survey| survey.ran_away);
-    match (extremes, ran_away) {
-        (Some([lowest, highest]), _) => UnfoldError::NoGrazing { lowest, highest },
-        (None, Some(at)) => UnfoldError::RunsAway { at },
-        (None, None) => UnfoldError::NoOrbit,
-    }
 }
 
 /// The quadratic coefficients at a resonance, by its theorem and measured.

@@ -18,10 +18,12 @@ pub(crate) fn cut(window: Window, lines: &[Vec<Point>]) -> Vec<Face> {
     let ([left, right], [low, high]) = (window.primary, window.secondary);
     let rectangle = vec![[left, low], [right, low], [right, high], [left, high]];
     let lines: Vec<Vec<Point>> = lines.iter().filter(|line| line.len() > 1).cloned().collect();
-    if lines.is_empty() {
-        return vec![vec![rectangle]];
-    }
-    rectangle.slice_by_as::<i64>(&lines, FillRule::EvenOdd)
+    part(&vec![rectangle], &lines)
+}
+
+/// The parts into which polylines that cross it cut a face.
+pub(crate) fn part(face: &Face, lines: &[Vec<Point>]) -> Vec<Face> {
+    if lines.is_empty() { vec![face.clone()] } else { face.slice_by_as::<i64>(&lines.to_vec(), FillRule::EvenOdd) }
 }
 
 /// The faces joined where they have a common border.

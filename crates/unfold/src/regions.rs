@@ -14,7 +14,6 @@ use rayon::prelude::*;
 use crate::curves::{DiagramCurve, Kind, Net};
 use crate::diagram::{Diagram, route};
 use crate::faces::{self, Face, Point, chords, extent};
-use crate::grazing::{GrazingCurve, GrazingEnd};
 use crate::progress::Progress;
 use crate::survey::Survey;
 
@@ -142,8 +141,10 @@ struct Judged {
     trouble: Vec<f64>,
 }
 
-/// Chords shorter than this share of the window tell nothing if there are longer ones: curves are drawn by chords of their own.
+/// Along chords shorter than this share of the window a face may seem mixed: curves are drawn by chords of their own.
 const SHORT: f64 = 2e-3;
+/// A face all of whose chords are shorter than this is thinner than curves are drawn: the majority of its slices decides.
+const THIN: f64 = 5e-4;
 /// Along a chord of a face there are good solutions on none or all of it, give or take what the curves' chords leave.
 const PURE: f64 = 0.1;
 /// Values of η in a face at which the longest chord is looked for.
@@ -151,12 +152,24 @@ const TRIALS: u32 = 15;
 /// A face's slice is good enough if its chord has this share of the longest one.
 const LONG_ENOUGH: f64 = 0.25;
 /// Slices of the whole window to begin with.
-const SLICES: u32 = 32;
+pub(crate) const SLICES: u32 = 32;
 /// How often slices are added in faces that have none.
 const ROUNDS: usize = 6;
 
-/// Decides all regions of a diagram, and adds the curves that are found to be missing on the way.
-pub(crate) fn decide<O: ImpactOscillator>(
+/// What looks at solutions along slices, and finds the curves that are missing.
+pub(crate) trait Surveyor {
+    /// Adds slices at more values of η, and all curves that these show to be missing.
+    fn look_at(&mut self, levels: &[f64], progress: &dyn Progress);
+    /// What cuts the window, as polylines.
+    fn lines(&self) -> Vec<Vec<Point>>;
+    /// The bifurcation curves.
+    fn curves(&self) -> &[DiagramCurve];
+    /// What every slice shows.
+    fn sights(&self) -> Vec<Sight>;
+}
+
+/// The regions of the MPSs of all p of a diagram; curves that are found to be missing on the way are added.
+pub(crate) fn of_mps<O: ImpactOscillator>(
     diagram: &Diagram<O>,
     nets: &mut [Net<O>],
     progress: &dyn Progress,
@@ -167,33 +180,33 @@ pub(crate) fn decide<O: ImpactOscillator>(
         let orbits = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary));
         orbits.map(|orbit| [orbit.phase(), orbit.primary()]).collect()
     };
+    let [low, high] = window.secondary;
+    let levels: Vec<f64> =
+        (0..=SLICES).map(|k| low + (high - low) * f64::from(k) / f64::from(SLICES)).collect();
     progress.begin(what, nets.len() as u64);
-    let of_mps: Vec<Vec<Region>> = nets
+    let regions: Vec<Vec<Region>> = nets
         .par_iter_mut()
         .map(|net| {
-            let regions = stable_mps(net, window, &grazing, progress);
+            let loops = net.loops();
+            let mut survey = Survey::new(net, route(window, StepControl::DRAWING), &grazing);
+            let regions = decided(window, &mut survey, (&RegionKind::Mps, loops), &levels, progress);
             progress.step(what);
             regions
         })
         .collect();
     progress.end(what);
-    let mut regions: Vec<_> =
-        diagram.grazing.iter().filter_map(|curve| non_impacting(curve, window)).collect();
-    regions.extend(of_mps.into_iter().flatten());
-    regions
+    regions.into_iter().flatten().collect()
 }
 
-fn stable_mps<O: ImpactOscillator>(
-    net: &mut Net<O>,
+/// The regions of solutions of some kind and number of loops, from slices at some values of η and wherever else they are needed.
+pub(crate) fn decided(
     window: Window,
-    grazing: &(dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
+    survey: &mut dyn Surveyor,
+    (kind, loops): (&RegionKind, u32),
+    levels: &[f64],
     progress: &dyn Progress,
 ) -> Vec<Region> {
-    let mut survey = Survey::new(net, route(window, StepControl::DRAWING), grazing);
-    let [low, high] = window.secondary;
-    let all: Vec<f64> =
-        (0..=SLICES).map(|k| low + (high - low) * f64::from(k) / f64::from(SLICES)).collect();
-    survey.look_at(&all, progress);
+    survey.look_at(levels, progress);
     let mut judge = Judge { window, sights: survey.sights() };
     for _ in 0..ROUNDS {
         let faces = faces::cut(window, &joined(window, survey.lines()));
@@ -205,7 +218,7 @@ fn stable_mps<O: ImpactOscillator>(
         judge.sights = survey.sights();
     }
     let lines = joined(window, survey.lines());
-    judge.regions(&lines, &net.curves)
+    judge.regions(&lines, survey.curves(), kind, loops)
 }
 
 /// What decides faces.
@@ -262,7 +275,8 @@ impl Judge {
         let yes: f64 = votes.iter().filter(|(_, _, share)| *share >= 0.5).map(|(_, length, _)| length).sum();
         let majority = yes > 0.5 * total;
         let minority = if majority { total - yes } else { yes };
-        if minority > PURE * total {
+        let thin = votes.iter().all(|(_, length, _)| *length < THIN);
+        if minority > PURE * total && !thin {
             let against = votes.iter().filter(|(_, _, share)| (*share >= 0.5) != majority);
             trouble.extend(against.map(|(secondary, ..)| *secondary));
             if let Some(&secondary) = trouble.first() {
@@ -278,10 +292,10 @@ impl Judge {
     }
 
     /// Horizontal lines that part the slices at which there is trouble from the others.
-    fn bands(&self, judged: &[Judged]) -> Vec<Vec<Point>> {
+    fn bands(&self, judged: &Judged) -> Vec<Vec<Point>> {
         let levels: Vec<f64> = self.sights.iter().map(|sight| sight.secondary).collect();
         let mut cuts: Vec<f64> = Vec::new();
-        for level in judged.iter().flat_map(|judged| &judged.trouble) {
+        for level in &judged.trouble {
             let below = levels.iter().copied().filter(|other| other < level).fold(f64::NEG_INFINITY, f64::max);
             let above = levels.iter().copied().filter(|other| other > level).fold(f64::INFINITY, f64::min);
             cuts.extend([below, above].into_iter().filter(|other| other.is_finite()).map(|other| 0.5 * (other + level)));
@@ -292,23 +306,35 @@ impl Judge {
         cuts.into_iter().map(|level| vec![[left, level], [right, level]]).collect()
     }
 
-    /// The regions into which lines cut the window.
-    fn regions(&self, lines: &[Vec<Point>], curves: &[DiagramCurve]) -> Vec<Region> {
-        let judge = |lines: &[Vec<Point>]| -> Vec<Judged> {
-            faces::cut(self.window, lines).into_iter().map(|face| self.judge(face)).collect()
-        };
-        let mut judged = judge(lines);
+    /// Judges a face that has trouble again in bands, each about one of the slices at which there is some; a band that no slice
+    /// meets is as doubtful as the whole.
+    fn parted(&self, judged: Judged) -> Vec<Judged> {
+        let Err(doubt) = &judged.verdict else { return vec![judged] };
         let bands = self.bands(&judged);
-        if !bands.is_empty() {
-            judged = judge(&[lines, bands.as_slice()].concat());
-        }
-        let loops = curves.first().map_or(0, |curve| curve.loops);
+        let parts = faces::part(&judged.face, &bands).into_iter().map(|face| {
+            let part = self.judge(face);
+            let verdict = if part.verdict == Err(Doubt::Unseen) { Err(doubt.clone()) } else { part.verdict };
+            Judged { verdict, ..part }
+        });
+        parts.collect()
+    }
+
+    /// The regions into which lines cut the window.
+    fn regions(
+        &self,
+        lines: &[Vec<Point>],
+        curves: &[DiagramCurve],
+        kind: &RegionKind,
+        loops: u32,
+    ) -> Vec<Region> {
+        let faces = faces::cut(self.window, lines).into_iter();
+        let judged: Vec<Judged> = faces.flat_map(|face| self.parted(self.judge(face))).collect();
         let faces: Vec<&Face> = judged.iter().filter(|j| j.verdict == Ok(true)).map(|j| &j.face).collect();
         let mut regions: Vec<(usize, Region)> = Vec::new();
         for rings in faces::unite(&faces) {
             let place = self.bordering(&rings, curves);
             let n = place.map_or(0, |index| curves[index].n);
-            regions.push((place.unwrap_or(usize::MAX), Region { kind: RegionKind::Mps, loops, n, rings }));
+            regions.push((place.unwrap_or(usize::MAX), Region { kind: kind.clone(), loops, n, rings }));
         }
         regions.sort_by_key(|(place, _)| *place);
         let mut regions: Vec<Region> = regions.into_iter().map(|(_, region)| region).collect();
@@ -350,6 +376,11 @@ fn joined(window: Window, mut lines: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
         let last = line.len().saturating_sub(1);
         for index in [0, last] {
             let Some(point) = line.get_mut(index) else { continue };
+            for (value, [low, high]) in point.iter_mut().zip([window.primary, window.secondary]) {
+                // An end on the edge of the window, give or take rounding, cuts it.
+                let edge = [low, high].into_iter().find(|edge| ((*value - edge) / (high - low)).abs() < MEET);
+                *value = edge.unwrap_or(*value);
+            }
             match ends.iter().find(|end| gap(window, **end, *point) < MEET) {
                 Some(end) => *point = *end,
                 None => ends.push(*point),
@@ -357,22 +388,4 @@ fn joined(window: Window, mut lines: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
         }
     }
     lines
-}
-
-/// Where the non-impacting solution is stable, beside a grazing curve that crosses the window; none where it does not, or loses
-/// its stability or another maximum touches the wall on the way.
-fn non_impacting<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Option<Region> {
-    let crosses = curve.ends == [GrazingEnd::LeftWindow; 2];
-    if !crosses || curve.states.iter().any(|state| !(state.stable && state.admissible)) {
-        return None;
-    }
-    let line: Vec<Point> = curve.parameters().collect();
-    let middle = line[line.len() / 2];
-    let beta = curve.states[0].orbit.grazing_point().map.transversality();
-    // For beta > 0 the solution keeps off the wall at smaller μ.
-    let beside = |face: &Face| {
-        chords(face, middle[1]).iter().any(|[from, to]| if beta > 0.0 { *to == middle[0] } else { *from == middle[0] })
-    };
-    let rings = faces::cut(window, &[line]).into_iter().find(|face| beside(face))?;
-    Some(Region { kind: RegionKind::NonImpacting, loops: 0, n: 0, rings })
 }

@@ -1,4 +1,4 @@
-//! Slices of the parameter plane: all branches of p-loop MPSs at one value of η.
+//! Slices of the parameter plane: all branches of solutions at one value of η, above all those of p-loop MPSs.
 //!
 //! A branch begins on the grazing curve, where y = 0, on the edge of the window, or is closed. Those from the grazing curve are
 //! followed from there. The others have neighbours in the slices beside: (y, η) are coordinates of the surface of MPSs, so that
@@ -14,11 +14,53 @@ use grazing_continuation::mps::{
 };
 use grazing_model::ImpactOscillator;
 
-/// The branches at one η.
+use crate::progress::Progress;
+
+/// The branches at one η, and how far they have been worked on.
 #[derive(Clone, Debug)]
-pub(crate) struct Slice {
+pub(crate) struct Slice<B> {
     pub(crate) secondary: f64,
-    pub(crate) branches: Vec<Curve>,
+    pub(crate) branches: Vec<B>,
+    /// They have been carried to both neighbours.
+    carried: bool,
+    /// The number of branches whose bifurcations have been looked at.
+    looked_at: usize,
+}
+
+impl<B> Slice<B> {
+    pub(crate) fn new(secondary: f64, branches: Vec<B>) -> Self {
+        Self { secondary, branches, carried: false, looked_at: 0 }
+    }
+
+    /// The branches that have not been taken before.
+    pub(crate) fn take_new(&mut self) -> &[B] {
+        let from = core::mem::replace(&mut self.looked_at, self.branches.len());
+        &self.branches[from..]
+    }
+}
+
+/// Carries branches from slice to slice, in the order of η, until none has one that its neighbours do not know.
+///
+/// `carry` adds what the first slice has and the second lacks, and says whether there was any.
+pub(crate) fn spread<B>(
+    slices: &mut [Slice<B>],
+    progress: &dyn Progress,
+    carry: impl Fn(&Slice<B>, &mut Slice<B>) -> bool,
+) {
+    slices.sort_by(|a, b| a.secondary.total_cmp(&b.secondary));
+    while slices.iter().any(|slice| !slice.carried) && !progress.stopped() {
+        let fresh: Vec<bool> =
+            slices.iter_mut().map(|slice| !core::mem::replace(&mut slice.carried, true)).collect();
+        let upwards = (1..slices.len()).map(|k| [k - 1, k]);
+        let both = upwards.clone().chain(upwards.rev().map(|[low, high]| [high, low]));
+        for pair in both.filter(|[from, to]| fresh[*from] || fresh[*to]) {
+            if let Ok([from, to]) = slices.get_disjoint_mut(pair)
+                && carry(from, to)
+            {
+                to.carried = false;
+            }
+        }
+    }
 }
 
 /// A piece of a branch on which stability and admissibility do not change.
@@ -70,8 +112,8 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
     }
 
     /// The branches at some η that begin on the grazing curve.
-    pub(crate) fn from_grazing(&self, secondary: f64) -> Slice {
-        let mut slice = Slice { secondary, branches: Vec::new() };
+    pub(crate) fn from_grazing(&self, secondary: f64) -> Slice<Curve> {
+        let mut slice = Slice::new(secondary, Vec::new());
         for [phase, primary] in (self.grazing)(secondary) {
             let near = Unknowns::new(BESIDE_GRAZING, phase, primary, secondary);
             if let Some(start) = self.at(near, &mut Memory::default()) {
@@ -82,7 +124,7 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
     }
 
     /// Adds the branches of a slice that a neighbouring slice leads to, and says whether there are any.
-    pub(crate) fn carry(&self, from: &Slice, to: &mut Slice) -> bool {
+    pub(crate) fn carry(&self, from: &Slice<Curve>, to: &mut Slice<Curve>) -> bool {
         let before = to.branches.len();
         for branch in &from.branches {
             let every = (branch.points.len() / CARRIED).max(1);
@@ -107,7 +149,7 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
     }
 
     /// Follows the branch through an MPS, to greater velocities or to both sides, unless it is known.
-    fn add(&self, slice: &mut Slice, through: Unknowns, memory: &Memory, both: bool) {
+    fn add(&self, slice: &mut Slice<Curve>, through: Unknowns, memory: &Memory, both: bool) {
         if slice.branches.iter().any(|branch| self.passes(branch, &through)) {
             return;
         }
@@ -137,11 +179,13 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
             gap[unknown::PRIMARY] /= high - low;
             gap
         };
-        branch.points.windows(2).any(|pair| {
-            let [a, b] = [gap(&pair[0].solution.unknowns), gap(&pair[1].solution.unknowns)];
-            let along = (-a.dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
-            (a + (b - a) * along).norm() < ON_BRANCH
-        })
+        let start = branch.points.first().is_some_and(|point| gap(&point.solution.unknowns).norm() < ON_BRANCH);
+        start
+            || branch.points.windows(2).any(|pair| {
+                let [a, b] = [gap(&pair[0].solution.unknowns), gap(&pair[1].solution.unknowns)];
+                let along = (-a.dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
+                (a + (b - a) * along).norm() < ON_BRANCH
+            })
     }
 }
 

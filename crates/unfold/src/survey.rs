@@ -2,7 +2,7 @@
 //!
 //! One that does not starts a new curve, until none is left unexplained.
 
-use grazing_continuation::curve::{Event, MpsCurve, Route};
+use grazing_continuation::curve::{Curve, Event, MpsCurve, Route};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Formulation, Unknowns, unknown};
 use grazing_model::ImpactOscillator;
@@ -11,24 +11,15 @@ use rayon::prelude::*;
 use crate::curves::{DiagramCurve, Kind, Net};
 use crate::faces::Point;
 use crate::progress::Progress;
-use crate::regions::{Doubt, Sight};
-use crate::slices::{Slice, Slicer, broken_at, stretches};
+use crate::regions::{Doubt, Sight, Surveyor};
+use crate::slices::{Slice, Slicer, broken_at, spread, stretches};
 
 /// The slices through the surface of p-loop MPSs, in the order of η.
 pub(crate) struct Survey<'a, O> {
     net: &'a mut Net<O>,
     slicer: Slicer<'a, O>,
     route: Route,
-    slices: Vec<Surveyed>,
-}
-
-/// A slice and how far it has been worked on.
-struct Surveyed {
-    slice: Slice,
-    /// Its branches have been carried to both neighbours.
-    carried: bool,
-    /// The number of its branches whose bifurcations are explained.
-    explained: usize,
+    slices: Vec<Slice<Curve>>,
 }
 
 /// Bifurcations closer than this, in (y, z) and shares of the range of μ, are one: both were located to some 10⁻¹⁰.
@@ -46,43 +37,10 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
         Self { net, slicer, route, slices: Vec::new() }
     }
 
-    /// The curves as polylines.
-    pub(crate) fn lines(&self) -> Vec<Vec<Point>> {
-        self.net.curves.iter().map(|curve| curve.curve.parameters()).collect()
-    }
-
-    /// Adds slices at more values of η, and all curves that these show to be missing.
-    pub(crate) fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
-        let found: Vec<Slice> = levels.par_iter().map(|level| self.slicer.from_grazing(*level)).collect();
-        self.slices.extend(found.into_iter().map(|slice| Surveyed { slice, carried: false, explained: 0 }));
-        self.slices.sort_by(|a, b| a.slice.secondary.total_cmp(&b.slice.secondary));
-        self.carry(progress);
-        self.explain(progress);
-    }
-
-    /// Carries branches from slice to slice until no slice has one that its neighbours do not know.
-    fn carry(&mut self, progress: &dyn Progress) {
-        while self.slices.iter().any(|surveyed| !surveyed.carried) && !progress.stopped() {
-            let fresh: Vec<bool> = self.slices.iter_mut().map(|s| !core::mem::replace(&mut s.carried, true)).collect();
-            let pairs = |k: usize| fresh[k] || fresh[k + 1];
-            let upwards = (0..self.slices.len().saturating_sub(1)).filter(|k| pairs(*k)).map(|k| [k, k + 1]);
-            let both: Vec<[usize; 2]> = upwards.clone().chain(upwards.rev().map(|[low, high]| [high, low])).collect();
-            for [from, to] in both {
-                let Ok([source, target]) = self.slices.get_disjoint_mut([from, to]) else { continue };
-                if self.slicer.carry(&source.slice, &mut target.slice) {
-                    target.carried = false;
-                }
-            }
-        }
-    }
-
     /// Starts a curve at every bifurcation that lies on none.
     fn explain(&mut self, progress: &dyn Progress) {
-        for index in 0..self.slices.len() {
-            let surveyed = &mut self.slices[index];
-            let from = core::mem::replace(&mut surveyed.explained, surveyed.slice.branches.len());
-            let branches = &self.slices[index].slice.branches[from..];
-            for branch in branches {
+        for slice in &mut self.slices {
+            for branch in slice.take_new() {
                 let (_, borders) = stretches(&self.net.equations, branch);
                 for event in borders.iter().filter_map(|border| border.event) {
                     if !progress.stopped() && !explained(self.net, event, self.route.window.primary) {
@@ -92,10 +50,26 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
             }
         }
     }
+}
 
-    /// What every slice shows.
-    pub(crate) fn sights(&self) -> Vec<Sight> {
-        let sight = |Surveyed { slice, .. }: &Surveyed| {
+impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
+    fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
+        let found: Vec<_> = levels.par_iter().map(|level| self.slicer.from_grazing(*level)).collect();
+        self.slices.extend(found);
+        spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
+        self.explain(progress);
+    }
+
+    fn lines(&self) -> Vec<Vec<Point>> {
+        self.net.curves.iter().map(|curve| curve.curve.parameters()).collect()
+    }
+
+    fn curves(&self) -> &[DiagramCurve] {
+        &self.net.curves
+    }
+
+    fn sights(&self) -> Vec<Sight> {
+        let sight = |slice: &Slice<Curve>| {
             let mut sight = Sight::new(slice.secondary);
             for branch in &slice.branches {
                 let (stretches, borders) = stretches(&self.net.equations, branch);

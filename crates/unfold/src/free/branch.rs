@@ -1,0 +1,160 @@
+//! Branches of periodic orbits without impacts at one value of η, and their bifurcations.
+
+use grazing_continuation::arclength::{Continuation, StepControl};
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::MaximalPeriodicSolution;
+use grazing_model::ImpactOscillator;
+use grazing_theorems::from_map::GrazingOrbit;
+use grazing_theorems::spectrum::in_trapesium;
+
+use super::orbits::{FreeCurve, FreeOrbit, FreeOrbits, Orbit, PRIMARY, SECONDARY};
+
+/// A branch through the range of μ.
+#[derive(Clone, Debug)]
+pub(crate) struct Branch {
+    /// Its orbits in order, the bifurcations among them.
+    pub(crate) orbits: Vec<FreeOrbit>,
+    pub(crate) bifurcations: Vec<Bifurcation>,
+    /// It was followed to the edges of the range to both sides.
+    pub(crate) whole: bool,
+}
+
+/// A fold, a period doubling or grazing between two orbits of a branch.
+#[derive(Clone, Debug)]
+pub(crate) struct Bifurcation {
+    /// [`Condition::SADDLE_NODE`], [`Condition::PERIOD_DOUBLING`] or [`Condition::InteriorGrazing`].
+    pub(crate) condition: Condition,
+    /// The orbit at a bifurcation that was located, or one nearby.
+    pub(crate) near: FreeOrbit,
+    /// The place of that orbit on the branch, if the bifurcation was located.
+    pub(crate) place: Option<usize>,
+}
+
+/// Steps in (x, y, shares of the ranges) that do not jump over the highest point's changes (empirical).
+const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.2 };
+/// A branch of this many points goes nowhere.
+const STEP_LIMIT: usize = 4000;
+/// An orbit this close to the chord between two orbits of a branch lies on it: chords leave a branch by an eighth of a step times the
+/// angle by which it turns.
+const ON_BRANCH: f64 = 5e-3;
+
+impl FreeOrbit {
+    /// Stable, and nowhere above the wall.
+    pub(crate) fn good(&self) -> bool {
+        in_trapesium(self.multipliers.trace, self.multipliers.determinant)
+            && self.off_the_wall()
+    }
+
+    fn off_the_wall(&self) -> bool {
+        self.highest.position <= MaximalPeriodicSolution::TOUCH
+    }
+
+    /// The signs of what vanishes at folds, period doublings and grazing.
+    fn signs(&self) -> [bool; 3] {
+        let (trace, determinant) = (self.multipliers.trace, self.multipliers.determinant);
+        [1.0 - trace + determinant > 0.0, 1.0 + trace + determinant > 0.0, self.off_the_wall()]
+    }
+}
+
+impl Branch {
+    /// Whether an orbit lies on the branch.
+    pub(crate) fn passes(&self, orbit: &Orbit) -> bool {
+        let first = self.orbits.first().is_some_and(|first| (first.orbit - orbit).norm() < ON_BRANCH);
+        first
+            || self.orbits.windows(2).any(|pair| {
+                let [a, b] = [pair[0].orbit - orbit, pair[1].orbit - orbit];
+                let along = (-a.dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
+                (a + (b - a) * along).norm() < ON_BRANCH
+            })
+    }
+}
+
+impl<O: ImpactOscillator> FreeOrbits<'_, O> {
+    /// The branch through an orbit, at its η.
+    pub(crate) fn branch(&self, through: &Orbit) -> Option<Branch> {
+        let up = Orbit::new(0.0, 0.0, 1.0, 0.0);
+        let (mut orbits, begins) = self.follow(through, -up)?;
+        orbits.reverse();
+        let (after, ends) = self.follow(through, up)?;
+        orbits.extend(after.into_iter().skip(1));
+        let mut branch = Branch { orbits: Vec::new(), bifurcations: Vec::new(), whole: begins && ends };
+        let conditions = [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING, Condition::InteriorGrazing];
+        for orbit in orbits {
+            if let Some(before) = branch.orbits.last().copied() {
+                let changed = before.signs().into_iter().zip(orbit.signs()).map(|(a, b)| a != b);
+                for (condition, _) in conditions.into_iter().zip(changed).filter(|(_, changed)| *changed) {
+                    branch.meet(self, condition, &before, &orbit);
+                }
+            }
+            branch.orbits.push(orbit);
+        }
+        Some(branch)
+    }
+
+    /// Orbits from one to the side of a direction, and whether they reach the edge of the range.
+    fn follow(&self, start: &Orbit, direction: Orbit) -> Option<(Vec<FreeOrbit>, bool)> {
+        let curve = FreeCurve { orbits: self, condition: Condition::Secondary(start[SECONDARY]) };
+        let mut walker = Continuation::new(&curve, STEPS, *start, direction, ()).ok()?;
+        let mut found = vec![self.seen(start)];
+        for _ in 0..STEP_LIMIT {
+            let before = walker.here().point;
+            let Ok(station) = walker.advance() else { return Some((found, false)) };
+            let after = station.point;
+            if !(0.0..=1.0).contains(&after[PRIMARY]) {
+                let edge = after[PRIMARY].clamp(0.0, 1.0);
+                let mut near = before + (after - before) * ((edge - before[PRIMARY]) / (after[PRIMARY] - before[PRIMARY]));
+                near[PRIMARY] = edge;
+                found.extend(self.at(&near).map(|orbit| self.seen(&orbit)));
+                return Some((found, true));
+            }
+            found.push(self.seen(&after));
+        }
+        Some((found, false))
+    }
+
+    /// The grazing orbit near a free orbit.
+    pub(super) fn grazing(&self, near: &FreeOrbit) -> Option<GrazingOrbit<O>> {
+        GrazingOrbit::find(&self.oscillator_at(&near.orbit), near.phase_of_highest).ok()
+    }
+}
+
+impl Branch {
+    /// Locates a bifurcation between the last orbit and the next, and puts it in its place.
+    fn meet<O: ImpactOscillator>(
+        &mut self,
+        orbits: &FreeOrbits<'_, O>,
+        condition: Condition,
+        before: &FreeOrbit,
+        after: &FreeOrbit,
+    ) {
+        let (a, b) = (before.highest.position, after.highest.position);
+        let weight = a / (a - b);
+        let (near, located) = if condition == Condition::InteriorGrazing {
+            let nearest = if weight < 0.5 { before } else { after };
+            let mut between = *nearest;
+            between.orbit[PRIMARY] = before.orbit[PRIMARY] + (after.orbit[PRIMARY] - before.orbit[PRIMARY]) * weight;
+            let place = orbits.grazing(&between).and_then(|grazing| {
+                let share = orbits.scope.shares([grazing.primary(), 0.0])[0];
+                let mut orbit = before.orbit + (after.orbit - before.orbit) * weight;
+                orbit[PRIMARY] = share;
+                orbits.at(&orbit)
+            });
+            (between, place)
+        } else {
+            let middle = (before.orbit + after.orbit) * 0.5;
+            let step = (after.orbit - before.orbit).norm();
+            let found = orbits.with_multiplier(&middle, condition).filter(|found| (found - middle).norm() < 2.0 * step);
+            (*before, found)
+        };
+        let place = located.map(|orbit| {
+            let mut seen = orbits.seen(&orbit);
+            if condition == Condition::InteriorGrazing {
+                seen.highest.position = 0.0;
+            }
+            self.orbits.push(seen);
+            self.orbits.len() - 1
+        });
+        let near = if condition == Condition::InteriorGrazing { near } else { place.map_or(near, |at| self.orbits[at]) };
+        self.bifurcations.push(Bifurcation { condition, near, place });
+    }
+}

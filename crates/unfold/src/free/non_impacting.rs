@@ -1,0 +1,269 @@
+//! Non-impacting motion in the whole window: its grazing curves, its folds and period doublings, and where it is stable.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::locate::Condition;
+use grazing_model::motion::Motion;
+use grazing_model::{ImpactOscillator, State};
+use grazing_theorems::from_map::GrazingOrbit;
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use super::branch::{Bifurcation, Branch};
+use super::orbits::{FreeOrbits, Orbit, SECONDARY};
+use super::{Survey, survey};
+use crate::curves::DiagramCurve;
+use crate::faces::Point;
+use crate::grazing::GrazingCurve;
+use crate::progress::Progress;
+use crate::regions::{Doubt, Region, RegionKind, SLICES, Sight, Surveyor, decided};
+use crate::slices::{Slice, spread};
+use crate::{Scope, UnfoldError};
+
+/// What there is of motion without impacts.
+#[derive(Clone, Debug)]
+pub(crate) struct NonImpacting<O> {
+    pub(crate) grazing: Vec<GrazingCurve<O>>,
+    pub(crate) curves: Vec<DiagramCurve>,
+    pub(crate) regions: Vec<Region>,
+}
+
+/// Every so many of the slices motion is left to relax from rest, which finds branches to which grazing does not lead.
+const RELAXED_EVERY: u32 = 4;
+/// Orbits of a branch that are carried to a neighbouring slice.
+const CARRIED: usize = 8;
+/// A fold or period doubling this close to the points of a curve is one of it: curves are followed in steps of 0.02 and turn by two
+/// degrees between points, which is three times as close.
+const ON_CURVE: f64 = 3e-4;
+
+struct FreeSurvey<'a, O> {
+    orbits: FreeOrbits<'a, O>,
+    grazing: Vec<GrazingCurve<O>>,
+    curves: Vec<DiagramCurve>,
+    slices: Vec<Slice<Branch>>,
+}
+
+/// Looks for grazing of the non-impacting solutions and for their regions.
+///
+/// # Errors
+/// There is no grazing in the ranges, with what was seen instead.
+pub(crate) fn find<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    progress: &dyn Progress,
+) -> Result<NonImpacting<O>, UnfoldError> {
+    let what = "motion without impacts";
+    let shares: Vec<f64> =
+        (0..=SLICES / RELAXED_EVERY).map(|k| f64::from(k * RELAXED_EVERY) / f64::from(SLICES)).collect();
+    progress.begin(what, shares.len() as u64);
+    let surveys: Vec<Survey<O>> = shares
+        .par_iter()
+        .map(|share| {
+            let survey = survey(oscillator, scope, scope.parameters([0.0, *share])[1]);
+            progress.step(what);
+            survey
+        })
+        .collect();
+    progress.end(what);
+    let slices = shares.iter().zip(&surveys).map(|(share, survey)| {
+        Slice::new(scope.parameters([0.0, *share])[1], survey.branches.clone())
+    });
+    let mut free = FreeSurvey {
+        orbits: FreeOrbits { oscillator, scope },
+        grazing: Vec::new(),
+        curves: Vec::new(),
+        slices: slices.collect(),
+    };
+    // From the middle outwards: a curve is told once, from where it is met first.
+    let mut order: Vec<usize> = (0..surveys.len()).collect();
+    order.sort_by_key(|k| k.abs_diff(surveys.len() / 2));
+    for orbit in order.into_iter().flat_map(|k| &surveys[k].grazing) {
+        free.add_grazing(orbit);
+    }
+    let between: Vec<f64> = (0..=SLICES)
+        .filter(|k| k % RELAXED_EVERY != 0)
+        .map(|k| scope.parameters([0.0, f64::from(k) / f64::from(SLICES)])[1])
+        .collect();
+    let regions = decided(scope.window, &mut free, (&RegionKind::NonImpacting, 0), &between, progress);
+    let FreeSurvey { grazing, curves, .. } = free;
+    if grazing.is_empty() {
+        return Err(explanation(&surveys));
+    }
+    Ok(NonImpacting { grazing, curves, regions })
+}
+
+impl<O: ImpactOscillator> FreeSurvey<'_, O> {
+    /// Adds the grazing curve through an orbit unless it is known.
+    fn add_grazing(&mut self, orbit: &GrazingOrbit<O>) {
+        let scope = self.orbits.scope;
+        if !self.grazing.iter().any(|curve| curve.passes(orbit, scope))
+            && let Ok(curve) = GrazingCurve::through(orbit, scope)
+            && !curve.states.is_empty()
+        {
+            self.grazing.push(curve);
+        }
+    }
+
+    /// The branches at some η that graze there.
+    fn from_grazing(&self, secondary: f64) -> Slice<Branch> {
+        let mut branches: Vec<Branch> = Vec::new();
+        for orbit in self.grazing.iter().flat_map(|curve| curve.all_at(secondary)) {
+            let oscillator = orbit.oscillator();
+            let phase = orbit.phase() - TAU * libm::floor(orbit.phase() / TAU);
+            let rest = (TAU - phase) / oscillator.forcing_frequency().value;
+            let there = oscillator.motion(State::on_wall(0.0, phase)).at(rest);
+            let shares = self.orbits.scope.shares([orbit.primary(), secondary]);
+            let near = Orbit::new(there.position, there.velocity, shares[0], shares[1]);
+            if let Some(start) = self.orbits.at(&near)
+                && !branches.iter().any(|branch| branch.passes(&start))
+            {
+                branches.extend(self.orbits.branch(&start));
+            }
+        }
+        Slice::new(secondary, branches)
+    }
+
+    fn carry(&self, from: &Slice<Branch>, to: &mut Slice<Branch>) -> bool {
+        let before = to.branches.len();
+        let share = self.orbits.scope.shares([0.0, to.secondary])[1];
+        for branch in &from.branches {
+            let every = (branch.orbits.len() / CARRIED).max(1);
+            for known in branch.orbits.iter().skip(every / 2).step_by(every) {
+                let mut near = known.orbit;
+                near[SECONDARY] = share;
+                if let Some(start) = self.orbits.at(&near)
+                    && !to.branches.iter().any(|branch| branch.passes(&start))
+                {
+                    to.branches.extend(self.orbits.branch(&start));
+                }
+            }
+        }
+        to.branches.len() > before
+    }
+
+    /// Starts a curve at every bifurcation that bounds good motion and lies on none.
+    fn explain(&mut self) {
+        for index in 0..self.slices.len() {
+            let found: Vec<Bifurcation> = self.slices[index]
+                .take_new()
+                .iter()
+                .flat_map(|branch| branch.bifurcations.iter().filter(|b| branch.bounds(b)).cloned())
+                .collect();
+            for bifurcation in found {
+                if bifurcation.condition == Condition::InteriorGrazing {
+                    if let Some(orbit) = self.orbits.grazing(&bifurcation.near) {
+                        self.add_grazing(&orbit);
+                    }
+                } else if !self.known(&bifurcation)
+                    && let Some(curve) = self.orbits.curve(&bifurcation)
+                {
+                    self.curves.push(curve);
+                }
+            }
+        }
+    }
+
+    /// Whether a fold or period doubling lies on a known curve.
+    fn known(&self, bifurcation: &Bifurcation) -> bool {
+        let scope = self.orbits.scope;
+        let place = |parameters: [f64; 2], height: f64| {
+            let [primary, secondary] = scope.shares(parameters);
+            Vector3::new(primary, secondary, height)
+        };
+        let here = place(bifurcation.near.height.parameters, bifurcation.near.highest.position);
+        self.curves.iter().filter(|curve| curve.curve.condition == bifurcation.condition).any(|curve| {
+            curve.curve.points.windows(2).any(|pair| {
+                let [a, b] = [0, 1].map(|k| place(pair[k].solution.parameters(), pair[k].solution.ceiling()) - here);
+                let along = (-a.dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
+                (a + (b - a) * along).norm() < ON_CURVE
+            })
+        })
+    }
+}
+
+impl Branch {
+    /// Whether motion is good to one side of a bifurcation and not to the other.
+    fn bounds(&self, bifurcation: &Bifurcation) -> bool {
+        let Some(place) = bifurcation.place else { return false };
+        let at_event = |k: &usize| self.bifurcations.iter().any(|other| other.place == Some(*k));
+        let good = |k: usize| self.orbits[k].good();
+        let before = (0..place).rev().find(|k| !at_event(k)).map(good);
+        let after = (place + 1..self.orbits.len()).find(|k| !at_event(k)).map(good);
+        before.is_none() || after.is_none() || before != after
+    }
+}
+
+impl<O: ImpactOscillator> Surveyor for FreeSurvey<'_, O> {
+    fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
+        let found: Vec<_> = levels.par_iter().map(|level| self.from_grazing(*level)).collect();
+        self.slices.extend(found);
+        let mut slices = core::mem::take(&mut self.slices);
+        spread(&mut slices, progress, |from, to| self.carry(from, to));
+        self.slices = slices;
+        self.explain();
+    }
+
+    fn lines(&self) -> Vec<Vec<Point>> {
+        let grazing = self.grazing.iter().map(|curve| curve.parameters().collect());
+        grazing.chain(self.curves.iter().map(|curve| curve.curve.parameters())).collect()
+    }
+
+    fn curves(&self) -> &[DiagramCurve] {
+        &self.curves
+    }
+
+    fn sights(&self) -> Vec<Sight> {
+        let sight = |slice: &Slice<Branch>| {
+            let mut sight = Sight::new(slice.secondary);
+            for branch in &slice.branches {
+                let is_event = |k: usize| branch.bifurcations.iter().any(|b| b.place == Some(k));
+                let primary = |k: usize| branch.orbits[k].height.parameters[0];
+                for k in 1..branch.orbits.len() {
+                    let good = match [is_event(k - 1), is_event(k)] {
+                        [false, false] if branch.orbits[k - 1].good() != branch.orbits[k].good() => {
+                            sight.doubt(primary(k), Doubt::UnnamedChange);
+                            false
+                        }
+                        [false, _] => branch.orbits[k - 1].good(),
+                        [_, false] => branch.orbits[k].good(),
+                        _ => false,
+                    };
+                    if good {
+                        sight.see([primary(k - 1), primary(k)]);
+                    }
+                }
+                if !branch.whole {
+                    for orbit in [branch.orbits.first(), branch.orbits.last()].into_iter().flatten() {
+                        let at = orbit.height.parameters[0];
+                        let [left, right] = self.orbits.scope.window.primary;
+                        if left < at && at < right && orbit.highest.position <= 0.0 {
+                            sight.doubt(at, Doubt::Broken("motion without impacts".to_owned()));
+                        }
+                    }
+                }
+            }
+            sight
+        };
+        self.slices.iter().map(sight).collect()
+    }
+}
+
+/// Why no survey has seen grazing.
+fn explanation<O>(surveys: &[Survey<O>]) -> UnfoldError {
+    if let Some(at) = surveys.iter().flat_map(|survey| &survey.pushed).next() {
+        return UnfoldError::Pushed { at: *at };
+    }
+    let extremes =
+        surveys.iter().filter_map(|survey| survey.extremes).reduce(|[low, high], [lower, higher]| {
+            [
+                if lower.position < low.position { lower } else { low },
+                if higher.position > high.position { higher } else { high },
+            ]
+        });
+    let ran_away = surveys.iter().find_map(|survey| survey.ran_away);
+    match (extremes, ran_away) {
+        (Some([lowest, highest]), _) => UnfoldError::NoGrazing { lowest, highest },
+        (None, Some(at)) => UnfoldError::RunsAway { at },
+        (None, None) => UnfoldError::NoOrbit,
+    }
+}

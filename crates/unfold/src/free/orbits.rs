@@ -1,0 +1,157 @@
+//! The equations of periodic motion without the wall: fixed points of the flow over a forcing period.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::arclength::CurveEquations;
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::{LoopPair, Multipliers};
+use grazing_continuation::newton::{self, Linearisation};
+use grazing_model::maps::{MapError, stroboscopic_map};
+use grazing_model::motion::{Maximum, Motion, highest_maximum};
+use grazing_model::{ImpactOscillator, MapJet, State};
+use nalgebra::{SMatrix, Vector2, Vector4};
+
+use super::Height;
+use crate::Scope;
+
+/// An orbit: x and y at phase zero, and the shares of the ranges of μ and η.
+pub(crate) type Orbit = Vector4<f64>;
+
+/// Positions in an [`Orbit`].
+pub(super) const PRIMARY: usize = 2;
+pub(super) const SECONDARY: usize = 3;
+
+/// Motion this far away, the wall's distance from rest being of order one, has run away.
+pub(super) const FAR: f64 = 1e6;
+/// Motion through less than this is rest: maxima of what rounding leaves are none.
+const REST: f64 = 1e-9;
+/// Instants of a period at which rest is seen: no motion is slow at all of them.
+const INSTANTS: u32 = 32;
+
+/// The equations of periodic orbits without impacts.
+pub(crate) struct FreeOrbits<'a, O> {
+    pub(crate) oscillator: &'a O,
+    pub(crate) scope: &'a Scope,
+}
+
+/// An orbit and what is to be known of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FreeOrbit {
+    pub(crate) orbit: Orbit,
+    pub(crate) height: Height,
+    /// Time and position of the highest point, time counted from phase zero.
+    pub(crate) highest: Maximum,
+    pub(crate) phase_of_highest: f64,
+    pub(crate) multipliers: Multipliers,
+}
+
+/// A curve of orbits: the equations with one more condition, a share of η or a multiplier.
+pub(super) struct FreeCurve<'a, O> {
+    pub(super) orbits: &'a FreeOrbits<'a, O>,
+    /// [`Condition::Secondary`] of a share, or [`Condition::Multiplier`].
+    pub(super) condition: Condition,
+}
+
+impl<O: ImpactOscillator> CurveEquations<4> for FreeCurve<'_, O> {
+    type Memory = ();
+    type Failure = MapError;
+
+    fn evaluate(&self, orbit: &Orbit, (): &mut ()) -> Result<Linearisation<4>, MapError> {
+        let mut system = Linearisation { residual: Vector4::zeros(), jacobian: SMatrix::zeros() };
+        let pair = match self.condition {
+            Condition::Multiplier(multiplier) => {
+                let pair = self.orbits.pair::<2>(orbit)?;
+                let (value, gradient) = pair.characteristic(multiplier);
+                system.residual[2] = value;
+                system.jacobian.set_row(2, &gradient.transpose());
+                pair
+            }
+            Condition::Secondary(share) => {
+                system.residual[2] = orbit[SECONDARY] - share;
+                system.jacobian[(2, SECONDARY)] = 1.0;
+                self.orbits.pair::<1>(orbit)?
+            }
+            _ => unreachable!("curves of free orbits have a fixed share of eta or a fixed multiplier"),
+        };
+        let (difference, derivative) = pair.difference();
+        system.residual.fixed_rows_mut::<2>(0).copy_from(&difference);
+        system.jacobian.fixed_rows_mut::<2>(0).copy_from(&derivative);
+        Ok(system)
+    }
+}
+
+impl<O: ImpactOscillator> FreeOrbits<'_, O> {
+    pub(super) fn oscillator_at(&self, orbit: &Orbit) -> O {
+        self.scope.oscillator_at(self.oscillator, [orbit[PRIMARY], orbit[SECONDARY]])
+    }
+
+    pub(super) fn parameters(&self, orbit: &Orbit) -> [f64; 2] {
+        self.scope.parameters([orbit[PRIMARY], orbit[SECONDARY]])
+    }
+
+    /// The stroboscopic map beside the identity, parameters counted in shares: their difference vanishes on orbits.
+    fn pair<const ORDER: usize>(&self, orbit: &Orbit) -> Result<LoopPair, MapError> {
+        let mut jet = stroboscopic_map::<O, ORDER>(&self.oscillator_at(orbit), orbit[0], orbit[1]);
+        let size = jet.value.norm();
+        if !size.is_finite() || size > FAR {
+            return Err(MapError::NoRest { near: TAU, velocity: size });
+        }
+        let widths = self.scope.widths();
+        for (variable, width) in [PRIMARY, SECONDARY].into_iter().zip(widths) {
+            jet.jacobian.column_mut(variable).scale_mut(width);
+            for hessian in &mut jet.hessians {
+                hessian.row_mut(variable).scale_mut(width);
+                hessian.column_mut(variable).scale_mut(width);
+            }
+        }
+        Ok(LoopPair { round_trip: jet, impact: MapJet::identity(Vector2::new(orbit[0], orbit[1])) })
+    }
+
+    /// The orbit near a state at shares of the ranges, which are held.
+    pub(super) fn at(&self, near: &Orbit) -> Option<Orbit> {
+        let solution = newton::solve(Vector2::new(near[0], near[1]), 20, |state| {
+            let (residual, derivative) =
+                self.pair::<1>(&Orbit::new(state[0], state[1], near[PRIMARY], near[SECONDARY]))?.difference();
+            Ok::<_, MapError>(Linearisation { residual, jacobian: derivative.fixed_columns::<2>(0).into_owned() })
+        });
+        let point = solution.ok()?.point;
+        Some(Orbit::new(point[0], point[1], near[PRIMARY], near[SECONDARY]))
+    }
+
+    /// The orbit with a multiplier at the share of η of an orbit nearby.
+    pub(super) fn with_multiplier(&self, near: &Orbit, multiplier: Condition) -> Option<Orbit> {
+        let curve = FreeCurve { orbits: self, condition: multiplier };
+        let solution = newton::solve(*near, 20, |orbit| {
+            let mut system = curve.evaluate(orbit, &mut ())?;
+            system.residual[3] = orbit[SECONDARY] - near[SECONDARY];
+            system.jacobian[(3, SECONDARY)] = 1.0;
+            Ok::<_, MapError>(system)
+        });
+        solution.ok().map(|solution| solution.point)
+    }
+
+    /// What is to be known of an orbit.
+    pub(super) fn seen(&self, orbit: &Orbit) -> FreeOrbit {
+        let oscillator = self.oscillator_at(orbit);
+        let motion = oscillator.motion(State { position: orbit[0], velocity: orbit[1], phase: 0.0 });
+        let frequency = oscillator.forcing_frequency().value;
+        let period = TAU / frequency;
+        let at_rest = (0..=INSTANTS).all(|instant| {
+            let here = motion.at(period * f64::from(instant) / f64::from(INSTANTS));
+            here.velocity.abs() * period <= REST && here.acceleration.abs() * period * period <= REST
+        });
+        // A little more than a period, so that a maximum at phase zero lies inside.
+        let highest = if at_rest { None } else { highest_maximum(&motion, 1.25 * period) };
+        let highest = highest.unwrap_or(Maximum { time: 0.0, position: orbit[0] });
+        let multipliers = self.pair::<1>(orbit).map_or(
+            Multipliers { trace: f64::NAN, determinant: f64::NAN },
+            |pair| pair.multipliers(),
+        );
+        let height = Height {
+            position: highest.position,
+            parameters: self.parameters(orbit),
+            acceleration: motion.at(highest.time).acceleration,
+        };
+        FreeOrbit { orbit: *orbit, height, highest, phase_of_highest: highest.time * frequency, multipliers }
+    }
+}
