@@ -164,7 +164,8 @@ impl Follower<'_> {
         };
         let [past, now] = [gap(&before.point), gap(&after.point)];
         let step = (after.point - before.point).norm() * (1.0 + self.route.control.turn);
-        let passes = past.norm().max(now.norm()) <= step && past.dot(&onwards) < 0.0 && now.dot(&onwards) >= 0.0;
+        let passes =
+            past.norm().max(now.norm()) <= step && past.dot(&onwards) < 0.0 && now.dot(&onwards) >= 0.0;
         (self.curve.points.len() > FEWEST_OF_A_LOOP && passes).then(|| {
             let mut point = first.clone();
             point.solution.unknowns[unknown::PHASE] = after.point[unknown::PHASE] - now[unknown::PHASE];

@@ -6,15 +6,15 @@ use plotters::prelude::Cartesian2d;
 
 use crate::DrawingError;
 use crate::canvas::{Canvas, Element, Ink};
-use crate::clip::{Window, clip_polygon, clip_polyline};
+use crate::clip::{Window, clip_polygon, clip_polyline, hatching};
 use crate::font::Fonts;
 use crate::markup::Label;
 use crate::numbers::{Direction, Numbers};
 use crate::plane::Plane;
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
-    BLACK, DISC_RADIUS, FRAME, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, STAR_RADIUS, TICK,
-    TICK_LENGTH, TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
+    BLACK, DISC_RADIUS, FRAME, HATCHING, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, STAR_RADIUS,
+    TICK, TICK_LENGTH, TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
 };
 use crate::svg_backend::{Anchor, PanelMark, SvgBackend};
 use crate::svg_text::UNITS;
@@ -108,6 +108,32 @@ impl<'c> Panel<'c> {
         let outline = clipped.iter().map(|&p| self.spot(p)).collect();
         self.put(clipped, Ink::Polygon(paint, None))?;
         Ok(outline)
+    }
+
+    /// A filled area, clipped to the window, inside where its rings are crossed an odd number of times; returns its first ring on the
+    /// sheet, if any of it shows.
+    pub(crate) fn area(&self, rings: &[Vec<(f64, f64)>], paint: Paint) -> Result<Vec<Spot>, DrawingError> {
+        let [border, holes @ ..] = rings else { return Ok(Vec::new()) };
+        if holes.is_empty() {
+            return self.fill(border, paint);
+        }
+        let clipped: Vec<_> = rings.iter().map(|ring| clip_polygon(&self.window, ring)).collect();
+        let outline = clipped[0].iter().map(|&p| self.spot(p)).collect();
+        let lengths = clipped.iter().map(Vec::len).collect();
+        self.put(clipped.concat(), Ink::Area(paint, lengths))?;
+        Ok(outline)
+    }
+
+    /// Hatching of such an area.
+    pub(crate) fn hatch(&self, rings: &[Vec<(f64, f64)>], pen: Pen) -> Result<(), DrawingError> {
+        let rings: Vec<Vec<Spot>> = rings
+            .iter()
+            .map(|ring| clip_polygon(&self.window, ring).into_iter().map(|point| self.spot(point)).collect())
+            .collect();
+        for line in hatching(&rings, HATCHING) {
+            self.canvas.draw(&line, Ink::Line(pen))?;
+        }
+        Ok(())
     }
 
     /// A marker, if its point is in the window; returns the box it takes.

@@ -20,6 +20,8 @@ use crate::svg_text::UNITS;
 pub(crate) enum Ink<'a> {
     Line(Pen),
     Polygon(Paint, Option<Pen>),
+    /// Rings of so many points each, inside where they are crossed an odd number of times.
+    Area(Paint, Vec<usize>),
     Disc(f64, Paint, Option<Pen>),
     Triangle(f64, Paint, Option<Pen>),
     Label(&'a Label, f64, Anchor, Colour),
@@ -53,6 +55,7 @@ impl<C> Drawable<SvgBackend> for Element<'_, C> {
         match &self.ink {
             Ink::Line(pen) => backend.line(positions, pen),
             Ink::Polygon(paint, outline) => backend.polygon(positions, paint, outline.as_ref()),
+            Ink::Area(paint, lengths) => backend.area(positions, lengths, paint),
             ink => {
                 let Some((x, y)) = positions.next() else {
                     return Ok(());
@@ -72,7 +75,7 @@ impl<C> Drawable<SvgBackend> for Element<'_, C> {
                     }
                     Ink::Upwards(label, size, colour) => backend.label_upwards((x, y), label, *size, *colour),
                     Ink::Bins(bin, data, paint) => backend.bins((x, y), *bin, data, paint),
-                    Ink::Line(_) | Ink::Polygon(..) => Ok(()),
+                    Ink::Line(_) | Ink::Polygon(..) | Ink::Area(..) => Ok(()),
                 }
             }
         }

@@ -77,6 +77,34 @@ pub(crate) fn clip_polyline(window: &Window, points: &[(f64, f64)]) -> Vec<Vec<(
     pieces
 }
 
+/// Parallel lines at an angle of 45° and so far apart, inside where the rings are crossed an odd number of times.
+pub(crate) fn hatching(rings: &[Vec<(f64, f64)>], distance: f64) -> Vec<[(f64, f64); 2]> {
+    // Along a line u = y + x is constant, and v = y − x runs.
+    let turned = |&(x, y): &(f64, f64)| (y + x, y - x);
+    let back = |u: f64, v: f64| (0.5 * (u - v), 0.5 * (u + v));
+    let edges: Vec<[(f64, f64); 2]> = rings
+        .iter()
+        .flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| [turned(a), turned(b)]))
+        .collect();
+    let across = edges.iter().map(|[(u, _), _]| *u);
+    let [low, high] =
+        across.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], u| [low.min(u), high.max(u)]);
+    let step = distance * std::f64::consts::SQRT_2;
+    let mut lines = Vec::new();
+    let mut u = (low / step).ceil() * step;
+    while u < high {
+        let mut crossings: Vec<f64> = edges
+            .iter()
+            .filter(|[a, b]| (a.0 > u) != (b.0 > u))
+            .map(|[a, b]| a.1 + (b.1 - a.1) * (u - a.0) / (b.0 - a.0))
+            .collect();
+        crossings.sort_by(f64::total_cmp);
+        lines.extend(crossings.chunks_exact(2).map(|pair| [back(u, pair[0]), back(u, pair[1])]));
+        u += step;
+    }
+    lines
+}
+
 /// Sutherland–Hodgman: the polygon's part inside the window, as vertices in order (empty if there is none).
 ///
 /// A part that falls into several pieces comes back joined along the frame, which is right for filling but not for
@@ -113,6 +141,22 @@ pub(crate) fn clip_polygon(window: &Window, vertices: &[(f64, f64)]) -> Vec<(f64
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn hatching_lies_inside_and_spares_holes() {
+        let square = |low: f64, high: f64| vec![(low, low), (high, low), (high, high), (low, high)];
+        let rings = [square(0.0, 10.0), square(4.0, 6.0)];
+        let lines = hatching(&rings, 1.0);
+        let length: f64 = lines.iter().map(|[a, b]| (b.0 - a.0).hypot(b.1 - a.1)).sum();
+        // The lines have the length of the area over their distance, give or take one line at either side.
+        assert!((length - 96.0).abs() < 15.0, "{length}");
+        for [a, b] in lines {
+            let middle = (0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1));
+            let within =
+                |low: f64, high: f64| low < middle.0 && middle.0 < high && low < middle.1 && middle.1 < high;
+            assert!(within(0.0, 10.0) && !within(4.0, 6.0), "{middle:?}");
+        }
+    }
 
     const UNIT: Window = Window { x: [0.0, 1.0], y: [0.0, 1.0] };
 

@@ -5,12 +5,12 @@ use crate::axes::{Marker, Panel, overhang, room_beside};
 use crate::canvas::Canvas;
 use crate::clip::Window;
 use crate::frames::{Table, runs};
-use crate::kinds::{Kind, read_regions};
+use crate::kinds::{Kind, Shown, read_regions};
 use crate::labels::{Labels, Wanted};
 use crate::magnified::{Magnified, letter, rectangle};
 use crate::plane::Plane;
 use crate::sheet::{Bounds, Spot, area};
-use crate::style::{BLACK, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, SECTION, SMALL_LABEL_SIZE, SheetWidth};
+use crate::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth};
 
 /// A line along which another diagram runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,8 +41,8 @@ pub struct Diagram<'a> {
     pub curves: Table<'a>,
     /// Columns kind (resonance, or any other word for another codimension-two point), p and the two parameters.
     pub points: Table<'a>,
-    /// Columns region, kind (non-impacting, mps), p and the two parameters: vertices of polygons. Resonances of a p
-    /// without a region have p written beside them.
+    /// Columns region, kind (non-impacting, mps, undecided), p, ring and the two parameters: vertices of polygons, those after the first
+    /// ring of a region being holes. Resonances of a p without a region have p written beside them.
     pub regions: Option<Table<'a>>,
     /// What is shown of the plane.
     pub window: Window,
@@ -98,9 +98,8 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
 
     let mut shapes: Vec<(i64, Vec<Spot>)> = Vec::new();
     for region in &regions {
-        let paint = if region.impacting { MPS_AREA } else { NON_IMPACTING_AREA };
-        let shape = panel.fill(&region.vertices, paint)?;
-        if region.impacting && !shape.is_empty() {
+        let shape = region.draw(&panel)?;
+        if region.shown == Shown::Mps && !shape.is_empty() {
             shapes.push((region.p, shape));
         }
     }
@@ -324,7 +323,7 @@ mod tests {
                 &["kind", "p", "n", "arc", "stable", "admissible", "F_0", "Omega"][..],
             ),
             (&sample.points, "points", &["kind", "p", "F_0", "Omega"]),
-            (&regions, "regions", &["region", "kind", "p", "F_0", "Omega"]),
+            (&regions, "regions", &["region", "kind", "p", "ring", "F_0", "Omega"]),
         ] {
             for wanted in columns {
                 let less = frame.drop(wanted).unwrap();

@@ -1,9 +1,13 @@
 //! The bifurcations as the frames name them, with the pen and the label each is drawn with.
 
 use crate::DrawingError;
+use crate::axes::Panel;
 use crate::frames::{Table, runs};
 use crate::plane::Plane;
-use crate::style::{Colour, GRAZ, MPS_GRAZING, PERIOD_DOUBLING, Pen, SADDLE_NODE};
+use crate::sheet::Spot;
+use crate::style::{
+    Colour, GRAZ, MPS_AREA, MPS_GRAZING, NON_IMPACTING_AREA, PERIOD_DOUBLING, Pen, SADDLE_NODE, UNDECIDED,
+};
 
 /// A kind of codimension-one bifurcation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,29 +64,57 @@ impl Kind {
     }
 }
 
-/// A closed region of the parameter plane; vertices are (across, up).
-pub(crate) struct Region {
-    pub(crate) p: i64,
-    pub(crate) impacting: bool,
-    pub(crate) vertices: Vec<(f64, f64)>,
+/// What is known of a region.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Shown {
+    /// The non-impacting solution is stable.
+    NonImpacting,
+    /// An MPS is stable.
+    Mps,
+    /// Not decided.
+    Undecided,
 }
 
-/// Reads a frame of regions: rows of one `region` number, in order, are one polygon.
+/// A region of the parameter plane; vertices are (across, up).
+pub(crate) struct Region {
+    pub(crate) p: i64,
+    pub(crate) shown: Shown,
+    /// Its border and those of its holes.
+    pub(crate) rings: Vec<Vec<(f64, f64)>>,
+}
+
+impl Region {
+    /// Fills or hatches the region; returns its border on the sheet, if any of it shows.
+    pub(crate) fn draw(&self, panel: &Panel<'_>) -> Result<Vec<Spot>, DrawingError> {
+        match self.shown {
+            Shown::NonImpacting => panel.area(&self.rings, NON_IMPACTING_AREA),
+            Shown::Mps => panel.area(&self.rings, MPS_AREA),
+            Shown::Undecided => panel.hatch(&self.rings, UNDECIDED).map(|()| Vec::new()),
+        }
+    }
+}
+
+/// Reads a frame of regions: rows of one `region` number are one region, those of one `ring` of it, in order, one polygon.
 pub(crate) fn read_regions(table: Table<'_>, plane: &Plane<'_>) -> Result<Vec<Region>, DrawingError> {
-    let ids = table.integers("region")?;
-    let impacting = table.words("kind", "non-impacting, mps", |word| match word {
-        "non-impacting" => Some(false),
-        "mps" => Some(true),
+    let (ids, rings) = (table.integers("region")?, table.integers("ring")?);
+    let shown = table.words("kind", "non-impacting, mps, undecided", |word| match word {
+        "non-impacting" => Some(Shown::NonImpacting),
+        "mps" => Some(Shown::Mps),
+        "undecided" => Some(Shown::Undecided),
         _ => None,
     })?;
     let p = table.integers("p")?;
     let points = plane.points(table)?;
-    Ok(runs(&ids)
-        .into_iter()
-        .map(|rows| Region {
-            p: p[rows.start],
-            impacting: impacting[rows.start],
-            vertices: points[rows].to_vec(),
-        })
-        .collect())
+    let region = |rows: std::ops::Range<usize>| Region {
+        p: p[rows.start],
+        shown: shown[rows.start],
+        rings: runs(&rings[rows.clone()])
+            .into_iter()
+            .map(|ring| points[rows.clone()][ring].to_vec())
+            .collect(),
+    };
+    let mut regions: Vec<Region> = runs(&ids).into_iter().map(region).collect();
+    // Hatching lies above what is shaded.
+    regions.sort_by_key(|region| region.shown == Shown::Undecided);
+    Ok(regions)
 }

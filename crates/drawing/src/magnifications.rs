@@ -15,7 +15,7 @@ use crate::magnified::Magnified;
 use crate::panel_grid::Grid;
 use crate::plane::Plane;
 use crate::sheet::Spot;
-use crate::style::{MPS_AREA, NON_IMPACTING_AREA, SheetWidth, approximation};
+use crate::style::{SheetWidth, approximation};
 
 /// Magnifications about resonances.
 ///
@@ -143,7 +143,7 @@ fn draw_panel(
 ) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
     for region in &content.regions {
-        panel.fill(&region.vertices, if region.impacting { MPS_AREA } else { NON_IMPACTING_AREA })?;
+        region.draw(panel)?;
     }
     let mut drawn: Vec<(Kind, Vec<Spot>)> = Vec::new();
     for curve in curves {

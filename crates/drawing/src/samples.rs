@@ -111,6 +111,7 @@ pub(crate) fn region_table(
     }
     df!(
         "region" => rows.iter().map(|r| r.0).collect::<Vec<_>>(),
+        "ring" => vec![0_u32; rows.len()],
         "kind" => rows.iter().map(|r| r.1).collect::<Vec<_>>(),
         "p" => rows.iter().map(|r| r.2).collect::<Vec<_>>(),
         across => rows.iter().map(|r| r.3).collect::<Vec<_>>(),

@@ -96,6 +96,10 @@ pub(crate) const NON_IMPACTING_AREA: Paint = Paint::opaque(Colour(233, 233, 233)
 /// Where an MPS is stable; overlapping regions come out darker.
 pub(crate) const MPS_AREA: Paint = Paint { colour: Colour(40, 40, 40), opacity: 0.3 };
 
+/// Hatching where it is not decided whether a solution is stable, and the distance of its lines in points.
+pub(crate) const UNDECIDED: Pen = Pen::solid(Colour(110, 110, 110), 0.45);
+pub(crate) const HATCHING: f64 = 3.6;
+
 pub(crate) const GRAZ: Pen = Pen::solid(LIGHT_GREEN, 2.2);
 pub(crate) const SADDLE_NODE: Pen = Pen::solid(BLUE, 1.15);
 pub(crate) const PERIOD_DOUBLING: Pen = Pen::solid(RED, 1.15);

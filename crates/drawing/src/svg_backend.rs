@@ -197,6 +197,18 @@ impl SvgBackend {
         ))
     }
 
+    /// A filled area between rings of so many points each.
+    pub(crate) fn area(
+        &mut self,
+        mut path: impl Iterator<Item = BackendCoord>,
+        lengths: &[usize],
+        paint: &Paint,
+    ) -> Outcome {
+        let rings: String =
+            lengths.iter().map(|length| path_data(path.by_ref().take(*length), true)).collect();
+        self.element(format_args!("<path d=\"{rings}\" fill-rule=\"evenodd\"{}/>", fill(paint)))
+    }
+
     /// A disc of `radius` points, perhaps outlined.
     pub(crate) fn disc(
         &mut self,

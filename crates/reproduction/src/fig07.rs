@@ -1,7 +1,7 @@
 //! Figure 7 (fig:G): the two-parameter bifurcation diagram.
 
 use grazing_model::LinearOscillator;
-use grazing_unfold::{Diagram, regions};
+use grazing_unfold::Diagram;
 
 use crate::StudyError;
 use crate::plane::{self, Axes};
@@ -29,7 +29,7 @@ impl Figure7 {
         Ok(Self {
             curves: plane::curves("fig07_curves", &axes, diagram)?,
             points: plane::points("fig07_points", &axes, diagram)?,
-            regions: plane::regions("fig07_regions", &axes, &regions::all(diagram))?,
+            regions: plane::regions("fig07_regions", &axes, &diagram.regions)?,
         })
     }
 }

@@ -8,7 +8,7 @@ use grazing_model::ImpactOscillator;
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::{GrazingCurve, GrazingState};
 use grazing_unfold::magnification::Polyline;
-use grazing_unfold::regions::Polygon;
+use grazing_unfold::regions::{Region, RegionKind};
 
 use crate::StudyError;
 use crate::table::{Cell, Columns, Table, columns, row};
@@ -30,6 +30,8 @@ const TAKEN: &[&str] = &[
     "arc",
     "region",
     "panel",
+    "ring",
+    "reason",
     "source",
     "impact_velocity",
     "impact_phase",
@@ -217,12 +219,21 @@ pub fn points<O: ImpactOscillator>(
 ///
 /// # Errors
 /// The table could not be made.
-pub fn regions(name: &'static str, axes: &Axes, polygons: &[Polygon]) -> Result<Table, StudyError> {
+pub fn regions(name: &'static str, axes: &Axes, regions: &[Region]) -> Result<Table, StudyError> {
     let [primary, secondary] = axes.names();
-    let mut columns = columns! { "region": 0, "kind": "", "p": 0, "n": 0, secondary: 0.0, primary: 0.0 };
-    for (region, polygon) in (1..).zip(polygons) {
-        for [primary, secondary] in &polygon.vertices {
-            columns.push(row![region, polygon.kind, polygon.loops, polygon.n, *secondary, *primary]);
+    let mut columns = columns! {
+        "region": 0, "kind": "", "p": 0, "n": 0, secondary: 0.0, primary: 0.0, "ring": 0, "reason": "",
+    };
+    for (number, region) in (1..).zip(regions) {
+        let reason = match &region.kind {
+            RegionKind::Undecided(doubt) => doubt.to_string(),
+            _ => String::new(),
+        };
+        for (ring, vertices) in (0..).zip(&region.rings) {
+            for [primary, secondary] in vertices {
+                let (kind, reason) = (region.kind.name(), reason.as_str());
+                columns.push(row![number, kind, region.loops, region.n, *secondary, *primary, ring, reason]);
+            }
         }
     }
     Ok(columns.finish(name)?)

@@ -9,7 +9,6 @@ use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Integrated;
 use grazing_unfold::diagram::{Coefficients, Kind};
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
-use grazing_unfold::regions::{self, Polygon};
 use grazing_unfold::sides::{Sides, simulate};
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
@@ -25,10 +24,8 @@ pub use finished::Observer;
 pub struct Unfolded<O> {
     /// The names of the parameters.
     pub axes: Axes,
-    /// Grazing curves, resonances, bifurcation curves, codimension-two points.
+    /// Grazing curves, resonances, bifurcation curves, codimension-two points, regions.
     pub diagram: Diagram<O>,
-    /// Where solutions are stable.
-    pub regions: Vec<Polygon>,
     /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`].
     pub resonances: Vec<AtResonance>,
 }
@@ -77,7 +74,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
     ) -> Result<Self, StudyError> {
         let located = Diagram::located(oscillator, scope, progress)?;
         let followed = finished::follow(progress, &axes, &located);
-        let diagram = located.with(followed);
+        let diagram = located.with(followed, progress);
         let what = "coefficients and magnifications";
         let found: Vec<_> = diagram.unfolding().collect();
         progress.begin(what, found.len() as u64);
@@ -99,7 +96,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
             })
             .collect();
         progress.end(what);
-        Ok(Self { axes, regions: regions::all(&diagram), diagram, resonances })
+        Ok(Self { axes, diagram, resonances })
     }
 
     /// The names of all tables, in their order.
@@ -125,7 +122,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
             tables::grazing_loops(self)?,
             plane::curves("curves", &self.axes, &self.diagram)?,
             plane::points("points", &self.axes, &self.diagram)?,
-            plane::regions("regions", &self.axes, &self.regions)?,
+            plane::regions("regions", &self.axes, &self.diagram.regions)?,
             tables::coefficients(self)?,
             tables::hypotheses(self)?,
             plane::magnifications("magnifications", &self.axes, &magnified)?,

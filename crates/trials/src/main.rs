@@ -21,7 +21,11 @@ fn main() {
         hatched.push(outcome.hatched);
         println!(
             "{number:3} zeta {zeta:.5} epsilon {epsilon:.4} A < {:.3}: shaded {}, missed {}, false {}, hatched {:.4}, {:.2} s",
-            window.primary[1], outcome.shaded, outcome.missed.len(), outcome.false_shading.len(), outcome.hatched,
+            window.primary[1],
+            outcome.shaded,
+            outcome.missed.len(),
+            outcome.false_shading.len(),
+            outcome.hatched,
             start.elapsed().as_secs_f64(),
         );
         for (name, list) in [("missed", &outcome.missed), ("false", &outcome.false_shading)] {
@@ -34,5 +38,9 @@ fn main() {
         }
     }
     hatched.sort_by(f64::total_cmp);
-    println!("{wrong} wrong; hatched: median {:.4}, most {:.4}", hatched[hatched.len() / 2], hatched[hatched.len() - 1]);
+    println!(
+        "{wrong} wrong; hatched: median {:.4}, most {:.4}",
+        hatched[hatched.len() / 2],
+        hatched[hatched.len() - 1]
+    );
 }

@@ -56,7 +56,14 @@ fn exact(zeta: f64, epsilon: f64, [amplitude, omega]: [f64; 2], loops: u32) -> O
 }
 
 /// Compares the regions of one oscillator with the closed form at random points.
-pub fn compare(zeta: f64, epsilon: f64, window: Window, loops: &[u32], points: usize, random: &mut Random) -> Outcome {
+pub fn compare(
+    zeta: f64,
+    epsilon: f64,
+    window: Window,
+    loops: &[u32],
+    points: usize,
+    random: &mut Random,
+) -> Outcome {
     let scope = Scope { window, loops: loops.to_vec(), start: None };
     let oscillator = LinearOscillator::new(zeta, epsilon, window.primary[0], window.secondary[0])
         .unwrap_or_else(|error| panic!("zeta {zeta}, epsilon {epsilon}: {error}"));

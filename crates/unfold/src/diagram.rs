@@ -111,7 +111,8 @@ impl<O: ImpactOscillator> Diagram<O> {
     /// The diagram with what came of following the curves from its resonances, in the order of their list, and all that follows
     /// from these: the curves that begin where they end, those to which no resonance leads, and the regions.
     pub fn with(mut self, followed: Vec<Followed>, progress: &dyn Progress) -> Self {
-        let mut nets: Vec<Net<O>> = self.scope.loops.iter().map(|&loops| Net::new(self.equations(loops))).collect();
+        let mut nets: Vec<Net<O>> =
+            self.scope.loops.iter().map(|&loops| Net::new(self.equations(loops))).collect();
         for Followed { resonance, curves, missing } in followed {
             let (loops, n) = (self.resonances[resonance].loops, self.resonances[resonance].n);
             let failed = |reason| NotUnfolded { loops, n, reason };

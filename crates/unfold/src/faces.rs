@@ -23,7 +23,11 @@ pub(crate) fn cut(window: Window, lines: &[Vec<Point>]) -> Vec<Face> {
 
 /// The parts into which polylines that cross it cut a face.
 pub(crate) fn part(face: &Face, lines: &[Vec<Point>]) -> Vec<Face> {
-    if lines.is_empty() { vec![face.clone()] } else { face.slice_by_as::<i64>(&lines.to_vec(), FillRule::EvenOdd) }
+    if lines.is_empty() {
+        vec![face.clone()]
+    } else {
+        face.slice_by_as::<i64>(&lines.to_vec(), FillRule::EvenOdd)
+    }
 }
 
 /// The faces joined where they have a common border.
@@ -45,12 +49,18 @@ pub(crate) fn chords(face: &Face, secondary: f64) -> Vec<[f64; 2]> {
 /// The least and the greatest η of a face.
 pub(crate) fn extent(face: &Face) -> [f64; 2] {
     let heights = face.iter().flatten().map(|point| point[1]);
-    heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| [low.min(height), high.max(height)])
+    heights
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| [low.min(height), high.max(height)])
 }
 
 /// Whether a point lies in a face.
 pub(crate) fn holds(face: &Face, [primary, secondary]: Point) -> bool {
     chords(face, secondary).iter().any(|[from, to]| *from < primary && primary < *to)
+}
+
+/// The area of a face; its holes turn the other way round.
+pub(crate) fn area(face: &Face) -> f64 {
+    0.5 * edges(face).map(|[a, b]| a[0] * b[1] - a[1] * b[0]).sum::<f64>().abs()
 }
 
 fn edges(face: &Face) -> impl Iterator<Item = [Point; 2]> {
@@ -65,10 +75,6 @@ mod tests {
     use super::*;
 
     const WINDOW: Window = Window { primary: [0.0, 2.0], secondary: [0.0, 4.0] };
-
-    fn area(face: &Face) -> f64 {
-        0.5 * edges(face).map(|[a, b]| a[0] * b[1] - a[1] * b[0]).sum::<f64>().abs()
-    }
 
     #[test]
     fn faces_cover_the_window_and_holes_are_faces_of_their_own() {

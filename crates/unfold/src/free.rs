@@ -17,7 +17,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
 
 use crate::Scope;
-use branch::{Branch, Bifurcation};
+use branch::{Bifurcation, Branch};
 use orbits::{FAR, FreeOrbits, Orbit};
 
 /// The free motion ceases to exist, or has run away.

@@ -2,12 +2,12 @@
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::Window;
-use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint};
+use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, same_point};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
-use crate::diagram::{Diagram, Kind, route};
+use crate::diagram::{Diagram, DiagramCurve, Kind, route};
 use crate::grazing::{GrazingCurve, between};
 use crate::resonances::Resonance;
 
@@ -73,9 +73,18 @@ pub fn magnify<O: ImpactOscillator>(
     list.push(continued(Some(Kind::SaddleNode), unfolded.saddle_node.parameters()));
     list.push(continued(Some(Kind::PeriodDoubling), unfolded.period_doubling.parameters()));
     list.extend(unfolded.grazing.iter().map(|curve| continued(Some(Kind::Grazing), curve.parameters())));
-    let others =
-        diagram.curves.iter().filter(|curve| (curve.loops, curve.n) != (resonance.loops, resonance.n));
-    for other in others {
+    // The resonance's own curves are there already; one of them may begin outside and come in again.
+    let own = [&unfolded.saddle_node, &unfolded.period_doubling].into_iter().chain(&unfolded.grazing);
+    let starts: Vec<_> = own.map(|curve| (curve.condition, curve.points[0].solution.unknowns)).collect();
+    let shown = |curve: &DiagramCurve| {
+        let begins = |end| {
+            starts
+                .iter()
+                .any(|(condition, start)| *condition == curve.curve.condition && same_point(start, end))
+        };
+        curve.loops == resonance.loops && curve.ends().iter().any(begins)
+    };
+    for other in diagram.curves.iter().filter(|curve| !shown(curve)) {
         let points = other.curve.parameters();
         if points.iter().any(|point| inside(window, *point)) {
             list.push(continued(Some(other.kind), points));

@@ -60,14 +60,12 @@ pub enum Doubt {
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Disagreement { secondary, primary: [from, to] } => write!(
-                f,
-                "solutions change at {secondary} between {from} and {to}, where no curve was found"
-            ),
-            Self::UnnamedChange => write!(
-                f,
-                "stability changes without a saddle-node, period-doubling or grazing bifurcation"
-            ),
+            Self::Disagreement { secondary, primary: [from, to] } => {
+                write!(f, "solutions change at {secondary} between {from} and {to}, where no curve was found")
+            }
+            Self::UnnamedChange => {
+                write!(f, "stability changes without a saddle-node, period-doubling or grazing bifurcation")
+            }
             Self::Broken(end) => write!(f, "a branch of solutions could not be followed further: {end}"),
             Self::Unseen => write!(f, "no slice was made"),
         }
@@ -147,6 +145,8 @@ const SHORT: f64 = 2e-3;
 const THIN: f64 = 5e-4;
 /// Along a chord of a face there are good solutions on none or all of it, give or take what the curves' chords leave.
 const PURE: f64 = 0.1;
+/// Faces with less than this share of the window's area are left out: curves are drawn to 10⁻⁴ of the ranges.
+const SPECK: f64 = 1e-7;
 /// Values of η in a face at which the longest chord is looked for.
 const TRIALS: u32 = 15;
 /// A face's slice is good enough if its chord has this share of the longest one.
@@ -296,9 +296,15 @@ impl Judge {
         let levels: Vec<f64> = self.sights.iter().map(|sight| sight.secondary).collect();
         let mut cuts: Vec<f64> = Vec::new();
         for level in &judged.trouble {
-            let below = levels.iter().copied().filter(|other| other < level).fold(f64::NEG_INFINITY, f64::max);
+            let below =
+                levels.iter().copied().filter(|other| other < level).fold(f64::NEG_INFINITY, f64::max);
             let above = levels.iter().copied().filter(|other| other > level).fold(f64::INFINITY, f64::min);
-            cuts.extend([below, above].into_iter().filter(|other| other.is_finite()).map(|other| 0.5 * (other + level)));
+            cuts.extend(
+                [below, above]
+                    .into_iter()
+                    .filter(|other| other.is_finite())
+                    .map(|other| 0.5 * (other + level)),
+            );
         }
         cuts.sort_by(f64::total_cmp);
         cuts.dedup();
@@ -331,14 +337,14 @@ impl Judge {
         let judged: Vec<Judged> = faces.flat_map(|face| self.parted(self.judge(face))).collect();
         let faces: Vec<&Face> = judged.iter().filter(|j| j.verdict == Ok(true)).map(|j| &j.face).collect();
         let mut regions: Vec<(usize, Region)> = Vec::new();
-        for rings in faces::unite(&faces) {
+        for rings in faces::unite(&faces).into_iter().filter(|rings| !self.speck(rings)) {
             let place = self.bordering(&rings, curves);
             let n = place.map_or(0, |index| curves[index].n);
             regions.push((place.unwrap_or(usize::MAX), Region { kind: kind.clone(), loops, n, rings }));
         }
         regions.sort_by_key(|(place, _)| *place);
         let mut regions: Vec<Region> = regions.into_iter().map(|(_, region)| region).collect();
-        for judged in judged {
+        for judged in judged.into_iter().filter(|judged| !self.speck(&judged.face)) {
             if let Err(doubt) = judged.verdict {
                 regions.push(Region { kind: RegionKind::Undecided(doubt), loops, n: 0, rings: judged.face });
             }
@@ -346,15 +352,25 @@ impl Judge {
         regions
     }
 
+    /// Less than can be seen or drawn: where the chords of two curves that touch cross each other.
+    fn speck(&self, face: &Face) -> bool {
+        let ([left, right], [low, high]) = (self.window.primary, self.window.secondary);
+        faces::area(face) < SPECK * (right - left) * (high - low)
+    }
+
     /// The first saddle-node curve on the border of a region, or else the first curve.
     fn bordering(&self, face: &Face, curves: &[DiagramCurve]) -> Option<usize> {
         let on_border = |curve: &DiagramCurve| {
             let points = curve.curve.parameters();
             let inner = &points[1..points.len().max(2) - 1];
-            inner.iter().any(|point| face.iter().flatten().any(|vertex| gap(self.window, *vertex, *point) < MEET))
+            inner
+                .iter()
+                .any(|point| face.iter().flatten().any(|vertex| gap(self.window, *vertex, *point) < MEET))
         };
         let first = |saddle_node: bool| {
-            curves.iter().position(|curve| (curve.kind == Kind::SaddleNode) == saddle_node && on_border(curve))
+            curves
+                .iter()
+                .position(|curve| (curve.kind == Kind::SaddleNode) == saddle_node && on_border(curve))
         };
         first(true).or_else(|| first(false))
     }

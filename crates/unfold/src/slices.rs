@@ -7,12 +7,13 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, CurveEnd, Event, MpsCurve, Route, Window};
+use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route, Window};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
     Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns, unknown,
 };
 use grazing_model::ImpactOscillator;
+use nalgebra::SVector;
 
 use crate::progress::Progress;
 
@@ -88,9 +89,9 @@ const STEP_LIMIT: usize = 5_000;
 /// Branches from the grazing curve begin at this impact velocity, beside the singular point (empirical; what lies between is narrower
 /// than y² in μ).
 const BESIDE_GRAZING: f64 = 1e-4;
-/// An MPS this close to the chord between two points of a branch lies on it: chords leave a branch by an eighth of a step times the
-/// angle by which it turns.
-const ON_BRANCH: f64 = 3e-3;
+/// An MPS this close to the chord between two points of a branch, as a share of its length, lies on the branch: that leaves the chord
+/// by an eighth of the angle by which it turns, which is three times that of the step control at most.
+const ON_BRANCH: f64 = 0.05;
 /// MPSs of a branch that are carried to a neighbouring slice.
 const CARRIED: usize = 8;
 
@@ -150,15 +151,21 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
 
     /// Follows the branch through an MPS, to greater velocities or to both sides, unless it is known.
     fn add(&self, slice: &mut Slice<Curve>, through: Unknowns, memory: &Memory, both: bool) {
-        if slice.branches.iter().any(|branch| self.passes(branch, &through)) {
+        if slice.branches.iter().any(|branch| passes(branch, &through)) {
             return;
         }
         let secondary = slice.secondary;
         // No branch leaves its own η.
         let window = Window { secondary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
-        let route =
-            Route { window, control: STEPS, step_limit: STEP_LIMIT, stop_at_events: false, through_grazing: false };
-        let curve = MpsCurve { equations: self.equations.clone(), condition: Condition::Secondary(secondary) };
+        let route = Route {
+            window,
+            control: STEPS,
+            step_limit: STEP_LIMIT,
+            stop_at_events: false,
+            through_grazing: false,
+        };
+        let curve =
+            MpsCurve { equations: self.equations.clone(), condition: Condition::Secondary(secondary) };
         let upwards = Unknowns::new(1.0, 0.0, 0.0, 0.0);
         let followed = if both {
             curve.follow_both_ways(through, upwards, memory, &route)
@@ -169,24 +176,24 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
             slice.branches.push(curve);
         }
     }
+}
 
-    /// Whether an MPS lies on a branch.
-    fn passes(&self, branch: &Curve, at: &Unknowns) -> bool {
-        let [low, high] = self.window.primary;
-        let gap = |point: &Unknowns| {
-            let mut gap = point - at;
-            gap[unknown::PHASE] = libm::remainder(gap[unknown::PHASE], TAU);
-            gap[unknown::PRIMARY] /= high - low;
-            gap
-        };
-        let start = branch.points.first().is_some_and(|point| gap(&point.solution.unknowns).norm() < ON_BRANCH);
-        start
-            || branch.points.windows(2).any(|pair| {
-                let [a, b] = [gap(&pair[0].solution.unknowns), gap(&pair[1].solution.unknowns)];
-                let along = (-a.dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
-                (a + (b - a) * along).norm() < ON_BRANCH
-            })
-    }
+/// Whether an MPS lies on a branch.
+fn passes(branch: &Curve, at: &Unknowns) -> bool {
+    let gap = |point: &CurvePoint| {
+        let mut gap = point.solution.unknowns - at;
+        gap[unknown::PHASE] = libm::remainder(gap[unknown::PHASE], TAU);
+        gap
+    };
+    let start = branch.points.first().is_some_and(|point| gap(point).norm() < STEPS.first);
+    start || branch.points.windows(2).any(|pair| near_chord(&gap(&pair[0]), &gap(&pair[1]), ON_BRANCH))
+}
+
+/// Whether the origin lies nearer to the chord between two points than a share of its length.
+pub(crate) fn near_chord<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>, share: f64) -> bool {
+    let chord = b - a;
+    let along = (-a.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
+    (a + chord * along).norm() < share * chord.norm()
 }
 
 /// A point of a branch: one of the curve's, or an event.
@@ -234,7 +241,8 @@ pub(crate) fn stretches<'a, O: ImpactOscillator>(
         .map(|pair| Stretch { primary: [primary(&pair[0]), primary(&pair[1])], good: status(pair) })
         .collect();
     let borders = stretches.windows(2).zip(&vertices[1..]).filter(|(pair, _)| pair[0].good != pair[1].good);
-    let borders = borders.map(|(_, vertex)| Border { primary: primary(vertex), event: vertex.event }).collect();
+    let borders =
+        borders.map(|(_, vertex)| Border { primary: primary(vertex), event: vertex.event }).collect();
     (stretches, borders)
 }
 
@@ -254,7 +262,8 @@ fn between<O: ImpactOscillator>(
 
 /// The primary parameter at which a branch could not be followed to its end, if that is so.
 pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, &CurveEnd)> {
-    let ends = [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];
+    let ends =
+        [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];
     ends.into_iter().filter_map(|(point, end)| {
         let (point, end) = (point?, end?);
         let whole = matches!(end, CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed);

@@ -116,7 +116,8 @@ fn explained<O: ImpactOscillator>(net: &Net<O>, event: &Event, [left, right]: [f
                 return false;
             }
             let mut memory = pair[0].memory.clone();
-            let found = locate(&equations, [event.condition, Condition::Secondary(secondary)], near, &mut memory);
+            let found =
+                locate(&equations, [event.condition, Condition::Secondary(secondary)], near, &mut memory);
             found.is_ok_and(|found| distance(&found) < SAME) || distance(&near) < SAME
         })
     })

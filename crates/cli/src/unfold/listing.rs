@@ -13,6 +13,7 @@ use grazing_theorems::hypothesis::Hypothesis;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::{DiagramCurve, Kind};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
+use grazing_unfold::regions::RegionKind;
 use grazing_unfold::sides::Sides;
 
 use super::Analysis;
@@ -60,6 +61,7 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
     text.push_str(&missing(description, &unfolded.diagram));
     text.push_str(&corners(description, unfolded));
     text.push_str(&odd_ends(description, unfolded));
+    text.push_str(&undecided(description, unfolded));
     text
 }
 
@@ -271,9 +273,27 @@ fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
     text
 }
 
+/// Where it is not decided whether solutions are stable, with the reason.
+fn undecided(description: &Description, unfolded: &Analysis) -> String {
+    let mut text = String::new();
+    for region in &unfolded.diagram.regions {
+        let RegionKind::Undecided(doubt) = &region.kind else { continue };
+        if text.is_empty() {
+            text.push_str("\nNot decided (hatched in the diagram)\n");
+        }
+        let vertices = region.rings.iter().flatten();
+        let [low, high] = vertices.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], vertex| {
+            [[low[0].min(vertex[0]), low[1].min(vertex[1])], [high[0].max(vertex[0]), high[1].max(vertex[1])]]
+        });
+        let (from, to) = (place(description, low), place(description, high));
+        text.push_str(&wrapped(&format!("  p = {}  ", region.loops), &format!("from {from} to {to}: {doubt}")));
+    }
+    text
+}
+
 fn odd_end(end: &CurveEnd) -> Option<String> {
     match end {
-        CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Event(_) => None,
+        CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed | CurveEnd::Event(_) => None,
         CurveEnd::EventNotLocated { condition, failure } => {
             let what = match condition {
                 Condition::InteriorGrazing => "a point where a maximum between impacts touches the wall",

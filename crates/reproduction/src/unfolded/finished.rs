@@ -55,7 +55,8 @@ fn hand_on<O: ImpactOscillator>(
             }
         }
         let rows = listed.into_iter().map(|(_, rows)| rows.clone());
-        let all = plane::grazing_rows(located).into_iter().chain(rows);
+        let free = located.curves.iter().map(|curve| plane::bifurcation_rows(located, curve));
+        let all = plane::grazing_rows(located).into_iter().chain(free).chain(rows);
         // A table that cannot be made now cannot be made at the end either, where this is told.
         if let Ok(table) = plane::joined("curves", axes, all) {
             observer.curves(&table);

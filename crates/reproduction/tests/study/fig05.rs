@@ -7,7 +7,7 @@ use grazing_model::{LinearOscillator, State};
 use grazing_reproduction::{Figure5, Study};
 use grazing_theorems::Resonance;
 
-use crate::closed_form::{self, Orbit, orbits};
+use grazing_trials::closed_form::{self, Orbit, orbits};
 use crate::{made, numbers, words};
 
 fn figure() -> Figure5 {

@@ -3,7 +3,7 @@
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-use crate::closed_form::{Orbit, orbits};
+use grazing_trials::closed_form::{Orbit, orbits};
 use crate::{flags, integers, made, numbers, words};
 
 /// The closed-form MPS with the impact velocity nearest to the given one.

@@ -1,6 +1,6 @@
 //! The frames of the default parameters: held fixed by snapshots, and against routes that share nothing with them.
 
-mod closed_form;
+
 mod fig04;
 mod fig05;
 mod fig06;

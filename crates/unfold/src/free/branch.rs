@@ -8,6 +8,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
 
 use super::orbits::{FreeCurve, FreeOrbit, FreeOrbits, Orbit, PRIMARY, SECONDARY};
+use crate::slices::near_chord;
 
 /// A branch through the range of μ.
 #[derive(Clone, Debug)]
@@ -34,15 +35,14 @@ pub(crate) struct Bifurcation {
 const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.2 };
 /// A branch of this many points goes nowhere.
 const STEP_LIMIT: usize = 4000;
-/// An orbit this close to the chord between two orbits of a branch lies on it: chords leave a branch by an eighth of a step times the
-/// angle by which it turns.
-const ON_BRANCH: f64 = 5e-3;
+/// An orbit this close to the chord between two orbits of a branch, as a share of its length, lies on the branch: that leaves the chord
+/// by an eighth of the angle by which it turns, which is three times that of the step control at most.
+const ON_BRANCH: f64 = 0.15;
 
 impl FreeOrbit {
     /// Stable, and nowhere above the wall.
     pub(crate) fn good(&self) -> bool {
-        in_trapesium(self.multipliers.trace, self.multipliers.determinant)
-            && self.off_the_wall()
+        in_trapesium(self.multipliers.trace, self.multipliers.determinant) && self.off_the_wall()
     }
 
     fn off_the_wall(&self) -> bool {
@@ -59,13 +59,9 @@ impl FreeOrbit {
 impl Branch {
     /// Whether an orbit lies on the branch.
     pub(crate) fn passes(&self, orbit: &Orbit) -> bool {
-        let first = self.orbits.first().is_some_and(|first| (first.orbit - orbit).norm() < ON_BRANCH);
-        first
-            || self.orbits.windows(2).any(|pair| {
-                let [a, b] = [pair[0].orbit - orbit, pair[1].orbit - orbit];
-                let along = (-a.dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
-                (a + (b - a) * along).norm() < ON_BRANCH
-            })
+        let gap = |known: &FreeOrbit| known.orbit - orbit;
+        let start = self.orbits.first().is_some_and(|first| gap(first).norm() < STEPS.first);
+        start || self.orbits.windows(2).any(|pair| near_chord(&gap(&pair[0]), &gap(&pair[1]), ON_BRANCH))
     }
 }
 
@@ -102,7 +98,8 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
             let after = station.point;
             if !(0.0..=1.0).contains(&after[PRIMARY]) {
                 let edge = after[PRIMARY].clamp(0.0, 1.0);
-                let mut near = before + (after - before) * ((edge - before[PRIMARY]) / (after[PRIMARY] - before[PRIMARY]));
+                let mut near = before
+                    + (after - before) * ((edge - before[PRIMARY]) / (after[PRIMARY] - before[PRIMARY]));
                 near[PRIMARY] = edge;
                 found.extend(self.at(&near).map(|orbit| self.seen(&orbit)));
                 return Some((found, true));
@@ -132,7 +129,8 @@ impl Branch {
         let (near, located) = if condition == Condition::InteriorGrazing {
             let nearest = if weight < 0.5 { before } else { after };
             let mut between = *nearest;
-            between.orbit[PRIMARY] = before.orbit[PRIMARY] + (after.orbit[PRIMARY] - before.orbit[PRIMARY]) * weight;
+            between.orbit[PRIMARY] =
+                before.orbit[PRIMARY] + (after.orbit[PRIMARY] - before.orbit[PRIMARY]) * weight;
             let place = orbits.grazing(&between).and_then(|grazing| {
                 let share = orbits.scope.shares([grazing.primary(), 0.0])[0];
                 let mut orbit = before.orbit + (after.orbit - before.orbit) * weight;
@@ -143,7 +141,9 @@ impl Branch {
         } else {
             let middle = (before.orbit + after.orbit) * 0.5;
             let step = (after.orbit - before.orbit).norm();
-            let found = orbits.with_multiplier(&middle, condition).filter(|found| (found - middle).norm() < 2.0 * step);
+            let found = orbits
+                .with_multiplier(&middle, condition)
+                .filter(|found| (found - middle).norm() < 2.0 * step);
             (*before, found)
         };
         let place = located.map(|orbit| {
@@ -154,7 +154,11 @@ impl Branch {
             self.orbits.push(seen);
             self.orbits.len() - 1
         });
-        let near = if condition == Condition::InteriorGrazing { near } else { place.map_or(near, |at| self.orbits[at]) };
+        let near = if condition == Condition::InteriorGrazing {
+            near
+        } else {
+            place.map_or(near, |at| self.orbits[at])
+        };
         self.bifurcations.push(Bifurcation { condition, near, place });
     }
 }

@@ -25,7 +25,9 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
         orbits.reverse();
         let (after, end) = self.follow_curve(condition, &through.near.orbit, up)?;
         orbits.extend(after.into_iter().skip(1));
-        let points = orbits.iter().map(|orbit| CurvePoint { solution: self.as_solution(orbit), memory: Memory::default() });
+        let points = orbits
+            .iter()
+            .map(|orbit| CurvePoint { solution: self.as_solution(orbit), memory: Memory::default() });
         let curve = Curve {
             condition,
             points: points.collect(),
@@ -51,7 +53,9 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
             let before = walker.here().point;
             let after = match walker.advance() {
                 Ok(station) => station.point,
-                Err(Stall { step, failure }) => return Some((found, CurveEnd::Stalled(Stall { step, failure }))),
+                Err(Stall { step, failure }) => {
+                    return Some((found, CurveEnd::Stalled(Stall { step, failure })));
+                }
             };
             found.push(self.seen(&after));
             if !inside(&after) {

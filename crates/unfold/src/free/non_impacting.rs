@@ -17,7 +17,7 @@ use crate::faces::Point;
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::regions::{Doubt, Region, RegionKind, SLICES, Sight, Surveyor, decided};
-use crate::slices::{Slice, spread};
+use crate::slices::{Slice, near_chord, spread};
 use crate::{Scope, UnfoldError};
 
 /// What there is of motion without impacts.
@@ -32,9 +32,9 @@ pub(crate) struct NonImpacting<O> {
 const RELAXED_EVERY: u32 = 4;
 /// Orbits of a branch that are carried to a neighbouring slice.
 const CARRIED: usize = 8;
-/// A fold or period doubling this close to the points of a curve is one of it: curves are followed in steps of 0.02 and turn by two
-/// degrees between points, which is three times as close.
-const ON_CURVE: f64 = 3e-4;
+/// A fold or period doubling this close to the chord between two points of a curve, as a share of its length, lies on the curve, which
+/// leaves the chord by an eighth of the angle by which it turns: six degrees at most.
+const ON_CURVE: f64 = 0.03;
 
 struct FreeSurvey<'a, O> {
     orbits: FreeOrbits<'a, O>,
@@ -65,9 +65,10 @@ pub(crate) fn find<O: ImpactOscillator>(
         })
         .collect();
     progress.end(what);
-    let slices = shares.iter().zip(&surveys).map(|(share, survey)| {
-        Slice::new(scope.parameters([0.0, *share])[1], survey.branches.clone())
-    });
+    let slices = shares
+        .iter()
+        .zip(&surveys)
+        .map(|(share, survey)| Slice::new(scope.parameters([0.0, *share])[1], survey.branches.clone()));
     let mut free = FreeSurvey {
         orbits: FreeOrbits { oscillator, scope },
         grazing: Vec::new(),
@@ -173,9 +174,9 @@ impl<O: ImpactOscillator> FreeSurvey<'_, O> {
         let here = place(bifurcation.near.height.parameters, bifurcation.near.highest.position);
         self.curves.iter().filter(|curve| curve.curve.condition == bifurcation.condition).any(|curve| {
             curve.curve.points.windows(2).any(|pair| {
-                let [a, b] = [0, 1].map(|k| place(pair[k].solution.parameters(), pair[k].solution.ceiling()) - here);
-                let along = (-a.dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
-                (a + (b - a) * along).norm() < ON_CURVE
+                let [a, b] =
+                    [0, 1].map(|k| place(pair[k].solution.parameters(), pair[k].solution.ceiling()) - here);
+                near_chord(&a, &b, ON_CURVE)
             })
         })
     }

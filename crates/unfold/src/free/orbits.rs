@@ -112,7 +112,10 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
         let solution = newton::solve(Vector2::new(near[0], near[1]), 20, |state| {
             let (residual, derivative) =
                 self.pair::<1>(&Orbit::new(state[0], state[1], near[PRIMARY], near[SECONDARY]))?.difference();
-            Ok::<_, MapError>(Linearisation { residual, jacobian: derivative.fixed_columns::<2>(0).into_owned() })
+            Ok::<_, MapError>(Linearisation {
+                residual,
+                jacobian: derivative.fixed_columns::<2>(0).into_owned(),
+            })
         });
         let point = solution.ok()?.point;
         Some(Orbit::new(point[0], point[1], near[PRIMARY], near[SECONDARY]))
@@ -143,10 +146,9 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
         // A little more than a period, so that a maximum at phase zero lies inside.
         let highest = if at_rest { None } else { highest_maximum(&motion, 1.25 * period) };
         let highest = highest.unwrap_or(Maximum { time: 0.0, position: orbit[0] });
-        let multipliers = self.pair::<1>(orbit).map_or(
-            Multipliers { trace: f64::NAN, determinant: f64::NAN },
-            |pair| pair.multipliers(),
-        );
+        let multipliers = self
+            .pair::<1>(orbit)
+            .map_or(Multipliers { trace: f64::NAN, determinant: f64::NAN }, |pair| pair.multipliers());
         let height = Height {
             position: highest.position,
             parameters: self.parameters(orbit),

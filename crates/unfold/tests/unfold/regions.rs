@@ -1,8 +1,5 @@
 //! Polygons of stability against all maximal periodic solutions in closed form, which a quadratic equation gives.
 
-#[path = "../../../reproduction/tests/study/closed_form.rs"]
-mod closed_form;
-
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::regions::{self, Polygon};
