@@ -47,6 +47,8 @@ const OVERSWING: f64 = 0.1;
 const SAFETY: f64 = 0.9;
 const SHRINK: f64 = 0.3;
 const GROW: f64 = 2.0;
+/// What h r suggests is followed this far: slopes far from the motion, where a step that is too long ends, mean little.
+const PLUNGE: f64 = 0.1;
 /// A step this short, in units of 1/ω, means that the solution is not smooth, or escapes.
 const SHORTEST: f64 = 1e-9;
 /// The stages are solved for within this many iterations or the step is too long.
@@ -239,7 +241,7 @@ impl<M: SmoothOscillator> Integrated<M> {
 
     /// The node after this one, `longest` away at most in time; `None` if the solution cannot be continued.
     pub(super) fn next_node(&self, node: &Node, longest: f64) -> Option<Node> {
-        let mut trial = if node.proposal.abs() < longest.abs() { node.proposal } else { longest };
+        let mut trial = if node.proposal.abs() <= longest.abs() { node.proposal } else { longest };
         let shortest = SHORTEST / self.frequency;
         loop {
             let accelerations = match &node.last {
@@ -260,10 +262,10 @@ impl<M: SmoothOscillator> Integrated<M> {
             let swing = slopes.rate * trial.abs() / SWING;
             // The highest coefficient is of order 5 in the step; 3/16 is a little less than 1/5, and takes roots alone.
             let eighth = roughness.sqrt().sqrt().sqrt();
-            let factor = (SAFETY / (eighth * eighth.sqrt())).clamp(SHRINK, GROW).min(1.0 / swing);
+            let factor = (SAFETY / (eighth * eighth.sqrt())).clamp(SHRINK, GROW).min(1.0 / swing).max(PLUNGE);
             if (roughness <= 1.0 && swing <= 1.0 + OVERSWING) || trial.abs() < shortest {
                 // A step that was cut at the end says nothing against the proposal.
-                let cut = trial.abs() < node.proposal.abs() && factor >= 1.0;
+                let cut = trial == longest && longest.abs() < node.proposal.abs() && factor >= 1.0;
                 let proposal = if cut { node.proposal } else { trial * factor };
                 let longest = self.longest_step();
                 let proposal = if proposal.abs() < longest { proposal } else { longest.copysign(proposal) };
