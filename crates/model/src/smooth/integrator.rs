@@ -117,17 +117,27 @@ fn highest(values: &Stages) -> f64 {
 struct Slopes {
     /// The two highest coefficients of h² F_x and h F_y.
     roughness: f64,
-    /// The fastest rate at which neighbouring motion turns or decays: no zero of r² − F_y r − F_x is larger.
+    /// By how much h² F_x and h F_y differ between stages.
+    spread: f64,
+    /// The fastest rate at which neighbouring motion turns or decays.
     rate: f64,
 }
 
 impl Slopes {
     /// From F_x and F_y at the stages.
     fn new([by_position, by_velocity]: [Stages; 2], length: f64) -> Self {
-        let roughness = highest(&by_position) * length * length + highest(&by_velocity) * length.abs();
-        let [stiffness, loss] = [by_position, by_velocity].map(|slope| slope.modulus());
-        Self { roughness, rate: 0.5 * (loss + (loss * loss + 4.0 * stiffness).sqrt()) }
+        let together = |size: fn(&Stages) -> f64| {
+            size(&by_position) * length * length + size(&by_velocity) * length.abs()
+        };
+        let spread = |values: &Stages| (*values - Stages::constant(values.0[0])).modulus();
+        let rate = fastest_rate(by_position.modulus(), by_velocity.modulus());
+        Self { roughness: together(highest), spread: together(spread), rate }
     }
+}
+
+/// No zero of r² − F_y r − F_x is larger than this, for such moduli of F_x and F_y.
+fn fastest_rate(stiffness: f64, loss: f64) -> f64 {
+    0.5 * (loss + (loss * loss + 4.0 * stiffness).sqrt())
 }
 
 impl Step {
@@ -210,8 +220,10 @@ impl<M: SmoothOscillator> Integrated<M> {
             if !size.is_finite() {
                 return None;
             }
-            // The next one would be smaller than this one by the factor by which this one is smaller than the last, or by more.
-            if size <= CONVERGED || size * (size / before) <= ROUNDING {
+            // The next one would be smaller than this one by the factor by which this one is smaller than the last, or by more; and by
+            // what the slopes have changed since, less than over the whole step. So one is enough where F is linear.
+            let next = size * if size <= NEAR { slopes.spread.min(size / before) } else { size / before };
+            if size <= CONVERGED || next <= ROUNDING {
                 return Some((step, slopes));
             }
             before = size;
@@ -246,7 +258,12 @@ impl<M: SmoothOscillator> Integrated<M> {
         loop {
             let accelerations = match &node.last {
                 Some(last) => last.guess(1.0, trial),
-                None => Stages::constant(self.force(node.state[0], node.state[1], node.time)),
+                None => {
+                    let (acceleration, rate) = self.start(node);
+                    let longest = SWING / rate;
+                    trial = if trial.abs() < longest { trial } else { longest.copysign(trial) };
+                    Stages::constant(acceleration)
+                }
             };
             let Some((step, slopes)) =
                 self.solve(node.state, node.time, Step { length: trial, accelerations })
@@ -278,6 +295,15 @@ impl<M: SmoothOscillator> Integrated<M> {
             }
             trial *= factor.min(SAFETY);
         }
+    }
+
+    /// The acceleration at a node, and the fastest rate there.
+    fn start(&self, node: &Node) -> (f64, f64) {
+        let [[x, y], [mu, eta]] = [node.state, self.parameters];
+        let [mu, eta] = [mu, eta].map(Jet::<PLANAR>::constant);
+        let force =
+            self.model.force(Jet::variable(0, x), Jet::variable(1, y), Jet::constant(node.time), mu, eta);
+        (force.value(), fastest_rate(force.first(0).abs(), force.first(1).abs()))
     }
 
     /// The step from a node to a time on the way to the next one.

