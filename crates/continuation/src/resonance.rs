@@ -3,7 +3,7 @@
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
-use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side};
+use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side, Unfolding};
 
 use crate::curve::{Curve, CurveEnd, MpsCurve, Route};
 use crate::locate::{Condition, LocateFailure, locate};
@@ -45,8 +45,11 @@ pub struct ResonantGrazingPoint<O> {
     point: ResonantPoint,
 }
 
-/// The residual that Newton's method leaves in a₁₂ or κ_p at a located resonance is a few roundings of terms of order one.
+/// The residual that Newton's method leaves in a₁₂ or κ_p at a located resonance is a few roundings of terms of order one,
 const RESONANCE_TOLERANCE: f64 = 1e-12;
+/// and what they change by over this share of η*: a step of Newton's method of 10⁻⁷ is the last, which leaves less at the
+/// sixtieth resonance too, where they change sixty times as fast as at the first.
+const RESONANCE_ERROR: f64 = 1e-10;
 
 /// A resonant grazing point that has been located, whether or not a theorem applies there.
 ///
@@ -95,7 +98,14 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
     /// # Errors
     /// A hypothesis of Theorem 2.4 or 2.5 fails; all are listed with their values.
     pub fn checked(&self) -> Result<ResonantGrazingPoint<O>, HypothesesViolated> {
-        let theorem = ResonantGrazing::check(&self.point, RESONANCE_TOLERANCE)?;
+        let [_, secondary] = self.orbit.oscillator().parameters();
+        let tolerance = match self.point.unfolding {
+            Unfolding::OneLoop { off_diagonal_derivative: derivative }
+            | Unfolding::MultiLoop { detuning_derivative: derivative, .. } => {
+                RESONANCE_TOLERANCE + RESONANCE_ERROR * (secondary * derivative).abs()
+            }
+        };
+        let theorem = ResonantGrazing::check(&self.point, tolerance)?;
         let Self { equations, orbit, point } = self.clone();
         Ok(ResonantGrazingPoint { equations, orbit, theorem, point })
     }

@@ -15,13 +15,11 @@ use super::{Integrated, SmoothOscillator};
 /// Position and velocity.
 pub(super) type Pair<S> = [S; 2];
 
-/// A step that has been solved: its length and the accelerations at the stages.
+/// A step, solved or guessed: its length and the accelerations at the stages.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
     pub(super) length: f64,
     pub(super) accelerations: Stages,
-    /// The two highest coefficients of h² F_x and h F_y on the step, which the derivatives of the flow depend on.
-    slope_roughness: f64,
 }
 
 /// A point of a solution, with the step that is proposed from there.
@@ -34,19 +32,28 @@ pub(super) struct Node {
     pub(super) last: Option<Step>,
 }
 
-/// Size of the two highest coefficients on a step that is allowed: of the acceleration, relative to 1 + the largest one, and of its
-/// derivatives (empirical). Coefficients fall geometrically with the degree; an error at the end comes from those of degree
-/// twelve and above, which are then 10⁻¹³ or so, and enter with a small factor. Tests hold flows to 10⁻¹².
+/// Size of the two highest coefficients on a step that is allowed: of the acceleration, relative to the motion's scale, and of
+/// h² F_x and h F_y. Gauss's points make the error at the end of a step a product of two neglected coefficients, of degree six and
+/// above: of the acceleration, or its derivative, and of the solution of the variational equations. Coefficients fall
+/// geometrically, so both are some 10⁻⁷ or less then, and each error is 10⁻¹³ or less (empirical; tests hold flows to 10⁻¹²).
 const TOLERANCE: f64 = 5e-6;
+/// The largest h r on a step, r being the fastest rate at which neighbouring motion turns or decays: where F_x and F_y are constant
+/// nothing else tells how fast the variational equations are. Their error is then that of Padé's approximation of the exponential
+/// function, (6!)²/(12! 13!) (h r)¹³: 2·10⁻¹⁴ here.
+const SWING: f64 = 0.85;
+/// A step is solved again if h r is larger by more than this share: its error is four times as large.
+const OVERSWING: f64 = 0.1;
 /// The new step is this share of what the coefficients suggest, and changes by these factors at most (empirical).
 const SAFETY: f64 = 0.9;
 const SHRINK: f64 = 0.3;
 const GROW: f64 = 2.0;
-/// A step this short means that the solution is not smooth, or escapes: all times are of order one (dimensionless).
+/// What h r suggests is followed this far: slopes far from the motion, where a step that is too long ends, mean little.
+const PLUNGE: f64 = 0.1;
+/// A step this short, in units of 1/ω, means that the solution is not smooth, or escapes.
 const SHORTEST: f64 = 1e-9;
 /// The stages are solved for within this many iterations or the step is too long.
 const ITERATIONS: usize = 12;
-/// A correction this small, relative to 1 + the largest acceleration, lets the matrix stand; the next ones are smaller by about as much.
+/// A correction this small, relative to what F is a sum of, lets the matrix stand; the next ones are smaller by about as much.
 const NEAR: f64 = 1e-3;
 /// A correction is the last if it is this small, or if the next one would be below rounding.
 const CONVERGED: f64 = 1e-12;
@@ -105,6 +112,34 @@ fn highest(values: &Stages) -> f64 {
     a.abs() + 0.1 * b.abs()
 }
 
+/// What F_x and F_y say about a step.
+#[derive(Clone, Copy, Debug)]
+struct Slopes {
+    /// The two highest coefficients of h² F_x and h F_y.
+    roughness: f64,
+    /// By how much h² F_x and h F_y differ between stages.
+    spread: f64,
+    /// The fastest rate at which neighbouring motion turns or decays.
+    rate: f64,
+}
+
+impl Slopes {
+    /// From F_x and F_y at the stages.
+    fn new([by_position, by_velocity]: [Stages; 2], length: f64) -> Self {
+        let together = |size: fn(&Stages) -> f64| {
+            size(&by_position) * length * length + size(&by_velocity) * length.abs()
+        };
+        let spread = |values: &Stages| (*values - Stages::constant(values.0[0])).modulus();
+        let rate = fastest_rate(by_position.modulus(), by_velocity.modulus());
+        Self { roughness: together(highest), spread: together(spread), rate }
+    }
+}
+
+/// No zero of r² − F_y r − F_x is larger than this, for such moduli of F_x and F_y.
+fn fastest_rate(stiffness: f64, loss: f64) -> f64 {
+    0.5 * (loss + (loss * loss + 4.0 * stiffness).sqrt())
+}
+
 impl Step {
     /// The times of the stages.
     pub(super) fn times(&self, start: f64) -> Stages {
@@ -142,20 +177,27 @@ impl Step {
         guess
     }
 
-    /// 1 + the largest acceleration.
-    fn scale(&self) -> f64 {
-        1.0 + self.accelerations.modulus()
+    /// The size of accelerations where so fast a rate turns the state at which the step begins.
+    ///
+    /// What is far below it moves nothing, and may be no more than rounding: near rest the terms of F cancel.
+    fn scale(&self, [x, y]: Pair<f64>, rate: f64) -> f64 {
+        self.accelerations.modulus() + rate * (y.abs() + rate * x.abs())
     }
+}
 
-    /// The two highest coefficients over what is allowed.
-    fn roughness(&self) -> f64 {
-        (highest(&self.accelerations) / self.scale() + self.slope_roughness) / TOLERANCE
-    }
+/// A size relative to a scale, both of which may vanish.
+fn relative(size: f64, scale: f64) -> f64 {
+    if size == 0.0 { 0.0 } else { size / scale }
 }
 
 impl<M: SmoothOscillator> Integrated<M> {
     /// Solves for the accelerations of a step by Newton's method; `None` if it does not converge.
     fn solve_step(&self, from: Pair<f64>, time: f64, guess: Step) -> Option<Step> {
+        Some(self.solve(from, time, guess)?.0)
+    }
+
+    /// The same with what F_x and F_y say about the step.
+    fn solve(&self, from: Pair<f64>, time: f64, guess: Step) -> Option<(Step, Slopes)> {
         let mut step = guess;
         let h = step.length;
         let [mu, eta] = self.parameters;
@@ -166,24 +208,27 @@ impl<M: SmoothOscillator> Integrated<M> {
         for _ in 0..ITERATIONS {
             let [x, y] = step.stages(from);
             let force = force(Jet::variable(0, x), Jet::variable(1, y));
-            let factors = kept.take().unwrap_or_else(|| {
-                let slopes = [force.first(0).scale(h * h), force.first(1).scale(h)];
-                step.slope_roughness = highest(&slopes[0]) + highest(&slopes[1]);
-                Factors::new(&slopes)
+            let (factors, slopes) = kept.take().unwrap_or_else(|| {
+                let slopes = [force.first(0), force.first(1)];
+                let factors = Factors::new(&[slopes[0].scale(h * h), slopes[1].scale(h)]);
+                (factors, Slopes::new(slopes, h))
             });
             let correction = factors.solve(force.value() - step.accelerations);
             step.accelerations = step.accelerations + correction;
-            let size = correction.modulus() / step.scale();
+            let scale = step.scale(from, slopes.rate.max(self.frequency));
+            let size = relative(correction.modulus(), scale);
             if !size.is_finite() {
                 return None;
             }
-            // The next one would be smaller than this one by the factor by which this one is smaller than the last, or by more.
-            if size <= CONVERGED || size * (size / before) <= ROUNDING {
-                return Some(step);
+            // The next one would be smaller than this one by the factor by which this one is smaller than the last, or by more; and by
+            // what the slopes have changed since, less than over the whole step. So one is enough where F is linear.
+            let next = size * if size <= NEAR { slopes.spread.min(size / before) } else { size / before };
+            if size <= CONVERGED || next <= ROUNDING {
+                return Some((step, slopes));
             }
             before = size;
             if size <= NEAR {
-                kept = Some(factors);
+                kept = Some((factors, slopes));
             }
         }
         None
@@ -203,40 +248,41 @@ impl<M: SmoothOscillator> Integrated<M> {
     fn part(&self, from: Pair<f64>, time: f64, step: &Step, [begin, share]: [f64; 2]) -> Option<Step> {
         let length = step.length * share;
         let accelerations = step.guess(begin, length);
-        self.solve_step(
-            from,
-            time + begin * step.length,
-            Step { length, accelerations, slope_roughness: 0.0 },
-        )
+        self.solve_step(from, time + begin * step.length, Step { length, accelerations })
     }
 
     /// The node after this one, `longest` away at most in time; `None` if the solution cannot be continued.
     pub(super) fn next_node(&self, node: &Node, longest: f64) -> Option<Node> {
-        let mut trial = if node.proposal.abs() < longest.abs() { node.proposal } else { longest };
+        let mut trial = if node.proposal.abs() <= longest.abs() { node.proposal } else { longest };
+        let shortest = SHORTEST / self.frequency;
         loop {
-            let guess = match &node.last {
+            let accelerations = match &node.last {
                 Some(last) => last.guess(1.0, trial),
-                None => Stages::constant(self.force(node.state[0], node.state[1], node.time)),
+                None => {
+                    let (acceleration, rate) = self.start(node);
+                    let longest = SWING / rate;
+                    trial = if trial.abs() < longest { trial } else { longest.copysign(trial) };
+                    Stages::constant(acceleration)
+                }
             };
-            let solved = self.solve_step(
-                node.state,
-                node.time,
-                Step { length: trial, accelerations: guess, slope_roughness: 0.0 },
-            );
-            let Some(step) = solved else {
+            let Some((step, slopes)) =
+                self.solve(node.state, node.time, Step { length: trial, accelerations })
+            else {
                 trial *= SHRINK;
-                if trial.abs() < SHORTEST {
+                if trial.abs() < shortest {
                     return None;
                 }
                 continue;
             };
-            let roughness = step.roughness();
+            let scale = step.scale(node.state, self.frequency);
+            let roughness = (relative(highest(&step.accelerations), scale) + slopes.roughness) / TOLERANCE;
+            let swing = slopes.rate * trial.abs() / SWING;
             // The highest coefficient is of order 5 in the step; 3/16 is a little less than 1/5, and takes roots alone.
             let eighth = roughness.sqrt().sqrt().sqrt();
-            let factor = (SAFETY / (eighth * eighth.sqrt())).clamp(SHRINK, GROW);
-            if roughness <= 1.0 || trial.abs() < SHORTEST {
+            let factor = (SAFETY / (eighth * eighth.sqrt())).clamp(SHRINK, GROW).min(1.0 / swing).max(PLUNGE);
+            if (roughness <= 1.0 && swing <= 1.0 + OVERSWING) || trial.abs() < shortest {
                 // A step that was cut at the end says nothing against the proposal.
-                let cut = trial.abs() < node.proposal.abs() && factor >= 1.0;
+                let cut = trial == longest && longest.abs() < node.proposal.abs() && factor >= 1.0;
                 let proposal = if cut { node.proposal } else { trial * factor };
                 let longest = self.longest_step();
                 let proposal = if proposal.abs() < longest { proposal } else { longest.copysign(proposal) };
@@ -251,11 +297,20 @@ impl<M: SmoothOscillator> Integrated<M> {
         }
     }
 
+    /// The acceleration at a node, and the fastest rate there.
+    fn start(&self, node: &Node) -> (f64, f64) {
+        let [[x, y], [mu, eta]] = [node.state, self.parameters];
+        let [mu, eta] = [mu, eta].map(Jet::<PLANAR>::constant);
+        let force =
+            self.model.force(Jet::variable(0, x), Jet::variable(1, y), Jet::constant(node.time), mu, eta);
+        (force.value(), fastest_rate(force.first(0).abs(), force.first(1).abs()))
+    }
+
     /// The step from a node to a time on the way to the next one.
     pub(super) fn step_between(&self, node: &Node, next: &Node, time: f64) -> Option<Step> {
         let length = time - node.time;
         let accelerations = next.last.as_ref()?.guess(0.0, length);
-        self.solve_step(node.state, node.time, Step { length, accelerations, slope_roughness: 0.0 })
+        self.solve_step(node.state, node.time, Step { length, accelerations })
     }
 }
 
@@ -293,7 +348,7 @@ mod tests {
         (0..count).fold([-0.4, 0.7], |state, k| {
             let time = length * f64::from(k);
             let accelerations = Stages::constant(oscillator.force(state[0], state[1], time));
-            let guess = Step { length, accelerations, slope_roughness: 0.0 };
+            let guess = Step { length, accelerations };
             oscillator.solve_step(state, time, guess).unwrap().end(state)
         })
     }

@@ -18,6 +18,10 @@ struct Course {
     ended: bool,
 }
 
+/// A motion of so many steps has ended: a few hundred make a period of a spring sixty times as fast as its forcing, and ten
+/// thousand of one that is a thousand times as fast; a hundred thousand take fifteen megabytes and some tenths of a second.
+const MOST_STEPS: usize = 100_000;
+
 /// Bounds over no time at all.
 const NO_BOUNDS: Bounds = Bounds { acceleration: 0.0, jerk: 0.0, snap: 0.0 };
 
@@ -70,8 +74,8 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
                 return;
             }
             match self.oscillator.next_node(&last, last.proposal) {
-                Some(node) => course.nodes.push(node),
-                None => course.ended = true,
+                Some(node) if course.nodes.len() <= MOST_STEPS => course.nodes.push(node),
+                _ => course.ended = true,
             }
         }
     }

@@ -30,11 +30,10 @@ impl Stages {
     }
 
     /// The largest modulus; not a number if one of the numbers is none.
+    #[inline]
     pub(super) fn modulus(&self) -> f64 {
-        let larger = |largest: f64, value: f64| {
-            if value <= largest || largest.is_nan() { largest } else { value }
-        };
-        self.0.iter().map(|value| value.abs()).fold(0.0, larger)
+        // Bits of numbers without sign are in the order of the numbers, with those of what is no number last.
+        f64::from_bits(self.0.iter().map(|value| value.abs().to_bits()).fold(0, u64::max))
     }
 }
 

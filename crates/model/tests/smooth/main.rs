@@ -5,4 +5,5 @@ mod escape;
 mod models;
 mod nonlinear;
 mod reset;
+mod stiff;
 mod third_order;

@@ -65,6 +65,17 @@ forced!(
     |x, _y, forcing| forcing + x.power(3)
 );
 
+forced!(
+    /// Thrown back by a soft wall, ẏ²/2 + x²/2 + e^{20x}/20 being kept without forcing.
+    Bouncing,
+    |x, _y, forcing| forcing - x - x.scale(20.0).apply(Function::Exp)
+);
+forced!(
+    /// With friction that changes its sign within a fiftieth of the usual velocities.
+    Sticking,
+    |x, y, forcing| forcing - y.scale(50.0).apply(Function::Tanh).scale(0.3) - x
+);
+
 /// A state that is special in no way.
 pub(crate) const FROM: State = State { position: -0.4, velocity: 0.7, phase: 1.1 };
 

@@ -5,7 +5,9 @@ use grazing_theorems::LinearOscillator as Theory;
 use grazing_unfold::diagram::Coefficients;
 use grazing_unfold::resonances::on_curve;
 
-use crate::specimens::{DAMPED, EPSILON, ZETA, assert_within, closed_form, grazing_curves, scope, written};
+use crate::specimens::{
+    DAMPED, EPSILON, ZETA, assert_within, closed_form, example, grazing_curves, scope, written,
+};
 
 /// Forcing frequency and n of all resonances of a p in a range, and whether a theorem holds there: eq:resonance1, eq:resonancep.
 fn expected(loops: u32, [lowest, highest]: [f64; 2]) -> Vec<(f64, u32, bool)> {
@@ -57,6 +59,49 @@ fn all_resonances_at_low_frequencies_are_found_once_with_their_n() {
 #[test]
 fn all_resonances_at_high_frequencies_are_found_once_with_their_n() {
     assert_all_found([1.0, 4.2], &[2, 1, 5]);
+}
+
+/// The resonances of the integrated oscillator of `examples/paper.toml`: all that the closed form knows, with all that it says.
+fn assert_integrated(secondary: [f64; 2], loops: &[u32]) {
+    let (oscillator, mut scope) = example("paper.toml");
+    (scope.window.secondary, scope.loops) = (secondary, loops.to_vec());
+    let curves = grazing_curves(&oscillator, &scope).unwrap();
+    let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
+    let (found, lost) = on_curve(curve, &scope);
+    assert!(lost.is_empty(), "{lost:?}");
+    let theory = Theory::new(ZETA, EPSILON).unwrap();
+    let known = theory.resonances(loops, secondary[0], secondary[1]).unwrap();
+    let unfolding = found.iter().filter(|resonance| resonance.theorem.is_ok()).count();
+    assert!(known.len() > 1 && unfolding == known.len(), "{unfolding} of {}", known.len());
+    for known in known {
+        let (p, n) = (known.loops(), known.index());
+        let resonance = found.iter().find(|found| found.loops == p && found.n == n && found.theorem.is_ok());
+        let Some(Ok(point)) = resonance.map(|found| &found.theorem) else {
+            panic!("p = {p}, n = {n} is missing");
+        };
+        let [amplitude, frequency] = point.orbit().oscillator().parameters();
+        let theorem = point.theorem();
+        for (computed, exact) in [
+            (frequency, known.forcing_frequency()),
+            (amplitude, known.grazing().amplitude()),
+            (theorem.saddle_node().coefficient, known.saddle_node_coefficient()),
+            (theorem.period_doubling().coefficient, known.period_doubling_coefficient()),
+        ] {
+            // Integration leaves 1e-11 over sixty turns of neighbouring motion.
+            assert!((computed / exact - 1.0).abs() < 1e-9, "p = {p}, n = {n}: {computed:e} {exact:e}");
+        }
+    }
+}
+
+#[test]
+fn resonances_under_slow_forcing_have_the_coefficients_of_the_closed_form() {
+    // The whole window of the example; n from 15 to 18, 34 to 39 and 56 to 60 for p = 1; from 13 to 15 and 59 to 60 for p = 2 and 3.
+    assert_integrated([0.3, 1.1], &[1, 2, 3]);
+    assert_integrated([0.11, 0.14], &[1]);
+    assert_integrated([0.05, 0.06], &[1]);
+    assert_integrated([0.0333, 0.036], &[1]);
+    assert_integrated([0.065, 0.075], &[2, 3]);
+    assert_integrated([0.0165, 0.0169], &[2, 3]);
 }
 
 #[test]
