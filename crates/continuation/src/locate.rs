@@ -94,6 +94,18 @@ pub(crate) fn conditioned<O: ImpactOscillator>(
 /// Newton's method for isolated points either converges within this many evaluations or is lost.
 const LIMIT: usize = 25;
 
+/// An iterate this many times farther from the start than the start from the origin is lost; far away motion may be so fast that
+/// nothing more would come of it in any reasonable time (empirical).
+const REACH: f64 = 10.0;
+
+/// Why an iteration ends.
+#[derive(Clone, Copy)]
+enum Stop {
+    Undefined(MapError),
+    Lost,
+}
+use Stop::{Lost, Undefined};
+
 /// The MPS near `start` at which both conditions hold.
 ///
 /// # Errors
@@ -105,12 +117,34 @@ pub fn locate<O: ImpactOscillator>(
     memory: &mut Memory,
 ) -> Result<Unknowns, LocateFailure> {
     let second_order = conditions[1].needs_second_order();
+    let reach = REACH * (1.0 + start.norm());
+    let mut farthest = 0.0;
     let solution = newton::solve(start, LIMIT, |point| {
-        let (mut system, pair) = conditioned(equations, conditions[0], second_order, point, memory)?;
-        let (value, gradient) = conditions[1].evaluate(equations, point, &pair, memory)?;
+        farthest = (point - start).norm();
+        // Not a number is far as well.
+        if farthest.is_nan() || farthest > reach {
+            return Err(Lost);
+        }
+        let (mut system, pair) =
+            conditioned(equations, conditions[0], second_order, point, memory).map_err(Undefined)?;
+        let (value, gradient) = conditions[1].evaluate(equations, point, &pair, memory).map_err(Undefined)?;
         system.residual[3] = value;
         system.jacobian.set_row(3, &gradient.transpose());
         Ok(system)
+    });
+    let solution = solution.map_err(|failure| match failure {
+        NewtonFailure::Undefined { cause: Lost, .. } => {
+            LocateFailure::Elsewhere { distance: farthest, step: reach }
+        }
+        NewtonFailure::Undefined { iteration, cause: Undefined(cause) } => {
+            NewtonFailure::Undefined { iteration, cause }.into()
+        }
+        NewtonFailure::Singular { iteration, residual } => {
+            NewtonFailure::Singular { iteration, residual }.into()
+        }
+        NewtonFailure::NoConvergence { iterations, residual } => {
+            NewtonFailure::NoConvergence { iterations, residual }.into()
+        }
     })?;
     Ok(solution.point)
 }

@@ -152,7 +152,7 @@ const TRIALS: u32 = 15;
 /// A face's slice is good enough if its chord has this share of the longest one.
 const LONG_ENOUGH: f64 = 0.25;
 /// Slices of the whole window to begin with.
-pub(crate) const SLICES: u32 = 32;
+pub(crate) const SLICES: u32 = 16;
 /// How often slices are added in faces that have none.
 const ROUNDS: usize = 6;
 

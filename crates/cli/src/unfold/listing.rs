@@ -282,11 +282,18 @@ fn undecided(description: &Description, unfolded: &Analysis) -> String {
             text.push_str("\nNot decided (hatched in the diagram)\n");
         }
         let vertices = region.rings.iter().flatten();
-        let [low, high] = vertices.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], vertex| {
-            [[low[0].min(vertex[0]), low[1].min(vertex[1])], [high[0].max(vertex[0]), high[1].max(vertex[1])]]
-        });
+        let [low, high] =
+            vertices.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], vertex| {
+                [
+                    [low[0].min(vertex[0]), low[1].min(vertex[1])],
+                    [high[0].max(vertex[0]), high[1].max(vertex[1])],
+                ]
+            });
         let (from, to) = (place(description, low), place(description, high));
-        text.push_str(&wrapped(&format!("  p = {}  ", region.loops), &format!("from {from} to {to}: {doubt}")));
+        text.push_str(&wrapped(
+            &format!("  p = {}  ", region.loops),
+            &format!("from {from} to {to}: {doubt}"),
+        ));
     }
     text
 }

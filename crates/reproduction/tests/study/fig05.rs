@@ -7,8 +7,8 @@ use grazing_model::{LinearOscillator, State};
 use grazing_reproduction::{Figure5, Study};
 use grazing_theorems::Resonance;
 
-use grazing_trials::closed_form::{self, Orbit, orbits};
 use crate::{made, numbers, words};
+use grazing_trials::closed_form::{self, Orbit, orbits};
 
 fn figure() -> Figure5 {
     Study::new(&made().parameters).fig05().expect("figure 5 can be computed")

@@ -3,8 +3,8 @@
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-use grazing_trials::closed_form::{Orbit, orbits};
 use crate::{flags, integers, made, numbers, words};
+use grazing_trials::closed_form::{Orbit, orbits};
 
 /// The closed-form MPS with the impact velocity nearest to the given one.
 fn nearest(amplitude: f64, omega: f64, loops: u32, velocity: f64) -> Orbit {

@@ -1,6 +1,5 @@
 //! The frames of the default parameters: held fixed by snapshots, and against routes that share nothing with them.
 
-
 mod fig04;
 mod fig05;
 mod fig06;

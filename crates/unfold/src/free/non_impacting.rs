@@ -29,7 +29,7 @@ pub(crate) struct NonImpacting<O> {
 }
 
 /// Every so many of the slices motion is left to relax from rest, which finds branches to which grazing does not lead.
-const RELAXED_EVERY: u32 = 4;
+const RELAXED_EVERY: u32 = 2;
 /// Orbits of a branch that are carried to a neighbouring slice.
 const CARRIED: usize = 8;
 /// A fold or period doubling this close to the chord between two points of a curve, as a share of its length, lies on the curve, which
