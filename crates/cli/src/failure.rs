@@ -84,6 +84,16 @@ pub enum Failure {
         /// How many there are.
         all: usize,
     },
+    /// The analysis of an oscillator was ended by a limit or by Ctrl-C.
+    #[error("{}: {met}; {outcome}", file.display())]
+    Ended {
+        /// The description.
+        file: PathBuf,
+        /// What ended it.
+        met: String,
+        /// What is missing.
+        outcome: String,
+    },
     /// Not all of several oscillators could be unfolded.
     #[error("{failing} of {all} files failed, as told above")]
     SomeFiles {
@@ -187,6 +197,7 @@ impl Failure {
             Failure::Computation { .. }
             | Failure::NothingToUnfold { .. }
             | Failure::PartlyUnfolded { .. }
+            | Failure::Ended { .. }
             | Failure::Registry { .. }
             | Failure::Published(_)
             | Failure::Ledger(_) => 3,

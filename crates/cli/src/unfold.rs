@@ -16,6 +16,7 @@ use grazing_description::Description;
 use grazing_model::smooth::Integrated;
 use grazing_reproduction::unfolded::Unfolded;
 use grazing_reproduction::{StudyError, Table};
+use grazing_unfold::stop::Stoppable;
 
 use crate::arguments;
 use crate::failure::Failure;
@@ -31,7 +32,7 @@ use keeper::Keeper;
 const RESULTS: &str = "unfolded";
 
 /// What the analysis of an oscillator from a text file comes to.
-pub(crate) type Analysis = Unfolded<Integrated<Description>>;
+pub(crate) type Analysis = Unfolded<Integrated<Stoppable<Description>>>;
 
 /// A file that is to be unfolded.
 struct Task {

@@ -30,6 +30,24 @@ pub(crate) struct Content {
     pub(crate) texts: Texts,
     pub(crate) loops: Vec<u32>,
     pub(crate) start: Option<[f64; 2]>,
+    pub(crate) limits: Limits,
+}
+
+/// What an analysis may use before it ends with what it has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Seconds.
+    pub time: f64,
+    /// Megabytes that the process holds.
+    pub memory: f64,
+    /// Steps of integration.
+    pub steps: f64,
+}
+
+impl Limits {
+    /// What a file that says nothing gives: the examples take seconds and 50 MB, and whoever waits for ten minutes wants to see
+    /// something. The steps are more than two cores make in that time.
+    pub const USUAL: Self = Self { time: 600.0, memory: 2000.0, steps: 1e10 };
 }
 
 /// The four expressions as the file has them, for whoever wants to see what was read.
@@ -139,6 +157,11 @@ impl Description {
     /// Position and velocity at time zero from which the non-impacting motion is looked for, if the file gives them.
     pub fn start(&self) -> Option<[f64; 2]> {
         self.0.start
+    }
+
+    /// What the analysis may use; all are positive.
+    pub fn limits(&self) -> Limits {
+        self.0.limits
     }
 
     /// The numbers of loops p to analyse: at least one, each 1 or more, none twice, as ordered in the file.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use grazing_source::Source;
 use toml::Spanned;
 
-use crate::description::{Axis, Content, Description, Texts};
+use crate::description::{Axis, Content, Description, Limits, Texts};
 use crate::error::DescriptionError;
 use crate::expression::Expression;
 use crate::file::{self, File, MOST_LOOPS, REQUIREMENTS};
@@ -68,6 +68,7 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
     }
     let loops = loops(&raw.analysis.loops, source)?;
     let start = raw.analysis.start.as_ref().map(|start| finite(start, source)).transpose()?;
+    let limits = limits(&raw.analysis, source)?;
     let name = name.to_owned();
     Ok(Description(Arc::new(Content {
         name,
@@ -86,7 +87,21 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
         },
         loops,
         start,
+        limits,
     })))
+}
+
+fn limits(raw: &file::Analysis, source: &Source<'_>) -> Checked<Limits> {
+    let given = |key: &str, value: &Option<Spanned<f64>>, usual: f64| match value {
+        None => Ok(usual),
+        Some(value) if value.get_ref().is_finite() && *value.get_ref() > 0.0 => Ok(*value.get_ref()),
+        Some(value) => Err(source.forbid(key, value, REQUIREMENTS.of(key).to_owned())),
+    };
+    Ok(Limits {
+        time: given("analysis.time_limit", &raw.time_limit, Limits::USUAL.time)?,
+        memory: given("analysis.memory_limit", &raw.memory_limit, Limits::USUAL.memory)?,
+        steps: given("analysis.step_limit", &raw.step_limit, Limits::USUAL.steps)?,
+    })
 }
 
 fn finite(start: &Spanned<Vec<f64>>, source: &Source<'_>) -> Checked<[f64; 2]> {

@@ -107,6 +107,30 @@ pub struct NotUnfolded {
     pub reason: ResonanceError,
 }
 
+/// A part of the analysis that was not finished, because an end was asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unfinished {
+    /// What was being done, or would have been.
+    pub stage: &'static str,
+    /// The numbers p and n of the resonance it belongs to, if it belongs to one.
+    pub resonance: Option<[u32; 2]>,
+    /// The parameters (μ, η) of the place it belongs to, if it belongs to one.
+    pub at: Option<[f64; 2]>,
+}
+
+impl Unfinished {
+    /// A stage as a whole.
+    pub const fn stage(stage: &'static str) -> Self {
+        Self { stage, resonance: None, at: None }
+    }
+
+    /// A stage at one resonance.
+    pub fn at<O: ImpactOscillator>(stage: &'static str, resonance: &Resonance<O>) -> Self {
+        let at = resonance.located.orbit().oscillator().parameters();
+        Self { stage, resonance: Some([resonance.loops, resonance.n]), at: Some(at) }
+    }
+}
+
 /// What came of following the curves from a resonance.
 #[derive(Clone, Debug)]
 pub struct Followed {
@@ -135,10 +159,15 @@ pub struct Diagram<O> {
     pub unlocated: Vec<Unlocated>,
     /// Resonances whose curves could not be followed.
     pub not_unfolded: Vec<NotUnfolded>,
+    /// What was not finished when an end was asked for.
+    pub unfinished: Vec<Unfinished>,
 }
 
 /// The kind of a point at which a saddle-node curve turns back.
 const CUSP: &str = "cusp";
+
+/// The stage in which curves are followed from the resonances.
+const CURVES: &str = "bifurcation curves";
 
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;
@@ -162,7 +191,7 @@ impl<O: ImpactOscillator> Diagram<O> {
     pub fn compute(oscillator: &O, scope: &Scope, progress: &dyn Progress) -> Result<Self, UnfoldError> {
         let located = Self::located(oscillator, scope, progress)?;
         let followed = located.follow(progress);
-        Ok(located.with(followed))
+        Ok(located.with(followed, progress))
     }
 
     /// The first half of [`compute`](Self::compute): grazing curves and resonances, no bifurcation curve yet.
@@ -170,7 +199,7 @@ impl<O: ImpactOscillator> Diagram<O> {
     /// # Errors
     /// There is no grazing in the ranges, with what was seen instead.
     pub fn located(oscillator: &O, scope: &Scope, progress: &dyn Progress) -> Result<Self, UnfoldError> {
-        let grazing = grazing_curves(oscillator, scope, progress)?;
+        let (grazing, unfinished) = grazing_curves(oscillator, scope, progress)?;
         let mut diagram = Self {
             scope: scope.clone(),
             grazing,
@@ -179,11 +208,15 @@ impl<O: ImpactOscillator> Diagram<O> {
             corners: Vec::new(),
             unlocated: Vec::new(),
             not_unfolded: Vec::new(),
+            unfinished,
         };
         for curve in &diagram.grazing {
-            let (mut found, mut lost) = resonances::on_curve(curve, scope);
+            let (mut found, mut lost) = resonances::on_curve(curve, scope, progress);
             diagram.resonances.append(&mut found);
             diagram.unlocated.append(&mut lost);
+        }
+        if progress.stopped() {
+            diagram.unfinished.push(Unfinished::stage(resonances::STAGE));
         }
         let order = |loops| scope.loops.iter().position(|asked| *asked == loops);
         diagram.resonances.sort_by_key(|resonance| order(resonance.loops));
@@ -191,7 +224,12 @@ impl<O: ImpactOscillator> Diagram<O> {
     }
 
     /// The diagram with what came of following the curves from its resonances, in the order of their list.
-    pub fn with(mut self, followed: Vec<Followed>) -> Self {
+    pub fn with(mut self, followed: Vec<Followed>, progress: &dyn Progress) -> Self {
+        let cut = self.resonances.iter().enumerate().filter(|(index, resonance)| {
+            resonance.theorem.is_ok() && followed.iter().all(|followed| followed.resonance != *index)
+        });
+        let cut = cut.map(|(_, resonance)| Unfinished::at(CURVES, resonance)).collect::<Vec<_>>();
+        self.unfinished.extend(cut);
         for Followed { resonance, curves, missing } in followed {
             let (loops, n) = (self.resonances[resonance].loops, self.resonances[resonance].n);
             let failed = |reason| NotUnfolded { loops, n, reason };
@@ -200,13 +238,15 @@ impl<O: ImpactOscillator> Diagram<O> {
                 self.add(curve);
             }
         }
-        self.grow();
+        self.grow(progress);
         self
     }
 
     /// Follows what is missing of the two curves that meet at each codimension-two point, and so on from where that ends.
-    fn grow(&mut self) {
+    fn grow(&mut self, progress: &dyn Progress) {
+        let what = "further curves";
         let route = route(self.scope.window, StepControl::DRAWING);
+        progress.begin(what, self.corners.len() as u64);
         let mut next = 0;
         while let Some(Corner { kind: meeting, loops, n, event }) = self.corners.get(next).cloned() {
             next += 1;
@@ -223,10 +263,17 @@ impl<O: ImpactOscillator> Diagram<O> {
             if let Some((_, point)) = point
                 && !known
                 && let Ok(curve) = point.branch_off(&event, &route)
+                && !progress.stopped()
             {
                 self.add(DiagramCurve { kind, loops, n, curve });
             }
+            progress.step(what);
+            if progress.stopped() {
+                self.unfinished.push(Unfinished::stage(what));
+                break;
+            }
         }
+        progress.end(what);
     }
 
     /// The resonances at which a theorem holds, with their places in the list of all.
@@ -239,9 +286,10 @@ impl<O: ImpactOscillator> Diagram<O> {
         self.grazing.iter().find_map(|curve| curve.at(secondary)).map(|orbit| orbit.phase())
     }
 
-    /// The curves from every resonance at which a theorem holds, each resonance by itself, in the order of the list.
+    /// The curves from every resonance at which a theorem holds, each resonance by itself, in the order of the list; without
+    /// those that were not finished when an end was asked for.
     pub fn follow(&self, progress: &dyn Progress) -> Vec<Followed> {
-        let what = "bifurcation curves";
+        let what = CURVES;
         let route = route(self.scope.window, StepControl::DRAWING);
         let points: Vec<_> =
             self.resonances.iter().enumerate().filter(|(_, found)| found.theorem.is_ok()).collect();
@@ -254,6 +302,9 @@ impl<O: ImpactOscillator> Diagram<O> {
                     Ok(unfolded) => listed(index, resonance, unfolded),
                     Err(reason) => Followed { resonance: index, curves: Vec::new(), missing: vec![reason] },
                 };
+                if progress.stopped() {
+                    return None;
+                }
                 progress.unfolded(index, &followed.curves);
                 progress.step(what);
                 Some(followed)
@@ -310,12 +361,12 @@ fn listed<O>(index: usize, resonance: &Resonance<O>, unfolded: UnfoldedResonance
     Followed { resonance: index, curves, missing: unfolded.missing }
 }
 
-/// The pieces of the grazing curve in the ranges.
+/// The pieces of the grazing curve in the ranges, and what is missing of them if an end was asked for.
 fn grazing_curves<O: ImpactOscillator>(
     oscillator: &O,
     scope: &Scope,
     progress: &dyn Progress,
-) -> Result<Vec<GrazingCurve<O>>, UnfoldError> {
+) -> Result<(Vec<GrazingCurve<O>>, Vec<Unfinished>), UnfoldError> {
     let what = "grazing of free motion";
     progress.begin(what, SURVEYED.len() as u64);
     let surveys: Vec<Survey<O>> = SURVEYED
@@ -328,15 +379,32 @@ fn grazing_curves<O: ImpactOscillator>(
         })
         .collect();
     progress.end(what);
-    let mut curves: Vec<GrazingCurve<O>> = Vec::new();
-    for orbit in surveys.iter().flat_map(|survey| &survey.grazing) {
-        if !curves.iter().any(|curve| curve.passes(orbit, scope))
-            && let Ok(curve) = GrazingCurve::through(orbit, scope)
-        {
-            curves.push(curve);
-        }
+    let mut unfinished = Vec::new();
+    if progress.stopped() {
+        unfinished.push(Unfinished::stage(what));
     }
-    if curves.is_empty() { Err(explanation(&surveys)) } else { Ok(curves) }
+    let what = "grazing curves";
+    let seen: Vec<_> = surveys.iter().flat_map(|survey| &survey.grazing).collect();
+    progress.begin(what, seen.len() as u64);
+    let mut curves: Vec<GrazingCurve<O>> = Vec::new();
+    for orbit in seen {
+        if !curves.iter().any(|curve| curve.passes(orbit, scope)) {
+            let curve = GrazingCurve::through(orbit, scope);
+            if progress.stopped() {
+                let at = Some(orbit.oscillator().parameters());
+                unfinished.push(Unfinished { stage: what, resonance: None, at });
+            } else if let Ok(curve) = curve {
+                curves.push(curve);
+            }
+        }
+        progress.step(what);
+    }
+    progress.end(what);
+    match (curves.is_empty(), progress.stopped()) {
+        (true, true) => Err(UnfoldError::Stopped { stage: unfinished[0].stage }),
+        (true, false) => Err(explanation(&surveys)),
+        (false, _) => Ok((curves, unfinished)),
+    }
 }
 
 /// Why no survey has seen grazing.

@@ -5,6 +5,12 @@ use crate::free::Height;
 /// The search for a grazing curve found none.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum UnfoldError {
+    /// An end was asked for before anything was found.
+    #[error("the search was ended during this: {stage}")]
+    Stopped {
+        /// What was being done.
+        stage: &'static str,
+    },
     /// Motion without the wall runs away from wherever it was begun.
     #[error("without the wall all motion that was tried runs away, at {at:?} for one")]
     RunsAway {

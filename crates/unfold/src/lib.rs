@@ -69,6 +69,7 @@ pub mod resonances;
 mod scope;
 pub mod sides;
 pub mod simulation;
+pub mod stop;
 mod winding;
 
 pub use diagram::Diagram;
