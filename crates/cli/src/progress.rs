@@ -21,8 +21,13 @@ const TEMPLATE: &str = "{spinner} {msg:32} [{bar:30}] {pos}/{len} {elapsed} {pre
 /// Shows the steps of a computation.
 pub(crate) struct Display {
     bars: Option<MultiProgress>,
-    running: Arc<Running>,
+    running: Guard,
+    stop: Stop,
 }
+
+/// Ends the telling when it goes.
+#[derive(Default)]
+struct Guard(Arc<Running>);
 
 #[derive(Default)]
 struct Running {
@@ -48,27 +53,34 @@ impl Display {
     /// Bars if the error stream is a terminal, lines otherwise.
     pub(crate) fn new() -> Display {
         let bars = io::stderr().is_terminal().then(MultiProgress::new);
-        Display { bars, running: Arc::default() }
+        Display { bars, running: Guard::default(), stop: Stop::default() }
     }
 
     /// The same, which tells also how many steps of integration were made: these go on within the longest work.
+    /// An analysis that hears of it ends when the mark is set.
     pub(crate) fn counting(stop: Stop) -> Display {
-        let display = Self::new();
-        let (running, pause) = (display.running.clone(), display.bars.as_ref().map_or(SIGN_OF_LIFE, |_| HEARTBEAT));
+        let display = Display { stop: stop.clone(), ..Self::new() };
+        let running = display.running.0.clone();
+        let pause = if display.bars.is_some() { HEARTBEAT } else { SIGN_OF_LIFE };
         // Without a thread there are only fewer lines.
         let _ = thread::Builder::new().name("progress".to_owned()).spawn(move || running.tell(&stop, pause));
         display
     }
 
+    /// The mark by which the computation can be ended.
+    pub(crate) fn stop(&self) -> &Stop {
+        &self.stop
+    }
+
     fn change<T>(&self, change: impl FnOnce(&mut BTreeMap<String, Task>) -> T) -> T {
-        change(&mut self.running.tasks.lock().unwrap_or_else(PoisonError::into_inner).by_name)
+        change(&mut self.running.0.tasks.lock().unwrap_or_else(PoisonError::into_inner).by_name)
     }
 }
 
-impl Drop for Display {
+impl Drop for Guard {
     fn drop(&mut self) {
-        self.running.tasks.lock().unwrap_or_else(PoisonError::into_inner).over = true;
-        self.running.over.notify_all();
+        self.0.tasks.lock().unwrap_or_else(PoisonError::into_inner).over = true;
+        self.0.over.notify_all();
     }
 }
 
@@ -129,5 +141,9 @@ impl Progress for Display {
             Some(bar) => bar.finish_and_clear(),
             None => terminal::note(&format!("{what}: done in {:.2} s", task.began.elapsed().as_secs_f64())),
         }
+    }
+
+    fn stopped(&self) -> bool {
+        self.stop.is_asked()
     }
 }

@@ -25,14 +25,12 @@ pub(super) struct Keeper<'a> {
     folder: &'a Path,
     /// Whether it has been told that the file cannot be written.
     complained: Mutex<bool>,
-    stop: Stop,
 }
 
 impl<'a> Keeper<'a> {
-    /// Keeps curves in the folder, and tells if an interrupted run left some there.
+    /// Keeps curves in the folder until the mark is set, and tells if an interrupted run left some there.
     pub(super) fn new(folder: &'a Path, stop: Stop) -> Self {
-        let display = Display::counting(stop.clone());
-        let keeper = Self { display, folder, complained: Mutex::new(false), stop };
+        let keeper = Self { display: Display::counting(stop), folder, complained: Mutex::new(false) };
         let path = keeper.path();
         if path.is_file() {
             let path = path.display();
@@ -78,13 +76,13 @@ impl Progress for Keeper<'_> {
     }
 
     fn stopped(&self) -> bool {
-        self.stop.is_asked()
+        self.display.stopped()
     }
 }
 
 impl Observer for Keeper<'_> {
     fn stop(&self) -> Stop {
-        self.stop.clone()
+        self.display.stop().clone()
     }
 
     fn curves(&self, finished: &Table) {

@@ -2,6 +2,7 @@
 
 use grazing_description::{Axis, Description};
 use grazing_unfold::UnfoldError;
+use grazing_unfold::diagram::Unfinished;
 use grazing_unfold::free::Height;
 
 use super::numbers::brief;
@@ -12,6 +13,7 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
     let axes = [description.primary(), description.secondary()];
     let ranges = axes.map(|axis| format!("{} = {}", axis.name(), written(axis.range()))).join(", ");
     match error {
+        UnfoldError::Stopped { stage } => format!("ended during this: {stage}"),
         UnfoldError::NoGrazing { lowest, highest } => {
             let nearest = if highest.position < 0.0 { highest } else { lowest };
             if lowest.position < 0.0 && highest.position > 0.0 {
@@ -57,6 +59,18 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
              or increase the damping"
         ),
     }
+}
+
+/// What was not finished, as `bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.8`.
+pub(crate) fn unfinished(description: &Description, cut: &Unfinished) -> String {
+    let mut text = cut.stage.to_owned();
+    if let Some([loops, n]) = cut.resonance {
+        text.push_str(&format!(" of p = {loops}, n = {n}"));
+    }
+    if let Some(at) = cut.at {
+        text.push_str(&format!(" at {}", place(description, at)));
+    }
+    text
 }
 
 /// Values of both parameters, as `A = 0.5, omega = 0.8`.
