@@ -56,6 +56,14 @@ pub enum Failure {
     /// The description of an oscillator is not right.
     #[error(transparent)]
     Description(#[from] DescriptionError),
+    /// The value of an option is not right.
+    #[error("{option} {reason}")]
+    Option {
+        /// The option.
+        option: &'static str,
+        /// Its value, and what would be right.
+        reason: String,
+    },
     /// Two descriptions would be unfolded into one folder.
     #[error("{} and {} would both go to {}: unfold them one by one, with --output DIR", first.display(), second.display(), folder.display())]
     SameFolder {
@@ -188,6 +196,7 @@ impl Failure {
             Failure::Parameters(_)
             | Failure::Description(_)
             | Failure::SameFolder { .. }
+            | Failure::Option { .. }
             | Failure::NoProject
             | Failure::NoClaim { .. }
             | Failure::Unwritable { .. }

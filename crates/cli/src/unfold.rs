@@ -12,7 +12,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use grazing_description::{Description, Limits};
+use grazing_description::{Description, DescriptionError, Limits};
 use grazing_model::smooth::Integrated;
 use grazing_reproduction::unfolded::Unfolded;
 use grazing_reproduction::{StudyError, Table};
@@ -95,7 +95,9 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     for file in &arguments.files {
         let mut description = Description::from_file(file)?;
         if let Some(loops) = &arguments.loops {
-            description = description.with_loops(loops)?;
+            description = description
+                .with_loops(loops)
+                .map_err(|reason| Failure::Option { option: "--loops", reason: reason.to_string() })?;
         }
         let named = file.file_stem().unwrap_or_default();
         let folder = match &arguments.output {
@@ -107,7 +109,7 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
             let (first, second) = (other.file.clone(), file.clone());
             return Err(Failure::SameFolder { first, second, folder });
         }
-        let text = fs::read_to_string(file).map_err(|reason| Failure::File { path: file.clone(), reason })?;
+        let text = grazing_source::read_file(file).map_err(DescriptionError::from)?;
         let file_limits = description.limits();
         let limits = Limits {
             time: arguments.time_limit.unwrap_or(file_limits.time),

@@ -11,6 +11,9 @@ use crate::expression::Expression;
 use crate::file::{self, File, MOST_LOOPS, REQUIREMENTS};
 use crate::names;
 
+/// More constants than this nobody names; every name in an expression is looked for among them.
+const MOST_CONSTANTS: usize = 1000;
+
 type Checked<T> = Result<T, DescriptionError>;
 
 /// The keys of the four expressions with the variables that each may use beside the parameters, and how many of them, the
@@ -25,6 +28,13 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
     let name = raw.name.get_ref().trim();
     if name.is_empty() {
         return Err(source.forbid("name", &raw.name, REQUIREMENTS.of("name").to_owned()).into());
+    }
+    if raw.parameters.len() > MOST_CONSTANTS {
+        let last = raw.parameters.iter().max_by_key(|(name, _)| name.span().start);
+        let allowed = format!("this is constant number {}: at most {MOST_CONSTANTS} are allowed", raw.parameters.len());
+        if let Some((name, value)) = last {
+            return Err(source.forbid(&format!("parameters.{}", name.get_ref()), value, allowed).into());
+        }
     }
     names::check(raw, source)?;
     let mut constants = Vec::new();
@@ -88,6 +98,7 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
         loops,
         start,
         limits,
+        notes: Vec::new(),
     })))
 }
 
@@ -115,6 +126,10 @@ fn finite(start: &Spanned<Vec<f64>>, source: &Source<'_>) -> Checked<[f64; 2]> {
 fn axis(table: &str, raw: &file::Axis, source: &Source<'_>) -> Checked<Axis> {
     let key = format!("{table}.range");
     match raw.range.get_ref()[..] {
+        [lower, upper] if lower < upper && lower.is_finite() && (upper - lower).is_infinite() && upper.is_finite() => {
+            let allowed = "the range is too wide to be computed with: upper - lower must be a finite number".to_owned();
+            Err(source.forbid(&key, &raw.range, allowed).into())
+        }
         [lower, upper] if lower.is_finite() && upper.is_finite() && lower < upper => {
             Ok(Axis { name: raw.name.get_ref().clone(), range: [lower, upper] })
         }

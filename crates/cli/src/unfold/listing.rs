@@ -46,7 +46,8 @@ pub(super) fn oscillator(description: &Description, file: &Path) -> String {
         ("secondary", format!("{} from {}", secondary.name(), range(secondary.range()))),
         ("loops", format!("p = {}", loops.join(", "))),
     ];
-    for (word, content) in lines {
+    let notes = description.notes().iter().map(|note| ("note", note.clone()));
+    for (word, content) in lines.into_iter().chain(notes) {
         text.push_str(&wrapped(&format!("  {word:11}"), &content));
     }
     text

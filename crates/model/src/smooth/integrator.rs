@@ -225,7 +225,8 @@ impl<M: SmoothOscillator> Integrated<M> {
             );
             let Some(step) = solved else {
                 trial *= SHRINK;
-                if trial.abs() < SHORTEST {
+                // Not a number is too short as well.
+                if trial.is_nan() || trial.abs() < SHORTEST {
                     return None;
                 }
                 continue;

@@ -98,7 +98,8 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
     fn node_before(&self, course: &mut Course, time: f64) -> Option<usize> {
         self.extend(course, time);
         let passed = course.nodes.partition_point(|node| (node.time - self.start).abs() <= time.abs());
-        (passed < course.nodes.len()).then(|| passed.saturating_sub(1))
+        // None is passed at a time that is not a number.
+        (0 < passed && passed < course.nodes.len()).then(|| passed - 1)
     }
 
     /// Position and velocity at a time since the start; not numbers where the solution has ended.
