@@ -123,6 +123,9 @@ impl<'a> Source<'a> {
             let key = shortened(place.trim(), SHOWN);
             return format!("the key {key} stands there twice: remove one of them, or give it another name");
         }
+        if error.message() == "recursion limit" {
+            return "lists or tables stand too deep inside one another".to_owned();
+        }
         let line = self.text[line_start..].lines().next().unwrap_or_default();
         let Some((key, value)) = line.split_once('=') else { return error.message().to_owned() };
         let value = value.split('#').next().unwrap_or_default().trim();

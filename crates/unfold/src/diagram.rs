@@ -422,7 +422,7 @@ fn explanation<O>(surveys: &[Survey<O>]) -> UnfoldError {
     let ran_away = surveys.iter().find_map(|survey| survey.ran_away);
     match (extremes, ran_away) {
         (Some([lowest, highest]), _) => UnfoldError::NoGrazing { lowest, highest },
-        (None, Some(at)) => UnfoldError::RunsAway { at },
+        (None, Some(escape)) => UnfoldError::RunsAway { escape },
         (None, None) => UnfoldError::NoOrbit,
     }
 }

@@ -14,6 +14,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use crate::Scope;
+use crate::escape::Escape;
 
 /// The free motion ceases to exist, or has run away.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -29,8 +30,8 @@ pub struct Survey<O> {
     pub extremes: Option<[Height; 2]>,
     /// Orbits that touch the wall without being turned back, with F ≥ 0 there.
     pub pushed: Vec<Height>,
-    /// Where motion ran away from the starts.
-    pub ran_away: Option<[f64; 2]>,
+    /// How motion from one of the starts ran away.
+    pub ran_away: Option<Escape>,
 }
 
 /// The highest point of a free periodic orbit.
@@ -82,8 +83,8 @@ pub fn survey<O: ImpactOscillator>(oscillator: &O, scope: &Scope, secondary: f64
                     }
                 }
                 Ok(_) => {}
-                Err(RunsAway) => {
-                    survey.ran_away.get_or_insert(orbits.parameters(share));
+                Err(escape) => {
+                    survey.ran_away.get_or_insert(escape);
                 }
             }
         }
@@ -144,7 +145,7 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
     }
 
     /// The periodic orbit to which the motion from a state relaxes; `None` if it does not settle.
-    fn relaxed(&self, share: f64, start: Vector2<f64>) -> Result<Option<Vector3<f64>>, RunsAway> {
+    fn relaxed(&self, share: f64, start: Vector2<f64>) -> Result<Option<Vector3<f64>>, Escape> {
         let oscillator = self.oscillator_at(share);
         let period = oscillator.forcing_period();
         let mut state = start;
@@ -154,7 +155,7 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
             let next = Vector2::new(end.position, end.velocity);
             // Not a number is far as well.
             if next.norm().is_nan() || next.norm() > FAR {
-                return Err(RunsAway);
+                return Err(Escape::of(&oscillator, state.into()));
             }
             let change = (next - state).norm();
             state = next;

@@ -60,6 +60,7 @@
 
 pub mod diagram;
 mod error;
+pub mod escape;
 pub mod free;
 pub mod grazing;
 pub mod magnification;

@@ -115,7 +115,7 @@ pub enum Problem {
     #[error("division by zero")]
     DivisionByZero,
     /// A constant outside the domain of a function.
-    #[error("{written} has no real value: the logarithm needs a positive number, roots and real powers need one that is not negative")]
+    #[error("{written} has no real value: the logarithm and real powers need a positive number, roots one that is not negative")]
     Domain {
         /// The part of the expression.
         written: String,
