@@ -7,11 +7,11 @@ use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Integrated;
-use grazing_unfold::diagram::{Coefficients, Kind, Unfinished};
+use grazing_unfold::diagram::{Coefficients, Kind};
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::regions::{self, Polygon};
 use grazing_unfold::sides::{Sides, simulate};
-use grazing_unfold::stop::Stoppable;
+use grazing_unfold::stop::{Stoppable, Unfinished};
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
 

@@ -14,6 +14,7 @@ use crate::free::{self, Survey};
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::resonances::{self, Resonance, Unlocated};
+use crate::stop::Unfinished;
 use crate::{Scope, UnfoldError};
 
 /// Kinds of bifurcation curves, by the names the figures use.
@@ -105,30 +106,6 @@ pub struct NotUnfolded {
     pub n: u32,
     /// What happened.
     pub reason: ResonanceError,
-}
-
-/// A part of the analysis that was not finished, because an end was asked for.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Unfinished {
-    /// What was being done, or would have been.
-    pub stage: &'static str,
-    /// The numbers p and n of the resonance it belongs to, if it belongs to one.
-    pub resonance: Option<[u32; 2]>,
-    /// The parameters (μ, η) of the place it belongs to, if it belongs to one.
-    pub at: Option<[f64; 2]>,
-}
-
-impl Unfinished {
-    /// A stage as a whole.
-    pub const fn stage(stage: &'static str) -> Self {
-        Self { stage, resonance: None, at: None }
-    }
-
-    /// A stage at one resonance.
-    pub fn at<O: ImpactOscillator>(stage: &'static str, resonance: &Resonance<O>) -> Self {
-        let at = resonance.located.orbit().oscillator().parameters();
-        Self { stage, resonance: Some([resonance.loops, resonance.n]), at: Some(at) }
-    }
 }
 
 /// What came of following the curves from a resonance.

@@ -10,7 +10,10 @@ use core::cell::Cell;
 use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::Arc;
 
+use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Scalar, SmoothOscillator};
+
+use crate::resonances::Resonance;
 
 /// A mark that asks a computation to end; clones share it. It counts the steps of integration as well.
 #[derive(Clone, Debug)]
@@ -82,6 +85,30 @@ impl Stop {
                 }
             }
         });
+    }
+}
+
+/// A part of the analysis that was not finished, because an end was asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unfinished {
+    /// What was being done, or would have been.
+    pub stage: &'static str,
+    /// The numbers p and n of the resonance it belongs to, if it belongs to one.
+    pub resonance: Option<[u32; 2]>,
+    /// The parameters (μ, η) of the place it belongs to, if it belongs to one.
+    pub at: Option<[f64; 2]>,
+}
+
+impl Unfinished {
+    /// A stage as a whole.
+    pub const fn stage(stage: &'static str) -> Self {
+        Self { stage, resonance: None, at: None }
+    }
+
+    /// A stage at one resonance.
+    pub fn at<O: ImpactOscillator>(stage: &'static str, resonance: &Resonance<O>) -> Self {
+        let at = resonance.located.orbit().oscillator().parameters();
+        Self { stage, resonance: Some([resonance.loops, resonance.n]), at: Some(at) }
     }
 }
 

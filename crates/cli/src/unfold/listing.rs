@@ -307,8 +307,9 @@ mod tests {
     use grazing_continuation::locate::LocateFailure;
     use grazing_continuation::resonance::ResonanceError;
     use grazing_unfold::Scope;
-    use grazing_unfold::diagram::{NotUnfolded, Unfinished};
+    use grazing_unfold::diagram::NotUnfolded;
     use grazing_unfold::resonances::Unlocated;
+    use grazing_unfold::stop::Unfinished;
 
     #[test]
     fn resonances_that_could_not_be_unfolded_are_named_with_the_reason() {

@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 use grazing_description::{Axis, Description};
 use grazing_model::smooth::SmoothOscillator;
 use grazing_unfold::UnfoldError;
-use grazing_unfold::diagram::Unfinished;
 use grazing_unfold::escape::Escape;
 use grazing_unfold::free::Height;
+use grazing_unfold::stop::Unfinished;
 
 use super::numbers::brief;
 

@@ -156,8 +156,21 @@ impl<M: SmoothOscillator> Motion for IntegratedMotion<M> {
         largest
     }
 
+    /// Up to the first node beyond the wall: what the force is farther on is not asked for, as nobody may have thought of it.
     fn foresight(&self) -> f64 {
-        core::f64::consts::TAU / self.oscillator.frequency
+        let period = core::f64::consts::TAU / self.oscillator.frequency;
+        let mut course = self.courses[0].borrow_mut();
+        for k in 1.. {
+            let last = course.nodes[k - 1].time - self.start;
+            self.extend(&mut course, last);
+            match course.nodes.get(k) {
+                Some(node) if node.time - self.start >= period => break,
+                Some(node) if node.state[0] > 0.0 => return node.time - self.start,
+                Some(_) => {}
+                None => break,
+            }
+        }
+        period
     }
 
     fn stride(&self, horizon: f64) -> f64 {
