@@ -122,7 +122,12 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
 }
 
 /// The failure that tells, with the file's names of the parameters, why there is nothing to unfold, or what has ended the search.
-pub(crate) fn failure(description: &Description, file: &Path, error: &StudyError, met: Option<Met>) -> Failure {
+pub(crate) fn failure(
+    description: &Description,
+    file: &Path,
+    error: &StudyError,
+    met: Option<Met>,
+) -> Failure {
     match (error, met) {
         (StudyError::Unfold(UnfoldError::Stopped { stage }), Some(met)) => Failure::Ended {
             file: file.to_owned(),

@@ -116,7 +116,9 @@ impl Place {
 /// Where an expression must have a finite value.
 fn where_finite(key: &str) -> &'static str {
     match key {
-        "motion.force" => "at the wall and close to it in x < 0, where motion takes place, over the ranges of both parameters",
+        "motion.force" => {
+            "at the wall and close to it in x < 0, where motion takes place, over the ranges of both parameters"
+        }
         _ => "over the ranges of both parameters",
     }
 }

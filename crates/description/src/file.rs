@@ -45,7 +45,10 @@ const KEYS: &[(&str, &str)] = &[
         "the impact duration must be an expression in y, z and the parameters in quotation marks, \
          \"0\" for impacts that take no time",
     ),
-    ("analysis", "the table [analysis] holds loops and may hold start, time_limit, memory_limit and step_limit"),
+    (
+        "analysis",
+        "the table [analysis] holds loops and may hold start, time_limit, memory_limit and step_limit",
+    ),
     (
         "analysis.loops",
         "the numbers of loops must be a list of different whole numbers from 1 to 12, as [1, 2, 3]",

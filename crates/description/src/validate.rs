@@ -31,7 +31,8 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
     }
     if raw.parameters.len() > MOST_CONSTANTS {
         let last = raw.parameters.iter().max_by_key(|(name, _)| name.span().start);
-        let allowed = format!("this is constant number {}: at most {MOST_CONSTANTS} are allowed", raw.parameters.len());
+        let allowed =
+            format!("this is constant number {}: at most {MOST_CONSTANTS} are allowed", raw.parameters.len());
         if let Some((name, value)) = last {
             return Err(source.forbid(&format!("parameters.{}", name.get_ref()), value, allowed).into());
         }
@@ -126,8 +127,11 @@ fn finite(start: &Spanned<Vec<f64>>, source: &Source<'_>) -> Checked<[f64; 2]> {
 fn axis(table: &str, raw: &file::Axis, source: &Source<'_>) -> Checked<Axis> {
     let key = format!("{table}.range");
     match raw.range.get_ref()[..] {
-        [lower, upper] if lower < upper && lower.is_finite() && (upper - lower).is_infinite() && upper.is_finite() => {
-            let allowed = "the range is too wide to be computed with: upper - lower must be a finite number".to_owned();
+        [lower, upper]
+            if lower < upper && lower.is_finite() && (upper - lower).is_infinite() && upper.is_finite() =>
+        {
+            let allowed =
+                "the range is too wide to be computed with: upper - lower must be a finite number".to_owned();
             Err(source.forbid(&key, &raw.range, allowed).into())
         }
         [lower, upper] if lower.is_finite() && upper.is_finite() && lower < upper => {

@@ -205,7 +205,9 @@ fn a_long_expression_is_read_in_time_and_not_repeated_whole() {
 fn a_file_that_is_no_text_of_a_reasonable_size_is_refused() {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let file = folder.path().join("o.toml");
-    for (content, wanted) in [(vec![b'#'; 2_000_000], "longer than 1000000 bytes"), (vec![0xff, 0xfe], "UTF-8")] {
+    for (content, wanted) in
+        [(vec![b'#'; 2_000_000], "longer than 1000000 bytes"), (vec![0xff, 0xfe], "UTF-8")]
+    {
         std::fs::write(&file, content).expect("the folder is ours");
         let error = Description::from_file(&file).expect_err("it is refused").to_string();
         assert!(error.contains(wanted), "{error}");
@@ -228,7 +230,9 @@ fn deep_tables_neither_take_for_ever_nor_overflow_the_stack() {
 
 #[test]
 fn a_restitution_above_one_is_allowed_and_said() {
-    let noted = |line: &str| Description::parse(&edited("[impact]", "restitution", line), "o.toml").expect("it is allowed");
+    let noted = |line: &str| {
+        Description::parse(&edited("[impact]", "restitution", line), "o.toml").expect("it is allowed")
+    };
     assert!(noted("restitution = \"1\"").notes().is_empty());
     let notes = noted("restitution = \"1.2\"").notes().join("");
     assert!(notes.starts_with("o.toml:15: impact.restitution: the restitution is 1.2 at A = 0, "), "{notes}");

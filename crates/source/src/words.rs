@@ -6,7 +6,8 @@
 pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
     let mut best: Option<(usize, &str)> = None;
     for candidate in known {
-        let distance = if name.eq_ignore_ascii_case(candidate) { 0 } else { strsim::osa_distance(name, candidate) };
+        let distance =
+            if name.eq_ignore_ascii_case(candidate) { 0 } else { strsim::osa_distance(name, candidate) };
         let letters = [name, candidate].map(|name| name.chars().count());
         let [short, long] = [letters[0].min(letters[1]), letters[0].max(letters[1])];
         let begins = short >= 3 && (name.starts_with(candidate) || candidate.starts_with(name));

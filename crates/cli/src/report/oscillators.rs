@@ -299,7 +299,8 @@ fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
         .not_unfolded
         .iter()
         .map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason));
-    let unfinished = diagram.unfinished.iter().map(|cut| format!("not finished: {}", unfinished(description, cut)));
+    let unfinished =
+        diagram.unfinished.iter().map(|cut| format!("not finished: {}", unfinished(description, cut)));
     unlocated.chain(not_followed).chain(unfinished).collect()
 }
 

@@ -344,10 +344,7 @@ mod tests {
             }],
         };
         let cut = unfinished(&description, &diagram);
-        assert_eq!(
-            cut,
-            "\nNot finished\n  bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.75\n"
-        );
+        assert_eq!(cut, "\nNot finished\n  bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.75\n");
         let told = missing(&description, &diagram);
         let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(

@@ -96,7 +96,10 @@ fn escaped(escape: &Escape, parameters: &str) -> String {
     let way = if position.abs().max(velocity.abs()) > FAR {
         format!("motion runs away from wherever it was begun, for one to {place}")
     } else {
-        format!("motion cannot be followed for a forcing period from wherever it was begun, for one beyond {place}, where F = {}", brief(force, 4))
+        format!(
+            "motion cannot be followed for a forcing period from wherever it was begun, for one beyond {place}, where F = {}",
+            brief(force, 4)
+        )
     };
     format!(
         "no periodic motion: without the wall, {way}: check the signs and sizes in motion.force, or begin near a periodic motion \

@@ -78,8 +78,7 @@ impl Names<'_, '_> {
             }
             ErrorKind::UnknownFunction => {
                 let known: Vec<&str> = function::functions().collect();
-                let nearest =
-                    if written.starts_with("log") { Some("ln") } else { nearest(&written, &known) };
+                let nearest = if written.starts_with("log") { Some("ln") } else { nearest(&written, &known) };
                 Problem::UnknownFunction { nearest: nearest.map(str::to_owned), name: written }
             }
             ErrorKind::ArgumentCount | ErrorKind::TooManyArguments => {

@@ -115,7 +115,9 @@ pub enum Problem {
     #[error("division by zero")]
     DivisionByZero,
     /// A constant outside the domain of a function.
-    #[error("{written} has no real value: the logarithm and real powers need a positive number, roots one that is not negative")]
+    #[error(
+        "{written} has no real value: the logarithm and real powers need a positive number, roots one that is not negative"
+    )]
     Domain {
         /// The part of the expression.
         written: String,
@@ -127,7 +129,9 @@ pub enum Problem {
         written: String,
     },
     /// More characters than anybody writes.
-    #[error("the expression has more than {most} bytes: shorten it, as by constants in [parameters] for parts that do not vary")]
+    #[error(
+        "the expression has more than {most} bytes: shorten it, as by constants in [parameters] for parts that do not vary"
+    )]
     TooLong {
         /// The most that are allowed.
         most: usize,

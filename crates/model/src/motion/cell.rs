@@ -53,7 +53,10 @@ impl Cell {
         let time = 0.5 * (self.start + self.end);
         let middle = motion.at(time);
         let exists = !(middle.position.is_nan() || middle.velocity.is_nan());
-        exists.then_some([Cell { end: time, last: middle, ..*self }, Cell { start: time, first: middle, ..*self }])
+        exists.then_some([
+            Cell { end: time, last: middle, ..*self },
+            Cell { start: time, first: middle, ..*self },
+        ])
     }
 
     /// The zero of the velocity by interpolation; the velocity is strictly monotone in this cell and changes sign.
