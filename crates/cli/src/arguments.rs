@@ -17,7 +17,8 @@ Exit codes:
   1  a check failed: files are not what the code makes, or a published value is not met
   2  bad input: command line, parameter file, or a folder that cannot be written;
      nothing was written
-  3  the computation failed; nothing was written, by `unfold` everything but what it names
+  3  the computation failed, or a limit or Ctrl-C has ended it; nothing was written, by `unfold`
+     everything but what it names
   4  a file could not be read or written all the same, as on a full disk;
      each file is either old or new";
 
