@@ -9,7 +9,7 @@ use grazing_source::Source;
 use toml::Spanned;
 
 use crate::description::Description;
-use crate::error::{DescriptionError, Place, Point};
+use crate::error::{DescriptionError, Place, Point, rounded};
 use crate::file::File;
 
 /// Points along the range of either parameter, both ends included.
@@ -137,7 +137,8 @@ impl Sampler<'_> {
         let place = Place::new(self.source, "impact.restitution", &raw.impact.restitution);
         let at = self.point([mu, eta], &[("y", y), ("z", z)]);
         Some(format!(
-            "{place}: the restitution is {value} at {at}: above 1, so that impacts drive the oscillator; it is analysed as it stands"
+            "{place}: the restitution is {} at {at}: above 1, so that impacts drive the oscillator; it is analysed as it stands",
+            rounded(value)
         ))
     }
 

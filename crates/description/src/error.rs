@@ -147,9 +147,11 @@ fn entry(variable: &str) -> &'static str {
     }
 }
 
-/// The value to six digits, without zeros at the end.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
+/// The value to six digits, without zeros at the end, and with an exponent where there were many in it.
+pub(crate) fn rounded(value: f64) -> String {
+    let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    let plain = value == 0.0 || (1e-5..1e9).contains(&value.abs()) || !value.is_finite();
+    if plain { value.to_string() } else { format!("{value:e}") }
 }
 
 impl DescriptionError {

@@ -136,7 +136,7 @@ impl<'a> Source<'a> {
                 "{shown} is no number: quantities have no units here; write {key} = {number}, and the unit, if you like, \
                  after a #"
             ),
-            None if value.starts_with(char::is_alphabetic) => {
+            None if value.starts_with(char::is_alphabetic) && !value.contains(['"', '\'']) => {
                 format!("a text stands in quotation marks: write {key} = \"{shown}\"")
             }
             _ if value.is_empty() => format!("the value of {key} is missing"),

@@ -378,7 +378,7 @@ fn grazing_curves<O: ImpactOscillator>(
     }
     progress.end(what);
     match (curves.is_empty(), progress.stopped()) {
-        (true, true) => Err(UnfoldError::Stopped { stage: unfinished[0].stage }),
+        (true, true) => Err(UnfoldError::Stopped { stage: unfinished.first().map_or(what, |cut| cut.stage) }),
         (true, false) => Err(explanation(&surveys)),
         (false, _) => Ok((curves, unfinished)),
     }
