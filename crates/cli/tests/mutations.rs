@@ -162,7 +162,9 @@ fn mutate(text: &str, dice: &mut Dice) -> String {
 fn trial(number: u64) -> (Vec<String>, String) {
     let mut dice = Dice(Pcg64Mcg::new(0x9e37_79b9_7f4a_7c15 ^ (u128::from(number) << 32)));
     // Numbers that differ by one bit begin alike.
-    (0..8).for_each(|_| drop(dice.0.next_u64()));
+    for _ in 0..8 {
+        dice.0.next_u64();
+    }
     let read = |path: &str| fs::read_to_string(repository().join(path)).expect("it is in the repository");
     let changes = 1 + dice.below(3);
     let parameters = dice.below(4) == 0;

@@ -78,8 +78,10 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
     }
 }
 
-/// A motion farther away than this, or faster, has run away: the wall's distance from rest is of order one.
+/// A motion farther away than this has run away: the wall's distance from rest is of order one.
 const FAR: f64 = 1e3;
+/// A force so large, so near the wall, is on its way to a pole.
+const STEEP: f64 = 1e6;
 
 /// How a motion ends, and what can be done.
 fn escaped(escape: &Escape, parameters: &str) -> String {
@@ -93,11 +95,12 @@ fn escaped(escape: &Escape, parameters: &str) -> String {
              analysis.start = [x, v]"
         );
     }
-    let way = if position.abs().max(velocity.abs()) > FAR {
+    let way = if position.abs() > FAR {
         format!("motion runs away from wherever it was begun, for one to {place}")
     } else {
+        let pole = if force.abs() > STEEP { ", as at a pole" } else { "" };
         format!(
-            "motion cannot be followed for a forcing period from wherever it was begun, for one beyond {place}, where F = {}",
+            "motion cannot be followed for a forcing period from wherever it was begun, for one not beyond {place}, where F = {}{pole}",
             brief(force, 4)
         )
     };
@@ -188,4 +191,30 @@ fn widening(nearest: &Height, axes: [&Axis; 2]) -> String {
     format!(
         "widen {widen}, or, if there is another periodic motion, begin near it with analysis.start = [x, v]"
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn motion_that_ends_is_told_with_its_place_and_the_force() {
+        let escape = |position, velocity, force| Escape {
+            parameters: [0.5, 0.75],
+            time: 1.5,
+            position,
+            velocity,
+            force,
+        };
+        let told = |escape| escaped(&escape, "A = 0.5, omega = 0.75");
+        let away = told(escape(-2e9, -4e5, 1e3));
+        assert!(away.contains("runs away") && away.contains("x = -2e9"), "{away}");
+        let pole = told(escape(-0.5, -7437.38, -1.5e8));
+        assert!(pole.contains("not beyond x = -0.5") && pole.contains("F = -1.5e8, as at a pole"), "{pole}");
+        let edge = told(escape(-0.9, -1.0, f64::NAN));
+        assert!(
+            edge.contains("no finite value: it is NaN next to x = -0.9, v = -1, t = 1.5 at A = 0.5"),
+            "{edge}"
+        );
+    }
 }
