@@ -102,8 +102,8 @@ columns. The terminal shows the grazing curve, every resonant grazing bifurcatio
 the coefficients of Theorem 2.4 or 2.5 beside measured ones, or the hypothesis that fails.
 
 Files are written whole, and only when everything is computed, a limit of time, memory or steps is
-met, or Ctrl-C is pressed; what is missing then is named, and the exit code is 3. Pressed again, Ctrl-C
-ends the program at once. Until then the curves that are finished stand in
+met, or Ctrl-C is pressed; what is missing then is named, and the exit code is 3. Pressed again,
+Ctrl-C ends the program at once. Until then the curves that are finished stand in
 data/curves.unfinished.csv.
 
 ";

@@ -96,7 +96,11 @@ fn escaped(escape: &Escape, parameters: &str) -> String {
         );
     }
     let way = if position.abs() > FAR {
-        format!("motion runs away from wherever it was begun, for one to {place}")
+        // How far it was followed depends on the steps of the integration; when it escapes hardly does.
+        let (side, t) = (if position > 0.0 { "x > 0" } else { "x < 0" }, brief(time, 3));
+        format!(
+            "motion runs away from wherever it was begun, for one beyond all bounds in {side} within t = {t} at {parameters}"
+        )
     } else {
         let pole = if force.abs() > STEEP { ", as at a pole" } else { "" };
         format!(
@@ -208,7 +212,7 @@ mod tests {
         };
         let told = |escape| escaped(&escape, "A = 0.5, omega = 0.75");
         let away = told(escape(-2e9, -4e5, 1e3));
-        assert!(away.contains("runs away") && away.contains("x = -2e9"), "{away}");
+        assert!(away.contains("runs away") && away.contains("in x < 0 within t = 1.5 at A = 0.5"), "{away}");
         let pole = told(escape(-0.5, -7437.38, -1.5e8));
         assert!(pole.contains("not beyond x = -0.5") && pole.contains("F = -1.5e8, as at a pole"), "{pole}");
         let edge = told(escape(-0.9, -1.0, f64::NAN));
