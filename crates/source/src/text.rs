@@ -123,7 +123,7 @@ impl<'a> Source<'a> {
             let key = shortened(place.trim(), SHOWN);
             return format!("the key {key} stands there twice: remove one of them, or give it another name");
         }
-        if error.message() == "recursion limit" {
+        if error.message().contains("recurs") {
             return "lists or tables stand too deep inside one another".to_owned();
         }
         let line = self.text[line_start..].lines().next().unwrap_or_default();
