@@ -30,7 +30,22 @@ fn build_and_run(arguments: &[OsString]) -> io::Result<ExitStatus> {
     if !built.success() {
         return Ok(built);
     }
-    cargo().args(["run", "--release", "--quiet"]).args(PROGRAM).arg("--").args(arguments).status()
+    let mut run = cargo();
+    run.args(["run", "--release", "--quiet"]).args(PROGRAM).arg("--").args(arguments);
+    handed_over(run)
+}
+
+/// Becomes the program, which then is the one that Ctrl-C reaches.
+#[cfg(unix)]
+fn handed_over(mut run: Command) -> io::Result<ExitStatus> {
+    use std::os::unix::process::CommandExt;
+    Err(run.exec())
+}
+
+/// Waits for the program.
+#[cfg(not(unix))]
+fn handed_over(mut run: Command) -> io::Result<ExitStatus> {
+    run.status()
 }
 
 /// The cargo that runs this program.

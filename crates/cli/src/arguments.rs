@@ -17,7 +17,8 @@ Exit codes:
   1  a check failed: files are not what the code makes, or a published value is not met
   2  bad input: command line, parameter file, or a folder that cannot be written;
      nothing was written
-  3  the computation failed; nothing was written, by `unfold` everything but what it names
+  3  the computation failed, or a limit or Ctrl-C has ended it; nothing was written, by `unfold`
+     everything but what it names
   4  a file could not be read or written all the same, as on a full disk;
      each file is either old or new";
 
@@ -100,8 +101,10 @@ impact duration as expressions; examples/ has five with comments, and a page tha
 columns. The terminal shows the grazing curve, every resonant grazing bifurcation on it, and there
 the coefficients of Theorem 2.4 or 2.5 beside measured ones, or the hypothesis that fails.
 
-Files are written whole, and only when everything is computed. Meanwhile the curves that are
-finished stand in data/curves.unfinished.csv, where an interrupted run leaves them.
+Files are written whole, and only when everything is computed, a limit of time, memory or steps is
+met, or Ctrl-C is pressed; what is missing then is named, and the exit code is 3. Pressed again,
+Ctrl-C ends the program at once. Until then the curves that are finished stand in
+data/curves.unfinished.csv.
 
 ";
 
@@ -251,6 +254,15 @@ pub struct Unfold {
     /// Tell every hypothesis and every quantity of every resonance
     #[arg(long)]
     pub explain: bool,
+    /// Seconds after which a file's analysis ends with what it has [default: the file's, or 600]
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
+    pub time_limit: Option<f64>,
+    /// Memory at which it ends likewise, in megabytes [default: the file's, or 2000]
+    #[arg(long, value_name = "MB", value_parser = positive)]
+    pub memory_limit: Option<f64>,
+    /// Steps of integration after which it ends likewise [default: the file's, or 1e10]
+    #[arg(long, value_name = "N", value_parser = positive)]
+    pub step_limit: Option<f64>,
 }
 
 /// The parameter file, which all commands share.
@@ -259,6 +271,14 @@ pub struct ParameterFile {
     /// File of parameters [default: figures/parameters.toml, in this folder or the nearest above]
     #[arg(long = "parameters", value_name = "FILE")]
     pub file: Option<PathBuf>,
+}
+
+/// A limit.
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(value) if f64::is_finite(value) && value > 0.0 => Ok(value),
+        _ => Err("it must be a positive number".to_owned()),
+    }
 }
 
 /// Formats of figures: all but LaTeX.

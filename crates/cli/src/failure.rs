@@ -56,6 +56,14 @@ pub enum Failure {
     /// The description of an oscillator is not right.
     #[error(transparent)]
     Description(#[from] DescriptionError),
+    /// The value of an option is not right.
+    #[error("{option} {reason}")]
+    Option {
+        /// The option.
+        option: &'static str,
+        /// Its value, and what would be right.
+        reason: String,
+    },
     /// Two descriptions would be unfolded into one folder.
     #[error("{} and {} would both go to {}: unfold them one by one, with --output DIR", first.display(), second.display(), folder.display())]
     SameFolder {
@@ -83,6 +91,16 @@ pub enum Failure {
         missing: usize,
         /// How many there are.
         all: usize,
+    },
+    /// The analysis of an oscillator was ended by a limit or by Ctrl-C.
+    #[error("{}: {met}; {outcome}", file.display())]
+    Ended {
+        /// The description.
+        file: PathBuf,
+        /// What ended it.
+        met: String,
+        /// What is missing.
+        outcome: String,
     },
     /// Not all of several oscillators could be unfolded.
     #[error("{failing} of {all} files failed, as told above")]
@@ -178,6 +196,7 @@ impl Failure {
             Failure::Parameters(_)
             | Failure::Description(_)
             | Failure::SameFolder { .. }
+            | Failure::Option { .. }
             | Failure::NoProject
             | Failure::NoClaim { .. }
             | Failure::Unwritable { .. }
@@ -187,6 +206,7 @@ impl Failure {
             Failure::Computation { .. }
             | Failure::NothingToUnfold { .. }
             | Failure::PartlyUnfolded { .. }
+            | Failure::Ended { .. }
             | Failure::Registry { .. }
             | Failure::Published(_)
             | Failure::Ledger(_) => 3,

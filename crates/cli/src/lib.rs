@@ -8,6 +8,7 @@ pub mod codecheck;
 pub mod compare;
 pub mod failure;
 pub mod folder;
+mod limits;
 pub mod outputs;
 mod progress;
 mod project;

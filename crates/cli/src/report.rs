@@ -75,7 +75,7 @@ fn assemble(
     let mut entries = Vec::new();
     // First, as of all that is shown only these can have nothing to compute.
     for source in oscillators {
-        entries.push(source.entry(&display)?);
+        entries.push(source.entry()?);
     }
     oscillators::distinguish(&mut entries);
     let study = Study::new(parameters).with_progress(&display);

@@ -12,14 +12,17 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use grazing_description::Description;
+use grazing_description::{Description, DescriptionError, Limits};
 use grazing_model::smooth::Integrated;
 use grazing_reproduction::unfolded::Unfolded;
 use grazing_reproduction::{StudyError, Table};
+use grazing_unfold::UnfoldError;
+use grazing_unfold::stop::Stoppable;
 
 use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
+use crate::limits::{self, Met, Watch};
 use crate::outputs::edition::Edition;
 use crate::outputs::{computation, table_path};
 use crate::report::oscillators::{Material, PAGE};
@@ -31,7 +34,7 @@ use keeper::Keeper;
 const RESULTS: &str = "unfolded";
 
 /// What the analysis of an oscillator from a text file comes to.
-pub(crate) type Analysis = Unfolded<Integrated<Description>>;
+pub(crate) type Analysis = Unfolded<Integrated<Stoppable<Description>>>;
 
 /// A file that is to be unfolded.
 struct Task {
@@ -40,6 +43,7 @@ struct Task {
     text: String,
     description: Description,
     folder: PathBuf,
+    limits: Limits,
 }
 
 /// Unfolds every file, one after the other, once all are known to be right and their folders to be writable.
@@ -58,10 +62,16 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     if let Some(jobs) = arguments.jobs {
         start_threads(jobs)?;
     }
+    limits::listen();
     let (mut failing, mut code) = (0, None);
     for (number, task) in tasks.iter().enumerate() {
         if number > 0 {
             terminal::say("\n");
+        }
+        if limits::is_interrupted() {
+            terminal::note(&format!("{}: not begun", task.file.display()));
+            failing += 1;
+            continue;
         }
         match task.run(&edition, arguments.explain) {
             Err(failure) if tasks.len() == 1 => return Err(failure),
@@ -85,7 +95,9 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     for file in &arguments.files {
         let mut description = Description::from_file(file)?;
         if let Some(loops) = &arguments.loops {
-            description = description.with_loops(loops)?;
+            description = description
+                .with_loops(loops)
+                .map_err(|reason| Failure::Option { option: "--loops", reason: reason.to_string() })?;
         }
         let named = file.file_stem().unwrap_or_default();
         let folder = match &arguments.output {
@@ -97,19 +109,35 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
             let (first, second) = (other.file.clone(), file.clone());
             return Err(Failure::SameFolder { first, second, folder });
         }
-        let text = fs::read_to_string(file).map_err(|reason| Failure::File { path: file.clone(), reason })?;
-        tasks.push(Task { file: file.clone(), text, description, folder });
+        let text = grazing_source::read_file(file).map_err(DescriptionError::from)?;
+        let file_limits = description.limits();
+        let limits = Limits {
+            time: arguments.time_limit.unwrap_or(file_limits.time),
+            memory: arguments.memory_limit.unwrap_or(file_limits.memory),
+            steps: arguments.step_limit.unwrap_or(file_limits.steps),
+        };
+        tasks.push(Task { file: file.clone(), text, description, folder, limits });
     }
     Ok(tasks)
 }
 
-/// The failure that tells, with the file's names of the parameters, why there is nothing to unfold.
-pub(crate) fn failure(description: &Description, file: &Path, error: &StudyError) -> Failure {
-    match error {
-        StudyError::Unfold(error) => {
+/// The failure that tells, with the file's names of the parameters, why there is nothing to unfold, or what has ended the search.
+pub(crate) fn failure(
+    description: &Description,
+    file: &Path,
+    error: &StudyError,
+    met: Option<Met>,
+) -> Failure {
+    match (error, met) {
+        (StudyError::Unfold(UnfoldError::Stopped { stage }), Some(met)) => Failure::Ended {
+            file: file.to_owned(),
+            met: met.to_string(),
+            outcome: format!("nothing is written, for nothing was found up to then, in the stage `{stage}`"),
+        },
+        (StudyError::Unfold(error), _) => {
             Failure::NothingToUnfold { file: file.to_owned(), reason: reason::of(error, description) }
         }
-        error => computation("unfold", error),
+        (error, _) => computation("unfold", error),
     }
 }
 
@@ -118,9 +146,13 @@ impl Task {
     fn run(&self, edition: &Edition, explain: bool) -> Result<(), Failure> {
         let start = Instant::now();
         terminal::say(&listing::oscillator(&self.description, &self.file));
-        let keeper = Keeper::new(&self.folder);
+        let watch = Watch::begin(self.limits);
+        let keeper = Keeper::new(&self.folder, watch.stop());
         let unfolded = Unfolded::described(&self.description, &keeper)
-            .map_err(|error| failure(&self.description, &self.file, &error))?;
+            .map_err(|error| failure(&self.description, &self.file, &error, watch.met()))?;
+        let met = watch.met().filter(|_| !unfolded.diagram.unfinished.is_empty());
+        // What follows only writes down what there is.
+        drop(watch);
         let tables = unfolded.tables().map_err(|error| computation("tables", &error))?;
         let files = self.files(&unfolded, &tables, edition)?;
         let changes = folder::write(&self.folder, &files)?;
@@ -133,6 +165,10 @@ impl Task {
         let names = files.iter().map(|file| self.folder.join(&file.path).display().to_string());
         terminal::say(&format!("\n{}", summary(&names.zip(changes).collect::<Vec<_>>())));
         terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
+        if let Some(met) = met {
+            let outcome = "what was not finished is named above; everything else is written".to_owned();
+            return Err(Failure::Ended { file: self.file.clone(), met: met.to_string(), outcome });
+        }
         let missing = unfolded.diagram.unlocated.len() + unfolded.diagram.not_unfolded.len();
         if missing > 0 {
             let all = unfolded.diagram.unlocated.len() + unfolded.diagram.resonances.len();

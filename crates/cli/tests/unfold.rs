@@ -165,6 +165,82 @@ fn an_interrupted_run_keeps_the_curves_that_were_finished_and_the_next_says_so()
     );
 }
 
+#[test]
+fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
+    let folder = folder_with(&[("duffing.toml", &narrow_duffing())]);
+    let steps = |limit: &str, output: &str| {
+        grazing(folder.path(), &["unfold", "duffing.toml", "--step-limit", limit, "--output", output])
+    };
+    // So few that no grazing is found, and so many that there is nothing to be cut off.
+    let none = steps("1000", "none");
+    assert_eq!(none.code, Some(3), "{}", none.messages);
+    let told = "error: duffing.toml: the limit of 1000 steps of integration is reached; ";
+    assert!(none.errors().starts_with(told), "{}", none.errors());
+    assert!(none.errors().contains("in the stage `grazing of free motion`"), "{}", none.errors());
+    assert!(!folder.path().join("none").exists());
+    let whole = steps("1e10", "whole");
+    assert_eq!((whole.code, whole.errors()), (Some(0), ""));
+
+    // Somewhere between there are curves, and something that is missing.
+    let mut limit = 1000.0;
+    let part = loop {
+        limit *= 1.5;
+        assert!(limit < 1e10, "nothing is ever written in part");
+        let part = steps(&format!("{limit}"), "part");
+        if folder.path().join("part").exists() {
+            break part;
+        }
+    };
+    assert_eq!(part.code, Some(3), "{}", part.messages);
+    assert!(part.errors().contains("; what was not finished is named above; everything else is written\n"));
+    let (_, missing) = part.output.split_once("\nNot finished\n").expect("something is missing");
+    assert!(missing.lines().next().is_some_and(|line| !line.trim().is_empty()), "{missing}");
+    assert!(listing(&folder.path().join("part")).contains(&"diagram.svg".to_owned()));
+    let grazing = "data/grazing.csv";
+    assert_eq!(
+        read(&folder.path().join("part"), grazing),
+        read(&folder.path().join("whole"), grazing),
+        "what is written is what a whole run writes"
+    );
+    let page = read(&folder.path().join("part"), "report.html");
+    assert!(page.contains("not finished: "), "the page says so");
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_ends_an_analysis_with_what_it_has() {
+    // The linear oscillator's curves take a while.
+    let paper = fs::read_to_string(repository().join("examples/paper.toml")).expect("it is there");
+    let folder = folder_with(&[("paper.toml", &paper)]);
+    let messages = folder.path().join("messages");
+    let mut run = Command::new(env!("CARGO_BIN_EXE_grazing"))
+        .args(["unfold", "paper.toml"])
+        .current_dir(folder.path())
+        .stdout(Stdio::null())
+        .stderr(fs::File::create(&messages).expect("the folder is ours"))
+        .spawn()
+        .expect("the program starts");
+    let start = Instant::now();
+    while !read(folder.path(), "messages").contains("bifurcation curves: begun") {
+        assert!(run.try_wait().expect("it is ours").is_none(), "it ended too soon");
+        assert!(start.elapsed() < Duration::from_secs(300), "no curve was begun");
+        thread::sleep(Duration::from_millis(2));
+    }
+    let sent = Command::new("kill").args(["-INT", &run.id().to_string()]).status().expect("there is kill");
+    assert!(sent.success());
+    let status = run.wait().expect("it ends");
+    let told = read(folder.path(), "messages");
+    assert_eq!(status.code(), Some(3), "{told}");
+    assert!(told.contains("\ninterrupted: writing what is finished; "), "{told}");
+    assert!(told.ends_with("everything else is written\n"), "{told}");
+    let results = listing(&folder.path().join("unfolded/paper"));
+    assert!(
+        results.contains(&"data/grazing.csv".to_owned()) && results.contains(&"report.html".to_owned()),
+        "{results:?}"
+    );
+    assert!(!results.contains(&"data/curves.unfinished.csv".to_owned()), "{results:?}");
+}
+
 /// A description of an oscillator with this force.
 fn described(force: &str, primary: &str, secondary: &str) -> String {
     format!(
@@ -177,12 +253,14 @@ fn described(force: &str, primary: &str, secondary: &str) -> String {
 const LINEAR: &str = "-0.2*v - x - 1 + F0*cos(omega*t)";
 
 /// What keeps an oscillator from being unfolded: force and ranges.
-const NOTHING: [(&str, &str, &str, &str); 6] = [
+const NOTHING: [(&str, &str, &str, &str); 8] = [
     ("never reaches the wall", LINEAR, "[0.0, 0.1]", "[0.5, 0.7]"),
     ("always passes the wall", LINEAR, "[5.0, 6.0]", "[0.5, 0.7]"),
     ("rests beyond the wall", "-0.2*v - x + 1 + F0*cos(omega*t)", "[0.0, 0.5]", "[1.5, 2.0]"),
     ("runs away", "-0.2*v + x^3 + 10 + F0*cos(omega*t)", "[0.0, 0.5]", "[0.5, 0.7]"),
-    ("drifts for ever", "-0.2*v + 0.1 + F0*cos(omega*t)", "[0.0, 0.5]", "[0.5, 0.7]"),
+    ("leaves the domain", "-0.2*v - sqrt(x + 0.9) - 1 + F0*cos(omega*t)", "[0.0, 0.5]", "[0.5, 0.7]"),
+    ("drifts for ever", "-0.2*v + 0.1 + 0.01*sin(x) + F0*cos(omega*t)", "[0.0, 0.5]", "[0.5, 0.7]"),
+    ("bounces", "-0.2*v - 1 + F0*cos(omega*t)", "[0.0, 0.5]", "[0.5, 0.7]"),
     ("is not turned back", "-0.2*v - x + F0 + 0*cos(omega*t)", "[-0.5, 0.6]", "[0.5, 0.7]"),
 ];
 

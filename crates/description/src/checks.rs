@@ -9,13 +9,15 @@ use grazing_source::Source;
 use toml::Spanned;
 
 use crate::description::Description;
-use crate::error::{DescriptionError, Place, Point};
+use crate::error::{DescriptionError, Place, Point, rounded};
 use crate::file::File;
 
 /// Points along the range of either parameter, both ends included.
 const ALONG: u32 = 7;
-/// Positions and velocities at which the force is sampled; empirical, for quantities of the order of one.
-const POSITIONS: [f64; 3] = [-1.0, -0.37, 0.0];
+/// Positions and velocities at which the force is sampled; empirical, for quantities of the order of one. At the wall and close to
+/// it, from `-NEAR` on, it must be finite; far from it a force may have its poles.
+const POSITIONS: [f64; 4] = [-1.0, -0.37, -0.01, 0.0];
+const NEAR: f64 = 0.01;
 const VELOCITIES: [f64; 3] = [-0.83, 0.0, 0.61];
 /// Impact velocities at which the reset law is sampled: the theorems are about slow impacts.
 const IMPACT_VELOCITIES: [f64; 5] = [0.0, 0.01, 0.1, 0.5, 1.0];
@@ -27,8 +29,12 @@ const ROUNDING: f64 = 1e-9;
 
 type Checked = Result<(), DescriptionError>;
 
-/// Checks frequency, force and reset law at samples, in the order of the file.
-pub(crate) fn samples(description: &Description, raw: &File, source: &Source<'_>) -> Checked {
+/// Checks frequency, force and reset law at samples, in the order of the file; what is allowed and may not be meant.
+pub(crate) fn samples(
+    description: &Description,
+    raw: &File,
+    source: &Source<'_>,
+) -> Result<Vec<String>, DescriptionError> {
     let sampler = Sampler { description, source };
     let parameters = sampler.parameters();
     for &parameters in &parameters {
@@ -43,7 +49,7 @@ pub(crate) fn samples(description: &Description, raw: &File, source: &Source<'_>
     for &parameters in &parameters {
         sampler.duration(&raw.impact.duration, parameters)?;
     }
-    Ok(())
+    Ok(parameters.iter().find_map(|&parameters| sampler.lively(raw, parameters)).into_iter().collect())
 }
 
 struct Sampler<'a> {
@@ -93,8 +99,7 @@ impl Sampler<'_> {
                     let force = |t| self.description.force(x, v, t, mu, eta);
                     let at = || self.point([mu, eta], &[("x", x), ("v", v), ("t", t)]);
                     let (value, after) = (force(t), force(t + period));
-                    // The wall is at x = 0; far from it a force may have its poles.
-                    if !value.is_finite() && x == 0.0 {
+                    if !value.is_finite() && x >= -NEAR {
                         return Err(DescriptionError::NotFinite { place: place(), value, at: at() });
                     }
                     if (after - value).abs() > ROUNDING * (1.0 + value.abs()) {
@@ -121,6 +126,20 @@ impl Sampler<'_> {
             |y, z| self.description.restitution(y, z, mu, eta),
             |value, at| (value <= 0.0).then(|| DescriptionError::Restitution { place: place(), value, at }),
         )
+    }
+
+    /// What is to be said of a restitution above one.
+    fn lively(&self, raw: &File, [mu, eta]: [f64; 2]) -> Option<String> {
+        let samples = IMPACT_VELOCITIES.iter().flat_map(|y| SHARES.map(|share| (*y, share * TAU)));
+        let (y, z, value) = samples
+            .map(|(y, z)| (y, z, self.description.restitution(y, z, mu, eta)))
+            .find(|(_, _, value)| *value > 1.0)?;
+        let place = Place::new(self.source, "impact.restitution", &raw.impact.restitution);
+        let at = self.point([mu, eta], &[("y", y), ("z", z)]);
+        Some(format!(
+            "{place}: the restitution is {} at {at}: above 1, so that impacts drive the oscillator; it is analysed as it stands",
+            rounded(value)
+        ))
     }
 
     fn duration(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use grazing_model::smooth::{Scalar, SmoothOscillator};
-use grazing_source::{Source, SourceError};
+use grazing_source::Source;
 
 use crate::error::DescriptionError;
 use crate::expression::Expression;
@@ -30,6 +30,25 @@ pub(crate) struct Content {
     pub(crate) texts: Texts,
     pub(crate) loops: Vec<u32>,
     pub(crate) start: Option<[f64; 2]>,
+    pub(crate) limits: Limits,
+    pub(crate) notes: Vec<String>,
+}
+
+/// What an analysis may use before it ends with what it has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Seconds.
+    pub time: f64,
+    /// Megabytes that the process holds.
+    pub memory: f64,
+    /// Steps of integration.
+    pub steps: f64,
+}
+
+impl Limits {
+    /// What a file that says nothing gives: the examples take seconds and 50 MB, and whoever waits for ten minutes wants to see
+    /// something. The steps are more than two cores make in that time.
+    pub const USUAL: Self = Self { time: 600.0, memory: 2000.0, steps: 1e10 };
 }
 
 /// The four expressions as the file has them, for whoever wants to see what was read.
@@ -70,11 +89,7 @@ impl Description {
     /// # Errors
     /// [`DescriptionError`], the first thing in the file that is not right, with its line.
     pub fn from_file(path: &Path) -> Result<Description, DescriptionError> {
-        let file = path.display().to_string();
-        match std::fs::read_to_string(path) {
-            Ok(text) => Description::parse(&text, &file),
-            Err(reason) => Err(SourceError::Unreadable { file, reason: reason.to_string() }.into()),
-        }
+        Description::parse(&grazing_source::read_file(path)?, &path.display().to_string())
     }
 
     /// Checks the text of a description; `file` is the name that messages use.
@@ -87,8 +102,10 @@ impl Description {
         let source = Source::new(text, file, file::REQUIREMENTS);
         let raw: file::File = source.read()?;
         let description = validate::description(&raw, &source)?;
-        checks::samples(&description, &raw, &source)?;
-        Ok(description)
+        let notes = checks::samples(&description, &raw, &source)?;
+        let mut content = (*description.0).clone();
+        content.notes = notes;
+        Ok(Description(Arc::new(content)))
     }
 
     /// What the oscillator is called.
@@ -139,6 +156,16 @@ impl Description {
     /// Position and velocity at time zero from which the non-impacting motion is looked for, if the file gives them.
     pub fn start(&self) -> Option<[f64; 2]> {
         self.0.start
+    }
+
+    /// What is allowed but may not be meant, in words.
+    pub fn notes(&self) -> &[String] {
+        &self.0.notes
+    }
+
+    /// What the analysis may use; all are positive.
+    pub fn limits(&self) -> Limits {
+        self.0.limits
     }
 
     /// The numbers of loops p to analyse: at least one, each 1 or more, none twice, as ordered in the file.

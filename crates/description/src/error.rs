@@ -28,7 +28,8 @@ pub enum DescriptionError {
     },
     /// An expression has no finite value at a point of the ranges.
     #[error(
-        "{place}: the value is {value} at {at}: it must be a finite number over the ranges of both parameters"
+        "{place}: the value is {value} at {at}: it must be a finite number {}",
+        where_finite(place.key)
     )]
     NotFinite {
         /// Where the expression stands.
@@ -65,7 +66,7 @@ pub enum DescriptionError {
         at: Point,
     },
     /// Numbers of loops that were asked for instead of the file's are not right.
-    #[error("{loops:?}: {}", REQUIREMENTS.of("analysis.loops"))]
+    #[error("{}: {}", loops.iter().map(u32::to_string).collect::<Vec<_>>().join(","), REQUIREMENTS.of("analysis.loops"))]
     Loops {
         /// The numbers.
         loops: Vec<u32>,
@@ -112,6 +113,16 @@ impl Place {
     }
 }
 
+/// Where an expression must have a finite value.
+fn where_finite(key: &str) -> &'static str {
+    match key {
+        "motion.force" => {
+            "at the wall and close to it in x < 0, where motion takes place, over the ranges of both parameters"
+        }
+        _ => "over the ranges of both parameters",
+    }
+}
+
 /// Names with their values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point(pub Vec<(String, f64)>);
@@ -136,9 +147,11 @@ fn entry(variable: &str) -> &'static str {
     }
 }
 
-/// The value to six digits, without zeros at the end.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
+/// The value to six digits, without zeros at the end, and with an exponent where there were many in it.
+pub(crate) fn rounded(value: f64) -> String {
+    let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    let plain = value == 0.0 || (1e-5..1e9).contains(&value.abs()) || !value.is_finite();
+    if plain { value.to_string() } else { format!("{value:e}") }
 }
 
 impl DescriptionError {
@@ -166,6 +179,9 @@ impl DescriptionError {
     }
 }
 
+/// The most characters of a line that are shown.
+const SHOWN: usize = 120;
+
 /// The line of the text in which the span begins, with a mark under the span.
 fn excerpt(text: &str, span: &Range<usize>) -> String {
     let start = text[..span.start].rfind('\n').map_or(0, |newline| newline + 1);
@@ -176,5 +192,12 @@ fn excerpt(text: &str, span: &Range<usize>) -> String {
     }
     let before = text[start..span.start].chars().count();
     let marked = text[span.start..span.end.min(end).max(span.start)].chars().count().max(1);
-    format!("    {line}\n    {}^{}", " ".repeat(before), "~".repeat(marked - 1))
+    // Of a long line the part about the mark.
+    let skipped = if line.chars().count() > SHOWN { before.saturating_sub(SHOWN / 3) } else { 0 };
+    let (left, right) =
+        [skipped > 0, line.chars().count() > skipped + SHOWN].map(|cut| if cut { "..." } else { "" }).into();
+    let part: String = line.chars().skip(skipped).take(SHOWN).collect();
+    let before = before - skipped + left.len();
+    let marked = marked.min((left.len() + SHOWN).saturating_sub(before).max(1));
+    format!("    {left}{part}{right}\n    {}^{}", " ".repeat(before), "~".repeat(marked - 1))
 }

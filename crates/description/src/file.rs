@@ -45,7 +45,10 @@ const KEYS: &[(&str, &str)] = &[
         "the impact duration must be an expression in y, z and the parameters in quotation marks, \
          \"0\" for impacts that take no time",
     ),
-    ("analysis", "the table [analysis] holds loops and may hold start"),
+    (
+        "analysis",
+        "the table [analysis] holds loops and may hold start, time_limit, memory_limit and step_limit",
+    ),
     (
         "analysis.loops",
         "the numbers of loops must be a list of different whole numbers from 1 to 12, as [1, 2, 3]",
@@ -54,6 +57,21 @@ const KEYS: &[(&str, &str)] = &[
         "analysis.start",
         "the start of the search for the non-impacting motion must be position and velocity at time zero, \
          two finite numbers, as [-1.0, 0.0]; it may be left out",
+    ),
+    (
+        "analysis.time_limit",
+        "the time after which the analysis ends with what it has must be a positive number of seconds, as 600; \
+         it may be left out",
+    ),
+    (
+        "analysis.memory_limit",
+        "the memory at which the analysis ends with what it has must be a positive number of megabytes, as 2000; \
+         it may be left out",
+    ),
+    (
+        "analysis.step_limit",
+        "the number of steps of integration after which the analysis ends with what it has must be positive, as 1e10; \
+         it may be left out",
     ),
 ];
 
@@ -104,6 +122,9 @@ pub(crate) struct Impact {
 pub(crate) struct Analysis {
     pub(crate) loops: Spanned<Vec<Spanned<u32>>>,
     pub(crate) start: Option<Spanned<Vec<f64>>>,
+    pub(crate) time_limit: Option<Spanned<f64>>,
+    pub(crate) memory_limit: Option<Spanned<f64>>,
+    pub(crate) step_limit: Option<Spanned<f64>>,
 }
 
 #[cfg(test)]

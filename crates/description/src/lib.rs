@@ -45,6 +45,6 @@ mod file;
 mod names;
 mod validate;
 
-pub use description::{Axis, Description, Texts};
+pub use description::{Axis, Description, Limits, Texts};
 pub use error::{DescriptionError, Place, Point};
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK, Problem};

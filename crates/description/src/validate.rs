@@ -5,11 +5,14 @@ use std::sync::Arc;
 use grazing_source::Source;
 use toml::Spanned;
 
-use crate::description::{Axis, Content, Description, Texts};
+use crate::description::{Axis, Content, Description, Limits, Texts};
 use crate::error::DescriptionError;
 use crate::expression::Expression;
 use crate::file::{self, File, MOST_LOOPS, REQUIREMENTS};
 use crate::names;
+
+/// More constants than this nobody names; every name in an expression is looked for among them.
+const MOST_CONSTANTS: usize = 1000;
 
 type Checked<T> = Result<T, DescriptionError>;
 
@@ -25,6 +28,14 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
     let name = raw.name.get_ref().trim();
     if name.is_empty() {
         return Err(source.forbid("name", &raw.name, REQUIREMENTS.of("name").to_owned()).into());
+    }
+    if raw.parameters.len() > MOST_CONSTANTS {
+        let last = raw.parameters.iter().max_by_key(|(name, _)| name.span().start);
+        let allowed =
+            format!("this is constant number {}: at most {MOST_CONSTANTS} are allowed", raw.parameters.len());
+        if let Some((name, value)) = last {
+            return Err(source.forbid(&format!("parameters.{}", name.get_ref()), value, allowed).into());
+        }
     }
     names::check(raw, source)?;
     let mut constants = Vec::new();
@@ -68,6 +79,7 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
     }
     let loops = loops(&raw.analysis.loops, source)?;
     let start = raw.analysis.start.as_ref().map(|start| finite(start, source)).transpose()?;
+    let limits = limits(&raw.analysis, source)?;
     let name = name.to_owned();
     Ok(Description(Arc::new(Content {
         name,
@@ -86,7 +98,22 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
         },
         loops,
         start,
+        limits,
+        notes: Vec::new(),
     })))
+}
+
+fn limits(raw: &file::Analysis, source: &Source<'_>) -> Checked<Limits> {
+    let given = |key: &str, value: &Option<Spanned<f64>>, usual: f64| match value {
+        None => Ok(usual),
+        Some(value) if value.get_ref().is_finite() && *value.get_ref() > 0.0 => Ok(*value.get_ref()),
+        Some(value) => Err(source.forbid(key, value, REQUIREMENTS.of(key).to_owned())),
+    };
+    Ok(Limits {
+        time: given("analysis.time_limit", &raw.time_limit, Limits::USUAL.time)?,
+        memory: given("analysis.memory_limit", &raw.memory_limit, Limits::USUAL.memory)?,
+        steps: given("analysis.step_limit", &raw.step_limit, Limits::USUAL.steps)?,
+    })
 }
 
 fn finite(start: &Spanned<Vec<f64>>, source: &Source<'_>) -> Checked<[f64; 2]> {
@@ -100,6 +127,13 @@ fn finite(start: &Spanned<Vec<f64>>, source: &Source<'_>) -> Checked<[f64; 2]> {
 fn axis(table: &str, raw: &file::Axis, source: &Source<'_>) -> Checked<Axis> {
     let key = format!("{table}.range");
     match raw.range.get_ref()[..] {
+        [lower, upper]
+            if lower < upper && lower.is_finite() && (upper - lower).is_infinite() && upper.is_finite() =>
+        {
+            let allowed =
+                "the range is too wide to be computed with: upper - lower must be a finite number".to_owned();
+            Err(source.forbid(&key, &raw.range, allowed).into())
+        }
         [lower, upper] if lower.is_finite() && upper.is_finite() && lower < upper => {
             Ok(Axis { name: raw.name.get_ref().clone(), range: [lower, upper] })
         }

@@ -49,6 +49,18 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[analysis]", "loops", "loops = [13]"),
     ("[analysis]", "loops", "loops = [2, 2]"),
     ("[analysis]", "loops", "loops = []"),
+    // What people write.
+    ("[parameters]", "zeta", "zeta = {a = 1}"),
+    ("[parameters]", "zeta", "zeta = [0.1]"),
+    ("[parameters]", "zeta", "zeta = 0.1 N s/m"),
+    ("[parameters]", "zeta", "zeta ="),
+    ("[parameters]", "zeta", "zeta = 0.1\nzeta = 0.2"),
+    ("[primary]", "range", "range = [{from = 0.0}, 1.5]"),
+    ("[primary]", "range", "range = [-1e308, 1e308]"),
+    ("[analysis]", "loops", "loops = [1]\ntime_limit = 0"),
+    ("[analysis]", "loops", "loops = [1]\nmemory_limit = \"2 GB\""),
+    ("[analysis]", "loops", "loops = [1]\nstep_limit = -1"),
+    ("[analysis]", "loops", "loops = [1]\nstart = [-1.0, inf]"),
     // Names.
     ("[parameters]", "zeta", "zeta = 0.1\nx = 1"),
     ("[parameters]", "zeta", "zeta = 0.1\nt = 1"),
@@ -84,6 +96,9 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[motion]", "force", "force = \"-x - 1e999 + A*cos(omega*t)\""),
     ("[motion]", "force", "force = \"-x - 1/(zeta - zeta) + A*cos(omega*t)\""),
     ("[motion]", "force", "force = \"-x - sqrt(kappa - 1) + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - ln(0) + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - exp(1000) + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-x - m*v + A*cos(omega*t)\""),
     ("[motion]", "force", "force = \"-x - 10^400 + A*cos(omega*t)\""),
     ("[motion]", "force", "force = \"\"\"\n-x - 1\n    - 2*zeta*w\n    + A*cos(omega*t)\"\"\""),
     ("[motion]", "frequency", "frequency = \"omega + x\""),
@@ -101,6 +116,7 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[motion]", "frequency", "frequency = \"omega - 0.5\""),
     ("[motion]", "frequency", "frequency = \"sqrt(omega - 0.5)\""),
     ("[motion]", "force", "force = \"-x - 1/v + A*cos(omega*t)\""),
+    ("[motion]", "force", "force = \"-sqrt(x) - 1 + A*cos(omega*t)\""),
     ("[motion]", "force", "force = \"-x - 1 + A*cos(2.1*omega*t)\""),
     ("[motion]", "force", "force = \"-x - 1 + A*cos(omega*t/2)\""),
     ("[motion]", "force", "force = \"-x - 1 + A*t + 0*omega\""),
@@ -159,6 +175,67 @@ fn every_bad_description_is_refused_with_its_place_and_what_would_be_right() {
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.bind(|| insta::assert_snapshot!("messages_for_bad_descriptions", transcript));
+}
+
+#[test]
+fn a_long_expression_is_read_in_time_and_not_repeated_whole() {
+    let terms = |count: usize| vec!["kappa*x^3"; count].join(" + sin(x)*v - ");
+    let force = |terms: &str| format!("force = \"-x - 1 + A*cos(omega*t) - {terms}\"");
+    let parse = |line: &str| Description::parse(&edited("[motion]", "force", line), "long.toml");
+    assert!(parse(&force(&terms(4000))).is_ok());
+    // Terms that differ all, where quadratic work would take minutes.
+    let different: String = (0..9000).map(|k| format!("+{k}*x*v")).collect();
+    assert!(parse(&force(&different[1..])).is_ok());
+
+    let nested = format!("{}x{}", "(".repeat(20_000), ")".repeat(20_000));
+    let minuses = format!("{}x", "-".repeat(40_000));
+    let powers = "x^".repeat(20_000) + "2";
+    let names = "abc".repeat(20_000);
+    let missing = format!("{} 2 3 {}", terms(1000), terms(1000));
+    let too_long = terms(20_000);
+    for wrong in [&nested, &minuses, &powers, &names, &missing, &too_long] {
+        let message = parse(&force(wrong)).expect_err("it is wrong").to_string();
+        assert!(message.starts_with("long.toml:12: motion.force: "), "{message}");
+        // Message, line, and mark.
+        assert!(message.len() < 700, "{} bytes: {message}", message.len());
+    }
+}
+
+#[test]
+fn a_file_that_is_no_text_of_a_reasonable_size_is_refused() {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let file = folder.path().join("o.toml");
+    for (content, wanted) in
+        [(vec![b'#'; 2_000_000], "longer than 1000000 bytes"), (vec![0xff, 0xfe], "UTF-8")]
+    {
+        std::fs::write(&file, content).expect("the folder is ours");
+        let error = Description::from_file(&file).expect_err("it is refused").to_string();
+        assert!(error.contains(wanted), "{error}");
+    }
+    let error = Description::from_file(folder.path()).expect_err("a folder is no file").to_string();
+    assert!(error.contains("it is not a file"), "{error}");
+}
+
+#[test]
+fn deep_tables_neither_take_for_ever_nor_overflow_the_stack() {
+    let nested = format!("zeta = {}1{}", "[".repeat(100_000), "]".repeat(100_000));
+    let dotted = format!("{}a = 1", "a.".repeat(100_000));
+    let inline = format!("zeta = {}1{}", "{a=".repeat(100_000), "}".repeat(100_000));
+    for line in [&nested, &dotted, &inline] {
+        let text = edited("[parameters]", "zeta", line);
+        let message = Description::parse(&text, "deep.toml").expect_err("it is wrong").to_string();
+        assert!(message.contains("too deep inside one another") && message.len() < 700, "{message}");
+    }
+}
+
+#[test]
+fn a_restitution_above_one_is_allowed_and_said() {
+    let noted = |line: &str| {
+        Description::parse(&edited("[impact]", "restitution", line), "o.toml").expect("it is allowed")
+    };
+    assert!(noted("restitution = \"1\"").notes().is_empty());
+    let notes = noted("restitution = \"1.2\"").notes().join("");
+    assert!(notes.starts_with("o.toml:15: impact.restitution: the restitution is 1.2 at A = 0, "), "{notes}");
 }
 
 #[test]

@@ -10,6 +10,7 @@ use grazing_model::smooth::Integrated;
 use grazing_unfold::diagram::{Coefficients, Kind};
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::sides::{Sides, simulate};
+use grazing_unfold::stop::{Stoppable, Unfinished};
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
 
@@ -47,7 +48,7 @@ pub struct AtResonance {
     pub magnified: Vec<Polyline>,
 }
 
-impl Unfolded<Integrated<Description>> {
+impl Unfolded<Integrated<Stoppable<Description>>> {
     /// The analysis of an oscillator from a text file.
     ///
     /// # Errors
@@ -56,8 +57,14 @@ impl Unfolded<Integrated<Description>> {
         let (primary, secondary) = (description.primary(), description.secondary());
         let window = Window { primary: primary.range(), secondary: secondary.range() };
         let scope = Scope { window, loops: description.loops().to_vec(), start: description.start() };
-        let oscillator = Integrated::new(description.clone(), [window.primary[0], window.secondary[0]]);
-        Self::compute(&oscillator, &scope, Axes::new(primary.name(), secondary.name()), progress)
+        let stop = progress.stop();
+        let stoppable = Stoppable::new(description.clone(), stop.clone());
+        let oscillator = Integrated::new(stoppable, [window.primary[0], window.secondary[0]]);
+        let unfolded =
+            Self::compute(&oscillator, &scope, Axes::new(primary.name(), secondary.name()), progress);
+        // What was finished can be written down.
+        stop.withdraw();
+        unfolded
     }
 }
 
@@ -74,7 +81,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
     ) -> Result<Self, StudyError> {
         let located = Diagram::located(oscillator, scope, progress)?;
         let followed = finished::follow(progress, &axes, &located);
-        let diagram = located.with(followed, progress);
+        let mut diagram = located.with(followed, progress);
         let what = "coefficients and magnifications";
         let found: Vec<_> = diagram.unfolding().collect();
         progress.begin(what, found.len() as u64);
@@ -82,20 +89,31 @@ impl<O: ImpactOscillator> Unfolded<O> {
         let resonances = found
             .into_par_iter()
             .map(|(resonance, point)| {
-                let window = window_about(&diagram, resonance, point);
-                let at = AtResonance {
-                    loops: resonance.loops,
-                    n: resonance.n,
-                    coefficients: Coefficients::of(point),
-                    sides: [Kind::SaddleNode, Kind::PeriodDoubling].map(|kind| simulate(point, kind).ok()),
-                    window,
-                    magnified: magnify(&diagram, resonance, point, window).unwrap_or_default(),
+                let at = || {
+                    let window = window_about(&diagram, resonance, point);
+                    AtResonance {
+                        loops: resonance.loops,
+                        n: resonance.n,
+                        coefficients: Coefficients::of(point),
+                        sides: [Kind::SaddleNode, Kind::PeriodDoubling]
+                            .map(|kind| simulate(point, kind).ok()),
+                        window,
+                        magnified: magnify(&diagram, resonance, point, window).unwrap_or_default(),
+                    }
                 };
+                let mut found = at();
+                let stopped = progress.stopped();
+                if stopped {
+                    // Nothing moves any more: now all of it is missing, not only what was to come.
+                    found = at();
+                }
                 progress.step(what);
-                at
+                (found, stopped.then(|| Unfinished::at(what, resonance)))
             })
-            .collect();
+            .collect::<Vec<_>>();
         progress.end(what);
+        let (resonances, unfinished): (Vec<_>, Vec<_>) = resonances.into_iter().unzip();
+        diagram.unfinished.extend(unfinished.into_iter().flatten());
         Ok(Self { axes, diagram, resonances })
     }
 

@@ -247,14 +247,14 @@ fn an_unknown_key_is_named_with_the_nearest_known_one() {
     match parse(&text) {
         Err(ParameterError::UnknownKey { line, key, nearest, known, .. }) => {
             assert_eq!(line, line_of(&text, "[fig02.attractor]", "recoded"));
-            assert_eq!((key.as_str(), nearest.as_str()), ("fig02.attractor.recoded", "recorded"));
+            assert_eq!((key.as_str(), nearest.as_deref()), ("fig02.attractor.recoded", Some("recorded")));
             assert_eq!(known, ["amplitudes", "orbits", "transient", "recorded", "seed"]);
         }
         other => panic!("{other:?}"),
     }
     match parse(&DEFAULT.replacen("\n[fig02.attractor]", "\n[fig2.attractor]", 1)) {
         Err(ParameterError::UnknownKey { key, nearest, .. }) => {
-            assert_eq!((key.as_str(), nearest.as_str()), ("fig2", "fig02"));
+            assert_eq!((key.as_str(), nearest.as_deref()), ("fig2", Some("fig02")));
         }
         other => panic!("{other:?}"),
     }

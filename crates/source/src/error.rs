@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::words::suggestion;
+
 /// The first thing in a file that is not right, and what would be.
 ///
 /// Keys are written with dots, members of a list of tables counted from 1: `fig08.panels[2].loops`. Values are given as
@@ -29,7 +31,7 @@ pub enum SourceError {
         reason: String,
     },
     /// A key that means nothing here, most often a misspelt one.
-    #[error("{file}:{line}: unknown key {key}: did you mean `{nearest}`? Known here: {}", known.join(", "))]
+    #[error("{file}:{line}: unknown key {key}{} Known here: {}", suggestion(nearest.as_deref()), known.join(", "))]
     UnknownKey {
         /// The file.
         file: String,
@@ -37,8 +39,8 @@ pub enum SourceError {
         line: usize,
         /// The key with all that leads to it.
         key: String,
-        /// The known key that is spelt most like it.
-        nearest: String,
+        /// The known key that is spelt like it, if there is one.
+        nearest: Option<String>,
         /// All keys that are known in this place.
         known: Vec<String>,
     },

@@ -7,7 +7,9 @@
 mod error;
 mod requirements;
 mod text;
+mod words;
 
 pub use error::SourceError;
 pub use requirements::Requirements;
-pub use text::{Source, nearest};
+pub use text::{Source, read_file};
+pub use words::{nearest, shortened, suggestion};

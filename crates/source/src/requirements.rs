@@ -16,14 +16,21 @@ impl Requirements {
         Requirements { keys, otherwise }
     }
 
-    /// What the key must hold; the numbers of list members in the key do not matter.
+    /// What the key must hold; the numbers of list members in the key do not matter. A key inside a value that is no table is
+    /// wrong because of that value.
     pub fn of(&self, key: &str) -> &'static str {
         let plain = without_numbers(key);
-        let any = plain.rsplit_once('.').map(|(table, _)| format!("{table}.*"));
-        self.keys
-            .iter()
-            .find(|(known, _)| *known == plain || Some(*known) == any.as_deref())
-            .map_or(self.otherwise, |(_, requirement)| requirement)
+        let mut key = plain.as_str();
+        loop {
+            let above = key.rsplit_once('.').map(|(table, _)| table);
+            let any = above.map(|table| format!("{table}.*"));
+            let found = self.keys.iter().find(|(known, _)| *known == key || Some(*known) == any.as_deref());
+            match (found, above) {
+                (Some((_, requirement)), _) => return requirement,
+                (None, Some(above)) => key = above,
+                (None, None) => return self.otherwise,
+            }
+        }
     }
 
     /// The keys that are known in a table, in the order of the file; the top level is the table with the empty name.

@@ -1,6 +1,9 @@
 //! The text of a file, and the way back from a place in it to line, key and value.
 
+use std::fs::File as OpenFile;
+use std::io::{self, Read};
 use std::ops;
+use std::path::Path;
 
 use serde::de::DeserializeOwned;
 use toml::Spanned;
@@ -8,6 +11,38 @@ use toml::de::{DeTable, DeValue};
 
 use crate::error::SourceError;
 use crate::requirements::Requirements;
+use crate::words::{nearest, shortened};
+
+/// A file with more bytes than this was not written by a person.
+const MOST_BYTES: u64 = 1_000_000;
+
+/// The most characters of a value or a name that a message repeats.
+const SHOWN: usize = 100;
+
+/// The text of a file of reasonable size.
+///
+/// # Errors
+/// [`SourceError::Unreadable`].
+pub fn read_file(path: &Path) -> Result<String, SourceError> {
+    let read = || -> io::Result<String> {
+        let file = OpenFile::open(path)?;
+        if !file.metadata()?.is_file() {
+            return Err(io::Error::other("it is not a file"));
+        }
+        let mut bytes = Vec::new();
+        file.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
+        if bytes.len() as u64 > MOST_BYTES {
+            return Err(io::Error::other(format!(
+                "it is longer than {MOST_BYTES} bytes, which no file of this kind has to be"
+            )));
+        }
+        String::from_utf8(bytes).map_err(|_| io::Error::other("it is not a text in UTF-8"))
+    };
+    read().map_err(|reason| SourceError::Unreadable {
+        file: path.display().to_string(),
+        reason: reason.to_string(),
+    })
+}
 
 /// A file's text with the name that messages use for it, and what its keys must hold.
 #[derive(Debug, Clone, Copy)]
@@ -62,7 +97,7 @@ impl<'a> Source<'a> {
 
     /// The text of a place on one line, as the file has it but for line breaks.
     fn written(&self, span: ops::Range<usize>) -> String {
-        self.text[span].split_whitespace().collect::<Vec<_>>().join(" ")
+        shortened(&self.text[span].split_whitespace().collect::<Vec<_>>().join(" "), SHOWN)
     }
 
     /// The line of a position in the text, from 1.
@@ -77,7 +112,35 @@ impl<'a> Source<'a> {
             file: self.file.to_owned(),
             line: self.line(position),
             column: 1 + self.text[line_start..position].chars().count(),
-            reason: error.message().to_owned(),
+            reason: self.syntax_problem(error, line_start),
+        }
+    }
+
+    /// What is wrong with a line that is not TOML: what people mean by it most often, or else what the reader says.
+    fn syntax_problem(&self, error: &toml::de::Error, line_start: usize) -> String {
+        let place = error.span().map_or("", |span| self.text.get(span).unwrap_or_default());
+        if error.message().starts_with("duplicate key") {
+            let key = shortened(place.trim(), SHOWN);
+            return format!("the key {key} stands there twice: remove one of them, or give it another name");
+        }
+        if error.message().contains("recurs") {
+            return "lists or tables stand too deep inside one another".to_owned();
+        }
+        let line = self.text[line_start..].lines().next().unwrap_or_default();
+        let Some((key, value)) = line.split_once('=') else { return error.message().to_owned() };
+        let value = value.split('#').next().unwrap_or_default().trim();
+        let (key, shown) = (key.trim(), shortened(value, SHOWN));
+        let number = value.split_whitespace().next().filter(|word| word.parse::<f64>().is_ok());
+        match number {
+            Some(number) if number != value => format!(
+                "{shown} is no number: quantities have no units here; write {key} = {number}, and the unit, if you like, \
+                 after a #"
+            ),
+            None if value.starts_with(char::is_alphabetic) && !value.contains(['"', '\'']) => {
+                format!("a text stands in quotation marks: write {key} = \"{shown}\"")
+            }
+            _ if value.is_empty() => format!("the value of {key} is missing"),
+            _ => error.message().to_owned(),
         }
     }
 
@@ -86,8 +149,8 @@ impl<'a> Source<'a> {
         SourceError::UnknownKey {
             file: self.file.to_owned(),
             line: self.line(unknown.position),
-            nearest: nearest(&unknown.name, &known).to_owned(),
-            key: joined(&unknown.table, &unknown.name),
+            nearest: nearest(&unknown.name, &known).map(str::to_owned),
+            key: joined(&unknown.table, &shortened(&unknown.name, SHOWN)),
             known: known.into_iter().map(str::to_owned).collect(),
         }
     }
@@ -142,6 +205,10 @@ fn first_unknown_key(table: &DeTable<'_>, path: &str, requirements: &Requirement
                 return Some(UnknownKey { position: key.span().start, table: path.to_owned(), name });
             }
             let path = joined(path, &name);
+            if requirements.known_keys(&path).is_empty() {
+                // Not to be a table: that is told of the whole value.
+                return None;
+            }
             match value.get_ref() {
                 DeValue::Table(inner) => first_unknown_key(inner, &path, requirements),
                 DeValue::Array(members) => members
@@ -159,18 +226,6 @@ fn first_unknown_key(table: &DeTable<'_>, path: &str, requirements: &Requirement
 
 fn joined(table: &str, name: &str) -> String {
     if table.is_empty() { name.to_owned() } else { format!("{table}.{name}") }
-}
-
-/// The known name that is spelt most like `name`; the first of equals, and empty if there is none.
-pub fn nearest<'a>(name: &str, known: &[&'a str]) -> &'a str {
-    let mut best = (f64::NEG_INFINITY, "");
-    for candidate in known {
-        let likeness = strsim::jaro_winkler(name, candidate);
-        if likeness > best.0 {
-            best = (likeness, candidate);
-        }
-    }
-    best.1
 }
 
 /// The key of the innermost table entry at `position`; a place inside a list of values belongs to the list.

@@ -16,6 +16,7 @@ use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::regions::{self, Region};
 use crate::resonances::{self, Resonance, Unlocated};
+use crate::stop::Unfinished;
 use crate::{Scope, UnfoldError};
 
 /// A resonance one of whose curves, or all of them, could not be followed.
@@ -59,7 +60,12 @@ pub struct Diagram<O> {
     pub unlocated: Vec<Unlocated>,
     /// Resonances whose curves could not be followed.
     pub not_unfolded: Vec<NotUnfolded>,
+    /// What was not finished when an end was asked for.
+    pub unfinished: Vec<Unfinished>,
 }
+
+/// The stage in which curves are followed from the resonances.
+const CURVES: &str = "bifurcation curves";
 
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;
@@ -87,7 +93,8 @@ impl<O: ImpactOscillator> Diagram<O> {
     /// # Errors
     /// There is no grazing in the ranges, with what was seen instead.
     pub fn located(oscillator: &O, scope: &Scope, progress: &dyn Progress) -> Result<Self, UnfoldError> {
-        let NonImpacting { grazing, curves, regions } = non_impacting::find(oscillator, scope, progress)?;
+        let NonImpacting { grazing, curves, regions, unfinished } =
+            non_impacting::find(oscillator, scope, progress)?;
         let mut diagram = Self {
             scope: scope.clone(),
             grazing,
@@ -97,11 +104,15 @@ impl<O: ImpactOscillator> Diagram<O> {
             regions,
             unlocated: Vec::new(),
             not_unfolded: Vec::new(),
+            unfinished,
         };
         for curve in &diagram.grazing {
-            let (mut found, mut lost) = resonances::on_curve(curve, scope);
+            let (mut found, mut lost) = resonances::on_curve(curve, scope, progress);
             diagram.resonances.append(&mut found);
             diagram.unlocated.append(&mut lost);
+        }
+        if progress.stopped() {
+            diagram.unfinished.push(Unfinished::stage(resonances::STAGE));
         }
         let order = |loops| scope.loops.iter().position(|asked| *asked == loops);
         diagram.resonances.sort_by_key(|resonance| order(resonance.loops));
@@ -111,6 +122,11 @@ impl<O: ImpactOscillator> Diagram<O> {
     /// The diagram with what came of following the curves from its resonances, in the order of their list, and all that follows
     /// from these: the curves that begin where they end, those to which no resonance leads, and the regions.
     pub fn with(mut self, followed: Vec<Followed>, progress: &dyn Progress) -> Self {
+        let cut = self.resonances.iter().enumerate().filter(|(index, resonance)| {
+            resonance.theorem.is_ok() && followed.iter().all(|followed| followed.resonance != *index)
+        });
+        let cut = cut.map(|(_, resonance)| Unfinished::at(CURVES, resonance)).collect::<Vec<_>>();
+        self.unfinished.extend(cut);
         let mut nets: Vec<Net<O>> =
             self.scope.loops.iter().map(|&loops| Net::new(self.equations(loops))).collect();
         for Followed { resonance, curves, missing } in followed {
@@ -121,10 +137,17 @@ impl<O: ImpactOscillator> Diagram<O> {
                 curves.into_iter().for_each(|curve| net.add(curve));
             }
         }
+        let known = nets.clone();
         let route = route(self.scope.window, StepControl::DRAWING);
         nets.iter_mut().for_each(|net| net.grow(&route));
         let of_mps = regions::of_mps(&self, &mut nets, progress);
-        self.regions.extend(of_mps);
+        if progress.stopped() {
+            // What was under way when the end was asked for is worth nothing.
+            nets = known;
+            self.unfinished.push(Unfinished::stage(regions::STAGE));
+        } else {
+            self.regions.extend(of_mps);
+        }
         for net in nets {
             self.curves.extend(net.curves);
             self.corners.extend(net.corners);
@@ -148,9 +171,10 @@ impl<O: ImpactOscillator> Diagram<O> {
         self.grazing.iter().find_map(|curve| curve.at(secondary)).map(|orbit| orbit.phase())
     }
 
-    /// The curves from every resonance at which a theorem holds, each resonance by itself, in the order of the list.
+    /// The curves from every resonance at which a theorem holds, each resonance by itself, in the order of the list; without
+    /// those that were not finished when an end was asked for.
     pub fn follow(&self, progress: &dyn Progress) -> Vec<Followed> {
-        let what = "bifurcation curves";
+        let what = CURVES;
         let route = route(self.scope.window, StepControl::DRAWING);
         let points: Vec<_> =
             self.resonances.iter().enumerate().filter(|(_, found)| found.theorem.is_ok()).collect();
@@ -163,6 +187,9 @@ impl<O: ImpactOscillator> Diagram<O> {
                     Ok(unfolded) => listed(index, resonance, unfolded),
                     Err(reason) => Followed { resonance: index, curves: Vec::new(), missing: vec![reason] },
                 };
+                if progress.stopped() {
+                    return None;
+                }
                 progress.unfolded(index, &followed.curves);
                 progress.step(what);
                 Some(followed)

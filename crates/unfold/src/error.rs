@@ -1,15 +1,22 @@
 //! Why there is nothing to unfold.
 
+use crate::escape::Escape;
 use crate::free::Height;
 
 /// The search for a grazing curve found none.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum UnfoldError {
+    /// An end was asked for before anything was found.
+    #[error("the search was ended during this: {stage}")]
+    Stopped {
+        /// What was being done.
+        stage: &'static str,
+    },
     /// Motion without the wall runs away from wherever it was begun.
-    #[error("without the wall all motion that was tried runs away, at {at:?} for one")]
+    #[error("without the wall all motion that was tried runs away or ends, at {:?} for one", escape.parameters)]
     RunsAway {
-        /// Parameters (μ, η) at which it does.
-        at: [f64; 2],
+        /// How one of the motions ends.
+        escape: Escape,
     },
     /// No periodic motion with the period of the forcing was found.
     #[error("no periodic motion with the period of the forcing was found without the wall")]

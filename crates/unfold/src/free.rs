@@ -17,6 +17,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
 
 use crate::Scope;
+use crate::escape::Escape;
 use branch::{Bifurcation, Branch};
 use orbits::{FAR, FreeOrbits, Orbit};
 
@@ -34,8 +35,8 @@ pub struct Survey<O> {
     pub extremes: Option<[Height; 2]>,
     /// Orbits that touch the wall without being turned back, with F ≥ 0 there.
     pub pushed: Vec<Height>,
-    /// Where motion ran away from the starts.
-    pub ran_away: Option<[f64; 2]>,
+    /// How motion from one of the starts ran away.
+    pub ran_away: Option<Escape>,
     /// The branches of orbits.
     pub(crate) branches: Vec<Branch>,
 }
@@ -82,8 +83,8 @@ pub fn survey<O: ImpactOscillator>(oscillator: &O, scope: &Scope, secondary: f64
                     branches.extend(orbits.branch(&orbit));
                 }
                 Ok(_) => {}
-                Err(RunsAway) => {
-                    ran_away.get_or_insert(scope.parameters([share, share_of_secondary]));
+                Err(escape) => {
+                    ran_away.get_or_insert(escape);
                 }
             }
         }
@@ -95,7 +96,7 @@ pub fn survey<O: ImpactOscillator>(oscillator: &O, scope: &Scope, secondary: f64
 
 impl<O: ImpactOscillator> FreeOrbits<'_, O> {
     /// The periodic orbit to which the motion from a state relaxes; `None` if it does not settle.
-    fn relaxed(&self, shares: [f64; 2], start: Vector2<f64>) -> Result<Option<Orbit>, RunsAway> {
+    fn relaxed(&self, shares: [f64; 2], start: Vector2<f64>) -> Result<Option<Orbit>, Escape> {
         let oscillator = self.scope.oscillator_at(self.oscillator, shares);
         let period = oscillator.forcing_period();
         let mut state = start;
@@ -105,7 +106,7 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
             let next = Vector2::new(end.position, end.velocity);
             // Not a number is far as well.
             if next.norm().is_nan() || next.norm() > FAR {
-                return Err(RunsAway);
+                return Err(Escape::of(&oscillator, state.into()));
             }
             let change = (next - state).norm();
             state = next;

@@ -61,6 +61,7 @@
 mod curves;
 pub mod diagram;
 mod error;
+pub mod escape;
 mod faces;
 pub mod free;
 pub mod grazing;
@@ -72,6 +73,7 @@ mod scope;
 pub mod sides;
 pub mod simulation;
 mod slices;
+pub mod stop;
 mod survey;
 mod winding;
 

@@ -168,6 +168,9 @@ pub(crate) trait Surveyor {
     fn sights(&self) -> Vec<Sight>;
 }
 
+/// The stage in which regions of MPSs are decided.
+pub(crate) const STAGE: &str = "regions";
+
 /// The regions of the MPSs of all p of a diagram; curves that are found to be missing on the way are added.
 pub(crate) fn of_mps<O: ImpactOscillator>(
     diagram: &Diagram<O>,
@@ -175,7 +178,7 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
     progress: &dyn Progress,
 ) -> Vec<Region> {
     let window = diagram.scope.window;
-    let what = "regions";
+    let what = STAGE;
     let grazing = |secondary: f64| -> Vec<[f64; 2]> {
         let orbits = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary));
         orbits.map(|orbit| [orbit.phase(), orbit.primary()]).collect()

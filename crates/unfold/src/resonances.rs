@@ -6,6 +6,7 @@ use grazing_theorems::HypothesesViolated;
 
 use crate::Scope;
 use crate::grazing::{GrazingCurve, GrazingState};
+use crate::progress::Progress;
 use crate::winding;
 
 /// A resonant grazing bifurcation of the non-impacting solution.
@@ -32,12 +33,19 @@ pub struct Unlocated {
     pub reason: ResonanceError,
 }
 
+/// What is told of the search for resonances.
+pub(crate) const STAGE: &str = "resonances on the grazing curve";
+
 /// The resonances of all p of the scope on the admissible part of a grazing curve: by p, and in the order of the curve for each.
+///
+/// Once an end is asked for, those that are missing are neither found nor lost.
 pub fn on_curve<O: ImpactOscillator>(
     curve: &GrazingCurve<O>,
     scope: &Scope,
+    progress: &dyn Progress,
 ) -> (Vec<Resonance<O>>, Vec<Unlocated>) {
     let (mut found, mut lost) = (Vec::new(), Vec::new());
+    progress.begin(STAGE, scope.loops.len() as u64);
     for &loops in &scope.loops {
         for pair in curve.states.windows(2) {
             if !(pair[0].admissible && pair[1].admissible) {
@@ -45,13 +53,17 @@ pub fn on_curve<O: ImpactOscillator>(
             }
             let stretch = Stretch::new([&pair[0], &pair[1]], loops, scope);
             for way in stretch.zeros() {
-                match stretch.locate(way, loops) {
-                    Ok(located) => found.push(numbered(located)),
+                let resonance = stretch.locate(way, loops).map(numbered);
+                match resonance {
+                    _ if progress.stopped() => break,
+                    Ok(resonance) => found.push(resonance),
                     Err(reason) => lost.push(Unlocated { loops, near: stretch.parameters(way), reason }),
                 }
             }
         }
+        progress.step(STAGE);
     }
+    progress.end(STAGE);
     (found, lost)
 }
 

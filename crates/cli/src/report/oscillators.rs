@@ -16,14 +16,16 @@ use grazing_report::{
 use grazing_reproduction::Table;
 use grazing_reproduction::unfolded::{AtResonance, Observer, Unfolded};
 use grazing_unfold::sides::Sides;
+use grazing_unfold::stop::Stop;
 
 use super::{file_name, links, versions};
 use crate::failure::Failure;
 use crate::folder::MadeFile;
+use crate::limits::Watch;
 use crate::outputs::computation;
 use crate::progress::Display;
 use crate::unfold::numbers::agreement;
-use crate::unfold::reason::place;
+use crate::unfold::reason::{place, unfinished};
 use crate::unfold::{self, Analysis, sheets};
 use crate::{project, tables};
 
@@ -90,10 +92,12 @@ impl Source {
     ///
     /// # Errors
     /// There is nothing to unfold, or a figure or table could not be made.
-    pub(crate) fn entry(&self, display: &Display) -> Result<OscillatorEntry, Failure> {
+    pub(crate) fn entry(&self) -> Result<OscillatorEntry, Failure> {
         let Self { file, text, description } = self;
-        let unfolded = &Unfolded::described(description, display)
-            .map_err(|error| unfold::failure(description, file, &error))?;
+        let watch = Watch::begin(description.limits());
+        let unfolded = &Unfolded::described(description, &Display::counting(watch.stop()))
+            .map_err(|error| unfold::failure(description, file, &error, watch.met()))?;
+        drop(watch);
         let tables = &unfolded.tables().map_err(|error| computation("tables", &error))?;
         let figures = &sheets::figures(description, unfolded, tables, SheetWidth::Paper)
             .map_err(|error| computation("figures", &*error))?;
@@ -130,7 +134,11 @@ pub(crate) fn distinguish(entries: &mut [OscillatorEntry]) {
 }
 
 /// Finished curves are not kept: the page is made quickly.
-impl Observer for Display {}
+impl Observer for Display {
+    fn stop(&self) -> Stop {
+        Display::stop(self).clone()
+    }
+}
 
 impl Material<'_> {
     /// The oscillator as a page shows it.
@@ -291,7 +299,9 @@ fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
         .not_unfolded
         .iter()
         .map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason));
-    unlocated.chain(not_followed).collect()
+    let unfinished =
+        diagram.unfinished.iter().map(|cut| format!("not finished: {}", unfinished(description, cut)));
+    unlocated.chain(not_followed).chain(unfinished).collect()
 }
 
 /// c_SN (0) or c_PD (1).

@@ -8,6 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use grazing_reproduction::Table;
 use grazing_reproduction::unfolded::Observer;
 use grazing_unfold::progress::Progress;
+use grazing_unfold::stop::Stop;
 
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
@@ -27,9 +28,9 @@ pub(super) struct Keeper<'a> {
 }
 
 impl<'a> Keeper<'a> {
-    /// Keeps curves in the folder, and tells if an interrupted run left some there.
-    pub(super) fn new(folder: &'a Path) -> Self {
-        let keeper = Self { display: Display::new(), folder, complained: Mutex::new(false) };
+    /// Keeps curves in the folder until the mark is set, and tells if an interrupted run left some there.
+    pub(super) fn new(folder: &'a Path, stop: Stop) -> Self {
+        let keeper = Self { display: Display::counting(stop), folder, complained: Mutex::new(false) };
         let path = keeper.path();
         if path.is_file() {
             let path = path.display();
@@ -73,9 +74,17 @@ impl Progress for Keeper<'_> {
     fn end(&self, what: &str) {
         self.display.end(what);
     }
+
+    fn stopped(&self) -> bool {
+        self.display.stopped()
+    }
 }
 
 impl Observer for Keeper<'_> {
+    fn stop(&self) -> Stop {
+        self.display.stop().clone()
+    }
+
     fn curves(&self, finished: &Table) {
         let Err(reason) = self.write(finished) else { return };
         // The computation goes on: in the end all files may well be written.

@@ -19,7 +19,7 @@ use grazing_unfold::sides::Sides;
 use super::Analysis;
 use super::layout::{KEPT, aligned, wrapped};
 use super::numbers::{agreement, brief, fixed, range, significant};
-use super::reason::place;
+use super::reason::{self, place};
 
 /// Digits of parameters, of coefficients, and of other quantities.
 const PARAMETER: usize = 8;
@@ -47,7 +47,8 @@ pub(super) fn oscillator(description: &Description, file: &Path) -> String {
         ("secondary", format!("{} from {}", secondary.name(), range(secondary.range()))),
         ("loops", format!("p = {}", loops.join(", "))),
     ];
-    for (word, content) in lines {
+    let notes = description.notes().iter().map(|note| ("note", note.clone()));
+    for (word, content) in lines.into_iter().chain(notes) {
         text.push_str(&wrapped(&format!("  {word:11}"), &content));
     }
     text
@@ -59,6 +60,7 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
     text.push_str(&resonances(description, unfolded));
     text.push_str(&silent_theorems(description, unfolded));
     text.push_str(&missing(description, &unfolded.diagram));
+    text.push_str(&unfinished(description, &unfolded.diagram));
     text.push_str(&corners(description, unfolded));
     text.push_str(&odd_ends(description, unfolded));
     text.push_str(&undecided(description, unfolded));
@@ -240,6 +242,18 @@ fn missing<O>(description: &Description, diagram: &Diagram<O>) -> String {
     text
 }
 
+/// What a limit or Ctrl-C has cut off.
+fn unfinished<O>(description: &Description, diagram: &Diagram<O>) -> String {
+    let mut text = String::new();
+    for cut in &diagram.unfinished {
+        if text.is_empty() {
+            text.push_str("\nNot finished\n");
+        }
+        text.push_str(&wrapped("  ", &reason::unfinished(description, cut)));
+    }
+    text
+}
+
 fn corners(description: &Description, unfolded: &Analysis) -> String {
     let corners = &unfolded.diagram.corners;
     if corners.is_empty() {
@@ -322,6 +336,7 @@ mod tests {
     use grazing_unfold::Scope;
     use grazing_unfold::diagram::NotUnfolded;
     use grazing_unfold::resonances::Unlocated;
+    use grazing_unfold::stop::Unfinished;
 
     #[test]
     fn resonances_that_could_not_be_unfolded_are_named_with_the_reason() {
@@ -336,6 +351,7 @@ mod tests {
             resonances: Vec::new(),
             curves: Vec::new(),
             corners: Vec::new(),
+            regions: Vec::new(),
             unlocated: vec![Unlocated {
                 loops: 1,
                 near: [0.25, 0.5],
@@ -349,7 +365,14 @@ mod tests {
                     reason: "it ends at once".to_owned(),
                 },
             }],
+            unfinished: vec![Unfinished {
+                stage: "bifurcation curves",
+                resonance: Some([2, 1]),
+                at: Some([0.5, 0.75]),
+            }],
         };
+        let cut = unfinished(&description, &diagram);
+        assert_eq!(cut, "\nNot finished\n  bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.75\n");
         let told = missing(&description, &diagram);
         let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(

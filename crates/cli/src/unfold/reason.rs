@@ -1,8 +1,13 @@
 //! Why there is nothing to unfold, and what can be done, with the parameters' own names.
 
+use std::f64::consts::TAU;
+
 use grazing_description::{Axis, Description};
+use grazing_model::smooth::SmoothOscillator;
 use grazing_unfold::UnfoldError;
+use grazing_unfold::escape::Escape;
 use grazing_unfold::free::Height;
+use grazing_unfold::stop::Unfinished;
 
 use super::numbers::brief;
 
@@ -12,6 +17,7 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
     let axes = [description.primary(), description.secondary()];
     let ranges = axes.map(|axis| format!("{} = {}", axis.name(), written(axis.range()))).join(", ");
     match error {
+        UnfoldError::Stopped { stage } => format!("ended during this: {stage}"),
         UnfoldError::NoGrazing { lowest, highest } => {
             let nearest = if highest.position < 0.0 { highest } else { lowest };
             if lowest.position < 0.0 && highest.position > 0.0 {
@@ -21,6 +27,17 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
                      analysis.start",
                     at(lowest.parameters),
                     at(highest.parameters)
+                );
+            }
+            let push = mean_force_at_wall(description, nearest.parameters);
+            if lowest.position > 0.0 && push > 0.0 {
+                return format!(
+                    "no grazing: without the wall, periodic motion passes x = 0 everywhere in {ranges}, for the oscillator's rest \
+                     position lies behind the wall: at {} the force at the wall, averaged over a forcing period, is {} > 0. Motion \
+                     takes place in x < 0: change the signs in motion.force, or count x from another place, so that the oscillator \
+                     rests at x < 0",
+                    at(nearest.parameters),
+                    brief(push, 4)
                 );
             }
             let side = if highest.position < 0.0 { "stays below" } else { "passes" };
@@ -46,17 +63,94 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
             brief(height.position, 4),
             brief(height.acceleration, 4)
         ),
-        UnfoldError::RunsAway { at: parameters } => format!(
-            "no periodic motion: without the wall, motion runs away from wherever it was begun, for one at {}: check the signs \
-             in motion.force, or begin near a periodic motion with analysis.start = [x, v]",
-            at(*parameters)
-        ),
+        UnfoldError::RunsAway { .. } | UnfoldError::NoOrbit if !has_spring(description) => {
+            "no periodic motion: motion.force does not depend on the position x, so that nothing holds the oscillator near the wall. \
+             Grazing is meant here as that of a periodic motion without impacts, and a ball that bounces on the wall has none: this \
+             analysis does not apply to it"
+                .to_owned()
+        }
+        UnfoldError::RunsAway { escape } => escaped(escape, &at(escape.parameters)),
         UnfoldError::NoOrbit => format!(
             "no periodic motion with the period of the forcing was found without the wall for {ranges}: from all starts that \
              were tried, motion does not settle down: begin near such a motion with analysis.start = [x, v], move the ranges, \
              or increase the damping"
         ),
     }
+}
+
+/// A motion farther away than this has run away: the wall's distance from rest is of order one.
+const FAR: f64 = 1e3;
+/// A force so large, so near the wall, is on its way to a pole.
+const STEEP: f64 = 1e6;
+
+/// How a motion ends, and what can be done.
+fn escaped(escape: &Escape, parameters: &str) -> String {
+    let Escape { time, position, velocity, force, .. } = *escape;
+    let [t, x, v] = [time, position, velocity].map(|value| brief(value, 6));
+    let place = format!("x = {x}, v = {v}, t = {t} at {parameters}");
+    if !force.is_finite() {
+        return format!(
+            "no periodic motion: without the wall, motion comes to where motion.force has no finite value: it is {force} next to \
+             {place}: keep poles, roots and logarithms out of the motion's way, or begin near a periodic motion with \
+             analysis.start = [x, v]"
+        );
+    }
+    let way = if position.abs() > FAR {
+        // How far it was followed depends on the steps of the integration; when it escapes hardly does.
+        let (side, t) = (if position > 0.0 { "x > 0" } else { "x < 0" }, brief(time, 3));
+        format!(
+            "motion runs away from wherever it was begun, for one beyond all bounds in {side} within t = {t} at {parameters}"
+        )
+    } else {
+        let pole = if force.abs() > STEEP { ", as at a pole" } else { "" };
+        format!(
+            "motion cannot be followed for a forcing period from wherever it was begun, for one not beyond {place}, where F = {}{pole}",
+            brief(force, 4)
+        )
+    };
+    format!(
+        "no periodic motion: without the wall, {way}: check the signs and sizes in motion.force, or begin near a periodic motion \
+         with analysis.start = [x, v]"
+    )
+}
+
+/// Instants of a forcing period at which the force is looked at.
+const INSTANTS: u32 = 16;
+
+/// Instants of a forcing period.
+fn instants(description: &Description, [mu, eta]: [f64; 2]) -> impl Iterator<Item = f64> {
+    let period = TAU / description.forcing_frequency(mu, eta);
+    (0..INSTANTS).map(move |k| period * f64::from(k) / f64::from(INSTANTS))
+}
+
+/// The force at the wall, at rest, averaged over a forcing period.
+fn mean_force_at_wall(description: &Description, [mu, eta]: [f64; 2]) -> f64 {
+    let force = |t| description.force(0.0, 0.0, t, mu, eta);
+    instants(description, [mu, eta]).map(force).sum::<f64>() / f64::from(INSTANTS)
+}
+
+/// Whether the force depends on the position.
+fn has_spring(description: &Description) -> bool {
+    let [mu, eta] = [description.primary(), description.secondary()].map(|axis| {
+        let [low, high] = axis.range();
+        low + 0.5 * (high - low)
+    });
+    instants(description, [mu, eta]).any(|t| {
+        let force = |x: f64| description.force(x, 0.3, t, mu, eta);
+        [-1.0, -0.37, -30.0].iter().any(|x| force(*x) != force(0.0))
+    })
+}
+
+/// What was not finished, as `bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.8`.
+pub(crate) fn unfinished(description: &Description, cut: &Unfinished) -> String {
+    let mut text = cut.stage.to_owned();
+    if let Some([loops, n]) = cut.resonance {
+        text.push_str(&format!(" of p = {loops}, n = {n}"));
+    }
+    if let Some(at) = cut.at {
+        text.push_str(&format!(" at {}", place(description, at)));
+    }
+    text
 }
 
 /// Values of both parameters, as `A = 0.5, omega = 0.8`.
@@ -101,4 +195,30 @@ fn widening(nearest: &Height, axes: [&Axis; 2]) -> String {
     format!(
         "widen {widen}, or, if there is another periodic motion, begin near it with analysis.start = [x, v]"
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn motion_that_ends_is_told_with_its_place_and_the_force() {
+        let escape = |position, velocity, force| Escape {
+            parameters: [0.5, 0.75],
+            time: 1.5,
+            position,
+            velocity,
+            force,
+        };
+        let told = |escape| escaped(&escape, "A = 0.5, omega = 0.75");
+        let away = told(escape(-2e9, -4e5, 1e3));
+        assert!(away.contains("runs away") && away.contains("in x < 0 within t = 1.5 at A = 0.5"), "{away}");
+        let pole = told(escape(-0.5, -7437.38, -1.5e8));
+        assert!(pole.contains("not beyond x = -0.5") && pole.contains("F = -1.5e8, as at a pole"), "{pole}");
+        let edge = told(escape(-0.9, -1.0, f64::NAN));
+        assert!(
+            edge.contains("no finite value: it is NaN next to x = -0.9, v = -1, t = 1.5 at A = 0.5"),
+            "{edge}"
+        );
+    }
 }

@@ -1,6 +1,7 @@
 //! The graph that the parser's arithmetic builds: equal parts are one node, and constants are folded.
 
 use std::cell::RefCell;
+use std::collections::HashMap;
 
 use grazing_model::smooth::{Function, Scalar};
 use nanoexpr::{ErrorKind, Number};
@@ -14,10 +15,36 @@ pub(super) enum Node {
     Operation(Operation<usize>),
 }
 
+/// A node as numbers, so that equal nodes are found at once: what it is, and its operands or the bits of its constant.
+type Key = (u8, u64, u64);
+
+impl Node {
+    fn key(&self) -> Key {
+        let place = |place: usize| place as u64;
+        match *self {
+            Node::Variable(number) => (0, place(number), 0),
+            Node::Operation(operation) => match operation {
+                Operation::Constant(value) => (1, value.to_bits(), 0),
+                Operation::Add(a, b) => (2, place(a), place(b)),
+                Operation::Shift(a, value) => (3, place(a), value.to_bits()),
+                Operation::Subtract(a, b) => (4, place(a), place(b)),
+                Operation::Negate(a) => (5, place(a), 0),
+                Operation::Multiply(a, b) => (6, place(a), place(b)),
+                Operation::Scale(a, value) => (7, place(a), value.to_bits()),
+                Operation::Divide(a, b) => (8, place(a), place(b)),
+                Operation::Square(a) => (9, place(a), 0),
+                Operation::Power(a, exponent) => (10, place(a), u64::from(exponent.cast_unsigned())),
+                Operation::Apply(function, a) => (11, place(a), function as u64),
+            },
+        }
+    }
+}
+
 /// All nodes made so far, none twice.
 #[derive(Default)]
 pub(super) struct Graph {
     nodes: RefCell<Vec<Node>>,
+    numbers: RefCell<HashMap<Key, usize>>,
 }
 
 impl Graph {
@@ -28,8 +55,7 @@ impl Graph {
 
     fn term(&self, node: Node) -> Term<'_> {
         let mut nodes = self.nodes.borrow_mut();
-        // Expressions that people write have so few nodes that a table of hashes would not be faster.
-        let index = nodes.iter().position(|known| *known == node).unwrap_or_else(|| {
+        let index = *self.numbers.borrow_mut().entry(node.key()).or_insert_with(|| {
             nodes.push(node);
             nodes.len() - 1
         });
@@ -111,6 +137,8 @@ impl Term<'_> {
         match self {
             Term::Number(value) => match Scalar::apply(value, function) {
                 value if value.is_finite() => Ok(Term::Number(value)),
+                // The logarithm has a pole at zero; everything else that is infinite is too large.
+                value if value.is_infinite() && function != Function::Ln => Err(ErrorKind::Overflow),
                 _ => Err(ErrorKind::Domain),
             },
             Term::Node(graph, a) => Ok(graph.operation(Operation::Apply(function, a))),

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::f64::consts;
 use std::ops::Range;
 
-use grazing_source::nearest;
+use grazing_source::{nearest, shortened};
 use nanoexpr::{Context, ErrorKind, Evaluator};
 
 use super::graph::{Graph, Term, parts};
@@ -13,6 +13,12 @@ use super::{assemble, function};
 
 /// Parentheses in parentheses beyond which nobody can read an expression.
 const MOST_DEPTH: usize = 100;
+
+/// An expression of more bytes than this comes from no person: some ten thousand terms.
+const MOST_BYTES: usize = 100_000;
+
+/// The most characters of a part of an expression that a message repeats.
+const SHOWN: usize = 60;
 
 /// The numbers that are known by name everywhere.
 const NUMBERS: [(&str, f64); 2] = [("pi", consts::PI), ("e", consts::E)];
@@ -51,6 +57,7 @@ impl Names<'_, '_> {
 
     fn problem(&self, text: &str, kind: ErrorKind, span: Range<usize>) -> Problem {
         let written = text[span.clone()].to_owned();
+        let shown = shortened(&written, SHOWN);
         match kind {
             ErrorKind::UnknownVariable if function::is_function(&written) => {
                 Problem::FunctionWithoutArgument { name: written }
@@ -58,7 +65,7 @@ impl Names<'_, '_> {
             ErrorKind::UnknownVariable => {
                 let known = self.known();
                 Problem::UnknownName {
-                    nearest: nearest(&written, &known).to_owned(),
+                    nearest: nearest(&written, &known).map(str::to_owned),
                     name: written,
                     known: known.into_iter().map(str::to_owned).collect(),
                 }
@@ -71,22 +78,22 @@ impl Names<'_, '_> {
             }
             ErrorKind::UnknownFunction => {
                 let known: Vec<&str> = function::functions().collect();
-                let nearest = if written.starts_with("log") { "ln" } else { nearest(&written, &known) };
-                Problem::UnknownFunction { nearest: nearest.to_owned(), name: written }
+                let nearest = if written.starts_with("log") { Some("ln") } else { nearest(&written, &known) };
+                Problem::UnknownFunction { nearest: nearest.map(str::to_owned), name: written }
             }
             ErrorKind::ArgumentCount | ErrorKind::TooManyArguments => {
                 Problem::Arguments { name: written.split('(').next().unwrap_or_default().trim().to_owned() }
             }
             ErrorKind::Unsupported => Problem::NotSmooth {
-                what: format!("{written}, with its remainder, factorial, comparison or case,"),
+                what: format!("{shown}, with its remainder, factorial, comparison or case,"),
             },
-            ErrorKind::InvalidNumber => Problem::Number { written },
+            ErrorKind::InvalidNumber => Problem::Number { written: shown },
             ErrorKind::UnclosedParenthesis => Problem::Unclosed,
             ErrorKind::UnexpectedEnd => Problem::End,
             ErrorKind::UnexpectedCharacter => Problem::Character { written },
             ErrorKind::DivisionByZero => Problem::DivisionByZero,
-            ErrorKind::Domain => Problem::Domain { written },
-            ErrorKind::Overflow | ErrorKind::Inexact => Problem::TooLarge { written },
+            ErrorKind::Domain => Problem::Domain { written: shown },
+            ErrorKind::Overflow | ErrorKind::Inexact => Problem::TooLarge { written: shown },
             ErrorKind::TooDeep | ErrorKind::TooLong => Problem::TooDeep { most: MOST_DEPTH },
             _ if !value_ends_before(text, span.start) => {
                 Problem::Unexpected { written, expected: "a number, a name, a function or (" }
@@ -119,6 +126,10 @@ pub(super) fn expression(
     moving: usize,
     constants: &[(&str, f64)],
 ) -> Result<(Expression, Vec<usize>), ExpressionError> {
+    if text.len() > MOST_BYTES {
+        let problem = Problem::TooLong { most: MOST_BYTES };
+        return Err(ExpressionError { problem, span: 0..0 });
+    }
     let graph = Graph::default();
     let names = Names { graph: &graph, variables, constants, uses: RefCell::default() };
     let term: Term<'_> =

@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use thiserror::Error;
 
+use grazing_source::{shortened, suggestion};
+
 use super::function::functions;
 
 /// The first thing in an expression that is not right.
@@ -20,17 +22,17 @@ pub struct ExpressionError {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Problem {
     /// A name that is not known.
-    #[error("unknown name {name}: did you mean `{nearest}`? Known here: {}", known.join(", "))]
+    #[error("unknown name {}{} Known here: {}", shortened(name, SHOWN), suggestion(nearest.as_deref()), listed(known))]
     UnknownName {
         /// The name.
         name: String,
-        /// The known name that is spelt most like it.
-        nearest: String,
+        /// The known name that is spelt like it, if there is one.
+        nearest: Option<String>,
         /// All names that are known in this place.
         known: Vec<String>,
     },
     /// The name of a variable that this expression cannot depend on.
-    #[error("{name}, {meaning}, cannot be used here. Known here: {}", known.join(", "))]
+    #[error("{name}, {meaning}, cannot be used here. Known here: {}", listed(known))]
     NotHere {
         /// The name.
         name: String,
@@ -40,12 +42,12 @@ pub enum Problem {
         known: Vec<String>,
     },
     /// A function that is not known.
-    #[error("unknown function {name}: did you mean `{nearest}`? Known: {}", list())]
+    #[error("unknown function {}{} Known: {}", shortened(name, SHOWN), suggestion(nearest.as_deref()), list())]
     UnknownFunction {
         /// The name.
         name: String,
-        /// The known function that is spelt most like it.
-        nearest: String,
+        /// The known function that is spelt like it, if there is one.
+        nearest: Option<String>,
     },
     /// A function or operator that is not smooth.
     #[error(
@@ -113,7 +115,9 @@ pub enum Problem {
     #[error("division by zero")]
     DivisionByZero,
     /// A constant outside the domain of a function.
-    #[error("{written} has no real value: the logarithm, roots and real powers need positive numbers")]
+    #[error(
+        "{written} has no real value: the logarithm and real powers need a positive number, roots one that is not negative"
+    )]
     Domain {
         /// The part of the expression.
         written: String,
@@ -124,6 +128,14 @@ pub enum Problem {
         /// The part of the expression.
         written: String,
     },
+    /// More characters than anybody writes.
+    #[error(
+        "the expression has more than {most} bytes: shorten it, as by constants in [parameters] for parts that do not vary"
+    )]
+    TooLong {
+        /// The most that are allowed.
+        most: usize,
+    },
     /// More parentheses in parentheses than are allowed.
     #[error(
         "more than {most} parentheses, functions and operators stand inside one another here: shorten it"
@@ -132,6 +144,16 @@ pub enum Problem {
         /// The most that are allowed.
         most: usize,
     },
+}
+
+/// The most characters of a name that a message repeats, and the most names that it lists.
+const SHOWN: usize = 60;
+const LISTED: usize = 30;
+
+/// Names, the first ones if they are many.
+fn listed(names: &[String]) -> String {
+    let rest = if names.len() > LISTED { ", ..." } else { "" };
+    format!("{}{rest}", names[..names.len().min(LISTED)].join(", "))
 }
 
 fn list() -> String {

@@ -48,10 +48,15 @@ impl Cell {
         self.first.position.max(self.last.position) + self.width() * self.width() / 8.0 * bounds.acceleration
     }
 
-    fn halves(&self, motion: &impl Motion) -> [Cell; 2] {
+    /// Both halves; nothing if the motion ceases to exist between them.
+    fn halves(&self, motion: &impl Motion) -> Option<[Cell; 2]> {
         let time = 0.5 * (self.start + self.end);
         let middle = motion.at(time);
-        [Cell { end: time, last: middle, ..*self }, Cell { start: time, first: middle, ..*self }]
+        let exists = !(middle.position.is_nan() || middle.velocity.is_nan());
+        exists.then_some([
+            Cell { end: time, last: middle, ..*self },
+            Cell { start: time, first: middle, ..*self },
+        ])
     }
 
     /// The zero of the velocity by interpolation; the velocity is strictly monotone in this cell and changes sign.
@@ -115,7 +120,7 @@ impl Cell {
             Course::Curved { falling: true } if self.first.velocity <= 0.0 => return None,
             Course::Curved { falling: true } if self.last.velocity < 0.0 => self.top(motion, bounds),
             Course::Open if self.width() >= NARROWEST_CELL => {
-                let [left, right] = self.halves(motion);
+                let [left, right] = self.halves(motion)?;
                 return left.crossing(motion, bounds).or_else(|| right.crossing(motion, bounds));
             }
             Course::Monotone | Course::Curved { .. } | Course::Open => (self.end, self.last),
@@ -143,7 +148,7 @@ impl Cell {
             Course::Open => self.width() < NARROWEST_CELL,
         };
         if !isolated {
-            let [left, right] = self.halves(motion);
+            let Some([left, right]) = self.halves(motion) else { return threshold };
             let threshold = left.maxima(motion, bounds, threshold, visit);
             return right.maxima(motion, bounds, threshold, visit);
         }
@@ -162,7 +167,7 @@ impl Cell {
             Course::Curved { .. } => changes.then(|| self.stationary_point(motion).0),
             Course::Open if self.width() < NARROWEST_CELL => changes.then_some(self.end),
             Course::Open => {
-                let [near, far] = self.halves(motion);
+                let [near, far] = self.halves(motion)?;
                 near.rest(motion, bounds).or_else(|| far.rest(motion, bounds))
             }
         }

@@ -269,7 +269,8 @@ impl<M: SmoothOscillator> Integrated<M> {
                 self.solve(node.state, node.time, Step { length: trial, accelerations })
             else {
                 trial *= SHRINK;
-                if trial.abs() < shortest {
+                // Not a number is too short as well.
+                if trial.is_nan() || trial.abs() < shortest {
                     return None;
                 }
                 continue;

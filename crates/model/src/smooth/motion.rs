@@ -102,7 +102,8 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
     fn node_before(&self, course: &mut Course, time: f64) -> Option<usize> {
         self.extend(course, time);
         let passed = course.nodes.partition_point(|node| (node.time - self.start).abs() <= time.abs());
-        (passed < course.nodes.len()).then(|| passed.saturating_sub(1))
+        // None is passed at a time that is not a number.
+        (0 < passed && passed < course.nodes.len()).then(|| passed - 1)
     }
 
     /// Position and velocity at a time since the start; not numbers where the solution has ended.
@@ -159,8 +160,21 @@ impl<M: SmoothOscillator> Motion for IntegratedMotion<M> {
         largest
     }
 
+    /// Up to the first node beyond the wall: what the force is farther on is not asked for, as nobody may have thought of it.
     fn foresight(&self) -> f64 {
-        core::f64::consts::TAU / self.oscillator.frequency
+        let period = core::f64::consts::TAU / self.oscillator.frequency;
+        let mut course = self.courses[0].borrow_mut();
+        for k in 1.. {
+            let last = course.nodes[k - 1].time - self.start;
+            self.extend(&mut course, last);
+            match course.nodes.get(k) {
+                Some(node) if node.time - self.start >= period => break,
+                Some(node) if node.state[0] > 0.0 => return node.time - self.start,
+                Some(_) => {}
+                None => break,
+            }
+        }
+        period
     }
 
     fn stride(&self, horizon: f64) -> f64 {

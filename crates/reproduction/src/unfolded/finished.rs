@@ -8,6 +8,7 @@ use grazing_model::ImpactOscillator;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::{DiagramCurve, Followed};
 use grazing_unfold::progress::{Progress, Silent};
+use grazing_unfold::stop::Stop;
 
 use crate::plane::{self, Axes, CurveRows};
 use crate::table::Table;
@@ -16,6 +17,10 @@ use crate::table::Table;
 pub trait Observer: Progress {
     /// The table `curves` with the grazing curves and the curves of those resonances that are done, in the order of the whole one.
     fn curves(&self, _finished: &Table) {}
+    /// The mark by which the analysis can be ended; [`Progress::stopped`] tells whether it is set.
+    fn stop(&self) -> Stop {
+        Stop::default()
+    }
 }
 
 impl Observer for Silent {}
@@ -82,6 +87,10 @@ impl<O: ImpactOscillator> Progress for Finished<'_, O> {
 
     fn end(&self, what: &str) {
         self.observer.end(what);
+    }
+
+    fn stopped(&self) -> bool {
+        self.observer.stopped()
     }
 
     fn unfolded(&self, resonance: usize, curves: &[DiagramCurve]) {

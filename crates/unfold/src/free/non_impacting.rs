@@ -18,6 +18,7 @@ use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::regions::{Doubt, Region, RegionKind, SLICES, Sight, Surveyor, decided};
 use crate::slices::{Slice, near_chord, spread};
+use crate::stop::Unfinished;
 use crate::{Scope, UnfoldError};
 
 /// What there is of motion without impacts.
@@ -26,6 +27,8 @@ pub(crate) struct NonImpacting<O> {
     pub(crate) grazing: Vec<GrazingCurve<O>>,
     pub(crate) curves: Vec<DiagramCurve>,
     pub(crate) regions: Vec<Region>,
+    /// What was not finished when an end was asked for.
+    pub(crate) unfinished: Vec<Unfinished>,
 }
 
 /// Every so many of the slices motion is left to relax from rest, which finds branches to which grazing does not lead.
@@ -87,10 +90,15 @@ pub(crate) fn find<O: ImpactOscillator>(
         .collect();
     let regions = decided(scope.window, &mut free, (&RegionKind::NonImpacting, 0), &between, progress);
     let FreeSurvey { grazing, curves, .. } = free;
-    if grazing.is_empty() {
-        return Err(explanation(&surveys));
+    let (regions, unfinished) = match progress.stopped() {
+        true => (Vec::new(), vec![Unfinished::stage(what)]),
+        false => (regions, Vec::new()),
+    };
+    match (grazing.is_empty(), unfinished.is_empty()) {
+        (true, false) => Err(UnfoldError::Stopped { stage: what }),
+        (true, true) => Err(explanation(&surveys)),
+        (false, _) => Ok(NonImpacting { grazing, curves, regions, unfinished }),
     }
-    Ok(NonImpacting { grazing, curves, regions })
 }
 
 impl<O: ImpactOscillator> FreeSurvey<'_, O> {
@@ -264,7 +272,7 @@ fn explanation<O>(surveys: &[Survey<O>]) -> UnfoldError {
     let ran_away = surveys.iter().find_map(|survey| survey.ran_away);
     match (extremes, ran_away) {
         (Some([lowest, highest]), _) => UnfoldError::NoGrazing { lowest, highest },
-        (None, Some(at)) => UnfoldError::RunsAway { at },
+        (None, Some(escape)) => UnfoldError::RunsAway { escape },
         (None, None) => UnfoldError::NoOrbit,
     }
 }

@@ -7,6 +7,7 @@ use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Integrated;
 use grazing_theorems::hypothesis::Quantity;
 use grazing_unfold::diagram::{Coefficients, Kind};
+use grazing_unfold::progress::Silent;
 use grazing_unfold::resonances::{Resonance, on_curve};
 use grazing_unfold::sides;
 use insta::{Settings, assert_snapshot};
@@ -19,7 +20,7 @@ fn resonances(name: &str) -> Vec<Resonance<Integrated<Description>>> {
     let (oscillator, scope) = example(name);
     let curves = grazing_curves(&oscillator, &scope).unwrap_or_else(|error| panic!("{name}: {error}"));
     assert_eq!(curves.len(), 1, "{name}");
-    let (found, lost) = on_curve(&curves[0], &scope);
+    let (found, lost) = on_curve(&curves[0], &scope, &Silent);
     assert!(lost.is_empty(), "{name}: {lost:?}");
     for resonance in &found {
         // Where a theorem fails it is for the reason of Proposition 3.3: solutions on the other side of ω₁/ω = n are virtual.

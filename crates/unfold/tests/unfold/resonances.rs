@@ -3,6 +3,7 @@
 use grazing_model::ImpactOscillator;
 use grazing_theorems::LinearOscillator as Theory;
 use grazing_unfold::diagram::Coefficients;
+use grazing_unfold::progress::Silent;
 use grazing_unfold::resonances::on_curve;
 
 use crate::specimens::{
@@ -31,7 +32,7 @@ fn assert_all_found(secondary: [f64; 2], loops: &[u32]) {
     let scope = scope([0.0, 20.0], secondary, loops);
     let curves = grazing_curves(&closed_form(), &scope).unwrap();
     let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
-    let (found, lost) = on_curve(curve, &scope);
+    let (found, lost) = on_curve(curve, &scope, &Silent);
     assert!(lost.is_empty(), "{lost:?}");
     let mut listed = found.iter();
     for &loops in &scope.loops {
@@ -109,7 +110,7 @@ fn resonances_in_the_stiffness_lie_where_the_free_frequency_is_in_step() {
     let scope = scope([0.0, 1.5], [0.8, 2.0], &[1, 2]);
     let oscillator = written("-2*zeta*v - eta*x - 1 + mu*cos(0.8*t)", "0.8", &scope);
     let curves = grazing_curves(&oscillator, &scope).unwrap();
-    let (found, lost) = on_curve(&curves[0], &scope);
+    let (found, lost) = on_curve(&curves[0], &scope, &Silent);
     assert!(lost.is_empty(), "{lost:?}");
     // ω₁ = 0.8 n/2 for p = 1 and 0.8 (n ± 1/4) for p = 2, where ω₁² = η − ζ²: eq:resonance1, eq:resonancep.
     let wanted = [(1, 3, 1.5, true), (2, 1, 1.25, true), (2, 2, 1.75, false)];

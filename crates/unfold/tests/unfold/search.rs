@@ -253,8 +253,10 @@ fn motion_that_runs_away_is_said_to() {
     let scope = scope([0.0, 1.0], [0.5, 1.0], &[]);
     let error =
         grazing_curves(&written("5 + x^3 - 0.1*v + mu*cos(eta*t)", "eta", &scope), &scope).unwrap_err();
-    let UnfoldError::RunsAway { at } = error else { panic!("{error}") };
+    let UnfoldError::RunsAway { escape } = error else { panic!("{error}") };
+    let at = escape.parameters;
     assert!((0.0..=1.0).contains(&at[0]) && (0.5..=1.0).contains(&at[1]));
+    assert!(escape.position > 1e3 && escape.time > 0.0, "{escape:?}");
 }
 
 #[test]

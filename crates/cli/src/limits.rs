@@ -1,0 +1,200 @@
+//! Limits of an analysis: time, memory, steps, and whoever presses Ctrl-C.
+//!
+//! A thread of its own looks at the clock and at the memory that the process holds, and asks the computation to end
+//! ([`Stop`]) when either is used up or Ctrl-C was pressed. What is finished is written then. A second Ctrl-C ends the program at
+//! once.
+
+use std::fs;
+use std::process;
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use grazing_description::Limits;
+use grazing_unfold::stop::Stop;
+
+use crate::terminal;
+
+/// How often clock and memory are looked at: memory can grow by some ten megabytes in between.
+const PAUSE: Duration = Duration::from_millis(20);
+
+/// How often Ctrl-C was pressed.
+static INTERRUPTIONS: AtomicU32 = AtomicU32::new(0);
+
+/// The exit code of a computation that was ended.
+const ENDED: i32 = 3;
+
+/// What ended an analysis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Met {
+    /// The time is up, in seconds.
+    Time(f64),
+    /// The process holds more than so many megabytes.
+    Memory(f64),
+    /// So many steps of integration were made.
+    Steps(f64),
+    /// Ctrl-C was pressed.
+    Interruption,
+}
+
+impl std::fmt::Display for Met {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Met::Time(seconds) => write!(
+                formatter,
+                "the time limit of {seconds} s is reached; more is given by time_limit in [analysis] or --time-limit"
+            ),
+            Met::Memory(megabytes) => write!(
+                formatter,
+                "the memory limit of {megabytes} MB is reached; more is given by memory_limit in [analysis] or --memory-limit"
+            ),
+            Met::Steps(steps) => write!(
+                formatter,
+                "the limit of {steps} steps of integration is reached; more are given by step_limit in [analysis] or --step-limit"
+            ),
+            Met::Interruption => write!(formatter, "interrupted by Ctrl-C"),
+        }
+    }
+}
+
+/// Lets the first Ctrl-C end analyses with what they have, and the second one the program.
+pub(crate) fn listen() {
+    // Where there can be no handler, Ctrl-C does what it always did.
+    let _ = ctrlc::set_handler(|| {
+        if INTERRUPTIONS.fetch_add(1, Ordering::Relaxed) > 0 {
+            terminal::note("error: interrupted twice by Ctrl-C: ended at once, nothing more is written");
+            process::exit(ENDED);
+        }
+        terminal::note("interrupted: writing what is finished; press Ctrl-C again to end at once");
+    });
+}
+
+/// Whether Ctrl-C was pressed.
+pub(crate) fn is_interrupted() -> bool {
+    INTERRUPTIONS.load(Ordering::Relaxed) > 0
+}
+
+/// Watches over one analysis, as long as it lives.
+pub(crate) struct Watch {
+    stop: Stop,
+    limits: Limits,
+    met: Arc<Mutex<Option<Met>>>,
+    over: Arc<AtomicBool>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Watch {
+    /// Begins to watch.
+    pub(crate) fn begin(limits: Limits) -> Self {
+        // A count of steps is a whole number, and one beyond all counts is none.
+        let stop = Stop::after(limits.steps as u64);
+        let met = Arc::new(Mutex::new(None));
+        let over = Arc::new(AtomicBool::new(false));
+        let look = Look { stop: stop.clone(), limits, met: met.clone(), over: over.clone() };
+        let thread = thread::Builder::new().name("limits".to_owned()).spawn(move || look.on()).ok();
+        Self { stop, limits, met, over, thread }
+    }
+
+    /// The mark that is set when a limit is met.
+    pub(crate) fn stop(&self) -> Stop {
+        self.stop.clone()
+    }
+
+    /// What has ended the analysis, if something has.
+    pub(crate) fn met(&self) -> Option<Met> {
+        let met = *self.met.lock().unwrap_or_else(PoisonError::into_inner);
+        met.or_else(|| self.stop.is_used_up().then_some(Met::Steps(self.limits.steps)))
+    }
+}
+
+impl Drop for Watch {
+    fn drop(&mut self) {
+        self.over.store(true, Ordering::Relaxed);
+        if let Some(thread) = self.thread.take() {
+            // It ends within a pause, and has nothing to tell.
+            let _ = thread.join();
+        }
+    }
+}
+
+/// What the thread looks at.
+struct Look {
+    stop: Stop,
+    limits: Limits,
+    met: Arc<Mutex<Option<Met>>>,
+    over: Arc<AtomicBool>,
+}
+
+impl Look {
+    /// Looks until something is met or the analysis is over.
+    fn on(&self) {
+        let began = Instant::now();
+        while !self.over.load(Ordering::Relaxed) {
+            if let Some(met) = self.now(began) {
+                *self.met.lock().unwrap_or_else(PoisonError::into_inner) = Some(met);
+                self.stop.ask();
+                return;
+            }
+            thread::sleep(PAUSE);
+        }
+    }
+
+    fn now(&self, began: Instant) -> Option<Met> {
+        let Limits { time, memory, .. } = self.limits;
+        if is_interrupted() {
+            Some(Met::Interruption)
+        } else if began.elapsed().as_secs_f64() > time {
+            Some(Met::Time(time))
+        } else if held().is_some_and(|held| held > memory) {
+            Some(Met::Memory(memory))
+        } else {
+            None
+        }
+    }
+}
+
+/// The memory that the process holds, in megabytes, where the system tells it as Linux does.
+fn held() -> Option<f64> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    let kilobytes: f64 = line.split_whitespace().next()?.parse().ok()?;
+    Some(kilobytes / 1000.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AMPLE: Limits = Limits { time: 1e6, memory: 1e9, steps: 1e18 };
+
+    #[track_caller]
+    fn met(limits: Limits) -> Met {
+        let watch = Watch::begin(limits);
+        let began = Instant::now();
+        loop {
+            if let Some(met) = watch.met() {
+                assert!(watch.stop().is_asked());
+                return met;
+            }
+            assert!(began.elapsed() < Duration::from_secs(60), "nothing is met");
+            thread::sleep(PAUSE);
+        }
+    }
+
+    #[test]
+    fn time_and_memory_end_an_analysis_and_are_told() {
+        assert_eq!(met(Limits { time: 0.05, ..AMPLE }), Met::Time(0.05));
+        if held().is_some() {
+            assert_eq!(met(Limits { memory: 0.1, ..AMPLE }), Met::Memory(0.1));
+        }
+    }
+
+    #[test]
+    fn within_all_limits_nothing_ends() {
+        let watch = Watch::begin(AMPLE);
+        thread::sleep(5 * PAUSE);
+        assert_eq!(watch.met(), None);
+        assert!(!watch.stop().is_asked());
+    }
+}

@@ -1,0 +1,71 @@
+//! Words of messages: what was meant, and not too much of what was written.
+
+/// The known name that is spelt like `name`: the nearest one, the first of equals, if it can have been meant.
+///
+/// Few letters may differ, a third of them at most; or one name begins with the whole of the other.
+pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
+    let mut best: Option<(usize, &str)> = None;
+    for candidate in known {
+        let distance =
+            if name.eq_ignore_ascii_case(candidate) { 0 } else { strsim::osa_distance(name, candidate) };
+        let letters = [name, candidate].map(|name| name.chars().count());
+        let [short, long] = [letters[0].min(letters[1]), letters[0].max(letters[1])];
+        let begins = short >= 3 && (name.starts_with(candidate) || candidate.starts_with(name));
+        let few = distance <= (long / 3).max(1) && 2 * distance < long;
+        if (few || begins) && best.is_none_or(|(least, _)| distance < least) {
+            best = Some((distance, candidate));
+        }
+    }
+    best.map(|(_, name)| name)
+}
+
+/// What follows an unknown name in a message: a question if there is a name that can have been meant.
+pub fn suggestion(nearest: Option<&str>) -> String {
+    nearest.map_or(".".to_owned(), |nearest| format!(": did you mean `{nearest}`?"))
+}
+
+/// A text of at most about so many characters: of a longer one the beginning and the end.
+pub fn shortened(text: &str, most: usize) -> String {
+    let count = text.chars().count();
+    if count <= most {
+        return text.to_owned();
+    }
+    let start: String = text.chars().take(most / 2).collect();
+    let end: String = text.chars().skip(count - most / 4).collect();
+    format!("{start} ... {end}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_can_have_been_meant_is_suggested() {
+        let known = ["x", "v", "t", "m", "A", "omega", "kappa", "zeta"];
+        for (name, wanted) in [
+            ("omga", Some("omega")),
+            ("Omega", Some("omega")),
+            ("a", Some("A")),
+            ("omegaf", Some("omega")),
+            ("zeat", Some("zeta")),
+            ("w", None),
+            ("time", None),
+            ("gamma", None),
+        ] {
+            assert_eq!(nearest(name, &known), wanted, "{name}");
+        }
+        assert_eq!(nearest("omega", &["x", "m", "zeta"]), None);
+        assert_eq!(nearest("cosine", &["sin", "cos"]), Some("cos"));
+        assert_eq!(nearest("loop", &["loops", "start"]), Some("loops"));
+        assert_eq!(nearest("anything", &[]), None);
+    }
+
+    #[test]
+    fn long_texts_are_shortened_and_others_are_not() {
+        assert_eq!(shortened("short", 10), "short");
+        let long = "ab".repeat(500_000);
+        let shown = shortened(&long, 100);
+        assert!(shown.len() <= 100 && shown.starts_with("abab") && shown.ends_with("abab"), "{shown}");
+        assert!(shortened(&"\u{3b6}".repeat(1000), 40).contains(" ... "));
+    }
+}

@@ -1,0 +1,102 @@
+//! Where a motion ceases to exist: it runs away, or comes to where the force has no value.
+
+use grazing_model::motion::Motion;
+use grazing_model::{ImpactOscillator, State};
+
+/// The last that is known of a motion without the wall that does not last for a forcing period.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Escape {
+    /// The parameters (μ, η).
+    pub parameters: [f64; 2],
+    /// The time t since phase zero at which it was last seen.
+    pub time: f64,
+    /// Position x there.
+    pub position: f64,
+    /// Velocity there.
+    pub velocity: f64,
+    /// The force there; if it cannot be computed right behind, its value there, which is not finite.
+    pub force: f64,
+}
+
+/// The time of the end is narrowed down by this many halvings of the period.
+const HALVINGS: u32 = 40;
+/// How far behind the end the force is looked at, as shares of the period: a step of the integration, and less.
+const BEHIND: [f64; 4] = [1e-6, 1e-4, 1e-2, 1e-1];
+
+impl Escape {
+    /// What becomes of the motion from a state at phase zero within a forcing period.
+    pub fn of<O: ImpactOscillator>(oscillator: &O, [position, velocity]: [f64; 2]) -> Self {
+        let from = State { position, velocity, phase: 0.0 };
+        let frequency = oscillator.forcing_frequency().value;
+        let period = oscillator.forcing_period();
+        let motion = oscillator.motion(from);
+        let exists = |time: f64| {
+            let there = motion.at(time);
+            there.position.is_finite() && there.velocity.is_finite()
+        };
+        let (mut known, mut end) = (0.0, period);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (known + end);
+            if exists(middle) { known = middle } else { end = middle }
+        }
+        let force = |state: State| oscillator.acceleration(state);
+        let last = if known > 0.0 {
+            let there = motion.at(known);
+            State { position: there.position, velocity: there.velocity, phase: frequency * known }
+        } else {
+            from
+        };
+        let mut value = force(last);
+        // Straight on from there, over the way that a step of the integration would take.
+        for share in BEHIND {
+            let time = share * period;
+            let ahead = State {
+                position: last.position + last.velocity * time,
+                velocity: last.velocity + value * time,
+                phase: last.phase + frequency * time,
+            };
+            let next = force(ahead);
+            if value.is_finite() && !next.is_finite() {
+                value = next;
+            }
+        }
+        let State { position, velocity, .. } = last;
+        Self { parameters: oscillator.parameters(), time: known, position, velocity, force: value }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
+
+    /// ẍ = −√(x + 2) − 1: there is nothing in x < −2.
+    #[derive(Clone)]
+    struct Edge;
+
+    impl SmoothOscillator for Edge {
+        fn force<S: Scalar>(&self, x: S, _: S, _: S, _: S, _: S) -> S {
+            -(x + S::constant(2.0)).apply(Function::Sqrt) - S::constant(1.0)
+        }
+
+        fn forcing_frequency<S: Scalar>(&self, _: S, _: S) -> S {
+            S::constant(1.0)
+        }
+
+        fn restitution<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+            S::constant(1.0)
+        }
+
+        fn impact_duration<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+            S::constant(0.0)
+        }
+    }
+
+    #[test]
+    fn the_place_is_that_beyond_which_the_force_has_no_value() {
+        let escape = Escape::of(&Integrated::new(Edge, [0.0, 1.0]), [-1.0, 0.0]);
+        // The integration ends with a step of a billionth, next to the place.
+        assert!((escape.position + 2.0).abs() < 1e-2, "{escape:?}");
+        assert!(escape.velocity < 0.0 && escape.force.is_nan(), "{escape:?}");
+    }
+}
