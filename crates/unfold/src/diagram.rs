@@ -3,7 +3,6 @@
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurveEnd, Event, Route, Window};
 use grazing_continuation::cusp::cusps;
-use grazing_continuation::fit::{Estimate, FitError, quadratic_coefficient};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::Unknowns;
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance, same_point};
@@ -356,26 +355,5 @@ fn explanation<O>(surveys: &[Survey<O>]) -> UnfoldError {
         (Some([lowest, highest]), _) => UnfoldError::NoGrazing { lowest, highest },
         (None, Some(at)) => UnfoldError::RunsAway { at },
         (None, None) => UnfoldError::NoOrbit,
-    }
-}
-
-/// The quadratic coefficients at a resonance, by its theorem and measured.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Coefficients {
-    /// c_SN,p and c_PD,p by Theorem 2.4 or 2.5.
-    pub theorem: [f64; 2],
-    /// c_SN,p and c_PD,p as limits of μ/η² on the continued curves.
-    pub fit: [Result<Estimate, FitError>; 2],
-}
-
-impl Coefficients {
-    /// The coefficients at a resonance.
-    pub fn of<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> Self {
-        let theorem = point.theorem();
-        Self {
-            theorem: [theorem.saddle_node().coefficient, theorem.period_doubling().coefficient],
-            fit: [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING]
-                .map(|condition| quadratic_coefficient(point, condition)),
-        }
     }
 }
