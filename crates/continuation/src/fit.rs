@@ -207,12 +207,13 @@ impl Level {
 
     fn measured(&self, tails: [f64; 2]) -> Measurement {
         let Self { reach, eta, mu, .. } = self;
-        let [_, e1, e2, _] = eta.taylor();
-        let [_, _, m2, m3] = mu.taylor();
+        let degrees = [eta.degree(tails[0]), mu.degree(tails[1])];
+        let [_, e1, e2, _] = eta.taylor(degrees[0]);
+        let [_, _, m2, m3] = mu.taylor(degrees[1]);
         let value = m2 / (e1 * e1);
-        let highest = (NODES - 1) as f64;
-        // The weight of the last coefficient, the largest, in e₁ and in m₂.
-        let relative = 2.0 * highest * tails[0] / e1.abs() + 0.5 * highest * highest * tails[1] / m2.abs();
+        // The weights in e₁ and in m₂ of the first coefficient that is left out, larger than those that are not.
+        let next = degrees.map(|degree| (degree + 1) as f64);
+        let relative = 2.0 * next[0] * tails[0] / e1.abs() + 0.5 * next[1] * next[1] * tails[1] / m2.abs();
         let square = reach * reach;
         Measurement {
             coefficient: Estimate { value, error: SAFETY * relative * value.abs() },
@@ -242,10 +243,15 @@ impl Interpolant {
         }))
     }
 
-    /// The terms of the expansion about zero up to the third order.
-    fn taylor(&self) -> [f64; 4] {
+    /// The degree above which no coefficient stands out of the tail.
+    fn degree(&self, tail: f64) -> usize {
+        self.0.iter().rposition(|coefficient| coefficient.abs() > tail).unwrap_or(0)
+    }
+
+    /// The terms of the expansion about zero up to the third order, from the coefficients up to a degree.
+    fn taylor(&self, degree: usize) -> [f64; 4] {
         let mut terms = [0.0; 4];
-        for (degree, coefficient) in self.0.iter().enumerate() {
+        for (degree, coefficient) in self.0[..=degree].iter().enumerate() {
             let n = degree as f64;
             let (sine, cosine) = (libm::sin(FRAC_PI_2 * n), libm::cos(FRAC_PI_2 * n));
             // Derivatives of cos(n arccos x) at x = 0.
@@ -264,7 +270,7 @@ impl Interpolant {
 
     /// The largest of the last coefficients, and the value at zero, where the resonance is.
     fn tail(&self) -> f64 {
-        let [at_zero, ..] = self.taylor();
+        let [at_zero, ..] = self.taylor(NODES - 1);
         self.0[NODES - TAIL..].iter().fold(at_zero.abs(), |largest, entry| largest.max(entry.abs()))
     }
 }

@@ -8,6 +8,8 @@
 //! All this is to leading order. How far along the curve the leading terms decide is read off the expansions that were measured
 //! there.
 
+use core::fmt;
+
 use grazing_continuation::fit::Measurement;
 use grazing_continuation::locate::{Condition, LocateFailure, locate};
 use grazing_continuation::mps::{Memory, Unknowns, unknown};
@@ -45,9 +47,10 @@ pub enum Simulated {
 }
 
 /// Why simulation decides nothing.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Doubt {
     /// Where the leading terms decide, impacts are too slow to be told from rounding.
+    #[error("the leading terms decide up to impact velocity {leading:.0e} only, and from {least:.0e} on it can be simulated")]
     TooSlow {
         /// The impact velocity up to which the leading terms decide.
         leading: f64,
@@ -55,8 +58,10 @@ pub enum Doubt {
         least: f64,
     },
     /// The curve was not measured, so that nobody knows how far the leading terms decide.
+    #[error("the curves were not measured, so that it is unknown how far the leading terms decide")]
     NotMeasured,
     /// No MPS was found beside the curve.
+    #[error("no solution was found beside the curve at impact velocity {velocity:.0e}: {failure}")]
     NoSolution {
         /// The impact velocity on the curve.
         velocity: f64,
@@ -64,6 +69,7 @@ pub enum Doubt {
         failure: LocateFailure,
     },
     /// Motion beside an MPS comes neither nearer nor gets away.
+    #[error("slow convergence: at impact velocity {velocity:.0e} motion comes neither nearer nor gets away in {returns} returns")]
     SlowConvergence {
         /// The impact velocity on the curve.
         velocity: f64,
@@ -71,10 +77,31 @@ pub enum Doubt {
         returns: usize,
     },
     /// Motion is not as predicted, but it could not be seen at enough smaller velocities to say that it never is.
+    #[error("not as predicted at impact velocity {velocity:.0e}, but nearer to the resonance it cannot be simulated often enough")]
     OnlyHere {
         /// The impact velocity on the curve.
         velocity: f64,
     },
+}
+
+impl Simulated {
+    /// Whether motion is as predicted, in a word.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::AsPredicted(_) => "yes",
+            Self::Against(_) => "no",
+            Self::Undecided(_) => "undecided",
+        }
+    }
+
+    /// Why it is not as predicted or why that is undecided, in words; empty where it is.
+    pub fn reason(&self) -> String {
+        match self {
+            Self::AsPredicted(_) => String::new(),
+            Self::Against(sides) => sides.to_string(),
+            Self::Undecided(doubt) => doubt.to_string(),
+        }
+    }
 }
 
 /// The largest and the least impact velocity that is simulated, in units of γ/ω, the scale of motion at the wall (empirical): positions are
@@ -140,6 +167,30 @@ fn leading(own: &Measurement, other: &Measurement) -> f64 {
     let aside = ASIDE * gap.min(own.eta[0].abs());
     let limits = [aside / own.eta[1].abs(), gap / other.eta[1].abs(), (own.mu[0] / own.mu[1]).abs()];
     SHARE * limits.into_iter().fold(f64::INFINITY, f64::min)
+}
+
+/// What is seen instead of what is predicted.
+impl fmt::Display for Sides {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut told = Vec::new();
+        for (k, which) in ["slower", "faster"].into_iter().enumerate() {
+            let predicted = if self.predicted[k] { "stable" } else { "unstable" };
+            match (self.seen[k], self.attracts[k]) {
+                (Seen::Returns, Some(seen)) if seen != self.predicted[k] => {
+                    let verb = if seen { "attracts" } else { "repels" };
+                    told.push(format!("the {which} solution is predicted to be {predicted} and {verb}"));
+                }
+                (Seen::Returns, _) => {}
+                (Seen::NoImpact, _) => told.push(format!("the {which} solution has no impact")),
+                (Seen::MeetsTheWall, _) => told.push(format!("the {which} solution meets the wall too early")),
+                (Seen::GoesElsewhere, _) => told.push(format!("the {which} solution does not return")),
+            }
+        }
+        if self.gone_beyond == Some(false) {
+            told.push("motion stays where no solution is left".to_owned());
+        }
+        write!(formatter, "at impact velocity {:.0e} {}", self.velocity, told.join(", "))
+    }
 }
 
 impl Sides {

@@ -9,6 +9,8 @@ use grazing_theorems::{ResonantPoint, Unfolding};
 /// A quadratic coefficient by Theorem 2.4 or 2.5, and measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coefficient {
+    /// s_p⁺ for c_SN, s_p⁻ for c_PD, in whose reciprocal the coefficient is.
+    pub stability: f64,
     /// By the theorem, with the error that the quantities in its formula leave.
     pub theorem: Estimate,
     /// The limit of μ/η² on the continued curve.
@@ -27,22 +29,47 @@ pub enum Verdict {
 }
 
 /// Why a coefficient cannot be compared.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Obstacle {
     /// The curve could not be followed close to the resonance.
+    #[error("the curve could not be followed to the resonance: {0}")]
     NoCurve(FitError),
     /// Where μ stands clear of rounding it is not yet quadratic in η: the measured value has this relative error at best.
+    #[error("where the term in eta^2 leads it is lost in rounding: measured up to |eta| = {eta:.1e}, the value has a relative error of {error:.1e}")]
     Rounding {
         /// The relative error.
         error: f64,
         /// |η| up to which it was measured.
         eta: f64,
     },
-    /// s_p^± or another quantity is so near to zero that the theorem's value has this relative error.
+    /// A quantity in the theorem's formula, most likely s_p^±, is so near to zero that its value has this relative error.
+    #[error("the theorem's own value has a relative error of {error:.1e}, as near to 0 as its s = {stability:.1e} is")]
     NearlyDegenerate {
+        /// s_p⁺ or s_p⁻.
+        stability: f64,
         /// The relative error.
         error: f64,
     },
+}
+
+impl Verdict {
+    /// In a word or two.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Agree => "agree",
+            Self::NotMeasurable(_) => "not measurable",
+            Self::Contradict => "contradict",
+        }
+    }
+
+    /// Why it is not better, in words; empty where they agree.
+    pub fn reason(&self) -> String {
+        match self {
+            Self::Agree => String::new(),
+            Self::NotMeasurable(obstacle) => obstacle.to_string(),
+            Self::Contradict => "theorem and curve differ by more than their errors".to_owned(),
+        }
+    }
 }
 
 /// A larger error than this share of the value would make an agreement mean little: two digits are the least.
@@ -51,7 +78,7 @@ const LARGEST_SHARE: f64 = 0.01;
 impl Coefficient {
     /// Whether theorem and curve agree.
     pub fn verdict(&self) -> Verdict {
-        let Self { theorem, fit } = self;
+        let Self { stability, theorem, fit } = self;
         let fit = match fit {
             Ok(fit) => fit,
             Err(error) => return Verdict::NotMeasurable(Obstacle::NoCurve(*error)),
@@ -62,7 +89,10 @@ impl Coefficient {
         // Not a number counts as too large.
         let known = shares.map(|share| share <= LARGEST_SHARE);
         if !known[0] {
-            return Verdict::NotMeasurable(Obstacle::NearlyDegenerate { error: shares[0] });
+            return Verdict::NotMeasurable(Obstacle::NearlyDegenerate {
+                stability: *stability,
+                error: shares[0],
+            });
         }
         if !known[1] {
             let [e1, e2] = fit.eta;
@@ -77,13 +107,15 @@ impl Coefficient {
 /// c_SN and c_PD at a resonance.
 pub fn coefficients<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [Coefficient; 2] {
     let errors = theorem_errors(point);
+    let stability = point.resonant_point().stability_coefficients();
     let curves = [
-        (point.theorem().saddle_node(), Condition::SADDLE_NODE),
-        (point.theorem().period_doubling(), Condition::PERIOD_DOUBLING),
+        (point.theorem().saddle_node(), stability.plus, Condition::SADDLE_NODE),
+        (point.theorem().period_doubling(), stability.minus, Condition::PERIOD_DOUBLING),
     ];
     core::array::from_fn(|k| {
-        let (curve, condition) = curves[k];
+        let (curve, stability, condition) = curves[k];
         Coefficient {
+            stability,
             theorem: Estimate { value: curve.coefficient, error: errors[k] },
             fit: measure(point, condition),
         }
@@ -120,7 +152,6 @@ fn theorem_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [f64;
         moved(&|point| point.grazing.map.b[index] += FIRST_DERIVATIVES * map.b.norm());
     }
     moved(&|point| point.grazing.gamma *= 1.0 + FIRST_DERIVATIVES);
-    // Two factors matrix: ξ_p is a second derivative of an iterate.
     moved(&|point| point.second_phase_derivative *= 1.0 + SECOND_DERIVATIVES);
     moved(&|point| match &mut point.unfolding {
         Unfolding::OneLoop { off_diagonal_derivative } => {

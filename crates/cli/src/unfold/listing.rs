@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use grazing_continuation::curve::CurveEnd;
-use grazing_continuation::fit::{Estimate, FitError};
 use grazing_continuation::locate::Condition;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
@@ -13,7 +12,8 @@ use grazing_theorems::hypothesis::Hypothesis;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::{DiagramCurve, Kind};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
-use grazing_unfold::sides::Sides;
+use grazing_unfold::sides::Simulated;
+use grazing_unfold::verdict::Verdict;
 
 use super::Analysis;
 use super::layout::{KEPT, aligned, wrapped};
@@ -164,19 +164,73 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     let header =
         ["p", "n", secondary, "curve", "c by theorem", "c measured", "digits agreeing", "as simulated"];
     text.push_str(&aligned(&header, rows));
+    for ((_, point), at) in &found {
+        let [_, eta] = point.orbit().oscillator().parameters();
+        for kind in [Kind::SaddleNode, Kind::PeriodDoubling] {
+            text.push_str(&reasons(secondary, eta, kind, at));
+        }
+    }
     text
+}
+
+/// Why a coefficient was not measured or simulation is not as predicted; nothing if all is well.
+fn reasons(secondary: &str, eta: f64, kind: Kind, at: &AtResonance) -> String {
+    let (coefficient, simulated) = at.beside(kind);
+    let verdict = coefficient.verdict();
+    let mark = format!(
+        "  p = {}, n = {}, {secondary} = {}, {}:  ",
+        at.loops,
+        at.n,
+        significant(eta, QUANTITY),
+        kind.name()
+    );
+    let mut text = String::new();
+    if verdict != Verdict::Agree {
+        text.push_str(&wrapped(&mark, &format!("{}: {}", verdict.name(), verdict.reason())));
+    }
+    if !matches!(simulated, Simulated::AsPredicted(_)) {
+        let content = format!("as simulated {}: {}", simulated.name(), simulated.reason());
+        text.push_str(&wrapped(&mark, &content));
+    }
+    text
+}
+
+/// A sentence for every coefficient and simulation that contradicts the theorem.
+pub(super) fn contradictions(unfolded: &Analysis) -> Vec<String> {
+    let mut told = Vec::new();
+    for at in &unfolded.resonances {
+        for kind in [Kind::SaddleNode, Kind::PeriodDoubling] {
+            let (coefficient, simulated) = at.beside(kind);
+            let what = format!("p = {}, n = {}", at.loops, at.n);
+            if let (Verdict::Contradict, Ok(fit)) = (coefficient.verdict(), &coefficient.fit) {
+                let number = |value: f64| brief(value, COEFFICIENT);
+                told.push(format!(
+                    "{what}: c_{} is {} by the theorem, to {:.0e}, and {} on the continued curve, to {:.0e}",
+                    kind.name(),
+                    number(coefficient.theorem.value),
+                    coefficient.theorem.error,
+                    number(fit.coefficient.value),
+                    fit.coefficient.error
+                ));
+            }
+            if let Simulated::Against(sides) = simulated {
+                told.push(format!("{what}: beside the {} curve, {sides}", kind.name()));
+            }
+        }
+    }
+    told
 }
 
 /// A row: one coefficient by the theorem, measured, and whether simulation agrees.
 fn coefficient(secondary: f64, kind: Kind, at: &AtResonance) -> Vec<String> {
-    let index = usize::from(kind == Kind::PeriodDoubling);
-    let theorem = at.coefficients.theorem[index];
-    let fit: &Result<Estimate, FitError> = &at.coefficients.fit[index];
-    let (measured, digits) = match fit {
-        Ok(estimate) => {
-            (significant(estimate.value, COEFFICIENT), agreement(theorem, estimate.value).to_string())
+    let (coefficient, simulated) = at.beside(kind);
+    let theorem = coefficient.theorem.value;
+    let (measured, digits) = match (coefficient.verdict(), &coefficient.fit) {
+        (Verdict::Agree | Verdict::Contradict, Ok(fit)) => {
+            let value = fit.coefficient.value;
+            (significant(value, COEFFICIENT), agreement(theorem, value).to_string())
         }
-        Err(_) => ("not found".to_owned(), "-".to_owned()),
+        (verdict, _) => (verdict.name().to_owned(), "-".to_owned()),
     };
     vec![
         at.loops.to_string(),
@@ -187,17 +241,8 @@ fn coefficient(secondary: f64, kind: Kind, at: &AtResonance) -> Vec<String> {
         significant(theorem, COEFFICIENT),
         measured,
         digits,
-        verdict(at.sides[index].as_ref()).to_owned(),
+        simulated.name().to_owned(),
     ]
-}
-
-fn verdict(sides: Option<&Sides>) -> &'static str {
-    match sides {
-        Some(sides) if sides.as_predicted() => "yes",
-        None => "unclear",
-        Some(sides) if sides.attracts.contains(&None) => "unclear",
-        Some(_) => "no",
-    }
 }
 
 /// Resonances at which no theorem applies, with what fails.
