@@ -135,10 +135,7 @@ impl Task {
         terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
         let contradictions = listing::contradictions(&unfolded);
         if !contradictions.is_empty() {
-            return Err(Failure::Contradiction {
-                file: self.file.clone(),
-                what: contradictions.join("; "),
-            });
+            return Err(Failure::Contradiction { file: self.file.clone(), what: contradictions.join("; ") });
         }
         let missing = unfolded.diagram.unlocated.len() + unfolded.diagram.not_unfolded.len();
         if missing > 0 {

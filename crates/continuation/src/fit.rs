@@ -207,16 +207,19 @@ impl Level {
 
     fn measured(&self, tails: [f64; 2]) -> Measurement {
         let Self { reach, eta, mu, .. } = self;
-        let degrees = [eta.degree(tails[0]), mu.degree(tails[1])];
+        let degrees = [eta.degree(tails[0]).max(1), mu.degree(tails[1]).max(2)];
         let [_, e1, e2, _] = eta.taylor(degrees[0]);
         let [_, _, m2, m3] = mu.taylor(degrees[1]);
         let value = m2 / (e1 * e1);
         // The weights in e₁ and in m₂ of the first coefficient that is left out, larger than those that are not.
         let next = degrees.map(|degree| (degree + 1) as f64);
-        let relative = 2.0 * next[0] * tails[0] / e1.abs() + 0.5 * next[1] * next[1] * tails[1] / m2.abs();
+        let [of_e1, of_m2] = [next[0] * tails[0], 0.5 * next[1] * next[1] * tails[1]];
         let square = reach * reach;
         Measurement {
-            coefficient: Estimate { value, error: SAFETY * relative * value.abs() },
+            coefficient: Estimate {
+                value,
+                error: SAFETY * (2.0 * of_e1 * (value / e1).abs() + of_m2 / (e1 * e1)),
+            },
             eta: [e1 / reach, e2 / square],
             mu: [m2 / square, m3 / (square * reach)],
             velocity: *reach,

@@ -60,7 +60,11 @@ const COLUMNS: &[Column] = &[
         "derivative of the detuning along the grazing curve, p ≥ 2",
     ),
     ("c_sn_error", "error of <i>c</i><sub>SN</sub>", "error of the saddle-node coefficient by the theorem"),
-    ("c_pd_error", "error of <i>c</i><sub>PD</sub>", "error of the period-doubling coefficient by the theorem"),
+    (
+        "c_pd_error",
+        "error of <i>c</i><sub>PD</sub>",
+        "error of the period-doubling coefficient by the theorem",
+    ),
     ("sn_verdict", "SN verdict", "whether theorem and saddle-node curve agree within their errors"),
     ("sn_reason", "SN reason", "why they do not, or why that cannot be told"),
     ("pd_verdict", "PD verdict", "whether theorem and period-doubling curve agree within their errors"),

@@ -155,10 +155,15 @@ impl Tally {
             Some(digits) if agreeing == all => {
                 ("passed", format!("theorem and curves agree to {digits} digits or more"))
             }
-            _ if differing > 0 => ("failed", format!("theorem and curves contradict at {differing} of {all}")),
+            _ if differing > 0 => {
+                ("failed", format!("theorem and curves contradict at {differing} of {all}"))
+            }
             _ => {
                 let open = all - agreeing;
-                ("misprint", format!("theorem and curves agree at {agreeing} of {all}, {open} not measurable"))
+                (
+                    "misprint",
+                    format!("theorem and curves agree at {agreeing} of {all}, {open} not measurable"),
+                )
             }
         }
     }

@@ -50,7 +50,9 @@ pub enum Simulated {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Doubt {
     /// Where the leading terms decide, impacts are too slow to be told from rounding.
-    #[error("the leading terms decide up to impact velocity {leading:.0e} only, and from {least:.0e} on it can be simulated")]
+    #[error(
+        "the leading terms decide up to impact velocity {leading:.0e} only, and from {least:.0e} on it can be simulated"
+    )]
     TooSlow {
         /// The impact velocity up to which the leading terms decide.
         leading: f64,
@@ -69,7 +71,9 @@ pub enum Doubt {
         failure: LocateFailure,
     },
     /// Motion beside an MPS comes neither nearer nor gets away.
-    #[error("slow convergence: at impact velocity {velocity:.0e} motion comes neither nearer nor gets away in {returns} returns")]
+    #[error(
+        "slow convergence: at impact velocity {velocity:.0e} motion comes neither nearer nor gets away in {returns} returns"
+    )]
     SlowConvergence {
         /// The impact velocity on the curve.
         velocity: f64,
@@ -77,7 +81,9 @@ pub enum Doubt {
         returns: usize,
     },
     /// Motion is not as predicted, but it could not be seen at enough smaller velocities to say that it never is.
-    #[error("not as predicted at impact velocity {velocity:.0e}, but nearer to the resonance it cannot be simulated often enough")]
+    #[error(
+        "not as predicted at impact velocity {velocity:.0e}, but nearer to the resonance it cannot be simulated often enough"
+    )]
     OnlyHere {
         /// The impact velocity on the curve.
         velocity: f64,
@@ -182,7 +188,9 @@ impl fmt::Display for Sides {
                 }
                 (Seen::Returns, _) => {}
                 (Seen::NoImpact, _) => told.push(format!("the {which} solution has no impact")),
-                (Seen::MeetsTheWall, _) => told.push(format!("the {which} solution meets the wall too early")),
+                (Seen::MeetsTheWall, _) => {
+                    told.push(format!("the {which} solution meets the wall too early"))
+                }
                 (Seen::GoesElsewhere, _) => told.push(format!("the {which} solution does not return")),
             }
         }

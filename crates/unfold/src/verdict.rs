@@ -4,7 +4,10 @@ use grazing_continuation::fit::{Estimate, FitError, Measurement, measure};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
+use grazing_model::maps::global_iterate;
+use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{ResonantPoint, Unfolding};
+use nalgebra::Matrix2;
 
 /// A quadratic coefficient by Theorem 2.4 or 2.5, and measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +38,9 @@ pub enum Obstacle {
     #[error("the curve could not be followed to the resonance: {0}")]
     NoCurve(FitError),
     /// Where μ stands clear of rounding it is not yet quadratic in η: the measured value has this relative error at best.
-    #[error("where the term in eta^2 leads it is lost in rounding: measured up to |eta| = {eta:.1e}, the value has a relative error of {error:.1e}")]
+    #[error(
+        "where the term in eta^2 leads it is lost in rounding: measured up to |eta| = {eta:.1e}, the value has a relative error of {error:.1e}"
+    )]
     Rounding {
         /// The relative error.
         error: f64,
@@ -43,7 +48,9 @@ pub enum Obstacle {
         eta: f64,
     },
     /// A quantity in the theorem's formula, most likely s_p^±, is so near to zero that its value has this relative error.
-    #[error("the theorem's own value has a relative error of {error:.1e}, as near to 0 as its s = {stability:.1e} is")]
+    #[error(
+        "the theorem's own value has a relative error of {error:.1e}: s = {stability:.1e} is too near to 0, or a derivative in the formula is not known well enough"
+    )]
     NearlyDegenerate {
         /// s_p⁺ or s_p⁻.
         stability: f64,
@@ -122,27 +129,27 @@ pub fn coefficients<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [Co
     })
 }
 
-/// Relative errors of first and second derivatives of the flow: those of integrated motion, whose values are right to some 10⁻¹³
-/// (empirical; the closed form's are smaller).
+/// Relative errors that first derivatives of the flow, and differences of them, have at best (empirical: integrated motion is right
+/// to some 10⁻¹³).
 const FIRST_DERIVATIVES: f64 = 1e-12;
-const SECOND_DERIVATIVES: f64 = 1e-10;
+const DIFFERENCES: f64 = 1e-10;
 
 /// How far c_SN and c_PD move when what they are computed from moves by its error, one quantity after the other.
 fn theorem_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [f64; 2] {
     let known = point.resonant_point();
     let values =
         |point: &ResonantPoint| [point.saddle_node_coefficient(), point.period_doubling_coefficient()];
-    let [saddle_node, period_doubling] = values(known);
+    let stated = values(known);
     let map = known.grazing.map;
     let (matrix, rate) = (map.a.norm(), point.orbit().derivative_of_map().norm());
+    let [curvature, unfolding] = second_derivative_errors(point);
     let mut errors = [0.0; 2];
     let mut moved = |change: &dyn Fn(&mut ResonantPoint)| {
         let mut moved = *known;
         change(&mut moved);
-        for (error, (value, there)) in
-            errors.iter_mut().zip([saddle_node, period_doubling].into_iter().zip(values(&moved)))
-        {
-            *error += (there - value).abs();
+        let there = values(&moved);
+        for k in 0..2 {
+            errors[k] += (there[k] - stated[k]).abs();
         }
     };
     for index in 0..4 {
@@ -152,14 +159,59 @@ fn theorem_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [f64;
         moved(&|point| point.grazing.map.b[index] += FIRST_DERIVATIVES * map.b.norm());
     }
     moved(&|point| point.grazing.gamma *= 1.0 + FIRST_DERIVATIVES);
-    moved(&|point| point.second_phase_derivative *= 1.0 + SECOND_DERIVATIVES);
+    moved(&|point| {
+        point.second_phase_derivative += curvature + DIFFERENCES * known.second_phase_derivative.abs();
+    });
     moved(&|point| match &mut point.unfolding {
-        Unfolding::OneLoop { off_diagonal_derivative } => {
-            *off_diagonal_derivative += SECOND_DERIVATIVES * rate;
-        }
-        Unfolding::MultiLoop { detuning_derivative, .. } => {
-            *detuning_derivative += SECOND_DERIVATIVES * rate.max(detuning_derivative.abs());
+        Unfolding::OneLoop { off_diagonal_derivative: slope }
+        | Unfolding::MultiLoop { detuning_derivative: slope, .. } => {
+            *slope += unfolding + DIFFERENCES * rate.max(slope.abs());
         }
     });
     errors
+}
+
+/// Differences are taken over these parts of a radian, and of the way in η on which P_global becomes another map: wide ones lose least to
+/// rounding, narrow ones stay where maps are defined, as near a fold of the grazing curve.
+const WIDTHS: [f64; 3] = [3e-3, 3e-4, 3e-5];
+
+/// The curve's own derivatives are in error as those at the resonance are, and in other places: the errors of these are taken as often.
+const ELSEWHERE: f64 = 3.0;
+
+/// The errors of ξ_p and of a₁₂' or κ_p': how far differences of first derivatives are from them. Infinite where maps beside the
+/// resonance are not defined.
+///
+/// Steps of integrated motion are chosen for its values, and where the force bends within a step second derivatives suffer first.
+fn second_derivative_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [f64; 2] {
+    let (orbit, known, loops) = (point.orbit(), point.resonant_point(), point.loops());
+    let slope = |phase: f64| {
+        global_iterate::<O, 1>(orbit.oscillator(), loops, 0.0, orbit.phase() + phase)
+            .map_or(f64::NAN, |jet| jet.jacobian[(0, 1)])
+    };
+    let [primary, secondary] = orbit.oscillator().parameters();
+    let detuning = |eta: f64| {
+        let parameters = [primary + orbit.primary_slope() * eta, secondary + eta];
+        let beside = orbit.oscillator().with_parameters(parameters);
+        GrazingOrbit::find(&beside, orbit.phase() + orbit.phase_slope() * eta)
+            .map_or(f64::NAN, |orbit| orbit.detuning(loops, &Matrix2::zeros())[0])
+    };
+    let stated = match known.unfolding {
+        Unfolding::OneLoop { off_diagonal_derivative } => off_diagonal_derivative,
+        Unfolding::MultiLoop { detuning_derivative, .. } => detuning_derivative,
+    };
+    let turn = known.grazing.map.a.norm() / orbit.derivative_of_map().norm();
+    let closest = |function: &dyn Fn(f64) -> f64, scale: f64, stated: f64| {
+        let differences = WIDTHS.map(|width| (derivative(function, width * scale) - stated).abs());
+        ELSEWHERE * differences.into_iter().fold(f64::INFINITY, f64::min)
+    };
+    [closest(&slope, 1.0, known.second_phase_derivative), closest(&detuning, turn, stated)]
+}
+
+/// The derivative at zero by central differences, extrapolated twice.
+fn derivative(function: impl Fn(f64) -> f64, width: f64) -> f64 {
+    let [a, b, c] = [1.0, 0.5, 0.25].map(|part| {
+        let at = part * width;
+        (function(at) - function(-at)) / (2.0 * at)
+    });
+    (a - 20.0 * b + 64.0 * c) / 45.0
 }

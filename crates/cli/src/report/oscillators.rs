@@ -269,7 +269,9 @@ fn resonances(unfolded: &Analysis) -> Vec<ResonanceEntry> {
         let finding = match &resonance.theorem {
             Ok(_) => {
                 let Some(at) = measured.next() else { continue };
-                Finding::Unfolded(Box::new([Kind::SaddleNode, Kind::PeriodDoubling].map(|kind| coefficient(at, kind))))
+                Finding::Unfolded(Box::new(
+                    [Kind::SaddleNode, Kind::PeriodDoubling].map(|kind| coefficient(at, kind)),
+                ))
             }
             Err(violated) => {
                 let failing = violated.violated();

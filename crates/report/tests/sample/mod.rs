@@ -70,7 +70,8 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
         simulation: judgement,
     };
     let resonance = |n, finding| ResonanceEntry { loops: 2, n, primary: 0.5, secondary: 0.75, finding };
-    let unfolded = [coefficient(Some((-12.500_001, 7)), Judgement::For), coefficient(None, Judgement::Open(hostile()))];
+    let unfolded =
+        [coefficient(Some((-12.500_001, 7)), Judgement::For), coefficient(None, Judgement::Open(hostile()))];
     let mut drawn = figure("diagram", "two-parameter bifurcation diagram");
     // The panel says which columns it shows, as titles of parameters do not.
     drawn.svg = drawn.svg.replace("data-x=", "data-columns=\"F_0 A\" data-tables=\"points\" data-x=");
