@@ -133,7 +133,7 @@ impl Task {
         let names = files.iter().map(|file| self.folder.join(&file.path).display().to_string());
         terminal::say(&format!("\n{}", summary(&names.zip(changes).collect::<Vec<_>>())));
         terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-        let contradictions = listing::contradictions(&unfolded);
+        let contradictions = listing::contradictions(&unfolded.resonances);
         if !contradictions.is_empty() {
             return Err(Failure::Contradiction { file: self.file.clone(), what: contradictions.join("; ") });
         }

@@ -196,9 +196,9 @@ fn reasons(secondary: &str, eta: f64, kind: Kind, at: &AtResonance) -> String {
 }
 
 /// A sentence for every coefficient and simulation that contradicts the theorem.
-pub(super) fn contradictions(unfolded: &Analysis) -> Vec<String> {
+pub(super) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
     let mut told = Vec::new();
-    for at in &unfolded.resonances {
+    for at in resonances {
         for kind in [Kind::SaddleNode, Kind::PeriodDoubling] {
             let (coefficient, simulated) = at.beside(kind);
             let what = format!("p = {}, n = {}", at.loops, at.n);
@@ -335,11 +335,71 @@ fn odd_end(end: &CurveEnd) -> Option<String> {
 mod tests {
     use super::*;
     use grazing_continuation::curve::Window;
+    use grazing_continuation::fit::{Estimate, Measurement};
     use grazing_continuation::locate::LocateFailure;
     use grazing_continuation::resonance::ResonanceError;
     use grazing_unfold::Scope;
     use grazing_unfold::diagram::NotUnfolded;
     use grazing_unfold::resonances::Unlocated;
+    use grazing_unfold::sides::{Doubt, Sides};
+    use grazing_unfold::simulation::Seen;
+    use grazing_unfold::verdict::{Coefficient, Obstacle};
+
+    /// A resonance whose saddle-node coefficient is measured with an error, and what simulation shows beside that curve.
+    fn resonance(error: f64, simulated: Simulated) -> AtResonance {
+        let coefficient = |error| Coefficient {
+            stability: 1.0,
+            theorem: Estimate { value: -2.5, error: 1e-9 },
+            fit: Ok(Measurement {
+                coefficient: Estimate { value: -2.25, error },
+                eta: [1.0, 0.0],
+                mu: [-2.25, 0.0],
+                velocity: 0.01,
+            }),
+        };
+        AtResonance {
+            loops: 2,
+            n: 3,
+            coefficients: [coefficient(error), coefficient(1.0)],
+            sides: [simulated, Simulated::Undecided(Doubt::NotMeasured)],
+            window: Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] },
+            magnified: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn contradictions_are_told_with_both_values_and_errors_and_doubts_with_their_reasons() {
+        let sides = Sides {
+            velocity: 0.001,
+            predicted: [false, true],
+            seen: [Seen::Returns; 2],
+            attracts: [Some(false); 2],
+            gone_beyond: Some(true),
+        };
+        let bad = resonance(1e-7, Simulated::Against(sides));
+        let told = contradictions(&[bad]);
+        assert_eq!(
+            told,
+            [
+                "p = 2, n = 3: c_SN is -2.5 by the theorem, to 1e-9, and -2.25 on the continued curve, to 1e-7",
+                "p = 2, n = 3: beside the SN curve, at impact velocity 1e-3 the faster solution is predicted to be stable \
+                 and repels",
+            ]
+        );
+        let failure = crate::failure::Failure::Contradiction { file: "a.toml".into(), what: told.join("; ") };
+        assert_eq!(failure.exit_code(), 1);
+        let doubtful = resonance(1.0, Simulated::Undecided(Doubt::TooSlow { leading: 1e-9, least: 1e-6 }));
+        assert!(contradictions(std::slice::from_ref(&doubtful)).is_empty());
+        let (coefficient, _) = doubtful.beside(Kind::SaddleNode);
+        assert!(matches!(coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
+        let told = reasons("omega", 0.75, Kind::SaddleNode, &doubtful);
+        for wanted in [
+            "p = 2, n = 3, omega = 0.75000, SN:  not measurable: where",
+            "as simulated undecided: the leading",
+        ] {
+            assert!(told.contains(wanted), "{told}");
+        }
+    }
 
     #[test]
     fn resonances_that_could_not_be_unfolded_are_named_with_the_reason() {
