@@ -102,6 +102,14 @@ pub enum Failure {
         /// What is missing.
         outcome: String,
     },
+    /// What is measured or simulated contradicts a theorem.
+    #[error("{}: the theorem is contradicted: {what}; everything is written", file.display())]
+    Contradiction {
+        /// The description.
+        file: PathBuf,
+        /// What is contradicted, with both values and their errors.
+        what: String,
+    },
     /// Not all of several oscillators could be unfolded.
     #[error("{failing} of {all} files failed, as told above")]
     SomeFiles {
@@ -192,6 +200,7 @@ impl Failure {
             Failure::CheckFailed { .. }
             | Failure::PublishedOff { .. }
             | Failure::ClaimsFail { .. }
+            | Failure::Contradiction { .. }
             | Failure::ErrataStale => 1,
             Failure::Parameters(_)
             | Failure::Description(_)

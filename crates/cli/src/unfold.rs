@@ -169,6 +169,10 @@ impl Task {
             let outcome = "what was not finished is named above; everything else is written".to_owned();
             return Err(Failure::Ended { file: self.file.clone(), met: met.to_string(), outcome });
         }
+        let contradictions = listing::contradictions(&unfolded.resonances);
+        if !contradictions.is_empty() {
+            return Err(Failure::Contradiction { file: self.file.clone(), what: contradictions.join("; ") });
+        }
         let missing = unfolded.diagram.unlocated.len() + unfolded.diagram.not_unfolded.len();
         if missing > 0 {
             let all = unfolded.diagram.unlocated.len() + unfolded.diagram.resonances.len();

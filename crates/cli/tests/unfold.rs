@@ -77,7 +77,10 @@ fn told(output: &str, coefficients: &str) {
     let cell = |name: &str| row[header.iter().position(|column| *column == name).expect("a column")];
     assert_eq!((cell("p"), cell("n")), ("3", "1"));
     for simulated in ["sn_as_simulated", "pd_as_simulated"] {
-        assert_eq!(cell(simulated), "true");
+        assert_eq!(cell(simulated), "yes");
+    }
+    for verdict in ["sn_verdict", "pd_verdict"] {
+        assert_eq!(cell(verdict), "agree");
     }
     for wanted in [
         "Duffing oscillator with a wall (duffing.toml)",

@@ -35,7 +35,7 @@ pub use claim::{ClaimEntry, Measured, MisprintEntry, Source, State, Verdict};
 pub use figure::Figure;
 pub use formula::{FormulaError, mathml, prose};
 pub use manifest::{Manifest, OutputFile};
-pub use oscillator::{CoefficientEntry, Finding, OscillatorEntry, ResonanceEntry};
+pub use oscillator::{CoefficientEntry, Finding, Judgement, OscillatorEntry, ResonanceEntry};
 pub use page::page;
 pub use published::PublishedEntry;
 pub use table::{CsvTable, TableOutput};

@@ -70,6 +70,17 @@ pub enum Finding {
     Silent(Vec<(String, f64)>),
 }
 
+/// What came of comparing something with the theorem.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Judgement {
+    /// It is as the theorem says.
+    For,
+    /// It is otherwise, with the details.
+    Against(String),
+    /// That cannot be told, for a reason.
+    Open(String),
+}
+
 /// A coefficient, c_SN or c_PD.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoefficientEntry {
@@ -77,8 +88,10 @@ pub struct CoefficientEntry {
     pub theorem: f64,
     /// Measured on the continued curve, with the number of digits that agree; nothing where it could not be.
     pub measured: Option<(f64, u32)>,
-    /// Whether the simulated system does what the theorem predicts; nothing where that is undecided.
-    pub as_predicted: Option<bool>,
+    /// Whether both agree within their errors.
+    pub agreement: Judgement,
+    /// Whether the simulated system does what the theorem predicts.
+    pub simulation: Judgement,
 }
 
 /// How many of the coefficients came out how.
@@ -86,17 +99,15 @@ pub struct CoefficientEntry {
 pub(crate) struct Tally {
     /// Coefficients.
     pub(crate) all: usize,
-    /// Those of which enough digits are measured.
+    /// Those that are measured as by the theorem, and those that are measured otherwise.
     pub(crate) agreeing: usize,
+    pub(crate) differing: usize,
     /// The fewest digits that agree.
     pub(crate) digits: Option<u32>,
     /// Those at which simulation is as predicted, and those at which it is not.
     pub(crate) predicted: usize,
     pub(crate) contradicted: usize,
 }
-
-/// Digits by which a measured coefficient bears out the theorem's.
-pub(crate) const ENOUGH: u32 = 5;
 
 impl OscillatorEntry {
     /// The identifier of its part of the page.
@@ -109,11 +120,18 @@ impl OscillatorEntry {
         for coefficient in self.resonances.iter().flat_map(ResonanceEntry::coefficients) {
             tally.all += 1;
             if let Some((_, digits)) = coefficient.measured {
-                tally.agreeing += usize::from(digits >= ENOUGH);
                 tally.digits = Some(tally.digits.map_or(digits, |least| least.min(digits)));
             }
-            tally.predicted += usize::from(coefficient.as_predicted == Some(true));
-            tally.contradicted += usize::from(coefficient.as_predicted == Some(false));
+            match coefficient.agreement {
+                Judgement::For => tally.agreeing += 1,
+                Judgement::Against(_) => tally.differing += 1,
+                Judgement::Open(_) => {}
+            }
+            match coefficient.simulation {
+                Judgement::For => tally.predicted += 1,
+                Judgement::Against(_) => tally.contradicted += 1,
+                Judgement::Open(_) => {}
+            }
         }
         tally
     }
@@ -132,12 +150,21 @@ impl ResonanceEntry {
 impl Tally {
     /// The verdict on the agreement of theorem and curve, with the class of its colour.
     pub(crate) fn agreement(&self) -> (&'static str, String) {
-        let Tally { all, agreeing, digits, .. } = *self;
+        let Tally { all, agreeing, differing, digits, .. } = *self;
         match digits {
             Some(digits) if agreeing == all => {
                 ("passed", format!("theorem and curves agree to {digits} digits or more"))
             }
-            _ => ("misprint", format!("theorem and curves agree to {ENOUGH} digits at {agreeing} of {all}")),
+            _ if differing > 0 => {
+                ("failed", format!("theorem and curves contradict at {differing} of {all}"))
+            }
+            _ => {
+                let open = all - agreeing;
+                (
+                    "misprint",
+                    format!("theorem and curves agree at {agreeing} of {all}, {open} not measurable"),
+                )
+            }
         }
     }
 
@@ -157,13 +184,13 @@ impl Tally {
 mod tests {
     use super::*;
 
-    fn resonance(measured: [Option<(f64, u32)>; 2], as_predicted: [Option<bool>; 2]) -> ResonanceEntry {
-        let entry = |index: usize| CoefficientEntry {
-            theorem: 1.0,
-            measured: measured[index],
-            as_predicted: as_predicted[index],
+    fn resonance(agreement: [Judgement; 2], simulation: [Judgement; 2]) -> ResonanceEntry {
+        let entry = |(agreement, simulation): (Judgement, Judgement)| {
+            let measured = (agreement == Judgement::For).then_some((1.0, 7));
+            CoefficientEntry { theorem: 1.0, measured, agreement, simulation }
         };
-        let finding = Finding::Unfolded(Box::new([entry(0), entry(1)]));
+        let mut both = agreement.into_iter().zip(simulation).map(entry);
+        let finding = Finding::Unfolded(Box::new([(); 2].map(|()| both.next().expect("there are two"))));
         ResonanceEntry { loops: 1, n: 1, primary: 0.0, secondary: 0.0, finding }
     }
 
@@ -175,18 +202,16 @@ mod tests {
 
     #[test]
     fn a_verdict_is_good_only_if_every_coefficient_agrees_and_every_simulation_is_as_predicted() {
-        let (good, yes) = (Some((1.0, 7)), Some(true));
-        let all_good = tally(vec![resonance([good, Some((1.0, 5))], [yes, yes])]);
+        use Judgement::{Against, For, Open};
+        let all_good = tally(vec![resonance([For, For], [For, For])]);
         assert_eq!(
             all_good.agreement(),
-            ("passed", "theorem and curves agree to 5 digits or more".to_owned())
+            ("passed", "theorem and curves agree to 7 digits or more".to_owned())
         );
         assert_eq!(all_good.simulation(), ("passed", "simulation as predicted at 2 of 2".to_owned()));
-        for measured in [None, Some((1.0, 4))] {
-            assert_eq!(tally(vec![resonance([good, measured], [yes, yes])]).agreement().0, "misprint");
-        }
-        for (second, tone) in [(None, "misprint"), (Some(false), "failed")] {
-            assert_eq!(tally(vec![resonance([good, good], [yes, second])]).simulation().0, tone);
+        for (second, tone) in [(Open(String::new()), "misprint"), (Against(String::new()), "failed")] {
+            assert_eq!(tally(vec![resonance([For, second.clone()], [For, For])]).agreement().0, tone);
+            assert_eq!(tally(vec![resonance([For, For], [For, second])]).simulation().0, tone);
         }
     }
 }

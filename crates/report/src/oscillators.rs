@@ -2,7 +2,7 @@
 
 use crate::formula::{shown, words};
 use crate::html::{counted, escape, number, put};
-use crate::oscillator::{CoefficientEntry, ENOUGH, Finding, OscillatorEntry, ResonanceEntry};
+use crate::oscillator::{CoefficientEntry, Finding, Judgement, OscillatorEntry, ResonanceEntry};
 use crate::{Report, columns, figure, table};
 
 /// Significant digits of coefficients and of parameters.
@@ -204,21 +204,20 @@ fn row(resonance: &ResonanceEntry, curve: &str, coefficient: &CoefficientEntry) 
     let cell = |value: f64, digits| {
         format!("<td class=\"number\" data-value=\"{value:e}\">{}</td>", number(value, digits))
     };
+    let (tone, _) = judged(&coefficient.agreement);
     let (measured, digits) = match coefficient.measured {
         Some((value, digits)) => {
-            let tone = if digits >= ENOUGH { "passed" } else { "misprint" };
             let told = format!(
                 "<td class=\"number\" data-value=\"{digits}\"><span class=\"verdict {tone}\">{digits}</span></td>"
             );
             (cell(value, COEFFICIENT), told)
         }
-        None => ("<td class=\"number\">not found</td>".to_owned(), "<td class=\"number\"></td>".to_owned()),
+        None => (
+            format!("<td class=\"number\"><span class=\"verdict {tone}\">not measurable</span></td>"),
+            "<td class=\"number\"></td>".to_owned(),
+        ),
     };
-    let (tone, simulated) = match coefficient.as_predicted {
-        Some(true) => ("passed", "as predicted"),
-        Some(false) => ("failed", "otherwise"),
-        None => ("unchecked", "unclear"),
-    };
+    let (tone, simulated) = judged(&coefficient.simulation);
     format!(
         "<tr><td class=\"number\">{}</td><td class=\"number\">{}</td>{}{}<td>{curve}</td>{}{measured}{digits}\
          <td><span class=\"verdict {tone}\">{simulated}</span></td></tr>\n",
@@ -228,6 +227,45 @@ fn row(resonance: &ResonanceEntry, curve: &str, coefficient: &CoefficientEntry) 
         cell(resonance.primary, PARAMETER),
         cell(coefficient.theorem, COEFFICIENT),
     )
+}
+
+/// The class of a verdict's colour, and the verdict on a simulation.
+fn judged(judgement: &Judgement) -> (&'static str, &'static str) {
+    match judgement {
+        Judgement::For => ("passed", "as predicted"),
+        Judgement::Against(_) => ("failed", "otherwise"),
+        Judgement::Open(_) => ("unchecked", "undecided"),
+    }
+}
+
+/// Why coefficients were not measured or simulation is not as predicted, as items of a list.
+fn reasons(entry: &OscillatorEntry) -> String {
+    let mut items = String::new();
+    for resonance in &entry.resonances {
+        for (curve, coefficient) in ["SN", "PD"].into_iter().zip(resonance.coefficients()) {
+            let told = [
+                ("coefficient", "contradicts", "not measurable", &coefficient.agreement),
+                ("simulation", "otherwise", "undecided", &coefficient.simulation),
+            ];
+            for (what, against, open, judgement) in told {
+                let (word, reason) = match judgement {
+                    Judgement::For => continue,
+                    Judgement::Against(reason) => (against, reason),
+                    Judgement::Open(reason) => (open, reason),
+                };
+                put!(
+                    items,
+                    "<li><i>p</i> = {}, <i>n</i> = {} at {} = {}, {curve}, {what} {word}: {}</li>\n",
+                    resonance.loops,
+                    resonance.n,
+                    columns::symbol(&entry.secondary.0),
+                    number(resonance.secondary, PARAMETER),
+                    escape(reason),
+                );
+            }
+        }
+    }
+    items
 }
 
 /// Resonances at which no theorem applies, and what could not be unfolded, with the reasons.
@@ -255,6 +293,7 @@ fn without_curves(entry: &OscillatorEntry) -> String {
         "" => String::new(),
         _ => format!("<h4>{title}</h4>\n<ul class=\"reasons\">\n{items}</ul>\n"),
     };
-    list("Resonances at which the theorem does not apply", &items)
+    list("What was not borne out, and why", &reasons(entry))
+        + &list("Resonances at which the theorem does not apply", &items)
         + &list("What could not be unfolded", &lost)
 }

@@ -1,7 +1,7 @@
 //! The top of the page: what it is about, and how everything came out.
 
 use crate::html::{counted, escape, put};
-use crate::oscillator::{ENOUGH, Tally};
+use crate::oscillator::Tally;
 use crate::{OscillatorEntry, Report, State, figure, prose};
 
 /// The title of the page.
@@ -34,17 +34,17 @@ fn of_oscillators(report: &Report) -> String {
     let what = if found == 1 { "resonant grazing bifurcation" } else { "resonant grazing bifurcations" };
     card(&mut html, "#oscillators", "neutral", &found.to_string(), what);
     if all > 0 {
-        let tone = if agreeing == all { "passed" } else { "neutral" };
-        let words = format!("coefficients measured as by the theorem, to {ENOUGH} digits");
-        card(&mut html, "#oscillators", tone, &format!("{agreeing} of {all}"), &words);
-        let tone = if contradicted > 0 {
-            "failed"
-        } else if predicted == all {
-            "passed"
-        } else {
-            "neutral"
+        let tone = |good: usize, bad: usize| match bad {
+            0 if good == all => "passed",
+            0 => "neutral",
+            _ => "failed",
         };
-        card(&mut html, "#oscillators", tone, &format!("{predicted} of {all}"), "simulations as predicted");
+        for (good, bad, words) in [
+            (agreeing, sum(|tally| tally.differing), "coefficients measured as by the theorem"),
+            (predicted, contradicted, "simulations as predicted"),
+        ] {
+            card(&mut html, "#oscillators", tone(good, bad), &format!("{good} of {all}"), words);
+        }
     }
     html.push_str("</ul>\n<nav class=\"contents\" aria-label=\"Figures\"><ul>\n");
     html.push_str(&contents_of_oscillators(report));

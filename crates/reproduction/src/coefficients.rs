@@ -5,7 +5,7 @@ use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
 use grazing_theorems::Resonance;
 use grazing_unfold::Diagram;
-use grazing_unfold::diagram::Coefficients as Measured;
+use grazing_unfold::verdict;
 use rayon::prelude::*;
 
 use crate::StudyError;
@@ -39,9 +39,11 @@ impl Coefficients {
         located: &ResonantGrazingPoint<LinearOscillator>,
     ) -> Result<Self, StudyError> {
         let (loops, n) = (closed_form.loops(), closed_form.index());
-        let Measured { theorem, fit: [saddle_node, period_doubling] } = Measured::of(located);
-        let fitted = |curve, fit: Result<Estimate, _>| {
-            fit.map_err(|source| StudyError::Fit { curve, loops, n, source })
+        let [saddle_node, period_doubling] = verdict::coefficients(located);
+        let theorem = [saddle_node.theorem.value, period_doubling.theorem.value];
+        let fitted = |curve, coefficient: verdict::Coefficient| match coefficient.fit {
+            Ok(fit) => Ok(fit.coefficient),
+            Err(source) => Err(StudyError::Fit { curve, loops, n, source }),
         };
         let stability = closed_form.stability_coefficients();
         Ok(Self {

@@ -7,10 +7,11 @@ use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Integrated;
-use grazing_unfold::diagram::{Coefficients, Kind};
+use grazing_unfold::diagram::Kind;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
-use grazing_unfold::sides::{Sides, simulate};
+use grazing_unfold::sides::{Simulated, simulate};
 use grazing_unfold::stop::{Stoppable, Unfinished};
+use grazing_unfold::verdict::{Coefficient, coefficients};
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
 
@@ -39,13 +40,21 @@ pub struct AtResonance {
     /// The integer n.
     pub n: u32,
     /// c_SN and c_PD by the theorem and measured.
-    pub coefficients: Coefficients,
-    /// What the simulated hybrid system does beside the SN and the PD curve; nothing where no MPS was found there.
-    pub sides: [Option<Sides>; 2],
+    pub coefficients: [Coefficient; 2],
+    /// What the simulated hybrid system does beside the SN and the PD curve.
+    pub sides: [Simulated; 2],
     /// The window of the magnification.
     pub window: Window,
     /// Its curves; none where they could not be followed.
     pub magnified: Vec<Polyline>,
+}
+
+impl AtResonance {
+    /// What is known of the SN or the PD curve: its coefficient, and the motion beside it.
+    pub fn beside(&self, kind: Kind) -> (&Coefficient, &Simulated) {
+        let index = usize::from(kind == Kind::PeriodDoubling);
+        (&self.coefficients[index], &self.sides[index])
+    }
 }
 
 impl Unfolded<Integrated<Stoppable<Description>>> {
@@ -90,13 +99,14 @@ impl<O: ImpactOscillator> Unfolded<O> {
             .into_par_iter()
             .map(|(resonance, point)| {
                 let at = || {
+                    let coefficients = coefficients(point);
+                    let simulated = |kind| simulate(point, kind, &coefficients);
                     let window = window_about(&diagram, resonance, point);
                     AtResonance {
                         loops: resonance.loops,
                         n: resonance.n,
-                        coefficients: Coefficients::of(point),
-                        sides: [Kind::SaddleNode, Kind::PeriodDoubling]
-                            .map(|kind| simulate(point, kind).ok()),
+                        sides: [Kind::SaddleNode, Kind::PeriodDoubling].map(simulated),
+                        coefficients,
                         window,
                         magnified: magnify(&diagram, resonance, point, window).unwrap_or_default(),
                     }

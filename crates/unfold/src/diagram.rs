@@ -2,8 +2,6 @@
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Route, Window};
-use grazing_continuation::fit::{Estimate, FitError, quadratic_coefficient};
-use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance};
 use grazing_model::ImpactOscillator;
@@ -210,25 +208,4 @@ fn listed<O>(index: usize, resonance: &Resonance<O>, unfolded: UnfoldedResonance
     let grazing = unfolded.grazing.into_iter().map(|curve| of_kind(Kind::Grazing, curve));
     let curves = own.into_iter().chain(grazing).collect();
     Followed { resonance: index, curves, missing: unfolded.missing }
-}
-
-/// The quadratic coefficients at a resonance, by its theorem and measured.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Coefficients {
-    /// c_SN,p and c_PD,p by Theorem 2.4 or 2.5.
-    pub theorem: [f64; 2],
-    /// c_SN,p and c_PD,p as limits of μ/η² on the continued curves.
-    pub fit: [Result<Estimate, FitError>; 2],
-}
-
-impl Coefficients {
-    /// The coefficients at a resonance.
-    pub fn of<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> Self {
-        let theorem = point.theorem();
-        Self {
-            theorem: [theorem.saddle_node().coefficient, theorem.period_doubling().coefficient],
-            fit: [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING]
-                .map(|condition| quadratic_coefficient(point, condition)),
-        }
-    }
 }

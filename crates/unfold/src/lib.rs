@@ -4,10 +4,11 @@
 //! free           periodic motion without the wall, followed in the primary parameter until it touches the wall
 //!   └─ grazing   the curve of grazing bifurcations through that point, with all that the theorems need along it
 //!        └─ resonances   where a₁₂ (p = 1) or κ_p (p ≥ 2) vanishes on it: located, numbered, checked against the theorems
-//!             └─ diagram   SN, PD and GZ curves from every resonance, codimension-two points, coefficients
+//!             └─ diagram   SN, PD and GZ curves from every resonance, codimension-two points
 //!                  ├─ regions         where solutions are stable, as polygons
 //!                  ├─ magnification   the same curves close to one resonance, with the quadratic approximations
-//!                  └─ simulation      whether the hybrid system does what is predicted
+//!                  ├─ verdict         whether the theorem's coefficients are those of the curves
+//!                  └─ sides           whether the hybrid system, simulated (simulation), does what is predicted
 //! ```
 //!
 //! Everything is written against [`ImpactOscillator`](grazing_model::ImpactOscillator): the paper's oscillator with its closed
@@ -75,6 +76,7 @@ pub mod simulation;
 mod slices;
 pub mod stop;
 mod survey;
+pub mod verdict;
 mod winding;
 
 pub use diagram::Diagram;

@@ -4,104 +4,280 @@
 //! velocities on both curves at this η, 1 − T + D has the sign of s_p⁺ (Υ⁺ − y) and 1 + T + D that of s_p⁻ (y − Υ⁻)
 //! (eq:Psi, eq:Upsilon1, eq:Upsilonp), which says which of the two is stable. Simulation starts at their impacts: both must return,
 //! and the stable one alone must attract. Beyond the saddle-node no MPS is left, and motion must go elsewhere.
+//!
+//! All this is to leading order. How far along the curve the leading terms decide is read off the expansions that were measured
+//! there.
 
+use core::fmt;
+
+use grazing_continuation::fit::Measurement;
 use grazing_continuation::locate::{Condition, LocateFailure, locate};
 use grazing_continuation::mps::{Memory, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 
 use crate::diagram::Kind;
-use crate::simulation::{Seen, Suspect};
+use crate::simulation::{MOST_RETURNS, Seen, Suspect};
+use crate::verdict::Coefficient;
 
 /// What theory predicts of a slower and a faster MPS beside a bifurcation curve, and what the simulated hybrid system does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sides {
+    /// Impact velocity on the curve.
+    pub velocity: f64,
     /// Whether the slower and the faster MPS are stable, by the theorem.
     pub predicted: [bool; 2],
     /// What comes of their impacts.
     pub seen: [Seen; 2],
     /// Whether motion beside them comes nearer; `None` if this is undecided after many returns.
     pub attracts: [Option<bool>; 2],
-    /// For the saddle-node: beyond the curve motion goes elsewhere.
+    /// Whether motion beyond a saddle-node goes elsewhere, `None` if this is undecided; of other curves nothing is asked.
     pub gone_beyond: Option<bool>,
 }
 
-impl Sides {
-    /// Simulation lands on the predicted side.
-    pub fn as_predicted(&self) -> bool {
-        self.seen == [Seen::Returns; 2]
-            && self.attracts == self.predicted.map(Some)
-            && self.gone_beyond != Some(false)
+/// What comes of simulating to both sides of a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Simulated {
+    /// Motion does what the theorem predicts.
+    AsPredicted(Sides),
+    /// It does something else at all velocities that were tried, of which this one is the smallest.
+    Against(Sides),
+    /// Neither can be said.
+    Undecided(Doubt),
+}
+
+/// Why simulation decides nothing.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum Doubt {
+    /// Where the leading terms decide, impacts are too slow to be told from rounding.
+    #[error(
+        "the leading terms decide up to impact velocity {leading:.0e} only, and from {least:.0e} on it can be simulated"
+    )]
+    TooSlow {
+        /// The impact velocity up to which the leading terms decide.
+        leading: f64,
+        /// The least impact velocity that is simulated.
+        least: f64,
+    },
+    /// The curve was not measured, so that nobody knows how far the leading terms decide.
+    #[error("the curves were not measured, so that it is unknown how far the leading terms decide")]
+    NotMeasured,
+    /// No MPS was found beside the curve.
+    #[error("no solution was found beside the curve at impact velocity {velocity:.0e}: {failure}")]
+    NoSolution {
+        /// The impact velocity on the curve.
+        velocity: f64,
+        /// What happened.
+        failure: LocateFailure,
+    },
+    /// Motion beside an MPS comes neither nearer nor gets away.
+    #[error(
+        "slow convergence: at impact velocity {velocity:.0e} motion comes neither nearer nor gets away in {returns} returns"
+    )]
+    SlowConvergence {
+        /// The impact velocity on the curve.
+        velocity: f64,
+        /// After so many returns.
+        returns: usize,
+    },
+    /// Motion is not as predicted, but it could not be seen at enough smaller velocities to say that it never is.
+    #[error(
+        "not as predicted at impact velocity {velocity:.0e}, but nearer to the resonance it cannot be simulated often enough"
+    )]
+    OnlyHere {
+        /// The impact velocity on the curve.
+        velocity: f64,
+    },
+}
+
+impl Simulated {
+    /// Whether motion is as predicted, in a word.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::AsPredicted(_) => "yes",
+            Self::Against(_) => "no",
+            Self::Undecided(_) => "undecided",
+        }
+    }
+
+    /// Why it is not as predicted or why that is undecided, in words; empty where it is.
+    pub fn reason(&self) -> String {
+        match self {
+            Self::AsPredicted(_) => String::new(),
+            Self::Against(sides) => sides.to_string(),
+            Self::Undecided(doubt) => doubt.to_string(),
+        }
     }
 }
 
-/// Impact velocity on the curve, so small that the leading terms decide (empirical, as for the fit of coefficients).
-const VELOCITY: f64 = 0.01;
+/// The largest and the least impact velocity that is simulated, in units of γ/ω, the scale of motion at the wall (empirical): positions are
+/// known to some 10⁻¹⁵, velocities so to 10⁻¹⁵ over the velocity itself, and the displacements that are followed, down to some
+/// 10⁻⁵ of it, are to be larger.
+const LARGEST: f64 = 0.02;
+const LEAST: f64 = 2e-5;
+/// Terms of next order may be this share of the leading ones.
+const SHARE: f64 = 0.2;
 /// The two MPSs lie this share of the gap between both curves aside, and of the velocity itself.
 const ASIDE: f64 = 0.4;
+/// So many velocities are tried, each a quarter of the one before: theory speaks of a limit, and motion is against it only if it is at all of
+/// them.
+const VELOCITIES: usize = 3;
 
-/// Simulates the hybrid system to both sides of the SN or PD curve close to its resonance.
-///
-/// # Errors
-/// A point of the curve, or an MPS beside it, was not found.
+/// Simulates the hybrid system to both sides of the SN or PD curve close to its resonance, where `coefficients` were measured.
 pub fn simulate<O: ImpactOscillator>(
     point: &ResonantGrazingPoint<O>,
     kind: Kind,
-) -> Result<Sides, LocateFailure> {
-    let (own, other) = match kind {
-        Kind::PeriodDoubling => (Condition::PERIOD_DOUBLING, Condition::SADDLE_NODE),
-        _ => (Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING),
+    coefficients: &[Coefficient; 2],
+) -> Simulated {
+    let [saddle_node, period_doubling] = coefficients;
+    let measured = match kind {
+        Kind::PeriodDoubling => [&period_doubling.fit, &saddle_node.fit],
+        _ => [&saddle_node.fit, &period_doubling.fit],
     };
-    let slope = |condition| {
-        let direction = point.direction(condition);
-        direction[unknown::VELOCITY] / direction[unknown::SECONDARY]
-    };
-    let ratio = slope(other) / slope(own);
-    let equations = point.equations();
-    let find = |conditions, near| locate(equations, conditions, near, &mut Memory::default());
-
-    let direction = point.direction(own);
-    let near = point.unknowns() + direction * (VELOCITY / direction[unknown::VELOCITY]);
-    let middle = find([own, Condition::ImpactVelocity(VELOCITY)], near)?;
-    let aside = ASIDE * (1.0 - ratio).abs().min(1.0);
-    let branch = Condition::Secondary(middle[unknown::SECONDARY]);
-    let beside = |share: f64| {
-        let velocity = share * VELOCITY;
-        let mut near = middle;
-        near[unknown::VELOCITY] = velocity;
-        find([branch, Condition::ImpactVelocity(velocity)], near)
-    };
-    let solutions = [beside(1.0 - aside)?, beside(1.0 + aside)?];
-
-    let stability = point.resonant_point().stability_coefficients();
-    let [saddle_node, period_doubling] = match kind {
-        Kind::PeriodDoubling => [ratio * VELOCITY, VELOCITY],
-        _ => [VELOCITY, ratio * VELOCITY],
-    };
+    let [Ok(own), Ok(other)] = measured else { return Simulated::Undecided(Doubt::NotMeasured) };
     let grazing = &point.resonant_point().grazing;
-    let contracts =
-        libm::pow(grazing.map.determinant(), f64::from(point.loops())) * grazing.phi * grazing.phi < 1.0;
-    let predicted = solutions.map(|solution| {
-        let velocity = solution[unknown::VELOCITY];
-        contracts
-            && stability.plus * (velocity - saddle_node) < 0.0
-            && stability.minus * (velocity - period_doubling) > 0.0
-    });
+    let scale = grazing.gamma / grazing.forcing_frequency;
+    let (leading, least) = (leading(own, other), LEAST * scale);
+    let largest = leading.min(LARGEST * scale);
+    if largest.is_nan() || largest < least {
+        return Simulated::Undecided(Doubt::TooSlow { leading, least });
+    }
+    let (mut doubt, mut against, mut velocity) = (Doubt::NotMeasured, 0, largest);
+    for _ in 0..VELOCITIES {
+        if velocity < least {
+            break;
+        }
+        match Sides::at(point, kind, velocity) {
+            Ok(sides) => match sides.as_predicted() {
+                Some(true) => return Simulated::AsPredicted(sides),
+                Some(false) => {
+                    against += 1;
+                    if against == VELOCITIES {
+                        return Simulated::Against(sides);
+                    }
+                    doubt = Doubt::OnlyHere { velocity };
+                }
+                None => doubt = Doubt::SlowConvergence { velocity, returns: MOST_RETURNS },
+            },
+            Err(failure) => doubt = Doubt::NoSolution { velocity, failure },
+        }
+        velocity *= 0.25;
+    }
+    Simulated::Undecided(doubt)
+}
 
-    let oscillators = solutions.map(|solution| equations.oscillator_at(&solution));
-    let suspects = [0, 1].map(|k| suspect(&oscillators[k], point.loops(), &solutions[k]));
-    let gone_beyond = (kind == Kind::SaddleNode).then(|| {
-        let mut beyond = middle;
-        // As far to the other side of the curve as the MPSs lie on theirs.
-        beyond[unknown::PRIMARY] -= solutions[1][unknown::PRIMARY] - middle[unknown::PRIMARY];
-        suspect(&equations.oscillator_at(&beyond), point.loops(), &beyond).attracts() == Some(false)
-    });
-    Ok(Sides {
-        predicted,
-        seen: suspects.each_ref().map(Suspect::follow),
-        attracts: suspects.each_ref().map(Suspect::attracts),
-        gone_beyond,
-    })
+/// The impact velocity up to which the terms of next order are small: in η along the own curve, against the way aside; in η along the
+/// other curve, against the gap between both; in μ.
+fn leading(own: &Measurement, other: &Measurement) -> f64 {
+    let gap = (other.eta[0] - own.eta[0]).abs();
+    let aside = ASIDE * gap.min(own.eta[0].abs());
+    let limits = [aside / own.eta[1].abs(), gap / other.eta[1].abs(), (own.mu[0] / own.mu[1]).abs()];
+    SHARE * limits.into_iter().fold(f64::INFINITY, f64::min)
+}
+
+/// What is seen instead of what is predicted.
+impl fmt::Display for Sides {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut told = Vec::new();
+        for (k, which) in ["slower", "faster"].into_iter().enumerate() {
+            let predicted = if self.predicted[k] { "stable" } else { "unstable" };
+            match (self.seen[k], self.attracts[k]) {
+                (Seen::Returns, Some(seen)) if seen != self.predicted[k] => {
+                    let verb = if seen { "attracts" } else { "repels" };
+                    told.push(format!("the {which} solution is predicted to be {predicted} and {verb}"));
+                }
+                (Seen::Returns, _) => {}
+                (Seen::NoImpact, _) => told.push(format!("the {which} solution has no impact")),
+                (Seen::MeetsTheWall, _) => {
+                    told.push(format!("the {which} solution meets the wall too early"))
+                }
+                (Seen::GoesElsewhere, _) => told.push(format!("the {which} solution does not return")),
+            }
+        }
+        if self.gone_beyond == Some(false) {
+            told.push("motion stays where no solution is left".to_owned());
+        }
+        write!(formatter, "at impact velocity {:.0e} {}", self.velocity, told.join(", "))
+    }
+}
+
+impl Sides {
+    /// Simulation lands on the predicted side; `None` if that is undecided.
+    pub fn as_predicted(&self) -> Option<bool> {
+        let against = |(predicted, seen): (&bool, &Option<bool>)| seen.is_some_and(|seen| seen != *predicted);
+        if self.seen != [Seen::Returns; 2]
+            || self.predicted.iter().zip(&self.attracts).any(against)
+            || self.gone_beyond == Some(false)
+        {
+            return Some(false);
+        }
+        (!self.attracts.contains(&None) && self.gone_beyond.is_some()).then_some(true)
+    }
+
+    /// Simulates to both sides of the point of the curve with this impact velocity.
+    fn at<O: ImpactOscillator>(
+        point: &ResonantGrazingPoint<O>,
+        kind: Kind,
+        velocity: f64,
+    ) -> Result<Self, LocateFailure> {
+        let (own, other) = match kind {
+            Kind::PeriodDoubling => (Condition::PERIOD_DOUBLING, Condition::SADDLE_NODE),
+            _ => (Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING),
+        };
+        let slope = |condition| {
+            let direction = point.direction(condition);
+            direction[unknown::VELOCITY] / direction[unknown::SECONDARY]
+        };
+        let ratio = slope(other) / slope(own);
+        let equations = point.equations();
+        let find = |conditions, near| locate(equations, conditions, near, &mut Memory::default());
+
+        let direction = point.direction(own);
+        let near = point.unknowns() + direction * (velocity / direction[unknown::VELOCITY]);
+        let middle = find([own, Condition::ImpactVelocity(velocity)], near)?;
+        let aside = ASIDE * (1.0 - ratio).abs().min(1.0);
+        let branch = Condition::Secondary(middle[unknown::SECONDARY]);
+        let beside = |share: f64| {
+            let mut near = middle;
+            near[unknown::VELOCITY] = share * velocity;
+            find([branch, Condition::ImpactVelocity(share * velocity)], near)
+        };
+        let solutions = [beside(1.0 - aside)?, beside(1.0 + aside)?];
+
+        let stability = point.resonant_point().stability_coefficients();
+        let [saddle_node, period_doubling] = match kind {
+            Kind::PeriodDoubling => [ratio * velocity, velocity],
+            _ => [velocity, ratio * velocity],
+        };
+        let grazing = &point.resonant_point().grazing;
+        let contracts =
+            libm::pow(grazing.map.determinant(), f64::from(point.loops())) * grazing.phi * grazing.phi < 1.0;
+        let predicted = solutions.map(|solution| {
+            let velocity = solution[unknown::VELOCITY];
+            contracts
+                && stability.plus * (velocity - saddle_node) < 0.0
+                && stability.minus * (velocity - period_doubling) > 0.0
+        });
+
+        let oscillators = solutions.map(|solution| equations.oscillator_at(&solution));
+        let suspects = [0, 1].map(|k| suspect(&oscillators[k], point.loops(), &solutions[k]));
+        let gone_beyond = if kind == Kind::SaddleNode {
+            let mut beyond = middle;
+            // As far to the other side of the curve as the MPSs lie on theirs.
+            beyond[unknown::PRIMARY] -= solutions[1][unknown::PRIMARY] - middle[unknown::PRIMARY];
+            let attracts = suspect(&equations.oscillator_at(&beyond), point.loops(), &beyond).attracts();
+            attracts.map(|attracts| !attracts)
+        } else {
+            Some(true)
+        };
+        Ok(Self {
+            velocity,
+            predicted,
+            seen: suspects.each_ref().map(Suspect::follow),
+            attracts: suspects.each_ref().map(Suspect::attracts),
+            gone_beyond,
+        })
+    }
 }
 
 fn suspect<'a, O: ImpactOscillator>(oscillator: &'a O, loops: u32, at: &Unknowns) -> Suspect<'a, O> {

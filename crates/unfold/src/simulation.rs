@@ -39,7 +39,7 @@ const PART: f64 = 3e-4;
 const RESOLUTION: f64 = 1e-3;
 
 /// How often a perturbed orbit is followed through p forcing periods before its fate counts as undecided.
-const MOST_RETURNS: usize = 5_000;
+pub const MOST_RETURNS: usize = 5_000;
 
 impl<O: ImpactOscillator> Suspect<'_, O> {
     /// Time from recoil to impact if it is an MPS: p forcing periods less what passes during the impact.

@@ -5,18 +5,19 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use grazing_continuation::fit::{Estimate, FitError};
 use grazing_description::{Axis, Description};
 use grazing_drawing::SheetWidth;
 use grazing_model::ImpactOscillator;
 use grazing_report::{
-    CoefficientEntry, CsvTable, Figure, Finding, Manifest, OscillatorEntry, OutputFile, Report,
+    CoefficientEntry, CsvTable, Figure, Finding, Judgement, Manifest, OscillatorEntry, OutputFile, Report,
     ResonanceEntry,
 };
 use grazing_reproduction::Table;
 use grazing_reproduction::unfolded::{AtResonance, Observer, Unfolded};
-use grazing_unfold::sides::Sides;
+use grazing_unfold::diagram::Kind;
+use grazing_unfold::sides::Simulated;
 use grazing_unfold::stop::Stop;
+use grazing_unfold::verdict::Verdict;
 
 use super::{file_name, links, versions};
 use crate::failure::Failure;
@@ -276,7 +277,9 @@ fn resonances(unfolded: &Analysis) -> Vec<ResonanceEntry> {
         let finding = match &resonance.theorem {
             Ok(_) => {
                 let Some(at) = measured.next() else { continue };
-                Finding::Unfolded(Box::new([0, 1].map(|index| coefficient(at, index))))
+                Finding::Unfolded(Box::new(
+                    [Kind::SaddleNode, Kind::PeriodDoubling].map(|kind| coefficient(at, kind)),
+                ))
             }
             Err(violated) => {
                 let failing = violated.violated();
@@ -304,17 +307,26 @@ fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
     unlocated.chain(not_followed).chain(unfinished).collect()
 }
 
-/// c_SN (0) or c_PD (1).
-fn coefficient(at: &AtResonance, index: usize) -> CoefficientEntry {
-    let theorem = at.coefficients.theorem[index];
-    let fit: &Result<Estimate, FitError> = &at.coefficients.fit[index];
-    let measured = fit.as_ref().ok().map(|estimate| (estimate.value, agreement(theorem, estimate.value)));
-    CoefficientEntry { theorem, measured, as_predicted: at.sides[index].as_ref().and_then(as_predicted) }
-}
-
-/// Whether simulation lands on the predicted side; nothing if that is undecided.
-fn as_predicted(sides: &Sides) -> Option<bool> {
-    (sides.as_predicted() || !sides.attracts.contains(&None)).then(|| sides.as_predicted())
+/// c_SN or c_PD.
+fn coefficient(at: &AtResonance, kind: Kind) -> CoefficientEntry {
+    let (coefficient, simulated) = at.beside(kind);
+    let theorem = coefficient.theorem.value;
+    let verdict = coefficient.verdict();
+    let measured = match (verdict, &coefficient.fit) {
+        (Verdict::NotMeasurable(_), _) | (_, Err(_)) => None,
+        (_, Ok(fit)) => Some((fit.coefficient.value, agreement(theorem, fit.coefficient.value))),
+    };
+    let agreement = match verdict {
+        Verdict::Agree => Judgement::For,
+        Verdict::NotMeasurable(_) => Judgement::Open(verdict.reason()),
+        Verdict::Contradict => Judgement::Against(verdict.reason()),
+    };
+    let simulation = match simulated {
+        Simulated::AsPredicted(_) => Judgement::For,
+        Simulated::Against(_) => Judgement::Against(simulated.reason()),
+        Simulated::Undecided(_) => Judgement::Open(simulated.reason()),
+    };
+    CoefficientEntry { theorem, measured, agreement, simulation }
 }
 
 #[cfg(test)]

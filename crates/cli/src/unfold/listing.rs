@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use grazing_continuation::curve::CurveEnd;
-use grazing_continuation::fit::{Estimate, FitError};
 use grazing_continuation::locate::Condition;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
@@ -14,7 +13,8 @@ use grazing_unfold::Diagram;
 use grazing_unfold::diagram::{DiagramCurve, Kind};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::regions::RegionKind;
-use grazing_unfold::sides::Sides;
+use grazing_unfold::sides::Simulated;
+use grazing_unfold::verdict::Verdict;
 
 use super::Analysis;
 use super::layout::{KEPT, aligned, wrapped};
@@ -168,19 +168,73 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     let header =
         ["p", "n", secondary, "curve", "c by theorem", "c measured", "digits agreeing", "as simulated"];
     text.push_str(&aligned(&header, rows));
+    for ((_, point), at) in &found {
+        let [_, eta] = point.orbit().oscillator().parameters();
+        for kind in [Kind::SaddleNode, Kind::PeriodDoubling] {
+            text.push_str(&reasons(secondary, eta, kind, at));
+        }
+    }
     text
+}
+
+/// Why a coefficient was not measured or simulation is not as predicted; nothing if all is well.
+fn reasons(secondary: &str, eta: f64, kind: Kind, at: &AtResonance) -> String {
+    let (coefficient, simulated) = at.beside(kind);
+    let verdict = coefficient.verdict();
+    let mark = format!(
+        "  p = {}, n = {}, {secondary} = {}, {}:  ",
+        at.loops,
+        at.n,
+        significant(eta, QUANTITY),
+        kind.name()
+    );
+    let mut text = String::new();
+    if verdict != Verdict::Agree {
+        text.push_str(&wrapped(&mark, &format!("{}: {}", verdict.name(), verdict.reason())));
+    }
+    if !matches!(simulated, Simulated::AsPredicted(_)) {
+        let content = format!("as simulated {}: {}", simulated.name(), simulated.reason());
+        text.push_str(&wrapped(&mark, &content));
+    }
+    text
+}
+
+/// A sentence for every coefficient and simulation that contradicts the theorem.
+pub(super) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
+    let mut told = Vec::new();
+    for at in resonances {
+        for kind in [Kind::SaddleNode, Kind::PeriodDoubling] {
+            let (coefficient, simulated) = at.beside(kind);
+            let what = format!("p = {}, n = {}", at.loops, at.n);
+            if let (Verdict::Contradict, Ok(fit)) = (coefficient.verdict(), &coefficient.fit) {
+                let number = |value: f64| brief(value, COEFFICIENT);
+                told.push(format!(
+                    "{what}: c_{} is {} by the theorem, to {:.0e}, and {} on the continued curve, to {:.0e}",
+                    kind.name(),
+                    number(coefficient.theorem.value),
+                    coefficient.theorem.error,
+                    number(fit.coefficient.value),
+                    fit.coefficient.error
+                ));
+            }
+            if let Simulated::Against(sides) = simulated {
+                told.push(format!("{what}: beside the {} curve, {sides}", kind.name()));
+            }
+        }
+    }
+    told
 }
 
 /// A row: one coefficient by the theorem, measured, and whether simulation agrees.
 fn coefficient(secondary: f64, kind: Kind, at: &AtResonance) -> Vec<String> {
-    let index = usize::from(kind == Kind::PeriodDoubling);
-    let theorem = at.coefficients.theorem[index];
-    let fit: &Result<Estimate, FitError> = &at.coefficients.fit[index];
-    let (measured, digits) = match fit {
-        Ok(estimate) => {
-            (significant(estimate.value, COEFFICIENT), agreement(theorem, estimate.value).to_string())
+    let (coefficient, simulated) = at.beside(kind);
+    let theorem = coefficient.theorem.value;
+    let (measured, digits) = match (coefficient.verdict(), &coefficient.fit) {
+        (Verdict::Agree | Verdict::Contradict, Ok(fit)) => {
+            let value = fit.coefficient.value;
+            (significant(value, COEFFICIENT), agreement(theorem, value).to_string())
         }
-        Err(_) => ("not found".to_owned(), "-".to_owned()),
+        (verdict, _) => (verdict.name().to_owned(), "-".to_owned()),
     };
     vec![
         at.loops.to_string(),
@@ -191,17 +245,8 @@ fn coefficient(secondary: f64, kind: Kind, at: &AtResonance) -> Vec<String> {
         significant(theorem, COEFFICIENT),
         measured,
         digits,
-        verdict(at.sides[index].as_ref()).to_owned(),
+        simulated.name().to_owned(),
     ]
-}
-
-fn verdict(sides: Option<&Sides>) -> &'static str {
-    match sides {
-        Some(sides) if sides.as_predicted() => "yes",
-        None => "unclear",
-        Some(sides) if sides.attracts.contains(&None) => "unclear",
-        Some(_) => "no",
-    }
 }
 
 /// Resonances at which no theorem applies, with what fails.
@@ -331,12 +376,72 @@ fn odd_end(end: &CurveEnd) -> Option<String> {
 mod tests {
     use super::*;
     use grazing_continuation::curve::Window;
+    use grazing_continuation::fit::{Estimate, Measurement};
     use grazing_continuation::locate::LocateFailure;
     use grazing_continuation::resonance::ResonanceError;
     use grazing_unfold::Scope;
     use grazing_unfold::diagram::NotUnfolded;
     use grazing_unfold::resonances::Unlocated;
+    use grazing_unfold::sides::{Doubt, Sides};
+    use grazing_unfold::simulation::Seen;
     use grazing_unfold::stop::Unfinished;
+    use grazing_unfold::verdict::{Coefficient, Obstacle};
+
+    /// A resonance whose saddle-node coefficient is measured with an error, and what simulation shows beside that curve.
+    fn resonance(error: f64, simulated: Simulated) -> AtResonance {
+        let coefficient = |error| Coefficient {
+            stability: 1.0,
+            theorem: Estimate { value: -2.5, error: 1e-9 },
+            fit: Ok(Measurement {
+                coefficient: Estimate { value: -2.25, error },
+                eta: [1.0, 0.0],
+                mu: [-2.25, 0.0],
+                velocity: 0.01,
+            }),
+        };
+        AtResonance {
+            loops: 2,
+            n: 3,
+            coefficients: [coefficient(error), coefficient(1.0)],
+            sides: [simulated, Simulated::Undecided(Doubt::NotMeasured)],
+            window: Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] },
+            magnified: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn contradictions_are_told_with_both_values_and_errors_and_doubts_with_their_reasons() {
+        let sides = Sides {
+            velocity: 0.001,
+            predicted: [false, true],
+            seen: [Seen::Returns; 2],
+            attracts: [Some(false); 2],
+            gone_beyond: Some(true),
+        };
+        let bad = resonance(1e-7, Simulated::Against(sides));
+        let told = contradictions(&[bad]);
+        assert_eq!(
+            told,
+            [
+                "p = 2, n = 3: c_SN is -2.5 by the theorem, to 1e-9, and -2.25 on the continued curve, to 1e-7",
+                "p = 2, n = 3: beside the SN curve, at impact velocity 1e-3 the faster solution is predicted to be stable \
+                 and repels",
+            ]
+        );
+        let failure = crate::failure::Failure::Contradiction { file: "a.toml".into(), what: told.join("; ") };
+        assert_eq!(failure.exit_code(), 1);
+        let doubtful = resonance(1.0, Simulated::Undecided(Doubt::TooSlow { leading: 1e-9, least: 1e-6 }));
+        assert!(contradictions(std::slice::from_ref(&doubtful)).is_empty());
+        let (coefficient, _) = doubtful.beside(Kind::SaddleNode);
+        assert!(matches!(coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
+        let told = reasons("omega", 0.75, Kind::SaddleNode, &doubtful);
+        for wanted in [
+            "p = 2, n = 3, omega = 0.75000, SN:  not measurable: where",
+            "as simulated undecided: the leading",
+        ] {
+            assert!(told.contains(wanted), "{told}");
+        }
+    }
 
     #[test]
     fn resonances_that_could_not_be_unfolded_are_named_with_the_reason() {

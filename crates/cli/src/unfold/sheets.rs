@@ -90,7 +90,7 @@ fn panels(unfolded: &Analysis) -> Vec<MagnifiedPanel> {
         .filter(|(_, at)| !at.magnified.is_empty() && wide(at.window.primary) && wide(at.window.secondary));
     shown
         .map(|(panel, at)| {
-            let [c_sn, c_pd] = at.coefficients.theorem;
+            let [c_sn, c_pd] = at.coefficients.map(|coefficient| coefficient.theorem.value);
             let window = Window { x: at.window.primary, y: at.window.secondary };
             let heading = Heading { p: i64::from(at.loops), n: Some(i64::from(at.n)), c_sn, c_pd };
             MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }

@@ -1,7 +1,7 @@
 //! A small report with everything in it, for the tests.
 
 use grazing_report::{
-    ClaimEntry, CoefficientEntry, CsvTable, Figure, Finding, Manifest, Measured, MisprintEntry,
+    ClaimEntry, CoefficientEntry, CsvTable, Figure, Finding, Judgement, Manifest, Measured, MisprintEntry,
     OscillatorEntry, OutputFile, PublishedEntry, Report, ResonanceEntry, Source, TableOutput, Verdict,
 };
 
@@ -63,9 +63,15 @@ fn published(id: &str, met: bool) -> PublishedEntry {
 /// An oscillator, with text of others in every place.
 pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
     let hostile = || HOSTILE.to_owned();
-    let coefficient = |measured, as_predicted| CoefficientEntry { theorem: -12.5, measured, as_predicted };
+    let coefficient = |measured, judgement: Judgement| CoefficientEntry {
+        theorem: -12.5,
+        measured,
+        agreement: judgement.clone(),
+        simulation: judgement,
+    };
     let resonance = |n, finding| ResonanceEntry { loops: 2, n, primary: 0.5, secondary: 0.75, finding };
-    let unfolded = [coefficient(Some((-12.500_001, 7)), Some(true)), coefficient(None, None)];
+    let unfolded =
+        [coefficient(Some((-12.500_001, 7)), Judgement::For), coefficient(None, Judgement::Open(hostile()))];
     let mut drawn = figure("diagram", "two-parameter bifurcation diagram");
     // The panel says which columns it shows, as titles of parameters do not.
     drawn.svg = drawn.svg.replace("data-x=", "data-columns=\"F_0 A\" data-tables=\"points\" data-x=");

@@ -1,10 +1,10 @@
 //! The tables that only an oscillator in general has: quantities along the grazing curve, hypotheses, coefficients.
 
 use grazing_continuation::criticality::coefficient_at_resonance;
-use grazing_continuation::fit::{Estimate, FitError};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::hypothesis::Hypothesis;
 use grazing_theorems::{ResonantPoint, Unfolding};
+use grazing_unfold::verdict::Coefficient;
 
 use super::Unfolded;
 use crate::StudyError;
@@ -103,19 +103,24 @@ pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Resul
         (format!("{}_graz", unfolded.axes.primary), format!("{}_star", unfolded.axes.secondary));
     let mut columns = columns! {
         "p": 0, "n": 0, secondary: 0.0, primary: 0.0, "s_plus": 0.0, "s_minus": 0.0, "c_sn": 0.0, "c_pd": 0.0,
-        "c_sn_fit": 0.0, "c_pd_fit": 0.0, "c_sn_fit_error": 0.0, "c_pd_fit_error": 0.0, "tau": 0.0, "delta": 0.0,
+        "c_sn_error": 0.0, "c_pd_error": 0.0, "c_sn_fit": 0.0, "c_pd_fit": 0.0, "c_sn_fit_error": 0.0,
+        "c_pd_fit_error": 0.0, "sn_verdict": "", "sn_reason": "", "pd_verdict": "", "pd_reason": "", "tau": 0.0, "delta": 0.0,
         "alpha": 0.0, "beta": 0.0, "gamma": 0.0, "xi": 0.0, "a12_prime": 0.0, "kappa_prime": 0.0,
-        "pd_criticality": 0.0, "sn_as_simulated": false, "pd_as_simulated": false,
+        "pd_criticality": 0.0, "sn_as_simulated": "", "sn_simulation_reason": "", "pd_as_simulated": "",
+        "pd_simulation_reason": "",
     };
-    let value = |fit: &Result<Estimate, FitError>| fit.as_ref().map_or(f64::NAN, |estimate| estimate.value);
-    let error = |fit: &Result<Estimate, FitError>| fit.as_ref().map_or(f64::NAN, |estimate| estimate.error);
+    let fitted = |coefficient: &Coefficient| match &coefficient.fit {
+        Ok(fit) => [fit.coefficient.value, fit.coefficient.error],
+        Err(_) => [f64::NAN; 2],
+    };
     for ((resonance, point), at) in unfolded.diagram.unfolding().zip(&unfolded.resonances) {
         let [_, _, primary, secondary] = point.unknowns().into();
         let known = point.resonant_point();
         let stability = known.stability_coefficients();
         let [a12_prime, kappa_prime] = slopes(known);
-        let [saddle_node, period_doubling] = &at.coefficients.fit;
-        let simulated = at.sides.map(|sides| sides.is_some_and(|sides| sides.as_predicted()));
+        let theorem = at.coefficients.each_ref().map(|coefficient| coefficient.theorem);
+        let fit = at.coefficients.each_ref().map(fitted);
+        let verdicts = at.coefficients.map(|coefficient| coefficient.verdict());
         columns.push(row![
             resonance.loops,
             resonance.n,
@@ -123,12 +128,18 @@ pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Resul
             primary,
             stability.plus,
             stability.minus,
-            at.coefficients.theorem[0],
-            at.coefficients.theorem[1],
-            value(saddle_node),
-            value(period_doubling),
-            error(saddle_node),
-            error(period_doubling),
+            theorem[0].value,
+            theorem[1].value,
+            theorem[0].error,
+            theorem[1].error,
+            fit[0][0],
+            fit[1][0],
+            fit[0][1],
+            fit[1][1],
+            verdicts[0].name(),
+            verdicts[0].reason(),
+            verdicts[1].name(),
+            verdicts[1].reason(),
             known.grazing.map.trace(),
             known.grazing.map.determinant(),
             known.grazing.alpha(),
@@ -138,8 +149,10 @@ pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Resul
             a12_prime,
             kappa_prime,
             coefficient_at_resonance(known),
-            simulated[0],
-            simulated[1],
+            at.sides[0].name(),
+            at.sides[0].reason(),
+            at.sides[1].name(),
+            at.sides[1].reason(),
         ]);
     }
     Ok(columns.finish("coefficients")?)

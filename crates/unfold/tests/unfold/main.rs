@@ -7,3 +7,4 @@ mod regions;
 mod resonances;
 mod search;
 mod specimens;
+mod verdicts;

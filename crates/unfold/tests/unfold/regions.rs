@@ -1,8 +1,9 @@
-//! Polygons of stability against all maximal periodic solutions in closed form, which a quadratic equation gives.
+//! Regions of stability against all maximal periodic solutions in closed form, which a quadratic equation gives.
 
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_unfold::progress::Silent;
-use grazing_unfold::regions::{self, Polygon};
+use grazing_trials::closed_form;
+use grazing_unfold::regions::{Region, RegionKind};
 use grazing_unfold::simulation::{Seen, Suspect};
 use grazing_unfold::{Diagram, Scope};
 
@@ -11,21 +12,8 @@ use crate::specimens::{EPSILON, ZETA, constant, example, grazing_at, scope};
 /// Cells of the lattice of points, each way.
 const LATTICE: u32 = 40;
 
-/// Whether a point lies inside a polygon: the parity of the edges that a ray crosses.
-fn inside(polygon: &Polygon, [x, y]: [f64; 2]) -> bool {
-    let mut odd = false;
-    let vertices = &polygon.vertices;
-    for (k, a) in vertices.iter().enumerate() {
-        let b = vertices[(k + 1) % vertices.len()];
-        if (a[1] > y) != (b[1] > y) && x < a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1]) {
-            odd = !odd;
-        }
-    }
-    odd
-}
-
 /// The distance of a point from the border of a polygon, in shares of the ranges.
-fn distance(polygon: &Polygon, at: [f64; 2], scope: &Scope) -> f64 {
+fn distance(region: &Region, at: [f64; 2], scope: &Scope) -> f64 {
     let [primary, secondary] = [scope.window.primary, scope.window.secondary];
     let place = |p: [f64; 2]| {
         [
@@ -34,23 +22,24 @@ fn distance(polygon: &Polygon, at: [f64; 2], scope: &Scope) -> f64 {
         ]
     };
     let [x, y] = place(at);
-    let vertices = &polygon.vertices;
     let mut least = f64::INFINITY;
-    for (k, a) in vertices.iter().enumerate() {
-        let [a, b] = [place(*a), place(vertices[(k + 1) % vertices.len()])];
-        let [u, v] = [b[0] - a[0], b[1] - a[1]];
-        let along = (((x - a[0]) * u + (y - a[1]) * v) / (u * u + v * v)).clamp(0.0, 1.0);
-        // Where two vertices are one there is no edge.
-        let along = if along.is_nan() { 0.0 } else { along };
-        least = least.min(libm::hypot(a[0] + along * u - x, a[1] + along * v - y));
+    for vertices in &region.rings {
+        for (k, a) in vertices.iter().enumerate() {
+            let [a, b] = [place(*a), place(vertices[(k + 1) % vertices.len()])];
+            let [u, v] = [b[0] - a[0], b[1] - a[1]];
+            let along = (((x - a[0]) * u + (y - a[1]) * v) / (u * u + v * v)).clamp(0.0, 1.0);
+            // Where two vertices are one there is no edge.
+            let along = if along.is_nan() { 0.0 } else { along };
+            least = least.min(libm::hypot(a[0] + along * u - x, a[1] + along * v - y));
+        }
     }
     least
 }
 
 /// Points of the polygon on a lattice over its extent, those on its very border left out.
-fn points_of(polygon: &Polygon, scope: &Scope) -> Vec<[f64; 2]> {
+fn points_of(region: &Region, scope: &Scope) -> Vec<[f64; 2]> {
     let extent = |axis: usize| {
-        let values = polygon.vertices.iter().map(|vertex| vertex[axis]);
+        let values = region.rings.iter().flatten().map(|vertex| vertex[axis]);
         values
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
     };
@@ -58,7 +47,7 @@ fn points_of(polygon: &Polygon, scope: &Scope) -> Vec<[f64; 2]> {
     let at = |[low, high]: [f64; 2], k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(LATTICE);
     let lattice = (0..LATTICE).flat_map(|i| (0..LATTICE).map(move |j| [at(across, i), at(up, j)]));
     // The chords of curves whose steps turn by two degrees leave them by less than this.
-    lattice.filter(|point| inside(polygon, *point) && distance(polygon, *point, scope) > 1e-4).collect()
+    lattice.filter(|point| region.contains(*point) && distance(region, *point, scope) > 1e-4).collect()
 }
 
 /// In every polygon there is a stable, admissible solution, to which simulation from event to event returns.
@@ -70,8 +59,9 @@ fn assert_stable_inside<O: ImpactOscillator>(
     reduced: impl Fn([f64; 2]) -> [f64; 2],
 ) -> Vec<(u32, u32)> {
     let mut found = Vec::new();
-    for polygon in regions::all(diagram) {
-        let points = points_of(&polygon, &diagram.scope);
+    for polygon in &diagram.regions {
+        assert!(matches!(polygon.kind, RegionKind::NonImpacting | RegionKind::Mps), "{:?}", polygon.kind);
+        let points = points_of(polygon, &diagram.scope);
         assert!(points.len() > 20, "p = {}, n = {}: {} points", polygon.loops, polygon.n, points.len());
         for point in points {
             let [amplitude, frequency] = reduced(point);
@@ -104,12 +94,12 @@ fn solutions_are_stable_and_admissible_inside_the_polygons_of_the_linear_oscilla
     let found = assert_stable_inside(&diagram, [ZETA, EPSILON], |at| at);
     assert_eq!(found[0], (0, 0));
     // Every resonance at which a theorem holds is a corner of a polygon of its MPSs; two may share one.
-    let polygons = regions::all(&diagram);
+    let polygons = &diagram.regions;
     for (resonance, point) in diagram.unfolding() {
         let [primary, secondary] = point.orbit().oscillator().parameters();
         let corners = polygons.iter().filter(|polygon| {
             let near = |at: &[f64; 2]| libm::hypot(at[0] - primary, at[1] - secondary) < 1e-9;
-            polygon.loops == resonance.loops && polygon.vertices.iter().any(near)
+            polygon.loops == resonance.loops && polygon.rings.iter().flatten().any(near)
         });
         assert_eq!(corners.count(), 1, "p = {}, n = {}", resonance.loops, resonance.n);
     }
@@ -129,6 +119,6 @@ fn solutions_are_stable_and_admissible_inside_the_polygons_where_the_clearance_i
     let found = assert_stable_inside(&diagram, [alpha, r], |[sigma, omega]| [1.0 / sigma, omega]);
     assert_eq!(found, [(0, 0), (1, 1)]);
     // The corner of great clearance belongs to the motion without impacts.
-    let polygons = regions::all(&diagram);
-    assert!(polygons.iter().any(|polygon| polygon.loops == 0 && inside(polygon, [0.99, 2.29])));
+    let polygons = &diagram.regions;
+    assert!(polygons.iter().any(|polygon| polygon.loops == 0 && polygon.contains([0.99, 2.29])));
 }

@@ -2,9 +2,9 @@
 
 use grazing_model::ImpactOscillator;
 use grazing_theorems::LinearOscillator as Theory;
-use grazing_unfold::diagram::Coefficients;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::resonances::on_curve;
+use grazing_unfold::verdict::{Verdict, coefficients};
 
 use crate::specimens::{
     DAMPED, EPSILON, ZETA, assert_within, closed_form, example, grazing_curves, scope, written,
@@ -68,7 +68,7 @@ fn assert_integrated(secondary: [f64; 2], loops: &[u32]) {
     (scope.window.secondary, scope.loops) = (secondary, loops.to_vec());
     let curves = grazing_curves(&oscillator, &scope).unwrap();
     let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
-    let (found, lost) = on_curve(curve, &scope);
+    let (found, lost) = on_curve(curve, &scope, &Silent);
     assert!(lost.is_empty(), "{lost:?}");
     let theory = Theory::new(ZETA, EPSILON).unwrap();
     let known = theory.resonances(loops, secondary[0], secondary[1]).unwrap();
@@ -121,10 +121,8 @@ fn resonances_in_the_stiffness_lie_where_the_free_frequency_is_in_step() {
         // Integration and Newton's method.
         assert_within(resonance.located.orbit().oscillator().parameters()[1], stiffness, 1e-10);
         let Ok(point) = &resonance.theorem else { continue };
-        let Coefficients { theorem, fit } = Coefficients::of(point);
-        for (theorem, fit) in theorem.into_iter().zip(fit) {
-            // Five digits, as for the examples.
-            assert_within(fit.unwrap().value / theorem, 1.0, 1e-5);
+        for coefficient in coefficients(point) {
+            assert_eq!(coefficient.verdict(), Verdict::Agree, "{coefficient:?}");
         }
     }
 }

@@ -1,0 +1,217 @@
+//! Whether the theorem's quadratic coefficients are those of the continued curves, and where that cannot be told.
+
+use grazing_continuation::fit::{Estimate, FitError, Measurement, measure};
+use grazing_continuation::locate::Condition;
+use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::ImpactOscillator;
+use grazing_model::maps::global_iterate;
+use grazing_theorems::from_map::GrazingOrbit;
+use grazing_theorems::{ResonantPoint, Unfolding};
+use nalgebra::Matrix2;
+
+/// A quadratic coefficient by Theorem 2.4 or 2.5, and measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coefficient {
+    /// s_p⁺ for c_SN, s_p⁻ for c_PD, in whose reciprocal the coefficient is.
+    pub stability: f64,
+    /// By the theorem, with the error that the quantities in its formula leave.
+    pub theorem: Estimate,
+    /// The limit of μ/η² on the continued curve.
+    pub fit: Result<Measurement, FitError>,
+}
+
+/// What comes of comparing the two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Verdict {
+    /// They agree within their errors, which are small.
+    Agree,
+    /// One of them is not known well enough.
+    NotMeasurable(Obstacle),
+    /// They differ by more than their errors.
+    Contradict,
+}
+
+/// Why a coefficient cannot be compared.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum Obstacle {
+    /// The curve could not be followed close to the resonance.
+    #[error("the curve could not be followed to the resonance: {0}")]
+    NoCurve(FitError),
+    /// Where μ stands clear of rounding it is not yet quadratic in η: the measured value has this relative error at best.
+    #[error(
+        "where the term in eta^2 leads it is lost in rounding: measured up to |eta| = {eta:.1e}, the value has a relative error of {error:.1e}"
+    )]
+    Rounding {
+        /// The relative error.
+        error: f64,
+        /// |η| up to which it was measured.
+        eta: f64,
+    },
+    /// A quantity in the theorem's formula, most likely s_p^±, is so near to zero that its value has this relative error.
+    #[error(
+        "the theorem's own value has a relative error of {error:.1e}: s = {stability:.1e} is too near to 0, or a derivative in the formula is not known well enough"
+    )]
+    NearlyDegenerate {
+        /// s_p⁺ or s_p⁻.
+        stability: f64,
+        /// The relative error.
+        error: f64,
+    },
+}
+
+impl Verdict {
+    /// In a word or two.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Agree => "agree",
+            Self::NotMeasurable(_) => "not measurable",
+            Self::Contradict => "contradict",
+        }
+    }
+
+    /// Why it is not better, in words; empty where they agree.
+    pub fn reason(&self) -> String {
+        match self {
+            Self::Agree => String::new(),
+            Self::NotMeasurable(obstacle) => obstacle.to_string(),
+            Self::Contradict => "theorem and curve differ by more than their errors".to_owned(),
+        }
+    }
+}
+
+/// A larger error than this share of the value would make an agreement mean little: two digits are the least.
+const LARGEST_SHARE: f64 = 0.01;
+
+impl Coefficient {
+    /// Whether theorem and curve agree.
+    pub fn verdict(&self) -> Verdict {
+        let Self { stability, theorem, fit } = self;
+        let fit = match fit {
+            Ok(fit) => fit,
+            Err(error) => return Verdict::NotMeasurable(Obstacle::NoCurve(*error)),
+        };
+        let measured = fit.coefficient;
+        let larger = theorem.value.abs().max(measured.value.abs());
+        let shares = [theorem.error, measured.error].map(|error| error / larger);
+        // Not a number counts as too large.
+        let known = shares.map(|share| share <= LARGEST_SHARE);
+        if !known[0] {
+            return Verdict::NotMeasurable(Obstacle::NearlyDegenerate {
+                stability: *stability,
+                error: shares[0],
+            });
+        }
+        if !known[1] {
+            let [e1, e2] = fit.eta;
+            let eta = (e1 + e2 * fit.velocity).abs() * fit.velocity;
+            return Verdict::NotMeasurable(Obstacle::Rounding { error: shares[1], eta });
+        }
+        let deviation = (theorem.value - measured.value).abs();
+        if deviation <= theorem.error + measured.error { Verdict::Agree } else { Verdict::Contradict }
+    }
+}
+
+/// c_SN and c_PD at a resonance.
+pub fn coefficients<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [Coefficient; 2] {
+    let errors = theorem_errors(point);
+    let stability = point.resonant_point().stability_coefficients();
+    let curves = [
+        (point.theorem().saddle_node(), stability.plus, Condition::SADDLE_NODE),
+        (point.theorem().period_doubling(), stability.minus, Condition::PERIOD_DOUBLING),
+    ];
+    core::array::from_fn(|k| {
+        let (curve, stability, condition) = curves[k];
+        Coefficient {
+            stability,
+            theorem: Estimate { value: curve.coefficient, error: errors[k] },
+            fit: measure(point, condition),
+        }
+    })
+}
+
+/// Relative errors that first derivatives of the flow, and differences of them, have at best (empirical: integrated motion is right
+/// to some 10⁻¹³).
+const FIRST_DERIVATIVES: f64 = 1e-12;
+const DIFFERENCES: f64 = 1e-10;
+
+/// How far c_SN and c_PD move when what they are computed from moves by its error, one quantity after the other.
+fn theorem_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [f64; 2] {
+    let known = point.resonant_point();
+    let values =
+        |point: &ResonantPoint| [point.saddle_node_coefficient(), point.period_doubling_coefficient()];
+    let stated = values(known);
+    let map = known.grazing.map;
+    let (matrix, rate) = (map.a.norm(), point.orbit().derivative_of_map().norm());
+    let [curvature, unfolding] = second_derivative_errors(point);
+    let mut errors = [0.0; 2];
+    let mut moved = |change: &dyn Fn(&mut ResonantPoint)| {
+        let mut moved = *known;
+        change(&mut moved);
+        let there = values(&moved);
+        for k in 0..2 {
+            errors[k] += (there[k] - stated[k]).abs();
+        }
+    };
+    for index in 0..4 {
+        moved(&|point| point.grazing.map.a[index] += FIRST_DERIVATIVES * matrix);
+    }
+    for index in 0..2 {
+        moved(&|point| point.grazing.map.b[index] += FIRST_DERIVATIVES * map.b.norm());
+    }
+    moved(&|point| point.grazing.gamma *= 1.0 + FIRST_DERIVATIVES);
+    moved(&|point| {
+        point.second_phase_derivative += curvature + DIFFERENCES * known.second_phase_derivative.abs();
+    });
+    moved(&|point| match &mut point.unfolding {
+        Unfolding::OneLoop { off_diagonal_derivative: slope }
+        | Unfolding::MultiLoop { detuning_derivative: slope, .. } => {
+            *slope += unfolding + DIFFERENCES * rate.max(slope.abs());
+        }
+    });
+    errors
+}
+
+/// Differences are taken over these parts of a radian, and of the way in η on which P_global becomes another map: wide ones lose least to
+/// rounding, narrow ones stay where maps are defined, as near a fold of the grazing curve.
+const WIDTHS: [f64; 3] = [3e-3, 3e-4, 3e-5];
+
+/// The curve's own derivatives are in error as those at the resonance are, and in other places: the errors of these are taken as often.
+const ELSEWHERE: f64 = 3.0;
+
+/// The errors of ξ_p and of a₁₂' or κ_p': how far differences of first derivatives are from them. Infinite where maps beside the
+/// resonance are not defined.
+///
+/// Steps of integrated motion are chosen for its values, and where the force bends within a step second derivatives suffer first.
+fn second_derivative_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [f64; 2] {
+    let (orbit, known, loops) = (point.orbit(), point.resonant_point(), point.loops());
+    let slope = |phase: f64| {
+        global_iterate::<O, 1>(orbit.oscillator(), loops, 0.0, orbit.phase() + phase)
+            .map_or(f64::NAN, |jet| jet.jacobian[(0, 1)])
+    };
+    let [primary, secondary] = orbit.oscillator().parameters();
+    let detuning = |eta: f64| {
+        let parameters = [primary + orbit.primary_slope() * eta, secondary + eta];
+        let beside = orbit.oscillator().with_parameters(parameters);
+        GrazingOrbit::find(&beside, orbit.phase() + orbit.phase_slope() * eta)
+            .map_or(f64::NAN, |orbit| orbit.detuning(loops, &Matrix2::zeros())[0])
+    };
+    let stated = match known.unfolding {
+        Unfolding::OneLoop { off_diagonal_derivative } => off_diagonal_derivative,
+        Unfolding::MultiLoop { detuning_derivative, .. } => detuning_derivative,
+    };
+    let turn = known.grazing.map.a.norm() / orbit.derivative_of_map().norm();
+    let closest = |function: &dyn Fn(f64) -> f64, scale: f64, stated: f64| {
+        let differences = WIDTHS.map(|width| (derivative(function, width * scale) - stated).abs());
+        ELSEWHERE * differences.into_iter().fold(f64::INFINITY, f64::min)
+    };
+    [closest(&slope, 1.0, known.second_phase_derivative), closest(&detuning, turn, stated)]
+}
+
+/// The derivative at zero by central differences, extrapolated twice.
+fn derivative(function: impl Fn(f64) -> f64, width: f64) -> f64 {
+    let [a, b, c] = [1.0, 0.5, 0.25].map(|part| {
+        let at = part * width;
+        (function(at) - function(-at)) / (2.0 * at)
+    });
+    (a - 20.0 * b + 64.0 * c) / 45.0
+}

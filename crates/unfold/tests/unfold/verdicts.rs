@@ -1,0 +1,120 @@
+//! What is said of theorem, curve and simulation where one of them has its difficulties.
+
+use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_unfold::diagram::Kind;
+use grazing_unfold::progress::Silent;
+use grazing_unfold::sides::{Doubt, Sides, Simulated, simulate};
+use grazing_unfold::simulation::Seen;
+use grazing_unfold::verdict::{Coefficient, Obstacle, Verdict, coefficients};
+use grazing_unfold::{Diagram, Scope};
+
+use crate::specimens::{EPSILON, ZETA, assert_within, scope, written};
+
+/// The resonance of the linear oscillator with the given numbers, located from its closed form.
+fn linear(zeta: f64, loops: u32, n: u32) -> ResonantGrazingPoint<LinearOscillator> {
+    let known = grazing_theorems::LinearOscillator::new(zeta, EPSILON).unwrap().resonance(loops, n).unwrap();
+    let (amplitude, omega) = (known.grazing().amplitude(), known.forcing_frequency());
+    let oscillator = LinearOscillator::new(zeta, EPSILON, amplitude, omega).unwrap();
+    ResonantGrazingPoint::find(&oscillator, loops, known.grazing().phase()).unwrap()
+}
+
+fn simulated<O: ImpactOscillator>(
+    point: &ResonantGrazingPoint<O>,
+    both: &[Coefficient; 2],
+) -> [Simulated; 2] {
+    [Kind::SaddleNode, Kind::PeriodDoubling].map(|kind| simulate(point, kind, both))
+}
+
+#[test]
+fn coefficients_with_the_parameters_swapped_are_those_of_the_other_way_round() {
+    // s₁⁻ is small where n is even, and the curve leaves the quadratic law at once: c_PD is near 10⁶.
+    let swapped: Scope = scope([0.45, 0.55], [0.7, 0.8], &[1]);
+    let force = format!("-2*{ZETA}*v - x - 1 + eta*cos(mu*t)");
+    let diagram = Diagram::located(&written(&force, "mu", &swapped), &swapped, &Silent).unwrap();
+    let found: Vec<_> = diagram.unfolding().collect();
+    assert_eq!(found.len(), 1);
+    let (resonance, point) = found[0];
+    let straight = linear(ZETA, 1, resonance.n);
+    // With A = a(ω) + c η² the same curve is ω = a⁻¹(A) − c/a'³ η² to leading order.
+    let slope = straight.orbit().primary_slope();
+    let theorem = straight.theorem();
+    let wanted = [theorem.saddle_node(), theorem.period_doubling()]
+        .map(|curve| -curve.coefficient / (slope * slope * slope));
+    for (coefficient, wanted) in coefficients(point).into_iter().zip(wanted) {
+        assert_eq!(coefficient.verdict(), Verdict::Agree, "{coefficient:?}");
+        assert_within(coefficient.theorem.value, wanted, coefficient.theorem.error + 1e-9 * wanted.abs());
+        let fit = coefficient.fit.unwrap().coefficient;
+        assert_within(fit.value, wanted, fit.error + coefficient.theorem.error);
+        assert!(fit.error < 1e-6 * wanted.abs(), "{fit:?}");
+    }
+}
+
+#[test]
+fn coefficients_lost_in_rounding_are_not_measurable_and_others_of_the_same_oscillator_agree() {
+    // With δ = exp(−4πζ/ω) the coefficients fall as δ^(p − 1), and the velocities at which leading terms decide with them.
+    let point = linear(0.5, 1, 2);
+    let both = coefficients(&point);
+    assert!(both.iter().all(|coefficient| coefficient.verdict() == Verdict::Agree), "{both:?}");
+    let sides = simulated(&point, &both);
+    assert!(sides.iter().all(|sides| matches!(sides, Simulated::AsPredicted(_))), "{sides:?}");
+
+    let point = linear(0.5, 3, 2);
+    let both = coefficients(&point);
+    for coefficient in &both {
+        let verdict = coefficient.verdict();
+        assert!(matches!(verdict, Verdict::NotMeasurable(Obstacle::Rounding { .. })), "{coefficient:?}");
+        assert!(!verdict.reason().is_empty());
+    }
+    for sides in simulated(&point, &both) {
+        assert!(matches!(sides, Simulated::Undecided(Doubt::TooSlow { .. })), "{sides:?}");
+        assert!(!sides.reason().is_empty());
+    }
+}
+
+#[test]
+fn a_difference_beyond_the_errors_contradicts_and_a_value_without_digits_is_not_measurable() {
+    let [mut saddle_node, mut period_doubling] = coefficients(&linear(ZETA, 1, 3));
+    assert_eq!(saddle_node.verdict(), Verdict::Agree);
+    saddle_node.theorem.value *= 1.0 + 1e-6;
+    assert_eq!(saddle_node.verdict(), Verdict::Contradict);
+    // As where s_p^- is zero to rounding.
+    for error in [0.1 * period_doubling.theorem.value, f64::INFINITY, f64::NAN] {
+        period_doubling.theorem.error = error;
+        let verdict = period_doubling.verdict();
+        assert!(matches!(verdict, Verdict::NotMeasurable(Obstacle::NearlyDegenerate { .. })), "{verdict:?}");
+    }
+}
+
+#[test]
+fn motion_is_as_predicted_only_if_all_of_it_is() {
+    let good = Sides {
+        velocity: 0.01,
+        predicted: [false, true],
+        seen: [Seen::Returns; 2],
+        attracts: [Some(false), Some(true)],
+        gone_beyond: Some(true),
+    };
+    assert_eq!(good.as_predicted(), Some(true));
+    for undecided in [Sides { attracts: [Some(false), None], ..good }, Sides { gone_beyond: None, ..good }] {
+        assert_eq!(undecided.as_predicted(), None);
+    }
+    for (bad, told) in [
+        (
+            Sides { attracts: [Some(true); 2], ..good },
+            "the slower solution is predicted to be unstable and attracts",
+        ),
+        (
+            Sides { attracts: [Some(false); 2], ..good },
+            "the faster solution is predicted to be stable and repels",
+        ),
+        (
+            Sides { seen: [Seen::MeetsTheWall, Seen::Returns], ..good },
+            "the slower solution meets the wall too early",
+        ),
+        (Sides { gone_beyond: Some(false), ..good }, "motion stays where no solution is left"),
+    ] {
+        assert_eq!(bad.as_predicted(), Some(false));
+        assert_eq!(bad.to_string(), format!("at impact velocity 1e-2 {told}"));
+    }
+}
