@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use grazing_model::smooth::{Scalar, SmoothOscillator};
-use grazing_source::{Source, SourceError};
+use grazing_source::{Source, SourceError, Text};
 
 use crate::error::DescriptionError;
 use crate::expression::Expression;
@@ -84,6 +84,14 @@ impl Description {
     /// # Errors
     /// [`DescriptionError`], the first thing in the text that is not right, with its line.
     pub fn parse(text: &str, file: &str) -> Result<Description, DescriptionError> {
+        Description::parse_with(&Text::new(text, &[]), file)
+    }
+
+    /// As [`parse`](Self::parse), with settings that take the place of values in the text.
+    ///
+    /// # Errors
+    /// As [`parse`](Self::parse), and for settings of keys that mean nothing or are not there.
+    pub fn parse_with(text: &Text, file: &str) -> Result<Description, DescriptionError> {
         let source = Source::new(text, file, file::REQUIREMENTS);
         let raw: file::File = source.read()?;
         let description = validate::description(&raw, &source)?;

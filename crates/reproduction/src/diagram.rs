@@ -15,11 +15,10 @@ pub(crate) fn compute(
     parameters: &Parameters,
     progress: &dyn Progress,
 ) -> Result<Diagram<LinearOscillator>, StudyError> {
-    let figure = parameters.fig07();
+    let figure = parameters.fig07()?;
     let window = window(figure.window());
     let scope = Scope { window, loops: figure.loops().to_vec(), start: None };
-    let [amplitude, frequency] = [window.primary[0], window.secondary[0]];
-    let oscillator = LinearOscillator::new(parameters.zeta(), parameters.epsilon(), amplitude, frequency)?;
+    let oscillator = forced(parameters.oscillator()?, window.primary[0], window.secondary[0])?;
     let diagram = Diagram::compute(&oscillator, &scope, progress)?;
     if let Some(lost) = diagram.unlocated.first() {
         return Err(StudyError::Unlocated {
@@ -34,6 +33,16 @@ pub(crate) fn compute(
     }
 }
 
+/// The oscillator of theory with its forcing.
+pub(crate) fn forced(
+    theory: &grazing_theorems::LinearOscillator,
+    amplitude: f64,
+    frequency: f64,
+) -> Result<LinearOscillator, StudyError> {
+    let (zeta, epsilon) = (theory.damping_ratio(), theory.coefficient_of_restitution());
+    Ok(LinearOscillator::new(zeta, epsilon, amplitude, frequency)?)
+}
+
 /// Amplitudes and frequencies as ranges of the primary and the secondary parameter.
 pub(crate) fn window(rectangle: Rectangle) -> Window {
     Window { primary: ends(rectangle.amplitude()), secondary: ends(rectangle.frequency()) }
@@ -45,6 +54,6 @@ pub(crate) fn branch_route(amplitude: Range) -> Route {
     Route { stop_at_events: false, ..route(window, StepControl::DRAWING) }
 }
 
-fn ends(range: Range) -> [f64; 2] {
+pub(crate) fn ends(range: Range) -> [f64; 2] {
     [range.lower(), range.upper()]
 }

@@ -6,8 +6,10 @@
 
 mod error;
 mod requirements;
+mod setting;
 mod text;
 
-pub use error::SourceError;
+pub use error::{SourceError, place};
 pub use requirements::Requirements;
-pub use text::{Source, nearest};
+pub use setting::{Setting, SettingError};
+pub use text::{Source, Text, nearest};
