@@ -33,7 +33,7 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
     if chosen.is_empty() {
         return Err(Failure::NoClaim { wanted: arguments.labels.join(" ") });
     }
-    let parameters = project::parameters(arguments.parameters.file.as_deref())?;
+    let parameters = project::parameters(&arguments.parameters)?;
     let findings = findings(&parameters, &chosen, &Display::new())?;
     let failing = findings.iter().filter(|finding| finding.verdict.fails()).count();
     terminal::say(&listing::table(&findings, arguments.explain, terminal::is_coloured()));

@@ -20,7 +20,7 @@ const GAP: &str = "  ";
 /// # Errors
 /// [`Failure::PublishedOff`] if a value is not met; any other [`Failure`] if there is nothing to compare.
 pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
-    let parameters = project::parameters(arguments.parameters.file.as_deref())?;
+    let parameters = project::parameters(&arguments.parameters)?;
     let published = Published::printed()?;
     let computed = Study::new(&parameters)
         .published_values()

@@ -84,6 +84,14 @@ pub enum Failure {
         /// How many there are.
         all: usize,
     },
+    /// Not all outputs could be made.
+    #[error("{missing} of {all} outputs could not be made, as told above; everything else is written")]
+    PartlyMade {
+        /// How many could not.
+        missing: usize,
+        /// How many were asked for.
+        all: usize,
+    },
     /// Not all of several oscillators could be unfolded.
     #[error("{failing} of {all} files failed, as told above")]
     SomeFiles {
@@ -175,7 +183,7 @@ impl Failure {
             | Failure::PublishedOff { .. }
             | Failure::ClaimsFail { .. }
             | Failure::ErrataStale => 1,
-            Failure::Parameters(_)
+            Failure::Parameters(ParameterError::Malformed(_))
             | Failure::Description(_)
             | Failure::SameFolder { .. }
             | Failure::NoProject
@@ -187,6 +195,8 @@ impl Failure {
             Failure::Computation { .. }
             | Failure::NothingToUnfold { .. }
             | Failure::PartlyUnfolded { .. }
+            | Failure::Parameters(ParameterError::Unfit(_))
+            | Failure::PartlyMade { .. }
             | Failure::Registry { .. }
             | Failure::Published(_)
             | Failure::Ledger(_) => 3,

@@ -16,12 +16,14 @@ use grazing_description::Description;
 use grazing_model::smooth::Integrated;
 use grazing_reproduction::unfolded::Unfolded;
 use grazing_reproduction::{StudyError, Table};
+use grazing_source::Setting;
 
 use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
 use crate::outputs::edition::Edition;
 use crate::outputs::{computation, table_path};
+use crate::report::noted;
 use crate::report::oscillators::{Material, PAGE};
 use crate::reproduce::{start_threads, summary};
 use crate::{tables, terminal};
@@ -83,7 +85,8 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
 fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     let mut tasks: Vec<Task> = Vec::new();
     for file in &arguments.files {
-        let mut description = Description::from_file(file)?;
+        let settings = settings(&arguments.set);
+        let mut description = Description::from_file_with(file, &settings)?;
         if let Some(loops) = &arguments.loops {
             description = description.with_loops(loops)?;
         }
@@ -98,9 +101,19 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
             return Err(Failure::SameFolder { first, second, folder });
         }
         let text = fs::read_to_string(file).map_err(|reason| Failure::File { path: file.clone(), reason })?;
+        let text = noted(&text, &settings);
         tasks.push(Task { file: file.clone(), text, description, folder });
     }
     Ok(tasks)
+}
+
+/// What was set: `kappa` alone is a constant, `parameters.kappa`.
+fn settings(set: &[Setting]) -> Vec<Setting> {
+    let full = |setting: &Setting| {
+        let named = setting.key().contains('.') || setting.key() == "name";
+        if named { setting.clone() } else { setting.within("parameters") }
+    };
+    set.iter().map(full).collect()
 }
 
 /// The failure that tells, with the file's names of the parameters, why there is nothing to unfold.

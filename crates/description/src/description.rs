@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use grazing_model::smooth::{Scalar, SmoothOscillator};
-use grazing_source::{Source, SourceError, Text};
+use grazing_source::{Setting, Source, SourceError, Text};
 
 use crate::error::DescriptionError;
 use crate::expression::Expression;
@@ -70,9 +70,17 @@ impl Description {
     /// # Errors
     /// [`DescriptionError`], the first thing in the file that is not right, with its line.
     pub fn from_file(path: &Path) -> Result<Description, DescriptionError> {
+        Description::from_file_with(path, &[])
+    }
+
+    /// As [`from_file`](Self::from_file), with settings that take the place of values in the file.
+    ///
+    /// # Errors
+    /// As [`parse_with`](Self::parse_with), or the file cannot be read.
+    pub fn from_file_with(path: &Path, settings: &[Setting]) -> Result<Description, DescriptionError> {
         let file = path.display().to_string();
         match std::fs::read_to_string(path) {
-            Ok(text) => Description::parse(&text, &file),
+            Ok(text) => Description::parse_with(&Text::new(&text, settings), &file),
             Err(reason) => Err(SourceError::Unreadable { file, reason: reason.to_string() }.into()),
         }
     }

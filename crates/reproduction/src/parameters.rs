@@ -21,7 +21,7 @@ mod validate;
 
 use std::path::Path;
 
-use grazing_source::{Source, SourceError, Text};
+use grazing_source::{Setting, Source, SourceError, Text};
 use grazing_theorems::LinearOscillator;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -63,9 +63,17 @@ impl Parameters {
     /// # Errors
     /// As [`parse`](Self::parse), or the file cannot be read.
     pub fn from_file(path: &Path) -> Result<Parameters, ParameterError> {
+        Parameters::from_file_with(path, &[])
+    }
+
+    /// As [`from_file`](Self::from_file), with settings that take the place of values in the file.
+    ///
+    /// # Errors
+    /// As [`parse_with`](Self::parse_with), or the file cannot be read.
+    pub fn from_file_with(path: &Path, settings: &[Setting]) -> Result<Parameters, ParameterError> {
         let file = path.display().to_string();
         match std::fs::read_to_string(path) {
-            Ok(text) => Parameters::parse(&text, &file),
+            Ok(text) => Parameters::parse_with(&Text::new(&text, settings), &file),
             Err(reason) => Err(SourceError::Unreadable { file, reason: reason.to_string() }.into()),
         }
     }
