@@ -36,7 +36,7 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
     let parameters = project::parameters(&arguments.parameters)?;
     let findings = findings(&parameters, &chosen, &Display::new())?;
     let failing = findings.iter().filter(|finding| finding.verdict.fails()).count();
-    terminal::say(&listing::table(&findings, arguments.explain, terminal::is_coloured()));
+    terminal::say_coloured(&listing::table(&findings, arguments.explain, terminal::is_coloured()));
     terminal::say(&listing::summary(&findings));
     if failing > 0 {
         return Err(Failure::ClaimsFail { failing, all: findings.len() });

@@ -26,7 +26,7 @@ pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
         .published_values()
         .map_err(|error| computation("published values", &error))?;
     let comparisons = published.compare(&computed);
-    terminal::say(&table(&comparisons, terminal::is_coloured()));
+    terminal::say_coloured(&table(&comparisons, terminal::is_coloured()));
     let off = comparisons.iter().filter(|comparison| !comparison.is_met()).count();
     if off > 0 {
         return Err(Failure::PublishedOff { off, all: comparisons.len() });

@@ -85,7 +85,9 @@ pub enum Failure {
         all: usize,
     },
     /// Not all outputs could be made.
-    #[error("{missing} of {all} outputs could not be made, as told above; everything else is written")]
+    #[error(
+        "{missing} of {all} outputs could not be made, or not wholly, as told above; everything else is written"
+    )]
     PartlyMade {
         /// How many could not.
         missing: usize,
@@ -115,6 +117,20 @@ pub enum Failure {
         path: PathBuf,
         /// What stands in the way.
         reason: String,
+    },
+    /// Something other than a regular file is where a file is to be written.
+    #[error("{}: is {what}, not a regular file, and is not replaced: move it away, or name another place with --output", path.display())]
+    NotRegular {
+        /// The place of the file.
+        path: PathBuf,
+        /// What is there.
+        what: &'static str,
+    },
+    /// Results could not be told.
+    #[error("standard output cannot be written: {reason}")]
+    Untold {
+        /// What the system says.
+        reason: std::io::Error,
     },
     /// Other formats or widths than the default ones were to go to the default folder.
     #[error(
@@ -200,7 +216,7 @@ impl Failure {
             | Failure::Registry { .. }
             | Failure::Published(_)
             | Failure::Ledger(_) => 3,
-            Failure::File { .. } => 4,
+            Failure::File { .. } | Failure::NotRegular { .. } | Failure::Untold { .. } => 4,
             Failure::SomeFiles { code, .. } => *code,
         }
     }

@@ -22,6 +22,8 @@ struct Made {
     figure: Option<String>,
     tables: Vec<Table>,
     notes: Vec<String>,
+    /// What it lacks, so that it is not what was asked for.
+    gaps: Vec<String>,
 }
 
 impl Made {
@@ -30,7 +32,7 @@ impl Made {
     }
 
     fn tables(tables: Vec<Table>) -> Made {
-        Made { figure: None, tables, notes: Vec::new() }
+        Made { figure: None, tables, notes: Vec::new(), gaps: Vec::new() }
     }
 }
 
@@ -38,6 +40,8 @@ impl Made {
 pub(crate) struct Files {
     pub(crate) files: Vec<MadeFile>,
     pub(crate) notes: Vec<String>,
+    /// What is missing in them, with the keys to change.
+    pub(crate) gaps: Vec<String>,
 }
 
 type MadeResult = Result<Made, Box<dyn Error>>;
@@ -232,7 +236,8 @@ impl Output {
             let content = latex::table(table, self.title).map_err(|error| computation(self.name, &error))?;
             files.push(MadeFile { path: latex::table_path(table.name), content: content.into_bytes() });
         }
-        Ok(Files { files, notes: made.notes })
+        let gaps = made.gaps.iter().map(|gap| format!("{gap}; change {}", self.keys)).collect();
+        Ok(Files { files, notes: made.notes, gaps })
     }
 
     /// The failure to compute it, with the keys to change unless it names one itself.

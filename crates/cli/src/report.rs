@@ -60,7 +60,7 @@ fn place(output: &Path) -> Result<(PathBuf, PathBuf), Failure> {
     };
     match folder::obstacle(&folder) {
         Some((path, reason)) => refuse(&path, &reason),
-        None => Ok((folder, PathBuf::from(name))),
+        None => folder::to_write(output).map(|_| (folder, PathBuf::from(name))),
     }
 }
 

@@ -1,5 +1,6 @@
 //! `grazing reproduce`: compute first, then write everything or check it.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -49,7 +50,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     let study = Study::new(&parameters).with_progress(&display);
     let Made { mut files, made, missing } = make(&study, &chosen, &edition)?;
     if made.is_empty() {
-        return tell_missing(&missing, &chosen, &output_folder);
+        return tell_missing(&missing, &chosen, &made, &output_folder);
     }
     if latex::has_snippet(&edition) && arguments.only.is_empty() {
         files.push(snippet(&made, &edition, &files));
@@ -70,7 +71,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     }
     if arguments.check {
         if let Err(failure) = check(&places, arguments, &edition) {
-            tell_missing(&missing, &chosen, &places[0].folder)?;
+            tell_missing(&missing, &chosen, &made, &places[0].folder)?;
             return Err(failure);
         }
         let count = places.iter().map(|place| place.files.len()).sum();
@@ -82,7 +83,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         terminal::say(&verdict(&study)?);
     }
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-    tell_missing(&missing, &chosen, &places[0].folder)
+    tell_missing(&missing, &chosen, &made, &places[0].folder)
 }
 
 /// What was made of the outputs that were asked for.
@@ -92,22 +93,37 @@ struct Made<'a> {
     missing: Vec<Missing>,
 }
 
-/// Outputs that could not be made, for one reason.
+impl Made<'_> {
+    fn add_missing(&mut self, output: &'static str, reason: String) {
+        match self.missing.iter_mut().find(|missing| missing.reason == reason) {
+            Some(missing) => missing.outputs.push(output),
+            None => self.missing.push(Missing { outputs: vec![output], reason }),
+        }
+    }
+}
+
+/// Outputs that could not be made, or not wholly, for one reason.
 struct Missing {
     outputs: Vec<&'static str>,
     reason: String,
 }
 
 /// Tells which outputs are missing and why.
-fn tell_missing(missing: &[Missing], chosen: &[&Output], folder: &Path) -> Result<(), Failure> {
+fn tell_missing(
+    missing: &[Missing],
+    chosen: &[&Output],
+    made: &[&Output],
+    folder: &Path,
+) -> Result<(), Failure> {
     for Missing { outputs, reason } in missing {
         terminal::note(&format!("error: {}: {reason}", outputs.join(", ")));
     }
-    let names: Vec<&str> = missing.iter().flat_map(|missing| missing.outputs.iter().copied()).collect();
+    let names: BTreeSet<&str> = missing.iter().flat_map(|missing| missing.outputs.iter().copied()).collect();
     if names.is_empty() {
         return Ok(());
     }
-    let paths = chosen.iter().filter(|output| names.contains(&output.name)).flat_map(|output| output.paths());
+    let absent = chosen.iter().filter(|output| made.iter().all(|made| made.name != output.name));
+    let paths = absent.flat_map(|output| output.paths());
     let left = paths.map(|path| folder.join(path)).filter(|path| path.exists()).count();
     if left > 0 {
         let left = counted(left);
@@ -154,7 +170,7 @@ fn write(places: &[Place]) -> Result<String, Failure> {
         let changed = visual::changed(folder, files);
         let changes = folder::write(folder, files)?;
         told.extend(files.iter().map(|file| folder.join(&file.path).display().to_string()).zip(changes));
-        visual::show(&changed);
+        visual::show(folder, &changed);
     }
     Ok(summary(&told))
 }
@@ -182,6 +198,9 @@ fn make<'a>(study: &Study<'_>, chosen: &[&'a Output], edition: &Edition) -> Resu
             Ok(made) => {
                 made.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
                 all.files.extend(made.files);
+                for gap in made.gaps {
+                    all.add_missing(output.name, format!("it is written, but {gap}"));
+                }
                 all.made.push(output);
             }
             Err(failure) if chosen.len() == 1 => return Err(failure),
@@ -190,10 +209,7 @@ fn make<'a>(study: &Study<'_>, chosen: &[&'a Output], edition: &Edition) -> Resu
                     Failure::Computation { reason, .. } => reason,
                     failure => failure.to_string(),
                 };
-                match all.missing.iter_mut().find(|missing| missing.reason == reason) {
-                    Some(missing) => missing.outputs.push(output.name),
-                    None => all.missing.push(Missing { outputs: vec![output.name], reason }),
-                }
+                all.add_missing(output.name, reason);
             }
         }
     }
@@ -228,7 +244,7 @@ fn check(places: &[Place], arguments: &Reproduce, edition: &Edition) -> Result<(
         terminal::note(&difference.to_string());
     }
     for place in places {
-        visual::show(&visual::changed(&place.folder, &place.files));
+        visual::show(&place.folder, &visual::changed(&place.folder, &place.files));
     }
     let unexpected = differences.iter().filter(|difference| difference.kind == Kind::Unexpected).count();
     Err(Failure::CheckFailed {

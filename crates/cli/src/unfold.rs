@@ -90,11 +90,11 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
         if let Some(loops) = &arguments.loops {
             description = description.with_loops(loops)?;
         }
-        let named = file.file_stem().unwrap_or_default();
+        let named = folder::name_for(file);
         let folder = match &arguments.output {
             Some(folder) if arguments.files.len() == 1 => folder.clone(),
-            Some(folder) => folder.join(named),
-            None => Path::new(RESULTS).join(named),
+            Some(folder) => folder.join(&named),
+            None => Path::new(RESULTS).join(&named),
         };
         if let Some(other) = tasks.iter().find(|other| other.folder == folder) {
             let (first, second) = (other.file.clone(), file.clone());

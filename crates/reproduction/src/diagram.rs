@@ -19,18 +19,20 @@ pub(crate) fn compute(
     let window = window(figure.window());
     let scope = Scope { window, loops: figure.loops().to_vec(), start: None };
     let oscillator = forced(parameters.oscillator()?, window.primary[0], window.secondary[0])?;
-    let diagram = Diagram::compute(&oscillator, &scope, progress)?;
-    if let Some(lost) = diagram.unlocated.first() {
-        return Err(StudyError::Unlocated {
-            loops: lost.loops,
-            near: lost.near,
-            source: lost.reason.clone(),
-        });
-    }
-    match diagram.not_unfolded.first() {
-        Some(failed) => Err(StudyError::resonance(failed.loops, failed.n, failed.reason.clone())),
-        None => Ok(diagram),
-    }
+    Ok(Diagram::compute(&oscillator, &scope, progress)?)
+}
+
+/// What was seen and is not in the diagram.
+pub(crate) fn gaps(diagram: &Diagram<LinearOscillator>) -> Vec<StudyError> {
+    let unlocated = diagram.unlocated.iter().map(|lost| StudyError::Unlocated {
+        loops: lost.loops,
+        near: lost.near,
+        source: lost.reason.clone(),
+    });
+    let failed = diagram.not_unfolded.iter();
+    unlocated
+        .chain(failed.map(|failed| StudyError::resonance(failed.loops, failed.n, failed.reason.clone())))
+        .collect()
 }
 
 /// The oscillator of theory with its forcing.

@@ -28,7 +28,7 @@ pub enum StudyError {
     #[error(transparent)]
     Unfold(#[from] UnfoldError),
     /// A resonance was seen and could not be located.
-    #[error("a resonance of p = {loops} near {near:?}: {source}")]
+    #[error("the resonance of p = {loops} near {near:?} is missing: {source}")]
     Unlocated {
         /// Number of loops p.
         loops: u32,
@@ -38,7 +38,7 @@ pub enum StudyError {
         source: ResonanceError,
     },
     /// A resonance could not be unfolded.
-    #[error("resonance p = {loops}, n = {n}: {source}")]
+    #[error("resonance p = {loops}, n = {n}: a curve is missing: {source}")]
     Resonance {
         /// Number of loops p.
         loops: u32,

@@ -123,7 +123,7 @@ impl<'a> Study<'a> {
     /// The frames of Figure 7.
     ///
     /// # Errors
-    /// A resonance could not be located or unfolded.
+    /// There is no grazing in the window.
     pub fn fig07(&self) -> Result<Figure7, StudyError> {
         Figure7::of(self.diagram()?)
     }

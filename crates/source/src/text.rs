@@ -97,7 +97,7 @@ impl<'a> Source<'a> {
     pub fn place(&self, position: usize) -> (String, usize) {
         let setting = self.text.settings.iter().rev().find(|(start, _)| *start <= position);
         match setting {
-            Some((_, setting)) => (format!("--set {setting}"), 0),
+            Some(_) => ("--set".to_owned(), 0),
             None => (self.file.to_owned(), self.line(position)),
         }
     }

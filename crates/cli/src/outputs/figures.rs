@@ -80,7 +80,8 @@ pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         magnified: &magnified.unwrap_or_default(),
         sections: section.as_slice(),
     };
-    Ok(Made::figure(draw_fig07(&figure, width)?, made.tables()))
+    let gaps = made.gaps.iter().map(ToString::to_string).collect();
+    Ok(Made { gaps, ..Made::figure(draw_fig07(&figure, width)?, made.tables()) })
 }
 
 pub(super) fn fig08(study: &Study<'_>, width: SheetWidth) -> MadeResult {

@@ -42,7 +42,10 @@ pub(super) fn all(setting: &Setting, branches: &[Branch]) -> Result<(Vec<Subject
             }
             (Some(subject), _) => subjects.push(subject),
             (None, Place::At(_)) => return Err(missing(branches, portrait)),
-            (None, _) => notes.push(missing(branches, portrait).to_string()),
+            (None, _) => {
+                let (key, loops) = (portrait.key(), portrait.loops());
+                notes.push(format!("{key}: no such portrait, as no {loops}-loop solution is stable and admissible in fig02.amplitude"));
+            }
         }
     }
     // There is always a non-impacting solution.
