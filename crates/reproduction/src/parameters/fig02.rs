@@ -183,6 +183,17 @@ pub enum Place {
 pub(super) fn check(raw: &Raw, oscillator: &LinearOscillator, source: &Source<'_>) -> Checked<Figure2> {
     let frequency = frequency(raw, source)?;
     let amplitude = amplitudes(source, "fig02.amplitude", &raw.amplitude)?;
+    let grazing = oscillator
+        .grazing(frequency)
+        .map_err(|error| refused(source, "fig02.frequency", &raw.frequency, error.to_string()))?
+        .amplitude();
+    if !amplitude.strictly_contains(grazing) {
+        let allowed = format!(
+            "the range must contain the grazing amplitude {grazing:.5} of the frequency {frequency}, from which the \
+             branches emanate"
+        );
+        return Err(unfit(source, "fig02.amplitude", &raw.amplitude, allowed));
+    }
     let x = range(source, "fig02.x", &raw.x, f64::is_finite)?;
     let loops = loops(source, "fig02.loops", &raw.loops)?;
     let part = &raw.magnification;
@@ -199,17 +210,6 @@ pub(super) fn check(raw: &Raw, oscillator: &LinearOscillator, source: &Source<'_
         Some(portraits) => self::portraits(portraits, &loops, amplitude, source)?,
         None => Vec::new(),
     };
-    let grazing = oscillator
-        .grazing(frequency)
-        .map_err(|error| refused(source, "fig02.frequency", &raw.frequency, error.to_string()))?
-        .amplitude();
-    if !amplitude.strictly_contains(grazing) {
-        let allowed = format!(
-            "the range must contain the grazing amplitude {grazing:.5} of the frequency {frequency}, from which the \
-             branches emanate"
-        );
-        return Err(unfit(source, "fig02.amplitude", &raw.amplitude, allowed));
-    }
     Ok(Figure2 { frequency, amplitude, x, loops, magnified_amplitude, magnified_x, attractor, portraits })
 }
 
