@@ -53,7 +53,8 @@ When a figure that is already there changes, a picture of before, after and the 
 in the system's folder for temporary files, and named.
 
 Files are replaced whole and only once everything is computed: an interrupted run leaves each of
-them old or new. Only regular files are replaced, through symbolic links to them. A published value that is not met is reported, but fails `compare` only.
+them old or new. Only regular files are replaced, through symbolic links to them. A published value
+that is not met is reported, but fails `compare` only.
 
 ";
 

@@ -218,6 +218,7 @@ impl Output {
     /// # Errors
     /// [`Failure::Parameters`]; [`Failure::Computation`]; [`Failure::Registry`] if other tables were made than announced.
     pub(crate) fn files(&self, study: &Study<'_>, edition: &Edition) -> Result<Files, Failure> {
+        self.check(study.parameters())?;
         let made = (self.make)(study, edition.width()).map_err(|error| self.failure(&*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
         if names != self.tables {

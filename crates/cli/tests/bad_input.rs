@@ -79,6 +79,7 @@ fn what_does_not_fit_the_oscillator_is_told_of_the_output_that_needs_it() {
         let outcome = grazing(folder.path(), &["reproduce", "--only", output]);
         assert_eq!(outcome.code, Some(3), "{line}: {}", outcome.messages);
         assert_eq!(listing(folder.path()), before, "{line}");
+        assert_eq!(outcome.messages, outcome.errors(), "nothing is computed");
         transcript.push_str(&format!("{section} {key}: {line}\n{}\n", outcome.messages));
     }
     snapshots().bind(|| insta::assert_snapshot!("messages_for_parameters_that_do_not_fit", transcript));

@@ -4,7 +4,7 @@ use grazing_theorems::{GenericGrazing, LinearOscillator};
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::requirements::MOST_LOOPS;
+use super::requirements::{LEAST_FREQUENCY, MOST_FREQUENCY, MOST_LOOPS};
 use super::validate::{Checked, demand, frequency, refused, unfit};
 use grazing_source::Source;
 
@@ -57,6 +57,9 @@ pub(super) fn check(raw: &Raw, oscillator: &LinearOscillator, source: &Source<'_
 /// Where the hypotheses hold, nearest to the frequency.
 fn remedy(oscillator: &LinearOscillator, frequency: f64, loops: u32) -> String {
     let holds = |frequency: f64| {
+        if !(LEAST_FREQUENCY..=MOST_FREQUENCY).contains(&frequency) {
+            return false;
+        }
         let grazing = oscillator.grazing(frequency);
         grazing.is_ok_and(|grazing| GenericGrazing::check(&grazing.grazing_point(), loops).is_ok())
     };

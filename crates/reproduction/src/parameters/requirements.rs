@@ -62,7 +62,7 @@ const KEYS: &[(&str, &str)] = &[
     ("fig02", "the table [fig02] says what Figure 2 shows"),
     ("fig02.frequency", FREQUENCY),
     ("fig02.amplitude", AMPLITUDES),
-    ("fig02.x", "the x-values must be a range [lower, upper] with lower < upper"),
+    ("fig02.x", "the x-values must be a range [lower, upper] with -100000 <= lower < upper <= 100000"),
     ("fig02.loops", LOOPS),
     ("fig02.magnification", "the table [fig02.magnification] holds amplitude and x"),
     (
@@ -184,7 +184,8 @@ const POSITIVE_AMPLITUDE: &str = "the forcing amplitude must lie above 0 and be 
 const FREQUENCY: &str = "the forcing frequency must be a number from 0.01 to 100";
 const AMPLITUDES: &str =
     "the forcing amplitudes must be a range [lower, upper] with 0 <= lower < upper <= 100000";
-const AROUND_ZERO: &str = "the range must be [lower, upper] with lower < 0 < upper";
+const AROUND_ZERO: &str =
+    "the range must be [lower, upper] with lower < 0 < upper, neither end beyond 100000";
 const VIEW: &str = "the table of the view holds turn, tilt and stretch";
 const TURN: &str = "the turn must be an angle in degrees from -180 to 180";
 const TILT: &str = "the tilt must be an angle in degrees strictly between 0 and 90";

@@ -52,7 +52,7 @@ pub(super) fn frequency(source: &Source<'_>, key: &str, value: &Spanned<f64>) ->
     demand(source, key, value, |frequency| (LEAST_FREQUENCY..=MOST_FREQUENCY).contains(&frequency))
 }
 
-/// A range whose lower end passes the test.
+/// A range of quantities, none of which is beyond all amplitudes, whose lower end passes the test.
 pub(super) fn range(
     source: &Source<'_>,
     key: &str,
@@ -63,13 +63,13 @@ pub(super) fn range(
         [lower, upper] => Range::new(lower, upper),
         _ => None,
     };
-    range.filter(|range| holds(range.lower())).ok_or_else(|| refusal(source, key, value))
+    let possible = |range: &Range| range.lower() >= -MOST_AMPLITUDE && range.upper() <= MOST_AMPLITUDE;
+    range.filter(|range| possible(range) && holds(range.lower())).ok_or_else(|| refusal(source, key, value))
 }
 
 /// A range of forcing amplitudes.
 pub(super) fn amplitudes(source: &Source<'_>, key: &str, value: &Spanned<Vec<f64>>) -> Checked<Range> {
-    let range = range(source, key, value, |lower| lower >= 0.0)?;
-    if range.upper() <= MOST_AMPLITUDE { Ok(range) } else { Err(refusal(source, key, value)) }
+    range(source, key, value, |lower| lower >= 0.0)
 }
 
 /// A range inside another one, which is named in the refusal.
