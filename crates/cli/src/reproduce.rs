@@ -40,7 +40,9 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         }
     }
     if !arguments.check {
-        let paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths_in(&edition)).collect();
+        let mut paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths_in(&edition)).collect();
+        paths.extend(latex::has_snippet(&edition).then(|| PathBuf::from(latex::SNIPPET)));
+        paths.extend((!set.is_empty()).then(|| PathBuf::from(SETTINGS)));
         folder::ensure_writable(&output_folder, &paths)?;
     }
     if let Some(jobs) = arguments.jobs {

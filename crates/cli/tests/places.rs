@@ -32,6 +32,7 @@ fn a_folder_in_the_place_of_a_file_is_not_replaced() {
 }
 
 #[cfg(unix)]
+#[expect(clippy::print_stderr, reason = "what is not tried is told")]
 #[test]
 fn pipes_sockets_devices_and_links_to_nothing_are_not_replaced() {
     use std::os::unix::fs::{FileTypeExt, symlink};
@@ -95,6 +96,7 @@ fn a_file_named_with_dots_does_not_lead_out_of_the_folder() {
     );
 }
 
+#[expect(clippy::print_stderr, reason = "what is not tried is told")]
 #[test]
 fn what_dead_runs_have_left_goes_with_the_next_run() {
     if !Path::new("/proc/self").exists() {
