@@ -229,6 +229,9 @@ mod tests {
         let figures = (1..=10).map(|number| format!("fig{number:02}"));
         let tables: Vec<String> = ["oscillator".to_owned()].into_iter().chain(figures).collect();
         assert_eq!(REQUIREMENTS.known_keys(""), tables);
-        assert_eq!(REQUIREMENTS.known_keys("fig08.panels[3]"), ["loops", "n", "amplitude", "frequency"]);
+        assert_eq!(
+            REQUIREMENTS.known_keys("fig08.panels[3]"),
+            ["loops", "n", "amplitude", "frequency", "near"]
+        );
     }
 }
