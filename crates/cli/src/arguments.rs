@@ -6,6 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use grazing_claims::ledger::ClaimKind;
+use grazing_source::Setting;
 
 use crate::outputs;
 use crate::outputs::edition::Format;
@@ -17,8 +18,8 @@ Exit codes:
   1  a check failed: files are not what the code makes, or a published value is not met
   2  bad input: command line, parameter file, or a folder that cannot be written;
      nothing was written
-  3  the computation failed, or a limit or Ctrl-C has ended it; nothing was written, by `unfold`
-     everything but what it names
+  3  a computation failed, was ended by a limit or Ctrl-C, or parameters do not fit each
+     other; everything but what is named was written
   4  a file could not be read or written all the same, as on a full disk;
      each file is either old or new";
 
@@ -36,8 +37,15 @@ Examples:
   cargo xtask reproduce --only fig07     Figure 7 and its data
   cargo xtask reproduce --check          write nothing; fail if figures/ is not what the code makes
   cargo xtask reproduce --parameters mine.toml --output mine
+  cargo xtask reproduce --set oscillator.zeta=0.05 --set fig07.amplitude=[0,2]
+                                         other values for keys of the parameter file, into varied/
   cargo xtask reproduce --format pdf,tex --columns one
                                          for a journal of two columns, into journal/
+
+Each output fails or succeeds by itself: those that can be made with the parameters are written, the
+others are named with the key to change, and the exit code is 3. Only the sections of the parameter
+file that an output reads must be right for it. With --set files go to varied/ beside figures/
+unless --output says otherwise, with settings.txt, which has what was set.
 
 figures/ holds SVG at the paper's widths. Other formats and widths go to journal/ beside it, or to
 the folder that --output names; runs with --only may mix widths there. Data come along as CSV.
@@ -45,7 +53,8 @@ When a figure that is already there changes, a picture of before, after and the 
 in the system's folder for temporary files, and named.
 
 Files are replaced whole and only once everything is computed: an interrupted run leaves each of
-them old or new. A published value that is not met is reported, but fails `compare` only.
+them old or new. Only regular files are replaced, through symbolic links to them. A published value
+that is not met is reported, but fails `compare` only.
 
 ";
 
@@ -93,6 +102,9 @@ Examples:
                                          every number as CSV in data/, all on one page: report.html
   cargo xtask unfold mine.toml --loops 1,2 --explain
                                          other p than the file's; every hypothesis with its value
+  cargo xtask unfold mine.toml --set kappa=0.2 --set secondary.range=[0.4,1.1]
+                                         other values for keys of the file; text in quotation marks:
+                                         --set 'impact.restitution=\"0.8\"'
   cargo xtask unfold examples/*.toml     all examples, each into a folder of its own
   cargo xtask unfold mine.toml --format pdf --columns one --output figures-of-mine
 
@@ -248,6 +260,9 @@ pub struct Unfold {
     /// Numbers of loops p, separated by commas [default: those of the file]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub loops: Option<Vec<u32>>,
+    /// Value for a key of the files, in its place; a name alone is one of [parameters]
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<Setting>,
     /// Number of threads; the results do not depend on it [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
@@ -271,6 +286,9 @@ pub struct ParameterFile {
     /// File of parameters [default: figures/parameters.toml, in this folder or the nearest above]
     #[arg(long = "parameters", value_name = "FILE")]
     pub file: Option<PathBuf>,
+    /// Value for a key of the parameter file, in its place; may be given several times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<Setting>,
 }
 
 /// A limit.

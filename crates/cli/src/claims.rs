@@ -33,10 +33,10 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
     if chosen.is_empty() {
         return Err(Failure::NoClaim { wanted: arguments.labels.join(" ") });
     }
-    let parameters = project::parameters(arguments.parameters.file.as_deref())?;
+    let parameters = project::parameters(&arguments.parameters)?;
     let findings = findings(&parameters, &chosen, &Display::new())?;
     let failing = findings.iter().filter(|finding| finding.verdict.fails()).count();
-    terminal::say(&listing::table(&findings, arguments.explain, terminal::is_coloured()));
+    terminal::say_coloured(&listing::table(&findings, arguments.explain, terminal::is_coloured()));
     terminal::say(&listing::summary(&findings));
     if failing > 0 {
         return Err(Failure::ClaimsFail { failing, all: findings.len() });

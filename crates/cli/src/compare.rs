@@ -20,13 +20,13 @@ const GAP: &str = "  ";
 /// # Errors
 /// [`Failure::PublishedOff`] if a value is not met; any other [`Failure`] if there is nothing to compare.
 pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
-    let parameters = project::parameters(arguments.parameters.file.as_deref())?;
+    let parameters = project::parameters(&arguments.parameters)?;
     let published = Published::printed()?;
     let computed = Study::new(&parameters)
         .published_values()
         .map_err(|error| computation("published values", &error))?;
     let comparisons = published.compare(&computed);
-    terminal::say(&table(&comparisons, terminal::is_coloured()));
+    terminal::say_coloured(&table(&comparisons, terminal::is_coloured()));
     let off = comparisons.iter().filter(|comparison| !comparison.is_met()).count();
     if off > 0 {
         return Err(Failure::PublishedOff { off, all: comparisons.len() });

@@ -110,6 +110,16 @@ pub enum Failure {
         /// What is contradicted, with both values and their errors.
         what: String,
     },
+    /// Not all outputs could be made.
+    #[error(
+        "{missing} of {all} outputs could not be made, or not wholly, as told above; everything else is written"
+    )]
+    PartlyMade {
+        /// How many could not.
+        missing: usize,
+        /// How many were asked for.
+        all: usize,
+    },
     /// Not all of several oscillators could be unfolded.
     #[error("{failing} of {all} files failed, as told above")]
     SomeFiles {
@@ -133,6 +143,20 @@ pub enum Failure {
         path: PathBuf,
         /// What stands in the way.
         reason: String,
+    },
+    /// Something other than a regular file is where a file is to be written.
+    #[error("{}: is {what}, not a regular file, and is not replaced: move it away, or name another place with --output", path.display())]
+    NotRegular {
+        /// The place of the file.
+        path: PathBuf,
+        /// What is there.
+        what: &'static str,
+    },
+    /// Results could not be told.
+    #[error("standard output cannot be written: {reason}")]
+    Untold {
+        /// What the system says.
+        reason: std::io::Error,
     },
     /// Other formats or widths than the default ones were to go to the default folder.
     #[error(
@@ -202,7 +226,7 @@ impl Failure {
             | Failure::ClaimsFail { .. }
             | Failure::Contradiction { .. }
             | Failure::ErrataStale => 1,
-            Failure::Parameters(_)
+            Failure::Parameters(ParameterError::Malformed(_))
             | Failure::Description(_)
             | Failure::SameFolder { .. }
             | Failure::Option { .. }
@@ -216,10 +240,12 @@ impl Failure {
             | Failure::NothingToUnfold { .. }
             | Failure::PartlyUnfolded { .. }
             | Failure::Ended { .. }
+            | Failure::Parameters(ParameterError::Unfit(_))
+            | Failure::PartlyMade { .. }
             | Failure::Registry { .. }
             | Failure::Published(_)
             | Failure::Ledger(_) => 3,
-            Failure::File { .. } => 4,
+            Failure::File { .. } | Failure::NotRegular { .. } | Failure::Untold { .. } => 4,
             Failure::SomeFiles { code, .. } => *code,
         }
     }

@@ -1,20 +1,24 @@
 //! The output folder: writing files whole, and telling how it differs from what the code makes.
 
 mod difference;
+mod place;
+mod temporaries;
 
+use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
-
 pub use difference::{Difference, Kind};
+pub use place::name_for;
+pub(crate) use place::{regular, to_write};
+pub use temporaries::remove_own_temporaries;
+pub(crate) use temporaries::{Changes, sweep};
 
 use crate::failure::Failure;
+use temporaries::{UNFINISHED, Unfinished};
 
-/// How the names of files that are not finished begin.
-const UNFINISHED: &str = ".grazing-";
 /// The subfolder of the tables.
 pub(crate) const DATA: &str = "data";
 
@@ -40,20 +44,17 @@ pub enum Change {
 
 /// Makes sure that files can be written into the folder and its subfolder for data, and leaves no trace of the trial.
 ///
-/// A folder that is not there yet is not made: the trial is held in the nearest one above that is.
+/// A folder that is not there yet is not made: the trial is held in the nearest one above that is. What runs that died have left
+/// there goes.
 ///
 /// # Errors
-/// [`Failure::Unwritable`].
+/// [`Failure::Unwritable`]; [`Failure::NotRegular`] if something other than a regular file is in a file's place.
 pub fn ensure_writable(folder: &Path, files: &[PathBuf]) -> Result<(), Failure> {
     for place in [folder.to_owned(), folder.join(DATA)] {
         obstacle(&place).map_or(Ok(()), |(path, reason)| Err(Failure::Unwritable { path, reason }))?;
+        sweep(&place);
     }
-    match files.iter().map(|file| folder.join(file)).find(|file| file.is_dir()) {
-        Some(path) => {
-            Err(Failure::Unwritable { path, reason: "a folder is in the place of the file".to_owned() })
-        }
-        None => Ok(()),
-    }
+    files.iter().try_for_each(|file| to_write(&folder.join(file)).map(drop))
 }
 
 /// What keeps files from being written into the folder, or into the nearest one above that is there: where, and why.
@@ -64,29 +65,33 @@ pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
         .find(|path| path.symlink_metadata().is_ok())
         .unwrap_or(Path::new("."));
     let reason = if existing.is_dir() {
-        plain(&unfinished_file(existing).err()?)
+        plain(&Unfinished::new(existing).err()?)
     } else {
         "it is not a folder".to_owned()
     };
     Some((existing.to_owned(), reason))
 }
 
-/// Writes all files, or none: each goes into a temporary file beside its place first, and only when all are complete
+/// Writes all files, or none, through symbolic links to the files that these name: each goes into a temporary file beside its place first, and only when all are complete
 /// they are moved into their places.
 ///
 /// # Errors
 /// [`Failure::File`]. Temporary files are removed; a file is old or new, never in between.
 pub fn write(folder: &Path, files: &[MadeFile]) -> Result<Vec<Change>, Failure> {
+    let folders: BTreeSet<PathBuf> =
+        files.iter().filter_map(|file| Some(folder.join(&file.path).parent()?.to_owned())).collect();
+    folders.iter().for_each(|folder| sweep(folder));
     let mut staged = Vec::new();
     for file in files {
         let path = folder.join(&file.path);
-        staged.push((stage(&path, &file.content).map_err(|reason| failed(&path, reason))?, path));
+        let place = to_write(&path)?;
+        staged.push((stage(&place, &file.content).map_err(|reason| failed(&path, reason))?, place));
     }
     staged
         .into_iter()
-        .map(|((change, unfinished), path)| {
+        .map(|((change, unfinished), place)| {
             if let Some(unfinished) = unfinished {
-                unfinished.persist(&path).map_err(|error| failed(&path, error.error))?;
+                unfinished.persist(&place).map_err(|error| failed(&place, error))?;
             }
             Ok(change)
         })
@@ -107,7 +112,7 @@ pub fn differences(
     let mut found = Vec::new();
     for file in files {
         let path = folder.join(&file.path);
-        match fs::read(&path) {
+        match regular(&path).and_then(|_| fs::read(&path)) {
             Ok(content) if content == file.content => {}
             Ok(content) => found.push(Difference::content(path, &content, &file.content)),
             Err(error) if error.kind() == io::ErrorKind::NotFound => found.push(Difference::missing(path)),
@@ -155,33 +160,19 @@ fn is_foreign(name: &OsStr) -> bool {
     name.starts_with('.') && !name.starts_with(UNFINISHED)
 }
 
-/// What writing will do to the file, with the temporary file that holds its content if it has to be written.
-fn stage(path: &Path, content: &[u8]) -> io::Result<(Change, Option<NamedTempFile>)> {
-    let change = match fs::read(path) {
+/// What writing will do to the file at a place, with the temporary file that holds its content if it has to be written.
+fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<Unfinished>)> {
+    let change = match fs::read(place) {
         Ok(present) if present == content => return Ok((Change::Unchanged, None)),
         Ok(_) => Change::Updated,
         Err(error) if error.kind() == io::ErrorKind::NotFound => Change::New,
         Err(error) => return Err(error),
     };
-    let folder = path.parent().unwrap_or(Path::new(""));
+    let folder = place.parent().unwrap_or(Path::new(""));
     fs::create_dir_all(folder)?;
-    let mut unfinished = unfinished_file(folder)?;
-    unfinished.write_all(content)?;
-    // The content must be on the disk before the name is, or a crash could leave an empty file under it.
-    unfinished.as_file().sync_all()?;
+    let mut unfinished = Unfinished::new(folder)?;
+    unfinished.fill(content)?;
     Ok((change, Some(unfinished)))
-}
-
-/// A temporary file in the folder, readable as other new files are.
-fn unfinished_file(folder: &Path) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(UNFINISHED);
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    builder.tempfile_in(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })
 }
 
 /// The system's reason without the name of the temporary file.

@@ -7,12 +7,22 @@ use grazing_cli::arguments::Arguments;
 use grazing_cli::{run, terminal};
 
 fn main() -> ExitCode {
-    // A wrong command line ends here, with exit code 2.
-    match run(&Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
+    let code = match Arguments::try_parse() {
+        Ok(arguments) => match run(&arguments) {
+            Ok(()) => 0,
+            Err(failure) => {
+                terminal::report(&failure);
+                failure.exit_code()
+            }
+        },
+        // Help, which is no error, or a wrong command line, which ends here with exit code 2.
+        Err(answer) => terminal::answer(&answer),
+    };
+    match terminal::untold() {
+        Some(failure) => {
             terminal::report(&failure);
             ExitCode::from(failure.exit_code())
         }
+        None => ExitCode::from(code),
     }
 }

@@ -8,17 +8,40 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use grazing_drawing::SheetWidth;
-use grazing_reproduction::{Study, Table};
+use grazing_reproduction::parameters::{ParameterError, Parameters};
+use grazing_reproduction::{Study, StudyError, Table};
 
 use crate::failure::Failure;
 use crate::folder::{DATA, MadeFile};
 use crate::tables;
 use edition::{Edition, Format};
 
-/// An output when it is made: the figure as SVG, if it is one, and the tables in the order of the registry.
+/// An output when it is made: the figure as SVG, if it is one, the tables in the order of the registry, and what is shown
+/// otherwise than asked for, in sentences.
 struct Made {
     figure: Option<String>,
     tables: Vec<Table>,
+    notes: Vec<String>,
+    /// What it lacks, so that it is not what was asked for.
+    gaps: Vec<String>,
+}
+
+impl Made {
+    fn figure(svg: String, tables: Vec<Table>) -> Made {
+        Made { figure: Some(svg), ..Made::tables(tables) }
+    }
+
+    fn tables(tables: Vec<Table>) -> Made {
+        Made { figure: None, tables, notes: Vec::new(), gaps: Vec::new() }
+    }
+}
+
+/// The files of an output, and what there is to tell about them.
+pub(crate) struct Files {
+    pub(crate) files: Vec<MadeFile>,
+    pub(crate) notes: Vec<String>,
+    /// What is missing in them, with the keys to change.
+    pub(crate) gaps: Vec<String>,
 }
 
 type MadeResult = Result<Made, Box<dyn Error>>;
@@ -33,6 +56,10 @@ pub struct Output {
     figure: Option<&'static str>,
     /// The names of the tables.
     tables: &'static [&'static str],
+    /// Whether the sections of the parameter file that it cannot do without are right.
+    check: fn(&Parameters) -> Result<(), ParameterError>,
+    /// The keys to change where it cannot be computed.
+    keys: &'static str,
     make: fn(&Study<'_>, SheetWidth) -> MadeResult,
 }
 
@@ -43,13 +70,17 @@ pub const ALL: &[Output] = &[
         title: "Coefficients at all resonances of Figure 7",
         figure: None,
         tables: &["coefficients"],
-        make: |study, _| Ok(Made { figure: None, tables: vec![study.coefficient_table()?] }),
+        check: |parameters| parameters.fig07().map(drop),
+        keys: "fig07.frequency, fig07.amplitude or fig07.loops",
+        make: |study, _| Ok(Made::tables(vec![study.coefficient_table()?])),
     },
     Output {
         name: "fig01",
         title: "Figure 1: phase space, impacting surface and reset law",
         figure: Some("fig01.svg"),
         tables: &["fig01_curves", "fig01_points", "fig01_surfaces"],
+        check: |parameters| parameters.fig01().map(drop),
+        keys: "fig01.orbits, fig01.amplitude or fig01.frequency",
         make: figures::fig01,
     },
     Output {
@@ -57,6 +88,8 @@ pub const ALL: &[Output] = &[
         title: "Figure 2: one-parameter bifurcation diagram with phase portraits",
         figure: Some("fig02.svg"),
         tables: &["fig02_branches", "fig02_bifurcations", "fig02_attractor", "fig02_portraits"],
+        check: |parameters| parameters.fig02().map(drop),
+        keys: "fig02.frequency, fig02.amplitude or fig02.loops",
         make: figures::fig02,
     },
     Output {
@@ -64,6 +97,8 @@ pub const ALL: &[Output] = &[
         title: "Figure 3: the return map near a grazing periodic solution",
         figure: Some("fig03.svg"),
         tables: &["fig03_curves", "fig03_points", "fig03_surfaces"],
+        check: |parameters| parameters.fig03().map(drop),
+        keys: "fig03.start or fig03.frequency",
         make: figures::fig03,
     },
     Output {
@@ -71,6 +106,8 @@ pub const ALL: &[Output] = &[
         title: "Figure 4: the boundaries g_p and h_p in the trapesium",
         figure: Some("fig04.svg"),
         tables: &["fig04_curves", "fig04_points"],
+        check: |parameters| parameters.fig04().map(drop),
+        keys: "fig04.loops",
         make: figures::fig04,
     },
     Output {
@@ -78,6 +115,8 @@ pub const ALL: &[Output] = &[
         title: "Figure 5: unfolding of a resonant grazing bifurcation",
         figure: Some("fig05.svg"),
         tables: &["fig05_curves", "fig05_points", "fig05_regions"],
+        check: |parameters| parameters.fig05().map(drop),
+        keys: "fig05.loops or fig05.n",
         make: figures::fig05,
     },
     Output {
@@ -85,6 +124,8 @@ pub const ALL: &[Output] = &[
         title: "Figure 6: the impact oscillator",
         figure: Some("fig06.svg"),
         tables: &["fig06_parts"],
+        check: |parameters| parameters.fig06().map(drop),
+        keys: "fig06.frequency or fig06.amplitude",
         make: figures::fig06,
     },
     Output {
@@ -92,6 +133,8 @@ pub const ALL: &[Output] = &[
         title: "Figure 7: two-parameter bifurcation diagram",
         figure: Some("fig07.svg"),
         tables: &["fig07_curves", "fig07_points", "fig07_regions"],
+        check: |parameters| parameters.fig07().map(drop),
+        keys: "fig07.frequency, fig07.amplitude or fig07.loops",
         make: figures::fig07,
     },
     Output {
@@ -99,6 +142,8 @@ pub const ALL: &[Output] = &[
         title: "Figure 8: three magnifications of Figure 7 with quadratic approximations",
         figure: Some("fig08.svg"),
         tables: &["fig08_curves"],
+        check: |parameters| parameters.fig08().map(drop),
+        keys: "fig08.panels, fig07.frequency or fig07.amplitude",
         make: figures::fig08,
     },
     Output {
@@ -106,6 +151,8 @@ pub const ALL: &[Output] = &[
         title: "Figure 9: points on the impacting surface and on the section",
         figure: Some("fig09.svg"),
         tables: &["fig09_curves", "fig09_points", "fig09_surfaces"],
+        check: |parameters| parameters.fig09().map(drop),
+        keys: "fig09.impact, fig09.amplitude or fig09.frequency",
         make: figures::fig09,
     },
     Output {
@@ -113,6 +160,8 @@ pub const ALL: &[Output] = &[
         title: "Figure 10: the path of visits in the proof of Theorem 2.3",
         figure: Some("fig10.svg"),
         tables: &["fig10_path"],
+        check: |parameters| parameters.fig10().map(drop),
+        keys: "fig10.frequency or fig10.loops",
         make: figures::fig10,
     },
     Output {
@@ -120,7 +169,10 @@ pub const ALL: &[Output] = &[
         title: "Theorems 2.2 to 2.5 against continuation and simulation",
         figure: None,
         tables: &["theorems_generic", "theorems_resonant"],
-        make: |study, _| Ok(Made { figure: None, tables: study.theorems_in_action()?.tables() }),
+        check: |_| Ok(()),
+        // It depends on no parameter.
+        keys: "nothing",
+        make: |study, _| Ok(Made::tables(study.theorems_in_action()?.tables())),
     },
 ];
 
@@ -153,12 +205,21 @@ impl Output {
         self.tables.iter().copied().filter(move |_| printed)
     }
 
+    /// Whether the sections of the parameter file that it cannot do without are right.
+    ///
+    /// # Errors
+    /// What is wrong with the first that is not.
+    pub(crate) fn check(&self, parameters: &Parameters) -> Result<(), ParameterError> {
+        (self.check)(parameters)
+    }
+
     /// Computes the output.
     ///
     /// # Errors
-    /// [`Failure::Computation`]; [`Failure::Registry`] if other tables were made than announced.
-    pub(crate) fn files(&self, study: &Study<'_>, edition: &Edition) -> Result<Vec<MadeFile>, Failure> {
-        let made = (self.make)(study, edition.width()).map_err(|error| computation(self.name, &*error))?;
+    /// [`Failure::Parameters`]; [`Failure::Computation`]; [`Failure::Registry`] if other tables were made than announced.
+    pub(crate) fn files(&self, study: &Study<'_>, edition: &Edition) -> Result<Files, Failure> {
+        self.check(study.parameters())?;
+        let made = (self.make)(study, edition.width()).map_err(|error| self.failure(&*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
         if names != self.tables {
             return Err(Failure::Registry { output: self.name, made: names, registered: self.tables });
@@ -176,12 +237,28 @@ impl Output {
             let content = latex::table(table, self.title).map_err(|error| computation(self.name, &error))?;
             files.push(MadeFile { path: latex::table_path(table.name), content: content.into_bytes() });
         }
-        Ok(files)
+        let gaps = made.gaps.iter().map(|gap| format!("{gap}; change {}", self.keys)).collect();
+        Ok(Files { files, notes: made.notes, gaps })
+    }
+
+    /// The failure to compute it, with the keys to change unless it names one itself.
+    fn failure(&self, error: &(dyn Error + 'static)) -> Failure {
+        let named = matches!(error.downcast_ref(), Some(StudyError::NoPortrait { .. }));
+        match computation(self.name, error) {
+            Failure::Computation { what, reason } if !named => {
+                Failure::Computation { what, reason: format!("{reason}; change {}", self.keys) }
+            }
+            failure => failure,
+        }
     }
 }
 
-/// The failure of a computation, with the error and all that it came from and does not tell itself.
-pub(crate) fn computation(what: &'static str, error: &dyn Error) -> Failure {
+/// The failure of a computation, with the error and all that it came from and does not tell itself; that of a section of the
+/// parameter file if it is one.
+pub(crate) fn computation(what: &'static str, error: &(dyn Error + 'static)) -> Failure {
+    if let Some(StudyError::Parameters(error)) = error.downcast_ref() {
+        return Failure::Parameters(error.clone());
+    }
     let mut reason = error.to_string();
     let mut cause = error.source();
     while let Some(deeper) = cause {

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_reproduction::parameters::Parameters;
 
+use crate::arguments::ParameterFile;
 use crate::failure::Failure;
 use crate::outputs::edition::Edition;
 
@@ -16,6 +17,8 @@ pub(crate) const FIGURES: &str = "figures";
 pub(crate) const EXAMPLES: &str = "examples";
 /// The default output folder of other formats and widths.
 const JOURNAL: &str = "journal";
+/// The default output folder of what is made with settings over the parameter file.
+const VARIED: &str = "varied";
 
 /// The nearest folder, from the current one upwards, that holds the default parameter file; relative, as `../..`, so that
 /// messages name no folder above it.
@@ -25,12 +28,12 @@ pub(crate) fn root() -> Option<PathBuf> {
     (0..above).map(|steps| PathBuf::from_iter(vec![".."; steps])).find(|root| root.join(PARAMETERS).is_file())
 }
 
-/// The parameters of the file that was named, or of the default one.
+/// The parameters of the file that was named, or of the default one, with what was set.
 ///
 /// # Errors
 /// [`Failure::NoProject`] if none was named and there is no default one; [`Failure::Parameters`].
-pub(crate) fn parameters(named: Option<&Path>) -> Result<Parameters, Failure> {
-    Ok(Parameters::from_file(&parameter_file(named)?)?)
+pub(crate) fn parameters(asked: &ParameterFile) -> Result<Parameters, Failure> {
+    Ok(Parameters::from_file_with(&parameter_file(asked.file.as_deref())?, &asked.set)?)
 }
 
 /// The parameter file that was named, or the default one.
@@ -44,14 +47,22 @@ pub(crate) fn parameter_file(named: Option<&Path>) -> Result<PathBuf, Failure> {
     }
 }
 
-/// The folder that was named, or the default one.
+/// The folder that was named, or the default one, which is another for values that were set (`varied`).
 ///
 /// # Errors
 /// [`Failure::NoProject`] if none was named and there is no default one; [`Failure::DefaultFolder`] if other formats or
 /// widths than the default ones were to go to the folder of the default ones.
-pub(crate) fn output_folder(named: Option<&Path>, edition: &Edition) -> Result<PathBuf, Failure> {
+pub(crate) fn output_folder(
+    named: Option<&Path>,
+    edition: &Edition,
+    varied: bool,
+) -> Result<PathBuf, Failure> {
     let Some(named) = named else {
-        let folder = if edition.is_default() { FIGURES } else { JOURNAL };
+        let folder = match (varied, edition.is_default()) {
+            (true, _) => VARIED,
+            (false, true) => FIGURES,
+            (false, false) => JOURNAL,
+        };
         return Ok(root().ok_or(Failure::NoProject)?.join(folder));
     };
     let same = |default: &PathBuf| match (default.canonicalize(), named.canonicalize()) {

@@ -15,6 +15,7 @@ use grazing_report::{CsvTable, Figure, Manifest, OutputFile, PublishedEntry, Sta
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
 use grazing_reproduction::published::{Comparison, Published, Verdict};
+use grazing_source::Setting;
 
 use crate::arguments::Report;
 use crate::failure::Failure;
@@ -33,7 +34,7 @@ use oscillators::Source;
 pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     let start = Instant::now();
     let parameter_file = project::parameter_file(arguments.parameters.file.as_deref())?;
-    let parameters = Parameters::from_file(&parameter_file)?;
+    let parameters = project::parameters(&arguments.parameters)?;
     let (folder, name) = place(&arguments.output)?;
     let sources = Source::all(project::root().as_deref(), &arguments.oscillators)?;
     if let Some(jobs) = arguments.jobs {
@@ -59,7 +60,7 @@ fn place(output: &Path) -> Result<(PathBuf, PathBuf), Failure> {
     };
     match folder::obstacle(&folder) {
         Some((path, reason)) => refuse(&path, &reason),
-        None => Ok((folder, PathBuf::from(name))),
+        None => folder::to_write(output).map(|_| (folder, PathBuf::from(name))),
     }
 }
 
@@ -81,7 +82,7 @@ fn assemble(
     let study = Study::new(parameters).with_progress(&display);
     let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
     for output in outputs::ALL {
-        let files = output.files(&study, &Edition::default())?;
+        let files = output.files(&study, &Edition::default())?.files;
         made.extend(files.iter().map(|file| OutputFile::of(file.path.display().to_string(), &file.content)));
         let (svg, csv) = sorted(files);
         let (name, title) = (output.name.to_owned(), output.title.to_owned());
@@ -104,7 +105,7 @@ fn assemble(
     let placed = oscillators.iter().zip(entries);
     let oscillators =
         placed.map(|(source, entry)| source.placed(entry, repository.as_deref(), root.as_deref())).collect();
-    let default = arguments.parameters.file.is_none();
+    let default = arguments.parameters.file.is_none() && arguments.parameters.set.is_empty();
     Ok(grazing_report::Report {
         figures,
         tables,
@@ -117,6 +118,7 @@ fn assemble(
             libraries: versions::libraries(),
             parameter_file: if default { project::PARAMETERS.to_owned() } else { file_name(parameter_file) },
             parameters: fs::read_to_string(parameter_file)
+                .map(|text| noted(&text, &arguments.parameters.set))
                 .map_err(|reason| Failure::File { path: parameter_file.to_owned(), reason })?,
             outputs: made,
             // Other parameters give other files than those that stand in the repository.
@@ -124,6 +126,12 @@ fn assemble(
         },
         root,
     })
+}
+
+/// The text of a file with what was set over it on top.
+pub(crate) fn noted(text: &str, settings: &[Setting]) -> String {
+    let set = settings.iter().map(|setting| format!("# --set {setting}\n"));
+    set.chain([text.to_owned()]).collect()
 }
 
 fn file_name(path: &Path) -> String {

@@ -1,21 +1,24 @@
 //! `grazing reproduce`: compute first, then write everything or check it.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_reproduction::Study;
-use grazing_reproduction::parameters::Parameters;
+use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::published::Published;
 
-use crate::arguments::Reproduce;
+use crate::arguments::{ParameterFile, Reproduce};
 use crate::failure::Failure;
 use crate::folder::{self, Change, Kind, MadeFile};
 use crate::outputs::edition::Edition;
-use crate::outputs::{self, Output, computation, latex};
+use crate::outputs::{self, Output, latex};
 use crate::progress::Display;
 use crate::{codecheck, project, terminal, visual};
 
+/// The file that says what was set over the parameter file.
+const SETTINGS: &str = "settings.txt";
 /// What belongs in the output folder although the program does not make it.
 const KNOWN: [&str; 2] = ["parameters.toml", "data/README.md"];
 
@@ -26,25 +29,41 @@ const KNOWN: [&str; 2] = ["parameters.toml", "data/README.md"];
 pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     let start = Instant::now();
     let edition = Edition::new(&arguments.format, arguments.columns, arguments.dpi);
-    let parameters = project::parameters(arguments.parameters.file.as_deref())?;
-    let output_folder = project::output_folder(arguments.output.as_deref(), &edition)?;
+    let (parameters, set) = (project::parameters(&arguments.parameters)?, &arguments.parameters.set);
+    let output_folder = project::output_folder(arguments.output.as_deref(), &edition, !set.is_empty())?;
     let chosen: Vec<&Output> =
         outputs::ALL.iter().filter(|output| is_chosen(output, &arguments.only)).collect();
+    for output in &chosen {
+        // What would be wrong for any oscillator is a slip, better mended than worked around.
+        if let Err(error @ ParameterError::Malformed(_)) = output.check(&parameters) {
+            return Err(error.into());
+        }
+    }
     if !arguments.check {
-        let paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths_in(&edition)).collect();
+        let mut paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths_in(&edition)).collect();
+        paths.extend(latex::has_snippet(&edition).then(|| PathBuf::from(latex::SNIPPET)));
+        paths.extend((!set.is_empty()).then(|| PathBuf::from(SETTINGS)));
         folder::ensure_writable(&output_folder, &paths)?;
     }
     if let Some(jobs) = arguments.jobs {
         start_threads(jobs)?;
     }
-    let (mut files, verdict) = make(&parameters, &chosen, &edition)?;
+    let display = Display::new();
+    let study = Study::new(&parameters).with_progress(&display);
+    let Made { mut files, made, missing } = make(&study, &chosen, &edition)?;
+    if made.is_empty() {
+        return tell_missing(&missing, &chosen, &made, &output_folder);
+    }
     if latex::has_snippet(&edition) && arguments.only.is_empty() {
-        files.push(snippet(&chosen, &edition, &files));
+        files.push(snippet(&made, &edition, &files));
+    }
+    if !set.is_empty() {
+        files.push(settings(&arguments.parameters));
     }
     let mut places = vec![Place { folder: output_folder, files, complete: false }];
     if edition.is_default() && arguments.only.is_empty() {
-        places[0].complete = true;
-        if arguments.output.is_none() {
+        places[0].complete = missing.is_empty();
+        if arguments.output.is_none() && set.is_empty() {
             let manifest = MadeFile {
                 path: PathBuf::from(codecheck::FILE),
                 content: codecheck::manifest().into_bytes(),
@@ -53,14 +72,79 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         }
     }
     if arguments.check {
-        check(&places, arguments, &edition)?;
+        if let Err(failure) = check(&places, arguments, &edition) {
+            tell_missing(&missing, &chosen, &made, &places[0].folder)?;
+            return Err(failure);
+        }
         let count = places.iter().map(|place| place.files.len()).sum();
         terminal::say(&format!("{} are what the code makes.\n", counted(count)));
     } else {
         terminal::say(&write(&places)?);
     }
-    terminal::say(&format!("{verdict}\n{:.1} s\n", start.elapsed().as_secs_f64()));
-    Ok(())
+    if arguments.only.is_empty() {
+        terminal::say(&verdict(&study)?);
+    }
+    terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
+    tell_missing(&missing, &chosen, &made, &places[0].folder)
+}
+
+/// What was made of the outputs that were asked for.
+struct Made<'a> {
+    files: Vec<MadeFile>,
+    made: Vec<&'a Output>,
+    missing: Vec<Missing>,
+}
+
+impl Made<'_> {
+    fn add_missing(&mut self, output: &'static str, reason: String) {
+        match self.missing.iter_mut().find(|missing| missing.reason == reason) {
+            Some(missing) => missing.outputs.push(output),
+            None => self.missing.push(Missing { outputs: vec![output], reason }),
+        }
+    }
+}
+
+/// Outputs that could not be made, or not wholly, for one reason.
+struct Missing {
+    outputs: Vec<&'static str>,
+    reason: String,
+}
+
+/// Tells which outputs are missing and why.
+fn tell_missing(
+    missing: &[Missing],
+    chosen: &[&Output],
+    made: &[&Output],
+    folder: &Path,
+) -> Result<(), Failure> {
+    for Missing { outputs, reason } in missing {
+        terminal::note(&format!("error: {}: {reason}", outputs.join(", ")));
+    }
+    let names: BTreeSet<&str> = missing.iter().flat_map(|missing| missing.outputs.iter().copied()).collect();
+    if names.is_empty() {
+        return Ok(());
+    }
+    let absent = chosen.iter().filter(|output| made.iter().all(|made| made.name != output.name));
+    let paths = absent.flat_map(|output| output.paths());
+    let left = paths.map(|path| folder.join(path)).filter(|path| path.exists()).count();
+    if left > 0 {
+        let left = counted(left);
+        terminal::note(&format!(
+            "{left} of earlier runs, of what could not be made now, are left in {}",
+            folder.display()
+        ));
+    }
+    Err(Failure::PartlyMade { missing: names.len(), all: chosen.len() })
+}
+
+/// What was set, for the folder in which the files do not tell.
+fn settings(parameters: &ParameterFile) -> MadeFile {
+    let file = parameters.file.as_deref().unwrap_or(Path::new(project::PARAMETERS));
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let set = parameters.set.iter().map(|setting| format!("--set {setting}\n"));
+    let content =
+        [format!("made from {name} with\n")].into_iter().chain(set).collect::<String>().into_bytes();
+    MadeFile { path: PathBuf::from(SETTINGS), content }
 }
 
 /// Files that were made, and where they belong.
@@ -88,7 +172,7 @@ fn write(places: &[Place]) -> Result<String, Failure> {
         let changed = visual::changed(folder, files);
         let changes = folder::write(folder, files)?;
         told.extend(files.iter().map(|file| folder.join(&file.path).display().to_string()).zip(changes));
-        visual::show(&changed);
+        visual::show(folder, &changed);
     }
     Ok(summary(&told))
 }
@@ -108,28 +192,46 @@ pub(crate) fn start_threads(jobs: u16) -> Result<(), Failure> {
         .map_err(|error| Failure::Threads { jobs, reason: error.to_string() })
 }
 
-/// All files of the outputs, and a line that says whether the published values are met.
-fn make(
-    parameters: &Parameters,
-    chosen: &[&Output],
-    edition: &Edition,
-) -> Result<(Vec<MadeFile>, String), Failure> {
-    let display = Display::new();
-    let study = Study::new(parameters).with_progress(&display);
-    let mut files = Vec::new();
+/// All outputs that can be made; the failure if none can.
+fn make<'a>(study: &Study<'_>, chosen: &[&'a Output], edition: &Edition) -> Result<Made<'a>, Failure> {
+    let mut all = Made { files: Vec::new(), made: Vec::new(), missing: Vec::new() };
     for output in chosen {
-        files.extend(output.files(&study, edition)?);
+        match output.files(study, edition) {
+            Ok(made) => {
+                made.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
+                all.files.extend(made.files);
+                for gap in made.gaps {
+                    all.add_missing(output.name, format!("it is written, but {gap}"));
+                }
+                all.made.push(output);
+            }
+            Err(failure) if chosen.len() == 1 => return Err(failure),
+            Err(failure) => {
+                let reason = match failure {
+                    Failure::Computation { reason, .. } => reason,
+                    failure => failure.to_string(),
+                };
+                all.add_missing(output.name, reason);
+            }
+        }
     }
+    Ok(all)
+}
+
+/// A line that says whether the published values are met.
+fn verdict(study: &Study<'_>) -> Result<String, Failure> {
     let published = Published::printed()?;
-    let computed = study.published_values().map_err(|error| computation("published values", &error))?;
+    let Ok(computed) = study.published_values() else {
+        // Why not is told of the outputs that need the same.
+        return Ok("Published values could not be compared.\n".to_owned());
+    };
     let comparisons = published.compare(&computed);
     let met = comparisons.iter().filter(|comparison| comparison.is_met()).count();
-    let verdict = if met == comparisons.len() {
-        format!("All {met} published values are met.")
+    Ok(if met == comparisons.len() {
+        format!("All {met} published values are met.\n")
     } else {
-        format!("Only {met} of {} published values are met: see `cargo xtask compare`.", comparisons.len())
-    };
-    Ok((files, verdict))
+        format!("Only {met} of {} published values are met: see `cargo xtask compare`.\n", comparisons.len())
+    })
 }
 
 fn check(places: &[Place], arguments: &Reproduce, edition: &Edition) -> Result<(), Failure> {
@@ -144,7 +246,7 @@ fn check(places: &[Place], arguments: &Reproduce, edition: &Edition) -> Result<(
         terminal::note(&difference.to_string());
     }
     for place in places {
-        visual::show(&visual::changed(&place.folder, &place.files));
+        visual::show(&place.folder, &visual::changed(&place.folder, &place.files));
     }
     let unexpected = differences.iter().filter(|difference| difference.kind == Kind::Unexpected).count();
     Err(Failure::CheckFailed {
@@ -164,6 +266,9 @@ fn mending_command(arguments: &Reproduce, edition: &Edition) -> String {
     command.push_str(&edition.options());
     if let Some(file) = &arguments.parameters.file {
         command.push_str(&format!(" --parameters {}", file.display()));
+    }
+    for setting in &arguments.parameters.set {
+        command.push_str(&format!(" --set '{setting}'"));
     }
     if let Some(folder) = &arguments.output {
         command.push_str(&format!(" --output {}", folder.display()));

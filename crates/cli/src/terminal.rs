@@ -1,19 +1,78 @@
 //! What people see: results on the output stream, messages on the error stream.
 
+use std::borrow::Cow;
 use std::env;
 use std::io::{self, IsTerminal, Write};
+use std::sync::{Mutex, PoisonError};
 
 use crate::failure::Failure;
 
-/// Writes to the output stream. Nobody is left to tell when it is closed, as by `| head`; the exit code still counts.
+/// Why the output stream could not be written, the first time that it could not.
+static UNTOLD: Mutex<Option<io::Error>> = Mutex::new(None);
+
+/// Writes to the output stream. Nobody is left to tell when it is closed, as by `| head`; the exit code still counts. Any other
+/// failure to write, as on a full disk, ends the program badly: see [`untold`].
 pub(crate) fn say(text: &str) {
+    say_coloured(&shown(text));
+}
+
+/// As [`say`], for a text with colours and without names that a person has given.
+pub(crate) fn say_coloured(text: &str) {
     let mut stream = io::stdout().lock();
-    let _ = stream.write_all(text.as_bytes()).and_then(|()| stream.flush());
+    if let Err(error) = stream.write_all(text.as_bytes()).and_then(|()| stream.flush())
+        && error.kind() != io::ErrorKind::BrokenPipe
+    {
+        UNTOLD.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+    }
+}
+
+/// The failure to write to the output stream, if there was one.
+pub fn untold() -> Option<Failure> {
+    let reason = UNTOLD.lock().unwrap_or_else(PoisonError::into_inner).take()?;
+    Some(Failure::Untold { reason })
 }
 
 /// Writes a line to the error stream.
 pub(crate) fn note(line: &str) {
-    let _ = writeln!(io::stderr().lock(), "{line}");
+    let _ = writeln!(io::stderr().lock(), "{}", shown(line));
+}
+
+/// The text as a terminal can take it: control characters other than line ends and tabs, which could move the cursor or worse, and marks
+/// that change the direction of writing are written as escapes, `\u{1b}`.
+pub fn shown(text: &str) -> Cow<'_, str> {
+    let hidden =
+        |character: char| (character.is_control() && !matches!(character, '\n' | '\t')) || directs(character);
+    if !text.contains(hidden) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::new();
+    for character in text.chars() {
+        if hidden(character) {
+            shown.extend(character.escape_unicode());
+        } else {
+            shown.push(character);
+        }
+    }
+    Cow::Owned(shown)
+}
+
+/// Whether the character changes the direction in which those after it, or around it, are written.
+fn directs(character: char) -> bool {
+    matches!(character, '\u{200e}' | '\u{200f}' | '\u{61c}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+/// Writes what the command line's reader has to say, and gives its exit code.
+pub fn answer(answer: &clap::Error) -> u8 {
+    let plain = answer.render().to_string();
+    if !answer.use_stderr() {
+        say_coloured(&if is_coloured() { answer.render().ansi().to_string() } else { plain });
+    } else if shown(&plain) == plain {
+        // Nobody is left to tell when the error stream is gone.
+        let _ = answer.print();
+    } else {
+        note(plain.trim_end());
+    }
+    u8::try_from(answer.exit_code()).unwrap_or(2)
 }
 
 /// Writes the one line that tells why the program ends.

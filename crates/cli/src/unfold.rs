@@ -16,6 +16,7 @@ use grazing_description::{Description, DescriptionError, Limits};
 use grazing_model::smooth::Integrated;
 use grazing_reproduction::unfolded::Unfolded;
 use grazing_reproduction::{StudyError, Table};
+use grazing_source::Setting;
 use grazing_unfold::UnfoldError;
 use grazing_unfold::stop::Stoppable;
 
@@ -25,6 +26,7 @@ use crate::folder::{self, MadeFile};
 use crate::limits::{self, Met, Watch};
 use crate::outputs::edition::Edition;
 use crate::outputs::{computation, table_path};
+use crate::report::noted;
 use crate::report::oscillators::{Material, PAGE};
 use crate::reproduce::{start_threads, summary};
 use crate::{tables, terminal};
@@ -93,23 +95,24 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
 fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     let mut tasks: Vec<Task> = Vec::new();
     for file in &arguments.files {
-        let mut description = Description::from_file(file)?;
+        let settings = settings(&arguments.set);
+        let mut description = Description::from_file_with(file, &settings)?;
         if let Some(loops) = &arguments.loops {
             description = description
                 .with_loops(loops)
                 .map_err(|reason| Failure::Option { option: "--loops", reason: reason.to_string() })?;
         }
-        let named = file.file_stem().unwrap_or_default();
+        let named = folder::name_for(file);
         let folder = match &arguments.output {
             Some(folder) if arguments.files.len() == 1 => folder.clone(),
-            Some(folder) => folder.join(named),
-            None => Path::new(RESULTS).join(named),
+            Some(folder) => folder.join(&named),
+            None => Path::new(RESULTS).join(&named),
         };
         if let Some(other) = tasks.iter().find(|other| other.folder == folder) {
             let (first, second) = (other.file.clone(), file.clone());
             return Err(Failure::SameFolder { first, second, folder });
         }
-        let text = grazing_source::read_file(file).map_err(DescriptionError::from)?;
+        let text = noted(&grazing_source::read_file(file).map_err(DescriptionError::from)?, &settings);
         let file_limits = description.limits();
         let limits = Limits {
             time: arguments.time_limit.unwrap_or(file_limits.time),
@@ -119,6 +122,15 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
         tasks.push(Task { file: file.clone(), text, description, folder, limits });
     }
     Ok(tasks)
+}
+
+/// What was set: `kappa` alone is a constant, `parameters.kappa`.
+fn settings(set: &[Setting]) -> Vec<Setting> {
+    let full = |setting: &Setting| {
+        let named = setting.key().contains('.') || setting.key() == "name";
+        if named { setting.clone() } else { setting.within("parameters") }
+    };
+    set.iter().map(full).collect()
 }
 
 /// The failure that tells, with the file's names of the parameters, why there is nothing to unfold, or what has ended the search.

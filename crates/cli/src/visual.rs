@@ -5,11 +5,8 @@ use std::path::{Path, PathBuf};
 
 use grazing_export::{Figure, comparison};
 
-use crate::folder::MadeFile;
+use crate::folder::{Changes, MadeFile, regular};
 use crate::terminal;
-
-/// How the folder of the pictures begins its name.
-const FOLDER: &str = "grazing-changes-";
 
 /// A figure whose file has another content.
 pub(crate) struct ChangedFigure<'a> {
@@ -24,32 +21,38 @@ pub(crate) fn changed<'a>(folder: &Path, files: &'a [MadeFile]) -> Vec<ChangedFi
     figures
         .filter_map(|after| {
             // A figure that is missing or cannot be read has no picture from before.
-            let before = fs::read(folder.join(&after.path)).ok().filter(|before| *before != after.content)?;
+            let path = folder.join(&after.path);
+            let before = regular(&path)
+                .and_then(|_| fs::read(&path))
+                .ok()
+                .filter(|before| *before != after.content)?;
             Some(ChangedFigure { before, after })
         })
         .collect()
 }
 
-/// Draws each changed figure before, after and what differs, in a new folder for temporary files, and tells where.
+/// Draws each changed figure before, after and what differs, in a new folder for temporary files, and tells where. It stays until
+/// a later run draws changes in the same output folder.
 ///
 /// Pictures are a help and not the result: one that cannot be drawn is told of and nothing more.
-pub(crate) fn show(changes: &[ChangedFigure<'_>]) {
+pub(crate) fn show(output: &Path, changes: &[ChangedFigure<'_>]) {
     if changes.is_empty() {
         return;
     }
-    let folder = match tempfile::Builder::new().prefix(FOLDER).tempdir() {
-        Ok(folder) => folder.keep(),
+    let folder = match Changes::new(output) {
+        Ok(folder) => folder,
         Err(error) => return terminal::note(&format!("the changes could not be drawn: {error}")),
     };
     for change in changes {
         let name = change.after.path.display();
-        match draw(change, &folder) {
+        match draw(change, folder.path()) {
             Ok(picture) => {
                 terminal::note(&format!("{name}: before, after and difference: {}", picture.display()));
             }
             Err(reason) => terminal::note(&format!("{name}: the change could not be drawn: {reason}")),
         }
     }
+    folder.keep();
 }
 
 fn draw(change: &ChangedFigure<'_>, folder: &Path) -> Result<PathBuf, String> {

@@ -72,6 +72,51 @@ fn a_check_names_the_tampered_files_and_the_command_that_mends_them() {
 }
 
 #[test]
+fn outputs_that_can_be_made_are_and_the_others_are_named_with_their_keys() {
+    let folder = project(&quick_parameters());
+    // Theorem 2.3 does not apply there.
+    let made = grazing(folder.path(), &["reproduce", "--set", "fig10.frequency=0.6"]);
+    assert_eq!(made.code, Some(3), "{}", made.messages);
+    let told = "error: fig10: --set: fig10.frequency = 0.6: ";
+    assert!(made.messages.contains(told) && made.messages.contains("they hold from"), "{}", made.messages);
+    assert!(made.errors().contains("1 of 12 outputs could not be made"), "{}", made.messages);
+    for output in outputs::ALL {
+        for path in output.paths() {
+            let is_there = folder.path().join("varied").join(&path).is_file();
+            assert_eq!(is_there, output.name != "fig10", "{}", path.display());
+        }
+    }
+    assert_eq!(listing(&folder.path().join("figures")), ["parameters.toml"], "figures/ is not touched");
+    let settings = fs::read_to_string(folder.path().join("varied/settings.txt")).expect("it was written");
+    assert_eq!(settings, "made from parameters.toml with\n--set fig10.frequency=0.6\n");
+    // No other output needs what Figure 10 does not have.
+    let made = grazing(folder.path(), &["reproduce", "--only", "fig05", "--set", "fig10.frequency=-1"]);
+    assert_eq!(made.code, Some(0), "{}", made.messages);
+    let checked =
+        grazing(folder.path(), &["reproduce", "--only", "fig05", "--set", "fig10.frequency=-1", "--check"]);
+    assert_eq!(checked.code, Some(0), "{}", checked.messages);
+}
+
+#[test]
+fn other_oscillators_have_their_portraits_and_panels_where_they_exist() {
+    let folder = project(&quick_parameters());
+    for setting in
+        ["oscillator.zeta=0.01", "oscillator.zeta=0.05", "oscillator.epsilon=0.95", "oscillator.epsilon=1"]
+    {
+        let line = ["reproduce", "--only", "fig02", "--only", "fig08", "--set", setting];
+        let made = grazing(folder.path(), &line);
+        assert_eq!(made.code, Some(0), "{setting}: {}", made.messages);
+        let moved = "fig02.portraits[2].near = 0.2755: the portrait of p = 3 is at 0.2";
+        assert!(made.messages.contains(moved), "{setting}: {}", made.messages);
+    }
+    // What is not a wish is refused, with where it could be.
+    let setting = "fig02.portraits[2].amplitude=0.3";
+    let made = grazing(folder.path(), &["reproduce", "--only", "fig02", "--set", setting]);
+    assert_eq!(made.code, Some(3), "{}", made.messages);
+    assert!(made.errors().contains("there is one from 0.2"), "{}", made.messages);
+}
+
+#[test]
 fn an_interrupted_run_leaves_every_file_as_it_was() {
     let folder = project(&quick_parameters());
     let figure = folder.path().join("figures/fig07.svg");

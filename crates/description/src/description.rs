@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use grazing_model::smooth::{Scalar, SmoothOscillator};
-use grazing_source::Source;
+use grazing_source::{Setting, Source, Text};
 
 use crate::error::DescriptionError;
 use crate::expression::Expression;
@@ -89,7 +89,16 @@ impl Description {
     /// # Errors
     /// [`DescriptionError`], the first thing in the file that is not right, with its line.
     pub fn from_file(path: &Path) -> Result<Description, DescriptionError> {
-        Description::parse(&grazing_source::read_file(path)?, &path.display().to_string())
+        Description::from_file_with(path, &[])
+    }
+
+    /// As [`from_file`](Self::from_file), with settings that take the place of values in the file.
+    ///
+    /// # Errors
+    /// As [`parse_with`](Self::parse_with), or the file cannot be read.
+    pub fn from_file_with(path: &Path, settings: &[Setting]) -> Result<Description, DescriptionError> {
+        let text = grazing_source::read_file(path)?;
+        Description::parse_with(&Text::new(&text, settings), &path.display().to_string())
     }
 
     /// Checks the text of a description; `file` is the name that messages use.
@@ -99,6 +108,14 @@ impl Description {
     /// # Errors
     /// [`DescriptionError`], the first thing in the text that is not right, with its line.
     pub fn parse(text: &str, file: &str) -> Result<Description, DescriptionError> {
+        Description::parse_with(&Text::new(text, &[]), file)
+    }
+
+    /// As [`parse`](Self::parse), with settings that take the place of values in the text.
+    ///
+    /// # Errors
+    /// As [`parse`](Self::parse), and for settings of keys that mean nothing or are not there.
+    pub fn parse_with(text: &Text, file: &str) -> Result<Description, DescriptionError> {
         let source = Source::new(text, file, file::REQUIREMENTS);
         let raw: file::File = source.read()?;
         let description = validate::description(&raw, &source)?;

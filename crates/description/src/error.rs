@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use grazing_source::{Source, SourceError};
+use grazing_source::{Source, SourceError, place};
 use thiserror::Error;
 use toml::Spanned;
 
@@ -103,13 +103,14 @@ pub struct Place {
 
 impl std::fmt::Display for Place {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(formatter, "{}:{}: {}", self.file, self.line, self.key)
+        write!(formatter, "{}: {}", place(&self.file, self.line), self.key)
     }
 }
 
 impl Place {
     pub(crate) fn new(source: &Source<'_>, key: &'static str, text: &Spanned<String>) -> Place {
-        Place { file: source.file().to_owned(), line: source.line(text.span().start), key }
+        let (file, line) = source.place(text.span().start);
+        Place { file, line, key }
     }
 }
 
@@ -165,7 +166,7 @@ impl DescriptionError {
         let mut place = Place::new(source, key, text);
         // With escapes in it, the text's lines are not those of the file.
         if let Some(start) = source.raw(text.span()).find(text.get_ref().as_str()) {
-            place.line = source.line(text.span().start + start + error.span.start);
+            (place.file, place.line) = source.place(text.span().start + start + error.span.start);
         }
         let excerpt = excerpt(text.get_ref(), &error.span);
         let problem = match error.problem.clone() {

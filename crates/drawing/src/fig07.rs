@@ -26,7 +26,7 @@ pub struct Figure07<'a> {
     /// The rectangles of Figure 8.
     pub magnified: &'a [Magnified],
     /// The line of Figure 2.
-    pub section: &'a Section,
+    pub sections: &'a [Section],
 }
 
 /// Draws Figure 7.
@@ -59,7 +59,7 @@ fn diagram<'a>(figure: &Figure07<'a>, plane: &'a Plane<'a>) -> Diagram<'a> {
         regions: Some(Table::new("fig07_regions", figure.regions)),
         window: figure.window,
         magnified: figure.magnified,
-        sections: std::slice::from_ref(figure.section),
+        sections: figure.sections,
     }
 }
 
@@ -78,7 +78,7 @@ mod tests {
             regions: &regions,
             window: samples::WINDOW,
             magnified: &samples::magnified(),
-            section: &samples::section(),
+            sections: &[samples::section()],
         })
     }
 

@@ -24,7 +24,8 @@ pub(crate) fn points(value: f64) -> String {
     hundredths((value * UNITS).round() as i32)
 }
 
-/// Text with the five characters escaped that XML reserves, and without control characters, which it forbids.
+/// Text with the five characters escaped that XML reserves, without control characters, which it forbids, and with marks that
+/// change the direction of writing as `\u{202e}`.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in text.chars() {
@@ -35,10 +36,16 @@ pub(crate) fn escape(text: &str) -> String {
             '"' => escaped.push_str("&quot;"),
             '\'' => escaped.push_str("&#39;"),
             control if control.is_control() => escaped.push(' '),
+            mark if directs(mark) => escaped.extend(mark.escape_unicode()),
             other => escaped.push(other),
         }
     }
     escaped
+}
+
+/// Whether the character changes the direction in which those after it, or around it, are written.
+fn directs(character: char) -> bool {
+    matches!(character, '\u{200e}' | '\u{200f}' | '\u{61c}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// The runs of a label as text and tspans; scripts by `dy`, which every viewer knows.

@@ -223,6 +223,10 @@ pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
     highest
 }
 
+/// How many cells the search for a zero of the velocity looks at. Motion that is one to the eye needs some hundred; where the oscillator
+/// has come to rest but for rounding, or the forcing hardly moves, there would be no end of them (empirical: some milliseconds).
+const PATIENCE: u32 = 100_000;
+
 /// The zero of the velocity nearest to time 0 in the given direction of time, at most `horizon` away.
 ///
 /// For a motion that begins with a velocity other than zero; paper: the evolution time of P_virt.
@@ -232,7 +236,8 @@ pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<
     let mut first = motion.at(0.0);
     let mut start = 0.0;
     let stride = motion.stride(sign * horizon);
-    while start < horizon {
+    let mut patience = PATIENCE;
+    while start < horizon && patience > 0 {
         let end = (start + stride).min(horizon);
         let last = motion.at(sign * end);
         if !last.position.is_finite() {
@@ -240,10 +245,11 @@ pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<
         }
         let cell = Cell { start: sign * start, first, end: sign * end, last };
         let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
-        if let Some(time) = cell.rest(motion, &bounds) {
+        if let Some(time) = cell.rest(motion, &bounds, &mut patience) {
             return Some(time);
         }
         (start, first) = (end, last);
+        patience = patience.saturating_sub(1);
     }
     None
 }

@@ -20,10 +20,17 @@ pub(crate) fn escape(text: &str) -> String {
             '>' => escaped.push_str("&gt;"),
             '"' => escaped.push_str("&quot;"),
             '\'' => escaped.push_str("&#39;"),
+            '\n' | '\r' | '\t' => escaped.push(character),
+            hidden if hidden.is_control() || directs(hidden) => escaped.extend(hidden.escape_unicode()),
             other => escaped.push(other),
         }
     }
     escaped
+}
+
+/// Whether the character changes the direction in which those after it, or around it, are written.
+fn directs(character: char) -> bool {
+    matches!(character, '\u{200e}' | '\u{200f}' | '\u{61c}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// The text as a string of JSON that can stand inside a script element.

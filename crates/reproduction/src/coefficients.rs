@@ -64,7 +64,7 @@ pub(crate) fn compute(
     parameters: &Parameters,
     diagram: &Diagram<LinearOscillator>,
 ) -> Result<Vec<Coefficients>, StudyError> {
-    let theory = grazing_theorems::LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
+    let theory = parameters.oscillator()?;
     let resonances: Vec<_> = diagram.unfolding().collect();
     resonances
         .into_par_iter()

@@ -15,23 +15,34 @@ pub(crate) fn compute(
     parameters: &Parameters,
     progress: &dyn Progress,
 ) -> Result<Diagram<LinearOscillator>, StudyError> {
-    let figure = parameters.fig07();
+    let figure = parameters.fig07()?;
     let window = window(figure.window());
     let scope = Scope { window, loops: figure.loops().to_vec(), start: None };
-    let [amplitude, frequency] = [window.primary[0], window.secondary[0]];
-    let oscillator = LinearOscillator::new(parameters.zeta(), parameters.epsilon(), amplitude, frequency)?;
-    let diagram = Diagram::compute(&oscillator, &scope, progress)?;
-    if let Some(lost) = diagram.unlocated.first() {
-        return Err(StudyError::Unlocated {
-            loops: lost.loops,
-            near: lost.near,
-            source: lost.reason.clone(),
-        });
-    }
-    match diagram.not_unfolded.first() {
-        Some(failed) => Err(StudyError::resonance(failed.loops, failed.n, failed.reason.clone())),
-        None => Ok(diagram),
-    }
+    let oscillator = forced(parameters.oscillator()?, window.primary[0], window.secondary[0])?;
+    Ok(Diagram::compute(&oscillator, &scope, progress)?)
+}
+
+/// What was seen and is not in the diagram.
+pub(crate) fn gaps(diagram: &Diagram<LinearOscillator>) -> Vec<StudyError> {
+    let unlocated = diagram.unlocated.iter().map(|lost| StudyError::Unlocated {
+        loops: lost.loops,
+        near: lost.near,
+        source: lost.reason.clone(),
+    });
+    let failed = diagram.not_unfolded.iter();
+    unlocated
+        .chain(failed.map(|failed| StudyError::resonance(failed.loops, failed.n, failed.reason.clone())))
+        .collect()
+}
+
+/// The oscillator of theory with its forcing.
+pub(crate) fn forced(
+    theory: &grazing_theorems::LinearOscillator,
+    amplitude: f64,
+    frequency: f64,
+) -> Result<LinearOscillator, StudyError> {
+    let (zeta, epsilon) = (theory.damping_ratio(), theory.coefficient_of_restitution());
+    Ok(LinearOscillator::new(zeta, epsilon, amplitude, frequency)?)
 }
 
 /// Amplitudes and frequencies as ranges of the primary and the secondary parameter.
@@ -45,6 +56,6 @@ pub(crate) fn branch_route(amplitude: Range) -> Route {
     Route { stop_at_events: false, ..route(window, StepControl::DRAWING) }
 }
 
-fn ends(range: Range) -> [f64; 2] {
+pub(crate) fn ends(range: Range) -> [f64; 2] {
     [range.lower(), range.upper()]
 }

@@ -7,9 +7,14 @@ use grazing_model::maps::MapError;
 use grazing_theorems::{HypothesesViolated, TheoryError};
 use grazing_unfold::UnfoldError;
 
+use crate::parameters::ParameterError;
+
 /// A computation of the reproduction failed.
 #[derive(Clone, Debug, thiserror::Error)]
 pub enum StudyError {
+    /// The section of the parameter file is not right.
+    #[error(transparent)]
+    Parameters(#[from] ParameterError),
     /// A parameter is outside the oscillator's domain.
     #[error(transparent)]
     Oscillator(#[from] OscillatorError),
@@ -23,7 +28,7 @@ pub enum StudyError {
     #[error(transparent)]
     Unfold(#[from] UnfoldError),
     /// A resonance was seen and could not be located.
-    #[error("a resonance of p = {loops} near {near:?}: {source}")]
+    #[error("the resonance of p = {loops} near {near:?} is missing: {source}")]
     Unlocated {
         /// Number of loops p.
         loops: u32,
@@ -33,7 +38,7 @@ pub enum StudyError {
         source: ResonanceError,
     },
     /// A resonance could not be unfolded.
-    #[error("resonance p = {loops}, n = {n}: {source}")]
+    #[error("resonance p = {loops}, n = {n}: a curve is missing: {source}")]
     Resonance {
         /// Number of loops p.
         loops: u32,
@@ -63,12 +68,22 @@ pub enum StudyError {
         reason: String,
     },
     /// A portrait's solution does not exist at its amplitude.
-    #[error("figure 2 has no admissible {loops}-loop solution at amplitude {amplitude} for a phase portrait")]
+    #[error("{key}: no stable admissible {loops}-loop solution is there for a phase portrait; {remedy}")]
     NoPortrait {
+        /// The key of the portrait, with file, line and value.
+        key: String,
         /// Number of loops p.
         loops: u32,
-        /// The amplitude.
-        amplitude: f64,
+        /// Where there is one.
+        remedy: String,
+    },
+    /// The resonance of a panel of Figure 8 was not found in Figure 7.
+    #[error("the resonance p = {loops}, n = {n} was not found; show another in fig08.panels")]
+    NoPanel {
+        /// Number of loops p.
+        loops: u32,
+        /// The integer n of the resonance.
+        n: u32,
     },
     /// An orbit of Figure 1 is not there.
     #[error(

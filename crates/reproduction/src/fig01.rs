@@ -36,7 +36,7 @@ impl Figure1 {
     }
 
     pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
-        let shown = parameters.fig01();
+        let shown = parameters.fig01()?;
         let of = shown.specimen();
         let oscillator = LinearOscillator::new(of.zeta(), of.epsilon(), of.amplitude(), of.frequency())?;
         let space = Space::straight(shown.view());

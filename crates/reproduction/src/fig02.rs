@@ -3,12 +3,14 @@
 mod attractor;
 mod branches;
 mod portraits;
+mod subjects;
 
 use grazing_model::LinearOscillator;
 use grazing_theorems::GrazingState;
 
 use crate::StudyError;
-use crate::parameters::Parameters;
+use crate::diagram::forced;
+use crate::parameters::{Figure2 as Figure2Parameters, Parameters};
 use crate::table::Table;
 use grazing_unfold::progress::Progress;
 
@@ -23,19 +25,20 @@ pub struct Figure2 {
     pub attractor: Table,
     /// `fig02_portraits`: orbits in the (x, y) plane.
     pub portraits: Table,
+    /// What is shown elsewhere than the parameters ask for, or not at all, in sentences.
+    pub notes: Vec<String>,
 }
 
 /// What the parts of the figure share: the oscillator at grazing.
 struct Setting<'a> {
-    parameters: &'a Parameters,
+    figure: &'a Figure2Parameters,
+    theory: &'a grazing_theorems::LinearOscillator,
     grazing: GrazingState,
 }
 
 impl Setting<'_> {
     fn oscillator(&self, amplitude: f64) -> Result<LinearOscillator, StudyError> {
-        let frequency = self.parameters.fig02().frequency();
-        let (zeta, epsilon) = (self.parameters.zeta(), self.parameters.epsilon());
-        Ok(LinearOscillator::new(zeta, epsilon, amplitude, frequency)?)
+        forced(self.theory, amplitude, self.figure.frequency())
     }
 }
 
@@ -46,15 +49,16 @@ impl Figure2 {
     }
 
     pub(crate) fn compute(parameters: &Parameters, progress: &dyn Progress) -> Result<Self, StudyError> {
-        let theory = grazing_theorems::LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
-        let grazing = theory.grazing(parameters.fig02().frequency())?;
-        let setting = Setting { parameters, grazing };
+        let (figure, theory) = (parameters.fig02()?, parameters.oscillator()?);
+        let setting = Setting { figure, theory, grazing: theory.grazing(figure.frequency())? };
         let branches = branches::follow(&setting)?;
         let bifurcations = branches::bifurcations(&setting, &branches);
+        let (portraits, notes) = portraits::table(&setting, &branches)?;
         Ok(Self {
             branches: branches::table(&setting, &branches)?,
             attractor: attractor::table(&setting, &bifurcations, progress)?,
-            portraits: portraits::table(&setting, &branches)?,
+            portraits,
+            notes,
             bifurcations: branches::bifurcation_table(&bifurcations)?,
         })
     }

@@ -38,7 +38,7 @@ impl Figure3 {
     }
 
     pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
-        let shown = parameters.fig03();
+        let shown = parameters.fig03()?;
         let theory = grazing_theorems::LinearOscillator::new(shown.zeta(), ELASTIC)?;
         let grazing = theory.grazing(shown.frequency())?;
         let oscillator =

@@ -1,6 +1,5 @@
 //! Figure 4 (fig:D): the boundaries g_p and h_p in the trapesium of stable, orientation-preserving grazing orbits.
 
-use grazing_theorems::LinearOscillator;
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::auxiliary::resonance_boundary;
 
@@ -36,13 +35,13 @@ impl Figure4 {
         }
         // The limit of both families as p grows: the cosine in eq:gp tends to 1, and h_p lies between two of the g.
         sample(&mut curves, "limit", 0, |delta| Ok(2.0 * delta.sqrt()))?;
-        for &p in parameters.fig04().loops() {
+        for &p in parameters.fig04()?.loops() {
             sample(&mut curves, "g", p, |delta| Ok(resonance_boundary(f64::from(p), delta)))?;
             sample(&mut curves, "h", p, |delta| extended_admissibility_boundary(p, delta))?;
         }
 
-        let oscillator = LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
-        let grazing = oscillator.grazing(parameters.fig02().frequency())?;
+        let oscillator = parameters.oscillator()?;
+        let grazing = oscillator.grazing(parameters.fig02_frequency()?)?;
         let mut points = columns! { "kind": "", "tau": 0.0, "delta": 0.0 };
         points.push(row!["fig02", grazing.trace(), grazing.determinant()]);
         Ok(Self { curves: curves.finish("fig04_curves")?, points: points.finish("fig04_points")? })

@@ -13,8 +13,8 @@
 //! μ > c_SN η² on the side of η with the saddle-node curve, and where μ > c_PD η² on the other side: one region, beyond
 //! the grazing line but for the strip between it and the saddle-node curve, where the non-impacting solution is stable too.
 
+use grazing_theorems::ResonantGrazing;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
-use grazing_theorems::{LinearOscillator, ResonantGrazing};
 
 use crate::StudyError;
 use crate::parameters::{self, Parameters};
@@ -44,8 +44,8 @@ impl Figure5 {
     }
 
     pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
-        let shown = parameters.fig05();
-        let oscillator = LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
+        let shown = parameters.fig05()?;
+        let oscillator = parameters.oscillator()?;
         let resonance = oscillator.resonance(shown.loops(), shown.n())?;
         let theorem = ResonantGrazing::check(&resonance.resonant_point(), RESONANCE_TOLERANCE)?;
         let saddle_node = half_parabola(theorem.saddle_node(), shown);

@@ -6,9 +6,8 @@
 
 mod shapes;
 
-use grazing_model::LinearOscillator;
-
 use crate::StudyError;
+use crate::diagram::forced;
 use crate::parameters::Parameters;
 use crate::table::{Table, columns, row};
 
@@ -54,14 +53,9 @@ impl Figure6 {
     }
 
     pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
-        let shown = parameters.fig06();
-        let oscillator = LinearOscillator::new(
-            parameters.zeta(),
-            parameters.epsilon(),
-            shown.amplitude(),
-            shown.frequency(),
-        )?;
-        let theory = grazing_theorems::LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
+        let shown = parameters.fig06()?;
+        let theory = parameters.oscillator()?;
+        let oscillator = forced(theory, shown.amplitude(), shown.frequency())?;
         let instant = Instant {
             face: oscillator.non_impacting_solution(shown.phase()).position,
             // φ_p is harmonic about −1 and reaches 0 at the grazing amplitude.

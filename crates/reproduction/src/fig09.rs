@@ -61,7 +61,7 @@ impl Figure9 {
     }
 
     pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
-        let shown = parameters.fig09();
+        let shown = parameters.fig09()?;
         let of = shown.specimen();
         let oscillator = LinearOscillator::new(of.zeta(), of.epsilon(), of.amplitude(), of.frequency())?;
         let theory = grazing_theorems::LinearOscillator::new(of.zeta(), of.epsilon())?;

@@ -1,6 +1,5 @@
 //! Figure 10 (fig:I): the path of the proof of Theorem 2.3, Step 3.
 
-use grazing_theorems::LinearOscillator;
 use grazing_theorems::auxiliary::lucas_sequence;
 use nalgebra::Vector2;
 
@@ -25,8 +24,8 @@ impl Figure10 {
     ///
     /// Paper: eq:affineMap and the line after eq:affineMapj. The scaling S_p / β of eq:ujwj makes u⁽ʲ⁾ free of μ.
     pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
-        let shown = parameters.fig10();
-        let oscillator = LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
+        let shown = parameters.fig10()?;
+        let oscillator = parameters.oscillator()?;
         let map = oscillator.grazing(shown.frequency())?.linearised_map();
         let (p, beta) = (shown.loops(), map.transversality());
         let drift = map.b * (lucas_sequence(p, map.trace(), map.determinant()) / beta);

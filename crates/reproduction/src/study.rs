@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
+use grazing_continuation::curve::Window;
 use grazing_model::LinearOscillator;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::{Progress, Silent};
@@ -17,7 +18,7 @@ use crate::fig04::Figure4;
 use crate::fig05::Figure5;
 use crate::fig06::Figure6;
 use crate::fig07::Figure7;
-use crate::fig08::Figure8;
+use crate::fig08::{self, Figure8};
 use crate::fig09::Figure9;
 use crate::fig10::Figure10;
 use crate::parameters::Parameters;
@@ -122,7 +123,7 @@ impl<'a> Study<'a> {
     /// The frames of Figure 7.
     ///
     /// # Errors
-    /// A resonance could not be located or unfolded.
+    /// There is no grazing in the window.
     pub fn fig07(&self) -> Result<Figure7, StudyError> {
         Figure7::of(self.diagram()?)
     }
@@ -132,7 +133,15 @@ impl<'a> Study<'a> {
     /// # Errors
     /// A resonance could not be located, unfolded or measured.
     pub fn fig08(&self) -> Result<Figure8, StudyError> {
-        Figure8::compute(&self.parameters, self.diagram()?, self.coefficients()?)
+        Figure8::compute(&self.parameters, self.diagram()?)
+    }
+
+    /// The windows of the panels of Figure 8 in the order of the parameters.
+    ///
+    /// # Errors
+    /// As [`fig08`](Self::fig08).
+    pub fn panels(&self) -> Result<Vec<Window>, StudyError> {
+        fig08::windows(&self.parameters, self.diagram()?)
     }
 
     /// The frames of Figure 9.
@@ -166,12 +175,13 @@ impl<'a> Study<'a> {
     /// A resonance could not be located, unfolded or measured.
     pub fn published_values(&self) -> Result<BTreeMap<String, f64>, StudyError> {
         let parameters = &self.parameters;
-        let theory = grazing_theorems::LinearOscillator::new(parameters.zeta(), parameters.epsilon())?;
-        let grazing = theory.grazing(parameters.fig02().frequency())?;
+        let theory = parameters.oscillator()?;
+        let frequency = parameters.fig02_frequency()?;
+        let grazing = theory.grazing(frequency)?;
         let mut values = BTreeMap::from([
-            ("zeta".to_owned(), parameters.zeta()),
-            ("epsilon".to_owned(), parameters.epsilon()),
-            ("fig02_frequency".to_owned(), parameters.fig02().frequency()),
+            ("zeta".to_owned(), theory.damping_ratio()),
+            ("epsilon".to_owned(), theory.coefficient_of_restitution()),
+            ("fig02_frequency".to_owned(), frequency),
             ("fig02_amplitude_graz".to_owned(), grazing.amplitude()),
             ("fig02_tau".to_owned(), grazing.trace()),
             ("fig02_delta".to_owned(), grazing.determinant()),

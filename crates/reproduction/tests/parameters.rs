@@ -1,11 +1,44 @@
 //! What the parameter file may hold, and what is said when it holds something else.
 
-use grazing_reproduction::parameters::{ParameterError, Parameters, Range};
+use grazing_reproduction::parameters::{ParameterError, Parameters, Place, Range};
+use grazing_source::{Setting, SourceError, Text};
 
 const DEFAULT: &str = include_str!("../../../figures/parameters.toml");
 
-fn parse(text: &str) -> Result<Parameters, ParameterError> {
-    Parameters::parse(text, "p.toml")
+/// The parameters, or the first thing that is wrong in any section.
+fn parse(text: &str) -> Result<Parameters, SourceError> {
+    let told = |error: ParameterError| error.source_error().clone();
+    let parameters = Parameters::parse(text, "p.toml").map_err(told)?;
+    match errors(&parameters).into_iter().next() {
+        Some(error) => Err(told(error)),
+        None => Ok(parameters),
+    }
+}
+
+/// What is wrong in the sections, in their order.
+fn errors(parameters: &Parameters) -> Vec<ParameterError> {
+    [
+        parameters.oscillator().map(drop),
+        parameters.fig01().map(drop),
+        parameters.fig02().map(drop),
+        parameters.fig03().map(drop),
+        parameters.fig04().map(drop),
+        parameters.fig05().map(drop),
+        parameters.fig06().map(drop),
+        parameters.fig07().map(drop),
+        parameters.fig08().map(drop),
+        parameters.fig09().map(drop),
+        parameters.fig10().map(drop),
+    ]
+    .into_iter()
+    .filter_map(Result::err)
+    .collect()
+}
+
+/// The default parameters with settings.
+fn set(settings: &[&str]) -> Result<Parameters, ParameterError> {
+    let settings: Vec<Setting> = settings.iter().map(|text| text.parse().expect("it is a setting")).collect();
+    Parameters::parse_with(&Text::new(DEFAULT, &settings), "p.toml")
 }
 
 /// The default file with another line in the place of the first one for the key after `section`. The values that stand
@@ -31,7 +64,7 @@ fn refusal_quoting(culprit: &str, section: &str, key: &str, value: &str, full_ke
     let line = format!("{key} = {value}");
     let text = edited(section, key, &line);
     match parse(&text) {
-        Err(ParameterError::Forbidden { file, line: number, key, value, allowed }) => {
+        Err(SourceError::Forbidden { file, line: number, key, value, allowed }) => {
             assert_eq!((file.as_str(), key.as_str(), value.as_str()), ("p.toml", full_key, culprit));
             assert_eq!(number, line_of(&text, section, &line), "the line of {line}");
             allowed
@@ -48,14 +81,25 @@ fn refusal(section: &str, key: &str, value: &str, full_key: &str) -> String {
 #[test]
 fn the_default_file_is_accepted_and_read_whole() {
     let parameters = parse(DEFAULT).expect("the default file is valid");
-    assert!(DEFAULT.contains(&format!("zeta = {}", parameters.zeta())));
-    assert!(DEFAULT.contains(&format!("epsilon = {}", parameters.epsilon())));
-    assert!(DEFAULT.contains(&format!("frequency = {}", parameters.fig02().frequency())));
-    assert_eq!(parameters.fig02().loops(), [1, 2, 3]);
-    assert_eq!(parameters.fig07().loops(), [1, 2, 3]);
-    let panels = parameters.fig08().panels().iter();
+    assert!(
+        DEFAULT
+            .contains(&format!("zeta = {}", parameters.oscillator().expect("it is right").damping_ratio()))
+    );
+    assert!(DEFAULT.contains(&format!(
+        "epsilon = {}",
+        parameters.oscillator().expect("it is right").coefficient_of_restitution()
+    )));
+    assert!(
+        DEFAULT.contains(&format!("frequency = {}", parameters.fig02().expect("it is right").frequency()))
+    );
+    assert_eq!(parameters.fig02().expect("it is right").loops(), [1, 2, 3]);
+    assert_eq!(parameters.fig07().expect("it is right").loops(), [1, 2, 3]);
+    let panels = parameters.fig08().expect("it is right").panels().iter();
     assert_eq!(panels.map(|panel| (panel.loops(), panel.n())).collect::<Vec<_>>(), [(1, 3), (2, 1), (3, 2)]);
-    assert_eq!(parameters.fig02().portraits().len(), DEFAULT.matches("[[fig02.portraits]]").count());
+    assert_eq!(
+        parameters.fig02().expect("it is right").portraits().len(),
+        DEFAULT.matches("[[fig02.portraits]]").count()
+    );
 }
 
 #[test]
@@ -76,11 +120,11 @@ fn every_key_of_the_default_file_is_explained_where_it_first_stands() {
 fn every_key_of_the_default_file_is_needed() {
     let keys = DEFAULT.lines().filter(|line| !line.starts_with('#') && line.contains(" = "));
     let mut removed = 0;
-    for line in keys {
+    for line in keys.filter(|line| !line.starts_with("near = ")) {
         let text = DEFAULT.replacen(&format!("{line}\n"), "", 1);
         let name = line.split_once(" = ").map_or(line, |(name, _)| name);
         match parse(&text) {
-            Err(ParameterError::MissingKey { key, allowed, .. }) => {
+            Err(SourceError::MissingKey { key, allowed, .. }) => {
                 assert!(key.ends_with(name), "{key} for {name}");
                 assert!(!allowed.starts_with("see "), "no requirement is written down for {key}");
             }
@@ -99,7 +143,7 @@ fn damping_ratio_lies_strictly_between_0_and_1() {
     }
     // Its resonances differ little from those of the default damping, so the windows keep them.
     let slight = parse(&edited("[oscillator]", "zeta", "zeta = 0.01"));
-    assert_eq!(slight.map(|parameters| parameters.zeta()), Ok(0.01));
+    assert_eq!(slight.map(|parameters| parameters.oscillator().map(|of| of.damping_ratio())), Ok(Ok(0.01)));
 }
 
 #[test]
@@ -108,7 +152,8 @@ fn restitution_lies_above_0_and_may_be_1() {
         refusal("[oscillator]", "epsilon", wrong, "oscillator.epsilon");
     }
     let elastic = parse(&edited("[oscillator]", "epsilon", "epsilon = 1"));
-    assert_eq!(elastic.map(|parameters| parameters.epsilon()), Ok(1.0));
+    let epsilon = |parameters: Parameters| parameters.oscillator().map(|of| of.coefficient_of_restitution());
+    assert_eq!(elastic.map(epsilon), Ok(Ok(1.0)));
 }
 
 #[test]
@@ -117,7 +162,7 @@ fn ranges_are_two_finite_numbers_and_run_upwards() {
         refusal("[fig02]", "amplitude", wrong, "fig02.amplitude");
         refusal("[fig02]", "x", wrong, "fig02.x");
         refusal("[fig07]", "frequency", wrong, "fig07.frequency");
-        refusal("[[fig08.panels]]", "frequency", wrong, "fig08.panels[1].frequency");
+        refusal("[[fig08.panels]]", "frequency", wrong, "fig08.panels[1].near.frequency");
     }
     refusal("[fig07]", "amplitude", "[-0.1, 1.3]", "fig07.amplitude");
     refusal("[fig07]", "frequency", "[0, 1.1]", "fig07.frequency");
@@ -144,39 +189,144 @@ fn loops_are_different_whole_numbers_from_1_on() {
 }
 
 #[test]
-fn every_number_of_loops_of_figure_7_has_a_resonance_in_the_window() {
+fn figure_7_holds_a_resonance() {
     let allowed = refusal("[fig07]", "frequency", "[0.9, 0.95]", "fig07.frequency");
     assert!(allowed.contains("no resonance"), "{allowed}");
-    match parse(&edited("[fig07]", "frequency", "frequency = [0.65, 0.82]")) {
-        Err(ParameterError::Forbidden { key, value, allowed, .. }) => {
-            assert_eq!((key.as_str(), value.as_str()), ("fig07.loops", "3"));
-            assert!(allowed.contains("p = 3 has no resonance"), "{allowed}");
-        }
-        other => panic!("{other:?}"),
-    }
+    assert!(allowed.contains("the nearest, p = 3, n = 1"), "{allowed}");
+    // One resonance is enough; that of three loops lies outside.
+    assert_eq!(refused(&["fig07.frequency=[0.65, 0.82]"]), [""; 0]);
+    // Resonances accumulate at zero, where there would be no end of them.
     let allowed = refusal("[fig07]", "frequency", "[1e-9, 1.1]", "fig07.frequency");
-    assert!(allowed.contains("at most"), "{allowed}");
+    assert!(allowed.contains("0.05 <= lower"), "{allowed}");
 }
 
 #[test]
 fn parts_lie_inside_the_whole() {
     refusal("[fig02.magnification]", "amplitude", "[0, 9]", "fig02.magnification.amplitude");
     refusal("[fig02.magnification]", "x", "[-9, 0]", "fig02.magnification.x");
-    refusal("[[fig02.portraits]]", "amplitude", "9.0", "fig02.portraits[1].amplitude");
-    refusal("[[fig08.panels]]", "amplitude", "[0.1, 9]", "fig08.panels[1].amplitude");
+    for (setting, key) in [
+        ("fig02.portraits[1].amplitude=9.0", "fig02.portraits[1].amplitude"),
+        ("fig08.panels[1].amplitude=[0.1, 9]", "fig08.panels[1].amplitude"),
+    ] {
+        assert_eq!(refused(&[setting]), [key]);
+    }
+}
+
+/// The keys that are refused with settings.
+fn refused(settings: &[&str]) -> Vec<String> {
+    let key = |error: &ParameterError| match error.source_error() {
+        SourceError::Forbidden { key, .. } => key.clone(),
+        other => other.to_string(),
+    };
+    match set(settings) {
+        Ok(parameters) => errors(&parameters).iter().map(key).collect(),
+        Err(error) => vec![key(&error)],
+    }
 }
 
 #[test]
 fn a_panel_of_figure_8_holds_its_resonance() {
-    match parse(&edited("[[fig08.panels]]", "n", "n = 5")) {
-        Err(ParameterError::Forbidden { key, allowed, .. }) => {
-            assert_eq!(key, "fig08.panels[1].amplitude");
-            assert!(allowed.contains("resonance p = 1, n = 5"), "{allowed}");
-        }
-        other => panic!("{other:?}"),
+    let window =
+        |n| format!("fig08.panels=[{{loops=1, n={n}, amplitude=[0.5, 0.61], frequency=[0.6475, 0.6815]}}]");
+    assert_eq!(refused(&[&window(3)]), [""; 0]);
+    assert_eq!(refused(&[&window(5)]), ["fig08.panels[1].amplitude"]);
+    assert_eq!(refused(&["fig08.panels[1].frequency=[0.7, 0.8]"]), ["fig08.panels[1].frequency"]);
+    // Nothing but the resonance is asked for then, and the program chooses the window.
+    let parameters = set(&["fig08.panels[1].n=2"]).expect("it is TOML");
+    let panel = &parameters.fig08().expect("it is right").panels()[0];
+    assert_eq!((panel.loops(), panel.n(), panel.amplitude(), panel.frequency()), (1, 2, None, None));
+}
+
+#[test]
+fn panels_are_about_resonances_that_the_window_holds() {
+    // The last of the three resonances lies below this window.
+    let parameters = set(&["fig07.frequency=[0.6, 1.02]"]).expect("it is TOML");
+    let shown = parameters.fig08().expect("it is right");
+    let panels: Vec<_> = shown.panels().iter().map(|panel| (panel.loops(), panel.n())).collect();
+    assert_eq!(panels.len(), 3, "{panels:?}");
+    let theory = parameters.oscillator().expect("it is right");
+    for (index, (loops, n)) in panels.iter().enumerate() {
+        let resonance = theory.resonance(*loops, *n).expect("it is one");
+        let window = parameters.fig07().expect("it is right").window();
+        assert!(
+            window.contains(resonance.grazing().amplitude(), resonance.forcing_frequency()),
+            "{loops} {n}"
+        );
+        assert!(!panels[..index].contains(&(*loops, *n)), "{panels:?}");
     }
-    let allowed = refusal("[[fig08.panels]]", "frequency", "[0.7, 0.8]", "fig08.panels[1].frequency");
-    assert!(allowed.contains("resonance p = 1, n = 3"), "{allowed}");
+    assert!(shown.notes()[0].contains("p = 3, n = 2 does not lie in the window"), "{:?}", shown.notes());
+    let parameters = set(&["fig08.panels=[]"]).expect("it is TOML");
+    assert_eq!(parameters.fig08().expect("it is right").panels().len(), 3);
+}
+
+#[test]
+fn a_portrait_is_strictly_where_its_amplitude_is_and_otherwise_where_it_can_be() {
+    let place = |settings: &[&str]| {
+        let parameters = set(settings).expect("it is TOML");
+        parameters.fig02().expect("it is right").portraits()[1].place()
+    };
+    let Place::Near(near) = place(&[]) else { panic!("the default file has wishes") };
+    assert_eq!(place(&["fig02.portraits[2].amplitude=0.3"]), Place::At(0.3));
+    assert_eq!(place(&["fig02.portraits[2].near=9.5"]), Place::Near(9.5));
+    assert!(near > 0.0);
+    let parameters = set(&["fig02.portraits=[]"]).expect("it is TOML");
+    assert!(parameters.fig02().expect("it is right").portraits().is_empty());
+}
+
+#[test]
+fn what_is_wrong_in_a_section_concerns_no_other_one() {
+    let parameters = set(&["fig10.frequency=-1", "fig04.loops=[]"]).expect("it is TOML");
+    assert_eq!(errors(&parameters).len(), 2);
+    assert!(errors(&parameters).iter().all(|error| matches!(error, ParameterError::Malformed(_))));
+    // Another oscillator can be at odds with what the file says, which is no slip.
+    let parameters = set(&["oscillator.zeta=0.2"]).expect("it is TOML");
+    for error in errors(&parameters) {
+        assert!(matches!(error, ParameterError::Unfit(_)), "{error}");
+    }
+    let parameters = set(&["oscillator.zeta=2"]).expect("it is TOML");
+    assert!(parameters.fig01().is_ok() && parameters.fig07().is_err());
+}
+
+#[test]
+fn settings_are_told_of_as_such_and_later_ones_go_before() {
+    let parameters = set(&["oscillator.zeta=0.3", "oscillator.zeta=0.04"]).expect("it is TOML");
+    assert_eq!(parameters.oscillator().map(|of| of.damping_ratio()), Ok(0.04));
+    let told = |settings: &[&str]| match set(settings) {
+        Ok(parameters) => errors(&parameters)[0].to_string(),
+        Err(error) => error.to_string(),
+    };
+    for (setting, beginning) in [
+        ("oscillator.zetta=0.3", "--set: unknown key oscillator.zetta: did you mean `zeta`?"),
+        ("oscilator.zeta=0.3", "--set: unknown key oscilator: did you mean `oscillator`?"),
+        ("oscillator.zeta=3", "--set: oscillator.zeta = 3: the damping ratio"),
+        ("oscillator.zeta=\"a\"", "--set: oscillator.zeta = \"a\": the damping ratio"),
+        ("oscillator.zeta.x=1", "--set: oscillator.zeta.x = 1: oscillator.zeta: it is no table"),
+        (
+            "fig08.panels[9].n=1",
+            "--set: fig08.panels[9].n = 1: fig08.panels: there is no member 9, the list has 3",
+        ),
+        ("fig08.panels[2].m=1", "--set: unknown key fig08.panels[2].m: did you mean"),
+        ("fig02.x[1]=7.0", "p.toml:"),
+    ] {
+        assert!(told(&[setting]).starts_with(beginning), "{setting}: {}", told(&[setting]));
+    }
+    for wrong in ["zeta", "=1", "a..b=1", "a.b=", "a.b=x", "a.b=1\nc=2", "a[x]=1", "a[1=1"] {
+        assert!(wrong.parse::<Setting>().is_err(), "{wrong}");
+    }
+}
+
+#[test]
+fn the_frequency_for_figure_10_that_a_refusal_names_is_accepted() {
+    let parameters = set(&["fig10.frequency=0.6"]).expect("it is TOML");
+    let told = parameters.fig10().expect_err("Theorem 2.3 does not apply").to_string();
+    let range = told.rsplit("they hold from ").next().expect("a remedy is told");
+    for end in range.split(" to ") {
+        let middle: f64 =
+            range.split(" to ").map(|end| end.parse::<f64>().expect("a number")).sum::<f64>() / 2.0;
+        let close: f64 = 0.999 * end.parse::<f64>().expect("a number") + 0.001 * middle;
+        let parameters = set(&[&format!("fig10.frequency={close}")]).expect("it is TOML");
+        assert!(parameters.fig10().is_ok(), "{close} of {told}");
+    }
 }
 
 #[test]
@@ -245,7 +395,7 @@ fn the_work_of_the_attractor_is_bounded() {
 fn an_unknown_key_is_named_with_the_nearest_known_one() {
     let text = edited("[fig02.attractor]", "orbits", "recoded = 20\norbits = 4");
     match parse(&text) {
-        Err(ParameterError::UnknownKey { line, key, nearest, known, .. }) => {
+        Err(SourceError::UnknownKey { line, key, nearest, known, .. }) => {
             assert_eq!(line, line_of(&text, "[fig02.attractor]", "recoded"));
             assert_eq!((key.as_str(), nearest.as_deref()), ("fig02.attractor.recoded", Some("recorded")));
             assert_eq!(known, ["amplitudes", "orbits", "transient", "recorded", "seed"]);
@@ -253,7 +403,7 @@ fn an_unknown_key_is_named_with_the_nearest_known_one() {
         other => panic!("{other:?}"),
     }
     match parse(&DEFAULT.replacen("\n[fig02.attractor]", "\n[fig2.attractor]", 1)) {
-        Err(ParameterError::UnknownKey { key, nearest, .. }) => {
+        Err(SourceError::UnknownKey { key, nearest, .. }) => {
             assert_eq!((key.as_str(), nearest.as_deref()), ("fig2", Some("fig02")));
         }
         other => panic!("{other:?}"),
@@ -264,7 +414,7 @@ fn an_unknown_key_is_named_with_the_nearest_known_one() {
 fn a_missing_table_and_a_missing_member_key_are_named() {
     let text = DEFAULT.split("# Figure 8 (fig:Y)").next().expect("a first part");
     match parse(text) {
-        Err(ParameterError::MissingKey { line, key, .. }) => {
+        Err(SourceError::MissingKey { line, key, .. }) => {
             assert_eq!((line, key.as_str()), (text.lines().count(), "fig08"));
         }
         other => panic!("{other:?}"),
@@ -272,7 +422,7 @@ fn a_missing_table_and_a_missing_member_key_are_named() {
     let last = DEFAULT.rfind("n = 2\n").expect("the last panel has an n");
     let text = format!("{}{}", &DEFAULT[..last], &DEFAULT[last + 6..]);
     match parse(&text) {
-        Err(ParameterError::MissingKey { key, .. }) => assert_eq!(key, "fig08.panels[3].n"),
+        Err(SourceError::MissingKey { key, .. }) => assert_eq!(key, "fig08.panels[3].n"),
         other => panic!("{other:?}"),
     }
 }
@@ -280,12 +430,12 @@ fn a_missing_table_and_a_missing_member_key_are_named() {
 #[test]
 fn what_is_not_toml_is_shown_with_line_and_column() {
     match parse("[oscillator]\nzeta = 0.02.1\n") {
-        Err(ParameterError::Syntax { line, column, .. }) => assert_eq!((line, column), (2, 12)),
+        Err(SourceError::Syntax { line, column, .. }) => assert_eq!((line, column), (2, 12)),
         other => panic!("{other:?}"),
     }
     assert!(matches!(
         parse(&edited("[oscillator]", "epsilon", "zeta = 0.9")),
-        Err(ParameterError::Syntax { .. })
+        Err(SourceError::Syntax { .. })
     ));
 }
 
@@ -293,7 +443,9 @@ fn what_is_not_toml_is_shown_with_line_and_column() {
 fn a_file_that_is_not_there_is_named() {
     let path = std::path::Path::new("no/such/parameters.toml");
     match Parameters::from_file(path) {
-        Err(ParameterError::Unreadable { file, .. }) => assert_eq!(file, "no/such/parameters.toml"),
+        Err(ParameterError::Malformed(SourceError::Unreadable { file, .. })) => {
+            assert_eq!(file, "no/such/parameters.toml")
+        }
         other => panic!("{other:?}"),
     }
 }

@@ -31,11 +31,11 @@ pub enum SourceError {
         reason: String,
     },
     /// A key that means nothing here, most often a misspelt one.
-    #[error("{file}:{line}: unknown key {key}{} Known here: {}", suggestion(nearest.as_deref()), known.join(", "))]
+    #[error("{}: unknown key {key}{} Known here: {}", place(file, *line), suggestion(nearest.as_deref()), known.join(", "))]
     UnknownKey {
-        /// The file.
+        /// The file, or the setting.
         file: String,
-        /// The line, from 1.
+        /// The line, from 1; 0 for a setting.
         line: usize,
         /// The key with all that leads to it.
         key: String,
@@ -45,7 +45,7 @@ pub enum SourceError {
         known: Vec<String>,
     },
     /// A key that must be there and is not.
-    #[error("{file}:{line}: {key} is missing: {allowed}")]
+    #[error("{}: {key} is missing: {allowed}", place(file, *line))]
     MissingKey {
         /// The file.
         file: String,
@@ -58,11 +58,11 @@ pub enum SourceError {
         allowed: String,
     },
     /// A value of the wrong type, outside its domain, or at odds with another value.
-    #[error("{file}:{line}: {key} = {value}: {allowed}")]
+    #[error("{}: {key} = {value}: {allowed}", place(file, *line))]
     Forbidden {
-        /// The file.
+        /// The file, or the setting.
         file: String,
-        /// The line, from 1.
+        /// The line, from 1; 0 for a setting.
         line: usize,
         /// The key with all that leads to it.
         key: String,
@@ -71,4 +71,9 @@ pub enum SourceError {
         /// What is allowed.
         allowed: String,
     },
+}
+
+/// A file and a line as messages have them; a setting has no line.
+pub fn place(file: &str, line: usize) -> String {
+    if line == 0 { file.to_owned() } else { format!("{file}:{line}") }
 }

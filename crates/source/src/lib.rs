@@ -6,10 +6,12 @@
 
 mod error;
 mod requirements;
+mod setting;
 mod text;
 mod words;
 
-pub use error::SourceError;
+pub use error::{SourceError, place};
 pub use requirements::Requirements;
-pub use text::{Source, read_file};
+pub use setting::{Setting, SettingError};
+pub use text::{Source, Text, read_file};
 pub use words::{nearest, shortened, suggestion};

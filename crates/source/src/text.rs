@@ -7,10 +7,11 @@ use std::path::Path;
 
 use serde::de::DeserializeOwned;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
 
 use crate::error::SourceError;
 use crate::requirements::Requirements;
+use crate::setting::Setting;
 use crate::words::{nearest, shortened};
 
 /// A file with more bytes than this was not written by a person.
@@ -44,18 +45,96 @@ pub fn read_file(path: &Path) -> Result<String, SourceError> {
     })
 }
 
+/// The text of a file with the settings that take the place of some of its values.
+#[derive(Debug, Clone)]
+pub struct Text {
+    /// The file's text, and after it a line for each setting.
+    whole: String,
+    /// Where the file's text ends.
+    end: usize,
+    /// The settings, with the places at which they stand in the whole text.
+    settings: Vec<(usize, Setting)>,
+}
+
+impl Text {
+    /// The text of a file, with settings of which later ones go before earlier ones.
+    pub fn new(text: &str, settings: &[Setting]) -> Text {
+        let mut whole = text.to_owned();
+        let mut placed = Vec::new();
+        for setting in settings {
+            whole.push('\n');
+            placed.push((whole.len(), setting.clone()));
+            whole.push_str(&setting.to_string());
+        }
+        Text { whole, end: text.len(), settings: placed }
+    }
+}
+
 /// A file's text with the name that messages use for it, and what its keys must hold.
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'a> {
-    text: &'a str,
+    text: &'a Text,
     file: &'a str,
     requirements: Requirements,
 }
 
 impl<'a> Source<'a> {
     /// The text of a file; `file` is the name that messages use.
-    pub fn new(text: &'a str, file: &'a str, requirements: Requirements) -> Source<'a> {
+    pub fn new(text: &'a Text, file: &'a str, requirements: Requirements) -> Source<'a> {
         Source { text, file, requirements }
+    }
+
+    /// The file's content, with the settings applied.
+    fn document<T>(
+        &self,
+        read: impl FnOnce(Spanned<DeTable<'_>>) -> Result<T, SourceError>,
+    ) -> Result<T, SourceError> {
+        let Text { whole, end, settings } = self.text;
+        let padded: Vec<String> =
+            settings.iter().map(|(position, setting)| setting.padded(*position)).collect();
+        let mut document = DeTable::parse(&whole[..*end]).map_err(|error| self.syntax(&error))?;
+        for ((position, setting), padded) in settings.iter().zip(&padded) {
+            self.must_be_there(setting, *position, document.get_ref())?;
+            setting.apply(document.get_mut(), *position, padded).map_err(|refusal| {
+                let (file, line) = self.place(*position);
+                let (value, allowed) =
+                    (setting.value().to_owned(), format!("{}: {}", refusal.key, refusal.allowed));
+                SourceError::Forbidden { file, line, key: setting.key().to_owned(), value, allowed }
+            })?;
+        }
+        read(document)
+    }
+
+    /// Refuses a setting for a name that the file would have to bring in: any may stand in its table, and this one does not.
+    fn must_be_there(
+        &self,
+        setting: &Setting,
+        position: usize,
+        document: &DeTable<'_>,
+    ) -> Result<(), SourceError> {
+        let Some((table, name)) =
+            setting.key().rsplit_once('.').filter(|(table, _)| self.requirements.any_key(table))
+        else {
+            return Ok(());
+        };
+        let names = document.get(table).and_then(|value| value.get_ref().as_table());
+        let names: Vec<&str> = names.into_iter().flatten().map(|(key, _)| key.get_ref().as_ref()).collect();
+        if names.contains(&name) {
+            return Ok(());
+        }
+        let (file, line) = self.place(position);
+        let (key, nearest) = (setting.key().to_owned(), nearest(name, &names).map(str::to_owned));
+        let known = names.into_iter().map(str::to_owned).collect();
+        Err(SourceError::UnknownKey { file, line, key, nearest, known })
+    }
+
+    /// The file with the line of a position in the text, or the setting that stands there.
+    pub fn place(&self, position: usize) -> (String, usize) {
+        let setting = self.text.settings.iter().rev().find(|(start, _)| *start <= position);
+        match setting {
+            Some(_) => ("--set".to_owned(), 0),
+            None => (self.file.to_owned(), self.line(position)),
+        }
     }
 
     /// The name of the file.
@@ -68,11 +147,52 @@ impl<'a> Source<'a> {
     /// # Errors
     /// [`SourceError`]: no TOML, an unknown or missing key, or a value of the wrong type.
     pub fn read<File: DeserializeOwned>(&self) -> Result<File, SourceError> {
-        let document = DeTable::parse(self.text).map_err(|error| self.syntax(&error))?;
-        if let Some(unknown) = first_unknown_key(document.get_ref(), "", &self.requirements) {
-            return Err(self.refuse(unknown));
-        }
-        toml::from_str(self.text).map_err(|error| self.explain(&error, document.get_ref()))
+        self.document(|document| {
+            if let Some(unknown) = first_unknown_key(document.get_ref(), "", &self.requirements) {
+                return Err(self.refuse(unknown));
+            }
+            File::deserialize(Deserializer::from(document.clone()))
+                .map_err(|error| self.explain(&error, document.get_ref()))
+        })
+    }
+
+    /// Checks that the file is TOML and that its top level has known keys only.
+    ///
+    /// # Errors
+    /// [`SourceError`]: no TOML, or an unknown key.
+    pub fn check_top_level(&self) -> Result<(), SourceError> {
+        self.document(|document| {
+            let known = self.requirements.known_keys("");
+            let keys = document.get_ref().keys();
+            let unknown = keys.filter(|key| !known.contains(&key.get_ref().as_ref()));
+            match unknown.min_by_key(|key| key.span().start) {
+                Some(key) => Err(self.refuse(UnknownKey {
+                    position: key.span().start,
+                    table: String::new(),
+                    name: key.get_ref().to_string(),
+                })),
+                None => Ok(()),
+            }
+        })
+    }
+
+    /// One table of the top level with its keys and types checked; what stands in the others does not matter.
+    ///
+    /// # Errors
+    /// [`SourceError`]: no TOML, no such table, an unknown or missing key in it, or a value of the wrong type.
+    pub fn read_table<Table: DeserializeOwned>(&self, name: &str) -> Result<Table, SourceError> {
+        self.document(|document| {
+            let Some(value) = document.get_ref().get(name) else {
+                return Err(self.missing("", name, 0));
+            };
+            let table = value.get_ref().as_table();
+            if let Some(unknown) = table.and_then(|table| first_unknown_key(table, name, &self.requirements))
+            {
+                return Err(self.refuse(unknown));
+            }
+            Table::deserialize(ValueDeserializer::from(value.clone()))
+                .map_err(|error| self.explain(&error, document.get_ref()))
+        })
     }
 
     /// The refusal of the value that `place` holds; `allowed` says what would be right.
@@ -81,44 +201,39 @@ impl<'a> Source<'a> {
     }
 
     fn forbid_at(&self, key: &str, span: ops::Range<usize>, allowed: String) -> SourceError {
-        SourceError::Forbidden {
-            file: self.file.to_owned(),
-            line: self.line(span.start),
-            key: key.to_owned(),
-            value: self.written(span),
-            allowed,
-        }
+        let (file, line) = self.place(span.start);
+        SourceError::Forbidden { file, line, key: key.to_owned(), value: self.written(span), allowed }
     }
 
     /// The text of a place as the file has it.
     pub fn raw(&self, span: ops::Range<usize>) -> &'a str {
-        &self.text[span]
+        &self.text.whole[span]
     }
 
     /// The text of a place on one line, as the file has it but for line breaks.
     fn written(&self, span: ops::Range<usize>) -> String {
-        shortened(&self.text[span].split_whitespace().collect::<Vec<_>>().join(" "), SHOWN)
+        shortened(&self.text.whole[span].split_whitespace().collect::<Vec<_>>().join(" "), SHOWN)
     }
 
     /// The line of a position in the text, from 1.
     pub fn line(&self, position: usize) -> usize {
-        1 + self.text[..position].matches('\n').count()
+        1 + self.text.whole[..position].matches('\n').count()
     }
 
     fn syntax(&self, error: &toml::de::Error) -> SourceError {
-        let position = error.span().map_or(0, |span| span.start.min(self.text.len()));
-        let line_start = self.text[..position].rfind('\n').map_or(0, |newline| newline + 1);
+        let position = error.span().map_or(0, |span| span.start.min(self.text.end));
+        let line_start = self.text.whole[..position].rfind('\n').map_or(0, |newline| newline + 1);
         SourceError::Syntax {
             file: self.file.to_owned(),
             line: self.line(position),
-            column: 1 + self.text[line_start..position].chars().count(),
+            column: 1 + self.text.whole[line_start..position].chars().count(),
             reason: self.syntax_problem(error, line_start),
         }
     }
 
     /// What is wrong with a line that is not TOML: what people mean by it most often, or else what the reader says.
     fn syntax_problem(&self, error: &toml::de::Error, line_start: usize) -> String {
-        let place = error.span().map_or("", |span| self.text.get(span).unwrap_or_default());
+        let place = error.span().map_or("", |span| self.text.whole.get(span).unwrap_or_default());
         if error.message().starts_with("duplicate key") {
             let key = shortened(place.trim(), SHOWN);
             return format!("the key {key} stands there twice: remove one of them, or give it another name");
@@ -126,7 +241,7 @@ impl<'a> Source<'a> {
         if error.message().contains("recurs") {
             return "lists or tables stand too deep inside one another".to_owned();
         }
-        let line = self.text[line_start..].lines().next().unwrap_or_default();
+        let line = self.text.whole[line_start..].lines().next().unwrap_or_default();
         let Some((key, value)) = line.split_once('=') else { return error.message().to_owned() };
         let value = value.split('#').next().unwrap_or_default().trim();
         let (key, shown) = (key.trim(), shortened(value, SHOWN));
@@ -146,9 +261,10 @@ impl<'a> Source<'a> {
 
     fn refuse(&self, unknown: UnknownKey) -> SourceError {
         let known = self.requirements.known_keys(&unknown.table);
+        let (file, line) = self.place(unknown.position);
         SourceError::UnknownKey {
-            file: self.file.to_owned(),
-            line: self.line(unknown.position),
+            file,
+            line,
             nearest: nearest(&unknown.name, &known).map(str::to_owned),
             key: joined(&unknown.table, &shortened(&unknown.name, SHOWN)),
             known: known.into_iter().map(str::to_owned).collect(),
@@ -171,17 +287,23 @@ impl<'a> Source<'a> {
         let Some(name) = missing else {
             return self.forbid_at(&path, span, self.requirements.of(&path).to_owned());
         };
-        let key = joined(&path, name);
-        let line = if !path.is_empty() {
-            self.line(span.start)
+        self.missing(&path, name, span.start)
+    }
+
+    /// The lack of a key in the table that stands at a position.
+    fn missing(&self, table: &str, name: &str, position: usize) -> SourceError {
+        let key = joined(table, name);
+        let (file, line) = self.place(position);
+        let line = if !table.is_empty() {
+            line
         } else if self.requirements.known_keys(name).is_empty() {
             // A key of the top level must stand before the first table.
             1
         } else {
-            self.text.lines().count().max(1)
+            self.text.whole[..self.text.end].lines().count().max(1)
         };
         let allowed = self.requirements.of(&key).to_owned();
-        SourceError::MissingKey { file: self.file.to_owned(), line, key, allowed }
+        SourceError::MissingKey { file, line, key, allowed }
     }
 }
 

@@ -159,16 +159,18 @@ impl Cell {
         threshold
     }
 
-    /// First zero of the velocity in this cell, in the cell's direction of time.
-    pub(super) fn rest(&self, motion: &impl Motion, bounds: &Bounds) -> Option<f64> {
+    /// First zero of the velocity in this cell, in the cell's direction of time; none if `patience` is at an end, the number of
+    /// times that a cell may be halved.
+    pub(super) fn rest(&self, motion: &impl Motion, bounds: &Bounds, patience: &mut u32) -> Option<f64> {
         let changes = self.first.velocity * self.last.velocity <= 0.0;
         match self.course(bounds) {
             Course::Monotone => None,
             Course::Curved { .. } => changes.then(|| self.stationary_point(motion).0),
             Course::Open if self.width() < NARROWEST_CELL => changes.then_some(self.end),
             Course::Open => {
+                *patience = patience.checked_sub(1)?;
                 let [near, far] = self.halves(motion)?;
-                near.rest(motion, bounds).or_else(|| far.rest(motion, bounds))
+                near.rest(motion, bounds, patience).or_else(|| far.rest(motion, bounds, patience))
             }
         }
     }

@@ -27,7 +27,7 @@ pub(super) fn table(
     let mut columns = columns! { "amplitude": 0.0, "x": 0.0 };
     let first = |kind| bifurcations.iter().find(|b| b.kind == kind).map(|b| b.amplitude);
     if let (Some(gz), Some(pd)) = (first("GZ"), first("PD")) {
-        let plan = setting.parameters.fig02().attractor();
+        let plan = setting.figure.attractor();
         let what = "long-time behaviour";
         progress.begin(what, u64::from(plan.amplitudes()));
         let amplitude = |k: u32| gz + (pd - gz) * f64::from(k) / f64::from(plan.amplitudes() - 1);
@@ -56,7 +56,7 @@ pub(super) fn table(
 
 /// A random point of Π: x uniform between the lower edge of the figure and the wall, the phase uniform.
 pub(super) fn random_start(setting: &Setting, random: &mut Pcg64) -> State {
-    let lowest = setting.parameters.fig02().x().lower().min(0.0);
+    let lowest = setting.figure.x().lower().min(0.0);
     State::at_rest(lowest * uniform(random), TAU * uniform(random))
 }
 
@@ -67,7 +67,7 @@ fn uniform(random: &mut Pcg64) -> f64 {
 
 /// x on Π at the visits of one orbit after its transient.
 fn long_time_visits(oscillator: &LinearOscillator, setting: &Setting, random: &mut Pcg64) -> Vec<f64> {
-    let plan = setting.parameters.fig02().attractor();
+    let plan = setting.figure.attractor();
     let period = oscillator.forcing_period();
     let transient = f64::from(plan.transient()) * period;
     let horizon = transient + f64::from(plan.recorded()) * period;

@@ -31,7 +31,7 @@ pub(super) struct Bifurcation {
 
 /// Follows the branches of all p asked for.
 pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch>, StudyError> {
-    let figure = setting.parameters.fig02();
+    let figure = setting.figure;
     let frequency = figure.frequency();
     let route = branch_route(figure.amplitude());
     let amplitude = setting.grazing.amplitude();
@@ -101,7 +101,7 @@ pub(super) fn table(setting: &Setting, branches: &[Branch]) -> Result<Table, Stu
         "p": 0, "amplitude": 0.0, "x": 0.0, "loop": 0, "impact_velocity": 0.0, "impact_phase": 0.0,
         "stable": false, "admissible": false, "branch": 0,
     };
-    let (lower, graz) = (setting.parameters.fig02().amplitude().lower(), setting.grazing.amplitude());
+    let (lower, graz) = (setting.figure.amplitude().lower(), setting.grazing.amplitude());
     for k in 0..=NON_IMPACTING_SAMPLES {
         let amplitude = lower + (graz - lower) * f64::from(k) / f64::from(NON_IMPACTING_SAMPLES);
         // The maximum of eq:phip lies at the phase z_graz, whatever the amplitude.
@@ -141,7 +141,7 @@ fn admissible(solution: &MaximalPeriodicSolution) -> bool {
 }
 
 /// The points of a branch with its bifurcation points in their places.
-fn with_events(curve: &Curve) -> Vec<CurvePoint> {
+pub(super) fn with_events(curve: &Curve) -> Vec<CurvePoint> {
     let mut points = Vec::with_capacity(curve.points.len() + curve.events.len());
     let mut events = curve.events.iter().peekable();
     for (index, point) in curve.points.iter().enumerate() {

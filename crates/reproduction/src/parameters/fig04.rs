@@ -3,9 +3,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::ParameterError;
-use super::requirements::requirement;
-use super::validate::loops;
+use super::validate::{Checked, loops, refusal};
 use grazing_source::Source;
 
 /// `[fig04]` as it is written.
@@ -28,10 +26,10 @@ impl Figure4 {
     }
 }
 
-pub(super) fn check(raw: &Raw, source: &Source<'_>) -> Result<Figure4, ParameterError> {
+pub(super) fn check(raw: &Raw, source: &Source<'_>) -> Checked<Figure4> {
     let numbers = loops(source, "fig04.loops", &raw.loops)?;
     if let Some(written) = raw.loops.get_ref().iter().find(|p| *p.get_ref() < 2) {
-        return Err(source.forbid("fig04.loops", written, requirement("fig04.loops").to_owned()));
+        return Err(refusal(source, "fig04.loops", written));
     }
     Ok(Figure4 { loops: numbers })
 }

@@ -4,9 +4,9 @@ use grazing_theorems::LinearOscillator;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::requirements::{MOST_LOOPS, MOST_N, requirement};
-use super::validate::{demand, range};
-use super::{ParameterError, Range};
+use super::Range;
+use super::requirements::{MOST_LOOPS, MOST_N};
+use super::validate::{Checked, demand, range, refusal};
 use grazing_source::Source;
 
 /// `[fig05]` as it is written.
@@ -53,22 +53,16 @@ impl Figure5 {
     }
 }
 
-pub(super) fn check(
-    raw: &Raw,
-    oscillator: &LinearOscillator,
-    source: &Source<'_>,
-) -> Result<Figure5, ParameterError> {
+pub(super) fn check(raw: &Raw, oscillator: &LinearOscillator, source: &Source<'_>) -> Checked<Figure5> {
     let loops = demand(source, "fig05.loops", &raw.loops, |p| (1..=MOST_LOOPS).contains(&p))?;
     let n = demand(source, "fig05.n", &raw.n, |n| n <= MOST_N)?;
-    oscillator
-        .resonance(loops, n)
-        .map_err(|_| source.forbid("fig05.n", &raw.n, requirement("fig05.n").to_owned()))?;
+    oscillator.resonance(loops, n).map_err(|_| refusal(source, "fig05.n", &raw.n))?;
     let about_zero = |key: &str, value: &Spanned<Vec<f64>>| {
         let range = range(source, key, value, |lower| lower < 0.0)?;
         if range.upper() > 0.0 {
             return Ok(range);
         }
-        Err(source.forbid(key, value, requirement(key).to_owned()))
+        Err(refusal(source, key, value))
     };
     let mu = about_zero("fig05.mu", &raw.mu)?;
     let eta = about_zero("fig05.eta", &raw.eta)?;

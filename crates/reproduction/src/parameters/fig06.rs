@@ -4,9 +4,8 @@ use grazing_theorems::LinearOscillator;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::ParameterError;
 use super::requirements::MOST_COILS;
-use super::validate::demand;
+use super::validate::{Checked, demand, frequency, refused, unfit};
 use grazing_source::Source;
 
 /// `[fig06]` as it is written.
@@ -50,22 +49,18 @@ impl Figure6 {
     }
 }
 
-pub(super) fn check(
-    raw: &Raw,
-    oscillator: &LinearOscillator,
-    source: &Source<'_>,
-) -> Result<Figure6, ParameterError> {
-    let frequency = demand(source, "fig06.frequency", &raw.frequency, |frequency| frequency > 0.0)?;
+pub(super) fn check(raw: &Raw, oscillator: &LinearOscillator, source: &Source<'_>) -> Checked<Figure6> {
+    let frequency = frequency(source, "fig06.frequency", &raw.frequency)?;
     let grazing = oscillator
         .grazing(frequency)
-        .map_err(|error| source.forbid("fig06.frequency", &raw.frequency, error.to_string()))?
+        .map_err(|error| refused(source, "fig06.frequency", &raw.frequency, error.to_string()))?
         .amplitude();
-    let amplitude = *raw.amplitude.get_ref();
-    if !(0.0 < amplitude && amplitude < grazing) {
+    let amplitude = demand(source, "fig06.amplitude", &raw.amplitude, |amplitude| amplitude > 0.0)?;
+    if amplitude >= grazing {
         let allowed = format!(
             "the amplitude must lie above 0 and below the grazing amplitude {grazing:.5} of the frequency {frequency}"
         );
-        return Err(source.forbid("fig06.amplitude", &raw.amplitude, allowed));
+        return Err(unfit(source, "fig06.amplitude", &raw.amplitude, allowed));
     }
     let phase = demand(source, "fig06.phase", &raw.phase, |z| (0.0..core::f64::consts::TAU).contains(&z))?;
     let coils = demand(source, "fig06.coils", &raw.coils, |coils| (1..=MOST_COILS).contains(&coils))?;

@@ -7,9 +7,18 @@ pub(super) const MOST_LOOPS: u32 = 12;
 /// The largest integer n of a resonance; its frequency is already below a twentieth of the natural one.
 pub(super) const MOST_N: u32 = 100;
 /// The most portraits that fit side by side across a page.
-pub(super) const MOST_PORTRAITS: usize = 6;
-/// The panels of Figure 8.
-pub(super) const PANELS: usize = 3;
+pub(crate) const MOST_PORTRAITS: usize = 6;
+/// The most panels of Figure 8 that fit side by side.
+pub(super) const MOST_PANELS: usize = 3;
+/// The least forcing frequency: the block swings a hundred times to and fro in one forcing period, which no figure resolves, and
+/// below it the work grows without bound.
+pub(super) const LEAST_FREQUENCY: f64 = 0.01;
+/// The least forcing frequency of Figure 7: resonances accumulate at zero, p = 1 has 40 above this one.
+pub(super) const LEAST_WINDOW_FREQUENCY: f64 = 0.05;
+/// The greatest forcing frequency; the highest resonance, of p = 12 and n = 0, lies at 24.
+pub(super) const MOST_FREQUENCY: f64 = 100.0;
+/// The greatest forcing amplitude: ten times that of grazing at the greatest frequency.
+pub(super) const MOST_AMPLITUDE: f64 = 1e5;
 /// The most orbits of Figure 1: more could not be told apart.
 pub(super) const MOST_ARRIVALS: usize = 8;
 /// The most coils of Figure 6's spring that can be told apart in print.
@@ -52,8 +61,8 @@ const KEYS: &[(&str, &str)] = &[
     ("fig01.orbits.after", "the phase after must be positive, and the orbit must end before 2 pi"),
     ("fig02", "the table [fig02] says what Figure 2 shows"),
     ("fig02.frequency", FREQUENCY),
-    ("fig02.amplitude", "the forcing amplitudes must be a range [lower, upper] with 0 <= lower < upper"),
-    ("fig02.x", "the x-values must be a range [lower, upper] with lower < upper"),
+    ("fig02.amplitude", AMPLITUDES),
+    ("fig02.x", "the x-values must be a range [lower, upper] with -100000 <= lower < upper <= 100000"),
     ("fig02.loops", LOOPS),
     ("fig02.magnification", "the table [fig02.magnification] holds amplitude and x"),
     (
@@ -67,12 +76,16 @@ const KEYS: &[(&str, &str)] = &[
     ("fig02.attractor.transient", "the periods before recording must be a whole number from 0 to 1000000"),
     ("fig02.attractor.recorded", "the recorded periods must be a whole number from 1 to 1000000"),
     ("fig02.attractor.seed", "the seed must be a whole number that is not negative"),
-    ("fig02.portraits", "[[fig02.portraits]] must be one to six tables, one for each phase portrait"),
+    (
+        "fig02.portraits",
+        "[[fig02.portraits]] must be at most six tables, one for each phase portrait; without any they are chosen",
+    ),
     (
         "fig02.portraits.loops",
         "the number of loops must be one of fig02.loops, or 0 for the non-impacting solution",
     ),
     ("fig02.portraits.amplitude", "the forcing amplitude must lie inside fig02.amplitude"),
+    ("fig02.portraits.near", "the forcing amplitude must be a number that is not negative"),
     ("fig03", "the table [fig03] says what Figure 3 shows"),
     ("fig03.zeta", ZETA),
     ("fig03.frequency", FREQUENCY),
@@ -108,7 +121,7 @@ const KEYS: &[(&str, &str)] = &[
     ("fig05.mu", "the values of mu must be a range [lower, upper] with lower < 0 < upper"),
     ("fig05.eta", "the values of eta must be a range [lower, upper] with lower < 0 < upper"),
     ("fig06", "the table [fig06] says what Figure 6 shows"),
-    ("fig06.frequency", "the forcing frequency must be a positive number"),
+    ("fig06.frequency", FREQUENCY),
     (
         "fig06.amplitude",
         "the forcing amplitude must lie above 0 and below the grazing amplitude of fig06.frequency",
@@ -116,11 +129,17 @@ const KEYS: &[(&str, &str)] = &[
     ("fig06.phase", "the phase must be a number from 0 to below 2 pi"),
     ("fig06.coils", "the number of coils must be a whole number from 1 to 30"),
     ("fig07", "the table [fig07] says what Figure 7 shows"),
-    ("fig07.amplitude", "the forcing amplitudes must be a range [lower, upper] with 0 <= lower < upper"),
-    ("fig07.frequency", "the forcing frequencies must be a range [lower, upper] with 0 < lower < upper"),
+    ("fig07.amplitude", AMPLITUDES),
+    (
+        "fig07.frequency",
+        "the forcing frequencies must be a range [lower, upper] with 0.05 <= lower < upper <= 100; resonances accumulate at 0",
+    ),
     ("fig07.loops", LOOPS),
     ("fig08", "the table [fig08] holds the panels of Figure 8"),
-    ("fig08.panels", "[[fig08.panels]] must be three tables, one for each magnification"),
+    (
+        "fig08.panels",
+        "[[fig08.panels]] must be at most three tables, one for each magnification; without any they are chosen",
+    ),
     ("fig08.panels.loops", "the number of loops must be one of fig07.loops"),
     (
         "fig08.panels.n",
@@ -134,6 +153,9 @@ const KEYS: &[(&str, &str)] = &[
         "fig08.panels.frequency",
         "the forcing frequencies must be a range [lower, upper] inside fig07.frequency",
     ),
+    ("fig08.panels.near", "the table [fig08.panels.near] holds amplitude and frequency"),
+    ("fig08.panels.near.amplitude", "the forcing amplitudes must be a range [lower, upper]"),
+    ("fig08.panels.near.frequency", "the forcing frequencies must be a range [lower, upper]"),
     ("fig09", "the table [fig09] says what Figure 9 shows"),
     ("fig09.zeta", ZETA),
     ("fig09.epsilon", EPSILON),
@@ -152,15 +174,18 @@ const KEYS: &[(&str, &str)] = &[
     ("fig09.view.tilt", TILT),
     ("fig09.view.stretch", STRETCH),
     ("fig10", "the table [fig10] says what Figure 10 shows"),
-    ("fig10.frequency", "the forcing frequency must be a positive number"),
+    ("fig10.frequency", FREQUENCY),
     ("fig10.loops", "the number of loops must be a whole number from 3 to 12"),
 ];
 
 const ZETA: &str = "the damping ratio must lie strictly between 0 and 1";
 const EPSILON: &str = "the coefficient of restitution must lie above 0 and be at most 1";
-const POSITIVE_AMPLITUDE: &str = "the forcing amplitude must be a positive number";
-const FREQUENCY: &str = "the forcing frequency must be a positive number";
-const AROUND_ZERO: &str = "the range must be [lower, upper] with lower < 0 < upper";
+const POSITIVE_AMPLITUDE: &str = "the forcing amplitude must lie above 0 and be at most 100000";
+const FREQUENCY: &str = "the forcing frequency must be a number from 0.01 to 100";
+const AMPLITUDES: &str =
+    "the forcing amplitudes must be a range [lower, upper] with 0 <= lower < upper <= 100000";
+const AROUND_ZERO: &str =
+    "the range must be [lower, upper] with lower < 0 < upper, neither end beyond 100000";
 const VIEW: &str = "the table of the view holds turn, tilt and stretch";
 const TURN: &str = "the turn must be an angle in degrees from -180 to 180";
 const TILT: &str = "the tilt must be an angle in degrees strictly between 0 and 90";
@@ -204,6 +229,9 @@ mod tests {
         let figures = (1..=10).map(|number| format!("fig{number:02}"));
         let tables: Vec<String> = ["oscillator".to_owned()].into_iter().chain(figures).collect();
         assert_eq!(REQUIREMENTS.known_keys(""), tables);
-        assert_eq!(REQUIREMENTS.known_keys("fig08.panels[3]"), ["loops", "n", "amplitude", "frequency"]);
+        assert_eq!(
+            REQUIREMENTS.known_keys("fig08.panels[3]"),
+            ["loops", "n", "amplitude", "frequency", "near"]
+        );
     }
 }

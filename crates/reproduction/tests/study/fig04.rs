@@ -21,7 +21,7 @@ fn curve(figure: &Figure4, kind: &str, p: u32) -> Vec<[f64; 2]> {
 }
 
 fn all_loops() -> &'static [u32] {
-    made().parameters.fig04().loops()
+    made().parameters.fig04().expect("it is right").loops()
 }
 
 /// Modulus and argument of the eigenvalues, which are complex below τ = 2√δ.
@@ -122,12 +122,20 @@ fn the_corners_of_the_trapesium_bound_stable_matrices() {
 fn the_star_is_read_off_the_global_map_and_lies_where_section_2_4_says() {
     let (figure, parameters) = (figure(), &made().parameters);
     let (tau, delta) = (numbers(&figure.points, "tau")[0], numbers(&figure.points, "delta")[0]);
-    let frequency = parameters.fig02().frequency();
-    let theory = grazing_theorems::LinearOscillator::new(parameters.zeta(), parameters.epsilon()).unwrap();
+    let frequency = parameters.fig02().expect("it is right").frequency();
+    let theory = grazing_theorems::LinearOscillator::new(
+        parameters.oscillator().expect("it is right").damping_ratio(),
+        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+    )
+    .unwrap();
     let grazing = theory.grazing(frequency).unwrap();
-    let oscillator =
-        LinearOscillator::new(parameters.zeta(), parameters.epsilon(), grazing.amplitude(), frequency)
-            .unwrap();
+    let oscillator = LinearOscillator::new(
+        parameters.oscillator().expect("it is right").damping_ratio(),
+        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+        grazing.amplitude(),
+        frequency,
+    )
+    .unwrap();
     let map = global_map::<_, 1>(&oscillator, 0.0, grazing.phase(), None).unwrap().jet.derivative();
     // Rounding over one period of flow.
     assert!((map.trace() - tau).abs() < 1e-13 && (map.determinant() - delta).abs() < 1e-13);

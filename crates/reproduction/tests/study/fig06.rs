@@ -56,10 +56,16 @@ fn integrated(zeta: f64, amplitude: f64, omega: f64, time: f64, steps: u32) -> [
 
 #[test]
 fn the_face_is_where_the_equation_of_motion_takes_it_in_the_long_run() {
-    let (parameters, shown) = (&made().parameters, made().parameters.fig06());
+    let (parameters, shown) = (&made().parameters, made().parameters.fig06().expect("it is right"));
     // The wall ignored, until the free motion has decayed by exp(−ζt), some 1e-9.
     let time = (200.0 * TAU + shown.phase()) / shown.frequency();
-    let [x, _] = integrated(parameters.zeta(), shown.amplitude(), shown.frequency(), time, 100_000);
+    let [x, _] = integrated(
+        parameters.oscillator().expect("it is right").damping_ratio(),
+        shown.amplitude(),
+        shown.frequency(),
+        time,
+        100_000,
+    );
     let face = span(&figure(parameters), "block")[1];
     // Steps of 0.01 leave an error of 1e-8 times the amplitude at most.
     assert!((x - face).abs() < 1e-8, "{x} {face}");
@@ -102,5 +108,5 @@ fn parts_join_at_every_phase_and_nothing_runs_into_anything() {
 fn the_spring_has_as_many_coils_as_asked_for() {
     let points = part(&figure(&made().parameters), "spring");
     let tops = points.windows(3).filter(|w| w[0][1] < w[1][1] && w[1][1] > w[2][1]).count();
-    assert_eq!(tops, made().parameters.fig06().coils() as usize);
+    assert_eq!(tops, made().parameters.fig06().expect("it is right").coils() as usize);
 }

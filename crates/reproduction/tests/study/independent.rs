@@ -9,7 +9,13 @@ use grazing_trials::closed_form::{Orbit, orbits};
 /// The closed-form MPS with the impact velocity nearest to the given one.
 fn nearest(amplitude: f64, omega: f64, loops: u32, velocity: f64) -> Orbit {
     let parameters = &made().parameters;
-    let all = orbits(parameters.zeta(), parameters.epsilon(), amplitude, omega, loops);
+    let all = orbits(
+        parameters.oscillator().expect("it is right").damping_ratio(),
+        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+        amplitude,
+        omega,
+        loops,
+    );
     let distance = |orbit: &Orbit| (orbit.velocity - velocity).abs();
     all.into_iter()
         .min_by(|a, b| distance(a).total_cmp(&distance(b)))
@@ -58,8 +64,8 @@ fn every_point_of_every_curve_of_figure_7_is_a_closed_form_mps_with_its_property
             let shifted = |shift: f64| {
                 let parameters = &made().parameters;
                 orbits(
-                    parameters.zeta(),
-                    parameters.epsilon(),
+                    parameters.oscillator().expect("it is right").damping_ratio(),
+                    parameters.oscillator().expect("it is right").coefficient_of_restitution(),
                     amplitude[row] + shift,
                     omega[row],
                     loops[row],
@@ -124,7 +130,13 @@ fn codimension_two_points_meet_both_their_conditions() {
             continue;
         }
         let parameters = &made().parameters;
-        let all = orbits(parameters.zeta(), parameters.epsilon(), amplitude[k], omega[k], loops[k]);
+        let all = orbits(
+            parameters.oscillator().expect("it is right").damping_ratio(),
+            parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+            amplitude[k],
+            omega[k],
+            loops[k],
+        );
         let doubly = |orbit: &Orbit| {
             (orbit.trace + 1.0 + orbit.determinant).abs() < 1e-7 && orbit.ceiling.abs() < 1e-9
         };
@@ -168,7 +180,7 @@ fn regions_are_where_a_closed_form_mps_is_stable_and_admissible() {
     assert_eq!([count(1), count(2), count(3)], [3, 2, 2]);
 
     let parameters = &made().parameters;
-    let window = parameters.fig07().window();
+    let window = parameters.fig07().expect("it is right").window();
     let mut random = Pcg64::new(11, 0);
     let mut uniform =
         |low: f64, high: f64| low + (high - low) * (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
@@ -184,7 +196,13 @@ fn regions_are_where_a_closed_form_mps_is_stable_and_admissible() {
                 continue;
             }
             let inside = places.iter().any(|(_, inside)| *inside);
-            let all = orbits(parameters.zeta(), parameters.epsilon(), point[0], point[1], p);
+            let all = orbits(
+                parameters.oscillator().expect("it is right").damping_ratio(),
+                parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+                point[0],
+                point[1],
+                p,
+            );
             let stable = all.iter().any(|orbit| orbit.stable() && orbit.admissible());
             assert_eq!(inside, stable, "p = {p} at {point:?}: {all:?}");
             hits[p as usize] += usize::from(inside);
@@ -201,8 +219,8 @@ fn branches_of_figure_2_are_closed_form_mpss_with_their_stability() {
     let [amplitude, velocity, phase] =
         ["amplitude", "impact_velocity", "impact_phase"].map(|name| numbers(table, name));
     let (stable, admissible) = (flags(table, "stable"), flags(table, "admissible"));
-    let omega = made().parameters.fig02().frequency();
-    let loss = 2.0 * made().parameters.zeta() * omega;
+    let omega = made().parameters.fig02().expect("it is right").frequency();
+    let loss = 2.0 * made().parameters.oscillator().expect("it is right").damping_ratio() * omega;
     let grazing_phase = libm::atan2(loss, 1.0 - omega * omega);
     for row in 0..loops.len() {
         if loops[row] == 0 || visit[row] > 1 || velocity[row] == 0.0 {

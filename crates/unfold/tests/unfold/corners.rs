@@ -4,9 +4,9 @@ use grazing_continuation::curve::CurveEnd;
 use grazing_continuation::resonance::same_point;
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, State};
+use grazing_unfold::Diagram;
 use grazing_unfold::diagram::Kind;
 use grazing_unfold::progress::Silent;
-use grazing_unfold::Diagram;
 
 use crate::specimens::{assert_within, example, scope};
 

@@ -1,8 +1,8 @@
 //! Regions of stability against all maximal periodic solutions in closed form, which a quadratic equation gives.
 
 use grazing_model::{ImpactOscillator, LinearOscillator};
-use grazing_unfold::progress::Silent;
 use grazing_trials::closed_form;
+use grazing_unfold::progress::Silent;
 use grazing_unfold::regions::{Region, RegionKind};
 use grazing_unfold::simulation::{Seen, Suspect};
 use grazing_unfold::{Diagram, Scope};

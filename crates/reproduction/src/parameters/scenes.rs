@@ -4,11 +4,11 @@ use core::f64::consts::TAU;
 
 use toml::Spanned;
 
-use super::{Checked, bound_members, demand, range};
-use crate::parameters::range::Range;
-use crate::parameters::raw;
-use crate::parameters::requirements::{MOST_ARRIVALS, requirement};
-use crate::parameters::space::{Arrival, Figure1, Figure3, Figure9, Specimen, View};
+use super::range::Range;
+use super::raw;
+use super::requirements::{MOST_AMPLITUDE, MOST_ARRIVALS};
+use super::space::{Arrival, Figure1, Figure3, Figure9, Specimen, View};
+use super::validate::{Checked, bound_members, demand, frequency, range, refusal};
 use grazing_source::Source;
 
 /// Gamma is two units of x wide; a ring with a smaller radius would overlap itself.
@@ -41,11 +41,11 @@ pub(super) fn figure1(raw: &raw::Figure1, source: &Source<'_>) -> Checked<Figure
 
 pub(super) fn figure3(raw: &raw::Figure3, source: &Source<'_>) -> Checked<Figure3> {
     let zeta = demand(source, "fig03.zeta", &raw.zeta, |zeta| 0.0 < zeta && zeta < 1.0)?;
-    let frequency = demand(source, "fig03.frequency", &raw.frequency, |frequency| frequency > 0.0)?;
+    let frequency = frequency(source, "fig03.frequency", &raw.frequency)?;
     let position = around_zero(source, "fig03.position", &raw.position)?;
     let phase = around_zero(source, "fig03.phase", &raw.phase)?;
     if phase.lower() < -SECTION_REACH || phase.upper() > SECTION_REACH {
-        return Err(source.forbid("fig03.phase", &raw.phase, requirement("fig03.phase").to_owned()));
+        return Err(refusal(source, "fig03.phase", &raw.phase));
     }
     let start = numbers(source, "fig03.start", &raw.start, |[x, z]| {
         position.strictly_contains(x) && phase.strictly_contains(z)
@@ -62,7 +62,7 @@ pub(super) fn figure9(raw: &raw::Figure9, source: &Source<'_>) -> Checked<Figure
     let velocity = around_zero(source, "fig09.velocity", &raw.velocity)?;
     let phase = range(source, "fig09.phase", &raw.phase, f64::is_finite)?;
     if phase.width() > TAU {
-        return Err(source.forbid("fig09.phase", &raw.phase, requirement("fig09.phase").to_owned()));
+        return Err(refusal(source, "fig09.phase", &raw.phase));
     }
     let impact = numbers(source, "fig09.impact", &raw.impact, |[y, z]| {
         y > 0.0 && velocity.contains(y) && phase.contains(z)
@@ -75,14 +75,14 @@ pub(super) fn figure9(raw: &raw::Figure9, source: &Source<'_>) -> Checked<Figure
 fn specimen(
     source: &Source<'_>,
     figure: &str,
-    [zeta, epsilon, amplitude, frequency]: [&Spanned<f64>; 4],
+    [zeta, epsilon, amplitude, omega]: [&Spanned<f64>; 4],
 ) -> Checked<Specimen> {
     let key = |name: &str| format!("{figure}.{name}");
     Ok(Specimen {
         zeta: demand(source, &key("zeta"), zeta, |zeta| 0.0 < zeta && zeta < 1.0)?,
         epsilon: demand(source, &key("epsilon"), epsilon, |epsilon| 0.0 < epsilon && epsilon <= 1.0)?,
-        amplitude: demand(source, &key("amplitude"), amplitude, |amplitude| amplitude > 0.0)?,
-        frequency: demand(source, &key("frequency"), frequency, |frequency| frequency > 0.0)?,
+        amplitude: demand(source, &key("amplitude"), amplitude, |a| 0.0 < a && a <= MOST_AMPLITUDE)?,
+        frequency: frequency(source, &key("frequency"), omega)?,
     })
 }
 
@@ -102,7 +102,7 @@ fn around_zero(source: &Source<'_>, key: &str, value: &Spanned<Vec<f64>>) -> Che
     if found.strictly_contains(0.0) {
         return Ok(found);
     }
-    Err(source.forbid(key, value, requirement(key).to_owned()))
+    Err(refusal(source, key, value))
 }
 
 /// A list of N finite numbers that passes the test.
@@ -115,5 +115,5 @@ fn numbers<const N: usize>(
     <[f64; N]>::try_from(value.get_ref().as_slice())
         .ok()
         .filter(|list| list.iter().all(|number| number.is_finite()) && holds(*list))
-        .ok_or_else(|| source.forbid(key, value, requirement(key).to_owned()))
+        .ok_or_else(|| refusal(source, key, value))
 }

@@ -1,0 +1,90 @@
+//! Where a file is written: only regular files are replaced, and only in the folder that was asked for.
+
+use std::ffi::{OsStr, OsString};
+use std::fs::{FileType, Metadata};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::failure::Failure;
+
+/// The place of a file that is to be written: its path, or through symbolic links the regular file that they name, so that the
+/// links stay.
+///
+/// # Errors
+/// [`Failure::NotRegular`] if something else is there: a folder, a device, a link that leads nowhere. [`Failure::File`] if that
+/// cannot be found out.
+pub(crate) fn to_write(path: &Path) -> Result<PathBuf, Failure> {
+    let refuse = |what: &'static str| Failure::NotRegular { path: path.to_owned(), what };
+    let failed = |reason| Failure::File { path: path.to_owned(), reason };
+    let here = match path.symlink_metadata() {
+        Ok(here) => here,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(path.to_owned()),
+        Err(error) => return Err(failed(error)),
+    };
+    if !here.is_symlink() {
+        return if here.is_file() { Ok(path.to_owned()) } else { Err(refuse(what_is(here.file_type()))) };
+    }
+    match path.metadata() {
+        Ok(named) if named.is_file() => path.canonicalize().map_err(failed),
+        Ok(named) => Err(refuse(what_is(named.file_type()))),
+        // A link to nothing, or one that leads to itself.
+        Err(_) => Err(refuse("a symbolic link that leads to no file")),
+    }
+}
+
+/// What is known of a file that is to be read; one that is no regular file might never end.
+pub(crate) fn regular(path: &Path) -> io::Result<Metadata> {
+    let data = path.metadata()?;
+    if data.is_file() {
+        return Ok(data);
+    }
+    Err(io::Error::other(format!("it is {}, not a regular file", what_is(data.file_type()))))
+}
+
+fn what_is(kind: FileType) -> &'static str {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt;
+        if kind.is_fifo() {
+            return "a named pipe";
+        } else if kind.is_socket() {
+            return "a socket";
+        } else if kind.is_block_device() || kind.is_char_device() {
+            return "a device";
+        }
+    }
+    if kind.is_dir() { "a folder" } else { "something else" }
+}
+
+/// The name of a folder for what comes of a file: its name without ending, and without dots in front, which would hide the folder
+/// or lead out of the one that it is to be in.
+pub fn name_for(file: &Path) -> OsString {
+    const NAMELESS: &str = "oscillator";
+    let stem = file.file_stem().unwrap_or_default();
+    let name = stem.to_string_lossy();
+    match name.trim_start_matches('.') {
+        "" => OsString::from(NAMELESS),
+        rest if rest.len() < name.len() => OsString::from(rest),
+        _ => OsStr::to_owned(stem),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_name_leads_out_of_the_folder() {
+        for (file, name) in [
+            ("a/duffing.toml", "duffing"),
+            ("...toml", "oscillator"),
+            ("..toml", "oscillator"),
+            (".toml", "toml"),
+            ("....b.toml", "b"),
+            ("..", "oscillator"),
+            ("two.dots.toml", "two.dots"),
+        ] {
+            assert_eq!(name_for(Path::new(file)), name, "{file}");
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! Files and folders that a run begins and finishes or removes: which are its own, and which are left of runs that died.
+
+use std::collections::BTreeSet;
+use std::ffi::OsStr;
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::{Mutex, PoisonError};
+
+use tempfile::{Builder, NamedTempFile, TempDir};
+
+/// How the names of files that are not finished begin; the number of the process follows.
+pub(super) const UNFINISHED: &str = ".grazing-";
+/// How the folders of pictures of what changed begin their names; a number for the folder of what changed follows, and that of
+/// the process.
+const CHANGES: &str = "grazing-changes-";
+
+/// What this run has begun and not finished.
+static OWN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn change_own<T>(change: impl FnOnce(&mut BTreeSet<PathBuf>) -> T) -> T {
+    change(&mut OWN.lock().unwrap_or_else(PoisonError::into_inner))
+}
+
+/// Removes everything that this run has begun and not finished, for a run that is being ended from outside.
+pub fn remove_own_temporaries() {
+    for path in change_own(std::mem::take) {
+        remove(&path);
+    }
+}
+
+/// Removes a file or a folder. What cannot be removed stays: the next run tries again.
+fn remove(path: &Path) {
+    let is_folder = path.symlink_metadata().is_ok_and(|data| data.is_dir());
+    let _ = if is_folder { fs::remove_dir_all(path) } else { fs::remove_file(path) };
+}
+
+/// A file that is not finished; it goes with the value unless it is moved into its place.
+pub(super) struct Unfinished {
+    file: Option<NamedTempFile>,
+    path: PathBuf,
+}
+
+impl Unfinished {
+    /// An empty file in the folder, readable as other new files are.
+    pub(super) fn new(folder: &Path) -> io::Result<Unfinished> {
+        let prefix = format!("{UNFINISHED}{}-", process::id());
+        let mut builder = Builder::new();
+        builder.prefix(&prefix);
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            builder.permissions(fs::Permissions::from_mode(0o666));
+        }
+        let file =
+            builder.tempfile_in(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })?;
+        let path = file.path().to_owned();
+        change_own(|own| own.insert(path.clone()));
+        Ok(Unfinished { file: Some(file), path })
+    }
+
+    /// Writes the content down to the disk: it must be there before the name is, or a crash could leave an empty file under it.
+    pub(super) fn fill(&mut self, content: &[u8]) -> io::Result<()> {
+        let Some(file) = &mut self.file else { return Ok(()) };
+        io::Write::write_all(file, content)?;
+        file.as_file().sync_all()
+    }
+
+    /// Moves the file into its place.
+    pub(super) fn persist(mut self, place: &Path) -> io::Result<()> {
+        match self.file.take() {
+            Some(file) => file.persist(place).map(drop).map_err(|error| error.error),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        self.file = None;
+        change_own(|own| own.remove(&self.path));
+    }
+}
+
+/// A folder for pictures of what changed, in the system's folder for temporary files.
+pub(crate) struct Changes(TempDir);
+
+impl Changes {
+    /// A new folder for changes in an output folder; those of earlier runs for the same one go.
+    pub(crate) fn new(output: &Path) -> io::Result<Changes> {
+        let place = std::env::temp_dir();
+        let mut hasher = DefaultHasher::new();
+        output.canonicalize().unwrap_or_else(|_| output.to_owned()).hash(&mut hasher);
+        let kind = format!("{CHANGES}{:016x}-", hasher.finish());
+        sweep_kind(&place, &kind);
+        let folder = Builder::new().prefix(&format!("{kind}{}-", process::id())).tempdir_in(place)?;
+        change_own(|own| own.insert(folder.path().to_owned()));
+        Ok(Changes(folder))
+    }
+
+    /// The folder.
+    pub(crate) fn path(&self) -> &Path {
+        self.0.path()
+    }
+
+    /// Keeps the folder until the next run.
+    pub(crate) fn keep(self) {
+        let path = self.0.keep();
+        change_own(|own| own.remove(&path));
+    }
+}
+
+/// Removes unfinished files that runs which are no more have left in a folder.
+pub(crate) fn sweep(folder: &Path) {
+    sweep_kind(folder, UNFINISHED);
+}
+
+fn sweep_kind(folder: &Path, kind: &str) {
+    // A folder that cannot be read has its own message as soon as it is written to.
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let path = entry.path();
+        if process_of(kind, &entry.file_name()).is_some_and(|process| is_left(process, &path)) {
+            remove(&path);
+        }
+    }
+}
+
+/// The process that has made a file or folder of this name, if it is one of the kind.
+fn process_of(kind: &str, name: &OsStr) -> Option<u32> {
+    name.to_str()?.strip_prefix(kind)?.split_once('-')?.0.parse().ok()
+}
+
+/// Whether the process has left the file or folder: it is no more, or it is this one, to which numbers come again in a
+/// container, and does not know of it.
+fn is_left(process: u32, path: &Path) -> bool {
+    if process == process::id() {
+        return change_own(|own| !own.contains(path));
+    }
+    !is_running(process)
+}
+
+/// Whether a process runs. Where the system has no list of them as files, every other one is taken to do so.
+fn is_running(process: u32) -> bool {
+    let processes = Path::new("/proc");
+    !processes.join(process::id().to_string()).exists() || processes.join(process.to_string()).exists()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_our_own_names_tell_a_process() {
+        for (name, process) in [
+            (".grazing-17-ab3", Some(17)),
+            (".grazing-8-x-y", Some(8)),
+            (".grazing-8fHq", None),
+            ("grazing-17-a", None),
+            (".grazing--a", None),
+            (".grazing-1x-a", None),
+        ] {
+            assert_eq!(process_of(UNFINISHED, OsStr::new(name)), process, "{name}");
+        }
+    }
+
+    #[test]
+    fn what_is_begun_goes_when_the_run_is_ended_and_what_is_finished_stays() {
+        let folder = tempfile::tempdir().expect("a temporary folder can be made");
+        let (mut begun, mut finished) = (
+            Unfinished::new(folder.path()).expect("the folder is ours"),
+            Unfinished::new(folder.path()).expect("the folder is ours"),
+        );
+        begun.fill(b"half").expect("the folder is ours");
+        finished.fill(b"whole").expect("the folder is ours");
+        finished.persist(&folder.path().join("place")).expect("the folder is ours");
+        sweep(folder.path());
+        assert!(begun.path.exists(), "a run does not sweep away what it works on");
+        remove_own_temporaries();
+        let left: Vec<_> = fs::read_dir(folder.path()).expect("it is there").flatten().collect();
+        assert_eq!(left.len(), 1);
+        assert_eq!(left[0].file_name(), "place");
+    }
+}

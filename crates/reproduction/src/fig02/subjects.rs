@@ -1,0 +1,165 @@
+//! What the phase portraits show: solutions at the amplitudes that the file asks for, or where they exist.
+
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::MaximalPeriodicSolution;
+use grazing_model::State;
+
+use super::Setting;
+use super::branches::{Branch, with_events};
+use crate::StudyError;
+use crate::parameters::{MOST_PORTRAITS, Place, Portrait};
+
+/// The part of a stretch, at either end, in which no portrait is put by itself: close to a bifurcation an orbit is hardly told
+/// from the one it is born with.
+const EDGE: f64 = 0.05;
+
+/// An orbit that is shown.
+pub(super) struct Subject {
+    /// Its loops; 0 is the non-impacting solution, or the attractor above the grazing amplitude.
+    pub(super) loops: u32,
+    /// Its forcing amplitude.
+    pub(super) amplitude: f64,
+    /// The recoil of a maximal periodic solution.
+    pub(super) recoil: Option<State>,
+}
+
+/// All subjects, and what is shown elsewhere than asked for, or not at all, in sentences.
+pub(super) fn all(setting: &Setting, branches: &[Branch]) -> Result<(Vec<Subject>, Vec<String>), StudyError> {
+    let asked = setting.figure.portraits();
+    if asked.is_empty() {
+        return Ok((chosen(setting, branches), Vec::new()));
+    }
+    let (mut subjects, mut notes) = (Vec::new(), Vec::new());
+    for portrait in asked {
+        match (found(setting, branches, portrait), portrait.place()) {
+            (Some(subject), Place::Near(wish)) if subject.amplitude != wish => {
+                let (loops, amplitude) = (subject.loops, subject.amplitude);
+                notes.push(format!(
+                    "{}: the portrait of p = {loops} is at {amplitude:.5}, where it exists",
+                    portrait.key()
+                ));
+                subjects.push(subject);
+            }
+            (Some(subject), _) => subjects.push(subject),
+            (None, Place::At(_)) => return Err(missing(branches, portrait)),
+            (None, _) => {
+                let (key, loops) = (portrait.key(), portrait.loops());
+                notes.push(format!("{key}: no such portrait, as no {loops}-loop solution is stable and admissible in fig02.amplitude"));
+            }
+        }
+    }
+    // There is always a non-impacting solution.
+    if subjects.is_empty() { Ok((chosen(setting, branches), notes)) } else { Ok((subjects, notes)) }
+}
+
+/// The non-impacting solution, and each p that is somewhere stable, from left to right.
+fn chosen(setting: &Setting, branches: &[Branch]) -> Vec<Subject> {
+    let mut subjects = vec![non_impacting(setting, None)];
+    for &loops in setting.figure.loops().iter().take(MOST_PORTRAITS - 1) {
+        subjects.extend(nearest(branches, loops, None));
+    }
+    subjects.sort_by(|a, b| a.amplitude.total_cmp(&b.amplitude));
+    subjects
+}
+
+/// What the file asks for, if it exists.
+fn found(setting: &Setting, branches: &[Branch], portrait: &Portrait) -> Option<Subject> {
+    let wish = match portrait.place() {
+        Place::At(amplitude) | Place::Near(amplitude) => Some(amplitude),
+        Place::Anywhere => None,
+    };
+    let loops = portrait.loops();
+    if loops == 0 {
+        return Some(non_impacting(setting, wish));
+    }
+    let there = wish.and_then(|amplitude| at(branches, loops, amplitude));
+    match portrait.place() {
+        Place::At(_) => there,
+        _ => there.or_else(|| nearest(branches, loops, wish)),
+    }
+}
+
+/// The non-impacting solution or the attractor, at the amplitude or the nearest one in the figure.
+fn non_impacting(setting: &Setting, wish: Option<f64>) -> Subject {
+    let (window, grazing) = (setting.figure.amplitude(), setting.grazing.amplitude());
+    let amplitude = match wish {
+        Some(wish) => wish.clamp(window.lower(), window.upper()),
+        None => 0.5 * (window.lower() + grazing),
+    };
+    Subject { loops: 0, amplitude, recoil: None }
+}
+
+/// The stable admissible MPS at the amplitude that is nearest to the wish, or in the middle of the widest stretch.
+fn nearest(branches: &[Branch], loops: u32, wish: Option<f64>) -> Option<Subject> {
+    let inner = |[low, high]: [f64; 2]| [low + EDGE * (high - low), high - EDGE * (high - low)];
+    let mut places: Vec<(f64, f64)> = stretches(branches, loops)
+        .into_iter()
+        .map(|stretch| {
+            let [low, high] = inner(stretch);
+            match wish {
+                Some(wish) => ((wish - wish.clamp(low, high)).abs(), wish.clamp(low, high)),
+                None => (low - high, 0.5 * (low + high)),
+            }
+        })
+        .collect();
+    places.sort_by(|a, b| a.0.total_cmp(&b.0));
+    places.into_iter().find_map(|(_, amplitude)| at(branches, loops, amplitude))
+}
+
+/// The ranges of amplitude in which p-loop MPSs are stable and admissible.
+fn stretches(branches: &[Branch], loops: u32) -> Vec<[f64; 2]> {
+    let mut stretches = Vec::new();
+    for branch in branches.iter().filter(|branch| branch.equations.loops() == loops) {
+        let points = with_events(&branch.curve);
+        let shown = |solution: &MaximalPeriodicSolution| {
+            solution.impact_velocity() > 0.0 && solution.stable() && solution.admissible()
+        };
+        for run in points.chunk_by(|a, b| shown(&a.solution) == shown(&b.solution)) {
+            let amplitudes = run.iter().map(|point| point.solution.parameters()[0]);
+            let [low, high] =
+                amplitudes.fold([f64::INFINITY, 0.0], |[low, high], a| [low.min(a), high.max(a)]);
+            if shown(&run[0].solution) && low < high {
+                stretches.push([low, high]);
+            }
+        }
+    }
+    stretches
+}
+
+fn missing(branches: &[Branch], portrait: &Portrait) -> StudyError {
+    let ranges: Vec<String> = stretches(branches, portrait.loops())
+        .iter()
+        .map(|[low, high]| format!("from {low:.5} to {high:.5}"))
+        .collect();
+    let remedy = if ranges.is_empty() {
+        "none is in fig02.amplitude at these parameters, so leave the portrait out or show other loops"
+            .to_owned()
+    } else {
+        format!("there is one {}", ranges.join(", "))
+    };
+    StudyError::NoPortrait { key: portrait.key().to_owned(), loops: portrait.loops(), remedy }
+}
+
+/// The stable admissible MPS at the amplitude.
+fn at(branches: &[Branch], loops: u32, amplitude: f64) -> Option<Subject> {
+    for branch in branches.iter().filter(|branch| branch.equations.loops() == loops) {
+        for pair in branch.curve.points.windows(2) {
+            let [before, after] = [&pair[0].solution, &pair[1].solution];
+            let [from, frequency] = before.parameters();
+            let brackets = (from - amplitude) * (after.parameters()[0] - amplitude) <= 0.0;
+            if !(brackets && (before.stable() || after.stable())) {
+                continue;
+            }
+            let conditions = [Condition::Secondary(frequency), Condition::Primary(amplitude)];
+            let mut memory = pair[0].memory.clone();
+            let Ok(point) = locate(&branch.equations, conditions, before.unknowns, &mut memory) else {
+                continue;
+            };
+            let (solution, _) = branch.equations.solution(&point);
+            if solution.stable() && solution.admissible() {
+                return Some(Subject { loops, amplitude, recoil: Some(branch.equations.recoil(&point)) });
+            }
+        }
+    }
+    None
+}
