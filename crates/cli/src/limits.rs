@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 use grazing_description::Limits;
 use grazing_unfold::stop::Stop;
 
-use crate::terminal;
+use crate::{folder, terminal};
 
 /// How often clock and memory are looked at: memory can grow by some ten megabytes in between.
 const PAUSE: Duration = Duration::from_millis(20);
@@ -63,10 +63,20 @@ pub(crate) fn listen() {
     // Where there can be no handler, Ctrl-C does what it always did.
     let _ = ctrlc::set_handler(|| {
         if INTERRUPTIONS.fetch_add(1, Ordering::Relaxed) > 0 {
+            folder::remove_own_temporaries();
             terminal::note("error: interrupted twice by Ctrl-C: ended at once, nothing more is written");
             process::exit(ENDED);
         }
         terminal::note("interrupted: writing what is finished; press Ctrl-C again to end at once");
+    });
+}
+
+/// Lets Ctrl-C end the program at once, without leaving unfinished files behind.
+pub(crate) fn leave_nothing_behind() {
+    let _ = ctrlc::set_handler(|| {
+        folder::remove_own_temporaries();
+        terminal::note("error: interrupted by Ctrl-C: what was not written yet is not written");
+        process::exit(ENDED);
     });
 }
 

@@ -32,6 +32,7 @@ use oscillators::Source;
 /// # Errors
 /// Any [`Failure`] that keeps the page from being made; claims that do not hold are shown on it.
 pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
+    crate::limits::leave_nothing_behind();
     let start = Instant::now();
     let parameter_file = project::parameter_file(arguments.parameters.file.as_deref())?;
     let parameters = project::parameters(&arguments.parameters)?;

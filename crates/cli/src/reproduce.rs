@@ -27,6 +27,7 @@ const KNOWN: [&str; 2] = ["parameters.toml", "data/README.md"];
 /// # Errors
 /// [`Failure::CheckFailed`] if a check was asked for and files differ; any other [`Failure`] if they could not be made.
 pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
+    crate::limits::leave_nothing_behind();
     let start = Instant::now();
     let edition = Edition::new(&arguments.format, arguments.columns, arguments.dpi);
     let (parameters, set) = (project::parameters(&arguments.parameters)?, &arguments.parameters.set);

@@ -3,7 +3,7 @@
 use grazing_continuation::curve::{Curve, CurveEnd, Event, Route};
 use grazing_continuation::cusp::cusps;
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{LoopEquations, Unknowns};
+use grazing_continuation::mps::{Formulation, LoopEquations, Unknowns};
 use grazing_continuation::resonance::same_point;
 use grazing_model::ImpactOscillator;
 
@@ -100,6 +100,9 @@ pub(crate) struct Net<O> {
 /// The kind of a point at which a saddle-node curve turns back.
 const CUSP: &str = "cusp";
 
+/// In the order in which they are tried.
+const FORMULATIONS: [Formulation; 2] = [Formulation::Vivid, Formulation::FixedPhase];
+
 impl<O: ImpactOscillator> Net<O> {
     pub(crate) fn new(equations: LoopEquations<O>) -> Self {
         Self { equations, curves: Vec::new(), corners: Vec::new(), grown: 0 }
@@ -153,8 +156,16 @@ impl<O: ImpactOscillator> Net<O> {
                 curve.kind == kind && curve.ends().iter().any(|end| same_point(end, &corner))
             });
             let known = there.count() >= if meeting == "GZ-GZ" { 2 } else { 1 };
+            if known {
+                continue;
+            }
+            // Curves to which no resonance leads have been followed without virtual points, which need not exist there.
+            let formulations = if n == 0 { &FORMULATIONS[1..] } else { &FORMULATIONS[..] };
+            let followed = formulations.iter().find_map(|formulation| {
+                self.equations.with_formulation(*formulation).branch_off(&event, route).ok()
+            });
             // A curve that bounds no region of stable solutions there is not part of the diagram.
-            if !known && let Ok(curve) = self.equations.branch_off(&event, route) {
+            if let Some(curve) = followed {
                 self.add(DiagramCurve { kind, loops, n, curve });
             }
         }

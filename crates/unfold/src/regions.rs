@@ -153,8 +153,12 @@ const TRIALS: u32 = 15;
 const LONG_ENOUGH: f64 = 0.25;
 /// Slices of the whole window to begin with.
 pub(crate) const SLICES: u32 = 16;
-/// How often slices are added in faces that have none.
-const ROUNDS: usize = 6;
+/// How often slices are added where they are needed.
+const ROUNDS: usize = 8;
+/// Slices are no closer than this share of the range of η.
+const NEAREST: f64 = 1e-3;
+/// Shares of the range of η at which slices are laid beside a loose end.
+const BESIDE: [f64; 4] = [-0.02, -0.003, 0.003, 0.02];
 
 /// What looks at solutions along slices, and finds the curves that are missing.
 pub(crate) trait Surveyor {
@@ -212,12 +216,18 @@ pub(crate) fn decided(
     survey.look_at(levels, progress);
     let mut judge = Judge { window, sights: survey.sights() };
     for _ in 0..ROUNDS {
-        let faces = faces::cut(window, &joined(window, survey.lines()));
-        let unseen: Vec<f64> = faces.iter().filter_map(|face| judge.unseen(face)).collect();
-        if unseen.is_empty() || progress.stopped() {
+        let lines = joined(window, survey.lines());
+        let faces = faces::cut(window, &lines);
+        let mut wanted: Vec<f64> = faces.iter().filter_map(|face| judge.unseen(face)).collect();
+        wanted.extend(faces.into_iter().flat_map(|face| judge.between_verdicts(face)));
+        wanted.extend(judge.beside_loose_ends(&lines));
+        wanted.retain(|level| !judge.is_near(*level));
+        if wanted.is_empty() || progress.stopped() {
             break;
         }
-        survey.look_at(&unseen, progress);
+        wanted.sort_by(f64::total_cmp);
+        wanted.dedup();
+        survey.look_at(&wanted, progress);
         judge.sights = survey.sights();
     }
     let lines = joined(window, survey.lines());
@@ -251,6 +261,40 @@ impl Judge {
                 && self.longest(face, sight.secondary) >= LONG_ENOUGH * length
         });
         (!seen && length > 0.0).then_some(best)
+    }
+
+    /// Whether there is a slice so close to a value of η that another one would tell nothing.
+    fn is_near(&self, secondary: f64) -> bool {
+        let [low, high] = self.window.secondary;
+        self.sights.iter().any(|sight| (sight.secondary - secondary).abs() < NEAREST * (high - low))
+    }
+
+    /// Values of η half the way between neighbouring slices one of which is in trouble in a face and the other is not: what is
+    /// missing ends between them.
+    fn between_verdicts(&self, face: Face) -> Vec<f64> {
+        let trouble = self.judge(face).trouble;
+        if trouble.is_empty() {
+            return Vec::new();
+        }
+        let [first, last] = self.window.secondary;
+        let mut levels: Vec<f64> = self.sights.iter().map(|sight| sight.secondary).collect();
+        levels.extend([first, last]);
+        levels.sort_by(f64::total_cmp);
+        let pairs = levels.windows(2).filter(|pair| trouble.contains(&pair[0]) != trouble.contains(&pair[1]));
+        pairs.map(|pair| 0.5 * (pair[0] + pair[1])).collect()
+    }
+
+    /// Values of η beside ends of curves inside the window at which no other curve ends: one is missing there.
+    fn beside_loose_ends(&self, lines: &[Vec<Point>]) -> Vec<f64> {
+        let ends: Vec<Point> = lines.iter().filter_map(|line| Some([*line.first()?, *line.last()?])).flatten().collect();
+        let inside = |[primary, secondary]: Point| {
+            let within = |[low, high]: [f64; 2], value: f64| low < value && value < high;
+            within(self.window.primary, primary) && within(self.window.secondary, secondary)
+        };
+        let loose = ends.iter().filter(|end| inside(**end) && ends.iter().filter(|other| other == end).count() == 1);
+        let height = self.window.secondary[1] - self.window.secondary[0];
+        let levels = loose.flat_map(|end| BESIDE.map(|share| end[1] + share * height));
+        levels.filter(|level| self.window.secondary[0] < *level && *level < self.window.secondary[1]).collect()
     }
 
     fn judge(&self, face: Face) -> Judged {

@@ -154,27 +154,47 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         if slice.branches.iter().any(|branch| passes(branch, &through)) {
             return;
         }
-        let secondary = slice.secondary;
         // No branch leaves its own η.
         let window = Window { secondary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
-        let route = Route {
-            window,
-            control: STEPS,
-            step_limit: STEP_LIMIT,
-            stop_at_events: false,
-            through_grazing: false,
-        };
-        let curve =
-            MpsCurve { equations: self.equations.clone(), condition: Condition::Secondary(secondary) };
+        let (curve, route) = self.branch(Condition::Secondary(slice.secondary), window);
         let upwards = Unknowns::new(1.0, 0.0, 0.0, 0.0);
         let followed = if both {
             curve.follow_both_ways(through, upwards, memory, &route)
         } else {
             curve.follow(through, upwards, memory.clone(), &route)
         };
-        if let Ok(curve) = followed {
-            slice.branches.push(curve);
+        slice.branches.extend(followed);
+    }
+
+    fn branch(&self, condition: Condition, window: Window) -> (MpsCurve<O>, Route) {
+        let curve = MpsCurve { equations: self.equations.clone(), condition };
+        let route =
+            Route { window, control: STEPS, step_limit: STEP_LIMIT, stop_at_events: false, through_grazing: false };
+        (curve, route)
+    }
+
+    /// The branches at one μ to which slices of constant η lead.
+    pub(crate) fn across(&self, slices: &[Slice<Curve>], primary: f64) -> Vec<Curve> {
+        let window = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
+        let (curve, route) = self.branch(Condition::Primary(primary), window);
+        let mut branches: Vec<Curve> = Vec::new();
+        let pairs = slices.iter().flat_map(|slice| slice.branches.iter().flat_map(|branch| branch.points.windows(2)));
+        for pair in pairs {
+            let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
+            let [from, to] = [a, b].map(|point| point[unknown::PRIMARY] - primary);
+            if from * to > 0.0 || from == to {
+                continue;
+            }
+            let near = a + (b - a) * (from / (from - to));
+            let conditions = [Condition::Primary(primary), Condition::Secondary(near[unknown::SECONDARY])];
+            let mut memory = pair[0].memory.clone();
+            let Ok(through) = locate(&self.equations, conditions, near, &mut memory) else { continue };
+            if through[unknown::VELOCITY] > 0.0 && !branches.iter().any(|branch| passes(branch, &through)) {
+                let upwards = Unknowns::new(0.0, 0.0, 0.0, 1.0);
+                branches.extend(curve.clone().follow_both_ways(through, upwards, &memory, &route));
+            }
         }
+        branches
     }
 }
 

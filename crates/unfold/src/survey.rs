@@ -20,8 +20,12 @@ pub(crate) struct Survey<'a, O> {
     slicer: Slicer<'a, O>,
     route: Route,
     slices: Vec<Slice<Curve>>,
+    /// Slices of constant μ have been looked at.
+    crossed: bool,
 }
 
+/// Slices of constant μ divide the range of μ into so many parts; the first and the last are the window's edges.
+const ACROSS: u32 = 8;
 /// Bifurcations closer than this, in (y, z) and shares of the range of μ, are one: both were located to some 10⁻¹⁰.
 const SAME: f64 = 1e-6;
 /// A bifurcation this far from a chord between two points of a curve may be one of the curve.
@@ -34,19 +38,34 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
         grazing: &'a (dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
     ) -> Self {
         let slicer = Slicer::new(&net.equations, route.window, grazing);
-        Self { net, slicer, route, slices: Vec::new() }
+        Self { net, slicer, route, slices: Vec::new(), crossed: false }
     }
 
     /// Starts a curve at every bifurcation that lies on none.
     fn explain(&mut self, progress: &dyn Progress) {
         for slice in &mut self.slices {
-            for branch in slice.take_new() {
-                let (_, borders) = stretches(&self.net.equations, branch);
-                for event in borders.iter().filter_map(|border| border.event) {
-                    if !progress.stopped() && !explained(self.net, event, self.route.window.primary) {
-                        start(self.net, event, &self.route);
-                    }
-                }
+            explain(self.net, slice.take_new(), &self.route, progress);
+        }
+        let [left, right] = self.route.window.primary;
+        if !core::mem::replace(&mut self.crossed, true) {
+            let places: Vec<f64> =
+                (0..=ACROSS).map(|k| left + (right - left) * f64::from(k) / f64::from(ACROSS)).collect();
+            let found: Vec<_> =
+                places.par_iter().map(|primary| self.slicer.across(&self.slices, *primary)).collect();
+            for branches in found {
+                explain(self.net, &branches, &self.route, progress);
+            }
+        }
+    }
+}
+
+/// Starts a curve at every bifurcation on some branches that lies on none.
+fn explain<O: ImpactOscillator>(net: &mut Net<O>, branches: &[Curve], route: &Route, progress: &dyn Progress) {
+    for branch in branches {
+        let (_, borders) = stretches(&net.equations, branch);
+        for event in borders.iter().filter_map(|border| border.event) {
+            if !progress.stopped() && !explained(net, event, route.window.primary) {
+                start(net, event, route);
             }
         }
     }

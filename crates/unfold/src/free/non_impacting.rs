@@ -68,6 +68,10 @@ pub(crate) fn find<O: ImpactOscillator>(
         })
         .collect();
     progress.end(what);
+    if surveys.iter().all(|survey| survey.grazing.is_empty()) {
+        let stopped = UnfoldError::Stopped { stage: what };
+        return Err(if progress.stopped() { stopped } else { explanation(&surveys) });
+    }
     let slices = shares
         .iter()
         .zip(&surveys)
