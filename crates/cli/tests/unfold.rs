@@ -179,7 +179,7 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
     assert_eq!(none.code, Some(3), "{}", none.messages);
     let told = "error: duffing.toml: the limit of 1000 steps of integration is reached; ";
     assert!(none.errors().starts_with(told), "{}", none.errors());
-    assert!(none.errors().contains("in the stage `grazing of free motion`"), "{}", none.errors());
+    assert!(none.errors().contains("in the stage `motion without impacts`"), "{}", none.errors());
     assert!(!folder.path().join("none").exists());
     let whole = steps("1e10", "whole");
     assert_eq!((whole.code, whole.errors()), (Some(0), ""));

@@ -91,7 +91,8 @@ pub(crate) fn hatching(rings: &[Vec<(f64, f64)>], distance: f64) -> Vec<[(f64, f
         across.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], u| [low.min(u), high.max(u)]);
     let step = distance * std::f64::consts::SQRT_2;
     let mut lines = Vec::new();
-    let mut u = (low / step).ceil() * step;
+    // The first line lies inside: one through a corner would have no length.
+    let mut u = ((low / step).floor() + 1.0) * step;
     while u < high {
         let mut crossings: Vec<f64> = edges
             .iter()

@@ -305,7 +305,7 @@ fn settings_are_told_of_as_such_and_later_ones_go_before() {
             "fig08.panels[9].n=1",
             "--set: fig08.panels[9].n = 1: fig08.panels: there is no member 9, the list has 3",
         ),
-        ("fig08.panels[2].m=1", "--set: unknown key fig08.panels[2].m: did you mean"),
+        ("fig08.panels[2].lops=1", "--set: unknown key fig08.panels[2].lops: did you mean `loops`?"),
         ("fig02.x[1]=7.0", "p.toml:"),
     ] {
         assert!(told(&[setting]).starts_with(beginning), "{setting}: {}", told(&[setting]));

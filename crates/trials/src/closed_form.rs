@@ -55,8 +55,8 @@ pub fn orbits(zeta: f64, epsilon: f64, amplitude: f64, omega: f64, loops: u32) -
     let b = from_forced * (rest * (e2 + propagator * e2 * epsilon));
     let (half, constant) = (a.dot(&b) / b.dot(&b), (a.dot(&a) - 1.0) / b.dot(&b));
     let discriminant = half * half - constant;
-    // At a fold it is zero up to the rounding of its two terms.
-    if discriminant < -1e-13 * (half * half + a.dot(&a) / b.dot(&b)) {
+    // At a fold that was located to 10⁻¹² it is zero up to that.
+    if discriminant < -1e-12 * (half * half + a.dot(&a) / b.dot(&b)) {
         return Vec::new();
     }
     let root = discriminant.max(0.0).sqrt();

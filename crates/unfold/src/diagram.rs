@@ -136,6 +136,7 @@ impl<O: ImpactOscillator> Diagram<O> {
             }
         }
         let known = nets.clone();
+        let followed: Vec<usize> = nets.iter().map(|net| net.curves.len()).collect();
         let route = route(self.scope.window, StepControl::DRAWING);
         nets.iter_mut().for_each(|net| net.grow(&route));
         let of_mps = regions::of_mps(&self, &mut nets, progress);
@@ -146,10 +147,15 @@ impl<O: ImpactOscillator> Diagram<O> {
         } else {
             self.regions.extend(of_mps);
         }
-        for net in nets {
-            self.curves.extend(net.curves);
+        // First all that come from resonances, as they are told while others are being followed.
+        let (mut first, mut then) = (Vec::new(), Vec::new());
+        for (mut net, followed) in nets.into_iter().zip(followed) {
+            then.extend(net.curves.split_off(followed));
+            first.extend(net.curves);
             self.corners.extend(net.corners);
         }
+        self.curves.extend(first);
+        self.curves.extend(then);
         self
     }
 

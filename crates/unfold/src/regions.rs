@@ -66,7 +66,7 @@ impl fmt::Display for Doubt {
             Self::UnnamedChange => {
                 write!(f, "stability changes without a saddle-node, period-doubling or grazing bifurcation")
             }
-            Self::Broken(end) => write!(f, "a branch of solutions could not be followed further: {end}"),
+            Self::Broken(end) => write!(f, "a branch of solutions could not be followed to its end: {end}"),
             Self::Unseen => write!(f, "no slice was made"),
         }
     }

@@ -280,13 +280,18 @@ fn between<O: ImpactOscillator>(
     Some(equations.solution(&found).0)
 }
 
-/// The primary parameter at which a branch could not be followed to its end, if that is so.
-pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, &CurveEnd)> {
-    let ends =
-        [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];
+/// The primary parameters at which a branch could not be followed to its end, with what happened.
+pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
+    let ends = [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];
     ends.into_iter().filter_map(|(point, end)| {
-        let (point, end) = (point?, end?);
-        let whole = matches!(end, CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed);
-        (!whole).then(|| (point.solution.parameters()[0], end))
+        let reason = match end? {
+            CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed | CurveEnd::Event(_) => return None,
+            CurveEnd::EventNotLocated { failure, .. } => {
+                format!("a bifurcation was seen and not located: {failure}")
+            }
+            CurveEnd::Stalled(stall) => format!("no further point was found: {stall}"),
+            CurveEnd::StepLimit => format!("after {STEP_LIMIT} points there was no end"),
+        };
+        Some((point?.solution.parameters()[0], reason))
     })
 }

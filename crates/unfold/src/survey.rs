@@ -98,8 +98,8 @@ impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
                 for border in borders.iter().filter(|border| border.event.is_none()) {
                     sight.doubt(border.primary, Doubt::UnnamedChange);
                 }
-                for (primary, end) in broken_at(branch) {
-                    sight.doubt(primary, Doubt::Broken(format!("{end:?}")));
+                for (primary, reason) in broken_at(branch) {
+                    sight.doubt(primary, Doubt::Broken(reason));
                 }
             }
             sight

@@ -250,7 +250,7 @@ impl<O: ImpactOscillator> Surveyor for FreeSurvey<'_, O> {
                         let at = orbit.height.parameters[0];
                         let [left, right] = self.orbits.scope.window.primary;
                         if left < at && at < right && orbit.highest.position <= 0.0 {
-                            sight.doubt(at, Doubt::Broken("motion without impacts".to_owned()));
+                            sight.doubt(at, Doubt::Broken("motion without impacts ceases to exist".to_owned()));
                         }
                     }
                 }
