@@ -3,3 +3,4 @@
 pub mod closed_form;
 pub mod random;
 pub mod regions;
+pub mod simulation;

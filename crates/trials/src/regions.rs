@@ -27,12 +27,15 @@ pub struct Outcome {
 /// The distance from a border within which a point tells nothing.
 const BORDER: f64 = 0.002;
 
-/// The distance of a point from the border of a region.
-fn distance(region: &Region, [x, y]: [f64; 2]) -> f64 {
+/// The distance of a point from the border of a region, in shares of the ranges.
+pub fn distance(region: &Region, point: [f64; 2], window: Window) -> f64 {
+    let share = |[low, high]: [f64; 2], value: f64| (value - low) / (high - low);
+    let place = |p: [f64; 2]| [share(window.primary, p[0]), share(window.secondary, p[1])];
+    let [x, y] = place(point);
     let mut least = f64::INFINITY;
     for ring in &region.rings {
         for (k, a) in ring.iter().enumerate() {
-            let b = ring[(k + 1) % ring.len()];
+            let [a, b] = [place(*a), place(ring[(k + 1) % ring.len()])];
             let [u, v] = [b[0] - a[0], b[1] - a[1]];
             let along = (((x - a[0]) * u + (y - a[1]) * v) / (u * u + v * v)).clamp(0.0, 1.0);
             let along = if along.is_nan() { 0.0 } else { along };
@@ -77,7 +80,7 @@ pub fn compare(
     };
     for region in &diagram.regions {
         if let RegionKind::Undecided(doubt) = &region.kind {
-            outcome.doubts.push(format!("p = {}: {doubt} {:?}", region.loops, region.rings));
+            outcome.doubts.push(format!("p = {}: {doubt}", region.loops));
         }
     }
     let mut hatched = 0;
@@ -97,7 +100,7 @@ pub fn compare(
             match (shaded, stable) {
                 (true, true) => outcome.shaded += 1,
                 (false, false) => {}
-                _ if of_p.iter().any(|region| distance(region, point) < BORDER) => {}
+                _ if of_p.iter().any(|region| distance(region, point, window) < BORDER) => {}
                 (true, false) => outcome.false_shading.push((p, point)),
                 (false, true) => outcome.missed.push((p, point)),
             }

@@ -15,6 +15,7 @@ use crate::curves::{DiagramCurve, Kind, Net};
 use crate::diagram::{Diagram, route};
 use crate::faces::{self, Face, Point, chords, extent};
 use crate::progress::Progress;
+use crate::slices::{MOST_BRANCHES, Slice};
 use crate::survey::Survey;
 
 /// What is known of a region.
@@ -53,6 +54,8 @@ pub enum Doubt {
     UnnamedChange,
     /// A branch could not be followed to its end.
     Broken(String),
+    /// There are more branches of solutions than are followed.
+    ManyBranches,
     /// No slice was made.
     Unseen,
 }
@@ -67,6 +70,7 @@ impl fmt::Display for Doubt {
                 write!(f, "stability changes without a saddle-node, period-doubling or grazing bifurcation")
             }
             Self::Broken(end) => write!(f, "a branch of solutions could not be followed to its end: {end}"),
+            Self::ManyBranches => write!(f, "there are {MOST_BRANCHES} branches of solutions or more"),
             Self::Unseen => write!(f, "no slice was made"),
         }
     }
@@ -99,11 +103,14 @@ pub(crate) struct Sight {
     /// Intervals of μ with a stable, admissible solution.
     good: Vec<[f64; 2]>,
     doubts: Vec<(f64, Doubt)>,
+    everywhere: Option<Doubt>,
 }
 
 impl Sight {
-    pub(crate) fn new(secondary: f64) -> Self {
-        Self { secondary, good: Vec::new(), doubts: Vec::new() }
+    /// Nothing yet of a slice, but that it has more branches than can be told apart, if that is so.
+    pub(crate) fn of<B>(slice: &Slice<B>) -> Self {
+        let everywhere = (slice.branches.len() >= MOST_BRANCHES).then_some(Doubt::ManyBranches);
+        Self { secondary: slice.secondary, good: Vec::new(), doubts: Vec::new(), everywhere }
     }
 
     /// Adds an interval of μ, its ends in any order, in which there are good solutions.
@@ -286,15 +293,19 @@ impl Judge {
 
     /// Values of η beside ends of curves inside the window at which no other curve ends: one is missing there.
     fn beside_loose_ends(&self, lines: &[Vec<Point>]) -> Vec<f64> {
-        let ends: Vec<Point> = lines.iter().filter_map(|line| Some([*line.first()?, *line.last()?])).flatten().collect();
+        let ends: Vec<Point> =
+            lines.iter().filter_map(|line| Some([*line.first()?, *line.last()?])).flatten().collect();
         let inside = |[primary, secondary]: Point| {
             let within = |[low, high]: [f64; 2], value: f64| low < value && value < high;
             within(self.window.primary, primary) && within(self.window.secondary, secondary)
         };
-        let loose = ends.iter().filter(|end| inside(**end) && ends.iter().filter(|other| other == end).count() == 1);
+        let loose =
+            ends.iter().filter(|end| inside(**end) && ends.iter().filter(|other| other == end).count() == 1);
         let height = self.window.secondary[1] - self.window.secondary[0];
         let levels = loose.flat_map(|end| BESIDE.map(|share| end[1] + share * height));
-        levels.filter(|level| self.window.secondary[0] < *level && *level < self.window.secondary[1]).collect()
+        levels
+            .filter(|level| self.window.secondary[0] < *level && *level < self.window.secondary[1])
+            .collect()
     }
 
     fn judge(&self, face: Face) -> Judged {
@@ -306,9 +317,12 @@ impl Judge {
                 let (length, share) = (self.length(chord), sight.share(chord));
                 votes.push((sight.secondary, length, share));
                 let within = |primary: f64| chord[0] < primary && primary < chord[1];
-                let told = sight.doubts.iter().find(|(primary, _)| within(*primary));
+                let told = sight.doubts.iter().find(|(primary, _)| within(*primary)).map(|(_, doubt)| doubt);
+                let told = told.or(sight.everywhere.as_ref());
                 let mixed = PURE < share && share < 1.0 - PURE && length > SHORT;
-                if let Some((_, reason)) = told {
+                // Where there are good solutions all along, nothing that cannot be told of others matters.
+                let told = told.filter(|_| share < 1.0 - PURE);
+                if let Some(reason) = told {
                     doubt.get_or_insert(reason.clone());
                     trouble.push(sight.secondary);
                 } else if mixed {

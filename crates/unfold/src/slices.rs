@@ -95,6 +95,13 @@ const ON_BRANCH: f64 = 0.05;
 /// MPSs of a branch that are carried to a neighbouring slice.
 const CARRIED: usize = 8;
 
+/// A solution that Newton's method finds farther than this from where it was carried to is another one (empirical; wherever the wall's
+/// distance from rest is of order one).
+pub(crate) const CARRIED_OFF: f64 = 0.5;
+/// No slice has more branches than this, or it is not told apart from one without end, as of a pendulum that may have turned any
+/// number of times.
+pub(crate) const MOST_BRANCHES: usize = 50;
+
 /// What finds slices.
 pub(crate) struct Slicer<'a, O> {
     pub(crate) equations: LoopEquations<O>,
@@ -146,12 +153,14 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         let [velocity, _, _, secondary] = near.into();
         let conditions = [Condition::Secondary(secondary), Condition::ImpactVelocity(velocity)];
         let found = locate(&self.equations, conditions, near, memory).ok()?;
-        self.window.contains(&found).then_some(found)
+        (self.window.contains(&found) && (found - near).norm() < CARRIED_OFF).then_some(found)
     }
 
     /// Follows the branch through an MPS, to greater velocities or to both sides, unless it is known.
     fn add(&self, slice: &mut Slice<Curve>, through: Unknowns, memory: &Memory, both: bool) {
-        if slice.branches.iter().any(|branch| passes(branch, &through)) {
+        if slice.branches.len() >= MOST_BRANCHES
+            || slice.branches.iter().any(|branch| passes(branch, &through))
+        {
             return;
         }
         // No branch leaves its own η.
@@ -168,8 +177,13 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
 
     fn branch(&self, condition: Condition, window: Window) -> (MpsCurve<O>, Route) {
         let curve = MpsCurve { equations: self.equations.clone(), condition };
-        let route =
-            Route { window, control: STEPS, step_limit: STEP_LIMIT, stop_at_events: false, through_grazing: false };
+        let route = Route {
+            window,
+            control: STEPS,
+            step_limit: STEP_LIMIT,
+            stop_at_events: false,
+            through_grazing: false,
+        };
         (curve, route)
     }
 
@@ -178,7 +192,8 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         let window = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
         let (curve, route) = self.branch(Condition::Primary(primary), window);
         let mut branches: Vec<Curve> = Vec::new();
-        let pairs = slices.iter().flat_map(|slice| slice.branches.iter().flat_map(|branch| branch.points.windows(2)));
+        let pairs =
+            slices.iter().flat_map(|slice| slice.branches.iter().flat_map(|branch| branch.points.windows(2)));
         for pair in pairs {
             let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
             let [from, to] = [a, b].map(|point| point[unknown::PRIMARY] - primary);
@@ -282,7 +297,8 @@ fn between<O: ImpactOscillator>(
 
 /// The primary parameters at which a branch could not be followed to its end, with what happened.
 pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
-    let ends = [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];
+    let ends =
+        [(branch.points.first(), branch.beginning.as_ref()), (branch.points.last(), Some(&branch.end))];
     ends.into_iter().filter_map(|(point, end)| {
         let reason = match end? {
             CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed | CurveEnd::Event(_) => return None,

@@ -60,7 +60,12 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
 }
 
 /// Starts a curve at every bifurcation on some branches that lies on none.
-fn explain<O: ImpactOscillator>(net: &mut Net<O>, branches: &[Curve], route: &Route, progress: &dyn Progress) {
+fn explain<O: ImpactOscillator>(
+    net: &mut Net<O>,
+    branches: &[Curve],
+    route: &Route,
+    progress: &dyn Progress,
+) {
     for branch in branches {
         let (_, borders) = stretches(&net.equations, branch);
         for event in borders.iter().filter_map(|border| border.event) {
@@ -89,7 +94,7 @@ impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
 
     fn sights(&self) -> Vec<Sight> {
         let sight = |slice: &Slice<Curve>| {
-            let mut sight = Sight::new(slice.secondary);
+            let mut sight = Sight::of(slice);
             for branch in &slice.branches {
                 let (stretches, borders) = stretches(&self.net.equations, branch);
                 for stretch in stretches.iter().filter(|stretch| stretch.good) {

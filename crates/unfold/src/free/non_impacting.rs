@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use grazing_continuation::curve::CurveEnd;
 use grazing_continuation::locate::Condition;
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, State};
@@ -17,7 +18,7 @@ use crate::faces::Point;
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
 use crate::regions::{Doubt, Region, RegionKind, SLICES, Sight, Surveyor, decided};
-use crate::slices::{Slice, near_chord, spread};
+use crate::slices::{CARRIED_OFF, MOST_BRANCHES, Slice, near_chord, spread};
 use crate::stop::Unfinished;
 use crate::{Scope, UnfoldError};
 
@@ -144,7 +145,9 @@ impl<O: ImpactOscillator> FreeSurvey<'_, O> {
             for known in branch.orbits.iter().skip(every / 2).step_by(every) {
                 let mut near = known.orbit;
                 near[SECONDARY] = share;
-                if let Some(start) = self.orbits.at(&near)
+                if to.branches.len() < MOST_BRANCHES
+                    && let Some(start) =
+                        self.orbits.at(&near).filter(|start| (start - near).norm() < CARRIED_OFF)
                     && !to.branches.iter().any(|branch| branch.passes(&start))
                 {
                     to.branches.extend(self.orbits.branch(&start));
@@ -169,6 +172,7 @@ impl<O: ImpactOscillator> FreeSurvey<'_, O> {
                     }
                 } else if !self.known(&bifurcation)
                     && let Some(curve) = self.orbits.curve(&bifurcation)
+                    && !stalls(&curve)
                 {
                     self.curves.push(curve);
                 }
@@ -192,6 +196,14 @@ impl<O: ImpactOscillator> FreeSurvey<'_, O> {
             })
         })
     }
+}
+
+/// A curve that goes on to nowhere begins at no fold: two branches meet there, as for the sake of a symmetry.
+fn stalls(curve: &DiagramCurve) -> bool {
+    [curve.curve.beginning.as_ref(), Some(&curve.curve.end)]
+        .into_iter()
+        .flatten()
+        .any(|end| matches!(end, CurveEnd::Stalled(_)))
 }
 
 impl Branch {
@@ -227,7 +239,7 @@ impl<O: ImpactOscillator> Surveyor for FreeSurvey<'_, O> {
 
     fn sights(&self) -> Vec<Sight> {
         let sight = |slice: &Slice<Branch>| {
-            let mut sight = Sight::new(slice.secondary);
+            let mut sight = Sight::of(slice);
             for branch in &slice.branches {
                 let is_event = |k: usize| branch.bifurcations.iter().any(|b| b.place == Some(k));
                 let primary = |k: usize| branch.orbits[k].height.parameters[0];
@@ -250,7 +262,10 @@ impl<O: ImpactOscillator> Surveyor for FreeSurvey<'_, O> {
                         let at = orbit.height.parameters[0];
                         let [left, right] = self.orbits.scope.window.primary;
                         if left < at && at < right && orbit.highest.position <= 0.0 {
-                            sight.doubt(at, Doubt::Broken("motion without impacts ceases to exist".to_owned()));
+                            sight.doubt(
+                                at,
+                                Doubt::Broken("motion without impacts ceases to exist".to_owned()),
+                            );
                         }
                     }
                 }
