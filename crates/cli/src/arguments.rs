@@ -260,7 +260,7 @@ pub struct Unfold {
     /// Numbers of loops p, separated by commas [default: those of the file]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub loops: Option<Vec<u32>>,
-    /// Value for a key of the files, in its place; a name alone is one of [parameters]
+    /// Value for a key of the files, in its place; a name alone is that of a constant
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<Setting>,
     /// Number of threads; the results do not depend on it [default: one for each core]

@@ -120,7 +120,7 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
     }
 
     /// The branches at some η that begin on the grazing curve.
-    pub(crate) fn from_grazing(&self, secondary: f64) -> Slice<Curve> {
+    pub(crate) fn beginning_at_grazing(&self, secondary: f64) -> Slice<Curve> {
         let mut slice = Slice::new(secondary, Vec::new());
         for [phase, primary] in (self.grazing)(secondary) {
             let near = Unknowns::new(BESIDE_GRAZING, phase, primary, secondary);

@@ -78,7 +78,7 @@ fn explain<O: ImpactOscillator>(
 
 impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
     fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
-        let found: Vec<_> = levels.par_iter().map(|level| self.slicer.from_grazing(*level)).collect();
+        let found: Vec<_> = levels.par_iter().map(|level| self.slicer.beginning_at_grazing(*level)).collect();
         self.slices.extend(found);
         spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
         self.explain(progress);

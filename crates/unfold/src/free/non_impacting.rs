@@ -119,7 +119,7 @@ impl<O: ImpactOscillator> FreeSurvey<'_, O> {
     }
 
     /// The branches at some η that graze there.
-    fn from_grazing(&self, secondary: f64) -> Slice<Branch> {
+    fn beginning_at_grazing(&self, secondary: f64) -> Slice<Branch> {
         let mut branches: Vec<Branch> = Vec::new();
         for orbit in self.grazing.iter().flat_map(|curve| curve.all_at(secondary)) {
             let oscillator = orbit.oscillator();
@@ -220,7 +220,7 @@ impl Branch {
 
 impl<O: ImpactOscillator> Surveyor for FreeSurvey<'_, O> {
     fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
-        let found: Vec<_> = levels.par_iter().map(|level| self.from_grazing(*level)).collect();
+        let found: Vec<_> = levels.par_iter().map(|level| self.beginning_at_grazing(*level)).collect();
         self.slices.extend(found);
         let mut slices = core::mem::take(&mut self.slices);
         spread(&mut slices, progress, |from, to| self.carry(from, to));
