@@ -82,17 +82,22 @@ fn settled(oscillator: &impl ImpactOscillator, random: &mut Random) -> Option<u3
         phase: random.uniform(0.0, TAU),
     };
     let until = (TRANSIENT + LOOKED_AT) * period;
-    let mut impacts: Vec<[f64; 2]> = Vec::new();
+    let mut impacts: Vec<[f64; 3]> = Vec::new();
     for flight in Orbit::new(oscillator, from, until, 100_000) {
         if let FlightEnd::Impact(state) = flight.end {
-            impacts.push([flight.start + flight.duration, state.velocity]);
+            impacts.push([flight.start + flight.duration, state.velocity, state.phase]);
         }
     }
-    impacts.retain(|[time, _]| *time > TRANSIENT * period);
+    impacts.retain(|[time, ..]| *time > TRANSIENT * period);
     let gaps: Vec<f64> = impacts.windows(2).map(|pair| (pair[1][0] - pair[0][0]) / period).collect();
+    // The time that passes during impacts is not among those of flights.
     let loops = libm::round(*gaps.first()?);
-    let same = gaps.iter().all(|gap| (gap - loops).abs() < SAME)
-        && impacts.iter().all(|[_, velocity]| (velocity - impacts[0][1]).abs() < SAME && *velocity > SLOWEST);
+    let first = *impacts.first()?;
+    let same = impacts.iter().all(|[_, velocity, phase]| {
+        (velocity - first[1]).abs() < SAME
+            && libm::remainder(phase - first[2], TAU).abs() < SAME
+            && *velocity > SLOWEST
+    });
     // At least three times round.
     (same && gaps.len() >= 3 && loops >= 1.0).then_some(loops as u32)
 }
