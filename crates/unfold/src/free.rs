@@ -21,11 +21,6 @@ use crate::escape::Escape;
 use branch::{Bifurcation, Branch};
 use orbits::{FAR, FreeOrbits, Orbit};
 
-/// The free motion ceases to exist, or has run away.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("the motion without the wall runs away")]
-pub struct RunsAway;
-
 /// What was seen of free periodic motion at one η, and where it grazes.
 #[derive(Clone, Debug)]
 pub struct Survey<O> {
