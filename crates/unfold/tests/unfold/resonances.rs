@@ -123,6 +123,8 @@ fn resonances_in_the_stiffness_lie_where_the_free_frequency_is_in_step() {
         let Ok(point) = &resonance.theorem else { continue };
         for coefficient in coefficients(point) {
             assert_eq!(coefficient.verdict(), Verdict::Agree, "{coefficient:?}");
+            let measured = coefficient.fit.as_ref().unwrap().coefficient.value;
+            assert_within(measured / coefficient.theorem.value, 1.0, 1e-5);
         }
     }
 }
