@@ -13,12 +13,10 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_description::{Description, DescriptionError, Limits};
-use grazing_model::smooth::Integrated;
-use grazing_reproduction::unfolded::Unfolded;
+use grazing_reproduction::unfolded::{Described, Unfolded};
 use grazing_reproduction::{StudyError, Table};
 use grazing_source::Setting;
 use grazing_unfold::UnfoldError;
-use grazing_unfold::stop::Stoppable;
 
 use crate::arguments;
 use crate::failure::Failure;
@@ -36,7 +34,7 @@ use keeper::Keeper;
 const RESULTS: &str = "unfolded";
 
 /// What the analysis of an oscillator from a text file comes to.
-pub(crate) type Analysis = Unfolded<Integrated<Stoppable<Description>>>;
+pub(crate) type Analysis = Unfolded<Described>;
 
 /// A file that is to be unfolded.
 struct Task {

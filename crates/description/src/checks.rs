@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use grazing_model::smooth::SmoothOscillator;
+use grazing_model::smooth::{SmoothOscillator, Units};
 use grazing_source::Source;
 use toml::Spanned;
 
@@ -14,12 +14,12 @@ use crate::file::File;
 
 /// Points along the range of either parameter, both ends included.
 const ALONG: u32 = 7;
-/// Positions and velocities at which the force is sampled; empirical, for quantities of the order of one. At the wall and close to
+/// Positions and velocities at which the force is sampled, in the oscillator's [`Units`]; empirical. At the wall and close to
 /// it, from `-NEAR` on, it must be finite; far from it a force may have its poles.
 const POSITIONS: [f64; 4] = [-1.0, -0.37, -0.01, 0.0];
 const NEAR: f64 = 0.01;
 const VELOCITIES: [f64; 3] = [-0.83, 0.0, 0.61];
-/// Impact velocities at which the reset law is sampled: the theorems are about slow impacts.
+/// Impact velocities, likewise, at which the reset law is sampled: the theorems are about slow impacts.
 const IMPACT_VELOCITIES: [f64; 5] = [0.0, 0.01, 0.1, 0.5, 1.0];
 /// Phases, as shares of the period, that no symmetry relates.
 const SHARES: [f64; 5] = [0.0, 0.137, 0.361, 0.592, 0.823];
@@ -35,7 +35,7 @@ pub(crate) fn samples(
     raw: &File,
     source: &Source<'_>,
 ) -> Result<Vec<String>, DescriptionError> {
-    let sampler = Sampler { description, source };
+    let sampler = Sampler { description, source, units: description.units() };
     let parameters = sampler.parameters();
     for &parameters in &parameters {
         sampler.frequency(&raw.motion.frequency, parameters)?;
@@ -55,9 +55,14 @@ pub(crate) fn samples(
 struct Sampler<'a> {
     description: &'a Description,
     source: &'a Source<'a>,
+    units: Units,
 }
 
 impl Sampler<'_> {
+    fn impact_velocities(&self) -> [f64; 5] {
+        IMPACT_VELOCITIES.map(|y| y * self.units.velocity())
+    }
+
     fn parameters(&self) -> Vec<[f64; 2]> {
         let along = |[lower, upper]: [f64; 2]| {
             (0..ALONG).map(move |i| {
@@ -93,16 +98,17 @@ impl Sampler<'_> {
     fn force(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
         let place = || Place::new(self.source, "motion.force", text);
         let period = TAU / self.description.forcing_frequency(mu, eta);
-        for x in POSITIONS {
-            for v in VELOCITIES {
+        let near = NEAR * self.units.length;
+        for x in POSITIONS.map(|x| x * self.units.length) {
+            for v in VELOCITIES.map(|v| v * self.units.velocity()) {
                 for t in SHARES.map(|share| share * period) {
                     let force = |t| self.description.force(x, v, t, mu, eta);
                     let at = || self.point([mu, eta], &[("x", x), ("v", v), ("t", t)]);
                     let (value, after) = (force(t), force(t + period));
-                    if !value.is_finite() && x >= -NEAR {
+                    if !value.is_finite() && x >= -near {
                         return Err(DescriptionError::NotFinite { place: place(), value, at: at() });
                     }
-                    if (after - value).abs() > ROUNDING * (1.0 + value.abs()) {
+                    if (after - value).abs() > ROUNDING * (self.units.acceleration() + value.abs()) {
                         return Err(DescriptionError::Period {
                             place: place(),
                             change: after - value,
@@ -122,6 +128,7 @@ impl Sampler<'_> {
         self.reset(
             "impact.restitution",
             text,
+            1.0,
             [mu, eta],
             |y, z| self.description.restitution(y, z, mu, eta),
             |value, at| (value <= 0.0).then(|| DescriptionError::Restitution { place: place(), value, at }),
@@ -130,7 +137,7 @@ impl Sampler<'_> {
 
     /// What is to be said of a restitution above one.
     fn lively(&self, raw: &File, [mu, eta]: [f64; 2]) -> Option<String> {
-        let samples = IMPACT_VELOCITIES.iter().flat_map(|y| SHARES.map(|share| (*y, share * TAU)));
+        let samples = self.impact_velocities().into_iter().flat_map(|y| SHARES.map(|share| (y, share * TAU)));
         let (y, z, value) = samples
             .map(|(y, z)| (y, z, self.description.restitution(y, z, mu, eta)))
             .find(|(_, _, value)| *value > 1.0)?;
@@ -144,20 +151,22 @@ impl Sampler<'_> {
 
     fn duration(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
         let duration = |y, z| self.description.impact_duration(y, z, mu, eta);
-        self.reset("impact.duration", text, [mu, eta], duration, |_, _| None)
+        let unit = 1.0 / self.units.velocity();
+        self.reset("impact.duration", text, unit, [mu, eta], duration, |_, _| None)
     }
 
-    /// Checks a function of the reset law: finite, 2π-periodic in z, and whatever `wrong` finds of a value.
+    /// Checks a function of the reset law, which is of the order of `unit`: finite, 2π-periodic in z, and whatever `wrong` finds of a value.
     fn reset(
         &self,
         key: &'static str,
         text: &Spanned<String>,
+        unit: f64,
         parameters: [f64; 2],
         function: impl Fn(f64, f64) -> f64,
         wrong: impl Fn(f64, Point) -> Option<DescriptionError>,
     ) -> Checked {
         let place = || Place::new(self.source, key, text);
-        for y in IMPACT_VELOCITIES {
+        for y in self.impact_velocities() {
             for z in SHARES.map(|share| share * TAU) {
                 let at = || self.point(parameters, &[("y", y), ("z", z)]);
                 let (value, after) = (function(y, z), function(y, z + TAU));
@@ -167,7 +176,7 @@ impl Sampler<'_> {
                 if let Some(error) = wrong(value, at()) {
                     return Err(error);
                 }
-                if (after - value).abs() > ROUNDING * (1.0 + value.abs()) {
+                if (after - value).abs() > ROUNDING * (unit + value.abs()) {
                     return Err(DescriptionError::Period {
                         place: place(),
                         change: after - value,

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use grazing_model::smooth::{Scalar, SmoothOscillator};
+use grazing_model::smooth::{Scalar, SmoothOscillator, Units};
 use grazing_source::{Setting, Source, Text};
 
 use crate::error::DescriptionError;
@@ -183,6 +183,11 @@ impl Description {
     /// What the analysis may use; all are positive.
     pub fn limits(&self) -> Limits {
         self.0.limits
+    }
+
+    /// Units in which the motion is of the order of one in the ranges.
+    pub fn units(&self) -> Units {
+        Units::of(self, [self.primary().range(), self.secondary().range()])
     }
 
     /// The numbers of loops p to analyse: at least one, each 1 or more, none twice, as ordered in the file.

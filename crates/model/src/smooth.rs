@@ -33,6 +33,7 @@ mod stages;
 mod tableau;
 mod taylor;
 mod third_order;
+mod units;
 mod variational;
 
 use nalgebra::{Matrix2, Matrix4, RowVector4, Vector2};
@@ -44,6 +45,7 @@ use jet::{FIRST, Jet, SECOND};
 pub use motion::IntegratedMotion;
 pub use scalar::{Function, Scalar};
 pub use taylor::Taylor;
+pub use units::{Dimensionless, Units};
 
 /// The variables of jets, by number.
 ///

@@ -5,21 +5,25 @@ use core::f64::consts::{PI, TAU};
 use grazing_continuation::curve::CurvePoint;
 use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Units;
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::{GrazingCurve, GrazingState};
 use grazing_unfold::magnification::Polyline;
 use grazing_unfold::regions::{Region, RegionKind};
+use grazing_unfold::units::InUnits;
 
 use crate::StudyError;
 use crate::table::{Cell, Columns, Table, columns, row};
 
-/// The names of the two parameters, which head their columns.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// The names of the two parameters, which head their columns, and the units in which the tables count what was found without dimensions.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Axes {
     /// The primary parameter μ.
     pub primary: String,
     /// The secondary parameter η.
     pub secondary: String,
+    /// The oscillator's own units.
+    pub units: Units,
 }
 
 /// Names of columns of these tables, which a parameter's column must not repeat.
@@ -71,7 +75,7 @@ const TAKEN: &[&str] = &[
 
 impl Axes {
     /// The columns of parameters with these names; `_` is added to one that names another column.
-    pub fn new(primary: &str, secondary: &str) -> Self {
+    pub fn new(primary: &str, secondary: &str, units: Units) -> Self {
         let column = |name: &str| {
             let mut column = name.to_owned();
             while TAKEN.contains(&column.as_str()) {
@@ -79,12 +83,12 @@ impl Axes {
             }
             column
         };
-        Self { primary: column(primary), secondary: column(secondary) }
+        Self { primary: column(primary), secondary: column(secondary), units }
     }
 
     /// The forcing amplitude and frequency of the paper's oscillator.
     pub fn of_the_paper() -> Self {
-        Self::new("amplitude", "omega")
+        Self::new("amplitude", "omega", Units::ONE)
     }
 
     pub(crate) fn names(&self) -> [&str; 2] {
@@ -101,8 +105,8 @@ pub fn curves<O: ImpactOscillator>(
     axes: &Axes,
     diagram: &Diagram<O>,
 ) -> Result<Table, StudyError> {
-    let curves = diagram.curves.iter().map(|curve| bifurcation_rows(diagram, curve));
-    joined(name, axes, grazing_rows(diagram).into_iter().chain(curves))
+    let curves = diagram.curves.iter().map(|curve| bifurcation_rows(axes, diagram, curve));
+    joined(name, axes, grazing_rows(axes, diagram).into_iter().chain(curves))
 }
 
 /// The rows of a curve but for its number.
@@ -156,10 +160,10 @@ pub(crate) fn joined(
 }
 
 /// The pieces of the grazing curve.
-pub(crate) fn grazing_rows<O: ImpactOscillator>(diagram: &Diagram<O>) -> Vec<CurveRows> {
+pub(crate) fn grazing_rows<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<CurveRows> {
     let rows = |curve: &GrazingCurve<O>| {
         let row = |state: &GrazingState<O>| {
-            let [primary, secondary] = state.orbit.oscillator().parameters();
+            let [primary, secondary] = axes.units.parameters(state.orbit.oscillator().parameters());
             let map = state.orbit.grazing_point().map;
             let (stable, admissible) = (state.stable, state.admissible);
             let (trace, determinant) = (map.trace(), map.determinant());
@@ -171,21 +175,27 @@ pub(crate) fn grazing_rows<O: ImpactOscillator>(diagram: &Diagram<O>) -> Vec<Cur
 }
 
 /// A bifurcation curve, which need not be in the diagram yet; its grazing curves are.
-pub(crate) fn bifurcation_rows<O: ImpactOscillator>(diagram: &Diagram<O>, curve: &DiagramCurve) -> CurveRows {
+pub(crate) fn bifurcation_rows<O: ImpactOscillator>(
+    axes: &Axes,
+    diagram: &Diagram<O>,
+    curve: &DiagramCurve,
+) -> CurveRows {
+    let units = &axes.units;
     let row = |point: &CurvePoint| {
         let solution = &point.solution;
-        let [velocity, phase, primary, secondary] = solution.unknowns.into();
+        let [velocity, phase, _, eta] = solution.unknowns.into();
+        let [primary, secondary] = units.parameters(solution.parameters());
         row![
             curve.kind.name(),
             curve.loops,
             curve.n,
             secondary,
             primary,
-            velocity,
-            diagram.grazing_phase(secondary).map_or(f64::NAN, |graz| centred(phase - graz)),
+            velocity * units.velocity(),
+            diagram.grazing_phase(eta).map_or(f64::NAN, |graz| centred(phase - graz)),
             solution.multipliers.trace,
             solution.multipliers.determinant,
-            solution.ceiling(),
+            solution.ceiling() * units.length,
             solution.stable(),
             solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
         ]
@@ -206,10 +216,11 @@ pub fn points<O: ImpactOscillator>(
     let mut columns = columns! { "kind": "", "p": 0, "n": 0, secondary: 0.0, primary: 0.0 };
     for (resonance, point) in diagram.unfolding() {
         let [_, _, primary, secondary] = point.unknowns().into();
+        let [primary, secondary] = axes.units.parameters([primary, secondary]);
         columns.push(row!["resonance", resonance.loops, resonance.n, secondary, primary]);
     }
     for corner in &diagram.corners {
-        let [_, _, primary, secondary] = corner.unknowns().into();
+        let [primary, secondary] = axes.units.parameters(corner.event.solution.parameters());
         columns.push(row![corner.kind, corner.loops, corner.n, secondary, primary]);
     }
     Ok(columns.finish(name)?)
@@ -226,20 +237,21 @@ pub fn regions(name: &'static str, axes: &Axes, regions: &[Region]) -> Result<Ta
     };
     for (number, region) in (1..).zip(regions) {
         let reason = match &region.kind {
-            RegionKind::Undecided(doubt) => doubt.to_string(),
+            RegionKind::Undecided(doubt) => doubt.in_units(&axes.units).to_string(),
             _ => String::new(),
         };
         for (ring, vertices) in (0..).zip(&region.rings) {
-            for [primary, secondary] in vertices {
+            for vertex in vertices {
+                let [primary, secondary] = axes.units.parameters(*vertex);
                 let (kind, reason) = (region.kind.name(), reason.as_str());
-                columns.push(row![number, kind, region.loops, region.n, *secondary, *primary, ring, reason]);
+                columns.push(row![number, kind, region.loops, region.n, secondary, primary, ring, reason]);
             }
         }
     }
     Ok(columns.finish(name)?)
 }
 
-/// Curves of magnifications, panel by panel from 1.
+/// Curves of magnifications, panel by panel from 1; their points are in the oscillator's own units.
 ///
 /// # Errors
 /// The table could not be made.

@@ -6,11 +6,12 @@ mod tables;
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
-use grazing_model::smooth::Integrated;
+use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_unfold::diagram::Kind;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::sides::{Simulated, simulate};
 use grazing_unfold::stop::{Stoppable, Unfinished};
+use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Coefficient, coefficients};
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
@@ -24,15 +25,15 @@ pub use finished::Observer;
 /// magnification.
 #[derive(Clone, Debug)]
 pub struct Unfolded<O> {
-    /// The names of the parameters.
+    /// The names of the parameters, and the oscillator's own units.
     pub axes: Axes,
-    /// Grazing curves, resonances, bifurcation curves, codimension-two points, regions.
+    /// Grazing curves, resonances, bifurcation curves, codimension-two points, regions: all without dimensions.
     pub diagram: Diagram<O>,
-    /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`].
+    /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`]; in the oscillator's own units.
     pub resonances: Vec<AtResonance>,
 }
 
-/// What was found at a resonance.
+/// What was found at a resonance, in the oscillator's own units.
 #[derive(Clone, Debug)]
 pub struct AtResonance {
     /// Number of loops p.
@@ -57,7 +58,10 @@ impl AtResonance {
     }
 }
 
-impl Unfolded<Integrated<Stoppable<Description>>> {
+/// An oscillator from a text file in units in which its motion is of the order of one.
+pub type Described = Integrated<Stoppable<Dimensionless<Description>>>;
+
+impl Unfolded<Described> {
     /// The analysis of an oscillator from a text file.
     ///
     /// # Errors
@@ -65,12 +69,17 @@ impl Unfolded<Integrated<Stoppable<Description>>> {
     pub fn described(description: &Description, progress: &dyn Observer) -> Result<Self, StudyError> {
         let (primary, secondary) = (description.primary(), description.secondary());
         let window = Window { primary: primary.range(), secondary: secondary.range() };
+        let units = description.units();
         let scope = Scope { window, loops: description.loops().to_vec(), start: description.start() };
+        let scope = scope.without_dimensions(&units);
         let stop = progress.stop();
-        let stoppable = Stoppable::new(description.clone(), stop.clone());
-        let oscillator = Integrated::new(stoppable, [window.primary[0], window.secondary[0]]);
-        let unfolded =
-            Self::compute(&oscillator, &scope, Axes::new(primary.name(), secondary.name()), progress);
+        let stoppable = Stoppable::new(Dimensionless::new(description.clone(), units), stop.clone());
+        let oscillator = Integrated::new(stoppable, [scope.window.primary[0], scope.window.secondary[0]]);
+        let axes = Axes::new(primary.name(), secondary.name(), units);
+        let unfolded = Self::compute(&oscillator, &scope, axes, progress).map_err(|error| match error {
+            StudyError::Unfold(error) => StudyError::Unfold(error.in_units(&units)),
+            other => other,
+        });
         // What was finished can be written down.
         stop.withdraw();
         unfolded
@@ -78,7 +87,7 @@ impl Unfolded<Integrated<Stoppable<Description>>> {
 }
 
 impl<O: ImpactOscillator> Unfolded<O> {
-    /// The analysis of any oscillator; its own parameters do not matter.
+    /// The analysis of any oscillator, counted with its scope in the units of `axes`; its own parameters do not matter.
     ///
     /// # Errors
     /// There is no grazing in the ranges.
@@ -91,6 +100,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
         let located = Diagram::located(oscillator, scope, progress)?;
         let followed = finished::follow(progress, &axes, &located);
         let mut diagram = located.with(followed, progress);
+        let units = axes.units;
         let what = "coefficients and magnifications";
         let found: Vec<_> = diagram.unfolding().collect();
         progress.begin(what, found.len() as u64);
@@ -102,13 +112,18 @@ impl<O: ImpactOscillator> Unfolded<O> {
                     let coefficients = coefficients(point);
                     let simulated = |kind| simulate(point, kind, &coefficients);
                     let window = window_about(&diagram, resonance, point);
+                    let mut magnified = magnify(&diagram, resonance, point, window).unwrap_or_default();
+                    for place in magnified.iter_mut().flat_map(|polyline| &mut polyline.points) {
+                        *place = units.parameters(*place);
+                    }
                     AtResonance {
                         loops: resonance.loops,
                         n: resonance.n,
-                        sides: [Kind::SaddleNode, Kind::PeriodDoubling].map(simulated),
-                        coefficients,
-                        window,
-                        magnified: magnify(&diagram, resonance, point, window).unwrap_or_default(),
+                        sides: [Kind::SaddleNode, Kind::PeriodDoubling]
+                            .map(|kind| simulated(kind).in_units(&units)),
+                        coefficients: coefficients.each_ref().map(|known| known.in_units(&units)),
+                        window: window.in_units(&units),
+                        magnified,
                     }
                 };
                 let mut found = at();

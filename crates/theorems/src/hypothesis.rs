@@ -137,6 +137,16 @@ impl Hypothesis {
         Self::new(quantity, value, Condition::NonZero)
     }
 
+    /// The same with the quantity counted in other units, of which one of the present ones is `unit`.
+    #[must_use]
+    pub fn in_units_of(&self, unit: f64) -> Self {
+        let condition = match self.condition {
+            Condition::Zero { tolerance } => Condition::Zero { tolerance: tolerance * unit },
+            other => other,
+        };
+        Self { value: self.value * unit, condition, ..*self }
+    }
+
     /// What the theorem asks, as "a12 alpha > 0".
     #[must_use]
     pub fn statement(&self) -> String {

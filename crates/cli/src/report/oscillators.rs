@@ -17,6 +17,7 @@ use grazing_reproduction::unfolded::{AtResonance, Observer, Unfolded};
 use grazing_unfold::diagram::Kind;
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::stop::Stop;
+use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
 
 use super::{file_name, links, versions};
@@ -271,9 +272,10 @@ fn leading_comment(text: &str) -> Vec<String> {
 fn resonances(unfolded: &Analysis) -> Vec<ResonanceEntry> {
     // Those with a theorem are measured in the order of the list.
     let mut measured = unfolded.resonances.iter();
+    let units = &unfolded.axes.units;
     let mut entries = Vec::new();
     for resonance in &unfolded.diagram.resonances {
-        let [primary, secondary] = resonance.located.orbit().oscillator().parameters();
+        let [primary, secondary] = units.parameters(resonance.located.orbit().oscillator().parameters());
         let finding = match &resonance.theorem {
             Ok(_) => {
                 let Some(at) = measured.next() else { continue };
@@ -283,7 +285,9 @@ fn resonances(unfolded: &Analysis) -> Vec<ResonanceEntry> {
             }
             Err(violated) => {
                 let failing = violated.violated();
-                Finding::Silent(failing.map(|failing| (failing.statement(), failing.value)).collect())
+                Finding::Silent(
+                    failing.map(|failing| (failing.statement(), failing.in_units(units).value)).collect(),
+                )
             }
         };
         entries.push(ResonanceEntry { loops: resonance.loops, n: resonance.n, primary, secondary, finding });
@@ -293,17 +297,21 @@ fn resonances(unfolded: &Analysis) -> Vec<ResonanceEntry> {
 
 /// What could not be located or followed, in words.
 fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
-    let diagram = &unfolded.diagram;
-    let unlocated = diagram
-        .unlocated
-        .iter()
-        .map(|lost| format!("p = {} near {}: {}", lost.loops, place(description, lost.near), lost.reason));
+    let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);
+    let unlocated = diagram.unlocated.iter().map(|lost| {
+        format!(
+            "p = {} near {}: {}",
+            lost.loops,
+            place(description, units.parameters(lost.near)),
+            lost.reason
+        )
+    });
     let not_followed = diagram
         .not_unfolded
         .iter()
         .map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason));
     let unfinished =
-        diagram.unfinished.iter().map(|cut| format!("not finished: {}", unfinished(description, cut)));
+        diagram.unfinished.iter().map(|cut| format!("not finished: {}", unfinished(description, units, cut)));
     unlocated.chain(not_followed).chain(unfinished).collect()
 }
 

@@ -4,9 +4,11 @@ use std::fmt::Write;
 
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Units;
 use grazing_theorems::Unfolding;
 use grazing_theorems::hypothesis::Hypothesis;
 use grazing_unfold::resonances::Resonance;
+use grazing_unfold::units::InUnits;
 
 use super::Analysis;
 use super::layout::{KEPT, wrapped};
@@ -19,13 +21,17 @@ const DIGITS: usize = 9;
 pub(super) fn all(description: &Description, unfolded: &Analysis) -> String {
     let mut text = String::new();
     for resonance in &unfolded.diagram.resonances {
-        text.push_str(&explained(description, resonance));
+        text.push_str(&explained(description, resonance, &unfolded.axes.units));
     }
     text
 }
 
-fn explained<O: ImpactOscillator>(description: &Description, resonance: &Resonance<O>) -> String {
-    let at = place(description, resonance.located.orbit().oscillator().parameters());
+fn explained<O: ImpactOscillator>(
+    description: &Description,
+    resonance: &Resonance<O>,
+    units: &Units,
+) -> String {
+    let at = place(description, units.parameters(resonance.located.orbit().oscillator().parameters()));
     let (theorem, hypotheses): (_, &[Hypothesis]) = match &resonance.theorem {
         Ok(point) => (point.theorem().theorem(), point.theorem().hypotheses()),
         Err(violated) => (violated.theorem, &violated.hypotheses),
@@ -34,17 +40,17 @@ fn explained<O: ImpactOscillator>(description: &Description, resonance: &Resonan
     let mut text = format!("\np = {}, n = {} at {at}: {theorem} {answer}\n", resonance.loops, resonance.n);
     for hypothesis in hypotheses {
         let word = if hypothesis.holds() { "holds" } else { "FAILS" };
-        let (statement, value) = (hypothesis.statement(), brief(hypothesis.value, DIGITS));
+        let (statement, value) = (hypothesis.statement(), brief(hypothesis.in_units(units).value, DIGITS));
         // Writing to a string cannot fail.
         let _ = writeln!(text, "  {word}  {statement:24} {value:>16}");
     }
-    text.push_str(&wrapped("  where ", &quantities(resonance)));
+    text.push_str(&wrapped("  where ", &quantities(resonance, units)));
     text
 }
 
 /// The quantities of section 2, as `tau = -0.5, delta = 0.8`.
-fn quantities<O: ImpactOscillator>(resonance: &Resonance<O>) -> String {
-    let point = resonance.located.resonant_point();
+fn quantities<O: ImpactOscillator>(resonance: &Resonance<O>, units: &Units) -> String {
+    let point = resonance.located.resonant_point().in_units(units);
     let grazing = &point.grazing;
     let (a, b) = (grazing.map.a, grazing.map.b);
     let number = |value| brief(value, DIGITS);

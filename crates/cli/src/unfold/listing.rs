@@ -6,6 +6,7 @@ use grazing_continuation::curve::CurveEnd;
 use grazing_continuation::locate::Condition;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Units;
 use grazing_reproduction::unfolded::AtResonance;
 use grazing_theorems::HypothesesViolated;
 use grazing_theorems::hypothesis::Hypothesis;
@@ -14,6 +15,7 @@ use grazing_unfold::diagram::{DiagramCurve, Kind};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::regions::RegionKind;
 use grazing_unfold::sides::Simulated;
+use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
 
 use super::Analysis;
@@ -59,8 +61,8 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
     let mut text = grazing_curves(description, unfolded);
     text.push_str(&resonances(description, unfolded));
     text.push_str(&silent_theorems(description, unfolded));
-    text.push_str(&missing(description, &unfolded.diagram));
-    text.push_str(&unfinished(description, &unfolded.diagram));
+    text.push_str(&missing(description, &unfolded.axes.units, &unfolded.diagram));
+    text.push_str(&unfinished(description, &unfolded.axes.units, &unfolded.diagram));
     text.push_str(&corners(description, unfolded));
     text.push_str(&odd_ends(description, unfolded));
     text.push_str(&undecided(description, unfolded));
@@ -70,7 +72,7 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
 fn grazing_curves(description: &Description, unfolded: &Analysis) -> String {
     let mut text = "\nGrazing of the non-impacting solution\n".to_owned();
     for (arc, curve) in unfolded.diagram.grazing.iter().enumerate() {
-        let points: Vec<[f64; 2]> = curve.parameters().collect();
+        let points: Vec<[f64; 2]> = curve.parameters().map(|at| unfolded.axes.units.parameters(at)).collect();
         let extent = |index: usize| {
             let values = points.iter().map(|point| point[index]);
             range([values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)])
@@ -82,7 +84,7 @@ fn grazing_curves(description: &Description, unfolded: &Analysis) -> String {
             extent(0),
             points.len(),
             ends(&curve.ends),
-            stability(curve, secondary)
+            stability(curve, secondary, &unfolded.axes.units)
         );
         text.push_str(&wrapped(&format!("  curve {arc:<5}"), &content));
     }
@@ -105,7 +107,7 @@ fn ends(ends: &[GrazingEnd; 2]) -> String {
 }
 
 /// Where the solution is stable, piece by piece.
-fn stability(curve: &GrazingCurve<impl ImpactOscillator>, secondary: &str) -> String {
+fn stability(curve: &GrazingCurve<impl ImpactOscillator>, secondary: &str, units: &Units) -> String {
     let word = |stable: bool, admissible: bool| match (stable, admissible) {
         (true, true) => "stable",
         (false, true) => "unstable",
@@ -113,7 +115,8 @@ fn stability(curve: &GrazingCurve<impl ImpactOscillator>, secondary: &str) -> St
         (false, false) => "unstable and beyond the wall elsewhere",
     };
     let mut pieces: Vec<(&str, [f64; 2])> = Vec::new();
-    for (state, [_, here]) in curve.states.iter().zip(curve.parameters()) {
+    for (state, at) in curve.states.iter().zip(curve.parameters()) {
+        let [_, here] = units.parameters(at);
         let word = word(state.stable, state.admissible);
         match pieces.last_mut() {
             Some((last, to)) if *last == word => to[1] = here,
@@ -131,6 +134,7 @@ fn stability(curve: &GrazingCurve<impl ImpactOscillator>, secondary: &str) -> St
 
 /// Resonances at which a theorem holds, and the coefficients there.
 fn resonances(description: &Description, unfolded: &Analysis) -> String {
+    let units = &unfolded.axes.units;
     let found: Vec<_> = unfolded.diagram.unfolding().zip(&unfolded.resonances).collect();
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
     let loops: Vec<String> = description.loops().iter().map(u32::to_string).collect();
@@ -147,8 +151,8 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
         return text;
     }
     let rows = found.iter().map(|((resonance, point), _)| {
-        let [mu, eta] = point.orbit().oscillator().parameters();
-        let grazing = &point.resonant_point().grazing;
+        let [mu, eta] = units.parameters(point.orbit().oscillator().parameters());
+        let grazing = point.resonant_point().grazing.in_units(units);
         let mut row = vec![resonance.loops.to_string(), resonance.n.to_string()];
         row.extend([eta, mu].map(|value| significant(value, PARAMETER)));
         // Where p = 2, tau is zero but for rounding.
@@ -162,14 +166,14 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     let content = format!("{formula} where eta is {secondary} less that of the resonance");
     text.push_str(&wrapped("Curves that leave them:  ", &content));
     let rows = found.iter().flat_map(|((_, point), at)| {
-        let [_, eta] = point.orbit().oscillator().parameters();
+        let [_, eta] = units.parameters(point.orbit().oscillator().parameters());
         [Kind::SaddleNode, Kind::PeriodDoubling].map(|kind| coefficient(eta, kind, at))
     });
     let header =
         ["p", "n", secondary, "curve", "c by theorem", "c measured", "digits agreeing", "as simulated"];
     text.push_str(&aligned(&header, rows));
     for ((_, point), at) in &found {
-        let [_, eta] = point.orbit().oscillator().parameters();
+        let [_, eta] = units.parameters(point.orbit().oscillator().parameters());
         for kind in [Kind::SaddleNode, Kind::PeriodDoubling] {
             text.push_str(&reasons(secondary, eta, kind, at));
         }
@@ -257,28 +261,31 @@ fn silent_theorems(description: &Description, unfolded: &Analysis) -> String {
         if text.is_empty() {
             text.push_str("\nResonances where the theorem does not apply, and no curve is followed\n");
         }
-        let at = place(description, resonance.located.orbit().oscillator().parameters());
-        let content = format!("{at}: {}", failing(violated));
+        let units = &unfolded.axes.units;
+        let at = place(description, units.parameters(resonance.located.orbit().oscillator().parameters()));
+        let content = format!("{at}: {}", failing(violated, units));
         text.push_str(&wrapped(&format!("  p = {}, n = {}  ", resonance.loops, resonance.n), &content));
     }
     text
 }
 
 /// The hypotheses that fail, with their values.
-fn failing(violated: &HypothesesViolated) -> String {
-    let told =
-        |hypothesis: &Hypothesis| format!("{} fails: {}", hypothesis.statement(), brief(hypothesis.value, 4));
+fn failing(violated: &HypothesesViolated, units: &Units) -> String {
+    let told = |hypothesis: &Hypothesis| {
+        let value = hypothesis.in_units(units).value;
+        format!("{} fails: {}", hypothesis.statement(), brief(value, 4))
+    };
     violated.violated().map(told).collect::<Vec<_>>().join(", ")
 }
 
 /// Resonances that could not be located, or whose curves could not be followed.
-fn missing<O>(description: &Description, diagram: &Diagram<O>) -> String {
+fn missing<O>(description: &Description, units: &Units, diagram: &Diagram<O>) -> String {
     let mut text = String::new();
     if !diagram.unlocated.is_empty() || !diagram.not_unfolded.is_empty() {
         text.push_str("\nResonances that could not be unfolded\n");
     }
     for lost in &diagram.unlocated {
-        let content = format!("near {}: {}", place(description, lost.near), lost.reason);
+        let content = format!("near {}: {}", place(description, units.parameters(lost.near)), lost.reason);
         text.push_str(&wrapped(&format!("  p = {}  ", lost.loops), &content));
     }
     for lost in &diagram.not_unfolded {
@@ -288,24 +295,25 @@ fn missing<O>(description: &Description, diagram: &Diagram<O>) -> String {
 }
 
 /// What a limit or Ctrl-C has cut off.
-fn unfinished<O>(description: &Description, diagram: &Diagram<O>) -> String {
+fn unfinished<O>(description: &Description, units: &Units, diagram: &Diagram<O>) -> String {
     let mut text = String::new();
     for cut in &diagram.unfinished {
         if text.is_empty() {
             text.push_str("\nNot finished\n");
         }
-        text.push_str(&wrapped("  ", &reason::unfinished(description, cut)));
+        text.push_str(&wrapped("  ", &reason::unfinished(description, units, cut)));
     }
     text
 }
 
 fn corners(description: &Description, unfolded: &Analysis) -> String {
-    let corners = &unfolded.diagram.corners;
+    let (units, corners) = (&unfolded.axes.units, &unfolded.diagram.corners);
     if corners.is_empty() {
         return String::new();
     }
     let rows = corners.iter().map(|corner| {
-        let [velocity, _, primary, secondary] = corner.unknowns().into();
+        let velocity = corner.unknowns()[0] * units.velocity();
+        let [primary, secondary] = units.parameters(corner.event.solution.parameters());
         let mut row = vec![corner.kind.to_owned(), corner.loops.to_string(), corner.n.to_string()];
         row.extend([secondary, primary, velocity].map(|value| significant(value, PARAMETER)));
         row
@@ -325,7 +333,9 @@ fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
         }
         let DiagramCurve { kind, loops, n, .. } = curve;
         let last = curve.curve.points.last();
-        let at = last.map_or(String::new(), |last| place(description, last.solution.parameters()));
+        let at = last.map_or(String::new(), |last| {
+            place(description, unfolded.axes.units.parameters(last.solution.parameters()))
+        });
         let mark = format!("  {} of p = {loops}, n = {n}  ", kind.name());
         text.push_str(&wrapped(&mark, &format!("at {at}: {end}")));
     }
@@ -348,7 +358,9 @@ fn undecided(description: &Description, unfolded: &Analysis) -> String {
                     [high[0].max(vertex[0]), high[1].max(vertex[1])],
                 ]
             });
-        let (from, to) = (place(description, low), place(description, high));
+        let units = &unfolded.axes.units;
+        let [from, to] = [low, high].map(|at| place(description, units.parameters(at)));
+        let doubt = doubt.in_units(units);
         text.push_str(&wrapped(
             &format!("  p = {}  ", region.loops),
             &format!("from {from} to {to}: {doubt}"),
@@ -476,9 +488,9 @@ mod tests {
                 at: Some([0.5, 0.75]),
             }],
         };
-        let cut = unfinished(&description, &diagram);
+        let cut = unfinished(&description, &Units::ONE, &diagram);
         assert_eq!(cut, "\nNot finished\n  bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.75\n");
-        let told = missing(&description, &diagram);
+        let told = missing(&description, &Units::ONE, &diagram);
         let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(
             words,
@@ -488,6 +500,6 @@ mod tests {
              p = 2, n = 3 the saddle-node curve cannot be started: it ends at once"
         );
         let nothing = Diagram { unlocated: Vec::new(), not_unfolded: Vec::new(), ..diagram };
-        assert_eq!(missing(&description, &nothing), "");
+        assert_eq!(missing(&description, &Units::ONE, &nothing), "");
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use grazing_description::{Axis, Description};
-use grazing_model::smooth::SmoothOscillator;
+use grazing_model::smooth::{SmoothOscillator, Units};
 use grazing_unfold::UnfoldError;
 use grazing_unfold::escape::Escape;
 use grazing_unfold::free::Height;
@@ -16,6 +16,7 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
     let at = |parameters| place(description, parameters);
     let axes = [description.primary(), description.secondary()];
     let ranges = axes.map(|axis| format!("{} = {}", axis.name(), written(axis.range()))).join(", ");
+    let units = description.units();
     match error {
         UnfoldError::Stopped { stage } => format!("ended during this: {stage}"),
         UnfoldError::NoGrazing { lowest, highest } => {
@@ -49,7 +50,7 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
                 widening(nearest, axes)
             )
         }
-        UnfoldError::Pushed { at: height } if height.acceleration > -TURNED => format!(
+        UnfoldError::Pushed { at: height } if height.acceleration > -TURNED * units.acceleration() => format!(
             "no grazing: at {} periodic motion comes to the wall with F = {}, so that it rests at the wall or is pushed against \
              it instead of being turned back; F must be negative where the wall is touched: check the signs in motion.force (motion takes \
              place in x < 0), or leave these parameters out of the ranges",
@@ -69,7 +70,7 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
              analysis does not apply to it"
                 .to_owned()
         }
-        UnfoldError::RunsAway { escape } => escaped(escape, &at(escape.parameters)),
+        UnfoldError::RunsAway { escape } => escaped(escape, &at(escape.parameters), &units),
         UnfoldError::NoOrbit => format!(
             "no periodic motion with the period of the forcing was found without the wall for {ranges}: from all starts that \
              were tried, motion does not settle down: begin near such a motion with analysis.start = [x, v], move the ranges, \
@@ -78,13 +79,13 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
     }
 }
 
-/// A motion farther away than this has run away: the wall's distance from rest is of order one.
+/// A motion farther away than this, in the oscillator's [`Units`], has run away.
 const FAR: f64 = 1e3;
-/// A force so large, so near the wall, is on its way to a pole.
+/// A force so large in these units, so near the wall, is on its way to a pole.
 const STEEP: f64 = 1e6;
 
 /// How a motion ends, and what can be done.
-fn escaped(escape: &Escape, parameters: &str) -> String {
+fn escaped(escape: &Escape, parameters: &str, units: &Units) -> String {
     let Escape { time, position, velocity, force, .. } = *escape;
     let [t, x, v] = [time, position, velocity].map(|value| brief(value, 6));
     let place = format!("x = {x}, v = {v}, t = {t} at {parameters}");
@@ -95,14 +96,14 @@ fn escaped(escape: &Escape, parameters: &str) -> String {
              analysis.start = [x, v]"
         );
     }
-    let way = if position.abs() > FAR {
+    let way = if position.abs() > FAR * units.length {
         // How far it was followed depends on the steps of the integration; when it escapes hardly does.
         let (side, t) = (if position > 0.0 { "x > 0" } else { "x < 0" }, brief(time, 3));
         format!(
             "motion runs away from wherever it was begun, for one beyond all bounds in {side} within t = {t} at {parameters}"
         )
     } else {
-        let pole = if force.abs() > STEEP { ", as at a pole" } else { "" };
+        let pole = if force.abs() > STEEP * units.acceleration() { ", as at a pole" } else { "" };
         format!(
             "motion cannot be followed for a forcing period from wherever it was begun, for one not beyond {place}, where F = {}{pole}",
             brief(force, 4)
@@ -135,20 +136,21 @@ fn has_spring(description: &Description) -> bool {
         let [low, high] = axis.range();
         low + 0.5 * (high - low)
     });
+    let units = description.units();
     instants(description, [mu, eta]).any(|t| {
-        let force = |x: f64| description.force(x, 0.3, t, mu, eta);
+        let force = |x: f64| description.force(x * units.length, 0.3 * units.velocity(), t, mu, eta);
         [-1.0, -0.37, -30.0].iter().any(|x| force(*x) != force(0.0))
     })
 }
 
 /// What was not finished, as `bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.8`.
-pub(crate) fn unfinished(description: &Description, cut: &Unfinished) -> String {
+pub(crate) fn unfinished(description: &Description, units: &Units, cut: &Unfinished) -> String {
     let mut text = cut.stage.to_owned();
     if let Some([loops, n]) = cut.resonance {
         text.push_str(&format!(" of p = {loops}, n = {n}"));
     }
     if let Some(at) = cut.at {
-        text.push_str(&format!(" at {}", place(description, at)));
+        text.push_str(&format!(" at {}", place(description, units.parameters(at))));
     }
     text
 }
@@ -159,7 +161,7 @@ pub(crate) fn place(description: &Description, [primary, secondary]: [f64; 2]) -
     format!("{first} = {}, {second} = {}", brief(primary, 6), brief(secondary, 6))
 }
 
-/// A deceleration below this is what rounding leaves of none.
+/// A deceleration below this, in the oscillator's [`Units`], is what rounding leaves of none.
 const TURNED: f64 = 1e-9;
 
 fn written([low, high]: [f64; 2]) -> String {
@@ -210,7 +212,7 @@ mod tests {
             velocity,
             force,
         };
-        let told = |escape| escaped(&escape, "A = 0.5, omega = 0.75");
+        let told = |escape| escaped(&escape, "A = 0.5, omega = 0.75", &Units::ONE);
         let away = told(escape(-2e9, -4e5, 1e3));
         assert!(away.contains("runs away") && away.contains("in x < 0 within t = 1.5 at A = 0.5"), "{away}");
         let pole = told(escape(-0.5, -7437.38, -1.5e8));

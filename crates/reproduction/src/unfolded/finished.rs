@@ -40,7 +40,7 @@ pub(super) fn follow<O: ImpactOscillator>(
         // library's threads.
         scope.spawn(move || hand_on(observer, axes, located, &receiver));
         // The sender goes when the last curve is followed, and with it the thread.
-        located.follow(&Finished { observer, diagram: located, sender })
+        located.follow(&Finished { observer, axes, diagram: located, sender })
     })
 }
 
@@ -60,8 +60,8 @@ fn hand_on<O: ImpactOscillator>(
             }
         }
         let rows = listed.into_iter().map(|(_, rows)| rows.clone());
-        let free = located.curves.iter().map(|curve| plane::bifurcation_rows(located, curve));
-        let all = plane::grazing_rows(located).into_iter().chain(free).chain(rows);
+        let free = located.curves.iter().map(|curve| plane::bifurcation_rows(axes, located, curve));
+        let all = plane::grazing_rows(axes, located).into_iter().chain(free).chain(rows);
         // A table that cannot be made now cannot be made at the end either, where this is told.
         if let Ok(table) = plane::joined("curves", axes, all) {
             observer.curves(&table);
@@ -72,6 +72,7 @@ fn hand_on<O: ImpactOscillator>(
 /// Passes on what it hears, and sends the curves of resonances as they finish.
 struct Finished<'a, O> {
     observer: &'a dyn Observer,
+    axes: &'a Axes,
     diagram: &'a Diagram<O>,
     sender: Sender<Done>,
 }
@@ -94,7 +95,8 @@ impl<O: ImpactOscillator> Progress for Finished<'_, O> {
     }
 
     fn unfolded(&self, resonance: usize, curves: &[DiagramCurve]) {
-        let rows = |curve: &DiagramCurve| (curve.clone(), plane::bifurcation_rows(self.diagram, curve));
+        let rows =
+            |curve: &DiagramCurve| (curve.clone(), plane::bifurcation_rows(self.axes, self.diagram, curve));
         // The receiver goes last.
         let _ = self.sender.send((resonance, curves.iter().map(rows).collect()));
     }

@@ -1,9 +1,12 @@
 //! The tables that only an oscillator in general has: quantities along the grazing curve, hypotheses, coefficients.
 
+use core::f64::consts::TAU;
+
 use grazing_continuation::criticality::coefficient_at_resonance;
 use grazing_model::ImpactOscillator;
 use grazing_theorems::hypothesis::Hypothesis;
 use grazing_theorems::{ResonantPoint, Unfolding};
+use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Coefficient;
 
 use super::Unfolded;
@@ -13,21 +16,25 @@ use crate::table::{Table, columns, row};
 /// `grazing.csv`: the grazing orbit and the map around it, point by point along the curve.
 pub(super) fn grazing<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Result<Table, StudyError> {
     let [primary, secondary] = unfolded.axes.names();
+    let units = &unfolded.axes.units;
     let mut columns = columns! {
         "arc": 0, secondary: 0.0, primary: 0.0, "phase": 0.0, "frequency": 0.0, "a11": 0.0, "a12": 0.0, "a21": 0.0,
         "a22": 0.0, "b1": 0.0, "b2": 0.0, "tau": 0.0, "delta": 0.0, "alpha": 0.0, "beta": 0.0, "gamma": 0.0, "phi": 0.0,
         "psi": 0.0, "stable": false, "admissible": false,
     };
     for (arc, curve) in (0..).zip(&unfolded.diagram.grazing) {
+        // Phases are continuous along a curve, and begin between -pi and pi.
+        let first = curve.states.first().map_or(0.0, |first| first.orbit.phase());
+        let turns = TAU * libm::round(first / TAU);
         for state in &curve.states {
-            let [primary, secondary] = state.orbit.oscillator().parameters();
-            let point = state.orbit.grazing_point();
+            let [primary, secondary] = units.parameters(state.orbit.oscillator().parameters());
+            let point = state.orbit.grazing_point().in_units(units);
             let (a, b) = (point.map.a, point.map.b);
             columns.push(row![
                 arc,
                 secondary,
                 primary,
-                state.orbit.phase(),
+                state.orbit.phase() - turns,
                 point.forcing_frequency,
                 a.m11,
                 a.m12,
@@ -53,6 +60,7 @@ pub(super) fn grazing<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Result<Tab
 /// `grazing_loops.csv`: what depends on p, along the grazing curve for each p.
 pub(super) fn grazing_loops<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Result<Table, StudyError> {
     let [primary, secondary] = unfolded.axes.names();
+    let units = &unfolded.axes.units;
     let mut columns = columns! {
         "p": 0, "arc": 0, secondary: 0.0, primary: 0.0, "a12": 0.0, "kappa": 0.0, "a12_prime": 0.0, "kappa_prime": 0.0,
         "xi": 0.0, "s_plus": 0.0, "s_minus": 0.0,
@@ -62,7 +70,8 @@ pub(super) fn grazing_loops<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Resu
             for state in &curve.states {
                 // Where an iterate of P_global has no maximum near Π there is nothing to tell.
                 let Ok(point) = state.orbit.resonant_point(loops) else { continue };
-                let [primary, secondary] = state.orbit.oscillator().parameters();
+                let point = point.in_units(units);
+                let [primary, secondary] = units.parameters(state.orbit.oscillator().parameters());
                 let stability = point.stability_coefficients();
                 let [a12_prime, kappa_prime] = slopes(&point);
                 let map = &point.grazing.map;
@@ -101,6 +110,7 @@ fn slopes(point: &ResonantPoint) -> [f64; 2] {
 pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Result<Table, StudyError> {
     let (primary, secondary) =
         (format!("{}_graz", unfolded.axes.primary), format!("{}_star", unfolded.axes.secondary));
+    let units = &unfolded.axes.units;
     let mut columns = columns! {
         "p": 0, "n": 0, secondary: 0.0, primary: 0.0, "s_plus": 0.0, "s_minus": 0.0, "c_sn": 0.0, "c_pd": 0.0,
         "c_sn_error": 0.0, "c_pd_error": 0.0, "c_sn_fit": 0.0, "c_pd_fit": 0.0, "c_sn_fit_error": 0.0,
@@ -115,7 +125,8 @@ pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Resul
     };
     for ((resonance, point), at) in unfolded.diagram.unfolding().zip(&unfolded.resonances) {
         let [_, _, primary, secondary] = point.unknowns().into();
-        let known = point.resonant_point();
+        let [primary, secondary] = units.parameters([primary, secondary]);
+        let known = &point.resonant_point().in_units(units);
         let stability = known.stability_coefficients();
         let [a12_prime, kappa_prime] = slopes(known);
         let theorem = at.coefficients.each_ref().map(|coefficient| coefficient.theorem);
@@ -161,11 +172,12 @@ pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Resul
 /// `hypotheses.csv`: for every resonance what its theorem asks, one by one.
 pub(super) fn hypotheses<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Result<Table, StudyError> {
     let [primary, secondary] = unfolded.axes.names();
+    let units = &unfolded.axes.units;
     let mut columns = columns! {
         "p": 0, "n": 0, secondary: 0.0, primary: 0.0, "theorem": "", "hypothesis": "", "value": 0.0, "holds": false,
     };
     for resonance in &unfolded.diagram.resonances {
-        let [primary, secondary] = resonance.located.orbit().oscillator().parameters();
+        let [primary, secondary] = units.parameters(resonance.located.orbit().oscillator().parameters());
         let asked: &[Hypothesis] = match &resonance.theorem {
             Ok(point) => point.theorem().hypotheses(),
             Err(violated) => &violated.hypotheses,
@@ -173,7 +185,7 @@ pub(super) fn hypotheses<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Result<
         let theorem = if resonance.loops == 1 { "2.4" } else { "2.5" };
         for hypothesis in asked {
             let condition = hypothesis.statement();
-            let (n, value, holds) = (resonance.n, hypothesis.value, hypothesis.holds());
+            let (n, value, holds) = (resonance.n, hypothesis.in_units(units).value, hypothesis.holds());
             columns.push(row![resonance.loops, n, secondary, primary, theorem, condition, value, holds]);
         }
     }

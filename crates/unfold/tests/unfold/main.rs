@@ -7,4 +7,5 @@ mod regions;
 mod resonances;
 mod search;
 mod specimens;
+mod units;
 mod verdicts;
