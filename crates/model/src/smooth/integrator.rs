@@ -49,8 +49,10 @@ const SHRINK: f64 = 0.3;
 const GROW: f64 = 2.0;
 /// What h r suggests is followed this far: slopes far from the motion, where a step that is too long ends, mean little.
 const PLUNGE: f64 = 0.1;
-/// A step this short, in units of 1/ω, means that the solution is not smooth, or escapes.
+/// A step this short, in units of 1/ω, means that the solution is not smooth, or escapes. It is made as it is, which leads past a place
+/// where the force bends; where steps become shorter still by this factor, as on the way into a pole, the solution ends.
 const SHORTEST: f64 = 1e-9;
+const VANISHING: f64 = 1e-3;
 /// The stages are solved for within this many iterations or the step is too long.
 const ITERATIONS: usize = 12;
 /// A correction this small, relative to what F is a sum of, lets the matrix stand; the next ones are smaller by about as much.
@@ -255,6 +257,9 @@ impl<M: SmoothOscillator> Integrated<M> {
     pub(super) fn next_node(&self, node: &Node, longest: f64) -> Option<Node> {
         let mut trial = if node.proposal.abs() <= longest.abs() { node.proposal } else { longest };
         let shortest = SHORTEST / self.frequency;
+        if node.proposal.abs() < VANISHING * shortest {
+            return None;
+        }
         loop {
             let accelerations = match &node.last {
                 Some(last) => last.guess(1.0, trial),

@@ -2,7 +2,7 @@
 
 use grazing_continuation::arclength::{Continuation, StepControl};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::MaximalPeriodicSolution;
+use grazing_continuation::mps::{MaximalPeriodicSolution, Multipliers};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
@@ -35,6 +35,9 @@ pub(crate) struct Bifurcation {
 const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.2 };
 /// A branch of this many points goes nowhere.
 const STEP_LIMIT: usize = 4000;
+/// A branch that has passed the wall is left where a multiplier exceeds this (empirical): beyond the wall it matters only for where it may come
+/// back, and next to a force that pulls into a pole motion grows without bounds, which makes every orbit there a search by itself.
+const VIOLENT: f64 = 1e4;
 /// An orbit this close to the chord between two orbits of a branch, as a share of its length, lies on the branch: that leaves the chord
 /// by an eighth of the angle by which it turns, which is three times that of the step control at most.
 const ON_BRANCH: f64 = 0.15;
@@ -47,6 +50,12 @@ impl FreeOrbit {
 
     fn off_the_wall(&self) -> bool {
         self.highest.position <= MaximalPeriodicSolution::TOUCH
+    }
+
+    /// Above the wall, and so unstable that no motion stays near it.
+    fn is_lost(&self) -> bool {
+        let Multipliers { trace, determinant } = self.multipliers;
+        !self.off_the_wall() && trace.abs().max(determinant.abs()) > VIOLENT
     }
 
     /// The signs of what vanishes at folds, period doublings and grazing.
@@ -104,7 +113,11 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
                 found.extend(self.at(&near).map(|orbit| self.seen(&orbit)));
                 return Some((found, true));
             }
-            found.push(self.seen(&after));
+            let seen = self.seen(&after);
+            found.push(seen);
+            if seen.is_lost() {
+                return Some((found, false));
+            }
         }
         Some((found, false))
     }
