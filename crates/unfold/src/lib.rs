@@ -11,7 +11,8 @@
 //!                  └─ sides           whether the hybrid system, simulated (simulation), does what is predicted
 //! ```
 //!
-//! All of this counts in units in which motion is of the order of one; [`units`] finds them, and leads there and back.
+//! All of this counts in units in which motion is of the order of one: [`Dimensionless`](grazing_model::smooth::Dimensionless) makes any
+//! oscillator so, and [`units`] leads back.
 //!
 //! Everything is written against [`ImpactOscillator`](grazing_model::ImpactOscillator): the paper's oscillator with its closed
 //! form and one that is integrated from a text file differ in their flow alone.

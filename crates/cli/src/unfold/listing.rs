@@ -1,5 +1,6 @@
 //! What there is to tell of an oscillator and its resonances, as lines on the terminal.
 
+use std::mem::discriminant;
 use std::path::Path;
 
 use grazing_continuation::curve::CurveEnd;
@@ -13,7 +14,7 @@ use grazing_theorems::hypothesis::Hypothesis;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::{DiagramCurve, Kind};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
-use grazing_unfold::regions::RegionKind;
+use grazing_unfold::regions::{Doubt, Region, RegionKind};
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
@@ -342,31 +343,47 @@ fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
     text
 }
 
+/// As many undecided regions of one p and one kind of reason are told one by one.
+const TOLD: usize = 3;
+
 /// Where it is not decided whether solutions are stable, with the reason.
 fn undecided(description: &Description, unfolded: &Analysis) -> String {
-    let mut text = String::new();
+    let units = &unfolded.axes.units;
+    let mut kinds: Vec<(u32, Vec<(&Region, &Doubt)>)> = Vec::new();
     for region in &unfolded.diagram.regions {
         let RegionKind::Undecided(doubt) = &region.kind else { continue };
+        let alike = |(loops, same): &&mut (u32, Vec<(&Region, &Doubt)>)| {
+            *loops == region.loops && discriminant(same[0].1) == discriminant(doubt)
+        };
+        match kinds.iter_mut().find(alike) {
+            Some((_, same)) => same.push((region, doubt)),
+            None => kinds.push((region.loops, vec![(region, doubt)])),
+        }
+    }
+    let mut text = String::new();
+    for (loops, same) in kinds {
         if text.is_empty() {
             text.push_str("\nNot decided (hatched in the diagram)\n");
         }
-        let vertices = region.rings.iter().flatten();
-        let [low, high] =
-            vertices.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], vertex| {
-                [
-                    [low[0].min(vertex[0]), low[1].min(vertex[1])],
-                    [high[0].max(vertex[0]), high[1].max(vertex[1])],
-                ]
-            });
-        let units = &unfolded.axes.units;
-        let [from, to] = [low, high].map(|at| place(description, units.parameters(at)));
-        let doubt = doubt.in_units(units);
-        text.push_str(&wrapped(
-            &format!("  p = {}  ", region.loops),
-            &format!("from {from} to {to}: {doubt}"),
-        ));
+        let mark = format!("  p = {loops}  ");
+        for (region, doubt) in same.iter().take(TOLD) {
+            let [from, to] = extent(region).map(|at| place(description, units.parameters(at)));
+            text.push_str(&wrapped(&mark, &format!("from {from} to {to}: {}", doubt.in_units(units))));
+        }
+        if same.len() > TOLD {
+            let content = format!("{} more for reasons of this kind, in regions.csv", same.len() - TOLD);
+            text.push_str(&wrapped(&mark, &content));
+        }
     }
     text
+}
+
+/// The least and the greatest values of the parameters in a region.
+fn extent(region: &Region) -> [[f64; 2]; 2] {
+    let start = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+    region.rings.iter().flatten().fold(start, |[low, high], at| {
+        [[low[0].min(at[0]), low[1].min(at[1])], [high[0].max(at[0]), high[1].max(at[1])]]
+    })
 }
 
 fn odd_end(end: &CurveEnd) -> Option<String> {
@@ -394,7 +411,7 @@ mod tests {
     use grazing_unfold::Scope;
     use grazing_unfold::diagram::NotUnfolded;
     use grazing_unfold::resonances::Unlocated;
-    use grazing_unfold::sides::{Doubt, Sides};
+    use grazing_unfold::sides::{self, Sides};
     use grazing_unfold::simulation::Seen;
     use grazing_unfold::stop::Unfinished;
     use grazing_unfold::verdict::{Coefficient, Obstacle};
@@ -415,7 +432,7 @@ mod tests {
             loops: 2,
             n: 3,
             coefficients: [coefficient(error), coefficient(1.0)],
-            sides: [simulated, Simulated::Undecided(Doubt::NotMeasured)],
+            sides: [simulated, Simulated::Undecided(sides::Doubt::NotMeasured)],
             window: Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] },
             magnified: Vec::new(),
         }
@@ -442,7 +459,8 @@ mod tests {
         );
         let failure = crate::failure::Failure::Contradiction { file: "a.toml".into(), what: told.join("; ") };
         assert_eq!(failure.exit_code(), 1);
-        let doubtful = resonance(1.0, Simulated::Undecided(Doubt::TooSlow { leading: 1e-9, least: 1e-6 }));
+        let doubtful =
+            resonance(1.0, Simulated::Undecided(sides::Doubt::TooSlow { leading: 1e-9, least: 1e-6 }));
         assert!(contradictions(std::slice::from_ref(&doubtful)).is_empty());
         let (coefficient, _) = doubtful.beside(Kind::SaddleNode);
         assert!(matches!(coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
