@@ -6,14 +6,13 @@ pub(crate) mod oscillators;
 mod versions;
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_claims::ledger::Ledger;
 use grazing_report::{CsvTable, Figure, Manifest, OutputFile, PublishedEntry, State, TableOutput, page};
 use grazing_reproduction::Study;
-use grazing_reproduction::parameters::Parameters;
+use grazing_reproduction::parameters::{ParameterError, Parameters};
 use grazing_reproduction::published::{Comparison, Published, Verdict};
 use grazing_source::Setting;
 
@@ -118,9 +117,10 @@ fn assemble(
             rust: versions::rust(),
             libraries: versions::libraries(),
             parameter_file: if default { project::PARAMETERS.to_owned() } else { file_name(parameter_file) },
-            parameters: fs::read_to_string(parameter_file)
-                .map(|text| noted(&text, &arguments.parameters.set))
-                .map_err(|reason| Failure::File { path: parameter_file.to_owned(), reason })?,
+            parameters: noted(
+                &grazing_source::read_file(parameter_file).map_err(ParameterError::from)?,
+                &arguments.parameters.set,
+            ),
             outputs: made,
             // Other parameters give other files than those that stand in the repository.
             folder: root.as_ref().filter(|_| default).map(|root| format!("{root}{}/", project::FIGURES)),

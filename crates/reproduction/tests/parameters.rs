@@ -450,6 +450,15 @@ fn a_file_that_is_not_there_is_named() {
     }
 }
 
+#[cfg(unix)]
+#[test]
+fn what_has_no_end_is_not_read() {
+    for (path, wanted) in [("/dev/zero", "not a file"), ("/", "not a file")] {
+        let error = Parameters::from_file(std::path::Path::new(path)).expect_err("it is no file").to_string();
+        assert!(error.starts_with(path) && error.contains(wanted), "{error}");
+    }
+}
+
 #[test]
 fn views_stand_above_the_plane_and_stretches_are_three_positive_numbers() {
     for figure in ["fig01", "fig03", "fig09"] {

@@ -5,7 +5,7 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use grazing_description::{Axis, Description};
+use grazing_description::{Axis, Description, DescriptionError};
 use grazing_drawing::SheetWidth;
 use grazing_model::ImpactOscillator;
 use grazing_report::{
@@ -67,8 +67,7 @@ impl Source {
     /// It cannot be read, or something in it is not right.
     pub(crate) fn read(file: &Path) -> Result<Self, Failure> {
         let description = Description::from_file(file)?;
-        let text =
-            fs::read_to_string(file).map_err(|reason| Failure::File { path: file.to_owned(), reason })?;
+        let text = grazing_source::read_file(file).map_err(DescriptionError::from)?;
         Ok(Self { file: file.to_owned(), text, description })
     }
 

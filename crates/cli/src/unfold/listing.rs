@@ -94,7 +94,7 @@ fn ends(ends: &[GrazingEnd; 2]) -> String {
         GrazingEnd::LeftWindow => "leaves the ranges".to_owned(),
         GrazingEnd::Closed => "is closed".to_owned(),
         GrazingEnd::Stalled(stall) => format!("is lost ({stall})"),
-        GrazingEnd::StepLimit => "was followed no further".to_owned(),
+        GrazingEnd::StepLimit => "was followed no further after very many points".to_owned(),
     };
     let [first, last] = ends.each_ref().map(told);
     match ends {
@@ -355,6 +355,24 @@ fn undecided(description: &Description, unfolded: &Analysis) -> String {
         ));
     }
     text
+}
+
+/// What is missing in the diagram although there was time for it, as `1 of 3 resonances could not be unfolded`; nothing if nothing is.
+pub(super) fn incomplete<O>(diagram: &Diagram<O>) -> Option<String> {
+    let lost = diagram.unlocated.len() + diagram.not_unfolded.len();
+    let all = diagram.unlocated.len() + diagram.resonances.len();
+    let ends = diagram.curves.iter().flat_map(|curve| curve.curve.beginning.iter().chain([&curve.curve.end]));
+    let endless = ends.filter(|end| matches!(end, CurveEnd::StepLimit)).count()
+        + diagram.grazing.iter().flat_map(|curve| curve.ends).filter(|end| *end == GrazingEnd::StepLimit).count();
+    let mut told = Vec::new();
+    if lost > 0 {
+        told.push(format!("{lost} of {all} resonances could not be unfolded"));
+    }
+    if endless > 0 {
+        let ends = if endless == 1 { "1 end of a curve was" } else { &format!("{endless} ends of curves were") };
+        told.push(format!("{ends} not reached within very many points"));
+    }
+    (!told.is_empty()).then(|| told.join(" and "))
 }
 
 fn odd_end(end: &CurveEnd) -> Option<String> {
