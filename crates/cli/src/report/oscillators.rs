@@ -26,7 +26,7 @@ use crate::limits::Watch;
 use crate::outputs::computation;
 use crate::progress::Display;
 use crate::unfold::numbers::agreement;
-use crate::unfold::reason::{place, unfinished};
+use crate::unfold::reason::{self, place, unfinished};
 use crate::unfold::{self, Analysis, sheets};
 use crate::{project, tables};
 
@@ -88,20 +88,25 @@ impl Source {
         files.iter().map(|file| Self::read(file)).collect()
     }
 
-    /// Unfolds the oscillator.
+    /// Unfolds the oscillator, up to its limits; what was met, if one was.
     ///
     /// # Errors
     /// There is nothing to unfold, or a figure or table could not be made.
-    pub(crate) fn entry(&self) -> Result<OscillatorEntry, Failure> {
+    pub(crate) fn entry(&self) -> Result<(OscillatorEntry, Option<Failure>), Failure> {
         let Self { file, text, description } = self;
         let watch = Watch::begin(description.limits());
         let unfolded = &Unfolded::described(description, &Display::counting(watch.stop()))
             .map_err(|error| unfold::failure(description, file, &error, watch.met()))?;
+        let met = watch.met().filter(|_| !unfolded.diagram.unfinished.is_empty()).map(|met| Failure::Ended {
+            file: file.clone(),
+            met: met.to_string(),
+            outcome: "what was not finished is named on the page".to_owned(),
+        });
         drop(watch);
         let tables = &unfolded.tables().map_err(|error| computation("tables", &error))?;
         let figures = &sheets::figures(description, unfolded, tables, SheetWidth::Paper)
             .map_err(|error| computation("figures", &*error))?;
-        Material { file, text, description, unfolded, figures, tables }.entry()
+        Ok((Material { file, text, description, unfolded, figures, tables }.entry()?, met))
     }
 
     /// Names the entry as the page is to name its file, and links that where it is part of the repository.
@@ -167,6 +172,7 @@ impl Material<'_> {
             tables: shown,
             resonances: resonances(self.unfolded),
             lost: lost(self.description, self.unfolded),
+            undecided: undecided(self.description, self.unfolded),
             files: Vec::new(),
         })
     }
@@ -195,6 +201,7 @@ impl Material<'_> {
                 folder: Some(String::new()),
             },
             oscillators: vec![entry],
+            missing: Vec::new(),
             root: None,
         };
         Ok(MadeFile { path: PathBuf::from(PAGE), content: grazing_report::page(&report).into_bytes() })
@@ -306,6 +313,12 @@ fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
     unlocated.chain(not_followed).chain(unfinished).collect()
 }
 
+/// Where it is not decided whether solutions are stable, with their loops.
+fn undecided(description: &Description, unfolded: &Analysis) -> Vec<(u32, String)> {
+    let regions = unfolded.diagram.regions.iter();
+    regions.filter_map(|region| Some((region.loops, reason::undecided(description, region)?))).collect()
+}
+
 /// c_SN or c_PD.
 fn coefficient(at: &AtResonance, kind: Kind) -> CoefficientEntry {
     let (coefficient, simulated) = at.beside(kind);
@@ -367,6 +380,7 @@ mod tests {
             tables: Vec::new(),
             resonances: Vec::new(),
             lost: Vec::new(),
+            undecided: Vec::new(),
             files: Vec::new(),
         };
         let mut entries = ["a", "b", "a", "a"].map(entry);

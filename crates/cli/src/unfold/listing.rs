@@ -12,7 +12,6 @@ use grazing_theorems::hypothesis::Hypothesis;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::{DiagramCurve, Kind};
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
-use grazing_unfold::regions::RegionKind;
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::verdict::Verdict;
 
@@ -336,23 +335,11 @@ fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
 fn undecided(description: &Description, unfolded: &Analysis) -> String {
     let mut text = String::new();
     for region in &unfolded.diagram.regions {
-        let RegionKind::Undecided(doubt) = &region.kind else { continue };
+        let Some(told) = reason::undecided(description, region) else { continue };
         if text.is_empty() {
             text.push_str("\nNot decided (hatched in the diagram)\n");
         }
-        let vertices = region.rings.iter().flatten();
-        let [low, high] =
-            vertices.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], vertex| {
-                [
-                    [low[0].min(vertex[0]), low[1].min(vertex[1])],
-                    [high[0].max(vertex[0]), high[1].max(vertex[1])],
-                ]
-            });
-        let (from, to) = (place(description, low), place(description, high));
-        text.push_str(&wrapped(
-            &format!("  p = {}  ", region.loops),
-            &format!("from {from} to {to}: {doubt}"),
-        ));
+        text.push_str(&wrapped(&format!("  p = {}  ", region.loops), &told));
     }
     text
 }
@@ -363,13 +350,19 @@ pub(super) fn incomplete<O>(diagram: &Diagram<O>) -> Option<String> {
     let all = diagram.unlocated.len() + diagram.resonances.len();
     let ends = diagram.curves.iter().flat_map(|curve| curve.curve.beginning.iter().chain([&curve.curve.end]));
     let endless = ends.filter(|end| matches!(end, CurveEnd::StepLimit)).count()
-        + diagram.grazing.iter().flat_map(|curve| curve.ends).filter(|end| *end == GrazingEnd::StepLimit).count();
+        + diagram
+            .grazing
+            .iter()
+            .flat_map(|curve| curve.ends)
+            .filter(|end| *end == GrazingEnd::StepLimit)
+            .count();
     let mut told = Vec::new();
     if lost > 0 {
         told.push(format!("{lost} of {all} resonances could not be unfolded"));
     }
     if endless > 0 {
-        let ends = if endless == 1 { "1 end of a curve was" } else { &format!("{endless} ends of curves were") };
+        let ends =
+            if endless == 1 { "1 end of a curve was" } else { &format!("{endless} ends of curves were") };
         told.push(format!("{ends} not reached within very many points"));
     }
     (!told.is_empty()).then(|| told.join(" and "))
@@ -505,7 +498,16 @@ mod tests {
              length 0.001 \
              p = 2, n = 3 the saddle-node curve cannot be started: it ends at once"
         );
-        let nothing = Diagram { unlocated: Vec::new(), not_unfolded: Vec::new(), ..diagram };
-        assert_eq!(missing(&description, &nothing), "");
+        assert_eq!(incomplete(&diagram).as_deref(), Some("2 of 1 resonances could not be unfolded"));
+        let endless =
+            GrazingCurve { states: Vec::new(), ends: [GrazingEnd::LeftWindow, GrazingEnd::StepLimit] };
+        let endless =
+            Diagram { unlocated: Vec::new(), not_unfolded: Vec::new(), grazing: vec![endless], ..diagram };
+        assert_eq!(missing(&description, &endless), "");
+        assert_eq!(
+            incomplete(&endless).as_deref(),
+            Some("1 end of a curve was not reached within very many points")
+        );
+        assert_eq!(incomplete(&Diagram { grazing: Vec::new(), ..endless }), None);
     }
 }
