@@ -82,15 +82,13 @@ pub enum Failure {
         /// What was seen instead, and what can be done.
         reason: String,
     },
-    /// Not all resonances of an oscillator could be unfolded.
-    #[error("{}: {missing} of {all} resonances could not be unfolded, as told above; everything else is written", file.display())]
+    /// Not all of an oscillator's diagram could be found.
+    #[error("{}: {missing}, as told above; everything else is written", file.display())]
     PartlyUnfolded {
         /// The description.
         file: PathBuf,
-        /// How many resonances could not be located or followed.
-        missing: usize,
-        /// How many there are.
-        all: usize,
+        /// What could not be located or followed.
+        missing: String,
     },
     /// The analysis of an oscillator was ended by a limit or by Ctrl-C.
     #[error("{}: {met}; {outcome}", file.display())]

@@ -43,15 +43,15 @@ impl std::fmt::Display for Met {
         match self {
             Met::Time(seconds) => write!(
                 formatter,
-                "the time limit of {seconds} s is reached; more is given by time_limit in [analysis] or --time-limit"
+                "the time limit of {seconds} s was reached (raise it by time_limit in [analysis] or --time-limit)"
             ),
             Met::Memory(megabytes) => write!(
                 formatter,
-                "the memory limit of {megabytes} MB is reached; more is given by memory_limit in [analysis] or --memory-limit"
+                "the memory limit of {megabytes} MB was reached (raise it by memory_limit in [analysis] or --memory-limit)"
             ),
             Met::Steps(steps) => write!(
                 formatter,
-                "the limit of {steps} steps of integration is reached; more are given by step_limit in [analysis] or --step-limit"
+                "the limit of {steps} steps of integration was reached (raise it by step_limit in [analysis] or --step-limit)"
             ),
             Met::Interruption => write!(formatter, "interrupted by Ctrl-C"),
         }

@@ -72,7 +72,7 @@ pub const ALL: &[Output] = &[
         tables: &["coefficients"],
         check: |parameters| parameters.fig07().map(drop),
         keys: "fig07.frequency, fig07.amplitude or fig07.loops",
-        make: |study, _| Ok(Made::tables(vec![study.coefficient_table()?])),
+        make: figures::coefficients,
     },
     Output {
         name: "fig01",
@@ -89,7 +89,7 @@ pub const ALL: &[Output] = &[
         figure: Some("fig02.svg"),
         tables: &["fig02_branches", "fig02_bifurcations", "fig02_attractor", "fig02_portraits"],
         check: |parameters| parameters.fig02().map(drop),
-        keys: "fig02.frequency, fig02.amplitude or fig02.loops",
+        keys: "fig02.frequency, fig02.near or fig02.loops",
         make: figures::fig02,
     },
     Output {
@@ -250,6 +250,31 @@ impl Output {
             }
             failure => failure,
         }
+    }
+}
+
+/// Refuses parameters that would be wrong for any oscillator: that is a slip, better mended than worked around.
+///
+/// # Errors
+/// The first that some output needs.
+pub(crate) fn refuse_malformed<'a>(
+    mut outputs: impl Iterator<Item = &'a Output>,
+    parameters: &Parameters,
+) -> Result<(), Failure> {
+    let refusal = |output: &Output| output.check(parameters).err();
+    match outputs
+        .find_map(|output| refusal(output).filter(|error| matches!(error, ParameterError::Malformed(_))))
+    {
+        Some(error) => Err(error.into()),
+        None => Ok(()),
+    }
+}
+
+/// The failure of an output with its name, once.
+pub(crate) fn told(output: &str, failure: Failure) -> String {
+    match failure {
+        Failure::Computation { reason, .. } => format!("{output}: {reason}"),
+        failure => format!("{output}: {failure}"),
     }
 }
 

@@ -6,14 +6,13 @@ pub(crate) mod oscillators;
 mod versions;
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_claims::ledger::Ledger;
 use grazing_report::{CsvTable, Figure, Manifest, OutputFile, PublishedEntry, State, TableOutput, page};
 use grazing_reproduction::Study;
-use grazing_reproduction::parameters::Parameters;
+use grazing_reproduction::parameters::{ParameterError, Parameters};
 use grazing_reproduction::published::{Comparison, Published, Verdict};
 use grazing_source::Setting;
 
@@ -21,7 +20,7 @@ use crate::arguments::Report;
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
 use crate::outputs::edition::Edition;
-use crate::outputs::{self, computation};
+use crate::outputs::{self, Files, computation};
 use crate::progress::Display;
 use crate::reproduce::start_threads;
 use crate::{claims, project, terminal};
@@ -30,12 +29,14 @@ use oscillators::Source;
 /// Computes everything and writes the page.
 ///
 /// # Errors
-/// Any [`Failure`] that keeps the page from being made; claims that do not hold are shown on it.
+/// Any [`Failure`] that keeps the page from being made, and [`Failure::PartlyMade`] if something is missing on it; claims that do not hold
+/// are shown on it.
 pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let start = Instant::now();
     let parameter_file = project::parameter_file(arguments.parameters.file.as_deref())?;
     let parameters = project::parameters(&arguments.parameters)?;
+    outputs::refuse_malformed(outputs::ALL.iter(), &parameters)?;
     let (folder, name) = place(&arguments.output)?;
     let sources = Source::all(project::root().as_deref(), &arguments.oscillators)?;
     if let Some(jobs) = arguments.jobs {
@@ -43,11 +44,13 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     }
     let report = assemble(arguments, &parameter_file, &parameters, &sources, &folder)?;
     let content = page(&report).into_bytes();
+    let (missing, all) = (report.missing.len(), outputs::ALL.len() + sources.len());
     let size = content.len();
     folder::write(&folder, &[MadeFile { path: name, content }])?;
     terminal::say(&summary(&report, &arguments.output, size));
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-    Ok(())
+    report.missing.iter().for_each(|reason| terminal::note(&format!("error: {reason}")));
+    if missing > 0 { Err(Failure::PartlyMade { missing, all }) } else { Ok(()) }
 }
 
 /// The folder and the name of the page, once it is sure that it can be written.
@@ -74,16 +77,32 @@ fn assemble(
     page_folder: &Path,
 ) -> Result<grazing_report::Report, Failure> {
     let display = Display::new();
-    let mut entries = Vec::new();
-    // First, as of all that is shown only these can have nothing to compute.
+    let (mut shown, mut entries, mut missing) = (Vec::new(), Vec::new(), Vec::new());
     for source in oscillators {
-        entries.push(source.entry()?);
+        match source.entry() {
+            Ok((entry, met)) => {
+                shown.push(source);
+                entries.push(entry);
+                missing.extend(met.map(|met| met.to_string()));
+            }
+            Err(failure) => missing.push(failure.to_string()),
+        }
     }
     oscillators::distinguish(&mut entries);
     let study = Study::new(parameters).with_progress(&display);
     let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
     for output in outputs::ALL {
-        let files = output.files(&study, &Edition::default())?.files;
+        let files = match output.files(&study, &Edition::default()) {
+            Ok(Files { files, notes, gaps }) => {
+                notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
+                missing.extend(gaps.iter().map(|gap| format!("{}: it is shown, but {gap}", output.name)));
+                files
+            }
+            Err(failure) => {
+                missing.push(outputs::told(output.name, failure));
+                continue;
+            }
+        };
         made.extend(files.iter().map(|file| OutputFile::of(file.path.display().to_string(), &file.content)));
         let (svg, csv) = sorted(files);
         let (name, title) = (output.name.to_owned(), output.title.to_owned());
@@ -94,7 +113,10 @@ fn assemble(
     }
     // Their names are numbered as in the paper; the registry has them in the order in which they are best made.
     figures.sort_by(|a, b| a.name.cmp(&b.name));
-    let published = published(&study)?;
+    let published = published(&study).unwrap_or_else(|failure| {
+        missing.push(failure.to_string());
+        Vec::new()
+    });
     let root = project::root();
     let sources = root.as_deref().map(links::sources).unwrap_or_default();
     let ledger = Ledger::of_the_paper()?;
@@ -103,7 +125,7 @@ fn assemble(
     let claims = findings.iter().map(|finding| ledger::entry(finding, &published, &sources)).collect();
     let repository = root;
     let root = repository.as_deref().and_then(|root| links::relative(page_folder, root));
-    let placed = oscillators.iter().zip(entries);
+    let placed = shown.iter().zip(entries);
     let oscillators =
         placed.map(|(source, entry)| source.placed(entry, repository.as_deref(), root.as_deref())).collect();
     let default = arguments.parameters.file.is_none() && arguments.parameters.set.is_empty();
@@ -113,14 +135,16 @@ fn assemble(
         published,
         claims,
         oscillators,
+        missing,
         manifest: Manifest {
             program: versions::program(),
             rust: versions::rust(),
             libraries: versions::libraries(),
             parameter_file: if default { project::PARAMETERS.to_owned() } else { file_name(parameter_file) },
-            parameters: fs::read_to_string(parameter_file)
-                .map(|text| noted(&text, &arguments.parameters.set))
-                .map_err(|reason| Failure::File { path: parameter_file.to_owned(), reason })?,
+            parameters: noted(
+                &grazing_source::read_file(parameter_file).map_err(ParameterError::from)?,
+                &arguments.parameters.set,
+            ),
             outputs: made,
             // Other parameters give other files than those that stand in the repository.
             folder: root.as_ref().filter(|_| default).map(|root| format!("{root}{}/", project::FIGURES)),

@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_reproduction::Study;
-use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::published::Published;
 
 use crate::arguments::{ParameterFile, Reproduce};
@@ -34,12 +33,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     let output_folder = project::output_folder(arguments.output.as_deref(), &edition, !set.is_empty())?;
     let chosen: Vec<&Output> =
         outputs::ALL.iter().filter(|output| is_chosen(output, &arguments.only)).collect();
-    for output in &chosen {
-        // What would be wrong for any oscillator is a slip, better mended than worked around.
-        if let Err(error @ ParameterError::Malformed(_)) = output.check(&parameters) {
-            return Err(error.into());
-        }
-    }
+    outputs::refuse_malformed(chosen.iter().copied(), &parameters)?;
     if !arguments.check {
         let mut paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths_in(&edition)).collect();
         paths.extend(latex::has_snippet(&edition).then(|| PathBuf::from(latex::SNIPPET)));
@@ -131,7 +125,7 @@ fn tell_missing(
     if left > 0 {
         let left = counted(left);
         terminal::note(&format!(
-            "{left} of earlier runs, of what could not be made now, are left in {}",
+            "{left} from earlier runs, of outputs that could not be made now, left in {}",
             folder.display()
         ));
     }

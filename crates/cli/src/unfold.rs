@@ -183,12 +183,10 @@ impl Task {
         if !contradictions.is_empty() {
             return Err(Failure::Contradiction { file: self.file.clone(), what: contradictions.join("; ") });
         }
-        let missing = unfolded.diagram.unlocated.len() + unfolded.diagram.not_unfolded.len();
-        if missing > 0 {
-            let all = unfolded.diagram.unlocated.len() + unfolded.diagram.resonances.len();
-            return Err(Failure::PartlyUnfolded { file: self.file.clone(), missing, all });
+        match listing::incomplete(&unfolded.diagram) {
+            Some(missing) => Err(Failure::PartlyUnfolded { file: self.file.clone(), missing }),
+            None => Ok(()),
         }
-        Ok(())
     }
 
     /// Figures, tables and the page that shows them.

@@ -177,7 +177,7 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
     // So few that no grazing is found, and so many that there is nothing to be cut off.
     let none = steps("1000", "none");
     assert_eq!(none.code, Some(3), "{}", none.messages);
-    let told = "error: duffing.toml: the limit of 1000 steps of integration is reached; ";
+    let told = "error: duffing.toml: the limit of 1000 steps of integration was reached (";
     assert!(none.errors().starts_with(told), "{}", none.errors());
     assert!(none.errors().contains("in the stage `motion without impacts`"), "{}", none.errors());
     assert!(!folder.path().join("none").exists());
@@ -242,6 +242,39 @@ fn ctrl_c_ends_an_analysis_with_what_it_has() {
         "{results:?}"
     );
     assert!(!results.contains(&"data/curves.unfinished.csv".to_owned()), "{results:?}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_second_ctrl_c_ends_the_program_at_once_and_leaves_no_temporary_files() {
+    let paper = fs::read_to_string(repository().join("examples/paper.toml")).expect("it is there");
+    let folder = folder_with(&[("paper.toml", &paper)]);
+    // Pictures of many dots take a while to write, long enough for the second one.
+    let mut run = Command::new(env!("CARGO_BIN_EXE_grazing"))
+        .args(["unfold", "paper.toml", "--format", "svg,png", "--dpi", "1200"])
+        .current_dir(folder.path())
+        .stdout(Stdio::null())
+        .stderr(fs::File::create(folder.path().join("messages")).expect("the folder is ours"))
+        .spawn()
+        .expect("the program starts");
+    for awaited in ["bifurcation curves: begun", "interrupted: writing what is finished"] {
+        let start = Instant::now();
+        while !read(folder.path(), "messages").contains(awaited) {
+            assert!(run.try_wait().expect("it is ours").is_none(), "it ended before: {awaited}");
+            assert!(start.elapsed() < Duration::from_secs(300), "it never told: {awaited}");
+            thread::sleep(Duration::from_millis(2));
+        }
+        let sent =
+            Command::new("kill").args(["-INT", &run.id().to_string()]).status().expect("there is kill");
+        assert!(sent.success());
+    }
+    let status = run.wait().expect("it ends");
+    let told = read(folder.path(), "messages");
+    assert_eq!(status.code(), Some(3), "{told}");
+    let end = "error: interrupted twice by Ctrl-C: ended at once, nothing more is written\n";
+    assert!(told.ends_with(end), "{told}");
+    let left = listing(folder.path());
+    assert!(!left.iter().any(|path| path.contains(".grazing-")), "{left:?}");
 }
 
 /// A description of an oscillator with this force.

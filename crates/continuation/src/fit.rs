@@ -128,7 +128,9 @@ pub fn measure<O: ImpactOscillator>(
         (Some(level), _) => {
             // Rounding is the same nearer to y = 0: where the tail is small by chance here, it is not there as well.
             let nearer = levels.get(best + 1).unwrap_or(level);
-            Ok(level.measured([0, 1].map(|k| level.tails[k].max(nearer.tails[k]))))
+            let tails = [0, 1].map(|k| level.tails[k].max(nearer.tails[k]));
+            // Differences without any scatter are all zero: far below rounding.
+            Ok(level.measured([0, 1].map(|k| if tails[k] > 0.0 { tails[k] } else { rounding[k] })))
         }
         (None, Some(failure)) => Err(failure),
         (None, None) => unreachable!("a level without points has a failure"),

@@ -15,7 +15,7 @@ pub(crate) const REQUIREMENTS: Requirements = Requirements::new(KEYS, "see examp
 const KEYS: &[(&str, &str)] = &[
     (
         "name",
-        "the name of the oscillator must stand before the first table, as a text in quotation marks that is not empty",
+        "the name of the oscillator must be given before the first table, as text in quotation marks that is not empty",
     ),
     ("parameters", "the table [parameters] holds constants by name, as zeta = 0.02; it may be empty"),
     ("parameters.*", "a constant must be a finite number"),
@@ -28,21 +28,21 @@ const KEYS: &[(&str, &str)] = &[
     ("motion", "the table [motion] holds force and frequency"),
     (
         "motion.force",
-        "the force must be an expression in x, v, t and the parameters in quotation marks, \
+        "the force must be an expression in x, v, t and the parameters, written in quotation marks, \
          as \"-2*zeta*v - x - 1 + A*cos(omega*t)\"",
     ),
     (
         "motion.frequency",
-        "the forcing frequency must be an expression in the parameters in quotation marks, as \"omega\"",
+        "the forcing frequency must be an expression in the parameters, written in quotation marks, as \"omega\"",
     ),
     ("impact", "the table [impact] holds restitution and duration"),
     (
         "impact.restitution",
-        "the restitution must be an expression in y, z and the parameters in quotation marks, as \"0.8\"",
+        "the restitution must be an expression in y, z and the parameters, written in quotation marks, as \"0.8\"",
     ),
     (
         "impact.duration",
-        "the impact duration must be an expression in y, z and the parameters in quotation marks, \
+        "the impact duration must be an expression in y, z and the parameters, written in quotation marks, \
          \"0\" for impacts that take no time",
     ),
     (
@@ -75,8 +75,7 @@ const KEYS: &[(&str, &str)] = &[
     ),
 ];
 
-const NAME: &str =
-    "the name must be of the letters a to z and A to Z, digits and _, with no digit first, as \"omega\"";
+const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
 const RANGE: &str = "the range must be [lower, upper] with finite numbers lower < upper";
 
 /// The whole file.

@@ -70,7 +70,7 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
     for (used, (key, name)) in used.into_iter().zip(names) {
         if !used {
             let allowed = format!(
-                "the name {} stands in none of the four expressions, so nothing depends on this parameter: use it in one, \
+                "the name {} appears in none of the four expressions, so nothing depends on this parameter: use it in one, \
                  or name the parameter that is meant",
                 name.get_ref()
             );
@@ -154,7 +154,7 @@ fn loops(raw: &Spanned<Vec<Spanned<u32>>>, source: &Source<'_>) -> Checked<Vec<u
             return Err(source.forbid(key, member, REQUIREMENTS.of(key).to_owned()).into());
         }
         if loops.contains(&number) {
-            let allowed = format!("{number} stands there twice, each number may stand once");
+            let allowed = format!("{number} is listed twice: list each number once");
             return Err(source.forbid(key, raw, allowed).into());
         }
         loops.push(number);

@@ -53,6 +53,8 @@ pub struct Report {
     pub claims: Vec<ClaimEntry>,
     /// Oscillators from text files. A page can be about them alone: parts of which there is nothing are left out.
     pub oscillators: Vec<OscillatorEntry>,
+    /// What of all this could not be made, or not wholly, and why.
+    pub missing: Vec<String>,
     /// What was made, from what, and by what.
     pub manifest: Manifest,
     /// The path from the page's folder to the root of the repository, as `../` or nothing, for the links to source files;

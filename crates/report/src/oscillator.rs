@@ -41,6 +41,8 @@ pub struct OscillatorEntry {
     /// What could not be unfolded and why, in words: resonances that were seen and not located, curves that could not be
     /// followed.
     pub lost: Vec<String>,
+    /// Where it is not decided whether solutions are stable, with the numbers of their loops, and why not: what is hatched in the figures.
+    pub undecided: Vec<(u32, String)>,
     /// The files that were written, as paths from the page's folder: `diagram.svg`, `data/points.csv`. None of them need
     /// be there; those that are get links.
     pub files: Vec<String>,

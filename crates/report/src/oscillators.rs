@@ -69,6 +69,9 @@ fn verdicts(entry: &OscillatorEntry) -> String {
     if !entry.lost.is_empty() {
         told.push(("misprint", format!("{} not unfolded", entry.lost.len())));
     }
+    if !entry.undecided.is_empty() {
+        told.push(("misprint", counted(entry.undecided.len(), "region undecided", "regions undecided")));
+    }
     let told = told.iter().map(|(tone, words)| format!("<span class=\"verdict {tone}\">{words}</span>"));
     told.collect::<Vec<_>>().join(" ")
 }
@@ -293,7 +296,12 @@ fn without_curves(entry: &OscillatorEntry) -> String {
         "" => String::new(),
         _ => format!("<h4>{title}</h4>\n<ul class=\"reasons\">\n{items}</ul>\n"),
     };
+    let undecided = entry.undecided.iter();
+    let undecided: String = undecided
+        .map(|(loops, reason)| format!("<li><i>p</i> = {loops}, {}</li>\n", escape(reason)))
+        .collect();
     list("What was not borne out, and why", &reasons(entry))
         + &list("Resonances at which the theorem does not apply", &items)
         + &list("What could not be unfolded", &lost)
+        + &list("Where stability is not decided (hatched in the diagram)", &undecided)
 }

@@ -76,9 +76,11 @@ fn of_the_paper(report: &Report) -> String {
     let count = |state| report.claims.iter().filter(|claim| claim.verdict.state() == state).count();
     let (passed, failed, unchecked) = (count(State::Passed), count(State::Failed), count(State::Unchecked));
     let misprints = report.claims.iter().filter(|claim| claim.misprint.is_some()).count();
-    let good = met == all && failed == 0;
+    let good = met == all && failed == 0 && report.missing.is_empty();
     let verdict = if good {
         "Everything that was tested came out."
+    } else if !report.missing.is_empty() {
+        "Not everything could be made:"
     } else {
         "Not everything came out: see what is marked as off or failed."
     };
@@ -88,9 +90,14 @@ fn of_the_paper(report: &Report) -> String {
          <p class=\"lead\">What D. J. W. Simpson and I. Ghosh state and show in <cite>Resonant grazing bifurcations revisited</cite> \
          (<a href=\"https://arxiv.org/abs/2602.22797\" rel=\"noreferrer\">arXiv 2602.22797</a>), computed again from the equations: \
          figures with the values behind them, every claim with the computation that tests it, and the files that came out.</p>\n\
-         <p class=\"judgement {}\"><strong>{verdict}</strong></p>\n<ul class=\"cards\">\n",
+         <p class=\"judgement {}\"><strong>{verdict}</strong></p>\n",
         if good { "passed" } else { "failed" },
     );
+    if !report.missing.is_empty() {
+        let items = report.missing.iter().map(|reason| format!("<li>{}</li>\n", escape(reason)));
+        put!(html, "<ul class=\"reasons\">\n{}</ul>\n", items.collect::<String>());
+    }
+    html.push_str("<ul class=\"cards\">\n");
     let tone = |good: bool| if good { "passed" } else { "failed" };
     card(&mut html, "#published", tone(met == all), &format!("{met} of {all}"), "published values met");
     let tested = passed + failed;

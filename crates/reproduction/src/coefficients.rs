@@ -1,11 +1,10 @@
 //! The table of coefficients: by closed form, by the general theorem, and by measurement on the continued curves.
 
-use grazing_continuation::fit::Estimate;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
 use grazing_theorems::Resonance;
 use grazing_unfold::Diagram;
-use grazing_unfold::verdict;
+use grazing_unfold::verdict::{self, Coefficient, Verdict};
 use rayon::prelude::*;
 
 use crate::StudyError;
@@ -27,34 +26,32 @@ pub struct Coefficients {
     pub stability: [f64; 2],
     /// c_SN,p and c_PD,p by closed form.
     pub closed_form: [f64; 2],
-    /// c_SN,p and c_PD,p by Theorems 2.4, 2.5 from derivatives of the numerical P_global.
-    pub theorem: [f64; 2],
-    /// c_SN,p and c_PD,p as limits of μ/η² on the continued curves.
-    pub fit: [Estimate; 2],
+    /// c_SN,p and c_PD,p by Theorems 2.4, 2.5 from derivatives of the numerical P_global, and as limits of μ/η² on the continued
+    /// curves, where these can be measured.
+    pub measured: [Coefficient; 2],
 }
 
 impl Coefficients {
-    fn of(
-        closed_form: &Resonance,
-        located: &ResonantGrazingPoint<LinearOscillator>,
-    ) -> Result<Self, StudyError> {
-        let (loops, n) = (closed_form.loops(), closed_form.index());
-        let [saddle_node, period_doubling] = verdict::coefficients(located);
-        let theorem = [saddle_node.theorem.value, period_doubling.theorem.value];
-        let fitted = |curve, coefficient: verdict::Coefficient| match coefficient.fit {
-            Ok(fit) => Ok(fit.coefficient),
-            Err(source) => Err(StudyError::Fit { curve, loops, n, source }),
-        };
+    fn of(closed_form: &Resonance, located: &ResonantGrazingPoint<LinearOscillator>) -> Self {
         let stability = closed_form.stability_coefficients();
-        Ok(Self {
-            loops,
-            n,
+        Self {
+            loops: closed_form.loops(),
+            n: closed_form.index(),
             frequency: closed_form.forcing_frequency(),
             amplitude: closed_form.grazing().amplitude(),
             stability: [stability.plus, stability.minus],
             closed_form: [closed_form.saddle_node_coefficient(), closed_form.period_doubling_coefficient()],
-            theorem,
-            fit: [fitted("SN", saddle_node)?, fitted("PD", period_doubling)?],
+            measured: verdict::coefficients(located),
+        }
+    }
+
+    /// What could not be measured, or is not as by the theorem, with the reason.
+    pub fn doubts(&self) -> impl Iterator<Item = String> {
+        ["c_SN", "c_PD"].into_iter().zip(&self.measured).filter_map(|(name, measured)| {
+            let verdict = measured.verdict();
+            let (told, reason) = (verdict.name(), verdict.reason());
+            (verdict != Verdict::Agree)
+                .then(|| format!("{name} at p = {}, n = {} {told}: {reason}", self.loops, self.n))
         })
     }
 }
@@ -68,7 +65,7 @@ pub(crate) fn compute(
     let resonances: Vec<_> = diagram.unfolding().collect();
     resonances
         .into_par_iter()
-        .map(|(found, located)| Coefficients::of(&theory.resonance(found.loops, found.n)?, located))
+        .map(|(found, located)| Ok(Coefficients::of(&theory.resonance(found.loops, found.n)?, located)))
         .collect()
 }
 
@@ -77,9 +74,11 @@ pub(crate) fn table(coefficients: &[Coefficients]) -> Result<Table, StudyError> 
     let mut columns = columns! {
         "p": 0, "n": 0, "omega_star": 0.0, "amplitude_graz": 0.0, "s_plus": 0.0, "s_minus": 0.0,
         "c_sn": 0.0, "c_pd": 0.0, "c_sn_theorem": 0.0, "c_pd_theorem": 0.0, "c_sn_fit": 0.0, "c_pd_fit": 0.0,
-        "c_sn_fit_error": 0.0, "c_pd_fit_error": 0.0,
+        "c_sn_fit_error": 0.0, "c_pd_fit_error": 0.0, "sn_verdict": "", "sn_reason": "", "pd_verdict": "", "pd_reason": "",
     };
     for c in coefficients {
+        let [sn, pd] = &c.measured;
+        let verdicts = [sn.verdict(), pd.verdict()];
         columns.push(row![
             c.loops,
             c.n,
@@ -89,12 +88,16 @@ pub(crate) fn table(coefficients: &[Coefficients]) -> Result<Table, StudyError> 
             c.stability[1],
             c.closed_form[0],
             c.closed_form[1],
-            c.theorem[0],
-            c.theorem[1],
-            c.fit[0].value,
-            c.fit[1].value,
-            c.fit[0].error,
-            c.fit[1].error,
+            sn.theorem.value,
+            pd.theorem.value,
+            sn.measured().value,
+            pd.measured().value,
+            sn.measured().error,
+            pd.measured().error,
+            verdicts[0].name(),
+            verdicts[0].reason(),
+            verdicts[1].name(),
+            verdicts[1].reason(),
         ]);
     }
     Ok(columns.finish("coefficients")?)

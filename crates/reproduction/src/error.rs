@@ -1,6 +1,5 @@
 //! What can go wrong in the reproduction with parameters that are valid.
 
-use grazing_continuation::fit::FitError;
 use grazing_continuation::resonance::ResonanceError;
 use grazing_model::OscillatorError;
 use grazing_model::maps::MapError;
@@ -47,18 +46,6 @@ pub enum StudyError {
         /// What went wrong.
         source: ResonanceError,
     },
-    /// A quadratic coefficient could not be measured.
-    #[error("coefficient {curve} at resonance p = {loops}, n = {n}: {source}")]
-    Fit {
-        /// SN or PD.
-        curve: &'static str,
-        /// Number of loops p.
-        loops: u32,
-        /// The integer n of the resonance.
-        n: u32,
-        /// What went wrong.
-        source: FitError,
-    },
     /// A branch of Figure 2 could not be started at the grazing bifurcation.
     #[error("the branch of {loops}-loop solutions cannot be started at the grazing bifurcation: {reason}")]
     Branch {
@@ -77,8 +64,10 @@ pub enum StudyError {
         /// Where there is one.
         remedy: String,
     },
-    /// The resonance of a panel of Figure 8 was not found in Figure 7.
-    #[error("the resonance p = {loops}, n = {n} was not found; show another in fig08.panels")]
+    /// No panel of Figure 8 has a resonance that was found in Figure 7.
+    #[error(
+        "the resonance p = {loops}, n = {n} of the first panel was not found, nor can another be shown; choose others in fig08.panels"
+    )]
     NoPanel {
         /// Number of loops p.
         loops: u32,

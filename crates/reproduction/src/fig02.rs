@@ -53,12 +53,12 @@ impl Figure2 {
         let setting = Setting { figure, theory, grazing: theory.grazing(figure.frequency())? };
         let branches = branches::follow(&setting)?;
         let bifurcations = branches::bifurcations(&setting, &branches);
-        let (portraits, notes) = portraits::table(&setting, &branches)?;
+        let (portraits, more) = portraits::table(&setting, &branches)?;
         Ok(Self {
             branches: branches::table(&setting, &branches)?,
             attractor: attractor::table(&setting, &bifurcations, progress)?,
             portraits,
-            notes,
+            notes: [figure.notes(), &more].concat(),
             bifurcations: branches::bifurcation_table(&bifurcations)?,
         })
     }

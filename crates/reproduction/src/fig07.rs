@@ -4,7 +4,6 @@ use grazing_model::LinearOscillator;
 use grazing_unfold::Diagram;
 
 use crate::StudyError;
-use crate::diagram;
 use crate::plane::{self, Axes};
 use crate::table::Table;
 
@@ -17,8 +16,6 @@ pub struct Figure7 {
     pub points: Table,
     /// `fig07_regions`: polygons of stability.
     pub regions: Table,
-    /// Resonances that could not be located, and curves that could not be followed: what the figure lacks.
-    pub gaps: Vec<StudyError>,
 }
 
 impl Figure7 {
@@ -32,7 +29,6 @@ impl Figure7 {
         Ok(Self {
             curves: plane::curves("fig07_curves", &axes, diagram)?,
             points: plane::points("fig07_points", &axes, diagram)?,
-            gaps: diagram::gaps(diagram),
             regions: plane::regions("fig07_regions", &axes, &diagram.regions)?,
         })
     }

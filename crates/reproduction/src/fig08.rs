@@ -35,38 +35,82 @@ impl Figure8 {
         parameters: &Parameters,
         diagram: &Diagram<LinearOscillator>,
     ) -> Result<Self, StudyError> {
-        let (shown, theory) = (parameters.fig08()?, parameters.oscillator()?);
+        let theory = parameters.oscillator()?;
+        let (shown, notes) = shown(parameters, diagram)?;
         let mut printed = columns! { "panel": 0, "p": 0, "n": 0, "c_sn": 0.0, "c_pd": 0.0 };
-        let polylines: Vec<_> = shown
-            .panels()
-            .par_iter()
-            .map(|panel| follow(diagram, panel))
-            .collect::<Result<_, StudyError>>()?;
-        for (number, panel) in (1..).zip(shown.panels()) {
-            let c = theory.resonance(panel.loops(), panel.n())?;
-            let (c_sn, c_pd) = (c.saddle_node_coefficient(), c.period_doubling_coefficient());
-            printed.push(row![number, panel.loops(), panel.n(), c_sn, c_pd]);
+        let polylines: Vec<_> =
+            shown.par_iter().map(|panel| panel.curves(diagram)).collect::<Result<_, StudyError>>()?;
+        for (number, panel) in (1..).zip(&shown) {
+            let (loops, n) = (panel.resonance.loops, panel.resonance.n);
+            let c = theory.resonance(loops, n)?;
+            printed.push(row![
+                number,
+                loops,
+                n,
+                c.saddle_node_coefficient(),
+                c.period_doubling_coefficient()
+            ]);
         }
         Ok(Self {
             curves: plane::magnifications("fig08_curves", &Axes::of_the_paper(), &polylines)?,
             coefficients: printed.finish("fig08_coefficients")?,
-            notes: shown.notes().to_vec(),
+            notes: [parameters.fig08()?.notes(), &notes].concat(),
         })
     }
 }
 
-/// The windows of the panels, as the file has them or chosen about the resonances.
+/// A panel whose resonance is in the diagram.
+struct Shown<'a> {
+    resonance: &'a Resonance<LinearOscillator>,
+    point: &'a ResonantGrazingPoint<LinearOscillator>,
+    window: Window,
+}
+
+impl Shown<'_> {
+    /// Its curves.
+    fn curves(&self, diagram: &Diagram<LinearOscillator>) -> Result<Vec<Polyline>, StudyError> {
+        let Self { resonance, point, window } = *self;
+        magnify(diagram, resonance, point, window)
+            .map_err(|source| StudyError::resonance(resonance.loops, resonance.n, source))
+    }
+}
+
+/// The windows of the panels that are shown, as the file has them or chosen about the resonances.
 pub(crate) fn windows(
     parameters: &Parameters,
     diagram: &Diagram<LinearOscillator>,
 ) -> Result<Vec<Window>, StudyError> {
-    let panels = parameters.fig08()?.panels().iter();
-    panels
-        .map(|panel| {
-            let (resonance, point) = located(diagram, panel)?;
-            Ok(window(diagram, panel, resonance, point))
-        })
-        .collect()
+    Ok(shown(parameters, diagram)?.0.iter().map(|panel| panel.window).collect())
+}
+
+/// The panels that can be shown, and why others cannot, in sentences.
+fn shown<'a>(
+    parameters: &Parameters,
+    diagram: &'a Diagram<LinearOscillator>,
+) -> Result<(Vec<Shown<'a>>, Vec<String>), StudyError> {
+    let (mut panels, mut notes) = (Vec::new(), Vec::new());
+    for panel in parameters.fig08()?.panels() {
+        let (loops, n) = (panel.loops(), panel.n());
+        let reason = match located(diagram, panel) {
+            Some((resonance, point)) => {
+                let window = window(diagram, panel, resonance, point);
+                let is_range = |[low, high]: [f64; 2]| low < high;
+                if is_range(window.primary) && is_range(window.secondary) {
+                    panels.push(Shown { resonance, point, window });
+                    continue;
+                }
+                "its curves lie too close together to be told apart"
+            }
+            None => "it was not found in the window of Figure 7, or no theorem applies there",
+        };
+        notes.push(format!(
+            "no panel shows the resonance p = {loops}, n = {n}: {reason}; choose another in fig08.panels"
+        ));
+    }
+    match (panels.is_empty(), parameters.fig08()?.panels()) {
+        (true, [first, ..]) => Err(StudyError::NoPanel { loops: first.loops(), n: first.n() }),
+        _ => Ok((panels, notes)),
+    }
 }
 
 fn window(
@@ -87,21 +131,10 @@ fn window(
     }
 }
 
-/// The resonance of a panel in the diagram, which holds it as it lies in the window of Figure 7.
+/// The resonance of a panel in the diagram.
 fn located<'a>(
     diagram: &'a Diagram<LinearOscillator>,
     panel: &Panel,
-) -> Result<(&'a Resonance<LinearOscillator>, &'a ResonantGrazingPoint<LinearOscillator>), StudyError> {
-    let (loops, n) = (panel.loops(), panel.n());
-    diagram
-        .unfolding()
-        .find(|(resonance, _)| resonance.loops == loops && resonance.n == n)
-        .ok_or(StudyError::NoPanel { loops, n })
-}
-
-/// The curves of a panel.
-fn follow(diagram: &Diagram<LinearOscillator>, panel: &Panel) -> Result<Vec<Polyline>, StudyError> {
-    let (resonance, point) = located(diagram, panel)?;
-    magnify(diagram, resonance, point, window(diagram, panel, resonance, point))
-        .map_err(|source| StudyError::resonance(panel.loops(), panel.n(), source))
+) -> Option<(&'a Resonance<LinearOscillator>, &'a ResonantGrazingPoint<LinearOscillator>)> {
+    diagram.unfolding().find(|(resonance, _)| (resonance.loops, resonance.n) == (panel.loops(), panel.n()))
 }

@@ -21,7 +21,7 @@ mod validate;
 
 use std::path::Path;
 
-use grazing_source::{Setting, Source, SourceError, Text};
+use grazing_source::{Setting, Source, Text, read_file};
 use grazing_theorems::LinearOscillator;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -71,11 +71,8 @@ impl Parameters {
     /// # Errors
     /// As [`parse_with`](Self::parse_with), or the file cannot be read.
     pub fn from_file_with(path: &Path, settings: &[Setting]) -> Result<Parameters, ParameterError> {
-        let file = path.display().to_string();
-        match std::fs::read_to_string(path) {
-            Ok(text) => Parameters::parse_with(&Text::new(&text, settings), &file),
-            Err(reason) => Err(SourceError::Unreadable { file, reason: reason.to_string() }.into()),
-        }
+        let text = read_file(path)?;
+        Parameters::parse_with(&Text::new(&text, settings), &path.display().to_string())
     }
 
     /// Checks the text of a parameter file; `file` is the name that messages use.

@@ -57,7 +57,7 @@ impl<'a> Study<'a> {
     /// The coefficients at all resonances of Figure 7.
     ///
     /// # Errors
-    /// A resonance could not be located, unfolded or measured.
+    /// There is no grazing in the window.
     pub fn coefficients(&self) -> Result<&[Coefficients], StudyError> {
         let computed =
             self.coefficients.get_or_init(|| coefficients::compute(&self.parameters, self.diagram()?));
@@ -70,6 +70,14 @@ impl<'a> Study<'a> {
     /// As [`coefficients`](Self::coefficients).
     pub fn coefficient_table(&self) -> Result<Table, StudyError> {
         coefficients::table(self.coefficients()?)
+    }
+
+    /// What Figure 7 and the table of coefficients lack: resonances that could not be located, and curves that could not be followed.
+    ///
+    /// # Errors
+    /// As [`fig07`](Self::fig07).
+    pub fn gaps(&self) -> Result<Vec<StudyError>, StudyError> {
+        Ok(diagram::gaps(self.diagram()?))
     }
 
     /// The frames of Figure 1.
@@ -172,7 +180,7 @@ impl<'a> Study<'a> {
     /// The computed values of what the paper prints, under the names of `expected/published.toml`.
     ///
     /// # Errors
-    /// A resonance could not be located, unfolded or measured.
+    /// There is no grazing in the window of Figure 7.
     pub fn published_values(&self) -> Result<BTreeMap<String, f64>, StudyError> {
         let parameters = &self.parameters;
         let theory = parameters.oscillator()?;

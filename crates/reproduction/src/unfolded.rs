@@ -7,8 +7,10 @@ use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated};
+use grazing_theorems::ResonantPoint;
 use grazing_unfold::diagram::Kind;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
+use grazing_unfold::progress::Progress;
 use grazing_unfold::sides::{Simulated, simulate};
 use grazing_unfold::stop::{Stoppable, Unfinished};
 use grazing_unfold::units::InUnits;
@@ -31,6 +33,16 @@ pub struct Unfolded<O> {
     pub diagram: Diagram<O>,
     /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`]; in the oscillator's own units.
     pub resonances: Vec<AtResonance>,
+    /// What depends on p along the grazing curves, for one p after the other.
+    along: Vec<Along>,
+}
+
+/// What depends on p at a point of a grazing curve.
+#[derive(Clone, Copy, Debug)]
+struct Along {
+    arc: u32,
+    parameters: [f64; 2],
+    point: ResonantPoint,
 }
 
 /// What was found at a resonance, in the oscillator's own units.
@@ -139,7 +151,11 @@ impl<O: ImpactOscillator> Unfolded<O> {
         progress.end(what);
         let (resonances, unfinished): (Vec<_>, Vec<_>) = resonances.into_iter().unzip();
         diagram.unfinished.extend(unfinished.into_iter().flatten());
-        Ok(Self { axes, diagram, resonances })
+        let along = along(&diagram, progress);
+        if progress.stopped() {
+            diagram.unfinished.push(Unfinished::stage(ALONG));
+        }
+        Ok(Self { axes, diagram, resonances, along })
     }
 
     /// The names of all tables, in their order.
@@ -171,4 +187,28 @@ impl<O: ImpactOscillator> Unfolded<O> {
             plane::magnifications("magnifications", &self.axes, &magnified)?,
         ])
     }
+}
+
+/// The stage in which quantities along the grazing curves are computed.
+const ALONG: &str = "quantities along the grazing curve";
+
+/// What depends on p at each point of the grazing curves; nothing if an end was asked for.
+fn along<O: ImpactOscillator>(diagram: &Diagram<O>, progress: &dyn Progress) -> Vec<Along> {
+    let states = (0..)
+        .zip(&diagram.grazing)
+        .flat_map(|(arc, curve)| curve.states.iter().map(move |state| (arc, state)));
+    let states: Vec<_> = states.collect();
+    progress.begin(ALONG, diagram.scope.loops.len() as u64);
+    let mut all = Vec::new();
+    for &loops in &diagram.scope.loops {
+        // Where an iterate of P_global has no maximum near Π there is nothing to tell.
+        let found = states.par_iter().filter_map(|(arc, state)| {
+            let parameters = state.orbit.oscillator().parameters();
+            Some(Along { arc: *arc, parameters, point: state.orbit.resonant_point(loops).ok()? })
+        });
+        all.extend(found.collect::<Vec<_>>());
+        progress.step(ALONG);
+    }
+    progress.end(ALONG);
+    if progress.stopped() { Vec::new() } else { all }
 }

@@ -159,7 +159,7 @@ fn restitution_lies_above_0_and_may_be_1() {
 #[test]
 fn ranges_are_two_finite_numbers_and_run_upwards() {
     for wrong in ["[0.3, 0.3]", "[0.4, 0.2]", "[nan, 0.4]", "[0.2, inf]", "[0.2]", "[0.2, 0.3, 0.4]", "0.3"] {
-        refusal("[fig02]", "amplitude", wrong, "fig02.amplitude");
+        refusal("[fig02]", "near", wrong, "fig02.near");
         refusal("[fig02]", "x", wrong, "fig02.x");
         refusal("[fig07]", "frequency", wrong, "fig07.frequency");
         refusal("[[fig08.panels]]", "frequency", wrong, "fig08.panels[1].near.frequency");
@@ -303,7 +303,7 @@ fn settings_are_told_of_as_such_and_later_ones_go_before() {
         ("oscillator.zeta.x=1", "--set: oscillator.zeta.x = 1: oscillator.zeta: it is no table"),
         (
             "fig08.panels[9].n=1",
-            "--set: fig08.panels[9].n = 1: fig08.panels: there is no member 9, the list has 3",
+            "--set: fig08.panels[9].n = 1: fig08.panels: there is no entry 9: the list has 3",
         ),
         ("fig08.panels[2].lops=1", "--set: unknown key fig08.panels[2].lops: did you mean `loops`?"),
         ("fig02.x[1]=7.0", "p.toml:"),
@@ -331,8 +331,34 @@ fn the_frequency_for_figure_10_that_a_refusal_names_is_accepted() {
 
 #[test]
 fn figure_2_holds_its_grazing_amplitude() {
-    let allowed = refusal("[fig02]", "amplitude", "[0.001, 0.002]", "fig02.amplitude");
-    assert!(allowed.contains("grazing amplitude"), "{allowed}");
+    let grazing = |parameters: &Parameters| {
+        let frequency = parameters.fig02_frequency().expect("it is right");
+        parameters.oscillator().expect("it is right").grazing(frequency).expect("it grazes").amplitude()
+    };
+    for zeta in [0.001, 0.2, 0.9] {
+        let parameters = set(&[&format!("oscillator.zeta={zeta}")]).expect("it is TOML");
+        let (figure, grazing) = (parameters.fig02().expect("it has a place"), grazing(&parameters));
+        assert!(figure.amplitude().strictly_contains(grazing), "{zeta}");
+        assert!(figure.amplitude().encloses(&figure.magnified_amplitude()), "{zeta}");
+        // Told, if it is not where the file says.
+        let there =
+            DEFAULT.contains(&format!("[{}, {}]", figure.amplitude().lower(), figure.amplitude().upper()));
+        assert_eq!(figure.notes().is_empty(), there, "{zeta}");
+        assert!(there || figure.magnified_amplitude().strictly_contains(grazing), "{zeta}");
+    }
+    // What is not a wish is refused.
+    let text = edited("[fig02]", "near", "amplitude = [0.001, 0.002]");
+    let parameters = Parameters::parse(
+        &text.replace("amplitude = [0.2704, 0.2748]", "amplitude = [0.0015, 0.002]"),
+        "p.toml",
+    );
+    let told = parameters.expect("it is TOML").fig02().expect_err("grazing is elsewhere").to_string();
+    assert!(
+        told.contains("fig02.amplitude = [0.001, 0.002]: the range must contain the grazing amplitude"),
+        "{told}"
+    );
+    let neither = Parameters::parse(&edited("[fig02]", "near", ""), "p.toml").expect("it is TOML");
+    assert!(neither.fig02().expect_err("it has no place").to_string().contains("fig02.near is missing"));
 }
 
 #[test]
@@ -447,6 +473,15 @@ fn a_file_that_is_not_there_is_named() {
             assert_eq!(file, "no/such/parameters.toml")
         }
         other => panic!("{other:?}"),
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn what_has_no_end_is_not_read() {
+    for (path, wanted) in [("/dev/zero", "not a file"), ("/", "not a file")] {
+        let error = Parameters::from_file(std::path::Path::new(path)).expect_err("it is no file").to_string();
+        assert!(error.starts_with(path) && error.contains(wanted), "{error}");
     }
 }
 

@@ -29,7 +29,7 @@ pub enum SettingError {
     },
     /// The value is no TOML.
     #[error(
-        "{value} is no value: write a number, true, a list [1, 2] or a text \"in quotation marks\", which the shell leaves on between apostrophes: 'name=\"my oscillator\"'"
+        "{value} is not a value: write a number, true, a list [1, 2], or text \"in quotation marks\", with apostrophes about the whole so that the shell leaves the quotation marks: 'name=\"my oscillator\"'"
     )]
     Value {
         /// What stands there.
@@ -120,7 +120,7 @@ impl Setting {
                 };
                 let count = members.len();
                 let Some(member) = number.checked_sub(1).and_then(|index| members.get_mut(index)) else {
-                    let allowed = format!("there is no member {number}, the list has {count}");
+                    let allowed = format!("there is no entry {number}: the list has {count}");
                     return Err(Refusal { key: passed, allowed });
                 };
                 passed.push_str(&format!("[{number}]"));

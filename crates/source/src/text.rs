@@ -34,7 +34,7 @@ pub fn read_file(path: &Path) -> Result<String, SourceError> {
         file.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
         if bytes.len() as u64 > MOST_BYTES {
             return Err(io::Error::other(format!(
-                "it is longer than {MOST_BYTES} bytes, which no file of this kind has to be"
+                "it is longer than {MOST_BYTES} bytes; files of this kind are far shorter"
             )));
         }
         String::from_utf8(bytes).map_err(|_| io::Error::other("it is not a text in UTF-8"))
@@ -236,7 +236,7 @@ impl<'a> Source<'a> {
         let place = error.span().map_or("", |span| self.text.whole.get(span).unwrap_or_default());
         if error.message().starts_with("duplicate key") {
             let key = shortened(place.trim(), SHOWN);
-            return format!("the key {key} stands there twice: remove one of them, or give it another name");
+            return format!("the key {key} is given twice: remove one of them, or give it another name");
         }
         if error.message().contains("recurs") {
             return "lists or tables stand too deep inside one another".to_owned();
@@ -248,11 +248,14 @@ impl<'a> Source<'a> {
         let number = value.split_whitespace().next().filter(|word| word.parse::<f64>().is_ok());
         match number {
             Some(number) if number != value => format!(
-                "{shown} is no number: quantities have no units here; write {key} = {number}, and the unit, if you like, \
+                "{shown} is not a number: quantities have no units here; write {key} = {number}, and the unit, if you like, \
                  after a #"
             ),
             None if value.starts_with(char::is_alphabetic) && !value.contains(['"', '\'']) => {
-                format!("a text stands in quotation marks: write {key} = \"{shown}\"")
+                format!("text must be in quotation marks: write {key} = \"{shown}\"")
+            }
+            None if value.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first)) => {
+                format!("{shown} is not a number")
             }
             _ if value.is_empty() => format!("the value of {key} is missing"),
             _ => error.message().to_owned(),
@@ -291,7 +294,7 @@ impl<'a> Source<'a> {
     }
 
     /// The lack of a key in the table that stands at a position.
-    fn missing(&self, table: &str, name: &str, position: usize) -> SourceError {
+    pub fn missing(&self, table: &str, name: &str, position: usize) -> SourceError {
         let key = joined(table, name);
         let (file, line) = self.place(position);
         let line = if !table.is_empty() {

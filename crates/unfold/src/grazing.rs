@@ -114,15 +114,14 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
 
     /// Whether the curve passes through a grazing orbit.
     pub fn passes(&self, orbit: &GrazingOrbit<O>, scope: &Scope) -> bool {
-        let place = |orbit: &GrazingOrbit<O>| {
-            let shares = scope.shares(orbit.oscillator().parameters());
-            Vector3::new(libm::sin(orbit.phase()), shares[0], shares[1])
-        };
-        let target = place(orbit);
+        let target = scope.place(orbit);
         self.states.windows(2).any(|pair| {
-            let [a, b] = [place(&pair[0].orbit), place(&pair[1].orbit)];
-            let along = (target - a).dot(&(b - a)) / (b - a).norm_squared();
-            (-ENDS..=1.0 + ENDS).contains(&along) && (a + (b - a) * along - target).norm() < CHORD
+            let [mut gap, next] = [0, 1].map(|k| scope.place(&pair[k].orbit) - target);
+            let chord = next - gap;
+            // Phases may be whole turns apart.
+            gap[0] = libm::remainder(gap[0], TAU);
+            let along = -gap.dot(&chord) / chord.norm_squared();
+            (-ENDS..=1.0 + ENDS).contains(&along) && (gap + chord * along).norm() < CHORD
         })
     }
 }

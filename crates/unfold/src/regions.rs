@@ -90,6 +90,14 @@ pub struct Region {
 }
 
 impl Region {
+    /// The least and the greatest (μ, η).
+    pub fn extent(&self) -> [[f64; 2]; 2] {
+        let beyond = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        self.rings.iter().flatten().fold(beyond, |[low, high], point| {
+            [[0, 1].map(|k| low[k].min(point[k])), [0, 1].map(|k| high[k].max(point[k]))]
+        })
+    }
+
     /// Whether a point (μ, η) lies inside.
     pub fn contains(&self, point: [f64; 2]) -> bool {
         faces::holds(&self.rings, point)

@@ -83,6 +83,11 @@ impl Verdict {
 const LARGEST_SHARE: f64 = 0.01;
 
 impl Coefficient {
+    /// What is measured on the curve; no numbers where nothing is.
+    pub fn measured(&self) -> Estimate {
+        self.fit.as_ref().map_or(Estimate { value: f64::NAN, error: f64::NAN }, |fit| fit.coefficient)
+    }
+
     /// Whether theorem and curve agree.
     pub fn verdict(&self) -> Verdict {
         let Self { stability, theorem, fit } = self;

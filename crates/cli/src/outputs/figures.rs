@@ -5,10 +5,18 @@ use grazing_drawing::{
     Magnified, Section, SheetWidth, Window, draw_fig01, draw_fig02, draw_fig03, draw_fig04, draw_fig05,
     draw_fig06, draw_fig07, draw_fig08, draw_fig09, draw_fig10,
 };
-use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{Range, Rectangle};
+use grazing_reproduction::{Coefficients, Study, StudyError};
 
 use super::{Made, MadeResult};
+
+pub(super) fn coefficients(study: &Study<'_>, _: SheetWidth) -> MadeResult {
+    let notes = study.coefficients()?.iter().flat_map(Coefficients::doubts).collect();
+    // A curve that is missing is none of the table's business.
+    let gaps = study.gaps()?.into_iter().filter(|gap| matches!(gap, StudyError::Unlocated { .. }));
+    let gaps = gaps.map(|gap| gap.to_string()).collect();
+    Ok(Made { notes, gaps, ..Made::tables(vec![study.coefficient_table()?]) })
+}
 
 pub(super) fn fig01(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig01()?;
@@ -80,7 +88,7 @@ pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         magnified: &magnified.unwrap_or_default(),
         sections: section.as_slice(),
     };
-    let gaps = made.gaps.iter().map(ToString::to_string).collect();
+    let gaps = study.gaps()?.iter().map(ToString::to_string).collect();
     Ok(Made { gaps, ..Made::figure(draw_fig07(&figure, width)?, made.tables()) })
 }
 

@@ -5,7 +5,7 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use grazing_description::{Axis, Description};
+use grazing_description::{Axis, Description, DescriptionError};
 use grazing_drawing::SheetWidth;
 use grazing_model::ImpactOscillator;
 use grazing_report::{
@@ -27,7 +27,7 @@ use crate::limits::Watch;
 use crate::outputs::computation;
 use crate::progress::Display;
 use crate::unfold::numbers::agreement;
-use crate::unfold::reason::{place, unfinished};
+use crate::unfold::reason::{self, place, unfinished};
 use crate::unfold::{self, Analysis, sheets};
 use crate::{project, tables};
 
@@ -68,8 +68,7 @@ impl Source {
     /// It cannot be read, or something in it is not right.
     pub(crate) fn read(file: &Path) -> Result<Self, Failure> {
         let description = Description::from_file(file)?;
-        let text =
-            fs::read_to_string(file).map_err(|reason| Failure::File { path: file.to_owned(), reason })?;
+        let text = grazing_source::read_file(file).map_err(DescriptionError::from)?;
         Ok(Self { file: file.to_owned(), text, description })
     }
 
@@ -90,20 +89,25 @@ impl Source {
         files.iter().map(|file| Self::read(file)).collect()
     }
 
-    /// Unfolds the oscillator.
+    /// Unfolds the oscillator, up to its limits; what was met, if one was.
     ///
     /// # Errors
     /// There is nothing to unfold, or a figure or table could not be made.
-    pub(crate) fn entry(&self) -> Result<OscillatorEntry, Failure> {
+    pub(crate) fn entry(&self) -> Result<(OscillatorEntry, Option<Failure>), Failure> {
         let Self { file, text, description } = self;
         let watch = Watch::begin(description.limits());
         let unfolded = &Unfolded::described(description, &Display::counting(watch.stop()))
             .map_err(|error| unfold::failure(description, file, &error, watch.met()))?;
+        let met = watch.met().filter(|_| !unfolded.diagram.unfinished.is_empty()).map(|met| Failure::Ended {
+            file: file.clone(),
+            met: met.to_string(),
+            outcome: "what was not finished is named on the page".to_owned(),
+        });
         drop(watch);
         let tables = &unfolded.tables().map_err(|error| computation("tables", &error))?;
         let figures = &sheets::figures(description, unfolded, tables, SheetWidth::Paper)
             .map_err(|error| computation("figures", &*error))?;
-        Material { file, text, description, unfolded, figures, tables }.entry()
+        Ok((Material { file, text, description, unfolded, figures, tables }.entry()?, met))
     }
 
     /// Names the entry as the page is to name its file, and links that where it is part of the repository.
@@ -169,6 +173,7 @@ impl Material<'_> {
             tables: shown,
             resonances: resonances(self.unfolded),
             lost: lost(self.description, self.unfolded),
+            undecided: undecided(self.description, self.unfolded),
             files: Vec::new(),
         })
     }
@@ -197,6 +202,7 @@ impl Material<'_> {
                 folder: Some(String::new()),
             },
             oscillators: vec![entry],
+            missing: Vec::new(),
             root: None,
         };
         Ok(MadeFile { path: PathBuf::from(PAGE), content: grazing_report::page(&report).into_bytes() })
@@ -315,6 +321,14 @@ fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
     unlocated.chain(not_followed).chain(unfinished).collect()
 }
 
+/// Where it is not decided whether solutions are stable, with their loops.
+fn undecided(description: &Description, unfolded: &Analysis) -> Vec<(u32, String)> {
+    let (units, regions) = (&unfolded.axes.units, unfolded.diagram.regions.iter());
+    regions
+        .filter_map(|region| Some((region.loops, reason::undecided(description, units, region)?)))
+        .collect()
+}
+
 /// c_SN or c_PD.
 fn coefficient(at: &AtResonance, kind: Kind) -> CoefficientEntry {
     let (coefficient, simulated) = at.beside(kind);
@@ -376,6 +390,7 @@ mod tests {
             tables: Vec::new(),
             resonances: Vec::new(),
             lost: Vec::new(),
+            undecided: Vec::new(),
             files: Vec::new(),
         };
         let mut entries = ["a", "b", "a", "a"].map(entry);

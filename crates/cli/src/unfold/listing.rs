@@ -1,20 +1,17 @@
 //! What there is to tell of an oscillator and its resonances, as lines on the terminal.
 
-use std::mem::discriminant;
+mod gaps;
+
 use std::path::Path;
 
-use grazing_continuation::curve::CurveEnd;
-use grazing_continuation::locate::Condition;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_reproduction::unfolded::AtResonance;
 use grazing_theorems::HypothesesViolated;
 use grazing_theorems::hypothesis::Hypothesis;
-use grazing_unfold::Diagram;
-use grazing_unfold::diagram::{DiagramCurve, Kind};
+use grazing_unfold::diagram::Kind;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
-use grazing_unfold::regions::{Doubt, Region, RegionKind};
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
@@ -22,7 +19,9 @@ use grazing_unfold::verdict::Verdict;
 use super::Analysis;
 use super::layout::{KEPT, aligned, wrapped};
 use super::numbers::{agreement, brief, fixed, range, significant};
-use super::reason::{self, place};
+use super::reason::place;
+pub(super) use gaps::incomplete;
+use gaps::{missing, odd_ends, undecided, unfinished};
 
 /// Digits of parameters, of coefficients, and of other quantities.
 const PARAMETER: usize = 8;
@@ -97,7 +96,7 @@ fn ends(ends: &[GrazingEnd; 2]) -> String {
         GrazingEnd::LeftWindow => "leaves the ranges".to_owned(),
         GrazingEnd::Closed => "is closed".to_owned(),
         GrazingEnd::Stalled(stall) => format!("is lost ({stall})"),
-        GrazingEnd::StepLimit => "was followed no further".to_owned(),
+        GrazingEnd::StepLimit => "was followed no further after very many points".to_owned(),
     };
     let [first, last] = ends.each_ref().map(told);
     match ends {
@@ -279,34 +278,6 @@ fn failing(violated: &HypothesesViolated, units: &Units) -> String {
     violated.violated().map(told).collect::<Vec<_>>().join(", ")
 }
 
-/// Resonances that could not be located, or whose curves could not be followed.
-fn missing<O>(description: &Description, units: &Units, diagram: &Diagram<O>) -> String {
-    let mut text = String::new();
-    if !diagram.unlocated.is_empty() || !diagram.not_unfolded.is_empty() {
-        text.push_str("\nResonances that could not be unfolded\n");
-    }
-    for lost in &diagram.unlocated {
-        let content = format!("near {}: {}", place(description, units.parameters(lost.near)), lost.reason);
-        text.push_str(&wrapped(&format!("  p = {}  ", lost.loops), &content));
-    }
-    for lost in &diagram.not_unfolded {
-        text.push_str(&wrapped(&format!("  p = {}, n = {}  ", lost.loops, lost.n), &lost.reason.to_string()));
-    }
-    text
-}
-
-/// What a limit or Ctrl-C has cut off.
-fn unfinished<O>(description: &Description, units: &Units, diagram: &Diagram<O>) -> String {
-    let mut text = String::new();
-    for cut in &diagram.unfinished {
-        if text.is_empty() {
-            text.push_str("\nNot finished\n");
-        }
-        text.push_str(&wrapped("  ", &reason::unfinished(description, units, cut)));
-    }
-    text
-}
-
 fn corners(description: &Description, unfolded: &Analysis) -> String {
     let (units, corners) = (&unfolded.axes.units, &unfolded.diagram.corners);
     if corners.is_empty() {
@@ -324,96 +295,13 @@ fn corners(description: &Description, unfolded: &Analysis) -> String {
     format!("\nCodimension-two points on these curves\n{table}")
 }
 
-/// Curves that end neither at the edge of the ranges nor at a point of codimension two.
-fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
-    let mut text = String::new();
-    for curve in &unfolded.diagram.curves {
-        let Some(end) = odd_end(&curve.curve.end) else { continue };
-        if text.is_empty() {
-            text.push_str("\nCurves that end unexpectedly\n");
-        }
-        let DiagramCurve { kind, loops, n, .. } = curve;
-        let last = curve.curve.points.last();
-        let at = last.map_or(String::new(), |last| {
-            place(description, unfolded.axes.units.parameters(last.solution.parameters()))
-        });
-        let mark = format!("  {} of p = {loops}, n = {n}  ", kind.name());
-        text.push_str(&wrapped(&mark, &format!("at {at}: {end}")));
-    }
-    text
-}
-
-/// As many undecided regions of one p and one kind of reason are told one by one.
-const TOLD: usize = 3;
-
-/// Where it is not decided whether solutions are stable, with the reason.
-fn undecided(description: &Description, unfolded: &Analysis) -> String {
-    let units = &unfolded.axes.units;
-    let mut kinds: Vec<(u32, Vec<(&Region, &Doubt)>)> = Vec::new();
-    for region in &unfolded.diagram.regions {
-        let RegionKind::Undecided(doubt) = &region.kind else { continue };
-        let alike = |(loops, same): &&mut (u32, Vec<(&Region, &Doubt)>)| {
-            *loops == region.loops && discriminant(same[0].1) == discriminant(doubt)
-        };
-        match kinds.iter_mut().find(alike) {
-            Some((_, same)) => same.push((region, doubt)),
-            None => kinds.push((region.loops, vec![(region, doubt)])),
-        }
-    }
-    let mut text = String::new();
-    for (loops, same) in kinds {
-        if text.is_empty() {
-            text.push_str("\nNot decided (hatched in the diagram)\n");
-        }
-        let mark = format!("  p = {loops}  ");
-        for (region, doubt) in same.iter().take(TOLD) {
-            let [from, to] = extent(region).map(|at| place(description, units.parameters(at)));
-            text.push_str(&wrapped(&mark, &format!("from {from} to {to}: {}", doubt.in_units(units))));
-        }
-        if same.len() > TOLD {
-            let content = format!("{} more for reasons of this kind, in regions.csv", same.len() - TOLD);
-            text.push_str(&wrapped(&mark, &content));
-        }
-    }
-    text
-}
-
-/// The least and the greatest values of the parameters in a region.
-fn extent(region: &Region) -> [[f64; 2]; 2] {
-    let start = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-    region.rings.iter().flatten().fold(start, |[low, high], at| {
-        [[low[0].min(at[0]), low[1].min(at[1])], [high[0].max(at[0]), high[1].max(at[1])]]
-    })
-}
-
-fn odd_end(end: &CurveEnd) -> Option<String> {
-    match end {
-        CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed | CurveEnd::Event(_) => None,
-        CurveEnd::EventNotLocated { condition, failure } => {
-            let what = match condition {
-                Condition::InteriorGrazing => "a point where a maximum between impacts touches the wall",
-                _ => "a point where both bifurcations meet",
-            };
-            Some(format!("{what} was seen and not located: {failure}"))
-        }
-        CurveEnd::Stalled(stall) => Some(format!("no further point was found: {stall}")),
-        CurveEnd::StepLimit => Some("it was followed no further after very many points".to_owned()),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use grazing_continuation::curve::Window;
     use grazing_continuation::fit::{Estimate, Measurement};
-    use grazing_continuation::locate::LocateFailure;
-    use grazing_continuation::resonance::ResonanceError;
-    use grazing_unfold::Scope;
-    use grazing_unfold::diagram::NotUnfolded;
-    use grazing_unfold::resonances::Unlocated;
     use grazing_unfold::sides::{self, Sides};
     use grazing_unfold::simulation::Seen;
-    use grazing_unfold::stop::Unfinished;
     use grazing_unfold::verdict::{Coefficient, Obstacle};
 
     /// A resonance whose saddle-node coefficient is measured with an error, and what simulation shows beside that curve.
@@ -471,53 +359,5 @@ mod tests {
         ] {
             assert!(told.contains(wanted), "{told}");
         }
-    }
-
-    #[test]
-    fn resonances_that_could_not_be_unfolded_are_named_with_the_reason() {
-        let description =
-            Description::parse(include_str!("../../../../examples/duffing.toml"), "examples/duffing.toml")
-                .unwrap();
-        let window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
-        let failure = LocateFailure::Elsewhere { distance: 0.5, step: 0.001 };
-        let diagram = Diagram::<()> {
-            scope: Scope { window, loops: vec![1], start: None },
-            grazing: Vec::new(),
-            resonances: Vec::new(),
-            curves: Vec::new(),
-            corners: Vec::new(),
-            regions: Vec::new(),
-            unlocated: vec![Unlocated {
-                loops: 1,
-                near: [0.25, 0.5],
-                reason: ResonanceError::NotLocated(failure),
-            }],
-            not_unfolded: vec![NotUnfolded {
-                loops: 2,
-                n: 3,
-                reason: ResonanceError::NotStarted {
-                    curve: "saddle-node",
-                    reason: "it ends at once".to_owned(),
-                },
-            }],
-            unfinished: vec![Unfinished {
-                stage: "bifurcation curves",
-                resonance: Some([2, 1]),
-                at: Some([0.5, 0.75]),
-            }],
-        };
-        let cut = unfinished(&description, &Units::ONE, &diagram);
-        assert_eq!(cut, "\nNot finished\n  bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.75\n");
-        let told = missing(&description, &Units::ONE, &diagram);
-        let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(
-            words,
-            "Resonances that could not be unfolded \
-             p = 1 near A = 0.25, omega = 0.5: the resonance was not located: the point found lies 0.5 away, on a step of \
-             length 0.001 \
-             p = 2, n = 3 the saddle-node curve cannot be started: it ends at once"
-        );
-        let nothing = Diagram { unlocated: Vec::new(), not_unfolded: Vec::new(), ..diagram };
-        assert_eq!(missing(&description, &Units::ONE, &nothing), "");
     }
 }

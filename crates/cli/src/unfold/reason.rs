@@ -7,7 +7,9 @@ use grazing_model::smooth::{SmoothOscillator, Units};
 use grazing_unfold::UnfoldError;
 use grazing_unfold::escape::Escape;
 use grazing_unfold::free::Height;
+use grazing_unfold::regions::{Region, RegionKind};
 use grazing_unfold::stop::Unfinished;
+use grazing_unfold::units::InUnits;
 
 use super::numbers::brief;
 
@@ -33,7 +35,7 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
             let push = mean_force_at_wall(description, nearest.parameters);
             if lowest.position > 0.0 && push > 0.0 {
                 return format!(
-                    "no grazing: without the wall, periodic motion passes x = 0 everywhere in {ranges}, for the oscillator's rest \
+                    "no grazing: without the wall, periodic motion passes x = 0 everywhere in {ranges}, because the oscillator's rest \
                      position lies behind the wall: at {} the force at the wall, averaged over a forcing period, is {} > 0. Motion \
                      takes place in x < 0: change the signs in motion.force, or count x from another place, so that the oscillator \
                      rests at x < 0",
@@ -100,12 +102,12 @@ fn escaped(escape: &Escape, parameters: &str, units: &Units) -> String {
         // How far it was followed depends on the steps of the integration; when it escapes hardly does.
         let (side, t) = (if position > 0.0 { "x > 0" } else { "x < 0" }, brief(time, 3));
         format!(
-            "motion runs away from wherever it was begun, for one beyond all bounds in {side} within t = {t} at {parameters}"
+            "motion runs away wherever it begins: in one case beyond all bounds in {side} within t = {t} at {parameters}"
         )
     } else {
         let pole = if force.abs() > STEEP * units.acceleration() { ", as at a pole" } else { "" };
         format!(
-            "motion cannot be followed for a forcing period from wherever it was begun, for one not beyond {place}, where F = {}{pole}",
+            "motion cannot be followed for a forcing period wherever it begins: in one case not beyond {place}, where F = {}{pole}",
             brief(force, 4)
         )
     };
@@ -137,10 +139,12 @@ fn has_spring(description: &Description) -> bool {
         low + 0.5 * (high - low)
     });
     let units = description.units();
-    instants(description, [mu, eta]).any(|t| {
-        let force = |x: f64| description.force(x * units.length, 0.3 * units.velocity(), t, mu, eta);
+    // At one velocity alone what depends on the position may be lost in rounding, or so may all of it where the force has no value.
+    let differs = |t: f64, v: f64| {
+        let force = |x: f64| description.force(x * units.length, v * units.velocity(), t, mu, eta);
         [-1.0, -0.37, -30.0].iter().any(|x| force(*x) != force(0.0))
-    })
+    };
+    instants(description, [mu, eta]).any(|t| [0.3, 0.0, -0.3].iter().any(|v| differs(t, *v)))
 }
 
 /// What was not finished, as `bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.8`.
@@ -153,6 +157,13 @@ pub(crate) fn unfinished(description: &Description, units: &Units, cut: &Unfinis
         text.push_str(&format!(" at {}", place(description, units.parameters(at))));
     }
     text
+}
+
+/// Where it is not decided whether solutions are stable, and why; nothing of a region where that is known.
+pub(crate) fn undecided(description: &Description, units: &Units, region: &Region) -> Option<String> {
+    let RegionKind::Undecided(doubt) = &region.kind else { return None };
+    let [from, to] = region.extent().map(|corner| place(description, units.parameters(corner)));
+    Some(format!("from {from} to {to}: {}", doubt.in_units(units)))
 }
 
 /// Values of both parameters, as `A = 0.5, omega = 0.8`.

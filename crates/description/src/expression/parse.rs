@@ -85,7 +85,7 @@ impl Names<'_, '_> {
                 Problem::Arguments { name: written.split('(').next().unwrap_or_default().trim().to_owned() }
             }
             ErrorKind::Unsupported => Problem::NotSmooth {
-                what: format!("{shown}, with its remainder, factorial, comparison or case,"),
+                what: format!("{shown} (a remainder, a factorial, a comparison or a choice)"),
             },
             ErrorKind::InvalidNumber => Problem::Number { written: shown },
             ErrorKind::UnclosedParenthesis => Problem::Unclosed,

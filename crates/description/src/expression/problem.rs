@@ -97,7 +97,7 @@ pub enum Problem {
         written: String,
     },
     /// A number that is none, or too large for one.
-    #[error("{written} is no number that can be computed with")]
+    #[error("{written} is too large a number to be computed with")]
     Number {
         /// The number.
         written: String,

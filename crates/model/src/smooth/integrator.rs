@@ -256,7 +256,8 @@ impl<M: SmoothOscillator> Integrated<M> {
     /// The node after this one, `longest` away at most in time; `None` if the solution cannot be continued.
     pub(super) fn next_node(&self, node: &Node, longest: f64) -> Option<Node> {
         let mut trial = if node.proposal.abs() <= longest.abs() { node.proposal } else { longest };
-        let shortest = SHORTEST / self.frequency;
+        // Far from any solution Newton's method may try a frequency below zero.
+        let shortest = SHORTEST / self.frequency.abs();
         if node.proposal.abs() < VANISHING * shortest {
             return None;
         }
@@ -274,8 +275,8 @@ impl<M: SmoothOscillator> Integrated<M> {
                 self.solve(node.state, node.time, Step { length: trial, accelerations })
             else {
                 trial *= SHRINK;
-                // Not a number is too short as well.
-                if trial.is_nan() || trial.abs() < shortest {
+                // What is not a number, or beyond all, becomes no shorter.
+                if !(shortest..f64::INFINITY).contains(&trial.abs()) {
                     return None;
                 }
                 continue;

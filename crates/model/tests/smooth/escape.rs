@@ -43,6 +43,17 @@ fn searches_for_events_end_where_the_solution_does() {
     assert_eq!(first_crossing(&oscillator.motion(from), 50.0), None);
 }
 
+/// Newton's method may try such a frequency.
+#[test]
+fn an_escape_ends_the_integration_though_the_forcing_has_no_frequency_or_a_negative_one() {
+    for frequency in [-1.0, 0.0, f64::NAN, f64::INFINITY] {
+        let oscillator = Integrated::new(Escaping, [0.0, frequency]);
+        let position =
+            oscillator.motion(State { position: 1.0, velocity: 0.8, phase: 0.0 }).at(100.0).position;
+        assert!(position.is_nan(), "{frequency}: {position}");
+    }
+}
+
 #[test]
 fn an_event_before_the_escape_is_found() {
     let (oscillator, _) = escaping(1.0);

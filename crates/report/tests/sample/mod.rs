@@ -103,6 +103,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
             resonance(2, Finding::Silent(vec![("a12 alpha > 0".to_owned(), -0.25)])),
         ],
         lost: vec![hostile()],
+        undecided: vec![(2, hostile())],
         files: Vec::new(),
     }
 }
@@ -114,6 +115,7 @@ pub(crate) fn oscillators_alone() -> Report {
     entry.files = files.map(str::to_owned).to_vec();
     let report = report();
     Report {
+        missing: Vec::new(),
         figures: Vec::new(),
         tables: Vec::new(),
         published: Vec::new(),
@@ -171,6 +173,7 @@ pub(crate) fn report() -> Report {
     ];
     let file = |path: &str| OutputFile::of(path, path.as_bytes());
     Report {
+        missing: vec![hostile()],
         figures: vec![figure("fig98", "Figure 98: a line"), figure("fig99", "Figure 99: another line")],
         tables: vec![TableOutput {
             name: "sweep".to_owned(),

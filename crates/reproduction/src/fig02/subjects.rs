@@ -44,7 +44,7 @@ pub(super) fn all(setting: &Setting, branches: &[Branch]) -> Result<(Vec<Subject
             (None, Place::At(_)) => return Err(missing(branches, portrait)),
             (None, _) => {
                 let (key, loops) = (portrait.key(), portrait.loops());
-                notes.push(format!("{key}: no such portrait, as no {loops}-loop solution is stable and admissible in fig02.amplitude"));
+                notes.push(format!("{key}: no such portrait, as no {loops}-loop solution is stable and admissible at the amplitudes of Figure 2"));
             }
         }
     }
@@ -132,8 +132,7 @@ fn missing(branches: &[Branch], portrait: &Portrait) -> StudyError {
         .map(|[low, high]| format!("from {low:.5} to {high:.5}"))
         .collect();
     let remedy = if ranges.is_empty() {
-        "none is in fig02.amplitude at these parameters, so leave the portrait out or show other loops"
-            .to_owned()
+        "none is at the amplitudes of Figure 2, so leave the portrait out or show other loops".to_owned()
     } else {
         format!("there is one {}", ranges.join(", "))
     };

@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use super::requirements::{MOST_AMPLITUDES, MOST_ORBITS, MOST_PERIODS, MOST_PERIODS_IN_ALL, MOST_PORTRAITS};
 use super::validate::{
-    Checked, amplitudes, bound_members, demand, loops, range, range_inside, refused, unfit,
+    Checked, amplitudes, bound_members, demand, loops, range, range_inside, refusal, refused, unfit,
 };
 use super::{Range, validate};
 
@@ -16,7 +16,8 @@ use super::{Range, validate};
 #[serde(deny_unknown_fields, expecting = "a table")]
 pub(super) struct Raw {
     frequency: Spanned<f64>,
-    amplitude: Spanned<Vec<f64>>,
+    amplitude: Option<Spanned<Vec<f64>>>,
+    near: Option<Spanned<Vec<f64>>>,
     x: Spanned<Vec<f64>>,
     loops: Spanned<Vec<Spanned<u32>>>,
     magnification: RawMagnification,
@@ -63,6 +64,7 @@ pub struct Figure2 {
     magnified_x: Range,
     attractor: Attractor,
     portraits: Vec<Portrait>,
+    notes: Vec<String>,
 }
 
 impl Figure2 {
@@ -104,6 +106,11 @@ impl Figure2 {
     /// The phase portraits from left to right; none if they are to be chosen.
     pub fn portraits(&self) -> &[Portrait] {
         &self.portraits
+    }
+
+    /// What is shown in the place of something else, in sentences.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 }
 
@@ -182,35 +189,81 @@ pub enum Place {
 
 pub(super) fn check(raw: &Raw, oscillator: &LinearOscillator, source: &Source<'_>) -> Checked<Figure2> {
     let frequency = frequency(raw, source)?;
-    let amplitude = amplitudes(source, "fig02.amplitude", &raw.amplitude)?;
     let grazing = oscillator
         .grazing(frequency)
         .map_err(|error| refused(source, "fig02.frequency", &raw.frequency, error.to_string()))?
         .amplitude();
-    if !amplitude.strictly_contains(grazing) {
+    let across = across(raw, source, frequency, grazing)?;
+    let x = range(source, "fig02.x", &raw.x, f64::is_finite)?;
+    let loops = loops(source, "fig02.loops", &raw.loops)?;
+    let magnified_x = range_inside(source, "fig02.magnification.x", &raw.magnification.x, "fig02.x", &x)?;
+    let attractor = attractor(&raw.attractor, source)?;
+    let portraits = match &raw.portraits {
+        Some(portraits) => self::portraits(portraits, &loops, &across, source)?,
+        None => Vec::new(),
+    };
+    let Across { amplitude, magnified: magnified_amplitude, notes, .. } = across;
+    Ok(Figure2 {
+        frequency,
+        amplitude,
+        x,
+        loops,
+        magnified_amplitude,
+        magnified_x,
+        attractor,
+        portraits,
+        notes,
+    })
+}
+
+/// The amplitudes across.
+struct Across {
+    amplitude: Range,
+    magnified: Range,
+    /// What wishes for amplitudes are multiplied by.
+    factor: f64,
+    notes: Vec<String>,
+}
+
+/// The part of the magnified amplitudes that lies below grazing where the program places them: next to it is what they are to show.
+const BEFORE: f64 = 0.1;
+
+/// The amplitudes across, which contain that of grazing: those of the file, or if these are no must, others in the same proportions.
+fn across(raw: &Raw, source: &Source<'_>, frequency: f64, grazing: f64) -> Checked<Across> {
+    let (key, written) = match (&raw.amplitude, &raw.near) {
+        (Some(written), _) => ("fig02.amplitude", written),
+        (None, Some(written)) => ("fig02.near", written),
+        (None, None) => return Err(source.missing("fig02", "near", raw.frequency.span().start).into()),
+    };
+    let amplitude = amplitudes(source, key, written)?;
+    if raw.amplitude.is_some() && !amplitude.strictly_contains(grazing) {
         let allowed = format!(
             "the range must contain the grazing amplitude {grazing:.5} of the frequency {frequency}, from which the \
              branches emanate"
         );
-        return Err(unfit(source, "fig02.amplitude", &raw.amplitude, allowed));
+        return Err(unfit(source, key, written, allowed));
     }
-    let x = range(source, "fig02.x", &raw.x, f64::is_finite)?;
-    let loops = loops(source, "fig02.loops", &raw.loops)?;
-    let part = &raw.magnification;
-    let magnified_amplitude = range_inside(
-        source,
-        "fig02.magnification.amplitude",
-        &part.amplitude,
-        "fig02.amplitude",
-        &amplitude,
-    )?;
-    let magnified_x = range_inside(source, "fig02.magnification.x", &part.x, "fig02.x", &x)?;
-    let attractor = attractor(&raw.attractor, source)?;
-    let portraits = match &raw.portraits {
-        Some(portraits) => self::portraits(portraits, &loops, amplitude, source)?,
-        None => Vec::new(),
+    let part = &raw.magnification.amplitude;
+    let magnified = range_inside(source, "fig02.magnification.amplitude", part, key, &amplitude)?;
+    if amplitude.strictly_contains(grazing) {
+        return Ok(Across { amplitude, magnified, factor: 1.0, notes: Vec::new() });
+    }
+    let factor = grazing / (magnified.lower() + BEFORE * magnified.width());
+    let scaled = |range: Range| Range::new(range.lower() * factor, range.upper() * factor);
+    let Some([moved, magnified]) = scaled(amplitude).zip(scaled(magnified)).map(|(a, b)| [a, b]) else {
+        return Err(refusal(source, key, written));
     };
-    Ok(Figure2 { frequency, amplitude, x, loops, magnified_amplitude, magnified_x, attractor, portraits })
+    let (file, line) = source.place(written.span().start);
+    let note = format!(
+        "{}: {key} = [{}, {}] does not contain the grazing amplitude {grazing:.5} of the frequency {frequency}: the figure shows \
+         [{:.5}, {:.5}], with its magnification and its portraits in the same proportion",
+        place_of(&file, line),
+        amplitude.lower(),
+        amplitude.upper(),
+        moved.lower(),
+        moved.upper()
+    );
+    Ok(Across { amplitude: moved, magnified, factor, notes: vec![note] })
 }
 
 /// The forcing frequency alone.
@@ -221,7 +274,7 @@ pub(super) fn frequency(raw: &Raw, source: &Source<'_>) -> Checked<f64> {
 fn portraits(
     raw: &Spanned<Vec<RawPortrait>>,
     loops: &[u32],
-    amplitude: Range,
+    across: &Across,
     source: &Source<'_>,
 ) -> Checked<Vec<Portrait>> {
     bound_members(source, "fig02.portraits", raw, 0..=MOST_PORTRAITS)?;
@@ -230,8 +283,12 @@ fn portraits(
         let key = |name: &str| format!("fig02.portraits[{number}].{name}");
         let shown = demand(source, &key("loops"), &portrait.loops, |p| p == 0 || loops.contains(&p))?;
         let place = match (&portrait.amplitude, &portrait.near) {
-            (Some(at), _) => Place::At(demand(source, &key("amplitude"), at, |a| amplitude.contains(a))?),
-            (None, Some(near)) => Place::Near(demand(source, &key("near"), near, |a| a >= 0.0)?),
+            (Some(at), _) => {
+                Place::At(demand(source, &key("amplitude"), at, |a| across.amplitude.contains(a))?)
+            }
+            (None, Some(near)) => {
+                Place::Near(across.factor * demand(source, &key("near"), near, |a| a >= 0.0)?)
+            }
             (None, None) => Place::Anywhere,
         };
         let (name, span, value) = match (&portrait.amplitude, &portrait.near) {

@@ -62,12 +62,13 @@ const KEYS: &[(&str, &str)] = &[
     ("fig02", "the table [fig02] says what Figure 2 shows"),
     ("fig02.frequency", FREQUENCY),
     ("fig02.amplitude", AMPLITUDES),
+    ("fig02.near", AMPLITUDES),
     ("fig02.x", "the x-values must be a range [lower, upper] with -100000 <= lower < upper <= 100000"),
     ("fig02.loops", LOOPS),
     ("fig02.magnification", "the table [fig02.magnification] holds amplitude and x"),
     (
         "fig02.magnification.amplitude",
-        "the magnified amplitudes must be a range [lower, upper] inside fig02.amplitude",
+        "the magnified amplitudes must be a range [lower, upper] inside those of Figure 2",
     ),
     ("fig02.magnification.x", "the magnified x-values must be a range [lower, upper] inside fig02.x"),
     ("fig02.attractor", "the table [fig02.attractor] holds amplitudes, orbits, transient, recorded and seed"),
@@ -84,7 +85,7 @@ const KEYS: &[(&str, &str)] = &[
         "fig02.portraits.loops",
         "the number of loops must be one of fig02.loops, or 0 for the non-impacting solution",
     ),
-    ("fig02.portraits.amplitude", "the forcing amplitude must lie inside fig02.amplitude"),
+    ("fig02.portraits.amplitude", "the forcing amplitude must lie inside those of Figure 2"),
     ("fig02.portraits.near", "the forcing amplitude must be a number that is not negative"),
     ("fig03", "the table [fig03] says what Figure 3 shows"),
     ("fig03.zeta", ZETA),
@@ -178,8 +179,8 @@ const KEYS: &[(&str, &str)] = &[
     ("fig10.loops", "the number of loops must be a whole number from 3 to 12"),
 ];
 
-const ZETA: &str = "the damping ratio must lie strictly between 0 and 1";
-const EPSILON: &str = "the coefficient of restitution must lie above 0 and be at most 1";
+const ZETA: &str = "the damping ratio must be a number strictly between 0 and 1";
+const EPSILON: &str = "the coefficient of restitution must be a number above 0 and at most 1";
 const POSITIVE_AMPLITUDE: &str = "the forcing amplitude must lie above 0 and be at most 100000";
 const FREQUENCY: &str = "the forcing frequency must be a number from 0.01 to 100";
 const AMPLITUDES: &str =

@@ -94,7 +94,7 @@ pub(super) fn loops(source: &Source<'_>, key: &str, value: &Spanned<Vec<Spanned<
     for written in value.get_ref() {
         let p = demand(source, key, written, |p| (1..=MOST_LOOPS).contains(&p))?;
         if numbers.contains(&p) {
-            let allowed = format!("{p} stands there twice, each number may stand once");
+            let allowed = format!("{p} is listed twice: list each number once");
             return Err(refused(source, key, value, allowed));
         }
         numbers.push(p);

@@ -9,7 +9,7 @@ use grazing_theorems::{ResonantPoint, Unfolding};
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Coefficient;
 
-use super::Unfolded;
+use super::{Along, Unfolded};
 use crate::StudyError;
 use crate::table::{Table, columns, row};
 
@@ -65,35 +65,28 @@ pub(super) fn grazing_loops<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Resu
         "p": 0, "arc": 0, secondary: 0.0, primary: 0.0, "a12": 0.0, "kappa": 0.0, "a12_prime": 0.0, "kappa_prime": 0.0,
         "xi": 0.0, "s_plus": 0.0, "s_minus": 0.0,
     };
-    for &loops in &unfolded.diagram.scope.loops {
-        for (arc, curve) in (0..).zip(&unfolded.diagram.grazing) {
-            for state in &curve.states {
-                // Where an iterate of P_global has no maximum near Π there is nothing to tell.
-                let Ok(point) = state.orbit.resonant_point(loops) else { continue };
-                let point = point.in_units(units);
-                let [primary, secondary] = units.parameters(state.orbit.oscillator().parameters());
-                let stability = point.stability_coefficients();
-                let [a12_prime, kappa_prime] = slopes(&point);
-                let map = &point.grazing.map;
-                let kappa = match loops {
-                    1 => f64::NAN,
-                    _ => grazing_theorems::auxiliary::detuning(loops, map.trace(), map.determinant()),
-                };
-                columns.push(row![
-                    loops,
-                    arc,
-                    secondary,
-                    primary,
-                    map.a.m12,
-                    kappa,
-                    a12_prime,
-                    kappa_prime,
-                    point.second_phase_derivative,
-                    stability.plus,
-                    stability.minus,
-                ]);
-            }
-        }
+    for Along { arc, parameters, point } in &unfolded.along {
+        let ([primary, secondary], point) = (units.parameters(*parameters), point.in_units(units));
+        let stability = point.stability_coefficients();
+        let [a12_prime, kappa_prime] = slopes(&point);
+        let map = &point.grazing.map;
+        let kappa = match point.loops() {
+            1 => f64::NAN,
+            loops => grazing_theorems::auxiliary::detuning(loops, map.trace(), map.determinant()),
+        };
+        columns.push(row![
+            point.loops(),
+            *arc,
+            secondary,
+            primary,
+            map.a.m12,
+            kappa,
+            a12_prime,
+            kappa_prime,
+            point.second_phase_derivative,
+            stability.plus,
+            stability.minus,
+        ]);
     }
     Ok(columns.finish("grazing_loops")?)
 }
@@ -119,10 +112,6 @@ pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Resul
         "pd_criticality": 0.0, "sn_as_simulated": "", "sn_simulation_reason": "", "pd_as_simulated": "",
         "pd_simulation_reason": "",
     };
-    let fitted = |coefficient: &Coefficient| match &coefficient.fit {
-        Ok(fit) => [fit.coefficient.value, fit.coefficient.error],
-        Err(_) => [f64::NAN; 2],
-    };
     for ((resonance, point), at) in unfolded.diagram.unfolding().zip(&unfolded.resonances) {
         let [_, _, primary, secondary] = point.unknowns().into();
         let [primary, secondary] = units.parameters([primary, secondary]);
@@ -130,7 +119,7 @@ pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Resul
         let stability = known.stability_coefficients();
         let [a12_prime, kappa_prime] = slopes(known);
         let theorem = at.coefficients.each_ref().map(|coefficient| coefficient.theorem);
-        let fit = at.coefficients.each_ref().map(fitted);
+        let fit = at.coefficients.each_ref().map(Coefficient::measured);
         let verdicts = at.coefficients.map(|coefficient| coefficient.verdict());
         columns.push(row![
             resonance.loops,
@@ -143,10 +132,10 @@ pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Resul
             theorem[1].value,
             theorem[0].error,
             theorem[1].error,
-            fit[0][0],
-            fit[1][0],
-            fit[0][1],
-            fit[1][1],
+            fit[0].value,
+            fit[1].value,
+            fit[0].error,
+            fit[1].error,
             verdicts[0].name(),
             verdicts[0].reason(),
             verdicts[1].name(),

@@ -4,14 +4,14 @@ use core::f64::consts::{PI, TAU};
 
 use grazing_model::maps::global_map;
 use grazing_model::motion::{Motion, highest_maximum};
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use grazing_theorems::spectrum::in_trapesium;
 use grazing_unfold::free::survey;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::{Scope, UnfoldError};
 
 use crate::specimens::{
-    DAMPED, ZETA, assert_within, closed_form, grazing_at, grazing_curves, scope, written,
+    DAMPED, EPSILON, ZETA, assert_within, closed_form, grazing_at, grazing_curves, scope, written,
 };
 
 /// Integration and Newton's method leave some 10⁻¹² each.
@@ -71,6 +71,15 @@ fn the_grazing_curve_of_the_linear_oscillator_is_that_of_the_closed_form() {
         assert!(curve.passes(&orbit, &scope));
     }
     assert!(curve.at(3.1).is_none());
+}
+
+/// With so little damping A hardly changes where the phase turns by half a circle, and one of the values of omega at which grazing is looked
+/// for lies there.
+#[test]
+fn a_grazing_curve_is_found_once_though_its_phase_turns_at_one_frequency() {
+    let oscillator = LinearOscillator::new(1e-4, EPSILON, 0.5, 0.8).unwrap();
+    let curves = grazing_curves(&oscillator, &scope([0.0, 1.2], [0.3, 1.1], &[])).unwrap();
+    assert_eq!(curves.len(), 1);
 }
 
 #[test]

@@ -1,0 +1,205 @@
+//! What is not in the diagram, or not known, with the reasons.
+
+use std::mem::discriminant;
+
+use grazing_continuation::curve::CurveEnd;
+use grazing_continuation::locate::Condition;
+use grazing_description::Description;
+use grazing_model::smooth::Units;
+use grazing_unfold::Diagram;
+use grazing_unfold::diagram::DiagramCurve;
+use grazing_unfold::grazing::GrazingEnd;
+use grazing_unfold::regions::RegionKind;
+
+use crate::unfold::Analysis;
+use crate::unfold::layout::wrapped;
+use crate::unfold::reason::{self, place};
+
+/// Resonances that could not be located, or whose curves could not be followed.
+pub(super) fn missing<O>(description: &Description, units: &Units, diagram: &Diagram<O>) -> String {
+    let mut text = String::new();
+    if !diagram.unlocated.is_empty() || !diagram.not_unfolded.is_empty() {
+        text.push_str("\nResonances that could not be unfolded\n");
+    }
+    for lost in &diagram.unlocated {
+        let content = format!("near {}: {}", place(description, units.parameters(lost.near)), lost.reason);
+        text.push_str(&wrapped(&format!("  p = {}  ", lost.loops), &content));
+    }
+    for lost in &diagram.not_unfolded {
+        text.push_str(&wrapped(&format!("  p = {}, n = {}  ", lost.loops, lost.n), &lost.reason.to_string()));
+    }
+    text
+}
+
+/// What a limit or Ctrl-C has cut off.
+pub(super) fn unfinished<O>(description: &Description, units: &Units, diagram: &Diagram<O>) -> String {
+    let mut text = String::new();
+    for cut in &diagram.unfinished {
+        if text.is_empty() {
+            text.push_str("\nNot finished\n");
+        }
+        text.push_str(&wrapped("  ", &reason::unfinished(description, units, cut)));
+    }
+    text
+}
+
+/// Curves that end neither at the edge of the ranges nor at a point of codimension two.
+pub(super) fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
+    let mut text = String::new();
+    for curve in &unfolded.diagram.curves {
+        let Some(end) = odd_end(&curve.curve.end) else { continue };
+        if text.is_empty() {
+            text.push_str("\nCurves that end unexpectedly\n");
+        }
+        let DiagramCurve { kind, loops, n, .. } = curve;
+        let last = curve.curve.points.last();
+        let at = last.map_or(String::new(), |last| {
+            place(description, unfolded.axes.units.parameters(last.solution.parameters()))
+        });
+        let mark = format!("  {} of p = {loops}, n = {n}  ", kind.name());
+        text.push_str(&wrapped(&mark, &format!("at {at}: {end}")));
+    }
+    text
+}
+
+/// As many undecided regions of one p and one kind of reason are told one by one.
+const TOLD: usize = 3;
+
+/// Where it is not decided whether solutions are stable, with the reason.
+pub(super) fn undecided(description: &Description, unfolded: &Analysis) -> String {
+    let units = &unfolded.axes.units;
+    let mut kinds: Vec<(_, Vec<String>)> = Vec::new();
+    for region in &unfolded.diagram.regions {
+        let RegionKind::Undecided(doubt) = &region.kind else { continue };
+        let Some(told) = reason::undecided(description, units, region) else { continue };
+        let kind = (region.loops, discriminant(doubt));
+        match kinds.iter_mut().find(|(known, _)| *known == kind) {
+            Some((_, alike)) => alike.push(told),
+            None => kinds.push((kind, vec![told])),
+        }
+    }
+    let mut text = String::new();
+    for ((loops, _), alike) in kinds {
+        if text.is_empty() {
+            text.push_str("\nNot decided (hatched in the diagram)\n");
+        }
+        let mark = format!("  p = {loops}  ");
+        for told in alike.iter().take(TOLD) {
+            text.push_str(&wrapped(&mark, told));
+        }
+        if alike.len() > TOLD {
+            let content = format!("{} more for reasons of this kind, in regions.csv", alike.len() - TOLD);
+            text.push_str(&wrapped(&mark, &content));
+        }
+    }
+    text
+}
+
+/// What is missing in the diagram although there was time for it, as `1 of 3 resonances could not be unfolded`; nothing if nothing is.
+pub(in crate::unfold) fn incomplete<O>(diagram: &Diagram<O>) -> Option<String> {
+    let lost = diagram.unlocated.len() + diagram.not_unfolded.len();
+    let all = diagram.unlocated.len() + diagram.resonances.len();
+    let ends = diagram.curves.iter().flat_map(|curve| curve.curve.beginning.iter().chain([&curve.curve.end]));
+    let endless = ends.filter(|end| matches!(end, CurveEnd::StepLimit)).count()
+        + diagram
+            .grazing
+            .iter()
+            .flat_map(|curve| curve.ends)
+            .filter(|end| *end == GrazingEnd::StepLimit)
+            .count();
+    let mut told = Vec::new();
+    if lost > 0 {
+        told.push(format!("{lost} of {all} resonances could not be unfolded"));
+    }
+    if endless > 0 {
+        let ends =
+            if endless == 1 { "1 end of a curve was" } else { &format!("{endless} ends of curves were") };
+        told.push(format!("{ends} not reached within very many points"));
+    }
+    (!told.is_empty()).then(|| told.join(" and "))
+}
+
+fn odd_end(end: &CurveEnd) -> Option<String> {
+    match end {
+        CurveEnd::LeftWindow | CurveEnd::Grazing | CurveEnd::Closed | CurveEnd::Event(_) => None,
+        CurveEnd::EventNotLocated { condition, failure } => {
+            let what = match condition {
+                Condition::InteriorGrazing => "a point where a maximum between impacts touches the wall",
+                _ => "a point where both bifurcations meet",
+            };
+            Some(format!("{what} was seen and not located: {failure}"))
+        }
+        CurveEnd::Stalled(stall) => Some(format!("no further point was found: {stall}")),
+        CurveEnd::StepLimit => Some("it was followed no further after very many points".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use grazing_continuation::curve::Window;
+    use grazing_continuation::locate::LocateFailure;
+    use grazing_continuation::resonance::ResonanceError;
+    use grazing_unfold::Scope;
+    use grazing_unfold::diagram::NotUnfolded;
+    use grazing_unfold::grazing::GrazingCurve;
+    use grazing_unfold::resonances::Unlocated;
+    use grazing_unfold::stop::Unfinished;
+
+    #[test]
+    fn resonances_that_could_not_be_unfolded_are_named_with_the_reason() {
+        let description =
+            Description::parse(include_str!("../../../../../examples/duffing.toml"), "examples/duffing.toml")
+                .unwrap();
+        let window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
+        let failure = LocateFailure::Elsewhere { distance: 0.5, step: 0.001 };
+        let diagram = Diagram::<()> {
+            scope: Scope { window, loops: vec![1], start: None },
+            grazing: Vec::new(),
+            resonances: Vec::new(),
+            curves: Vec::new(),
+            corners: Vec::new(),
+            regions: Vec::new(),
+            unlocated: vec![Unlocated {
+                loops: 1,
+                near: [0.25, 0.5],
+                reason: ResonanceError::NotLocated(failure),
+            }],
+            not_unfolded: vec![NotUnfolded {
+                loops: 2,
+                n: 3,
+                reason: ResonanceError::NotStarted {
+                    curve: "saddle-node",
+                    reason: "it ends at once".to_owned(),
+                },
+            }],
+            unfinished: vec![Unfinished {
+                stage: "bifurcation curves",
+                resonance: Some([2, 1]),
+                at: Some([0.5, 0.75]),
+            }],
+        };
+        let cut = unfinished(&description, &Units::ONE, &diagram);
+        assert_eq!(cut, "\nNot finished\n  bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.75\n");
+        let told = missing(&description, &Units::ONE, &diagram);
+        let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(
+            words,
+            "Resonances that could not be unfolded \
+             p = 1 near A = 0.25, omega = 0.5: the resonance was not located: the point found lies 0.5 away, on a step of \
+             length 0.001 \
+             p = 2, n = 3 the saddle-node curve cannot be started: it ends at once"
+        );
+        assert_eq!(incomplete(&diagram).as_deref(), Some("2 of 1 resonances could not be unfolded"));
+        let endless =
+            GrazingCurve { states: Vec::new(), ends: [GrazingEnd::LeftWindow, GrazingEnd::StepLimit] };
+        let endless =
+            Diagram { unlocated: Vec::new(), not_unfolded: Vec::new(), grazing: vec![endless], ..diagram };
+        assert_eq!(missing(&description, &Units::ONE, &endless), "");
+        assert_eq!(
+            incomplete(&endless).as_deref(),
+            Some("1 end of a curve was not reached within very many points")
+        );
+        assert_eq!(incomplete(&Diagram { grazing: Vec::new(), ..endless }), None);
+    }
+}
