@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route, Window};
-use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{
     Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns, unknown,
 };
@@ -152,8 +152,8 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
     fn at(&self, near: Unknowns, memory: &mut Memory) -> Option<Unknowns> {
         let [velocity, _, _, secondary] = near.into();
         let conditions = [Condition::Secondary(secondary), Condition::ImpactVelocity(velocity)];
-        let found = locate(&self.equations, conditions, near, memory).ok()?;
-        (self.window.contains(&found) && (found - near).norm() < CARRIED_OFF).then_some(found)
+        let found = locate_within(CARRIED_OFF, &self.equations, conditions, near, memory).ok()?;
+        self.window.contains(&found).then_some(found)
     }
 
     /// Follows the branch through an MPS, to greater velocities or to both sides, unless it is known.
