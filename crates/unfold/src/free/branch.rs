@@ -32,7 +32,8 @@ pub(crate) struct Bifurcation {
 }
 
 /// Steps in (x, y, shares of the ranges) that do not jump over the highest point's changes (empirical).
-const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.2 };
+const STEPS: StepControl =
+    StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.2, ..StepControl::DRAWING };
 /// A branch of this many points goes nowhere.
 const STEP_LIMIT: usize = 4000;
 /// An orbit this close to the chord between two orbits of a branch, as a share of its length, lies on the branch: that leaves the chord
