@@ -48,11 +48,19 @@ pub struct StepControl {
     pub shortest: f64,
     /// The tangent turns by about this angle from point to point, in radians.
     pub turn: f64,
+    /// The corrector's last step is no longer than this; its square is about the error of a point.
+    pub tolerance: f64,
 }
 
 impl StepControl {
     /// Steps for curves that are drawn: two degrees of turn look smooth at any magnification used (empirical).
-    pub const DRAWING: Self = Self { first: 1e-3, longest: 0.02, shortest: 1e-6, turn: 0.035 };
+    pub const DRAWING: Self =
+        Self { first: 1e-3, longest: 0.02, shortest: 1e-6, turn: 0.035, tolerance: newton::STEP_TOLERANCE };
+
+    /// Whether points are so rough that no more is to be computed of them than serves to find what happens along a curve.
+    pub fn sketches(&self) -> bool {
+        self.tolerance > newton::STEP_TOLERANCE
+    }
 }
 
 /// A point on the curve.
@@ -92,6 +100,9 @@ type Attempt<const N: usize, M> = (Station<N, M>, f64);
 
 /// A corrector converges in about three evaluations or the step is too long.
 const CORRECTOR_LIMIT: usize = 6;
+/// It is lost as soon as it is farther from the prediction than so many steps (empirical; far away motion may be so fast that an
+/// evaluation takes seconds).
+const REACH: f64 = 4.0;
 
 impl<'a, const N: usize, C: CurveEquations<N>> Continuation<'a, N, C>
 where
@@ -172,12 +183,18 @@ where
     fn attempt(&self) -> Result<Attempt<N, C::Memory>, NewtonFailure<C::Failure>> {
         let Station { point: origin, tangent: along, .. } = &self.here;
         let mut memory = self.here.memory.clone();
-        let solution = newton::solve(self.predict(), CORRECTOR_LIMIT, |point| {
-            let mut bordered = self.equations.evaluate(point, &mut memory)?;
-            bordered.residual[N - 1] = along.dot(&(point - origin)) - self.step;
-            bordered.jacobian.set_row(N - 1, &along.transpose());
-            Ok(bordered)
-        })?;
+        let solution = newton::solve_within(
+            REACH * self.step,
+            self.control.tolerance,
+            self.predict(),
+            CORRECTOR_LIMIT,
+            |point| {
+                let mut bordered = self.equations.evaluate(point, &mut memory)?;
+                bordered.residual[N - 1] = along.dot(&(point - origin)) - self.step;
+                bordered.jacobian.set_row(N - 1, &along.transpose());
+                Ok(bordered)
+            },
+        )?;
         // The last corrector's matrix is bordered with the old tangent: its factors give the new one as well.
         let tangent = tangent(&solution.factors)
             .ok_or(NewtonFailure::Singular { iteration: solution.iterations, residual: solution.residual })?;

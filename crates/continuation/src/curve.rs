@@ -25,7 +25,9 @@ impl<O: ImpactOscillator> CurveEquations<4> for MpsCurve<O> {
     type Failure = MapError;
 
     fn evaluate(&self, point: &Unknowns, memory: &mut Memory) -> Result<Linearisation<4>, MapError> {
-        conditioned(&self.equations, self.condition, false, point, memory).map(|(system, _)| system)
+        let (system, pair) = conditioned(&self.equations, self.condition, false, point, memory)?;
+        memory.stability = Some(pair.stability());
+        Ok(system)
     }
 
     fn settle(&self, point: &Unknowns, memory: &mut Memory) {

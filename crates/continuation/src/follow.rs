@@ -9,7 +9,7 @@ use grazing_model::maps::MapError;
 use crate::arclength::{Continuation, Stall, Station};
 use crate::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
 use crate::locate::{Condition, LocateFailure, locate, locate_grazing_end};
-use crate::mps::{Formulation, LoopPair, MaximalPeriodicSolution, Memory, Multipliers, Unknowns, unknown};
+use crate::mps::{Formulation, MaximalPeriodicSolution, Memory, Multipliers, Stability, Unknowns, unknown};
 
 type MpsStation = Station<4, Memory>;
 
@@ -93,7 +93,8 @@ struct Follower<'a> {
 struct Signs {
     saddle_node: bool,
     period_doubling: bool,
-    inadmissible: bool,
+    /// Unknown where that was not looked at.
+    inadmissible: Option<bool>,
 }
 
 impl Follower<'_> {
@@ -135,10 +136,14 @@ impl Follower<'_> {
         if vanishes && velocity < before.point[unknown::VELOCITY] {
             return ControlFlow::Break(self.end_at_grazing(equations, before, &after));
         }
-        let (solution, pair) = equations.equations.solution(&after.point);
-        let now = signs(equations.condition, &pair, &solution);
-        if let Some(past) = self.signs.filter(|past| *past != now) {
-            self.locate_events(equations, past, now, before, &after, &solution)?;
+        let (solution, now) = self.seen(equations, &after);
+        if let Some(mut past) = self.signs {
+            if past.inadmissible.is_none() && now.inadmissible.is_some() {
+                past.inadmissible = Some(equations.equations.solution(&before.point).0.touches());
+            }
+            if self.matters(past, now, &solution) {
+                self.locate_events(equations, past, now, before, &after, &solution)?;
+            }
         }
         self.signs = Some(now);
         if let Some(start) = self.back_at_the_start(before, &after) {
@@ -151,6 +156,40 @@ impl Follower<'_> {
         }
         self.curve.points.push(CurvePoint { solution, memory: after.memory });
         ControlFlow::Continue(())
+    }
+
+    /// The MPS at a point and the signs there; if the curve is sketched, as the corrector has left them, and admissibility only where
+    /// it or the one before is stable.
+    fn seen<O: ImpactOscillator>(
+        &self,
+        equations: &MpsCurve<O>,
+        station: &MpsStation,
+    ) -> (MaximalPeriodicSolution, Signs) {
+        match station.memory.stability.filter(|_| self.route.control.sketches()) {
+            Some(stability) => {
+                let before = self.curve.points.last().is_some_and(|point| point.solution.stable());
+                let with_maxima = before || stability.multipliers.stable();
+                let solution = equations.equations.sketch(&station.point, stability.multipliers, with_maxima);
+                let inadmissible = with_maxima.then(|| solution.touches());
+                (solution, Signs { inadmissible, ..signs(equations.condition, &stability, &solution) })
+            }
+            None => {
+                let (solution, pair) = equations.equations.solution(&station.point);
+                (solution, signs(equations.condition, &pair.stability(), &solution))
+            }
+        }
+    }
+
+    /// Whether something happens before the next point that is to be located: on a sketch a single event between two MPSs neither of
+    /// which is stable and admissible is not.
+    fn matters(&self, past: Signs, now: Signs, next: &MaximalPeriodicSolution) -> bool {
+        let good = |solution: &MaximalPeriodicSolution| solution.stable() && solution.admissible();
+        let either = || good(next) || self.curve.points.last().is_some_and(|point| good(&point.solution));
+        match changes(past, now).count() {
+            0 => false,
+            1 => !self.route.control.sketches() || either(),
+            _ => true,
+        }
     }
 
     /// The first point, if the curve passes it between two of its points; with the phase as far on as it is then.
@@ -291,24 +330,25 @@ fn starting_signs<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStati
         Condition::Multiplier(_) => first.point[unknown::VELOCITY] == 0.0 || solution.ceiling().abs() > 1e-8,
         _ => least[0].min(least[1]) > 1e-9,
     };
-    clear.then(|| signs(equations.condition, &pair, &solution))
+    clear.then(|| signs(equations.condition, &pair.stability(), &solution))
 }
 
 /// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only grazing can happen there.
-fn signs(along: Condition, pair: &LoopPair, solution: &MaximalPeriodicSolution) -> Signs {
+fn signs(along: Condition, stability: &Stability, solution: &MaximalPeriodicSolution) -> Signs {
     let watches = !matches!(along, Condition::Multiplier(_));
     Signs {
-        saddle_node: watches && pair.characteristic(1.0).0 > 0.0,
-        period_doubling: watches && pair.characteristic(-1.0).0 > 0.0,
-        inadmissible: solution.ceiling() > MaximalPeriodicSolution::TOUCH,
+        saddle_node: watches && stability.saddle_node > 0.0,
+        period_doubling: watches && stability.period_doubling > 0.0,
+        inadmissible: Some(solution.touches()),
     }
 }
 
 fn changes(past: Signs, now: Signs) -> impl Iterator<Item = Condition> {
+    let both_known = past.inadmissible.is_some() && now.inadmissible.is_some();
     let list = [
         (past.saddle_node != now.saddle_node, Condition::SADDLE_NODE),
         (past.period_doubling != now.period_doubling, Condition::PERIOD_DOUBLING),
-        (past.inadmissible != now.inadmissible, Condition::InteriorGrazing),
+        (both_known && past.inadmissible != now.inadmissible, Condition::InteriorGrazing),
     ];
     list.into_iter().filter_map(|(changed, condition)| changed.then_some(condition))
 }
@@ -326,7 +366,7 @@ fn locate_event<O: ImpactOscillator>(
     let mut sought = condition;
     if condition == Condition::InteriorGrazing {
         // The maximum that crosses the wall is the highest one at whichever end is inadmissible.
-        let solution = if beyond.ceiling() > MaximalPeriodicSolution::TOUCH {
+        let solution = if beyond.touches() {
             near = after.point;
             *beyond
         } else {

@@ -116,8 +116,21 @@ pub fn locate<O: ImpactOscillator>(
     start: Unknowns,
     memory: &mut Memory,
 ) -> Result<Unknowns, LocateFailure> {
+    locate_within(REACH * (1.0 + start.norm()), equations, conditions, start, memory)
+}
+
+/// The same, given up as soon as an iterate is farther from the start than `reach`.
+///
+/// # Errors
+/// As [`locate`].
+pub fn locate_within<O: ImpactOscillator>(
+    reach: f64,
+    equations: &LoopEquations<O>,
+    conditions: [Condition; 2],
+    start: Unknowns,
+    memory: &mut Memory,
+) -> Result<Unknowns, LocateFailure> {
     let second_order = conditions[1].needs_second_order();
-    let reach = REACH * (1.0 + start.norm());
     let mut farthest = 0.0;
     let solution = newton::solve(start, LIMIT, |point| {
         farthest = (point - start).norm();

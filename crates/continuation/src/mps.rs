@@ -53,6 +53,8 @@ pub struct Memory {
     pub(crate) grazing_time: f64,
     /// The same for a second interior maximum, where two touch the wall.
     pub(crate) second_grazing_time: f64,
+    /// What the last evaluation along a curve said of stability.
+    pub(crate) stability: Option<Stability>,
 }
 
 /// The equations of p-loop MPSs of one oscillator.
@@ -243,6 +245,21 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         self.orbit(point, &motion, pair.limiting_multipliers(tangent))
     }
 
+    /// The same with multipliers that are known; its maxima are looked for only where they are asked for.
+    pub(crate) fn sketch(
+        &self,
+        point: &Unknowns,
+        multipliers: Multipliers,
+        with_maxima: bool,
+    ) -> MaximalPeriodicSolution {
+        if with_maxima {
+            let motion = self.oscillator_at(point).motion(self.recoil(point));
+            return self.orbit(point, &motion, multipliers);
+        }
+        let loops = self.loops;
+        MaximalPeriodicSolution { loops, unknowns: *point, multipliers, highest_interior_maximum: None }
+    }
+
     fn orbit(
         &self,
         point: &Unknowns,
@@ -283,6 +300,14 @@ impl LoopPair {
             d(0, 0) * m[(1, 1)] + m[(0, 0)] * d(1, 1) - d(0, 1) * m[(1, 0)] - m[(0, 1)] * d(1, 0)
         });
         (determinant, gradient)
+    }
+
+    /// What the maps say of stability.
+    pub(crate) fn stability(&self) -> Stability {
+        let [saddle_node, period_doubling] = [1.0, -1.0].map(|multiplier| {
+            (self.round_trip.derivative() - self.impact.derivative() * multiplier).determinant()
+        });
+        Stability { multipliers: self.multipliers(), saddle_node, period_doubling }
     }
 
     /// Trace and determinant of U = D(P_global^p ∘ P_disc). Paper: eq:U, eq:TD.
@@ -336,6 +361,15 @@ impl Multipliers {
     }
 }
 
+/// The stability of a zero of the equations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stability {
+    pub(crate) multipliers: Multipliers,
+    /// The [`characteristic`](LoopPair::characteristic) of the multiplier 1, and of −1.
+    pub(crate) saddle_node: f64,
+    pub(crate) period_doubling: f64,
+}
+
 /// A zero of the equations, seen as an orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaximalPeriodicSolution {
@@ -372,6 +406,11 @@ impl MaximalPeriodicSolution {
     /// A valid solution of the hybrid system: y > 0 and no interior maximum of x above the wall, wherever it lies.
     pub fn admissible(&self) -> bool {
         self.impact_velocity() > 0.0 && self.ceiling() <= Self::TOUCH
+    }
+
+    /// An interior maximum of x lies above the wall.
+    pub(crate) fn touches(&self) -> bool {
+        self.ceiling() > Self::TOUCH
     }
 
     /// Asymptotically stable as a solution of the hybrid system, admissibility aside.

@@ -67,6 +67,23 @@ pub const STEP_TOLERANCE: f64 = 1e-7;
 pub fn solve<const N: usize, E>(
     start: SVector<f64, N>,
     limit: usize,
+    equations: impl FnMut(&SVector<f64, N>) -> Result<Linearisation<N>, E>,
+) -> Result<Solution<N>, NewtonFailure<E>>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    solve_within(f64::INFINITY, STEP_TOLERANCE, start, limit, equations)
+}
+
+/// The same with another length of the last step, given up as soon as an iterate is farther from the start than `reach`.
+///
+/// # Errors
+/// As [`solve`].
+pub(crate) fn solve_within<const N: usize, E>(
+    reach: f64,
+    tolerance: f64,
+    start: SVector<f64, N>,
+    limit: usize,
     mut equations: impl FnMut(&SVector<f64, N>) -> Result<Linearisation<N>, E>,
 ) -> Result<Solution<N>, NewtonFailure<E>>
 where
@@ -83,8 +100,11 @@ where
             .filter(|step| step.iter().all(|entry| entry.is_finite()))
             .ok_or(NewtonFailure::Singular { iteration, residual })?;
         point -= step;
-        if step.norm() <= STEP_TOLERANCE {
+        if step.norm() <= tolerance {
             return Ok(Solution { point, residual, factors, iterations: iteration });
+        }
+        if (point - start).norm() > reach {
+            return Err(NewtonFailure::NoConvergence { iterations: iteration, residual });
         }
     }
     Err(NewtonFailure::NoConvergence { iterations: limit, residual })

@@ -58,6 +58,10 @@ const LONGEST_RELAXATION: usize = 200;
 /// Newton's method takes over when a period changes the state by less than this.
 const RELAXED: f64 = 1e-3;
 
+/// Motion that relaxes this far from the wall, whose distance from rest is of order one, is looked at only where there is no other: a pendulum
+/// may turn any number of times before it does, and motion about each of its rest positions is the same but for those turns.
+const CARRIED_AWAY: f64 = 10.0;
+
 /// Grazing orbits closer than this are one: Newton's method leaves far less.
 const SAME: f64 = 1e-6;
 
@@ -66,7 +70,7 @@ pub fn survey<O: ImpactOscillator>(oscillator: &O, scope: &Scope, secondary: f64
     let orbits = FreeOrbits { oscillator, scope };
     let share_of_secondary = scope.shares([scope.window.primary[0], secondary])[1];
     let mut branches: Vec<Branch> = Vec::new();
-    let mut ran_away = None;
+    let (mut ran_away, mut carried_away) = (None, None);
     for share in SHARES {
         if share == LAST_RESORT && !branches.is_empty() {
             break;
@@ -74,6 +78,9 @@ pub fn survey<O: ImpactOscillator>(oscillator: &O, scope: &Scope, secondary: f64
         let usual = POSITIONS.map(|position| [position, 0.0]);
         for start in scope.start.into_iter().chain(usual) {
             match orbits.relaxed([share, share_of_secondary], Vector2::from(start)) {
+                Ok(Some(orbit)) if orbit[0].abs() > CARRIED_AWAY => {
+                    carried_away = carried_away.or(Some(orbit))
+                }
                 Ok(Some(orbit)) if !branches.iter().any(|branch| branch.passes(&orbit)) => {
                     branches.extend(orbits.branch(&orbit));
                 }
@@ -83,6 +90,9 @@ pub fn survey<O: ImpactOscillator>(oscillator: &O, scope: &Scope, secondary: f64
                 }
             }
         }
+    }
+    if branches.is_empty() {
+        branches.extend(carried_away.and_then(|orbit| orbits.branch(&orbit)));
     }
     let mut survey = Survey { grazing: Vec::new(), extremes: None, pushed: Vec::new(), ran_away, branches };
     survey.look(&orbits);

@@ -53,7 +53,8 @@ pub struct GrazingCurve<O> {
 }
 
 /// Steps in z (radians) and the shares of both ranges.
-const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.01, shortest: 1e-6, turn: 0.035 };
+const STEPS: StepControl =
+    StepControl { first: 1e-3, longest: 0.01, shortest: 1e-6, turn: 0.035, ..StepControl::DRAWING };
 /// A curve of this many points goes nowhere.
 const STEP_LIMIT: usize = 20_000;
 /// The angle in radians by which A turns between neighbouring points: a cubic follows a sine this far to two parts in ten thousand,

@@ -49,7 +49,8 @@ impl Polyline {
 }
 
 /// Short steps, for curves seen at thirty times the scale of the diagram.
-const MAGNIFIED: StepControl = StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-6, turn: 0.02 };
+const MAGNIFIED: StepControl =
+    StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-6, turn: 0.02, ..StepControl::DRAWING };
 
 /// Samples of a quadratic approximation from the resonance to the edge of the window, and of the grazing curve across it.
 const SAMPLES: u32 = 100;

@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route, Window};
-use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{
     Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns, unknown,
 };
@@ -81,9 +81,11 @@ pub(crate) struct Border<'a> {
     pub(crate) event: Option<&'a Event>,
 }
 
-/// Steps along branches, which need not be drawn (empirical: neighbouring folds and grazings of the oscillators that were tried lie
-/// much farther apart).
-const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.07 };
+/// Steps along branches, which need not be drawn: rough points are enough for the signs of what happens between them, and that is
+/// located by itself (empirical: neighbouring folds and grazings of the oscillators that were tried lie much farther apart, and the error of a
+/// point, some 10⁻⁸, is far below what is read off it).
+const STEPS: StepControl =
+    StepControl { first: 1e-3, longest: 0.1, shortest: 1e-4, turn: 0.07, tolerance: 1e-4 };
 /// A branch of this many points has lost its way.
 const STEP_LIMIT: usize = 5_000;
 /// Branches from the grazing curve begin at this impact velocity, beside the singular point (empirical; what lies between is narrower
@@ -152,8 +154,8 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
     fn at(&self, near: Unknowns, memory: &mut Memory) -> Option<Unknowns> {
         let [velocity, _, _, secondary] = near.into();
         let conditions = [Condition::Secondary(secondary), Condition::ImpactVelocity(velocity)];
-        let found = locate(&self.equations, conditions, near, memory).ok()?;
-        (self.window.contains(&found) && (found - near).norm() < CARRIED_OFF).then_some(found)
+        let found = locate_within(CARRIED_OFF, &self.equations, conditions, near, memory).ok()?;
+        self.window.contains(&found).then_some(found)
     }
 
     /// Follows the branch through an MPS, to greater velocities or to both sides, unless it is known.
@@ -201,6 +203,9 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
                 continue;
             }
             let near = a + (b - a) * (from / (from - to));
+            if branches.iter().any(|branch| passes(branch, &near)) {
+                continue;
+            }
             let conditions = [Condition::Primary(primary), Condition::Secondary(near[unknown::SECONDARY])];
             let mut memory = pair[0].memory.clone();
             let Ok(through) = locate(&self.equations, conditions, near, &mut memory) else { continue };

@@ -207,8 +207,13 @@ fn branch(oscillator: &LinearOscillator, phase: f64, loops: u32, length: f64) ->
     let equations = LoopEquations::new(*oscillator, loops, Formulation::Vivid);
     let (amplitude, omega) = (oscillator.amplitude(), oscillator.frequency());
     let curve = MpsCurve { equations, condition: Condition::Secondary(omega) };
-    let control =
-        StepControl { first: length, longest: length, shortest: 1e-3 * length, turn: core::f64::consts::PI };
+    let control = StepControl {
+        first: length,
+        longest: length,
+        shortest: 1e-3 * length,
+        turn: core::f64::consts::PI,
+        ..StepControl::DRAWING
+    };
     let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
     let route = Route {
         window: Window { primary: everywhere, secondary: everywhere },

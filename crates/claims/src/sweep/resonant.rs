@@ -213,7 +213,13 @@ fn followed(located: &ResonantGrazingPoint<LinearOscillator>, omega: f64) -> Res
     let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
     let route = Route {
         window: Window { primary: everywhere, secondary: everywhere },
-        control: StepControl { first: length, longest: length, shortest: 1e-4 * length, turn: 0.1 },
+        control: StepControl {
+            first: length,
+            longest: length,
+            shortest: 1e-4 * length,
+            turn: 0.1,
+            ..StepControl::DRAWING
+        },
         step_limit: 5,
         stop_at_events: false,
         through_grazing: false,

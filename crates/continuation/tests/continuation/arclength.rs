@@ -56,7 +56,8 @@ impl PlaneCurve {
     }
 }
 
-const CONTROL: StepControl = StepControl { first: 1e-3, longest: 0.2, shortest: 1e-8, turn: 0.035 };
+const CONTROL: StepControl =
+    StepControl { first: 1e-3, longest: 0.2, shortest: 1e-8, turn: 0.035, ..StepControl::DRAWING };
 
 #[test]
 fn a_circle_is_followed_round_and_round() {

@@ -32,7 +32,8 @@ pub(crate) struct Bifurcation {
 }
 
 /// Steps in (x, y, shares of the ranges) that do not jump over the highest point's changes (empirical).
-const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.2 };
+const STEPS: StepControl =
+    StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.2, ..StepControl::DRAWING };
 /// A branch of this many points goes nowhere.
 const STEP_LIMIT: usize = 4000;
 /// A branch that has passed the wall is left where a multiplier exceeds this (empirical): beyond the wall it matters only for where it may come

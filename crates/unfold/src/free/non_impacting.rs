@@ -146,8 +146,7 @@ impl<O: ImpactOscillator> FreeSurvey<'_, O> {
                 let mut near = known.orbit;
                 near[SECONDARY] = share;
                 if to.branches.len() < MOST_BRANCHES
-                    && let Some(start) =
-                        self.orbits.at(&near).filter(|start| (start - near).norm() < CARRIED_OFF)
+                    && let Some(start) = self.orbits.within(CARRIED_OFF, &near)
                     && !to.branches.iter().any(|branch| branch.passes(&start))
                 {
                     to.branches.extend(self.orbits.branch(&start));

@@ -109,7 +109,17 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
 
     /// The orbit near a state at shares of the ranges, which are held.
     pub(super) fn at(&self, near: &Orbit) -> Option<Orbit> {
-        let solution = newton::solve(Vector2::new(near[0], near[1]), 20, |state| {
+        self.within(f64::INFINITY, near)
+    }
+
+    /// The same, given up as soon as an iterate is farther from the state than `reach`.
+    pub(super) fn within(&self, reach: f64, near: &Orbit) -> Option<Orbit> {
+        let start = Vector2::new(near[0], near[1]);
+        let solution = newton::solve(start, 20, |state| {
+            let size = state.norm();
+            if (state - start).norm() > reach {
+                return Err(MapError::NoRest { near: TAU, velocity: size });
+            }
             let (residual, derivative) =
                 self.pair::<1>(&Orbit::new(state[0], state[1], near[PRIMARY], near[SECONDARY]))?.difference();
             Ok::<_, MapError>(Linearisation {
