@@ -10,7 +10,12 @@ pub struct Random(Pcg64);
 impl Random {
     /// The numbers of a seed.
     pub fn new(seed: u64) -> Self {
-        Self(Pcg64::new(u128::from(seed), 0))
+        Self::stream(seed, 0)
+    }
+
+    /// One of the many sequences of numbers of a seed.
+    pub fn stream(seed: u64, number: u64) -> Self {
+        Self(Pcg64::new(u128::from(seed), u128::from(number)))
     }
 
     /// Uniform between two numbers.
