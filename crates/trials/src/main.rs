@@ -112,7 +112,9 @@ fn examples_and_random(count: u64, seed: u64) -> bool {
 fn files(files: &[String]) -> bool {
     let mut right = true;
     for file in files {
-        right &= compared(file, Description::from_file(Path::new(file)).map_err(|error| error.to_string()));
+        let path = Path::new(file);
+        let name = path.file_name().map_or(file.as_str().into(), |name| name.to_string_lossy());
+        right &= compared(&name, Description::from_file(path).map_err(|error| error.to_string()));
     }
     right
 }
@@ -121,8 +123,8 @@ fn files(files: &[String]) -> bool {
 fn compared(from: &str, description: Result<Description, String>) -> bool {
     let start = Instant::now();
     let outcome = description.and_then(|description| {
-        let outcome = nonlinear::compare(&description, LATTICE, STATES).map_err(|error| error.to_string())?;
-        Ok((description.name().to_owned(), outcome))
+        let diagram = nonlinear::unfolded(&description).map_err(|error| error.to_string())?;
+        Ok((description.name().to_owned(), nonlinear::compare(&diagram, LATTICE, STATES)))
     });
     let (name, outcome) = match outcome {
         Ok(both) => both,

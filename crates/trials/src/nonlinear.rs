@@ -93,16 +93,21 @@ fn shown<O>(diagram: &Diagram<O>, loops: u32, point: [f64; 2]) -> Shown {
     }
 }
 
-/// Compares on a lattice of so many points each way, with simulation from so many random states at each.
+/// The diagram of an oscillator.
 ///
 /// # Errors
 /// There is nothing to unfold.
-pub fn compare(description: &Description, lattice: usize, states: u32) -> Result<Outcome, UnfoldError> {
+pub fn unfolded(description: &Description) -> Result<Diagram<Integrated<Description>>, UnfoldError> {
     let window =
         Window { primary: description.primary().range(), secondary: description.secondary().range() };
     let scope = Scope { window, loops: description.loops().to_vec(), start: description.start() };
     let oscillator = Integrated::new(description.clone(), [window.primary[0], window.secondary[0]]);
-    let diagram = Diagram::compute(&oscillator, &scope, &Silent)?;
+    Diagram::compute(&oscillator, &scope, &Silent)
+}
+
+/// Compares a diagram on a lattice of so many points each way, with simulation from so many random states at each.
+pub fn compare<O: ImpactOscillator>(diagram: &Diagram<O>, lattice: usize, states: u32) -> Outcome {
+    let Scope { window, loops, .. } = &diagram.scope;
     let at = |[low, high]: [f64; 2], k: usize| low + (high - low) * (k as f64 + 0.5) / lattice as f64;
     let points: Vec<[f64; 2]> = (0..lattice * lattice)
         .map(|k| [at(window.primary, k % lattice), at(window.secondary, k / lattice)])
@@ -112,7 +117,7 @@ pub fn compare(description: &Description, lattice: usize, states: u32) -> Result
         .enumerate()
         .map(|(number, point)| {
             let mut random = Random::new(number as u64);
-            let here = oscillator.with_parameters(*point);
+            let here = diagram.grazing[0].states[0].orbit.oscillator().with_parameters(*point);
             (0..states).filter_map(|_| settled(&here, &mut random)).collect()
         })
         .collect();
@@ -123,12 +128,12 @@ pub fn compare(description: &Description, lattice: usize, states: u32) -> Result
         }
     }
     let (mut shaded, mut hatched) = (vec![false; points.len()], vec![false; points.len()]);
-    for &loops in &scope.loops {
-        let all: Vec<Shown> = points.par_iter().map(|point| shown(&diagram, loops, *point)).collect();
-        let found = solutions(&diagram, loops, &points, &seen, lattice);
+    for &loops in loops {
+        let all: Vec<Shown> = points.par_iter().map(|point| shown(diagram, loops, *point)).collect();
+        let found = solutions(diagram, loops, &points, &seen, lattice);
         let judged: Vec<(usize, Vec<Disagreement>)> = (0..points.len())
             .into_par_iter()
-            .map(|k| judge(&diagram, all[k], &found[k], seen[k].iter().any(|seen| seen.loops == loops)))
+            .map(|k| judge(diagram, all[k], &found[k], seen[k].iter().any(|seen| seen.loops == loops)))
             .collect();
         for (k, (confirmed, wrong)) in judged.into_iter().enumerate() {
             shaded[k] |= all[k] == Shown::Shaded;
@@ -141,7 +146,7 @@ pub fn compare(description: &Description, lattice: usize, states: u32) -> Result
     }
     let share = |of: &[bool]| of.iter().filter(|is| **is).count() as f64 / points.len() as f64;
     (outcome.shaded, outcome.hatched) = (share(&shaded), share(&hatched));
-    Ok(outcome)
+    outcome
 }
 
 /// The stable, admissible MPSs at the points of a lattice: those to which branches from grazing and from curves lead, and where there are none,

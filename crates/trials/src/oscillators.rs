@@ -101,10 +101,13 @@ const FAMILIES: [Family; 10] = [
     },
 ];
 
+/// No oscillator takes more random numbers than this.
+const MOST_NUMBERS: u64 = 16;
+
 /// An oscillator of a seed, as text; with the number go round all kinds of oscillators.
 pub fn description(seed: u64, number: u64) -> String {
     let family = &FAMILIES[number as usize % FAMILIES.len()];
-    let mut random = Random::stream(seed, number);
+    let mut random = Random::from(seed, number * MOST_NUMBERS);
     let always = [("zeta", [0.01, 0.1]), ("epsilon", [0.5, 0.95])];
     let mut constants = String::new();
     for (name, [low, high]) in always.iter().chain(family.constants) {
@@ -114,13 +117,12 @@ pub fn description(seed: u64, number: u64) -> String {
     let to = random.uniform(least, most);
     let (secondary, below, above) = family.secondary;
     let [low, high] = [below, above].map(|[least, most]| random.uniform(least, most));
-    let frequency = "omega";
     let Family { name, force, restitution, duration, .. } = family;
     format!(
         "name = \"{name}\"\n\n[parameters]\n{constants}\n\
          [primary]\nname = \"{primary}\"\nrange = [{from:.1}, {to:.4}]\n\n\
          [secondary]\nname = \"{secondary}\"\nrange = [{low:.4}, {high:.4}]\n\n\
-         [motion]\nforce = \"{force}\"\nfrequency = \"{frequency}\"\n\n\
+         [motion]\nforce = \"{force}\"\nfrequency = \"omega\"\n\n\
          [impact]\nrestitution = \"{restitution}\"\nduration = \"{duration}\"\n\n\
          [analysis]\nloops = [1, 2, 3]\n"
     )

@@ -10,12 +10,14 @@ pub struct Random(Pcg64);
 impl Random {
     /// The numbers of a seed.
     pub fn new(seed: u64) -> Self {
-        Self::stream(seed, 0)
+        Self(Pcg64::new(u128::from(seed), 0))
     }
 
-    /// One of the many sequences of numbers of a seed.
-    pub fn stream(seed: u64, number: u64) -> Self {
-        Self(Pcg64::new(u128::from(seed), u128::from(number)))
+    /// The numbers of a seed from one of them on.
+    pub fn from(seed: u64, first: u64) -> Self {
+        let mut random = Self::new(seed);
+        random.0.advance(u128::from(first));
+        random
     }
 
     /// Uniform between two numbers.

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_model::orbit::{FlightEnd, Orbit};
+use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, State};
 
 use crate::random::Random;
@@ -18,38 +18,45 @@ pub struct Settled {
     pub phase: f64,
 }
 
-/// Forcing periods until motion has settled, and for which it is then looked at.
-const TRANSIENT: f64 = 300.0;
-const LOOKED_AT: f64 = 60.0;
+/// Forcing periods for which motion is followed before it is looked at, and how often that is done.
+const SPELL: f64 = 50.0;
+const SPELLS: usize = 7;
 /// Impacts that differ less than this are the same.
 const SAME: f64 = 1e-6;
 /// After so many impacts running that differ a thousand times less, nothing more is waited for.
 const SURE: usize = 8;
 /// Impacts slower than this belong to motion close to grazing, which is as slow to settle.
 const SLOWEST: f64 = 1e-3;
-/// No motion that settles has more impacts.
-const MOST_IMPACTS: usize = 100_000;
+/// No motion that settles has more impacts in a spell.
+const MOST_IMPACTS: usize = 10_000;
 
 /// The p-loop solution on which motion from a random state settles, if it does.
 pub fn settled(oscillator: &impl ImpactOscillator, random: &mut Random) -> Option<Settled> {
     let period = oscillator.forcing_period();
-    let from = State {
+    let mut from = State {
         position: -random.uniform(0.0, 2.0),
         velocity: random.uniform(-1.5, 1.5),
         phase: random.uniform(0.0, TAU),
     };
-    let until = (TRANSIENT + LOOKED_AT) * period;
     let mut impacts: Vec<[f64; 3]> = Vec::new();
-    for flight in Orbit::new(oscillator, from, until, MOST_IMPACTS) {
-        if let FlightEnd::Impact(state) = flight.end {
-            impacts.push([flight.start + flight.duration, state.velocity, state.phase]);
-            let last = impacts.len().checked_sub(SURE).map(|first| &impacts[first..]);
-            if let Some(found) = last.and_then(|last| repeated(last, period, 1e-3 * SAME)) {
-                return Some(found);
+    for _ in 0..SPELLS {
+        impacts.clear();
+        let mut orbit = Orbit::new(oscillator, from, SPELL * period, MOST_IMPACTS);
+        for flight in orbit.by_ref() {
+            if let FlightEnd::Impact(state) = flight.end {
+                impacts.push([flight.start + flight.duration, state.velocity, state.phase]);
+                let last = impacts.len().checked_sub(SURE).map(|first| &impacts[first..]);
+                if let Some(found) = last.and_then(|last| repeated(last, period, 1e-3 * SAME)) {
+                    return Some(found);
+                }
             }
         }
+        // Motion that sticks has no p-loop solution, and after a spell without impacts there will be none.
+        from = match orbit.end() {
+            Some(OrbitEnd::TimeIsUp(state)) if !impacts.is_empty() => state,
+            _ => return None,
+        };
     }
-    impacts.retain(|[time, ..]| *time > TRANSIENT * period);
     // At least three times round.
     (impacts.len() > 3).then(|| repeated(&impacts, period, SAME)).flatten()
 }
