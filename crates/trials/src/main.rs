@@ -124,6 +124,9 @@ fn compared(from: &str, description: Result<Description, String>) -> bool {
     let start = Instant::now();
     let outcome = description.and_then(|description| {
         let diagram = nonlinear::unfolded(&description).map_err(|error| error.to_string())?;
+        if let Some(part) = diagram.unfinished.first() {
+            return Err(format!("{}: not finished: {}", description.name(), part.stage));
+        }
         Ok((description.name().to_owned(), nonlinear::compare(&diagram, LATTICE, STATES)))
     });
     let (name, outcome) = match outcome {

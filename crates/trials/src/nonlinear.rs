@@ -7,9 +7,10 @@ use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Integrated;
-use grazing_unfold::progress::Silent;
+use grazing_unfold::progress::Progress;
 use grazing_unfold::regions::RegionKind;
 use grazing_unfold::simulation::Suspect;
+use grazing_unfold::stop::{Stop, Stoppable};
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use rayon::prelude::*;
 
@@ -93,16 +94,37 @@ fn shown<O>(diagram: &Diagram<O>, loops: u32, point: [f64; 2]) -> Shown {
     }
 }
 
-/// The diagram of an oscillator.
+/// Steps of integration after which an analysis is ended: minutes, where those of the examples take seconds.
+const MOST_STEPS: u64 = 200_000_000;
+
+/// Hears when the steps are used up.
+struct Limited(Stop);
+
+impl Progress for Limited {
+    fn begin(&self, _: &str, _: u64) {}
+    fn step(&self, _: &str) {}
+    fn end(&self, _: &str) {}
+    fn stopped(&self) -> bool {
+        self.0.is_asked()
+    }
+}
+
+/// The diagram of an oscillator, `unfinished` if that takes very long.
 ///
 /// # Errors
 /// There is nothing to unfold.
-pub fn unfolded(description: &Description) -> Result<Diagram<Integrated<Description>>, UnfoldError> {
+pub fn unfolded(
+    description: &Description,
+) -> Result<Diagram<Integrated<Stoppable<Description>>>, UnfoldError> {
     let window =
         Window { primary: description.primary().range(), secondary: description.secondary().range() };
     let scope = Scope { window, loops: description.loops().to_vec(), start: description.start() };
-    let oscillator = Integrated::new(description.clone(), [window.primary[0], window.secondary[0]]);
-    Diagram::compute(&oscillator, &scope, &Silent)
+    let stop = Stop::after(MOST_STEPS);
+    let model = Stoppable::new(description.clone(), stop.clone());
+    let oscillator = Integrated::new(model, [window.primary[0], window.secondary[0]]);
+    let diagram = Diagram::compute(&oscillator, &scope, &Limited(stop.clone()));
+    stop.withdraw();
+    diagram
 }
 
 /// Compares a diagram on a lattice of so many points each way, with simulation from so many random states at each.
