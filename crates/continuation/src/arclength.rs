@@ -150,7 +150,7 @@ where
                 {
                     let growth = (self.control.turn / angle.max(1e-12)).clamp(0.5, 1.6);
                     self.past = Some((self.here.point, self.here.tangent));
-                    self.step = (self.step * growth).min(self.control.longest);
+                    self.step = (self.step * growth).clamp(self.control.shortest, self.control.longest);
                     self.here = next;
                     return Ok(&self.here);
                 }

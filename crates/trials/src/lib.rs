@@ -1,6 +1,9 @@
 //! Long trials of the program at random parameters, against solutions that share nothing with it.
 
 pub mod closed_form;
+pub mod continued;
+pub mod nonlinear;
+pub mod oscillators;
 pub mod random;
 pub mod regions;
 pub mod simulation;

@@ -1,4 +1,4 @@
-//! Runs the long trials: `grazing-trials regions [OSCILLATORS [SEED]]` and `grazing-trials simulation FILE...`.
+//! Runs the long trials: `grazing-trials regions`, `grazing-trials nonlinear`.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program's output")]
 
 use std::path::Path;
@@ -7,16 +7,19 @@ use std::time::Instant;
 
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
+use grazing_trials::nonlinear::{self, Disagreement};
 use grazing_trials::random::Random;
-use grazing_trials::{regions, simulation};
+use grazing_trials::{oscillators, regions};
 
-const USAGE: &str = "usage: grazing-trials regions [OSCILLATORS [SEED]]
-       grazing-trials simulation FILE...";
+const USAGE: &str = "usage: grazing-trials regions [OSCILLATORS [SEED]]      linear ones against the closed form
+       grazing-trials nonlinear [OSCILLATORS [SEED]]    the examples and random ones against continuation and simulation
+       grazing-trials nonlinear FILE...                 the same for those of files
+       grazing-trials describe NUMBER [SEED]            a random oscillator as a file for `grazing unfold`";
 
 /// Random points an oscillator.
 const POINTS: usize = 2000;
 /// Points of the lattice, each way, and random states at each.
-const LATTICE: u32 = 40;
+const LATTICE: usize = 40;
 const STATES: u32 = 10;
 
 fn main() -> ExitCode {
@@ -29,7 +32,17 @@ fn main() -> ExitCode {
             (Some(count), Some(seed)) if arguments.len() <= 3 => linear(count, seed),
             _ => return usage(),
         },
-        Some("simulation") if arguments.len() > 1 => simulated(&arguments[1..]),
+        Some("nonlinear") => match (number(1, 10), number(2, 1)) {
+            (Some(count), Some(seed)) if arguments.len() <= 3 => examples_and_random(count, seed),
+            _ => files(&arguments[1..]),
+        },
+        Some("describe") => match (number(1, 1), number(2, 1)) {
+            (Some(number), Some(seed)) if arguments.len() > 1 => {
+                print!("{}", oscillators::description(seed, number));
+                true
+            }
+            _ => return usage(),
+        },
         _ => return usage(),
     };
     if right { ExitCode::SUCCESS } else { ExitCode::FAILURE }
@@ -79,29 +92,68 @@ fn linear(count: u64, seed: u64) -> bool {
     wrong == 0
 }
 
-/// Oscillators from text files against simulation.
-fn simulated(files: &[String]) -> bool {
-    let mut right = true;
-    for file in files {
-        let outcome = Description::from_file(Path::new(file)).map_err(|error| error.to_string()).and_then(
-            |description| {
-                simulation::compare(&description, LATTICE, STATES).map_err(|error| error.to_string())
-            },
-        );
-        match outcome {
-            Ok(outcome) => {
-                let unexplained = outcome.unexplained.len();
-                println!("{file}: {} settled where it is shaded, {unexplained} elsewhere", outcome.explained);
-                for (p, point) in outcome.unexplained {
-                    println!("    p = {p} at {point:?}");
-                    right = false;
-                }
-            }
-            Err(error) => {
-                eprintln!("{file}: {error}");
-                right = false;
-            }
-        }
+/// The examples and a number of random oscillators, against continuation and simulation.
+fn examples_and_random(count: u64, seed: u64) -> bool {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let mut examples: Vec<_> = entries.filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
+    examples.sort();
+    let examples: Vec<String> = examples.iter().map(|path| path.display().to_string()).collect();
+    let mut right = !examples.is_empty() && files(&examples);
+    for number in 1..=count {
+        let text = oscillators::description(seed, number);
+        let name = format!("random {number} of seed {seed}");
+        right &= compared(&name, Description::parse(&text, &name).map_err(|error| error.to_string()));
     }
     right
+}
+
+/// Oscillators from text files.
+fn files(files: &[String]) -> bool {
+    let mut right = true;
+    for file in files {
+        let path = Path::new(file);
+        let name = path.file_name().map_or(file.as_str().into(), |name| name.to_string_lossy());
+        right &= compared(&name, Description::from_file(path).map_err(|error| error.to_string()));
+    }
+    right
+}
+
+/// One oscillator against continuation and simulation.
+fn compared(from: &str, description: Result<Description, String>) -> bool {
+    let start = Instant::now();
+    let outcome = description.and_then(|description| {
+        let diagram = nonlinear::unfolded(&description).map_err(|error| error.to_string())?;
+        if let Some(part) = diagram.unfinished.first() {
+            return Err(format!("{}: not finished: {}", description.name(), part.stage));
+        }
+        Ok((description.name().to_owned(), nonlinear::compare(&diagram, LATTICE, STATES)))
+    });
+    let (name, outcome) = match outcome {
+        Ok(both) => both,
+        Err(error) => {
+            println!("{from}: {error}");
+            return false;
+        }
+    };
+    println!(
+        "{from}, {name}: {:.4} shaded, {:.4} hatched; {} motions seen where it is shaded, {} elsewhere; \
+         {} continued solutions are come back to, {} are not, {} shaded without one, {} elsewhere; {:.0} s",
+        outcome.shaded,
+        outcome.hatched,
+        outcome.seen,
+        outcome.count(Disagreement::SeenUnshaded),
+        outcome.confirmed,
+        outcome.count(Disagreement::LeavesIt),
+        outcome.count(Disagreement::NotFound),
+        outcome.count(Disagreement::FoundUnshaded),
+        start.elapsed().as_secs_f64(),
+    );
+    for (p, point, kind) in &outcome.wrong {
+        println!("    p = {p} at {point:?}: {kind}");
+    }
+    for doubt in &outcome.doubts {
+        println!("    {doubt}");
+    }
+    outcome.wrong.is_empty()
 }

@@ -13,6 +13,13 @@ impl Random {
         Self(Pcg64::new(u128::from(seed), 0))
     }
 
+    /// The numbers of a seed from one of them on.
+    pub fn from(seed: u64, first: u64) -> Self {
+        let mut random = Self::new(seed);
+        random.0.advance(u128::from(first));
+        random
+    }
+
     /// Uniform between two numbers.
     pub fn uniform(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64

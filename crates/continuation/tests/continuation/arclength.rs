@@ -60,6 +60,20 @@ const CONTROL: StepControl =
     StepControl { first: 1e-3, longest: 0.2, shortest: 1e-8, turn: 0.035, ..StepControl::DRAWING };
 
 #[test]
+fn no_step_is_shorter_than_the_shortest_however_much_the_curve_turns() {
+    let circle = PlaneCurve::everywhere(|x, y| [x * x + y * y - 1.0, 2.0 * x, 2.0 * y]);
+    // Such a step turns the tangent by half a radian, fifteen times what is wished.
+    let control = StepControl { first: 0.5, longest: 1.0, shortest: 0.5, ..CONTROL };
+    let mut walker = circle.start(control, [1.0, 0.0], [0.0, 1.0]).unwrap();
+    for _ in 0..30 {
+        let before = walker.here().clone();
+        let advance = before.tangent.dot(&(walker.advance().unwrap().point - before.point));
+        // The plane that the corrector works in is met to rounding.
+        assert!(advance > 0.5 - 1e-14, "{advance}");
+    }
+}
+
+#[test]
 fn a_circle_is_followed_round_and_round() {
     let circle = PlaneCurve::everywhere(|x, y| [x * x + y * y - 1.0, 2.0 * x, 2.0 * y]);
     let mut walker = circle.start(CONTROL, [1.0, 0.0], [0.0, 1.0]).unwrap();

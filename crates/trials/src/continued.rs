@@ -1,0 +1,133 @@
+//! MPSs at given parameters by continuation alone: what slices, faces and regions make of the plane has no part in it.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::arclength::{Continuation, StepControl};
+use grazing_continuation::curve::{MpsCurve, Window};
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{
+    Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns, unknown,
+};
+use grazing_model::ImpactOscillator;
+use grazing_unfold::Diagram;
+
+/// Steps along branches: what Newton's method needs between them.
+const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.1 };
+/// A branch of so many points has lost its way.
+const MOST_POINTS: usize = 3000;
+/// The impact velocity at which branches that begin at grazing are taken up.
+const BESIDE_GRAZING: f64 = 1e-4;
+/// An MPS this near to a chord, as a share of its length, lies on the branch, which leaves the chord by an eighth of the angle of
+/// its turn.
+const ON_BRANCH: f64 = 0.05;
+/// Newton's method has found another solution if it went this far.
+const ELSEWHERE: f64 = 0.5;
+
+/// A stable MPS of the hybrid system.
+pub fn good(solution: &MaximalPeriodicSolution) -> bool {
+    solution.stable() && solution.admissible()
+}
+
+/// The p-loop MPS at the parameters near a known one.
+pub fn near<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    known: &Unknowns,
+    [primary, secondary]: [f64; 2],
+) -> Option<MaximalPeriodicSolution> {
+    let start = Unknowns::new(known[unknown::VELOCITY], known[unknown::PHASE], primary, secondary);
+    let conditions = [Condition::Primary(primary), Condition::Secondary(secondary)];
+    let equations = equations.with_formulation(Formulation::FixedPhase);
+    let found = locate(&equations, conditions, start, &mut Memory::default()).ok()?;
+    ((found - start).norm() < ELSEWHERE).then(|| equations.solution(&found).0)
+}
+
+/// The p-loop MPSs at one value of η and several of μ, on all branches that begin at grazing or cross a curve of the diagram.
+pub fn along<O: ImpactOscillator>(
+    diagram: &Diagram<O>,
+    loops: u32,
+    secondary: f64,
+    primaries: &[f64],
+) -> Vec<Vec<MaximalPeriodicSolution>> {
+    let equations = diagram.equations(loops).with_formulation(Formulation::FixedPhase);
+    let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(secondary) };
+    let mut branches: Vec<Vec<Unknowns>> = Vec::new();
+    for start in starts(diagram, &equations, loops, secondary) {
+        if !branches.iter().any(|branch| lies_on(branch, &start)) {
+            let onwards = Unknowns::new(1.0, 0.0, 0.0, 0.0);
+            let mut branch = followed(&curve, start, -onwards, diagram.scope.window);
+            branch.reverse();
+            branch.extend(followed(&curve, start, onwards, diagram.scope.window).into_iter().skip(1));
+            branches.push(branch);
+        }
+    }
+    let crossings = |primary: f64| {
+        let pairs = branches.iter().flat_map(|branch| branch.windows(2));
+        let crossing = pairs.filter_map(move |pair| {
+            let [from, to] = [0, 1].map(|k| pair[k][unknown::PRIMARY] - primary);
+            (from * to <= 0.0 && from != to).then(|| pair[0] + (pair[1] - pair[0]) * (from / (from - to)))
+        });
+        crossing.filter_map(|known| near(&equations, &known, [primary, secondary])).collect()
+    };
+    primaries.iter().map(|primary| crossings(*primary)).collect()
+}
+
+/// MPSs at one η: beside grazing, and on curves of the diagram.
+fn starts<O: ImpactOscillator>(
+    diagram: &Diagram<O>,
+    equations: &LoopEquations<O>,
+    loops: u32,
+    secondary: f64,
+) -> Vec<Unknowns> {
+    let here = Condition::Secondary(secondary);
+    let solved = |condition: Condition, start: Unknowns, mut memory: Memory| {
+        let found = locate(equations, [condition, here], start, &mut memory).ok()?;
+        ((found - start).norm() < ELSEWHERE).then_some(found)
+    };
+    let grazing = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary)).filter_map(|orbit| {
+        let start = Unknowns::new(BESIDE_GRAZING, orbit.phase(), orbit.primary(), secondary);
+        solved(Condition::ImpactVelocity(BESIDE_GRAZING), start, Memory::default())
+    });
+    let curves = diagram.curves.iter().filter(|curve| curve.loops == loops);
+    let crossing = curves.flat_map(|curve| {
+        curve.curve.points.windows(2).filter_map(move |pair| {
+            let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
+            let [from, to] = [a, b].map(|point| point[unknown::SECONDARY] - secondary);
+            let start = (from * to <= 0.0 && from != to).then(|| a + (b - a) * (from / (from - to)))?;
+            solved(curve.curve.condition, start, pair[0].memory.clone())
+        })
+    });
+    grazing.chain(crossing).collect()
+}
+
+/// The points of a branch from one of them on, as far as there is an impact and the window.
+fn followed<O: ImpactOscillator>(
+    curve: &MpsCurve<O>,
+    start: Unknowns,
+    direction: Unknowns,
+    window: Window,
+) -> Vec<Unknowns> {
+    let mut points = vec![start];
+    let Ok(mut walker) = Continuation::new(curve, STEPS, start, direction, Memory::default()) else {
+        return points;
+    };
+    while let Ok(station) = walker.advance() {
+        points.push(station.point);
+        let gone = !window.contains(&station.point) || station.point[unknown::VELOCITY] <= 0.0;
+        let closed = points.len() > 10 && lies_on(&points[points.len() - 2..], &start);
+        if gone || closed || points.len() > MOST_POINTS {
+            break;
+        }
+    }
+    points
+}
+
+/// Whether an MPS lies on a branch.
+fn lies_on(branch: &[Unknowns], point: &Unknowns) -> bool {
+    branch.windows(2).any(|pair| {
+        let chord = pair[1] - pair[0];
+        let mut gap = point - pair[0];
+        gap[unknown::PHASE] = libm::remainder(gap[unknown::PHASE], TAU);
+        let along = (gap.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
+        (gap - chord * along).norm() < ON_BRANCH * chord.norm()
+    })
+}

@@ -1,0 +1,250 @@
+//! Shaded regions of any oscillator against continued MPSs and against simulation, on a lattice of points.
+
+use core::fmt;
+
+use grazing_continuation::curve::Window;
+use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
+use grazing_description::Description;
+use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Integrated;
+use grazing_unfold::progress::Progress;
+use grazing_unfold::regions::RegionKind;
+use grazing_unfold::simulation::Suspect;
+use grazing_unfold::stop::{Stop, Stoppable};
+use grazing_unfold::{Diagram, Scope, UnfoldError};
+use rayon::prelude::*;
+
+use crate::continued::{along, good, near};
+use crate::random::Random;
+use crate::regions::distance;
+use crate::simulation::{Settled, settled};
+
+/// What regions, continuation and simulation do not agree on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Disagreement {
+    /// Motion settles on a p-loop solution and nothing is shaded.
+    SeenUnshaded,
+    /// Continuation leads to a stable, admissible MPS and nothing is shaded.
+    FoundUnshaded,
+    /// It is shaded, and continuation leads to no stable, admissible MPS.
+    NotFound,
+    /// Simulation that begins beside a stable, admissible MPS does not come back to it.
+    LeavesIt,
+}
+
+impl fmt::Display for Disagreement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::SeenUnshaded => "motion settles where nothing is shaded",
+            Self::FoundUnshaded => "a stable solution where nothing is shaded",
+            Self::NotFound => "shaded, and no stable solution was found",
+            Self::LeavesIt => "motion that begins beside a stable solution leaves it",
+        })
+    }
+}
+
+/// What was seen on a lattice of points.
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    /// The share of the points at which some p is shaded.
+    pub shaded: f64,
+    /// The share of the points at which some p is hatched.
+    pub hatched: f64,
+    /// How often motion settled on a p-loop solution where p is shaded.
+    pub seen: usize,
+    /// Points and p with a stable, admissible MPS that simulation comes back to.
+    pub confirmed: usize,
+    /// (p, point) at which there is a disagreement.
+    pub wrong: Vec<(u32, [f64; 2], Disagreement)>,
+    /// Why regions are hatched.
+    pub doubts: Vec<String>,
+}
+
+impl Outcome {
+    /// How often there is a disagreement of a kind.
+    pub fn count(&self, kind: Disagreement) -> usize {
+        self.wrong.iter().filter(|(.., found)| *found == kind).count()
+    }
+}
+
+/// The distance from a border, in shares of the ranges, within which a point tells nothing.
+const BORDER: f64 = 0.002;
+
+/// What a diagram says of p-loop solutions at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shown {
+    Shaded,
+    White,
+    Hatched,
+    /// Too close to a border to tell.
+    Border,
+}
+
+fn shown<O>(diagram: &Diagram<O>, loops: u32, point: [f64; 2]) -> Shown {
+    let mut of_p = diagram.regions.iter().filter(|region| region.loops == loops);
+    let inside: Vec<_> = of_p.clone().filter(|region| region.contains(point)).collect();
+    if inside.iter().any(|region| matches!(region.kind, RegionKind::Undecided(_))) {
+        Shown::Hatched
+    } else if of_p.any(|region| distance(region, point, diagram.scope.window) < BORDER) {
+        Shown::Border
+    } else if inside.is_empty() {
+        Shown::White
+    } else {
+        Shown::Shaded
+    }
+}
+
+/// Steps of integration after which an analysis is ended: minutes, where those of the examples take seconds.
+const MOST_STEPS: u64 = 200_000_000;
+
+/// Hears when the steps are used up.
+struct Limited(Stop);
+
+impl Progress for Limited {
+    fn begin(&self, _: &str, _: u64) {}
+    fn step(&self, _: &str) {}
+    fn end(&self, _: &str) {}
+    fn stopped(&self) -> bool {
+        self.0.is_asked()
+    }
+}
+
+/// The diagram of an oscillator, `unfinished` if that takes very long.
+///
+/// # Errors
+/// There is nothing to unfold.
+pub fn unfolded(
+    description: &Description,
+) -> Result<Diagram<Integrated<Stoppable<Description>>>, UnfoldError> {
+    let window =
+        Window { primary: description.primary().range(), secondary: description.secondary().range() };
+    let scope = Scope { window, loops: description.loops().to_vec(), start: description.start() };
+    let stop = Stop::after(MOST_STEPS);
+    let model = Stoppable::new(description.clone(), stop.clone());
+    let oscillator = Integrated::new(model, [window.primary[0], window.secondary[0]]);
+    let diagram = Diagram::compute(&oscillator, &scope, &Limited(stop.clone()));
+    stop.withdraw();
+    diagram
+}
+
+/// Compares a diagram on a lattice of so many points each way, with simulation from so many random states at each.
+pub fn compare<O: ImpactOscillator>(diagram: &Diagram<O>, lattice: usize, states: u32) -> Outcome {
+    let Scope { window, loops, .. } = &diagram.scope;
+    let at = |[low, high]: [f64; 2], k: usize| low + (high - low) * (k as f64 + 0.5) / lattice as f64;
+    let points: Vec<[f64; 2]> = (0..lattice * lattice)
+        .map(|k| [at(window.primary, k % lattice), at(window.secondary, k / lattice)])
+        .collect();
+    let seen: Vec<Vec<Settled>> = points
+        .par_iter()
+        .enumerate()
+        .map(|(number, point)| {
+            let mut random = Random::new(number as u64);
+            let here = diagram.grazing[0].states[0].orbit.oscillator().with_parameters(*point);
+            (0..states).filter_map(|_| settled(&here, &mut random)).collect()
+        })
+        .collect();
+    let mut outcome = Outcome::default();
+    for region in &diagram.regions {
+        if let RegionKind::Undecided(doubt) = &region.kind {
+            outcome.doubts.push(format!("p = {}: {doubt}", region.loops));
+        }
+    }
+    let (mut shaded, mut hatched) = (vec![false; points.len()], vec![false; points.len()]);
+    for &loops in loops {
+        let all: Vec<Shown> = points.par_iter().map(|point| shown(diagram, loops, *point)).collect();
+        let found = solutions(diagram, loops, &points, &seen, lattice);
+        let judged: Vec<(usize, Vec<Disagreement>)> = (0..points.len())
+            .into_par_iter()
+            .map(|k| judge(diagram, all[k], &found[k], seen[k].iter().any(|seen| seen.loops == loops)))
+            .collect();
+        for (k, (confirmed, wrong)) in judged.into_iter().enumerate() {
+            shaded[k] |= all[k] == Shown::Shaded;
+            hatched[k] |= all[k] == Shown::Hatched;
+            outcome.confirmed += confirmed;
+            let motions = seen[k].iter().filter(|seen| seen.loops == loops).count();
+            outcome.seen += if all[k] == Shown::Shaded { motions } else { 0 };
+            outcome.wrong.extend(wrong.into_iter().map(|kind| (loops, points[k], kind)));
+        }
+    }
+    let share = |of: &[bool]| of.iter().filter(|is| **is).count() as f64 / points.len() as f64;
+    (outcome.shaded, outcome.hatched) = (share(&shaded), share(&hatched));
+    outcome
+}
+
+/// The stable, admissible MPSs at the points of a lattice: those to which branches from grazing and from curves lead, and where there are none,
+/// those near the ones of neighbouring points or of motion that has settled.
+fn solutions<O: ImpactOscillator>(
+    diagram: &Diagram<O>,
+    loops: u32,
+    points: &[[f64; 2]],
+    seen: &[Vec<Settled>],
+    lattice: usize,
+) -> Vec<Vec<MaximalPeriodicSolution>> {
+    let rows = points.par_chunks(lattice).flat_map_iter(|row| {
+        let primaries: Vec<f64> = row.iter().map(|point| point[0]).collect();
+        along(diagram, loops, row[0][1], &primaries)
+    });
+    let mut found: Vec<Vec<MaximalPeriodicSolution>> = rows.collect();
+    found.iter_mut().for_each(|here| here.retain(good));
+    let equations = diagram.equations(loops);
+    for (k, settled) in seen.iter().enumerate() {
+        if let (true, Some(at)) = (found[k].is_empty(), settled.iter().find(|at| at.loops == loops)) {
+            let known = Unknowns::new(at.velocity, at.phase, points[k][0], points[k][1]);
+            found[k].extend(near(&equations, &known, points[k]).filter(good));
+        }
+    }
+    // To and fro, so that a solution gets as far as it can.
+    for _ in 0..2 {
+        for k in (0..points.len()).chain((0..points.len()).rev()) {
+            let column = k % lattice;
+            let beside = [
+                (column > 0).then(|| k - 1),
+                (column + 1 < lattice).then_some(k + 1),
+                k.checked_sub(lattice),
+                Some(k + lattice).filter(|above| *above < points.len()),
+            ];
+            if found[k].is_empty() && shown(diagram, loops, points[k]) == Shown::Shaded {
+                let known = beside.into_iter().flatten().flat_map(|other| &found[other]);
+                let new = known.filter_map(|known| near(&equations, &known.unknowns, points[k])).find(good);
+                found[k].extend(new);
+            }
+        }
+    }
+    found
+}
+
+/// How many of some stable, admissible MPSs at a point simulation comes back to, and what does not agree there.
+fn judge<O: ImpactOscillator>(
+    diagram: &Diagram<O>,
+    shown: Shown,
+    found: &[MaximalPeriodicSolution],
+    seen: bool,
+) -> (usize, Vec<Disagreement>) {
+    let mut wrong = Vec::new();
+    if shown == Shown::Border || shown == Shown::Hatched {
+        return (0, wrong);
+    }
+    if shown == Shown::White && seen {
+        wrong.push(Disagreement::SeenUnshaded);
+    }
+    match (shown, found.is_empty()) {
+        (Shown::Shaded, true) => wrong.push(Disagreement::NotFound),
+        (Shown::White, false) => wrong.push(Disagreement::FoundUnshaded),
+        _ => {}
+    }
+    let attracts = |solution: &MaximalPeriodicSolution| {
+        let equations = diagram.equations(solution.loops);
+        let suspect = Suspect {
+            oscillator: &equations.oscillator_at(&solution.unknowns),
+            loops: solution.loops,
+            velocity: solution.impact_velocity(),
+            phase: solution.unknowns[unknown::PHASE],
+        };
+        suspect.attracts() == Some(true)
+    };
+    let confirmed = found.iter().filter(|solution| attracts(solution)).count();
+    if confirmed < found.len() {
+        wrong.push(Disagreement::LeavesIt);
+    }
+    (confirmed, wrong)
+}
