@@ -12,7 +12,8 @@ use grazing_model::ImpactOscillator;
 use grazing_unfold::Diagram;
 
 /// Steps along branches: what Newton's method needs between them.
-const STEPS: StepControl = StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.1 };
+const STEPS: StepControl =
+    StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.1, ..StepControl::DRAWING };
 /// A branch of so many points has lost its way.
 const MOST_POINTS: usize = 3000;
 /// The impact velocity at which branches that begin at grazing are taken up.

@@ -7,7 +7,7 @@ use grazing_continuation::locate::Condition;
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 use rayon::prelude::*;
 
 use super::branch::{Bifurcation, Branch};
@@ -39,6 +39,9 @@ const CARRIED: usize = 8;
 /// A fold or period doubling this close to the chord between two points of a curve, as a share of its length, lies on the curve, which
 /// leaves the chord by an eighth of the angle by which it turns: six degrees at most.
 const ON_CURVE: f64 = 0.03;
+
+/// Curves are drawn to this share of the ranges.
+const DRAWN: f64 = 1e-4;
 
 struct FreeSurvey<'a, O> {
     orbits: FreeOrbits<'a, O>,
@@ -179,6 +182,23 @@ impl<O: ImpactOscillator> FreeSurvey<'_, O> {
         }
     }
 
+    /// Whether one curve lies on another in the plane, as do those of motion in both wells of a symmetric force: between them there
+    /// would be nothing but slivers.
+    fn covers(&self, known: &DiagramCurve, other: &DiagramCurve) -> bool {
+        let places = |curve: &DiagramCurve| -> Vec<Vector2<f64>> {
+            curve.curve.parameters().iter().map(|at| Vector2::from(self.orbits.scope.shares(*at))).collect()
+        };
+        let [line, points] = [known, other].map(places);
+        let near = |point: &Vector2<f64>| {
+            line.windows(2).any(|pair| {
+                let (chord, gap) = (pair[1] - pair[0], point - pair[0]);
+                let along = (gap.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
+                (gap - chord * along).norm() < DRAWN
+            })
+        };
+        known.kind == other.kind && points.iter().all(near)
+    }
+
     /// Whether a fold or period doubling lies on a known curve.
     fn known(&self, bifurcation: &Bifurcation) -> bool {
         let scope = self.orbits.scope;
@@ -229,7 +249,12 @@ impl<O: ImpactOscillator> Surveyor for FreeSurvey<'_, O> {
 
     fn lines(&self) -> Vec<Vec<Point>> {
         let grazing = self.grazing.iter().map(|curve| curve.parameters().collect());
-        grazing.chain(self.curves.iter().map(|curve| curve.curve.parameters())).collect()
+        let distinct = self
+            .curves
+            .iter()
+            .enumerate()
+            .filter(|(k, curve)| !self.curves[..*k].iter().any(|earlier| self.covers(earlier, curve)));
+        grazing.chain(distinct.map(|(_, curve)| curve.curve.parameters())).collect()
     }
 
     fn curves(&self) -> &[DiagramCurve] {
