@@ -127,7 +127,11 @@ fn compared(from: &str, description: Result<Description, String>) -> bool {
         if let Some(part) = diagram.unfinished.first() {
             return Err(format!("{}: not finished: {}", description.name(), part.stage));
         }
-        Ok((description.name().to_owned(), nonlinear::compare(&diagram, LATTICE, STATES)))
+        let mut outcome = nonlinear::compare(&diagram, LATTICE, STATES);
+        for (_, place, _) in &mut outcome.wrong {
+            *place = description.units().parameters(*place);
+        }
+        Ok((description.name().to_owned(), outcome))
     });
     let (name, outcome) = match outcome {
         Ok(both) => both,

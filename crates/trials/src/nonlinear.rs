@@ -6,7 +6,7 @@ use grazing_continuation::curve::Window;
 use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
-use grazing_model::smooth::Integrated;
+use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::regions::RegionKind;
 use grazing_unfold::simulation::Suspect;
@@ -109,19 +109,21 @@ impl Progress for Limited {
     }
 }
 
-/// The diagram of an oscillator, `unfinished` if that takes very long.
+/// The diagram of an oscillator, counted in units of its own; `unfinished` if that takes very long.
 ///
 /// # Errors
 /// There is nothing to unfold.
 pub fn unfolded(
     description: &Description,
-) -> Result<Diagram<Integrated<Stoppable<Description>>>, UnfoldError> {
+) -> Result<Diagram<Integrated<Stoppable<Dimensionless<Description>>>>, UnfoldError> {
     let window =
         Window { primary: description.primary().range(), secondary: description.secondary().range() };
     let scope = Scope { window, loops: description.loops().to_vec(), start: description.start() };
+    let units = description.units();
+    let scope = scope.without_dimensions(&units);
     let stop = Stop::after(MOST_STEPS);
-    let model = Stoppable::new(description.clone(), stop.clone());
-    let oscillator = Integrated::new(model, [window.primary[0], window.secondary[0]]);
+    let model = Stoppable::new(Dimensionless::new(description.clone(), units), stop.clone());
+    let oscillator = Integrated::new(model, [scope.window.primary[0], scope.window.secondary[0]]);
     let diagram = Diagram::compute(&oscillator, &scope, &Limited(stop.clone()));
     stop.withdraw();
     diagram

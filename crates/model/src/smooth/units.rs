@@ -26,7 +26,7 @@ pub struct Units {
 const INSTANTS: u32 = 16;
 /// Both ranges are looked at at these shares.
 const SHARES: [f64; 3] = [0.0, 0.5, 1.0];
-/// A mean force at the wall below this share of the forcing is what rounding leaves of none.
+/// Of the mean force at the wall and the forcing, what is below this share of the other is what rounding leaves of none.
 const NO_LOAD: f64 = 1e-12;
 /// Units lie between 4⁻⁶⁰ and 4⁶⁰: products of a few of them are numbers still.
 const MOST: f64 = 60.0;
@@ -41,8 +41,8 @@ impl Units {
 
     /// Units for an oscillator in ranges of μ and η.
     ///
-    /// They are the medians of what is seen at nine places. The load is the mean force at the wall, or the amplitude of the forcing where
-    /// the mean does not point away from the wall. The length is the shortest over which the mean force changes by the load, or
+    /// They are the medians of what is seen at nine places. The load is the mean force at the wall, or, where that does not point away
+    /// from the wall, the amplitude of the forcing if there is one. The length is the shortest over which the mean force changes by the load, or
     /// inertia at the forcing frequency balances it; the square of the time is length over load. A unit of a parameter changes the
     /// force by the load, or the frequency by one.
     pub fn of<M: SmoothOscillator>(model: &M, ranges: [[f64; 2]; 2]) -> Self {
@@ -96,7 +96,7 @@ fn sizes<M: SmoothOscillator>(model: &M, [mu, eta]: [f64; 2]) -> Option<[f64; 4]
     let mean = |x: f64| instants().map(|phase| force(x, phase)).sum::<f64>() / f64::from(INSTANTS);
     let at_wall = mean(0.0);
     let swing = instants().map(|phase| (force(0.0, phase) - at_wall).abs()).fold(0.0, f64::max);
-    let load = if at_wall < -NO_LOAD * swing { -at_wall } else { swing };
+    let load = if at_wall < -NO_LOAD * swing || swing < NO_LOAD * at_wall { at_wall.abs() } else { swing };
     if !(load > 0.0 && load.is_finite() && frequency > 0.0 && frequency.is_finite()) {
         return None;
     }
@@ -106,8 +106,12 @@ fn sizes<M: SmoothOscillator>(model: &M, [mu, eta]: [f64; 2]) -> Option<[f64; 4]
         change.is_nan() || change >= load
     };
     let inertial = load / (frequency * frequency);
-    let mut length =
-        (-DOUBLINGS..0).map(|k| libm::ldexp(inertial, k)).find(|length| held(*length)).unwrap_or(inertial);
+    let mut lengths = (-DOUBLINGS..0).map(|k| libm::ldexp(inertial, k));
+    // Where the force is not a number next to the wall nothing is known of lengths.
+    if lengths.next().is_some_and(held) {
+        return None;
+    }
+    let mut length = lengths.find(|length| held(*length)).unwrap_or(inertial);
     let mut shorter = 0.5_f64;
     for _ in 0..BISECTIONS {
         shorter = shorter.sqrt();

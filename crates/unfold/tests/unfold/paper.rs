@@ -323,7 +323,7 @@ fn magnified_curves_of_figure_8_lie_on_those_of_the_closed_form() {
 fn branches_and_bifurcations_of_figure_2_are_those_of_the_closed_form() {
     let figure = &PARAMETERS["fig02"];
     let frequency = number(&figure["frequency"]);
-    let window = Window { primary: range(figure, "amplitude"), secondary: [0.0, f64::INFINITY] };
+    let window = Window { primary: range(figure, "near"), secondary: [0.0, f64::INFINITY] };
     let route = Route { stop_at_events: false, ..route(window, StepControl::DRAWING) };
     let grazing = grazing_at(ZETA, frequency);
     let start = Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), frequency);
