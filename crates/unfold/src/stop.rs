@@ -24,6 +24,8 @@ struct Shared {
     asked: AtomicBool,
     steps: AtomicU64,
     most: u64,
+    /// The steps are not limited any more.
+    lifted: AtomicBool,
 }
 
 impl Default for Stop {
@@ -44,7 +46,8 @@ thread_local! {
 impl Stop {
     /// A mark that is set after about so many steps of integration.
     pub fn after(steps: u64) -> Self {
-        Self(Arc::new(Shared { asked: AtomicBool::new(false), steps: AtomicU64::new(0), most: steps }))
+        let (asked, lifted) = (AtomicBool::new(false), AtomicBool::new(false));
+        Self(Arc::new(Shared { asked, steps: AtomicU64::new(0), most: steps, lifted }))
     }
 
     /// Asks for the end.
@@ -52,8 +55,9 @@ impl Stop {
         self.0.asked.store(true, Ordering::Relaxed);
     }
 
-    /// Takes the wish back: everything moves again, for whoever writes down what was finished.
+    /// Takes the wish back, and the limit of steps with it: everything moves again, for whoever writes down what was finished.
     pub fn withdraw(&self) {
+        self.0.lifted.store(true, Ordering::Relaxed);
         self.0.asked.store(false, Ordering::Relaxed);
     }
 
@@ -80,7 +84,8 @@ impl Stop {
             own.set(steps % LOT);
             if steps == LOT {
                 let before = self.0.steps.fetch_add(LOT, Ordering::Relaxed);
-                if before < self.0.most && before.saturating_add(LOT) >= self.0.most {
+                let reached = before < self.0.most && before.saturating_add(LOT) >= self.0.most;
+                if reached && !self.0.lifted.load(Ordering::Relaxed) {
                     self.ask();
                 }
             }
@@ -215,5 +220,16 @@ mod tests {
             position_after(&oscillator, 6.0);
         }
         assert!(!stop.is_asked(), "what is written down afterwards has no limit");
+    }
+
+    #[test]
+    fn an_end_that_is_withdrawn_before_the_steps_are_used_up_lifts_their_limit() {
+        let stop = Stop::after(2 * LOT);
+        let oscillator = Integrated::new(Stoppable::new(Spring, stop.clone()), [0.0, 1.0]);
+        stop.withdraw();
+        for _ in 0..100 {
+            position_after(&oscillator, 6.0);
+        }
+        assert!(stop.is_used_up() && !stop.is_asked());
     }
 }
