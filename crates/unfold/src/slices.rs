@@ -85,7 +85,7 @@ pub(crate) struct Border<'a> {
 /// located by itself (empirical: neighbouring folds and grazings of the oscillators that were tried lie much farther apart, and the error of a
 /// point, some 10⁻⁸, is far below what is read off it).
 const STEPS: StepControl =
-    StepControl { first: 1e-3, longest: 0.1, shortest: 1e-4, turn: 0.07, tolerance: 1e-4 };
+    StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.07, tolerance: 1e-4 };
 /// A branch of this many points has lost its way.
 const STEP_LIMIT: usize = 5_000;
 /// Branches from the grazing curve begin at this impact velocity, beside the singular point (empirical; what lies between is narrower
