@@ -6,8 +6,8 @@
 //! sections 2 and 4 stand in [`maps`], the search for maxima and impacts in [`motion`], and orbits with impacts in
 //! [`orbit`]; third derivatives, for the criticality of bifurcations, come with [`ThirdOrder`].
 //!
-//! All quantities are dimensionless; [`smooth::Dimensionless`] makes an oscillator in other units so. Nothing here reads, writes or prints; all transcendental functions come from `libm`,
-//! so that the same input gives the same bits on every machine.
+//! All quantities are dimensionless; [`smooth::Dimensionless`] makes an oscillator in other units so. Nothing here reads, writes or
+//! prints; all transcendental functions come from `libm`, so that the same input gives the same bits on every machine.
 
 mod jet;
 mod linear;

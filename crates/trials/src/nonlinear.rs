@@ -16,7 +16,7 @@ use rayon::prelude::*;
 
 use crate::continued::{along, good, near};
 use crate::random::Random;
-use crate::regions::distance;
+use crate::regions::{BORDER, distance};
 use crate::simulation::{Settled, settled};
 
 /// What regions, continuation and simulation do not agree on.
@@ -67,9 +67,6 @@ impl Outcome {
     }
 }
 
-/// The distance from a border, in shares of the ranges, within which a point tells nothing.
-const BORDER: f64 = 0.002;
-
 /// What a diagram says of p-loop solutions at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Shown {
@@ -85,7 +82,7 @@ fn shown<O>(diagram: &Diagram<O>, loops: u32, point: [f64; 2]) -> Shown {
     let inside: Vec<_> = of_p.clone().filter(|region| region.contains(point)).collect();
     if inside.iter().any(|region| matches!(region.kind, RegionKind::Undecided(_))) {
         Shown::Hatched
-    } else if of_p.any(|region| distance(region, point, diagram.scope.window) < BORDER) {
+    } else if of_p.any(|region| distance(region, point) < BORDER) {
         Shown::Border
     } else if inside.is_empty() {
         Shown::White

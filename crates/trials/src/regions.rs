@@ -25,17 +25,14 @@ pub struct Outcome {
 }
 
 /// The distance from a border within which a point tells nothing.
-const BORDER: f64 = 0.002;
+pub const BORDER: f64 = 0.002;
 
-/// The distance of a point from the border of a region, in shares of the ranges.
-pub fn distance(region: &Region, point: [f64; 2], window: Window) -> f64 {
-    let share = |[low, high]: [f64; 2], value: f64| (value - low) / (high - low);
-    let place = |p: [f64; 2]| [share(window.primary, p[0]), share(window.secondary, p[1])];
-    let [x, y] = place(point);
+/// The distance of a point from the border of a region.
+pub fn distance(region: &Region, [x, y]: [f64; 2]) -> f64 {
     let mut least = f64::INFINITY;
     for ring in &region.rings {
         for (k, a) in ring.iter().enumerate() {
-            let [a, b] = [place(*a), place(ring[(k + 1) % ring.len()])];
+            let b = ring[(k + 1) % ring.len()];
             let [u, v] = [b[0] - a[0], b[1] - a[1]];
             let along = (((x - a[0]) * u + (y - a[1]) * v) / (u * u + v * v)).clamp(0.0, 1.0);
             let along = if along.is_nan() { 0.0 } else { along };
@@ -100,7 +97,7 @@ pub fn compare(
             match (shaded, stable) {
                 (true, true) => outcome.shaded += 1,
                 (false, false) => {}
-                _ if of_p.iter().any(|region| distance(region, point, window) < BORDER) => {}
+                _ if of_p.iter().any(|region| distance(region, point) < BORDER) => {}
                 (true, false) => outcome.false_shading.push((p, point)),
                 (false, true) => outcome.missed.push((p, point)),
             }

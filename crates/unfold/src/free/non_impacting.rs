@@ -191,9 +191,7 @@ impl<O: ImpactOscillator> FreeSurvey<'_, O> {
         let [line, points] = [known, other].map(places);
         let near = |point: &Vector2<f64>| {
             line.windows(2).any(|pair| {
-                let (chord, gap) = (pair[1] - pair[0], point - pair[0]);
-                let along = (gap.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
-                (gap - chord * along).norm() < DRAWN
+                near_chord(&(pair[0] - point), &(pair[1] - point), DRAWN / (pair[1] - pair[0]).norm())
             })
         };
         known.kind == other.kind && points.iter().all(near)
