@@ -71,8 +71,13 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let [primary, secondary] = oscillator.parameters();
         let conditions = [Condition::SADDLE_NODE, Condition::ImpactVelocity(0.0)];
         let start = Unknowns::new(0.0, near, primary, secondary);
-        let located = locate(&equations, conditions, start, &mut Memory::default())
-            .map_err(ResonanceError::NotLocated)?;
+        // Once more from the point found, which is one step more: where damping is strong, E_p and with it the coefficients change so fast
+        // with η that what the last step leaves would be seen.
+        let mut located = start;
+        for _ in 0..2 {
+            located = locate(&equations, conditions, located, &mut Memory::default())
+                .map_err(ResonanceError::NotLocated)?;
+        }
         let orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
         let point = orbit.resonant_point(loops)?;
         Ok(Self { equations, orbit, point })
