@@ -77,6 +77,8 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         for _ in 0..2 {
             located = locate(&equations, conditions, located, &mut Memory::default())
                 .map_err(ResonanceError::NotLocated)?;
+            // Rounding may leave it beside zero, where an impact has another virtual point.
+            located[unknown::VELOCITY] = 0.0;
         }
         let orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
         let point = orbit.resonant_point(loops)?;
