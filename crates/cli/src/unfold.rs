@@ -27,7 +27,7 @@ use crate::outputs::{computation, table_path};
 use crate::report::noted;
 use crate::report::oscillators::{Material, PAGE};
 use crate::reproduce::{start_threads, summary};
-use crate::{tables, terminal};
+use crate::{data_page, tables, terminal};
 use keeper::Keeper;
 
 /// The folder of the results, with a folder in it for each file.
@@ -55,9 +55,9 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let tasks = tasks(arguments)?;
     for task in &tasks {
         let figures = sheets::FILES.iter().flat_map(|file| edition.figure_paths(file));
-        let tables = TABLES.iter().map(|(name, ..)| table_path(name));
-        let page = std::iter::once(PathBuf::from(PAGE));
-        folder::ensure_writable(&task.folder, &figures.chain(tables).chain(page).collect::<Vec<_>>())?;
+        let tables = TABLES.iter().map(|table| table_path(table.name));
+        let pages = [PathBuf::from(PAGE), data_page::path()];
+        folder::ensure_writable(&task.folder, &figures.chain(tables).chain(pages).collect::<Vec<_>>())?;
     }
     if let Some(jobs) = arguments.jobs {
         start_threads(jobs)?;
@@ -202,6 +202,7 @@ impl Task {
             let content = tables::csv(table).map_err(|error| computation("tables", &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
         }
+        files.push(data_page::of_an_oscillator(TABLES, &unfolded.axes.names));
         let Self { file, text, description, .. } = self;
         let material = Material { file, text, description, unfolded, figures: &drawn, tables };
         files.push(material.page(&files));

@@ -28,7 +28,7 @@ pub struct Axes {
 impl Axes {
     /// Axes of these names.
     pub fn new(primary: &str, secondary: &str, units: Units) -> Self {
-        let columns = unfolded::TABLES.iter().flat_map(|(_, _, columns)| *columns);
+        let columns = unfolded::TABLES.iter().flat_map(|table| table.columns);
         let taken: Vec<_> = columns.map(|column| column.name).collect();
         let own = |name: &str| {
             let mut name = name.to_owned();

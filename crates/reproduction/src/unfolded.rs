@@ -10,7 +10,7 @@ use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
 use grazing_results::resonances::{Asked, GrazingLoops, GrazingPoint, Resonance};
-use grazing_results::{Column, Names, Row, Table};
+use grazing_results::{Names, Plan, Table};
 use grazing_theorems::ResonantPoint;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
@@ -196,28 +196,25 @@ pub struct Rows {
     pub magnifications: Vec<MagnifiedPoint>,
 }
 
-/// The tables of an analysis, in their order: what each is called, what its rows are, and its columns.
-pub const TABLES: [(&str, &str, &[Column]); 8] = [
-    (
+/// The tables of an analysis, in their order.
+pub const TABLES: [Plan; 8] = [
+    Plan::of::<GrazingPoint>(
         "grazing",
         "a point of the grazing curve, with the grazing orbit and the Poincaré map around it",
-        GrazingPoint::COLUMNS,
     ),
-    ("grazing_loops", "such a point and a p, with what depends on p", GrazingLoops::COLUMNS),
-    ("curves", "a point of a curve of the diagram", CurvePoint::COLUMNS),
-    (
+    Plan::of::<GrazingLoops>("grazing_loops", "such a point and a p, with what depends on p"),
+    Plan::of::<CurvePoint>("curves", "a point of a curve of the diagram"),
+    Plan::of::<SpecialPoint>(
         "points",
         "a resonance at which a theorem holds, or another codimension-two point",
-        SpecialPoint::COLUMNS,
     ),
-    ("regions", "a vertex of a region of stability", RegionVertex::COLUMNS),
-    ("coefficients", "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds", Resonance::COLUMNS),
-    (
+    Plan::of::<RegionVertex>("regions", "a vertex of a region of stability"),
+    Plan::of::<Resonance>("coefficients", "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds"),
+    Plan::of::<Asked>(
         "hypotheses",
         "a hypothesis of the theorem at a resonance, whether or not all of them hold",
-        Asked::COLUMNS,
     ),
-    ("magnifications", "a point of a curve of a magnification", MagnifiedPoint::COLUMNS),
+    Plan::of::<MagnifiedPoint>("magnifications", "a point of a curve of a magnification"),
 ];
 
 impl Rows {

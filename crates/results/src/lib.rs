@@ -28,4 +28,4 @@ pub mod theorems;
 pub use cell::Cell;
 pub use columns::Column;
 pub use names::{GREEK, Names, symbol, symbol_at_grazing};
-pub use table::{Row, Table};
+pub use table::{Plan, Row, Table};

@@ -11,6 +11,24 @@ pub trait Row {
     fn cells(&self) -> Vec<Cell>;
 }
 
+/// A table that is made, before it is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Plan {
+    /// The name of its CSV file, without ending.
+    pub name: &'static str,
+    /// What a row is.
+    pub row: &'static str,
+    /// Its columns.
+    pub columns: &'static [Column],
+}
+
+impl Plan {
+    /// A table of rows of the type.
+    pub const fn of<R: Row>(name: &'static str, row: &'static str) -> Self {
+        Self { name, row, columns: R::COLUMNS }
+    }
+}
+
 /// A table under the name of its CSV file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {

@@ -81,8 +81,16 @@ impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
     fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
         let found: Vec<_> = levels.par_iter().map(|level| self.slicer.beginning_at_grazing(*level)).collect();
         self.slices.extend(found);
-        spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
-        self.explain(progress);
+        loop {
+            spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
+            self.explain(progress);
+            let curves = &self.net.curves;
+            let fresh: Vec<bool> =
+                self.slices.par_iter_mut().map(|slice| self.slicer.through_curves(slice, curves)).collect();
+            if progress.stopped() || !fresh.contains(&true) {
+                break;
+            }
+        }
     }
 
     fn lines(&self) -> Vec<Vec<Point>> {
