@@ -46,6 +46,64 @@ pub struct Bounds {
     pub snap: f64,
 }
 
+impl Bounds {
+    /// Nothing is known, so that nothing can be proved.
+    pub(crate) const UNKNOWN: Self = Self::all(f64::INFINITY);
+    /// Over no time at all nothing happens.
+    pub(crate) const NO_TIME: Self = Self::all(0.0);
+
+    const fn all(bound: f64) -> Self {
+        Self { acceleration: bound, jerk: bound, snap: bound }
+    }
+
+    /// Bounds that hold wherever one of the two does.
+    pub(crate) fn joined(&self, other: &Self) -> Self {
+        Self {
+            acceleration: self.acceleration.max(other.acceleration),
+            jerk: self.jerk.max(other.jerk),
+            snap: self.snap.max(other.snap),
+        }
+    }
+}
+
+/// A smooth motion x(t), t being the time since it began.
+pub trait Motion {
+    /// The motion at a time of either sign; NaN where it has ceased to exist.
+    fn at(&self, time: f64) -> Kinematics;
+
+    /// The derivatives bounded from the beginning to a horizon, which may lie in the past.
+    fn enclose(&self, horizon: f64) -> impl Window;
+
+    /// How far bounds are worth having when the first event may come sooner; all the way, where they cost nothing.
+    #[inline]
+    fn foresight(&self) -> f64 {
+        f64::INFINITY
+    }
+}
+
+/// The time from a motion's beginning to a horizon, over which its derivatives have been bounded: the only source of bounds.
+///
+/// It is divided into strides, such that the motion is cheap to evaluate between two.
+pub trait Window {
+    /// Bounds for the whole window, as far as the motion exists.
+    fn bounds(&self) -> Bounds;
+
+    /// Bounds between two times, in this order; infinite outside of the window. Those for the whole will do where they are about as good.
+    fn bounds_between(&self, from: f64, to: f64) -> Bounds;
+
+    /// The length of the longest stride.
+    fn stride(&self) -> f64;
+
+    /// The number of whole strides in the window.
+    fn strides(&self) -> usize;
+
+    /// The time after so many strides, at most [`strides`](Self::strides).
+    fn time_after(&self, strides: usize) -> f64;
+
+    /// A walk through the times after 0, 1, 2, … strides, standing at 0.
+    fn walk(&self) -> impl Walk;
+}
+
 /// A walk along a motion in strides: the position at once, the derivatives when they are asked for.
 pub trait Walk: Copy {
     /// x.
@@ -56,44 +114,6 @@ pub trait Walk: Copy {
 
     /// Goes on by one stride.
     fn advance(&mut self);
-}
-
-/// A smooth motion x(t), t being the time since it began.
-pub trait Motion {
-    /// The motion at a time of either sign; not numbers where it has ceased to exist.
-    fn at(&self, time: f64) -> Kinematics;
-
-    /// Bounds of the derivatives for all times between `from` and `to`.
-    fn bounds(&self, from: f64, to: f64) -> Bounds;
-
-    /// Bounds between two nearby times, in this order; those for all times will do where they are about as good.
-    #[inline]
-    fn bounds_between(&self, _from: f64, _to: f64, all: &Bounds) -> Bounds {
-        *all
-    }
-
-    /// How far bounds are worth having when the first event may come sooner; all the way, where they cost nothing.
-    #[inline]
-    fn foresight(&self) -> f64 {
-        f64::INFINITY
-    }
-
-    /// The longest stride h of [`walk`](Self::walk) up to a horizon, which may lie in the past.
-    fn stride(&self, horizon: f64) -> f64;
-
-    /// The time after so many strides; without an own choice all are of the same length.
-    #[inline]
-    fn time_after(&self, strides: f64) -> f64 {
-        strides * self.stride(0.0)
-    }
-
-    /// The number of strides, a whole one, that end at `horizon` or before.
-    fn strides_within(&self, horizon: f64) -> f64 {
-        libm::floor(horizon / self.stride(horizon))
-    }
-
-    /// A walk through the times after 0, 1, 2, … strides, standing at 0.
-    fn walk(&self) -> impl Walk;
 }
 
 /// A local maximum of x(t).
@@ -114,19 +134,19 @@ pub struct Crossing {
     pub velocity: f64,
 }
 
-/// The cells of a motion from time 0 to `horizon` in which x may exceed `level`.
+/// The cells of a motion from time 0 to `horizon`, up to which a window reaches, in which x may exceed `level`.
 fn cells_above(
     motion: &impl Motion,
-    bounds: &Bounds,
+    window: &impl Window,
     horizon: f64,
     level: f64,
 ) -> impl Iterator<Item = Cell> {
-    let stride = motion.stride(horizon);
+    let stride = window.stride();
     // Positions at both ends below this rule the cell out: |x − chord| ≤ h²/8 · max|ẍ|.
-    let relevant = level - stride * stride / 8.0 * bounds.acceleration;
-    let whole_cells = motion.strides_within(horizon);
-    let mut walk = motion.walk();
-    let (mut index, mut position) = (0.0, walk.position());
+    let relevant = level - stride * stride / 8.0 * window.bounds().acceleration;
+    let whole_cells = window.strides();
+    let mut walk = window.walk();
+    let (mut index, mut position) = (0, walk.position());
     // The derivatives at the point where the walk stands, if the cell before needed them.
     let mut known: Option<Kinematics> = None;
     core::iter::from_fn(move || {
@@ -135,30 +155,30 @@ fn cells_above(
         while cell < whole_cells {
             let before = here;
             here.advance();
-            cell += 1.0;
+            cell += 1;
             let next = here.position();
             let next_above = next >= relevant;
             if above || next_above {
-                let first = known.filter(|_| cell == index + 1.0).unwrap_or_else(|| before.kinematics());
+                let first = known.filter(|_| cell == index + 1).unwrap_or_else(|| before.kinematics());
                 let last = here.kinematics();
                 (walk, index, position, known) = (here, cell, next, Some(last));
-                let [start, end] = [cell - 1.0, cell].map(|strides| motion.time_after(strides));
-                return Some(Cell { start, first, end, last });
+                let [start, end] = [cell - 1, cell].map(|strides| window.time_after(strides));
+                return Some(Cell::within(window, [start, end], [first, last]));
             }
             above = next_above;
         }
         if cell > index {
             (walk, index, known) = (here, cell, None);
         }
-        let start = motion.time_after(index.min(whole_cells));
+        let start = window.time_after(index.min(whole_cells));
         // The rest of the time, shorter than a stride, comes last, unless the motion ends before the horizon.
         if index > whole_cells || start >= horizon {
             return None;
         }
-        index += 1.0;
+        index += 1;
         let last = motion.at(horizon);
         let first = known.unwrap_or_else(|| walk.kinematics());
-        last.position.is_finite().then_some(Cell { start, first, end: horizon, last })
+        last.position.is_finite().then(|| Cell::within(window, [start, horizon], [first, last]))
     })
 }
 
@@ -168,11 +188,8 @@ fn cells_above(
 pub fn first_crossing(motion: &impl Motion, horizon: f64) -> Option<Crossing> {
     let mut reach = motion.foresight().min(horizon);
     loop {
-        let bounds = motion.bounds(0.0, reach);
-        let crossing = cells_above(motion, &bounds, reach, 0.0).find_map(|cell| {
-            let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
-            cell.crossing(motion, &bounds)
-        });
+        let window = motion.enclose(reach);
+        let crossing = cells_above(motion, &window, reach, 0.0).find_map(|cell| cell.crossing(motion));
         if crossing.is_some() || reach >= horizon {
             return crossing;
         }
@@ -182,11 +199,9 @@ pub fn first_crossing(motion: &impl Motion, horizon: f64) -> Option<Crossing> {
 
 /// All local maxima of x(t) for t in (0, horizon), in order of time.
 pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
-    let bounds = motion.bounds(0.0, horizon);
     let mut found = Vec::new();
-    for cell in cells_above(motion, &bounds, horizon, f64::NEG_INFINITY) {
-        let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
-        cell.maxima(motion, &bounds, f64::NEG_INFINITY, &mut |maximum| {
+    for cell in cells_above(motion, &motion.enclose(horizon), horizon, f64::NEG_INFINITY) {
+        cell.maxima(motion, f64::NEG_INFINITY, &mut |maximum| {
             found.push(maximum);
             f64::NEG_INFINITY
         });
@@ -196,24 +211,22 @@ pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
 
 /// The highest local maximum of x(t) for t in (0, horizon), or `None` if there is no local maximum.
 pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
-    let bounds = motion.bounds(0.0, horizon);
-    let mut candidates: Vec<(Cell, Bounds)> = Vec::with_capacity(16);
+    let mut candidates: Vec<Cell> = Vec::with_capacity(16);
     // Where the velocity changes from + to − there is a maximum, at least as high as the cell's ends.
     let mut threshold = f64::NEG_INFINITY;
-    for cell in cells_above(motion, &bounds, horizon, f64::NEG_INFINITY) {
-        let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
-        match cell.course(&bounds) {
+    for cell in cells_above(motion, &motion.enclose(horizon), horizon, f64::NEG_INFINITY) {
+        match cell.course() {
             Course::Monotone | Course::Curved { falling: false } => continue,
             Course::Curved { falling: true } | Course::Open => {}
         }
         if cell.first.velocity > 0.0 && cell.last.velocity <= 0.0 {
             threshold = threshold.max(cell.first.position.max(cell.last.position));
         }
-        candidates.push((cell, bounds));
+        candidates.push(cell);
     }
     let mut highest: Option<Maximum> = None;
-    for (cell, bounds) in candidates {
-        threshold = cell.maxima(motion, &bounds, threshold, &mut |maximum| {
+    for cell in candidates {
+        threshold = cell.maxima(motion, threshold, &mut |maximum| {
             if highest.is_none_or(|other| other.position < maximum.position) {
                 highest = Some(maximum);
             }
@@ -232,10 +245,9 @@ const PATIENCE: u32 = 100_000;
 /// For a motion that begins with a velocity other than zero; paper: the evolution time of P_virt.
 pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<f64> {
     let sign = if forwards { 1.0 } else { -1.0 };
-    let bounds = motion.bounds(0.0, sign * horizon);
-    let mut first = motion.at(0.0);
-    let mut start = 0.0;
-    let stride = motion.stride(sign * horizon);
+    let window = motion.enclose(sign * horizon);
+    let stride = window.stride();
+    let (mut start, mut first) = (0.0, motion.at(0.0));
     let mut patience = PATIENCE;
     while start < horizon && patience > 0 {
         let end = (start + stride).min(horizon);
@@ -243,9 +255,8 @@ pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<
         if !last.position.is_finite() {
             return None;
         }
-        let cell = Cell { start: sign * start, first, end: sign * end, last };
-        let bounds = motion.bounds_between(cell.start, cell.end, &bounds);
-        if let Some(time) = cell.rest(motion, &bounds, &mut patience) {
+        let cell = Cell::within(&window, [sign * start, sign * end], [first, last]);
+        if let Some(time) = cell.rest(motion, &mut patience) {
             return Some(time);
         }
         (start, first) = (end, last);

@@ -1,7 +1,7 @@
 //! Motion of the linear oscillator between impacts, as a function of time alone.
 
 use super::LinearOscillator;
-use crate::motion::{Bounds, Kinematics, Motion, Walk};
+use crate::motion::{Bounds, Kinematics, Motion, Walk, Window};
 use crate::oscillator::State;
 
 /// A stride of the walk along a motion; computed once per oscillator.
@@ -107,27 +107,56 @@ impl Motion for LinearMotion {
         self.assemble([decay * cos, decay * sin], [forced_cos, forced_sin])
     }
 
-    fn bounds(&self, from: f64, to: f64) -> Bounds {
+    fn enclose(&self, horizon: f64) -> impl Window {
         // |−ζ + iω₁| = 1: all derivatives of the free part have the amplitude of the free part itself.
         let [p, q] = self.free;
-        let earliest = from.min(to);
-        let growth = if earliest < 0.0 { libm::exp(-self.damping_ratio * earliest) } else { 1.0 };
+        let growth = if horizon < 0.0 { libm::exp(-self.damping_ratio * horizon) } else { 1.0 };
         let free = (p * p + q * q).sqrt() * growth;
         let [u, v] = self.forced;
         let square = self.frequency * self.frequency;
         let forced = (u * u + v * v).sqrt() * square;
-        Bounds {
+        let bounds = Bounds {
             acceleration: free + forced,
             jerk: free + forced * self.frequency,
             snap: free + forced * square,
-        }
+        };
+        Amplitudes { motion: self, horizon, bounds }
+    }
+}
+
+/// A window with the amplitudes of the derivatives.
+struct Amplitudes<'a> {
+    motion: &'a LinearMotion,
+    horizon: f64,
+    bounds: Bounds,
+}
+
+impl Window for Amplitudes<'_> {
+    fn bounds(&self) -> Bounds {
+        self.bounds
     }
 
-    fn stride(&self, _: f64) -> f64 {
-        self.stride.length
+    #[inline]
+    fn bounds_between(&self, from: f64, to: f64) -> Bounds {
+        // Forwards nothing grows, so that these bounds hold for ever.
+        let earliest = from.min(to);
+        if earliest >= 0.0 || earliest >= self.horizon { self.bounds } else { Bounds::UNKNOWN }
+    }
+
+    fn stride(&self) -> f64 {
+        self.motion.stride.length
+    }
+
+    fn strides(&self) -> usize {
+        libm::floor(self.horizon / self.stride()) as usize
+    }
+
+    #[inline]
+    fn time_after(&self, strides: usize) -> f64 {
+        strides as f64 * self.stride()
     }
 
     fn walk(&self) -> impl Walk {
-        Rotation { motion: self, free: [1.0, 0.0], forced: [1.0, 0.0] }
+        Rotation { motion: self.motion, free: [1.0, 0.0], forced: [1.0, 0.0] }
     }
 }

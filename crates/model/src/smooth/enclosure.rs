@@ -69,12 +69,7 @@ fn halved<M: SmoothOscillator>(
     let time = 0.5 * (node.time + next.time);
     let middle = oscillator.next_node(&Node { last: None, ..*node }, time - node.time)?;
     let [a, b] = [[node, &middle], [&middle, next]].map(|[a, b]| halved(oscillator, a, b, halvings));
-    let (a, b) = (a?, b?);
-    Some(Bounds {
-        acceleration: a.acceleration.max(b.acceleration),
-        jerk: a.jerk.max(b.jerk),
-        snap: a.snap.max(b.snap),
-    })
+    Some(a?.joined(&b?))
 }
 
 /// Bounds from a box that the solution cannot leave (Picard's criterion): with F taken over the box, velocity and position
