@@ -135,6 +135,7 @@ pub struct Crossing {
 }
 
 /// The cells of a motion from time 0 to `horizon`, up to which a window reaches, in which x may exceed `level`.
+#[inline]
 fn cells_above(
     motion: &impl Motion,
     window: &impl Window,
@@ -185,6 +186,7 @@ fn cells_above(
 /// The first crossing of x = 0 upwards, at a time in (0, horizon], by a motion that begins with x ≤ 0.
 ///
 /// A maximum that only touches the wall (x ≤ 0 to rounding) is no crossing.
+#[inline]
 pub fn first_crossing(motion: &impl Motion, horizon: f64) -> Option<Crossing> {
     let mut reach = motion.foresight().min(horizon);
     loop {

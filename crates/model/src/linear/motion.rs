@@ -107,6 +107,7 @@ impl Motion for LinearMotion {
         self.assemble([decay * cos, decay * sin], [forced_cos, forced_sin])
     }
 
+    #[inline]
     fn enclose(&self, horizon: f64) -> impl Window {
         // |−ζ + iω₁| = 1: all derivatives of the free part have the amplitude of the free part itself.
         let [p, q] = self.free;

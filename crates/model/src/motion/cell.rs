@@ -72,6 +72,7 @@ impl Cell {
     }
 
     /// The zero of the velocity by interpolation; the velocity is strictly monotone in this cell and changes sign.
+    #[inline(always)]
     fn near_stationary_time(&self) -> f64 {
         inverse_hermite(
             [self.first.velocity, self.last.velocity],
