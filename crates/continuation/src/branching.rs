@@ -3,9 +3,9 @@
 use grazing_model::ImpactOscillator;
 
 use crate::curve::{Curve, Event, MpsCurve, Route};
-use crate::locate::Condition;
+use crate::error::ResonanceError;
+use crate::locate::{Condition, same_point};
 use crate::mps::{LoopEquations, MaximalPeriodicSolution, Unknowns};
-use crate::resonance::{ResonanceError, same_point};
 
 impl<O: ImpactOscillator> LoopEquations<O> {
     /// Follows the other curve of a codimension-two point at which one curve ends: GZ to the side where the MPS is stable, SN and PD

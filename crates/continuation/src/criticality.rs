@@ -26,17 +26,16 @@
 //! hold for the smaller s.
 
 mod at_resonance;
-mod codimension_two;
+pub mod codimension_two;
 mod normal_form;
 
 pub use at_resonance::coefficient_at_resonance;
-pub use codimension_two::{GeneralisedPeriodDoubling, NotDegenerate, generalised_period_doublings};
 
 use grazing_model::ThirdOrder;
 use nalgebra::{Matrix2, Vector2, Vector4};
 
 use crate::mps::{LoopEquations, LoopPair, Unknowns, unknown};
-use normal_form::ImplicitMap;
+use normal_form::{ImplicitMap, solved};
 
 /// The normal form of a bifurcation was not found.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -217,10 +216,4 @@ fn column(jet: &grazing_model::MapJet, variable: usize) -> Vector2<f64> {
 /// The derivative, in the direction `along` of (y, z, μ, η), of a map's derivative in the coordinates.
 fn derivative_along(jet: &grazing_model::MapJet, along: &Vector4<f64>) -> Matrix2<f64> {
     Matrix2::from_fn(|i, j| jet.hessians[i].row(j).dot(&along.transpose()))
-}
-
-/// M⁻¹ b by Cramer's rule; not numbers if M is singular.
-fn solved(m: &Matrix2<f64>, b: Vector2<f64>) -> Vector2<f64> {
-    let determinant = m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)];
-    Vector2::new(m[(1, 1)] * b[0] - m[(0, 1)] * b[1], m[(0, 0)] * b[1] - m[(1, 0)] * b[0]) / determinant
 }

@@ -162,6 +162,12 @@ pub fn locate_within<O: ImpactOscillator>(
     Ok(solution.point)
 }
 
+/// Two located points are the same codimension-two point: located to 10⁻¹⁰, different ones are much farther apart.
+pub fn same_point(a: &Unknowns, b: &Unknowns) -> bool {
+    let gap = |index: usize| (a[index] - b[index]).abs();
+    gap(unknown::PRIMARY).max(gap(unknown::SECONDARY)) < 1e-7
+}
+
 /// The point at which a curve of interior grazing runs into y = 0.
 ///
 /// With y = 0 all loops coincide with the grazing orbit, so the interior maximum lies on the wall for every η and the

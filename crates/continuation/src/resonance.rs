@@ -1,38 +1,14 @@
 //! Resonant grazing points: located numerically, and the curves that leave them.
 
 use grazing_model::ImpactOscillator;
-use grazing_model::maps::MapError;
-use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
+use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side, Unfolding};
 
 use crate::curve::{Curve, CurveEnd, MpsCurve, Route};
-use crate::locate::{Condition, LocateFailure, locate};
+pub use crate::error::ResonanceError;
+pub use crate::locate::same_point;
+use crate::locate::{Condition, locate};
 use crate::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
-
-/// A resonant grazing point could not be analysed.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ResonanceError {
-    /// Newton's method for det J = 0 on the grazing curve failed.
-    #[error("the resonance was not located: {0}")]
-    NotLocated(LocateFailure),
-    /// The grazing orbit was not found.
-    #[error(transparent)]
-    GrazingOrbit(#[from] GrazingOrbitError),
-    /// P_global is not smooth there.
-    #[error(transparent)]
-    Map(#[from] MapError),
-    /// A theorem's hypothesis does not hold.
-    #[error(transparent)]
-    Hypotheses(#[from] HypothesesViolated),
-    /// The theory gives a direction in which the numerical equations have no curve.
-    #[error("the {curve} curve cannot be started: {reason}")]
-    NotStarted {
-        /// Which curve.
-        curve: &'static str,
-        /// Why not.
-        reason: String,
-    },
-}
 
 /// A resonant grazing point of p-loop MPSs: where det J = 0 on the curve of grazing bifurcations.
 ///
@@ -227,10 +203,4 @@ pub struct UnfoldedResonance {
     pub grazing: Vec<Curve>,
     /// Why there is no GZ curve from a codimension-two point where there should be one.
     pub missing: Vec<ResonanceError>,
-}
-
-/// Two located points are the same codimension-two point: located to 10⁻¹⁰, different ones are much farther apart.
-pub fn same_point(a: &Unknowns, b: &Unknowns) -> bool {
-    let gap = |index: usize| (a[index] - b[index]).abs();
-    gap(unknown::PRIMARY).max(gap(unknown::SECONDARY)) < 1e-7
 }

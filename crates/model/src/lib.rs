@@ -15,7 +15,9 @@ pub mod maps;
 pub mod motion;
 pub mod orbit;
 mod oscillator;
+mod scalar;
 pub mod smooth;
+mod taylor;
 mod third_order;
 
 pub use jet::{FlowJet, MapJet, ParameterJet, flow_variable};

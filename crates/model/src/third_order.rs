@@ -1,7 +1,8 @@
 //! Third derivatives of the flow and of the reset law, along curves.
 
 use crate::oscillator::ImpactOscillator;
-use crate::smooth::{Scalar, Taylor};
+use crate::scalar::Scalar;
+use crate::taylor::Taylor;
 
 /// An impact oscillator that can be followed along a curve of arguments to third order.
 ///

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix2, Matrix2x6, Matrix6, Vector2};
 
-use super::LinearOscillator;
+use super::oscillator::LinearOscillator;
 use crate::jet::{FlowJet, flow_variable::*};
 use crate::oscillator::State;
 

@@ -1,28 +1,9 @@
 //! Motion of the linear oscillator between impacts, as a function of time alone.
 
-use super::LinearOscillator;
+use super::oscillator::LinearOscillator;
+use super::response::{Stride, multiply};
 use crate::motion::{Bounds, Kinematics, Motion, Walk, Window};
 use crate::oscillator::State;
-
-/// A stride of the walk along a motion; computed once per oscillator.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stride {
-    length: f64,
-    /// e^{(−ζ+iω₁)h} and e^{iωh}.
-    turn: [[f64; 2]; 2],
-}
-
-impl Stride {
-    /// An eighth of the shorter of the two periods keeps the undecided cells few (empirical; any length finds the same
-    /// events).
-    pub(super) fn new(damping_ratio: f64, natural_frequency: f64, frequency: f64) -> Self {
-        let length = core::f64::consts::TAU / (8.0 * frequency.max(natural_frequency));
-        let decay = libm::exp(-damping_ratio * length);
-        let (sin, cos) = libm::sincos(natural_frequency * length);
-        let (forced_sin, forced_cos) = libm::sincos(frequency * length);
-        Self { length, turn: [[decay * cos, decay * sin], [forced_cos, forced_sin]] }
-    }
-}
 
 /// x(t) = e^{−ζt}(p cos ω₁t + q sin ω₁t) + u cos ωt + v sin ωt − 1.
 #[derive(Clone, Copy, Debug)]
@@ -58,8 +39,8 @@ impl Walk for Rotation<'_> {
     #[inline]
     fn advance(&mut self) {
         let [free, forced] = self.motion.stride.turn;
-        self.free = super::multiply(self.free, free);
-        self.forced = super::multiply(self.forced, forced);
+        self.free = multiply(self.free, free);
+        self.forced = multiply(self.forced, forced);
     }
 }
 

@@ -1,6 +1,24 @@
 //! A cell of time between two evaluations of a motion: what bounds prove about it, and the events that it holds.
 
-use super::{Bounds, Crossing, Kinematics, Maximum, Motion, Window};
+use super::window::{Bounds, Kinematics, Motion, Window};
+
+/// A local maximum of x(t).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Maximum {
+    /// Time since the motion began.
+    pub time: f64,
+    /// The value of x there.
+    pub position: f64,
+}
+
+/// A crossing of the wall from x ≤ 0 to x > 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Time since the motion began.
+    pub time: f64,
+    /// The velocity y there, not negative.
+    pub velocity: f64,
+}
 
 /// Below this width two zeros of the velocity count as one (empirical: far above rounding, far below any motion).
 const NARROWEST_CELL: f64 = 1e-9;

@@ -3,10 +3,10 @@
 use super::integrator::{Node, Pair};
 use super::interval::Interval;
 use super::jet::{Jet, PLANAR};
-use super::scalar::Scalar;
+use super::oscillator::{Integrated, SmoothOscillator};
 use super::series::Series;
-use super::{Integrated, SmoothOscillator};
 use crate::motion::Bounds;
+use crate::scalar::Scalar;
 
 /// d²x/dt² and d³x/dt³ at a point of the motion.
 #[inline]

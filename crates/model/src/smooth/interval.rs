@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::scalar::{Coefficient, Function, Scalar};
+use crate::scalar::{Coefficient, Function, Scalar};
 
 /// All numbers from `lower` to `upper`; with a bound that is not a number, nothing is known.
 #[derive(Clone, Copy, Debug, PartialEq)]

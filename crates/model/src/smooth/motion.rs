@@ -4,7 +4,7 @@ use core::cell::RefCell;
 
 use super::enclosure::{derivatives, enclose};
 use super::integrator::{Node, Step};
-use super::{Integrated, SmoothOscillator};
+use super::oscillator::{Integrated, SmoothOscillator};
 use crate::motion::{Bounds, Kinematics, Motion, Walk, Window};
 use crate::oscillator::State;
 

@@ -2,15 +2,32 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::scalar::{Coefficient, Function, Scalar};
-use super::tableau::{Matrix, STAGES};
+use crate::scalar::{Coefficient, Function, Scalar};
 
 /// Numbers side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lanes<const COUNT: usize>(pub(super) [f64; COUNT]);
 
+/// Number of stages.
+pub(super) const STAGES: usize = 6;
+
 /// One number for each stage of a step.
 pub(super) type Stages = Lanes<STAGES>;
+
+/// A matrix that acts on numbers at the stages, by columns.
+pub(super) struct Matrix(pub(super) [Stages; STAGES]);
+
+impl Matrix {
+    pub(super) const fn from_rows(rows: [[f64; STAGES]; STAGES]) -> Self {
+        let mut columns = [Lanes([0.0; STAGES]); STAGES];
+        let mut place = 0;
+        while place < STAGES * STAGES {
+            columns[place % STAGES].0[place / STAGES] = rows[place / STAGES][place % STAGES];
+            place += 1;
+        }
+        Self(columns)
+    }
+}
 
 impl Stages {
     /// The sum of the numbers with these weights.

@@ -7,7 +7,9 @@
 
 use core::f64::consts::TAU;
 
-use super::{Scalar, SmoothOscillator, Taylor};
+use super::oscillator::SmoothOscillator;
+use crate::scalar::Scalar;
+use crate::taylor::Taylor;
 
 /// What one of each dimensionless quantity is in the oscillator's own units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -212,7 +214,7 @@ impl<M: SmoothOscillator> SmoothOscillator for Dimensionless<M> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::smooth::Function;
+    use crate::scalar::Function;
 
     /// ẍ = −g − k x − c x³ + μ cos ηt.
     #[derive(Clone)]

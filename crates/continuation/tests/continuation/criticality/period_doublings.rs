@@ -1,7 +1,7 @@
 //! Period doublings against the doubled orbits, and towards resonances.
 
 use grazing_continuation::criticality::{
-    coefficient_at_resonance, generalised_period_doublings, period_doubling,
+    codimension_two::generalised_period_doublings, coefficient_at_resonance, period_doubling,
 };
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{LoopEquations, Unknowns, unknown};
