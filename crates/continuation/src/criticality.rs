@@ -35,6 +35,7 @@ use grazing_model::ThirdOrder;
 use nalgebra::{Matrix2, Vector2, Vector4};
 
 use crate::mps::{LoopEquations, LoopPair, Unknowns, unknown};
+use crate::tolerances::LOCATED;
 use normal_form::{ImplicitMap, solved};
 
 /// The normal form of a bifurcation was not found.
@@ -68,10 +69,6 @@ pub enum CriticalityError {
         other: f64,
     },
 }
-
-/// An MPS this far off, or a multiplier, makes a bifurcation still; located ones are off by 10⁻⁹ at most, and the coefficients are
-/// then exact to about as much.
-const LOCATED: f64 = 1e-6;
 
 /// The normal form of a period doubling: g(s) = (−1 + λ'·δ) s + c s³.
 #[derive(Clone, Copy, Debug, PartialEq)]

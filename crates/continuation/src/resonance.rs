@@ -9,6 +9,7 @@ pub use crate::error::ResonanceError;
 pub use crate::locate::same_point;
 use crate::locate::{Condition, locate};
 use crate::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
+use crate::tolerances::{AT_RESONANCE, OFF_RESONANCE};
 
 /// A resonant grazing point of p-loop MPSs: where det J = 0 on the curve of grazing bifurcations.
 ///
@@ -20,12 +21,6 @@ pub struct ResonantGrazingPoint<O> {
     theorem: ResonantGrazing,
     point: ResonantPoint,
 }
-
-/// The residual that Newton's method leaves in a₁₂ or κ_p at a located resonance is a few roundings of terms of order one,
-const RESONANCE_TOLERANCE: f64 = 1e-12;
-/// and what they change by over this share of η*: a step of Newton's method of 10⁻⁷ is the last, which leaves less at the
-/// sixtieth resonance too, where they change sixty times as fast as at the first.
-const RESONANCE_ERROR: f64 = 1e-10;
 
 /// A resonant grazing point that has been located, whether or not a theorem applies there.
 ///
@@ -83,7 +78,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let tolerance = match self.point.unfolding {
             Unfolding::OneLoop { off_diagonal_derivative: derivative }
             | Unfolding::MultiLoop { detuning_derivative: derivative, .. } => {
-                RESONANCE_TOLERANCE + RESONANCE_ERROR * (secondary * derivative).abs()
+                AT_RESONANCE + OFF_RESONANCE * (secondary * derivative).abs()
             }
         };
         let theorem = ResonantGrazing::check(&self.point, tolerance)?;
