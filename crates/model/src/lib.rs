@@ -19,6 +19,7 @@ mod scalar;
 pub mod smooth;
 mod taylor;
 mod third_order;
+mod tolerances;
 
 pub use jet::{FlowJet, MapJet, ParameterJet, flow_variable};
 pub use linear::{LinearMotion, LinearOscillator, OscillatorError};

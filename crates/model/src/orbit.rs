@@ -4,6 +4,7 @@ use core::f64::consts::TAU;
 
 use crate::motion::{Motion, first_crossing};
 use crate::oscillator::{ImpactOscillator, State};
+use crate::tolerances::CHATTER_VELOCITY;
 
 /// A free flight between two events of an orbit.
 #[derive(Clone, Debug)]
@@ -59,10 +60,6 @@ pub enum OrbitEnd {
         impacts: usize,
     },
 }
-
-/// Impacts slower than this, pressed by ẍ > 0, count as accumulated: a flight then rises v²/2ẍ from the wall, near the rounding
-/// of x, and what is left of the sequence lasts about 10⁻⁶ (for accelerations of order one).
-const CHATTER_VELOCITY: f64 = 1e-6;
 
 /// An orbit with impacts as an iterator over its free flights.
 ///

@@ -1,6 +1,7 @@
 //! A cell of time between two evaluations of a motion: what bounds prove about it, and the events that it holds.
 
 use super::window::{Bounds, Kinematics, Motion, Window};
+use crate::tolerances::{LAST_STEP_TO_EVENT, NARROWEST_CELL, STEPS_TO_EVENT};
 
 /// A local maximum of x(t).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,9 +20,6 @@ pub struct Crossing {
     /// The velocity y there, not negative.
     pub velocity: f64,
 }
-
-/// Below this width two zeros of the velocity count as one (empirical: far above rounding, far below any motion).
-const NARROWEST_CELL: f64 = 1e-9;
 
 /// Two evaluations of a motion with nothing known in between but the bounds.
 #[derive(Clone, Copy)]
@@ -216,9 +214,7 @@ fn inverse_hermite([f, g]: [f64; 2], [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f6
 
 /// The zero of a component of a motion that changes sign in a bracket, by Halley's method kept inside it.
 ///
-/// `component` picks value, slope and curvature; `rising` says that the value is negative at the bracket's first end. A step shorter
-/// than 10⁻⁶ ends the iteration: the convergence is of third order, so the point it leads to is exact to rounding, and so
-/// are the kinematics there, by Taylor's formula.
+/// `component` picks value, slope and curvature; `rising` says that the value is negative at the bracket's first end.
 fn bracketed_halley(
     motion: &impl Motion,
     [a, b]: [f64; 2],
@@ -230,8 +226,7 @@ fn bracketed_halley(
     let inside = |time: f64, low: f64, high: f64| (time - low) * (time - high) < 0.0;
     let mut time = if inside(guess, low, high) { guess } else { 0.5 * (a + b) };
     let mut here = motion.at(time);
-    // Bisection alone empties a bracket of doubles in at most about 60 steps near 1; twice that is ample.
-    for _ in 0..128 {
+    for _ in 0..STEPS_TO_EVENT {
         let [value, slope, curvature] = component(&here);
         if value == 0.0 {
             break;
@@ -245,7 +240,7 @@ fn bracketed_halley(
         let halley = time - newton / (1.0 - 0.5 * newton * curvature / slope);
         let accepted = inside(halley, low, high);
         let next = if accepted { halley } else { 0.5 * (low + high) };
-        let tolerance = if accepted { 1e-6 } else { 4.0 * f64::EPSILON * time.abs().max(1.0) };
+        let tolerance = if accepted { LAST_STEP_TO_EVENT } else { 4.0 * f64::EPSILON * time.abs().max(1.0) };
         let step = next - time;
         time = next;
         if step.abs() <= tolerance {

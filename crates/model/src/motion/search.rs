@@ -2,6 +2,7 @@
 
 use super::cell::{Cell, Course, Crossing, Maximum};
 use super::window::{Kinematics, Motion, Walk, Window};
+use crate::tolerances::MOST_CELLS;
 
 /// The cells of a motion from time 0 to `horizon`, up to which a window reaches, in which x may exceed `level`.
 #[inline]
@@ -107,10 +108,6 @@ pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
     highest
 }
 
-/// How many cells the search for a zero of the velocity looks at. Motion that is one to the eye needs some hundred; where the oscillator
-/// has come to rest but for rounding, or the forcing hardly moves, there would be no end of them (empirical: some milliseconds).
-const PATIENCE: u32 = 100_000;
-
 /// The zero of the velocity nearest to time 0 in the given direction of time, at most `horizon` away.
 ///
 /// For a motion that begins with a velocity other than zero; paper: the evolution time of P_virt.
@@ -119,7 +116,7 @@ pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<
     let window = motion.enclose(sign * horizon);
     let stride = window.stride();
     let (mut start, mut first) = (0.0, motion.at(0.0));
-    let mut patience = PATIENCE;
+    let mut patience = MOST_CELLS;
     while start < horizon && patience > 0 {
         let end = (start + stride).min(horizon);
         let last = motion.at(sign * end);

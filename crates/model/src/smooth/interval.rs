@@ -37,7 +37,7 @@ impl Interval {
         Self { lower: self.lower.min(other.lower), upper: self.upper.max(other.upper) }
     }
 
-    /// Grown by a share of its width and a little more.
+    /// Grown by a share of its width, and by a little more than rounding, as it may have none.
     pub(super) fn grown(&self, share: f64) -> Self {
         let by = share * (self.upper - self.lower) + 1e-12 * self.modulus();
         Self { lower: self.lower - by, upper: self.upper + by }

@@ -7,6 +7,7 @@ use super::integrator::{Node, Step};
 use super::oscillator::{Integrated, SmoothOscillator};
 use crate::motion::{Bounds, Kinematics, Motion, Walk, Window};
 use crate::oscillator::State;
+use crate::tolerances::MOST_STEPS;
 
 /// Nodes of the solution from a state in one direction of time, found when they are needed.
 #[derive(Debug)]
@@ -17,10 +18,6 @@ struct Course {
     /// The solution cannot be continued beyond the last node.
     ended: bool,
 }
-
-/// A motion of so many steps has ended: a few hundred make a period of a spring sixty times as fast as its forcing, and ten
-/// thousand of one that is a thousand times as fast; a hundred thousand take fifteen megabytes and some tenths of a second.
-const MOST_STEPS: usize = 100_000;
 
 impl Course {
     /// How many nodes lie before a time or at it, times being counted away from the start.
