@@ -9,8 +9,10 @@ use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ThirdOrder;
 
 use super::doubled::doubled;
-use super::specimens::{BY_EXTRAPOLATION, DUFFING, at_velocity, curves, duffing, extrapolated, spread};
-use crate::specimens::{EPSILON, ZETA, assert_vanishes, assert_within, located, resonances};
+use super::specimens::{BY_EXTRAPOLATION, at_velocity, curves, extrapolated, spread};
+use crate::specimens::{
+    DUFFING, EPSILON, ZETA, assert_vanishes, assert_within, duffing, located, resonances,
+};
 
 /// c from the doubled orbits, twice: from the parameter at which they are, and from their stability.
 ///
