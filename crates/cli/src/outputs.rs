@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 
 use grazing_drawing::SheetWidth;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_reproduction::{Study, StudyError, Table};
+use grazing_reproduction::{Study, StudyError};
+use grazing_results::Table;
 
 use crate::failure::Failure;
 use crate::folder::{DATA, MadeFile};
@@ -39,6 +40,9 @@ impl Made {
 /// The files of an output, and what there is to tell about them.
 pub(crate) struct Files {
     pub(crate) files: Vec<MadeFile>,
+    /// The figure as SVG, if it is one.
+    pub(crate) svg: Option<String>,
+    pub(crate) tables: Vec<Table>,
     pub(crate) notes: Vec<String>,
     /// What is missing in them, with the keys to change.
     pub(crate) gaps: Vec<String>,
@@ -225,20 +229,22 @@ impl Output {
             return Err(Failure::Registry { output: self.name, made: names, registered: self.tables });
         }
         let mut files = Vec::new();
-        if let (Some(file), Some(svg)) = (self.figure, made.figure) {
-            files.extend(edition.figure_files(file, svg).map_err(|error| computation(self.name, &error))?);
+        if let (Some(file), Some(svg)) = (self.figure, &made.figure) {
+            files.extend(
+                edition.figure_files(file, svg.clone()).map_err(|error| computation(self.name, &error))?,
+            );
         }
         let printed: Vec<&str> = self.latex_tables(edition).collect();
         for table in &made.tables {
-            let content = tables::csv(&table.frame).map_err(|error| computation(self.name, &error))?;
+            let content = tables::csv(table).map_err(|error| computation(self.name, &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
         }
         for table in made.tables.iter().filter(|table| printed.contains(&table.name)) {
-            let content = latex::table(table, self.title).map_err(|error| computation(self.name, &error))?;
-            files.push(MadeFile { path: latex::table_path(table.name), content: content.into_bytes() });
+            let content = latex::table(table, self.title).into_bytes();
+            files.push(MadeFile { path: latex::table_path(table.name), content });
         }
         let gaps = made.gaps.iter().map(|gap| format!("{gap}; change {}", self.keys)).collect();
-        Ok(Files { files, notes: made.notes, gaps })
+        Ok(Files { files, svg: made.figure, tables: made.tables, notes: made.notes, gaps })
     }
 
     /// The failure to compute it, with the keys to change unless it names one itself.

@@ -17,6 +17,7 @@
 //! ```
 
 pub mod arclength;
+pub mod bifurcation;
 mod branching;
 pub mod criticality;
 pub mod curve;

@@ -44,10 +44,12 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let start = Unknowns::new(0.0, near, primary, secondary);
         // Once more from the point found, which is one step more: where damping is strong, E_p and with it the coefficients change so fast
         // with η that what the last step leaves would be seen.
-        let (mut located, mut memory) = (start, Memory::default());
+        let mut located = start;
         for _ in 0..2 {
-            located =
-                locate(&equations, conditions, located, &mut memory).map_err(ResonanceError::NotLocated)?;
+            located = locate(&equations, conditions, located, &mut Memory::default())
+                .map_err(ResonanceError::NotLocated)?;
+            // Rounding may leave it beside zero, where an impact has another virtual point.
+            located[unknown::VELOCITY] = 0.0;
         }
         let orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
         let point = orbit.resonant_point(loops)?;

@@ -8,11 +8,12 @@ use grazing_continuation::mps::{Formulation, Unknowns, unknown};
 use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
-use crate::curves::{DiagramCurve, Kind, Net};
+use crate::curves::{DiagramCurve, Net};
 use crate::faces::Point;
 use crate::progress::Progress;
 use crate::regions::{Doubt, Sight, Surveyor};
 use crate::slices::{Slice, Slicer, broken_at, spread, stretches};
+use grazing_continuation::bifurcation::Bifurcation;
 
 /// The slices through the surface of p-loop MPSs, in the order of η.
 pub(crate) struct Survey<'a, O> {
@@ -115,7 +116,7 @@ impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
 
 /// Whether a bifurcation on a slice lies on a known curve.
 fn explained<O: ImpactOscillator>(net: &Net<O>, event: &Event, [left, right]: [f64; 2]) -> bool {
-    let Some(kind) = Kind::of(event.condition) else { return true };
+    let Some(kind) = Bifurcation::of(event.condition) else { return true };
     let here = event.solution.unknowns;
     let secondary = here[unknown::SECONDARY];
     let distance = |point: &Unknowns| {
@@ -149,7 +150,7 @@ fn explained<O: ImpactOscillator>(net: &Net<O>, event: &Event, [left, right]: [f
 
 /// Follows the curve through a bifurcation that lies on none that is known.
 fn start<O: ImpactOscillator>(net: &mut Net<O>, event: &Event, route: &Route) {
-    let Some(kind) = Kind::of(event.condition) else { return };
+    let Some(kind) = Bifurcation::of(event.condition) else { return };
     let equations = net.equations.with_formulation(Formulation::FixedPhase);
     let curve = MpsCurve { equations, condition: event.condition };
     // Across the slice.
