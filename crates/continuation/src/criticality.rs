@@ -49,7 +49,7 @@ pub enum CriticalityError {
         "there is no maximal periodic solution: the two ways to the plane of comparison end {distance:e} apart"
     )]
     NotPeriodic {
-        /// The distance; not a number if a solution escapes.
+        /// The distance; NaN if a solution escapes.
         distance: f64,
     },
     /// The MPS does not have the multiplier.

@@ -20,7 +20,7 @@ pub fn cusps<O: ImpactOscillator>(equations: &LoopEquations<O>, curve: &Curve) -
     let forwards = |k: usize| in_plane(&(points[k + 1] - points[k]));
     let turns_back = |k: &usize| forwards(*k).dot(&forwards(k + 1)) < 0.0;
     let cusp = |k: usize| {
-        let unknowns = between(&equations, [points[k], points[k + 2]], &forwards(k).normalize())?;
+        let unknowns = turning_point(&equations, [points[k], points[k + 2]], &forwards(k).normalize())?;
         let (solution, _) = equations.solution(&unknowns);
         Some(Event { condition: curve.condition, solution, index: k + 1, memory: Memory::default() })
     };
@@ -33,7 +33,7 @@ fn in_plane(displacement: &Unknowns) -> Vector2<f64> {
 }
 
 /// The point between two points of the curve at which its tangent has no part along `forwards`.
-fn between<O: ImpactOscillator>(
+fn turning_point<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     [a, b]: [Unknowns; 2],
     forwards: &Vector2<f64>,

@@ -253,7 +253,7 @@ impl Follower<'_> {
         after: &MpsStation,
     ) -> CurveEnd {
         let condition = Condition::ImpactVelocity(0.0);
-        let near = between(&before.point, &after.point, unknown::VELOCITY, 0.0);
+        let near = on_chord(&before.point, &after.point, unknown::VELOCITY, 0.0);
         let mut memory = after.memory.clone();
         let located = match equations.condition {
             Condition::InteriorGrazing => locate_grazing_end(&equations.equations, near, &mut memory),
@@ -298,7 +298,7 @@ impl Follower<'_> {
                 unknown::PRIMARY => Condition::Primary(edge),
                 _ => Condition::Secondary(edge),
             };
-            let near = between(&before.point, &outside, coordinate, edge);
+            let near = on_chord(&before.point, &outside, coordinate, edge);
             let conditions = [equations.condition, condition];
             let mut point = locate(&equations.equations, conditions, near, &mut memory).ok()?;
             point[coordinate] = edge;
@@ -400,7 +400,7 @@ fn locate_event<O: ImpactOscillator>(
 }
 
 /// The point on the chord where one coordinate takes a value.
-fn between(before: &Unknowns, after: &Unknowns, coordinate: usize, value: f64) -> Unknowns {
+fn on_chord(before: &Unknowns, after: &Unknowns, coordinate: usize, value: f64) -> Unknowns {
     let (a, b) = (before[coordinate], after[coordinate]);
     let mut point = before + (after - before) * ((value - a) / (b - a));
     point[coordinate] = value;

@@ -13,9 +13,9 @@ use crate::tolerances::{self, EVALUATIONS, FARTHEST, SAME_POINT};
 pub enum Condition {
     /// A stability multiplier equals this: 1 at a saddle-node bifurcation, −1 at a period doubling.
     Multiplier(f64),
-    /// The interior maximum that the memory holds touches the wall: a grazing bifurcation of the MPS.
+    /// The interior maximum whose event time is carried along touches the wall: a grazing bifurcation of the MPS.
     InteriorGrazing,
-    /// A second interior maximum that the memory holds touches the wall, where one does already.
+    /// A second interior maximum touches the wall, where one does already.
     SecondInteriorGrazing,
     /// The impact velocity has this value; 0 is where the MPS meets the non-impacting solution.
     ImpactVelocity(f64),
@@ -75,7 +75,7 @@ pub enum LocateFailure {
     },
 }
 
-/// V = 0 and the condition, stacked; the last row stays free.
+/// V = 0 and the condition, stacked; the last row is left to be filled.
 pub(crate) fn conditioned<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     condition: Condition,
@@ -128,7 +128,7 @@ pub fn locate_within<O: ImpactOscillator>(
     let mut farthest = 0.0;
     let solution = newton::solve(start, EVALUATIONS, |point| {
         farthest = (point - start).norm();
-        // Not a number is far as well.
+        // NaN is far as well.
         if farthest.is_nan() || farthest > reach {
             return Err(Lost);
         }

@@ -174,9 +174,11 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
             let CurveEnd::Event(event) = &curve.end else {
                 continue;
             };
-            let corner = event.solution.unknowns;
             let reached = |other: &Curve| {
-                other.points.last().is_some_and(|last| same_point(&last.solution.unknowns, &corner))
+                other
+                    .points
+                    .last()
+                    .is_some_and(|last| same_point(&last.solution.unknowns, &event.solution.unknowns))
             };
             if event.condition == Condition::InteriorGrazing && !grazing.iter().any(reached) {
                 match self.equations.branch_off(event, route) {

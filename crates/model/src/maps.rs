@@ -255,7 +255,7 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
         let newton = here.velocity / here.acceleration;
         let step = newton / (1.0 - 0.5 * newton * here.jerk / here.acceleration);
         time -= step;
-        // Not a number is far as well.
+        // NaN is far as well.
         let near = (time - guess).abs() <= farthest;
         if !near {
             break;

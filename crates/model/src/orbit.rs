@@ -6,7 +6,7 @@ use crate::motion::{Motion, first_crossing};
 use crate::oscillator::{ImpactOscillator, State};
 use crate::tolerances::CHATTER_VELOCITY;
 
-/// A free flight between two events of an orbit.
+/// A flight between two events of an orbit.
 #[derive(Clone, Debug)]
 pub struct Flight<M> {
     /// Time at which the flight begins, counted from the start of the orbit.
@@ -21,7 +21,7 @@ pub struct Flight<M> {
     pub end: FlightEnd,
 }
 
-/// How a free flight ends.
+/// How a flight ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FlightEnd {
     /// An impact: the state on the incoming set, just before the reset law acts.
@@ -61,7 +61,7 @@ pub enum OrbitEnd {
     },
 }
 
-/// An orbit with impacts as an iterator over its free flights.
+/// An orbit with impacts as an iterator over its flights.
 ///
 /// After the iterator has ended, [`end`](Self::end) says why. Phases are reduced modulo 2π at every impact (eq:z).
 #[derive(Clone, Debug)]

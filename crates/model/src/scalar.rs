@@ -24,7 +24,7 @@ pub enum Function {
 }
 
 impl Function {
-    /// The value with the first and second derivative; not a number outside the domain.
+    /// The value with the first and second derivative; NaN outside the domain.
     #[inline]
     pub(crate) fn derivatives(self, x: f64) -> [f64; 3] {
         match self {

@@ -19,7 +19,7 @@
 //! controlled and not proved: about 10⁻¹³ over a period for forces that vary on scales of order one. Below such errors an event
 //! that is only just one can be missed.
 //!
-//! A solution that ceases to exist is not a number from there on, and no event is found beyond.
+//! A solution that ceases to exist is NaN from there on, and no event is found beyond.
 
 mod enclosure;
 mod flow;

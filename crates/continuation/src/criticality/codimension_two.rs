@@ -62,14 +62,14 @@ pub fn generalised_period_doublings<O: ThirdOrder>(
         .filter(|ends| ends[0].2 * ends[1].2 < 0.0)
         .map(|ends| {
             let [(_, a, at_a), (index, b, at_b)] = [ends[0], ends[1]];
-            let (unknowns, normal_form) = between(&equations, [a, b], [at_a, at_b])?;
+            let (unknowns, normal_form) = zero_of_coefficient(&equations, [a, b], [at_a, at_b])?;
             Ok(GeneralisedPeriodDoubling { unknowns, normal_form, index })
         })
         .collect()
 }
 
 /// The zero of c between two points of a curve with the values given.
-fn between<O: ThirdOrder>(
+fn zero_of_coefficient<O: ThirdOrder>(
     equations: &LoopEquations<O>,
     ends: [Unknowns; 2],
     values: [f64; 2],

@@ -81,7 +81,7 @@ impl<F: Fn(Curve) -> [Curve; 2]> ImplicitMap<F> {
     }
 }
 
-/// M⁻¹ b by Cramer's rule; not numbers if M is singular.
+/// M⁻¹ b by Cramer's rule; not finite if M is singular.
 pub(super) fn solved(m: &Matrix2<f64>, b: Vector2<f64>) -> Vector2<f64> {
     let determinant = m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)];
     Vector2::new(m[(1, 1)] * b[0] - m[(0, 1)] * b[1], m[(0, 0)] * b[1] - m[(1, 0)] * b[0]) / determinant

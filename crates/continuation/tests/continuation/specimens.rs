@@ -83,8 +83,7 @@ pub(crate) fn deterministic(cases: u32) -> ProptestConfig {
 pub(crate) fn at_grazing(zeta: f64, epsilon: f64, omega: f64) -> (GrazingState, LinearOscillator) {
     let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon).unwrap();
     let grazing = theory.grazing(omega).unwrap();
-    let oscillator = LinearOscillator::new(zeta, epsilon, grazing.amplitude(), omega).unwrap();
-    (grazing, oscillator)
+    (grazing, grazing.model())
 }
 
 /// The closed forms of all resonances with the given numbers of loops and forcing frequencies between the two.
@@ -100,9 +99,7 @@ pub(crate) fn resonances(
 
 /// The oscillator at a resonance, in closed form.
 pub(crate) fn oscillator_at(resonance: &Resonance) -> LinearOscillator {
-    let theory = resonance.grazing().oscillator();
-    let (zeta, epsilon) = (theory.damping_ratio(), theory.coefficient_of_restitution());
-    at_grazing(zeta, epsilon, resonance.forcing_frequency()).1
+    resonance.grazing().model()
 }
 
 /// The resonance located numerically, from a start that is a little off.

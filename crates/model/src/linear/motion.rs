@@ -11,7 +11,7 @@ pub struct LinearMotion {
     damping_ratio: f64,
     natural_frequency: f64,
     frequency: f64,
-    free: [f64; 2],
+    transient: [f64; 2],
     forced: [f64; 2],
     stride: Stride,
 }
@@ -20,26 +20,26 @@ pub struct LinearMotion {
 #[derive(Clone, Copy, Debug)]
 struct Rotation<'a> {
     motion: &'a LinearMotion,
-    free: [f64; 2],
+    transient: [f64; 2],
     forced: [f64; 2],
 }
 
 impl Walk for Rotation<'_> {
     #[inline]
     fn position(&self) -> f64 {
-        let LinearMotion { free: [p, q], forced: [u, v], .. } = self.motion;
-        p * self.free[0] + q * self.free[1] + u * self.forced[0] + v * self.forced[1] - 1.0
+        let LinearMotion { transient: [p, q], forced: [u, v], .. } = self.motion;
+        p * self.transient[0] + q * self.transient[1] + u * self.forced[0] + v * self.forced[1] - 1.0
     }
 
     #[inline]
     fn kinematics(&self) -> Kinematics {
-        self.motion.assemble(self.free, self.forced)
+        self.motion.assemble(self.transient, self.forced)
     }
 
     #[inline]
     fn advance(&mut self) {
-        let [free, forced] = self.motion.stride.turn;
-        self.free = multiply(self.free, free);
+        let [transient, forced] = self.motion.stride.turn;
+        self.transient = multiply(self.transient, transient);
         self.forced = multiply(self.forced, forced);
     }
 }
@@ -53,7 +53,10 @@ impl LinearMotion {
             damping_ratio: oscillator.damping_ratio,
             natural_frequency: oscillator.natural_frequency,
             frequency: oscillator.frequency,
-            free: [position, (velocity + oscillator.damping_ratio * position) / oscillator.natural_frequency],
+            transient: [
+                position,
+                (velocity + oscillator.damping_ratio * position) / oscillator.natural_frequency,
+            ],
             forced: [oscillator.amplitude * response.value[0], oscillator.amplitude * response.d_phase[0]],
             stride: oscillator.stride,
         }
@@ -61,10 +64,10 @@ impl LinearMotion {
 
     /// Kinematics from the two rotating factors e^{(−ζ+iω₁)t} and e^{iωt}.
     #[inline]
-    fn assemble(&self, free: [f64; 2], forced: [f64; 2]) -> Kinematics {
-        let [p, q] = self.free;
-        let x = p * free[0] + q * free[1];
-        let quadrature = q * free[0] - p * free[1];
+    fn assemble(&self, transient: [f64; 2], forced: [f64; 2]) -> Kinematics {
+        let [p, q] = self.transient;
+        let x = p * transient[0] + q * transient[1];
+        let quadrature = q * transient[0] - p * transient[1];
         let y = self.natural_frequency * quadrature - self.damping_ratio * x;
         let a = -x - 2.0 * self.damping_ratio * y;
         let [u, v] = self.forced;
@@ -90,17 +93,17 @@ impl Motion for LinearMotion {
 
     #[inline]
     fn enclose(&self, horizon: f64) -> impl Window {
-        // |−ζ + iω₁| = 1: all derivatives of the free part have the amplitude of the free part itself.
-        let [p, q] = self.free;
+        // |−ζ + iω₁| = 1: all derivatives of the transient have the amplitude of the transient itself.
+        let [p, q] = self.transient;
         let growth = if horizon < 0.0 { libm::exp(-self.damping_ratio * horizon) } else { 1.0 };
-        let free = (p * p + q * q).sqrt() * growth;
+        let transient = (p * p + q * q).sqrt() * growth;
         let [u, v] = self.forced;
         let square = self.frequency * self.frequency;
         let forced = (u * u + v * v).sqrt() * square;
         let bounds = Bounds {
-            acceleration: free + forced,
-            jerk: free + forced * self.frequency,
-            snap: free + forced * square,
+            acceleration: transient + forced,
+            jerk: transient + forced * self.frequency,
+            snap: transient + forced * square,
         };
         Amplitudes { motion: self, horizon, bounds }
     }
@@ -139,6 +142,6 @@ impl Window for Amplitudes<'_> {
     }
 
     fn walk(&self) -> impl Walk {
-        Rotation { motion: self.motion, free: [1.0, 0.0], forced: [1.0, 0.0] }
+        Rotation { motion: self.motion, transient: [1.0, 0.0], forced: [1.0, 0.0] }
     }
 }

@@ -27,7 +27,7 @@ struct Passage<const LENGTH: usize> {
 }
 
 impl<M: SmoothOscillator> Integrated<M> {
-    /// The jet of the flow; not numbers if the solution does not exist for so long.
+    /// The jet of the flow; NaN if the solution does not exist for so long.
     pub(super) fn flow_jet<const LENGTH: usize>(
         &self,
         motion: &IntegratedMotion<M>,

@@ -293,7 +293,7 @@ impl<M: SmoothOscillator> Integrated<M> {
                 self.solve(node.state, node.time, Step { length: trial, accelerations })
             else {
                 trial *= SHRINK;
-                // What is not a number, or beyond all, becomes no shorter.
+                // NaN and infinity become no shorter.
                 if !(shortest..f64::INFINITY).contains(&trial.abs()) {
                     return None;
                 }

@@ -5,7 +5,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::scalar::{Coefficient, Function, Scalar};
 
-/// All numbers from `lower` to `upper`; with a bound that is not a number, nothing is known.
+/// All numbers from `lower` to `upper`; with a bound that is NaN, nothing is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Interval {
     pub(super) lower: f64,
@@ -267,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_known_of_what_is_not_a_number() {
+    fn nothing_is_known_of_nan() {
         let zero = Interval::constant(0.0);
         assert_eq!(UNKNOWN * zero, UNKNOWN);
         assert_eq!(zero / Interval::new(-1.0, 1.0), UNKNOWN);

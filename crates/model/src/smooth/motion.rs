@@ -36,7 +36,7 @@ impl Course {
 
 /// A motion of an [`Integrated`] oscillator.
 ///
-/// It exists up to where its solution escapes; beyond, all is not a number.
+/// It exists up to where its solution escapes; beyond, all is NaN.
 #[derive(Debug)]
 pub struct IntegratedMotion<M> {
     oscillator: Integrated<M>,
@@ -96,11 +96,11 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
     fn node_before(&self, course: &mut Course, time: f64) -> Option<usize> {
         self.extend(course, time);
         let passed = course.nodes_until(self.start, time.abs());
-        // None is passed at a time that is not a number.
+        // None is passed at a time that is NaN.
         (0 < passed && passed < course.nodes.len()).then(|| passed - 1)
     }
 
-    /// Position and velocity at a time since the start; not numbers where the solution has ended.
+    /// Position and velocity at a time since the start; NaN where the solution has ended.
     fn state(&self, time: f64) -> [f64; 2] {
         let course = &mut *self.course(time).borrow_mut();
         let Some(k) = self.node_before(course, time) else { return [f64::NAN; 2] };

@@ -46,10 +46,10 @@ impl Stages {
         sums
     }
 
-    /// The largest modulus; not a number if one of the numbers is none.
+    /// The largest modulus; NaN if one of the numbers is.
     #[inline]
     pub(super) fn modulus(&self) -> f64 {
-        // Bits of numbers without sign are in the order of the numbers, with those of what is no number last.
+        // Bits of numbers without sign are in the order of the numbers, with those of NaN last.
         f64::from_bits(self.0.iter().map(|value| value.abs().to_bits()).fold(0, u64::max))
     }
 }
@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn the_modulus_of_what_is_not_a_number_is_none() {
+    fn the_modulus_of_nan_is_nan() {
         for place in 0..STAGES {
             let mut stages = Stages::constant(-2.0);
             assert_eq!(stages.modulus(), 2.0);

@@ -7,7 +7,7 @@ use nalgebra::{Matrix2x6, Matrix6};
 
 use crate::models::{Bouncing, FROM, forced};
 
-/// The damping ratio: free motion lives for hundreds of turns.
+/// The damping ratio: transients live for hundreds of turns.
 const ZETA: f64 = 1e-4;
 
 /// The paper's oscillator in other units: `rate` is the number of its units of time in one of these, `size` its unit of length in
@@ -51,7 +51,7 @@ const AMPLITUDE: f64 = 0.7;
 const SHARE_OF_PERIOD: f64 = 0.83;
 
 /// An oscillator in both forms, the duration of its flight, and what an error may be relative to the largest of its kind:
-/// 2e-14 for each radian of free motion, as the steps allow, and roundings.
+/// 2e-14 for each radian of unforced motion, as the steps allow, and roundings.
 fn flights(rate: f64, size: f64) -> (Integrated<Stiff>, LinearOscillator, f64, f64) {
     let stiff = Integrated::new(Stiff { rate, size }, [AMPLITUDE, 0.9]);
     let closed = LinearOscillator::new(ZETA, 1.0, AMPLITUDE, 0.9 / rate).unwrap();
