@@ -6,9 +6,9 @@
 //! then the crossing before the maximum.
 
 mod cell;
+mod enclosure;
 mod search;
-mod window;
 
 pub use cell::{Crossing, Maximum};
+pub use enclosure::{Bounds, Enclosure, Kinematics, Motion, Walk};
 pub use search::{first_crossing, first_rest, highest_maximum, local_maxima};
-pub use window::{Bounds, Kinematics, Motion, Walk, Window};

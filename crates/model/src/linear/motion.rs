@@ -2,7 +2,7 @@
 
 use super::oscillator::LinearOscillator;
 use super::response::{Stride, multiply};
-use crate::motion::{Bounds, Kinematics, Motion, Walk, Window};
+use crate::motion::{Bounds, Enclosure, Kinematics, Motion, Walk};
 use crate::oscillator::State;
 
 /// x(t) = e^{−ζt}(p cos ω₁t + q sin ω₁t) + u cos ωt + v sin ωt − 1.
@@ -92,7 +92,7 @@ impl Motion for LinearMotion {
     }
 
     #[inline]
-    fn enclose(&self, horizon: f64) -> impl Window {
+    fn enclose(&self, horizon: f64) -> impl Enclosure {
         // |−ζ + iω₁| = 1: all derivatives of the transient have the amplitude of the transient itself.
         let [p, q] = self.transient;
         let growth = if horizon < 0.0 { libm::exp(-self.damping_ratio * horizon) } else { 1.0 };
@@ -109,14 +109,14 @@ impl Motion for LinearMotion {
     }
 }
 
-/// A window with the amplitudes of the derivatives.
+/// An enclosure with the amplitudes of the derivatives.
 struct Amplitudes<'a> {
     motion: &'a LinearMotion,
     horizon: f64,
     bounds: Bounds,
 }
 
-impl Window for Amplitudes<'_> {
+impl Enclosure for Amplitudes<'_> {
     fn bounds(&self) -> Bounds {
         self.bounds
     }

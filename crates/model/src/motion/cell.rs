@@ -1,6 +1,6 @@
 //! A cell of time between two evaluations of a motion: what bounds prove about it, and the events that it holds.
 
-use super::window::{Bounds, Kinematics, Motion, Window};
+use super::enclosure::{Bounds, Enclosure, Kinematics, Motion};
 use crate::tolerances::{LAST_STEP_TO_EVENT, NARROWEST_CELL, STEPS_TO_EVENT};
 
 /// A local maximum of x(t).
@@ -42,14 +42,14 @@ pub(super) enum Course {
 }
 
 impl Cell {
-    /// The cell between two times, in this order, whose bounds a window has.
+    /// The cell between two times, in this order, whose bounds an enclosure has.
     #[inline]
     pub(super) fn within(
-        window: &impl Window,
+        enclosure: &impl Enclosure,
         [start, end]: [f64; 2],
         [first, last]: [Kinematics; 2],
     ) -> Self {
-        Self { start, first, end, last, bounds: window.bounds_between(start, end) }
+        Self { start, first, end, last, bounds: enclosure.bounds_between(start, end) }
     }
 
     fn width(&self) -> f64 {

@@ -1,22 +1,22 @@
 //! The searches for events, cell by cell.
 
 use super::cell::{Cell, Course, Crossing, Maximum};
-use super::window::{Kinematics, Motion, Walk, Window};
+use super::enclosure::{Enclosure, Kinematics, Motion, Walk};
 use crate::tolerances::MOST_CELLS;
 
-/// The cells of a motion from time 0 to `horizon`, up to which a window reaches, in which x may exceed `level`.
+/// The cells of a motion from time 0 to `horizon`, up to which an enclosure reaches, in which x may exceed `level`.
 #[inline]
 fn cells_above(
     motion: &impl Motion,
-    window: &impl Window,
+    enclosure: &impl Enclosure,
     horizon: f64,
     level: f64,
 ) -> impl Iterator<Item = Cell> {
-    let stride = window.stride();
+    let stride = enclosure.stride();
     // Positions at both ends below this rule the cell out: |x − chord| ≤ h²/8 · max|ẍ|.
-    let relevant = level - stride * stride / 8.0 * window.bounds().acceleration;
-    let whole_cells = window.strides();
-    let mut walk = window.walk();
+    let relevant = level - stride * stride / 8.0 * enclosure.bounds().acceleration;
+    let whole_cells = enclosure.strides();
+    let mut walk = enclosure.walk();
     let (mut index, mut position) = (0, walk.position());
     // The derivatives at the point where the walk stands, if the cell before needed them.
     let mut known: Option<Kinematics> = None;
@@ -33,15 +33,15 @@ fn cells_above(
                 let first = known.filter(|_| cell == index + 1).unwrap_or_else(|| before.kinematics());
                 let last = here.kinematics();
                 (walk, index, position, known) = (here, cell, next, Some(last));
-                let [start, end] = [cell - 1, cell].map(|strides| window.time_after(strides));
-                return Some(Cell::within(window, [start, end], [first, last]));
+                let [start, end] = [cell - 1, cell].map(|strides| enclosure.time_after(strides));
+                return Some(Cell::within(enclosure, [start, end], [first, last]));
             }
             above = next_above;
         }
         if cell > index {
             (walk, index, known) = (here, cell, None);
         }
-        let start = window.time_after(index.min(whole_cells));
+        let start = enclosure.time_after(index.min(whole_cells));
         // The rest of the time, shorter than a stride, comes last, unless the motion ends before the horizon.
         if index > whole_cells || start >= horizon {
             return None;
@@ -49,7 +49,7 @@ fn cells_above(
         index += 1;
         let last = motion.at(horizon);
         let first = known.unwrap_or_else(|| walk.kinematics());
-        last.position.is_finite().then(|| Cell::within(window, [start, horizon], [first, last]))
+        last.position.is_finite().then(|| Cell::within(enclosure, [start, horizon], [first, last]))
     })
 }
 
@@ -60,8 +60,8 @@ fn cells_above(
 pub fn first_crossing(motion: &impl Motion, horizon: f64) -> Option<Crossing> {
     let mut reach = motion.foresight().min(horizon);
     loop {
-        let window = motion.enclose(reach);
-        let crossing = cells_above(motion, &window, reach, 0.0).find_map(|cell| cell.crossing(motion));
+        let enclosure = motion.enclose(reach);
+        let crossing = cells_above(motion, &enclosure, reach, 0.0).find_map(|cell| cell.crossing(motion));
         if crossing.is_some() || reach >= horizon {
             return crossing;
         }
@@ -113,8 +113,8 @@ pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
 /// For a motion that begins with a velocity other than zero; paper: the evolution time of P_virt.
 pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<f64> {
     let sign = if forwards { 1.0 } else { -1.0 };
-    let window = motion.enclose(sign * horizon);
-    let stride = window.stride();
+    let enclosure = motion.enclose(sign * horizon);
+    let stride = enclosure.stride();
     let (mut start, mut first) = (0.0, motion.at(0.0));
     let mut patience = MOST_CELLS;
     while start < horizon && patience > 0 {
@@ -123,7 +123,7 @@ pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<
         if !last.position.is_finite() {
             return None;
         }
-        let cell = Cell::within(&window, [sign * start, sign * end], [first, last]);
+        let cell = Cell::within(&enclosure, [sign * start, sign * end], [first, last]);
         if let Some(time) = cell.rest(motion, &mut patience) {
             return Some(time);
         }

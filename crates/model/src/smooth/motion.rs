@@ -5,7 +5,7 @@ use core::cell::RefCell;
 use super::enclosure::{derivatives, enclose};
 use super::integrator::{Node, Step};
 use super::oscillator::{Integrated, SmoothOscillator};
-use crate::motion::{Bounds, Kinematics, Motion, Walk, Window};
+use crate::motion::{Bounds, Enclosure, Kinematics, Motion, Walk};
 use crate::oscillator::State;
 use crate::tolerances::MOST_STEPS;
 
@@ -134,7 +134,7 @@ impl<M: SmoothOscillator> Motion for IntegratedMotion<M> {
         self.kinematics(self.state(time), self.start + time)
     }
 
-    fn enclose(&self, horizon: f64) -> impl Window {
+    fn enclose(&self, horizon: f64) -> impl Enclosure {
         let course = self.course(horizon);
         if horizon != 0.0 {
             self.make_bounds(&mut course.borrow_mut(), horizon);
@@ -160,15 +160,15 @@ impl<M: SmoothOscillator> Motion for IntegratedMotion<M> {
     }
 }
 
-/// A window in which boxes between nodes have been proved to hold the motion.
+/// An enclosure in which boxes between nodes have been proved to hold the motion.
 struct Boxes<'a, M> {
     motion: &'a IntegratedMotion<M>,
     course: &'a RefCell<Course>,
-    /// How far the window reaches.
+    /// How far the enclosure reaches.
     horizon: f64,
 }
 
-impl<M: SmoothOscillator> Window for Boxes<'_, M> {
+impl<M: SmoothOscillator> Enclosure for Boxes<'_, M> {
     fn bounds(&self) -> Bounds {
         self.course.borrow().bounds_between(self.motion.start, [0.0, self.horizon])
     }

@@ -2,7 +2,7 @@
 
 use grazing_model::maps::{self, global_map, virtual_map};
 use grazing_model::motion::{
-    Motion, Walk, Window, first_crossing, first_rest, highest_maximum, local_maxima,
+    Enclosure, Motion, Walk, first_crossing, first_rest, highest_maximum, local_maxima,
 };
 use grazing_model::orbit::Orbit;
 use grazing_model::{ImpactOscillator, MapJet, State};
@@ -54,11 +54,11 @@ fn motion_is_that_of_the_closed_form_in_both_directions_of_time() {
         assert!((a.acceleration - b.acceleration).abs() < TOLERANCE);
         assert!((a.jerk - b.jerk).abs() < TOLERANCE);
     }
-    let window = a.enclose(20.0);
-    let mut walk = window.walk();
-    assert!(window.strides() > 20 && window.time_after(window.strides()) <= 20.0);
-    for k in 0..window.strides() {
-        let time = window.time_after(k);
+    let enclosure = a.enclose(20.0);
+    let mut walk = enclosure.walk();
+    assert!(enclosure.strides() > 20 && enclosure.time_after(enclosure.strides()) <= 20.0);
+    for k in 0..enclosure.strides() {
+        let time = enclosure.time_after(k);
         assert!((walk.position() - b.at(time).position).abs() < TOLERANCE);
         assert!((walk.kinematics().jerk - b.at(time).jerk).abs() < TOLERANCE);
         walk.advance();

@@ -1,6 +1,6 @@
 //! Nonlinear forces: what holds without a closed form.
 
-use grazing_model::motion::{Motion, Window, local_maxima};
+use grazing_model::motion::{Enclosure, Motion, local_maxima};
 use grazing_model::smooth::{Integrated, SmoothOscillator};
 use grazing_model::{ImpactOscillator, State, flow_variable};
 
@@ -74,13 +74,13 @@ fn energy_of_a_conservative_oscillator_is_kept_over_a_hundred_periods() {
 fn assert_bounded<M: SmoothOscillator>(oscillator: &Integrated<M>) {
     for (from, to) in [(0.0, 12.0), (0.0, -2.5), (4.0, 5.0)] {
         let motion = oscillator.motion(FROM);
-        let window = motion.enclose(to);
-        let bounds = window.bounds_between(from, to);
-        assert!(from != 0.0 || bounds == window.bounds());
+        let enclosure = motion.enclose(to);
+        let bounds = enclosure.bounds_between(from, to);
+        assert!(from != 0.0 || bounds == enclosure.bounds());
         // Nothing is known of what lies outside, though the motion itself is known there.
         for outside in [[0.0, 1.01 * to], [0.0, -0.1 * to]] {
             assert!(motion.at(outside[1]).position.is_finite());
-            assert_eq!(window.bounds_between(outside[0], outside[1]).acceleration, f64::INFINITY);
+            assert_eq!(enclosure.bounds_between(outside[0], outside[1]).acceleration, f64::INFINITY);
         }
         let mut largest = [0.0_f64; 3];
         // The snap by a central difference of the jerk, of order h².

@@ -1,4 +1,4 @@
-//! A motion, and the bounds of its derivatives in a window of time.
+//! A motion, and the bounds of its derivatives over a stretch of time.
 
 /// Position and its first three derivatives at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +63,7 @@ pub trait Motion {
     fn at(&self, time: f64) -> Kinematics;
 
     /// The derivatives bounded from the beginning to a horizon, which may lie in the past.
-    fn enclose(&self, horizon: f64) -> impl Window;
+    fn enclose(&self, horizon: f64) -> impl Enclosure;
 
     /// How far bounds are worth having when the first event may come sooner; all the way, where they cost nothing.
     #[inline]
@@ -75,17 +75,17 @@ pub trait Motion {
 /// The time from a motion's beginning to a horizon, over which its derivatives have been bounded: the only source of bounds.
 ///
 /// It is divided into strides, such that the motion is cheap to evaluate between two.
-pub trait Window {
-    /// Bounds for the whole window, as far as the motion exists.
+pub trait Enclosure {
+    /// Bounds for all of it, as far as the motion exists.
     fn bounds(&self) -> Bounds;
 
-    /// Bounds between two times, in this order; infinite outside of the window. Those for the whole will do where they are about as good.
+    /// Bounds between two times, in this order; infinite outside of the enclosure. Those for all of it will do where they are about as good.
     fn bounds_between(&self, from: f64, to: f64) -> Bounds;
 
     /// The length of the longest stride.
     fn stride(&self) -> f64;
 
-    /// The number of whole strides in the window.
+    /// The number of whole strides in the enclosure.
     fn strides(&self) -> usize;
 
     /// The time after so many strides, at most [`strides`](Self::strides).
