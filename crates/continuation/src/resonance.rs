@@ -72,10 +72,11 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let conditions = [Condition::SADDLE_NODE, Condition::ImpactVelocity(0.0)];
         let start = Unknowns::new(0.0, near, primary, secondary);
         // Once more from the point found, which is one step more: where damping is strong, E_p and with it the coefficients change so fast
-        // with η that what the last step leaves would be seen.
-        let mut located = start;
+        // with η that what the last step leaves would be seen. The event times go with it: y is zero only to rounding then, and a
+        // virtual point found afresh might be another one.
+        let (mut located, mut memory) = (start, Memory::default());
         for _ in 0..2 {
-            located = locate(&equations, conditions, located, &mut Memory::default())
+            located = locate(&equations, conditions, located, &mut memory)
                 .map_err(ResonanceError::NotLocated)?;
         }
         let orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
