@@ -76,8 +76,8 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         // virtual point found afresh might be another one.
         let (mut located, mut memory) = (start, Memory::default());
         for _ in 0..2 {
-            located = locate(&equations, conditions, located, &mut memory)
-                .map_err(ResonanceError::NotLocated)?;
+            located =
+                locate(&equations, conditions, located, &mut memory).map_err(ResonanceError::NotLocated)?;
         }
         let orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
         let point = orbit.resonant_point(loops)?;

@@ -10,7 +10,6 @@ mod non_impacting;
 mod resonant;
 pub(crate) mod returns;
 pub(crate) mod simulation;
-pub(crate) mod specimen;
 mod system;
 
 mod theorems;

@@ -8,6 +8,7 @@ use grazing_theorems::{GrazingState, Resonance};
 use super::printed_flow::{CLOSED, DIFFERENCES, Turn, deviation, largest, model, worse};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::specimen::damping_for_decay;
 
 /// Resonances with p loops, E_p and ε at random.
 fn resonances(loops: &[u32], count: usize) -> Result<Vec<Resonance>, grazing_theorems::TheoryError> {
@@ -15,9 +16,7 @@ fn resonances(loops: &[u32], count: usize) -> Result<Vec<Resonance>, grazing_the
     let mut one = || {
         let p = sampler.one_of(loops);
         let n = sampler.one_of(&[1, 2, 3, 4]);
-        let ratio = if p == 1 { 0.5 * f64::from(n) } else { f64::from(n) + 0.5 / f64::from(p) };
-        let skew = -libm::log(sampler.between(0.05, 0.95)) / (TAU * f64::from(p) * ratio);
-        let zeta = skew / (1.0 + skew * skew).sqrt();
+        let zeta = damping_for_decay(p, n, sampler.between(0.05, 0.95));
         grazing_theorems::LinearOscillator::new(zeta, sampler.between(0.1, 1.0))?.resonance(p, n)
     };
     (0..count).map(|_| one()).collect()

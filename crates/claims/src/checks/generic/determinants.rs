@@ -41,7 +41,7 @@ pub(crate) fn matrices() -> CheckResult {
         }
     }
     // Derivatives at event times that are off by rounding, p times, magnified by second derivatives of order ten.
-    Ok(deviations.outcome(1e-11, "nine oscillators, p = 1 to 8"))
+    Ok(deviations.outcome(1e-11, "twelve oscillators, p = 1 to 8"))
 }
 
 /// le:dets: det J and det K of oscillators against eq:detJac1detJac2 and eq:detJac2.
@@ -60,7 +60,7 @@ pub(crate) fn determinants_of_oscillators() -> CheckResult {
         }
     }
     // As for the matrices, and the products cancel.
-    Ok(deviations.outcome(1e-11, "three formulas on nine oscillators, p = 1 to 8"))
+    Ok(deviations.outcome(1e-11, "three formulas on twelve oscillators, p = 1 to 8"))
 }
 
 /// The right-hand sides of det J, of det K and of det K in factors.

@@ -9,11 +9,12 @@ use grazing_theorems::auxiliary::{detuning, geometric_sum_determinant, lucas_seq
 use nalgebra::{Matrix2, Vector2};
 
 use super::iterates::printed_iterate;
-use super::specimens::{Grazing, delayed, map_with, sampled_point, specimens, uniform_order};
+use super::specimens::{delayed, map_with, sampled_point, specimens, uniform_order};
 use super::vivid::{derivatives, equations, scale, zero, zero_from};
 use crate::checks::appendices::signs::{determinant, search};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::specimen::Grazing;
 use crate::tally::{Smallest, Votes};
 
 /// The slopes and curvatures in μ that are printed in step 1.
@@ -78,7 +79,7 @@ fn smallest_order(
         }
     }
     // The next term is of relative size h < 10⁻³ where remainders are resolved last; near a resonance its coefficient is large.
-    Ok(orders.order(stated, 0.1, "the zero of V by Newton's method on nine oscillators, μ of both signs"))
+    Ok(orders.order(stated, 0.1, "the zero of V by Newton's method on twelve oscillators, μ of both signs"))
 }
 
 /// eq:yStar1codim1proof.
@@ -177,7 +178,7 @@ pub(crate) fn implicit_function() -> CheckResult {
         }
     }
     Ok(votes.outcome(
-        "starts up to five times as far from the solution as grazing is, nine oscillators, p = 1 to 4",
+        "starts up to five times as far from the solution as grazing is, twelve oscillators, p = 1 to 4",
     ))
 }
 
@@ -194,7 +195,7 @@ pub(crate) fn one_loop_side() -> CheckResult {
         }
     }
     Ok(votes.outcome(
-        "nine oscillators with α > 0 and two with α < 0, where the hypothesis is violated, μ of both signs",
+        "twelve oscillators with α > 0 and three with α < 0, where the hypothesis is violated, μ of both signs",
     ))
 }
 

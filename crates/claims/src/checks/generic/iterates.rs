@@ -97,7 +97,7 @@ pub(crate) fn iterated_map() -> CheckResult {
     Ok(orders.order(
         2.0,
         0.1,
-        "both components on nine oscillators, p = 1 to 4, seven directions in (x, z, μ) at once",
+        "both components on twelve oscillators, p = 1 to 4, seven directions in (x, z, μ) at once",
     ))
 }
 

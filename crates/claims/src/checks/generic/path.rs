@@ -8,11 +8,12 @@ use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
 
 use super::iterates::printed_iterate;
-use super::specimens::{Failure, Grazing, sampled_map, specimens};
+use super::specimens::{Failure, sampled_map, specimens};
 use super::vivid::{derivatives, equations, scale, zero};
 use crate::eigenvalues::Pair;
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::specimen::Grazing;
 use crate::tally::Deviations;
 
 /// Tens of roundings of numbers of the size by which deviations are divided.
@@ -64,7 +65,7 @@ fn over_oscillators(
     Ok(deviations.outcome(1e-11, over))
 }
 
-const OSCILLATORS: &str = "nine oscillators, p = 1 to 6, derivatives by the chain rule";
+const OSCILLATORS: &str = "twelve oscillators, p = 1 to 6, derivatives by the chain rule";
 
 /// eq:ujwj: the scaled derivatives of the visits of oscillators against central differences of their positions.
 pub(crate) fn scaled_slopes() -> CheckResult {
@@ -85,7 +86,7 @@ pub(crate) fn scaled_slopes() -> CheckResult {
         }
     }
     // Rounding of 10⁻¹⁵ over a step of some 10⁻⁶, magnified by J⁻¹.
-    Ok(deviations.outcome(1e-7, "the visits j = 1 to p of nine oscillators, p = 1 to 3"))
+    Ok(deviations.outcome(1e-7, "the visits j = 1 to p of twelve oscillators, p = 1 to 3"))
 }
 
 /// eq:affineMap.

@@ -13,14 +13,15 @@ use nalgebra::Vector2;
 
 use super::determinants::printed_matrices;
 use super::maps::integrated;
-use super::specimens::{Failure, Grazing, Specimen, delayed, directions, specimens, uniform_order};
+use super::specimens::{Failure, delayed, directions, specimens, uniform_order};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::specimen::{Grazing, Specimen};
 use crate::tally::{Deviations, Smallest, Votes};
 
 /// The equations of p-loop MPSs of a specimen.
 pub(super) fn equations(grazing: &Grazing, p: u32) -> LoopEquations<Specimen> {
-    LoopEquations::new(*grazing.oscillator(), p, Formulation::Vivid)
+    LoopEquations::new(grazing.oscillator().clone(), p, Formulation::Vivid)
 }
 
 /// The point (y, z; μ) with z and μ counted from grazing.
@@ -88,7 +89,7 @@ pub(crate) fn visits() -> CheckResult {
         }
     }
     // Times of maxima are known to the rounding of the velocity.
-    Ok(deviations.outcome(1e-12, "visits of the admissible MPSs of eleven oscillators, p = 2 to 4"))
+    Ok(deviations.outcome(1e-12, "visits of the admissible MPSs of fifteen oscillators, p = 2 to 4"))
 }
 
 /// Whether the orbit from an impact has its next impact there again, p forcing periods later.
@@ -118,7 +119,7 @@ pub(crate) fn zeros_are_orbits() -> CheckResult {
         votes.see(zero(&grazing, p, -mu).is_some_and(|other| other[0] < 0.0));
     }
     Ok(votes.outcome(
-        "MPSs near grazing of eleven oscillators, p = 1 to 4, points beside them and on the other side",
+        "MPSs near grazing of fifteen oscillators, p = 1 to 4, points beside them and on the other side",
     ))
 }
 
@@ -135,7 +136,7 @@ pub(crate) fn fixed_points() -> CheckResult {
     }
     // Newton's method for V and P_disc's for y, each with roundings of phases, p times.
     Ok(deviations
-        .outcome(1e-13, "MPSs near grazing of eleven oscillators, p = 1 to 4: the deviation times y"))
+        .outcome(1e-13, "MPSs near grazing of fifteen oscillators, p = 1 to 4: the deviation times y"))
 }
 
 /// eq:V: V against numerical integration of the way from the impact and of the way from the recoil, return by return.
@@ -170,7 +171,7 @@ pub(crate) fn composition() -> CheckResult {
         }
     }
     // The integration's error, of fourth order in steps of 0.01, after four returns.
-    Ok(deviations.outcome(1e-8, "points near grazing, y of either sign, nine oscillators, p = 1 to 4"))
+    Ok(deviations.outcome(1e-8, "points near grazing, y of either sign, twelve oscillators, p = 1 to 4"))
 }
 
 /// V is twice differentiable across y = 0.
@@ -192,7 +193,7 @@ pub(crate) fn smooth_across_tangency() -> CheckResult {
         }
     }
     // The next term is of relative size h² < 10⁻³.
-    Ok(orders.order(1.0, 0.1, "nine oscillators, p = 1 to 3"))
+    Ok(orders.order(1.0, 0.1, "twelve oscillators, p = 1 to 3"))
 }
 
 /// V(0, z_graz; 0) = 0.
@@ -206,7 +207,7 @@ pub(crate) fn vanishes_at_grazing() -> CheckResult {
         }
     }
     // Six returns with the rounding of a phase each.
-    Ok(deviations.outcome(1e-13, "nine oscillators, p = 1 to 6"))
+    Ok(deviations.outcome(1e-13, "twelve oscillators, p = 1 to 6"))
 }
 
 /// The derivatives of V at grazing in (y, z, μ), from the derivatives of the maps.
@@ -242,7 +243,7 @@ pub(crate) fn jacobians() -> CheckResult {
         }
     }
     // Third derivatives up to some hundreds times the step squared, and rounding over the step.
-    Ok(deviations.outcome(1e-7, "three derivatives at grazing of nine oscillators, p = 1 to 4"))
+    Ok(deviations.outcome(1e-7, "three derivatives at grazing of twelve oscillators, p = 1 to 4"))
 }
 
 /// Expansions of V, a component each.
@@ -264,7 +265,7 @@ fn expansion(seed: u64, component: usize) -> CheckResult {
         }
     }
     // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
-    Ok(orders.order(2.0, 0.1, "nine oscillators, p = 1 to 4, seven directions in (y, z, μ) at once"))
+    Ok(orders.order(2.0, 0.1, "twelve oscillators, p = 1 to 4, seven directions in (y, z, μ) at once"))
 }
 
 /// eq:V1.

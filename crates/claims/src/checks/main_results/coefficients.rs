@@ -11,10 +11,10 @@ use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{LinearisedMap, ResonantPoint};
 
 use super::returns::derivative as difference;
-use super::specimen::Specimen;
 use crate::convergence::order;
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::specimen::{Law, Specimen};
 use crate::tally::{Deviations, Smallest};
 
 type Failure = Box<dyn core::error::Error + Send + Sync>;
@@ -30,12 +30,9 @@ pub(super) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Resonant,
     loop {
         let loops = sampler.one_of(loops);
         let zeta = sampler.between(0.01, 0.15);
-        let law = Specimen::random_law(sampler);
-        let theory = grazing_theorems::LinearOscillator::new(zeta, 1.0)?;
-        // For p = 1 and n = 1 the frequency is twice the natural one.
-        let closed = theory.resonance(loops, sampler.one_of(&[1, 2]))?;
-        let (specimen, phase) = Specimen::grazing(zeta, closed.forcing_frequency(), law)?;
-        let Ok(point) = ResonantGrazingPoint::find(&specimen, loops, phase) else {
+        let law = Law::random(sampler, zeta);
+        // For p = 1 and n = 1 the frequency is about twice the natural one.
+        let Ok(point) = law.resonance(loops, sampler.one_of(&[1, 2]), false)?.checked() else {
             continue;
         };
         let stability = point.resonant_point().stability_coefficients();
@@ -63,7 +60,7 @@ fn on_branch(resonance: &ResonantGrazingPoint<Specimen>, velocity: f64) -> Optio
 fn stability(seed: u64, loops: &[u32], formula: fn(&ResonantPoint) -> [f64; 2]) -> Result<Smallest, Failure> {
     let mut sampler = Sampler::new(seed);
     let mut least = Smallest::default();
-    for _ in 0..60 {
+    for _ in 0..30 {
         let Resonant { point: resonance } = resonant(&mut sampler, loops)?;
         let stated = formula(resonance.resonant_point());
         for (stated, sign) in stated.into_iter().zip([1.0, -1.0]) {
@@ -113,7 +110,7 @@ fn curvature(point: &ResonantPoint) -> f64 {
 fn fitted(seed: u64, loops: &[u32], saddle_node: fn(&ResonantPoint) -> f64) -> Result<Deviations, Failure> {
     let mut sampler = Sampler::new(seed);
     let mut largest = Deviations::default();
-    for _ in 0..40 {
+    for _ in 0..20 {
         let Resonant { point: resonance } = resonant(&mut sampler, loops)?;
         let point = resonance.resonant_point();
         let sn = saddle_node(point);
@@ -166,7 +163,7 @@ pub(super) fn curves_many_loops() -> CheckResult {
 pub(super) fn unfolding_derivatives() -> CheckResult {
     let mut sampler = Sampler::new(65);
     let mut largest = Deviations::default();
-    for _ in 0..60 {
+    for _ in 0..30 {
         let Resonant { point: resonance } = resonant(&mut sampler, &[1, 2, 3, 4])?;
         let (orbit, loops) = (resonance.orbit(), resonance.loops());
         let [primary, eta] = orbit.oscillator().parameters();

@@ -8,11 +8,11 @@ use grazing_model::LinearOscillator;
 use grazing_model::maps::discontinuity_map;
 
 use super::simulation::{attracts, returns};
-use super::specimen::Specimen;
 use crate::convergence::order;
 use crate::outcome::CheckResult;
 use crate::printed::printed;
 use crate::sampling::Sampler;
+use crate::specimen::Law;
 use crate::tally::{Smallest, Votes};
 
 type Failure = Box<dyn core::error::Error + Send + Sync>;
@@ -99,7 +99,7 @@ pub(super) fn singular_jacobian() -> CheckResult {
     let mut sampler = Sampler::new(83);
     let mut least = Smallest::default();
     for _ in 0..100 {
-        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
         let point = orbit.grazing_point();
         let limit = -point.alpha() * point.forcing_frequency / (2.0 * point.gamma).sqrt();
         least.see_resolved(order(|h| {

@@ -10,13 +10,12 @@ use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::Condition;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
-use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{GenericGrazing, HypothesesViolated, ResonantGrazing, Side};
 
 use self::general::{side_of_curve, side_of_orbit};
 use crate::outcome::CheckResult;
-use crate::specimen::{DELAY, Exponential, RESTITUTION, VaryingReset, varying_at_grazing};
+use crate::specimen::{DELAY, Exponential, Grazing, Law};
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
 use crate::sweep::generic::Existence;
 use crate::sweep::resonant::FIT_TOLERANCE;
@@ -179,9 +178,9 @@ fn only(violated: &HypothesesViolated, quantity: Quantity) -> bool {
 }
 
 /// The grazing orbit of an oscillator whose impacts take time, at ω₁/ω = `ratio`, with a reset law that varies and has this α.
-fn delayed(ratio: f64, alpha: f64) -> Result<GrazingOrbit<VaryingReset>, Failure> {
+fn delayed(ratio: f64, alpha: f64) -> Result<Grazing, Failure> {
     let omega = theory()?.damped_natural_frequency() / ratio;
-    let with = |size: f64| varying_at_grazing(ZETA, RESTITUTION, Exponential { size, ..DELAY }, omega);
+    let with = |size: f64| Law { delay: Exponential { size, ..DELAY }, ..Law::varying(ZETA) }.grazing(omega);
     let unit = with(1.0)?.grazing_point();
     let wanted = (1.0 + unit.phi - alpha) * unit.forcing_frequency / unit.gamma;
     Ok(with(wanted / unit.psi)?)
@@ -226,18 +225,14 @@ fn no_curve_away_from_resonance(loops: u32, omega: f64) -> bool {
 }
 
 /// sgn(η) as the theorem states it, whether or not its hypotheses hold.
-fn stated_sides(orbit: &GrazingOrbit<VaryingReset>, loops: u32) -> Result<[Side; 2], Failure> {
+fn stated_sides(orbit: &Grazing, loops: u32) -> Result<[Side; 2], Failure> {
     let point = orbit.resonant_point(loops)?;
     let stability = point.stability_coefficients();
     Ok([stability.plus, stability.minus].map(|s| side(point.unfolding.derivative() * s)))
 }
 
 /// Both curves are seen for the stated sign of η, and the continued ones have the stated coefficients.
-fn holds(
-    orbit: &GrazingOrbit<VaryingReset>,
-    theorem: &ResonantGrazing,
-    seen: [Existence; 2],
-) -> Result<bool, Failure> {
+fn holds(orbit: &Grazing, theorem: &ResonantGrazing, seen: [Existence; 2]) -> Result<bool, Failure> {
     let located = ResonantGrazingPoint::find(orbit.oscillator(), theorem.loops(), orbit.phase())?;
     let stated = [theorem.saddle_node(), theorem.period_doubling()];
     let mut all = true;

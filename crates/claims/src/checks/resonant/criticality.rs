@@ -1,16 +1,16 @@
 //! Section 6: what the period doublings of Figure 7 create.
 
 use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
-use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_model::ImpactOscillator;
 
-use super::discussion::{ROUTE, agreement, of_figure_7};
+use super::discussion::{ROUTE, of_figure_7};
 use super::doubled::DoubledEquations;
-use super::places::{Failure, Observed, Place, lowest, order, remembered};
+use super::places::{Failure, Observed, Place, agreement, lowest, order, remembered};
 use super::simulation::next_impact;
 use crate::outcome::{CheckResult, Measure, Outcome};
 
 /// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
-fn flips(place: &Place<LinearOscillator>, count: usize) -> Result<Vec<Unknowns>, Failure> {
+fn flips(place: &Place, count: usize) -> Result<Vec<Unknowns>, Failure> {
     let unfolded = place.resonance.unfold(&ROUTE)?;
     let points: Vec<&MaximalPeriodicSolution> = unfolded
         .period_doubling
@@ -32,11 +32,7 @@ struct Criticality {
 }
 
 /// The period-doubled MPS next to a point of a PD curve, and the orbit from the MPS at its parameters.
-fn criticality(
-    place: &Place<LinearOscillator>,
-    flip: &Unknowns,
-    simulate: bool,
-) -> Result<Criticality, Failure> {
+fn criticality(place: &Place, flip: &Unknowns, simulate: bool) -> Result<Criticality, Failure> {
     let equations = DoubledEquations::new(place.resonance.equations());
     let y = flip[unknown::VELOCITY];
     let doubled = equations.near(flip, 0.1 * y).ok_or("no period-doubled MPS beside a PD point")?;
@@ -84,7 +80,7 @@ pub(super) fn criticality_of_figure_7() -> CheckResult {
 }
 
 /// The order in η of μ at the grazing member of the period-doubled family, and of its first impact velocity.
-fn doubled_grazing_orders(place: &Place<LinearOscillator>) -> Vec<Observed> {
+fn doubled_grazing_orders(place: &Place) -> Vec<Observed> {
     let equations = DoubledEquations::new(place.resonance.equations());
     let curve = &place.curves()[1];
     let at = remembered(|size| {
@@ -92,8 +88,16 @@ fn doubled_grazing_orders(place: &Place<LinearOscillator>) -> Vec<Observed> {
         let grazing = equations.grazing(&near.unknowns)?;
         Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
     });
+    // Smaller velocities than this are lost in the rounding of the two impacts, whose distance is a part of them.
+    const SMALLEST: f64 = 1e-5;
     // Located amplitudes and velocities.
-    let part = |index: usize, rounding: f64| (order(|size| Some((at(size)?[index], rounding))), 1.0);
+    let part =
+        |index: usize, rounding: f64| {
+            let observed = order(|size| {
+                if size < SMALLEST { Some((0.0, rounding)) } else { Some((at(size)?[index], rounding)) }
+            });
+            (observed, 1.0)
+        };
     vec![part(0, 1e-15), part(1, 1e-13)]
 }
 

@@ -9,8 +9,8 @@ use grazing_theorems::auxiliary::lucas_sequence;
 use nalgebra::Matrix2;
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, directions, everywhere, largest, lowest,
-    order, remembered, scaled,
+    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, deviation, directions, everywhere, largest,
+    lowest, order, orders, remembered, scaled,
 };
 use crate::outcome::{CheckResult, Measure, Outcome};
 
@@ -21,12 +21,12 @@ const VIRTUAL: f64 = 1e-15;
 const GLOBAL: f64 = 1e-13;
 
 /// D P_virt and D(P_virt ∘ R) at a point.
-fn virtual_derivatives<O: ImpactOscillator>(near: &Near<O>) -> Option<[Matrix2<f64>; 2]> {
+fn virtual_derivatives(near: &Near) -> Option<[Matrix2<f64>; 2]> {
     let oscillator = near.oscillator();
     let [y, z] = near.impact().into();
-    let ahead = virtual_map::<O, 1>(&oscillator, y, z, Some(0.0)).ok()?;
+    let ahead = virtual_map::<_, 1>(&oscillator, y, z, Some(0.0)).ok()?;
     let reset = oscillator.reset::<1>(y, z);
-    let back = virtual_map::<O, 1>(&oscillator, reset.value[0], reset.value[1], Some(0.0)).ok()?;
+    let back = virtual_map::<_, 1>(&oscillator, reset.value[0], reset.value[1], Some(0.0)).ok()?;
     Some([ahead.jet.derivative(), back.jet.after::<1>(&reset).derivative()])
 }
 
@@ -47,7 +47,7 @@ fn entries(
     found
 }
 
-fn impact_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn impact_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
         let leading = Matrix2::new(offset[0] / symbols.gamma, 0.0, symbols.omega / symbols.gamma, 1.0);
@@ -57,11 +57,10 @@ fn impact_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>,
 
 /// eq:DPvirt.
 pub(super) fn of_virtual_map() -> CheckResult {
-    let orders = everywhere!(Loops::Any, impact_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Any, EVERYWHERE, impact_orders)
 }
 
-fn recoil_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn recoil_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
         let leading = Matrix2::new(
@@ -76,11 +75,10 @@ fn recoil_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>,
 
 /// eq:DPvirtR.
 pub(super) fn after_reset() -> CheckResult {
-    let orders = everywhere!(Loops::Any, recoil_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Any, EVERYWHERE, recoil_orders)
 }
 
-fn quotient_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn quotient_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let gamma = place.symbols()?.gamma;
     let one = |direction: &Offset| {
         let observed = order(|size| {
@@ -96,11 +94,10 @@ fn quotient_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed
 
 /// det D P_virt = y G₁ with G₁ = 1/γ at the resonance.
 pub(super) fn determinant_quotient() -> CheckResult {
-    let orders = everywhere!(Loops::Any, quotient_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Any, EVERYWHERE, quotient_orders)
 }
 
-fn discontinuity_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn discontinuity_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     // y (D P_virt)⁻¹ is y/det ≈ γ times the adjugate: rounding as that of the factors.
     Ok(entries([2.0, 3.0, 1.0, 2.0], 3.0 * VIRTUAL, |offset| {
@@ -113,17 +110,16 @@ fn discontinuity_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Obs
 
 /// eq:DPdisc, and that y D P_disc extends through y = 0: y has either sign.
 pub(super) fn of_discontinuity_map() -> CheckResult {
-    let orders = everywhere!(Loops::Any, discontinuity_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Any, EVERYWHERE, discontinuity_orders)
 }
 
 /// D P_global^p at (x⁽⁰⁾, z⁽⁰⁾) less its expansion, the phase counted from z_graz,η or, as printed, from z_graz,0.
-fn global_orders<O: ImpactOscillator>(place: &Place<O>, fixed: bool) -> Result<Vec<Observed>, Failure> {
+fn global_orders(place: &Place, fixed: bool) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([1.0, 2.0, 1.0, 1.0], GLOBAL, |&[x, z, mu, eta]| {
         let near = place.near([0.0, z, mu, eta])?;
         let phase = near.unknowns[1];
-        let jet = global_iterate::<O, 1>(&near.oscillator(), place.loops(), x, phase).ok()?;
+        let jet = global_iterate::<_, 1>(&near.oscillator(), place.loops(), x, phase).ok()?;
         let from = if fixed { phase - place.fixed_phase() } else { z };
         let mut leading = symbols.power;
         leading.m12 = symbols.d * x + symbols.xi * from + symbols.e * mu + symbols.f * eta;
@@ -131,18 +127,17 @@ fn global_orders<O: ImpactOscillator>(place: &Place<O>, fixed: bool) -> Result<V
     }))
 }
 
-fn global_about_moving<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn global_about_moving(place: &Place) -> Result<Vec<Observed>, Failure> {
     global_orders(place, false)
 }
 
-fn global_about_fixed<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn global_about_fixed(place: &Place) -> Result<Vec<Observed>, Failure> {
     global_orders(place, true)
 }
 
 fn global(which: Loops) -> CheckResult {
-    let orders = everywhere!(which, global_about_moving);
-    let printed = everywhere!(which, global_about_fixed);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE).against_print(lowest(&printed)))
+    let printed = lowest(&everywhere(which, global_about_fixed)?);
+    Ok(orders(which, EVERYWHERE, global_about_moving)?.against_print(printed))
 }
 
 /// eq:DPglobal, about z_graz,η; the print has z_graz,0.
@@ -156,7 +151,7 @@ pub(super) fn of_iterated_global_map() -> CheckResult {
 }
 
 /// y U less eq:yU.
-fn product_orders<O: ImpactOscillator>(place: &Place<O>, fixed: bool) -> Result<Vec<Observed>, Failure> {
+fn product_orders(place: &Place, fixed: bool) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([2.0, 2.0, 1.0, 2.0], GLOBAL, |offset| {
         let near = place.near(*offset)?;
@@ -172,19 +167,18 @@ fn product_orders<O: ImpactOscillator>(place: &Place<O>, fixed: bool) -> Result<
     }))
 }
 
-fn product_about_moving<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn product_about_moving(place: &Place) -> Result<Vec<Observed>, Failure> {
     product_orders(place, false)
 }
 
-fn product_about_fixed<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn product_about_fixed(place: &Place) -> Result<Vec<Observed>, Failure> {
     product_orders(place, true)
 }
 
 /// eq:yU, about z_graz,η; the print has z_graz,0.
 pub(super) fn product() -> CheckResult {
-    let orders = everywhere!(Loops::One, product_about_moving);
-    let printed = everywhere!(Loops::One, product_about_fixed);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE).against_print(lowest(&printed)))
+    let printed = lowest(&everywhere(Loops::One, product_about_fixed)?);
+    Ok(orders(Loops::One, EVERYWHERE, product_about_moving)?.against_print(printed))
 }
 
 /// Central differences of sixth order of a function of one variable.
@@ -209,11 +203,11 @@ struct Differences {
     xi: f64,
 }
 
-fn differences<O: ImpactOscillator>(place: &Place<O>) -> Option<Differences> {
+fn differences(place: &Place) -> Option<Differences> {
     let phase = place.fixed_phase();
     let by_phase = |x: f64, from: f64, mu: f64, eta: f64| {
         let oscillator = place.near([0.0, 0.0, mu, eta])?.oscillator();
-        slope(STEP, |z| Some(global_iterate::<O, 1>(&oscillator, place.loops(), x, from + z).ok()?.value[0]))
+        slope(STEP, |z| Some(global_iterate::<_, 1>(&oscillator, place.loops(), x, from + z).ok()?.value[0]))
     };
     Some(Differences {
         xi: slope(STEP, |z| by_phase(0.0, phase + z, 0.0, 0.0))?,
@@ -226,7 +220,7 @@ fn differences<O: ImpactOscillator>(place: &Place<O>) -> Option<Differences> {
 
 /// Gaps of (ξ_p, d_p, e_p, f_p) between differences and what section 5 calculates with, f_p once along the grazing curve and
 /// once at fixed phase.
-fn second_derivative_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<[f64; 2]>, Failure> {
+fn second_derivative_gaps(place: &Place) -> Result<Vec<[f64; 2]>, Failure> {
     let symbols = place.symbols()?;
     let found = differences(place).ok_or("P_global is not defined around a resonance")?;
     let gap = |a: f64, b: f64| (a - b).abs() / (1.0 + b.abs());
@@ -238,7 +232,7 @@ fn second_derivative_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<[
 /// The display of d_p, e_p, f_p with ξ_p: that f_p is the f_p of eq:fp, and a₁₂' for p = 1, asks for the derivative along the
 /// grazing curve; at fixed z, as printed, it is not.
 pub(super) fn second_derivatives() -> CheckResult {
-    let gaps = everywhere!(Loops::Any, second_derivative_gaps);
+    let gaps = everywhere(Loops::Any, second_derivative_gaps)?;
     let largest = |index: usize| largest(&gaps.iter().map(|gap| gap[index]).collect::<Vec<_>>());
     // Nested differences: errors of sixth order grow with the derivatives in ω, some 10² for each order at large p n; rounding
     // is 10⁻¹⁵ over the square of the step.
@@ -248,11 +242,11 @@ pub(super) fn second_derivatives() -> CheckResult {
 }
 
 /// a₁₂' or a₁₂ ∂S_p/∂η by differences along the grazing curve, against eq:fp or a₁₂'.
-fn slope_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
+fn slope_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
     let (map, loops) = (place.point().grazing.map, place.loops());
     let by_eta = slope(1e-3, |eta| {
         let orbit = place.grazing(eta)?;
-        let landing = global_map::<O, 1>(orbit.oscillator(), 0.0, orbit.phase(), None).ok()?;
+        let landing = global_map::<_, 1>(orbit.oscillator(), 0.0, orbit.phase(), None).ok()?;
         let a = landing.jet.derivative();
         Some(if loops == 1 { a.m12 } else { lucas_sequence(loops, a.trace(), a.determinant()) })
     })
@@ -263,7 +257,7 @@ fn slope_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure
 }
 
 fn slopes(which: Loops, over: &str) -> CheckResult {
-    let gaps = everywhere!(which, slope_gaps);
+    let gaps = everywhere(which, slope_gaps)?;
     let largest = largest(&gaps);
     // Differences of sixth order with a step of 10⁻³: rounding 10⁻¹⁵/10⁻³, and 10⁻¹⁸ times sixth derivatives of up to 10¹⁰.
     Ok(Outcome::new(Measure::Deviation { largest, tolerance: 1e-7 }, gaps.len(), over))
@@ -279,11 +273,11 @@ pub(super) fn slope_of_many_loops() -> CheckResult {
     slopes(Loops::Many, "the grazing curve around resonances with p = 2 to 5")
 }
 
-fn power_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
+fn power_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
     let map = place.point().grazing.map;
     let (loops, tau, delta) = (place.loops(), map.trace(), map.determinant());
     let orbit = place.resonance.orbit();
-    let power = global_iterate::<O, 1>(orbit.oscillator(), loops, 0.0, orbit.phase())?.derivative();
+    let power = global_iterate::<_, 1>(orbit.oscillator(), loops, 0.0, orbit.phase())?.derivative();
     let modulus = libm::pow(delta, 0.5 * f64::from(loops));
     let resonant = tau - 2.0 * delta.sqrt() * libm::cos(PI / f64::from(loops));
     let sums = [resonant, lucas_sequence(loops, tau, delta), lucas_sequence(loops + 1, tau, delta) + modulus];
@@ -293,9 +287,6 @@ fn power_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure
 
 /// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
 pub(super) fn power_at_resonance() -> CheckResult {
-    let gaps = everywhere!(Loops::Many, power_gaps);
-    let largest = largest(&gaps);
     // Roundings of up to five factors.
-    let measure = Measure::Deviation { largest, tolerance: 1e-11 };
-    Ok(Outcome::new(measure, gaps.len(), "located resonances with p = 2 to 5"))
+    deviation(Loops::Many, 1e-11, "located resonances with p = 2 to 5", power_gaps)
 }
