@@ -113,15 +113,11 @@ fn virtual_remainder(
     reset: bool,
 ) -> Option<Vector2<f64>> {
     let (from, leading) = if reset {
-        let alpha = point.alpha();
-        let shift = point.forcing_frequency * (1.0 - alpha) / point.gamma;
-        let position = point.phi * point.phi * y * y / (2.0 * point.gamma);
-        (oscillator.reset::<1>(y, z).value, Vector2::new(position, shift * y + z))
+        (oscillator.reset::<1>(y, z).value, point.virtual_map_after_reset())
     } else {
-        let shift = point.forcing_frequency / point.gamma;
-        (Vector2::new(y, z), Vector2::new(y * y / (2.0 * point.gamma), shift * y + z))
+        (Vector2::new(y, z), point.virtual_map())
     };
-    Some(virtual_map::<_, 1>(oscillator, from[0], from[1], None).ok()?.jet.value - leading)
+    Some(virtual_map::<_, 1>(oscillator, from[0], from[1], None).ok()?.jet.value - leading.apply(y, z))
 }
 
 /// eq:xHatzHat, first line.

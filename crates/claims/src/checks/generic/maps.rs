@@ -218,9 +218,7 @@ fn discontinuity_remainder(
     let point = grazing.grazing_point();
     let (oscillator, s, z) = near_grazing(grazing, [ds.abs() + 0.1, dz, dmu], h);
     let image = discontinuity_map::<_, 1>(&oscillator, s * s, z).ok()?.value;
-    let root = core::f64::consts::SQRT_2 / point.gamma.sqrt() * s;
-    let leading =
-        Vector2::new(point.phi * point.phi * s * s, z - point.alpha() * point.forcing_frequency * root);
+    let leading = point.discontinuity_map(s * s, z);
     // The preimage's velocity is known to a rounding of x̂ over itself.
     Some((image - leading, ROUNDING / s))
 }

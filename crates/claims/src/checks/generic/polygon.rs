@@ -7,7 +7,6 @@ use grazing_theorems::auxiliary::{
 };
 use nalgebra::{Matrix2, Vector2};
 
-use super::iterates::printed_iterate;
 use super::specimens::map_with;
 use crate::checks::appendices::signs::{along, determinant, search};
 use crate::eigenvalues::Pair;
@@ -112,7 +111,7 @@ fn path(p: u32, tau: f64, delta: f64) -> Vec<Vector2<f64>> {
         b: Vector2::new(0.0, 1.0 / a12),
     };
     let s = lucas_sequence(p, tau, delta);
-    let mut here = Vector2::new(0.0, -printed_iterate(&map, p).b.x / a12);
+    let mut here = Vector2::new(0.0, -map.iterate(p).b.x / a12);
     let mut path = vec![here];
     for _ in 0..p {
         here = map.a * here + map.b * s;
@@ -226,7 +225,7 @@ pub(crate) fn invariance() -> CheckResult {
         let expected: Vec<f64> = path(p, tau, delta).iter().map(|point| point.x).collect();
         let map = map_with(&mut sampler, tau, delta);
         let (s, beta) = (lucas_sequence(p, tau, delta), map.transversality());
-        let mut here = Vector2::new(0.0, -printed_iterate(&map, p).b.x / map.a.m12);
+        let mut here = Vector2::new(0.0, -map.iterate(p).b.x / map.a.m12);
         // Multiplied by β, which may be small.
         let size = (1.0 + here.amax()) * (1.0 + map.a.amax()) * (1.0 + map.a.amax());
         for position in expected {

@@ -11,7 +11,6 @@ use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::GenericGrazing;
 use nalgebra::Vector2;
 
-use super::determinants::printed_matrices;
 use super::maps::integrated;
 use super::specimens::{Failure, delayed, directions, specimens, uniform_order};
 use crate::outcome::CheckResult;
@@ -253,12 +252,13 @@ fn expansion(seed: u64, component: usize) -> CheckResult {
     for grazing in specimens()? {
         let data = grazing.grazing_point();
         for p in 1..=4 {
-            let (j, k) = printed_matrices(&data, p);
+            let stated = data.vivid_linearisation(p);
             let equations = equations(&grazing, p);
             orders.see(uniform_order(&directions::<3>(&mut sampler, 4), |[dy, dz, dmu], h| {
                 let point = unknowns(&grazing, h * dy, h * dz, h * dmu);
                 let (vivid, _) = equations.pair::<1>(&point, &mut Memory::default()).ok()?.difference();
-                let linear = j * Vector2::new(h * dy, h * dz) + k.column(1) * (h * dmu);
+                let linear =
+                    stated.by_impact * Vector2::new(h * dy, h * dz) + stated.by_parameter * (h * dmu);
                 // A phase's rounding for each return.
                 Some((vivid[component] - linear[component], 2e-15 * f64::from(p + 1)))
             }));

@@ -22,11 +22,10 @@ pub(super) fn square_root_factor() -> CheckResult {
     for _ in 0..60 {
         let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
         let point = orbit.grazing_point();
-        let alpha = 1.0 + point.phi - point.gamma * point.psi / point.forcing_frequency;
         // The size is √x̂, so that the remainder is of second order.
         least.see_resolved(order(|h| {
             let disc = discontinuity_map::<_, 1>(orbit.oscillator(), h * h, orbit.phase()).ok()?.value;
-            let stated = -alpha * point.forcing_frequency * h * (2.0 / point.gamma).sqrt();
+            let stated = -point.alpha() * point.forcing_frequency * h * (2.0 / point.gamma).sqrt();
             // Times from 10⁻² to 10⁻⁵ are found to the rounding of phases of order one.
             Some((disc[1] - orbit.phase() - stated, 1e-14))
         }));

@@ -6,6 +6,7 @@ use grazing_continuation::mps::Memory;
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::{global_iterate, global_map, virtual_map};
 use grazing_theorems::auxiliary::lucas_sequence;
+use grazing_theorems::grazing::VirtualMap;
 use nalgebra::Matrix2;
 
 use super::places::{
@@ -47,11 +48,15 @@ fn entries(
     found
 }
 
+/// The derivative of the leading terms of a virtual map at an impact velocity.
+fn slope_of(map: &VirtualMap, velocity: f64) -> Matrix2<f64> {
+    Matrix2::new(2.0 * map.x_coefficient * velocity, 0.0, map.z_coefficient, 1.0)
+}
+
 fn impact_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let symbols = place.symbols()?;
+    let grazing = place.point().grazing;
     Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
-        let leading = Matrix2::new(offset[0] / symbols.gamma, 0.0, symbols.omega / symbols.gamma, 1.0);
-        Some(virtual_derivatives(&place.near(*offset)?)?[0] - leading)
+        Some(virtual_derivatives(&place.near(*offset)?)?[0] - slope_of(&grazing.virtual_map(), offset[0]))
     }))
 }
 
@@ -61,14 +66,9 @@ pub(super) fn of_virtual_map() -> CheckResult {
 }
 
 fn recoil_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let symbols = place.symbols()?;
+    let grazing = place.point().grazing;
     Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
-        let leading = Matrix2::new(
-            symbols.phi * symbols.phi * offset[0] / symbols.gamma,
-            0.0,
-            symbols.omega * (1.0 - symbols.alpha) / symbols.gamma,
-            1.0,
-        );
+        let leading = slope_of(&grazing.virtual_map_after_reset(), offset[0]);
         Some(virtual_derivatives(&place.near(*offset)?)?[1] - leading)
     }))
 }

@@ -1,7 +1,6 @@
 //! The multipliers of an MPS near a resonance: eq:U to eq:fp, Lemmas 5.1 and 5.2.
 
 use grazing_continuation::mps::{Memory, Multipliers};
-use grazing_model::ImpactOscillator;
 use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{

@@ -15,11 +15,8 @@ use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::sampling::smallest;
 
 fn phase_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let symbols = place.symbols()?;
-    let k_1 = place.point().branch_expansion().k_1;
     Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
-        let slope = symbols.alpha * symbols.omega * symbols.f * k_1 / curve.stability;
-        Some(near.relative()[0] - slope * eta)
+        Some(near.relative()[0] - curve.leading.impact_phase_slope * eta)
     }))
 }
 
@@ -53,8 +50,8 @@ impl Place {
         let (k_1, modulus) = (self.point().branch_expansion().k_1, -symbols.power.m11);
         let alpha_omega = symbols.alpha * symbols.omega;
         Ok([
-            alpha_omega * symbols.f / curve.stability
-                * (k_1 + symbols.omega * (1.0 - symbols.alpha) / symbols.gamma),
+            curve.leading.impact_velocity_slope
+                * (k_1 + self.point().grazing.virtual_map_after_reset().z_coefficient),
             -alpha_omega * alpha_omega * symbols.f / (symbols.gamma * (1.0 + modulus) * curve.stability),
         ])
     }
