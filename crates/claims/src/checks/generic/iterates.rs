@@ -47,6 +47,7 @@ pub(crate) fn h_as_sum_of_s() -> CheckResult {
         let sum: f64 =
             (1..p).map(|j| lucas_sequence(j as u32, tau, delta) / libm::pow(delta, f64::from(j - 1))).sum();
         deviations.see((pair.h(p) - sum).norm() / pair.moduli().h(p).re);
+        deviations.see((admissibility_sum(p as u32, tau, delta) - sum) / pair.moduli().h(p).re);
     }
     Ok(deviations.outcome(ROUNDING, "points of the trapesium, p = 2 to 15"))
 }

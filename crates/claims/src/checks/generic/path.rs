@@ -3,7 +3,7 @@
 use grazing_continuation::mps::Memory;
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::{global_map, virtual_map};
-use grazing_theorems::auxiliary::{lucas_sequence, scaled_visit_position};
+use grazing_theorems::auxiliary::{admissibility_sum, lucas_sequence, scaled_visit_position};
 use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
 
@@ -203,6 +203,7 @@ pub(crate) fn last_position() -> CheckResult {
         let terms = (size.s(p - 1) * size.t(p) + size.s(p) * size.t(p - 1) + size.h(p) * raised).re;
         let last = scaled_visit_position(p as u32 - 1, p as u32, tau, delta);
         deviations.see((pair.h(p) * raised + last).norm() / terms);
+        deviations.see((admissibility_sum(p as u32, tau, delta) * raised + last) / terms);
     }
     // As for eq:Hp9.
     Ok(deviations.outcome(1e-13, "points of the trapesium, p = 2 to 15"))

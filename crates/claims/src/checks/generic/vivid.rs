@@ -9,7 +9,7 @@ use grazing_model::motion::local_maxima;
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::GenericGrazing;
-use nalgebra::Vector2;
+use nalgebra::{Matrix2, Vector2};
 
 use super::maps::integrated;
 use super::specimens::{Failure, delayed, directions, specimens, uniform_order};
@@ -226,6 +226,10 @@ pub(crate) fn jacobians() -> CheckResult {
     for grazing in specimens()? {
         for p in 1..=4 {
             let exact = derivatives(&grazing, p)?;
+            let stated = grazing.grazing_point().vivid_linearisation(p);
+            let by_impact = Matrix2::from_columns(&[exact[0], exact[1]]);
+            let gap = (stated.by_impact - by_impact).amax().max((stated.by_parameter - exact[2]).amax());
+            deviations.see(gap / (1.0 + by_impact.amax() + exact[2].amax()));
             let equations = equations(&grazing, p);
             for (axis, expected) in exact.iter().enumerate() {
                 let vivid = |sign: f64| {

@@ -6,6 +6,7 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Memory, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
+use grazing_theorems::auxiliary::modulus_power;
 use grazing_theorems::{Resonance, ResonantGrazing};
 
 use crate::convergence::order;
@@ -27,11 +28,7 @@ pub(super) fn decay() -> CheckResult {
         let loops = f64::from(p);
         let stated = libm::exp(-2.0 * PI * loops * zeta / omega);
         largest.compare(grazing.decay(p), stated, stated);
-        largest.compare(
-            libm::pow(grazing.linearised_map().determinant(), 0.5 * loops),
-            stated,
-            stated.max(1e-3),
-        );
+        largest.compare(modulus_power(p, grazing.linearised_map().determinant()), stated, stated.max(1e-3));
         largest.compare(1.0 - grazing.decay_complement(p), stated, 1.0);
     }
     // The exponent is up to a hundred; the determinant is a difference of products.

@@ -264,6 +264,10 @@ fn psi_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
         let [plus, minus] = psi(&pair.multipliers());
         let one = Matrix2::identity();
         let size = 1.0 + u.amax() * u.amax();
+        // The function that curves are continued with is det(U ∓ I) times det D P_virt, which stays smooth through y = 0.
+        let scaled = |multiplier: f64| pair.characteristic(multiplier).0 * inverse.determinant();
+        found.push((scaled(1.0) + plus).abs() / size);
+        found.push((scaled(-1.0) - minus).abs() / size);
         found.push(((u - one).determinant() + plus).abs() / size);
         found.push(((u + one).determinant() - minus).abs() / size);
     }

@@ -170,7 +170,7 @@ pub(super) fn square_root() -> CheckResult {
 fn sides(place: &Place) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
     for curve in place.curves() {
-        let sign = libm::copysign(1.0, place.point().unfolding.derivative() * curve.stability);
+        let sign = curve.leading.eta_side.signum();
         for velocity in [1e-3, 3e-4, 1e-4] {
             let eta = sign * eta_at(&curve, velocity).abs();
             let Some((right, wrong)) = place.on_curve(&curve, eta).zip(place.on_curve(&curve, -eta)) else {

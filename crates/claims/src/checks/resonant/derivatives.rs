@@ -1,11 +1,9 @@
 //! The derivatives that the proofs of Lemmas 5.1 and 5.2 multiply: eq:DPvirt to eq:DPglobalp.
 
-use core::f64::consts::PI;
-
 use grazing_continuation::mps::Memory;
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::{global_iterate, global_map, virtual_map};
-use grazing_theorems::auxiliary::lucas_sequence;
+use grazing_theorems::auxiliary::{detuning, lucas_sequence, modulus_power};
 use grazing_theorems::grazing::VirtualMap;
 use nalgebra::Matrix2;
 
@@ -278,9 +276,12 @@ fn power_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
     let (loops, tau, delta) = (place.loops(), map.trace(), map.determinant());
     let orbit = place.resonance.orbit();
     let power = global_iterate::<_, 1>(orbit.oscillator(), loops, 0.0, orbit.phase())?.derivative();
-    let modulus = libm::pow(delta, 0.5 * f64::from(loops));
-    let resonant = tau - 2.0 * delta.sqrt() * libm::cos(PI / f64::from(loops));
-    let sums = [resonant, lucas_sequence(loops, tau, delta), lucas_sequence(loops + 1, tau, delta) + modulus];
+    let modulus = modulus_power(loops, delta);
+    let sums = [
+        detuning(loops, tau, delta),
+        lucas_sequence(loops, tau, delta),
+        lucas_sequence(loops + 1, tau, delta) + modulus,
+    ];
     let rest = power + Matrix2::identity() * modulus;
     Ok(sums.iter().chain(rest.iter()).map(|gap| gap.abs()).collect())
 }

@@ -9,6 +9,7 @@ use grazing_continuation::mps::{Memory, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::global_iterate;
+use grazing_theorems::auxiliary::modulus_power;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{GrazingPoint, ResonantPoint};
 use nalgebra::{Matrix2, Vector2};
@@ -76,7 +77,7 @@ impl Place {
         let power = if self.loops() == 1 {
             Matrix2::new(map.a.m11, 0.0, map.a.m21, map.a.m22)
         } else {
-            -Matrix2::identity() * libm::pow(map.determinant(), 0.5 * f64::from(self.loops()))
+            -Matrix2::identity() * modulus_power(self.loops(), map.determinant())
         };
         Ok(Symbols {
             alpha: point.grazing.alpha(),
