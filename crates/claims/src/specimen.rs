@@ -9,8 +9,8 @@ mod motion;
 
 use grazing_continuation::resonance::{LocatedResonance, ResonanceError};
 use grazing_model::flow_variable::{PRIMARY, SECONDARY};
-use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
-use grazing_model::{FlowJet, ImpactOscillator, LinearOscillator, MapJet, ParameterJet, State};
+use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
+use grazing_model::{FlowJet, ImpactOscillator, LinearOscillator, MapJet, ParameterJet, State, ThirdOrder};
 use grazing_theorems::TheoryError;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use thiserror::Error;
@@ -368,6 +368,16 @@ impl ImpactOscillator for Specimen {
             Some(linear) => SpecimenMotion::Linear(linear.motion(from)),
             None => SpecimenMotion::Integrated(self.law.motion(from)),
         }
+    }
+}
+
+impl ThirdOrder for Specimen {
+    fn flow_series(&self, from: [Taylor; 3], duration: Taylor) -> [Taylor; 2] {
+        self.law.flow_series(from, duration)
+    }
+
+    fn reset_series(&self, velocity: Taylor, phase: Taylor) -> [Taylor; 2] {
+        self.law.reset_series(velocity, phase)
     }
 }
 

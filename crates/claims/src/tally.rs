@@ -89,6 +89,7 @@ impl Smallest {
 pub struct Votes {
     agreeing: usize,
     cases: usize,
+    silent: usize,
 }
 
 impl Votes {
@@ -98,6 +99,11 @@ impl Votes {
         self.cases += 1;
     }
 
+    /// Takes into account a case of which the statement says nothing: it neither agrees nor disagrees.
+    pub fn silent(&mut self) {
+        self.silent += 1;
+    }
+
     /// The count.
     pub fn measure(&self) -> Measure {
         Measure::Agreement { agreeing: self.agreeing, cases: self.cases }
@@ -105,6 +111,10 @@ impl Votes {
 
     /// The outcome.
     pub fn outcome(&self, over: &str) -> Outcome {
+        let over = match self.silent {
+            0 => over.to_owned(),
+            silent => format!("{over}; the statement is silent on {silent} more"),
+        };
         Outcome::new(self.measure(), self.cases, over)
     }
 }
@@ -157,6 +167,8 @@ mod tests {
         let mut votes = Votes::default();
         votes.see(true);
         votes.see(false);
+        votes.silent();
         assert_eq!(votes.measure(), Measure::Agreement { agreeing: 1, cases: 2 });
+        assert!(votes.outcome("").over.contains("silent on 1 more"));
     }
 }

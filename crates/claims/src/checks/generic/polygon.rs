@@ -171,7 +171,7 @@ pub(crate) fn convex() -> CheckResult {
 /// although Q is affine there too.
 pub(crate) fn polygon() -> CheckResult {
     let mut sampler = Sampler::new(9);
-    let mut votes = Votes::default();
+    let (mut votes, mut printed) = (Votes::default(), Votes::default());
     for index in 0..3000 {
         let p = 2 + index % 7;
         // For smaller determinants the path shrinks below its rounding.
@@ -184,13 +184,15 @@ pub(crate) fn polygon() -> CheckResult {
         let vertices = path(p, tau, delta);
         let convex = convexity(&vertices) > 1e-12;
         votes.see(convex == (tau > boundary));
+        printed.see(convex);
         if tau > boundary {
             let edge = |i: usize| [vertices[i], vertices[i + 1]];
             let apart = |i: usize, k: usize| !cross_each_other(edge(i), edge(k));
             votes.see((0..p as usize).all(|i| (i + 2..p as usize).all(|k| apart(i, k))));
         }
     }
-    Ok(votes.outcome("paths for τ on either side of h_p, p = 2 to 8, as polygons of computed vertices"))
+    let over = "paths for τ on either side of h_p, p = 2 to 8, as polygons of computed vertices";
+    Ok(votes.outcome(over).against_print(printed.measure()))
 }
 
 /// As τ decreases from δ + 1, no u⁽ˡ⁾ vanishes before τ = h_p, and there it is u⁽ᵖ⁻¹⁾ (p ≥ 3).

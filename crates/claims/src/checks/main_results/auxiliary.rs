@@ -4,19 +4,23 @@ use core::f64::consts::PI;
 
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
-use grazing_model::LinearOscillator;
-use grazing_theorems::GenericGrazing;
+use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::auxiliary::{
-    admissibility_sum, lucas_sequence, resonance_boundary, scaled_visit_position,
+    admissibility_sum, detuning, lucas_sequence, resonance_boundary, scaled_visit_position,
 };
+use grazing_theorems::hypothesis::Quantity;
+use grazing_theorems::{GenericGrazing, Side};
 use nalgebra::{Complex, Matrix2};
 
 use super::simulation::returns;
+use super::theorems::general::side_of_orbit;
 use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::printed::printed;
 use crate::sampling::{Sampler, smallest};
+use crate::specimen::{Exponential, Law, damping_for_decay};
+use crate::sweep::generic::Existence;
 use crate::tally::{Deviations, Smallest, Votes};
 
 type Failure = Box<dyn core::error::Error + Send + Sync>;
@@ -215,9 +219,12 @@ fn emerges(grazing: &grazing_theorems::GrazingState, loops: u32, side: f64) -> R
 }
 
 /// p-loop MPSs with τ < h_p(δ) exist near δ = 1 for p = 5 and from p = 7 on, and not for p = 3, 4 and 6: by the signs of
-/// all u⁽ʲ⁾ over a grid of the trapesium, and for those that exist in a simulated oscillator.
+/// all u⁽ʲ⁾ over a grid of the trapesium, and for those that exist in a simulated oscillator. They exist for p = 2 too, where
+/// h₂ = −2√δ and u⁽¹⁾ = −1; that takes real eigenvalues, which the linear oscillator does not have.
 pub(super) fn beyond_the_boundary() -> CheckResult {
-    let mut cases = Votes::default();
+    let (mut cases, mut printed) = (Votes::default(), Votes::default());
+    printed.see(!two_loops_below_the_boundary()?);
+    cases.see(two_loops_below_the_boundary()?);
     for p in 3..=14 {
         let mut found: Option<(f64, f64)> = None;
         for delta in [0.3, 0.7, 0.9, 0.97, 0.999] {
@@ -236,11 +243,37 @@ pub(super) fn beyond_the_boundary() -> CheckResult {
             }
         }
         cases.see(found.is_some() == (p == 5 || p >= 7));
+        printed.see(found.is_some() == (p == 5 || p >= 7));
         if let Some((tau, delta)) = found {
             cases.see(beyond_in_simulation(p, tau, delta)?);
         }
     }
-    Ok(cases.outcome("p = 3 to 14 on grids of the trapesium, and an oscillator for each p found"))
+    let over = "p = 2 to 14, p ≥ 3 on grids of the trapesium, and an oscillator for each p found";
+    Ok(cases.outcome(over).against_print(printed.measure()))
+}
+
+/// Whether an oscillator with τ ≤ −2√δ has a two-loop MPS on the side of βκ₂, as for larger τ.
+///
+/// Beside a p = 1 resonance of a force that is not linear, a₁₂ = 0, the eigenvalues are near a₁₁ ≠ a₂₂, both negative for n = 1.
+fn two_loops_below_the_boundary() -> Result<bool, Failure> {
+    let law = Law { delay: Exponential::constant(0.0), ..Law::nonlinear(damping_for_decay(1, 1, 0.5)) };
+    let resonance = law.resonance(1, 1, false)?;
+    let [_, omega] = resonance.orbit().oscillator().parameters();
+    // To that side on which a₁₂ > 0.
+    let off = libm::copysign(1e-3, resonance.resonant_point().unfolding.derivative());
+    let orbit = law.grazing(omega * (1.0 + off))?;
+    let point = orbit.grazing_point();
+    let (tau, delta) = (point.map.trace(), point.map.determinant());
+    let only_the_margin = match GenericGrazing::check(&point, 2) {
+        Ok(_) => false,
+        Err(violated) => violated.violated().map(|one| one.quantity).eq([Quantity::AdmissibilityMargin]),
+    };
+    let stated = if point.map.transversality() * detuning(2, tau, delta) > 0.0 {
+        Side::Positive
+    } else {
+        Side::Negative
+    };
+    Ok(only_the_margin && side_of_orbit(&orbit, 2)? == Existence::On(stated))
 }
 
 /// Whether the linear oscillator with this trace and determinant has a p-loop MPS near grazing, one side or the other.

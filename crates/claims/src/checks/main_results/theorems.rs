@@ -1,7 +1,7 @@
 //! Theorems 2.2 to 2.5: hypotheses met and the conclusion seen in the hybrid system; a hypothesis violated, named by the
 //! theorem, and the conclusion seen to fail.
 
-mod general;
+pub(super) mod general;
 mod violations;
 
 use std::error::Error;
@@ -10,12 +10,14 @@ use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::Condition;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
+use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{GenericGrazing, HypothesesViolated, ResonantGrazing, Side};
 
 use self::general::{side_of_curve, side_of_orbit};
+use crate::checks::generic::specimens::specimens;
 use crate::outcome::CheckResult;
-use crate::specimen::{DELAY, Exponential, Grazing, Law};
+use crate::specimen::{DELAY, Exponential, Grazing, Law, damping_for_decay};
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
 use crate::sweep::generic::Existence;
 use crate::sweep::resonant::FIT_TOLERANCE;
@@ -35,6 +37,7 @@ const EPSILON: f64 = 0.8;
 pub(super) fn generic_grazing_one_loop() -> CheckResult {
     let mut count = Votes::default();
     generic_sweep(&mut count, |loops| loops == 1)?;
+    general_sweep(&mut count, |loops| loops == 1)?;
     violations::generic(&mut count, 1);
     // a₁₂ = 0: the MPS that comes into being is not unstable.
     let resonance = theory()?.resonance(1, 3)?;
@@ -64,6 +67,7 @@ pub(super) fn generic_grazing_one_loop() -> CheckResult {
 pub(super) fn generic_grazing_p_loops() -> CheckResult {
     let mut count = Votes::default();
     generic_sweep(&mut count, |loops| loops > 1)?;
+    general_sweep(&mut count, |loops| loops > 1)?;
     for p in [2, 3] {
         violations::generic(&mut count, p);
         let resonance = theory()?.resonance(p, 1)?;
@@ -98,6 +102,7 @@ pub(super) fn generic_grazing_p_loops() -> CheckResult {
 pub(super) fn resonant_grazing_one_loop() -> CheckResult {
     let mut count = Votes::default();
     resonant_sweep(&mut count, |loops| loops == 1)?;
+    general_resonances(&mut count, &[(1, 2), (1, 3)])?;
     violations::resonant(&mut count, 1);
     for n in [2, 3] {
         let ratio = 0.5 * f64::from(n);
@@ -124,6 +129,7 @@ pub(super) fn resonant_grazing_one_loop() -> CheckResult {
 pub(super) fn resonant_grazing_p_loops() -> CheckResult {
     let mut count = Votes::default();
     resonant_sweep(&mut count, |loops| loops > 1)?;
+    general_resonances(&mut count, &[(2, 1), (3, 1)])?;
     violations::resonant(&mut count, 2);
     for p in [2, 3] {
         let q = 0.5 / f64::from(p);
@@ -149,11 +155,83 @@ pub(super) fn resonant_grazing_p_loops() -> CheckResult {
     ))
 }
 
+/// Where a hypothesis fails the theorem is silent, as long as what is seen there has its reason.
+fn judged(count: &mut Votes, verdict: Verdict) {
+    match verdict {
+        Verdict::Agreement => count.see(true),
+        Verdict::Explained(_) => count.silent(),
+        Verdict::Unexplained => count.see(false),
+    }
+}
+
+/// Oscillators at grazing that are not linear: forces, reset laws, β of either sign, real eigenvalues; and linear ones with varying
+/// reset laws within 0.01 of τ = h_p and of δ = 1.
+fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32)>, Failure> {
+    let mut found = Vec::new();
+    for orbit in specimens()? {
+        found.extend((1..=4).map(|p| (orbit.clone(), p)));
+    }
+    for p in 3..=5 {
+        for margin in [0.005, -0.005] {
+            found.push((beside_the_boundary(p, margin)?, p));
+        }
+    }
+    // δ = e^{−4πζ/ω}.
+    let damping: f64 = 4e-4;
+    for ratio in [1.1, 1.2, 1.4] {
+        let omega = (1.0 - damping * damping).sqrt() / ratio;
+        found.extend(
+            (1..=4)
+                .map(|p| (Law::varying(damping).grazing(omega), p))
+                .filter_map(|(orbit, p)| Some((orbit.ok()?, p))),
+        );
+    }
+    found.retain(|(_, p)| wanted(*p));
+    Ok(found)
+}
+
+/// An oscillator with a varying reset law and τ this much above h_p(δ), a₁₂ > 0: ω₁/ω lies between 1 + 1/(2p) and 1 + 1/p.
+fn beside_the_boundary(p: u32, margin: f64) -> Result<Grazing, Failure> {
+    let theory = theory()?;
+    let omega = |ratio: f64| theory.damped_natural_frequency() / ratio;
+    let (mut near, mut far) = (1.0 + 0.5 / f64::from(p), 1.0 + 1.0 / f64::from(p));
+    // τ falls as the ratio grows. After forty halvings nothing is left of the interval.
+    for _ in 0..40 {
+        let middle = 0.5 * (near + far);
+        let grazing = theory.grazing(omega(middle))?;
+        let above = grazing.trace() - admissibility_boundary(p, grazing.determinant())? > margin;
+        if above { near = middle } else { far = middle }
+    }
+    Ok(Law::varying(ZETA).grazing(omega(near))?)
+}
+
+/// What theorem 2.2 or 2.3 says of these oscillators, and what simulation sees.
+fn general_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
+    for (orbit, p) in other_oscillators(wanted)? {
+        match GenericGrazing::check(&orbit.grazing_point(), p) {
+            Ok(theorem) => count.see(side_of_orbit(&orbit, p)? == Existence::On(theorem.side())),
+            Err(_) => count.silent(),
+        }
+    }
+    Ok(())
+}
+
+/// What theorem 2.4 or 2.5 says of resonances of an oscillator that is not linear, and what simulation and continuation see.
+fn general_resonances(count: &mut Votes, cases: &[(u32, u32)]) -> Result<(), Failure> {
+    for &(p, n) in cases {
+        let located = Law::nonlinear(damping_for_decay(p, n, 0.5)).resonance(p, n, false)?;
+        let (orbit, theorem) = (located.orbit(), located.checked()?);
+        let seen = [side_of_curve(orbit, p, 1.0)?, side_of_curve(orbit, p, -1.0)?];
+        count.see(holds(orbit, theorem.theorem(), seen)?);
+    }
+    Ok(())
+}
+
 fn generic_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
     let mut cases = generic_cases(Extent::Whole)?;
     cases.retain(|case| wanted(case.loops));
     let rows: Vec<GenericRow> = generic_rows(&cases, || ())?;
-    rows.iter().for_each(|row| count.see(row.verdict != Verdict::Unexplained));
+    rows.iter().for_each(|row| judged(count, row.verdict));
     Ok(())
 }
 
@@ -161,7 +239,7 @@ fn resonant_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(),
     let mut cases = resonant_cases(Extent::Whole)?;
     cases.retain(|case| wanted(case.loops));
     let rows: Vec<ResonantRow> = resonant_rows(&cases, || ())?;
-    rows.iter().for_each(|row| count.see(row.verdict != Verdict::Unexplained));
+    rows.iter().for_each(|row| judged(count, row.verdict));
     Ok(())
 }
 

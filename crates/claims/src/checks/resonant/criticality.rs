@@ -1,11 +1,12 @@
 //! Section 6: what the period doublings of Figure 7 create.
 
+use grazing_continuation::criticality::{coefficient_at_resonance, period_doubling};
 use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
 use grazing_model::ImpactOscillator;
 
 use super::discussion::{ROUTE, of_figure_7};
 use super::doubled::DoubledEquations;
-use super::places::{Failure, Observed, Place, agreement, lowest, order, remembered};
+use super::places::{Failure, Loops, Observed, Place, agreement, lowest, order, orders, remembered};
 use super::simulation::next_impact;
 use crate::outcome::{CheckResult, Measure, Outcome};
 
@@ -56,12 +57,38 @@ fn criticality(place: &Place, flip: &Unknowns, simulate: bool) -> Result<Critica
     Ok(Criticality { unstable: 1.0 - multipliers.trace + multipliers.determinant < 0.0, settles })
 }
 
+/// y² c of the normal form, along the PD curve and as y falls to 0, less the closed form at the resonance; c counted in the impact
+/// velocity.
+fn criterion_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+    let limit = coefficient_at_resonance(place.point());
+    let curve = &place.curves()[1];
+    let observed = order(|y| {
+        // Digits of c are lost in proportion to 1/y, and its value grows with 1/y².
+        if y < 1e-4 {
+            return Some((0.0, 1.0));
+        }
+        let near = place.on_curve(curve, y / curve.leading.impact_velocity_slope)?;
+        let flip = period_doubling(place.resonance.equations(), &near.unknowns).ok()?;
+        let scaled = near.unknowns[unknown::VELOCITY] / flip.direction[0];
+        Some((scaled * scaled * flip.coefficient - limit, 1e-11 / y))
+    });
+    Ok(vec![(observed, 1.0)])
+}
+
+/// The criterion that section 6 asks for, derived at the resonance: the normal form's coefficient tends to it at first order in y.
+pub(super) fn criterion_at_resonance() -> CheckResult {
+    orders(Loops::Any, "PD curves running into resonances with p up to 5", criterion_orders)
+}
+
 /// The period doublings of Figure 7. Printed: all create an unstable solution. Found: close to the resonances those with p = 1
 /// and even n do and the others create a stable one, on which simulated orbits end.
 pub(super) fn criticality_of_figure_7() -> CheckResult {
     let (mut cases, mut printed) = (Vec::new(), Vec::new());
     for place in of_figure_7()? {
+        let subcritical = coefficient_at_resonance(place.point()) < 0.0;
+        // As the correction of the misprint says: p = 1 with even n alone.
         let even = place.loops() == 1 && place.point().unfolding.derivative() < 0.0;
+        cases.push(subcritical == even);
         for flip in flips(&place, 25)? {
             printed.push(criticality(&place, &flip, false)?.unstable);
         }
@@ -71,7 +98,7 @@ pub(super) fn criticality_of_figure_7() -> CheckResult {
             let eta = y / curve.leading.impact_velocity_slope;
             let Some(near) = place.on_curve(curve, eta) else { continue };
             let found = criticality(&place, &near.unknowns, true)?;
-            cases.push(found.unstable == even && found.settles != even);
+            cases.push(found.unstable == subcritical && found.settles != subcritical);
         }
     }
     let over = "points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along";

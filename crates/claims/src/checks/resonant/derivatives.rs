@@ -111,31 +111,48 @@ pub(super) fn of_discontinuity_map() -> CheckResult {
     orders(Loops::Any, EVERYWHERE, discontinuity_orders)
 }
 
-/// D P_global^p at (x⁽⁰⁾, z⁽⁰⁾) less its expansion, the phase counted from z_graz,η or, as printed, from z_graz,0.
-fn global_orders(place: &Place, fixed: bool) -> Result<Vec<Observed>, Failure> {
+/// What the print leaves open: from where the phase is counted, and along what f_p is a derivative.
+#[derive(Clone, Copy, PartialEq)]
+enum Cure {
+    /// From z_graz,η, with f_p along the grazing curve.
+    Moving,
+    /// From z_graz,0, as printed, with f_p along the grazing curve, as eq:fp.
+    AsPrinted,
+    /// From z_graz,0, as printed, with f_p at fixed z, as it is defined in print.
+    PartialDerivative,
+}
+
+impl Cure {
+    /// What is counted as the phase, and f_p.
+    fn phase_and_slope(self, place: &Place, near: &Near, f: f64) -> [f64; 2] {
+        let phase = near.unknowns[1];
+        match self {
+            Self::Moving => [phase - near.orbit.phase(), f],
+            Self::AsPrinted => [phase - place.fixed_phase(), f],
+            Self::PartialDerivative => {
+                let moved = place.point().second_phase_derivative * place.resonance.orbit().phase_slope();
+                [phase - place.fixed_phase(), f - moved]
+            }
+        }
+    }
+}
+
+/// D P_global^p at (x⁽⁰⁾, z⁽⁰⁾) less its expansion.
+fn global_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([1.0, 2.0, 1.0, 1.0], GLOBAL, |&[x, z, mu, eta]| {
         let near = place.near([0.0, z, mu, eta])?;
-        let phase = near.unknowns[1];
-        let jet = global_iterate::<_, 1>(&near.oscillator(), place.loops(), x, phase).ok()?;
-        let from = if fixed { phase - place.fixed_phase() } else { z };
+        let jet = global_iterate::<_, 1>(&near.oscillator(), place.loops(), x, near.unknowns[1]).ok()?;
+        let [from, f] = cure.phase_and_slope(place, &near, symbols.f);
         let mut leading = symbols.power;
-        leading.m12 = symbols.d * x + symbols.xi * from + symbols.e * mu + symbols.f * eta;
+        leading.m12 = symbols.d * x + symbols.xi * from + symbols.e * mu + f * eta;
         Some(jet.derivative() - leading)
     }))
 }
 
-fn global_about_moving(place: &Place) -> Result<Vec<Observed>, Failure> {
-    global_orders(place, false)
-}
-
-fn global_about_fixed(place: &Place) -> Result<Vec<Observed>, Failure> {
-    global_orders(place, true)
-}
-
 fn global(which: Loops) -> CheckResult {
-    let printed = lowest(&everywhere(which, global_about_fixed)?);
-    Ok(orders(which, EVERYWHERE, global_about_moving)?.against_print(printed))
+    let printed = lowest(&everywhere(which, |place| global_orders(place, Cure::AsPrinted))?);
+    Ok(orders(which, EVERYWHERE, |place| global_orders(place, Cure::Moving))?.against_print(printed))
 }
 
 /// eq:DPglobal, about z_graz,η; the print has z_graz,0.
@@ -149,34 +166,38 @@ pub(super) fn of_iterated_global_map() -> CheckResult {
 }
 
 /// y U less eq:yU.
-fn product_orders(place: &Place, fixed: bool) -> Result<Vec<Observed>, Failure> {
+fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([2.0, 2.0, 1.0, 2.0], GLOBAL, |offset| {
         let near = place.near(*offset)?;
         let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
-        let [y, z, mu, eta] = *offset;
-        let from = if fixed { near.unknowns[1] - place.fixed_phase() } else { z };
+        let [y, _, mu, eta] = *offset;
+        let [from, f] = cure.phase_and_slope(place, &near, symbols.f);
         let alpha_omega = symbols.alpha * symbols.omega;
         let phase = symbols.omega * (1.0 - symbols.alpha) / symbols.gamma * y + from;
         let x = symbols.power.m11 * symbols.phi * symbols.phi * y
-            - alpha_omega * (symbols.xi * phase + symbols.e * mu + symbols.f * eta);
+            - alpha_omega * (symbols.xi * phase + symbols.e * mu + f * eta);
         let leading = Matrix2::new(x, 0.0, -alpha_omega * symbols.power.m22, symbols.power.m22 * y);
         Some(pair.round_trip.derivative() * pair.impact.derivative().try_inverse()? * y - leading)
     }))
 }
 
-fn product_about_moving(place: &Place) -> Result<Vec<Observed>, Failure> {
-    product_orders(place, false)
-}
-
-fn product_about_fixed(place: &Place) -> Result<Vec<Observed>, Failure> {
-    product_orders(place, true)
-}
-
 /// eq:yU, about z_graz,η; the print has z_graz,0.
 pub(super) fn product() -> CheckResult {
-    let printed = lowest(&everywhere(Loops::One, product_about_fixed)?);
-    Ok(orders(Loops::One, EVERYWHERE, product_about_moving)?.against_print(printed))
+    let printed = lowest(&everywhere(Loops::One, |place| product_orders(place, Cure::AsPrinted))?);
+    let outcome = orders(Loops::One, EVERYWHERE, |place| product_orders(place, Cure::Moving))?;
+    Ok(outcome.against_print(printed))
+}
+
+/// The other cure: with f_p at fixed z the expansions about z_graz,0 hold as printed.
+pub(super) fn other_cure() -> CheckResult {
+    orders(Loops::Any, EVERYWHERE, |place| {
+        let mut found = global_orders(place, Cure::PartialDerivative)?;
+        if place.loops() == 1 {
+            found.extend(product_orders(place, Cure::PartialDerivative)?);
+        }
+        Ok(found)
+    })
 }
 
 /// Central differences of sixth order of a function of one variable.

@@ -4,10 +4,10 @@ use grazing_continuation::mps::{Memory, Multipliers};
 use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, Symbols, deviation, directions, everywhere,
-    lowest, order, orders, scaled,
+    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, Symbols, agreement, deviation, directions,
+    everywhere, lowest, order, orders, scaled,
 };
-use crate::outcome::{CheckResult, Outcome};
+use crate::outcome::CheckResult;
 
 /// T and D at a point, from the derivatives of the two sides of V.
 fn multipliers(place: &Place, near: &Near) -> Option<Multipliers> {
@@ -134,32 +134,40 @@ pub(super) fn extension_for_many_loops() -> CheckResult {
     orders(Loops::Many, "extrapolations to y = 0 from both sides at resonances with p = 2 to 5", seam_orders)
 }
 
-/// Away from the resonance y T tends to −α ω a₁₂ S_p, which is not zero: T grows without bound as y falls to 0.
+/// Values of η beside a resonance.
+const BESIDE: [f64; 2] = [0.03, -0.02];
+
+/// −α ω a₁₂ S_p beside the resonance, to which y T tends.
+fn limits(place: &Place) -> Result<Vec<f64>, Failure> {
+    let limit = |eta| {
+        let point = place.grazing(eta)?.grazing_point();
+        Some(-point.alpha() * point.forcing_frequency * point.map.iterate(place.loops()).a.m12)
+    };
+    let limits: Option<Vec<f64>> = BESIDE.into_iter().map(limit).collect();
+    Ok(limits.ok_or("no grazing orbit beside a resonance")?)
+}
+
+/// Away from the resonance y T tends to −α ω a₁₂ S_p, which is not zero: |T| grows without bound as y falls to 0.
 fn divergence_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let mut found = Vec::new();
-    for eta in [0.03, -0.02] {
-        let Some(orbit) = place.grazing(eta) else { continue };
-        let point = orbit.grazing_point();
-        let entry = point.map.iterate(place.loops()).a.m12;
-        let limit = -point.alpha() * point.forcing_frequency * entry;
+    let one = |(eta, limit): (f64, f64)| {
         // A limit of zero would be no divergence.
-        if limit.abs() < 1e-6 {
-            return Err(format!("y T tends to {limit}").into());
-        }
         let observed = order(|size| {
             let near = place.near([size, 0.0, 0.0, eta])?;
             Some((size * multipliers(place, &near)?.trace - limit, ROUNDING * (1.0 + limit.abs())))
         });
-        found.push((observed, 1.0));
-    }
-    Ok(found)
+        (if limit.abs() < 1e-6 { f64::NAN } else { observed }, 1.0)
+    };
+    Ok(BESIDE.into_iter().zip(limits(place)?).map(one).collect())
 }
 
-/// T → ∞ as y → 0.
+/// T → ±∞ as y → 0, with the sign of −α a₁₂ S_p.
 pub(super) fn divergence() -> CheckResult {
-    let orders = everywhere(Loops::Any, divergence_orders)?;
-    let over = "η to either side of resonances: y T less its limit, which is other than zero";
-    Ok(Outcome::new(lowest(&orders), orders.len(), over))
+    let over = "η to either side of resonances: y T less its limit, which is other than zero; for the print, where it is positive";
+    let positive = agreement(
+        &everywhere(Loops::Any, |place| Ok(limits(place)?.iter().map(|limit| *limit > 0.0).collect()))?,
+        over,
+    );
+    Ok(orders(Loops::Any, over, divergence_orders)?.against_print(positive.measure))
 }
 
 /// U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against the quotient of the
