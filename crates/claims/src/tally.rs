@@ -24,6 +24,11 @@ impl Deviations {
         self.see((computed - expected) / scale);
     }
 
+    /// Takes into account the distances of pairs (found, stated), relative to one plus the size of the stated number.
+    pub fn pairs(&mut self, pairs: impl IntoIterator<Item = (f64, f64)>) {
+        pairs.into_iter().for_each(|(found, stated)| self.compare(found, stated, 1.0 + stated.abs()));
+    }
+
     /// Takes a yes-or-no condition into account, without which no deviation counts as small.
     pub fn require(&mut self, holds: bool) {
         self.see(if holds { 0.0 } else { f64::INFINITY });

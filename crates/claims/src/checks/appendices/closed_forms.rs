@@ -6,10 +6,11 @@ use grazing_model::maps::{global_iterate, global_map};
 use grazing_theorems::Resonance;
 use grazing_theorems::from_map::GrazingOrbit;
 
-use super::printed_flow::{CLOSED, DIFFERENCES, Turn, deviation, largest, model, worse};
-use crate::outcome::CheckResult;
+use super::printed_flow::{CLOSED, DIFFERENCES, Turn, model};
+use crate::outcome::{CheckResult, Failure};
 use crate::sampling::Sampler;
 use crate::specimen::damping_for_decay;
+use crate::tally::Deviations;
 
 /// Resonances with p loops, E_p and ε at random.
 fn resonances(loops: &[u32], count: usize) -> Result<Vec<Resonance>, grazing_theorems::TheoryError> {
@@ -28,16 +29,14 @@ fn at_resonances(
     loops: &[u32],
     over: &str,
     tolerance: f64,
-    pairs: impl Fn(&Resonance) -> Result<Vec<(f64, f64)>, Box<dyn std::error::Error + Send + Sync>>,
+    pairs: impl Fn(&Resonance) -> Result<Vec<(f64, f64)>, Failure>,
 ) -> CheckResult {
     let all = resonances(loops, 300)?;
-    let (mut found, mut samples) = (0.0, 0);
+    let mut largest = Deviations::default();
     for resonance in &all {
-        let pairs = pairs(resonance)?;
-        samples += pairs.len();
-        found = worse(found, largest(pairs));
+        largest.pairs(pairs(resonance)?);
     }
-    deviation(found, tolerance, samples, over)
+    Ok(largest.outcome(tolerance, over))
 }
 
 const ONE: &str = "resonances with p = 1, n = 1 to 4, E and ε at random";
@@ -50,7 +49,7 @@ fn parity(resonance: &Resonance) -> f64 {
 }
 
 /// ξ_p of the iterated map at a resonance.
-fn iterated(resonance: &Resonance) -> Result<f64, Box<dyn std::error::Error + Send + Sync>> {
+fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
     let grazing = resonance.grazing();
     let jet = global_iterate::<_, 2>(&model(&grazing)?, resonance.loops(), 0.0, grazing.phase())?;
     Ok(jet.hessians[0][(1, 1)])
@@ -131,12 +130,9 @@ pub(super) fn stability_of_many_loops() -> CheckResult {
 }
 
 /// The derivative in ω of an entry or combination of entries of A along the grazing curve, by differences of P_global.
-fn along_grazing(
-    resonance: &Resonance,
-    of: impl Fn(&nalgebra::Matrix2<f64>) -> f64,
-) -> Result<f64, Box<dyn std::error::Error + Send + Sync>> {
+fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> f64) -> Result<f64, Failure> {
     let theory = resonance.grazing().oscillator();
-    let at = |h: f64| -> Result<f64, Box<dyn std::error::Error + Send + Sync>> {
+    let at = |h: f64| -> Result<f64, Failure> {
         let state = theory.grazing(resonance.forcing_frequency() + h)?;
         Ok(of(&global_map::<_, 1>(&model(&state)?, 0.0, state.phase(), None)?.jet.derivative()))
     };

@@ -7,10 +7,10 @@ use grazing_theorems::auxiliary::{admissibility_sum, lucas_sequence, scaled_visi
 use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
 
-use super::specimens::{Failure, sampled_map, specimens};
+use super::specimens::{sampled_map, specimens};
 use super::vivid::{derivatives, equations, scale, zero};
 use crate::eigenvalues::Pair;
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 use crate::sampling::Sampler;
 use crate::specimen::Grazing;
 use crate::tally::Deviations;

@@ -1,6 +1,6 @@
 //! What section 4 is measured on: oscillators at grazing, and first-order data without an oscillator behind them.
 
-use std::error::Error;
+use crate::outcome::Failure;
 
 use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
@@ -8,9 +8,6 @@ use nalgebra::{Matrix2, Vector2};
 use crate::convergence::order;
 use crate::sampling::Sampler;
 use crate::specimen::{DELAY, Exponential, Grazing, Law};
-
-/// Why something could not be computed.
-pub(crate) type Failure = Box<dyn Error + Send + Sync>;
 
 /// The specimens at grazing: three with Φ = ε and Ψ = 0, three whose reset law varies, three of these with the frequency as μ, and
 /// three with a force that is not linear, two of them with real eigenvalues.

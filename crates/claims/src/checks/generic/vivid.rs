@@ -6,14 +6,14 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
 use grazing_model::maps::{discontinuity_map, global_iterate, global_map, virtual_map};
 use grazing_model::motion::local_maxima;
-use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::GenericGrazing;
 use nalgebra::{Matrix2, Vector2};
 
 use super::maps::integrated;
-use super::specimens::{Failure, delayed, directions, specimens, uniform_order};
-use crate::outcome::CheckResult;
+use super::specimens::{delayed, directions, specimens, uniform_order};
+use crate::checks::main_results::simulation::returns;
+use crate::outcome::{CheckResult, Failure};
 use crate::sampling::Sampler;
 use crate::specimen::{Grazing, Specimen};
 use crate::tally::{Deviations, Smallest, Votes};
@@ -91,29 +91,17 @@ pub(crate) fn visits() -> CheckResult {
     Ok(deviations.outcome(1e-12, "visits of the admissible MPSs of fifteen oscillators, p = 2 to 4"))
 }
 
-/// Whether the orbit from an impact has its next impact there again, p forcing periods later.
-fn returns(oscillator: &Specimen, p: u32, velocity: f64, phase: f64) -> bool {
-    let horizon = (f64::from(p) + 0.5) * oscillator.forcing_period();
-    let recoil = oscillator.reset::<1>(velocity, phase).value;
-    let lag = (recoil[1] - phase) / oscillator.forcing_frequency().value;
-    let Some(flight) = Orbit::new(oscillator, State::on_wall(velocity, phase), horizon, 10).next() else {
-        return false;
-    };
-    let turns = f64::from(p) * oscillator.forcing_period();
-    // Velocities down to 10⁻⁴, which magnify roundings of the position.
-    let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
-    matches!(flight.end, FlightEnd::Impact(state) if near(state.velocity, velocity))
-        && near(flight.duration + lag, turns)
-}
-
 /// Zeros of V are MPSs: the simulated orbit has its next impact where it started, p periods later; from other points, and on
 /// the other side of grazing, where y < 0, there is no such orbit.
 pub(crate) fn zeros_are_orbits() -> CheckResult {
     let mut votes = Votes::default();
     for (grazing, p, point) in admissible()? {
-        let oscillator = equations(&grazing, p).oscillator_at(&point);
-        votes.see(point[0] > 0.0 && returns(&oscillator, p, point[0], point[1]));
-        votes.see(!returns(&oscillator, p, point[0] * 1.001, point[1]));
+        let equations = equations(&grazing, p);
+        let oscillator = equations.oscillator_at(&point);
+        let mut beside = point;
+        beside[0] *= 1.001;
+        votes.see(point[0] > 0.0 && returns(&oscillator, &equations.solution(&point).0));
+        votes.see(!returns(&oscillator, &equations.solution(&beside).0));
         let mu = point[2] - grazing.oscillator().parameters()[0];
         votes.see(zero(&grazing, p, -mu).is_some_and(|other| other[0] < 0.0));
     }

@@ -2,28 +2,23 @@
 
 use core::f64::consts::PI;
 
-use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
-use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_model::ImpactOscillator;
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::auxiliary::{
     admissibility_sum, detuning, lucas_sequence, resonance_boundary, scaled_visit_position,
 };
 use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{GenericGrazing, Side};
-use nalgebra::{Complex, Matrix2};
+use nalgebra::Matrix2;
 
-use super::simulation::returns;
 use super::theorems::general::side_of_orbit;
 use crate::convergence::order;
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 use crate::printed::printed;
 use crate::sampling::{Sampler, smallest};
 use crate::specimen::{Exponential, Law, damping_for_decay};
 use crate::sweep::generic::Existence;
 use crate::tally::{Deviations, Smallest, Votes};
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// eq:gp: at τ = g_p(δ) the (1, 2) entry of Aᵖ vanishes, also for p between integers in the sense of S_p(τ) = 0 at the
 /// integer; for larger τ it has the sign of a₁₂.
@@ -49,38 +44,6 @@ pub(super) fn resonance_boundary_is_a_zero() -> CheckResult {
     }
     // Powers of a matrix of norm two in fifteen steps, of which the entry is what cancellation leaves.
     Ok(largest.outcome(1e-12, "p up to 15 and random A with τ = g_p(δ), and with τ above it"))
-}
-
-/// eq:Hp: the double sum in complex arithmetic against the recurrence.
-pub(super) fn admissibility_sum_is_the_double_sum() -> CheckResult {
-    let mut sampler = Sampler::new(32);
-    let mut largest = Deviations::default();
-    for _ in 0..2000 {
-        let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 8, 10, 12]);
-        let (tau, delta) = sampler.trapesium();
-        let delta = delta.max(0.05);
-        let discriminant = tau * tau - 4.0 * delta;
-        let root = match discriminant.abs().sqrt() {
-            root if discriminant < 0.0 => Complex::new(0.0, root),
-            root => Complex::new(root, 0.0),
-        };
-        let [first, second] = [root, -root].map(|root| (Complex::new(tau, 0.0) + root) * 0.5);
-        let power = |base: Complex<f64>, exponent: u32| {
-            (0..exponent).fold(Complex::new(1.0, 0.0), |product, _| product / base)
-        };
-        let (mut sum, mut size) = (Complex::new(0.0, 0.0), 0.0);
-        for j in 1..p {
-            for k in 1..=j {
-                let term = power(first, j - k) * power(second, k - 1);
-                size += term.norm_sqr().sqrt();
-                sum += term;
-            }
-        }
-        largest.compare(sum.re, admissibility_sum(p, tau, delta), size);
-        largest.see(sum.im.abs() / size);
-    }
-    // Sixty terms of a dozen factors; eigenvalues near the double one lose digits that their sums keep.
-    Ok(largest.outcome(1e-13, "points of the trapesium, p = 2 to 12"))
 }
 
 /// δ^{(p−2)/2} H_p, which neither over- nor underflows.
@@ -187,35 +150,13 @@ pub(super) fn star() -> CheckResult {
         let inside = admissibility_boundary(p, delta)? < tau && tau < resonance_boundary(f64::from(p), delta);
         cases.see(inside == (3..=5).contains(&p));
     }
+    let orbit = Law::linear(printed("zeta")?, printed("epsilon")?).grazing(printed("fig02_frequency")?)?;
     for p in 1..=5 {
-        let side = GenericGrazing::check(&grazing.grazing_point(), p)?.side().signum();
-        cases.see((side > 0.0) == (p <= 2));
-        cases.see(emerges(&grazing, p, side)?);
-        cases.see(!emerges(&grazing, p, -side)?);
+        let side = GenericGrazing::check(&orbit.grazing_point(), p)?.side();
+        cases.see((side == Side::Positive) == (p <= 2));
+        cases.see(side_of_orbit(&orbit, p)? == Existence::On(side));
     }
     Ok(cases.outcome("p = 2 to 40 at the star; p = 1 to 5 in the hybrid system on both sides of grazing"))
-}
-
-/// Whether an admissible p-loop MPS is seen in the hybrid system close to grazing on this side of it.
-fn emerges(grazing: &grazing_theorems::GrazingState, loops: u32, side: f64) -> Result<bool, Failure> {
-    let theory = grazing.oscillator();
-    let omega = grazing.forcing_frequency();
-    let (zeta, epsilon) = (theory.damping_ratio(), theory.coefficient_of_restitution());
-    let orbit = grazing.grazing_point().emerging_orbit(loops)?;
-    // An impact velocity so small that the expansion is a good start even close to a resonance.
-    let mu = side * 2e-4 / orbit.impact_velocity_slope.abs();
-    let oscillator = LinearOscillator::new(zeta, epsilon, grazing.amplitude() + mu, omega)?;
-    let equations = LoopEquations::new(oscillator, loops, Formulation::Vivid);
-    let start = Unknowns::new(
-        orbit.impact_velocity_slope * mu,
-        grazing.phase() + orbit.impact_phase_slope * mu,
-        grazing.amplitude() + mu,
-        omega,
-    );
-    let conditions = [Condition::Primary(start[2]), Condition::Secondary(omega)];
-    let zero = locate(&equations, conditions, start, &mut Memory::default())?;
-    let solution = equations.solution(&zero).0;
-    Ok(solution.admissible() && returns(&equations.oscillator_at(&zero), &solution))
 }
 
 /// p-loop MPSs with τ < h_p(δ) exist near δ = 1 for p = 5 and from p = 7 on, and not for p = 3, 4 and 6: by the signs of
@@ -282,8 +223,8 @@ fn beyond_in_simulation(p: u32, tau: f64, delta: f64) -> Result<bool, Failure> {
     let turns = 1.0 + libm::acos(0.5 * tau / delta.sqrt()) / (2.0 * PI);
     let ratio = -libm::log(delta) / (4.0 * PI * turns);
     let zeta = ratio / (1.0 + ratio * ratio).sqrt();
-    let theory = grazing_theorems::LinearOscillator::new(zeta, 0.7)?;
-    let grazing = theory.grazing(theory.damped_natural_frequency() / turns)?;
-    let below = grazing.trace() < admissibility_boundary(p, grazing.determinant())?;
-    Ok(below && (emerges(&grazing, p, 1.0)? || emerges(&grazing, p, -1.0)?))
+    let orbit = Law::linear(zeta, 0.7).grazing((1.0 - zeta * zeta).sqrt() / turns)?;
+    let map = orbit.grazing_point().map;
+    let below = map.trace() < admissibility_boundary(p, map.determinant())?;
+    Ok(below && matches!(side_of_orbit(&orbit, p)?, Existence::On(_)))
 }

@@ -12,12 +12,10 @@ use grazing_theorems::from_map::GrazingOrbit;
 
 use super::returns::derivative as difference;
 use crate::convergence::order;
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 use crate::sampling::Sampler;
 use crate::specimen::{Law, Specimen};
 use crate::tally::{Deviations, Smallest};
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// A resonance of an oscillator without pattern, located numerically.
 pub(super) struct Resonant {

@@ -9,13 +9,11 @@ use grazing_model::maps::discontinuity_map;
 
 use super::simulation::{attracts, returns};
 use crate::convergence::order;
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 use crate::printed::printed;
 use crate::sampling::Sampler;
 use crate::specimen::Law;
 use crate::tally::{Smallest, Votes};
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// The branch of p-loop MPSs that leaves the grazing bifurcation of Figure 2, with its equations and 𝒜_graz.
 fn branch(loops: u32) -> Result<(LoopEquations<LinearOscillator>, Curve, f64), Failure> {

@@ -9,12 +9,10 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::returns::derivative as difference;
 use crate::convergence::order;
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 use crate::sampling::Sampler;
 use crate::specimen::{Grazing, Law, frequency_first};
 use crate::tally::{Deviations, Smallest, Votes};
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// τ and δ are trace and determinant of the flow over one period in (x, y), the wall ignored: P_global has the multipliers
 /// of Γ.

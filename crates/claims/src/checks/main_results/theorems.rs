@@ -4,8 +4,6 @@
 pub(super) mod general;
 mod violations;
 
-use std::error::Error;
-
 use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::Condition;
 use grazing_continuation::resonance::ResonantGrazingPoint;
@@ -16,7 +14,7 @@ use grazing_theorems::{GenericGrazing, HypothesesViolated, ResonantGrazing, Side
 
 use self::general::{side_of_curve, side_of_orbit};
 use crate::checks::generic::specimens::specimens;
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 use crate::specimen::{DELAY, Exponential, Grazing, Law, damping_for_decay};
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
 use crate::sweep::generic::Existence;
@@ -26,8 +24,6 @@ use crate::sweep::{
 };
 use crate::tally::Votes;
 use grazing_unfold::simulation::{Seen, Suspect};
-
-type Failure = Box<dyn Error + Send + Sync>;
 
 /// An oscillator for what is seen to fail.
 const ZETA: f64 = 0.03;

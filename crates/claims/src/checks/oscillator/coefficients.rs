@@ -10,12 +10,10 @@ use grazing_theorems::auxiliary::modulus_power;
 use grazing_theorems::{Resonance, ResonantGrazing};
 
 use crate::convergence::order;
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 use crate::printed::printed;
 use crate::sampling::{Sampler, smallest};
 use crate::tally::{Deviations, Smallest, Votes};
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// eq:Ep and E_p = δ^{p/2}: the decay of the free motion over p periods.
 pub(super) fn decay() -> CheckResult {

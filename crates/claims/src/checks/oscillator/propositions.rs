@@ -4,11 +4,9 @@ use grazing_model::LinearOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{Resonance, ResonantPoint, Unfolding};
 
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 use crate::sampling::Sampler;
 use crate::tally::Deviations;
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// The general theory with A, b, ξ_p and their derivatives along the grazing curve from the numerical P_global.
 fn numerical(resonance: &Resonance) -> Result<ResonantPoint, Failure> {

@@ -6,10 +6,9 @@ use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, 
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Observed, Place, Symbols, deviation, directions, order, orders, remembered,
-    scaled,
+    EVERYWHERE, Loops, Observed, Place, Symbols, deviation, directions, order, orders, remembered, scaled,
 };
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 use crate::sampling::{Sampler, smallest};
 
 /// Ratios of y and η in which points run into the resonance.

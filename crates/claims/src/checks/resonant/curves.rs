@@ -1,10 +1,10 @@
 //! The bifurcation curves near a resonance: eq:Upsilon1, eq:Upsilonp and what follows from them.
 
 use super::places::{
-    Bifurcation, EVERYWHERE, Failure, Loops, Near, Observed, Place, deviation, everywhere, lowest, order,
-    orders, remembered,
+    Bifurcation, EVERYWHERE, Loops, Near, Observed, Place, deviation, everywhere, lowest, order, orders,
+    remembered,
 };
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 
 /// Rounding of located velocities, phases and positions: on the curves they come from quotients of derivatives.
 pub(super) const PHASE: f64 = 1e-13;

@@ -8,10 +8,10 @@ use grazing_theorems::grazing::VirtualMap;
 use nalgebra::Matrix2;
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, deviation, directions, everywhere, largest,
-    lowest, order, orders, remembered, scaled,
+    EVERYWHERE, Loops, Near, Observed, Offset, Place, deviation, directions, everywhere, largest, lowest,
+    order, orders, remembered, scaled,
 };
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 
 /// Rounding of the entries of D P_virt and D(P_virt ∘ R), numbers of order one.
 const VIRTUAL: f64 = 1e-15;

@@ -9,9 +9,9 @@ use grazing_model::{ImpactOscillator, State};
 use nalgebra::Vector2;
 
 use super::derivatives::slope;
-use super::places::{Failure, Loops, Observed, Place, agreement, deviation, everywhere, lowest, order};
+use super::places::{Loops, Observed, Place, agreement, deviation, everywhere, lowest, order};
 use super::simulation::next_impact;
-use crate::outcome::{CheckResult, Outcome};
+use crate::outcome::{CheckResult, Failure, Outcome};
 use crate::printed::printed;
 use crate::specimen::{Law, damping_for_decay};
 

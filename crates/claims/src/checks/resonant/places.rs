@@ -15,12 +15,9 @@ use grazing_theorems::{GrazingPoint, ResonantPoint};
 use nalgebra::{Matrix2, Vector2};
 
 use crate::convergence;
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 use crate::sampling::Sampler;
 use crate::specimen::{Grazing, Law, Specimen, damping_for_decay};
-
-/// Why a check cannot be carried out.
-pub(super) type Failure = Box<dyn std::error::Error + Send + Sync>;
 
 /// A resonant grazing point of one oscillator.
 pub(super) struct Place {

@@ -6,8 +6,8 @@ use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::{Matrix2, Vector2};
 
-use super::places::{Failure, Loops, Near, Place, deviation};
-use crate::outcome::CheckResult;
+use super::places::{Loops, Near, Place, deviation};
+use crate::outcome::{CheckResult, Failure};
 
 /// The next impact (y, z) after an impact, its phase counted near that of the first; `None` if it comes at another time than
 /// p periods later.

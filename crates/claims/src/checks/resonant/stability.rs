@@ -4,10 +4,10 @@ use grazing_continuation::mps::{Memory, Multipliers};
 use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, Symbols, agreement, deviation, directions,
-    everywhere, lowest, order, orders, scaled,
+    EVERYWHERE, Loops, Near, Observed, Offset, Place, Symbols, agreement, deviation, directions, everywhere,
+    lowest, order, orders, scaled,
 };
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 
 /// T and D at a point, from the derivatives of the two sides of V.
 fn multipliers(place: &Place, near: &Near) -> Option<Multipliers> {

@@ -8,10 +8,8 @@ use grazing_theorems::auxiliary::{lucas_sequence, resonance_boundary};
 use nalgebra::Vector2;
 
 use super::curves::{PHASE, all_along_curves, along_curves, eta_at};
-use super::places::{
-    Bifurcation, EVERYWHERE, Failure, Loops, Near, Observed, Place, agreement, everywhere, orders,
-};
-use crate::outcome::{CheckResult, Measure, Outcome};
+use super::places::{Bifurcation, EVERYWHERE, Loops, Near, Observed, Place, agreement, everywhere, orders};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 use crate::sampling::smallest;
 
 fn phase_orders(place: &Place) -> Result<Vec<Observed>, Failure> {

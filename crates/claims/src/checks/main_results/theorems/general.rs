@@ -1,12 +1,12 @@
 //! What is seen of any oscillator of the class at grazing, without closed forms.
 
+use crate::outcome::Failure;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::Side;
 use grazing_theorems::from_map::GrazingOrbit;
 
-use super::Failure;
 use crate::sweep::generic::{Existence, small_velocity};
 use grazing_unfold::simulation::{Seen, Suspect};
 
