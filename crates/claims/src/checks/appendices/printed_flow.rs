@@ -5,7 +5,6 @@ use core::f64::consts::TAU;
 use grazing_model::LinearOscillator;
 use grazing_theorems::GrazingState;
 
-use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::sampling::Sampler;
 
 /// eq:flow and eq:phip, coded from the print.

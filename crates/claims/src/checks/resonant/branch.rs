@@ -23,21 +23,19 @@ const PARAMETER: f64 = 1e-15;
 /// Rounding of P_global^p.
 const MAP: f64 = 1e-15;
 
-fn jacobian_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
-    let start = place.resonance.unknowns();
-    let pair = place.resonance.equations().pair::<1>(&start, &mut Memory::default())?;
-    let derivative = pair.difference().1;
-    let determinant = |first: usize| {
-        Matrix2::from_columns(&[derivative.column(first), derivative.column(first + 1)]).determinant()
-    };
-    let expected = place.point().grazing.parameter_jacobian_determinant_factored(place.loops());
-    Ok(vec![determinant(0).abs(), (determinant(1) - expected).abs() / (1.0 + expected.abs())])
-}
-
 /// At the resonance det J = 0 and det K is what eq:detJac2 says.
 pub(super) fn jacobians() -> CheckResult {
     // Sums of products of some tens of roundings.
-    deviation(Loops::Any, 1e-11, "derivatives of V at located resonances", jacobian_gaps)
+    deviation(Loops::Any, 1e-11, "derivatives of V at located resonances", |place| {
+        let start = place.resonance.unknowns();
+        let pair = place.resonance.equations().pair::<1>(&start, &mut Memory::default())?;
+        let derivative = pair.difference().1;
+        let determinant = |first: usize| {
+            Matrix2::from_columns(&[derivative.column(first), derivative.column(first + 1)]).determinant()
+        };
+        let expected = place.point().grazing.parameter_jacobian_determinant_factored(place.loops());
+        Ok(vec![determinant(0).abs(), (determinant(1) - expected).abs() / (1.0 + expected.abs())])
+    })
 }
 
 /// det K/β > 0 at resonance, so that K is non-singular: adversarial search over δ and p.
@@ -59,25 +57,18 @@ pub(super) fn second_jacobian_is_regular() -> CheckResult {
     ))
 }
 
-fn zero_velocity_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
-    let mut found = Vec::new();
-    for eta in [-0.03, -0.01, 0.005, 0.02] {
-        if let Some(near) = place.on_branch(0.0, eta) {
-            found.extend(near.relative().map(f64::abs));
-        }
-    }
-    Ok(found)
-}
-
 /// Z(0, η) = z_graz,η and M(0, η) = 0.
 pub(super) fn at_zero_velocity() -> CheckResult {
     // Both are located to some 10⁻¹⁴; K has entries down to 0.1.
-    deviation(
-        Loops::Any,
-        1e-12,
-        "zeros of V with y = 0 for η up to 0.03 around resonances",
-        zero_velocity_gaps,
-    )
+    deviation(Loops::Any, 1e-12, "zeros of V with y = 0 for η up to 0.03 around resonances", |place| {
+        let mut found = Vec::new();
+        for eta in [-0.03, -0.01, 0.005, 0.02] {
+            if let Some(near) = place.on_branch(0.0, eta) {
+                found.extend(near.relative().map(f64::abs));
+            }
+        }
+        Ok(found)
+    })
 }
 
 /// Orders of Z − z_graz,η − k₁ y and of M − k₂ y² − k₃ η y.
@@ -96,19 +87,17 @@ fn branch_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     Ok(found)
 }
 
-fn form_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let mut found = Vec::new();
-    for [y, eta] in RATIOS {
-        let relative = remembered(|size| Some(place.on_branch(y * size, eta * size)?.relative()));
-        found.push((order(|size| Some((relative(size)?[0], PHASE))), 1.0));
-        found.push((order(|size| Some((relative(size)?[1], PARAMETER))), 2.0));
-    }
-    Ok(found)
-}
-
 /// eq:ZM: Z − z_graz,η is of first order, M of second.
 pub(super) fn form() -> CheckResult {
-    orders(Loops::Any, EVERYWHERE, form_orders)
+    orders(Loops::Any, EVERYWHERE, |place| {
+        let mut found = Vec::new();
+        for [y, eta] in RATIOS {
+            let relative = remembered(|size| Some(place.on_branch(y * size, eta * size)?.relative()));
+            found.push((order(|size| Some((relative(size)?[0], PHASE))), 1.0));
+            found.push((order(|size| Some((relative(size)?[1], PARAMETER))), 2.0));
+        }
+        Ok(found)
+    })
 }
 
 /// eq:k1231 in eq:ZM.
@@ -236,41 +225,18 @@ pub(super) fn vivid_of_many_loops() -> CheckResult {
     orders(Loops::Many, EVERYWHERE, vivid_orders)
 }
 
-fn solution_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
-    let branch = place.point().branch_expansion();
-    let symbols = place.symbols()?;
-    let by_parameter = parameter_column(place).x;
-    let k = [branch.k_1, branch.k_2, branch.k_3];
-    let sizes = symbols.x([0.0; 3], by_parameter);
-    let terms: [f64; 3] = core::array::from_fn(|i| sizes[i].abs() + k[i].abs() + 1.0 + symbols.f.abs());
-    Ok(symbols.x(k, by_parameter).iter().zip(terms).map(|(x, size)| x.abs() / size).collect())
-}
-
 /// X₁ = X₂ = X₃ = 0 has the solution eq:k1231 or eq:k123p.
 pub(super) fn solution() -> CheckResult {
     // A dozen roundings, and a₁₂ or κ_p of up to 10⁻¹³ at the located resonance.
-    deviation(Loops::Any, 1e-11, "resonances with p up to 5", solution_gaps)
-}
-
-/// Ψ^± against det(U ∓ I), which vanishes where U has the eigenvalue ±1.
-fn psi_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
-    let mut found = Vec::new();
-    for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
-        let Some(near) = place.on_branch(y, eta) else { continue };
-        let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default())?;
-        let inverse = pair.impact.derivative().try_inverse().ok_or("D P_virt is singular")?;
-        let u = pair.round_trip.derivative() * inverse;
-        let [plus, minus] = psi(&pair.multipliers());
-        let one = Matrix2::identity();
-        let size = 1.0 + u.amax() * u.amax();
-        // The function that curves are continued with is det(U ∓ I) times det D P_virt, which stays smooth through y = 0.
-        let scaled = |multiplier: f64| pair.characteristic(multiplier).0 * inverse.determinant();
-        found.push((scaled(1.0) + plus).abs() / size);
-        found.push((scaled(-1.0) - minus).abs() / size);
-        found.push(((u - one).determinant() + plus).abs() / size);
-        found.push(((u + one).determinant() - minus).abs() / size);
-    }
-    Ok(found)
+    deviation(Loops::Any, 1e-11, "resonances with p up to 5", |place| {
+        let branch = place.point().branch_expansion();
+        let symbols = place.symbols()?;
+        let by_parameter = parameter_column(place).x;
+        let k = [branch.k_1, branch.k_2, branch.k_3];
+        let sizes = symbols.x([0.0; 3], by_parameter);
+        let terms: [f64; 3] = core::array::from_fn(|i| sizes[i].abs() + k[i].abs() + 1.0 + symbols.f.abs());
+        Ok(symbols.x(k, by_parameter).iter().zip(terms).map(|(x, size)| x.abs() / size).collect())
+    })
 }
 
 /// Ψ⁺ and Ψ⁻.
@@ -280,9 +246,29 @@ fn psi(multipliers: &grazing_continuation::mps::Multipliers) -> [f64; 2] {
 }
 
 /// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻.
+///
+/// Ψ^± against det(U ∓ I), which vanishes where U has the eigenvalue ±1.
 pub(super) fn multiplier_conditions() -> CheckResult {
     // Determinants of matrices with entries of size 1/y, relative to their squares.
-    deviation(Loops::Any, 1e-13, "MPSs on branches near resonances", psi_gaps)
+    deviation(Loops::Any, 1e-13, "MPSs on branches near resonances", |place| {
+        let mut found = Vec::new();
+        for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
+            let Some(near) = place.on_branch(y, eta) else { continue };
+            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default())?;
+            let inverse = pair.impact.derivative().try_inverse().ok_or("D P_virt is singular")?;
+            let u = pair.round_trip.derivative() * inverse;
+            let [plus, minus] = psi(&pair.multipliers());
+            let one = Matrix2::identity();
+            let size = 1.0 + u.amax() * u.amax();
+            // The function that curves are continued with is det(U ∓ I) times det D P_virt, which stays smooth through y = 0.
+            let scaled = |multiplier: f64| pair.characteristic(multiplier).0 * inverse.determinant();
+            found.push((scaled(1.0) + plus).abs() / size);
+            found.push((scaled(-1.0) - minus).abs() / size);
+            found.push(((u - one).determinant() + plus).abs() / size);
+            found.push(((u + one).determinant() - minus).abs() / size);
+        }
+        Ok(found)
+    })
 }
 
 fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {

@@ -57,27 +57,26 @@ fn criticality(place: &Place, flip: &Unknowns, simulate: bool) -> Result<Critica
     Ok(Criticality { unstable: 1.0 - multipliers.trace + multipliers.determinant < 0.0, settles })
 }
 
+/// The criterion that section 6 asks for, derived at the resonance: the normal form's coefficient tends to it at first order in y.
+///
 /// y² c of the normal form, along the PD curve and as y falls to 0, less the closed form at the resonance; c counted in the impact
 /// velocity.
-fn criterion_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let limit = coefficient_at_resonance(place.point());
-    let curve = &place.curves()[1];
-    let observed = order(|y| {
-        // Digits of c are lost in proportion to 1/y, and its value grows with 1/y².
-        if y < 1e-4 {
-            return Some((0.0, 1.0));
-        }
-        let near = place.on_curve(curve, y / curve.leading.impact_velocity_slope)?;
-        let flip = period_doubling(place.resonance.equations(), &near.unknowns).ok()?;
-        let scaled = near.unknowns[unknown::VELOCITY] / flip.direction[0];
-        Some((scaled * scaled * flip.coefficient - limit, 1e-11 / y))
-    });
-    Ok(vec![(observed, 1.0)])
-}
-
-/// The criterion that section 6 asks for, derived at the resonance: the normal form's coefficient tends to it at first order in y.
 pub(super) fn criterion_at_resonance() -> CheckResult {
-    orders(Loops::Any, "PD curves running into resonances with p up to 5", criterion_orders)
+    orders(Loops::Any, "PD curves running into resonances with p up to 5", |place| {
+        let limit = coefficient_at_resonance(place.point());
+        let curve = &place.curves()[1];
+        let observed = order(|y| {
+            // Digits of c are lost in proportion to 1/y, and its value grows with 1/y².
+            if y < 1e-4 {
+                return Some((0.0, 1.0));
+            }
+            let near = place.on_curve(curve, y / curve.leading.impact_velocity_slope)?;
+            let flip = period_doubling(place.resonance.equations(), &near.unknowns).ok()?;
+            let scaled = near.unknowns[unknown::VELOCITY] / flip.direction[0];
+            Some((scaled * scaled * flip.coefficient - limit, 1e-11 / y))
+        });
+        Ok(vec![(observed, 1.0)])
+    })
 }
 
 /// The period doublings of Figure 7. Printed: all create an unstable solution. Found: close to the resonances those with p = 1

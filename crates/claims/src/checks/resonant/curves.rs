@@ -101,68 +101,66 @@ pub(super) fn functions_of_many_loops() -> CheckResult {
     coefficients(Loops::Many)
 }
 
-/// c_SN and c_PD from k₂, k₃ and Υ^±, against eq:coeffs1 and eq:coeffsp.
-fn simplification_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
-    let branch = place.point().branch_expansion();
-    let gap = |curve: &Bifurcation| {
-        let slope = curve.leading.impact_velocity_slope;
-        let terms = (branch.k_2 * slope * slope).abs() + (branch.k_3 * slope).abs();
-        (branch.parameter(slope, 1.0) - curve.leading.coefficient).abs() / terms
-    };
-    Ok(place.curves().iter().map(gap).collect())
-}
-
 /// eq:coeffs1 and eq:coeffsp follow from k₂, k₃, Υ^±, T_p and f_p.
+///
+/// c_SN and c_PD from k₂, k₃ and Υ^±, against eq:coeffs1 and eq:coeffsp.
 pub(super) fn simplification() -> CheckResult {
     // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
-    deviation(Loops::Any, 1e-10, "resonances with p up to 5", simplification_gaps)
-}
-
-/// The exponent with which the two zeros of V separate behind the fold, less 1/2.
-fn separation(place: &Place) -> Result<Vec<f64>, Failure> {
-    let mut found = Vec::new();
-    let [fold, _] = place.curves();
-    let k_2 = place.point().branch_expansion().k_2;
-    for velocity in [0.01, 0.03] {
-        let Some(at) = place.on_curve(&fold, eta_at(&fold, velocity)) else { continue };
-        let eta = eta_at(&fold, velocity);
-        let [_, mu_fold] = at.relative();
-        let separated = |change: f64| {
-            // The branch as a graph over y: its two points at the same μ, by the secant method from the parabola.
-            let zero = |side: f64| {
-                let mu = |y: f64| Some(place.on_branch(y, eta)?.relative()[1] - mu_fold - change);
-                let half = (change / k_2).sqrt() * side;
-                let (mut a, mut b) = (at.unknowns[0] + half, at.unknowns[0] + 1.01 * half);
-                let (mut at_a, mut at_b) = (mu(a)?, mu(b)?);
-                for _ in 0..8 {
-                    if at_b == at_a {
-                        break;
-                    }
-                    let next = b - at_b * (b - a) / (at_b - at_a);
-                    (a, at_a, b) = (b, at_b, next);
-                    at_b = mu(b)?;
-                }
-                Some(b)
-            };
-            Some(zero(1.0)? - zero(-1.0)?)
+    deviation(Loops::Any, 1e-10, "resonances with p up to 5", |place| {
+        let branch = place.point().branch_expansion();
+        let gap = |curve: &Bifurcation| {
+            let slope = curve.leading.impact_velocity_slope;
+            let terms = (branch.k_2 * slope * slope).abs() + (branch.k_3 * slope).abs();
+            (branch.parameter(slope, 1.0) - curve.leading.coefficient).abs() / terms
         };
-        // Distances from the fold of a 32nd and a 64th of y: next terms of the relative size of their squares.
-        let change = k_2 * at.unknowns[0] * at.unknowns[0] / 1024.0;
-        let (wide, narrow) =
-            separated(change).zip(separated(change / 4.0)).ok_or("no zeros beyond a fold")?;
-        found.push((libm::log2(wide / narrow) / 2.0 - 0.5).abs());
-    }
-    Ok(found)
+        Ok(place.curves().iter().map(gap).collect())
+    })
 }
 
 /// Two zeros of V separate from the SN curve like the square root of the change of μ.
+///
+/// The exponent with which the two zeros of V separate behind the fold, less 1/2.
 pub(super) fn square_root() -> CheckResult {
     // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
     deviation(
         Loops::Any,
         0.01,
         "exponents on either fold: zeros of V at two distances from SN curves",
-        separation,
+        |place| {
+            let mut found = Vec::new();
+            let [fold, _] = place.curves();
+            let k_2 = place.point().branch_expansion().k_2;
+            for velocity in [0.01, 0.03] {
+                let Some(at) = place.on_curve(&fold, eta_at(&fold, velocity)) else { continue };
+                let eta = eta_at(&fold, velocity);
+                let [_, mu_fold] = at.relative();
+                let separated = |change: f64| {
+                    // The branch as a graph over y: its two points at the same μ, by the secant method from the parabola.
+                    let zero = |side: f64| {
+                        let mu = |y: f64| Some(place.on_branch(y, eta)?.relative()[1] - mu_fold - change);
+                        let half = (change / k_2).sqrt() * side;
+                        let (mut a, mut b) = (at.unknowns[0] + half, at.unknowns[0] + 1.01 * half);
+                        let (mut at_a, mut at_b) = (mu(a)?, mu(b)?);
+                        for _ in 0..8 {
+                            if at_b == at_a {
+                                break;
+                            }
+                            let next = b - at_b * (b - a) / (at_b - at_a);
+                            (a, at_a, b) = (b, at_b, next);
+                            at_b = mu(b)?;
+                        }
+                        Some(b)
+                    };
+                    Some(zero(1.0)? - zero(-1.0)?)
+                };
+                // Distances from the fold of a 32nd and a 64th of y: next terms of the relative size of their squares.
+                let change = k_2 * at.unknowns[0] * at.unknowns[0] / 1024.0;
+                let (wide, narrow) =
+                    separated(change).zip(separated(change / 4.0)).ok_or("no zeros beyond a fold")?;
+                found.push((libm::log2(wide / narrow) / 2.0 - 0.5).abs());
+            }
+            Ok(found)
+        },
     )
 }
 

@@ -51,64 +51,56 @@ fn slope_of(map: &VirtualMap, velocity: f64) -> Matrix2<f64> {
     Matrix2::new(2.0 * map.x_coefficient * velocity, 0.0, map.z_coefficient, 1.0)
 }
 
-fn impact_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let grazing = place.point().grazing;
-    Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
-        Some(virtual_derivatives(&place.near(*offset)?)?[0] - slope_of(&grazing.virtual_map(), offset[0]))
-    }))
-}
-
 /// eq:DPvirt.
 pub(super) fn of_virtual_map() -> CheckResult {
-    orders(Loops::Any, EVERYWHERE, impact_orders)
-}
-
-fn recoil_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let grazing = place.point().grazing;
-    Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
-        let leading = slope_of(&grazing.virtual_map_after_reset(), offset[0]);
-        Some(virtual_derivatives(&place.near(*offset)?)?[1] - leading)
-    }))
+    orders(Loops::Any, EVERYWHERE, |place| {
+        let grazing = place.point().grazing;
+        Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
+            Some(virtual_derivatives(&place.near(*offset)?)?[0] - slope_of(&grazing.virtual_map(), offset[0]))
+        }))
+    })
 }
 
 /// eq:DPvirtR.
 pub(super) fn after_reset() -> CheckResult {
-    orders(Loops::Any, EVERYWHERE, recoil_orders)
-}
-
-fn quotient_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let gamma = place.symbols()?.gamma;
-    let one = |direction: &Offset| {
-        let observed = order(|size| {
-            let offset = scaled(direction, size);
-            let determinant = virtual_derivatives(&place.near(offset)?)?[0].determinant();
-            // Divided by y, and so is the rounding.
-            Some((determinant / offset[0] - 1.0 / gamma, VIRTUAL / offset[0].abs()))
-        });
-        (observed, 1.0)
-    };
-    Ok(directions(4).iter().map(one).collect())
+    orders(Loops::Any, EVERYWHERE, |place| {
+        let grazing = place.point().grazing;
+        Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
+            let leading = slope_of(&grazing.virtual_map_after_reset(), offset[0]);
+            Some(virtual_derivatives(&place.near(*offset)?)?[1] - leading)
+        }))
+    })
 }
 
 /// det D P_virt = y G₁ with G₁ = 1/γ at the resonance.
 pub(super) fn determinant_quotient() -> CheckResult {
-    orders(Loops::Any, EVERYWHERE, quotient_orders)
-}
-
-fn discontinuity_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let symbols = place.symbols()?;
-    // y (D P_virt)⁻¹ is y/det ≈ γ times the adjugate: rounding as that of the factors.
-    Ok(entries([2.0, 3.0, 1.0, 2.0], 3.0 * VIRTUAL, |offset| {
-        let [ahead, back] = virtual_derivatives(&place.near(*offset)?)?;
-        let y = offset[0];
-        let leading = Matrix2::new(symbols.phi * symbols.phi * y, 0.0, -symbols.alpha * symbols.omega, y);
-        Some(back * ahead.try_inverse()? * y - leading)
-    }))
+    orders(Loops::Any, EVERYWHERE, |place| {
+        let gamma = place.symbols()?.gamma;
+        let one = |direction: &Offset| {
+            let observed = order(|size| {
+                let offset = scaled(direction, size);
+                let determinant = virtual_derivatives(&place.near(offset)?)?[0].determinant();
+                // Divided by y, and so is the rounding.
+                Some((determinant / offset[0] - 1.0 / gamma, VIRTUAL / offset[0].abs()))
+            });
+            (observed, 1.0)
+        };
+        Ok(directions(4).iter().map(one).collect())
+    })
 }
 
 /// eq:DPdisc, and that y D P_disc extends through y = 0: y has either sign.
 pub(super) fn of_discontinuity_map() -> CheckResult {
-    orders(Loops::Any, EVERYWHERE, discontinuity_orders)
+    orders(Loops::Any, EVERYWHERE, |place| {
+        let symbols = place.symbols()?;
+        // y (D P_virt)⁻¹ is y/det ≈ γ times the adjugate: rounding as that of the factors.
+        Ok(entries([2.0, 3.0, 1.0, 2.0], 3.0 * VIRTUAL, |offset| {
+            let [ahead, back] = virtual_derivatives(&place.near(*offset)?)?;
+            let y = offset[0];
+            let leading = Matrix2::new(symbols.phi * symbols.phi * y, 0.0, -symbols.alpha * symbols.omega, y);
+            Some(back * ahead.try_inverse()? * y - leading)
+        }))
+    })
 }
 
 /// What the print leaves open: from where the phase is counted, and along what f_p is a derivative.
@@ -292,23 +284,21 @@ pub(super) fn slope_of_many_loops() -> CheckResult {
     slopes(Loops::Many, "the grazing curve around resonances with p = 2 to 5")
 }
 
-fn power_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
-    let map = place.point().grazing.map;
-    let (loops, tau, delta) = (place.loops(), map.trace(), map.determinant());
-    let orbit = place.resonance.orbit();
-    let power = global_iterate::<_, 1>(orbit.oscillator(), loops, 0.0, orbit.phase())?.derivative();
-    let modulus = modulus_power(loops, delta);
-    let sums = [
-        detuning(loops, tau, delta),
-        lucas_sequence(loops, tau, delta),
-        lucas_sequence(loops + 1, tau, delta) + modulus,
-    ];
-    let rest = power + Matrix2::identity() * modulus;
-    Ok(sums.iter().chain(rest.iter()).map(|gap| gap.abs()).collect())
-}
-
 /// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
 pub(super) fn power_at_resonance() -> CheckResult {
     // Roundings of up to five factors.
-    deviation(Loops::Many, 1e-11, "located resonances with p = 2 to 5", power_gaps)
+    deviation(Loops::Many, 1e-11, "located resonances with p = 2 to 5", |place| {
+        let map = place.point().grazing.map;
+        let (loops, tau, delta) = (place.loops(), map.trace(), map.determinant());
+        let orbit = place.resonance.orbit();
+        let power = global_iterate::<_, 1>(orbit.oscillator(), loops, 0.0, orbit.phase())?.derivative();
+        let modulus = modulus_power(loops, delta);
+        let sums = [
+            detuning(loops, tau, delta),
+            lucas_sequence(loops, tau, delta),
+            lucas_sequence(loops + 1, tau, delta) + modulus,
+        ];
+        let rest = power + Matrix2::identity() * modulus;
+        Ok(sums.iter().chain(rest.iter()).map(|gap| gap.abs()).collect())
+    })
 }

@@ -106,53 +106,54 @@ pub(super) fn direction_by_parity() -> CheckResult {
     Ok(agreement(&cases, "the sign of a₁₂' and the sides of SN and PD curves, n = 1 to 12"))
 }
 
-/// All that the theorems need by differences of values of P_global alone, against from_map's derivatives.
-fn numerical_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
-    let orbit = place.resonance.orbit();
-    let point = place.point();
-    let [primary, secondary] = orbit.oscillator().parameters();
-    let value = |loops: u32, x: f64, z: f64, mu: f64, eta: f64| {
-        let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary + eta]);
-        Some(global_iterate::<_, 1>(&oscillator, loops, x, z).ok()?.value)
-    };
-    let phase = orbit.phase();
-    let step = 2e-3;
-    let entry = |i: usize, x: f64, z: f64, mu: f64| {
-        slope(step, |h| Some(value(1, x * h, phase + z * h, mu * h, 0.0)?[i]))
-    };
-    let all = || {
-        let mut gaps = Vec::new();
-        for i in 0..2 {
-            let row = [entry(i, 1.0, 0.0, 0.0)?, entry(i, 0.0, 1.0, 0.0)?, entry(i, 0.0, 0.0, 1.0)?];
-            let map = point.grazing.map;
-            let stated = [map.a[(i, 0)], map.a[(i, 1)], map.b[i]];
-            gaps.extend(row.iter().zip(stated).map(|(a, b)| (a - b).abs() / (1.0 + b.abs())));
-        }
-        let by_phase = |loops: u32, from: f64, eta: f64, mu: f64| {
-            slope(step, |h| Some(value(loops, 0.0, from + h, mu, eta)?[0]))
-        };
-        let xi = slope(step, |h| by_phase(place.loops(), phase + h, 0.0, 0.0))?;
-        gaps.push((xi - point.second_phase_derivative).abs() / (1.0 + point.second_phase_derivative.abs()));
-        // Along the grazing curve: the orbits are found by Newton's method, the derivative by differences.
-        let by_eta = slope(5e-4, |eta| {
-            let there = place.grazing(eta)?;
-            by_phase(place.loops(), there.phase(), eta, there.primary() - primary)
-        })?;
-        let stated = point.off_diagonal_slope();
-        gaps.push((by_eta - stated).abs() / (1.0 + stated.abs()));
-        Some(gaps)
-    };
-    all().ok_or_else(|| "P_global is not defined around a resonance".into())
-}
-
 /// The quantities of the theorems by finite differences of P_global.
+///
+/// All that the theorems need by differences of values of P_global alone, against from_map's derivatives.
 pub(super) fn finite_differences() -> CheckResult {
     // Nested differences of sixth order: rounding 10⁻¹⁵ over both steps is 10⁻⁹, and sixth derivatives in ω reach 10¹².
     deviation(
         Loops::Any,
         1e-7,
         "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone",
-        numerical_gaps,
+        |place| {
+            let orbit = place.resonance.orbit();
+            let point = place.point();
+            let [primary, secondary] = orbit.oscillator().parameters();
+            let value = |loops: u32, x: f64, z: f64, mu: f64, eta: f64| {
+                let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary + eta]);
+                Some(global_iterate::<_, 1>(&oscillator, loops, x, z).ok()?.value)
+            };
+            let phase = orbit.phase();
+            let step = 2e-3;
+            let entry = |i: usize, x: f64, z: f64, mu: f64| {
+                slope(step, |h| Some(value(1, x * h, phase + z * h, mu * h, 0.0)?[i]))
+            };
+            let all = || {
+                let mut gaps = Vec::new();
+                for i in 0..2 {
+                    let row = [entry(i, 1.0, 0.0, 0.0)?, entry(i, 0.0, 1.0, 0.0)?, entry(i, 0.0, 0.0, 1.0)?];
+                    let map = point.grazing.map;
+                    let stated = [map.a[(i, 0)], map.a[(i, 1)], map.b[i]];
+                    gaps.extend(row.iter().zip(stated).map(|(a, b)| (a - b).abs() / (1.0 + b.abs())));
+                }
+                let by_phase = |loops: u32, from: f64, eta: f64, mu: f64| {
+                    slope(step, |h| Some(value(loops, 0.0, from + h, mu, eta)?[0]))
+                };
+                let xi = slope(step, |h| by_phase(place.loops(), phase + h, 0.0, 0.0))?;
+                gaps.push(
+                    (xi - point.second_phase_derivative).abs() / (1.0 + point.second_phase_derivative.abs()),
+                );
+                // Along the grazing curve: the orbits are found by Newton's method, the derivative by differences.
+                let by_eta = slope(5e-4, |eta| {
+                    let there = place.grazing(eta)?;
+                    by_phase(place.loops(), there.phase(), eta, there.primary() - primary)
+                })?;
+                let stated = point.off_diagonal_slope();
+                gaps.push((by_eta - stated).abs() / (1.0 + stated.abs()));
+                Some(gaps)
+            };
+            all().ok_or_else(|| "P_global is not defined around a resonance".into())
+        },
     )
 }
 

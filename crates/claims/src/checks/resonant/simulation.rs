@@ -7,7 +7,7 @@ use grazing_model::{ImpactOscillator, State};
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{Loops, Near, Place, deviation};
-use crate::outcome::{CheckResult, Failure};
+use crate::outcome::CheckResult;
 
 /// The next impact (y, z) after an impact, its phase counted near that of the first; `None` if it comes at another time than
 /// p periods later.
@@ -58,21 +58,19 @@ pub(super) fn admissible(place: &Place) -> Vec<Near> {
     found
 }
 
-fn gaps(place: &Place) -> Result<Vec<f64>, Failure> {
-    let mut found = Vec::new();
-    for near in admissible(place) {
-        let (solution, _) = place.resonance.equations().solution(&near.unknowns);
-        let simulated = impact_derivative(&near.oscillator(), place.loops(), near.impact())
-            .ok_or("an admissible MPS does not return in simulation")?;
-        let scale = 1.0 + solution.multipliers.trace.abs();
-        found.push((simulated.trace() - solution.multipliers.trace).abs() / scale);
-        found.push((simulated.determinant() - solution.multipliers.determinant).abs() / scale);
-    }
-    Ok(found)
-}
-
 /// eq:U: its eigenvalues are the multipliers of the MPS, seen as the growth of perturbations from impact to impact.
 pub(super) fn multipliers() -> CheckResult {
     // Differences: rounding of 10⁻¹⁵ over steps down to 2·10⁻⁵, products of two of them for the determinant.
-    deviation(Loops::Any, 1e-7, "admissible MPSs near resonances, followed from impact to impact", gaps)
+    deviation(Loops::Any, 1e-7, "admissible MPSs near resonances, followed from impact to impact", |place| {
+        let mut found = Vec::new();
+        for near in admissible(place) {
+            let (solution, _) = place.resonance.equations().solution(&near.unknowns);
+            let simulated = impact_derivative(&near.oscillator(), place.loops(), near.impact())
+                .ok_or("an admissible MPS does not return in simulation")?;
+            let scale = 1.0 + solution.multipliers.trace.abs();
+            found.push((simulated.trace() - solution.multipliers.trace).abs() / scale);
+            found.push((simulated.determinant() - solution.multipliers.determinant).abs() / scale);
+        }
+        Ok(found)
+    })
 }

@@ -170,28 +170,27 @@ pub(super) fn divergence() -> CheckResult {
     Ok(orders(Loops::Any, over, divergence_orders)?.against_print(positive.measure))
 }
 
+/// eq:TD: trace and determinant of U as it is defined.
+///
 /// U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against the quotient of the
 /// derivatives of the two sides of V.
-fn composition_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
-    let mut found = Vec::new();
-    for (y, eta) in [(0.05, 0.0), (0.02, 0.01), (0.1, -0.01), (0.03, 0.02)] {
-        let Some(near) = place.on_branch(y, eta) else { continue };
-        let oscillator = near.oscillator();
-        let mut memory = Memory::default();
-        let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut memory)?;
-        let virtual_point = pair.impact.value;
-        let disc = discontinuity_map::<_, 1>(&oscillator, virtual_point[0], virtual_point[1])?;
-        let around = global_iterate::<_, 1>(&oscillator, place.loops(), disc.value[0], disc.value[1])?;
-        let u = around.derivative() * disc.derivative();
-        let both = pair.multipliers();
-        found.push((u.trace() - both.trace).abs() / (1.0 + both.trace.abs()));
-        found.push((u.determinant() - both.determinant).abs() / (1.0 + both.trace.abs()));
-    }
-    Ok(found)
-}
-
-/// eq:TD: trace and determinant of U as it is defined.
 pub(super) fn trace_and_determinant() -> CheckResult {
     // P_virt⁻¹ takes the root of x̂ ≈ y²/2γ, which is rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y, and in T.
-    deviation(Loops::Any, 1e-10, "MPSs on branches near resonances", composition_gaps)
+    deviation(Loops::Any, 1e-10, "MPSs on branches near resonances", |place| {
+        let mut found = Vec::new();
+        for (y, eta) in [(0.05, 0.0), (0.02, 0.01), (0.1, -0.01), (0.03, 0.02)] {
+            let Some(near) = place.on_branch(y, eta) else { continue };
+            let oscillator = near.oscillator();
+            let mut memory = Memory::default();
+            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut memory)?;
+            let virtual_point = pair.impact.value;
+            let disc = discontinuity_map::<_, 1>(&oscillator, virtual_point[0], virtual_point[1])?;
+            let around = global_iterate::<_, 1>(&oscillator, place.loops(), disc.value[0], disc.value[1])?;
+            let u = around.derivative() * disc.derivative();
+            let both = pair.multipliers();
+            found.push((u.trace() - both.trace).abs() / (1.0 + both.trace.abs()));
+            found.push((u.determinant() - both.determinant).abs() / (1.0 + both.trace.abs()));
+        }
+        Ok(found)
+    })
 }

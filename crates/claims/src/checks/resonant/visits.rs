@@ -8,19 +8,17 @@ use grazing_theorems::auxiliary::{lucas_sequence, resonance_boundary};
 use nalgebra::Vector2;
 
 use super::curves::{PHASE, all_along_curves, along_curves, eta_at};
-use super::places::{Bifurcation, EVERYWHERE, Loops, Near, Observed, Place, agreement, everywhere, orders};
+use super::places::{Bifurcation, EVERYWHERE, Loops, Near, Place, agreement, everywhere, orders};
 use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 use crate::sampling::smallest;
 
-fn phase_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
-        Some(near.relative()[0] - curve.leading.impact_phase_slope * eta)
-    }))
-}
-
 /// eq:admp7.
 pub(super) fn phase() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, phase_orders)
+    orders(Loops::Many, EVERYWHERE, |place| {
+        Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
+            Some(near.relative()[0] - curve.leading.impact_phase_slope * eta)
+        }))
+    })
 }
 
 /// (x⁽⁰⁾, z⁽⁰⁾) of a point of a curve, the phase counted from z_graz,η.
@@ -32,13 +30,11 @@ fn recoil(near: &Near) -> Option<Vector2<f64>> {
     Some(point - Vector2::new(0.0, near.orbit.phase()))
 }
 
-fn position_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    Ok(along_curves(place, 2.0, PHASE, |_, _, near| Some(recoil(near)?[0])))
-}
-
 /// eq:admp8a.
 pub(super) fn position_after_recoil() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, position_orders)
+    orders(Loops::Many, EVERYWHERE, |place| {
+        Ok(along_curves(place, 2.0, PHASE, |_, _, near| Some(recoil(near)?[0])))
+    })
 }
 
 impl Place {
@@ -55,19 +51,17 @@ impl Place {
     }
 }
 
-fn recoil_phase_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let [fold, flip] = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
-    let (fold, flip) = (fold?, flip?);
-    Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
-        let slopes = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
-        let phase = recoil(near)?[1];
-        Some(slopes.iter().map(|slope| phase - slope * eta).collect())
-    }))
-}
-
 /// eq:admp8b, both forms.
 pub(super) fn phase_after_recoil() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, recoil_phase_orders)
+    orders(Loops::Many, EVERYWHERE, |place| {
+        let [fold, flip] = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
+        let (fold, flip) = (fold?, flip?);
+        Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
+            let slopes = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
+            let phase = recoil(near)?[1];
+            Some(slopes.iter().map(|slope| phase - slope * eta).collect())
+        }))
+    })
 }
 
 /// The visits (x⁽ʲ⁾, z⁽ʲ⁾ − z_graz,η) for 0 < j ≤ p.
@@ -76,43 +70,39 @@ fn visits(place: &Place, near: &Near) -> Option<Vec<Vector2<f64>>> {
     Some(visits.iter().map(|visit| visit - Vector2::new(0.0, near.orbit.phase())).collect())
 }
 
-fn power_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let map = place.point().grazing.map;
-    Ok(all_along_curves(place, 2.0, PHASE, |_, _, near| {
-        let start = recoil(near)?;
-        let gaps = visits(place, near)?
-            .into_iter()
-            .zip(1..)
-            .map(|(visit, j)| (visit - map.iterate(j).a * start).norm());
-        Some(gaps.collect())
-    }))
-}
-
 /// eq:admp9.
 pub(super) fn visits_by_powers() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, power_orders)
-}
-
-fn visit_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let recoil = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
-    let [fold, flip] = recoil;
-    let (fold, flip) = (fold?[1], flip?[1]);
-    let map = place.point().grazing.map;
-    Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
-        let slope = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
-        let gap = |(visit, j): (&Vector2<f64>, u32)| {
-            let entry = map.a.m12 * lucas_sequence(j, map.trace(), map.determinant());
-            visit[0] - entry * slope * eta
-        };
-        let all = visits(place, near)?;
-        // The last visit is the virtual point of the impact.
-        Some(all[..all.len() - 1].iter().zip(1..).map(gap).collect())
-    }))
+    orders(Loops::Many, EVERYWHERE, |place| {
+        let map = place.point().grazing.map;
+        Ok(all_along_curves(place, 2.0, PHASE, |_, _, near| {
+            let start = recoil(near)?;
+            let gaps = visits(place, near)?
+                .into_iter()
+                .zip(1..)
+                .map(|(visit, j)| (visit - map.iterate(j).a * start).norm());
+            Some(gaps.collect())
+        }))
+    })
 }
 
 /// eq:admp10.
 pub(super) fn positions_of_visits() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, visit_orders)
+    orders(Loops::Many, EVERYWHERE, |place| {
+        let recoil = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
+        let [fold, flip] = recoil;
+        let (fold, flip) = (fold?[1], flip?[1]);
+        let map = place.point().grazing.map;
+        Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
+            let slope = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
+            let gap = |(visit, j): (&Vector2<f64>, u32)| {
+                let entry = map.a.m12 * lucas_sequence(j, map.trace(), map.determinant());
+                visit[0] - entry * slope * eta
+            };
+            let all = visits(place, near)?;
+            // The last visit is the virtual point of the impact.
+            Some(all[..all.len() - 1].iter().zip(1..).map(gap).collect())
+        }))
+    })
 }
 
 fn visit_signs(place: &Place) -> Result<Vec<bool>, Failure> {
