@@ -3,40 +3,52 @@
 use std::fmt::Write;
 
 use crate::audit::{Finding, Verdict};
-use crate::ledger::Misprint;
+use crate::ledger::{Misprint, MisprintKind};
 use crate::outcome::{Measure, Outcome};
 
 const HEAD: &str = "\
 # Errata
 
 Where the print of *Resonant grazing bifurcations revisited* (D.J.W. Simpson and I. Ghosh, arXiv 2602.22797) and the mathematics differ.
-Made by `cargo xtask claims --write-errata` from `expected/claims.toml`. For each misprint of the first kind a check computes both forms:
+Made by `cargo xtask claims --write-errata` from `expected/claims.toml`. Where there is something to measure, a check computes both forms:
 the printed one has to fail and the corrected one to hold. None of them touches a theorem of the paper.
 ";
 
-/// The two kinds with their headings: misprints with values that decide, and those of notation and wording.
-const KINDS: [(bool, &str); 2] =
-    [(false, "Formulas, conditions and statements"), (true, "Notation and wording")];
+/// The kinds in the order of the page, with their headings.
+const KINDS: [(MisprintKind, &str); 4] = [
+    (MisprintKind::Formula, "Formulas, conditions and statements"),
+    (MisprintKind::Observation, "An observation that is not so"),
+    (MisprintKind::Judged, "Judged as printed"),
+    (MisprintKind::Wording, "Notation and wording"),
+];
 
 /// The page, from the findings of the whole ledger.
 pub fn page(findings: &[Finding<'_>]) -> String {
     let mut page = HEAD.to_owned();
     let misprints = findings.iter().filter_map(|finding| Some((finding, finding.claim.misprint.as_ref()?)));
     let mut number = 0;
-    for (typographic, heading) in KINDS {
+    for (kind, heading) in KINDS {
         // Writing to a string cannot fail.
         let _ = write!(page, "\n## {heading}\n");
-        for (finding, misprint) in misprints.clone().filter(|(_, m)| m.typographic == typographic) {
+        for (finding, misprint) in misprints.clone().filter(|(_, m)| m.kind == kind && m.same_as.is_none()) {
             number += 1;
-            let _ = write!(page, "\n{}", entry(number, finding, misprint));
+            let same = |other: &Misprint| other.same_as.as_ref() == Some(&finding.claim.label);
+            let others: Vec<_> = misprints.clone().filter(|(_, other)| same(other)).collect();
+            let _ = write!(page, "\n{}", entry(number, finding, misprint, &others));
         }
     }
     page
 }
 
-fn entry(number: usize, finding: &Finding<'_>, misprint: &Misprint) -> String {
+fn entry(
+    number: usize,
+    finding: &Finding<'_>,
+    misprint: &Misprint,
+    others: &[(&Finding<'_>, &Misprint)],
+) -> String {
     let claim = finding.claim;
-    let mut entry = format!("### {number}. {} (`{}`)\n\n", claim.place, claim.label);
+    let more = if others.is_empty() { String::new() } else { format!(", and {} more places", others.len()) };
+    let mut entry = format!("### {number}. {} (`{}`){more}\n\n", claim.place, claim.label);
     let _ = writeln!(entry, "Printed: {}\n", misprint.printed.trim());
     let _ = writeln!(entry, "Corrected: {}\n", misprint.corrected.trim());
     let _ = writeln!(entry, "{}\n", misprint.reason.trim());
@@ -48,6 +60,27 @@ fn entry(number: usize, finding: &Finding<'_>, misprint: &Misprint) -> String {
             let _ = writeln!(entry, "| {form} | {measured} | {against} |");
         }
         let _ = writeln!(entry, "\n({samples} samples: {over}.)");
+    }
+    if !others.is_empty() {
+        let _ = writeln!(
+            entry,
+            "\nThe same in other places:\n\n| place | printed | corrected | measured as printed | corrected | held against |\n|---|---|---|---|---|---|"
+        );
+    }
+    for (finding, misprint) in others {
+        let Verdict::Measured(Outcome { measure, print: Some(print), .. }) = &finding.verdict else {
+            continue;
+        };
+        let ([(printed, _), (corrected, against)], Misprint { printed: from, corrected: to, .. }) =
+            ([told(print), told(measure)], misprint);
+        let _ = writeln!(
+            entry,
+            "| {} (`{}`) | {} | {} | {printed} | {corrected} | {against} |",
+            finding.claim.place,
+            finding.claim.label,
+            from.trim(),
+            to.trim()
+        );
     }
     entry
 }

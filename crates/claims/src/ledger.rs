@@ -33,6 +33,14 @@ pub enum LedgerError {
         /// The label.
         label: String,
     },
+    /// A misprint that is said to be the same as one that is not listed before it.
+    #[error("expected/claims.toml: {label}: the misprint of {other} is not listed before it")]
+    NoMisprint {
+        /// The label.
+        label: String,
+        /// The label of the other.
+        other: String,
+    },
     /// A check that does not exist.
     #[error("expected/claims.toml: {label}: there is no check {check} in grazing_claims::checks")]
     NoCheck {
@@ -151,9 +159,37 @@ pub struct Misprint {
     pub reason: String,
     /// The computation that decides it, in words; its measurements are the check's.
     pub decided: String,
-    /// Whether it is one of notation or wording, so that there is no printed value that could fail.
+    /// What kind it is.
     #[serde(default)]
-    pub typographic: bool,
+    pub kind: MisprintKind,
+    /// The label of the claim whose misprint is the same one: it is told there.
+    pub same_as: Option<String>,
+}
+
+/// How print and mathematics differ.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MisprintKind {
+    /// A formula, a condition or a statement is misprinted; a computation decides, and the print fails.
+    #[default]
+    Formula,
+    /// What is printed was observed, and is not so; a computation decides likewise.
+    Observation,
+    /// Judged as printed: a condition is missing, or a reason; where there is something to measure, the print fails.
+    Judged,
+    /// One of notation or wording, decided by reading: there is no printed value that could fail.
+    Wording,
+}
+
+impl Misprint {
+    /// Whether its check measures the print too; nothing if it may or may not.
+    pub fn measured(&self) -> Option<bool> {
+        match self.kind {
+            MisprintKind::Formula | MisprintKind::Observation => Some(true),
+            MisprintKind::Judged => None,
+            MisprintKind::Wording => Some(false),
+        }
+    }
 }
 
 /// How a claim is tested.
@@ -225,6 +261,11 @@ impl Ledger {
             let tests = [claim.check.is_some(), !claim.published.is_empty(), claim.unchecked.is_some()];
             if tests.iter().filter(|given| **given).count() != 1 {
                 return Err(LedgerError::Test { label });
+            }
+            if let Some(other) = claim.misprint.as_ref().and_then(|misprint| misprint.same_as.as_ref())
+                && !labels.contains(other)
+            {
+                return Err(LedgerError::NoMisprint { label, other: other.clone() });
             }
             if let Some(check) = &claim.check
                 && !checks::all().any(|known| known.name == check)

@@ -2,8 +2,11 @@
 
 use std::error::Error;
 
+/// Why something could not be computed.
+pub type Failure = Box<dyn Error + Send + Sync>;
+
 /// What a check returns; an error is a computation that could not be done, and counts as a failure.
-pub type CheckResult = Result<Outcome, Box<dyn Error + Send + Sync>>;
+pub type CheckResult = Result<Outcome, Failure>;
 
 /// How well a statement holds.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,7 +33,7 @@ pub enum Measure {
     },
     /// An expansion: the order at which the remainder was seen to vanish.
     Order {
-        /// The smallest order seen; infinite where the remainder is below rounding throughout.
+        /// The smallest order seen; infinite where the remainder is below rounding throughout, which tests nothing.
         observed: f64,
         /// The order that is stated.
         stated: f64,
@@ -56,7 +59,8 @@ impl Measure {
     pub fn holds(&self) -> bool {
         match *self {
             Self::Deviation { largest, tolerance } => largest <= tolerance,
-            Self::Order { observed, stated, slack } => observed >= stated - slack,
+            // A remainder that was never seen has no order.
+            Self::Order { observed, stated, slack } => observed.is_finite() && observed >= stated - slack,
             // A search that never met its domain comes back with infinity.
             Self::Margin { smallest } => smallest > 0.0 && smallest.is_finite(),
             Self::Agreement { agreeing, cases } => cases > 0 && agreeing == cases,
@@ -107,6 +111,7 @@ mod tests {
         let nan = f64::NAN;
         assert!(!Measure::Deviation { largest: nan, tolerance: 1.0 }.holds());
         assert!(!Measure::Order { observed: nan, stated: 2.0, slack: 0.3 }.holds());
+        assert!(!Measure::Order { observed: f64::INFINITY, stated: 2.0, slack: 0.3 }.holds());
         assert!(!Measure::Margin { smallest: nan }.holds());
         assert!(!Measure::Margin { smallest: f64::INFINITY }.holds());
     }

@@ -1,15 +1,22 @@
-//! Oscillators to measure on: the linear one of the paper, and one whose reset law varies.
+//! Oscillators to measure on: members of the class of section 2.1 without pattern.
 //!
-//! The paper's oscillator has Φ = ε and Ψ = 0, so that α = 1 + ε: much of sections 4 and 5 is not seen by it. The class of
-//! section 2.1 allows Φ and Ψ to depend on the velocity and the phase of the impact and on both parameters, and that is what
-//! [`VaryingReset`] does.
+//! The paper's oscillator has a linear force, Φ = ε and Ψ = 0, so that γ = ω², α = 1 + ε, a₁₁ = a₂₂ where a₁₂ = 0, β > 0 and
+//! complex eigenvalues: much of sections 2, 4 and 5 is not seen by it. A [`Law`] may have a spring that stiffens, damping that
+//! depends on the position, and a reset law in which Φ and Ψ vary with the velocity and the phase of the impact and with both
+//! parameters. A [`Specimen`] moves in closed form where its force is linear, and is integrated elsewhere.
 
-use grazing_model::{
-    FlowJet, ImpactOscillator, LinearMotion, LinearOscillator, MapJet, OscillatorError, ParameterJet, State,
-};
+mod motion;
+
+use grazing_continuation::resonance::{LocatedResonance, ResonanceError};
+use grazing_model::flow_variable::{PRIMARY, SECONDARY};
+use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
+use grazing_model::{FlowJet, ImpactOscillator, LinearOscillator, MapJet, ParameterJet, State, ThirdOrder};
+use grazing_theorems::TheoryError;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
-use nalgebra::{Vector2, Vector4};
 use thiserror::Error;
+
+pub use self::motion::SpecimenMotion;
+use crate::sampling::Sampler;
 
 /// A function of an impact's velocity and phase and of the parameters that never changes its sign:
 /// `size · exp(rates · (y, sin z, μ, η))`.
@@ -24,163 +31,18 @@ pub struct Exponential {
 }
 
 impl Exponential {
-    /// The value, the gradient and the entry of the matrix of second derivatives at (y, z; μ, η).
-    fn jet(&self, [velocity, phase, primary, secondary]: [f64; 4]) -> Jet {
-        let [by_velocity, by_sine, by_primary, by_secondary] = self.rates;
-        let (sine, cosine) = libm::sincos(phase);
-        let exponent =
-            by_velocity * velocity + by_sine * sine + by_primary * primary + by_secondary * secondary;
-        Jet {
-            value: self.size * libm::exp(exponent),
-            slope: Vector4::new(by_velocity, by_sine * cosine, by_primary, by_secondary),
-            bend: -by_sine * sine,
-        }
-    }
-}
-
-/// An exponential at one point: its value, and the derivatives of its exponent, whose only second one is in z.
-struct Jet {
-    value: f64,
-    slope: Vector4<f64>,
-    bend: f64,
-}
-
-impl Jet {
-    fn second(&self, a: usize, b: usize) -> f64 {
-        let bend = if (a, b) == (1, 1) { self.bend } else { 0.0 };
-        self.value * (self.slope[a] * self.slope[b] + bend)
-    }
-}
-
-/// The linear oscillator with the reset law R = (−y Φ, z + y Ψ) in which Φ and Ψ vary.
-///
-/// Paper: eq:R. Φ is an [`Exponential`] of positive size, Ψ one of either sign; μ is the forcing amplitude 𝒜 and η the
-/// forcing frequency ω, as for [`LinearOscillator`], whose own coefficient of restitution plays no part.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct VaryingReset {
-    linear: LinearOscillator,
-    /// Φ, whose size is positive.
-    pub restitution: Exponential,
-    /// Ψ.
-    pub delay: Exponential,
-}
-
-impl VaryingReset {
-    /// The oscillator with a damping ratio, a forcing amplitude and a forcing frequency, and this reset law.
-    ///
-    /// # Errors
-    /// Parameters outside the domain of [`LinearOscillator::new`]; a size of Φ that is not positive.
-    pub fn new(
-        damping_ratio: f64,
-        restitution: Exponential,
-        delay: Exponential,
-        [amplitude, frequency]: [f64; 2],
-    ) -> Result<Self, OscillatorError> {
-        let linear = LinearOscillator::new(damping_ratio, restitution.size, amplitude, frequency)?;
-        Ok(Self { linear, restitution, delay })
+    /// The same at all impacts.
+    pub const fn constant(size: f64) -> Self {
+        Self { size, rates: [0.0; 4] }
     }
 
-    /// The linear oscillator that moves between the impacts.
-    pub fn linear(&self) -> &LinearOscillator {
-        &self.linear
+    /// The value at (y, z; μ, η).
+    pub fn at<S: Scalar>(&self, [y, z, mu, eta]: [S; 4]) -> S {
+        let arguments = [y, z.apply(Function::Sin), mu, eta];
+        let terms = arguments.into_iter().zip(self.rates).map(|(argument, rate)| argument.scale(rate));
+        let exponent = terms.fold(S::constant(0.0), |sum, term| sum + term);
+        exponent.apply(Function::Exp).scale(self.size)
     }
-}
-
-impl ImpactOscillator for VaryingReset {
-    type Motion = LinearMotion;
-
-    fn parameters(&self) -> [f64; 2] {
-        self.linear.parameters()
-    }
-
-    fn with_parameters(&self, parameters: [f64; 2]) -> Self {
-        Self { linear: self.linear.with_parameters(parameters), ..*self }
-    }
-
-    fn forcing_frequency(&self) -> ParameterJet {
-        self.linear.forcing_frequency()
-    }
-
-    fn acceleration(&self, state: State) -> f64 {
-        self.linear.acceleration(state)
-    }
-
-    fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet {
-        self.linear.flow::<ORDER>(from, duration)
-    }
-
-    fn reset<const ORDER: usize>(&self, velocity: f64, phase: f64) -> MapJet {
-        let [primary, secondary] = self.parameters();
-        let point = [velocity, phase, primary, secondary];
-        let factors = [self.restitution.jet(point), self.delay.jet(point)];
-        let mut jet =
-            MapJet::identity(Vector2::new(-velocity * factors[0].value, phase + velocity * factors[1].value));
-        jet.jacobian[(0, 0)] = 0.0;
-        for (i, (factor, sign)) in factors.iter().zip([-1.0, 1.0]).enumerate() {
-            // y Φ: the product rule, with y the first variable.
-            let first = |a: usize| factor.value * factor.slope[a];
-            for a in 0..4 {
-                let own = if a == 0 { factor.value } else { 0.0 };
-                jet.jacobian[(i, a)] += sign * (own + velocity * first(a));
-                if ORDER >= 2 {
-                    for b in 0..4 {
-                        let mixed = if a == 0 { first(b) } else { 0.0 } + if b == 0 { first(a) } else { 0.0 };
-                        jet.hessians[i][(a, b)] = sign * (mixed + velocity * factor.second(a, b));
-                    }
-                }
-            }
-        }
-        jet
-    }
-
-    fn motion(&self, from: State) -> LinearMotion {
-        self.linear.motion(from)
-    }
-}
-
-/// A specimen could not be made.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum SpecimenError {
-    /// The theory's oscillator does not exist there.
-    #[error(transparent)]
-    Theory(#[from] grazing_theorems::TheoryError),
-    /// The model's oscillator does not exist there.
-    #[error(transparent)]
-    Oscillator(#[from] OscillatorError),
-    /// Its grazing orbit was not found.
-    #[error(transparent)]
-    Orbit(#[from] GrazingOrbitError),
-}
-
-/// The linear oscillator with (ζ, ε, ω) at its grazing bifurcation.
-///
-/// # Errors
-/// [`SpecimenError`].
-pub fn linear_at_grazing(
-    damping_ratio: f64,
-    restitution: f64,
-    frequency: f64,
-) -> Result<GrazingOrbit<LinearOscillator>, SpecimenError> {
-    let grazing = grazing_theorems::LinearOscillator::new(damping_ratio, restitution)?.grazing(frequency)?;
-    let oscillator = LinearOscillator::new(damping_ratio, restitution, grazing.amplitude(), frequency)?;
-    Ok(GrazingOrbit::find(&oscillator, grazing.phase())?)
-}
-
-/// The oscillator with damping ratio ζ and this reset law at its grazing bifurcation at the forcing frequency ω: the grazing
-/// orbit is that of the linear oscillator, and so are P_global and the resonances.
-///
-/// # Errors
-/// [`SpecimenError`].
-pub fn varying_at_grazing(
-    damping_ratio: f64,
-    restitution: Exponential,
-    delay: Exponential,
-    frequency: f64,
-) -> Result<GrazingOrbit<VaryingReset>, SpecimenError> {
-    let grazing =
-        grazing_theorems::LinearOscillator::new(damping_ratio, restitution.size)?.grazing(frequency)?;
-    let oscillator = VaryingReset::new(damping_ratio, restitution, delay, [grazing.amplitude(), frequency])?;
-    Ok(GrazingOrbit::find(&oscillator, grazing.phase())?)
 }
 
 /// A reset law without pattern: every derivative of Φ and Ψ is other than zero, and α > 0.
@@ -188,64 +50,369 @@ pub const RESTITUTION: Exponential = Exponential { size: 0.7, rates: [-0.4, 0.3,
 /// The Ψ that goes with [`RESTITUTION`].
 pub const DELAY: Exponential = Exponential { size: 0.25, rates: [0.5, -0.35, 0.2, 0.3] };
 
+/// ü + 2ζ (1 + d u) u̇ + u + κ u³ = 𝒜 cos(ωt) with u = x + 1, a wall at x = 0 and the reset law R = (−y Φ, z + y Ψ).
+///
+/// Paper: eq:F, eq:R. With d = κ = 0, Φ = ε and Ψ = 0 it is the oscillator of section 3.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Law {
+    /// The damping ratio ζ.
+    pub damping: f64,
+    /// d: how fast the damping grows with the position.
+    pub damping_slope: f64,
+    /// κ, of the restoring force.
+    pub stiffening: f64,
+    /// Φ, of positive size, as a function of the impact and of (𝒜, ω).
+    pub restitution: Exponential,
+    /// Ψ, likewise.
+    pub delay: Exponential,
+    /// μ is the forcing frequency ω and η the amplitude 𝒜, so that ω varies with μ; otherwise it is the other way about.
+    pub frequency_first: bool,
+}
+
+/// A specimen at grazing.
+pub type Grazing = GrazingOrbit<Specimen>;
+
+/// A specimen could not be made.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum SpecimenError {
+    /// The linear oscillator has no such resonance.
+    #[error(transparent)]
+    Theory(#[from] TheoryError),
+    /// Its grazing orbit was not found.
+    #[error(transparent)]
+    Orbit(#[from] GrazingOrbitError),
+    /// Its resonance was not found.
+    #[error(transparent)]
+    Resonance(#[from] ResonanceError),
+}
+
+/// The grazing orbit of the linear oscillator is followed in so many steps as d and κ grow: Newton's method converges from each to
+/// the next for d up to 0.9 and κ up to 0.4 (empirical).
+const STEPS: u32 = 6;
+
+impl Law {
+    /// The oscillator of section 3.
+    pub const fn linear(damping: f64, restitution: f64) -> Self {
+        Self {
+            damping,
+            damping_slope: 0.0,
+            stiffening: 0.0,
+            restitution: Exponential::constant(restitution),
+            delay: Exponential::constant(0.0),
+            frequency_first: false,
+        }
+    }
+
+    /// The oscillator of section 3 with a reset law that varies.
+    pub const fn varying(damping: f64) -> Self {
+        Self { restitution: RESTITUTION, delay: DELAY, ..Self::linear(damping, 1.0) }
+    }
+
+    /// The same with a force that is not linear: γ ≠ ω², and a₁₁ ≠ a₂₂ where a₁₂ = 0.
+    pub const fn nonlinear(damping: f64) -> Self {
+        Self {
+            damping_slope: -0.9,
+            stiffening: 0.4,
+            delay: Exponential { size: 0.1, ..DELAY },
+            ..Self::varying(damping)
+        }
+    }
+
+    /// A law without pattern: Φ between 0 and 1 and Ψ of either sign, for velocities y ≥ 0, amplitudes and frequencies up to 3;
+    /// one in ten has a force that is not linear.
+    pub fn random(sampler: &mut Sampler, damping: f64) -> Self {
+        let mut factor = |size: f64| Exponential {
+            size,
+            rates: [
+                sampler.between(-0.4, -0.05),
+                sampler.between(-0.15, 0.15),
+                sampler.between(-0.05, 0.05),
+                sampler.between(-0.05, 0.05),
+            ],
+        };
+        let (mut restitution, mut delay) = (factor(1.0), factor(1.0));
+        restitution.size = sampler.between(0.4, 0.6);
+        delay.size = sampler.one_of(&[1.0, -1.0]) * sampler.between(0.05, 0.25);
+        let linear = Self { restitution, delay, ..Self::linear(damping, 1.0) };
+        // Integrated motion costs a hundred times as much.
+        if sampler.between(0.0, 1.0) < 0.9 {
+            return linear;
+        }
+        let damping_slope = sampler.one_of(&[1.0, -1.0]) * sampler.between(0.3, 0.6);
+        Self { damping_slope, stiffening: sampler.between(0.1, 0.25), ..linear }
+    }
+
+    /// An oscillator with a law without pattern at grazing.
+    ///
+    /// # Errors
+    /// [`SpecimenError::Orbit`].
+    pub fn random_grazing(sampler: &mut Sampler) -> Result<Grazing, SpecimenError> {
+        let damping = sampler.between(0.01, 0.25);
+        let law = Self::random(sampler, damping);
+        // At lower frequencies springs that stiffen have superharmonic resonances, beside which other loops graze first.
+        let lowest = if law.force_is_linear() { 0.35 } else { 0.7 };
+        law.grazing(sampler.between(lowest, 1.9))
+    }
+
+    /// The same; half of them have the frequency as the primary parameter.
+    ///
+    /// # Errors
+    /// [`SpecimenError::Orbit`].
+    pub fn random_grazing_of_any_order(sampler: &mut Sampler) -> Result<Grazing, SpecimenError> {
+        let orbit = Self::random_grazing(sampler)?;
+        let exchanged = sampler.one_of(&[true, false]);
+        if exchanged { frequency_first(&orbit) } else { Ok(orbit) }
+    }
+
+    /// The same with the frequency as the primary parameter.
+    pub const fn frequency_first(self) -> Self {
+        Self { frequency_first: true, ..self }
+    }
+
+    fn force_is_linear(&self) -> bool {
+        self.damping_slope == 0.0 && self.stiffening == 0.0
+    }
+
+    /// (𝒜, ω) of (μ, η), or back: the exchange is its own inverse.
+    fn order<T>(&self, [first, second]: [T; 2]) -> [T; 2] {
+        if self.frequency_first { [second, first] } else { [first, second] }
+    }
+
+    /// Laws on the way from the linear force to this one, which is the last of them; the amplitude is the primary parameter.
+    fn approach(self) -> impl Iterator<Item = Self> {
+        let first = if self.force_is_linear() { STEPS } else { 1 };
+        (first..=STEPS).map(move |step| {
+            let share = f64::from(step) / f64::from(STEPS);
+            Self {
+                damping_slope: share * self.damping_slope,
+                stiffening: share * self.stiffening,
+                frequency_first: false,
+                ..self
+            }
+        })
+    }
+
+    /// The oscillator at its grazing orbit at the forcing frequency ω.
+    ///
+    /// # Errors
+    /// [`SpecimenError::Orbit`].
+    pub fn grazing(self, frequency: f64) -> Result<Grazing, SpecimenError> {
+        // The linear oscillator's response has amplitude 1 and its maximum at phase z.
+        let (stiffness, loss) = (1.0 - frequency * frequency, 2.0 * self.damping * frequency);
+        let (mut amplitude, mut phase) = (libm::hypot(stiffness, loss), libm::atan2(loss, stiffness));
+        for law in self.approach() {
+            let orbit = GrazingOrbit::find(&Specimen::new(law, [amplitude, frequency]), phase)?;
+            (amplitude, phase) = (orbit.primary(), orbit.phase());
+        }
+        let specimen = Specimen::new(self, self.order([amplitude, frequency]));
+        Ok(GrazingOrbit::at(specimen, phase)?)
+    }
+
+    /// The oscillator at the resonance that the one (p, n) of the linear oscillator becomes, with ω₁/ω = n − 1/(2p) instead of
+    /// n + 1/(2p) where it is `negative`.
+    ///
+    /// # Errors
+    /// [`SpecimenError`].
+    pub fn resonance(
+        self,
+        loops: u32,
+        index: u32,
+        negative: bool,
+    ) -> Result<LocatedResonance<Specimen>, SpecimenError> {
+        let theory = grazing_theorems::LinearOscillator::new(self.damping, 1.0)?;
+        let frequency = if negative {
+            theory.virtual_resonance_frequency(loops, index)?
+        } else {
+            theory.resonance(loops, index)?.forcing_frequency()
+        };
+        let start = Self { damping_slope: 0.0, stiffening: 0.0, frequency_first: false, ..self };
+        let mut orbit = start.grazing(frequency)?;
+        let mut parameters = orbit.oscillator().parameters();
+        for law in self.approach() {
+            let here = LocatedResonance::find(&Specimen::new(law, parameters), loops, orbit.phase())?;
+            orbit = here.orbit().clone();
+            parameters = orbit.oscillator().parameters();
+        }
+        let specimen = Specimen::new(self, self.order(parameters));
+        Ok(LocatedResonance::find(&specimen, loops, orbit.phase())?)
+    }
+}
+
+/// The ζ with which the linear oscillator has this E_p at its resonance (p, n).
+pub fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
+    let p = f64::from(loops);
+    let ratio = if loops == 1 { 0.5 * f64::from(index) } else { f64::from(index) + 0.5 / p };
+    // E_p = e^{−2πpζ/ω} with ω₁/ω = ratio: ζ/ω₁ = −ln E_p/(2πp · ratio).
+    let skew = -libm::log(decay) / (core::f64::consts::TAU * p * ratio);
+    skew / (1.0 + skew * skew).sqrt()
+}
+
+/// The grazing orbit with the frequency as its primary parameter instead of the amplitude.
+///
+/// # Errors
+/// [`SpecimenError::Orbit`].
+pub fn frequency_first(orbit: &Grazing) -> Result<Grazing, SpecimenError> {
+    let [amplitude, frequency] = orbit.oscillator().parameters();
+    let law = orbit.oscillator().law().frequency_first();
+    Ok(GrazingOrbit::at(Specimen::new(law, [frequency, amplitude]), orbit.phase())?)
+}
+
+impl SmoothOscillator for Law {
+    fn force<S: Scalar>(&self, x: S, y: S, t: S, mu: S, eta: S) -> S {
+        self.force_at(t, mu, eta)(x, y)
+    }
+
+    fn force_at<S: Scalar>(&self, t: S, mu: S, eta: S) -> impl FnMut(S, S) -> S {
+        let [amplitude, frequency] = self.order([mu, eta]);
+        let forcing = amplitude * (frequency * t).apply(Function::Cos);
+        let one = S::constant(1.0);
+        let (damping, slope, stiffening) = (2.0 * self.damping, self.damping_slope, self.stiffening);
+        move |x, y| {
+            let u = x + one;
+            forcing - (one + u.scale(slope)) * y.scale(damping) - u * (one + u.square().scale(stiffening))
+        }
+    }
+
+    fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S {
+        self.order([mu, eta])[1]
+    }
+
+    fn restitution<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S {
+        let [amplitude, frequency] = self.order([mu, eta]);
+        self.restitution.at([y, z, amplitude, frequency])
+    }
+
+    fn impact_duration<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S {
+        let [amplitude, frequency] = self.order([mu, eta]);
+        self.delay.at([y, z, amplitude, frequency])
+    }
+}
+
+/// An oscillator with a [`Law`] at parameters (μ, η).
+#[derive(Clone, Debug)]
+pub struct Specimen {
+    law: Integrated<Law>,
+    /// The same motion in closed form, where the force is linear.
+    linear: Option<LinearOscillator>,
+}
+
+impl Specimen {
+    /// The oscillator with this law.
+    pub fn new(law: Law, parameters: [f64; 2]) -> Self {
+        let [amplitude, frequency] = law.order(parameters);
+        // Its coefficient of restitution plays no part.
+        let linear = LinearOscillator::new(law.damping, 1.0, amplitude, frequency).ok();
+        Self { law: Integrated::new(law, parameters), linear: linear.filter(|_| law.force_is_linear()) }
+    }
+
+    /// The law.
+    pub fn law(&self) -> &Law {
+        self.law.model()
+    }
+
+    /// Φ and Ψ at an impact.
+    pub fn factors(&self, velocity: f64, phase: f64) -> [f64; 2] {
+        let ([mu, eta], law) = (self.parameters(), self.law());
+        [law.restitution(velocity, phase, mu, eta), law.impact_duration(velocity, phase, mu, eta)]
+    }
+}
+
+impl ImpactOscillator for Specimen {
+    type Motion = SpecimenMotion;
+
+    fn parameters(&self) -> [f64; 2] {
+        self.law.parameters()
+    }
+
+    fn with_parameters(&self, parameters: [f64; 2]) -> Self {
+        let linear = self.linear.map(|linear| linear.with_parameters(self.law().order(parameters)));
+        Self { law: self.law.with_parameters(parameters), linear }
+    }
+
+    fn forcing_frequency(&self) -> ParameterJet {
+        self.law.forcing_frequency()
+    }
+
+    fn acceleration(&self, state: State) -> f64 {
+        self.law.acceleration(state)
+    }
+
+    fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet {
+        self.flow_along::<ORDER>(&self.motion(from), from, duration)
+    }
+
+    fn flow_along<const ORDER: usize>(&self, motion: &SpecimenMotion, from: State, duration: f64) -> FlowJet {
+        match (motion, &self.linear) {
+            (SpecimenMotion::Linear(_), Some(linear)) => {
+                let mut jet = linear.flow::<ORDER>(from, duration);
+                if self.law().frequency_first {
+                    jet.jacobian.swap_columns(PRIMARY, SECONDARY);
+                    for hessian in &mut jet.hessians {
+                        hessian.swap_columns(PRIMARY, SECONDARY);
+                        hessian.swap_rows(PRIMARY, SECONDARY);
+                    }
+                }
+                jet
+            }
+            (SpecimenMotion::Integrated(motion), _) => self.law.flow_along::<ORDER>(motion, from, duration),
+            (SpecimenMotion::Linear(_), None) => self.law.flow::<ORDER>(from, duration),
+        }
+    }
+
+    fn reset<const ORDER: usize>(&self, velocity: f64, phase: f64) -> MapJet {
+        self.law.reset::<ORDER>(velocity, phase)
+    }
+
+    fn motion(&self, from: State) -> SpecimenMotion {
+        match &self.linear {
+            Some(linear) => SpecimenMotion::Linear(linear.motion(from)),
+            None => SpecimenMotion::Integrated(self.law.motion(from)),
+        }
+    }
+}
+
+impl ThirdOrder for Specimen {
+    fn flow_series(&self, from: [Taylor; 3], duration: Taylor) -> [Taylor; 2] {
+        self.law.flow_series(from, duration)
+    }
+
+    fn reset_series(&self, velocity: Taylor, phase: Taylor) -> [Taylor; 2] {
+        self.law.reset_series(velocity, phase)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn specimen() -> VaryingReset {
-        VaryingReset::new(0.05, RESTITUTION, DELAY, [0.9, 0.8]).unwrap()
-    }
-
     #[test]
-    fn derivatives_of_the_reset_law_are_limits_of_differences() {
-        let point = [0.3, -0.7, 0.9, 0.8];
-        let step = 1e-5;
-        let at = |[velocity, phase, primary, secondary]: [f64; 4]| {
-            specimen().with_parameters([primary, secondary]).reset::<2>(velocity, phase)
-        };
-        let jet = at(point);
-        for a in 0..4 {
-            let shifted = |sign: f64| {
-                let mut moved = point;
-                moved[a] += sign * step;
-                at(moved)
-            };
-            let (ahead, behind) = (shifted(1.0), shifted(-1.0));
-            let slope = (ahead.value - behind.value) / (2.0 * step);
-            // Central differences: the step squared, and rounding over the step.
-            assert!((slope - jet.jacobian.column(a)).amax() < 1e-9, "variable {a}");
-            let bend = (ahead.jacobian - behind.jacobian) / (2.0 * step);
-            for i in 0..2 {
-                let difference = (bend.row(i) - jet.hessians[i].row(a)).amax();
-                assert!(difference < 1e-9, "component {i}, variable {a}: {difference}");
-            }
+    fn closed_form_and_integration_are_one_oscillator() {
+        for law in [Law::varying(0.05), Law::varying(0.05).frequency_first()] {
+            let closed = law.grazing(0.8).unwrap().oscillator().clone();
+            let integrated = Specimen { linear: None, ..closed.clone() };
+            let from = State::on_wall(-0.3, 0.7);
+            let [a, b] = [&closed, &integrated].map(|specimen| specimen.flow::<2>(from, 5.0));
+            // The integration's error, which grows by some ten with each derivative.
+            assert!((a.value - b.value).amax() < 1e-13);
+            assert!((a.jacobian - b.jacobian).amax() < 1e-12);
+            assert!((0..2).all(|i| (a.hessians[i] - b.hessians[i]).amax() < 1e-11));
         }
     }
 
     #[test]
-    fn impacts_recoil_and_the_tangency_set_stays() {
-        let specimen = specimen();
-        for phase in [-2.0, 0.1, 1.7] {
-            assert_eq!(specimen.reset::<1>(0.0, phase).value, Vector2::new(0.0, phase));
-            for velocity in [1e-6, 0.1, 3.0] {
-                assert!(specimen.reset::<1>(velocity, phase).value[0] < 0.0);
-            }
-        }
+    fn a_nonlinear_specimen_has_none_of_the_accidents_of_the_linear_one() {
+        let law = Law::nonlinear(damping_for_decay(1, 1, 0.5));
+        let grazing = law.resonance(1, 1, false).unwrap().resonant_point().grazing;
+        let (a, omega) = (grazing.map.a, grazing.forcing_frequency);
+        assert!(a.m12.abs() < 1e-10 && (a.m11 - a.m22).abs() > 0.2, "{a}");
+        assert!((grazing.gamma / (omega * omega) - 1.0).abs() > 0.02);
+        assert!(grazing.alpha() > 0.05 && (grazing.alpha() - 1.0 - grazing.phi).abs() > 0.05);
     }
 
     #[test]
-    fn the_square_root_factor_sees_the_delay() {
-        let point = varying_at_grazing(0.05, RESTITUTION, DELAY, 0.8).unwrap().grazing_point();
-        assert!(point.alpha() > 0.0 && point.psi > 0.1);
-        assert!((point.alpha() - 1.0 - point.phi).abs() > 0.05);
-    }
-
-    #[test]
-    fn without_variation_it_is_the_linear_oscillator() {
-        let still = |size| Exponential { size, rates: [0.0; 4] };
-        let plain = VaryingReset::new(0.05, still(0.8), still(0.0), [0.9, 0.8]).unwrap();
-        let linear = LinearOscillator::new(0.05, 0.8, 0.9, 0.8).unwrap();
-        assert_eq!(plain.reset::<2>(0.4, 1.0), linear.reset::<2>(0.4, 1.0));
-        assert_eq!(plain.linear(), &linear);
+    fn eigenvalues_can_be_real_and_transversality_negative() {
+        let map = Law::nonlinear(0.15).frequency_first().grazing(1.25).unwrap().grazing_point().map;
+        let (tau, delta) = (map.trace(), map.determinant());
+        assert!(tau * tau > 4.0 * delta && map.transversality() < -1.0, "{map:?}");
     }
 }

@@ -24,6 +24,11 @@ impl Deviations {
         self.see((computed - expected) / scale);
     }
 
+    /// Takes into account the distances of pairs (found, stated), relative to one plus the size of the stated number.
+    pub fn pairs(&mut self, pairs: impl IntoIterator<Item = (f64, f64)>) {
+        pairs.into_iter().for_each(|(found, stated)| self.compare(found, stated, 1.0 + stated.abs()));
+    }
+
     /// Takes a yes-or-no condition into account, without which no deviation counts as small.
     pub fn require(&mut self, holds: bool) {
         self.see(if holds { 0.0 } else { f64::INFINITY });
@@ -89,6 +94,7 @@ impl Smallest {
 pub struct Votes {
     agreeing: usize,
     cases: usize,
+    silent: usize,
 }
 
 impl Votes {
@@ -98,6 +104,11 @@ impl Votes {
         self.cases += 1;
     }
 
+    /// Takes into account a case of which the statement says nothing: it neither agrees nor disagrees.
+    pub fn silent(&mut self) {
+        self.silent += 1;
+    }
+
     /// The count.
     pub fn measure(&self) -> Measure {
         Measure::Agreement { agreeing: self.agreeing, cases: self.cases }
@@ -105,6 +116,10 @@ impl Votes {
 
     /// The outcome.
     pub fn outcome(&self, over: &str) -> Outcome {
+        let over = match self.silent {
+            0 => over.to_owned(),
+            silent => format!("{over}; the statement is silent on {silent} more"),
+        };
         Outcome::new(self.measure(), self.cases, over)
     }
 }
@@ -157,6 +172,8 @@ mod tests {
         let mut votes = Votes::default();
         votes.see(true);
         votes.see(false);
+        votes.silent();
         assert_eq!(votes.measure(), Measure::Agreement { agreeing: 1, cases: 2 });
+        assert!(votes.outcome("").over.contains("silent on 1 more"));
     }
 }

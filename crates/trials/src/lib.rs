@@ -2,6 +2,7 @@
 
 pub mod closed_form;
 pub mod continued;
+pub mod errors;
 pub mod nonlinear;
 pub mod oscillators;
 pub mod random;

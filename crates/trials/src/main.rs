@@ -1,6 +1,7 @@
-//! Runs the long trials: `grazing-trials regions`, `grazing-trials nonlinear`.
+//! Runs the long trials: `grazing-trials regions`, `grazing-trials nonlinear`, `grazing-trials errors`.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a program's output")]
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -9,12 +10,13 @@ use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_trials::nonlinear::{self, Disagreement};
 use grazing_trials::random::Random;
-use grazing_trials::{oscillators, regions};
+use grazing_trials::{errors, oscillators, regions};
 
 const USAGE: &str = "usage: grazing-trials regions [OSCILLATORS [SEED]]      linear ones against the closed form
        grazing-trials nonlinear [OSCILLATORS [SEED]]    the examples and random ones against continuation and simulation
        grazing-trials nonlinear FILE...                 the same for those of files
-       grazing-trials describe NUMBER [SEED]            a random oscillator as a file for `grazing unfold`";
+       grazing-trials describe NUMBER [SEED]            a random oscillator as a file for `grazing unfold`
+       grazing-trials errors [NUMBER...]                deliberate errors, and which claims and tests see them";
 
 /// Random points an oscillator.
 const POINTS: usize = 2000;
@@ -43,6 +45,10 @@ fn main() -> ExitCode {
             }
             _ => return usage(),
         },
+        Some("errors") => match arguments[1..].iter().map(|argument| argument.parse()).collect() {
+            Ok(numbers) => deliberate_errors(numbers),
+            Err(_) => return usage(),
+        },
         _ => return usage(),
     };
     if right { ExitCode::SUCCESS } else { ExitCode::FAILURE }
@@ -51,6 +57,31 @@ fn main() -> ExitCode {
 fn usage() -> ExitCode {
     eprintln!("{USAGE}");
     ExitCode::from(2)
+}
+
+/// The deliberate errors with these numbers, or all: whether each is seen. The table is written after each.
+fn deliberate_errors(numbers: Vec<usize>) -> bool {
+    let tried = || -> std::io::Result<bool> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let list = errors::list(&root)?;
+        let copy = errors::Copy::of(&root)?;
+        let (mut seen, mut right) = (BTreeMap::new(), true);
+        for (number, error) in (1..).zip(&list).filter(|(n, _)| numbers.is_empty() || numbers.contains(n)) {
+            let start = Instant::now();
+            let by = copy.try_out(error)?;
+            println!("{number:3} {}: {by}, {:.0} s", error.meaning, start.elapsed().as_secs_f64());
+            right &= by != errors::Seen::Unseen;
+            seen.insert(number, by);
+            let table = root.join(errors::TABLE);
+            let before = std::fs::read_to_string(&table).unwrap_or_default();
+            std::fs::write(table, errors::table(&before, &list, &seen))?;
+        }
+        Ok(right)
+    };
+    tried().unwrap_or_else(|error| {
+        eprintln!("{error}");
+        false
+    })
 }
 
 /// Linear oscillators with random damping, restitution and greatest amplitude, against the closed form.

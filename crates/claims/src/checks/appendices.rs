@@ -50,7 +50,6 @@ pub(crate) const CHECKS: &[Check] = checks!["appendices":
     oscillator::first_order_terms,
     oscillator::entries_by_derivatives,
     oscillator::derivatives_at_grazing,
-    oscillator::matrix_and_vector,
     oscillator::second_derivative_by_flow,
     oscillator::second_derivative_in_start,
     oscillator::second_derivative_of_one_loop,

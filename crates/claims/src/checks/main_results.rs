@@ -10,7 +10,6 @@ mod non_impacting;
 mod resonant;
 pub(crate) mod returns;
 pub(crate) mod simulation;
-pub(crate) mod specimen;
 mod system;
 
 mod theorems;
@@ -39,7 +38,6 @@ pub(crate) const CHECKS: &[Check] = checks!["main_results":
     non_impacting::trapesium,
     non_impacting::stability,
     auxiliary::resonance_boundary_is_a_zero,
-    auxiliary::admissibility_sum_is_the_double_sum,
     auxiliary::admissibility_boundary_is_the_largest_zero,
     auxiliary::bounds,
     auxiliary::limit,

@@ -34,6 +34,7 @@ pub(crate) const CHECKS: &[Check] = checks!["resonant":
     derivatives::product,
     derivatives::power_at_resonance,
     derivatives::of_iterated_global_map,
+    derivatives::other_cure,
     branch::jacobians,
     branch::second_jacobian_is_regular,
     branch::at_zero_velocity,
@@ -68,6 +69,7 @@ pub(crate) const CHECKS: &[Check] = checks!["resonant":
     discussion::direction_by_parity,
     discussion::finite_differences,
     discussion::impacts_elsewhere,
+    criticality::criterion_at_resonance,
     criticality::criticality_of_figure_7,
     criticality::doubled_solutions_graze,
 ];

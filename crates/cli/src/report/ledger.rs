@@ -33,7 +33,7 @@ fn misprint(misprint: &Misprint) -> MisprintEntry {
         corrected: misprint.corrected.clone(),
         reason: misprint.reason.clone(),
         decided: misprint.decided.clone(),
-        typographic: misprint.typographic,
+        typographic: misprint.measured() == Some(false),
     }
 }
 

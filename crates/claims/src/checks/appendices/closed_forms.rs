@@ -1,13 +1,16 @@
 //! Appendix B: the closed forms at resonances.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::PI;
 
 use grazing_model::maps::{global_iterate, global_map};
-use grazing_theorems::{GrazingState, Resonance};
+use grazing_theorems::Resonance;
+use grazing_theorems::from_map::GrazingOrbit;
 
-use super::printed_flow::{CLOSED, DIFFERENCES, Turn, deviation, largest, model, worse};
-use crate::outcome::CheckResult;
+use super::printed_flow::{CLOSED, DIFFERENCES, Turn, model};
+use crate::outcome::{CheckResult, Failure};
 use crate::sampling::Sampler;
+use crate::specimen::damping_for_decay;
+use crate::tally::Deviations;
 
 /// Resonances with p loops, E_p and ε at random.
 fn resonances(loops: &[u32], count: usize) -> Result<Vec<Resonance>, grazing_theorems::TheoryError> {
@@ -15,9 +18,7 @@ fn resonances(loops: &[u32], count: usize) -> Result<Vec<Resonance>, grazing_the
     let mut one = || {
         let p = sampler.one_of(loops);
         let n = sampler.one_of(&[1, 2, 3, 4]);
-        let ratio = if p == 1 { 0.5 * f64::from(n) } else { f64::from(n) + 0.5 / f64::from(p) };
-        let skew = -libm::log(sampler.between(0.05, 0.95)) / (TAU * f64::from(p) * ratio);
-        let zeta = skew / (1.0 + skew * skew).sqrt();
+        let zeta = damping_for_decay(p, n, sampler.between(0.05, 0.95));
         grazing_theorems::LinearOscillator::new(zeta, sampler.between(0.1, 1.0))?.resonance(p, n)
     };
     (0..count).map(|_| one()).collect()
@@ -28,16 +29,14 @@ fn at_resonances(
     loops: &[u32],
     over: &str,
     tolerance: f64,
-    pairs: impl Fn(&Resonance) -> Result<Vec<(f64, f64)>, Box<dyn std::error::Error + Send + Sync>>,
+    pairs: impl Fn(&Resonance) -> Result<Vec<(f64, f64)>, Failure>,
 ) -> CheckResult {
     let all = resonances(loops, 300)?;
-    let (mut found, mut samples) = (0.0, 0);
+    let mut largest = Deviations::default();
     for resonance in &all {
-        let pairs = pairs(resonance)?;
-        samples += pairs.len();
-        found = worse(found, largest(pairs));
+        largest.pairs(pairs(resonance)?);
     }
-    deviation(found, tolerance, samples, over)
+    Ok(largest.outcome(tolerance, over))
 }
 
 const ONE: &str = "resonances with p = 1, n = 1 to 4, E and ε at random";
@@ -50,7 +49,7 @@ fn parity(resonance: &Resonance) -> f64 {
 }
 
 /// ξ_p of the iterated map at a resonance.
-fn iterated(resonance: &Resonance) -> Result<f64, Box<dyn std::error::Error + Send + Sync>> {
+fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
     let grazing = resonance.grazing();
     let jet = global_iterate::<_, 2>(&model(&grazing)?, resonance.loops(), 0.0, grazing.phase())?;
     Ok(jet.hessians[0][(1, 1)])
@@ -59,16 +58,14 @@ fn iterated(resonance: &Resonance) -> Result<f64, Box<dyn std::error::Error + Se
 /// eq:xi1proof3.
 pub(super) fn resonant_second_derivative_of_one_loop() -> CheckResult {
     at_resonances(&[1], ONE, 1e-11, |resonance| {
-        let decay = resonance.grazing().decay(1);
-        Ok(vec![(iterated(resonance)?, decay * (decay - parity(resonance)))])
+        Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
     })
 }
 
 /// eq:xipproof3.
 pub(super) fn resonant_second_derivative_of_many_loops() -> CheckResult {
     at_resonances(MORE_LOOPS, MANY, 1e-11, |resonance| {
-        let decay = resonance.grazing().decay(resonance.loops());
-        Ok(vec![(iterated(resonance)?, decay * (decay + 1.0))])
+        Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
     })
 }
 
@@ -97,55 +94,45 @@ pub(super) fn angles_at_resonance() -> CheckResult {
     })
 }
 
-/// eq:xi1proof4: both lines against eq:c1 at the numerical A and ξ₁.
-pub(super) fn stability_of_one_loop() -> CheckResult {
-    at_resonances(&[1], ONE, 1e-10, |resonance| {
+/// s^± by the general formula at the numerical A, φ, ψ, γ and ξ_p, by the first line of the proof, which a function of E, ε and ±1 gives,
+/// and in the end.
+fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> f64) -> CheckResult {
+    at_resonances(loops, over, 1e-10, |resonance| {
         let grazing = resonance.grazing();
-        let (decay, sign) = (grazing.decay(1), parity(resonance));
-        let epsilon = grazing.oscillator().coefficient_of_restitution();
-        let jet = global_map::<_, 2>(&model(&grazing)?, 0.0, grazing.phase(), None)?.jet;
-        let (a, c, xi) = (jet.jacobian[(0, 0)], jet.jacobian[(1, 1)], jet.hessians[0][(1, 1)]);
-        let alpha = 1.0 + epsilon;
-        let mut pairs = Vec::new();
-        for side in [1.0, -1.0] {
-            // γ = ω², so that ω²/γ = 1.
-            let general = (1.0 - side * c) * (a * epsilon * epsilon - side) + alpha * alpha * xi / (1.0 - c);
-            let longer = (1.0 - side * sign * decay) * (sign * epsilon * epsilon * decay - side)
-                + alpha * alpha * decay * (decay - sign) / (1.0 - sign * decay);
-            let rebound = epsilon * decay;
-            let shorter = -side * (1.0 + side * 2.0 * sign * rebound + rebound * rebound);
-            pairs.extend([(longer, shorter), (general, shorter)]);
-        }
-        Ok(pairs)
+        let orbit = GrazingOrbit::find(&model(&grazing)?, grazing.phase())?;
+        let general = orbit.resonant_point(resonance.loops())?.stability_coefficients();
+        let stated = resonance.stability_coefficients();
+        let pairs = [(1.0, general.plus, stated.plus), (-1.0, general.minus, stated.minus)];
+        let compared = |(side, general, stated)| [(first_line(resonance, side), stated), (general, stated)];
+        Ok(pairs.into_iter().flat_map(compared).collect())
     })
 }
 
-/// eq:xipproof4: both lines against eq:cp at the numerical ξ_p.
-pub(super) fn stability_of_many_loops() -> CheckResult {
-    at_resonances(MORE_LOOPS, MANY, 1e-10, |resonance| {
-        let grazing = resonance.grazing();
-        let decay = grazing.decay(resonance.loops());
-        let epsilon = grazing.oscillator().coefficient_of_restitution();
+/// eq:xi1proof4.
+pub(super) fn stability_of_one_loop() -> CheckResult {
+    stability(&[1], ONE, |resonance, side| {
+        let (decay, sign) = (resonance.grazing().decay(1), parity(resonance));
+        let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
         let alpha = 1.0 + epsilon;
-        let xi = iterated(resonance)?;
-        let mut pairs = Vec::new();
-        for side in [1.0, -1.0] {
-            let loops = (1.0 + side * decay) * (-epsilon * epsilon * decay - side);
-            let shorter = -side * (1.0 - side * epsilon * decay) * (1.0 - side * epsilon * decay);
-            pairs.push((loops + alpha * alpha * decay, shorter));
-            pairs.push((loops + alpha * alpha * xi / (1.0 + decay), shorter));
-        }
-        Ok(pairs)
+        (1.0 - side * sign * decay) * (sign * epsilon * epsilon * decay - side)
+            + alpha * alpha * decay * (decay - sign) / (1.0 - sign * decay)
+    })
+}
+
+/// eq:xipproof4.
+pub(super) fn stability_of_many_loops() -> CheckResult {
+    stability(MORE_LOOPS, MANY, |resonance, side| {
+        let decay = resonance.grazing().decay(resonance.loops());
+        let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
+        let alpha = 1.0 + epsilon;
+        (1.0 + side * decay) * (-epsilon * epsilon * decay - side) + alpha * alpha * decay
     })
 }
 
 /// The derivative in ω of an entry or combination of entries of A along the grazing curve, by differences of P_global.
-fn along_grazing(
-    resonance: &Resonance,
-    of: impl Fn(&nalgebra::Matrix2<f64>) -> f64,
-) -> Result<f64, Box<dyn std::error::Error + Send + Sync>> {
+fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> f64) -> Result<f64, Failure> {
     let theory = resonance.grazing().oscillator();
-    let at = |h: f64| -> Result<f64, Box<dyn std::error::Error + Send + Sync>> {
+    let at = |h: f64| -> Result<f64, Failure> {
         let state = theory.grazing(resonance.forcing_frequency() + h)?;
         Ok(of(&global_map::<_, 1>(&model(&state)?, 0.0, state.phase(), None)?.jet.derivative()))
     };
@@ -161,18 +148,10 @@ fn along_grazing(
 /// eq:xi1proof5.
 pub(super) fn slope_of_one_loop() -> CheckResult {
     at_resonances(&[1], ONE, DIFFERENCES, |resonance| {
-        let omega = resonance.forcing_frequency();
-        let stated = -TAU * parity(resonance) * resonance.grazing().decay(1) / omega;
-        Ok(vec![(along_grazing(resonance, |a| a.m12)?, stated)])
+        let measured = along_grazing(resonance, |a| a.m12)?;
+        let general = resonance.grazing().off_diagonal_derivative();
+        Ok(vec![(measured, resonance.unfolding().derivative()), (measured, general)])
     })
-}
-
-/// The general κ_p' of the proof: the display before eq:xipproof5.
-fn detuning_slope(state: &GrazingState, loops: u32) -> f64 {
-    let turn = Turn::new(state, 1);
-    let (zeta, omega) = (state.oscillator().damping_ratio(), state.forcing_frequency());
-    let bracket = zeta * turn.cosine + turn.natural * turn.sine - zeta * libm::cos(PI / f64::from(loops));
-    2.0 * TAU / (omega * omega) * turn.decay * bracket
 }
 
 fn detuning(loops: u32) -> impl Fn(&nalgebra::Matrix2<f64>) -> f64 {
@@ -183,7 +162,7 @@ fn detuning(loops: u32) -> impl Fn(&nalgebra::Matrix2<f64>) -> f64 {
 pub(super) fn detuning_derivative() -> CheckResult {
     at_resonances(&[1, 2, 3, 4, 5, 6], "grazing states, p = 2 to 5", DIFFERENCES, |resonance| {
         let pair =
-            |p: u32| Ok((along_grazing(resonance, detuning(p))?, detuning_slope(&resonance.grazing(), p)));
+            |p: u32| Ok((along_grazing(resonance, detuning(p))?, resonance.grazing().detuning_derivative(p)));
         (2..=5).map(pair).collect()
     })
 }
@@ -191,11 +170,8 @@ pub(super) fn detuning_derivative() -> CheckResult {
 /// eq:xipproof5.
 pub(super) fn slope_of_many_loops() -> CheckResult {
     at_resonances(MORE_LOOPS, MANY, DIFFERENCES, |resonance| {
-        let p = resonance.loops();
-        let turn = Turn::new(&resonance.grazing(), 1);
-        let omega = resonance.forcing_frequency();
-        let stated = 2.0 * TAU * turn.natural / (omega * omega) * turn.decay * libm::sin(PI / f64::from(p));
-        Ok(vec![(along_grazing(resonance, detuning(p))?, stated)])
+        let measured = along_grazing(resonance, detuning(resonance.loops()))?;
+        Ok(vec![(measured, resonance.unfolding().derivative())])
     })
 }
 

@@ -4,18 +4,16 @@ use core::f64::consts::TAU;
 
 use grazing_model::maps::{global_iterate, global_map};
 
-use super::printed_flow::{
-    CLOSED, DIFFERENCES, Derivatives, Printed, STATES, STEP, Turn, deviation, first, largest, model, states,
-    worse,
-};
+use super::printed_flow::{DIFFERENCES, Derivatives, Printed, STATES, STEP, Turn, first, model, states};
 use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::sampling::Sampler;
+use crate::tally::Deviations;
 
 /// eq:Abproof1: P_global ends where the printed flow from (x, 0) at z/ω comes to rest.
 pub(super) fn return_by_printed_flow() -> CheckResult {
     let mut sampler = Sampler::new(13);
-    let (mut found, mut samples) = (0.0, 0);
+    let mut largest = Deviations::default();
     for state in states(400)? {
         let mut at = || 0.02 * sampler.between(-1.0, 1.0);
         let (x, z, amplitude) = (at(), state.phase() + at(), state.amplitude() * (1.0 + at()));
@@ -29,10 +27,9 @@ pub(super) fn return_by_printed_flow() -> CheckResult {
         let end = (landing.jet.value[1] + TAU) / omega;
         let flow = |time: f64| printed.flow(time, [x, 0.0], z / omega, amplitude);
         let velocity = first(STEP / omega.max(1.0), |h| flow(end + h));
-        found = worse(found, largest([(flow(end), landing.jet.value[0]), (velocity, 0.0)]));
-        samples += 1;
+        largest.pairs([(flow(end), landing.jet.value[0]), (velocity, 0.0)]);
     }
-    deviation(found, DIFFERENCES, samples, "returns to Π from points within 0.02 of grazing")
+    Ok(largest.outcome(DIFFERENCES, "returns to Π from points within 0.02 of grazing"))
 }
 
 /// eq:Abproof2: both lines, as the order of what the linear terms leave of φ and φ̇ at the return.
@@ -80,7 +77,7 @@ pub(super) fn first_order_terms() -> CheckResult {
 /// eq:Abproof3 with derivatives of the printed flow by differences, against the derivatives of P_global.
 pub(super) fn entries_by_derivatives() -> CheckResult {
     let all = states(300)?;
-    let mut found = 0.0;
+    let mut largest = Deviations::default();
     for state in &all {
         let derivatives = Derivatives::new(state, 1);
         let omega = state.forcing_frequency();
@@ -93,67 +90,40 @@ pub(super) fn entries_by_derivatives() -> CheckResult {
         for (variable, scale) in [(0, 1.0), (1, 1.0 / omega), (2, 1.0)] {
             let [upper, lower] = entry(variable);
             let stated = [jet.jacobian[(0, variable)], jet.jacobian[(1, variable)]];
-            found = worse(found, largest([(upper * scale, stated[0]), (lower * scale, stated[1])]));
+            largest.pairs([(upper * scale, stated[0]), (lower * scale, stated[1])]);
         }
     }
-    deviation(found, DIFFERENCES, 6 * all.len(), STATES)
+    Ok(largest.outcome(DIFFERENCES, STATES))
 }
 
 /// eq:Abproof4: all eight derivatives of φ at grazing.
 pub(super) fn derivatives_at_grazing() -> CheckResult {
     let all = states(300)?;
-    let mut found = 0.0;
+    let mut largest = Deviations::default();
     for state in &all {
         let derivatives = Derivatives::new(state, 1);
         let turn = Turn::new(state, 1);
         let (omega, amplitude) = (state.forcing_frequency(), state.amplitude());
         let upper = turn.decay * (turn.cosine + turn.skew * turn.sine);
         let lower = turn.decay * turn.sine / turn.natural;
-        found = worse(
-            found,
-            largest([
-                (derivatives.velocity(), 0.0),
-                (derivatives.acceleration(), -omega * omega),
-                (derivatives.mixed(0, 0), upper),
-                (derivatives.mixed(1, 0), -lower),
-                (derivatives.mixed(0, 1), omega * omega * lower),
-                (derivatives.mixed(1, 1), omega * omega * turn.entry()),
-                (derivatives.mixed(0, 2), (1.0 - upper) / amplitude),
-                (derivatives.mixed(1, 2), lower / amplitude),
-            ]),
-        );
+        largest.pairs([
+            (derivatives.velocity(), 0.0),
+            (derivatives.acceleration(), -omega * omega),
+            (derivatives.mixed(0, 0), upper),
+            (derivatives.mixed(1, 0), -lower),
+            (derivatives.mixed(0, 1), omega * omega * lower),
+            (derivatives.mixed(1, 1), omega * omega * turn.entry()),
+            (derivatives.mixed(0, 2), (1.0 - upper) / amplitude),
+            (derivatives.mixed(1, 2), lower / amplitude),
+        ]);
     }
-    deviation(found, DIFFERENCES, 8 * all.len(), STATES)
-}
-
-/// The display of a₁₁ to b₂ at the end of the proof, against the derivatives of P_global.
-pub(super) fn matrix_and_vector() -> CheckResult {
-    let all = states(500)?;
-    let mut found = 0.0;
-    for state in &all {
-        let turn = Turn::new(state, 1);
-        let (omega, amplitude) = (state.forcing_frequency(), state.amplitude());
-        let upper = turn.decay * (turn.cosine + turn.skew * turn.sine);
-        let lower = turn.decay * turn.sine / turn.natural;
-        let stated = [
-            [upper, omega * lower, (1.0 - upper) / amplitude],
-            [-lower / omega, turn.entry(), lower / (omega * amplitude)],
-        ];
-        let jet = global_map::<_, 1>(&model(state)?, 0.0, state.phase(), None)?.jet;
-        for (i, row) in stated.iter().enumerate() {
-            found = worse(
-                found,
-                largest(row.iter().enumerate().map(|(k, entry)| (jet.jacobian[(i, k)], *entry))),
-            );
-        }
-    }
-    deviation(found, CLOSED, 6 * all.len(), STATES)
+    Ok(largest.outcome(DIFFERENCES, STATES))
 }
 
 /// The display of ξ₁ by derivatives of φ, differences against the second derivative of P_global.
 pub(super) fn second_derivative_by_flow() -> CheckResult {
     let all = states(200)?;
-    let mut found = 0.0;
+    let mut largest = Deviations::default();
     for state in &all {
         let derivatives = Derivatives::new(state, 1);
         let omega = state.forcing_frequency();
@@ -166,37 +136,36 @@ pub(super) fn second_derivative_by_flow() -> CheckResult {
             - slip * derivatives.twice_in_start(1))
             / (omega * omega);
         let jet = global_map::<_, 2>(&model(state)?, 0.0, state.phase(), None)?.jet;
-        found = worse(found, largest([(xi, jet.hessians[0][(1, 1)])]));
+        largest.pairs([(xi, jet.hessians[0][(1, 1)])]);
     }
-    deviation(found, DIFFERENCES, all.len(), STATES)
+    Ok(largest.outcome(DIFFERENCES, STATES))
 }
 
 /// eq:d2phidt02.
 pub(super) fn second_derivative_in_start() -> CheckResult {
     let all = states(300)?;
-    let mut found = 0.0;
+    let mut largest = Deviations::default();
     for state in &all {
         let turn = Turn::new(state, 1);
         let omega = state.forcing_frequency();
         let stated = -omega * omega * turn.decay * (turn.cosine - 3.0 * turn.skew * turn.sine);
-        found = worse(found, largest([(Derivatives::new(state, 1).twice_in_start(0), stated)]));
+        largest.pairs([(Derivatives::new(state, 1).twice_in_start(0), stated)]);
     }
-    deviation(found, DIFFERENCES, all.len(), STATES)
+    Ok(largest.outcome(DIFFERENCES, STATES))
 }
 
-/// The printed ξ_p against the second derivative of P_global^p.
+/// ξ_p in closed form against the second derivative of P_global^p.
 fn xi(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
     let all = states(200)?;
-    let (mut found, mut samples) = (0.0, 0);
+    let mut largest = Deviations::default();
     for state in &all {
         for p in loops.clone() {
             let jet = global_iterate::<_, 2>(&model(state)?, p, 0.0, state.phase())?;
-            found = worse(found, largest([(jet.hessians[0][(1, 1)], Turn::new(state, p).xi())]));
-            samples += 1;
+            largest.pairs([(jet.hessians[0][(1, 1)], state.second_phase_derivative(p))]);
         }
     }
     // Second derivatives of up to five composed maps.
-    deviation(found, 1e-11, samples, STATES)
+    Ok(largest.outcome(1e-11, STATES))
 }
 
 /// eq:xi1proof2.

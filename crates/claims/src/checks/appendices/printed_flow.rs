@@ -5,7 +5,6 @@ use core::f64::consts::TAU;
 use grazing_model::LinearOscillator;
 use grazing_theorems::GrazingState;
 
-use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::sampling::Sampler;
 
 /// eq:flow and eq:phip, coded from the print.
@@ -137,25 +136,11 @@ pub(super) fn model(state: &GrazingState) -> Result<LinearOscillator, grazing_mo
     LinearOscillator::new(zeta, epsilon, state.amplitude(), state.forcing_frequency())
 }
 
-/// The largest deviation of pairs (found, stated), relative to one plus the size of the stated number.
-pub(super) fn largest(pairs: impl IntoIterator<Item = (f64, f64)>) -> f64 {
-    pairs.into_iter().map(|(found, stated)| (found - stated).abs() / (1.0 + stated.abs())).fold(0.0, worse)
-}
-
-/// The larger, or what is not a number.
-pub(super) fn worse(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b <= a { a } else { b }
-}
-
 /// What the differences of sixth order explain: 10⁻¹² for first and second derivatives; nested ones some 10⁻¹⁰.
 pub(super) const DIFFERENCES: f64 = 1e-8;
 
 /// Closed forms with the same rounding: angles of up to 2πp ω₁/ω ≈ 80 are rounded to 10⁻¹⁴.
 pub(super) const CLOSED: f64 = 1e-12;
-
-pub(super) fn deviation(found: f64, tolerance: f64, samples: usize, over: &str) -> CheckResult {
-    Ok(Outcome::new(Measure::Deviation { largest: found, tolerance }, samples, over))
-}
 
 pub(super) const STATES: &str = "grazing states with ζ in (0.01, 0.9) and ω in (0.3, 3)";
 
@@ -180,10 +165,5 @@ impl Turn {
     /// a₂₂ of the p-th iterate.
     pub(super) fn entry(&self) -> f64 {
         self.decay * (self.cosine - self.skew * self.sine)
-    }
-
-    /// The printed ξ_p, eq:xi1proof2 and eq:xipproof2.
-    pub(super) fn xi(&self) -> f64 {
-        self.entry() * self.entry() - self.decay * (self.cosine - 3.0 * self.skew * self.sine)
     }
 }

@@ -3,69 +3,30 @@
 use grazing_continuation::mps::Memory;
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::{global_iterate, virtual_map};
-use grazing_theorems::GrazingPoint;
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
-use grazing_theorems::auxiliary::{detuning, geometric_sum_determinant, lucas_sequence};
+use grazing_theorems::auxiliary::{detuning, geometric_sum_determinant};
+use grazing_theorems::grazing::{EmergingOrbit, VirtualMap};
+use grazing_theorems::{GenericGrazing, GrazingPoint};
 use nalgebra::{Matrix2, Vector2};
 
-use super::iterates::printed_iterate;
-use super::specimens::{Grazing, delayed, map_with, sampled_point, specimens, uniform_order};
+use super::specimens::{delayed, map_with, sampled_point, specimens, uniform_order};
 use super::vivid::{derivatives, equations, scale, zero, zero_from};
 use crate::checks::appendices::signs::{determinant, search};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::specimen::Grazing;
 use crate::tally::{Smallest, Votes};
-
-/// The slopes and curvatures in μ that are printed in step 1.
-struct Printed {
-    y: f64,
-    z: f64,
-    x_first: f64,
-    z_first: f64,
-    x_last: f64,
-    z_last: f64,
-}
-
-impl Printed {
-    fn new(point: &GrazingPoint, p: u32) -> Self {
-        let map = &point.map;
-        let (tau, delta) = (map.a.trace(), map.a.determinant());
-        let (s, s_next) = (lucas_sequence(p, tau, delta), lucas_sequence(p + 1, tau, delta));
-        let (a12, b) = (map.a.m12, printed_iterate(map, p).b);
-        let corner = s_next - map.a.m11 * s;
-        let det_k = (1.0 - corner) * b.x + a12 * s * b.y;
-        let (alpha, omega, gamma, phi) = (point.alpha(), point.forcing_frequency, point.gamma, point.phi);
-        let curvature = gamma * det_k * det_k / (2.0 * alpha * alpha * a12 * a12 * omega * omega * s * s);
-        Self {
-            y: gamma * det_k / (alpha * a12 * omega * s),
-            z: ((corner * (1.0 - alpha) - 1.0) * b.x - a12 * s * (1.0 - alpha) * b.y) / (alpha * a12 * s),
-            x_first: phi * phi * curvature,
-            z_first: -b.x / (a12 * s),
-            x_last: curvature,
-            z_last: (det_k - b.x) / (a12 * s),
-        }
-    }
-
-    /// The same for p = 1, as eq:yStar1codim1proof and eq:zStar1codim1proof have it.
-    fn one_loop(point: &GrazingPoint) -> Vector2<f64> {
-        let (a, b) = (point.map.a, point.map.b);
-        let alpha = point.alpha();
-        Vector2::new(
-            point.gamma * point.map.transversality() / (alpha * a.m12 * point.forcing_frequency),
-            ((a.m22 * (1.0 - alpha) - 1.0) * b.x - a.m12 * (1.0 - alpha) * b.y) / (alpha * a.m12),
-        )
-    }
-}
 
 /// The smallest order over oscillators and numbers of loops of a remainder at the zero of V for μ and for −μ.
 fn smallest_order(
     loops: core::ops::RangeInclusive<u32>,
     stated: f64,
-    remainder: impl Fn(&Grazing, u32, f64) -> Option<f64>,
+    remainder: impl Fn(&Grazing, &EmergingOrbit, f64) -> Option<f64>,
 ) -> CheckResult {
     let mut orders = Smallest::default();
     for grazing in specimens()? {
         for p in loops.clone() {
+            let emerging = grazing.grazing_point().emerging_orbit(p)?;
             let size = scale(&grazing, p).ok_or("no emerging orbit")?;
             let [by_velocity, by_phase, _] = derivatives(&grazing, p)?;
             let jacobian = Matrix2::from_columns(&[by_velocity, by_phase]);
@@ -73,42 +34,44 @@ fn smallest_order(
             // A phase's rounding for each return, carried over to the zero.
             let rounding = 2e-15 * f64::from(p + 1) * (1.0 + inverse.amax());
             orders.see(uniform_order(&[[size], [-size]], |[direction], h| {
-                Some((remainder(&grazing, p, h * direction)?, rounding))
+                Some((remainder(&grazing, &emerging, h * direction)?, rounding))
             }));
         }
     }
     // The next term is of relative size h < 10⁻³ where remainders are resolved last; near a resonance its coefficient is large.
-    Ok(orders.order(stated, 0.1, "the zero of V by Newton's method on nine oscillators, μ of both signs"))
+    Ok(orders.order(stated, 0.1, "the zero of V by Newton's method on twelve oscillators, μ of both signs"))
+}
+
+fn velocity_order(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
+    smallest_order(loops, 2.0, |grazing, emerging, mu| {
+        Some(zero(grazing, emerging.loops(), mu)?[0] - emerging.impact_velocity_slope * mu)
+    })
+}
+
+fn phase_order(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
+    smallest_order(loops, 2.0, |grazing, emerging, mu| {
+        Some(zero(grazing, emerging.loops(), mu)?[1] - grazing.phase() - emerging.impact_phase_slope * mu)
+    })
 }
 
 /// eq:yStar1codim1proof.
 pub(crate) fn one_loop_velocity() -> CheckResult {
-    smallest_order(1..=1, 2.0, |grazing, p, mu| {
-        Some(zero(grazing, p, mu)?[0] - Printed::one_loop(&grazing.grazing_point())[0] * mu)
-    })
+    velocity_order(1..=1)
 }
 
 /// eq:zStar1codim1proof.
 pub(crate) fn one_loop_phase() -> CheckResult {
-    smallest_order(1..=1, 2.0, |grazing, p, mu| {
-        let slope = Printed::one_loop(&grazing.grazing_point())[1];
-        Some(zero(grazing, p, mu)?[1] - grazing.phase() - slope * mu)
-    })
+    phase_order(1..=1)
 }
 
 /// eq:yStarpcodim1proof.
 pub(crate) fn velocity() -> CheckResult {
-    smallest_order(1..=4, 2.0, |grazing, p, mu| {
-        Some(zero(grazing, p, mu)?[0] - Printed::new(&grazing.grazing_point(), p).y * mu)
-    })
+    velocity_order(2..=4)
 }
 
 /// eq:zStarpcodim1proof.
 pub(crate) fn phase() -> CheckResult {
-    smallest_order(1..=4, 2.0, |grazing, p, mu| {
-        let slope = Printed::new(&grazing.grazing_point(), p).z;
-        Some(zero(grazing, p, mu)?[1] - grazing.phase() - slope * mu)
-    })
+    phase_order(2..=4)
 }
 
 /// The points (x⁽⁰⁾, z⁽⁰⁾) and (x⁽ᵖ⁾, z⁽ᵖ⁾) of the zero of V, the last by p returns.
@@ -121,36 +84,41 @@ fn ends(grazing: &Grazing, p: u32, mu: f64) -> Option<[Vector2<f64>; 2]> {
     Some([first, last])
 }
 
+/// A position is that of a virtual map at the impact velocity to first order in μ.
+fn position_order(index: usize, map: fn(&GrazingPoint) -> VirtualMap) -> CheckResult {
+    smallest_order(1..=4, 3.0, |grazing, emerging, mu| {
+        let leading = map(&grazing.grazing_point()).apply(emerging.impact_velocity_slope * mu, 0.0);
+        Some(ends(grazing, emerging.loops(), mu)?[index][0] - leading[0])
+    })
+}
+
+/// A phase changes with μ as that of the first or the last visit.
+fn end_phase_order(index: usize) -> CheckResult {
+    smallest_order(1..=4, 2.0, |grazing, emerging, mu| {
+        let p = emerging.loops();
+        let slope = emerging.visit_slope([0, p][index]).y;
+        Some(ends(grazing, p, mu)?[index][1] - grazing.phase() - slope * mu)
+    })
+}
+
 /// eq:x0codim1proof.
 pub(crate) fn first_position() -> CheckResult {
-    smallest_order(1..=4, 3.0, |grazing, p, mu| {
-        let curvature = Printed::new(&grazing.grazing_point(), p).x_first;
-        Some(ends(grazing, p, mu)?[0][0] - curvature * mu * mu)
-    })
+    position_order(0, GrazingPoint::virtual_map_after_reset)
 }
 
 /// eq:z0codim1proof.
 pub(crate) fn first_phase() -> CheckResult {
-    smallest_order(1..=4, 2.0, |grazing, p, mu| {
-        let slope = Printed::new(&grazing.grazing_point(), p).z_first;
-        Some(ends(grazing, p, mu)?[0][1] - grazing.phase() - slope * mu)
-    })
+    end_phase_order(0)
 }
 
 /// eq:xpcodim1proof.
 pub(crate) fn last_position() -> CheckResult {
-    smallest_order(1..=4, 3.0, |grazing, p, mu| {
-        let curvature = Printed::new(&grazing.grazing_point(), p).x_last;
-        Some(ends(grazing, p, mu)?[1][0] - curvature * mu * mu)
-    })
+    position_order(1, GrazingPoint::virtual_map)
 }
 
 /// eq:zpcodim1proof.
 pub(crate) fn last_phase() -> CheckResult {
-    smallest_order(1..=4, 2.0, |grazing, p, mu| {
-        let slope = Printed::new(&grazing.grazing_point(), p).z_last;
-        Some(ends(grazing, p, mu)?[1][1] - grazing.phase() - slope * mu)
-    })
+    end_phase_order(1)
 }
 
 /// The solution of V = 0 for (y, z) is unique near grazing: Newton's method finds the same from all starts.
@@ -177,7 +145,7 @@ pub(crate) fn implicit_function() -> CheckResult {
         }
     }
     Ok(votes.outcome(
-        "starts up to five times as far from the solution as grazing is, nine oscillators, p = 1 to 4",
+        "starts up to five times as far from the solution as grazing is, twelve oscillators, p = 1 to 4",
     ))
 }
 
@@ -189,12 +157,18 @@ pub(crate) fn one_loop_side() -> CheckResult {
         let size = 0.01 * scale(&grazing, 1).ok_or("no emerging orbit")?;
         for mu in [size, -size] {
             let y = zero(&grazing, 1, mu).ok_or("no zero of V")?[0];
-            let predicted = point.map.a.m12 * point.map.transversality() * mu > 0.0;
-            votes.see((y > 0.0) == (predicted == (point.alpha() > 0.0)));
+            votes.see(
+                (y > 0.0)
+                    == match GenericGrazing::check(&point, 1) {
+                        Ok(theorem) => theorem.side().signum() * mu > 0.0,
+                        // α < 0: the other side.
+                        Err(_) => point.map.a.m12 * point.map.transversality() * mu < 0.0,
+                    },
+            );
         }
     }
     Ok(votes.outcome(
-        "nine oscillators with α > 0 and two with α < 0, where the hypothesis is violated, μ of both signs",
+        "twelve oscillators with α > 0 and three with α < 0, where the hypothesis is violated, μ of both signs",
     ))
 }
 
@@ -246,7 +220,8 @@ pub(crate) fn side() -> CheckResult {
         let p = 2 + index % 14;
         let point = above_boundary(&mut sampler, p)?;
         let kappa = detuning(p, point.map.trace(), point.map.determinant());
-        let agrees = Printed::new(&point, p).y * point.map.transversality() * kappa > 0.0;
+        let orbit = point.emerging_orbit(p)?;
+        let agrees = orbit.impact_velocity_slope * point.map.transversality() * kappa > 0.0;
         votes.see(agrees == (point.map.a.m12 * point.alpha() > 0.0));
     }
     Ok(votes.outcome("grazing points with τ > h_p, a₁₂α of either sign, p = 2 to 15"))

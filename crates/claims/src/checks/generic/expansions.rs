@@ -7,13 +7,13 @@ use grazing_theorems::GrazingPoint;
 use nalgebra::Vector2;
 
 use super::maps::{ROUNDING, SLACK, near_grazing};
-use super::specimens::{Specimen, delayed, directions, specimens, uniform_order};
+use super::specimens::{delayed, directions, specimens, uniform_order};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::specimen::Specimen;
 use crate::tally::{Smallest, Votes};
 
-const SPECIMENS: &str =
-    "nine oscillators, Ψ = 0 or not, μ the amplitude or the frequency; nine directions in (y, z, μ) at once";
+const SPECIMENS: &str = "twelve oscillators, Ψ = 0 or not, μ the amplitude or the frequency; nine directions in (y, z, μ) at once";
 
 /// The smallest order over specimens and directions of a remainder at (oscillator, y, z), and its rounding.
 fn smallest_order(
@@ -49,7 +49,7 @@ pub(crate) fn vector_field() -> CheckResult {
             Some((remainder, ROUNDING))
         }));
     }
-    Ok(orders.order(1.0, SLACK, "nine oscillators, ten directions in (x, y, z, μ)"))
+    Ok(orders.order(1.0, SLACK, "twelve oscillators, ten directions in (x, y, z, μ)"))
 }
 
 /// Which of x, y and z of the orbit through an impact point.
@@ -78,7 +78,7 @@ fn orbit_expansion(seed: u64, stated: f64, coordinate: Coordinate) -> CheckResul
             Some((remainder, ROUNDING))
         }));
     }
-    Ok(orders.order(stated, SLACK, "nine oscillators, twelve directions in (y, z, μ, t)"))
+    Ok(orders.order(stated, SLACK, "twelve oscillators, twelve directions in (y, z, μ, t)"))
 }
 
 /// x(t) in the proof of le:discMapComponents.
@@ -113,15 +113,11 @@ fn virtual_remainder(
     reset: bool,
 ) -> Option<Vector2<f64>> {
     let (from, leading) = if reset {
-        let alpha = point.alpha();
-        let shift = point.forcing_frequency * (1.0 - alpha) / point.gamma;
-        let position = point.phi * point.phi * y * y / (2.0 * point.gamma);
-        (oscillator.reset::<1>(y, z).value, Vector2::new(position, shift * y + z))
+        (oscillator.reset::<1>(y, z).value, point.virtual_map_after_reset())
     } else {
-        let shift = point.forcing_frequency / point.gamma;
-        (Vector2::new(y, z), Vector2::new(y * y / (2.0 * point.gamma), shift * y + z))
+        (Vector2::new(y, z), point.virtual_map())
     };
-    Some(virtual_map::<_, 1>(oscillator, from[0], from[1], None).ok()?.jet.value - leading)
+    Some(virtual_map::<_, 1>(oscillator, from[0], from[1], None).ok()?.jet.value - leading.apply(y, z))
 }
 
 /// eq:xHatzHat, first line.
@@ -170,7 +166,7 @@ pub(crate) fn components() -> CheckResult {
             }
         }
     }
-    Ok(votes.outcome("four components on eleven oscillators in nine directions: the order of the remainder"))
+    Ok(votes.outcome("four components on fifteen oscillators in nine directions: the order of the remainder"))
 }
 
 /// The reset law near grazing.

@@ -4,10 +4,11 @@ use grazing_model::maps::{discontinuity_map, virtual_map};
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::{Vector2, Vector3};
 
-use super::specimens::{Grazing, Specimen, delayed, directions, specimens, uniform_order};
+use super::specimens::{delayed, directions, specimens, uniform_order};
 use crate::convergence::order;
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::specimen::{Grazing, Specimen};
 use crate::tally::{Deviations, Smallest, Votes};
 
 /// How far below the stated order the observed one may lie: where remainders are resolved last, sizes are below 10⁻³, and the
@@ -37,7 +38,7 @@ pub(crate) fn recoil() -> CheckResult {
         }
     }
     Ok(margins
-        .margin("impacts with velocities from 10⁻⁸ to 3 on nine oscillators: the smallest −y_rec / y_imp"))
+        .margin("impacts with velocities from 10⁻⁸ to 3 on twelve oscillators: the smallest −y_rec / y_imp"))
 }
 
 /// The classical Runge–Kutta method on eq:f, from a state over a time of either sign: (x, y, z) at its end.
@@ -83,7 +84,7 @@ pub(crate) fn virtual_points() -> CheckResult {
         }
     }
     // Sixty-four steps over a time below 0.5: some (10⁻²)⁴ times derivatives over 5!.
-    Ok(deviations.outcome(1e-10, "impacts near grazing on nine oscillators, and their recoils"))
+    Ok(deviations.outcome(1e-10, "impacts near grazing on twelve oscillators, and their recoils"))
 }
 
 /// Orbits hit Π transversally near grazing, where P_virt ends: the acceleration there is negative.
@@ -99,7 +100,7 @@ pub(crate) fn transversality() -> CheckResult {
             margins.see(-oscillator.acceleration(State::at_rest(image[0], image[1])));
         }
     }
-    Ok(margins.margin("images under P_virt of points near grazing on nine oscillators: the smallest −ẍ"))
+    Ok(margins.margin("images under P_virt of points near grazing on twelve oscillators: the smallest −ẍ"))
 }
 
 /// Both points are virtual: x̂ and x⁽⁰⁾ are positive for y ≠ 0.
@@ -145,7 +146,7 @@ pub(crate) fn smooth_across_tangency() -> CheckResult {
             }));
         }
     }
-    Ok(orders.order(1.0, SLACK, "nine oscillators, both maps, both components"))
+    Ok(orders.order(1.0, SLACK, "twelve oscillators, both maps, both components"))
 }
 
 /// The preimage of a point of Π under P_virt on the outgoing set, by Newton's method.
@@ -183,7 +184,7 @@ pub(crate) fn two_inverses() -> CheckResult {
     }
     // Newton's method ends where the phase is known to its rounding.
     Ok(deviations
-        .outcome(1e-13, "positions from 10⁻⁶ to 0.003 beyond the wall, both preimages, nine oscillators"))
+        .outcome(1e-13, "positions from 10⁻⁶ to 0.003 beyond the wall, both preimages, twelve oscillators"))
 }
 
 /// eq:Pdisc: P_disc maps (x̂, ẑ) to (x⁽⁰⁾, z⁽⁰⁾).
@@ -202,8 +203,10 @@ pub(crate) fn discontinuity() -> CheckResult {
             deviations.see((discontinuity_map::<_, 1>(oscillator, hat[0], hat[1])?.value - start).amax() * y);
         }
     }
-    Ok(deviations
-        .outcome(1e-14, "impacts with velocities from 10⁻⁴ to 0.1, nine oscillators: the deviation times y"))
+    Ok(deviations.outcome(
+        1e-14,
+        "impacts with velocities from 10⁻⁴ to 0.1, twelve oscillators: the deviation times y",
+    ))
 }
 
 /// P_disc minus its leading terms, at x̂ = s² with (z, μ) as near to grazing as s.
@@ -215,9 +218,7 @@ fn discontinuity_remainder(
     let point = grazing.grazing_point();
     let (oscillator, s, z) = near_grazing(grazing, [ds.abs() + 0.1, dz, dmu], h);
     let image = discontinuity_map::<_, 1>(&oscillator, s * s, z).ok()?.value;
-    let root = core::f64::consts::SQRT_2 / point.gamma.sqrt() * s;
-    let leading =
-        Vector2::new(point.phi * point.phi * s * s, z - point.alpha() * point.forcing_frequency * root);
+    let leading = point.discontinuity_map(s * s, z);
     // The preimage's velocity is known to a rounding of x̂ over itself.
     Some((image - leading, ROUNDING / s))
 }
@@ -232,7 +233,7 @@ fn leading_order(seed: u64, component: usize, stated: f64) -> CheckResult {
             Some((remainder[component], if component == 0 { rounding * h } else { rounding }))
         }));
     }
-    Ok(orders.order(stated, SLACK, "eleven oscillators, α of either sign; nine directions in (√x̂, ẑ, μ)"))
+    Ok(orders.order(stated, SLACK, "fifteen oscillators, α of either sign; nine directions in (√x̂, ẑ, μ)"))
 }
 
 /// The display after eq:Pdisc, first line: the coefficient of x̂ is φ².
@@ -255,5 +256,5 @@ pub(crate) fn sign_of_square_root() -> CheckResult {
             votes.see((image[1] - grazing.phase()) * grazing.grazing_point().alpha() < 0.0);
         }
     }
-    Ok(votes.outcome("eleven oscillators, nine with α > 0 and two with α < 0, x̂ = 10⁻⁶ to 10⁻⁴"))
+    Ok(votes.outcome("fifteen oscillators, twelve with α > 0 and three with α < 0, x̂ = 10⁻⁶ to 10⁻⁴"))
 }

@@ -3,16 +3,16 @@
 use grazing_continuation::mps::Memory;
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::{global_map, virtual_map};
-use grazing_theorems::auxiliary::{lucas_sequence, scaled_visit_position};
+use grazing_theorems::auxiliary::{admissibility_sum, lucas_sequence, scaled_visit_position};
 use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
 
-use super::iterates::printed_iterate;
-use super::specimens::{Failure, Grazing, sampled_map, specimens};
+use super::specimens::{sampled_map, specimens};
 use super::vivid::{derivatives, equations, scale, zero};
 use crate::eigenvalues::Pair;
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 use crate::sampling::Sampler;
+use crate::specimen::Grazing;
 use crate::tally::Deviations;
 
 /// Tens of roundings of numbers of the size by which deviations are divided.
@@ -64,7 +64,7 @@ fn over_oscillators(
     Ok(deviations.outcome(1e-11, over))
 }
 
-const OSCILLATORS: &str = "nine oscillators, p = 1 to 6, derivatives by the chain rule";
+const OSCILLATORS: &str = "twelve oscillators, p = 1 to 6, derivatives by the chain rule";
 
 /// eq:ujwj: the scaled derivatives of the visits of oscillators against central differences of their positions.
 pub(crate) fn scaled_slopes() -> CheckResult {
@@ -77,6 +77,10 @@ pub(crate) fn scaled_slopes() -> CheckResult {
                 let point = zero(&grazing, p, mu)?;
                 equations(&grazing, p).visits(&point, &Memory::default()).ok()
             };
+            let stated = grazing.grazing_point().emerging_orbit(p)?;
+            for (j, slope) in (0..=p).zip(&slopes) {
+                deviations.see((stated.visit_slope(j) - slope).amax() / (1.0 + slope.amax()));
+            }
             let (ahead, behind) = (visits(h).ok_or("no zero of V")?, visits(-h).ok_or("no zero of V")?);
             for (j, slope) in slopes.iter().enumerate().skip(1) {
                 let difference = (ahead[j - 1] - behind[j - 1]) / (2.0 * h);
@@ -85,7 +89,7 @@ pub(crate) fn scaled_slopes() -> CheckResult {
         }
     }
     // Rounding of 10⁻¹⁵ over a step of some 10⁻⁶, magnified by J⁻¹.
-    Ok(deviations.outcome(1e-7, "the visits j = 1 to p of nine oscillators, p = 1 to 3"))
+    Ok(deviations.outcome(1e-7, "the visits j = 1 to p of twelve oscillators, p = 1 to 3"))
 }
 
 /// eq:affineMap.
@@ -116,7 +120,7 @@ pub(crate) fn affine_map_iterated() -> CheckResult {
             here = map.a * here + map.b * factor;
             size = size.max(here.amax());
         }
-        let LinearisedMap { a, b } = printed_iterate(&map, j);
+        let LinearisedMap { a, b } = map.iterate(j);
         let entries = (1.0 + map.a.amax()) * (1.0 + map.a.amax());
         deviations.see((a * start + b * factor - here).amax() / (entries * (size + a.amax() + b.amax())));
     }
@@ -127,9 +131,9 @@ pub(crate) fn affine_map_iterated() -> CheckResult {
 pub(crate) fn start() -> CheckResult {
     over_oscillators(
         |point, p, path| {
-            let b = printed_iterate(&point.map, p).b;
-            let w = -b.x / (point.map.a.m12 * point.map.transversality());
-            (path[0] - Vector2::new(0.0, w)).amax()
+            let (s, beta) = scaling(point, p);
+            let stated = point.emerging_orbit(p).map(|orbit| orbit.visit_slope(0) * (s / beta));
+            stated.map_or(f64::NAN, |stated| (path[0] - stated).amax() + stated.x.abs())
         },
         OSCILLATORS,
     )
@@ -157,11 +161,11 @@ pub(crate) fn positions() -> CheckResult {
         let p = 1 + index % 12;
         let map = sampled_map(&mut sampler);
         let (tau, delta, beta) = (map.trace(), map.determinant(), map.transversality());
-        let (s, last) = (lucas_sequence(p, tau, delta), printed_iterate(&map, p).b);
+        let (s, last) = (lucas_sequence(p, tau, delta), map.iterate(p).b);
         let entries = (1.0 + map.a.amax()) * (1.0 + map.a.amax());
         for j in 0..=p {
             // Multiplied by β: u⁽ʲ⁾ β = −A^j₁₂ b_1p / a₁₂ + S_p b_1j.
-            let LinearisedMap { a, b } = printed_iterate(&map, j);
+            let LinearisedMap { a, b } = map.iterate(j);
             let terms = [-a.m12 * last.x / map.a.m12, s * b.x];
             let size = entries * (1.0 + terms[0].abs() + terms[1].abs() + last.amax() + b.amax());
             let expected = beta * scaled_visit_position(j, p, tau, delta);
@@ -199,6 +203,7 @@ pub(crate) fn last_position() -> CheckResult {
         let terms = (size.s(p - 1) * size.t(p) + size.s(p) * size.t(p - 1) + size.h(p) * raised).re;
         let last = scaled_visit_position(p as u32 - 1, p as u32, tau, delta);
         deviations.see((pair.h(p) * raised + last).norm() / terms);
+        deviations.see((admissibility_sum(p as u32, tau, delta) * raised + last) / terms);
     }
     // As for eq:Hp9.
     Ok(deviations.outcome(1e-13, "points of the trapesium, p = 2 to 15"))

@@ -7,7 +7,6 @@ use grazing_theorems::auxiliary::{
 };
 use nalgebra::{Matrix2, Vector2};
 
-use super::iterates::printed_iterate;
 use super::specimens::map_with;
 use crate::checks::appendices::signs::{along, determinant, search};
 use crate::eigenvalues::Pair;
@@ -112,7 +111,7 @@ fn path(p: u32, tau: f64, delta: f64) -> Vec<Vector2<f64>> {
         b: Vector2::new(0.0, 1.0 / a12),
     };
     let s = lucas_sequence(p, tau, delta);
-    let mut here = Vector2::new(0.0, -printed_iterate(&map, p).b.x / a12);
+    let mut here = Vector2::new(0.0, -map.iterate(p).b.x / a12);
     let mut path = vec![here];
     for _ in 0..p {
         here = map.a * here + map.b * s;
@@ -172,7 +171,7 @@ pub(crate) fn convex() -> CheckResult {
 /// although Q is affine there too.
 pub(crate) fn polygon() -> CheckResult {
     let mut sampler = Sampler::new(9);
-    let mut votes = Votes::default();
+    let (mut votes, mut printed) = (Votes::default(), Votes::default());
     for index in 0..3000 {
         let p = 2 + index % 7;
         // For smaller determinants the path shrinks below its rounding.
@@ -185,13 +184,15 @@ pub(crate) fn polygon() -> CheckResult {
         let vertices = path(p, tau, delta);
         let convex = convexity(&vertices) > 1e-12;
         votes.see(convex == (tau > boundary));
+        printed.see(convex);
         if tau > boundary {
             let edge = |i: usize| [vertices[i], vertices[i + 1]];
             let apart = |i: usize, k: usize| !cross_each_other(edge(i), edge(k));
             votes.see((0..p as usize).all(|i| (i + 2..p as usize).all(|k| apart(i, k))));
         }
     }
-    Ok(votes.outcome("paths for τ on either side of h_p, p = 2 to 8, as polygons of computed vertices"))
+    let over = "paths for τ on either side of h_p, p = 2 to 8, as polygons of computed vertices";
+    Ok(votes.outcome(over).against_print(printed.measure()))
 }
 
 /// As τ decreases from δ + 1, no u⁽ˡ⁾ vanishes before τ = h_p, and there it is u⁽ᵖ⁻¹⁾ (p ≥ 3).
@@ -226,7 +227,7 @@ pub(crate) fn invariance() -> CheckResult {
         let expected: Vec<f64> = path(p, tau, delta).iter().map(|point| point.x).collect();
         let map = map_with(&mut sampler, tau, delta);
         let (s, beta) = (lucas_sequence(p, tau, delta), map.transversality());
-        let mut here = Vector2::new(0.0, -printed_iterate(&map, p).b.x / map.a.m12);
+        let mut here = Vector2::new(0.0, -map.iterate(p).b.x / map.a.m12);
         // Multiplied by β, which may be small.
         let size = (1.0 + here.amax()) * (1.0 + map.a.amax()) * (1.0 + map.a.amax());
         for position in expected {

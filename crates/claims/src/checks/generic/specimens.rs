@@ -1,161 +1,41 @@
 //! What section 4 is measured on: oscillators at grazing, and first-order data without an oscillator behind them.
 
-use std::error::Error;
+use crate::outcome::Failure;
 
-use grazing_model::{
-    FlowJet, ImpactOscillator, LinearMotion, LinearOscillator, MapJet, OscillatorError, ParameterJet, State,
-};
-use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{GrazingPoint, LinearisedMap};
-use nalgebra::{Matrix2, Matrix6, Vector2};
+use nalgebra::{Matrix2, Vector2};
 
 use crate::convergence::order;
 use crate::sampling::Sampler;
-use crate::specimen::{DELAY, Exponential, RESTITUTION, VaryingReset};
+use crate::specimen::{DELAY, Exponential, Grazing, Law};
 
-/// One of three members of the class of section 2.1, under one type.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Specimen {
-    /// The oscillator of section 3, with μ the forcing amplitude.
-    Linear(LinearOscillator),
-    /// The same with a reset law that varies.
-    Varying(VaryingReset),
-    /// This one with the roles of the parameters exchanged: μ is the forcing frequency, and ω varies with μ.
-    FrequencyFirst(VaryingReset),
-}
-
-impl ImpactOscillator for Specimen {
-    type Motion = LinearMotion;
-
-    fn parameters(&self) -> [f64; 2] {
-        match self {
-            Self::Linear(oscillator) => oscillator.parameters(),
-            Self::Varying(oscillator) => oscillator.parameters(),
-            Self::FrequencyFirst(oscillator) => {
-                let [amplitude, frequency] = oscillator.parameters();
-                [frequency, amplitude]
-            }
-        }
-    }
-
-    fn with_parameters(&self, [primary, secondary]: [f64; 2]) -> Self {
-        match self {
-            Self::Linear(oscillator) => Self::Linear(oscillator.with_parameters([primary, secondary])),
-            Self::Varying(oscillator) => Self::Varying(oscillator.with_parameters([primary, secondary])),
-            Self::FrequencyFirst(oscillator) => {
-                Self::FrequencyFirst(oscillator.with_parameters([secondary, primary]))
-            }
-        }
-    }
-
-    fn forcing_frequency(&self) -> ParameterJet {
-        match self {
-            Self::Linear(oscillator) => oscillator.forcing_frequency(),
-            Self::Varying(oscillator) => oscillator.forcing_frequency(),
-            Self::FrequencyFirst(oscillator) => {
-                let mut jet = oscillator.forcing_frequency();
-                jet.gradient.swap_rows(0, 1);
-                jet.hessian.swap_rows(0, 1);
-                jet.hessian.swap_columns(0, 1);
-                jet
-            }
-        }
-    }
-
-    fn acceleration(&self, state: State) -> f64 {
-        match self {
-            Self::Linear(oscillator) => oscillator.acceleration(state),
-            Self::Varying(oscillator) | Self::FrequencyFirst(oscillator) => oscillator.acceleration(state),
-        }
-    }
-
-    fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet {
-        match self {
-            Self::Linear(oscillator) => oscillator.flow::<ORDER>(from, duration),
-            Self::Varying(oscillator) => oscillator.flow::<ORDER>(from, duration),
-            Self::FrequencyFirst(oscillator) => {
-                let mut jet = oscillator.flow::<ORDER>(from, duration);
-                jet.jacobian.swap_columns(4, 5);
-                let exchange = |hessian: &mut Matrix6<f64>| {
-                    hessian.swap_rows(4, 5);
-                    hessian.swap_columns(4, 5);
-                };
-                jet.hessians.iter_mut().for_each(exchange);
-                jet
-            }
-        }
-    }
-
-    fn reset<const ORDER: usize>(&self, velocity: f64, phase: f64) -> MapJet {
-        match self {
-            Self::Linear(oscillator) => oscillator.reset::<ORDER>(velocity, phase),
-            Self::Varying(oscillator) => oscillator.reset::<ORDER>(velocity, phase),
-            Self::FrequencyFirst(oscillator) => {
-                let mut jet = oscillator.reset::<ORDER>(velocity, phase);
-                jet.jacobian.swap_columns(2, 3);
-                for hessian in &mut jet.hessians {
-                    hessian.swap_rows(2, 3);
-                    hessian.swap_columns(2, 3);
-                }
-                jet
-            }
-        }
-    }
-
-    fn motion(&self, from: State) -> LinearMotion {
-        match self {
-            Self::Linear(oscillator) => oscillator.motion(from),
-            Self::Varying(oscillator) | Self::FrequencyFirst(oscillator) => oscillator.motion(from),
-        }
-    }
-}
-
-/// Why something could not be computed.
-pub(crate) type Failure = Box<dyn Error + Send + Sync>;
-
-/// A specimen at grazing.
-pub(crate) type Grazing = GrazingOrbit<Specimen>;
-
-/// The linear oscillator with (ζ, ε, ω) at grazing.
-fn linear(zeta: f64, epsilon: f64, omega: f64) -> Result<Grazing, Failure> {
-    let grazing = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
-    let oscillator = LinearOscillator::new(zeta, epsilon, grazing.amplitude(), omega)?;
-    Ok(GrazingOrbit::find(&Specimen::Linear(oscillator), grazing.phase())?)
-}
-
-/// The oscillator with a varying reset law at grazing.
-fn varying(
-    zeta: f64,
-    omega: f64,
-    delay: Exponential,
-    kind: fn(VaryingReset) -> Specimen,
-) -> Result<Grazing, Failure> {
-    let grazing = grazing_theorems::LinearOscillator::new(zeta, RESTITUTION.size)?.grazing(omega)?;
-    let oscillator: Result<_, OscillatorError> =
-        VaryingReset::new(zeta, RESTITUTION, delay, [grazing.amplitude(), omega]);
-    Ok(GrazingOrbit::find(&kind(oscillator?), grazing.phase())?)
-}
-
-/// The specimens at grazing: three of each kind. α > 0 for all, a₁₂ > 0 for six and a₁₂ < 0 for three of them, and no p ≤ 4 is
-/// near its resonance: |S_p| > 0.1 r^(p−1).
+/// The specimens at grazing: three with Φ = ε and Ψ = 0, three whose reset law varies, three of these with the frequency as μ, and
+/// three with a force that is not linear, two of them with real eigenvalues.
+///
+/// α > 0 for all, a₁₂ and β of either sign, and no p ≤ 4 is near its resonance: |S_p| > 0.1 r^(p−1).
 pub(crate) fn specimens() -> Result<Vec<Grazing>, Failure> {
-    Ok(vec![
-        linear(0.1, 0.8, 0.83)?,
-        linear(0.03, 0.9, 0.87)?,
-        linear(0.2, 0.5, 1.7)?,
-        varying(0.05, 0.84, DELAY, Specimen::Varying)?,
-        varying(0.12, 1.4, DELAY, Specimen::Varying)?,
-        varying(0.02, 0.9, DELAY, Specimen::Varying)?,
-        varying(0.08, 0.78, DELAY, Specimen::FrequencyFirst)?,
-        varying(0.06, 0.9, DELAY, Specimen::FrequencyFirst)?,
-        varying(0.1, 1.3, DELAY, Specimen::FrequencyFirst)?,
-    ])
+    let all = [
+        (Law::linear(0.1, 0.8), 0.83),
+        (Law::linear(0.03, 0.9), 0.87),
+        (Law::linear(0.2, 0.5), 1.7),
+        (Law::varying(0.05), 0.84),
+        (Law::varying(0.12), 1.4),
+        (Law::varying(0.02), 0.9),
+        (Law::varying(0.08).frequency_first(), 0.78),
+        (Law::varying(0.06).frequency_first(), 0.9),
+        (Law::varying(0.1).frequency_first(), 1.3),
+        (Law::nonlinear(0.05), 0.95),
+        (Law::nonlinear(0.1).frequency_first(), 1.35),
+        (Law::nonlinear(0.15).frequency_first(), 1.25),
+    ];
+    all.into_iter().map(|(law, frequency)| Ok(law.grazing(frequency)?)).collect()
 }
 
 /// Specimens with Ψ so large that α < 0.
 pub(crate) fn delayed() -> Result<Vec<Grazing>, Failure> {
     let delay = Exponential { size: 6.0, ..DELAY };
-    Ok(vec![varying(0.05, 0.8, delay, Specimen::Varying)?, varying(0.12, 1.4, delay, Specimen::Varying)?])
+    let all = [(Law::varying(0.05), 0.8), (Law::varying(0.12), 1.4), (Law::nonlinear(0.05), 0.95)];
+    all.into_iter().map(|(law, frequency)| Ok(Law { delay, ..law }.grazing(frequency)?)).collect()
 }
 
 /// First-order data of a global map with (τ, δ) in the trapesium and entries of order one; a₁₂ of either sign.

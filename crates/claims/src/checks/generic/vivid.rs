@@ -6,21 +6,21 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
 use grazing_model::maps::{discontinuity_map, global_iterate, global_map, virtual_map};
 use grazing_model::motion::local_maxima;
-use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::GenericGrazing;
-use nalgebra::Vector2;
+use nalgebra::{Matrix2, Vector2};
 
-use super::determinants::printed_matrices;
 use super::maps::integrated;
-use super::specimens::{Failure, Grazing, Specimen, delayed, directions, specimens, uniform_order};
-use crate::outcome::CheckResult;
+use super::specimens::{delayed, directions, specimens, uniform_order};
+use crate::checks::main_results::simulation::returns;
+use crate::outcome::{CheckResult, Failure};
 use crate::sampling::Sampler;
+use crate::specimen::{Grazing, Specimen};
 use crate::tally::{Deviations, Smallest, Votes};
 
 /// The equations of p-loop MPSs of a specimen.
 pub(super) fn equations(grazing: &Grazing, p: u32) -> LoopEquations<Specimen> {
-    LoopEquations::new(*grazing.oscillator(), p, Formulation::Vivid)
+    LoopEquations::new(grazing.oscillator().clone(), p, Formulation::Vivid)
 }
 
 /// The point (y, z; μ) with z and μ counted from grazing.
@@ -88,22 +88,7 @@ pub(crate) fn visits() -> CheckResult {
         }
     }
     // Times of maxima are known to the rounding of the velocity.
-    Ok(deviations.outcome(1e-12, "visits of the admissible MPSs of eleven oscillators, p = 2 to 4"))
-}
-
-/// Whether the orbit from an impact has its next impact there again, p forcing periods later.
-fn returns(oscillator: &Specimen, p: u32, velocity: f64, phase: f64) -> bool {
-    let horizon = (f64::from(p) + 0.5) * oscillator.forcing_period();
-    let recoil = oscillator.reset::<1>(velocity, phase).value;
-    let lag = (recoil[1] - phase) / oscillator.forcing_frequency().value;
-    let Some(flight) = Orbit::new(oscillator, State::on_wall(velocity, phase), horizon, 10).next() else {
-        return false;
-    };
-    let turns = f64::from(p) * oscillator.forcing_period();
-    // Velocities down to 10⁻⁴, which magnify roundings of the position.
-    let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
-    matches!(flight.end, FlightEnd::Impact(state) if near(state.velocity, velocity))
-        && near(flight.duration + lag, turns)
+    Ok(deviations.outcome(1e-12, "visits of the admissible MPSs of fifteen oscillators, p = 2 to 4"))
 }
 
 /// Zeros of V are MPSs: the simulated orbit has its next impact where it started, p periods later; from other points, and on
@@ -111,14 +96,17 @@ fn returns(oscillator: &Specimen, p: u32, velocity: f64, phase: f64) -> bool {
 pub(crate) fn zeros_are_orbits() -> CheckResult {
     let mut votes = Votes::default();
     for (grazing, p, point) in admissible()? {
-        let oscillator = equations(&grazing, p).oscillator_at(&point);
-        votes.see(point[0] > 0.0 && returns(&oscillator, p, point[0], point[1]));
-        votes.see(!returns(&oscillator, p, point[0] * 1.001, point[1]));
+        let equations = equations(&grazing, p);
+        let oscillator = equations.oscillator_at(&point);
+        let mut beside = point;
+        beside[0] *= 1.001;
+        votes.see(point[0] > 0.0 && returns(&oscillator, &equations.solution(&point).0));
+        votes.see(!returns(&oscillator, &equations.solution(&beside).0));
         let mu = point[2] - grazing.oscillator().parameters()[0];
         votes.see(zero(&grazing, p, -mu).is_some_and(|other| other[0] < 0.0));
     }
     Ok(votes.outcome(
-        "MPSs near grazing of eleven oscillators, p = 1 to 4, points beside them and on the other side",
+        "MPSs near grazing of fifteen oscillators, p = 1 to 4, points beside them and on the other side",
     ))
 }
 
@@ -135,7 +123,7 @@ pub(crate) fn fixed_points() -> CheckResult {
     }
     // Newton's method for V and P_disc's for y, each with roundings of phases, p times.
     Ok(deviations
-        .outcome(1e-13, "MPSs near grazing of eleven oscillators, p = 1 to 4: the deviation times y"))
+        .outcome(1e-13, "MPSs near grazing of fifteen oscillators, p = 1 to 4: the deviation times y"))
 }
 
 /// eq:V: V against numerical integration of the way from the impact and of the way from the recoil, return by return.
@@ -170,7 +158,7 @@ pub(crate) fn composition() -> CheckResult {
         }
     }
     // The integration's error, of fourth order in steps of 0.01, after four returns.
-    Ok(deviations.outcome(1e-8, "points near grazing, y of either sign, nine oscillators, p = 1 to 4"))
+    Ok(deviations.outcome(1e-8, "points near grazing, y of either sign, twelve oscillators, p = 1 to 4"))
 }
 
 /// V is twice differentiable across y = 0.
@@ -192,7 +180,7 @@ pub(crate) fn smooth_across_tangency() -> CheckResult {
         }
     }
     // The next term is of relative size h² < 10⁻³.
-    Ok(orders.order(1.0, 0.1, "nine oscillators, p = 1 to 3"))
+    Ok(orders.order(1.0, 0.1, "twelve oscillators, p = 1 to 3"))
 }
 
 /// V(0, z_graz; 0) = 0.
@@ -206,7 +194,7 @@ pub(crate) fn vanishes_at_grazing() -> CheckResult {
         }
     }
     // Six returns with the rounding of a phase each.
-    Ok(deviations.outcome(1e-13, "nine oscillators, p = 1 to 6"))
+    Ok(deviations.outcome(1e-13, "twelve oscillators, p = 1 to 6"))
 }
 
 /// The derivatives of V at grazing in (y, z, μ), from the derivatives of the maps.
@@ -226,6 +214,10 @@ pub(crate) fn jacobians() -> CheckResult {
     for grazing in specimens()? {
         for p in 1..=4 {
             let exact = derivatives(&grazing, p)?;
+            let stated = grazing.grazing_point().vivid_linearisation(p);
+            let by_impact = Matrix2::from_columns(&[exact[0], exact[1]]);
+            let gap = (stated.by_impact - by_impact).amax().max((stated.by_parameter - exact[2]).amax());
+            deviations.see(gap / (1.0 + by_impact.amax() + exact[2].amax()));
             let equations = equations(&grazing, p);
             for (axis, expected) in exact.iter().enumerate() {
                 let vivid = |sign: f64| {
@@ -242,7 +234,7 @@ pub(crate) fn jacobians() -> CheckResult {
         }
     }
     // Third derivatives up to some hundreds times the step squared, and rounding over the step.
-    Ok(deviations.outcome(1e-7, "three derivatives at grazing of nine oscillators, p = 1 to 4"))
+    Ok(deviations.outcome(1e-7, "three derivatives at grazing of twelve oscillators, p = 1 to 4"))
 }
 
 /// Expansions of V, a component each.
@@ -252,19 +244,20 @@ fn expansion(seed: u64, component: usize) -> CheckResult {
     for grazing in specimens()? {
         let data = grazing.grazing_point();
         for p in 1..=4 {
-            let (j, k) = printed_matrices(&data, p);
+            let stated = data.vivid_linearisation(p);
             let equations = equations(&grazing, p);
             orders.see(uniform_order(&directions::<3>(&mut sampler, 4), |[dy, dz, dmu], h| {
                 let point = unknowns(&grazing, h * dy, h * dz, h * dmu);
                 let (vivid, _) = equations.pair::<1>(&point, &mut Memory::default()).ok()?.difference();
-                let linear = j * Vector2::new(h * dy, h * dz) + k.column(1) * (h * dmu);
+                let linear =
+                    stated.by_impact * Vector2::new(h * dy, h * dz) + stated.by_parameter * (h * dmu);
                 // A phase's rounding for each return.
                 Some((vivid[component] - linear[component], 2e-15 * f64::from(p + 1)))
             }));
         }
     }
     // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
-    Ok(orders.order(2.0, 0.1, "nine oscillators, p = 1 to 4, seven directions in (y, z, μ) at once"))
+    Ok(orders.order(2.0, 0.1, "twelve oscillators, p = 1 to 4, seven directions in (y, z, μ) at once"))
 }
 
 /// eq:V1.

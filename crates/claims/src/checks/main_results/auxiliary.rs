@@ -2,24 +2,23 @@
 
 use core::f64::consts::PI;
 
-use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
-use grazing_model::LinearOscillator;
-use grazing_theorems::GenericGrazing;
+use grazing_model::ImpactOscillator;
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::auxiliary::{
-    admissibility_sum, lucas_sequence, resonance_boundary, scaled_visit_position,
+    admissibility_sum, detuning, lucas_sequence, resonance_boundary, scaled_visit_position,
 };
-use nalgebra::{Complex, Matrix2};
+use grazing_theorems::hypothesis::Quantity;
+use grazing_theorems::{GenericGrazing, Side};
+use nalgebra::Matrix2;
 
-use super::simulation::returns;
+use super::theorems::general::side_of_orbit;
 use crate::convergence::order;
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 use crate::printed::printed;
 use crate::sampling::{Sampler, smallest};
+use crate::specimen::{Exponential, Law, damping_for_decay};
+use crate::sweep::generic::Existence;
 use crate::tally::{Deviations, Smallest, Votes};
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// eq:gp: at τ = g_p(δ) the (1, 2) entry of Aᵖ vanishes, also for p between integers in the sense of S_p(τ) = 0 at the
 /// integer; for larger τ it has the sign of a₁₂.
@@ -45,38 +44,6 @@ pub(super) fn resonance_boundary_is_a_zero() -> CheckResult {
     }
     // Powers of a matrix of norm two in fifteen steps, of which the entry is what cancellation leaves.
     Ok(largest.outcome(1e-12, "p up to 15 and random A with τ = g_p(δ), and with τ above it"))
-}
-
-/// eq:Hp: the double sum in complex arithmetic against the recurrence.
-pub(super) fn admissibility_sum_is_the_double_sum() -> CheckResult {
-    let mut sampler = Sampler::new(32);
-    let mut largest = Deviations::default();
-    for _ in 0..2000 {
-        let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 8, 10, 12]);
-        let (tau, delta) = sampler.trapesium();
-        let delta = delta.max(0.05);
-        let discriminant = tau * tau - 4.0 * delta;
-        let root = match discriminant.abs().sqrt() {
-            root if discriminant < 0.0 => Complex::new(0.0, root),
-            root => Complex::new(root, 0.0),
-        };
-        let [first, second] = [root, -root].map(|root| (Complex::new(tau, 0.0) + root) * 0.5);
-        let power = |base: Complex<f64>, exponent: u32| {
-            (0..exponent).fold(Complex::new(1.0, 0.0), |product, _| product / base)
-        };
-        let (mut sum, mut size) = (Complex::new(0.0, 0.0), 0.0);
-        for j in 1..p {
-            for k in 1..=j {
-                let term = power(first, j - k) * power(second, k - 1);
-                size += term.norm_sqr().sqrt();
-                sum += term;
-            }
-        }
-        largest.compare(sum.re, admissibility_sum(p, tau, delta), size);
-        largest.see(sum.im.abs() / size);
-    }
-    // Sixty terms of a dozen factors; eigenvalues near the double one lose digits that their sums keep.
-    Ok(largest.outcome(1e-13, "points of the trapesium, p = 2 to 12"))
 }
 
 /// δ^{(p−2)/2} H_p, which neither over- nor underflows.
@@ -183,41 +150,22 @@ pub(super) fn star() -> CheckResult {
         let inside = admissibility_boundary(p, delta)? < tau && tau < resonance_boundary(f64::from(p), delta);
         cases.see(inside == (3..=5).contains(&p));
     }
+    let orbit = Law::linear(printed("zeta")?, printed("epsilon")?).grazing(printed("fig02_frequency")?)?;
     for p in 1..=5 {
-        let side = GenericGrazing::check(&grazing.grazing_point(), p)?.side().signum();
-        cases.see((side > 0.0) == (p <= 2));
-        cases.see(emerges(&grazing, p, side)?);
-        cases.see(!emerges(&grazing, p, -side)?);
+        let side = GenericGrazing::check(&orbit.grazing_point(), p)?.side();
+        cases.see((side == Side::Positive) == (p <= 2));
+        cases.see(side_of_orbit(&orbit, p)? == Existence::On(side));
     }
     Ok(cases.outcome("p = 2 to 40 at the star; p = 1 to 5 in the hybrid system on both sides of grazing"))
 }
 
-/// Whether an admissible p-loop MPS is seen in the hybrid system close to grazing on this side of it.
-fn emerges(grazing: &grazing_theorems::GrazingState, loops: u32, side: f64) -> Result<bool, Failure> {
-    let theory = grazing.oscillator();
-    let omega = grazing.forcing_frequency();
-    let (zeta, epsilon) = (theory.damping_ratio(), theory.coefficient_of_restitution());
-    let orbit = grazing.grazing_point().emerging_orbit(loops)?;
-    // An impact velocity so small that the expansion is a good start even close to a resonance.
-    let mu = side * 2e-4 / orbit.impact_velocity_slope.abs();
-    let oscillator = LinearOscillator::new(zeta, epsilon, grazing.amplitude() + mu, omega)?;
-    let equations = LoopEquations::new(oscillator, loops, Formulation::Vivid);
-    let start = Unknowns::new(
-        orbit.impact_velocity_slope * mu,
-        grazing.phase() + orbit.impact_phase_slope * mu,
-        grazing.amplitude() + mu,
-        omega,
-    );
-    let conditions = [Condition::Primary(start[2]), Condition::Secondary(omega)];
-    let zero = locate(&equations, conditions, start, &mut Memory::default())?;
-    let solution = equations.solution(&zero).0;
-    Ok(solution.admissible() && returns(&equations.oscillator_at(&zero), &solution))
-}
-
 /// p-loop MPSs with τ < h_p(δ) exist near δ = 1 for p = 5 and from p = 7 on, and not for p = 3, 4 and 6: by the signs of
-/// all u⁽ʲ⁾ over a grid of the trapesium, and for those that exist in a simulated oscillator.
+/// all u⁽ʲ⁾ over a grid of the trapesium, and for those that exist in a simulated oscillator. They exist for p = 2 too, where
+/// h₂ = −2√δ and u⁽¹⁾ = −1; that takes real eigenvalues, which the linear oscillator does not have.
 pub(super) fn beyond_the_boundary() -> CheckResult {
-    let mut cases = Votes::default();
+    let (mut cases, mut printed) = (Votes::default(), Votes::default());
+    printed.see(!two_loops_below_the_boundary()?);
+    cases.see(two_loops_below_the_boundary()?);
     for p in 3..=14 {
         let mut found: Option<(f64, f64)> = None;
         for delta in [0.3, 0.7, 0.9, 0.97, 0.999] {
@@ -236,11 +184,37 @@ pub(super) fn beyond_the_boundary() -> CheckResult {
             }
         }
         cases.see(found.is_some() == (p == 5 || p >= 7));
+        printed.see(found.is_some() == (p == 5 || p >= 7));
         if let Some((tau, delta)) = found {
             cases.see(beyond_in_simulation(p, tau, delta)?);
         }
     }
-    Ok(cases.outcome("p = 3 to 14 on grids of the trapesium, and an oscillator for each p found"))
+    let over = "p = 2 to 14, p ≥ 3 on grids of the trapesium, and an oscillator for each p found";
+    Ok(cases.outcome(over).against_print(printed.measure()))
+}
+
+/// Whether an oscillator with τ ≤ −2√δ has a two-loop MPS on the side of βκ₂, as for larger τ.
+///
+/// Beside a p = 1 resonance of a force that is not linear, a₁₂ = 0, the eigenvalues are near a₁₁ ≠ a₂₂, both negative for n = 1.
+fn two_loops_below_the_boundary() -> Result<bool, Failure> {
+    let law = Law { delay: Exponential::constant(0.0), ..Law::nonlinear(damping_for_decay(1, 1, 0.5)) };
+    let resonance = law.resonance(1, 1, false)?;
+    let [_, omega] = resonance.orbit().oscillator().parameters();
+    // To that side on which a₁₂ > 0.
+    let off = libm::copysign(1e-3, resonance.resonant_point().unfolding.derivative());
+    let orbit = law.grazing(omega * (1.0 + off))?;
+    let point = orbit.grazing_point();
+    let (tau, delta) = (point.map.trace(), point.map.determinant());
+    let only_the_margin = match GenericGrazing::check(&point, 2) {
+        Ok(_) => false,
+        Err(violated) => violated.violated().map(|one| one.quantity).eq([Quantity::AdmissibilityMargin]),
+    };
+    let stated = if point.map.transversality() * detuning(2, tau, delta) > 0.0 {
+        Side::Positive
+    } else {
+        Side::Negative
+    };
+    Ok(only_the_margin && side_of_orbit(&orbit, 2)? == Existence::On(stated))
 }
 
 /// Whether the linear oscillator with this trace and determinant has a p-loop MPS near grazing, one side or the other.
@@ -249,8 +223,8 @@ fn beyond_in_simulation(p: u32, tau: f64, delta: f64) -> Result<bool, Failure> {
     let turns = 1.0 + libm::acos(0.5 * tau / delta.sqrt()) / (2.0 * PI);
     let ratio = -libm::log(delta) / (4.0 * PI * turns);
     let zeta = ratio / (1.0 + ratio * ratio).sqrt();
-    let theory = grazing_theorems::LinearOscillator::new(zeta, 0.7)?;
-    let grazing = theory.grazing(theory.damped_natural_frequency() / turns)?;
-    let below = grazing.trace() < admissibility_boundary(p, grazing.determinant())?;
-    Ok(below && (emerges(&grazing, p, 1.0)? || emerges(&grazing, p, -1.0)?))
+    let orbit = Law::linear(zeta, 0.7).grazing((1.0 - zeta * zeta).sqrt() / turns)?;
+    let map = orbit.grazing_point().map;
+    let below = map.trace() < admissibility_boundary(p, map.determinant())?;
+    Ok(below && matches!(side_of_orbit(&orbit, p)?, Existence::On(_)))
 }

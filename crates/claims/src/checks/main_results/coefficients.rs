@@ -7,17 +7,15 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Memory, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
+use grazing_theorems::LinearisedMap;
 use grazing_theorems::from_map::GrazingOrbit;
-use grazing_theorems::{LinearisedMap, ResonantPoint};
 
 use super::returns::derivative as difference;
-use super::specimen::Specimen;
 use crate::convergence::order;
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 use crate::sampling::Sampler;
+use crate::specimen::{Law, Specimen};
 use crate::tally::{Deviations, Smallest};
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// A resonance of an oscillator without pattern, located numerically.
 pub(super) struct Resonant {
@@ -30,12 +28,9 @@ pub(super) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Resonant,
     loop {
         let loops = sampler.one_of(loops);
         let zeta = sampler.between(0.01, 0.15);
-        let law = Specimen::random_law(sampler);
-        let theory = grazing_theorems::LinearOscillator::new(zeta, 1.0)?;
-        // For p = 1 and n = 1 the frequency is twice the natural one.
-        let closed = theory.resonance(loops, sampler.one_of(&[1, 2]))?;
-        let (specimen, phase) = Specimen::grazing(zeta, closed.forcing_frequency(), law)?;
-        let Ok(point) = ResonantGrazingPoint::find(&specimen, loops, phase) else {
+        let law = Law::random(sampler, zeta);
+        // For p = 1 and n = 1 the frequency is about twice the natural one.
+        let Ok(point) = law.resonance(loops, sampler.one_of(&[1, 2]), false)?.checked() else {
             continue;
         };
         let stability = point.resonant_point().stability_coefficients();
@@ -60,13 +55,13 @@ fn on_branch(resonance: &ResonantGrazingPoint<Specimen>, velocity: f64) -> Optio
 }
 
 /// s^± as limits of T − D − 1 and T + D + 1 on the branch at η = 0, with T and D of numerical orbits.
-fn stability(seed: u64, loops: &[u32], formula: fn(&ResonantPoint) -> [f64; 2]) -> Result<Smallest, Failure> {
+fn stability(seed: u64, loops: &[u32]) -> Result<Smallest, Failure> {
     let mut sampler = Sampler::new(seed);
     let mut least = Smallest::default();
-    for _ in 0..60 {
+    for _ in 0..30 {
         let Resonant { point: resonance } = resonant(&mut sampler, loops)?;
-        let stated = formula(resonance.resonant_point());
-        for (stated, sign) in stated.into_iter().zip([1.0, -1.0]) {
+        let stated = resonance.resonant_point().stability_coefficients();
+        for (stated, sign) in [(stated.plus, 1.0), (stated.minus, -1.0)] {
             least.see_resolved(order(|velocity| {
                 let found = on_branch(&resonance, velocity)?;
                 let multipliers = resonance.equations().solution(&found).0.multipliers;
@@ -81,44 +76,29 @@ fn stability(seed: u64, loops: &[u32], formula: fn(&ResonantPoint) -> [f64; 2]) 
 
 /// eq:c1.
 pub(super) fn stability_one_loop() -> CheckResult {
-    let least = stability(61, &[1], |point| {
-        let map = &point.grazing.map;
-        let curvature = curvature(point) / (1.0 - map.a.m22);
-        let phi = point.grazing.phi * point.grazing.phi;
-        [1.0, -1.0].map(|sign| (1.0 - sign * map.a.m22) * (map.a.m11 * phi - sign) + curvature)
-    })?;
     // Slack for the term of second order at the smallest resolved velocities.
-    Ok(least.order(1.0, 0.3, "resonances p = 1 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0"))
+    Ok(stability(61, &[1])?.order(
+        1.0,
+        0.3,
+        "resonances p = 1 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0",
+    ))
 }
 
 /// eq:cp.
 pub(super) fn stability_many_loops() -> CheckResult {
-    let least = stability(62, &[2, 3, 4], |point| {
-        let power = libm::pow(point.grazing.map.determinant(), 0.5 * f64::from(point.loops()));
-        let curvature = curvature(point) / (1.0 + power);
-        let phi = point.grazing.phi * point.grazing.phi;
-        [1.0, -1.0].map(|sign| (1.0 + sign * power) * (-power * phi - sign) + curvature)
-    })?;
+    let over = "resonances p = 2, 3, 4 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0";
     // Slack as for one loop.
-    Ok(least.order(1.0, 0.3, "resonances p = 2, 3, 4 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0"))
+    Ok(stability(62, &[2, 3, 4])?.order(1.0, 0.3, over))
 }
 
-/// α²ω²ξ_p/γ.
-fn curvature(point: &ResonantPoint) -> f64 {
-    let alpha_omega = point.grazing.alpha() * point.grazing.forcing_frequency;
-    alpha_omega * alpha_omega * point.second_phase_derivative / point.grazing.gamma
-}
-
-/// c_SN and c_PD by the printed formulas against the limits of μ/η² on continued curves.
-fn fitted(seed: u64, loops: &[u32], saddle_node: fn(&ResonantPoint) -> f64) -> Result<Deviations, Failure> {
+/// c_SN and c_PD against the limits of μ/η² on continued curves.
+fn fitted(seed: u64, loops: &[u32]) -> Result<Deviations, Failure> {
     let mut sampler = Sampler::new(seed);
     let mut largest = Deviations::default();
-    for _ in 0..40 {
+    for _ in 0..20 {
         let Resonant { point: resonance } = resonant(&mut sampler, loops)?;
         let point = resonance.resonant_point();
-        let sn = saddle_node(point);
-        let ratio = point.stability_coefficients().plus / point.stability_coefficients().minus;
-        let pd = ratio * (2.0 - ratio) * sn;
+        let (sn, pd) = (point.saddle_node_coefficient(), point.period_doubling_coefficient());
         for (condition, stated) in [(Condition::SADDLE_NODE, sn), (Condition::PERIOD_DOUBLING, pd)] {
             let measured = quadratic_coefficient(&resonance, condition)?;
             largest.compare(measured.value, stated, stated.abs().max(sn.abs()));
@@ -133,40 +113,21 @@ const FIT: f64 = 5e-5;
 
 /// eq:coeffs1.
 pub(super) fn curves_one_loop() -> CheckResult {
-    let largest = fitted(63, &[1], |point| {
-        let grazing = &point.grazing;
-        let slope = grazing.alpha() * grazing.forcing_frequency * point.unfolding.derivative();
-        slope * slope
-            / (2.0 * grazing.map.transversality() * grazing.gamma * point.stability_coefficients().plus)
-    })?;
-    Ok(largest.outcome(FIT, "c_SN and c_PD at resonances p = 1 with ψ ≠ 0, against fits to continued curves"))
+    let over = "c_SN and c_PD at resonances p = 1 with ψ ≠ 0, against fits to continued curves";
+    Ok(fitted(63, &[1])?.outcome(FIT, over))
 }
 
 /// eq:coeffsp.
 pub(super) fn curves_many_loops() -> CheckResult {
-    let largest = fitted(64, &[2, 3, 4], |point| {
-        let (grazing, map) = (&point.grazing, &point.grazing.map);
-        let (tau, delta, p) = (map.trace(), map.determinant(), f64::from(point.loops()));
-        let sine = libm::sin(PI / p);
-        let numerator = p
-            * map.a.m12
-            * grazing.alpha()
-            * grazing.forcing_frequency
-            * libm::pow(delta, 0.5 * p - 1.0)
-            * point.unfolding.derivative();
-        let quotient = numerator / (2.0 * sine * sine * (1.0 + libm::pow(delta, 0.5 * p)));
-        quotient * quotient * (delta - tau + 1.0)
-            / (2.0 * map.transversality() * grazing.gamma * point.stability_coefficients().plus)
-    })?;
-    Ok(largest
-        .outcome(FIT, "c_SN and c_PD at resonances p = 2, 3, 4 with ψ ≠ 0, against fits to continued curves"))
+    let over = "c_SN and c_PD at resonances p = 2, 3, 4 with ψ ≠ 0, against fits to continued curves";
+    Ok(fitted(64, &[2, 3, 4])?.outcome(FIT, over))
 }
 
 /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
 pub(super) fn unfolding_derivatives() -> CheckResult {
     let mut sampler = Sampler::new(65);
     let mut largest = Deviations::default();
-    for _ in 0..60 {
+    for _ in 0..30 {
         let Resonant { point: resonance } = resonant(&mut sampler, &[1, 2, 3, 4])?;
         let (orbit, loops) = (resonance.orbit(), resonance.loops());
         let [primary, eta] = orbit.oscillator().parameters();

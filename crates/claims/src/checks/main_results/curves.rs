@@ -7,10 +7,10 @@ use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
 
 use super::coefficients::{Resonant, resonant};
-use super::specimen::Specimen;
 use crate::convergence::order;
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::specimen::Specimen;
 use crate::tally::{Smallest, Votes};
 
 /// The point of the SN or PD curve with this impact velocity, if it exists.
@@ -41,7 +41,7 @@ pub(super) fn unfolded(resonance: &ResonantGrazingPoint<Specimen>, point: &Unkno
 fn remainder(seed: u64, loops: &[u32], condition: Condition) -> CheckResult {
     let mut sampler = Sampler::new(seed);
     let mut least = Smallest::default();
-    for _ in 0..40 {
+    for _ in 0..20 {
         let Resonant { point: resonance } = resonant(&mut sampler, loops)?;
         let theorem = resonance.theorem();
         let curve = if condition == Condition::SADDLE_NODE {
@@ -87,7 +87,7 @@ pub(super) fn period_doubling_many_loops() -> CheckResult {
 pub(super) fn crossing() -> CheckResult {
     let mut sampler = Sampler::new(75);
     let mut cases = Votes::default();
-    for _ in 0..60 {
+    for _ in 0..30 {
         let Resonant { point: resonance } = resonant(&mut sampler, &[1, 2, 3])?;
         for condition in [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING] {
             // Small against the velocities of order one at which curves end.

@@ -8,14 +8,12 @@ use grazing_model::LinearOscillator;
 use grazing_model::maps::discontinuity_map;
 
 use super::simulation::{attracts, returns};
-use super::specimen::Specimen;
 use crate::convergence::order;
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 use crate::printed::printed;
 use crate::sampling::Sampler;
+use crate::specimen::Law;
 use crate::tally::{Smallest, Votes};
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// The branch of p-loop MPSs that leaves the grazing bifurcation of Figure 2, with its equations and 𝒜_graz.
 fn branch(loops: u32) -> Result<(LoopEquations<LinearOscillator>, Curve, f64), Failure> {
@@ -99,7 +97,7 @@ pub(super) fn singular_jacobian() -> CheckResult {
     let mut sampler = Sampler::new(83);
     let mut least = Smallest::default();
     for _ in 0..100 {
-        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
         let point = orbit.grazing_point();
         let limit = -point.alpha() * point.forcing_frequency / (2.0 * point.gamma).sqrt();
         least.see_resolved(order(|h| {

@@ -9,24 +9,23 @@ use grazing_theorems::auxiliary::detuning;
 use nalgebra::Matrix2;
 
 use super::returns::derivative as difference;
-use super::specimen::Specimen;
 use crate::convergence::order;
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
+use crate::specimen::Law;
 use crate::tally::{Deviations, Smallest, Votes};
 
 /// eq:alpha: z⁽⁰⁾ − ẑ = −α ω√(2x̂/γ) + O(x̂) along P_disc of an oscillator with ψ ≠ 0.
 pub(super) fn square_root_factor() -> CheckResult {
     let mut sampler = Sampler::new(41);
     let mut least = Smallest::default();
-    for _ in 0..200 {
-        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+    for _ in 0..60 {
+        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
         let point = orbit.grazing_point();
-        let alpha = 1.0 + point.phi - point.gamma * point.psi / point.forcing_frequency;
         // The size is √x̂, so that the remainder is of second order.
         least.see_resolved(order(|h| {
             let disc = discontinuity_map::<_, 1>(orbit.oscillator(), h * h, orbit.phase()).ok()?.value;
-            let stated = -alpha * point.forcing_frequency * h * (2.0 / point.gamma).sqrt();
+            let stated = -point.alpha() * point.forcing_frequency * h * (2.0 / point.gamma).sqrt();
             // Times from 10⁻² to 10⁻⁵ are found to the rounding of phases of order one.
             Some((disc[1] - orbit.phase() - stated, 1e-14))
         }));
@@ -39,8 +38,8 @@ pub(super) fn square_root_factor() -> CheckResult {
 pub(super) fn constants() -> CheckResult {
     let mut sampler = Sampler::new(42);
     let mut largest = Deviations::default();
-    for _ in 0..300 {
-        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+    for _ in 0..100 {
+        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
         let (oscillator, point) = (orbit.oscillator(), orbit.grazing_point());
         let [recoil, phase] = difference(1e-3, |y| Ok(oscillator.reset::<1>(y, orbit.phase()).value.into()))?;
         largest.compare(-recoil, point.phi, 1.0);

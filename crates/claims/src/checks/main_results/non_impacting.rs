@@ -4,18 +4,15 @@ use grazing_model::maps::global_map;
 use grazing_model::orbit::{Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::LinearisedMap;
-use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::{Eigenvalues, in_trapesium};
 use nalgebra::{Matrix2, Vector2};
 
 use super::returns::derivative as difference;
-use super::specimen::Specimen;
 use crate::convergence::order;
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 use crate::sampling::Sampler;
+use crate::specimen::{Grazing, Law, frequency_first};
 use crate::tally::{Deviations, Smallest, Votes};
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// τ and δ are trace and determinant of the flow over one period in (x, y), the wall ignored: P_global has the multipliers
 /// of Γ.
@@ -23,7 +20,7 @@ pub(super) fn trace_and_determinant() -> CheckResult {
     let mut sampler = Sampler::new(21);
     let mut largest = Deviations::default();
     for _ in 0..500 {
-        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
         let map = orbit.grazing_point().map;
         let from = State::at_rest(0.0, orbit.phase());
         let jet = orbit.oscillator().flow::<1>(from, orbit.oscillator().forcing_period());
@@ -37,7 +34,7 @@ pub(super) fn trace_and_determinant() -> CheckResult {
 }
 
 /// The fixed point (x*, z*) of P_global at μ by Newton's method.
-fn fixed_point(orbit: &GrazingOrbit<Specimen>, mu: f64) -> Result<Vector2<f64>, Failure> {
+fn fixed_point(orbit: &Grazing, mu: f64) -> Result<Vector2<f64>, Failure> {
     let [primary, secondary] = orbit.oscillator().parameters();
     let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary]);
     let mut point = Vector2::new(0.0, orbit.phase());
@@ -55,13 +52,14 @@ fn fixed_point(orbit: &GrazingOrbit<Specimen>, mu: f64) -> Result<Vector2<f64>, 
 }
 
 /// A grazing orbit with the frequency as μ, which enters nonlinearly, away from the fold of 𝒜_graz(ω).
-fn nonlinear_orbit(sampler: &mut Sampler) -> Result<GrazingOrbit<Specimen>, Failure> {
+fn nonlinear_orbit(sampler: &mut Sampler) -> Result<Grazing, Failure> {
     loop {
-        let (specimen, phase) = Specimen::random(sampler)?;
-        let orbit = GrazingOrbit::find(&specimen, phase)?;
-        // At the fold grazing is not transversal, and Newton's method for the grazing orbit is singular.
-        if orbit.primary_slope().abs() > 0.1 {
-            return Ok(GrazingOrbit::find(&specimen.frequency_first(), phase)?);
+        let orbit = Law::random_grazing(sampler)?;
+        let map = orbit.grazing_point().map;
+        // At the fold grazing is not transversal, and Newton's method for the grazing orbit is singular; where A has the eigenvalue 1
+        // the fixed point turns back.
+        if orbit.primary_slope().abs() > 0.1 && map.determinant() - map.trace() + 1.0 > 0.2 {
+            return Ok(frequency_first(&orbit)?);
         }
     }
 }
@@ -198,7 +196,7 @@ pub(super) fn stability() -> CheckResult {
     let mut sampler = Sampler::new(27);
     let mut cases = Votes::default();
     for _ in 0..60 {
-        let orbit = Specimen::grazing_orbit(&mut sampler)?;
+        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
         let map = orbit.grazing_point().map;
         let slope = map.fixed_point_position_slope()?;
         let size = 1e-3 / slope.abs();

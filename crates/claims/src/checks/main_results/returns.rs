@@ -1,12 +1,11 @@
 //! P_global without Newton's method or jets: the maxima of x in a free motion, found by the search of `motion`.
 
+use crate::outcome::Failure;
 use core::f64::consts::TAU;
 
 use grazing_model::motion::local_maxima;
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::Vector2;
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// The image of (x, z) under P_global: the local maximum of x nearest to one forcing period later.
 pub(crate) fn returned<O: ImpactOscillator>(

@@ -6,10 +6,10 @@ use grazing_model::motion::{Motion, first_crossing, highest_maximum};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
 
-use super::specimen::Specimen;
 use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
 use crate::sampling::{Sampler, smallest};
+use crate::specimen::Law;
 use crate::tally::{Deviations, Smallest, Votes};
 
 /// A state on the free side of the wall, without pattern.
@@ -25,8 +25,9 @@ fn state(sampler: &mut Sampler) -> State {
 pub(super) fn equation_of_motion() -> CheckResult {
     let mut sampler = Sampler::new(1);
     let mut least = Smallest::default();
-    for _ in 0..200 {
-        let (oscillator, _) = Specimen::random(&mut sampler)?;
+    for _ in 0..60 {
+        let orbit = Law::random_grazing(&mut sampler)?;
+        let oscillator = orbit.oscillator();
         let from = state(&mut sampler);
         let force = oscillator.acceleration(from);
         let x = |time: f64| oscillator.flow::<1>(from, time).value[0];
@@ -44,9 +45,9 @@ pub(super) fn equation_of_motion() -> CheckResult {
 pub(super) fn vector_field() -> CheckResult {
     let mut sampler = Sampler::new(2);
     let mut least = Smallest::default();
-    for k in 0..200 {
-        let (oscillator, _) = Specimen::random(&mut sampler)?;
-        let oscillator = if k % 2 == 0 { oscillator } else { oscillator.frequency_first() };
+    for _ in 0..60 {
+        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+        let oscillator = orbit.oscillator();
         let from = state(&mut sampler);
         let field = [from.velocity, oscillator.acceleration(from), oscillator.forcing_frequency().value];
         let motion = oscillator.motion(from);
@@ -79,7 +80,8 @@ pub(super) fn phase() -> CheckResult {
     let mut sampler = Sampler::new(3);
     let mut largest = Deviations::default();
     for _ in 0..40 {
-        let (at_grazing, _) = Specimen::random(&mut sampler)?;
+        let orbit = Law::random_grazing(&mut sampler)?;
+        let at_grazing = orbit.oscillator();
         let [amplitude, frequency] = at_grazing.parameters();
         let oscillator = at_grazing.with_parameters([1.2 * amplitude, frequency]);
         let from = State { position: -0.5, velocity: 0.0, phase: sampler.between(0.0, TAU) };
@@ -105,8 +107,9 @@ pub(super) fn phase() -> CheckResult {
 pub(super) fn grazing_set() -> CheckResult {
     let mut sampler = Sampler::new(4);
     let mut cases = Votes::default();
-    for _ in 0..2000 {
-        let (at_grazing, _) = Specimen::random(&mut sampler)?;
+    for _ in 0..300 {
+        let orbit = Law::random_grazing(&mut sampler)?;
+        let at_grazing = orbit.oscillator();
         let [_, frequency] = at_grazing.parameters();
         // Amplitudes above 1 reach the part of the tangency set where F > 0.
         let oscillator = at_grazing.with_parameters([sampler.between(0.5, 3.0), frequency]);
@@ -129,7 +132,8 @@ pub(super) fn reset_form() -> CheckResult {
     let mut least = f64::INFINITY;
     const LAWS: usize = 40;
     for seed in 0..LAWS as u64 {
-        let (oscillator, _) = Specimen::random(&mut sampler)?;
+        let orbit = Law::random_grazing(&mut sampler)?;
+        let oscillator = orbit.oscillator();
         let (margin, _) = smallest(seed, 6, |[a, b]: [f64; 2]| {
             // Down to velocities at which only the quotient is of order one.
             let (velocity, phase) = (0.6 * a * a * a, TAU * b);
@@ -156,7 +160,8 @@ pub(super) fn reset_law() -> CheckResult {
     let mut sampler = Sampler::new(6);
     let mut largest = Deviations::default();
     for _ in 0..40 {
-        let (at_grazing, _) = Specimen::random(&mut sampler)?;
+        let orbit = Law::random_grazing(&mut sampler)?;
+        let at_grazing = orbit.oscillator();
         let [amplitude, frequency] = at_grazing.parameters();
         let oscillator = at_grazing.with_parameters([sampler.between(1.02, 1.5) * amplitude, frequency]);
         let from = State { position: -0.5, velocity: 0.0, phase: sampler.between(0.0, TAU) };

@@ -8,11 +8,9 @@ use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use nalgebra::Matrix2;
 
 use crate::convergence::order;
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 use crate::sampling::Sampler;
 use crate::tally::{Deviations, Smallest};
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// An oscillator with parameters from their whole domains, frequencies around the natural one.
 fn oscillator(sampler: &mut Sampler) -> Result<LinearOscillator, Failure> {

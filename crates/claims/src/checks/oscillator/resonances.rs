@@ -11,12 +11,10 @@ use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{GenericGrazing, GrazingState, ResonantGrazing};
 
 use crate::checks::main_results::simulation::{attracts, returns};
-use crate::outcome::CheckResult;
+use crate::outcome::{CheckResult, Failure};
 use crate::printed::{printed, printed_at_resonances};
 use crate::sampling::Sampler;
 use crate::tally::{Deviations, Votes};
-
-type Failure = Box<dyn core::error::Error + Send + Sync>;
 
 /// A function of the frequency, read off the numerical grazing orbit.
 fn measured(

@@ -1,16 +1,14 @@
 //! Z(y, η) and M(y, η): eq:ZM to the expansion of y Ψ^±.
 
 use grazing_continuation::mps::Memory;
-use grazing_model::ImpactOscillator;
 use grazing_model::maps::global_iterate;
 use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, resonance_boundary};
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Observed, Place, Symbols, directions, everywhere, largest, lowest, order,
-    remembered, scaled,
+    EVERYWHERE, Loops, Observed, Place, Symbols, deviation, directions, order, orders, remembered, scaled,
 };
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 use crate::sampling::{Sampler, smallest};
 
 /// Ratios of y and η in which points run into the resonance.
@@ -25,24 +23,19 @@ const PARAMETER: f64 = 1e-15;
 /// Rounding of P_global^p.
 const MAP: f64 = 1e-15;
 
-fn jacobian_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
-    let start = place.resonance.unknowns();
-    let pair = place.resonance.equations().pair::<1>(&start, &mut Memory::default())?;
-    let derivative = pair.difference().1;
-    let determinant = |first: usize| {
-        Matrix2::from_columns(&[derivative.column(first), derivative.column(first + 1)]).determinant()
-    };
-    let expected = place.point().grazing.parameter_jacobian_determinant_factored(place.loops());
-    Ok(vec![determinant(0).abs(), (determinant(1) - expected).abs() / (1.0 + expected.abs())])
-}
-
 /// At the resonance det J = 0 and det K is what eq:detJac2 says.
 pub(super) fn jacobians() -> CheckResult {
-    let gaps = everywhere!(Loops::Any, jacobian_gaps);
-    let largest = largest(&gaps);
     // Sums of products of some tens of roundings.
-    let measure = Measure::Deviation { largest, tolerance: 1e-11 };
-    Ok(Outcome::new(measure, gaps.len(), "derivatives of V at located resonances"))
+    deviation(Loops::Any, 1e-11, "derivatives of V at located resonances", |place| {
+        let start = place.resonance.unknowns();
+        let pair = place.resonance.equations().pair::<1>(&start, &mut Memory::default())?;
+        let derivative = pair.difference().1;
+        let determinant = |first: usize| {
+            Matrix2::from_columns(&[derivative.column(first), derivative.column(first + 1)]).determinant()
+        };
+        let expected = place.point().grazing.parameter_jacobian_determinant_factored(place.loops());
+        Ok(vec![determinant(0).abs(), (determinant(1) - expected).abs() / (1.0 + expected.abs())])
+    })
 }
 
 /// det K/β > 0 at resonance, so that K is non-singular: adversarial search over δ and p.
@@ -64,27 +57,22 @@ pub(super) fn second_jacobian_is_regular() -> CheckResult {
     ))
 }
 
-fn zero_velocity_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
-    let mut found = Vec::new();
-    for eta in [-0.03, -0.01, 0.005, 0.02] {
-        if let Some(near) = place.on_branch(0.0, eta) {
-            found.extend(near.relative().map(f64::abs));
-        }
-    }
-    Ok(found)
-}
-
 /// Z(0, η) = z_graz,η and M(0, η) = 0.
 pub(super) fn at_zero_velocity() -> CheckResult {
-    let gaps = everywhere!(Loops::Any, zero_velocity_gaps);
-    let largest = largest(&gaps);
     // Both are located to some 10⁻¹⁴; K has entries down to 0.1.
-    let measure = Measure::Deviation { largest, tolerance: 1e-12 };
-    Ok(Outcome::new(measure, gaps.len(), "zeros of V with y = 0 for η up to 0.03 around resonances"))
+    deviation(Loops::Any, 1e-12, "zeros of V with y = 0 for η up to 0.03 around resonances", |place| {
+        let mut found = Vec::new();
+        for eta in [-0.03, -0.01, 0.005, 0.02] {
+            if let Some(near) = place.on_branch(0.0, eta) {
+                found.extend(near.relative().map(f64::abs));
+            }
+        }
+        Ok(found)
+    })
 }
 
 /// Orders of Z − z_graz,η − k₁ y and of M − k₂ y² − k₃ η y.
-fn branch_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn branch_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.resonance.theorem().branch();
     let mut found = Vec::new();
     for [y, eta] in RATIOS {
@@ -99,36 +87,31 @@ fn branch_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>,
     Ok(found)
 }
 
-fn form_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    let mut found = Vec::new();
-    for [y, eta] in RATIOS {
-        let relative = remembered(|size| Some(place.on_branch(y * size, eta * size)?.relative()));
-        found.push((order(|size| Some((relative(size)?[0], PHASE))), 1.0));
-        found.push((order(|size| Some((relative(size)?[1], PARAMETER))), 2.0));
-    }
-    Ok(found)
-}
-
 /// eq:ZM: Z − z_graz,η is of first order, M of second.
 pub(super) fn form() -> CheckResult {
-    let orders = everywhere!(Loops::Any, form_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Any, EVERYWHERE, |place| {
+        let mut found = Vec::new();
+        for [y, eta] in RATIOS {
+            let relative = remembered(|size| Some(place.on_branch(y * size, eta * size)?.relative()));
+            found.push((order(|size| Some((relative(size)?[0], PHASE))), 1.0));
+            found.push((order(|size| Some((relative(size)?[1], PARAMETER))), 2.0));
+        }
+        Ok(found)
+    })
 }
 
 /// eq:k1231 in eq:ZM.
 pub(super) fn coefficients_of_one_loop() -> CheckResult {
-    let orders = everywhere!(Loops::One, branch_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::One, EVERYWHERE, branch_orders)
 }
 
 /// eq:k123p in eq:ZM.
 pub(super) fn coefficients_of_many_loops() -> CheckResult {
-    let orders = everywhere!(Loops::Many, branch_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Many, EVERYWHERE, branch_orders)
 }
 
 /// The coefficients of μ in x⁽ᵖ⁾ and z⁽ᵖ⁾ at resonance: b for p = 1, T_p (β, a₂₁ b₁ + (1 − a₁₁) b₂) for p ≥ 2.
-fn parameter_column<O: ImpactOscillator>(place: &Place<O>) -> Vector2<f64> {
+fn parameter_column(place: &Place) -> Vector2<f64> {
     let map = place.point().grazing.map;
     if place.loops() == 1 {
         return map.b;
@@ -138,12 +121,12 @@ fn parameter_column<O: ImpactOscillator>(place: &Place<O>) -> Vector2<f64> {
 }
 
 /// x⁽ᵖ⁾ as a polynomial in z⁽⁰⁾ − z_graz,η, coefficient by coefficient, and z⁽ᵖ⁾.
-fn return_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn return_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let column = parameter_column(place);
     let jet = |x: f64, z: f64, mu: f64, eta: f64| {
         let near = place.near([0.0, z, mu, eta])?;
-        let jet = global_iterate::<O, 2>(&near.oscillator(), place.loops(), x, near.unknowns[1]).ok()?;
+        let jet = global_iterate::<_, 2>(&near.oscillator(), place.loops(), x, near.unknowns[1]).ok()?;
         Some((jet, near.orbit.phase()))
     };
     // First derivatives are known to ten, second ones to a hundred times the rounding of the map.
@@ -187,14 +170,12 @@ fn return_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>,
 
 /// eq:codim21proof1.
 pub(super) fn return_of_one_loop() -> CheckResult {
-    let orders = everywhere!(Loops::One, return_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::One, EVERYWHERE, return_orders)
 }
 
 /// eq:codim21proofp.
 pub(super) fn return_of_many_loops() -> CheckResult {
-    let orders = everywhere!(Loops::Many, return_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Many, EVERYWHERE, return_orders)
 }
 
 impl Symbols {
@@ -213,7 +194,7 @@ impl Symbols {
 }
 
 /// V(y, Z, M, η) for arbitrary k₁, k₂, k₃ in eq:ZM.
-fn vivid_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let by_parameter = parameter_column(place).x;
     let mut sampler = Sampler::new(8);
@@ -236,53 +217,26 @@ fn vivid_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, 
 
 /// The display of V(y, Z, M, η) with X₁, X₂, X₃, p = 1.
 pub(super) fn vivid_of_one_loop() -> CheckResult {
-    let orders = everywhere!(Loops::One, vivid_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::One, EVERYWHERE, vivid_orders)
 }
 
 /// The same for p ≥ 2.
 pub(super) fn vivid_of_many_loops() -> CheckResult {
-    let orders = everywhere!(Loops::Many, vivid_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
-}
-
-fn solution_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
-    let branch = place.point().branch_expansion();
-    let symbols = place.symbols()?;
-    let by_parameter = parameter_column(place).x;
-    let k = [branch.k_1, branch.k_2, branch.k_3];
-    let sizes = symbols.x([0.0; 3], by_parameter);
-    let terms: [f64; 3] = core::array::from_fn(|i| sizes[i].abs() + k[i].abs() + 1.0 + symbols.f.abs());
-    Ok(symbols.x(k, by_parameter).iter().zip(terms).map(|(x, size)| x.abs() / size).collect())
+    orders(Loops::Many, EVERYWHERE, vivid_orders)
 }
 
 /// X₁ = X₂ = X₃ = 0 has the solution eq:k1231 or eq:k123p.
 pub(super) fn solution() -> CheckResult {
-    let gaps = everywhere!(Loops::Any, solution_gaps);
-    let largest = largest(&gaps);
     // A dozen roundings, and a₁₂ or κ_p of up to 10⁻¹³ at the located resonance.
-    Ok(Outcome::new(
-        Measure::Deviation { largest, tolerance: 1e-11 },
-        gaps.len(),
-        "resonances with p up to 5",
-    ))
-}
-
-/// Ψ^± against det(U ∓ I), which vanishes where U has the eigenvalue ±1.
-fn psi_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
-    let mut found = Vec::new();
-    for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
-        let Some(near) = place.on_branch(y, eta) else { continue };
-        let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default())?;
-        let inverse = pair.impact.derivative().try_inverse().ok_or("D P_virt is singular")?;
-        let u = pair.round_trip.derivative() * inverse;
-        let [plus, minus] = psi(&pair.multipliers());
-        let one = Matrix2::identity();
-        let size = 1.0 + u.amax() * u.amax();
-        found.push(((u - one).determinant() + plus).abs() / size);
-        found.push(((u + one).determinant() - minus).abs() / size);
-    }
-    Ok(found)
+    deviation(Loops::Any, 1e-11, "resonances with p up to 5", |place| {
+        let branch = place.point().branch_expansion();
+        let symbols = place.symbols()?;
+        let by_parameter = parameter_column(place).x;
+        let k = [branch.k_1, branch.k_2, branch.k_3];
+        let sizes = symbols.x([0.0; 3], by_parameter);
+        let terms: [f64; 3] = core::array::from_fn(|i| sizes[i].abs() + k[i].abs() + 1.0 + symbols.f.abs());
+        Ok(symbols.x(k, by_parameter).iter().zip(terms).map(|(x, size)| x.abs() / size).collect())
+    })
 }
 
 /// Ψ⁺ and Ψ⁻.
@@ -292,18 +246,32 @@ fn psi(multipliers: &grazing_continuation::mps::Multipliers) -> [f64; 2] {
 }
 
 /// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻.
+///
+/// Ψ^± against det(U ∓ I), which vanishes where U has the eigenvalue ±1.
 pub(super) fn multiplier_conditions() -> CheckResult {
-    let gaps = everywhere!(Loops::Any, psi_gaps);
-    let largest = largest(&gaps);
     // Determinants of matrices with entries of size 1/y, relative to their squares.
-    Ok(Outcome::new(
-        Measure::Deviation { largest, tolerance: 1e-13 },
-        gaps.len(),
-        "MPSs on branches near resonances",
-    ))
+    deviation(Loops::Any, 1e-13, "MPSs on branches near resonances", |place| {
+        let mut found = Vec::new();
+        for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
+            let Some(near) = place.on_branch(y, eta) else { continue };
+            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default())?;
+            let inverse = pair.impact.derivative().try_inverse().ok_or("D P_virt is singular")?;
+            let u = pair.round_trip.derivative() * inverse;
+            let [plus, minus] = psi(&pair.multipliers());
+            let one = Matrix2::identity();
+            let size = 1.0 + u.amax() * u.amax();
+            // The function that curves are continued with is det(U ∓ I) times det D P_virt, which stays smooth through y = 0.
+            let scaled = |multiplier: f64| pair.characteristic(multiplier).0 * inverse.determinant();
+            found.push((scaled(1.0) + plus).abs() / size);
+            found.push((scaled(-1.0) - minus).abs() / size);
+            found.push(((u - one).determinant() + plus).abs() / size);
+            found.push(((u + one).determinant() - minus).abs() / size);
+        }
+        Ok(found)
+    })
 }
 
-fn psi_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let stability = place.point().stability_coefficients();
     let by_eta = symbols.alpha * symbols.omega * symbols.f;
@@ -330,12 +298,10 @@ fn psi_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Fa
 
 /// y Ψ^± = s₁^± y − α ω a₁₂' η + O(2).
 pub(super) fn stability_of_one_loop() -> CheckResult {
-    let orders = everywhere!(Loops::One, psi_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::One, EVERYWHERE, psi_orders)
 }
 
 /// y Ψ^± = s_p^± y − α ω f_p η + O(2).
 pub(super) fn stability_of_many_loops() -> CheckResult {
-    let orders = everywhere!(Loops::Many, psi_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Many, EVERYWHERE, psi_orders)
 }

@@ -1,16 +1,17 @@
 //! Section 6: what the period doublings of Figure 7 create.
 
+use grazing_continuation::criticality::{coefficient_at_resonance, period_doubling};
 use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
-use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_model::ImpactOscillator;
 
-use super::discussion::{ROUTE, agreement, of_figure_7};
+use super::discussion::{ROUTE, of_figure_7};
 use super::doubled::DoubledEquations;
-use super::places::{Failure, Observed, Place, lowest, order, remembered};
+use super::places::{Loops, Observed, Place, agreement, lowest, order, orders, remembered};
 use super::simulation::next_impact;
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 
 /// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
-fn flips(place: &Place<LinearOscillator>, count: usize) -> Result<Vec<Unknowns>, Failure> {
+fn flips(place: &Place, count: usize) -> Result<Vec<Unknowns>, Failure> {
     let unfolded = place.resonance.unfold(&ROUTE)?;
     let points: Vec<&MaximalPeriodicSolution> = unfolded
         .period_doubling
@@ -32,11 +33,7 @@ struct Criticality {
 }
 
 /// The period-doubled MPS next to a point of a PD curve, and the orbit from the MPS at its parameters.
-fn criticality(
-    place: &Place<LinearOscillator>,
-    flip: &Unknowns,
-    simulate: bool,
-) -> Result<Criticality, Failure> {
+fn criticality(place: &Place, flip: &Unknowns, simulate: bool) -> Result<Criticality, Failure> {
     let equations = DoubledEquations::new(place.resonance.equations());
     let y = flip[unknown::VELOCITY];
     let doubled = equations.near(flip, 0.1 * y).ok_or("no period-doubled MPS beside a PD point")?;
@@ -60,12 +57,37 @@ fn criticality(
     Ok(Criticality { unstable: 1.0 - multipliers.trace + multipliers.determinant < 0.0, settles })
 }
 
+/// The criterion that section 6 asks for, derived at the resonance: the normal form's coefficient tends to it at first order in y.
+///
+/// y² c of the normal form, along the PD curve and as y falls to 0, less the closed form at the resonance; c counted in the impact
+/// velocity.
+pub(super) fn criterion_at_resonance() -> CheckResult {
+    orders(Loops::Any, "PD curves running into resonances with p up to 5", |place| {
+        let limit = coefficient_at_resonance(place.point());
+        let curve = &place.curves()[1];
+        let observed = order(|y| {
+            // Digits of c are lost in proportion to 1/y, and its value grows with 1/y².
+            if y < 1e-4 {
+                return Some((0.0, 1.0));
+            }
+            let near = place.on_curve(curve, y / curve.leading.impact_velocity_slope)?;
+            let flip = period_doubling(place.resonance.equations(), &near.unknowns).ok()?;
+            let scaled = near.unknowns[unknown::VELOCITY] / flip.direction[0];
+            Some((scaled * scaled * flip.coefficient - limit, 1e-11 / y))
+        });
+        Ok(vec![(observed, 1.0)])
+    })
+}
+
 /// The period doublings of Figure 7. Printed: all create an unstable solution. Found: close to the resonances those with p = 1
 /// and even n do and the others create a stable one, on which simulated orbits end.
 pub(super) fn criticality_of_figure_7() -> CheckResult {
     let (mut cases, mut printed) = (Vec::new(), Vec::new());
     for place in of_figure_7()? {
+        let subcritical = coefficient_at_resonance(place.point()) < 0.0;
+        // As the correction of the misprint says: p = 1 with even n alone.
         let even = place.loops() == 1 && place.point().unfolding.derivative() < 0.0;
+        cases.push(subcritical == even);
         for flip in flips(&place, 25)? {
             printed.push(criticality(&place, &flip, false)?.unstable);
         }
@@ -75,7 +97,7 @@ pub(super) fn criticality_of_figure_7() -> CheckResult {
             let eta = y / curve.leading.impact_velocity_slope;
             let Some(near) = place.on_curve(curve, eta) else { continue };
             let found = criticality(&place, &near.unknowns, true)?;
-            cases.push(found.unstable == even && found.settles != even);
+            cases.push(found.unstable == subcritical && found.settles != subcritical);
         }
     }
     let over = "points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along";
@@ -84,7 +106,7 @@ pub(super) fn criticality_of_figure_7() -> CheckResult {
 }
 
 /// The order in η of μ at the grazing member of the period-doubled family, and of its first impact velocity.
-fn doubled_grazing_orders(place: &Place<LinearOscillator>) -> Vec<Observed> {
+fn doubled_grazing_orders(place: &Place) -> Vec<Observed> {
     let equations = DoubledEquations::new(place.resonance.equations());
     let curve = &place.curves()[1];
     let at = remembered(|size| {
@@ -92,8 +114,16 @@ fn doubled_grazing_orders(place: &Place<LinearOscillator>) -> Vec<Observed> {
         let grazing = equations.grazing(&near.unknowns)?;
         Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
     });
+    // Smaller velocities than this are lost in the rounding of the two impacts, whose distance is a part of them.
+    const SMALLEST: f64 = 1e-5;
     // Located amplitudes and velocities.
-    let part = |index: usize, rounding: f64| (order(|size| Some((at(size)?[index], rounding))), 1.0);
+    let part =
+        |index: usize, rounding: f64| {
+            let observed = order(|size| {
+                if size < SMALLEST { Some((0.0, rounding)) } else { Some((at(size)?[index], rounding)) }
+            });
+            (observed, 1.0)
+        };
     vec![part(0, 1e-15), part(1, 1e-13)]
 }
 

@@ -1,12 +1,10 @@
 //! The bifurcation curves near a resonance: eq:Upsilon1, eq:Upsilonp and what follows from them.
 
-use grazing_model::ImpactOscillator;
-
 use super::places::{
-    Bifurcation, EVERYWHERE, Failure, Loops, Near, Observed, Place, everywhere, largest, lowest, order,
+    Bifurcation, EVERYWHERE, Loops, Near, Observed, Place, deviation, everywhere, lowest, order, orders,
     remembered,
 };
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 
 /// Rounding of located velocities, phases and positions: on the curves they come from quotients of derivatives.
 pub(super) const PHASE: f64 = 1e-13;
@@ -20,21 +18,21 @@ pub(super) fn eta_at(curve: &Bifurcation, velocity: f64) -> f64 {
 }
 
 /// Both curves: the order of a remainder in the impact velocity, which is in proportion to η.
-pub(super) fn along_curves<O: ImpactOscillator>(
-    place: &Place<O>,
+pub(super) fn along_curves(
+    place: &Place,
     stated: f64,
     rounding: f64,
-    remainder: impl Fn(&Bifurcation, f64, &Near<O>) -> Option<f64>,
+    remainder: impl Fn(&Bifurcation, f64, &Near) -> Option<f64>,
 ) -> Vec<Observed> {
     all_along_curves(place, stated, rounding, |curve, eta, near| Some(vec![remainder(curve, eta, near)?]))
 }
 
 /// The same for several remainders, whose number is that of the loops at most.
-pub(super) fn all_along_curves<O: ImpactOscillator>(
-    place: &Place<O>,
+pub(super) fn all_along_curves(
+    place: &Place,
     stated: f64,
     rounding: f64,
-    remainders: impl Fn(&Bifurcation, f64, &Near<O>) -> Option<Vec<f64>>,
+    remainders: impl Fn(&Bifurcation, f64, &Near) -> Option<Vec<f64>>,
 ) -> Vec<Observed> {
     let mut found = Vec::new();
     for curve in &place.curves() {
@@ -55,7 +53,7 @@ pub(super) fn all_along_curves<O: ImpactOscillator>(
     found
 }
 
-fn velocity_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn velocity_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
         Some(near.unknowns[0] - curve.leading.impact_velocity_slope * eta)
     }))
@@ -63,18 +61,16 @@ fn velocity_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed
 
 /// eq:Upsilon1.
 pub(super) fn velocity_of_one_loop() -> CheckResult {
-    let orders = everywhere!(Loops::One, velocity_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::One, EVERYWHERE, velocity_orders)
 }
 
 /// eq:Upsilonp.
 pub(super) fn velocity_of_many_loops() -> CheckResult {
-    let orders = everywhere!(Loops::Many, velocity_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Many, EVERYWHERE, velocity_orders)
 }
 
 /// μ less c_SN η² on the SN and c_PD η² on the PD curve, as M(Υ⁺, η) and M(Υ⁻, η) give them.
-fn coefficient_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn coefficient_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     Ok(along_curves(place, 3.0, PARAMETER, |curve, eta, near| {
         Some(near.relative()[1] - branch.parameter(curve.leading.impact_velocity_slope * eta, eta))
@@ -82,7 +78,7 @@ fn coefficient_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Obser
 }
 
 /// The same with Υ⁺ for both curves.
-fn printed_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn printed_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     let fold = place.point().saddle_node_velocity_slope();
     Ok(along_curves(place, 3.0, PARAMETER, |_, eta, near| {
@@ -91,9 +87,8 @@ fn printed_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>
 }
 
 fn coefficients(which: Loops) -> CheckResult {
-    let orders = everywhere!(which, coefficient_orders);
-    let printed = everywhere!(which, printed_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE).against_print(lowest(&printed)))
+    let printed = lowest(&everywhere(which, printed_orders)?);
+    Ok(orders(which, EVERYWHERE, coefficient_orders)?.against_print(printed))
 }
 
 /// g_SN = M(Υ⁺, η) and g_PD = M(Υ⁻, η), p = 1; the print has Υ⁺ in both.
@@ -106,84 +101,74 @@ pub(super) fn functions_of_many_loops() -> CheckResult {
     coefficients(Loops::Many)
 }
 
-/// c_SN and c_PD from k₂, k₃ and Υ^±, against eq:coeffs1 and eq:coeffsp.
-fn simplification_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
-    let branch = place.point().branch_expansion();
-    let gap = |curve: &Bifurcation| {
-        let slope = curve.leading.impact_velocity_slope;
-        let terms = (branch.k_2 * slope * slope).abs() + (branch.k_3 * slope).abs();
-        (branch.parameter(slope, 1.0) - curve.leading.coefficient).abs() / terms
-    };
-    Ok(place.curves().iter().map(gap).collect())
-}
-
 /// eq:coeffs1 and eq:coeffsp follow from k₂, k₃, Υ^±, T_p and f_p.
+///
+/// c_SN and c_PD from k₂, k₃ and Υ^±, against eq:coeffs1 and eq:coeffsp.
 pub(super) fn simplification() -> CheckResult {
-    let gaps = everywhere!(Loops::Any, simplification_gaps);
-    let largest = largest(&gaps);
     // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
-    Ok(Outcome::new(
-        Measure::Deviation { largest, tolerance: 1e-10 },
-        gaps.len(),
-        "resonances with p up to 5",
-    ))
-}
-
-/// The exponent with which the two zeros of V separate behind the fold, less 1/2.
-fn separation<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
-    let mut found = Vec::new();
-    let [fold, _] = place.curves();
-    let k_2 = place.point().branch_expansion().k_2;
-    for velocity in [0.01, 0.03] {
-        let Some(at) = place.on_curve(&fold, eta_at(&fold, velocity)) else { continue };
-        let eta = eta_at(&fold, velocity);
-        let [_, mu_fold] = at.relative();
-        let separated = |change: f64| {
-            // The branch as a graph over y: its two points at the same μ, by the secant method from the parabola.
-            let zero = |side: f64| {
-                let mu = |y: f64| Some(place.on_branch(y, eta)?.relative()[1] - mu_fold - change);
-                let half = (change / k_2).sqrt() * side;
-                let (mut a, mut b) = (at.unknowns[0] + half, at.unknowns[0] + 1.01 * half);
-                let (mut at_a, mut at_b) = (mu(a)?, mu(b)?);
-                for _ in 0..8 {
-                    if at_b == at_a {
-                        break;
-                    }
-                    let next = b - at_b * (b - a) / (at_b - at_a);
-                    (a, at_a, b) = (b, at_b, next);
-                    at_b = mu(b)?;
-                }
-                Some(b)
-            };
-            Some(zero(1.0)? - zero(-1.0)?)
+    deviation(Loops::Any, 1e-10, "resonances with p up to 5", |place| {
+        let branch = place.point().branch_expansion();
+        let gap = |curve: &Bifurcation| {
+            let slope = curve.leading.impact_velocity_slope;
+            let terms = (branch.k_2 * slope * slope).abs() + (branch.k_3 * slope).abs();
+            (branch.parameter(slope, 1.0) - curve.leading.coefficient).abs() / terms
         };
-        // Distances from the fold of a 32nd and a 64th of y: next terms of the relative size of their squares.
-        let change = k_2 * at.unknowns[0] * at.unknowns[0] / 1024.0;
-        let (wide, narrow) =
-            separated(change).zip(separated(change / 4.0)).ok_or("no zeros beyond a fold")?;
-        found.push((libm::log2(wide / narrow) / 2.0 - 0.5).abs());
-    }
-    Ok(found)
+        Ok(place.curves().iter().map(gap).collect())
+    })
 }
 
 /// Two zeros of V separate from the SN curve like the square root of the change of μ.
+///
+/// The exponent with which the two zeros of V separate behind the fold, less 1/2.
 pub(super) fn square_root() -> CheckResult {
-    let gaps = everywhere!(Loops::Any, separation);
-    let largest = largest(&gaps);
     // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
-    let measure = Measure::Deviation { largest, tolerance: 0.01 };
-    Ok(Outcome::new(
-        measure,
-        gaps.len(),
+    deviation(
+        Loops::Any,
+        0.01,
         "exponents on either fold: zeros of V at two distances from SN curves",
-    ))
+        |place| {
+            let mut found = Vec::new();
+            let [fold, _] = place.curves();
+            let k_2 = place.point().branch_expansion().k_2;
+            for velocity in [0.01, 0.03] {
+                let Some(at) = place.on_curve(&fold, eta_at(&fold, velocity)) else { continue };
+                let eta = eta_at(&fold, velocity);
+                let [_, mu_fold] = at.relative();
+                let separated = |change: f64| {
+                    // The branch as a graph over y: its two points at the same μ, by the secant method from the parabola.
+                    let zero = |side: f64| {
+                        let mu = |y: f64| Some(place.on_branch(y, eta)?.relative()[1] - mu_fold - change);
+                        let half = (change / k_2).sqrt() * side;
+                        let (mut a, mut b) = (at.unknowns[0] + half, at.unknowns[0] + 1.01 * half);
+                        let (mut at_a, mut at_b) = (mu(a)?, mu(b)?);
+                        for _ in 0..8 {
+                            if at_b == at_a {
+                                break;
+                            }
+                            let next = b - at_b * (b - a) / (at_b - at_a);
+                            (a, at_a, b) = (b, at_b, next);
+                            at_b = mu(b)?;
+                        }
+                        Some(b)
+                    };
+                    Some(zero(1.0)? - zero(-1.0)?)
+                };
+                // Distances from the fold of a 32nd and a 64th of y: next terms of the relative size of their squares.
+                let change = k_2 * at.unknowns[0] * at.unknowns[0] / 1024.0;
+                let (wide, narrow) =
+                    separated(change).zip(separated(change / 4.0)).ok_or("no zeros beyond a fold")?;
+                found.push((libm::log2(wide / narrow) / 2.0 - 0.5).abs());
+            }
+            Ok(found)
+        },
+    )
 }
 
 /// Whether an MPS on the curves is admissible for the stated sign of η, and has y < 0 for the other.
-fn sides<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failure> {
+fn sides(place: &Place) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
     for curve in place.curves() {
-        let sign = libm::copysign(1.0, place.point().unfolding.derivative() * curve.stability);
+        let sign = curve.leading.eta_side.signum();
         for velocity in [1e-3, 3e-4, 1e-4] {
             let eta = sign * eta_at(&curve, velocity).abs();
             let Some((right, wrong)) = place.on_curve(&curve, eta).zip(place.on_curve(&curve, -eta)) else {
@@ -198,7 +183,7 @@ fn sides<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failure> {
 }
 
 fn admissible(which: Loops) -> CheckResult {
-    let cases = everywhere!(which, sides);
+    let cases = everywhere(which, sides)?;
     let agreeing = cases.iter().filter(|agrees| **agrees).count();
     let measure = Measure::Agreement { agreeing, cases: cases.len() };
     let over =

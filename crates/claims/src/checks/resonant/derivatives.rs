@@ -1,18 +1,17 @@
 //! The derivatives that the proofs of Lemmas 5.1 and 5.2 multiply: eq:DPvirt to eq:DPglobalp.
 
-use core::f64::consts::PI;
-
 use grazing_continuation::mps::Memory;
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::{global_iterate, global_map, virtual_map};
-use grazing_theorems::auxiliary::lucas_sequence;
+use grazing_theorems::auxiliary::{detuning, lucas_sequence, modulus_power};
+use grazing_theorems::grazing::VirtualMap;
 use nalgebra::Matrix2;
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, directions, everywhere, largest, lowest,
-    order, remembered, scaled,
+    EVERYWHERE, Loops, Near, Observed, Offset, Place, deviation, directions, everywhere, largest, lowest,
+    order, orders, remembered, scaled,
 };
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 
 /// Rounding of the entries of D P_virt and D(P_virt ∘ R), numbers of order one.
 const VIRTUAL: f64 = 1e-15;
@@ -21,12 +20,12 @@ const VIRTUAL: f64 = 1e-15;
 const GLOBAL: f64 = 1e-13;
 
 /// D P_virt and D(P_virt ∘ R) at a point.
-fn virtual_derivatives<O: ImpactOscillator>(near: &Near<O>) -> Option<[Matrix2<f64>; 2]> {
+fn virtual_derivatives(near: &Near) -> Option<[Matrix2<f64>; 2]> {
     let oscillator = near.oscillator();
     let [y, z] = near.impact().into();
-    let ahead = virtual_map::<O, 1>(&oscillator, y, z, Some(0.0)).ok()?;
+    let ahead = virtual_map::<_, 1>(&oscillator, y, z, Some(0.0)).ok()?;
     let reset = oscillator.reset::<1>(y, z);
-    let back = virtual_map::<O, 1>(&oscillator, reset.value[0], reset.value[1], Some(0.0)).ok()?;
+    let back = virtual_map::<_, 1>(&oscillator, reset.value[0], reset.value[1], Some(0.0)).ok()?;
     Some([ahead.jet.derivative(), back.jet.after::<1>(&reset).derivative()])
 }
 
@@ -47,102 +46,105 @@ fn entries(
     found
 }
 
-fn impact_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    let symbols = place.symbols()?;
-    Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
-        let leading = Matrix2::new(offset[0] / symbols.gamma, 0.0, symbols.omega / symbols.gamma, 1.0);
-        Some(virtual_derivatives(&place.near(*offset)?)?[0] - leading)
-    }))
+/// The derivative of the leading terms of a virtual map at an impact velocity.
+fn slope_of(map: &VirtualMap, velocity: f64) -> Matrix2<f64> {
+    Matrix2::new(2.0 * map.x_coefficient * velocity, 0.0, map.z_coefficient, 1.0)
 }
 
 /// eq:DPvirt.
 pub(super) fn of_virtual_map() -> CheckResult {
-    let orders = everywhere!(Loops::Any, impact_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
-}
-
-fn recoil_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    let symbols = place.symbols()?;
-    Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
-        let leading = Matrix2::new(
-            symbols.phi * symbols.phi * offset[0] / symbols.gamma,
-            0.0,
-            symbols.omega * (1.0 - symbols.alpha) / symbols.gamma,
-            1.0,
-        );
-        Some(virtual_derivatives(&place.near(*offset)?)?[1] - leading)
-    }))
+    orders(Loops::Any, EVERYWHERE, |place| {
+        let grazing = place.point().grazing;
+        Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
+            Some(virtual_derivatives(&place.near(*offset)?)?[0] - slope_of(&grazing.virtual_map(), offset[0]))
+        }))
+    })
 }
 
 /// eq:DPvirtR.
 pub(super) fn after_reset() -> CheckResult {
-    let orders = everywhere!(Loops::Any, recoil_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
-}
-
-fn quotient_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    let gamma = place.symbols()?.gamma;
-    let one = |direction: &Offset| {
-        let observed = order(|size| {
-            let offset = scaled(direction, size);
-            let determinant = virtual_derivatives(&place.near(offset)?)?[0].determinant();
-            // Divided by y, and so is the rounding.
-            Some((determinant / offset[0] - 1.0 / gamma, VIRTUAL / offset[0].abs()))
-        });
-        (observed, 1.0)
-    };
-    Ok(directions(4).iter().map(one).collect())
+    orders(Loops::Any, EVERYWHERE, |place| {
+        let grazing = place.point().grazing;
+        Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
+            let leading = slope_of(&grazing.virtual_map_after_reset(), offset[0]);
+            Some(virtual_derivatives(&place.near(*offset)?)?[1] - leading)
+        }))
+    })
 }
 
 /// det D P_virt = y G₁ with G₁ = 1/γ at the resonance.
 pub(super) fn determinant_quotient() -> CheckResult {
-    let orders = everywhere!(Loops::Any, quotient_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
-}
-
-fn discontinuity_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    let symbols = place.symbols()?;
-    // y (D P_virt)⁻¹ is y/det ≈ γ times the adjugate: rounding as that of the factors.
-    Ok(entries([2.0, 3.0, 1.0, 2.0], 3.0 * VIRTUAL, |offset| {
-        let [ahead, back] = virtual_derivatives(&place.near(*offset)?)?;
-        let y = offset[0];
-        let leading = Matrix2::new(symbols.phi * symbols.phi * y, 0.0, -symbols.alpha * symbols.omega, y);
-        Some(back * ahead.try_inverse()? * y - leading)
-    }))
+    orders(Loops::Any, EVERYWHERE, |place| {
+        let gamma = place.symbols()?.gamma;
+        let one = |direction: &Offset| {
+            let observed = order(|size| {
+                let offset = scaled(direction, size);
+                let determinant = virtual_derivatives(&place.near(offset)?)?[0].determinant();
+                // Divided by y, and so is the rounding.
+                Some((determinant / offset[0] - 1.0 / gamma, VIRTUAL / offset[0].abs()))
+            });
+            (observed, 1.0)
+        };
+        Ok(directions(4).iter().map(one).collect())
+    })
 }
 
 /// eq:DPdisc, and that y D P_disc extends through y = 0: y has either sign.
 pub(super) fn of_discontinuity_map() -> CheckResult {
-    let orders = everywhere!(Loops::Any, discontinuity_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Any, EVERYWHERE, |place| {
+        let symbols = place.symbols()?;
+        // y (D P_virt)⁻¹ is y/det ≈ γ times the adjugate: rounding as that of the factors.
+        Ok(entries([2.0, 3.0, 1.0, 2.0], 3.0 * VIRTUAL, |offset| {
+            let [ahead, back] = virtual_derivatives(&place.near(*offset)?)?;
+            let y = offset[0];
+            let leading = Matrix2::new(symbols.phi * symbols.phi * y, 0.0, -symbols.alpha * symbols.omega, y);
+            Some(back * ahead.try_inverse()? * y - leading)
+        }))
+    })
 }
 
-/// D P_global^p at (x⁽⁰⁾, z⁽⁰⁾) less its expansion, the phase counted from z_graz,η or, as printed, from z_graz,0.
-fn global_orders<O: ImpactOscillator>(place: &Place<O>, fixed: bool) -> Result<Vec<Observed>, Failure> {
+/// What the print leaves open: from where the phase is counted, and along what f_p is a derivative.
+#[derive(Clone, Copy, PartialEq)]
+enum Cure {
+    /// From z_graz,η, with f_p along the grazing curve.
+    Moving,
+    /// From z_graz,0, as printed, with f_p along the grazing curve, as eq:fp.
+    AsPrinted,
+    /// From z_graz,0, as printed, with f_p at fixed z, as it is defined in print.
+    PartialDerivative,
+}
+
+impl Cure {
+    /// What is counted as the phase, and f_p.
+    fn phase_and_slope(self, place: &Place, near: &Near, f: f64) -> [f64; 2] {
+        let phase = near.unknowns[1];
+        match self {
+            Self::Moving => [phase - near.orbit.phase(), f],
+            Self::AsPrinted => [phase - place.fixed_phase(), f],
+            Self::PartialDerivative => {
+                let moved = place.point().second_phase_derivative * place.resonance.orbit().phase_slope();
+                [phase - place.fixed_phase(), f - moved]
+            }
+        }
+    }
+}
+
+/// D P_global^p at (x⁽⁰⁾, z⁽⁰⁾) less its expansion.
+fn global_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([1.0, 2.0, 1.0, 1.0], GLOBAL, |&[x, z, mu, eta]| {
         let near = place.near([0.0, z, mu, eta])?;
-        let phase = near.unknowns[1];
-        let jet = global_iterate::<O, 1>(&near.oscillator(), place.loops(), x, phase).ok()?;
-        let from = if fixed { phase - place.fixed_phase() } else { z };
+        let jet = global_iterate::<_, 1>(&near.oscillator(), place.loops(), x, near.unknowns[1]).ok()?;
+        let [from, f] = cure.phase_and_slope(place, &near, symbols.f);
         let mut leading = symbols.power;
-        leading.m12 = symbols.d * x + symbols.xi * from + symbols.e * mu + symbols.f * eta;
+        leading.m12 = symbols.d * x + symbols.xi * from + symbols.e * mu + f * eta;
         Some(jet.derivative() - leading)
     }))
 }
 
-fn global_about_moving<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    global_orders(place, false)
-}
-
-fn global_about_fixed<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    global_orders(place, true)
-}
-
 fn global(which: Loops) -> CheckResult {
-    let orders = everywhere!(which, global_about_moving);
-    let printed = everywhere!(which, global_about_fixed);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE).against_print(lowest(&printed)))
+    let printed = lowest(&everywhere(which, |place| global_orders(place, Cure::AsPrinted))?);
+    Ok(orders(which, EVERYWHERE, |place| global_orders(place, Cure::Moving))?.against_print(printed))
 }
 
 /// eq:DPglobal, about z_graz,η; the print has z_graz,0.
@@ -156,35 +158,38 @@ pub(super) fn of_iterated_global_map() -> CheckResult {
 }
 
 /// y U less eq:yU.
-fn product_orders<O: ImpactOscillator>(place: &Place<O>, fixed: bool) -> Result<Vec<Observed>, Failure> {
+fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([2.0, 2.0, 1.0, 2.0], GLOBAL, |offset| {
         let near = place.near(*offset)?;
         let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
-        let [y, z, mu, eta] = *offset;
-        let from = if fixed { near.unknowns[1] - place.fixed_phase() } else { z };
+        let [y, _, mu, eta] = *offset;
+        let [from, f] = cure.phase_and_slope(place, &near, symbols.f);
         let alpha_omega = symbols.alpha * symbols.omega;
         let phase = symbols.omega * (1.0 - symbols.alpha) / symbols.gamma * y + from;
         let x = symbols.power.m11 * symbols.phi * symbols.phi * y
-            - alpha_omega * (symbols.xi * phase + symbols.e * mu + symbols.f * eta);
+            - alpha_omega * (symbols.xi * phase + symbols.e * mu + f * eta);
         let leading = Matrix2::new(x, 0.0, -alpha_omega * symbols.power.m22, symbols.power.m22 * y);
         Some(pair.round_trip.derivative() * pair.impact.derivative().try_inverse()? * y - leading)
     }))
 }
 
-fn product_about_moving<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    product_orders(place, false)
-}
-
-fn product_about_fixed<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    product_orders(place, true)
-}
-
 /// eq:yU, about z_graz,η; the print has z_graz,0.
 pub(super) fn product() -> CheckResult {
-    let orders = everywhere!(Loops::One, product_about_moving);
-    let printed = everywhere!(Loops::One, product_about_fixed);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE).against_print(lowest(&printed)))
+    let printed = lowest(&everywhere(Loops::One, |place| product_orders(place, Cure::AsPrinted))?);
+    let outcome = orders(Loops::One, EVERYWHERE, |place| product_orders(place, Cure::Moving))?;
+    Ok(outcome.against_print(printed))
+}
+
+/// The other cure: with f_p at fixed z the expansions about z_graz,0 hold as printed.
+pub(super) fn other_cure() -> CheckResult {
+    orders(Loops::Any, EVERYWHERE, |place| {
+        let mut found = global_orders(place, Cure::PartialDerivative)?;
+        if place.loops() == 1 {
+            found.extend(product_orders(place, Cure::PartialDerivative)?);
+        }
+        Ok(found)
+    })
 }
 
 /// Central differences of sixth order of a function of one variable.
@@ -209,11 +214,11 @@ struct Differences {
     xi: f64,
 }
 
-fn differences<O: ImpactOscillator>(place: &Place<O>) -> Option<Differences> {
+fn differences(place: &Place) -> Option<Differences> {
     let phase = place.fixed_phase();
     let by_phase = |x: f64, from: f64, mu: f64, eta: f64| {
         let oscillator = place.near([0.0, 0.0, mu, eta])?.oscillator();
-        slope(STEP, |z| Some(global_iterate::<O, 1>(&oscillator, place.loops(), x, from + z).ok()?.value[0]))
+        slope(STEP, |z| Some(global_iterate::<_, 1>(&oscillator, place.loops(), x, from + z).ok()?.value[0]))
     };
     Some(Differences {
         xi: slope(STEP, |z| by_phase(0.0, phase + z, 0.0, 0.0))?,
@@ -226,7 +231,7 @@ fn differences<O: ImpactOscillator>(place: &Place<O>) -> Option<Differences> {
 
 /// Gaps of (ξ_p, d_p, e_p, f_p) between differences and what section 5 calculates with, f_p once along the grazing curve and
 /// once at fixed phase.
-fn second_derivative_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<[f64; 2]>, Failure> {
+fn second_derivative_gaps(place: &Place) -> Result<Vec<[f64; 2]>, Failure> {
     let symbols = place.symbols()?;
     let found = differences(place).ok_or("P_global is not defined around a resonance")?;
     let gap = |a: f64, b: f64| (a - b).abs() / (1.0 + b.abs());
@@ -238,7 +243,7 @@ fn second_derivative_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<[
 /// The display of d_p, e_p, f_p with ξ_p: that f_p is the f_p of eq:fp, and a₁₂' for p = 1, asks for the derivative along the
 /// grazing curve; at fixed z, as printed, it is not.
 pub(super) fn second_derivatives() -> CheckResult {
-    let gaps = everywhere!(Loops::Any, second_derivative_gaps);
+    let gaps = everywhere(Loops::Any, second_derivative_gaps)?;
     let largest = |index: usize| largest(&gaps.iter().map(|gap| gap[index]).collect::<Vec<_>>());
     // Nested differences: errors of sixth order grow with the derivatives in ω, some 10² for each order at large p n; rounding
     // is 10⁻¹⁵ over the square of the step.
@@ -248,11 +253,11 @@ pub(super) fn second_derivatives() -> CheckResult {
 }
 
 /// a₁₂' or a₁₂ ∂S_p/∂η by differences along the grazing curve, against eq:fp or a₁₂'.
-fn slope_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
+fn slope_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
     let (map, loops) = (place.point().grazing.map, place.loops());
     let by_eta = slope(1e-3, |eta| {
         let orbit = place.grazing(eta)?;
-        let landing = global_map::<O, 1>(orbit.oscillator(), 0.0, orbit.phase(), None).ok()?;
+        let landing = global_map::<_, 1>(orbit.oscillator(), 0.0, orbit.phase(), None).ok()?;
         let a = landing.jet.derivative();
         Some(if loops == 1 { a.m12 } else { lucas_sequence(loops, a.trace(), a.determinant()) })
     })
@@ -263,7 +268,7 @@ fn slope_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure
 }
 
 fn slopes(which: Loops, over: &str) -> CheckResult {
-    let gaps = everywhere!(which, slope_gaps);
+    let gaps = everywhere(which, slope_gaps)?;
     let largest = largest(&gaps);
     // Differences of sixth order with a step of 10⁻³: rounding 10⁻¹⁵/10⁻³, and 10⁻¹⁸ times sixth derivatives of up to 10¹⁰.
     Ok(Outcome::new(Measure::Deviation { largest, tolerance: 1e-7 }, gaps.len(), over))
@@ -279,23 +284,21 @@ pub(super) fn slope_of_many_loops() -> CheckResult {
     slopes(Loops::Many, "the grazing curve around resonances with p = 2 to 5")
 }
 
-fn power_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
-    let map = place.point().grazing.map;
-    let (loops, tau, delta) = (place.loops(), map.trace(), map.determinant());
-    let orbit = place.resonance.orbit();
-    let power = global_iterate::<O, 1>(orbit.oscillator(), loops, 0.0, orbit.phase())?.derivative();
-    let modulus = libm::pow(delta, 0.5 * f64::from(loops));
-    let resonant = tau - 2.0 * delta.sqrt() * libm::cos(PI / f64::from(loops));
-    let sums = [resonant, lucas_sequence(loops, tau, delta), lucas_sequence(loops + 1, tau, delta) + modulus];
-    let rest = power + Matrix2::identity() * modulus;
-    Ok(sums.iter().chain(rest.iter()).map(|gap| gap.abs()).collect())
-}
-
 /// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
 pub(super) fn power_at_resonance() -> CheckResult {
-    let gaps = everywhere!(Loops::Many, power_gaps);
-    let largest = largest(&gaps);
     // Roundings of up to five factors.
-    let measure = Measure::Deviation { largest, tolerance: 1e-11 };
-    Ok(Outcome::new(measure, gaps.len(), "located resonances with p = 2 to 5"))
+    deviation(Loops::Many, 1e-11, "located resonances with p = 2 to 5", |place| {
+        let map = place.point().grazing.map;
+        let (loops, tau, delta) = (place.loops(), map.trace(), map.determinant());
+        let orbit = place.resonance.orbit();
+        let power = global_iterate::<_, 1>(orbit.oscillator(), loops, 0.0, orbit.phase())?.derivative();
+        let modulus = modulus_power(loops, delta);
+        let sums = [
+            detuning(loops, tau, delta),
+            lucas_sequence(loops, tau, delta),
+            lucas_sequence(loops + 1, tau, delta) + modulus,
+        ];
+        let rest = power + Matrix2::identity() * modulus;
+        Ok(sums.iter().chain(rest.iter()).map(|gap| gap.abs()).collect())
+    })
 }

@@ -5,29 +5,24 @@ use grazing_continuation::curve::{Route, Window};
 use grazing_continuation::mps::{MaximalPeriodicSolution, unknown};
 use grazing_model::maps::{global_iterate, global_map, virtual_map};
 use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, LinearOscillator, State};
-use grazing_theorems::from_map::GrazingOrbit;
+use grazing_model::{ImpactOscillator, State};
 use nalgebra::Vector2;
 
 use super::derivatives::slope;
-use super::places::{Failure, Loops, Observed, Place, at_resonance, everywhere, largest, lowest, order};
+use super::places::{Loops, Observed, Place, agreement, deviation, everywhere, lowest, order};
 use super::simulation::next_impact;
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure, Outcome};
 use crate::printed::printed;
-
-pub(super) fn agreement(cases: &[bool], over: &str) -> Outcome {
-    let agreeing = cases.iter().filter(|agrees| **agrees).count();
-    Outcome::new(Measure::Agreement { agreeing, cases: cases.len() }, cases.len(), over)
-}
+use crate::specimen::{Law, damping_for_decay};
 
 /// Near a resonance an MPS is stable between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0 of the (η, y) plane, and nowhere else.
-fn regions<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failure> {
+fn regions(place: &Place) -> Result<Vec<bool>, Failure> {
     let stability = place.point().stability_coefficients();
     let by_eta = place.point().grazing.alpha()
         * place.point().grazing.forcing_frequency
         * place.point().off_diagonal_slope();
     let mut found = Vec::new();
-    let radius = 1e-3;
+    let radius = 3e-4;
     // Angles in the half-plane y > 0, η in units in which the lines have slopes of order one.
     for k in 1..40 {
         let (sine, cosine) = libm::sincos(core::f64::consts::PI * f64::from(k) / 40.0);
@@ -47,13 +42,13 @@ fn regions<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failure> 
 /// Periodicity regions lie between the SN and the PD curve.
 pub(super) fn periodicity_regions() -> CheckResult {
     Ok(agreement(
-        &everywhere!(Loops::Any, regions),
+        &everywhere(Loops::Any, regions)?,
         "MPSs around resonances, stable between SN and PD curves alone",
     ))
 }
 
 /// Stable MPSs attract in direct simulation.
-fn attraction<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failure> {
+fn attraction(place: &Place) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
     for near in super::simulation::admissible(place).iter().step_by(3) {
         let (solution, _) = place.resonance.equations().solution(&near.unknowns);
@@ -80,7 +75,7 @@ fn attraction<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failur
 /// The response can be periodic near resonant grazing: stable MPSs attract.
 pub(super) fn periodic_response() -> CheckResult {
     Ok(agreement(
-        &everywhere!(Loops::Any, attraction),
+        &everywhere(Loops::Any, attraction)?,
         "perturbed stable MPSs near resonances, simulated for 200 impacts",
     ))
 }
@@ -90,10 +85,7 @@ pub(super) fn direction_by_parity() -> CheckResult {
     let mut cases = Vec::new();
     for n in 1..=12_u32 {
         for decay in [0.2, 0.5, 0.8] {
-            let skew = -libm::log(decay) / (core::f64::consts::PI * f64::from(n));
-            let theory = grazing_theorems::LinearOscillator::new(skew / (1.0 + skew * skew).sqrt(), 0.8)?;
-            let resonance = theory.resonance(1, n)?;
-            let place = at_resonance(&resonance)?;
+            let place = Place::find(Law::linear(damping_for_decay(1, n, decay), 0.8), 1, n)?;
             let rate = slope(1e-3, |eta| {
                 let orbit = place.grazing(eta)?;
                 let jet = global_map::<_, 1>(orbit.oscillator(), 0.0, orbit.phase(), None).ok()?.jet;
@@ -114,59 +106,62 @@ pub(super) fn direction_by_parity() -> CheckResult {
     Ok(agreement(&cases, "the sign of a₁₂' and the sides of SN and PD curves, n = 1 to 12"))
 }
 
-/// All that the theorems need by differences of values of P_global alone, against from_map's derivatives.
-fn numerical_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
-    let orbit: &GrazingOrbit<O> = place.resonance.orbit();
-    let point = place.point();
-    let [primary, secondary] = orbit.oscillator().parameters();
-    let value = |loops: u32, x: f64, z: f64, mu: f64, eta: f64| {
-        let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary + eta]);
-        Some(global_iterate::<O, 1>(&oscillator, loops, x, z).ok()?.value)
-    };
-    let phase = orbit.phase();
-    let step = 2e-3;
-    let entry = |i: usize, x: f64, z: f64, mu: f64| {
-        slope(step, |h| Some(value(1, x * h, phase + z * h, mu * h, 0.0)?[i]))
-    };
-    let all = || {
-        let mut gaps = Vec::new();
-        for i in 0..2 {
-            let row = [entry(i, 1.0, 0.0, 0.0)?, entry(i, 0.0, 1.0, 0.0)?, entry(i, 0.0, 0.0, 1.0)?];
-            let map = point.grazing.map;
-            let stated = [map.a[(i, 0)], map.a[(i, 1)], map.b[i]];
-            gaps.extend(row.iter().zip(stated).map(|(a, b)| (a - b).abs() / (1.0 + b.abs())));
-        }
-        let by_phase = |loops: u32, from: f64, eta: f64, mu: f64| {
-            slope(step, |h| Some(value(loops, 0.0, from + h, mu, eta)?[0]))
-        };
-        let xi = slope(step, |h| by_phase(place.loops(), phase + h, 0.0, 0.0))?;
-        gaps.push((xi - point.second_phase_derivative).abs() / (1.0 + point.second_phase_derivative.abs()));
-        // Along the grazing curve: the orbits are found by Newton's method, the derivative by differences.
-        let by_eta = slope(5e-4, |eta| {
-            let there = place.grazing(eta)?;
-            by_phase(place.loops(), there.phase(), eta, there.primary() - primary)
-        })?;
-        let stated = point.off_diagonal_slope();
-        gaps.push((by_eta - stated).abs() / (1.0 + stated.abs()));
-        Some(gaps)
-    };
-    all().ok_or_else(|| "P_global is not defined around a resonance".into())
-}
-
 /// The quantities of the theorems by finite differences of P_global.
+///
+/// All that the theorems need by differences of values of P_global alone, against from_map's derivatives.
 pub(super) fn finite_differences() -> CheckResult {
-    let gaps = everywhere!(Loops::Any, numerical_gaps);
-    let largest = largest(&gaps);
     // Nested differences of sixth order: rounding 10⁻¹⁵ over both steps is 10⁻⁹, and sixth derivatives in ω reach 10¹².
-    let measure = Measure::Deviation { largest, tolerance: 1e-7 };
-    Ok(Outcome::new(measure, gaps.len(), "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone"))
+    deviation(
+        Loops::Any,
+        1e-7,
+        "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone",
+        |place| {
+            let orbit = place.resonance.orbit();
+            let point = place.point();
+            let [primary, secondary] = orbit.oscillator().parameters();
+            let value = |loops: u32, x: f64, z: f64, mu: f64, eta: f64| {
+                let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary + eta]);
+                Some(global_iterate::<_, 1>(&oscillator, loops, x, z).ok()?.value)
+            };
+            let phase = orbit.phase();
+            let step = 2e-3;
+            let entry = |i: usize, x: f64, z: f64, mu: f64| {
+                slope(step, |h| Some(value(1, x * h, phase + z * h, mu * h, 0.0)?[i]))
+            };
+            let all = || {
+                let mut gaps = Vec::new();
+                for i in 0..2 {
+                    let row = [entry(i, 1.0, 0.0, 0.0)?, entry(i, 0.0, 1.0, 0.0)?, entry(i, 0.0, 0.0, 1.0)?];
+                    let map = point.grazing.map;
+                    let stated = [map.a[(i, 0)], map.a[(i, 1)], map.b[i]];
+                    gaps.extend(row.iter().zip(stated).map(|(a, b)| (a - b).abs() / (1.0 + b.abs())));
+                }
+                let by_phase = |loops: u32, from: f64, eta: f64, mu: f64| {
+                    slope(step, |h| Some(value(loops, 0.0, from + h, mu, eta)?[0]))
+                };
+                let xi = slope(step, |h| by_phase(place.loops(), phase + h, 0.0, 0.0))?;
+                gaps.push(
+                    (xi - point.second_phase_derivative).abs() / (1.0 + point.second_phase_derivative.abs()),
+                );
+                // Along the grazing curve: the orbits are found by Newton's method, the derivative by differences.
+                let by_eta = slope(5e-4, |eta| {
+                    let there = place.grazing(eta)?;
+                    by_phase(place.loops(), there.phase(), eta, there.primary() - primary)
+                })?;
+                let stated = point.off_diagonal_slope();
+                gaps.push((by_eta - stated).abs() / (1.0 + stated.abs()));
+                Some(gaps)
+            };
+            all().ok_or_else(|| "P_global is not defined around a resonance".into())
+        },
+    )
 }
 
 /// The resonances of Figure 7: p = 1 with n = 3, 4, 5, p = 2 and 3 with n = 1, 2.
-pub(super) fn of_figure_7() -> Result<Vec<Place<LinearOscillator>>, Failure> {
-    let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
+pub(super) fn of_figure_7() -> Result<Vec<Place>, Failure> {
+    let law = Law::linear(printed("zeta")?, printed("epsilon")?);
     let indices = [(1, 3), (1, 4), (1, 5), (2, 1), (2, 2), (3, 1), (3, 2)];
-    indices.iter().map(|&(p, n)| at_resonance(&theory.resonance(p, n)?)).collect()
+    indices.iter().map(|&(p, n)| Place::find(law, p, n)).collect()
 }
 
 /// The order in h of the difference between extrapolations to h = 0 from both sides, which is at least 3 for a function in C³.
@@ -180,10 +175,7 @@ fn seam(f: impl Fn(f64) -> Option<f64>) -> f64 {
 
 /// The return to Π of an MPS that grazes the wall between its impacts: from its maximum at the wall to the impact, through the
 /// reset law and on to the same maximum, grazing itself ignored as P_global ignores it.
-fn return_through_impact(
-    place: &Place<LinearOscillator>,
-    solution: &MaximalPeriodicSolution,
-) -> Option<[f64; 4]> {
+fn return_through_impact(place: &Place, solution: &MaximalPeriodicSolution) -> Option<[f64; 4]> {
     let equations = place.resonance.equations();
     let point = &solution.unknowns;
     let oscillator = equations.oscillator_at(point);

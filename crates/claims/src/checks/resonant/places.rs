@@ -2,28 +2,26 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Memory, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::ImpactOscillator;
 use grazing_model::maps::global_iterate;
-use grazing_model::{ImpactOscillator, LinearOscillator};
-use grazing_theorems::from_map::GrazingOrbit;
+use grazing_theorems::auxiliary::modulus_power;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
-use grazing_theorems::{GrazingPoint, Resonance, ResonantPoint};
+use grazing_theorems::{GrazingPoint, ResonantPoint};
 use nalgebra::{Matrix2, Vector2};
 
 use crate::convergence;
-use crate::outcome::Measure;
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 use crate::sampling::Sampler;
-use crate::specimen::{DELAY, RESTITUTION, VaryingReset, varying_at_grazing};
-
-/// Why a check cannot be carried out.
-pub(super) type Failure = Box<dyn std::error::Error + Send + Sync>;
+use crate::specimen::{Grazing, Law, Specimen, damping_for_decay};
 
 /// A resonant grazing point of one oscillator.
-pub(super) struct Place<O> {
-    pub(super) resonance: ResonantGrazingPoint<O>,
+pub(super) struct Place {
+    pub(super) resonance: ResonantGrazingPoint<Specimen>,
 }
 
 /// Coordinates of a point near a resonance: y, z − z_graz,η, μ, η.
@@ -31,9 +29,9 @@ pub(super) type Offset = [f64; 4];
 
 /// A point near a resonance, with the grazing orbit at its η.
 #[derive(Clone)]
-pub(super) struct Near<O> {
+pub(super) struct Near {
     pub(super) unknowns: Unknowns,
-    pub(super) orbit: GrazingOrbit<O>,
+    pub(super) orbit: Grazing,
 }
 
 /// The numbers of section 5 at a resonance, in the paper's symbols.
@@ -54,9 +52,10 @@ pub(super) struct Symbols {
     pub(super) f: f64,
 }
 
-impl<O: ImpactOscillator> Place<O> {
-    fn find(orbit: &GrazingOrbit<O>, loops: u32) -> Result<Self, Failure> {
-        Ok(Self { resonance: ResonantGrazingPoint::find(orbit.oscillator(), loops, orbit.phase())? })
+impl Place {
+    /// The resonance of an oscillator with this law that the one (p, n) of the linear oscillator becomes.
+    pub(super) fn find(law: Law, loops: u32, index: u32) -> Result<Self, Failure> {
+        Ok(Self { resonance: law.resonance(loops, index, false)?.checked()? })
     }
 
     pub(super) fn loops(&self) -> u32 {
@@ -71,11 +70,11 @@ impl<O: ImpactOscillator> Place<O> {
         let point = self.point();
         let GrazingPoint { map, forcing_frequency: omega, gamma, phi, .. } = point.grazing;
         let orbit = self.resonance.orbit();
-        let jet = global_iterate::<O, 2>(orbit.oscillator(), self.loops(), 0.0, orbit.phase())?;
+        let jet = global_iterate::<_, 2>(orbit.oscillator(), self.loops(), 0.0, orbit.phase())?;
         let power = if self.loops() == 1 {
             Matrix2::new(map.a.m11, 0.0, map.a.m21, map.a.m22)
         } else {
-            -Matrix2::identity() * libm::pow(map.determinant(), 0.5 * f64::from(self.loops()))
+            -Matrix2::identity() * modulus_power(self.loops(), map.determinant())
         };
         Ok(Symbols {
             alpha: point.grazing.alpha(),
@@ -91,16 +90,16 @@ impl<O: ImpactOscillator> Place<O> {
     }
 
     /// The grazing orbit at a distance η from the resonance.
-    pub(super) fn grazing(&self, eta: f64) -> Option<GrazingOrbit<O>> {
+    pub(super) fn grazing(&self, eta: f64) -> Option<Grazing> {
         let orbit = self.resonance.orbit();
         let [primary, secondary] = orbit.oscillator().parameters();
         let parameters = [primary + orbit.primary_slope() * eta, secondary + eta];
         let oscillator = orbit.oscillator().with_parameters(parameters);
-        GrazingOrbit::find(&oscillator, orbit.phase() + orbit.phase_slope() * eta).ok()
+        Grazing::find(&oscillator, orbit.phase() + orbit.phase_slope() * eta).ok()
     }
 
     /// The point at an offset from the resonance.
-    pub(super) fn near(&self, [y, z, mu, eta]: Offset) -> Option<Near<O>> {
+    pub(super) fn near(&self, [y, z, mu, eta]: Offset) -> Option<Near> {
         let orbit = self.grazing(eta)?;
         let [primary, secondary] = orbit.oscillator().parameters();
         Some(Near { unknowns: Unknowns::new(y, orbit.phase() + z, primary + mu, secondary), orbit })
@@ -112,14 +111,14 @@ impl<O: ImpactOscillator> Place<O> {
     }
 
     /// The zero of the VIVID function with impact velocity y at η: (z, μ) = (Z, M)(y, η) of eq:ZM.
-    pub(super) fn on_branch(&self, y: f64, eta: f64) -> Option<Near<O>> {
+    pub(super) fn on_branch(&self, y: f64, eta: f64) -> Option<Near> {
         let branch = self.resonance.theorem().branch();
         let near = self.near([y, branch.k_1 * y, branch.parameter(y, eta), eta])?;
         self.located([Condition::ImpactVelocity(y), Condition::Secondary(near.unknowns[3])], near)
     }
 
     /// The point of a bifurcation curve at η, from its leading terms.
-    pub(super) fn on_curve(&self, curve: &Bifurcation, eta: f64) -> Option<Near<O>> {
+    pub(super) fn on_curve(&self, curve: &Bifurcation, eta: f64) -> Option<Near> {
         let leading = &curve.leading;
         let near = self.near([
             leading.impact_velocity_slope * eta,
@@ -130,7 +129,7 @@ impl<O: ImpactOscillator> Place<O> {
         self.located([curve.condition, Condition::Secondary(near.unknowns[3])], near)
     }
 
-    fn located(&self, conditions: [Condition; 2], near: Near<O>) -> Option<Near<O>> {
+    fn located(&self, conditions: [Condition; 2], near: Near) -> Option<Near> {
         let unknowns =
             locate(self.resonance.equations(), conditions, near.unknowns, &mut Memory::default()).ok()?;
         Some(Near { unknowns, ..near })
@@ -163,7 +162,7 @@ pub(super) struct Bifurcation {
     pub(super) stability: f64,
 }
 
-impl<O: ImpactOscillator> Near<O> {
+impl Near {
     /// (z − z_graz,η, μ).
     pub(super) fn relative(&self) -> [f64; 2] {
         [
@@ -173,7 +172,7 @@ impl<O: ImpactOscillator> Near<O> {
     }
 
     /// The oscillator at the point's parameters.
-    pub(super) fn oscillator(&self) -> O {
+    pub(super) fn oscillator(&self) -> Specimen {
         self.orbit
             .oscillator()
             .with_parameters([self.unknowns[unknown::PRIMARY], self.unknowns[unknown::SECONDARY]])
@@ -203,83 +202,72 @@ impl Loops {
     }
 }
 
-/// The indices (p, n) of the resonances that are looked at.
-fn indices(which: Loops) -> impl Iterator<Item = (u32, u32)> {
-    let all = (1..=5_u32).flat_map(|loops| (1..=if loops == 1 { 4 } else { 2 }).map(move |n| (loops, n)));
-    all.filter(move |(loops, _)| which.includes(*loops))
-}
+/// The resonances at which everything is measured: of the linear oscillator, of one with a reset law that varies, and of one with a
+/// force that is not linear.
+static PLACES: LazyLock<Result<Vec<Place>, String>> =
+    LazyLock::new(|| places().map_err(|failure| failure.to_string()));
 
-/// The resonance (p, n) of the linear oscillator with this ε, damped so that E_p is about `decay`.
-fn with_decay(loops: u32, n: u32, decay: f64, restitution: f64) -> Result<Resonance, Failure> {
-    let p = f64::from(loops);
-    let ratio = if loops == 1 { 0.5 * f64::from(n) } else { f64::from(n) + 0.5 / p };
-    // E_p = e^{−2πpζ/ω} with ω₁/ω = ratio: ζ/ω₁ = −ln E_p/(2πp · ratio).
-    let skew = -libm::log(decay) / (core::f64::consts::TAU * p * ratio);
-    let zeta = skew / (1.0 + skew * skew).sqrt();
-    Ok(grazing_theorems::LinearOscillator::new(zeta, restitution)?.resonance(loops, n)?)
-}
-
-/// Resonances of the linear oscillator, with E_p and ε drawn at random, three to each (p, n).
-pub(super) fn linear_resonances(which: Loops) -> Result<Vec<Resonance>, Failure> {
+fn places() -> Result<Vec<Place>, Failure> {
     let mut sampler = Sampler::new(5);
     let mut found = Vec::new();
-    for (loops, n) in indices(which) {
-        for _ in 0..3 {
-            // Smaller E_p make the leading terms so small that they drown in rounding.
-            let decay = sampler.between(0.15, 0.8);
-            found.push(with_decay(loops, n, decay, sampler.between(0.3, 1.0))?);
-        }
+    let indices = (1..=5_u32).flat_map(|loops| (1..=if loops == 1 { 4 } else { 2 }).map(move |n| (loops, n)));
+    for (loops, n) in indices {
+        // Smaller E_p make the leading terms so small that they drown in rounding.
+        let damping = damping_for_decay(loops, n, sampler.between(0.15, 0.8));
+        found.push(Place::find(Law::linear(damping, sampler.between(0.3, 1.0)), loops, n)?);
+        let damping = damping_for_decay(loops, n, sampler.between(0.3, 0.8));
+        found.push(Place::find(Law::varying(damping), loops, n)?);
+    }
+    for (loops, n) in [(1, 1), (1, 3), (2, 1), (3, 1)] {
+        found.push(Place::find(Law::nonlinear(damping_for_decay(loops, n, 0.5)), loops, n)?);
     }
     Ok(found)
 }
 
-/// The linear oscillator at [`linear_resonances`].
-pub(super) fn linear(which: Loops) -> Result<Vec<Place<LinearOscillator>>, Failure> {
-    linear_resonances(which)?.iter().map(at_resonance).collect()
-}
-
-/// The linear oscillator at one resonance.
-pub(super) fn at_resonance(resonance: &Resonance) -> Result<Place<LinearOscillator>, Failure> {
-    let theory = resonance.grazing().oscillator();
-    let orbit = crate::specimen::linear_at_grazing(
-        theory.damping_ratio(),
-        theory.coefficient_of_restitution(),
-        resonance.forcing_frequency(),
-    )?;
-    Place::find(&orbit, resonance.loops())
-}
-
-/// The oscillator with a reset law that varies, at one resonance for each (p, n).
-pub(super) fn varying(which: Loops) -> Result<Vec<Place<VaryingReset>>, Failure> {
-    let mut sampler = Sampler::new(6);
+/// What a function finds at all resonances with these numbers of loops.
+pub(super) fn everywhere<T>(
+    which: Loops,
+    measure: impl Fn(&Place) -> Result<Vec<T>, Failure>,
+) -> Result<Vec<T>, Failure> {
     let mut found = Vec::new();
-    for (loops, n) in indices(which) {
-        let resonance = with_decay(loops, n, sampler.between(0.3, 0.8), 1.0)?;
-        let zeta = resonance.grazing().oscillator().damping_ratio();
-        let orbit = varying_at_grazing(zeta, RESTITUTION, DELAY, resonance.forcing_frequency())?;
-        found.push(Place::find(&orbit, loops)?);
+    for place in PLACES.as_ref().map_err(String::as_str)? {
+        if which.includes(place.loops()) {
+            found.extend(measure(place)?);
+        }
     }
     Ok(found)
 }
 
-/// What a function finds at all resonances with the given numbers of loops, of both kinds of oscillators.
-macro_rules! everywhere {
-    ($which:expr, $measure:ident) => {{
-        let mut found = Vec::new();
-        for place in $crate::checks::resonant::places::linear($which)? {
-            found.extend($measure(&place)?);
-        }
-        for place in $crate::checks::resonant::places::varying($which)? {
-            found.extend($measure(&place)?);
-        }
-        found
-    }};
+/// The orders that a function finds everywhere, as an outcome.
+pub(super) fn orders(
+    which: Loops,
+    over: &str,
+    measure: impl Fn(&Place) -> Result<Vec<Observed>, Failure>,
+) -> CheckResult {
+    let orders = everywhere(which, measure)?;
+    Ok(Outcome::new(lowest(&orders), orders.len(), over))
 }
-pub(super) use everywhere;
 
-/// The words for the samples of [`everywhere`].
+/// The largest of the deviations that a function finds everywhere, as an outcome.
+pub(super) fn deviation(
+    which: Loops,
+    tolerance: f64,
+    over: &str,
+    measure: impl Fn(&Place) -> Result<Vec<f64>, Failure>,
+) -> CheckResult {
+    let gaps = everywhere(which, measure)?;
+    Ok(Outcome::new(Measure::Deviation { largest: largest(&gaps), tolerance }, gaps.len(), over))
+}
+
+/// The cases that agree, as an outcome.
+pub(super) fn agreement(cases: &[bool], over: &str) -> Outcome {
+    let agreeing = cases.iter().filter(|agrees| **agrees).count();
+    Outcome::new(Measure::Agreement { agreeing, cases: cases.len() }, cases.len(), over)
+}
+
+/// The words for the samples of [`everywhere`] where they are remainders.
 pub(super) const EVERYWHERE: &str =
-    "remainders at resonances with p up to 5 of the linear oscillator and of one with a varying reset law";
+    "remainders at resonances with p up to 5 of oscillators with linear and other forces and reset laws";
 
 /// How far the order may lie below the stated one: what the next term does at the sizes where the remainder still stands a
 /// hundredfold above its rounding.

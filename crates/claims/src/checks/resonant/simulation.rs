@@ -6,8 +6,8 @@ use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::{Matrix2, Vector2};
 
-use super::places::{Failure, Loops, Near, Place, everywhere, largest};
-use crate::outcome::{CheckResult, Measure, Outcome};
+use super::places::{Loops, Near, Place, deviation};
+use crate::outcome::CheckResult;
 
 /// The next impact (y, z) after an impact, its phase counted near that of the first; `None` if it comes at another time than
 /// p periods later.
@@ -44,7 +44,7 @@ pub(super) fn impact_derivative<O: ImpactOscillator>(
 }
 
 /// Admissible MPSs near a resonance, with impact velocities that are small but not tiny.
-pub(super) fn admissible<O: ImpactOscillator>(place: &Place<O>) -> Vec<Near<O>> {
+pub(super) fn admissible(place: &Place) -> Vec<Near> {
     let mut found = Vec::new();
     for y in [0.02, 0.05, 0.1] {
         for eta in [-0.004, -0.001, 0.0, 0.001, 0.004] {
@@ -58,24 +58,19 @@ pub(super) fn admissible<O: ImpactOscillator>(place: &Place<O>) -> Vec<Near<O>> 
     found
 }
 
-fn gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
-    let mut found = Vec::new();
-    for near in admissible(place) {
-        let (solution, _) = place.resonance.equations().solution(&near.unknowns);
-        let simulated = impact_derivative(&near.oscillator(), place.loops(), near.impact())
-            .ok_or("an admissible MPS does not return in simulation")?;
-        let scale = 1.0 + solution.multipliers.trace.abs();
-        found.push((simulated.trace() - solution.multipliers.trace).abs() / scale);
-        found.push((simulated.determinant() - solution.multipliers.determinant).abs() / scale);
-    }
-    Ok(found)
-}
-
 /// eq:U: its eigenvalues are the multipliers of the MPS, seen as the growth of perturbations from impact to impact.
 pub(super) fn multipliers() -> CheckResult {
-    let gaps = everywhere!(Loops::Any, gaps);
-    let largest = largest(&gaps);
     // Differences: rounding of 10⁻¹⁵ over steps down to 2·10⁻⁵, products of two of them for the determinant.
-    let measure = Measure::Deviation { largest, tolerance: 1e-7 };
-    Ok(Outcome::new(measure, gaps.len(), "admissible MPSs near resonances, followed from impact to impact"))
+    deviation(Loops::Any, 1e-7, "admissible MPSs near resonances, followed from impact to impact", |place| {
+        let mut found = Vec::new();
+        for near in admissible(place) {
+            let (solution, _) = place.resonance.equations().solution(&near.unknowns);
+            let simulated = impact_derivative(&near.oscillator(), place.loops(), near.impact())
+                .ok_or("an admissible MPS does not return in simulation")?;
+            let scale = 1.0 + solution.multipliers.trace.abs();
+            found.push((simulated.trace() - solution.multipliers.trace).abs() / scale);
+            found.push((simulated.determinant() - solution.multipliers.determinant).abs() / scale);
+        }
+        Ok(found)
+    })
 }

@@ -1,17 +1,16 @@
 //! The multipliers of an MPS near a resonance: eq:U to eq:fp, Lemmas 5.1 and 5.2.
 
 use grazing_continuation::mps::{Memory, Multipliers};
-use grazing_model::ImpactOscillator;
 use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{
-    EVERYWHERE, Failure, Loops, Near, Observed, Offset, Place, Symbols, directions, everywhere, largest,
-    lowest, order, scaled,
+    EVERYWHERE, Loops, Near, Observed, Offset, Place, Symbols, agreement, deviation, directions, everywhere,
+    lowest, order, orders, scaled,
 };
-use crate::outcome::{CheckResult, Measure, Outcome};
+use crate::outcome::{CheckResult, Failure};
 
 /// T and D at a point, from the derivatives of the two sides of V.
-fn multipliers<O: ImpactOscillator>(place: &Place<O>, near: &Near<O>) -> Option<Multipliers> {
+fn multipliers(place: &Place, near: &Near) -> Option<Multipliers> {
     let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
     Some(pair.multipliers())
 }
@@ -40,7 +39,7 @@ enum Origin {
     Fixed,
 }
 
-fn trace_orders<O: ImpactOscillator>(place: &Place<O>, origin: Origin) -> Result<Vec<Observed>, Failure> {
+fn trace_orders(place: &Place, origin: Origin) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let one = |direction: &Offset| {
         let observed = order(|size| {
@@ -57,18 +56,17 @@ fn trace_orders<O: ImpactOscillator>(place: &Place<O>, origin: Origin) -> Result
     Ok(directions(4).iter().map(one).collect())
 }
 
-fn trace_about_moving<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn trace_about_moving(place: &Place) -> Result<Vec<Observed>, Failure> {
     trace_orders(place, Origin::Moving)
 }
 
-fn trace_about_fixed<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn trace_about_fixed(place: &Place) -> Result<Vec<Observed>, Failure> {
     trace_orders(place, Origin::Fixed)
 }
 
 fn trace(which: Loops) -> CheckResult {
-    let orders = everywhere!(which, trace_about_moving);
-    let printed = everywhere!(which, trace_about_fixed);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE).against_print(lowest(&printed)))
+    let printed = lowest(&everywhere(which, trace_about_fixed)?);
+    Ok(orders(which, EVERYWHERE, trace_about_moving)?.against_print(printed))
 }
 
 /// eq:yT1, about z_graz,η; the print has z_graz,0.
@@ -81,7 +79,7 @@ pub(super) fn trace_of_many_loops() -> CheckResult {
     trace(Loops::Many)
 }
 
-fn determinant_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn determinant_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let grazing = place.point().grazing;
     let power = libm::pow(grazing.map.determinant(), f64::from(place.loops()));
     let slope = grazing.phi * grazing.phi * power;
@@ -98,19 +96,17 @@ fn determinant_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Obser
 
 /// eq:yD1.
 pub(super) fn determinant_of_one_loop() -> CheckResult {
-    let orders = everywhere!(Loops::One, determinant_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::One, EVERYWHERE, determinant_orders)
 }
 
 /// eq:yDp.
 pub(super) fn determinant_of_many_loops() -> CheckResult {
-    let orders = everywhere!(Loops::Many, determinant_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Many, EVERYWHERE, determinant_orders)
 }
 
 /// y T and y D at y = 0 extrapolated from four points on either side: they differ by O(h⁴) if the functions are smooth, and at
 /// least by O(h³) if they are three times differentiable, as is stated for F and R in C⁵.
-fn seam_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
+fn seam_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let rounding = 32.0 * place.symbols()?.rounding();
     let part = |pick: fn(Multipliers) -> f64| {
         let observed = order(|size| {
@@ -130,77 +126,71 @@ fn seam_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, F
 
 /// Lemma 5.1: y T and y D have a smooth extension through y = 0, p = 1.
 pub(super) fn extension_for_one_loop() -> CheckResult {
-    let orders = everywhere!(Loops::One, seam_orders);
-    Ok(Outcome::new(
-        lowest(&orders),
-        orders.len(),
-        "extrapolations to y = 0 from both sides at resonances with p = 1",
-    ))
+    orders(Loops::One, "extrapolations to y = 0 from both sides at resonances with p = 1", seam_orders)
 }
 
 /// Lemma 5.2: the same for p ≥ 2.
 pub(super) fn extension_for_many_loops() -> CheckResult {
-    let orders = everywhere!(Loops::Many, seam_orders);
-    Ok(Outcome::new(
-        lowest(&orders),
-        orders.len(),
-        "extrapolations to y = 0 from both sides at resonances with p = 2 to 5",
-    ))
+    orders(Loops::Many, "extrapolations to y = 0 from both sides at resonances with p = 2 to 5", seam_orders)
 }
 
-/// Away from the resonance y T tends to −α ω a₁₂ S_p, which is not zero: T grows without bound as y falls to 0.
-fn divergence_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    let mut found = Vec::new();
-    for eta in [0.03, -0.02] {
-        let Some(orbit) = place.grazing(eta) else { continue };
-        let point = orbit.grazing_point();
-        let entry = point.map.iterate(place.loops()).a.m12;
-        let limit = -point.alpha() * point.forcing_frequency * entry;
+/// Values of η beside a resonance.
+const BESIDE: [f64; 2] = [0.03, -0.02];
+
+/// −α ω a₁₂ S_p beside the resonance, to which y T tends.
+fn limits(place: &Place) -> Result<Vec<f64>, Failure> {
+    let limit = |eta| {
+        let point = place.grazing(eta)?.grazing_point();
+        Some(-point.alpha() * point.forcing_frequency * point.map.iterate(place.loops()).a.m12)
+    };
+    let limits: Option<Vec<f64>> = BESIDE.into_iter().map(limit).collect();
+    Ok(limits.ok_or("no grazing orbit beside a resonance")?)
+}
+
+/// Away from the resonance y T tends to −α ω a₁₂ S_p, which is not zero: |T| grows without bound as y falls to 0.
+fn divergence_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+    let one = |(eta, limit): (f64, f64)| {
         // A limit of zero would be no divergence.
-        if limit.abs() < 1e-6 {
-            return Err(format!("y T tends to {limit}").into());
-        }
         let observed = order(|size| {
             let near = place.near([size, 0.0, 0.0, eta])?;
             Some((size * multipliers(place, &near)?.trace - limit, ROUNDING * (1.0 + limit.abs())))
         });
-        found.push((observed, 1.0));
-    }
-    Ok(found)
+        (if limit.abs() < 1e-6 { f64::NAN } else { observed }, 1.0)
+    };
+    Ok(BESIDE.into_iter().zip(limits(place)?).map(one).collect())
 }
 
-/// T → ∞ as y → 0.
+/// T → ±∞ as y → 0, with the sign of −α a₁₂ S_p.
 pub(super) fn divergence() -> CheckResult {
-    let orders = everywhere!(Loops::Any, divergence_orders);
-    let over = "η to either side of resonances: y T less its limit, which is other than zero";
-    Ok(Outcome::new(lowest(&orders), orders.len(), over))
-}
-
-/// U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against the quotient of the
-/// derivatives of the two sides of V.
-fn composition_gaps<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<f64>, Failure> {
-    let mut found = Vec::new();
-    for (y, eta) in [(0.05, 0.0), (0.02, 0.01), (0.1, -0.01), (0.03, 0.02)] {
-        let Some(near) = place.on_branch(y, eta) else { continue };
-        let oscillator = near.oscillator();
-        let mut memory = Memory::default();
-        let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut memory)?;
-        let virtual_point = pair.impact.value;
-        let disc = discontinuity_map::<O, 1>(&oscillator, virtual_point[0], virtual_point[1])?;
-        let around = global_iterate::<O, 1>(&oscillator, place.loops(), disc.value[0], disc.value[1])?;
-        let u = around.derivative() * disc.derivative();
-        let both = pair.multipliers();
-        found.push((u.trace() - both.trace).abs() / (1.0 + both.trace.abs()));
-        found.push((u.determinant() - both.determinant).abs() / (1.0 + both.trace.abs()));
-    }
-    Ok(found)
+    let over = "η to either side of resonances: y T less its limit, which is other than zero; for the print, where it is positive";
+    let positive = agreement(
+        &everywhere(Loops::Any, |place| Ok(limits(place)?.iter().map(|limit| *limit > 0.0).collect()))?,
+        over,
+    );
+    Ok(orders(Loops::Any, over, divergence_orders)?.against_print(positive.measure))
 }
 
 /// eq:TD: trace and determinant of U as it is defined.
+///
+/// U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against the quotient of the
+/// derivatives of the two sides of V.
 pub(super) fn trace_and_determinant() -> CheckResult {
-    let gaps = everywhere!(Loops::Any, composition_gaps);
-    let largest = largest(&gaps);
     // P_virt⁻¹ takes the root of x̂ ≈ y²/2γ, which is rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y, and in T.
-    let measure = Measure::Deviation { largest, tolerance: 1e-10 };
-    Ok(Outcome::new(measure, gaps.len(), "MPSs on branches near resonances"))
+    deviation(Loops::Any, 1e-10, "MPSs on branches near resonances", |place| {
+        let mut found = Vec::new();
+        for (y, eta) in [(0.05, 0.0), (0.02, 0.01), (0.1, -0.01), (0.03, 0.02)] {
+            let Some(near) = place.on_branch(y, eta) else { continue };
+            let oscillator = near.oscillator();
+            let mut memory = Memory::default();
+            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut memory)?;
+            let virtual_point = pair.impact.value;
+            let disc = discontinuity_map::<_, 1>(&oscillator, virtual_point[0], virtual_point[1])?;
+            let around = global_iterate::<_, 1>(&oscillator, place.loops(), disc.value[0], disc.value[1])?;
+            let u = around.derivative() * disc.derivative();
+            let both = pair.multipliers();
+            found.push((u.trace() - both.trace).abs() / (1.0 + both.trace.abs()));
+            found.push((u.determinant() - both.determinant).abs() / (1.0 + both.trace.abs()));
+        }
+        Ok(found)
+    })
 }

@@ -8,122 +8,104 @@ use grazing_theorems::auxiliary::{lucas_sequence, resonance_boundary};
 use nalgebra::Vector2;
 
 use super::curves::{PHASE, all_along_curves, along_curves, eta_at};
-use super::places::{Bifurcation, EVERYWHERE, Failure, Loops, Near, Observed, Place, everywhere, lowest};
-use crate::outcome::{CheckResult, Measure, Outcome};
+use super::places::{Bifurcation, EVERYWHERE, Loops, Near, Place, agreement, everywhere, orders};
+use crate::outcome::{CheckResult, Failure, Measure, Outcome};
 use crate::sampling::smallest;
-
-fn phase_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    let symbols = place.symbols()?;
-    let k_1 = place.point().branch_expansion().k_1;
-    Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
-        let slope = symbols.alpha * symbols.omega * symbols.f * k_1 / curve.stability;
-        Some(near.relative()[0] - slope * eta)
-    }))
-}
 
 /// eq:admp7.
 pub(super) fn phase() -> CheckResult {
-    let orders = everywhere!(Loops::Many, phase_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Many, EVERYWHERE, |place| {
+        Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
+            Some(near.relative()[0] - curve.leading.impact_phase_slope * eta)
+        }))
+    })
 }
 
 /// (x⁽⁰⁾, z⁽⁰⁾) of a point of a curve, the phase counted from z_graz,η.
-fn recoil<O: ImpactOscillator>(near: &Near<O>) -> Option<Vector2<f64>> {
+fn recoil(near: &Near) -> Option<Vector2<f64>> {
     let oscillator = near.oscillator();
     let [y, z] = near.impact().into();
     let reset = oscillator.reset::<1>(y, z).value;
-    let point = virtual_map::<O, 1>(&oscillator, reset[0], reset[1], Some(0.0)).ok()?.jet.value;
+    let point = virtual_map::<_, 1>(&oscillator, reset[0], reset[1], Some(0.0)).ok()?.jet.value;
     Some(point - Vector2::new(0.0, near.orbit.phase()))
-}
-
-fn position_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    Ok(along_curves(place, 2.0, PHASE, |_, _, near| Some(recoil(near)?[0])))
 }
 
 /// eq:admp8a.
 pub(super) fn position_after_recoil() -> CheckResult {
-    let orders = everywhere!(Loops::Many, position_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Many, EVERYWHERE, |place| {
+        Ok(along_curves(place, 2.0, PHASE, |_, _, near| Some(recoil(near)?[0])))
+    })
 }
 
-impl<O: ImpactOscillator> Place<O> {
+impl Place {
     /// d(z⁽⁰⁾ − z_graz,η)/dη on a curve, in the two forms of eq:admp8b.
     fn recoil_phase_slopes(&self, curve: &Bifurcation) -> Result<[f64; 2], Failure> {
         let symbols = self.symbols()?;
         let (k_1, modulus) = (self.point().branch_expansion().k_1, -symbols.power.m11);
         let alpha_omega = symbols.alpha * symbols.omega;
         Ok([
-            alpha_omega * symbols.f / curve.stability
-                * (k_1 + symbols.omega * (1.0 - symbols.alpha) / symbols.gamma),
+            curve.leading.impact_velocity_slope
+                * (k_1 + self.point().grazing.virtual_map_after_reset().z_coefficient),
             -alpha_omega * alpha_omega * symbols.f / (symbols.gamma * (1.0 + modulus) * curve.stability),
         ])
     }
 }
 
-fn recoil_phase_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    let [fold, flip] = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
-    let (fold, flip) = (fold?, flip?);
-    Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
-        let slopes = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
-        let phase = recoil(near)?[1];
-        Some(slopes.iter().map(|slope| phase - slope * eta).collect())
-    }))
-}
-
 /// eq:admp8b, both forms.
 pub(super) fn phase_after_recoil() -> CheckResult {
-    let orders = everywhere!(Loops::Many, recoil_phase_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Many, EVERYWHERE, |place| {
+        let [fold, flip] = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
+        let (fold, flip) = (fold?, flip?);
+        Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
+            let slopes = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
+            let phase = recoil(near)?[1];
+            Some(slopes.iter().map(|slope| phase - slope * eta).collect())
+        }))
+    })
 }
 
 /// The visits (x⁽ʲ⁾, z⁽ʲ⁾ − z_graz,η) for 0 < j ≤ p.
-fn visits<O: ImpactOscillator>(place: &Place<O>, near: &Near<O>) -> Option<Vec<Vector2<f64>>> {
+fn visits(place: &Place, near: &Near) -> Option<Vec<Vector2<f64>>> {
     let visits = place.resonance.equations().visits(&near.unknowns, &Memory::default()).ok()?;
     Some(visits.iter().map(|visit| visit - Vector2::new(0.0, near.orbit.phase())).collect())
 }
 
-fn power_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    let map = place.point().grazing.map;
-    Ok(all_along_curves(place, 2.0, PHASE, |_, _, near| {
-        let start = recoil(near)?;
-        let gaps = visits(place, near)?
-            .into_iter()
-            .zip(1..)
-            .map(|(visit, j)| (visit - map.iterate(j).a * start).norm());
-        Some(gaps.collect())
-    }))
-}
-
 /// eq:admp9.
 pub(super) fn visits_by_powers() -> CheckResult {
-    let orders = everywhere!(Loops::Many, power_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
-}
-
-fn visit_orders<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<Observed>, Failure> {
-    let recoil = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
-    let [fold, flip] = recoil;
-    let (fold, flip) = (fold?[1], flip?[1]);
-    let map = place.point().grazing.map;
-    Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
-        let slope = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
-        let gap = |(visit, j): (&Vector2<f64>, u32)| {
-            let entry = map.a.m12 * lucas_sequence(j, map.trace(), map.determinant());
-            visit[0] - entry * slope * eta
-        };
-        let all = visits(place, near)?;
-        // The last visit is the virtual point of the impact.
-        Some(all[..all.len() - 1].iter().zip(1..).map(gap).collect())
-    }))
+    orders(Loops::Many, EVERYWHERE, |place| {
+        let map = place.point().grazing.map;
+        Ok(all_along_curves(place, 2.0, PHASE, |_, _, near| {
+            let start = recoil(near)?;
+            let gaps = visits(place, near)?
+                .into_iter()
+                .zip(1..)
+                .map(|(visit, j)| (visit - map.iterate(j).a * start).norm());
+            Some(gaps.collect())
+        }))
+    })
 }
 
 /// eq:admp10.
 pub(super) fn positions_of_visits() -> CheckResult {
-    let orders = everywhere!(Loops::Many, visit_orders);
-    Ok(Outcome::new(lowest(&orders), orders.len(), EVERYWHERE))
+    orders(Loops::Many, EVERYWHERE, |place| {
+        let recoil = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
+        let [fold, flip] = recoil;
+        let (fold, flip) = (fold?[1], flip?[1]);
+        let map = place.point().grazing.map;
+        Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
+            let slope = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
+            let gap = |(visit, j): (&Vector2<f64>, u32)| {
+                let entry = map.a.m12 * lucas_sequence(j, map.trace(), map.determinant());
+                visit[0] - entry * slope * eta
+            };
+            let all = visits(place, near)?;
+            // The last visit is the virtual point of the impact.
+            Some(all[..all.len() - 1].iter().zip(1..).map(gap).collect())
+        }))
+    })
 }
 
-fn visit_signs<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failure> {
+fn visit_signs(place: &Place) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
     let unfolding = place.point().unfolding.derivative();
     for curve in place.curves() {
@@ -145,10 +127,10 @@ fn visit_signs<O: ImpactOscillator>(place: &Place<O>) -> Result<Vec<bool>, Failu
 
 /// eq:admp11, and x⁽ᵖ⁾ > 0.
 pub(super) fn signs_of_visits() -> CheckResult {
-    let cases = everywhere!(Loops::Many, visit_signs);
-    let agreeing = cases.iter().filter(|agrees| **agrees).count();
-    let measure = Measure::Agreement { agreeing, cases: cases.len() };
-    Ok(Outcome::new(measure, cases.len(), "all loops of MPSs on SN and PD curves, η of either sign"))
+    Ok(agreement(
+        &everywhere(Loops::Many, visit_signs)?,
+        "all loops of MPSs on SN and PD curves, η of either sign",
+    ))
 }
 
 /// S_j > 0 for 0 < j < p at resonance, in units of δ^{(j−1)/2}: adversarial search over δ, p and j.

@@ -1,12 +1,12 @@
 //! What is seen of any oscillator of the class at grazing, without closed forms.
 
+use crate::outcome::Failure;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::Side;
 use grazing_theorems::from_map::GrazingOrbit;
 
-use super::Failure;
 use crate::sweep::generic::{Existence, small_velocity};
 use grazing_unfold::simulation::{Seen, Suspect};
 
@@ -18,7 +18,7 @@ fn follow<O: ImpactOscillator>(oscillator: &O, loops: u32, point: &Unknowns) -> 
 ///
 /// # Errors
 /// Newton's method failed.
-pub(super) fn side_of_orbit<O: ImpactOscillator>(
+pub(in crate::checks::main_results) fn side_of_orbit<O: ImpactOscillator>(
     orbit: &GrazingOrbit<O>,
     loops: u32,
 ) -> Result<Existence, Failure> {
@@ -26,7 +26,10 @@ pub(super) fn side_of_orbit<O: ImpactOscillator>(
     let emerging = point.emerging_orbit(loops)?;
     let equations = LoopEquations::new(orbit.oscillator().clone(), loops, Formulation::Vivid);
     let [primary, secondary] = orbit.oscillator().parameters();
-    let size = small_velocity(&point, loops) / emerging.impact_velocity_slope.abs();
+    // So small that the expansion decides on which side of the wall the loops lie: close to h_p one is shallow.
+    let depth = (1..loops).map(|j| emerging.visit_slope(j).x.abs()).fold(f64::INFINITY, f64::min);
+    let slope = emerging.impact_velocity_slope.abs();
+    let size = small_velocity(&point, loops).min(0.01 * depth / slope) / slope;
     let mut found = [false; 2];
     for (found, sign) in found.iter_mut().zip([1.0, -1.0]) {
         let mu = sign * size;

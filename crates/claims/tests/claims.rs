@@ -1,0 +1,38 @@
+//! Each claim that a check tests, as a test of its own under its label: `cargo test -p grazing-claims --test claims -- eq:alpha`.
+//!
+//! With labels only these are run, otherwise all.
+#![expect(clippy::print_stdout, reason = "a test harness says what it does")]
+
+use std::process::ExitCode;
+
+use grazing_claims::audit::{Finding, Verdict, audit};
+use grazing_claims::ledger::{Claim, Ledger, Test};
+
+/// What is wrong with a claim, if anything is: its check fails, or a misprint that has values was not decided by it.
+fn wrong(finding: &Finding<'_>) -> Option<String> {
+    let has_print = finding.claim.misprint.as_ref().map_or(Some(false), |misprint| misprint.measured());
+    let decided = matches!(&finding.verdict,
+        Verdict::Measured(outcome) if has_print.is_none_or(|has_print| outcome.print.is_some() == has_print));
+    (finding.verdict.fails() || !decided).then(|| format!("{:?}", finding.verdict))
+}
+
+fn main() -> ExitCode {
+    let labels: Vec<String> =
+        std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
+    let ledger = Ledger::of_the_paper().unwrap_or_else(|error| panic!("{error}"));
+    let asked = |claim: &&Claim| {
+        matches!(claim.test(), Test::Check(_)) && (labels.is_empty() || labels.contains(&claim.label))
+    };
+    let claims: Vec<&Claim> = ledger.claims.iter().filter(asked).collect();
+    let mut failures = 0;
+    for finding in audit(&claims, |_| None, || {}) {
+        let wrong = wrong(&finding);
+        println!("test {} ... {}", finding.claim.label, if wrong.is_some() { "FAILED" } else { "ok" });
+        if let Some(reason) = wrong {
+            println!("    {reason}");
+            failures += 1;
+        }
+    }
+    println!("\ntest result: {} claims, {failures} failed", claims.len());
+    if failures > 0 || claims.is_empty() { ExitCode::FAILURE } else { ExitCode::SUCCESS }
+}

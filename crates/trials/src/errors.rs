@@ -1,0 +1,238 @@
+//! Errors put into formulas on purpose, one at a time: which claims and which tests see them.
+//!
+//! They stand in `expected/deliberate_errors.toml`. Each is put into a copy of the project under `target/`, where what depends on
+//! it is built again; the copy's file is put back before the next. The project itself is never touched.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{fs, io};
+
+use serde::Deserialize;
+
+/// One error.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DeliberateError {
+    /// What is wrong with it, in words.
+    pub meaning: String,
+    /// The file, from the root of the project.
+    pub file: PathBuf,
+    /// What stands there, once.
+    pub find: String,
+    /// What is put in its place.
+    pub replace: String,
+}
+
+#[derive(Deserialize)]
+struct List {
+    error: Vec<DeliberateError>,
+}
+
+/// Who saw an error.
+#[derive(Debug, PartialEq)]
+pub enum Seen {
+    /// Labels of claims that failed.
+    Claims(Vec<String>),
+    /// No claim did; names of tests that failed.
+    Tests(Vec<String>),
+    /// The program does not compile with it.
+    DoesNotCompile,
+    /// Nobody.
+    Unseen,
+}
+
+/// The crates whose tests are run where no claim sees an error: those that the errors stand in.
+const TESTED: [&str; 3] = ["grazing-theorems", "grazing-model", "grazing-continuation"];
+
+/// The table.
+pub const TABLE: &str = "expected/deliberate_errors.md";
+
+const HEAD: &str = "\
+# Deliberate errors
+
+Errors put into formulas on purpose, one at a time (`expected/deliberate_errors.toml`), and who saw each: the claims of the ledger that fail,
+or, where none does, the tests of the crates that they stand in. Made by `cargo run --release -p grazing-trials -- errors [NUMBER...]`.
+
+| number | error | seen by |
+|---|---|---|
+";
+
+fn invalid(message: String) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, message)
+}
+
+/// The list under the root of the project; each of its errors can be put in.
+///
+/// # Errors
+/// A file cannot be read, or what is to be replaced does not stand in it exactly once.
+pub fn list(root: &Path) -> io::Result<Vec<DeliberateError>> {
+    let text = fs::read_to_string(root.join("expected/deliberate_errors.toml"))?;
+    let List { error } = toml::from_str(&text).map_err(|error| invalid(error.to_string()))?;
+    for DeliberateError { file, find, meaning, .. } in &error {
+        let times = fs::read_to_string(root.join(file))?.matches(find.as_str()).count();
+        if times != 1 {
+            return Err(invalid(format!("{meaning}: stands {times} times in {}", file.display())));
+        }
+    }
+    Ok(error)
+}
+
+/// A copy of the project to put errors into.
+pub struct Copy {
+    root: PathBuf,
+    /// The original.
+    from: PathBuf,
+}
+
+impl Copy {
+    /// Brings the copy up to date; files that have not changed stay, so that little is built again.
+    ///
+    /// # Errors
+    /// A file cannot be read or written, or the project is no checkout of git.
+    pub fn of(from: &Path) -> io::Result<Self> {
+        let root = from.join("target/deliberate_errors");
+        let listed = Command::new("git").args(["ls-files", "-z"]).current_dir(from).output()?;
+        let files = String::from_utf8(listed.stdout).map_err(|error| invalid(error.to_string()))?;
+        if !listed.status.success() || files.is_empty() {
+            return Err(invalid(String::from_utf8_lossy(&listed.stderr).into_owned()));
+        }
+        let copy = Self { root, from: from.to_owned() };
+        for file in files.split_terminator('\0') {
+            copy.restore(Path::new(file))?;
+        }
+        Ok(copy)
+    }
+
+    /// Puts a file back.
+    fn restore(&self, file: &Path) -> io::Result<()> {
+        let (original, here) = (fs::read(self.from.join(file))?, self.root.join(file));
+        if fs::read(&here).is_ok_and(|copy| copy == original) {
+            return Ok(());
+        }
+        if let Some(folder) = here.parent() {
+            fs::create_dir_all(folder)?;
+        }
+        fs::write(here, original)
+    }
+
+    /// Puts the error in, runs claims and tests, and puts the file back.
+    ///
+    /// # Errors
+    /// A file cannot be read or written, or cargo not be run.
+    pub fn try_out(&self, error: &DeliberateError) -> io::Result<Seen> {
+        let text = fs::read_to_string(self.from.join(&error.file))?;
+        fs::write(self.root.join(&error.file), text.replacen(&error.find, &error.replace, 1))?;
+        let seen = self.seen();
+        self.restore(&error.file)?;
+        seen
+    }
+
+    fn seen(&self) -> io::Result<Seen> {
+        let (built, failed) = self.failures(&["-p", "grazing-claims", "--test", "claims"])?;
+        if !built {
+            return Ok(Seen::DoesNotCompile);
+        }
+        if !failed.is_empty() {
+            return Ok(Seen::Claims(failed));
+        }
+        let packages: Vec<&str> = TESTED.iter().flat_map(|package| ["-p", package]).collect();
+        let (_, failed) = self.failures(&packages)?;
+        Ok(if failed.is_empty() { Seen::Unseen } else { Seen::Tests(failed) })
+    }
+
+    /// Whether the tests could be built, and the names of those that fail.
+    fn failures(&self, what: &[&str]) -> io::Result<(bool, Vec<String>)> {
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let output = Command::new(cargo)
+            .args(["test", "--locked", "--no-fail-fast"])
+            .args(what)
+            .current_dir(&self.root)
+            .env("CARGO_TARGET_DIR", self.root.join("target"))
+            .env("INSTA_UPDATE", "no")
+            .output()?;
+        let told = String::from_utf8_lossy(&output.stdout);
+        let failed = told.lines().filter_map(|line| line.strip_prefix("test ")?.strip_suffix(" ... FAILED"));
+        let failed: Vec<String> = failed.map(str::to_owned).collect();
+        let ran = told.contains("test result:");
+        // A test that ends the process, by a stack that is too small or without end, has no line of its own.
+        let ended = ran && failed.is_empty() && !output.status.success();
+        Ok((ran, if ended { vec!["a test that does not end as it should".to_owned()] } else { failed }))
+    }
+}
+
+/// The table with new rows in it, in the order of the list; rows of errors that were not tried out stay if their errors are still listed.
+pub fn table(before: &str, list: &[DeliberateError], new: &BTreeMap<usize, Seen>) -> String {
+    let cells = |line: &str| {
+        let mut cells = line.trim_matches(['|', ' ']).splitn(3, " | ").map(str::to_owned);
+        Some([cells.next()?, cells.next()?, cells.next()?])
+    };
+    let old: BTreeMap<String, String> =
+        before.lines().filter_map(cells).map(|[_, meaning, seen]| (meaning, seen)).collect();
+    let mut table = HEAD.to_owned();
+    for (number, error) in (1..).zip(list) {
+        let seen = match new.get(&number) {
+            Some(seen) => seen.to_string(),
+            None => old.get(&error.meaning).cloned().unwrap_or_else(|| "not tried out yet".to_owned()),
+        };
+        // Writing to a string cannot fail.
+        let _ = writeln!(table, "| {number} | {} | {seen} |", error.meaning);
+    }
+    table
+}
+
+impl std::fmt::Display for Seen {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut told = |kind: &str, names: &[String]| {
+            let first: Vec<String> = names.iter().take(3).map(|name| format!("`{name}`")).collect();
+            let more = if names.len() > first.len() { ", …" } else { "" };
+            write!(
+                f,
+                "{} {kind}{}: {}{more}",
+                names.len(),
+                if names.len() == 1 { "" } else { "s" },
+                first.join(", ")
+            )
+        };
+        match self {
+            Self::Claims(labels) => told("claim", labels),
+            Self::Tests(names) => told("test", names),
+            Self::DoesNotCompile => f.write_str("the compiler"),
+            Self::Unseen => f.write_str("**nobody**"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_error_can_be_put_in() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let list = list(&root).unwrap_or_else(|error| panic!("{error}"));
+        assert!(list.len() >= 60);
+        assert!(list.iter().all(|error| error.find != error.replace));
+    }
+
+    #[test]
+    fn rows_that_were_not_tried_out_stay() {
+        let error = |meaning: &str| DeliberateError {
+            meaning: meaning.to_owned(),
+            file: PathBuf::new(),
+            find: String::new(),
+            replace: String::new(),
+        };
+        let list = [error("first"), error("second")];
+        let once = table("", &list, &BTreeMap::from([(1, Seen::Claims(vec!["eq:A".to_owned()]))]));
+        assert!(
+            once.contains("| 1 | first | 1 claim: `eq:A` |") && once.contains("| 2 | second | not tried")
+        );
+        let twice = table(&once, &list, &BTreeMap::from([(2, Seen::Unseen)]));
+        assert!(
+            twice.contains("| 1 | first | 1 claim: `eq:A` |")
+                && twice.contains("| 2 | second | **nobody** |")
+        );
+    }
+}
