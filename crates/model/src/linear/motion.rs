@@ -84,6 +84,7 @@ impl LinearMotion {
 }
 
 impl Motion for LinearMotion {
+    #[inline]
     fn at(&self, time: f64) -> Kinematics {
         let decay = libm::exp(-self.damping_ratio * time);
         let (sin, cos) = libm::sincos(self.natural_frequency * time);
