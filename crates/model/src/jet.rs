@@ -150,7 +150,7 @@ impl<A, B> MapJet<A, B> {
 pub struct FlowJet {
     /// Position and velocity (x, y) at the end.
     pub value: Vector2<f64>,
-    /// First derivatives; columns as in [`flow_variable`].
+    /// First derivatives; columns as in [`flow_variable`](crate::flow_variable).
     pub jacobian: Matrix2x6<f64>,
     /// Second derivatives of x and of y; zero where only the first order was asked for.
     pub hessians: [Matrix6<f64>; 2],

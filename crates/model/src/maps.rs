@@ -12,7 +12,7 @@ use core::f64::consts::TAU;
 
 use nalgebra::{Matrix6, Vector2, Vector4};
 
-use crate::jet::{FlowJet, MapJet};
+use crate::jet::{FlowJet, MapJet, ParameterJet};
 use crate::motion::{Motion, first_rest};
 use crate::oscillator::ImpactOscillator;
 use crate::state::{AtPhase, AtRest, OnWall, State, Surface, flow_variable as flow};
@@ -189,15 +189,7 @@ pub fn to_phase_along<O: ImpactOscillator, const ORDER: usize>(
     let frequency = oscillator.forcing_frequency();
     let time = (target - from.phase) / frequency.value;
     let jet = oscillator.flow_along::<ORDER>(motion, from.into(), time);
-    // s = (target − z)/ω(μ, η).
-    let omega = Vector4::new(0.0, 0.0, frequency.gradient[0], frequency.gradient[1]);
-    let mut ds = -omega * (time / frequency.value);
-    ds[1] -= 1.0 / frequency.value;
-    let dds = |a: usize, b: usize| {
-        let curvature = if a >= 2 && b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
-        -(omega[a] * ds[b] + omega[b] * ds[a] + time * curvature) / frequency.value
-    };
-    substitute_duration::<ORDER, _>(&jet, &ds, dds)
+    at_constant_phase::<ORDER, _>(&jet, &frequency, time)
 }
 
 /// The flow over one forcing period from phase zero, the wall ignored; its coordinates are (x, y), and its variables (x, y, μ, η).
@@ -210,14 +202,7 @@ pub fn stroboscopic_map<O: ImpactOscillator, const ORDER: usize>(
     let frequency = oscillator.forcing_frequency();
     let time = TAU / frequency.value;
     let jet = oscillator.flow::<ORDER>(State { position, velocity, phase: 0.0 }, time);
-    let omega = Vector4::new(0.0, 0.0, frequency.gradient[0], frequency.gradient[1]);
-    // s = 2π/ω(μ, η).
-    let ds = -omega * (time / frequency.value);
-    let dds = |a: usize, b: usize| {
-        let curvature = if a >= 2 && b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
-        -(omega[a] * ds[b] + omega[b] * ds[a] + time * curvature) / frequency.value
-    };
-    substitute_duration::<ORDER, _>(&jet, &ds, dds)
+    at_constant_phase::<ORDER, _>(&jet, &frequency, time)
 }
 
 /// Solves for the zero of the velocity and differentiates the landing point implicitly.
@@ -322,14 +307,23 @@ fn second_along(hessian: &Matrix6<f64>, columns: &[usize; 4], ds: &Vector4<f64>,
         + hessian[(flow::DURATION, flow::DURATION)] * ds[a] * ds[b]
 }
 
-/// The flow's jet in the variables of a map from a surface, with its duration replaced by a function of them with derivatives
-/// `ds` and `dds`.
-fn substitute_duration<const ORDER: usize, A: Surface>(
+/// The jet of the flow from a surface to a plane of constant phase, after the time s = (target − z)/ω(μ, η) with z held where it is no
+/// coordinate of the surface.
+fn at_constant_phase<const ORDER: usize, A: Surface>(
     jet: &FlowJet,
-    ds: &Vector4<f64>,
-    dds: impl Fn(usize, usize) -> f64,
+    frequency: &ParameterJet,
+    time: f64,
 ) -> MapJet<A, AtPhase> {
     let columns = &map_columns::<A>();
+    let omega = Vector4::new(0.0, 0.0, frequency.gradient[0], frequency.gradient[1]);
+    let mut ds = -omega * (time / frequency.value);
+    if A::VARIABLES[1] == flow::PHASE {
+        ds[1] -= 1.0 / frequency.value;
+    }
+    let dds = |a: usize, b: usize| {
+        let curvature = if a >= 2 && b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
+        -(omega[a] * ds[b] + omega[b] * ds[a] + time * curvature) / frequency.value
+    };
     let mut map = MapJet::constant(jet.value);
     for component in 0..2 {
         let rate = jet.jacobian[(component, flow::DURATION)];
@@ -339,7 +333,7 @@ fn substitute_duration<const ORDER: usize, A: Surface>(
         if ORDER >= 2 {
             for a in 0..4 {
                 for b in 0..=a {
-                    let entry = second_along(&jet.hessians[component], columns, ds, a, b) + rate * dds(a, b);
+                    let entry = second_along(&jet.hessians[component], columns, &ds, a, b) + rate * dds(a, b);
                     map.set_second(component, [a, b], entry);
                 }
             }
