@@ -10,7 +10,9 @@ mod motion;
 use grazing_continuation::resonance::{LocatedResonance, ResonanceError};
 use grazing_model::flow_variable::{PRIMARY, SECONDARY};
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
-use grazing_model::{FlowJet, ImpactOscillator, LinearOscillator, MapJet, ParameterJet, State, ThirdOrder};
+use grazing_model::{
+    FlowJet, ImpactOscillator, LinearOscillator, MapJet, OnWall, ParameterJet, State, ThirdOrder,
+};
 use grazing_theorems::TheoryError;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use thiserror::Error;
@@ -359,8 +361,9 @@ impl ImpactOscillator for Specimen {
         }
     }
 
-    fn reset<const ORDER: usize>(&self, velocity: f64, phase: f64) -> MapJet {
-        self.law.reset::<ORDER>(velocity, phase)
+    fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall> {
+        let OnWall { velocity, phase } = impact;
+        self.law.reset::<ORDER>(OnWall::new(velocity, phase))
     }
 
     fn motion(&self, from: State) -> SpecimenMotion {

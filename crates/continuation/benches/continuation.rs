@@ -10,7 +10,7 @@ use divan::counter::ItemsCount;
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
 use grazing_model::{ImpactOscillator, LinearOscillator};
@@ -33,7 +33,7 @@ struct Start<O> {
 impl<O: ImpactOscillator> Start<O> {
     fn follow(&self) -> Curve {
         let Self { curve, point, direction, route } = self;
-        curve.clone().follow(*point, *direction, Memory::default(), route).unwrap()
+        curve.clone().follow(*point, *direction, EventTimes::default(), route).unwrap()
     }
 
     /// One item is one point of the curve.

@@ -18,8 +18,8 @@ use crate::tolerances::{self, CORRECTIONS, FARTHEST_CORRECTION};
 
 /// N − 1 smooth equations in N unknowns.
 pub trait CurveEquations<const N: usize> {
-    /// What the equations remember from point to point along the curve, such as the times of events.
-    type Memory: Clone;
+    /// What the equations carry from point to point along the curve, such as the times of events.
+    type Carried: Clone;
     /// Why the equations can be undefined at a point.
     type Failure: Copy;
 
@@ -30,11 +30,11 @@ pub trait CurveEquations<const N: usize> {
     fn evaluate(
         &self,
         point: &SVector<f64, N>,
-        memory: &mut Self::Memory,
+        carried: &mut Self::Carried,
     ) -> Result<Linearisation<N>, Self::Failure>;
 
-    /// Called with every accepted point, to bring the memory up to it.
-    fn settle(&self, _point: &SVector<f64, N>, _memory: &mut Self::Memory) {}
+    /// Called with every accepted point, to bring what is carried up to it.
+    fn settle(&self, _point: &SVector<f64, N>, _carried: &mut Self::Carried) {}
 }
 
 /// Control of the step length. All lengths are in the Euclidean norm of the unknowns.
@@ -71,8 +71,8 @@ pub struct Station<const N: usize, M> {
     pub point: SVector<f64, N>,
     /// The unit tangent, pointing onwards.
     pub tangent: SVector<f64, N>,
-    /// The equations' memory at the point.
-    pub memory: M,
+    /// What the equations carry there.
+    pub carried: M,
 }
 
 /// No further point could be found.
@@ -90,7 +90,7 @@ pub struct Stall<E> {
 pub struct Continuation<'a, const N: usize, C: CurveEquations<N>> {
     equations: &'a C,
     control: StepControl,
-    here: Station<N, C::Memory>,
+    here: Station<N, C::Carried>,
     step: f64,
     /// The point before the last and its tangent.
     past: Option<(SVector<f64, N>, SVector<f64, N>)>,
@@ -122,24 +122,24 @@ where
         control: StepControl,
         start: SVector<f64, N>,
         direction: SVector<f64, N>,
-        mut memory: C::Memory,
+        mut carried: C::Carried,
     ) -> Result<Self, Stall<C::Failure>> {
         let stall = |failure| Stall { step: 0.0, failure };
         let linearisation = equations
-            .evaluate(&start, &mut memory)
+            .evaluate(&start, &mut carried)
             .map_err(|cause| stall(NewtonFailure::Undefined { iteration: 1, cause }))?;
         let residual = linearisation.residual.norm();
         let mut bordered = linearisation.jacobian;
         bordered.set_row(N - 1, &direction.transpose());
         let tangent =
             tangent(&bordered.lu()).ok_or(stall(NewtonFailure::Singular { iteration: 1, residual }))?;
-        equations.settle(&start, &mut memory);
-        let here = Station { point: start, tangent, memory };
+        equations.settle(&start, &mut carried);
+        let here = Station { point: start, tangent, carried };
         Ok(Self { equations, control, here, step: control.first, past: None })
     }
 
     /// The last point found.
-    pub fn here(&self) -> &Station<N, C::Memory> {
+    pub fn here(&self) -> &Station<N, C::Carried> {
         &self.here
     }
 
@@ -147,7 +147,7 @@ where
     ///
     /// # Errors
     /// Even the shortest step failed.
-    pub fn advance(&mut self) -> Result<&Station<N, C::Memory>, Stall<C::Failure>> {
+    pub fn advance(&mut self) -> Result<&Station<N, C::Carried>, Stall<C::Failure>> {
         loop {
             match self.attempt() {
                 Ok((next, angle))
@@ -187,16 +187,16 @@ where
     }
 
     /// One predictor and corrector; the new station and the angle between the two tangents.
-    fn attempt(&self) -> Result<Attempt<N, C::Memory>, NewtonFailure<C::Failure>> {
+    fn attempt(&self) -> Result<Attempt<N, C::Carried>, NewtonFailure<C::Failure>> {
         let Station { point: origin, tangent: along, .. } = &self.here;
-        let mut memory = self.here.memory.clone();
+        let mut carried = self.here.carried.clone();
         let solution = newton::solve_within(
             FARTHEST_CORRECTION * self.step,
             self.control.tolerance,
             self.predict(),
             CORRECTIONS,
             |point| {
-                let mut bordered = self.equations.evaluate(point, &mut memory)?;
+                let mut bordered = self.equations.evaluate(point, &mut carried)?;
                 bordered.residual[N - 1] = along.dot(&(point - origin)) - self.step;
                 bordered.jacobian.set_row(N - 1, &along.transpose());
                 Ok(bordered)
@@ -205,9 +205,9 @@ where
         // The last corrector's matrix is bordered with the old tangent: its factors give the new one as well.
         let tangent = tangent(&solution.factors)
             .ok_or(NewtonFailure::Singular { iteration: solution.iterations, residual: solution.residual })?;
-        self.equations.settle(&solution.point, &mut memory);
+        self.equations.settle(&solution.point, &mut carried);
         let angle = libm::acos(tangent.dot(along).clamp(-1.0, 1.0));
-        Ok((Station { point: solution.point, tangent, memory }, angle))
+        Ok((Station { point: solution.point, tangent, carried }, angle))
     }
 }
 

@@ -29,7 +29,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         for sign in [1.0, -1.0] {
             let curve = MpsCurve { equations: self.clone(), condition };
             let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
-            match curve.follow(point.solution.unknowns, direction, point.memory.clone(), route) {
+            match curve.follow(point.solution.unknowns, direction, point.times.clone(), route) {
                 Ok(curve) if curve.points.get(1).is_some_and(|next| onwards(&next.solution)) => {
                     return Ok(curve);
                 }

@@ -5,7 +5,7 @@ use grazing_model::maps::MapError;
 
 use crate::arclength::{CurveEquations, Stall, StepControl};
 use crate::locate::{Condition, LocateFailure, conditioned};
-use crate::mps::{LoopEquations, MaximalPeriodicSolution, Memory, Unknowns, unknown};
+use crate::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown};
 use crate::newton::Linearisation;
 
 /// The equations of a curve of MPSs.
@@ -21,17 +21,17 @@ pub struct MpsCurve<O> {
 }
 
 impl<O: ImpactOscillator> CurveEquations<4> for MpsCurve<O> {
-    type Memory = Memory;
+    type Carried = EventTimes;
     type Failure = MapError;
 
-    fn evaluate(&self, point: &Unknowns, memory: &mut Memory) -> Result<Linearisation<4>, MapError> {
-        let (system, pair) = conditioned(&self.equations, self.condition, false, point, memory)?;
-        memory.stability = Some(pair.stability());
+    fn evaluate(&self, point: &Unknowns, times: &mut EventTimes) -> Result<Linearisation<4>, MapError> {
+        let (system, pair) = conditioned(&self.equations, self.condition, false, point, times)?;
+        times.stability = Some(pair.stability());
         Ok(system)
     }
 
-    fn settle(&self, point: &Unknowns, memory: &mut Memory) {
-        self.equations.settle(point, memory);
+    fn settle(&self, point: &Unknowns, times: &mut EventTimes) {
+        self.equations.settle(point, times);
     }
 }
 
@@ -76,8 +76,8 @@ pub struct Event {
     pub solution: MaximalPeriodicSolution,
     /// Index of the first point of the curve beyond the event.
     pub index: usize,
-    /// What the equations remember there: another curve can start from it.
-    pub memory: Memory,
+    /// The event times there: another curve can start from them.
+    pub times: EventTimes,
 }
 
 /// How a curve ends.
@@ -109,8 +109,8 @@ pub enum CurveEnd {
 pub struct CurvePoint {
     /// The MPS.
     pub solution: MaximalPeriodicSolution,
-    /// What the equations remember there.
-    pub memory: Memory,
+    /// The event times there.
+    pub times: EventTimes,
 }
 
 /// A curve of MPSs that has been followed to its end.

@@ -9,7 +9,7 @@ use nalgebra::{Vector2, Vector4};
 
 use crate::curve::{Curve, Event};
 use crate::locate::{Condition, across_chord};
-use crate::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
+use crate::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use crate::regula_falsi::zero_between;
 use crate::tolerances::IN_THE_PLANE;
 
@@ -22,7 +22,7 @@ pub fn cusps<O: ImpactOscillator>(equations: &LoopEquations<O>, curve: &Curve) -
     let cusp = |k: usize| {
         let unknowns = turning_point(&equations, [points[k], points[k + 2]], &forwards(k).normalize())?;
         let (solution, _) = equations.solution(&unknowns);
-        Some(Event { condition: curve.condition, solution, index: k + 1, memory: Memory::default() })
+        Some(Event { condition: curve.condition, solution, index: k + 1, times: EventTimes::default() })
     };
     (0..points.len().saturating_sub(2)).filter(turns_back).filter_map(cusp).collect()
 }

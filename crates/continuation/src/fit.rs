@@ -17,7 +17,7 @@ use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 
 use crate::locate::{Condition, LocateFailure, locate};
-use crate::mps::{Memory, unknown};
+use crate::mps::{EventTimes, unknown};
 use crate::resonance::ResonantGrazingPoint;
 
 /// A coefficient could not be measured.
@@ -172,15 +172,15 @@ impl Level {
             let mut indices: Vec<usize> = outwards.collect();
             indices.sort_by(|a, b| node(*a).abs().total_cmp(&node(*b).abs()));
             let (mut last, mut along) = (origin, tangent);
-            let mut memory = Memory::default();
+            let mut times = EventTimes::default();
             for index in indices {
                 let velocity = reach * node(index);
                 let near = last + along * (velocity - last[unknown::VELOCITY]);
                 let conditions = [condition, Condition::ImpactVelocity(velocity)];
                 let no_point = |failure| FitError::NoPoint { velocity, failure };
-                let mut point = locate(equations, conditions, near, &mut memory).map_err(no_point)?;
+                let mut point = locate(equations, conditions, near, &mut times).map_err(no_point)?;
                 // Newton's method ends when a step is small; one more is exact to rounding.
-                point = locate(equations, conditions, point, &mut memory).map_err(no_point)?;
+                point = locate(equations, conditions, point, &mut times).map_err(no_point)?;
                 eta[index] = point[unknown::SECONDARY] - origin[unknown::SECONDARY];
                 let phase = resonance.orbit().phase() + resonance.orbit().phase_slope() * eta[index];
                 let orbit = GrazingOrbit::find(&equations.oscillator_at(&point), phase)?;

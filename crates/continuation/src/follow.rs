@@ -9,10 +9,12 @@ use grazing_model::maps::MapError;
 use crate::arclength::{Continuation, Stall, Station, StepControl};
 use crate::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
 use crate::locate::{Condition, LocateFailure, locate, locate_grazing_end};
-use crate::mps::{Formulation, MaximalPeriodicSolution, Memory, Multipliers, Stability, Unknowns, unknown};
+use crate::mps::{
+    EventTimes, Formulation, MaximalPeriodicSolution, Multipliers, Stability, Unknowns, unknown,
+};
 use crate::tolerances::{FARTHEST_EVENT, HALVINGS, NO_VELOCITY, ON_TWO_CURVES, TOUCHES_TOO};
 
-type MpsStation = Station<4, Memory>;
+type MpsStation = Station<4, EventTimes>;
 
 impl<O: ImpactOscillator> MpsCurve<O> {
     /// Follows the curve from `start`, to the side of `direction`, until it ends.
@@ -25,10 +27,10 @@ impl<O: ImpactOscillator> MpsCurve<O> {
         mut self,
         start: Unknowns,
         direction: Unknowns,
-        memory: Memory,
+        times: EventTimes,
         route: &Route,
     ) -> Result<Curve, Stall<MapError>> {
-        let mut here = Continuation::new(&self, route.control, start, direction, memory)?.here().clone();
+        let mut here = Continuation::new(&self, route.control, start, direction, times)?.here().clone();
         let mut follower = Follower {
             route,
             signs: starting_signs(&self, &here),
@@ -60,14 +62,14 @@ impl<O: ImpactOscillator> MpsCurve<O> {
         self,
         through: Unknowns,
         direction: Unknowns,
-        memory: &Memory,
+        times: &EventTimes,
         route: &Route,
     ) -> Result<Curve, Stall<MapError>> {
-        let mut before = self.clone().follow(through, direction, memory.clone(), route)?;
+        let mut before = self.clone().follow(through, direction, times.clone(), route)?;
         if matches!(before.end, CurveEnd::Closed) {
             return Ok(before);
         }
-        let after = self.follow(through, -direction, memory.clone(), route)?;
+        let after = self.follow(through, -direction, times.clone(), route)?;
         // The point stands in both.
         let shared = before.points.len() - 1;
         before.points.reverse();
@@ -117,7 +119,7 @@ impl Follower<'_> {
         here: &mut MpsStation,
     ) -> Option<Stall<MapError>> {
         let control = self.route.control;
-        let walker = Continuation::new(equations, control, here.point, here.tangent, here.memory.clone());
+        let walker = Continuation::new(equations, control, here.point, here.tangent, here.carried.clone());
         let mut walker = match walker {
             Ok(walker) => walker,
             Err(stall) => return Some(stall),
@@ -166,7 +168,7 @@ impl Follower<'_> {
             self.end_on_the_edge(equations, before, after);
             return ControlFlow::Break(CurveEnd::LeftWindow);
         }
-        self.curve.points.push(CurvePoint { solution, memory: after.memory });
+        self.curve.points.push(CurvePoint { solution, times: after.carried });
         ControlFlow::Continue(())
     }
 
@@ -177,7 +179,7 @@ impl Follower<'_> {
         equations: &MpsCurve<O>,
         station: &MpsStation,
     ) -> (MaximalPeriodicSolution, Signs) {
-        match station.memory.stability.filter(|_| self.route.control.sketches()) {
+        match station.carried.stability.filter(|_| self.route.control.sketches()) {
             Some(stability) => {
                 let before = self.curve.points.last().is_some_and(|point| point.solution.stable());
                 let with_maxima = before || stability.multipliers.stable();
@@ -241,7 +243,7 @@ impl Follower<'_> {
             match found.or_else(|failure| {
                 self.located_closer(equations, condition, past, [before, after]).ok_or(failure)
             }) {
-                Ok((solution, memory)) => located.push(Event { condition, solution, index, memory }),
+                Ok((solution, times)) => located.push(Event { condition, solution, index, times }),
                 Err(failure) => {
                     return ControlFlow::Break(CurveEnd::EventNotLocated { condition, failure });
                 }
@@ -252,7 +254,7 @@ impl Follower<'_> {
         for event in located {
             self.curve.events.push(event.clone());
             if self.route.stop_at_events {
-                self.curve.points.push(CurvePoint { solution: event.solution, memory: event.memory.clone() });
+                self.curve.points.push(CurvePoint { solution: event.solution, times: event.times.clone() });
                 return ControlFlow::Break(CurveEnd::Event(event));
             }
         }
@@ -266,14 +268,14 @@ impl Follower<'_> {
         condition: Condition,
         past: Signs,
         [before, after]: [&MpsStation; 2],
-    ) -> Option<(MaximalPeriodicSolution, Memory)> {
+    ) -> Option<(MaximalPeriodicSolution, EventTimes)> {
         let (mut before, mut after) = (before.clone(), after.clone());
         for _ in 0..HALVINGS {
             let half = 0.5 * (after.point - before.point).norm();
             let tolerance = StepControl::DRAWING.tolerance;
             let control = StepControl { first: half, longest: half, tolerance, ..self.route.control };
-            let (point, tangent, memory) = (before.point, before.tangent, before.memory.clone());
-            let mut walker = Continuation::new(equations, control, point, tangent, memory).ok()?;
+            let (point, tangent, times) = (before.point, before.tangent, before.carried.clone());
+            let mut walker = Continuation::new(equations, control, point, tangent, times).ok()?;
             let middle = walker.advance().ok()?.clone();
             let (solution, pair) = equations.equations.solution(&middle.point);
             if signs(equations.condition, &pair.stability(), &solution).of(condition) == past.of(condition) {
@@ -297,10 +299,10 @@ impl Follower<'_> {
     ) -> CurveEnd {
         let condition = Condition::ImpactVelocity(0.0);
         let near = on_chord(&before.point, &after.point, unknown::VELOCITY, 0.0);
-        let mut memory = after.memory.clone();
+        let mut times = after.carried.clone();
         let located = match equations.condition {
-            Condition::InteriorGrazing => locate_grazing_end(&equations.equations, near, &mut memory),
-            _ => locate(&equations.equations, [equations.condition, condition], near, &mut memory),
+            Condition::InteriorGrazing => locate_grazing_end(&equations.equations, near, &mut times),
+            _ => locate(&equations.equations, [equations.condition, condition], near, &mut times),
         };
         let mut point = match located {
             Ok(point) => point,
@@ -309,14 +311,14 @@ impl Follower<'_> {
         point[unknown::VELOCITY] = 0.0;
         let mut solution = equations.equations.limiting_solution(&point, &after.tangent);
         let control = self.route.control;
-        match Continuation::new(equations, control, point, after.tangent, memory.clone()) {
+        match Continuation::new(equations, control, point, after.tangent, times.clone()) {
             Ok(end) if equations.condition != Condition::InteriorGrazing => {
                 solution = equations.equations.limiting_solution(&point, &end.here().tangent);
             }
             // An end of interior grazing is a branch point, without a unique tangent along which to take limits.
             _ => solution.multipliers = Multipliers { trace: f64::NAN, determinant: f64::NAN },
         }
-        self.curve.points.push(CurvePoint { solution, memory });
+        self.curve.points.push(CurvePoint { solution, times });
         CurveEnd::Grazing
     }
 
@@ -329,7 +331,7 @@ impl Follower<'_> {
     ) {
         let window = &self.route.window;
         let outside = after.point;
-        let mut memory = after.memory;
+        let mut times = after.carried;
         let edges = [(unknown::PRIMARY, window.primary), (unknown::SECONDARY, window.secondary)];
         let crossing = edges.into_iter().find_map(|(coordinate, [low, high])| {
             let value = outside[coordinate];
@@ -343,12 +345,12 @@ impl Follower<'_> {
             };
             let near = on_chord(&before.point, &outside, coordinate, edge);
             let conditions = [equations.condition, condition];
-            let mut point = locate(&equations.equations, conditions, near, &mut memory).ok()?;
+            let mut point = locate(&equations.equations, conditions, near, &mut times).ok()?;
             point[coordinate] = edge;
             window.contains(&point).then_some(point)
         });
         let (solution, _) = equations.equations.solution(&crossing.unwrap_or(outside));
-        self.curve.points.push(CurvePoint { solution, memory });
+        self.curve.points.push(CurvePoint { solution, times });
     }
 }
 
@@ -362,7 +364,7 @@ fn starting_point<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStati
     } else {
         equations.equations.solution(&first.point).0
     };
-    CurvePoint { solution, memory: first.memory.clone() }
+    CurvePoint { solution, times: first.carried.clone() }
 }
 
 /// The signs at the start, unless it is itself a codimension-two point, where one of the functions vanishes.
@@ -406,8 +408,8 @@ fn locate_event<O: ImpactOscillator>(
     before: &MpsStation,
     after: &MpsStation,
     beyond: &MaximalPeriodicSolution,
-) -> Result<(MaximalPeriodicSolution, Memory), LocateFailure> {
-    let mut memory = after.memory.clone();
+) -> Result<(MaximalPeriodicSolution, EventTimes), LocateFailure> {
+    let mut times = after.carried.clone();
     let mut near = (before.point + after.point) * 0.5;
     let mut sought = condition;
     if condition == Condition::InteriorGrazing {
@@ -417,29 +419,29 @@ fn locate_event<O: ImpactOscillator>(
             *beyond
         } else {
             near = before.point;
-            memory = before.memory.clone();
+            times = before.carried.clone();
             equations.equations.solution(&before.point).0
         };
         if let Some(maximum) = solution.highest_interior_maximum {
             if equations.condition == Condition::InteriorGrazing {
                 // One maximum touches the wall all along the curve; this is another one.
                 sought = Condition::SecondInteriorGrazing;
-                memory.second_grazing_time = maximum.time;
+                times.second_grazing_time = maximum.time;
             } else {
-                memory.grazing_time = maximum.time;
+                times.grazing_time = maximum.time;
             }
         }
     }
-    let point = locate(&equations.equations, [equations.condition, sought], near, &mut memory)?;
+    let point = locate(&equations.equations, [equations.condition, sought], near, &mut times)?;
     if sought == Condition::SecondInteriorGrazing {
         // The curve that can start from there is that of the second maximum.
-        core::mem::swap(&mut memory.grazing_time, &mut memory.second_grazing_time);
+        core::mem::swap(&mut times.grazing_time, &mut times.second_grazing_time);
     }
     let (distance, step) = ((point - near).norm(), (after.point - before.point).norm());
     if distance > FARTHEST_EVENT * step {
         return Err(LocateFailure::Elsewhere { distance, step });
     }
-    Ok((equations.equations.solution(&point).0, memory))
+    Ok((equations.equations.solution(&point).0, times))
 }
 
 /// The point on the chord where one coordinate takes a value.

@@ -4,7 +4,7 @@ use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
 use nalgebra::{Matrix2, Matrix3, SMatrix, Vector2, Vector4};
 
-use crate::mps::{LoopEquations, LoopPair, Memory, Unknowns, stack, unknown};
+use crate::mps::{EventTimes, LoopEquations, LoopPair, Unknowns, stack, unknown};
 use crate::newton::{self, Linearisation, NewtonFailure};
 use crate::tolerances::{self, EVALUATIONS, FARTHEST, SAME_POINT};
 
@@ -37,7 +37,7 @@ impl Condition {
         equations: &LoopEquations<O>,
         point: &Unknowns,
         pair: &LoopPair,
-        memory: &mut Memory,
+        times: &mut EventTimes,
     ) -> Result<(f64, Vector4<f64>), MapError> {
         let coordinate = |index: usize, value: f64| {
             let mut gradient = Vector4::zeros();
@@ -46,8 +46,8 @@ impl Condition {
         };
         Ok(match self {
             Self::Multiplier(multiplier) => pair.characteristic(multiplier),
-            Self::InteriorGrazing => equations.interior_maximum(point, memory)?,
-            Self::SecondInteriorGrazing => equations.second_interior_maximum(point, memory)?,
+            Self::InteriorGrazing => equations.interior_maximum(point, times)?,
+            Self::SecondInteriorGrazing => equations.second_interior_maximum(point, times)?,
             Self::ImpactVelocity(value) => coordinate(unknown::VELOCITY, value),
             Self::Primary(value) => coordinate(unknown::PRIMARY, value),
             Self::Secondary(value) => coordinate(unknown::SECONDARY, value),
@@ -81,14 +81,14 @@ pub(crate) fn conditioned<O: ImpactOscillator>(
     condition: Condition,
     second_order: bool,
     point: &Unknowns,
-    memory: &mut Memory,
+    times: &mut EventTimes,
 ) -> Result<(Linearisation<4>, LoopPair), MapError> {
     let pair = if second_order || condition.needs_second_order() {
-        equations.pair::<2>(point, memory)?
+        equations.pair::<2>(point, times)?
     } else {
-        equations.pair::<1>(point, memory)?
+        equations.pair::<1>(point, times)?
     };
-    let scalar = condition.evaluate(equations, point, &pair, memory)?;
+    let scalar = condition.evaluate(equations, point, &pair, times)?;
     Ok((stack(pair.difference(), scalar), pair))
 }
 
@@ -108,9 +108,9 @@ pub fn locate<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     conditions: [Condition; 2],
     start: Unknowns,
-    memory: &mut Memory,
+    times: &mut EventTimes,
 ) -> Result<Unknowns, LocateFailure> {
-    locate_within(FARTHEST * (1.0 + start.norm()), equations, conditions, start, memory)
+    locate_within(FARTHEST * (1.0 + start.norm()), equations, conditions, start, times)
 }
 
 /// The same, given up as soon as an iterate is farther from the start than `reach`.
@@ -122,7 +122,7 @@ pub fn locate_within<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     conditions: [Condition; 2],
     start: Unknowns,
-    memory: &mut Memory,
+    times: &mut EventTimes,
 ) -> Result<Unknowns, LocateFailure> {
     let second_order = conditions[1].needs_second_order();
     let mut farthest = 0.0;
@@ -133,8 +133,8 @@ pub fn locate_within<O: ImpactOscillator>(
             return Err(Lost);
         }
         let (mut system, pair) =
-            conditioned(equations, conditions[0], second_order, point, memory).map_err(Undefined)?;
-        let (value, gradient) = conditions[1].evaluate(equations, point, &pair, memory).map_err(Undefined)?;
+            conditioned(equations, conditions[0], second_order, point, times).map_err(Undefined)?;
+        let (value, gradient) = conditions[1].evaluate(equations, point, &pair, times).map_err(Undefined)?;
         system.residual[3] = value;
         system.jacobian.set_row(3, &gradient.transpose());
         Ok(system)
@@ -164,9 +164,9 @@ pub(crate) fn across_chord<O: ImpactOscillator>(
     share: f64,
 ) -> Result<newton::Solution<4>, NewtonFailure<MapError>> {
     let (start, chord) = (a + (b - a) * share, (b - a).normalize());
-    let mut memory = Memory::default();
+    let mut times = EventTimes::default();
     newton::solve(start, EVALUATIONS, |point| {
-        let (mut system, _) = conditioned(equations, condition, true, point, &mut memory)?;
+        let (mut system, _) = conditioned(equations, condition, true, point, &mut times)?;
         system.residual[3] = chord.dot(&(point - start));
         system.jacobian.set_row(3, &chord.transpose());
         Ok(system)
@@ -190,16 +190,16 @@ pub fn same_point(a: &Unknowns, b: &Unknowns) -> bool {
 pub fn locate_grazing_end<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     near: Unknowns,
-    memory: &mut Memory,
+    times: &mut EventTimes,
 ) -> Result<Unknowns, LocateFailure> {
     let mut point = near;
     point[unknown::VELOCITY] = 0.0;
     let mut degeneracy = |point: &mut Unknowns, secondary: f64| {
         point[unknown::SECONDARY] = secondary;
-        grazing_orbit(equations, point, memory)?;
+        grazing_orbit(equations, point, times)?;
         let undefined = |cause| NewtonFailure::Undefined { iteration: 0, cause };
-        let pair = equations.pair::<1>(point, memory).map_err(undefined)?;
-        let (_, slopes) = equations.interior_maximum(point, memory).map_err(undefined)?;
+        let pair = equations.pair::<1>(point, times).map_err(undefined)?;
+        let (_, slopes) = equations.interior_maximum(point, times).map_err(undefined)?;
         let derivative: SMatrix<f64, 2, 4> = pair.difference().1;
         let mut matrix = Matrix3::zeros();
         matrix.fixed_view_mut::<2, 3>(0, 0).copy_from(&derivative.fixed_columns::<3>(0));
@@ -226,7 +226,7 @@ pub fn locate_grazing_end<O: ImpactOscillator>(
 fn grazing_orbit<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     point: &mut Unknowns,
-    memory: &mut Memory,
+    times: &mut EventTimes,
 ) -> Result<(), NewtonFailure<MapError>> {
     let fixed = *point;
     let solution =
@@ -234,7 +234,7 @@ fn grazing_orbit<O: ImpactOscillator>(
             let mut trial = fixed;
             trial[unknown::PHASE] = zm[0];
             trial[unknown::PRIMARY] = zm[1];
-            let (residual, derivative) = equations.pair::<1>(&trial, memory)?.difference();
+            let (residual, derivative) = equations.pair::<1>(&trial, times)?.difference();
             let jacobian: Matrix2<f64> = derivative.fixed_columns::<2>(1).into_owned();
             Ok(Linearisation { residual, jacobian })
         })?;

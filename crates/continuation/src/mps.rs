@@ -7,7 +7,7 @@
 
 use grazing_model::maps::{self, MapError};
 use grazing_model::motion::{Maximum, highest_maximum};
-use grazing_model::{ImpactOscillator, MapJet, State};
+use grazing_model::{ImpactOscillator, MapJet, OnWall, State, Surface};
 use nalgebra::{Matrix2, SMatrix, Vector2, Vector4};
 
 use crate::newton::Linearisation;
@@ -28,6 +28,11 @@ pub mod unknown {
     pub const SECONDARY: usize = 3;
 }
 
+/// The impact of a point.
+fn impact(point: &Unknowns) -> OnWall {
+    OnWall::new(point[unknown::VELOCITY], point[unknown::PHASE])
+}
+
 /// The surface on which the way through recoil and loops is compared with the straight way from the impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Formulation {
@@ -43,7 +48,7 @@ pub enum Formulation {
 /// What the equations carry along a curve: event times, so that "the next maximum" is never ambiguous, and the phase of
 /// the comparison plane.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Memory {
+pub struct EventTimes {
     /// Evolution times of P_virt from the impact and from the recoil.
     virtual_times: [Option<f64>; 2],
     /// Return times of P_global, loop by loop.
@@ -104,9 +109,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     /// The state just after the impact, (0, y_rec, z_rec).
     pub fn recoil(&self, point: &Unknowns) -> State {
-        let reset =
-            self.oscillator_at(point).reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE]).value;
-        State::on_wall(reset[0], reset[1])
+        self.oscillator_at(point).reset::<1>(impact(point)).image().into()
     }
 
     /// The two maps at a point with derivatives up to `ORDER`.
@@ -116,30 +119,27 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     pub fn pair<const ORDER: usize>(
         &self,
         point: &Unknowns,
-        memory: &mut Memory,
+        times: &mut EventTimes,
     ) -> Result<LoopPair, MapError> {
-        let oscillator = self.oscillator_at(point);
-        let (velocity, phase) = (point[unknown::VELOCITY], point[unknown::PHASE]);
-        let reset = oscillator.reset::<ORDER>(velocity, phase);
-        let recoil = reset.value;
         match self.formulation {
             Formulation::Vivid => {
-                let [from_impact, from_recoil] = memory.virtual_times;
-                let ahead = maps::virtual_map::<O, ORDER>(&oscillator, velocity, phase, from_impact)?;
-                let back = maps::virtual_map::<O, ORDER>(&oscillator, recoil[0], recoil[1], from_recoil)?;
-                memory.virtual_times = [Some(ahead.time), Some(back.time)];
-                let mut jet = back.jet.after::<ORDER>(&reset);
-                memory.return_times.resize(self.loops as usize, oscillator.forcing_period());
-                for time in &mut memory.return_times {
-                    let next =
-                        maps::global_map::<O, ORDER>(&oscillator, jet.value[0], jet.value[1], Some(*time))?;
+                let oscillator = self.oscillator_at(point);
+                let reset = oscillator.reset::<ORDER>(impact(point));
+                let [from_impact, from_recoil] = times.virtual_times;
+                let ahead = maps::virtual_map::<O, ORDER>(&oscillator, impact(point), from_impact)?;
+                let back = maps::virtual_map::<O, ORDER>(&oscillator, reset.image(), from_recoil)?;
+                times.virtual_times = [Some(ahead.time), Some(back.time)];
+                let mut jet = back.jet.after::<ORDER, _>(&reset);
+                times.return_times.resize(self.loops as usize, oscillator.forcing_period());
+                for time in &mut times.return_times {
+                    let next = maps::global_map::<O, ORDER>(&oscillator, jet.image(), Some(*time))?;
                     *time = next.time;
-                    jet = next.jet.after::<ORDER>(&jet);
+                    jet = next.jet.after::<ORDER, _>(&jet);
                 }
-                Ok(LoopPair { round_trip: jet, impact: ahead.jet })
+                Ok(LoopPair::of(&jet, &ahead.jet))
             }
             Formulation::FixedPhase => {
-                let plane = *memory.reference_phase.get_or_insert(phase);
+                let plane = *times.reference_phase.get_or_insert(point[unknown::PHASE]);
                 Ok(self.fixed_phase_pair::<ORDER>(point, plane))
             }
         }
@@ -159,73 +159,68 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         motion: &O::Motion,
     ) -> LoopPair {
         let oscillator = self.oscillator_at(point);
-        let (velocity, phase) = (point[unknown::VELOCITY], point[unknown::PHASE]);
-        let reset = oscillator.reset::<ORDER>(velocity, phase);
-        let recoil = reset.value;
+        let reset = oscillator.reset::<ORDER>(impact(point));
         let turns = f64::from(self.loops) * core::f64::consts::TAU;
-        let around =
-            maps::to_phase_along::<O, ORDER>(&oscillator, motion, recoil[0], recoil[1], plane + turns);
-        let impact = maps::to_phase::<O, ORDER>(&oscillator, velocity, phase, plane);
-        LoopPair { round_trip: around.after::<ORDER>(&reset), impact }
+        let around = maps::to_phase_along::<O, ORDER>(&oscillator, motion, reset.image(), plane + turns);
+        let ahead = maps::to_phase::<O, ORDER>(&oscillator, impact(point), plane);
+        LoopPair::of(&around.after::<ORDER, _>(&reset), &ahead)
     }
 
-    /// Brings the memory up to an accepted point: the comparison plane moves to its phase.
-    pub(crate) fn settle(&self, point: &Unknowns, memory: &mut Memory) {
-        memory.reference_phase = Some(point[unknown::PHASE]);
+    /// Brings what is carried up to an accepted point: the comparison plane moves to its phase.
+    pub(crate) fn settle(&self, point: &Unknowns, times: &mut EventTimes) {
+        times.reference_phase = Some(point[unknown::PHASE]);
     }
 
     /// The points (x⁽ʲ⁾, z⁽ʲ⁾), j = 1, …, p, at which the loops of an MPS meet Π; the last is virtual.
     ///
-    /// Paper: eq:xjzj. Starts from the event times in `memory`.
+    /// Paper: eq:xjzj. Starts from the event times in `times`.
     ///
     /// # Errors
     /// A loop has no maximum of x near Π, as where VIVID is not defined.
-    pub fn visits(&self, point: &Unknowns, memory: &Memory) -> Result<Vec<Vector2<f64>>, MapError> {
+    pub fn visits(&self, point: &Unknowns, times: &EventTimes) -> Result<Vec<Vector2<f64>>, MapError> {
         let oscillator = self.oscillator_at(point);
-        let State { velocity, phase, .. } = self.recoil(point);
-        let back = maps::virtual_map::<O, 1>(&oscillator, velocity, phase, memory.virtual_times[1])?;
-        let mut here = back.jet.value;
+        let recoil = oscillator.reset::<1>(impact(point)).image();
+        let mut here = maps::virtual_map::<O, 1>(&oscillator, recoil, times.virtual_times[1])?.jet.image();
         (0..self.loops as usize)
             .map(|j| {
-                let time = memory.return_times.get(j).copied();
-                here = maps::global_map::<O, 1>(&oscillator, here[0], here[1], time)?.jet.value;
-                Ok(here)
+                let time = times.return_times.get(j).copied();
+                here = maps::global_map::<O, 1>(&oscillator, here, time)?.jet.image();
+                Ok(here.coordinates())
             })
             .collect()
     }
 
-    /// The value of x at the interior maximum that `memory` holds, with its first derivatives in the unknowns.
+    /// The value of x at the interior maximum whose time is carried, with its first derivatives in the unknowns.
     ///
     /// # Errors
     /// The maximum has disappeared.
     pub fn interior_maximum(
         &self,
         point: &Unknowns,
-        memory: &mut Memory,
+        times: &mut EventTimes,
     ) -> Result<(f64, Vector4<f64>), MapError> {
-        self.maximum_at(point, &mut memory.grazing_time)
+        self.maximum_at(point, &mut times.grazing_time)
     }
 
-    /// The same for the second maximum that `memory` holds.
+    /// The same for the second maximum whose time is carried.
     ///
     /// # Errors
     /// The maximum has disappeared.
     pub(crate) fn second_interior_maximum(
         &self,
         point: &Unknowns,
-        memory: &mut Memory,
+        times: &mut EventTimes,
     ) -> Result<(f64, Vector4<f64>), MapError> {
-        self.maximum_at(point, &mut memory.second_grazing_time)
+        self.maximum_at(point, &mut times.second_grazing_time)
     }
 
     /// The value of x at the maximum near a time after the recoil, with its first derivatives in the unknowns.
     fn maximum_at(&self, point: &Unknowns, time: &mut f64) -> Result<(f64, Vector4<f64>), MapError> {
         let oscillator = self.oscillator_at(point);
-        let reset = oscillator.reset::<1>(point[unknown::VELOCITY], point[unknown::PHASE]);
-        let (velocity, phase) = (reset.value[0], reset.value[1]);
-        let landing = maps::virtual_map::<O, 1>(&oscillator, velocity, phase, Some(*time))?;
+        let reset = oscillator.reset::<1>(impact(point));
+        let landing = maps::virtual_map::<O, 1>(&oscillator, reset.image(), Some(*time))?;
         *time = landing.time;
-        let jet = landing.jet.after::<1>(&reset);
+        let jet = landing.jet.after::<1, _>(&reset);
         Ok((jet.value[0], jet.jacobian.row(0).transpose()))
     }
 
@@ -281,6 +276,11 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 }
 
 impl LoopPair {
+    /// Two maps that lead to one surface.
+    pub fn of<A, B>(round_trip: &MapJet<A, B>, impact: &MapJet<A, B>) -> Self {
+        Self { round_trip: round_trip.plain(), impact: impact.plain() }
+    }
+
     /// V and its derivatives in (y, z, μ, η): the zeros are MPSs. Paper: eq:V.
     pub fn difference(&self) -> (Vector2<f64>, SMatrix<f64, 2, 4>) {
         (self.round_trip.value - self.impact.value, self.round_trip.jacobian - self.impact.jacobian)

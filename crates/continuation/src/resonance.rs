@@ -8,7 +8,7 @@ use crate::curve::{Curve, CurveEnd, MpsCurve, Route};
 pub use crate::error::ResonanceError;
 pub use crate::locate::same_point;
 use crate::locate::{Condition, locate};
-use crate::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
+use crate::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use crate::tolerances::{AT_RESONANCE, OFF_RESONANCE};
 
 /// A resonant grazing point of p-loop MPSs: where det J = 0 on the curve of grazing bifurcations.
@@ -46,7 +46,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         // with η that what the last step leaves would be seen.
         let mut located = start;
         for _ in 0..2 {
-            located = locate(&equations, conditions, located, &mut Memory::default())
+            located = locate(&equations, conditions, located, &mut EventTimes::default())
                 .map_err(ResonanceError::NotLocated)?;
             // Rounding may leave it beside zero, where an impact has another virtual point.
             located[unknown::VELOCITY] = 0.0;
@@ -157,7 +157,7 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
         let curve = MpsCurve { equations: self.equations.clone(), condition };
         let name = if condition == Condition::SADDLE_NODE { "saddle-node" } else { "period-doubling" };
         curve
-            .follow(self.unknowns(), self.direction(condition), Memory::default(), route)
+            .follow(self.unknowns(), self.direction(condition), EventTimes::default(), route)
             .map_err(|stall| ResonanceError::NotStarted { curve: name, reason: stall.to_string() })
     }
 

@@ -11,7 +11,7 @@ use divan::counter::ItemsCount;
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::Memory;
+use grazing_continuation::mps::EventTimes;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_description::Description;
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
@@ -107,7 +107,7 @@ fn follow<M: SmoothOscillator>(bencher: Bencher<'_, '_>, model: M, place: &Place
     let curve = MpsCurve { equations: resonance.equations().clone(), condition };
     let (start, direction, route) = (resonance.unknowns(), resonance.direction(condition), route());
     let follow = || -> Curve {
-        black_box(&curve).clone().follow(start, direction, Memory::default(), &route).unwrap()
+        black_box(&curve).clone().follow(start, direction, EventTimes::default(), &route).unwrap()
     };
     bencher.counter(ItemsCount::new(follow().points.len())).bench(follow);
 }

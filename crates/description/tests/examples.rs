@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_description::{Description, MOST_VALUES_ON_STACK};
 use grazing_model::smooth::{Integrated, SmoothOscillator};
-use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples")
@@ -77,7 +77,7 @@ fn the_flow_of_the_papers_oscillator_and_its_derivatives_are_those_of_the_closed
             assert!((a.hessians[i] - b.hessians[i]).amax() < 1e-9 * (1.0 + b.hessians[i].amax()));
         }
     }
-    let [a, b] = [written.reset::<2>(0.7, 1.1), closed.reset::<2>(0.7, 1.1)];
+    let [a, b] = [written.reset::<2>(OnWall::new(0.7, 1.1)), closed.reset::<2>(OnWall::new(0.7, 1.1))];
     // Both are one product.
     assert!((a.value - b.value).amax() < 1e-15);
     assert!((a.jacobian - b.jacobian).amax() < 1e-15);
@@ -106,9 +106,9 @@ fn derivatives_of_a_varying_reset_law_are_its_difference_quotients() {
     let [mu, eta] = [0.4, 0.7];
     let oscillator = Integrated::new(description.clone(), [mu, eta]);
     let (y, z) = (0.6, 2.1);
-    let jet = oscillator.reset::<2>(y, z);
+    let jet = oscillator.reset::<2>(OnWall::new(y, z));
     let h = 1e-5;
-    let at = |y, eta| oscillator.with_parameters([mu, eta]).reset::<1>(y, z);
+    let at = |y, eta| oscillator.with_parameters([mu, eta]).reset::<1>(OnWall::new(y, z));
     let by_velocity = (at(y + h, eta).value - at(y - h, eta).value) / (2.0 * h);
     let by_frequency = (at(y, eta + h).value - at(y, eta - h).value) / (2.0 * h);
     let twice = (at(y + h, eta).jacobian - at(y - h, eta).jacobian) / (2.0 * h);

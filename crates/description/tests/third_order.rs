@@ -4,7 +4,7 @@ use std::path::Path;
 
 use grazing_description::Description;
 use grazing_model::smooth::{Integrated, Scalar, Taylor};
-use grazing_model::{ImpactOscillator, LinearOscillator, ThirdOrder};
+use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, ThirdOrder};
 
 fn example(name: &str) -> Description {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
@@ -78,7 +78,7 @@ fn third_derivatives_of_the_flow_are_those_of_many_short_flights() {
 fn reset_law_along_a_curve_has_the_derivatives_that_it_has_in_all_directions() {
     let oscillator = in_the_middle("varying-impact.toml");
     let (point, q) = ([0.7, 1.1], [0.6, -0.8]);
-    let along = |s: f64| oscillator.reset::<2>(point[0] + s * q[0], point[1] + s * q[1]);
+    let along = |s: f64| oscillator.reset::<2>(OnWall::new(point[0] + s * q[0], point[1] + s * q[1]));
     let bend = |s: f64, i: usize| {
         let second = along(s).hessians[i];
         0.5 * (q[0] * q[0] * second[(0, 0)] + q[1] * q[1] * second[(1, 1)]) + q[0] * q[1] * second[(0, 1)]

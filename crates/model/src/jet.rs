@@ -1,33 +1,68 @@
 //! Second-order jets: a value with its first and second derivatives.
 //!
 //! Every map of the paper between the surfaces Σ and Π sends two coordinates to two coordinates and depends on the
-//! two parameters (μ, η), so one type, [`MapJet`], serves them all, and composition is one function.
+//! two parameters (μ, η), so one type, [`MapJet`], serves them all, and composition is one function. From which surface to which
+//! a map leads is part of the type, so that only maps that meet can be composed.
 //! The order that is wanted is a constant: with `ORDER = 1` the second derivatives are left at zero and cost nothing.
+
+use core::marker::PhantomData;
 
 use nalgebra::{Matrix2, Matrix2x4, Matrix2x6, Matrix4, Matrix6, Vector2};
 
-/// Jet of a planar map `(u, z; μ, η) ↦ (u', z')` at one point.
+use crate::state::Surface;
+
+/// Jet of a map `(u, w; μ, η) ↦ (u', w')` at one point, from the surface `A` to the surface `B`; where it does not matter which
+/// these are, they are left out.
 ///
-/// The four variables are, in this order, the first coordinate (x on Π, y on Σ), the phase z, the primary parameter μ
-/// and the secondary parameter η. All are dimensionless.
+/// The four variables are, in this order, the two coordinates ([`OnWall`](crate::OnWall), [`AtRest`](crate::AtRest),
+/// [`AtPhase`](crate::AtPhase)), the primary parameter μ and the secondary parameter η. All are dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MapJet {
+pub struct MapJet<A = (), B = ()> {
     /// The image.
     pub value: Vector2<f64>,
     /// First derivatives; row = component of the image, column = variable.
     pub jacobian: Matrix2x4<f64>,
     /// Second derivatives of either component; zero where only the first order was asked for.
     pub hessians: [Matrix4<f64>; 2],
+    surfaces: PhantomData<(A, B)>,
 }
 
-impl MapJet {
-    /// The jet of the identity on the two coordinates.
+impl<A: Surface> MapJet<A, A> {
+    /// The jet of the identity.
     #[inline]
-    pub fn identity(point: Vector2<f64>) -> Self {
-        let mut jacobian = Matrix2x4::zeros();
-        jacobian[(0, 0)] = 1.0;
-        jacobian[(1, 1)] = 1.0;
-        Self { value: point, jacobian, hessians: [Matrix4::zeros(); 2] }
+    pub fn identity(point: A) -> Self {
+        let mut jet = Self::constant(point.coordinates());
+        jet.jacobian[(0, 0)] = 1.0;
+        jet.jacobian[(1, 1)] = 1.0;
+        jet
+    }
+}
+
+impl<A, B> MapJet<A, B> {
+    /// The jet of a map that has this value everywhere.
+    #[inline]
+    pub(crate) fn constant(value: Vector2<f64>) -> Self {
+        Self::new(value, Matrix2x4::zeros(), [Matrix4::zeros(); 2])
+    }
+
+    #[inline]
+    fn new(value: Vector2<f64>, jacobian: Matrix2x4<f64>, hessians: [Matrix4<f64>; 2]) -> Self {
+        Self { value, jacobian, hessians, surfaces: PhantomData }
+    }
+
+    /// The image as a point of the surface to which the map leads.
+    #[inline]
+    pub fn image(&self) -> B
+    where
+        B: Surface,
+    {
+        B::at(self.value)
+    }
+
+    /// The same without its surfaces.
+    #[inline]
+    pub fn plain(&self) -> MapJet {
+        MapJet::new(self.value, self.jacobian, self.hessians)
     }
 
     /// The jet of `self ∘ inner`, both at the same parameters.
@@ -35,7 +70,7 @@ impl MapJet {
     /// With G the derivative of `(u, z, μ, η) ↦ (inner, μ, η)`: the first derivatives are D self · G, the second
     /// Gᵀ · D² self · G + D self · D² inner.
     #[inline]
-    pub fn after<const ORDER: usize>(&self, inner: &Self) -> Self {
+    pub fn after<const ORDER: usize, C>(&self, inner: &MapJet<C, A>) -> MapJet<C, B> {
         let mut jacobian = self.derivative() * inner.jacobian;
         for i in 0..2 {
             jacobian[(i, 2)] += self.jacobian[(i, 2)];
@@ -49,7 +84,7 @@ impl MapJet {
                     + inner.hessians[1] * self.jacobian[(i, 1)];
             }
         }
-        Self { value: self.value, jacobian, hessians }
+        MapJet::new(self.value, jacobian, hessians)
     }
 
     /// Sets a second derivative of one component, and with it the one in the other order.
@@ -67,12 +102,16 @@ impl MapJet {
     /// The jet of the inverse map at the image, parameters held.
     ///
     /// Returns `None` where the derivative with respect to the coordinates is singular.
-    pub fn inverse<const ORDER: usize>(&self, preimage: Vector2<f64>) -> Option<Self> {
+    pub fn inverse<const ORDER: usize>(&self, preimage: A) -> Option<MapJet<B, A>>
+    where
+        A: Surface,
+    {
         let inverse = self.derivative().try_inverse()?;
-        let mut jacobian = Matrix2x4::zeros();
-        jacobian.fixed_view_mut::<2, 2>(0, 0).copy_from(&inverse);
-        jacobian.fixed_view_mut::<2, 2>(0, 2).copy_from(&(-inverse * self.jacobian.fixed_columns::<2>(2)));
-        let mut jet = Self { value: preimage, jacobian, hessians: [Matrix4::zeros(); 2] };
+        let mut jet = MapJet::constant(preimage.coordinates());
+        jet.jacobian.fixed_view_mut::<2, 2>(0, 0).copy_from(&inverse);
+        jet.jacobian
+            .fixed_view_mut::<2, 2>(0, 2)
+            .copy_from(&(-inverse * self.jacobian.fixed_columns::<2>(2)));
         if ORDER >= 2 {
             let pulled = [jet.pull_back(&self.hessians[0]), jet.pull_back(&self.hessians[1])];
             for (i, hessian) in jet.hessians.iter_mut().enumerate() {
@@ -111,26 +150,10 @@ impl MapJet {
 pub struct FlowJet {
     /// Position and velocity (x, y) at the end.
     pub value: Vector2<f64>,
-    /// First derivatives; columns as in [`flow_variable`].
+    /// First derivatives; columns as in [`flow_variable`](crate::flow_variable).
     pub jacobian: Matrix2x6<f64>,
     /// Second derivatives of x and of y; zero where only the first order was asked for.
     pub hessians: [Matrix6<f64>; 2],
-}
-
-/// Positions of the arguments of the flow among the columns of a [`FlowJet`].
-pub mod flow_variable {
-    /// Initial position x₀.
-    pub const POSITION: usize = 0;
-    /// Initial velocity y₀.
-    pub const VELOCITY: usize = 1;
-    /// Initial phase z₀.
-    pub const PHASE: usize = 2;
-    /// Duration s.
-    pub const DURATION: usize = 3;
-    /// Primary parameter μ.
-    pub const PRIMARY: usize = 4;
-    /// Secondary parameter η.
-    pub const SECONDARY: usize = 5;
 }
 
 /// Jet of a function of the two parameters (μ, η), such as the forcing frequency ω(μ, η).

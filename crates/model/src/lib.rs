@@ -17,11 +17,13 @@ pub mod orbit;
 mod oscillator;
 mod scalar;
 pub mod smooth;
+mod state;
 mod taylor;
 mod third_order;
 mod tolerances;
 
-pub use jet::{FlowJet, MapJet, ParameterJet, flow_variable};
+pub use jet::{FlowJet, MapJet, ParameterJet};
 pub use linear::{LinearMotion, LinearOscillator, OscillatorError};
-pub use oscillator::{ImpactOscillator, State};
+pub use oscillator::ImpactOscillator;
+pub use state::{AtPhase, AtRest, OnWall, State, Surface, flow_variable};
 pub use third_order::ThirdOrder;

@@ -12,7 +12,8 @@ pub use oscillator::{LinearOscillator, OscillatorError};
 use nalgebra::{Matrix2, Vector2};
 
 use crate::jet::{FlowJet, MapJet, ParameterJet};
-use crate::oscillator::{ImpactOscillator, State};
+use crate::oscillator::ImpactOscillator;
+use crate::state::{OnWall, State};
 use response::{Response, Stride};
 
 impl ImpactOscillator for LinearOscillator {
@@ -50,8 +51,8 @@ impl ImpactOscillator for LinearOscillator {
         flow::flow::<ORDER>(self, from, duration)
     }
 
-    fn reset<const ORDER: usize>(&self, velocity: f64, phase: f64) -> MapJet {
-        let mut jet = MapJet::identity(Vector2::new(-self.restitution * velocity, phase));
+    fn reset<const ORDER: usize>(&self, OnWall { velocity, phase }: OnWall) -> MapJet<OnWall, OnWall> {
+        let mut jet = MapJet::identity(OnWall::new(-self.restitution * velocity, phase));
         jet.jacobian[(0, 0)] = -self.restitution;
         jet
     }

@@ -12,9 +12,10 @@ use core::f64::consts::TAU;
 
 use nalgebra::{Matrix6, Vector2, Vector4};
 
-use crate::jet::{FlowJet, MapJet, flow_variable as flow};
+use crate::jet::{FlowJet, MapJet, ParameterJet};
 use crate::motion::{Motion, first_rest};
-use crate::oscillator::{ImpactOscillator, State};
+use crate::oscillator::ImpactOscillator;
+use crate::state::{AtPhase, AtRest, OnWall, State, Surface, flow_variable as flow};
 use crate::tolerances::{LAST_STEP_TO_SECTION, LAST_STEP_TO_WALL, MOST_ITERATIONS, MOST_PERIODS};
 
 /// A map is not defined at a point.
@@ -42,11 +43,11 @@ pub enum MapError {
     },
 }
 
-/// The image of a point on Π together with the evolution time that led there.
+/// The image on Π of a point of the surface `A` together with the evolution time that led there.
 #[derive(Clone, Copy, Debug)]
-pub struct Landing {
+pub struct Landing<A> {
     /// The map and its derivatives.
-    pub jet: MapJet,
+    pub jet: MapJet<A, AtRest>,
     /// The evolution time, negative if the evolution went backwards.
     pub time: f64,
 }
@@ -61,22 +62,21 @@ pub struct Landing {
 /// No maximum of x beyond the wall, as happens where the wall is met with ẍ ≥ 0.
 pub fn virtual_map<O: ImpactOscillator, const ORDER: usize>(
     oscillator: &O,
-    velocity: f64,
-    phase: f64,
+    impact: OnWall,
     guess: Option<f64>,
-) -> Result<Landing, MapError> {
-    let from = State::on_wall(velocity, phase);
+) -> Result<Landing<OnWall>, MapError> {
+    let OnWall { velocity, .. } = impact;
     let time = match guess {
         Some(time) => time,
         None if velocity == 0.0 => 0.0,
         None => {
             let horizon = oscillator.forcing_period();
             let forwards = velocity > 0.0;
-            first_rest(&oscillator.motion(from), forwards, horizon)
+            first_rest(&oscillator.motion(impact.into()), forwards, horizon)
                 .ok_or(MapError::NoRest { near: 0.0, velocity })?
         }
     };
-    land_on_section::<O, ORDER, { flow::VELOCITY }>(oscillator, from, time, 0.0)
+    land_on_section::<O, ORDER, _>(oscillator, impact, time, 0.0)
 }
 
 /// P_virt⁻¹, the branch on the incoming set: from (x, z) on Π with x ≥ 0 backwards to (y, z) on Σ with y ≥ 0.
@@ -85,14 +85,11 @@ pub fn virtual_map<O: ImpactOscillator, const ORDER: usize>(
 ///
 /// # Errors
 /// x < 0, or the orbit through the point does not come from the wall.
-pub fn virtual_preimage<O: ImpactOscillator>(
-    oscillator: &O,
-    position: f64,
-    phase: f64,
-) -> Result<Vector2<f64>, MapError> {
+pub fn virtual_preimage<O: ImpactOscillator>(oscillator: &O, top: AtRest) -> Result<OnWall, MapError> {
+    let AtRest { position, phase } = top;
     let below = MapError::BelowTheWall { position };
     let frequency = oscillator.forcing_frequency().value;
-    let from = State::at_rest(position, phase);
+    let from = State::from(top);
     let acceleration = oscillator.acceleration(from);
     if position < 0.0 || acceleration >= 0.0 {
         return Err(below);
@@ -100,7 +97,7 @@ pub fn virtual_preimage<O: ImpactOscillator>(
     let motion = oscillator.motion(from);
     let mut time = -(2.0 * position / -acceleration).sqrt();
     if time == 0.0 {
-        return Ok(Vector2::new(0.0, phase));
+        return Ok(OnWall::new(0.0, phase));
     }
     for _ in 0..MOST_ITERATIONS {
         let here = motion.at(time);
@@ -111,7 +108,7 @@ pub fn virtual_preimage<O: ImpactOscillator>(
         }
         // Or x is zero to rounding, which for small x says less about the time.
         if step.abs() <= LAST_STEP_TO_WALL * time.abs() || here.position.abs() <= 4.0 * f64::EPSILON {
-            return Ok(Vector2::new(motion.at(time).velocity, phase + frequency * time));
+            return Ok(OnWall::new(motion.at(time).velocity, phase + frequency * time));
         }
     }
     Err(below)
@@ -126,13 +123,11 @@ pub fn virtual_preimage<O: ImpactOscillator>(
 /// There is no maximum of x near the guessed time.
 pub fn global_map<O: ImpactOscillator, const ORDER: usize>(
     oscillator: &O,
-    position: f64,
-    phase: f64,
+    from: AtRest,
     guess: Option<f64>,
-) -> Result<Landing, MapError> {
+) -> Result<Landing<AtRest>, MapError> {
     let time = guess.unwrap_or_else(|| oscillator.forcing_period());
-    let from = State::at_rest(position, phase);
-    land_on_section::<O, ORDER, { flow::POSITION }>(oscillator, from, time, TAU)
+    land_on_section::<O, ORDER, _>(oscillator, from, time, TAU)
 }
 
 /// The p-th iterate of P_global with its derivatives; return times are found afresh.
@@ -144,13 +139,12 @@ pub fn global_map<O: ImpactOscillator, const ORDER: usize>(
 pub fn global_iterate<O: ImpactOscillator, const ORDER: usize>(
     oscillator: &O,
     loops: u32,
-    position: f64,
-    phase: f64,
-) -> Result<MapJet, MapError> {
-    let mut jet = MapJet::identity(Vector2::new(position, phase));
+    from: AtRest,
+) -> Result<MapJet<AtRest, AtRest>, MapError> {
+    let mut jet = MapJet::identity(from);
     for _ in 0..loops {
-        let next = global_map::<O, ORDER>(oscillator, jet.value[0], jet.value[1], None)?;
-        jet = next.jet.after::<ORDER>(&jet);
+        let next = global_map::<O, ORDER>(oscillator, jet.image(), None)?;
+        jet = next.jet.after::<ORDER, _>(&jet);
     }
     Ok(jet)
 }
@@ -163,15 +157,15 @@ pub fn global_iterate<O: ImpactOscillator, const ORDER: usize>(
 /// x̂ ≤ 0, or one of the three maps is not defined.
 pub fn discontinuity_map<O: ImpactOscillator, const ORDER: usize>(
     oscillator: &O,
-    position: f64,
-    phase: f64,
-) -> Result<MapJet, MapError> {
-    let preimage = virtual_preimage(oscillator, position, phase)?;
-    let impact = virtual_map::<O, ORDER>(oscillator, preimage[0], preimage[1], None)?;
-    let inverse = impact.jet.inverse::<ORDER>(preimage).ok_or(MapError::BelowTheWall { position })?;
-    let reset = oscillator.reset::<ORDER>(preimage[0], preimage[1]);
-    let recoil = virtual_map::<O, ORDER>(oscillator, reset.value[0], reset.value[1], None)?;
-    Ok(recoil.jet.after::<ORDER>(&reset).after::<ORDER>(&inverse))
+    top: AtRest,
+) -> Result<MapJet<AtRest, AtRest>, MapError> {
+    let preimage = virtual_preimage(oscillator, top)?;
+    let impact = virtual_map::<O, ORDER>(oscillator, preimage, None)?;
+    let below = MapError::BelowTheWall { position: top.position };
+    let inverse = impact.jet.inverse::<ORDER>(preimage).ok_or(below)?;
+    let reset = oscillator.reset::<ORDER>(preimage);
+    let recoil = virtual_map::<O, ORDER>(oscillator, reset.image(), None)?;
+    Ok(recoil.jet.after::<ORDER, _>(&reset).after::<ORDER, _>(&inverse))
 }
 
 /// The flow from (y, z) on Σ to the plane of constant phase `target`, with coordinates (x, y).
@@ -179,39 +173,23 @@ pub fn discontinuity_map<O: ImpactOscillator, const ORDER: usize>(
 /// Defined everywhere, in contrast to [`virtual_map`]; the target phase is held in all derivatives.
 pub fn to_phase<O: ImpactOscillator, const ORDER: usize>(
     oscillator: &O,
-    velocity: f64,
-    phase: f64,
+    from: OnWall,
     target: f64,
-) -> MapJet {
-    to_phase_along::<O, ORDER>(
-        oscillator,
-        &oscillator.motion(State::on_wall(velocity, phase)),
-        velocity,
-        phase,
-        target,
-    )
+) -> MapJet<OnWall, AtPhase> {
+    to_phase_along::<O, ORDER>(oscillator, &oscillator.motion(from.into()), from, target)
 }
 
 /// [`to_phase`] with the motion from (y, z) at hand.
 pub fn to_phase_along<O: ImpactOscillator, const ORDER: usize>(
     oscillator: &O,
     motion: &O::Motion,
-    velocity: f64,
-    phase: f64,
+    from: OnWall,
     target: f64,
-) -> MapJet {
+) -> MapJet<OnWall, AtPhase> {
     let frequency = oscillator.forcing_frequency();
-    let time = (target - phase) / frequency.value;
-    let jet = oscillator.flow_along::<ORDER>(motion, State::on_wall(velocity, phase), time);
-    // s = (target − z)/ω(μ, η).
-    let omega = Vector4::new(0.0, 0.0, frequency.gradient[0], frequency.gradient[1]);
-    let mut ds = -omega * (time / frequency.value);
-    ds[1] -= 1.0 / frequency.value;
-    let dds = |a: usize, b: usize| {
-        let curvature = if a >= 2 && b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
-        -(omega[a] * ds[b] + omega[b] * ds[a] + time * curvature) / frequency.value
-    };
-    substitute_duration::<ORDER>(&jet, &map_columns::<{ flow::VELOCITY }>(), &ds, dds)
+    let time = (target - from.phase) / frequency.value;
+    let jet = oscillator.flow_along::<ORDER>(motion, from.into(), time);
+    at_constant_phase::<ORDER, _>(&jet, &frequency, time)
 }
 
 /// The flow over one forcing period from phase zero, the wall ignored; its coordinates are (x, y), and its variables (x, y, μ, η).
@@ -219,33 +197,23 @@ pub fn to_phase_along<O: ImpactOscillator, const ORDER: usize>(
 /// Its fixed points are the periodic solutions without impacts.
 pub fn stroboscopic_map<O: ImpactOscillator, const ORDER: usize>(
     oscillator: &O,
-    position: f64,
-    velocity: f64,
-) -> MapJet {
+    AtPhase { position, velocity }: AtPhase,
+) -> MapJet<AtPhase, AtPhase> {
     let frequency = oscillator.forcing_frequency();
     let time = TAU / frequency.value;
     let jet = oscillator.flow::<ORDER>(State { position, velocity, phase: 0.0 }, time);
-    let omega = Vector4::new(0.0, 0.0, frequency.gradient[0], frequency.gradient[1]);
-    // s = 2π/ω(μ, η).
-    let ds = -omega * (time / frequency.value);
-    let dds = |a: usize, b: usize| {
-        let curvature = if a >= 2 && b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
-        -(omega[a] * ds[b] + omega[b] * ds[a] + time * curvature) / frequency.value
-    };
-    let columns = [flow::POSITION, flow::VELOCITY, flow::PRIMARY, flow::SECONDARY];
-    substitute_duration::<ORDER>(&jet, &columns, &ds, dds)
+    at_constant_phase::<ORDER, _>(&jet, &frequency, time)
 }
 
 /// Solves for the zero of the velocity and differentiates the landing point implicitly.
-///
-/// `FIRST` is the column of the flow that is the map's first coordinate: x₀ when starting on Π, y₀ when starting on Σ.
 #[inline]
-fn land_on_section<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
+fn land_on_section<O: ImpactOscillator, const ORDER: usize, A: Surface + Into<State>>(
     oscillator: &O,
-    from: State,
+    from: A,
     guess: f64,
     turn: f64,
-) -> Result<Landing, MapError> {
+) -> Result<Landing<A>, MapError> {
+    let from: State = from.into();
     let motion = oscillator.motion(from);
     let farthest = MOST_PERIODS * oscillator.forcing_period();
     let mut time = guess;
@@ -261,7 +229,7 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
             break;
         }
         if step.abs() <= LAST_STEP_TO_SECTION {
-            return finish_landing::<O, ORDER, FIRST>(oscillator, &motion, from, time, turn);
+            return finish_landing::<O, ORDER, A>(oscillator, &motion, from, time, turn);
         }
         here = motion.at(time);
     }
@@ -270,39 +238,39 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
 
 /// The landing at a time that is known to be a zero of the velocity.
 #[inline]
-fn finish_landing<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
+fn finish_landing<O: ImpactOscillator, const ORDER: usize, A: Surface>(
     oscillator: &O,
     motion: &O::Motion,
     from: State,
     time: f64,
     turn: f64,
-) -> Result<Landing, MapError> {
+) -> Result<Landing<A>, MapError> {
     let jet = oscillator.flow_along::<ORDER>(motion, from, time);
     let acceleration = jet.jacobian[(1, flow::DURATION)];
     if acceleration.is_nan() || acceleration >= 0.0 {
         return Err(MapError::NotAMaximum { acceleration });
     }
-    Ok(Landing { jet: implicit_landing::<ORDER, FIRST>(oscillator, &jet, from.phase, time, turn), time })
+    Ok(Landing { jet: implicit_landing::<ORDER, A>(oscillator, &jet, from.phase, time, turn), time })
 }
 
 /// The jet of (x', z') from the flow's jet at the landing, where y(u, z, s; μ, η) = 0 defines the duration s.
 ///
 /// As ẋ = y = 0 there, second derivatives of s do not enter those of x'.
 #[inline]
-fn implicit_landing<const ORDER: usize, const FIRST: usize>(
+fn implicit_landing<const ORDER: usize, A: Surface>(
     oscillator: &impl ImpactOscillator,
     jet: &FlowJet,
     phase: f64,
     time: f64,
     turn: f64,
-) -> MapJet {
-    let columns = map_columns::<FIRST>();
+) -> MapJet<A, AtRest> {
+    let columns = map_columns::<A>();
     let frequency = oscillator.forcing_frequency();
     let omega = [0.0, 0.0, frequency.gradient[0], frequency.gradient[1]];
     let acceleration = jet.jacobian[(1, flow::DURATION)];
     let ds = Vector4::from_fn(|a, _| -jet.jacobian[(1, columns[a])] / acceleration);
 
-    let mut map = MapJet::identity(Vector2::new(jet.value[0], phase + frequency.value * time - turn));
+    let mut map = MapJet::constant(Vector2::new(jet.value[0], phase + frequency.value * time - turn));
     for a in 0..4 {
         map.jacobian[(0, a)] = jet.jacobian[(0, columns[a])];
         map.jacobian[(1, a)] = frequency.value * ds[a] + omega[a] * time;
@@ -324,9 +292,10 @@ fn implicit_landing<const ORDER: usize, const FIRST: usize>(
     map
 }
 
-/// The columns of the flow that are a map's variables; the first depends on the surface it starts from.
-const fn map_columns<const FIRST: usize>() -> [usize; 4] {
-    [FIRST, flow::PHASE, flow::PRIMARY, flow::SECONDARY]
+/// The columns of the flow that are the variables of a map from a surface.
+const fn map_columns<A: Surface>() -> [usize; 4] {
+    let [first, second] = A::VARIABLES;
+    [first, second, flow::PRIMARY, flow::SECONDARY]
 }
 
 /// Second derivative of one component of the flow in the directions a and b, the duration moving with them.
@@ -338,14 +307,24 @@ fn second_along(hessian: &Matrix6<f64>, columns: &[usize; 4], ds: &Vector4<f64>,
         + hessian[(flow::DURATION, flow::DURATION)] * ds[a] * ds[b]
 }
 
-/// The flow's jet in the variables of some columns, with its duration replaced by a function of them with derivatives `ds` and `dds`.
-fn substitute_duration<const ORDER: usize>(
+/// The jet of the flow from a surface to a plane of constant phase, after the time s = (target − z)/ω(μ, η) with z held where it is no
+/// coordinate of the surface.
+fn at_constant_phase<const ORDER: usize, A: Surface>(
     jet: &FlowJet,
-    columns: &[usize; 4],
-    ds: &Vector4<f64>,
-    dds: impl Fn(usize, usize) -> f64,
-) -> MapJet {
-    let mut map = MapJet::identity(jet.value);
+    frequency: &ParameterJet,
+    time: f64,
+) -> MapJet<A, AtPhase> {
+    let columns = &map_columns::<A>();
+    let omega = Vector4::new(0.0, 0.0, frequency.gradient[0], frequency.gradient[1]);
+    let mut ds = -omega * (time / frequency.value);
+    if A::VARIABLES[1] == flow::PHASE {
+        ds[1] -= 1.0 / frequency.value;
+    }
+    let dds = |a: usize, b: usize| {
+        let curvature = if a >= 2 && b >= 2 { frequency.hessian[(a - 2, b - 2)] } else { 0.0 };
+        -(omega[a] * ds[b] + omega[b] * ds[a] + time * curvature) / frequency.value
+    };
+    let mut map = MapJet::constant(jet.value);
     for component in 0..2 {
         let rate = jet.jacobian[(component, flow::DURATION)];
         for a in 0..4 {
@@ -354,7 +333,7 @@ fn substitute_duration<const ORDER: usize>(
         if ORDER >= 2 {
             for a in 0..4 {
                 for b in 0..=a {
-                    let entry = second_along(&jet.hessians[component], columns, ds, a, b) + rate * dds(a, b);
+                    let entry = second_along(&jet.hessians[component], columns, &ds, a, b) + rate * dds(a, b);
                     map.set_second(component, [a, b], entry);
                 }
             }

@@ -3,7 +3,8 @@
 use core::f64::consts::TAU;
 
 use crate::motion::{Motion, first_crossing};
-use crate::oscillator::{ImpactOscillator, State};
+use crate::oscillator::ImpactOscillator;
+use crate::state::{OnWall, State};
 use crate::tolerances::CHATTER_VELOCITY;
 
 /// A flight between two events of an orbit.
@@ -116,8 +117,8 @@ impl<'a, O: ImpactOscillator> Orbit<'a, O> {
     fn reset(&mut self) {
         self.impacts += 1;
         let impact_velocity = self.state.velocity;
-        let recoil = self.oscillator.reset::<1>(impact_velocity, self.state.phase).value;
-        self.state = wrapped(State::on_wall(recoil[0], recoil[1]));
+        let recoil = self.oscillator.reset::<1>(OnWall::new(impact_velocity, self.state.phase));
+        self.state = wrapped(recoil.image().into());
         let pressed = || self.oscillator.acceleration(State::on_wall(0.0, self.state.phase)) > 0.0;
         if impact_velocity < CHATTER_VELOCITY && pressed() {
             self.end = Some(OrbitEnd::Chattering {

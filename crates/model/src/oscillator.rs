@@ -2,29 +2,7 @@
 
 use crate::jet::{FlowJet, MapJet, ParameterJet};
 use crate::motion::Motion;
-
-/// A point (x, y, z) of phase space: position, velocity, and phase of the forcing in radians (not wrapped).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
-    /// Position x; the wall stands at x = 0 and motion takes place in x ≤ 0.
-    pub position: f64,
-    /// Velocity y = ẋ.
-    pub velocity: f64,
-    /// Phase z = ω t (eq:z), not reduced modulo 2π.
-    pub phase: f64,
-}
-
-impl State {
-    /// The point (0, y, z) of the impacting surface Σ.
-    pub const fn on_wall(velocity: f64, phase: f64) -> Self {
-        Self { position: 0.0, velocity, phase }
-    }
-
-    /// The point (x, 0, z) of the Poincaré section Π.
-    pub const fn at_rest(position: f64, phase: f64) -> Self {
-        Self { position, velocity: 0.0, phase }
-    }
-}
+use crate::state::{OnWall, State};
 
 /// A one-degree-of-freedom oscillator ẍ = F(x, ẋ, t; μ, η) with a wall at x = 0 and a smooth reset law.
 ///
@@ -57,7 +35,7 @@ pub trait ImpactOscillator: Clone + Send + Sync {
     }
 
     /// The reset law R of eq:R as a function of (y, z; μ, η), extended smoothly to y < 0; derivatives up to `ORDER`.
-    fn reset<const ORDER: usize>(&self, velocity: f64, phase: f64) -> MapJet;
+    fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall>;
 
     /// The motion that starts in a state, the wall ignored.
     fn motion(&self, from: State) -> Self::Motion;

@@ -2,6 +2,50 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+/// Sum, difference and negative of what is an array of numbers, entry by entry.
+macro_rules! entrywise {
+    ([$($generics:tt)*] $type:ty) => {
+        impl<$($generics)*> core::ops::Add for $type {
+            type Output = Self;
+
+            #[inline(always)]
+            #[allow(clippy::assign_op_pattern, reason = "not every entry has assigning operators")]
+            fn add(mut self, other: Self) -> Self {
+                for (a, b) in self.0.iter_mut().zip(other.0) {
+                    *a = *a + b;
+                }
+                self
+            }
+        }
+
+        impl<$($generics)*> core::ops::Sub for $type {
+            type Output = Self;
+
+            #[inline(always)]
+            #[allow(clippy::assign_op_pattern, reason = "not every entry has assigning operators")]
+            fn sub(mut self, other: Self) -> Self {
+                for (a, b) in self.0.iter_mut().zip(other.0) {
+                    *a = *a - b;
+                }
+                self
+            }
+        }
+
+        impl<$($generics)*> core::ops::Neg for $type {
+            type Output = Self;
+
+            #[inline(always)]
+            fn neg(mut self) -> Self {
+                for a in &mut self.0 {
+                    *a = -*a;
+                }
+                self
+            }
+        }
+    };
+}
+pub(crate) use entrywise;
+
 /// A smooth function of one variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Function {

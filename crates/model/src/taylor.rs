@@ -1,9 +1,8 @@
 //! Taylor polynomials of third degree in one variable: what third derivatives along a curve need.
 
-use core::array::from_fn;
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Div, Mul};
 
-use crate::scalar::{Function, Scalar};
+use crate::scalar::{Function, Scalar, entrywise};
 
 /// c₀ + c₁ s + c₂ s² + c₃ s³ + O(s⁴): a number that moves along a curve with the parameter s.
 ///
@@ -63,32 +62,7 @@ fn third_derivative(function: Function, x: f64, [value, slope, curvature]: [f64;
     }
 }
 
-impl Add for Taylor {
-    type Output = Self;
-
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self(from_fn(|k| self.0[k] + other.0[k]))
-    }
-}
-
-impl Sub for Taylor {
-    type Output = Self;
-
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self(from_fn(|k| self.0[k] - other.0[k]))
-    }
-}
-
-impl Neg for Taylor {
-    type Output = Self;
-
-    #[inline]
-    fn neg(self) -> Self {
-        Self(self.0.map(|c| -c))
-    }
-}
+entrywise!([] Taylor);
 
 impl Mul for Taylor {
     type Output = Self;

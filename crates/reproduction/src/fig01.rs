@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use grazing_model::motion::highest_maximum;
 use grazing_model::orbit::{FlightEnd, Orbit};
-use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_results::space::{CurveKind, MarkKind, SurfaceKind};
 
 use crate::StudyError;
@@ -94,7 +94,7 @@ fn fly(
         if impacts.is_empty() && missed > SAME {
             return Err(unreachable_arrival(arrival));
         }
-        let reset = oscillator.reset::<1>(impact.velocity, impact.phase).value;
+        let reset = oscillator.reset::<1>(OnWall::new(impact.velocity, impact.phase)).value;
         let recoil = State::on_wall(reset[0], reset[1]);
         curves.curve(CurveKind::Reset, &line(impact, recoil));
         impacts.push((impact, recoil));

@@ -6,7 +6,7 @@
 use core::f64::consts::TAU;
 
 use grazing_model::maps::{MapError, global_map};
-use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, State};
 use grazing_results::space::{CurveKind, MarkKind, SurfaceKind};
 
 use crate::StudyError;
@@ -36,7 +36,7 @@ pub(crate) fn compute(parameters: &Parameters) -> Result<Scene, StudyError> {
     if acceleration >= 0.0 {
         return Err(StudyError::Map { figure: 3, source: MapError::NotAMaximum { acceleration } });
     }
-    let landing = global_map::<_, 1>(&oscillator, start.position, start.phase, None)
+    let landing = global_map::<_, 1>(&oscillator, AtRest::new(start.position, start.phase), None)
         .map_err(|source| StudyError::Map { figure: 3, source })?;
     let image = State::at_rest(landing.jet.value[0], landing.jet.value[1]);
 

@@ -2,7 +2,7 @@
 
 use grazing_model::maps::{global_map, virtual_map};
 use grazing_model::motion::{Motion, first_rest};
-use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_results::space::{CurveKind, Mark, MarkKind, SurfaceKind};
 
 use crate::StudyError;
@@ -24,10 +24,10 @@ struct Marks {
 impl Marks {
     fn compute(oscillator: &LinearOscillator, impact: State, loops: u32) -> Result<Self, StudyError> {
         let failed = |source| StudyError::Map { figure: 9, source };
-        let reset = oscillator.reset::<1>(impact.velocity, impact.phase).value;
+        let reset = oscillator.reset::<1>(OnWall::new(impact.velocity, impact.phase)).value;
         let recoil = State::on_wall(reset[0], reset[1]);
         let virtual_point = |from: State| {
-            let landing = virtual_map::<_, 1>(oscillator, from.velocity, from.phase, None)?;
+            let landing = virtual_map::<_, 1>(oscillator, OnWall::new(from.velocity, from.phase), None)?;
             Ok((State::at_rest(landing.jet.value[0], landing.jet.value[1]), landing.time))
         };
         let (ahead, behind) =
@@ -35,7 +35,8 @@ impl Marks {
         let mut iterates = Vec::new();
         let mut last = behind.0;
         for _ in 0..loops {
-            let landing = global_map::<_, 1>(oscillator, last.position, last.phase, None).map_err(failed)?;
+            let landing = global_map::<_, 1>(oscillator, AtRest::new(last.position, last.phase), None)
+                .map_err(failed)?;
             last = State::at_rest(landing.jet.value[0], landing.jet.value[1]);
             iterates.push(last);
         }

@@ -5,7 +5,7 @@
 //! [`linear_oscillator`](crate::linear_oscillator).
 
 use grazing_model::maps::{MapError, global_iterate, global_map};
-use grazing_model::{ImpactOscillator, MapJet, State};
+use grazing_model::{AtRest, ImpactOscillator, MapJet, OnWall, State};
 use nalgebra::{Matrix2, Vector2, Vector3};
 
 use crate::auxiliary::detuning;
@@ -40,7 +40,7 @@ const LONGEST_STEP: f64 = 1e3;
 pub struct GrazingOrbit<O> {
     oscillator: O,
     phase: f64,
-    map: MapJet,
+    map: MapJet<AtRest, AtRest>,
     /// d(z_graz, primary_graz)/dη.
     slopes: Vector2<f64>,
 }
@@ -57,7 +57,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         let mut residual = f64::INFINITY;
         for _ in 0..30 {
             let here = oscillator.with_parameters([primary, eta]);
-            let map = global_map::<O, 2>(&here, 0.0, phase, None)?.jet;
+            let map = global_map::<O, 2>(&here, AtRest::new(0.0, phase), None)?.jet;
             let defect = Vector2::new(map.value[0], map.value[1] - phase);
             residual = defect.norm();
             let jacobian = Self::by_phase_and_primary(&map);
@@ -81,7 +81,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     /// # Errors
     /// P_global is not defined there.
     pub fn at(oscillator: O, phase: f64) -> Result<Self, GrazingOrbitError> {
-        let map = global_map::<O, 2>(&oscillator, 0.0, phase, None)?.jet;
+        let map = global_map::<O, 2>(&oscillator, AtRest::new(0.0, phase), None)?.jet;
         let by_eta = map.jacobian.column(3).into_owned();
         let slopes =
             -Self::by_phase_and_primary(&map).lu().solve(&by_eta).unwrap_or(Vector2::repeat(f64::NAN));
@@ -89,7 +89,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     }
 
     /// Derivative of P_global(0, z; primary) − (0, z).
-    fn by_phase_and_primary(map: &MapJet) -> Matrix2<f64> {
+    fn by_phase_and_primary(map: &MapJet<AtRest, AtRest>) -> Matrix2<f64> {
         let mut jacobian: Matrix2<f64> = map.jacobian.fixed_columns::<2>(1).into_owned();
         jacobian[(1, 0)] -= 1.0;
         jacobian
@@ -122,7 +122,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
 
     /// A, b, ω, γ, φ, ψ at grazing. Paper: eq:A, eq:b, eq:phipsigamma.
     pub fn grazing_point(&self) -> GrazingPoint {
-        let reset = self.oscillator.reset::<1>(0.0, self.phase);
+        let reset = self.oscillator.reset::<1>(OnWall::new(0.0, self.phase));
         GrazingPoint {
             map: LinearisedMap { a: self.map.derivative(), b: self.map.jacobian.column(2).into_owned() },
             forcing_frequency: self.oscillator.forcing_frequency().value,
@@ -169,7 +169,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     /// # Errors
     /// An iterate of P_global is not defined.
     pub fn second_phase_derivative(&self, loops: u32) -> Result<f64, MapError> {
-        Ok(global_iterate::<O, 2>(&self.oscillator, loops, 0.0, self.phase)?.hessians[0][(1, 1)])
+        Ok(global_iterate::<O, 2>(&self.oscillator, loops, AtRest::new(0.0, self.phase))?.hessians[0][(1, 1)])
     }
 
     /// Everything that the formulas for c_SN,p and c_PD,p need. Paper: section 2.6.

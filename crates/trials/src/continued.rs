@@ -6,7 +6,7 @@ use grazing_continuation::arclength::{Continuation, StepControl};
 use grazing_continuation::curve::{MpsCurve, Window};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
-    Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns, unknown,
+    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown,
 };
 use grazing_model::ImpactOscillator;
 use grazing_unfold::Diagram;
@@ -38,7 +38,7 @@ pub fn near<O: ImpactOscillator>(
     let start = Unknowns::new(known[unknown::VELOCITY], known[unknown::PHASE], primary, secondary);
     let conditions = [Condition::Primary(primary), Condition::Secondary(secondary)];
     let equations = equations.with_formulation(Formulation::FixedPhase);
-    let found = locate(&equations, conditions, start, &mut Memory::default()).ok()?;
+    let found = locate(&equations, conditions, start, &mut EventTimes::default()).ok()?;
     ((found - start).norm() < ELSEWHERE).then(|| equations.solution(&found).0)
 }
 
@@ -80,13 +80,13 @@ fn starts<O: ImpactOscillator>(
     secondary: f64,
 ) -> Vec<Unknowns> {
     let here = Condition::Secondary(secondary);
-    let solved = |condition: Condition, start: Unknowns, mut memory: Memory| {
-        let found = locate(equations, [condition, here], start, &mut memory).ok()?;
+    let solved = |condition: Condition, start: Unknowns, mut times: EventTimes| {
+        let found = locate(equations, [condition, here], start, &mut times).ok()?;
         ((found - start).norm() < ELSEWHERE).then_some(found)
     };
     let grazing = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary)).filter_map(|orbit| {
         let start = Unknowns::new(BESIDE_GRAZING, orbit.phase(), orbit.primary(), secondary);
-        solved(Condition::ImpactVelocity(BESIDE_GRAZING), start, Memory::default())
+        solved(Condition::ImpactVelocity(BESIDE_GRAZING), start, EventTimes::default())
     });
     let curves = diagram.curves.iter().filter(|curve| curve.loops == loops);
     let crossing = curves.flat_map(|curve| {
@@ -94,7 +94,7 @@ fn starts<O: ImpactOscillator>(
             let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
             let [from, to] = [a, b].map(|point| point[unknown::SECONDARY] - secondary);
             let start = (from * to <= 0.0 && from != to).then(|| a + (b - a) * (from / (from - to)))?;
-            solved(curve.curve.condition, start, pair[0].memory.clone())
+            solved(curve.curve.condition, start, pair[0].times.clone())
         })
     });
     grazing.chain(crossing).collect()
@@ -108,7 +108,7 @@ fn followed<O: ImpactOscillator>(
     window: Window,
 ) -> Vec<Unknowns> {
     let mut points = vec![start];
-    let Ok(mut walker) = Continuation::new(curve, STEPS, start, direction, Memory::default()) else {
+    let Ok(mut walker) = Continuation::new(curve, STEPS, start, direction, EventTimes::default()) else {
         return points;
     };
     while let Ok(station) = walker.advance() {

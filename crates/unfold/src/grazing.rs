@@ -10,7 +10,7 @@ use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_continuation::newton::{self, Linearisation};
 use grazing_model::maps::{MapError, global_map};
 use grazing_model::motion::highest_maximum;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{AtRest, ImpactOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
 use nalgebra::{Matrix2, Matrix3, Vector3};
@@ -156,12 +156,12 @@ type Points = Vec<(Vector3<f64>, Vector3<f64>)>;
 
 impl<O: ImpactOscillator> CurveEquations<3> for GrazingEquations<'_, O> {
     /// The return time of P_global.
-    type Memory = Option<f64>;
+    type Carried = Option<f64>;
     type Failure = MapError;
 
     fn evaluate(&self, point: &Vector3<f64>, time: &mut Option<f64>) -> Result<Linearisation<3>, MapError> {
         let oscillator = self.oscillator_at(point);
-        let landing = global_map::<O, 1>(&oscillator, 0.0, point[0], *time)?;
+        let landing = global_map::<O, 1>(&oscillator, AtRest::new(0.0, point[0]), *time)?;
         *time = Some(landing.time);
         let [primary, secondary] = self.scope.widths();
         let jacobian = landing.jet.jacobian;

@@ -13,7 +13,7 @@ use core::fmt;
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::fit::Measurement;
 use grazing_continuation::locate::{Condition, LocateFailure, locate};
-use grazing_continuation::mps::{Memory, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 
@@ -230,7 +230,7 @@ impl Sides {
         };
         let ratio = slope(other) / slope(own);
         let equations = point.equations();
-        let find = |conditions, near| locate(equations, conditions, near, &mut Memory::default());
+        let find = |conditions, near| locate(equations, conditions, near, &mut EventTimes::default());
 
         let direction = point.direction(own);
         let near = point.unknowns() + direction * (velocity / direction[unknown::VELOCITY]);

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use grazing_model::orbit::{FlightEnd, Orbit};
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{ImpactOscillator, OnWall, State};
 use nalgebra::{Matrix2, Vector2};
 
 /// What comes of an impact that belongs to an MPS if there is one.
@@ -44,7 +44,7 @@ pub const MOST_RETURNS: usize = 5_000;
 impl<O: ImpactOscillator> Suspect<'_, O> {
     /// Time from recoil to impact if it is an MPS: p forcing periods less what passes during the impact.
     fn flight(&self) -> f64 {
-        let reset = self.oscillator.reset::<1>(self.velocity, self.phase).value;
+        let reset = self.oscillator.reset::<1>(OnWall::new(self.velocity, self.phase)).value;
         let lag = (reset[1] - self.phase) / self.oscillator.forcing_frequency().value;
         f64::from(self.loops) * self.oscillator.forcing_period() - lag
     }
@@ -82,7 +82,7 @@ impl<O: ImpactOscillator> Suspect<'_, O> {
     /// In (y, z) the map from impact to impact is smooth.
     fn displaced(&self, by: Vector2<f64>) -> Option<Vector2<f64>> {
         let (velocity, phase) = (self.velocity + by[0], self.phase + by[1]);
-        let recoil = self.oscillator.reset::<1>(velocity, phase).value;
+        let recoil = self.oscillator.reset::<1>(OnWall::new(velocity, phase)).value;
         let period = self.oscillator.forcing_period();
         let due = f64::from(self.loops) * period - (recoil[1] - phase) * period / TAU;
         let from = State::on_wall(velocity, phase);

@@ -10,7 +10,7 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route, Window};
 use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{
-    Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Multipliers, Unknowns, unknown,
+    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Multipliers, Unknowns, unknown,
 };
 use grazing_model::ImpactOscillator;
 use nalgebra::SVector;
@@ -127,8 +127,8 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         let mut slice = Slice::new(secondary, Vec::new());
         for [phase, primary] in (self.grazing)(secondary) {
             let near = Unknowns::new(BESIDE_GRAZING, phase, primary, secondary);
-            if let Some(start) = self.at(near, &mut Memory::default()) {
-                self.add(&mut slice, start, &Memory::default(), false);
+            if let Some(start) = self.at(near, &mut EventTimes::default()) {
+                self.add(&mut slice, start, &EventTimes::default(), false);
             }
         }
         slice
@@ -142,9 +142,9 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
             for point in branch.points.iter().skip(every / 2).step_by(every) {
                 let mut near = point.solution.unknowns;
                 near[unknown::SECONDARY] = to.secondary;
-                let mut memory = point.memory.clone();
-                if let Some(start) = self.at(near, &mut memory) {
-                    self.add(to, start, &memory, true);
+                let mut times = point.times.clone();
+                if let Some(start) = self.at(near, &mut times) {
+                    self.add(to, start, &times, true);
                 }
             }
         }
@@ -169,13 +169,13 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
             if slice.branches.iter().any(|branch| passes(branch, &near)) {
                 continue;
             }
-            let mut memory = pair[0].memory.clone();
-            let found = locate_within(CARRIED_OFF, &self.equations, [condition, here], near, &mut memory);
+            let mut times = pair[0].times.clone();
+            let found = locate_within(CARRIED_OFF, &self.equations, [condition, here], near, &mut times);
             if let Ok(through) = found
                 && through[unknown::VELOCITY] > 0.0
                 && self.window.contains(&through)
             {
-                self.add(slice, through, &memory, true);
+                self.add(slice, through, &times, true);
             }
         }
         let fresh = slice.branches.len() > before;
@@ -184,15 +184,15 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
     }
 
     /// The MPS with the impact velocity and the η of `near`, if it lies in the window and nearby.
-    fn at(&self, near: Unknowns, memory: &mut Memory) -> Option<Unknowns> {
+    fn at(&self, near: Unknowns, times: &mut EventTimes) -> Option<Unknowns> {
         let [velocity, _, _, secondary] = near.into();
         let conditions = [Condition::Secondary(secondary), Condition::ImpactVelocity(velocity)];
-        let found = locate_within(CARRIED_OFF, &self.equations, conditions, near, memory).ok()?;
+        let found = locate_within(CARRIED_OFF, &self.equations, conditions, near, times).ok()?;
         self.window.contains(&found).then_some(found)
     }
 
     /// Follows the branch through an MPS, to greater velocities or to both sides, unless it is known.
-    fn add(&self, slice: &mut Slice<Curve>, through: Unknowns, memory: &Memory, both: bool) {
+    fn add(&self, slice: &mut Slice<Curve>, through: Unknowns, times: &EventTimes, both: bool) {
         if slice.branches.len() >= MOST_BRANCHES
             || slice.branches.iter().any(|branch| passes(branch, &through))
         {
@@ -203,9 +203,9 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         let (curve, route) = self.branch(Condition::Secondary(slice.secondary), window);
         let upwards = Unknowns::new(1.0, 0.0, 0.0, 0.0);
         let followed = if both {
-            curve.follow_both_ways(through, upwards, memory, &route)
+            curve.follow_both_ways(through, upwards, times, &route)
         } else {
-            curve.follow(through, upwards, memory.clone(), &route)
+            curve.follow(through, upwards, times.clone(), &route)
         };
         slice.branches.extend(followed);
     }
@@ -240,11 +240,11 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
                 continue;
             }
             let conditions = [Condition::Primary(primary), Condition::Secondary(near[unknown::SECONDARY])];
-            let mut memory = pair[0].memory.clone();
-            let Ok(through) = locate(&self.equations, conditions, near, &mut memory) else { continue };
+            let mut times = pair[0].times.clone();
+            let Ok(through) = locate(&self.equations, conditions, near, &mut times) else { continue };
             if through[unknown::VELOCITY] > 0.0 && !branches.iter().any(|branch| passes(branch, &through)) {
                 let upwards = Unknowns::new(0.0, 0.0, 0.0, 1.0);
-                branches.extend(curve.clone().follow_both_ways(through, upwards, &memory, &route));
+                branches.extend(curve.clone().follow_both_ways(through, upwards, &times, &route));
             }
         }
         branches
@@ -329,7 +329,7 @@ fn between<O: ImpactOscillator>(
     let [velocity, _, _, secondary] = middle.into();
     let conditions = [Condition::Secondary(secondary), Condition::ImpactVelocity(velocity)];
     let equations = equations.with_formulation(Formulation::FixedPhase);
-    let found = locate(&equations, conditions, middle, &mut Memory::default()).ok()?;
+    let found = locate(&equations, conditions, middle, &mut EventTimes::default()).ok()?;
     Some(equations.solution(&found).0)
 }
 

@@ -148,9 +148,9 @@ fn explained<O: ImpactOscillator>(net: &Net<O>, event: &Event, [left, right]: [f
             if distance(&near) > NEAR {
                 return false;
             }
-            let mut memory = pair[0].memory.clone();
+            let mut times = pair[0].times.clone();
             let found =
-                locate(&equations, [event.condition, Condition::Secondary(secondary)], near, &mut memory);
+                locate(&equations, [event.condition, Condition::Secondary(secondary)], near, &mut times);
             found.is_ok_and(|found| distance(&found) < SAME) || distance(&near) < SAME
         })
     })
@@ -163,7 +163,7 @@ fn start<O: ImpactOscillator>(net: &mut Net<O>, event: &Event, route: &Route) {
     let curve = MpsCurve { equations, condition: event.condition };
     // Across the slice.
     let upwards = Unknowns::new(0.0, 0.0, 0.0, 1.0);
-    if let Ok(curve) = curve.follow_both_ways(event.solution.unknowns, upwards, &event.memory, route) {
+    if let Ok(curve) = curve.follow_both_ways(event.solution.unknowns, upwards, &event.times, route) {
         net.add(DiagramCurve { kind, loops: net.loops(), n: 0, curve });
         net.grow(route);
     }

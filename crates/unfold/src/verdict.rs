@@ -4,8 +4,8 @@ use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::fit::{Estimate, FitError, Measurement, measure};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::ImpactOscillator;
 use grazing_model::maps::global_iterate;
+use grazing_model::{AtRest, ImpactOscillator};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{ResonantPoint, Unfolding};
@@ -194,7 +194,7 @@ const ELSEWHERE: f64 = 3.0;
 fn second_derivative_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [f64; 2] {
     let (orbit, known, loops) = (point.orbit(), point.resonant_point(), point.loops());
     let slope = |phase: f64| {
-        global_iterate::<O, 1>(orbit.oscillator(), loops, 0.0, orbit.phase() + phase)
+        global_iterate::<O, 1>(orbit.oscillator(), loops, AtRest::new(0.0, orbit.phase() + phase))
             .map_or(f64::NAN, |jet| jet.jacobian[(0, 1)])
     };
     let [primary, secondary] = orbit.oscillator().parameters();

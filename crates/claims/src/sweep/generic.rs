@@ -3,7 +3,7 @@
 use grazing_continuation::arclength::{Stall, StepControl};
 use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::maps::MapError;
 use grazing_model::{LinearOscillator, OscillatorError};
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
@@ -224,7 +224,7 @@ fn branch(oscillator: &LinearOscillator, phase: f64, loops: u32, length: f64) ->
     };
     let start = Unknowns::new(0.0, phase, amplitude, omega);
     let direction = Unknowns::new(1.0, 0.0, 0.0, 0.0);
-    curve.follow(start, direction, Memory::default(), &route).map_err(SweepError::Branch)
+    curve.follow(start, direction, EventTimes::default(), &route).map_err(SweepError::Branch)
 }
 
 fn continued(curve: &Curve, grazing: f64) -> Existence {

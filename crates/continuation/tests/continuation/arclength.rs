@@ -25,10 +25,10 @@ impl core::fmt::Display for Outside {
 }
 
 impl CurveEquations<2> for PlaneCurve {
-    type Memory = usize;
+    type Carried = usize;
     type Failure = Outside;
 
-    fn evaluate(&self, point: &Vector2<f64>, _memory: &mut usize) -> Result<Linearisation<2>, Outside> {
+    fn evaluate(&self, point: &Vector2<f64>, _carried: &mut usize) -> Result<Linearisation<2>, Outside> {
         if !(self.defined)(point[0], point[1]) {
             return Err(Outside);
         }
@@ -36,8 +36,8 @@ impl CurveEquations<2> for PlaneCurve {
         Ok(Linearisation { residual: Vector2::new(value, 0.0), jacobian: Matrix2::new(by_x, by_y, 0.0, 0.0) })
     }
 
-    fn settle(&self, _point: &Vector2<f64>, memory: &mut usize) {
-        *memory += 1;
+    fn settle(&self, _point: &Vector2<f64>, carried: &mut usize) {
+        *carried += 1;
     }
 }
 
@@ -247,7 +247,7 @@ fn the_memory_of_failed_attempts_is_dropped() {
     let mut walker = circle.start(control, [1.0, 0.0], [0.0, 1.0]).unwrap();
     for accepted in 1..=5 {
         // One more than the points after the start: the start itself was settled too.
-        assert_eq!(walker.here().memory, accepted);
+        assert_eq!(walker.here().carried, accepted);
         walker.advance().unwrap();
     }
 }

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use grazing_continuation::curve::CurveEnd;
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Multipliers, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Multipliers, Unknowns, unknown};
 use grazing_model::LinearOscillator;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
@@ -13,12 +13,12 @@ use crate::specimens::{
     EPSILON, OMEGA, ZETA, assert_within, at_grazing, branch, deterministic, order, route,
 };
 
-/// A zero of the VIVID function, with what it remembers.
+/// A zero of the VIVID function, with its event times.
 #[derive(Debug)]
 struct Specimen {
     equations: LoopEquations<LinearOscillator>,
     point: Unknowns,
-    memory: Memory,
+    times: EventTimes,
     phi: f64,
     delta: f64,
 }
@@ -37,7 +37,7 @@ fn specimen([zeta, epsilon, omega]: [f64; 3], loops: u32, share: f64) -> Option<
     Some(Specimen {
         equations,
         point: chosen.solution.unknowns,
-        memory: chosen.memory.clone(),
+        times: chosen.times.clone(),
         phi: epsilon,
         delta: grazing.determinant(),
     })
@@ -59,10 +59,10 @@ fn specimens() -> &'static [Specimen] {
 
 #[test]
 fn a_zero_of_one_is_a_zero_of_the_other() {
-    for Specimen { equations, point, memory, .. } in specimens() {
-        let vivid = equations.pair::<1>(point, &mut memory.clone()).unwrap().difference().0;
+    for Specimen { equations, point, times, .. } in specimens() {
+        let vivid = equations.pair::<1>(point, &mut times.clone()).unwrap().difference().0;
         let other = equations.with_formulation(Formulation::FixedPhase);
-        let fixed_phase = other.pair::<1>(point, &mut Memory::default()).unwrap().difference().0;
+        let fixed_phase = other.pair::<1>(point, &mut EventTimes::default()).unwrap().difference().0;
         // A few roundings of velocities and phases of order ten, amplified by p loops.
         assert_within(vivid.norm(), 0.0, 1e-12);
         assert_within(fixed_phase.norm(), 0.0, 1e-12);
@@ -74,7 +74,7 @@ fn newton_without_virtual_points_leads_to_the_zero_of_vivid() {
     let mut compared = 0;
     for Specimen { equations, point, .. } in specimens() {
         let other = equations.with_formulation(Formulation::FixedPhase);
-        let jacobian = other.pair::<1>(point, &mut Memory::default()).unwrap().difference().1;
+        let jacobian = other.pair::<1>(point, &mut EventTimes::default()).unwrap().difference().1;
         // Near a fold the start may be nearer to the other zero.
         if jacobian.fixed_columns::<2>(0).into_owned().determinant().abs() < 1e-2 {
             continue;
@@ -82,7 +82,7 @@ fn newton_without_virtual_points_leads_to_the_zero_of_vivid() {
         let [primary, secondary] = [point[unknown::PRIMARY], point[unknown::SECONDARY]];
         let conditions = [Condition::Primary(primary), Condition::Secondary(secondary)];
         let start = point + Unknowns::new(1e-5, -1e-5, 0.0, 0.0);
-        let found = locate(&other, conditions, start, &mut Memory::default()).unwrap();
+        let found = locate(&other, conditions, start, &mut EventTimes::default()).unwrap();
         // A zero is known to about 10⁻¹⁴ times the condition of DV, at most 10³ with this determinant.
         assert_within((found - point).norm(), 0.0, 1e-11);
         compared += 1;
@@ -93,10 +93,10 @@ fn newton_without_virtual_points_leads_to_the_zero_of_vivid() {
 
 #[test]
 fn both_give_the_same_multipliers() {
-    for Specimen { equations, point, memory, .. } in specimens() {
-        let vivid = equations.pair::<1>(point, &mut memory.clone()).unwrap().multipliers();
+    for Specimen { equations, point, times, .. } in specimens() {
+        let vivid = equations.pair::<1>(point, &mut times.clone()).unwrap().multipliers();
         let other = equations.with_formulation(Formulation::FixedPhase);
-        let fixed_phase = other.pair::<1>(point, &mut Memory::default()).unwrap().multipliers();
+        let fixed_phase = other.pair::<1>(point, &mut EventTimes::default()).unwrap().multipliers();
         let solution = equations.solution(point).0.multipliers;
         for multipliers in [vivid, solution] {
             assert_within(multipliers.trace, fixed_phase.trace, noise(&fixed_phase));
@@ -114,8 +114,8 @@ fn noise(multipliers: &Multipliers) -> f64 {
 fn determinant_of_the_multipliers_is_that_of_p_loops_and_one_impact() {
     // Liouville: every loop contracts areas by δ and the impact by φ².
     for specimen in specimens() {
-        let Specimen { equations, point, memory, .. } = specimen;
-        let multipliers = equations.pair::<1>(point, &mut memory.clone()).unwrap().multipliers();
+        let Specimen { equations, point, times, .. } = specimen;
+        let multipliers = equations.pair::<1>(point, &mut times.clone()).unwrap().multipliers();
         let expected = specimen.phi * specimen.phi * libm::pow(specimen.delta, f64::from(equations.loops()));
         assert_within(multipliers.determinant, expected, noise(&multipliers));
     }
@@ -124,8 +124,8 @@ fn determinant_of_the_multipliers_is_that_of_p_loops_and_one_impact() {
 #[test]
 fn characteristic_is_the_characteristic_polynomial_times_a_factor_without_zeros() {
     // VIVID's function over det D P_virt is 1 ∓ T + D, with T and D taken from the other form.
-    for Specimen { equations, point, memory, .. } in specimens() {
-        let pair = equations.pair::<1>(point, &mut memory.clone()).unwrap();
+    for Specimen { equations, point, times, .. } in specimens() {
+        let pair = equations.pair::<1>(point, &mut times.clone()).unwrap();
         let factor = pair.impact.derivative().determinant();
         let other = equations.solution(point).0.multipliers;
         for sign in [1.0, -1.0] {
@@ -138,18 +138,18 @@ fn characteristic_is_the_characteristic_polynomial_times_a_factor_without_zeros(
 #[test]
 fn gradient_of_the_characteristic_agrees_with_differences() {
     const H: f64 = 1e-5;
-    for Specimen { equations, point, memory, .. } in specimens() {
+    for Specimen { equations, point, times, .. } in specimens() {
         for formulation in [Formulation::Vivid, Formulation::FixedPhase] {
             let equations = equations.with_formulation(formulation);
-            // The memory holds the plane of constant phase while the phase is varied.
-            let mut memory = memory.clone();
-            let pair = equations.pair::<2>(point, &mut memory).unwrap();
+            // The times holds the plane of constant phase while the phase is varied.
+            let mut times = times.clone();
+            let pair = equations.pair::<2>(point, &mut times).unwrap();
             for multiplier in [1.0, -1.0] {
                 let (_, gradient) = pair.characteristic(multiplier);
                 let mut value = |k: usize, h: f64| {
                     let mut moved = *point;
                     moved[k] += h;
-                    equations.pair::<1>(&moved, &mut memory).unwrap().characteristic(multiplier).0
+                    equations.pair::<1>(&moved, &mut times).unwrap().characteristic(multiplier).0
                 };
                 for k in 0..4 {
                     let central = |value: &mut dyn FnMut(usize, f64) -> f64, h: f64| {
@@ -179,7 +179,7 @@ fn folds_and_period_doublings_are_the_same_points() {
                 let other = equations.with_formulation(Formulation::FixedPhase);
                 let start = event.solution.unknowns + Unknowns::new(1e-5, -1e-5, 1e-6, 0.0);
                 let conditions = [event.condition, Condition::Secondary(omega)];
-                let found = locate(&other, conditions, start, &mut Memory::default()).unwrap();
+                let found = locate(&other, conditions, start, &mut EventTimes::default()).unwrap();
                 // Two regular systems with condition numbers of about a thousand at most, solved to rounding.
                 assert_within((found - event.solution.unknowns).norm(), 0.0, 1e-11);
                 compared += 1;
@@ -198,7 +198,7 @@ fn determinant_of_the_virtual_map_over_the_impact_velocity_tends_to_its_limit() 
     let equations = LoopEquations::new(oscillator, 1, Formulation::Vivid);
     let errors = [2e-3, 1e-3].map(|y| {
         let point = Unknowns::new(y, grazing.phase() - 0.7 * y, grazing.amplitude() + 0.6 * y, OMEGA);
-        let pair = equations.pair::<1>(&point, &mut Memory::default()).unwrap();
+        let pair = equations.pair::<1>(&point, &mut EventTimes::default()).unwrap();
         pair.impact.derivative().determinant() / y - 1.0 / gamma
     });
     assert_within(order(errors), 1.0, 0.05);

@@ -1,7 +1,7 @@
 //! Theorems 2.2 and 2.3 against simulation: on which side of grazing the p-loop MPS exists.
 
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_theorems::{GenericGrazing, ResonantGrazing};
 use proptest::prelude::*;
 
@@ -45,7 +45,7 @@ proptest! {
                 omega,
             );
             let conditions = [Condition::Primary(start[2]), Condition::Secondary(omega)];
-            let zero = locate(&equations, conditions, start, &mut Memory::default()).unwrap();
+            let zero = locate(&equations, conditions, start, &mut EventTimes::default()).unwrap();
             // The same solution as the expansion's, whose terms of second order are some percent.
             prop_assert!((zero[0] / start[0] - 1.0).abs() < 0.2, "{zero:?} from {start:?}");
             let solution = equations.solution(&zero).0;

@@ -3,14 +3,14 @@
 use grazing_continuation::mps::{MaximalPeriodicSolution, Multipliers};
 use grazing_model::motion::{Motion, highest_maximum};
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
-use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
 use nalgebra::{Matrix2, Vector2};
 
 use crate::specimens::assert_within;
 
 /// The state just after the impact of an MPS.
 fn recoil(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) -> State {
-    let reset = oscillator.reset::<1>(solution.unknowns[0], solution.unknowns[1]).value;
+    let reset = oscillator.reset::<1>(OnWall::new(solution.unknowns[0], solution.unknowns[1])).value;
     State::on_wall(reset[0], reset[1])
 }
 
@@ -124,7 +124,7 @@ fn unhindered_return(
     displacement: Vector2<f64>,
 ) -> Vector2<f64> {
     let from = Vector2::new(solution.unknowns[0], solution.unknowns[1]) + displacement;
-    let reset = oscillator.reset::<1>(from[0], from[1]).value;
+    let reset = oscillator.reset::<1>(OnWall::new(from[0], from[1])).value;
     let motion = oscillator.motion(State::on_wall(reset[0], reset[1]));
     let period = duration(oscillator, solution);
     let mut time = period;

@@ -32,9 +32,9 @@ fn the_linear_oscillator_given_by_its_force_has_the_curves_of_the_closed_form() 
             for point in theirs.points.iter().step_by(5) {
                 let unknowns = point.solution.unknowns;
                 let conditions = [theirs.condition, Condition::ImpactVelocity(unknowns[0])];
-                let mut memory = point.memory.clone();
+                let mut times = point.times.clone();
                 // At y = 0, and at folds in y, these conditions do not make a point.
-                let Ok(found) = locate(integrated.equations(), conditions, unknowns, &mut memory) else {
+                let Ok(found) = locate(integrated.equations(), conditions, unknowns, &mut times) else {
                     continue;
                 };
                 if unknowns[0] > 1e-3 {

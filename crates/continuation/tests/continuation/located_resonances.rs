@@ -4,7 +4,7 @@ use grazing_continuation::arclength::{Continuation, StepControl};
 use grazing_continuation::curve::{Curve, MpsCurve};
 use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::Memory;
+use grazing_continuation::mps::EventTimes;
 use grazing_theorems::Resonance;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
@@ -47,7 +47,7 @@ fn curves_leave_in_the_direction_of_the_theory() {
             // Started far from the theory's direction, but to its side.
             let aside = direction + nalgebra::Vector4::new(0.3, -0.2, 0.1, 0.0) * direction[0].signum();
             let walker =
-                Continuation::new(&curve, StepControl::DRAWING, start, aside, Memory::default()).unwrap();
+                Continuation::new(&curve, StepControl::DRAWING, start, aside, EventTimes::default()).unwrap();
             let tangent = walker.here().tangent;
             // Quotients of second derivatives that are right to 10⁻¹², and the condition of the bordered system.
             assert_within((tangent * tangent.dot(&direction).signum() - direction).norm(), 0.0, 1e-10);
@@ -75,7 +75,8 @@ fn curves_lie_on_the_sides_that_the_theorems_say() {
             let mut route = route([0.0, 3.5], [0.1, 2.2], true);
             route.step_limit = 5;
             let start = located.unknowns();
-            let curve = curve.follow(start, located.direction(condition), Memory::default(), &route).unwrap();
+            let curve =
+                curve.follow(start, located.direction(condition), EventTimes::default(), &route).unwrap();
             let theory: BifurcationCurve = match condition {
                 Condition::SADDLE_NODE => located.theorem().saddle_node(),
                 _ => located.theorem().period_doubling(),

@@ -2,7 +2,7 @@
 
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::LinearOscillator;
 
 use crate::hybrid::{
@@ -30,7 +30,7 @@ fn branches_cross_the_grazing_bifurcation_smoothly() {
         let at = |y: f64| {
             let start = Unknowns::new(y, grazing.phase(), grazing.amplitude(), OMEGA);
             let conditions = [Condition::ImpactVelocity(y), Condition::Secondary(OMEGA)];
-            locate(&equations, conditions, start, &mut Memory::default()).ok()
+            locate(&equations, conditions, start, &mut EventTimes::default()).ok()
         };
         // The third difference across y = 0 of a smooth curve is of third order. One of 𝒜(y) or z(y) that is only once
         // differentiable at y = 0, with a term y|y|, would leave it of second order.
@@ -51,10 +51,10 @@ fn branches_go_on_to_virtual_solutions_if_asked() {
         let specimen = [ZETA, EPSILON, OMEGA];
         let (equations, real) = branch(specimen, loops, Formulation::Vivid, 1.0, &route);
         // From a point with an impact back towards grazing, and on.
-        let CurvePoint { solution, memory } = &real.points[8];
+        let CurvePoint { solution, times } = &real.points[8];
         let down = Unknowns::new(-1.0, 0.0, 0.0, 0.0);
         let back = MpsCurve { equations, condition: Condition::Secondary(OMEGA) };
-        let curve = back.clone().follow(solution.unknowns, down, memory.clone(), &route).unwrap();
+        let curve = back.clone().follow(solution.unknowns, down, times.clone(), &route).unwrap();
         assert!(matches!(curve.end, CurveEnd::LeftWindow), "{:?}", curve.end);
         let velocities: Vec<f64> =
             curve.points.iter().map(|point| point.solution.impact_velocity()).collect();
@@ -64,7 +64,7 @@ fn branches_go_on_to_virtual_solutions_if_asked() {
         assert!(curve.points[crossing..crossing + 3].iter().all(|point| !point.solution.admissible()));
         // Without being asked the same branch ends at y = 0, on the grazing orbit.
         let route = Route { through_grazing: false, ..route };
-        let curve = back.follow(solution.unknowns, down, memory.clone(), &route).unwrap();
+        let curve = back.follow(solution.unknowns, down, times.clone(), &route).unwrap();
         assert!(matches!(curve.end, CurveEnd::Grazing), "{:?}", curve.end);
         let end = curve.points.last().unwrap().solution.unknowns;
         let (grazing, _) = at_grazing(ZETA, EPSILON, OMEGA);

@@ -1,7 +1,7 @@
 //! The branches of MPSs near a resonance (section 5): eq:ZM with k₁, k₂, k₃, eq:Upsilon1, eq:Upsilonp, eq:admp7, eq:admp10.
 
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::LinearOscillator;
 use grazing_theorems::auxiliary::{lucas_sequence, modulus_power};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
@@ -57,7 +57,7 @@ fn phase_and_parameter_on_the_branch_have_the_printed_expansion() {
                     grazing.forcing_frequency(),
                 );
                 let conditions = [Condition::ImpactVelocity(y), Condition::Secondary(start[3])];
-                let point = locate(&equations, conditions, start, &mut Memory::default()).ok()?;
+                let point = locate(&equations, conditions, start, &mut EventTimes::default()).ok()?;
                 let [_, phase, mu] = relative_to_grazing(&point);
                 Some([phase - branch.k_1 * y, mu - branch.parameter(y, eta)])
             };
@@ -88,7 +88,7 @@ fn bifurcation_at(
         grazing.forcing_frequency(),
     );
     let conditions = [condition, Condition::Secondary(start[3])];
-    locate(equations, conditions, start, &mut Memory::default()).ok()
+    locate(equations, conditions, start, &mut EventTimes::default()).ok()
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn other_loops_stay_below_the_wall_on_the_bifurcation_curves() {
             let visits = |size: f64| {
                 let eta = size / curve.impact_velocity_slope;
                 let point = bifurcation_at(&resonance, &equations, (condition, curve), eta)?;
-                equations.visits(&point, &Memory::default()).ok()
+                equations.visits(&point, &EventTimes::default()).ok()
             };
             for j in 1..loops {
                 let index = j as usize - 1;

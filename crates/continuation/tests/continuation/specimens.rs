@@ -3,7 +3,7 @@
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
 use grazing_model::{ImpactOscillator, LinearOscillator};
@@ -134,7 +134,7 @@ pub(crate) fn branch(
     let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
     let start = Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), omega);
     let direction = Unknowns::new(side, 0.0, 0.0, 0.0);
-    let curve = curve.follow(start, direction, Memory::default(), route).unwrap();
+    let curve = curve.follow(start, direction, EventTimes::default(), route).unwrap();
     (equations, curve)
 }
 

@@ -3,7 +3,8 @@
 //! The paper prints z − z_graz,0 together with a₁₂' and f_p, which are derivatives along the grazing curve. These belong to
 //! z − z_graz,η; with z_graz,0 the derivative has to be the partial one at fixed z. The two differ by ξ_p dz_graz/dη.
 
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
+use grazing_model::AtRest;
 use grazing_model::maps::global_iterate;
 use grazing_theorems::Resonance;
 
@@ -22,7 +23,8 @@ fn all() -> Vec<Resonance> {
 fn mixed_derivatives(resonance: &Resonance) -> [f64; 2] {
     let grazing = resonance.grazing();
     let oscillator = oscillator_at(resonance);
-    let jet = global_iterate::<_, 2>(&oscillator, resonance.loops(), 0.0, grazing.phase()).unwrap();
+    let jet =
+        global_iterate::<_, 2>(&oscillator, resonance.loops(), AtRest::new(0.0, grazing.phase())).unwrap();
     let by_phase = jet.hessians[0].row(1).into_owned();
     [by_phase[2], by_phase[3] + by_phase[2] * grazing.amplitude_derivative()]
 }
@@ -37,7 +39,7 @@ fn at(resonance: &Resonance, size: f64) -> ([f64; 2], f64) {
     let phase = grazing.phase() + z;
     let point = Unknowns::new(y, phase, grazing.amplitude() + mu, grazing.forcing_frequency());
     let equations = LoopEquations::new(oscillator, resonance.loops(), Formulation::Vivid);
-    let multipliers = equations.pair::<1>(&point, &mut Memory::default()).unwrap().multipliers();
+    let multipliers = equations.pair::<1>(&point, &mut EventTimes::default()).unwrap().multipliers();
     ([y * multipliers.trace, y * multipliers.determinant], phase - resonance.grazing().phase())
 }
 

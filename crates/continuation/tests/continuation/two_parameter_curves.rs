@@ -129,7 +129,7 @@ fn grazing_curve_from_the_end_of_pd_comes_back_to_the_end_of_sn() {
                 condition: Condition::InteriorGrazing,
             };
             let direction = Unknowns::new(side, 0.0, 0.0, 0.0);
-            let curve = curve.follow(pd.solution.unknowns, direction, pd.memory.clone(), &window()).unwrap();
+            let curve = curve.follow(pd.solution.unknowns, direction, pd.times.clone(), &window()).unwrap();
             codimension_two_end(&curve).is_some_and(|end| {
                 end.condition == Condition::SADDLE_NODE
                     && (end.solution.unknowns - sn.solution.unknowns).norm() < 1e-11

@@ -1,7 +1,7 @@
 //! The VIVID function at grazing: its linearisation, and the MPS that a generic grazing bifurcation creates (section 4).
 
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::LinearOscillator;
 use grazing_theorems::GrazingState;
 use nalgebra::Vector2;
@@ -31,7 +31,7 @@ fn derivatives_at_grazing_are_the_printed_matrices() {
             let linear = theory.vivid_linearisation(loops);
             let point = near(&grazing, [0.0; 3]);
             let (value, derivative) =
-                equations.pair::<1>(&point, &mut Memory::default()).unwrap().difference();
+                equations.pair::<1>(&point, &mut EventTimes::default()).unwrap().difference();
             // V vanishes at grazing. Here and below: entries below 50, each the sum of some tens of rounded products.
             assert_within(value.norm(), 0.0, 1e-13);
             let j = derivative.fixed_columns::<2>(0).into_owned();
@@ -56,7 +56,7 @@ fn the_linearisation_leaves_a_second_order_remainder() {
             let remainders = [2e-4, 1e-4].map(|size| {
                 let at = [size, -0.7 * size, 0.6 * size];
                 let point = near(&grazing, at);
-                let value = equations.pair::<1>(&point, &mut Memory::default()).unwrap().difference().0;
+                let value = equations.pair::<1>(&point, &mut EventTimes::default()).unwrap().difference().0;
                 value - linear.by_impact * Vector2::new(at[0], at[1]) - linear.by_parameter * at[2]
             });
             let [coarse, fine] = remainders;
@@ -70,7 +70,7 @@ fn zero_at(grazing: &GrazingState, equations: &LoopEquations<LinearOscillator>, 
     let slopes = grazing.grazing_point().emerging_orbit(equations.loops()).unwrap();
     let start = near(grazing, [slopes.impact_velocity_slope * mu, slopes.impact_phase_slope * mu, mu]);
     let conditions = [Condition::Primary(start[2]), Condition::Secondary(start[3])];
-    locate(equations, conditions, start, &mut Memory::default()).unwrap()
+    locate(equations, conditions, start, &mut EventTimes::default()).unwrap()
 }
 
 /// A μ at which the emerging p-loop MPS has an impact velocity of this size, positive or negative.
@@ -110,7 +110,7 @@ fn visits_of_the_emerging_orbit_have_the_printed_slopes() {
             let mu = small_parameter(&grazing, loops, 2e-4);
             let visits = [mu, 0.5 * mu].map(|mu| {
                 let zero = zero_at(&grazing, &equations, mu);
-                equations.visits(&zero, &Memory::default()).unwrap()
+                equations.visits(&zero, &EventTimes::default()).unwrap()
             });
             assert_eq!(visits[0].len(), loops as usize);
             for j in 1..=loops {
@@ -135,7 +135,7 @@ fn last_visit_is_the_virtual_point_of_the_impact() {
         let mu = small_parameter(&grazing, loops, 2e-3);
         let errors = [mu, 0.5 * mu].map(|mu| {
             let zero = zero_at(&grazing, &equations, mu);
-            let visits = equations.visits(&zero, &Memory::default()).unwrap();
+            let visits = equations.visits(&zero, &EventTimes::default()).unwrap();
             visits[loops as usize - 1][0] - zero[0] * zero[0] / (2.0 * gamma)
         });
         assert_within(order(errors), 3.0, 0.1);

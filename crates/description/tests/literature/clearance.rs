@@ -9,7 +9,7 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
 use grazing_continuation::fit;
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_description::Description;
 use grazing_model::smooth::Integrated;
@@ -75,7 +75,7 @@ fn branch(omega: f64, n: u32, formulation: Formulation) -> Curve {
     };
     let start = Unknowns::new(0.0, orbit.phase(), orbit.primary(), omega);
     curve
-        .follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), Memory::default(), &route)
+        .follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), &route)
         .unwrap_or_else(|stall| panic!("{stall}"))
 }
 
@@ -154,7 +154,7 @@ fn resonances_and_their_coefficients_are_those_of_the_published_formulas() {
         let equations = LoopEquations::new(undamped(), n, Formulation::Vivid);
         let start = Unknowns::new(0.0, orbit.phase(), orbit.primary(), resonant - 0.03);
         let conditions = [Condition::SADDLE_NODE, Condition::ImpactVelocity(0.0)];
-        let found = locate(&equations, conditions, start, &mut Memory::default())
+        let found = locate(&equations, conditions, start, &mut EventTimes::default())
             .unwrap_or_else(|failure| panic!("{failure}"));
         // The integrator's tolerance.
         assert_within(found[unknown::SECONDARY], resonant, 1e-12);

@@ -3,7 +3,7 @@
 //! They are looked for here without virtual points, not by VIVID as there.
 
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_description::Description;
 use grazing_model::smooth::Integrated;
 
@@ -28,7 +28,7 @@ fn printed_orbits_have_the_printed_amplitudes_phases_and_multipliers() {
         let (equations, start) = printed(row);
         let [velocity, secondary] = [&row.impact_velocity, &row.secondary].map(|text| number(text));
         let conditions = [Condition::Secondary(secondary), Condition::ImpactVelocity(velocity)];
-        let found = locate(&equations, conditions, start, &mut Memory::default())
+        let found = locate(&equations, conditions, start, &mut EventTimes::default())
             .unwrap_or_else(|failure| panic!("{}: {failure}", row.id));
         // The residual that the authors allow, 1e-10, magnified by the inverse of their derivative.
         assert_within(found[unknown::PRIMARY], number(&row.primary), 1e-10);
@@ -50,7 +50,7 @@ fn printed_bifurcations_are_found_where_they_are_printed() {
             Kind::PeriodDoubling => Condition::PERIOD_DOUBLING,
         };
         let conditions = [Condition::Secondary(number(&row.secondary)), kind];
-        let found = locate(&equations, conditions, start, &mut Memory::default())
+        let found = locate(&equations, conditions, start, &mut EventTimes::default())
             .unwrap_or_else(|failure| panic!("{}: {failure}", row.id));
         // The authors allow a multiplier to be off by 1e-5. At a saddle-node bifurcation the amplitude is an extremum and
         // feels it to second order; at a period doubling it moves by a tenth of that or less.

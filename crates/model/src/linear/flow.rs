@@ -3,8 +3,9 @@
 use nalgebra::{Matrix2, Matrix2x6, Matrix6, Vector2};
 
 use super::oscillator::LinearOscillator;
-use crate::jet::{FlowJet, flow_variable::*};
-use crate::oscillator::State;
+use crate::jet::FlowJet;
+use crate::state::State;
+use crate::state::flow_variable::*;
 
 /// The solution eq:flow after a time s, with derivatives in (x₀, y₀, z₀, s, 𝒜, ω).
 ///

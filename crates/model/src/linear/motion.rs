@@ -3,7 +3,7 @@
 use super::oscillator::LinearOscillator;
 use super::response::{Stride, multiply};
 use crate::motion::{Bounds, Enclosure, Kinematics, Motion, Walk};
-use crate::oscillator::State;
+use crate::state::State;
 
 /// x(t) = e^{−ζt}(p cos ω₁t + q sin ω₁t) + u cos ωt + v sin ωt − 1.
 #[derive(Clone, Copy, Debug)]
@@ -84,6 +84,7 @@ impl LinearMotion {
 }
 
 impl Motion for LinearMotion {
+    #[inline]
     fn at(&self, time: f64) -> Kinematics {
         let decay = libm::exp(-self.damping_ratio * time);
         let (sin, cos) = libm::sincos(self.natural_frequency * time);

@@ -1,7 +1,7 @@
 //! The oscillator with what is computed once for it.
 
 use super::response::{Response, Stride};
-use crate::oscillator::State;
+use crate::state::State;
 
 /// A parameter of the oscillator lies outside its domain.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

@@ -48,6 +48,7 @@ impl Response {
         }
     }
 
+    #[inline]
     pub(super) fn at(&self, phase: f64) -> ResponseJet {
         let (sin, cos) = libm::sincos(phase);
         let real = |k: usize| self.re[k] * cos - self.im[k] * sin;
@@ -63,6 +64,7 @@ impl Response {
 }
 
 /// The product of two complex numbers.
+#[inline]
 pub(super) fn multiply(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
 }

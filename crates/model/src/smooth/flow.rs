@@ -7,9 +7,10 @@ use super::jet::{FIRST, Jet, variable};
 use super::motion::IntegratedMotion;
 use super::oscillator::{Integrated, SmoothOscillator};
 use super::variational::Surroundings;
-use crate::jet::{FlowJet, flow_variable as flow};
-use crate::oscillator::State;
+use crate::jet::FlowJet;
 use crate::scalar::Scalar;
+use crate::state::State;
+use crate::state::flow_variable as flow;
 
 /// Columns of a [`FlowJet`] and the variables of the jets that are integrated.
 const INTEGRATED: [(usize, usize); 4] = [

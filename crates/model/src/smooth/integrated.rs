@@ -6,17 +6,18 @@ use super::jet::{FIRST, Jet, SECOND, variable};
 use super::motion::IntegratedMotion;
 use super::oscillator::{Integrated, SmoothOscillator};
 use crate::jet::{FlowJet, MapJet, ParameterJet};
-use crate::oscillator::{ImpactOscillator, State};
+use crate::oscillator::ImpactOscillator;
+use crate::state::{OnWall, State};
 
 impl<M: SmoothOscillator> Integrated<M> {
-    fn reset_jet<const LENGTH: usize>(&self, velocity: f64, phase: f64) -> MapJet {
+    fn reset_jet<const LENGTH: usize>(&self, OnWall { velocity, phase }: OnWall) -> MapJet<OnWall, OnWall> {
         let [mu, eta] = self.parameter_jets::<LENGTH>();
         let y = Jet::variable(variable::VELOCITY, velocity);
         let z = Jet::variable(variable::PHASE, phase);
         let image =
             [-y * self.model.restitution(y, z, mu, eta), z + y * self.model.impact_duration(y, z, mu, eta)];
         let columns = [variable::VELOCITY, variable::PHASE, variable::PRIMARY, variable::SECONDARY];
-        let mut jet = MapJet::identity(Vector2::new(image[0].value(), image[1].value()));
+        let mut jet = MapJet::constant(Vector2::new(image[0].value(), image[1].value()));
         for (i, component) in image.iter().enumerate() {
             jet.jacobian.set_row(i, &RowVector4::from_fn(|_, a| component.first(columns[a])));
             jet.hessians[i] = Matrix4::from_fn(|a, b| component.second(columns[a], columns[b]));
@@ -68,12 +69,8 @@ impl<M: SmoothOscillator> ImpactOscillator for Integrated<M> {
         }
     }
 
-    fn reset<const ORDER: usize>(&self, velocity: f64, phase: f64) -> MapJet {
-        if ORDER >= 2 {
-            self.reset_jet::<SECOND>(velocity, phase)
-        } else {
-            self.reset_jet::<FIRST>(velocity, phase)
-        }
+    fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall> {
+        if ORDER >= 2 { self.reset_jet::<SECOND>(impact) } else { self.reset_jet::<FIRST>(impact) }
     }
 
     fn motion(&self, from: State) -> IntegratedMotion<M> {

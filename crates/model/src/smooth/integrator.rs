@@ -10,8 +10,8 @@ use super::jet::{Jet, PLANAR};
 use super::oscillator::{Integrated, SmoothOscillator};
 use super::stages::{Lanes, STAGES, Stages};
 use super::tableau::{LAGRANGE, LEGENDRE, MATRIX, NODES, POSITION_WEIGHTS, SQUARE, WEIGHTS};
-use crate::oscillator::State;
 use crate::scalar::Scalar;
+use crate::state::State;
 
 /// Position and velocity.
 pub(super) type Pair<S> = [S; 2];

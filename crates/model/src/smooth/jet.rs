@@ -2,9 +2,9 @@
 //!
 //! They are of plain numbers, or of numbers at all stages of a step.
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Div, Mul};
 
-use crate::scalar::{Coefficient, Function, Scalar};
+use crate::scalar::{Coefficient, Function, Scalar, entrywise};
 
 /// The variables of jets, by number.
 ///
@@ -103,41 +103,7 @@ impl<const LENGTH: usize, C: Coefficient> Jet<LENGTH, C> {
     }
 }
 
-impl<const LENGTH: usize, C: Coefficient> Add for Jet<LENGTH, C> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(mut self, other: Self) -> Self {
-        for (a, b) in self.0.iter_mut().zip(other.0) {
-            *a = *a + b;
-        }
-        self
-    }
-}
-
-impl<const LENGTH: usize, C: Coefficient> Sub for Jet<LENGTH, C> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(mut self, other: Self) -> Self {
-        for (a, b) in self.0.iter_mut().zip(other.0) {
-            *a = *a - b;
-        }
-        self
-    }
-}
-
-impl<const LENGTH: usize, C: Coefficient> Neg for Jet<LENGTH, C> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn neg(mut self) -> Self {
-        for entry in &mut self.0 {
-            *entry = -*entry;
-        }
-        self
-    }
-}
+entrywise!([const LENGTH: usize, C: Coefficient] Jet<LENGTH, C>);
 
 impl<const LENGTH: usize, C: Coefficient> Mul for Jet<LENGTH, C> {
     type Output = Self;

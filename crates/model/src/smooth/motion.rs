@@ -6,7 +6,7 @@ use super::enclosure::{derivatives, enclose};
 use super::integrator::{Node, Step};
 use super::oscillator::{Integrated, SmoothOscillator};
 use crate::motion::{Bounds, Enclosure, Kinematics, Motion, Walk};
-use crate::oscillator::State;
+use crate::state::State;
 use crate::tolerances::MOST_STEPS;
 
 /// Nodes of the solution from a state in one direction of time, found when they are needed.

@@ -1,37 +1,14 @@
 //! Series in time to second order, with one perturbation, for the derivatives of a motion.
 
-use core::array::from_fn;
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Div, Mul};
 
-use crate::scalar::{Coefficient, Function, Scalar};
+use crate::scalar::{Coefficient, Function, Scalar, entrywise};
 
 /// c₀ + c₁ t + c₂ t² + c₃ ε, with products of t and ε left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Series<C>(pub(super) [C; 4]);
 
-impl<C: Coefficient> Add for Series<C> {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self(from_fn(|i| self.0[i] + other.0[i]))
-    }
-}
-
-impl<C: Coefficient> Sub for Series<C> {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        Self(from_fn(|i| self.0[i] - other.0[i]))
-    }
-}
-
-impl<C: Coefficient> Neg for Series<C> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Self(self.0.map(|c| -c))
-    }
-}
+entrywise!([C: Coefficient] Series<C>);
 
 impl<C: Coefficient> Mul for Series<C> {
     type Output = Self;

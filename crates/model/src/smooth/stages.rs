@@ -1,8 +1,8 @@
 //! Numbers at all stages of a step at once: what is done with one is done with six, side by side.
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Div, Mul};
 
-use crate::scalar::{Coefficient, Function, Scalar};
+use crate::scalar::{Coefficient, Function, Scalar, entrywise};
 
 /// Numbers side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,41 +54,7 @@ impl Stages {
     }
 }
 
-impl<const COUNT: usize> Add for Lanes<COUNT> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(mut self, other: Self) -> Self {
-        for (a, b) in self.0.iter_mut().zip(other.0) {
-            *a += b;
-        }
-        self
-    }
-}
-
-impl<const COUNT: usize> Sub for Lanes<COUNT> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(mut self, other: Self) -> Self {
-        for (a, b) in self.0.iter_mut().zip(other.0) {
-            *a -= b;
-        }
-        self
-    }
-}
-
-impl<const COUNT: usize> Neg for Lanes<COUNT> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn neg(mut self) -> Self {
-        for value in &mut self.0 {
-            *value = -*value;
-        }
-        self
-    }
-}
+entrywise!([const COUNT: usize] Lanes<COUNT>);
 
 impl<const COUNT: usize> Mul for Lanes<COUNT> {
     type Output = Self;

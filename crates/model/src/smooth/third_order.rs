@@ -1,8 +1,9 @@
 //! The flow and the reset law of an integrated oscillator along a curve of arguments.
 
 use super::oscillator::{Integrated, SmoothOscillator};
-use crate::oscillator::{ImpactOscillator, State};
+use crate::oscillator::ImpactOscillator;
 use crate::scalar::Scalar;
+use crate::state::State;
 use crate::taylor::Taylor;
 use crate::third_order::ThirdOrder;
 

@@ -5,7 +5,7 @@ use grazing_model::motion::{
     Enclosure, Motion, Walk, first_crossing, first_rest, highest_maximum, local_maxima,
 };
 use grazing_model::orbit::Orbit;
-use grazing_model::{ImpactOscillator, MapJet, State};
+use grazing_model::{ImpactOscillator, MapJet, OnWall, State};
 
 use crate::models::{FROM, both};
 
@@ -90,7 +90,7 @@ fn events_are_those_of_the_closed_form() {
     }
 }
 
-fn assert_same(a: &MapJet, b: &MapJet) {
+fn assert_same<A, B>(a: &MapJet<A, B>, b: &MapJet<A, B>) {
     assert!((a.value - b.value).amax() < TOLERANCE);
     // Divided by accelerations of 0.1 and more, twice for the second derivatives.
     assert!((a.jacobian - b.jacobian).amax() < 10.0 * TOLERANCE);
@@ -104,18 +104,18 @@ fn maps_between_the_surfaces_are_those_of_the_closed_form() {
     let (integrated, closed) = both();
     for (velocity, phase) in [(0.2, 0.3), (-0.2, 0.1), (0.05, -0.4)] {
         let [a, b] = [
-            virtual_map::<_, 2>(&integrated, velocity, phase, None).unwrap().jet,
-            virtual_map::<_, 2>(&closed, velocity, phase, None).unwrap().jet,
+            virtual_map::<_, 2>(&integrated, OnWall::new(velocity, phase), None).unwrap().jet,
+            virtual_map::<_, 2>(&closed, OnWall::new(velocity, phase), None).unwrap().jet,
         ];
         assert_same(&a, &b);
-        let [x, z] = [b.value[0], b.value[1]];
-        let a = global_map::<_, 2>(&integrated, x, z, None).unwrap();
-        let b = global_map::<_, 2>(&closed, x, z, None).unwrap();
+        let from = b.image();
+        let a = global_map::<_, 2>(&integrated, from, None).unwrap();
+        let b = global_map::<_, 2>(&closed, from, None).unwrap();
         assert!((a.time - b.time).abs() < TOLERANCE);
         assert_same(&a.jet, &b.jet);
         let target = phase + core::f64::consts::TAU;
-        let a = maps::to_phase::<_, 2>(&integrated, velocity, phase, target);
-        assert_same(&a, &maps::to_phase::<_, 2>(&closed, velocity, phase, target));
+        let a = maps::to_phase::<_, 2>(&integrated, OnWall::new(velocity, phase), target);
+        assert_same(&a, &maps::to_phase::<_, 2>(&closed, OnWall::new(velocity, phase), target));
     }
 }
 

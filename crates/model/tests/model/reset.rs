@@ -1,7 +1,7 @@
 //! Reset laws, and with them the derivatives of every operation and function, against automatic differentiation.
 
-use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
+use grazing_model::{ImpactOscillator, OnWall};
 use nalgebra::{Const, SVector};
 use num_dual::{Dual2Vec, DualNum, hessian};
 
@@ -62,8 +62,9 @@ fn reset_jets_are_those_of_automatic_differentiation() {
         Function::Sqrt,
     ];
     for function in list {
-        let jet = Integrated::new(Law(function), [point[2], point[3]]).reset::<2>(point[0], point[1]);
-        let first = Integrated::new(Law(function), [point[2], point[3]]).reset::<1>(point[0], point[1]);
+        let oscillator = Integrated::new(Law(function), [point[2], point[3]]);
+        let impact = OnWall::new(point[0], point[1]);
+        let (jet, first) = (oscillator.reset::<2>(impact), oscillator.reset::<1>(impact));
         for i in 0..2 {
             let at = SVector::from(point);
             let (value, gradient, second) = hessian(|v| image(function, v.data.0[0])[i], &at);

@@ -2,7 +2,7 @@
 //! closed form and against differences.
 
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
-use grazing_model::{ImpactOscillator, State, ThirdOrder, maps};
+use grazing_model::{ImpactOscillator, OnWall, State, ThirdOrder, maps};
 use nalgebra::{SVector, Vector4};
 use num_dual::{Dual3_64, third_derivative};
 
@@ -198,10 +198,10 @@ fn impact_and_flight_to_a_plane_of_constant_phase_agree_with_differences() {
     let computed = image([y, z]);
     let bend = |parameter: f64, i: usize| {
         let [y, z] = [0, 1].map(|k: usize| point[k] + parameter * direction[k]);
-        let reset = oscillator.reset::<2>(y, z);
-        let flight = maps::to_phase::<_, 2>(&oscillator, reset.value[0], reset.value[1], target);
+        let reset = oscillator.reset::<2>(OnWall::new(y, z));
+        let flight = maps::to_phase::<_, 2>(&oscillator, reset.image(), target);
         let q = Vector4::new(direction[0], direction[1], 0.0, 0.0);
-        0.5 * q.dot(&(flight.after::<2>(&reset).hessians[i] * q))
+        0.5 * q.dot(&(flight.after::<2, _>(&reset).hessians[i] * q))
     };
     for (i, component) in computed.iter().enumerate() {
         let [.., second, third] = component.coefficients();

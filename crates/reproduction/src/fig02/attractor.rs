@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::maps::{global_map, virtual_map};
 use grazing_model::orbit::{Flight, FlightEnd, Orbit};
-use grazing_model::{ImpactOscillator, LinearMotion, LinearOscillator, State};
+use grazing_model::{AtRest, ImpactOscillator, LinearMotion, LinearOscillator, OnWall, State};
 use grazing_results::branches::{AttractorPoint, BranchBifurcation};
 use grazing_unfold::progress::Progress;
 use nalgebra::Vector2;
@@ -94,14 +94,15 @@ fn visits_of(oscillator: &LinearOscillator, flight: &Flight<LinearMotion>, visit
     let mut time = 0.0;
     let mut here = Vector2::new(flight.from.position, flight.from.phase);
     if flight.from.velocity != 0.0 {
-        let Ok(origin) = virtual_map::<_, 1>(oscillator, flight.from.velocity, flight.from.phase, None)
+        let Ok(origin) =
+            virtual_map::<_, 1>(oscillator, OnWall::new(flight.from.velocity, flight.from.phase), None)
         else {
             return;
         };
         (time, here) = (origin.time, origin.jet.value);
     }
     let half_period = 0.5 * oscillator.forcing_period();
-    while let Ok(next) = global_map::<_, 1>(oscillator, here[0], here[1], None) {
+    while let Ok(next) = global_map::<_, 1>(oscillator, AtRest::new(here[0], here[1]), None) {
         time += next.time;
         // A return time far from the forcing period belongs to a maximum that is not on Π.
         if time >= flight.duration || next.time < half_period {
@@ -111,7 +112,7 @@ fn visits_of(oscillator: &LinearOscillator, flight: &Flight<LinearMotion>, visit
         visits.push(here[0]);
     }
     if let FlightEnd::Impact(impact) = flight.end
-        && let Ok(top) = virtual_map::<_, 1>(oscillator, impact.velocity, impact.phase, None)
+        && let Ok(top) = virtual_map::<_, 1>(oscillator, OnWall::new(impact.velocity, impact.phase), None)
     {
         visits.push(top.jet.value[0]);
     }

@@ -3,7 +3,7 @@
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurvePoint, MpsCurve};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns};
 use grazing_model::LinearOscillator;
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
 use rayon::prelude::*;
@@ -35,7 +35,7 @@ pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch>, StudyError> {
             let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(frequency) };
             let to_positive_velocity = Unknowns::new(1.0, 0.0, 0.0, 0.0);
             let curve = curve
-                .follow(start, to_positive_velocity, Memory::default(), &route)
+                .follow(start, to_positive_velocity, EventTimes::default(), &route)
                 .map_err(|stall| StudyError::Branch { loops, reason: stall.to_string() })?;
             Ok(Branch { equations, curve })
         })
@@ -60,7 +60,7 @@ pub(super) fn bifurcations(setting: &Setting, branches: &[Branch]) -> Vec<Branch
             if !event.solution.admissible() {
                 continue;
             }
-            let visits = branch.equations.visits(&event.solution.unknowns, &event.memory);
+            let visits = branch.equations.visits(&event.solution.unknowns, &event.times);
             list.push(BranchBifurcation {
                 kind,
                 loops: branch.equations.loops(),
@@ -100,7 +100,7 @@ pub(super) fn rows(setting: &Setting, branches: &[Branch]) -> Result<Vec<BranchP
     for branch in branches {
         let points = with_events(&branch.curve);
         let visits: Vec<_> =
-            points.iter().map(|at| branch.equations.visits(&at.solution.unknowns, &at.memory)).collect();
+            points.iter().map(|at| branch.equations.visits(&at.solution.unknowns, &at.times)).collect();
         for visit in 0..branch.equations.loops() {
             polyline += 1;
             for (at, visits) in points.iter().zip(&visits) {
@@ -134,7 +134,7 @@ pub(super) fn with_events(curve: &Curve) -> Vec<CurvePoint> {
     let mut events = curve.events.iter().peekable();
     for (index, point) in curve.points.iter().enumerate() {
         while let Some(event) = events.next_if(|event| event.index <= index) {
-            points.push(CurvePoint { solution: event.solution, memory: event.memory.clone() });
+            points.push(CurvePoint { solution: event.solution, times: event.times.clone() });
         }
         points.push(point.clone());
     }

@@ -150,8 +150,8 @@ fn at(branches: &[Branch], loops: u32, amplitude: f64) -> Option<Subject> {
                 continue;
             }
             let conditions = [Condition::Secondary(frequency), Condition::Primary(amplitude)];
-            let mut memory = pair[0].memory.clone();
-            let Ok(point) = locate(&branch.equations, conditions, before.unknowns, &mut memory) else {
+            let mut times = pair[0].times.clone();
+            let Ok(point) = locate(&branch.equations, conditions, before.unknowns, &mut times) else {
                 continue;
             };
             let (solution, _) = branch.equations.solution(&point);

@@ -1,7 +1,7 @@
 //! Figure 4 against the sums over eigenvalues that its curves are zeros of, and against the global map of the model.
 
-use grazing_model::LinearOscillator;
 use grazing_model::maps::global_map;
+use grazing_model::{AtRest, LinearOscillator};
 use grazing_reproduction::{Figure4, Study};
 use grazing_theorems::auxiliary::{admissibility_sum, resonance_boundary};
 use grazing_theorems::spectrum::in_trapesium;
@@ -136,7 +136,8 @@ fn the_star_is_read_off_the_global_map_and_lies_where_section_2_4_says() {
         frequency,
     )
     .unwrap();
-    let map = global_map::<_, 1>(&oscillator, 0.0, grazing.phase(), None).unwrap().jet.derivative();
+    let map =
+        global_map::<_, 1>(&oscillator, AtRest::new(0.0, grazing.phase()), None).unwrap().jet.derivative();
     // Rounding over one period of flow.
     assert!((map.trace() - tau).abs() < 1e-13 && (map.determinant() - delta).abs() < 1e-13);
 

@@ -3,7 +3,7 @@
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{MpsCurve, Route, Window};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::LinearOscillator;
 use grazing_reproduction::Study;
 use grazing_theorems::auxiliary::{lucas_sequence, scaled_visit_position};
@@ -101,15 +101,16 @@ fn visits_of_followed_solutions_tend_to_the_vertices() {
     };
     let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
     let start = Unknowns::new(0.0, grazing().phase(), graz, omega);
-    let curve =
-        curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), Memory::default(), &route).expect("a branch");
+    let curve = curve
+        .follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), &route)
+        .expect("a branch");
     // Greatest distance of visits / μ from the vertices j = 1, …, p, by |μ|.
     let mut errors: Vec<(f64, f64)> = Vec::new();
     for point in &curve.points[1..] {
         let mu = point.solution.parameters()[0] - graz;
         assert!(mu * side > 0.0, "the MPS emanates to the side of Theorem 2.3");
         assert!(point.solution.admissible());
-        let visits = equations.visits(&point.solution.unknowns, &point.memory).expect("visits near Π");
+        let visits = equations.visits(&point.solution.unknowns, &point.times).expect("visits near Π");
         let mut error = 0.0_f64;
         for (visit, [u, w]) in visits.iter().zip(&vertices()[1..]) {
             let turns = core::f64::consts::TAU;

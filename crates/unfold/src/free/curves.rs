@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use grazing_continuation::arclength::{Continuation, Stall, StepControl};
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{MaximalPeriodicSolution, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, MaximalPeriodicSolution, Unknowns};
 use grazing_model::ImpactOscillator;
 
 use super::branch::Crossing;
@@ -28,7 +28,7 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
         orbits.extend(after.into_iter().skip(1));
         let points = orbits
             .iter()
-            .map(|orbit| CurvePoint { solution: self.as_solution(orbit), memory: Memory::default() });
+            .map(|orbit| CurvePoint { solution: self.as_solution(orbit), times: EventTimes::default() });
         let curve = Curve {
             condition,
             points: points.collect(),

@@ -8,7 +8,7 @@ use grazing_continuation::mps::{LoopPair, Multipliers};
 use grazing_continuation::newton::{self, Linearisation};
 use grazing_model::maps::{MapError, stroboscopic_map};
 use grazing_model::motion::{Maximum, Motion, highest_maximum};
-use grazing_model::{ImpactOscillator, MapJet, State};
+use grazing_model::{AtPhase, ImpactOscillator, MapJet, State};
 use nalgebra::{SMatrix, Vector2, Vector4};
 
 use super::Height;
@@ -53,7 +53,7 @@ pub(super) struct FreeCurve<'a, O> {
 }
 
 impl<O: ImpactOscillator> CurveEquations<4> for FreeCurve<'_, O> {
-    type Memory = ();
+    type Carried = ();
     type Failure = MapError;
 
     fn evaluate(&self, orbit: &Orbit, (): &mut ()) -> Result<Linearisation<4>, MapError> {
@@ -91,7 +91,8 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
 
     /// The stroboscopic map beside the identity, parameters counted in shares: their difference vanishes on orbits.
     fn pair<const ORDER: usize>(&self, orbit: &Orbit) -> Result<LoopPair, MapError> {
-        let mut jet = stroboscopic_map::<O, ORDER>(&self.oscillator_at(orbit), orbit[0], orbit[1]);
+        let mut jet =
+            stroboscopic_map::<O, ORDER>(&self.oscillator_at(orbit), AtPhase::new(orbit[0], orbit[1]));
         let size = jet.value.norm();
         if !size.is_finite() || size > FAR {
             return Err(MapError::NoRest { near: TAU, velocity: size });
@@ -104,7 +105,7 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
                 hessian.column_mut(variable).scale_mut(width);
             }
         }
-        Ok(LoopPair { round_trip: jet, impact: MapJet::identity(Vector2::new(orbit[0], orbit[1])) })
+        Ok(LoopPair::of(&jet, &MapJet::identity(AtPhase::new(orbit[0], orbit[1]))))
     }
 
     /// The orbit near a state at shares of the ranges, which are held.

@@ -4,7 +4,7 @@ use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::curve::CurveEnd;
 use grazing_continuation::resonance::same_point;
 use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{ImpactOscillator, OnWall, State};
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::Silent;
 
@@ -34,7 +34,7 @@ fn grazing_goes_on_with_another_maximum_where_a_second_one_touches_the_wall() {
 
     // The maxima that touch the wall on the two curves are different ones, and both do at the corner.
     let here = oscillator.with_parameters([primary, secondary]);
-    let recoil = here.reset::<1>(velocity, phase).value;
+    let recoil = here.reset::<1>(OnWall::new(velocity, phase)).value;
     let motion = here.motion(State::on_wall(recoil[0], recoil[1]));
     let points = [&before.curve.points[before.curve.points.len() - 2], &after.curve.points[1]];
     let times = points.map(|point| point.solution.highest_interior_maximum.unwrap().time).map(|near| {

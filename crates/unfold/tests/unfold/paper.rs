@@ -11,7 +11,7 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurveEnd, MpsCurve, Route, Window};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_description::Description;
 use grazing_model::smooth::Integrated;
@@ -109,8 +109,8 @@ fn assert_on_closed_form(curve: &Curve, loops: u32, from_resonance: bool) -> usi
         let vivid = from_resonance && curve.vivid_ended.is_none_or(|end| index < end);
         let formulation = if vivid { Formulation::Vivid } else { Formulation::FixedPhase };
         let equations = LoopEquations::new(closed_form(), loops, formulation);
-        let mut memory = point.memory.clone();
-        let found = locate(&equations, [curve.condition, most], here, &mut memory)
+        let mut times = point.times.clone();
+        let found = locate(&equations, [curve.condition, most], here, &mut times)
             .unwrap_or_else(|failure| panic!("{:?} at {here:?}: {failure}", curve.condition));
         assert_same(&here, &found);
         compared += 1;
@@ -251,7 +251,7 @@ fn assert_near(polyline: &Polyline, condition: Condition, known: &[&Curve], loop
         let steep = (after[0] - before[0]).abs() > (after[1] - before[1]).abs();
         let most = if steep { Condition::Primary(here[0]) } else { Condition::Secondary(here[1]) };
         let equations = LoopEquations::new(closed_form(), loops, Formulation::FixedPhase);
-        let found = locate(&equations, [condition, most], start, &mut nearest.memory.clone()).unwrap();
+        let found = locate(&equations, [condition, most], start, &mut nearest.times.clone()).unwrap();
         assert_within(gap(&found), 0.0, AGREEMENT);
         compared += 1;
     }
@@ -333,7 +333,7 @@ fn branches_and_bifurcations_of_figure_2_are_those_of_the_closed_form() {
     let follow = |loops| {
         let equations = LoopEquations::new(integrated.clone(), loops, Formulation::Vivid);
         let curve = MpsCurve { equations, condition: Condition::Secondary(frequency) };
-        curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), Memory::default(), &route).unwrap()
+        curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), &route).unwrap()
     };
     let branches: Vec<_> = loops(figure).into_par_iter().map(|loops| (loops, follow(loops))).collect();
     let mut bifurcations = vec![("graz".to_owned(), 0, grazing.amplitude(), 0.0)];
@@ -344,8 +344,8 @@ fn branches_and_bifurcations_of_figure_2_are_those_of_the_closed_form() {
         let written = LoopEquations::new(integrated.clone(), *loops, Formulation::Vivid);
         for point in &curve.points {
             let [ours, theirs] = [
-                written.visits(&point.solution.unknowns, &point.memory),
-                equations.visits(&point.solution.unknowns, &point.memory),
+                written.visits(&point.solution.unknowns, &point.times),
+                equations.visits(&point.solution.unknowns, &point.times),
             ];
             // Beyond the end of VIVID a loop has no point on Π, in either.
             assert_eq!(ours.is_ok(), theirs.is_ok());

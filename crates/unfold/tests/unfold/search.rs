@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use grazing_model::maps::global_map;
 use grazing_model::motion::{Motion, highest_maximum};
-use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, State};
 use grazing_theorems::spectrum::in_trapesium;
 use grazing_unfold::free::survey;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
@@ -23,7 +23,7 @@ fn assert_grazes<O: ImpactOscillator>(curve: &GrazingCurve<O>, scope: &Scope) {
     assert!(curve.states.len() > 10);
     for state in &curve.states {
         let (oscillator, phase) = (state.orbit.oscillator(), state.orbit.phase());
-        let landing = global_map::<O, 1>(oscillator, 0.0, phase, None).unwrap().jet.value;
+        let landing = global_map::<O, 1>(oscillator, AtRest::new(0.0, phase), None).unwrap().jet.value;
         assert_within(landing[0], 0.0, 1e-10);
         assert_within(landing[1], phase, 1e-10);
         let period = oscillator.forcing_period();

@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use grazing_model::AtRest;
 use grazing_model::maps::{global_iterate, global_map};
 use grazing_theorems::Resonance;
 use grazing_theorems::from_map::GrazingOrbit;
@@ -51,7 +52,8 @@ fn parity(resonance: &Resonance) -> f64 {
 /// ξ_p of the iterated map at a resonance.
 fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
     let grazing = resonance.grazing();
-    let jet = global_iterate::<_, 2>(&model(&grazing)?, resonance.loops(), 0.0, grazing.phase())?;
+    let jet =
+        global_iterate::<_, 2>(&model(&grazing)?, resonance.loops(), AtRest::new(0.0, grazing.phase()))?;
     Ok(jet.hessians[0][(1, 1)])
 }
 
@@ -73,7 +75,7 @@ pub(super) fn resonant_second_derivative_of_many_loops() -> CheckResult {
 pub(super) fn diagonal_at_resonance() -> CheckResult {
     at_resonances(&[1], ONE, CLOSED, |resonance| {
         let grazing = resonance.grazing();
-        let jet = global_map::<_, 1>(&model(&grazing)?, 0.0, grazing.phase(), None)?.jet;
+        let jet = global_map::<_, 1>(&model(&grazing)?, AtRest::new(0.0, grazing.phase()), None)?.jet;
         let stated = parity(resonance) * grazing.decay(1);
         let turn = Turn::new(&grazing, 1);
         let angles = [(turn.sine, 0.0), (turn.cosine, parity(resonance))];
@@ -134,7 +136,7 @@ fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> 
     let theory = resonance.grazing().oscillator();
     let at = |h: f64| -> Result<f64, Failure> {
         let state = theory.grazing(resonance.forcing_frequency() + h)?;
-        Ok(of(&global_map::<_, 1>(&model(&state)?, 0.0, state.phase(), None)?.jet.derivative()))
+        Ok(of(&global_map::<_, 1>(&model(&state)?, AtRest::new(0.0, state.phase()), None)?.jet.derivative()))
     };
     // Angles 2πω₁/ω change fast at low ω: the step shrinks with ω².
     let step = 2e-3 * resonance.forcing_frequency() * resonance.forcing_frequency();

@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use grazing_model::AtRest;
 use grazing_model::maps::{global_iterate, global_map};
 
 use super::printed_flow::{DIFFERENCES, Derivatives, Printed, STATES, STEP, Turn, first, model, states};
@@ -21,7 +22,7 @@ pub(super) fn return_by_printed_flow() -> CheckResult {
             &model(&state)?,
             [amplitude, state.forcing_frequency()],
         );
-        let Ok(landing) = global_map::<_, 1>(&oscillator, x, z, None) else { continue };
+        let Ok(landing) = global_map::<_, 1>(&oscillator, AtRest::new(x, z), None) else { continue };
         let printed = Printed { zeta: state.oscillator().damping_ratio(), omega: state.forcing_frequency() };
         let omega = state.forcing_frequency();
         let end = (landing.jet.value[1] + TAU) / omega;
@@ -82,7 +83,7 @@ pub(super) fn entries_by_derivatives() -> CheckResult {
         let derivatives = Derivatives::new(state, 1);
         let omega = state.forcing_frequency();
         let (velocity, acceleration) = (derivatives.velocity(), derivatives.acceleration());
-        let jet = global_map::<_, 1>(&model(state)?, 0.0, state.phase(), None)?.jet;
+        let jet = global_map::<_, 1>(&model(state)?, AtRest::new(0.0, state.phase()), None)?.jet;
         let entry = |variable: usize| {
             let (position, rate) = (derivatives.mixed(0, variable), derivatives.mixed(1, variable));
             [position - velocity / acceleration * rate, -omega / acceleration * rate]
@@ -135,7 +136,7 @@ pub(super) fn second_derivative_by_flow() -> CheckResult {
             + derivatives.twice_in_start(0)
             - slip * derivatives.twice_in_start(1))
             / (omega * omega);
-        let jet = global_map::<_, 2>(&model(state)?, 0.0, state.phase(), None)?.jet;
+        let jet = global_map::<_, 2>(&model(state)?, AtRest::new(0.0, state.phase()), None)?.jet;
         largest.pairs([(xi, jet.hessians[0][(1, 1)])]);
     }
     Ok(largest.outcome(DIFFERENCES, STATES))
@@ -160,7 +161,7 @@ fn xi(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
     let mut largest = Deviations::default();
     for state in &all {
         for p in loops.clone() {
-            let jet = global_iterate::<_, 2>(&model(state)?, p, 0.0, state.phase())?;
+            let jet = global_iterate::<_, 2>(&model(state)?, p, AtRest::new(0.0, state.phase()))?;
             largest.pairs([(jet.hessians[0][(1, 1)], state.second_phase_derivative(p))]);
         }
     }

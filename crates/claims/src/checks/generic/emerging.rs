@@ -1,8 +1,8 @@
 //! Section 4.4, step 1 of the proofs of theorems 2.2 and 2.3: the zero of V and its points on Π.
 
-use grazing_continuation::mps::Memory;
-use grazing_model::ImpactOscillator;
+use grazing_continuation::mps::EventTimes;
 use grazing_model::maps::{global_iterate, virtual_map};
+use grazing_model::{AtRest, ImpactOscillator, OnWall};
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::auxiliary::{detuning, geometric_sum_determinant};
 use grazing_theorems::grazing::{EmergingOrbit, VirtualMap};
@@ -78,9 +78,9 @@ pub(crate) fn phase() -> CheckResult {
 fn ends(grazing: &Grazing, p: u32, mu: f64) -> Option<[Vector2<f64>; 2]> {
     let point = zero(grazing, p, mu)?;
     let oscillator = equations(grazing, p).oscillator_at(&point);
-    let recoil = oscillator.reset::<1>(point[0], point[1]).value;
-    let first = virtual_map::<_, 1>(&oscillator, recoil[0], recoil[1], None).ok()?.jet.value;
-    let last = global_iterate::<_, 1>(&oscillator, p, first[0], first[1]).ok()?.value;
+    let recoil = oscillator.reset::<1>(OnWall::new(point[0], point[1])).value;
+    let first = virtual_map::<_, 1>(&oscillator, OnWall::new(recoil[0], recoil[1]), None).ok()?.jet.value;
+    let last = global_iterate::<_, 1>(&oscillator, p, AtRest::new(first[0], first[1])).ok()?.value;
     Some([first, last])
 }
 
@@ -139,7 +139,7 @@ pub(crate) fn implicit_function() -> CheckResult {
                     votes.see(found.is_some_and(|found| (found - expected).amax() < 1e-10));
                 }
                 let value =
-                    equations(&grazing, p).pair::<1>(&expected, &mut Memory::default())?.difference().0;
+                    equations(&grazing, p).pair::<1>(&expected, &mut EventTimes::default())?.difference().0;
                 votes.see(value.amax() < 1e-13);
             }
         }

@@ -2,7 +2,7 @@
 
 use grazing_model::maps::virtual_map;
 use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{ImpactOscillator, OnWall, State};
 use grazing_theorems::GrazingPoint;
 use nalgebra::Vector2;
 
@@ -99,7 +99,7 @@ pub(crate) fn phase_of_orbit() -> CheckResult {
 /// The evolution time T.
 pub(crate) fn evolution_time() -> CheckResult {
     smallest_order(8, 2.0, |point, oscillator, y, z| {
-        let time = virtual_map::<_, 1>(oscillator, y, z, None).ok()?.time;
+        let time = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None).ok()?.time;
         Some((time - y / point.gamma, ROUNDING))
     })
 }
@@ -113,11 +113,14 @@ fn virtual_remainder(
     reset: bool,
 ) -> Option<Vector2<f64>> {
     let (from, leading) = if reset {
-        (oscillator.reset::<1>(y, z).value, point.virtual_map_after_reset())
+        (oscillator.reset::<1>(OnWall::new(y, z)).value, point.virtual_map_after_reset())
     } else {
         (Vector2::new(y, z), point.virtual_map())
     };
-    Some(virtual_map::<_, 1>(oscillator, from[0], from[1], None).ok()?.jet.value - leading.apply(y, z))
+    Some(
+        virtual_map::<_, 1>(oscillator, OnWall::new(from[0], from[1]), None).ok()?.jet.value
+            - leading.apply(y, z),
+    )
 }
 
 /// eq:xHatzHat, first line.
@@ -171,7 +174,7 @@ pub(crate) fn components() -> CheckResult {
 
 /// The reset law near grazing.
 fn reset_remainder(point: &GrazingPoint, oscillator: &Specimen, y: f64, z: f64) -> Vector2<f64> {
-    oscillator.reset::<1>(y, z).value - Vector2::new(-point.phi * y, z + point.psi * y)
+    oscillator.reset::<1>(OnWall::new(y, z)).value - Vector2::new(-point.phi * y, z + point.psi * y)
 }
 
 /// y_rec and the first line of the reset law's expansion.

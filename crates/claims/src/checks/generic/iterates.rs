@@ -1,7 +1,7 @@
 //! Section 4.2: iterates of the global map.
 
-use grazing_model::ImpactOscillator;
 use grazing_model::maps::global_iterate;
+use grazing_model::{AtRest, ImpactOscillator};
 use grazing_theorems::LinearisedMap;
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::auxiliary::{
@@ -85,7 +85,8 @@ pub(crate) fn iterated_map() -> CheckResult {
             for component in 0..2 {
                 orders.see(uniform_order(&directions, |[dx, dz, dmu], h| {
                     let oscillator = grazing.oscillator().with_parameters([primary + h * dmu, secondary]);
-                    let image = global_iterate::<_, 1>(&oscillator, p, h * dx, phase + h * dz).ok()?;
+                    let image =
+                        global_iterate::<_, 1>(&oscillator, p, AtRest::new(h * dx, phase + h * dz)).ok()?;
                     let linear = a * Vector2::new(h * dx, h * dz) + b * (h * dmu);
                     let remainder = image.value - Vector2::new(0.0, phase) - linear;
                     // Positions of order one and phases up to 2π, p times.

@@ -1,7 +1,7 @@
 //! Section 4.1: the points of an impact on Σ and Π, and the discontinuity map.
 
 use grazing_model::maps::{discontinuity_map, virtual_map};
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
 use nalgebra::{Vector2, Vector3};
 
 use super::specimens::{delayed, directions, specimens, uniform_order};
@@ -34,7 +34,7 @@ pub(crate) fn recoil() -> CheckResult {
             // From the velocities of a graze to those of the largest orbits of the figures.
             let y = libm::pow(10.0, sampler.between(-8.0, 0.5));
             let z = sampler.between(0.0, core::f64::consts::TAU);
-            margins.see(-grazing.oscillator().reset::<1>(y, z).value[0] / y);
+            margins.see(-grazing.oscillator().reset::<1>(OnWall::new(y, z)).value[0] / y);
         }
     }
     Ok(margins
@@ -70,9 +70,9 @@ pub(crate) fn virtual_points() -> CheckResult {
             // Every twentieth point lies on the tangency set; impacts of negative velocity belong to the extension.
             let y = if index % 20 == 0 { 0.0 } else { sampler.between(-0.05, 0.2) };
             let z = grazing.phase() + sampler.between(-0.1, 0.1);
-            let recoil = oscillator.reset::<1>(y, z).value;
+            let recoil = oscillator.reset::<1>(OnWall::new(y, z)).value;
             for (y, z) in [(y, z), (recoil[0], recoil[1])] {
-                let landing = virtual_map::<_, 1>(oscillator, y, z, None)?;
+                let landing = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None)?;
                 // For y = 0 the time is zero to the rounding of the velocity.
                 if y * landing.time < 0.0 || (y == 0.0 && landing.time.abs() > 1e-15) {
                     return Err(format!("y = {y} takes the time {}", landing.time).into());
@@ -96,7 +96,7 @@ pub(crate) fn transversality() -> CheckResult {
         for _ in 0..100 {
             let y = sampler.between(-0.05, 0.05);
             let z = grazing.phase() + sampler.between(-0.05, 0.05);
-            let image = virtual_map::<_, 1>(oscillator, y, z, None)?.jet.value;
+            let image = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None)?.jet.value;
             margins.see(-oscillator.acceleration(State::at_rest(image[0], image[1])));
         }
     }
@@ -112,9 +112,9 @@ pub(crate) fn points_are_virtual() -> CheckResult {
         for _ in 0..100 {
             let y = libm::pow(10.0, sampler.between(-5.0, -0.7));
             let z = grazing.phase() + sampler.between(-0.1, 0.1);
-            let recoil = oscillator.reset::<1>(y, z).value;
+            let recoil = oscillator.reset::<1>(OnWall::new(y, z)).value;
             for (y, z) in [(y, z), (recoil[0], recoil[1])] {
-                let x = virtual_map::<_, 1>(oscillator, y, z, None)?.jet.value[0];
+                let x = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None)?.jet.value[0];
                 margins.see(x / (y * y));
             }
         }
@@ -132,11 +132,11 @@ pub(crate) fn smooth_across_tangency() -> CheckResult {
         let phase = grazing.phase();
         let second = |y: f64, reset: bool| {
             if !reset {
-                return Some(virtual_map::<_, 2>(oscillator, y, phase, None).ok()?.jet);
+                return Some(virtual_map::<_, 2>(oscillator, OnWall::new(y, phase), None).ok()?.jet);
             }
-            let jet = oscillator.reset::<2>(y, phase);
-            let after = virtual_map::<_, 2>(oscillator, jet.value[0], jet.value[1], None).ok()?.jet;
-            Some(after.after::<2>(&jet))
+            let jet = oscillator.reset::<2>(OnWall::new(y, phase));
+            let after = virtual_map::<_, 2>(oscillator, jet.image(), None).ok()?.jet;
+            Some(after.after::<2, _>(&jet))
         };
         for (reset, component) in [(false, 0), (false, 1), (true, 0), (true, 1)] {
             orders.see(order(|h| {
@@ -155,7 +155,7 @@ fn outgoing_preimage(oscillator: &Specimen, target: Vector2<f64>, gamma: f64) ->
     let velocity = -(2.0 * gamma * target[0]).sqrt();
     let mut preimage = Vector2::new(velocity, target[1] - omega * velocity / gamma);
     for _ in 0..20 {
-        let jet = virtual_map::<_, 1>(oscillator, preimage[0], preimage[1], None).ok()?.jet;
+        let jet = virtual_map::<_, 1>(oscillator, OnWall::new(preimage[0], preimage[1]), None).ok()?.jet;
         preimage -= jet.derivative().lu().solve(&(jet.value - target))?;
     }
     Some(preimage)
@@ -170,14 +170,17 @@ pub(crate) fn two_inverses() -> CheckResult {
         for _ in 0..50 {
             let x = libm::pow(10.0, sampler.between(-6.0, -2.5));
             let target = Vector2::new(x, grazing.phase() + sampler.between(-0.05, 0.05));
-            let incoming = grazing_model::maps::virtual_preimage(oscillator, target[0], target[1])?;
+            let incoming =
+                grazing_model::maps::virtual_preimage(oscillator, AtRest::new(target[0], target[1]))?
+                    .coordinates();
             let outgoing = outgoing_preimage(oscillator, target, grazing.grazing_point().gamma)
                 .ok_or("no preimage on the outgoing set")?;
             if incoming[0] <= 0.0 || outgoing[0] >= 0.0 {
                 return Err(format!("not on either side: {incoming} and {outgoing}").into());
             }
             for preimage in [incoming, outgoing] {
-                let image = virtual_map::<_, 1>(oscillator, preimage[0], preimage[1], None)?.jet.value;
+                let image =
+                    virtual_map::<_, 1>(oscillator, OnWall::new(preimage[0], preimage[1]), None)?.jet.value;
                 deviations.see((image - target).amax());
             }
         }
@@ -196,11 +199,14 @@ pub(crate) fn discontinuity() -> CheckResult {
         for _ in 0..100 {
             let y = libm::pow(10.0, sampler.between(-4.0, -1.0));
             let z = grazing.phase() + sampler.between(-0.1, 0.1);
-            let recoil = oscillator.reset::<1>(y, z).value;
-            let hat = virtual_map::<_, 1>(oscillator, y, z, None)?.jet.value;
-            let start = virtual_map::<_, 1>(oscillator, recoil[0], recoil[1], None)?.jet.value;
+            let recoil = oscillator.reset::<1>(OnWall::new(y, z)).value;
+            let hat = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None)?.jet.value;
+            let start = virtual_map::<_, 1>(oscillator, OnWall::new(recoil[0], recoil[1]), None)?.jet.value;
             // A rounding of x̂, 10⁻¹⁶, changes the phase by that over y.
-            deviations.see((discontinuity_map::<_, 1>(oscillator, hat[0], hat[1])?.value - start).amax() * y);
+            deviations.see(
+                (discontinuity_map::<_, 1>(oscillator, AtRest::new(hat[0], hat[1]))?.value - start).amax()
+                    * y,
+            );
         }
     }
     Ok(deviations.outcome(
@@ -217,7 +223,7 @@ fn discontinuity_remainder(
 ) -> Option<(Vector2<f64>, f64)> {
     let point = grazing.grazing_point();
     let (oscillator, s, z) = near_grazing(grazing, [ds.abs() + 0.1, dz, dmu], h);
-    let image = discontinuity_map::<_, 1>(&oscillator, s * s, z).ok()?.value;
+    let image = discontinuity_map::<_, 1>(&oscillator, AtRest::new(s * s, z)).ok()?.value;
     let leading = point.discontinuity_map(s * s, z);
     // The preimage's velocity is known to a rounding of x̂ over itself.
     Some((image - leading, ROUNDING / s))
@@ -252,7 +258,8 @@ pub(crate) fn sign_of_square_root() -> CheckResult {
     for grazing in specimens()?.into_iter().chain(delayed()?) {
         for exponent in [-6.0, -5.0, -4.0] {
             let x = libm::pow(10.0, exponent);
-            let image = discontinuity_map::<_, 1>(grazing.oscillator(), x, grazing.phase())?.value;
+            let image =
+                discontinuity_map::<_, 1>(grazing.oscillator(), AtRest::new(x, grazing.phase()))?.value;
             votes.see((image[1] - grazing.phase()) * grazing.grazing_point().alpha() < 0.0);
         }
     }

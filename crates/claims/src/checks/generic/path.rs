@@ -1,8 +1,8 @@
 //! Section 4.4, step 2 of the proof of theorem 2.3: the affine map Q and the numbers u⁽ʲ⁾.
 
-use grazing_continuation::mps::Memory;
-use grazing_model::ImpactOscillator;
+use grazing_continuation::mps::EventTimes;
 use grazing_model::maps::{global_map, virtual_map};
+use grazing_model::{AtRest, ImpactOscillator, OnWall};
 use grazing_theorems::auxiliary::{admissibility_sum, lucas_sequence, scaled_visit_position};
 use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
@@ -25,12 +25,12 @@ fn slopes_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, Fail
     let jacobian = Matrix2::from_columns(&[by_velocity, by_phase]);
     let impact = -jacobian.lu().solve(&by_parameter).ok_or("det J = 0")?;
     let oscillator = grazing.oscillator();
-    let reset = oscillator.reset::<1>(0.0, grazing.phase());
-    let recoil = virtual_map::<_, 1>(oscillator, reset.value[0], reset.value[1], None)?.jet;
-    let start = recoil.after::<1>(&reset);
+    let reset = oscillator.reset::<1>(OnWall::new(0.0, grazing.phase()));
+    let recoil = virtual_map::<_, 1>(oscillator, reset.image(), None)?.jet;
+    let start = recoil.after::<1, _>(&reset);
     let mut slope = start.derivative() * impact + start.jacobian.column(2);
     let mut slopes = vec![slope];
-    let step = global_map::<_, 1>(oscillator, 0.0, grazing.phase(), None)?.jet;
+    let step = global_map::<_, 1>(oscillator, AtRest::new(0.0, grazing.phase()), None)?.jet;
     for _ in 0..p {
         slope = step.derivative() * slope + step.jacobian.column(2);
         slopes.push(slope);
@@ -75,7 +75,7 @@ pub(crate) fn scaled_slopes() -> CheckResult {
             let h = 1e-4 * scale(&grazing, p).ok_or("no emerging orbit")?;
             let visits = |mu: f64| {
                 let point = zero(&grazing, p, mu)?;
-                equations(&grazing, p).visits(&point, &Memory::default()).ok()
+                equations(&grazing, p).visits(&point, &EventTimes::default()).ok()
             };
             let stated = grazing.grazing_point().emerging_orbit(p)?;
             for (j, slope) in (0..=p).zip(&slopes) {

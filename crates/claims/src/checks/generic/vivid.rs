@@ -3,10 +3,10 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::maps::{discontinuity_map, global_iterate, global_map, virtual_map};
 use grazing_model::motion::local_maxima;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{AtRest, ImpactOscillator, OnWall, State};
 use grazing_theorems::GenericGrazing;
 use nalgebra::{Matrix2, Vector2};
 
@@ -39,7 +39,7 @@ pub(super) fn zero(grazing: &Grazing, p: u32, mu: f64) -> Option<Unknowns> {
 /// The zero of V at the parameters of a start, by Newton's method from there.
 pub(super) fn zero_from(grazing: &Grazing, p: u32, start: Unknowns) -> Option<Unknowns> {
     let conditions = [Condition::Primary(start[2]), Condition::Secondary(start[3])];
-    locate(&equations(grazing, p), conditions, start, &mut Memory::default()).ok()
+    locate(&equations(grazing, p), conditions, start, &mut EventTimes::default()).ok()
 }
 
 /// A size of μ at which the zero of V is as far from grazing as it is in the figures: y and z move by at most a tenth.
@@ -70,7 +70,7 @@ pub(crate) fn visits() -> CheckResult {
         let equations = equations(&grazing, p);
         let oscillator = equations.oscillator_at(&point);
         let recoil = equations.recoil(&point);
-        let visits = equations.visits(&point, &Memory::default())?;
+        let visits = equations.visits(&point, &EventTimes::default())?;
         let maxima = local_maxima(&oscillator.motion(recoil), f64::from(p) * oscillator.forcing_period());
         for (j, visit) in visits.iter().enumerate().take(p as usize - 1) {
             let phase = |time: f64| {
@@ -115,9 +115,9 @@ pub(crate) fn fixed_points() -> CheckResult {
     let mut deviations = Deviations::default();
     for (grazing, p, point) in admissible()? {
         let oscillator = equations(&grazing, p).oscillator_at(&point);
-        let hat = virtual_map::<_, 1>(&oscillator, point[0], point[1], None)?.jet.value;
-        let start = discontinuity_map::<_, 1>(&oscillator, hat[0], hat[1])?.value;
-        let end = global_iterate::<_, 1>(&oscillator, p, start[0], start[1])?.value;
+        let hat = virtual_map::<_, 1>(&oscillator, OnWall::new(point[0], point[1]), None)?.jet.value;
+        let start = discontinuity_map::<_, 1>(&oscillator, AtRest::new(hat[0], hat[1]))?.value;
+        let end = global_iterate::<_, 1>(&oscillator, p, AtRest::new(start[0], start[1]))?.value;
         // The square root magnifies the rounding of x̂ by 1/y.
         deviations.see((end - hat).amax() * point[0]);
     }
@@ -139,17 +139,17 @@ pub(crate) fn composition() -> CheckResult {
             let point = unknowns(&grazing, distance[0], distance[1], distance[2]);
             let equations = equations(&grazing, p);
             let oscillator = equations.oscillator_at(&point);
-            let (vivid, _) = equations.pair::<1>(&point, &mut Memory::default())?.difference();
-            let impact = virtual_map::<_, 1>(&oscillator, point[0], point[1], None)?;
+            let (vivid, _) = equations.pair::<1>(&point, &mut EventTimes::default())?.difference();
+            let impact = virtual_map::<_, 1>(&oscillator, OnWall::new(point[0], point[1]), None)?;
             let from = State::on_wall(point[0], point[1]);
             let hat = integrated(&oscillator, from, impact.time, 64);
-            let recoil = oscillator.reset::<1>(point[0], point[1]).value;
-            let back = virtual_map::<_, 1>(&oscillator, recoil[0], recoil[1], None)?;
+            let recoil = oscillator.reset::<1>(OnWall::new(point[0], point[1])).value;
+            let back = virtual_map::<_, 1>(&oscillator, OnWall::new(recoil[0], recoil[1]), None)?;
             let mut visit = integrated(&oscillator, State::on_wall(recoil[0], recoil[1]), back.time, 64);
             deviations.see(hat[1].abs().max(visit[1].abs()));
             for _ in 0..p {
                 // Only the return time is taken from the map; that it ends on Π, y = 0, is seen.
-                let time = global_map::<_, 1>(&oscillator, visit[0], visit[2], None)?.time;
+                let time = global_map::<_, 1>(&oscillator, AtRest::new(visit[0], visit[2]), None)?.time;
                 visit = integrated(&oscillator, State::at_rest(visit[0], visit[2]), time, STEPS);
                 deviations.see(visit[1]);
                 visit[2] -= TAU;
@@ -169,7 +169,7 @@ pub(crate) fn smooth_across_tangency() -> CheckResult {
             let equations = equations(&grazing, p);
             let second = |y: f64| {
                 let point = unknowns(&grazing, y, 0.0, 0.0);
-                let pair = equations.pair::<2>(&point, &mut Memory::default()).ok()?;
+                let pair = equations.pair::<2>(&point, &mut EventTimes::default()).ok()?;
                 Some([0, 1].map(|i| pair.round_trip.hessians[i] - pair.impact.hessians[i]))
             };
             orders.see(uniform_order(&[[0.0], [1.0]], |[component], h| {
@@ -189,7 +189,7 @@ pub(crate) fn vanishes_at_grazing() -> CheckResult {
     for grazing in specimens()? {
         for p in 1..=6 {
             let point = unknowns(&grazing, 0.0, 0.0, 0.0);
-            let pair = equations(&grazing, p).pair::<1>(&point, &mut Memory::default())?;
+            let pair = equations(&grazing, p).pair::<1>(&point, &mut EventTimes::default())?;
             deviations.see(pair.difference().0.amax());
         }
     }
@@ -203,7 +203,7 @@ pub(super) fn derivatives(
     p: u32,
 ) -> Result<[Vector2<f64>; 3], grazing_model::maps::MapError> {
     let point = unknowns(grazing, 0.0, 0.0, 0.0);
-    let (_, derivative) = equations(grazing, p).pair::<1>(&point, &mut Memory::default())?.difference();
+    let (_, derivative) = equations(grazing, p).pair::<1>(&point, &mut EventTimes::default())?.difference();
     Ok([0, 1, 2].map(|column| derivative.column(column).into_owned()))
 }
 
@@ -225,7 +225,7 @@ pub(crate) fn jacobians() -> CheckResult {
                     step[axis] = sign * STEP;
                     let point = unknowns(&grazing, step[0], step[1], step[2]);
                     Ok::<_, grazing_model::maps::MapError>(
-                        equations.pair::<1>(&point, &mut Memory::default())?.difference().0,
+                        equations.pair::<1>(&point, &mut EventTimes::default())?.difference().0,
                     )
                 };
                 let slope = (vivid(1.0)? - vivid(-1.0)?) / (2.0 * STEP);
@@ -248,7 +248,7 @@ fn expansion(seed: u64, component: usize) -> CheckResult {
             let equations = equations(&grazing, p);
             orders.see(uniform_order(&directions::<3>(&mut sampler, 4), |[dy, dz, dmu], h| {
                 let point = unknowns(&grazing, h * dy, h * dz, h * dmu);
-                let (vivid, _) = equations.pair::<1>(&point, &mut Memory::default()).ok()?.difference();
+                let (vivid, _) = equations.pair::<1>(&point, &mut EventTimes::default()).ok()?.difference();
                 let linear =
                     stated.by_impact * Vector2::new(h * dy, h * dz) + stated.by_parameter * (h * dmu);
                 // A phase's rounding for each return.

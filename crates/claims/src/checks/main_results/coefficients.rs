@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Memory, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 use grazing_theorems::LinearisedMap;
@@ -51,7 +51,7 @@ fn on_branch(resonance: &ResonantGrazingPoint<Specimen>, velocity: f64) -> Optio
     start[unknown::PHASE] += branch.k_1 * velocity;
     start[unknown::PRIMARY] += branch.parameter(velocity, 0.0);
     let conditions = [Condition::ImpactVelocity(velocity), Condition::Secondary(origin[unknown::SECONDARY])];
-    locate(resonance.equations(), conditions, start, &mut Memory::default()).ok()
+    locate(resonance.equations(), conditions, start, &mut EventTimes::default()).ok()
 }
 
 /// s^± as limits of T − D − 1 and T + D + 1 on the branch at η = 0, with T and D of numerical orbits.

@@ -1,7 +1,7 @@
 //! Section 2.6: g_SN and g_PD as curves, with ψ ≠ 0.
 
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Memory, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
@@ -26,7 +26,7 @@ pub(super) fn on_curve(
     }
     let start = resonance.unknowns() + direction * (velocity / direction[unknown::VELOCITY]);
     let conditions = [condition, Condition::ImpactVelocity(velocity)];
-    locate(resonance.equations(), conditions, start, &mut Memory::default()).ok()
+    locate(resonance.equations(), conditions, start, &mut EventTimes::default()).ok()
 }
 
 /// μ and η of a point.
@@ -100,7 +100,7 @@ pub(super) fn crossing() -> CheckResult {
                 start[unknown::VELOCITY] = velocity;
                 let conditions =
                     [Condition::ImpactVelocity(velocity), Condition::Secondary(centre[unknown::SECONDARY])];
-                locate(resonance.equations(), conditions, start, &mut Memory::default())
+                locate(resonance.equations(), conditions, start, &mut EventTimes::default())
             };
             let [below, above] = [neighbour(0.9)?, neighbour(1.1)?];
             cases.see(if condition == Condition::SADDLE_NODE {

@@ -3,9 +3,9 @@
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns};
-use grazing_model::LinearOscillator;
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns};
 use grazing_model::maps::discontinuity_map;
+use grazing_model::{AtRest, LinearOscillator};
 
 use super::simulation::{attracts, returns};
 use crate::convergence::order;
@@ -32,7 +32,7 @@ fn branch(loops: u32) -> Result<(LoopEquations<LinearOscillator>, Curve, f64), F
         through_grazing: false,
     };
     let start = Unknowns::new(0.0, grazing.phase(), amplitude, omega);
-    let curve = curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), Memory::default(), &route)?;
+    let curve = curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), &route)?;
     Ok((equations, curve, amplitude))
 }
 
@@ -101,7 +101,8 @@ pub(super) fn singular_jacobian() -> CheckResult {
         let point = orbit.grazing_point();
         let limit = -point.alpha() * point.forcing_frequency / (2.0 * point.gamma).sqrt();
         least.see_resolved(order(|h| {
-            let jet = discontinuity_map::<_, 1>(orbit.oscillator(), h * h, orbit.phase()).ok()?;
+            let jet =
+                discontinuity_map::<_, 1>(orbit.oscillator(), AtRest::new(h * h, orbit.phase())).ok()?;
             // The velocity at the wall is known to 10⁻¹⁶/h of itself.
             Some((jet.jacobian[(1, 0)] * h - limit, 1e-15 / h))
         }));

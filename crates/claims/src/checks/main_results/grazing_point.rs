@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use grazing_model::maps::discontinuity_map;
 use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{AtRest, ImpactOscillator, OnWall, State};
 use grazing_theorems::auxiliary::detuning;
 use nalgebra::Matrix2;
 
@@ -24,7 +24,8 @@ pub(super) fn square_root_factor() -> CheckResult {
         let point = orbit.grazing_point();
         // The size is √x̂, so that the remainder is of second order.
         least.see_resolved(order(|h| {
-            let disc = discontinuity_map::<_, 1>(orbit.oscillator(), h * h, orbit.phase()).ok()?.value;
+            let disc =
+                discontinuity_map::<_, 1>(orbit.oscillator(), AtRest::new(h * h, orbit.phase())).ok()?.value;
             let stated = -point.alpha() * point.forcing_frequency * h * (2.0 / point.gamma).sqrt();
             // Times from 10⁻² to 10⁻⁵ are found to the rounding of phases of order one.
             Some((disc[1] - orbit.phase() - stated, 1e-14))
@@ -41,7 +42,8 @@ pub(super) fn constants() -> CheckResult {
     for _ in 0..100 {
         let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
         let (oscillator, point) = (orbit.oscillator(), orbit.grazing_point());
-        let [recoil, phase] = difference(1e-3, |y| Ok(oscillator.reset::<1>(y, orbit.phase()).value.into()))?;
+        let [recoil, phase] =
+            difference(1e-3, |y| Ok(oscillator.reset::<1>(OnWall::new(y, orbit.phase())).value.into()))?;
         largest.compare(-recoil, point.phi, 1.0);
         largest.compare(phase, point.psi, 1.0);
         let motion = oscillator.motion(State::at_rest(0.0, orbit.phase()));

@@ -2,7 +2,7 @@
 
 use grazing_model::maps::global_map;
 use grazing_model::orbit::{Orbit, OrbitEnd};
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{AtRest, ImpactOscillator, State};
 use grazing_theorems::LinearisedMap;
 use grazing_theorems::spectrum::{Eigenvalues, in_trapesium};
 use nalgebra::{Matrix2, Vector2};
@@ -39,7 +39,7 @@ fn fixed_point(orbit: &Grazing, mu: f64) -> Result<Vector2<f64>, Failure> {
     let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary]);
     let mut point = Vector2::new(0.0, orbit.phase());
     for _ in 0..20 {
-        let jet = global_map::<_, 1>(&oscillator, point[0], point[1], None)?.jet;
+        let jet = global_map::<_, 1>(&oscillator, AtRest::new(point[0], point[1]), None)?.jet;
         let step = (jet.derivative() - Matrix2::identity()).try_inverse().ok_or("1 is an eigenvalue of A")?
             * (jet.value - point);
         point -= step;

@@ -3,7 +3,7 @@
 use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_model::motion::Motion;
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{ImpactOscillator, OnWall, State};
 use nalgebra::Vector2;
 
 /// Whether the simulated orbit from the impact of an MPS has its next impact after p forcing periods less what the impact
@@ -15,7 +15,7 @@ pub(crate) fn returns<O: ImpactOscillator>(oscillator: &O, solution: &MaximalPer
     if velocity <= 0.0 {
         return false;
     }
-    let delay = oscillator.reset::<1>(velocity, phase).value[1] - phase;
+    let delay = oscillator.reset::<1>(OnWall::new(velocity, phase)).value[1] - phase;
     let period = f64::from(solution.loops) * oscillator.forcing_period()
         - delay / oscillator.forcing_frequency().value;
     let first = Orbit::new(oscillator, State::on_wall(velocity, phase), 1.5 * period, 10).next();
@@ -38,7 +38,7 @@ pub(crate) fn attracts<O: ImpactOscillator>(
     solution: &MaximalPeriodicSolution,
 ) -> Option<bool> {
     let (velocity, phase) = (solution.unknowns[0], solution.unknowns[1]);
-    let reset = oscillator.reset::<1>(velocity, phase).value;
+    let reset = oscillator.reset::<1>(OnWall::new(velocity, phase)).value;
     // Half a period after the impact, where the section of constant phase is crossed without impact.
     let half = 0.5 * oscillator.forcing_period();
     let middle = oscillator.motion(State::on_wall(reset[0], reset[1])).at(half);

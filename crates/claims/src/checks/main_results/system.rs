@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use grazing_model::motion::{Motion, first_crossing, highest_maximum};
 use grazing_model::orbit::{FlightEnd, Orbit};
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{ImpactOscillator, OnWall, State};
 
 use crate::convergence::order;
 use crate::outcome::{CheckResult, Measure, Outcome};
@@ -137,7 +137,7 @@ pub(super) fn reset_form() -> CheckResult {
         let (margin, _) = smallest(seed, 6, |[a, b]: [f64; 2]| {
             // Down to velocities at which only the quotient is of order one.
             let (velocity, phase) = (0.6 * a * a * a, TAU * b);
-            let law = |velocity: f64| oscillator.reset::<1>(velocity, phase).value;
+            let law = |velocity: f64| oscillator.reset::<1>(OnWall::new(velocity, phase)).value;
             let tangent = law(0.0);
             let image = law(velocity);
             let [restitution, delay] = oscillator.factors(velocity, phase);

@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Memory, unknown};
+use grazing_continuation::mps::{EventTimes, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
 use grazing_theorems::auxiliary::modulus_power;
@@ -123,7 +123,7 @@ pub(super) fn opposite_sides() -> CheckResult {
             let velocity = 1e-4 * direction[unknown::VELOCITY].min(1.0);
             let start = origin + direction * (velocity / direction[unknown::VELOCITY]);
             let conditions = [condition, Condition::ImpactVelocity(velocity)];
-            let found = locate(point.equations(), conditions, start, &mut Memory::default())?;
+            let found = locate(point.equations(), conditions, start, &mut EventTimes::default())?;
             let eta = found[unknown::SECONDARY] - origin[unknown::SECONDARY];
             let theory = resonance.grazing().oscillator();
             let grazing = theory.grazing(found[unknown::SECONDARY])?.amplitude();
@@ -158,7 +158,7 @@ pub(super) fn quadratic_approximation() -> CheckResult {
                 let velocity = 0.2 * h / per_velocity[unknown::SECONDARY].abs();
                 let start = point.unknowns() + per_velocity * velocity;
                 let conditions = [condition, Condition::ImpactVelocity(velocity)];
-                let found = locate(point.equations(), conditions, start, &mut Memory::default()).ok()?;
+                let found = locate(point.equations(), conditions, start, &mut EventTimes::default()).ok()?;
                 let eta = found[unknown::SECONDARY] - resonance.forcing_frequency();
                 let grazing = theory.grazing(found[unknown::SECONDARY]).ok()?.amplitude();
                 let dashed = grazing + coefficient * eta * eta;

@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{CurveEnd, Route, Window};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, Memory, unknown};
+use grazing_continuation::mps::{EventTimes, Formulation, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::orbit::{Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
@@ -85,7 +85,7 @@ pub(super) fn boundaries() -> CheckResult {
                     Condition::ImpactVelocity(start[unknown::VELOCITY]),
                     Condition::Secondary(start[unknown::SECONDARY]),
                 ];
-                let found = locate(&equations, conditions, start, &mut Memory::default());
+                let found = locate(&equations, conditions, start, &mut EventTimes::default());
                 found.ok().map(|point| (equations.oscillator_at(&point), equations.solution(&point).0))
             });
             let [Some((below, lower)), Some((above, upper))] = beside else {

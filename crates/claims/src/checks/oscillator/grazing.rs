@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use grazing_model::maps::global_map;
-use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{GrazingPoint, GrazingState};
 use nalgebra::Vector2;
@@ -54,7 +54,7 @@ pub(super) fn general_form() -> CheckResult {
             + oscillator.amplitude() * libm::cos(state.phase);
         largest.compare(oscillator.acceleration(state), force, 1.0);
         let velocity = sampler.between(0.01, 2.0);
-        let image = oscillator.reset::<1>(velocity, state.phase).value;
+        let image = oscillator.reset::<1>(OnWall::new(velocity, state.phase)).value;
         largest.compare(-image[0] / velocity, closed.oscillator().coefficient_of_restitution(), 1.0);
         largest.compare(image[1], state.phase, 1.0);
     }
@@ -146,7 +146,7 @@ pub(super) fn both_derivatives() -> CheckResult {
         let omega = sampler.between(0.25, 5.0);
         let closed = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
         let oscillator = LinearOscillator::new(zeta, 0.7, closed.amplitude(), omega)?;
-        let map = global_map::<_, 1>(&oscillator, 0.0, closed.phase(), None)?.jet;
+        let map = global_map::<_, 1>(&oscillator, AtRest::new(0.0, closed.phase()), None)?.jet;
         let stated = closed.linearised_map();
         let scale = stated.a.amax().max(1.0);
         largest.see((map.derivative() - stated.a).amax() / scale);

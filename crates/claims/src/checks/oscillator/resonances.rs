@@ -3,9 +3,9 @@
 use core::f64::consts::PI;
 
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns};
 use grazing_model::motion::first_crossing;
-use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{GenericGrazing, GrazingState, ResonantGrazing};
@@ -224,7 +224,7 @@ fn near_grazing(
         omega,
     );
     let conditions = [Condition::Primary(start[2]), Condition::Secondary(omega)];
-    let zero = locate(&equations, conditions, start, &mut Memory::default())?;
+    let zero = locate(&equations, conditions, start, &mut EventTimes::default())?;
     Ok((oscillator, equations.solution(&zero).0))
 }
 
@@ -259,7 +259,7 @@ pub(super) fn virtual_solutions() -> CheckResult {
             let side = point.emerging_orbit(p)?.impact_velocity_slope.signum();
             let (oscillator, solution) = near_grazing(&grazing, p, side)?;
             cases.see(solution.impact_velocity() > 0.0 && solution.admissible() == real);
-            let reset = oscillator.reset::<1>(solution.unknowns[0], solution.unknowns[1]).value;
+            let reset = oscillator.reset::<1>(OnWall::new(solution.unknowns[0], solution.unknowns[1])).value;
             let motion = oscillator.motion(State::on_wall(reset[0], reset[1]));
             let period = f64::from(p) * oscillator.forcing_period();
             // An impact is early if it is before the last one by more than its resolution.
@@ -298,7 +298,7 @@ pub(super) fn stable_two_loops() -> CheckResult {
             let start =
                 Unknowns::new(velocity, grazing.phase() + branch.k_1 * velocity, amplitude, frequency);
             let conditions = [Condition::Primary(amplitude), Condition::Secondary(frequency)];
-            let zero = locate(&equations, conditions, start, &mut Memory::default())?;
+            let zero = locate(&equations, conditions, start, &mut EventTimes::default())?;
             let solution = equations.solution(&zero).0;
             cases.see(
                 solution.admissible()

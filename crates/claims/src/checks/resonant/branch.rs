@@ -1,6 +1,7 @@
 //! Z(y, η) and M(y, η): eq:ZM to the expansion of y Ψ^±.
 
-use grazing_continuation::mps::Memory;
+use grazing_continuation::mps::EventTimes;
+use grazing_model::AtRest;
 use grazing_model::maps::global_iterate;
 use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, resonance_boundary};
 use nalgebra::{Matrix2, Vector2};
@@ -28,7 +29,7 @@ pub(super) fn jacobians() -> CheckResult {
     // Sums of products of some tens of roundings.
     deviation(Loops::Any, 1e-11, "derivatives of V at located resonances", |place| {
         let start = place.resonance.unknowns();
-        let pair = place.resonance.equations().pair::<1>(&start, &mut Memory::default())?;
+        let pair = place.resonance.equations().pair::<1>(&start, &mut EventTimes::default())?;
         let derivative = pair.difference().1;
         let determinant = |first: usize| {
             Matrix2::from_columns(&[derivative.column(first), derivative.column(first + 1)]).determinant()
@@ -126,7 +127,8 @@ fn return_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let column = parameter_column(place);
     let jet = |x: f64, z: f64, mu: f64, eta: f64| {
         let near = place.near([0.0, z, mu, eta])?;
-        let jet = global_iterate::<_, 2>(&near.oscillator(), place.loops(), x, near.unknowns[1]).ok()?;
+        let jet = global_iterate::<_, 2>(&near.oscillator(), place.loops(), AtRest::new(x, near.unknowns[1]))
+            .ok()?;
         Some((jet, near.orbit.phase()))
     };
     // First derivatives are known to ten, second ones to a hundred times the rounding of the map.
@@ -205,7 +207,8 @@ fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
         let remainder = remembered(|size| {
             let (y, eta) = (y * size, eta * size);
             let near = place.near([y, k[0] * y, k[1] * y * y + k[2] * eta * y, eta])?;
-            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
+            let pair =
+                place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default()).ok()?;
             let v = pair.difference().0;
             Some([v[0] - x[1] * y * y - x[2] * eta * y, v[1] - x[0] * y])
         });
@@ -254,7 +257,7 @@ pub(super) fn multiplier_conditions() -> CheckResult {
         let mut found = Vec::new();
         for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };
-            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default())?;
+            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default())?;
             let inverse = pair.impact.derivative().try_inverse().ok_or("D P_virt is singular")?;
             let u = pair.round_trip.derivative() * inverse;
             let [plus, minus] = psi(&pair.multipliers());
@@ -279,7 +282,8 @@ fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     for [y, eta] in RATIOS {
         let conditions = remembered(|size| {
             let near = place.on_branch(y * size, eta * size)?;
-            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
+            let pair =
+                place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default()).ok()?;
             Some(psi(&pair.multipliers()))
         });
         for (index, coefficient) in [stability.plus, stability.minus].into_iter().enumerate() {

@@ -1,8 +1,8 @@
 //! The derivatives that the proofs of Lemmas 5.1 and 5.2 multiply: eq:DPvirt to eq:DPglobalp.
 
-use grazing_continuation::mps::Memory;
-use grazing_model::ImpactOscillator;
+use grazing_continuation::mps::EventTimes;
 use grazing_model::maps::{global_iterate, global_map, virtual_map};
+use grazing_model::{AtRest, ImpactOscillator, OnWall};
 use grazing_theorems::auxiliary::{detuning, lucas_sequence, modulus_power};
 use grazing_theorems::grazing::VirtualMap;
 use nalgebra::Matrix2;
@@ -23,10 +23,10 @@ const GLOBAL: f64 = 1e-13;
 fn virtual_derivatives(near: &Near) -> Option<[Matrix2<f64>; 2]> {
     let oscillator = near.oscillator();
     let [y, z] = near.impact().into();
-    let ahead = virtual_map::<_, 1>(&oscillator, y, z, Some(0.0)).ok()?;
-    let reset = oscillator.reset::<1>(y, z);
-    let back = virtual_map::<_, 1>(&oscillator, reset.value[0], reset.value[1], Some(0.0)).ok()?;
-    Some([ahead.jet.derivative(), back.jet.after::<1>(&reset).derivative()])
+    let ahead = virtual_map::<_, 1>(&oscillator, OnWall::new(y, z), Some(0.0)).ok()?;
+    let reset = oscillator.reset::<1>(OnWall::new(y, z));
+    let back = virtual_map::<_, 1>(&oscillator, reset.image(), Some(0.0)).ok()?;
+    Some([ahead.jet.derivative(), back.jet.after::<1, _>(&reset).derivative()])
 }
 
 /// The orders at which the entries of a matrix approach what is stated, row by row.
@@ -134,7 +134,8 @@ fn global_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([1.0, 2.0, 1.0, 1.0], GLOBAL, |&[x, z, mu, eta]| {
         let near = place.near([0.0, z, mu, eta])?;
-        let jet = global_iterate::<_, 1>(&near.oscillator(), place.loops(), x, near.unknowns[1]).ok()?;
+        let jet = global_iterate::<_, 1>(&near.oscillator(), place.loops(), AtRest::new(x, near.unknowns[1]))
+            .ok()?;
         let [from, f] = cure.phase_and_slope(place, &near, symbols.f);
         let mut leading = symbols.power;
         leading.m12 = symbols.d * x + symbols.xi * from + symbols.e * mu + f * eta;
@@ -162,7 +163,7 @@ fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([2.0, 2.0, 1.0, 2.0], GLOBAL, |offset| {
         let near = place.near(*offset)?;
-        let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
+        let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default()).ok()?;
         let [y, _, mu, eta] = *offset;
         let [from, f] = cure.phase_and_slope(place, &near, symbols.f);
         let alpha_omega = symbols.alpha * symbols.omega;
@@ -218,7 +219,9 @@ fn differences(place: &Place) -> Option<Differences> {
     let phase = place.fixed_phase();
     let by_phase = |x: f64, from: f64, mu: f64, eta: f64| {
         let oscillator = place.near([0.0, 0.0, mu, eta])?.oscillator();
-        slope(STEP, |z| Some(global_iterate::<_, 1>(&oscillator, place.loops(), x, from + z).ok()?.value[0]))
+        slope(STEP, |z| {
+            Some(global_iterate::<_, 1>(&oscillator, place.loops(), AtRest::new(x, from + z)).ok()?.value[0])
+        })
     };
     Some(Differences {
         xi: slope(STEP, |z| by_phase(0.0, phase + z, 0.0, 0.0))?,
@@ -257,7 +260,7 @@ fn slope_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
     let (map, loops) = (place.point().grazing.map, place.loops());
     let by_eta = slope(1e-3, |eta| {
         let orbit = place.grazing(eta)?;
-        let landing = global_map::<_, 1>(orbit.oscillator(), 0.0, orbit.phase(), None).ok()?;
+        let landing = global_map::<_, 1>(orbit.oscillator(), AtRest::new(0.0, orbit.phase()), None).ok()?;
         let a = landing.jet.derivative();
         Some(if loops == 1 { a.m12 } else { lucas_sequence(loops, a.trace(), a.determinant()) })
     })
@@ -291,7 +294,8 @@ pub(super) fn power_at_resonance() -> CheckResult {
         let map = place.point().grazing.map;
         let (loops, tau, delta) = (place.loops(), map.trace(), map.determinant());
         let orbit = place.resonance.orbit();
-        let power = global_iterate::<_, 1>(orbit.oscillator(), loops, 0.0, orbit.phase())?.derivative();
+        let power =
+            global_iterate::<_, 1>(orbit.oscillator(), loops, AtRest::new(0.0, orbit.phase()))?.derivative();
         let modulus = modulus_power(loops, delta);
         let sums = [
             detuning(loops, tau, delta),

@@ -5,7 +5,7 @@ use grazing_continuation::curve::{Route, Window};
 use grazing_continuation::mps::{MaximalPeriodicSolution, unknown};
 use grazing_model::maps::{global_iterate, global_map, virtual_map};
 use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{AtRest, ImpactOscillator, OnWall, State};
 use nalgebra::Vector2;
 
 use super::derivatives::slope;
@@ -88,7 +88,8 @@ pub(super) fn direction_by_parity() -> CheckResult {
             let place = Place::find(Law::linear(damping_for_decay(1, n, decay), 0.8), 1, n)?;
             let rate = slope(1e-3, |eta| {
                 let orbit = place.grazing(eta)?;
-                let jet = global_map::<_, 1>(orbit.oscillator(), 0.0, orbit.phase(), None).ok()?.jet;
+                let jet =
+                    global_map::<_, 1>(orbit.oscillator(), AtRest::new(0.0, orbit.phase()), None).ok()?.jet;
                 Some(jet.derivative().m12)
             })
             .ok_or("no grazing orbit")?;
@@ -121,7 +122,7 @@ pub(super) fn finite_differences() -> CheckResult {
             let [primary, secondary] = orbit.oscillator().parameters();
             let value = |loops: u32, x: f64, z: f64, mu: f64, eta: f64| {
                 let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary + eta]);
-                Some(global_iterate::<_, 1>(&oscillator, loops, x, z).ok()?.value)
+                Some(global_iterate::<_, 1>(&oscillator, loops, AtRest::new(x, z)).ok()?.value)
             };
             let phase = orbit.phase();
             let step = 2e-3;
@@ -191,8 +192,14 @@ fn return_through_impact(place: &Place, solution: &MaximalPeriodicSolution) -> O
             let here = motion.at(time);
             time -= here.position / here.velocity;
         }
-        let reset = oscillator.reset::<1>(motion.at(time).velocity, phase + z + omega * time).value;
-        Some(virtual_map::<_, 1>(&oscillator, reset[0], reset[1], Some(maximum.time)).ok()?.jet.value)
+        let reset =
+            oscillator.reset::<1>(OnWall::new(motion.at(time).velocity, phase + z + omega * time)).value;
+        Some(
+            virtual_map::<_, 1>(&oscillator, OnWall::new(reset[0], reset[1]), Some(maximum.time))
+                .ok()?
+                .jet
+                .value,
+        )
     };
     let component = |i: usize, x: f64, z: f64| seam(|h| Some(map(0.1 * x * h, 0.1 * z * h)?[i]));
     // A return that is not there has no order.

@@ -1,7 +1,7 @@
 //! Period-doubled MPSs: orbits with two impacts in 2p loops, near the curve where an MPS has the multiplier −1.
 
 use grazing_continuation::mps::{
-    Formulation, LoopEquations, LoopPair, Memory, Multipliers, Unknowns, unknown,
+    EventTimes, Formulation, LoopEquations, LoopPair, Multipliers, Unknowns, unknown,
 };
 use grazing_continuation::newton::{self, Linearisation};
 use grazing_model::ImpactOscillator;
@@ -52,9 +52,9 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
 
     /// The two maps at both impacts, to one plane of constant phase.
     fn pairs(&self, doubled: &Doubled) -> Result<[LoopPair; 2], MapError> {
-        let mut memory = Memory::default();
+        let mut times = EventTimes::default();
         let [first, second] = doubled.impacts();
-        Ok([self.0.pair::<1>(&first, &mut memory)?, self.0.pair::<1>(&second, &mut memory)?])
+        Ok([self.0.pair::<1>(&first, &mut times)?, self.0.pair::<1>(&second, &mut times)?])
     }
 
     fn solve(&self, start: Doubled, pick: Pick) -> Option<Doubled> {
@@ -93,7 +93,7 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
 
     /// The period-doubled MPS whose two impact velocities differ by this much, next to a point with the multiplier −1.
     pub(super) fn near(&self, flip: &Unknowns, difference: f64) -> Option<Doubled> {
-        let pair = self.0.pair::<1>(flip, &mut Memory::default()).ok()?;
+        let pair = self.0.pair::<1>(flip, &mut EventTimes::default()).ok()?;
         // The eigenvector to −1: the kernel of the sum of the two derivatives.
         let sum = pair.round_trip.derivative() + pair.impact.derivative();
         let row = if sum.row(0).norm() > sum.row(1).norm() { 0 } else { 1 };

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Memory, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::ImpactOscillator;
 use grazing_model::maps::global_iterate;
+use grazing_model::{AtRest, ImpactOscillator};
 use grazing_theorems::auxiliary::modulus_power;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{GrazingPoint, ResonantPoint};
@@ -70,7 +70,7 @@ impl Place {
         let point = self.point();
         let GrazingPoint { map, forcing_frequency: omega, gamma, phi, .. } = point.grazing;
         let orbit = self.resonance.orbit();
-        let jet = global_iterate::<_, 2>(orbit.oscillator(), self.loops(), 0.0, orbit.phase())?;
+        let jet = global_iterate::<_, 2>(orbit.oscillator(), self.loops(), AtRest::new(0.0, orbit.phase()))?;
         let power = if self.loops() == 1 {
             Matrix2::new(map.a.m11, 0.0, map.a.m21, map.a.m22)
         } else {
@@ -131,7 +131,7 @@ impl Place {
 
     fn located(&self, conditions: [Condition; 2], near: Near) -> Option<Near> {
         let unknowns =
-            locate(self.resonance.equations(), conditions, near.unknowns, &mut Memory::default()).ok()?;
+            locate(self.resonance.equations(), conditions, near.unknowns, &mut EventTimes::default()).ok()?;
         Some(Near { unknowns, ..near })
     }
 

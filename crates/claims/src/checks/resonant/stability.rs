@@ -1,6 +1,7 @@
 //! The multipliers of an MPS near a resonance: eq:U to eq:fp, Lemmas 5.1 and 5.2.
 
-use grazing_continuation::mps::{Memory, Multipliers};
+use grazing_continuation::mps::{EventTimes, Multipliers};
+use grazing_model::AtRest;
 use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{
@@ -11,7 +12,7 @@ use crate::outcome::{CheckResult, Failure};
 
 /// T and D at a point, from the derivatives of the two sides of V.
 fn multipliers(place: &Place, near: &Near) -> Option<Multipliers> {
-    let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut Memory::default()).ok()?;
+    let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default()).ok()?;
     Some(pair.multipliers())
 }
 
@@ -181,11 +182,12 @@ pub(super) fn trace_and_determinant() -> CheckResult {
         for (y, eta) in [(0.05, 0.0), (0.02, 0.01), (0.1, -0.01), (0.03, 0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };
             let oscillator = near.oscillator();
-            let mut memory = Memory::default();
-            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut memory)?;
+            let mut times = EventTimes::default();
+            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut times)?;
             let virtual_point = pair.impact.value;
-            let disc = discontinuity_map::<_, 1>(&oscillator, virtual_point[0], virtual_point[1])?;
-            let around = global_iterate::<_, 1>(&oscillator, place.loops(), disc.value[0], disc.value[1])?;
+            let disc =
+                discontinuity_map::<_, 1>(&oscillator, AtRest::new(virtual_point[0], virtual_point[1]))?;
+            let around = global_iterate::<_, 1>(&oscillator, place.loops(), disc.image())?;
             let u = around.derivative() * disc.derivative();
             let both = pair.multipliers();
             found.push((u.trace() - both.trace).abs() / (1.0 + both.trace.abs()));

@@ -1,9 +1,9 @@
 //! The MPSs on the bifurcation curves, visit by visit: eq:admp7 to eq:admp11.
 
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::Memory;
-use grazing_model::ImpactOscillator;
+use grazing_continuation::mps::EventTimes;
 use grazing_model::maps::virtual_map;
+use grazing_model::{ImpactOscillator, OnWall};
 use grazing_theorems::auxiliary::{lucas_sequence, resonance_boundary};
 use nalgebra::Vector2;
 
@@ -25,8 +25,8 @@ pub(super) fn phase() -> CheckResult {
 fn recoil(near: &Near) -> Option<Vector2<f64>> {
     let oscillator = near.oscillator();
     let [y, z] = near.impact().into();
-    let reset = oscillator.reset::<1>(y, z).value;
-    let point = virtual_map::<_, 1>(&oscillator, reset[0], reset[1], Some(0.0)).ok()?.jet.value;
+    let reset = oscillator.reset::<1>(OnWall::new(y, z)).value;
+    let point = virtual_map::<_, 1>(&oscillator, OnWall::new(reset[0], reset[1]), Some(0.0)).ok()?.jet.value;
     Some(point - Vector2::new(0.0, near.orbit.phase()))
 }
 
@@ -66,7 +66,7 @@ pub(super) fn phase_after_recoil() -> CheckResult {
 
 /// The visits (x⁽ʲ⁾, z⁽ʲ⁾ − z_graz,η) for 0 < j ≤ p.
 fn visits(place: &Place, near: &Near) -> Option<Vec<Vector2<f64>>> {
-    let visits = place.resonance.equations().visits(&near.unknowns, &Memory::default()).ok()?;
+    let visits = place.resonance.equations().visits(&near.unknowns, &EventTimes::default()).ok()?;
     Some(visits.iter().map(|visit| visit - Vector2::new(0.0, near.orbit.phase())).collect())
 }
 

@@ -1,7 +1,7 @@
 //! Orbits of double period beside an MPS with the multiplier −1, solved for without normal forms.
 
 use grazing_continuation::mps::{
-    Formulation, LoopEquations, LoopPair, Memory, Multipliers, Unknowns, unknown,
+    EventTimes, Formulation, LoopEquations, LoopPair, Multipliers, Unknowns, unknown,
 };
 use grazing_continuation::newton::{self, Linearisation};
 use grazing_model::ImpactOscillator;
@@ -27,8 +27,8 @@ fn pairs<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     impacts: [Unknowns; 2],
 ) -> Result<[LoopPair; 2], MapError> {
-    let mut memory = Memory::default();
-    let mut pair = |impact: &Unknowns| equations.pair::<1>(impact, &mut memory);
+    let mut times = EventTimes::default();
+    let mut pair = |impact: &Unknowns| equations.pair::<1>(impact, &mut times);
     Ok([pair(&impacts[0])?, pair(&impacts[1])?])
 }
 

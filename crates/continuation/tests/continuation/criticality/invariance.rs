@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::criticality::{CriticalityError, period_doubling, saddle_node};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use nalgebra::Vector2;
@@ -89,7 +89,7 @@ fn points_that_are_no_simple_bifurcation_have_no_normal_form() {
         let oscillator = LinearOscillator::new(ZETA, epsilon, point[unknown::PRIMARY], omega).unwrap();
         let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
         let conditions = [Condition::PERIOD_DOUBLING, Condition::Secondary(omega)];
-        point = locate(&equations, conditions, point, &mut Memory::default()).unwrap();
+        point = locate(&equations, conditions, point, &mut EventTimes::default()).unwrap();
         let outcome = period_doubling(&equations, &point);
         let degenerate = matches!(outcome, Err(CriticalityError::Degenerate { .. }));
         assert_eq!(degenerate, k == 20, "{outcome:?}");

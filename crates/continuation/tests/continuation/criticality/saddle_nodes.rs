@@ -2,7 +2,7 @@
 
 use grazing_continuation::criticality::{period_doubling, saddle_node};
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_model::{ImpactOscillator, ThirdOrder};
 
 use super::specimens::{BY_EXTRAPOLATION, at_velocity, curves, extrapolated, spread};
@@ -21,7 +21,7 @@ fn difference_from_branch<O: ThirdOrder>(equations: &LoopEquations<O>, fold: &Un
         let moved = [dy, -dy].map(|dy| {
             let conditions =
                 [Condition::Secondary(fold[unknown::SECONDARY]), Condition::ImpactVelocity(velocity + dy)];
-            let found = locate(&equations, conditions, *fold, &mut Memory::default()).unwrap();
+            let found = locate(&equations, conditions, *fold, &mut EventTimes::default()).unwrap();
             found[unknown::PRIMARY] - fold[unknown::PRIMARY]
         });
         let s = dy / q_y;
@@ -57,7 +57,7 @@ fn slope<O: ImpactOscillator>(equations: &LoopEquations<O>, condition: Condition
     let h = 1e-4 * point[unknown::VELOCITY];
     let primary = |eta: f64| {
         let conditions = [condition, Condition::Secondary(eta)];
-        locate(&equations, conditions, *point, &mut Memory::default()).unwrap()[unknown::PRIMARY]
+        locate(&equations, conditions, *point, &mut EventTimes::default()).unwrap()[unknown::PRIMARY]
     };
     let eta = point[unknown::SECONDARY];
     (primary(eta + h) - primary(eta - h)) / (2.0 * h)

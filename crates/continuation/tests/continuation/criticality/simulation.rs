@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::criticality::period_doubling;
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Memory, unknown};
+use grazing_continuation::mps::{EventTimes, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
@@ -45,7 +45,7 @@ fn simulated(
     let s = part * y;
     let primary = flip[unknown::PRIMARY] - normal_form.coefficient * s * s / normal_form.multiplier_slopes[0];
     let conditions = [Condition::Primary(primary), Condition::Secondary(flip[unknown::SECONDARY])];
-    let solution = locate(resonance.equations(), conditions, flip, &mut Memory::default()).unwrap();
+    let solution = locate(resonance.equations(), conditions, flip, &mut EventTimes::default()).unwrap();
     assert!(resonance.equations().solution(&solution).0.admissible());
     let oscillator = resonance.equations().oscillator_at(&solution);
     shares.map(|share| {

@@ -2,7 +2,7 @@
 
 use grazing_continuation::curve::Curve;
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, Memory, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, Formulation, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::{ImpactOscillator, LinearOscillator};
 
@@ -37,7 +37,7 @@ pub(super) fn at_velocity<O: ImpactOscillator>(
     let start = resonance.unknowns() + direction * (y / direction[0]);
     let equations = resonance.equations().with_formulation(Formulation::FixedPhase);
     let conditions = [condition, Condition::ImpactVelocity(y)];
-    locate(&equations, conditions, start, &mut Memory::default()).unwrap()
+    locate(&equations, conditions, start, &mut EventTimes::default()).unwrap()
 }
 
 /// An even function of s without its term of second order, from values at two sizes one of which is half the other.

@@ -2,7 +2,7 @@
 
 use crate::outcome::Failure;
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::Side;
 use grazing_theorems::from_map::GrazingOrbit;
@@ -40,7 +40,7 @@ pub(in crate::checks::main_results) fn side_of_orbit<O: ImpactOscillator>(
             secondary,
         );
         let conditions = [Condition::Primary(start[2]), Condition::Secondary(secondary)];
-        let zero = locate(&equations, conditions, start, &mut Memory::default())?;
+        let zero = locate(&equations, conditions, start, &mut EventTimes::default())?;
         *found = follow(&equations.oscillator_at(&zero), loops, &zero) == Seen::Returns;
     }
     Ok(match found {
@@ -78,11 +78,11 @@ pub(super) fn side_of_curve<O: ImpactOscillator>(
         let velocity = sign * VELOCITY;
         let conditions = [Condition::Multiplier(multiplier), Condition::ImpactVelocity(velocity)];
         let start = origin + tangent * velocity;
-        let zero = locate(&equations, conditions, start, &mut Memory::default())?;
+        let zero = locate(&equations, conditions, start, &mut EventTimes::default())?;
         let mut beside = [None; 2];
         for (beside, share) in beside.iter_mut().zip([0.7, 1.3]) {
             let conditions = [Condition::ImpactVelocity(share * velocity), Condition::Secondary(zero[3])];
-            let mps = locate(&equations, conditions, zero, &mut Memory::default())?;
+            let mps = locate(&equations, conditions, zero, &mut EventTimes::default())?;
             let oscillator = equations.oscillator_at(&mps);
             if follow(&oscillator, loops, &mps) == Seen::Returns {
                 let suspect = Suspect { oscillator: &oscillator, loops, velocity: mps[0], phase: mps[1] };
