@@ -197,7 +197,7 @@ pub enum Failure {
         /// The tables that were made.
         made: Vec<&'static str>,
         /// The tables that should have been.
-        registered: &'static [&'static str],
+        registered: Vec<&'static str>,
     },
     /// The ledger of claims is not right.
     #[error(transparent)]

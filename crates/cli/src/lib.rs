@@ -6,6 +6,7 @@ pub mod arguments;
 mod claims;
 pub mod codecheck;
 pub mod compare;
+mod data_page;
 pub mod failure;
 pub mod folder;
 mod limits;

@@ -9,7 +9,16 @@ use std::path::{Path, PathBuf};
 
 use grazing_drawing::SheetWidth;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_reproduction::{Study, StudyError, Table};
+use grazing_reproduction::{Study, StudyError};
+use grazing_results::branches::{AttractorPoint, BranchBifurcation, BranchPoint, PortraitPoint};
+use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
+use grazing_results::resonances::PaperResonance;
+use grazing_results::sketches::{
+    BoundaryPoint, PartPoint, Star, UnfoldingPoint, UnfoldingResonance, UnfoldingVertex, Visit,
+};
+use grazing_results::space::{CurveKind, Mark, SurfaceKind, Vertex};
+use grazing_results::theorems::{Generic, Resonant};
+use grazing_results::{Plan, Table};
 
 use crate::failure::Failure;
 use crate::folder::{DATA, MadeFile};
@@ -39,6 +48,9 @@ impl Made {
 /// The files of an output, and what there is to tell about them.
 pub(crate) struct Files {
     pub(crate) files: Vec<MadeFile>,
+    /// The figure as SVG, if it is one.
+    pub(crate) svg: Option<String>,
+    pub(crate) tables: Vec<Table>,
     pub(crate) notes: Vec<String>,
     /// What is missing in them, with the keys to change.
     pub(crate) gaps: Vec<String>,
@@ -54,13 +66,25 @@ pub struct Output {
     pub title: &'static str,
     /// The file of the figure.
     figure: Option<&'static str>,
-    /// The names of the tables.
-    tables: &'static [&'static str],
+    /// The tables.
+    tables: &'static [Plan],
     /// Whether the sections of the parameter file that it cannot do without are right.
     check: fn(&Parameters) -> Result<(), ParameterError>,
     /// The keys to change where it cannot be computed.
     keys: &'static str,
     make: fn(&Study<'_>, SheetWidth) -> MadeResult,
+}
+
+/// The tables of a scene in phase space.
+const fn scene([curves, points, surfaces]: [&'static str; 3]) -> [Plan; 3] {
+    [
+        Plan::of::<Vertex<CurveKind>>(curves, "a vertex of a curve"),
+        Plan::of::<Mark>(points, "a point that is marked"),
+        Plan::of::<Vertex<SurfaceKind>>(
+            surfaces,
+            "a vertex of the outline of a surface, or of a line on one",
+        ),
+    ]
 }
 
 /// All outputs, in the order in which they are made.
@@ -69,7 +93,7 @@ pub const ALL: &[Output] = &[
         name: "coefficients",
         title: "Coefficients at all resonances of Figure 7",
         figure: None,
-        tables: &["coefficients"],
+        tables: &[Plan::of::<PaperResonance>("coefficients", "a resonance of Figure 7")],
         check: |parameters| parameters.fig07().map(drop),
         keys: "fig07.frequency, fig07.amplitude or fig07.loops",
         make: figures::coefficients,
@@ -78,7 +102,7 @@ pub const ALL: &[Output] = &[
         name: "fig01",
         title: "Figure 1: phase space, impacting surface and reset law",
         figure: Some("fig01.svg"),
-        tables: &["fig01_curves", "fig01_points", "fig01_surfaces"],
+        tables: &scene(["fig01_curves", "fig01_points", "fig01_surfaces"]),
         check: |parameters| parameters.fig01().map(drop),
         keys: "fig01.orbits, fig01.amplitude or fig01.frequency",
         make: figures::fig01,
@@ -87,7 +111,12 @@ pub const ALL: &[Output] = &[
         name: "fig02",
         title: "Figure 2: one-parameter bifurcation diagram with phase portraits",
         figure: Some("fig02.svg"),
-        tables: &["fig02_branches", "fig02_bifurcations", "fig02_attractor", "fig02_portraits"],
+        tables: &[
+            Plan::of::<BranchPoint>("fig02_branches", "a point of a branch, on one loop of the solution"),
+            Plan::of::<BranchBifurcation>("fig02_bifurcations", "a bifurcation on a branch"),
+            Plan::of::<AttractorPoint>("fig02_attractor", "a visit to Π of an orbit that has settled"),
+            Plan::of::<PortraitPoint>("fig02_portraits", "a point of an orbit in a phase portrait"),
+        ],
         check: |parameters| parameters.fig02().map(drop),
         keys: "fig02.frequency, fig02.near or fig02.loops",
         make: figures::fig02,
@@ -96,7 +125,7 @@ pub const ALL: &[Output] = &[
         name: "fig03",
         title: "Figure 3: the return map near a grazing periodic solution",
         figure: Some("fig03.svg"),
-        tables: &["fig03_curves", "fig03_points", "fig03_surfaces"],
+        tables: &scene(["fig03_curves", "fig03_points", "fig03_surfaces"]),
         check: |parameters| parameters.fig03().map(drop),
         keys: "fig03.start or fig03.frequency",
         make: figures::fig03,
@@ -105,7 +134,10 @@ pub const ALL: &[Output] = &[
         name: "fig04",
         title: "Figure 4: the boundaries g_p and h_p in the trapesium",
         figure: Some("fig04.svg"),
-        tables: &["fig04_curves", "fig04_points"],
+        tables: &[
+            Plan::of::<BoundaryPoint>("fig04_curves", "a point of a curve"),
+            Plan::of::<Star>("fig04_points", "a point that is marked"),
+        ],
         check: |parameters| parameters.fig04().map(drop),
         keys: "fig04.loops",
         make: figures::fig04,
@@ -114,7 +146,11 @@ pub const ALL: &[Output] = &[
         name: "fig05",
         title: "Figure 5: unfolding of a resonant grazing bifurcation",
         figure: Some("fig05.svg"),
-        tables: &["fig05_curves", "fig05_points", "fig05_regions"],
+        tables: &[
+            Plan::of::<UnfoldingPoint>("fig05_curves", "a point of a curve"),
+            Plan::of::<UnfoldingResonance>("fig05_points", "the resonance"),
+            Plan::of::<UnfoldingVertex>("fig05_regions", "a vertex of a region"),
+        ],
         check: |parameters| parameters.fig05().map(drop),
         keys: "fig05.loops or fig05.n",
         make: figures::fig05,
@@ -123,7 +159,7 @@ pub const ALL: &[Output] = &[
         name: "fig06",
         title: "Figure 6: the impact oscillator",
         figure: Some("fig06.svg"),
-        tables: &["fig06_parts"],
+        tables: &[Plan::of::<PartPoint>("fig06_parts", "a point of the drawing")],
         check: |parameters| parameters.fig06().map(drop),
         keys: "fig06.frequency or fig06.amplitude",
         make: figures::fig06,
@@ -132,7 +168,14 @@ pub const ALL: &[Output] = &[
         name: "fig07",
         title: "Figure 7: two-parameter bifurcation diagram",
         figure: Some("fig07.svg"),
-        tables: &["fig07_curves", "fig07_points", "fig07_regions"],
+        tables: &[
+            Plan::of::<CurvePoint>("fig07_curves", "a point of a curve of the diagram"),
+            Plan::of::<SpecialPoint>(
+                "fig07_points",
+                "a resonance at which a theorem holds, or another codimension-two point",
+            ),
+            Plan::of::<RegionVertex>("fig07_regions", "a vertex of a region of stability"),
+        ],
         check: |parameters| parameters.fig07().map(drop),
         keys: "fig07.frequency, fig07.amplitude or fig07.loops",
         make: figures::fig07,
@@ -141,7 +184,7 @@ pub const ALL: &[Output] = &[
         name: "fig08",
         title: "Figure 8: three magnifications of Figure 7 with quadratic approximations",
         figure: Some("fig08.svg"),
-        tables: &["fig08_curves"],
+        tables: &[Plan::of::<MagnifiedPoint>("fig08_curves", "a point of a curve of a magnification")],
         check: |parameters| parameters.fig08().map(drop),
         keys: "fig08.panels, fig07.frequency or fig07.amplitude",
         make: figures::fig08,
@@ -150,7 +193,7 @@ pub const ALL: &[Output] = &[
         name: "fig09",
         title: "Figure 9: points on the impacting surface and on the section",
         figure: Some("fig09.svg"),
-        tables: &["fig09_curves", "fig09_points", "fig09_surfaces"],
+        tables: &scene(["fig09_curves", "fig09_points", "fig09_surfaces"]),
         check: |parameters| parameters.fig09().map(drop),
         keys: "fig09.impact, fig09.amplitude or fig09.frequency",
         make: figures::fig09,
@@ -159,7 +202,7 @@ pub const ALL: &[Output] = &[
         name: "fig10",
         title: "Figure 10: the path of visits in the proof of Theorem 2.3",
         figure: Some("fig10.svg"),
-        tables: &["fig10_path"],
+        tables: &[Plan::of::<Visit>("fig10_path", "a vertex of the path")],
         check: |parameters| parameters.fig10().map(drop),
         keys: "fig10.frequency or fig10.loops",
         make: figures::fig10,
@@ -168,7 +211,13 @@ pub const ALL: &[Output] = &[
         name: "theorems",
         title: "Theorems 2.2 to 2.5 against continuation and simulation",
         figure: None,
-        tables: &["theorems_generic", "theorems_resonant"],
+        tables: &[
+            Plan::of::<Generic>("theorems_generic", "an oscillator at grazing; no parameter file matters"),
+            Plan::of::<Resonant>(
+                "theorems_resonant",
+                "an oscillator at a resonance; no parameter file matters",
+            ),
+        ],
         check: |_| Ok(()),
         // It depends on no parameter.
         keys: "nothing",
@@ -185,7 +234,7 @@ impl Output {
     /// The paths of its files in the output folder of an edition.
     pub fn paths_in(&self, edition: &Edition) -> Vec<PathBuf> {
         let figures = self.figure.iter().flat_map(|figure| edition.figure_paths(figure));
-        let tables = self.tables.iter().map(|table| table_path(table));
+        let tables = self.tables.iter().map(|table| table_path(table.name));
         figures.chain(tables).chain(self.latex_tables(edition).map(latex::table_path)).collect()
     }
 
@@ -194,15 +243,15 @@ impl Output {
         self.figure
     }
 
-    /// The names of its tables.
-    pub fn tables(&self) -> &'static [&'static str] {
+    /// Its tables.
+    pub fn tables(&self) -> &'static [Plan] {
         self.tables
     }
 
     /// The tables that are printed, in an edition that has LaTeX: those of outputs without a figure.
     pub(crate) fn latex_tables(&self, edition: &Edition) -> impl Iterator<Item = &'static str> {
         let printed = self.figure.is_none() && edition.has(Format::Tex);
-        self.tables.iter().copied().filter(move |_| printed)
+        self.tables.iter().map(|table| table.name).filter(move |_| printed)
     }
 
     /// Whether the sections of the parameter file that it cannot do without are right.
@@ -221,24 +270,27 @@ impl Output {
         self.check(study.parameters())?;
         let made = (self.make)(study, edition.width()).map_err(|error| self.failure(&*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
-        if names != self.tables {
-            return Err(Failure::Registry { output: self.name, made: names, registered: self.tables });
+        let registered: Vec<&'static str> = self.tables.iter().map(|table| table.name).collect();
+        if names != registered {
+            return Err(Failure::Registry { output: self.name, made: names, registered });
         }
         let mut files = Vec::new();
-        if let (Some(file), Some(svg)) = (self.figure, made.figure) {
-            files.extend(edition.figure_files(file, svg).map_err(|error| computation(self.name, &error))?);
+        if let (Some(file), Some(svg)) = (self.figure, &made.figure) {
+            files.extend(
+                edition.figure_files(file, svg.clone()).map_err(|error| computation(self.name, &error))?,
+            );
         }
         let printed: Vec<&str> = self.latex_tables(edition).collect();
         for table in &made.tables {
-            let content = tables::csv(&table.frame).map_err(|error| computation(self.name, &error))?;
+            let content = tables::csv(table).map_err(|error| computation(self.name, &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
         }
         for table in made.tables.iter().filter(|table| printed.contains(&table.name)) {
-            let content = latex::table(table, self.title).map_err(|error| computation(self.name, &error))?;
-            files.push(MadeFile { path: latex::table_path(table.name), content: content.into_bytes() });
+            let content = latex::table(table, self.title).into_bytes();
+            files.push(MadeFile { path: latex::table_path(table.name), content });
         }
         let gaps = made.gaps.iter().map(|gap| format!("{gap}; change {}", self.keys)).collect();
-        Ok(Files { files, notes: made.notes, gaps })
+        Ok(Files { files, svg: made.figure, tables: made.tables, notes: made.notes, gaps })
     }
 
     /// The failure to compute it, with the keys to change unless it names one itself.

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_claims::ledger::Ledger;
-use grazing_report::{CsvTable, Figure, Manifest, OutputFile, PublishedEntry, State, TableOutput, page};
+use grazing_report::{Figure, Manifest, OutputFile, PublishedEntry, State, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
 use grazing_reproduction::published::{Comparison, Published, Verdict};
@@ -92,11 +92,11 @@ fn assemble(
     let study = Study::new(parameters).with_progress(&display);
     let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
     for output in outputs::ALL {
-        let files = match output.files(&study, &Edition::default()) {
-            Ok(Files { files, notes, gaps }) => {
+        let (files, svg, shown) = match output.files(&study, &Edition::default()) {
+            Ok(Files { files, svg, tables: shown, notes, gaps }) => {
                 notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
                 missing.extend(gaps.iter().map(|gap| format!("{}: it is shown, but {gap}", output.name)));
-                files
+                (files, svg, shown)
             }
             Err(failure) => {
                 missing.push(outputs::told(output.name, failure));
@@ -104,11 +104,10 @@ fn assemble(
             }
         };
         made.extend(files.iter().map(|file| OutputFile::of(file.path.display().to_string(), &file.content)));
-        let (svg, csv) = sorted(files);
         let (name, title) = (output.name.to_owned(), output.title.to_owned());
         match svg {
-            Some(svg) => figures.push(Figure { name, title, svg, tables: csv }),
-            None => tables.push(TableOutput { name, title, tables: csv }),
+            Some(svg) => figures.push(Figure { name, title, svg, tables: shown }),
+            None => tables.push(TableOutput { name, title, tables: shown }),
         }
     }
     // Their names are numbered as in the paper; the registry has them in the order in which they are best made.
@@ -161,23 +160,6 @@ pub(crate) fn noted(text: &str, settings: &[Setting]) -> String {
 
 fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
-}
-
-/// The figure and the tables among the files of an output; all are text.
-fn sorted(files: Vec<MadeFile>) -> (Option<String>, Vec<CsvTable>) {
-    let (mut svg, mut tables) = (None, Vec::new());
-    for MadeFile { path, content } in files {
-        let text = String::from_utf8_lossy(&content).into_owned();
-        match path.extension().and_then(|extension| extension.to_str()) {
-            Some("svg") => svg = Some(text),
-            Some("csv") => {
-                let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-                tables.push(CsvTable { name, csv: text });
-            }
-            _ => {}
-        }
-    }
-    (svg, tables)
 }
 
 /// The published values with the computed ones.

@@ -14,12 +14,12 @@ use crate::folder::{self, Change, Kind, MadeFile};
 use crate::outputs::edition::Edition;
 use crate::outputs::{self, Output, latex};
 use crate::progress::Display;
-use crate::{codecheck, project, terminal, visual};
+use crate::{codecheck, data_page, project, terminal, visual};
 
 /// The file that says what was set over the parameter file.
 const SETTINGS: &str = "settings.txt";
 /// What belongs in the output folder although the program does not make it.
-const KNOWN: [&str; 2] = ["parameters.toml", "data/README.md"];
+const KNOWN: [&str; 1] = ["parameters.toml"];
 
 /// Makes the outputs that were asked for.
 ///
@@ -36,6 +36,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     outputs::refuse_malformed(chosen.iter().copied(), &parameters)?;
     if !arguments.check {
         let mut paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths_in(&edition)).collect();
+        paths.extend(arguments.only.is_empty().then(data_page::path));
         paths.extend(latex::has_snippet(&edition).then(|| PathBuf::from(latex::SNIPPET)));
         paths.extend((!set.is_empty()).then(|| PathBuf::from(SETTINGS)));
         folder::ensure_writable(&output_folder, &paths)?;
@@ -54,6 +55,9 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     }
     if !set.is_empty() {
         files.push(settings(&arguments.parameters));
+    }
+    if arguments.only.is_empty() {
+        files.push(data_page::of_the_paper(chosen.iter().flat_map(|output| output.tables()).copied()));
     }
     let mut places = vec![Place { folder: output_folder, files, complete: false }];
     if edition.is_default() && arguments.only.is_empty() {

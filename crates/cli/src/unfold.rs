@@ -13,8 +13,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_description::{Description, DescriptionError, Limits};
-use grazing_reproduction::unfolded::{Described, Unfolded};
-use grazing_reproduction::{StudyError, Table};
+use grazing_reproduction::StudyError;
+use grazing_reproduction::unfolded::{Described, TABLES, Unfolded};
 use grazing_source::Setting;
 use grazing_unfold::UnfoldError;
 
@@ -27,7 +27,7 @@ use crate::outputs::{computation, table_path};
 use crate::report::noted;
 use crate::report::oscillators::{Material, PAGE};
 use crate::reproduce::{start_threads, summary};
-use crate::{tables, terminal};
+use crate::{data_page, tables, terminal};
 use keeper::Keeper;
 
 /// The folder of the results, with a folder in it for each file.
@@ -55,9 +55,9 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let tasks = tasks(arguments)?;
     for task in &tasks {
         let figures = sheets::FILES.iter().flat_map(|file| edition.figure_paths(file));
-        let tables = Analysis::TABLES.iter().map(|name| table_path(name));
-        let page = std::iter::once(PathBuf::from(PAGE));
-        folder::ensure_writable(&task.folder, &figures.chain(tables).chain(page).collect::<Vec<_>>())?;
+        let tables = TABLES.iter().map(|table| table_path(table.name));
+        let pages = [PathBuf::from(PAGE), data_page::path()];
+        folder::ensure_writable(&task.folder, &figures.chain(tables).chain(pages).collect::<Vec<_>>())?;
     }
     if let Some(jobs) = arguments.jobs {
         start_threads(jobs)?;
@@ -163,8 +163,7 @@ impl Task {
         let met = watch.met().filter(|_| !unfolded.diagram.unfinished.is_empty());
         // What follows only writes down what there is.
         drop(watch);
-        let tables = unfolded.tables().map_err(|error| computation("tables", &error))?;
-        let files = self.files(&unfolded, &tables, edition)?;
+        let files = self.files(&unfolded, edition)?;
         let changes = folder::write(&self.folder, &files)?;
         self.remove_other_sheets(&files, edition)?;
         keeper.clear()?;
@@ -190,25 +189,23 @@ impl Task {
     }
 
     /// Figures, tables and the page that shows them.
-    fn files(
-        &self,
-        unfolded: &Analysis,
-        tables: &[Table],
-        edition: &Edition,
-    ) -> Result<Vec<MadeFile>, Failure> {
+    fn files(&self, unfolded: &Analysis, edition: &Edition) -> Result<Vec<MadeFile>, Failure> {
         let mut files = Vec::new();
-        let drawn = sheets::figures(&self.description, unfolded, tables, edition.width())
-            .map_err(|error| computation("figures", &*error))?;
+        let rows = unfolded.rows();
+        let drawn = sheets::figures(&self.description, unfolded, &rows, edition.width())
+            .map_err(|error| computation("figures", &error))?;
+        let tables = &rows.tables(&unfolded.axes.names);
         for (name, svg) in drawn.clone() {
             files.extend(edition.figure_files(&name, svg).map_err(|error| computation("figures", &error))?);
         }
         for table in tables {
-            let content = tables::csv(&table.frame).map_err(|error| computation("tables", &error))?;
+            let content = tables::csv(table).map_err(|error| computation("tables", &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
         }
+        files.push(data_page::of_an_oscillator(TABLES, &unfolded.axes.names));
         let Self { file, text, description, .. } = self;
         let material = Material { file, text, description, unfolded, figures: &drawn, tables };
-        files.push(material.page(&files)?);
+        files.push(material.page(&files));
         Ok(files)
     }
 

@@ -34,8 +34,8 @@ fn the_whole_reproduction_passes_its_own_check_whatever_the_number_of_threads() 
     }
     assert_eq!(
         listing(folder.path()).len(),
-        files.len() + 4,
-        "two folders, the parameters and codecheck.yml, nothing else"
+        files.len() + 5,
+        "two folders, the parameters, the page about the data and codecheck.yml, nothing else"
     );
     assert!(made.output.contains("published values are met"), "{}", made.output);
 

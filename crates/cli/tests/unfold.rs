@@ -38,7 +38,8 @@ const TABLES: [&str; 8] = [
 /// What belongs in a folder of results.
 fn results() -> Vec<String> {
     let tables = TABLES.map(|table| format!("data/{table}.csv"));
-    let mut all = ["data", "diagram.svg", "magnifications.svg", "report.html"].map(str::to_owned).to_vec();
+    let others = ["data", "data/README.md", "diagram.svg", "magnifications.svg", "report.html"];
+    let mut all = others.map(str::to_owned).to_vec();
     all.extend(tables);
     all.sort();
     all
@@ -112,14 +113,15 @@ fn told(output: &str, coefficients: &str) {
     }
 }
 
-/// The examples' page explains all columns but the two that bear the parameters' names, and all tables.
+/// The page beside the tables explains their columns, and that of the examples names the examples and the tables.
 fn explained(results: &Path) {
+    let explanations = read(results, "data/README.md");
     let page = read(&repository(), "examples/README.md");
     for table in TABLES {
-        assert!(page.contains(&format!("| `{table}` |")), "{table} is not explained");
+        assert!(page.contains(&format!("| `{table}` |")), "{table} is not named");
         let content = read(results, &format!("data/{table}.csv"));
         for column in content.lines().next().expect("a header").split(',') {
-            assert!(page.contains(&format!("`{column}`")), "{table}: {column} is not explained");
+            assert!(explanations.contains(&format!("| `{column}` |")), "{table}: {column} is not explained");
         }
     }
     for entry in fs::read_dir(repository().join("examples")).expect("there are examples") {

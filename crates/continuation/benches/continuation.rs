@@ -91,10 +91,9 @@ fn one_parameter_branch(bencher: Bencher<'_, '_>, p: u32, formulation: Formulati
     const OMEGA: f64 = 0.854;
     let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
     let grazing = theory.grazing(OMEGA).unwrap();
-    let oscillator = LinearOscillator::new(ZETA, EPSILON, grazing.amplitude(), OMEGA).unwrap();
     let start = Start {
         curve: MpsCurve {
-            equations: LoopEquations::new(oscillator, p, formulation),
+            equations: LoopEquations::new(grazing.model(), p, formulation),
             condition: Condition::Secondary(OMEGA),
         },
         point: Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), OMEGA),
@@ -108,9 +107,7 @@ fn one_parameter_branch(bencher: Bencher<'_, '_>, p: u32, formulation: Formulati
 fn from_resonance(Place { p, n }: Place, condition: Condition) -> Start<LinearOscillator> {
     let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
     let grazing = theory.resonance(p, n).unwrap().grazing();
-    let (amplitude, omega) = (grazing.amplitude(), grazing.forcing_frequency());
-    let oscillator = LinearOscillator::new(ZETA, EPSILON, amplitude, omega).unwrap();
-    let resonance = ResonantGrazingPoint::find(&oscillator, p, grazing.phase()).unwrap();
+    let resonance = ResonantGrazingPoint::find(&grazing.model(), p, grazing.phase()).unwrap();
     Start {
         curve: MpsCurve { equations: resonance.equations().clone(), condition },
         point: resonance.unknowns(),

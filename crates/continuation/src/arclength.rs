@@ -14,6 +14,7 @@
 use nalgebra::{Const, DimMin, LU, SVector};
 
 use crate::newton::{self, Linearisation, NewtonFailure};
+use crate::tolerances::{self, CORRECTIONS, FARTHEST_CORRECTION};
 
 /// N − 1 smooth equations in N unknowns.
 pub trait CurveEquations<const N: usize> {
@@ -43,7 +44,7 @@ pub struct StepControl {
     pub first: f64,
     /// Steps never get longer than this.
     pub longest: f64,
-    /// A step that would have to be shorter than this ends the curve; longer than [`newton::STEP_TOLERANCE`], below which the
+    /// A step that would have to be shorter than this ends the curve; longer than [`tolerances::STEP`], below which the
     /// corrector cannot judge a step.
     pub shortest: f64,
     /// The tangent turns by about this angle from point to point, in radians.
@@ -55,11 +56,11 @@ pub struct StepControl {
 impl StepControl {
     /// Steps for curves that are drawn: two degrees of turn look smooth at any magnification used (empirical).
     pub const DRAWING: Self =
-        Self { first: 1e-3, longest: 0.02, shortest: 1e-6, turn: 0.035, tolerance: newton::STEP_TOLERANCE };
+        Self { first: 1e-3, longest: 0.02, shortest: 1e-6, turn: 0.035, tolerance: tolerances::STEP };
 
     /// Whether points are so rough that no more is to be computed of them than serves to find what happens along a curve.
     pub fn sketches(&self) -> bool {
-        self.tolerance > newton::STEP_TOLERANCE
+        self.tolerance > tolerances::STEP
     }
 }
 
@@ -98,11 +99,15 @@ pub struct Continuation<'a, const N: usize, C: CurveEquations<N>> {
 /// A new station and the angle by which the tangent turned on the way.
 type Attempt<const N: usize, M> = (Station<N, M>, f64);
 
-/// A corrector converges in about three evaluations or the step is too long.
-const CORRECTOR_LIMIT: usize = 6;
-/// It is lost as soon as it is farther from the prediction than so many steps (empirical; far away motion may be so fast that an
-/// evaluation takes seconds).
-const REACH: f64 = 4.0;
+/// A step is taken again if the tangent turns by more than so many times the angle that is aimed at (empirical).
+const OVERTURN: f64 = 3.0;
+/// A new step is as long as the turn suggests, within these factors of the last (empirical).
+const GROWTH: [f64; 2] = [0.5, 1.6];
+/// What is left of a step if the tangent turns too far in it, and if no point is found (empirical).
+const TURNED: f64 = 0.5;
+const LOST: f64 = 0.25;
+/// Steps this few times as long as the shortest are not taken again for the sake of the turn (empirical).
+const SHORT: f64 = 4.0;
 
 impl<'a, const N: usize, C: CurveEquations<N>> Continuation<'a, N, C>
 where
@@ -146,20 +151,22 @@ where
         loop {
             match self.attempt() {
                 Ok((next, angle))
-                    if angle <= 3.0 * self.control.turn || self.step < 4.0 * self.control.shortest =>
+                    if angle <= OVERTURN * self.control.turn || self.step < SHORT * self.control.shortest =>
                 {
-                    let growth = (self.control.turn / angle.max(1e-12)).clamp(0.5, 1.6);
+                    // Where nothing turns, without a division by zero.
+                    let growth =
+                        (self.control.turn / angle.max(f64::MIN_POSITIVE)).clamp(GROWTH[0], GROWTH[1]);
                     self.past = Some((self.here.point, self.here.tangent));
                     self.step = (self.step * growth).clamp(self.control.shortest, self.control.longest);
                     self.here = next;
                     return Ok(&self.here);
                 }
-                Ok(_) => self.step *= 0.5,
+                Ok(_) => self.step *= TURNED,
                 Err(failure) => {
                     if self.step <= self.control.shortest {
                         return Err(Stall { step: self.step, failure });
                     }
-                    self.step *= 0.25;
+                    self.step *= LOST;
                 }
             }
             self.step = self.step.max(self.control.shortest);
@@ -184,10 +191,10 @@ where
         let Station { point: origin, tangent: along, .. } = &self.here;
         let mut memory = self.here.memory.clone();
         let solution = newton::solve_within(
-            REACH * self.step,
+            FARTHEST_CORRECTION * self.step,
             self.control.tolerance,
             self.predict(),
-            CORRECTOR_LIMIT,
+            CORRECTIONS,
             |point| {
                 let mut bordered = self.equations.evaluate(point, &mut memory)?;
                 bordered.residual[N - 1] = along.dot(&(point - origin)) - self.step;

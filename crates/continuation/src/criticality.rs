@@ -26,17 +26,17 @@
 //! hold for the smaller s.
 
 mod at_resonance;
-mod codimension_two;
+pub mod codimension_two;
 mod normal_form;
 
 pub use at_resonance::coefficient_at_resonance;
-pub use codimension_two::{GeneralisedPeriodDoubling, NotDegenerate, generalised_period_doublings};
 
 use grazing_model::ThirdOrder;
 use nalgebra::{Matrix2, Vector2, Vector4};
 
 use crate::mps::{LoopEquations, LoopPair, Unknowns, unknown};
-use normal_form::ImplicitMap;
+use crate::tolerances::LOCATED;
+use normal_form::{ImplicitMap, solved};
 
 /// The normal form of a bifurcation was not found.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -49,7 +49,7 @@ pub enum CriticalityError {
         "there is no maximal periodic solution: the two ways to the plane of comparison end {distance:e} apart"
     )]
     NotPeriodic {
-        /// The distance; not a number if a solution escapes.
+        /// The distance; NaN if a solution escapes.
         distance: f64,
     },
     /// The MPS does not have the multiplier.
@@ -69,10 +69,6 @@ pub enum CriticalityError {
         other: f64,
     },
 }
-
-/// An MPS this far off, or a multiplier, makes a bifurcation still; located ones are off by 10⁻⁹ at most, and the coefficients are
-/// then exact to about as much.
-const LOCATED: f64 = 1e-6;
 
 /// The normal form of a period doubling: g(s) = (−1 + λ'·δ) s + c s³.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -217,10 +213,4 @@ fn column(jet: &grazing_model::MapJet, variable: usize) -> Vector2<f64> {
 /// The derivative, in the direction `along` of (y, z, μ, η), of a map's derivative in the coordinates.
 fn derivative_along(jet: &grazing_model::MapJet, along: &Vector4<f64>) -> Matrix2<f64> {
     Matrix2::from_fn(|i, j| jet.hessians[i].row(j).dot(&along.transpose()))
-}
-
-/// M⁻¹ b by Cramer's rule; not numbers if M is singular.
-fn solved(m: &Matrix2<f64>, b: Vector2<f64>) -> Vector2<f64> {
-    let determinant = m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)];
-    Vector2::new(m[(1, 1)] * b[0] - m[(0, 1)] * b[1], m[(0, 0)] * b[1] - m[(1, 0)] * b[0]) / determinant
 }

@@ -5,22 +5,13 @@
 //! (μ, η) is zero, and has opposite directions before and after.
 
 use grazing_model::ImpactOscillator;
-use grazing_model::maps::MapError;
 use nalgebra::{Vector2, Vector4};
 
 use crate::curve::{Curve, Event};
-use crate::locate::{Condition, conditioned};
+use crate::locate::{Condition, across_chord};
 use crate::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
-use crate::newton;
-
-/// Newton's method starts within a step of the curve, and needs a few evaluations.
-const LIMIT: usize = 25;
-
-/// Evaluations of the tangent; the Illinois method needs about ten.
-const EVALUATIONS: usize = 40;
-
-/// The tangent, of length one, has no part in (μ, η) below this: rounding over the curvature of the curve.
-const ZERO: f64 = 1e-12;
+use crate::regula_falsi::zero_between;
+use crate::tolerances::IN_THE_PLANE;
 
 /// The cusps of a saddle-node curve, in its order. Two within one step are not seen.
 pub fn cusps<O: ImpactOscillator>(equations: &LoopEquations<O>, curve: &Curve) -> Vec<Event> {
@@ -29,7 +20,7 @@ pub fn cusps<O: ImpactOscillator>(equations: &LoopEquations<O>, curve: &Curve) -
     let forwards = |k: usize| in_plane(&(points[k + 1] - points[k]));
     let turns_back = |k: &usize| forwards(*k).dot(&forwards(k + 1)) < 0.0;
     let cusp = |k: usize| {
-        let unknowns = between(&equations, [points[k], points[k + 2]], &forwards(k).normalize())?;
+        let unknowns = turning_point(&equations, [points[k], points[k + 2]], &forwards(k).normalize())?;
         let (solution, _) = equations.solution(&unknowns);
         Some(Event { condition: curve.condition, solution, index: k + 1, memory: Memory::default() })
     };
@@ -42,44 +33,19 @@ fn in_plane(displacement: &Unknowns) -> Vector2<f64> {
 }
 
 /// The point between two points of the curve at which its tangent has no part along `forwards`.
-fn between<O: ImpactOscillator>(
+fn turning_point<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     [a, b]: [Unknowns; 2],
     forwards: &Vector2<f64>,
 ) -> Option<Unknowns> {
-    let chord = (b - a).normalize();
-    let at = |share: f64| -> Option<(Unknowns, f64)> {
-        let start = a + (b - a) * share;
-        let mut memory = Memory::default();
-        let solution = newton::solve(start, LIMIT, |point| {
-            let (mut system, _) = conditioned(equations, Condition::SADDLE_NODE, true, point, &mut memory)?;
-            system.residual[3] = chord.dot(&(point - start));
-            system.jacobian.set_row(3, &chord.transpose());
-            Ok::<_, MapError>(system)
-        });
-        let solution = solution.ok()?;
+    let at = |share: f64| {
+        let solution = across_chord(equations, Condition::SADDLE_NODE, [a, b], share).ok()?;
         let tangent = solution.factors.solve(&Vector4::w())?.normalize();
         Some((solution.point, in_plane(&tangent).dot(forwards)))
     };
-    let ([mut low, mut high], mut at_low) = ([0.0, 1.0], at(0.0)?.1);
-    let (mut point, mut at_high) = at(1.0)?;
-    if at_low * at_high >= 0.0 {
+    let values = [at(0.0)?.1, at(1.0)?.1];
+    if values[0] * values[1] >= 0.0 {
         return None;
     }
-    for _ in 0..EVALUATIONS {
-        let share = (low * at_high - high * at_low) / (at_high - at_low);
-        let (found, value) = at(share)?;
-        point = found;
-        if value.abs() <= ZERO || share == high {
-            break;
-        }
-        // The end that stays counts half, so that both ends come close.
-        if value * at_high < 0.0 {
-            (low, at_low) = (high, at_high);
-        } else {
-            at_low *= 0.5;
-        }
-        (high, at_high) = (share, value);
-    }
-    Some(point)
+    zero_between(values, |share| at(share).ok_or(()), |_, value| value.abs() <= IN_THE_PLANE).ok()
 }

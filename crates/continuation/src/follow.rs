@@ -10,6 +10,7 @@ use crate::arclength::{Continuation, Stall, Station};
 use crate::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
 use crate::locate::{Condition, LocateFailure, locate, locate_grazing_end};
 use crate::mps::{Formulation, MaximalPeriodicSolution, Memory, Multipliers, Stability, Unknowns, unknown};
+use crate::tolerances::{FARTHEST_EVENT, NO_VELOCITY, ON_TWO_CURVES, TOUCHES_TOO};
 
 type MpsStation = Station<4, Memory>;
 
@@ -132,7 +133,7 @@ impl Follower<'_> {
         after: MpsStation,
     ) -> ControlFlow<CurveEnd> {
         let velocity = after.point[unknown::VELOCITY];
-        let vanishes = velocity <= VANISHING_VELOCITY && !self.route.through_grazing;
+        let vanishes = velocity <= NO_VELOCITY && !self.route.through_grazing;
         if vanishes && velocity < before.point[unknown::VELOCITY] {
             return ControlFlow::Break(self.end_at_grazing(equations, before, &after));
         }
@@ -252,7 +253,7 @@ impl Follower<'_> {
         after: &MpsStation,
     ) -> CurveEnd {
         let condition = Condition::ImpactVelocity(0.0);
-        let near = between(&before.point, &after.point, unknown::VELOCITY, 0.0);
+        let near = on_chord(&before.point, &after.point, unknown::VELOCITY, 0.0);
         let mut memory = after.memory.clone();
         let located = match equations.condition {
             Condition::InteriorGrazing => locate_grazing_end(&equations.equations, near, &mut memory),
@@ -297,7 +298,7 @@ impl Follower<'_> {
                 unknown::PRIMARY => Condition::Primary(edge),
                 _ => Condition::Secondary(edge),
             };
-            let near = between(&before.point, &outside, coordinate, edge);
+            let near = on_chord(&before.point, &outside, coordinate, edge);
             let conditions = [equations.condition, condition];
             let mut point = locate(&equations.equations, conditions, near, &mut memory).ok()?;
             point[coordinate] = edge;
@@ -327,8 +328,10 @@ fn starting_signs<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStati
     let least = [1.0, -1.0].map(|multiplier| pair.characteristic(multiplier).0.abs());
     let clear = match equations.condition {
         // Where another maximum touches the wall its sign is a toss-up; at y = 0 the loops' maxima all do, and count as touching.
-        Condition::Multiplier(_) => first.point[unknown::VELOCITY] == 0.0 || solution.ceiling().abs() > 1e-8,
-        _ => least[0].min(least[1]) > 1e-9,
+        Condition::Multiplier(_) => {
+            first.point[unknown::VELOCITY] == 0.0 || solution.ceiling().abs() > TOUCHES_TOO
+        }
+        _ => least[0].min(least[1]) > ON_TWO_CURVES,
     };
     clear.then(|| signs(equations.condition, &pair.stability(), &solution))
 }
@@ -390,17 +393,14 @@ fn locate_event<O: ImpactOscillator>(
         core::mem::swap(&mut memory.grazing_time, &mut memory.second_grazing_time);
     }
     let (distance, step) = ((point - near).norm(), (after.point - before.point).norm());
-    if distance > 2.0 * step {
+    if distance > FARTHEST_EVENT * step {
         return Err(LocateFailure::Elsewhere { distance, step });
     }
     Ok((equations.equations.solution(&point).0, memory))
 }
 
-/// Impact velocities at or below this count as zero (empirical: y = 0 is approached transversally).
-const VANISHING_VELOCITY: f64 = 1e-9;
-
 /// The point on the chord where one coordinate takes a value.
-fn between(before: &Unknowns, after: &Unknowns, coordinate: usize, value: f64) -> Unknowns {
+fn on_chord(before: &Unknowns, after: &Unknowns, coordinate: usize, value: f64) -> Unknowns {
     let (a, b) = (before[coordinate], after[coordinate]);
     let mut point = before + (after - before) * ((value - a) / (b - a));
     point[coordinate] = value;

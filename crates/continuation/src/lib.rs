@@ -7,6 +7,7 @@
 //! condition makes a point: a bifurcation on a branch, a codimension-two point on a curve, a resonance.
 //!
 //! ```text
+//! tolerances                 what counts as zero, as equal and as lost
 //! newton, arclength          small systems, curves of zeros; know nothing of impacts
 //!   └─ mps                   the equations, multipliers, admissibility
 //!        └─ locate, curve    conditions, points, curves with events and named ends
@@ -16,13 +17,17 @@
 //! ```
 
 pub mod arclength;
+pub mod bifurcation;
 mod branching;
 pub mod criticality;
 pub mod curve;
 pub mod cusp;
+mod error;
 pub mod fit;
 mod follow;
 pub mod locate;
 pub mod mps;
 pub mod newton;
+mod regula_falsi;
 pub mod resonance;
+pub mod tolerances;

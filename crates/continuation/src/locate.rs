@@ -6,15 +6,16 @@ use nalgebra::{Matrix2, Matrix3, SMatrix, Vector2, Vector4};
 
 use crate::mps::{LoopEquations, LoopPair, Memory, Unknowns, stack, unknown};
 use crate::newton::{self, Linearisation, NewtonFailure};
+use crate::tolerances::{self, EVALUATIONS, FARTHEST, SAME_POINT};
 
 /// A scalar condition on an MPS. One condition makes a curve in (y, z, μ, η), two make a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Condition {
     /// A stability multiplier equals this: 1 at a saddle-node bifurcation, −1 at a period doubling.
     Multiplier(f64),
-    /// The interior maximum that the memory holds touches the wall: a grazing bifurcation of the MPS.
+    /// The interior maximum whose event time is carried along touches the wall: a grazing bifurcation of the MPS.
     InteriorGrazing,
-    /// A second interior maximum that the memory holds touches the wall, where one does already.
+    /// A second interior maximum touches the wall, where one does already.
     SecondInteriorGrazing,
     /// The impact velocity has this value; 0 is where the MPS meets the non-impacting solution.
     ImpactVelocity(f64),
@@ -74,7 +75,7 @@ pub enum LocateFailure {
     },
 }
 
-/// V = 0 and the condition, stacked; the last row stays free.
+/// V = 0 and the condition, stacked; the last row is left to be filled.
 pub(crate) fn conditioned<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     condition: Condition,
@@ -90,13 +91,6 @@ pub(crate) fn conditioned<O: ImpactOscillator>(
     let scalar = condition.evaluate(equations, point, &pair, memory)?;
     Ok((stack(pair.difference(), scalar), pair))
 }
-
-/// Newton's method for isolated points either converges within this many evaluations or is lost.
-const LIMIT: usize = 25;
-
-/// An iterate this many times farther from the start than the start from the origin is lost; far away motion may be so fast that
-/// nothing more would come of it in any reasonable time (empirical).
-const REACH: f64 = 10.0;
 
 /// Why an iteration ends.
 #[derive(Clone, Copy)]
@@ -116,7 +110,7 @@ pub fn locate<O: ImpactOscillator>(
     start: Unknowns,
     memory: &mut Memory,
 ) -> Result<Unknowns, LocateFailure> {
-    locate_within(REACH * (1.0 + start.norm()), equations, conditions, start, memory)
+    locate_within(FARTHEST * (1.0 + start.norm()), equations, conditions, start, memory)
 }
 
 /// The same, given up as soon as an iterate is farther from the start than `reach`.
@@ -132,9 +126,9 @@ pub fn locate_within<O: ImpactOscillator>(
 ) -> Result<Unknowns, LocateFailure> {
     let second_order = conditions[1].needs_second_order();
     let mut farthest = 0.0;
-    let solution = newton::solve(start, LIMIT, |point| {
+    let solution = newton::solve(start, EVALUATIONS, |point| {
         farthest = (point - start).norm();
-        // Not a number is far as well.
+        // NaN is far as well.
         if farthest.is_nan() || farthest > reach {
             return Err(Lost);
         }
@@ -160,6 +154,29 @@ pub fn locate_within<O: ImpactOscillator>(
         }
     })?;
     Ok(solution.point)
+}
+
+/// The point of a curve with this condition in the plane across a chord of it, at a share of the chord.
+pub(crate) fn across_chord<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    condition: Condition,
+    [a, b]: [Unknowns; 2],
+    share: f64,
+) -> Result<newton::Solution<4>, NewtonFailure<MapError>> {
+    let (start, chord) = (a + (b - a) * share, (b - a).normalize());
+    let mut memory = Memory::default();
+    newton::solve(start, EVALUATIONS, |point| {
+        let (mut system, _) = conditioned(equations, condition, true, point, &mut memory)?;
+        system.residual[3] = chord.dot(&(point - start));
+        system.jacobian.set_row(3, &chord.transpose());
+        Ok(system)
+    })
+}
+
+/// Two located points are the same codimension-two point.
+pub fn same_point(a: &Unknowns, b: &Unknowns) -> bool {
+    let gap = |index: usize| (a[index] - b[index]).abs();
+    gap(unknown::PRIMARY).max(gap(unknown::SECONDARY)) < SAME_POINT
 }
 
 /// The point at which a curve of interior grazing runs into y = 0.
@@ -192,17 +209,17 @@ pub fn locate_grazing_end<O: ImpactOscillator>(
     // Two starting values closer together than the steps of a curve; the secant method needs no more of them.
     let (mut a, mut b) = (near[unknown::SECONDARY], near[unknown::SECONDARY] + 1e-4);
     let mut value_a = degeneracy(&mut point, a)?;
-    for _ in 0..LIMIT {
+    for _ in 0..EVALUATIONS {
         let value_b = degeneracy(&mut point, b)?;
         let step = value_b * (b - a) / (value_b - value_a);
-        if step.abs() <= newton::STEP_TOLERANCE || value_b == value_a {
+        if step.abs() <= tolerances::STEP || value_b == value_a {
             degeneracy(&mut point, b - if step.is_finite() { step } else { 0.0 })?;
             return Ok(point);
         }
         (a, value_a) = (b, value_b);
         b -= step;
     }
-    Err(NewtonFailure::NoConvergence { iterations: LIMIT, residual: value_a }.into())
+    Err(NewtonFailure::NoConvergence { iterations: EVALUATIONS, residual: value_a }.into())
 }
 
 /// Moves (z, μ) of a point with y = 0 onto the grazing periodic orbit at the point's η.
@@ -213,7 +230,7 @@ fn grazing_orbit<O: ImpactOscillator>(
 ) -> Result<(), NewtonFailure<MapError>> {
     let fixed = *point;
     let solution =
-        newton::solve(Vector2::new(point[unknown::PHASE], point[unknown::PRIMARY]), LIMIT, |zm| {
+        newton::solve(Vector2::new(point[unknown::PHASE], point[unknown::PRIMARY]), EVALUATIONS, |zm| {
             let mut trial = fixed;
             trial[unknown::PHASE] = zm[0];
             trial[unknown::PRIMARY] = zm[1];

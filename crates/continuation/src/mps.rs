@@ -11,6 +11,7 @@ use grazing_model::{ImpactOscillator, MapJet, State};
 use nalgebra::{Matrix2, SMatrix, Vector2, Vector4};
 
 use crate::newton::Linearisation;
+use crate::tolerances::{self, STABILITY};
 
 /// The unknowns (y, z, μ, η): impact velocity, impact phase, primary and secondary parameter.
 pub type Unknowns = Vector4<f64>;
@@ -354,10 +355,9 @@ pub struct Multipliers {
 impl Multipliers {
     /// Both multipliers lie inside the unit circle: |T| − 1 < D < 1.
     ///
-    /// On the boundary, that is to 10⁻⁹ (bifurcations are located to better than that), the MPS does not count as stable.
+    /// On the boundary the MPS does not count as stable.
     pub fn stable(&self) -> bool {
-        let margin = 1e-9;
-        self.trace.abs() - 1.0 < self.determinant - margin && self.determinant < 1.0 - margin
+        self.trace.abs() - 1.0 < self.determinant - STABILITY && self.determinant < 1.0 - STABILITY
     }
 }
 
@@ -384,9 +384,8 @@ pub struct MaximalPeriodicSolution {
 }
 
 impl MaximalPeriodicSolution {
-    /// An interior maximum this little above the wall touches it: event times are exact to rounding, and positions at
-    /// maxima far more so.
-    pub const TOUCH: f64 = 1e-11;
+    /// An interior maximum this little above the wall touches it.
+    pub const TOUCH: f64 = tolerances::TOUCH;
 
     /// The impact velocity y.
     pub fn impact_velocity(&self) -> f64 {

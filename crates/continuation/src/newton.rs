@@ -2,6 +2,8 @@
 
 use nalgebra::{Const, DimMin, LU, SMatrix, SVector};
 
+use crate::tolerances;
+
 /// Residual and Jacobian of a square system at one point.
 #[derive(Clone, Copy, Debug)]
 pub struct Linearisation<const N: usize> {
@@ -56,10 +58,6 @@ where
     pub iterations: usize,
 }
 
-/// A Newton step shorter than this is the last. By quadratic convergence the point it leads to is then exact to about
-/// 10⁻¹⁴ times the curvature of the equations, which is of order one to a hundred in the variables used here.
-pub const STEP_TOLERANCE: f64 = 1e-7;
-
 /// Solves F(u) = 0 from a starting point.
 ///
 /// # Errors
@@ -72,7 +70,7 @@ pub fn solve<const N: usize, E>(
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
-    solve_within(f64::INFINITY, STEP_TOLERANCE, start, limit, equations)
+    solve_within(f64::INFINITY, tolerances::STEP, start, limit, equations)
 }
 
 /// The same with another length of the last step, given up as soon as an iterate is farther from the start than `reach`.

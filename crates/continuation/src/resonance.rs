@@ -1,38 +1,15 @@
 //! Resonant grazing points: located numerically, and the curves that leave them.
 
 use grazing_model::ImpactOscillator;
-use grazing_model::maps::MapError;
-use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
+use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side, Unfolding};
 
 use crate::curve::{Curve, CurveEnd, MpsCurve, Route};
-use crate::locate::{Condition, LocateFailure, locate};
+pub use crate::error::ResonanceError;
+pub use crate::locate::same_point;
+use crate::locate::{Condition, locate};
 use crate::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
-
-/// A resonant grazing point could not be analysed.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ResonanceError {
-    /// Newton's method for det J = 0 on the grazing curve failed.
-    #[error("the resonance was not located: {0}")]
-    NotLocated(LocateFailure),
-    /// The grazing orbit was not found.
-    #[error(transparent)]
-    GrazingOrbit(#[from] GrazingOrbitError),
-    /// P_global is not smooth there.
-    #[error(transparent)]
-    Map(#[from] MapError),
-    /// A theorem's hypothesis does not hold.
-    #[error(transparent)]
-    Hypotheses(#[from] HypothesesViolated),
-    /// The theory gives a direction in which the numerical equations have no curve.
-    #[error("the {curve} curve cannot be started: {reason}")]
-    NotStarted {
-        /// Which curve.
-        curve: &'static str,
-        /// Why not.
-        reason: String,
-    },
-}
+use crate::tolerances::{AT_RESONANCE, OFF_RESONANCE};
 
 /// A resonant grazing point of p-loop MPSs: where det J = 0 on the curve of grazing bifurcations.
 ///
@@ -44,12 +21,6 @@ pub struct ResonantGrazingPoint<O> {
     theorem: ResonantGrazing,
     point: ResonantPoint,
 }
-
-/// The residual that Newton's method leaves in a₁₂ or κ_p at a located resonance is a few roundings of terms of order one,
-const RESONANCE_TOLERANCE: f64 = 1e-12;
-/// and what they change by over this share of η*: a step of Newton's method of 10⁻⁷ is the last, which leaves less at the
-/// sixtieth resonance too, where they change sixty times as fast as at the first.
-const RESONANCE_ERROR: f64 = 1e-10;
 
 /// A resonant grazing point that has been located, whether or not a theorem applies there.
 ///
@@ -72,12 +43,13 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let conditions = [Condition::SADDLE_NODE, Condition::ImpactVelocity(0.0)];
         let start = Unknowns::new(0.0, near, primary, secondary);
         // Once more from the point found, which is one step more: where damping is strong, E_p and with it the coefficients change so fast
-        // with η that what the last step leaves would be seen. The event times go with it: y is zero only to rounding then, and a
-        // virtual point found afresh might be another one.
-        let (mut located, mut memory) = (start, Memory::default());
+        // with η that what the last step leaves would be seen.
+        let mut located = start;
         for _ in 0..2 {
-            located =
-                locate(&equations, conditions, located, &mut memory).map_err(ResonanceError::NotLocated)?;
+            located = locate(&equations, conditions, located, &mut Memory::default())
+                .map_err(ResonanceError::NotLocated)?;
+            // Rounding may leave it beside zero, where an impact has another virtual point.
+            located[unknown::VELOCITY] = 0.0;
         }
         let orbit = GrazingOrbit::find(&equations.oscillator_at(&located), located[unknown::PHASE])?;
         let point = orbit.resonant_point(loops)?;
@@ -108,7 +80,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         let tolerance = match self.point.unfolding {
             Unfolding::OneLoop { off_diagonal_derivative: derivative }
             | Unfolding::MultiLoop { detuning_derivative: derivative, .. } => {
-                RESONANCE_TOLERANCE + RESONANCE_ERROR * (secondary * derivative).abs()
+                AT_RESONANCE + OFF_RESONANCE * (secondary * derivative).abs()
             }
         };
         let theorem = ResonantGrazing::check(&self.point, tolerance)?;
@@ -202,9 +174,11 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
             let CurveEnd::Event(event) = &curve.end else {
                 continue;
             };
-            let corner = event.solution.unknowns;
             let reached = |other: &Curve| {
-                other.points.last().is_some_and(|last| same_point(&last.solution.unknowns, &corner))
+                other
+                    .points
+                    .last()
+                    .is_some_and(|last| same_point(&last.solution.unknowns, &event.solution.unknowns))
             };
             if event.condition == Condition::InteriorGrazing && !grazing.iter().any(reached) {
                 match self.equations.branch_off(event, route) {
@@ -228,10 +202,4 @@ pub struct UnfoldedResonance {
     pub grazing: Vec<Curve>,
     /// Why there is no GZ curve from a codimension-two point where there should be one.
     pub missing: Vec<ResonanceError>,
-}
-
-/// Two located points are the same codimension-two point: located to 10⁻¹⁰, different ones are much farther apart.
-pub fn same_point(a: &Unknowns, b: &Unknowns) -> bool {
-    let gap = |index: usize| (a[index] - b[index]).abs();
-    gap(unknown::PRIMARY).max(gap(unknown::SECONDARY)) < 1e-7
 }

@@ -69,8 +69,8 @@ impl<'c> Panel<'c> {
     }
 
     /// The same panel, marked as showing these parameters.
-    pub(crate) fn over(self, plane: &Plane<'_>) -> Self {
-        let columns = [&plane.across, &plane.up].map(|axis| axis.column.to_owned());
+    pub(crate) fn over(self, plane: &Plane) -> Self {
+        let columns = [&plane.across, &plane.up].map(|axis| axis.column.clone());
         Panel { columns: Some(columns), ..self }
     }
 

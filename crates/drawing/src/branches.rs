@@ -1,11 +1,13 @@
 //! A one-parameter bifurcation diagram: branches, attractor and bifurcations on one panel of Figure 2.
 
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::branches::{BranchBifurcation, BranchPoint};
+
 use crate::DrawingError;
 use crate::axes::Panel;
 use crate::canvas::Ink;
 use crate::cloud::draw_cloud;
-use crate::frames::{Table, runs};
-use crate::kinds::Kind;
+use crate::kinds::{label, pen, text_colour};
 use crate::labels::{Labels, Wanted};
 use crate::sheet::{Bounds, Spot, length};
 use crate::style::{
@@ -15,16 +17,24 @@ use crate::style::{
 
 /// A branch of Figure 2: one loop of a solution as the amplitude changes.
 pub(crate) struct Branch {
-    p: i64,
+    p: u32,
     points: Vec<(f64, f64)>,
     stable: Vec<bool>,
 }
 
-/// A bifurcation of Figure 2.
-pub(crate) struct Bifurcation {
-    kind: Kind,
-    p: i64,
-    point: (f64, f64),
+impl Branch {
+    /// Branches from their points: those that follow each other with equal p and branch are one; inadmissible ones become gaps.
+    pub(crate) fn all(points: &[BranchPoint]) -> Vec<Self> {
+        let place = |point: &BranchPoint| {
+            if point.admissible { (point.primary, point.x) } else { (f64::NAN, f64::NAN) }
+        };
+        let branch = |points: &[BranchPoint]| Branch {
+            p: points[0].loops,
+            points: points.iter().map(place).collect(),
+            stable: points.iter().map(|point| point.stable).collect(),
+        };
+        points.chunk_by(|a, b| (a.loops, a.branch) == (b.loops, b.branch)).map(branch).collect()
+    }
 }
 
 /// Branches, attractor and bifurcations of one panel, with their labels.
@@ -32,7 +42,7 @@ pub(crate) fn diagram(
     panel: &Panel<'_>,
     mut labels: Labels<'_>,
     branches: &[Branch],
-    bifurcations: &[Bifurcation],
+    bifurcations: &[BranchBifurcation],
     cloud: &[(f64, f64)],
     every_loop: bool,
 ) -> Result<(), DrawingError> {
@@ -41,7 +51,7 @@ pub(crate) fn diagram(
     }
     draw_cloud(panel, cloud)?;
     labels.placer.avoid(cloud.iter().filter(|&&p| panel.window.contains(p)).map(|&p| panel.spot(p)));
-    let mut longest: Vec<(i64, Vec<Spot>)> = Vec::new();
+    let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();
     for branch in branches {
         for piece in branch_pieces(panel, branch)? {
             labels.placer.keep_off(&piece);
@@ -52,27 +62,25 @@ pub(crate) fn diagram(
             }
         }
     }
-    let mut named: Vec<(Kind, i64)> = Vec::new();
-    let visible: Vec<&Bifurcation> = bifurcations.iter().filter(|b| panel.window.contains(b.point)).collect();
-    for bifurcation in &visible {
-        let spot = panel.spot(bifurcation.point);
-        let paint = Paint { colour: bifurcation.kind.pen().colour, opacity: 1.0 };
+    let mut named: Vec<(Bifurcation, u32)> = Vec::new();
+    let visible: Vec<(Bifurcation, u32, (f64, f64))> = bifurcations
+        .iter()
+        .map(|found| (found.kind, found.loops, (found.primary, found.x)))
+        .filter(|(_, _, point)| panel.window.contains(*point))
+        .collect();
+    for &(kind, _, point) in &visible {
+        let spot = panel.spot(point);
+        let paint = Paint { colour: pen(kind).colour, opacity: 1.0 };
         panel.canvas.draw(&[spot], Ink::Disc(POINT_RADIUS, paint, Some(POINT_RIM)))?;
         labels.placer.block(Bounds::about(spot, 2.0 * POINT_RADIUS, 2.0 * POINT_RADIUS));
     }
-    for bifurcation in &visible {
-        let name = (bifurcation.kind, bifurcation.p);
-        if !every_loop && named.contains(&name) {
+    for &(kind, p, point) in &visible {
+        if !every_loop && named.contains(&(kind, p)) {
             continue;
         }
-        named.push(name);
-        let (kind, spot) = (bifurcation.kind, panel.spot(bifurcation.point));
-        labels.add(
-            kind.label(),
-            LABEL_SIZE,
-            kind.text_colour(),
-            &Wanted::Around(spot, POINT_RADIUS + 0.5),
-        )?;
+        named.push((kind, p));
+        let wanted = Wanted::Around(panel.spot(point), POINT_RADIUS + 0.5);
+        labels.add(label(kind), LABEL_SIZE, text_colour(kind), &wanted)?;
     }
     for (p, piece) in &longest {
         let text = if *p == 0 { "non-impacting".to_owned() } else { format!("$p={p}$") };
@@ -84,39 +92,15 @@ pub(crate) fn diagram(
 /// Draws a branch, thick where stable and thin where unstable, without gaps between; returns what was drawn.
 fn branch_pieces(panel: &Panel<'_>, branch: &Branch) -> Result<Vec<Vec<Spot>>, DrawingError> {
     let mut pieces = Vec::new();
-    for rows in runs(&branch.stable) {
-        let width = if branch.stable[rows.start] { STABLE_WIDTH } else { UNSTABLE_WIDTH };
-        let end = (rows.end + 1).min(branch.points.len());
-        pieces.extend(panel.line(&branch.points[rows.start..end], branch_pen(branch.p, width))?);
+    let mut start = 0;
+    for run in branch.stable.chunk_by(|a, b| a == b) {
+        let width = if run[0] { STABLE_WIDTH } else { UNSTABLE_WIDTH };
+        let end = start + run.len();
+        let points = &branch.points[start..(end + 1).min(branch.points.len())];
+        pieces.extend(panel.line(points, branch_pen(branch.p, width))?);
+        start = end;
     }
     Ok(pieces)
-}
-
-/// Reads the frame of branches; inadmissible rows become gaps.
-pub(crate) fn read_branches(table: Table<'_>) -> Result<Vec<Branch>, DrawingError> {
-    let (p, branch) = (table.integers("p")?, table.integers("branch")?);
-    let (amplitude, x) = (table.numbers("amplitude")?, table.numbers("x")?);
-    let (stable, admissible) = (table.flags("stable")?, table.flags("admissible")?);
-    let keys: Vec<_> = p.iter().zip(&branch).collect();
-    Ok(runs(&keys)
-        .into_iter()
-        .map(|rows| Branch {
-            p: p[rows.start],
-            stable: stable[rows.clone()].to_vec(),
-            points: rows
-                .map(|i| if admissible[i] { (amplitude[i], x[i]) } else { (f64::NAN, f64::NAN) })
-                .collect(),
-        })
-        .collect())
-}
-
-/// Reads the frame of bifurcations.
-pub(crate) fn read_bifurcations(table: Table<'_>) -> Result<Vec<Bifurcation>, DrawingError> {
-    let kinds = table.words("kind", Kind::KNOWN, Kind::parse)?;
-    let p = table.integers("p")?;
-    let (amplitude, x) = (table.numbers("amplitude")?, table.numbers("x")?);
-    let rows = kinds.into_iter().enumerate();
-    Ok(rows.map(|(i, kind)| Bifurcation { kind, p: p[i], point: (amplitude[i], x[i]) }).collect())
 }
 
 #[cfg(test)]

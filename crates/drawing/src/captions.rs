@@ -15,9 +15,9 @@ use crate::ticks::measured;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Heading {
     /// Number of loops p.
-    pub p: i64,
+    pub p: u32,
     /// The integer n of the resonance, if it is to be written.
-    pub n: Option<i64>,
+    pub n: Option<u32>,
     /// The coefficient c_SN, in units of the primary parameter over the square of the secondary one; NaN is left out.
     pub c_sn: f64,
     /// The coefficient c_PD, likewise.

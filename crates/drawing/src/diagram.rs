@@ -1,11 +1,13 @@
 //! A two-parameter bifurcation diagram, like Figure 7.
 
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_results::plane::{CurvePoint, RegionKind, RegionVertex, SpecialPoint};
+
 use crate::DrawingError;
 use crate::axes::{Marker, Panel, overhang, room_beside};
 use crate::canvas::Canvas;
 use crate::clip::Window;
-use crate::frames::{Table, runs};
-use crate::kinds::{Kind, Shown, read_regions};
+use crate::kinds::{Region, pen};
 use crate::labels::{Labels, Wanted};
 use crate::magnified::{Magnified, letter, rectangle};
 use crate::plane::Plane;
@@ -35,15 +37,15 @@ pub struct Diagram<'a> {
     /// The description of the SVG, likewise.
     pub description: &'a str,
     /// The two parameters.
-    pub plane: &'a Plane<'a>,
-    /// Columns kind (graz, SN, PD, GZ), p, n, arc, stable, admissible and the two parameters. Rows that follow each
-    /// other with equal kind, p, n and arc are one curve; inadmissible rows are not drawn, nor are unstable ones of GZ.
-    pub curves: Table<'a>,
-    /// Columns kind (resonance, or any other word for another codimension-two point), p and the two parameters.
-    pub points: Table<'a>,
-    /// Columns region, kind (non-impacting, mps, undecided), p, ring and the two parameters: vertices of polygons, those after the first
-    /// ring of a region being holes. Resonances of a p without a region have p written beside them.
-    pub regions: Option<Table<'a>>,
+    pub plane: &'a Plane,
+    /// The names of the tables of points and of curves, which the SVG names.
+    pub tables: [&'static str; 2],
+    /// Points that follow each other with equal kind, p, n and arc are one curve; inadmissible ones are not drawn, nor are unstable ones of GZ.
+    pub curves: &'a [CurvePoint],
+    /// Resonances and other codimension-two points.
+    pub points: &'a [SpecialPoint],
+    /// Vertices of regions. Resonances of a p without a region have p written beside them.
+    pub regions: &'a [RegionVertex],
     /// What is shown of the plane.
     pub window: Window,
     /// Rectangles that are drawn because another sheet magnifies them.
@@ -53,7 +55,7 @@ pub struct Diagram<'a> {
 }
 
 struct Curve {
-    kind: Kind,
+    kind: Bifurcation,
     points: Vec<(f64, f64)>,
 }
 
@@ -74,7 +76,7 @@ pub(crate) const OFF_TRIANGLE: f64 = 5.4;
 /// Draws a two-parameter bifurcation diagram; returns the text of an SVG file.
 ///
 /// # Errors
-/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown or a window is empty.
+/// [`DrawingError`] if a window is empty.
 pub fn draw_diagram(diagram: &Diagram<'_>, width: SheetWidth) -> Result<String, DrawingError> {
     compose(diagram, width)?.finish(diagram.name, diagram.title, diagram.description)
 }
@@ -85,27 +87,26 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
         magnified.window.checked(&format!("a rectangle of {}", diagram.name))?;
     }
     let plane = diagram.plane;
-    let curves = read_curves(diagram.curves, plane)?;
-    let regions = diagram.regions.map_or(Ok(Vec::new()), |table| read_regions(table, plane))?;
-    let markers = read_points(diagram.points, plane)?;
+    let curves = shown_curves(diagram.curves);
+    let regions = Region::all(diagram.regions);
+    let markers = marked_points(diagram.points);
 
     let width = width.mm(WIDTH_MM);
     let canvas = Canvas::new(width, (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM))?;
     let bounds = bounds(&canvas, &window, plane)?;
-    let panel =
-        Panel::new(&canvas, window, bounds).showing(&[diagram.points.name, diagram.curves.name]).over(plane);
+    let panel = Panel::new(&canvas, window, bounds).showing(&diagram.tables).over(plane);
     let mut labels = Labels::new(&canvas, bounds);
 
-    let mut shapes: Vec<(i64, Vec<Spot>)> = Vec::new();
+    let mut shapes: Vec<(u32, Vec<Spot>)> = Vec::new();
     for region in &regions {
         let shape = region.draw(&panel)?;
-        if region.shown == Shown::Mps && !shape.is_empty() {
+        if region.kind == RegionKind::Mps && !shape.is_empty() {
             shapes.push((region.p, shape));
         }
     }
-    let mut drawn: Vec<(Kind, Vec<Spot>)> = Vec::new();
+    let mut drawn: Vec<(Bifurcation, Vec<Spot>)> = Vec::new();
     for curve in &curves {
-        for piece in panel.line(&curve.points, curve.kind.pen())? {
+        for piece in panel.line(&curve.points, pen(curve.kind))? {
             labels.placer.keep_off(&piece);
             drawn.push((curve.kind, piece));
         }
@@ -118,7 +119,7 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
             section_ends.extend(piece.last().map(|&end| (end, section.label.as_str())));
         }
     }
-    let mut unnamed: Vec<(i64, Spot)> = Vec::new();
+    let mut unnamed: Vec<(u32, Spot)> = Vec::new();
     for marked in &markers {
         if let Some(taken) = panel.marker(marked.point, marked.marker)? {
             labels.placer.block(taken.grown(0.5));
@@ -158,7 +159,7 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
 }
 
 /// Where the panel is: within the margins, wider ones if the numbers or the title need them.
-fn bounds(canvas: &Canvas, window: &Window, plane: &Plane<'_>) -> Result<Bounds, DrawingError> {
+fn bounds(canvas: &Canvas, window: &Window, plane: &Plane) -> Result<Bounds, DrawingError> {
     let (top, bottom) = (MARGINS.top, canvas.height - MARGINS.bottom);
     let left = room_beside(canvas.fonts(), window.y, bottom - top, &plane.up.title)?.max(MARGINS.left);
     let beyond = overhang(canvas.fonts(), window.x, canvas.width - left - MARGINS.right)?;
@@ -167,51 +168,47 @@ fn bounds(canvas: &Canvas, window: &Window, plane: &Plane<'_>) -> Result<Bounds,
 }
 
 /// Largest first; equal areas keep their order.
-fn by_area(shapes: &[(i64, Vec<Spot>)]) -> Vec<(i64, &[Spot])> {
-    let mut sorted: Vec<(i64, &[Spot])> = shapes.iter().map(|(p, shape)| (*p, shape.as_slice())).collect();
+fn by_area(shapes: &[(u32, Vec<Spot>)]) -> Vec<(u32, &[Spot])> {
+    let mut sorted: Vec<(u32, &[Spot])> = shapes.iter().map(|(p, shape)| (*p, shape.as_slice())).collect();
     sorted.sort_by(|a, b| area(b.1).total_cmp(&area(a.1)));
     sorted
 }
 
-fn read_curves(table: Table<'_>, plane: &Plane<'_>) -> Result<Vec<Curve>, DrawingError> {
-    let kinds = table.words("kind", Kind::KNOWN, Kind::parse)?;
-    let (p, n, arc) = (table.integers("p")?, table.integers("n")?, table.integers("arc")?);
-    let points = plane.points(table)?;
-    let (stable, admissible) = (table.flags("stable")?, table.flags("admissible")?);
-    let keys: Vec<_> = (0..kinds.len()).map(|i| (kinds[i], p[i], n[i], arc[i])).collect();
-    let curves = runs(&keys).into_iter().map(|rows| {
-        let (first, last) = (rows.start, rows.end - 1);
-        let points = rows.map(|i| {
+fn shown_curves(points: &[CurvePoint]) -> Vec<Curve> {
+    let place = |point: &CurvePoint| (point.kind, point.loops, point.n, point.arc);
+    let curve = |points: &[CurvePoint]| {
+        let last = points.len() - 1;
+        let spots = points.iter().enumerate().map(|(index, point)| {
             // At an end of a GZ curve, a codimension-two point, stability is marginal and its flag a toss-up.
-            let shown = admissible[i] && (kinds[i] != Kind::Grazing || stable[i] || i == first || i == last);
-            if shown { points[i] } else { (f64::NAN, f64::NAN) }
+            let stable = point.stable || index == 0 || index == last;
+            let shown = point.admissible && (point.kind != Bifurcation::Grazing || stable);
+            if shown { (point.primary, point.secondary) } else { (f64::NAN, f64::NAN) }
         });
-        Curve { kind: kinds[first], points: points.collect() }
-    });
-    let mut curves: Vec<Curve> = curves.collect();
+        Curve { kind: points[0].kind, points: spots.collect() }
+    };
+    let mut curves: Vec<Curve> = points.chunk_by(|a, b| place(a) == place(b)).map(curve).collect();
     // The wide grazing curve lies below the others.
-    curves.sort_by_key(|curve| curve.kind != Kind::Graz);
-    Ok(curves)
+    curves.sort_by_key(|curve| curve.kind != Bifurcation::NonImpactingGrazing);
+    curves
 }
 
 /// A codimension-two point (across, up) and its marker.
 pub(crate) struct MarkedPoint {
     pub(crate) point: (f64, f64),
     pub(crate) marker: Marker,
-    pub(crate) p: i64,
+    pub(crate) p: u32,
 }
 
 /// Triangles for resonances, discs for all other points.
-pub(crate) fn read_points(table: Table<'_>, plane: &Plane<'_>) -> Result<Vec<MarkedPoint>, DrawingError> {
-    let markers = table.words("kind", "any word", |word| {
-        Some(if word == "resonance" { Marker::Triangle } else { Marker::Disc })
-    })?;
-    let (p, points) = (table.integers("p")?, plane.points(table)?);
-    let marked = markers.into_iter().enumerate();
-    let mut points: Vec<_> =
-        marked.map(|(i, marker)| MarkedPoint { point: points[i], marker, p: p[i] }).collect();
+pub(crate) fn marked_points(points: &[SpecialPoint]) -> Vec<MarkedPoint> {
+    let marked = |point: &SpecialPoint| {
+        let resonance = point.kind == CodimensionTwo::Resonance;
+        let marker = if resonance { Marker::Triangle } else { Marker::Disc };
+        MarkedPoint { point: (point.primary, point.secondary), marker, p: point.loops }
+    };
+    let mut points: Vec<_> = points.iter().map(marked).collect();
     points.sort_by_key(|marked| marked.marker == Marker::Triangle);
-    Ok(points)
+    points
 }
 
 #[cfg(test)]
@@ -262,7 +259,7 @@ mod tests {
         let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 5);
         let count = |texts: &[String]| texts.iter().filter(|text| text.starts_with("$p=")).count();
         assert_eq!(count(&texts(&sample)), 5);
-        sample.regions = None;
+        sample.regions.clear();
         assert_eq!(count(&texts(&sample)), 5);
         let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
         assert!(!svg.contains("fill-opacity"), "no region is filled");
@@ -271,8 +268,8 @@ mod tests {
     #[test]
     fn without_a_resonance_the_grazing_curve_stands_alone() {
         let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 0);
-        sample.regions = None;
-        assert_eq!(sample.points.height(), 0);
+        sample.regions.clear();
+        assert!(sample.points.is_empty());
         let texts = texts(&sample);
         assert!(texts.contains(&r"$A_{\mathrm{graz}}$".to_owned()));
         assert!(!texts.iter().any(|text| ["SN", "PD", "GZ"].contains(&text.as_str())), "{texts:?}");
@@ -282,7 +279,8 @@ mod tests {
     fn resonances_may_come_without_their_curves() {
         let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 4);
         // The first 201 rows are the grazing curve.
-        (sample.curves, sample.regions) = (sample.curves.head(Some(201)), None);
+        sample.curves.truncate(201);
+        sample.regions.clear();
         let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
         // A triangle is a path of three corners.
         let triangles = svg.lines().filter(|line| line.contains('Z') && line.matches('L').count() == 2);
@@ -295,11 +293,11 @@ mod tests {
         let share = |i: i32| f64::from(i) / 50.0 - 1.0;
         let fold = |(arc, middle): (u32, f64)| {
             let points = (0..=100).map(|i| (middle + 0.2 * share(i) * share(i), 0.65 + 0.3 * share(i)));
-            ("graz", 0, 0, arc, points.collect())
+            (Bifurcation::NonImpactingGrazing, 0, 0, arc, points.collect())
         };
         let pieces: Vec<_> = [(0, 0.2), (1, 0.7)].map(fold).to_vec();
-        sample.curves = crate::samples::curve_table(pieces, ["A", "omega"]);
-        sample.regions = None;
+        sample.curves = crate::samples::curve_rows(pieces);
+        sample.regions.clear();
         let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
         let curves = crate::inspection::paths(&svg, "#78c86e");
         assert_eq!(curves.len(), 2);
@@ -310,34 +308,6 @@ mod tests {
             assert!(curve.iter().any(|spot| spot.0 < first.0 - 20.0));
         }
         assert!(texts(&sample).iter().filter(|text| text.contains("graz")).count() == 2);
-    }
-
-    #[test]
-    fn missing_columns_are_errors_that_name_the_parameter() {
-        let sample = SampleOscillator::new(["F_0", "Omega"], UNIT, UNIT, 2);
-        let regions = sample.regions.clone().unwrap();
-        for (frame, name, columns) in [
-            (
-                &sample.curves,
-                "curves",
-                &["kind", "p", "n", "arc", "stable", "admissible", "F_0", "Omega"][..],
-            ),
-            (&sample.points, "points", &["kind", "p", "F_0", "Omega"]),
-            (&regions, "regions", &["region", "kind", "p", "ring", "F_0", "Omega"]),
-        ] {
-            for wanted in columns {
-                let less = frame.drop(wanted).unwrap();
-                let mut diagram = sample.diagram();
-                match name {
-                    "curves" => diagram.curves = Table::new(name, &less),
-                    "points" => diagram.points = Table::new(name, &less),
-                    _ => diagram.regions = Some(Table::new(name, &less)),
-                }
-                let error = draw_diagram(&diagram, SheetWidth::Paper).unwrap_err();
-                let DrawingError::MissingColumn { frame, column, .. } = error else { panic!("{error}") };
-                assert_eq!((frame, column.as_str()), (name, *wanted));
-            }
-        }
     }
 
     #[test]

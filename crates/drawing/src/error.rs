@@ -1,52 +1,8 @@
-//! What can be wrong with the frames and windows that are handed in.
+//! What can be wrong with the rows and windows that are handed in.
 
 /// Why a figure could not be drawn.
 #[derive(Debug, thiserror::Error)]
 pub enum DrawingError {
-    /// A frame lacks a column.
-    #[error("frame `{frame}` has no column `{column}`; it has: {present}")]
-    MissingColumn {
-        /// The frame's name, as the figure calls it.
-        frame: &'static str,
-        /// The column that is wanted.
-        column: String,
-        /// The columns that are there, separated by commas.
-        present: String,
-    },
-    /// A column holds values that cannot be read as what the figure needs.
-    #[error("column `{column}` of frame `{frame}` should hold {wanted}, but it is of type {found}")]
-    ColumnType {
-        /// The frame's name.
-        frame: &'static str,
-        /// The column's name.
-        column: String,
-        /// What the figure reads from it.
-        wanted: &'static str,
-        /// The type found.
-        found: String,
-    },
-    /// A column has an empty cell where every row needs a value.
-    #[error("column `{column}` of frame `{frame}` is empty in row {row}")]
-    EmptyCell {
-        /// The frame's name.
-        frame: &'static str,
-        /// The column's name.
-        column: String,
-        /// The row, counted from 0.
-        row: usize,
-    },
-    /// A word in a column is none of those the figure knows.
-    #[error("column `{column}` of frame `{frame}` has the unknown value `{value}`; known are: {known}")]
-    UnknownWord {
-        /// The frame's name.
-        frame: &'static str,
-        /// The column's name.
-        column: String,
-        /// The value found.
-        value: String,
-        /// The values allowed, separated by commas.
-        known: &'static str,
-    },
     /// A window is empty, reversed or not finite.
     #[error("{axis} range of {window} must be finite and increasing, but it is {low} to {high}")]
     Window {

@@ -1,37 +1,22 @@
 //! Figure 1: phase space with the impacting surface, orbits that reach it, and the reset law.
 
-use polars::prelude::DataFrame;
+use grazing_results::space::{CurveKind, SurfaceKind};
 
 use crate::DrawingError;
 use crate::canvas::Canvas;
 use crate::labels::Wanted;
-use crate::scene::{CurveKind, Margin, Scene, SurfaceKind, name_curve};
+use crate::scene::{Margin, Scene, SpaceFigure, name_curve};
 use crate::style::{BLACK, LABEL_SIZE, RESET_COLOUR, SMALL_LABEL_SIZE, SheetWidth, TITLE_SIZE};
-
-/// What Figure 1 shows.
-///
-/// Paper: Figure 1, fig:Bc.
-#[derive(Debug, Clone, Copy)]
-pub struct Figure01<'a> {
-    /// Columns kind (orbit, reset), number, piece, layer, across, up, depth. Rows that follow each other with equal number
-    /// and piece are one polyline.
-    pub curves: &'a DataFrame,
-    /// Columns kind (impact, recoil, graze), number, layer, x, across, up, depth.
-    pub points: &'a DataFrame,
-    /// Columns as those of the curves; kind is incoming, outgoing (closed outlines of faces), tangency, x_axis, y_axis or
-    /// z_axis (lines).
-    pub surfaces: &'a DataFrame,
-}
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 80.0;
 const MARGIN: Margin = Margin { left: 5.0, right: 13.0, top: 14.0, bottom: 5.0 };
 
-/// Draws Figure 1.
+/// Draws Figure 1. Paper: fig:Bc.
 ///
 /// # Errors
-/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown, or a coordinate is missing.
-pub fn draw_fig01(figure: &Figure01<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+/// [`DrawingError`] if a coordinate is not finite.
+pub fn draw_fig01(figure: &SpaceFigure<'_>, width: SheetWidth) -> Result<String, DrawingError> {
     compose(figure, width)?.finish(
         "fig01",
         "Phase space of an impacting hybrid system",
@@ -40,9 +25,8 @@ pub fn draw_fig01(figure: &Figure01<'_>, width: SheetWidth) -> Result<String, Dr
     )
 }
 
-pub(crate) fn compose(figure: &Figure01<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
-    let names = ["fig01_curves", "fig01_points", "fig01_surfaces"];
-    let mut scene = Scene::read(names, [figure.curves, figure.points, figure.surfaces])?;
+pub(crate) fn compose(figure: &SpaceFigure<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
+    let mut scene = Scene::new(figure);
     let canvas = scene.fit("fig01", width.mm(WIDTH_MM), &MARGIN)?;
     scene.paint(&canvas)?;
     let mut labels = scene.labels(&canvas, TITLE_SIZE)?;
@@ -74,9 +58,9 @@ mod tests {
     use super::*;
     use crate::samples;
 
-    fn with_data<T>(test: impl Fn(&Figure01<'_>) -> T) -> T {
-        let [curves, points, surfaces] = samples::scene("fig01");
-        test(&Figure01 { curves: &curves, points: &points, surfaces: &surfaces })
+    fn with_data<T>(test: impl Fn(&SpaceFigure<'_>) -> T) -> T {
+        let (curves, points, surfaces) = samples::scene("fig01");
+        test(&SpaceFigure { curves: &curves, points: &points, surfaces: &surfaces })
     }
 
     #[test]
@@ -110,24 +94,17 @@ mod tests {
     #[test]
     fn orbits_are_solid_and_only_the_reset_law_is_dashed() {
         let svg = with_data(|figure| draw_fig01(figure, SheetWidth::Paper).unwrap());
-        let resets = with_data(|figure| {
-            let names = ["fig01_curves", "fig01_points", "fig01_surfaces"];
-            let scene = Scene::read(names, [figure.curves, figure.points, figure.surfaces]).unwrap();
-            scene.longest(CurveKind::Reset).len()
-        });
+        let resets = with_data(|figure| Scene::new(figure).longest(CurveKind::Reset).len());
         assert_eq!(svg.matches("stroke-dasharray").count(), resets);
     }
 
     #[test]
-    fn a_missing_coordinate_or_column_is_an_error() {
+    fn a_missing_coordinate_is_an_error() {
         with_data(|figure| {
-            let points = figure.points.drop("depth").unwrap();
-            let error = draw_fig01(&Figure01 { points: &points, ..*figure }, SheetWidth::Paper).unwrap_err();
-            assert!(error.to_string().contains("`fig01_points` has no column `depth`"), "{error}");
-            let mut curves = figure.curves.clone();
-            let holes = polars::prelude::Column::new("up".into(), vec![None::<f64>; curves.height()]);
-            curves.with_column(holes).unwrap();
-            let error = draw_fig01(&Figure01 { curves: &curves, ..*figure }, SheetWidth::Paper).unwrap_err();
+            let mut curves = figure.curves.to_vec();
+            curves[3].place[1] = f64::NAN;
+            let error =
+                draw_fig01(&SpaceFigure { curves: &curves, ..*figure }, SheetWidth::Paper).unwrap_err();
             assert!(matches!(&error, DrawingError::Window { window, .. } if window == "fig01"), "{error}");
         });
     }

@@ -1,17 +1,16 @@
 //! Figure 2: the one-parameter bifurcation diagram, a magnification of it, and phase portraits above.
 
-use polars::prelude::DataFrame;
+use grazing_results::branches::{AttractorPoint, BranchBifurcation, BranchPoint, PortraitPoint};
 
 use crate::DrawingError;
 use crate::axes::Panel;
-use crate::branches::{diagram, read_bifurcations, read_branches};
+use crate::branches::{Branch, diagram};
 use crate::canvas::{Canvas, Ink};
 use crate::clip::Window;
-use crate::frames::Table;
 use crate::labels::Labels;
 use crate::magnified::panel_letter;
 use crate::markup::Label;
-use crate::portraits::{Portrait, ROW, SINGLE_ROW, draw_portraits, portrait_rows, read_portraits};
+use crate::portraits::{Portrait, ROW, SINGLE_ROW, draw_portraits, portrait_rows};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{BLACK, GUIDE, MAGNIFIER, MAGNIFIER_FRAME, SMALL_LABEL_SIZE, SheetWidth};
 use crate::svg_backend::{Anchor, POINTS_PER_MM};
@@ -21,16 +20,14 @@ use crate::svg_backend::{Anchor, POINTS_PER_MM};
 /// Paper: Figure 2, fig:Z.
 #[derive(Debug, Clone, Copy)]
 pub struct Figure02<'a> {
-    /// Columns p (0: non-impacting), branch, amplitude, x, stable, admissible. Rows that follow each other with equal
-    /// p and branch are one curve; inadmissible rows are not drawn.
-    pub branches: &'a DataFrame,
-    /// Columns kind (graz, SN, PD, GZ), p, amplitude, x: one row for each loop.
-    pub bifurcations: &'a DataFrame,
-    /// Columns amplitude, x: points of forward orbits.
-    pub attractor: &'a DataFrame,
-    /// Columns portrait (1, 2, …), p, amplitude, kind (periodic, attractor), x, y: orbits in order of time; a row
-    /// that is not a number breaks the line.
-    pub portraits: &'a DataFrame,
+    /// Points that follow each other with equal p and branch are one curve; inadmissible ones are not drawn.
+    pub branches: &'a [BranchPoint],
+    /// One for each loop.
+    pub bifurcations: &'a [BranchBifurcation],
+    /// Points of forward orbits.
+    pub attractor: &'a [AttractorPoint],
+    /// Orbits in order of time; a point that is NaN breaks the line.
+    pub portraits: &'a [PortraitPoint],
     /// Amplitudes (horizontal) and values of x (vertical) of the whole diagram.
     pub window: Window,
     /// The same of the magnification.
@@ -55,8 +52,7 @@ const SHOWN: [&str; 3] = ["fig02_bifurcations", "fig02_branches", "fig02_attract
 /// Draws Figure 2.
 ///
 /// # Errors
-/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown, a window is empty, or there is no
-/// portrait or more than six.
+/// [`DrawingError`] if a window is empty, or there is no portrait or more than six.
 pub fn draw_fig02(figure: &Figure02<'_>, width: SheetWidth) -> Result<String, DrawingError> {
     compose(figure, width)?.finish(
         "fig02",
@@ -69,12 +65,9 @@ pub fn draw_fig02(figure: &Figure02<'_>, width: SheetWidth) -> Result<String, Dr
 pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
     let window = figure.window.checked("fig02")?;
     let magnification = figure.magnification.checked("the magnification of fig02")?;
-    let branches = read_branches(Table::new("fig02_branches", figure.branches))?;
-    let bifurcations = read_bifurcations(Table::new("fig02_bifurcations", figure.bifurcations))?;
-    let attractor = Table::new("fig02_attractor", figure.attractor);
-    let amplitudes = attractor.numbers("amplitude")?;
-    let cloud: Vec<(f64, f64)> = amplitudes.into_iter().zip(attractor.numbers("x")?).collect();
-    let portraits = read_portraits(Table::new("fig02_portraits", figure.portraits))?;
+    let branches = Branch::all(figure.branches);
+    let cloud: Vec<(f64, f64)> = figure.attractor.iter().map(|point| (point.primary, point.x)).collect();
+    let portraits = Portrait::all(figure.portraits)?;
 
     let width = width.mm(WIDTH_MM);
     let stacked = width < SIDE_BY_SIDE_MM;
@@ -104,7 +97,7 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
             guides.iter().for_each(|guide| labels.placer.keep_off_nameless(guide));
             labels.placer.keep_off_nameless(&on_sheet(panel, &magnification));
         }
-        diagram(panel, labels, &branches, &bifurcations, &cloud, every_loop)?;
+        diagram(panel, labels, &branches, figure.bifurcations, &cloud, every_loop)?;
         panel.axes(r"$\mathcal{A}$", if every_loop && !stacked { "" } else { "$x$" })?;
     }
     Ok(canvas)
@@ -206,15 +199,5 @@ mod tests {
         assert!(svg.len() < 2_000_000, "{}", svg.len());
         // One path a shade and panel at most.
         assert!(svg.matches("scale(").count() <= 6);
-    }
-
-    #[test]
-    fn a_missing_column_is_an_error_that_names_it() {
-        with_sample(10, |figure| {
-            let portraits = figure.portraits.drop("kind").unwrap();
-            let error =
-                draw_fig02(&Figure02 { portraits: &portraits, ..*figure }, SheetWidth::Paper).unwrap_err();
-            assert!(error.to_string().contains("`fig02_portraits` has no column `kind`"), "{error}");
-        });
     }
 }

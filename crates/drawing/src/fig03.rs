@@ -1,38 +1,22 @@
 //! Figure 3: the return map to the section near a grazing periodic solution.
 
-use polars::prelude::DataFrame;
+use grazing_results::space::{CurveKind, MarkKind, SurfaceKind};
 
 use crate::DrawingError;
 use crate::canvas::Canvas;
 use crate::labels::Wanted;
-use crate::scene::{CurveKind, Margin, PointKind, Scene, SurfaceKind, name_curve};
+use crate::scene::{Margin, Scene, SpaceFigure, name_curve};
 use crate::style::{BLACK, LABEL_SIZE, RETURN_COLOUR, SMALL_LABEL_SIZE, SPOT_RADIUS, SheetWidth, TITLE_SIZE};
-
-/// What Figure 3 shows.
-///
-/// Paper: Figure 3, fig:Ba.
-#[derive(Debug, Clone, Copy)]
-pub struct Figure03<'a> {
-    /// Columns kind (periodic, orbit, global), number, piece, layer, across, up, depth. Rows that follow each other with
-    /// equal number and piece are one polyline.
-    pub curves: &'a DataFrame,
-    /// Columns kind (graze, section), number (of a point of the section: 0 the point, 1 its image), layer, x, across, up,
-    /// depth.
-    pub points: &'a DataFrame,
-    /// Columns as those of the curves; kind is section (a closed outline), tangency, circle, x_axis, y_axis or z_axis
-    /// (lines).
-    pub surfaces: &'a DataFrame,
-}
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 120.0;
 const MARGIN: Margin = Margin { left: 12.0, right: 52.0, top: 8.0, bottom: 8.0 };
 
-/// Draws Figure 3.
+/// Draws Figure 3. Paper: fig:Ba.
 ///
 /// # Errors
-/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown, or a coordinate is missing.
-pub fn draw_fig03(figure: &Figure03<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+/// [`DrawingError`] if a coordinate is not finite.
+pub fn draw_fig03(figure: &SpaceFigure<'_>, width: SheetWidth) -> Result<String, DrawingError> {
     compose(figure, width)?.finish(
         "fig03",
         "The return map near a grazing periodic solution",
@@ -41,17 +25,16 @@ pub fn draw_fig03(figure: &Figure03<'_>, width: SheetWidth) -> Result<String, Dr
     )
 }
 
-pub(crate) fn compose(figure: &Figure03<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
-    let names = ["fig03_curves", "fig03_points", "fig03_surfaces"];
-    let mut scene = Scene::read(names, [figure.curves, figure.points, figure.surfaces])?;
+pub(crate) fn compose(figure: &SpaceFigure<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
+    let mut scene = Scene::new(figure);
     let canvas = scene.fit("fig03", width.mm(WIDTH_MM), &MARGIN)?;
     scene.paint(&canvas)?;
     let mut labels = scene.labels(&canvas, TITLE_SIZE)?;
     for mark in &scene.points {
         let name = match (mark.kind, mark.number) {
-            (PointKind::Graze, _) => r"$(0,0,z_{\mathrm{graz}})$",
-            (PointKind::Section, 0) => "$(x,0,z)$",
-            (PointKind::Section, 1) => "$(x',0,z')$",
+            (MarkKind::Graze, _) => r"$(0,0,z_{\mathrm{graz}})$",
+            (MarkKind::Section, 0) => "$(x,0,z)$",
+            (MarkKind::Section, 1) => "$(x',0,z')$",
             _ => continue,
         };
         labels.add(name, LABEL_SIZE, BLACK, &Wanted::Around(mark.spot(), SPOT_RADIUS + 0.5))?;
@@ -77,9 +60,9 @@ mod tests {
     use super::*;
     use crate::samples;
 
-    fn with_data<T>(test: impl Fn(&Figure03<'_>) -> T) -> T {
-        let [curves, points, surfaces] = samples::scene("fig03");
-        test(&Figure03 { curves: &curves, points: &points, surfaces: &surfaces })
+    fn with_data<T>(test: impl Fn(&SpaceFigure<'_>) -> T) -> T {
+        let (curves, points, surfaces) = samples::scene("fig03");
+        test(&SpaceFigure { curves: &curves, points: &points, surfaces: &surfaces })
     }
 
     #[test]

@@ -1,12 +1,11 @@
 //! Figure 4: the boundaries g_p and h_p in the trapesium.
 
-use polars::prelude::DataFrame;
+use grazing_results::sketches::{Boundary, BoundaryPoint, Star};
 
 use crate::DrawingError;
 use crate::axes::{Marker, Panel};
 use crate::canvas::{Canvas, Ink};
 use crate::clip::Window;
-use crate::frames::{Table, runs};
 use crate::labels::{Labels, Wanted};
 use crate::markup::Label;
 use crate::placement::side_by_side;
@@ -22,43 +21,35 @@ use crate::svg_backend::Anchor;
 /// Paper: Figure 4, fig:D.
 #[derive(Debug, Clone, Copy)]
 pub struct Figure04<'a> {
-    /// Columns kind (trapesium, limit, g, h), p, tau, delta. Rows that follow each other with equal kind and p are one
-    /// curve; the trapesium is a closed outline, every other curve ends on its top side.
-    pub curves: &'a DataFrame,
-    /// Columns tau, delta: the grazing bifurcation of Figure 2.
-    pub points: &'a DataFrame,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Family {
-    Trapesium,
-    Limit,
-    Resonance,
-    Admissibility,
+    /// Points that follow each other with equal kind and p are one curve; the trapesium is a closed outline, every other curve ends on its
+    /// top side.
+    pub curves: &'a [BoundaryPoint],
+    /// The grazing bifurcation of Figure 2.
+    pub points: &'a [Star],
 }
 
 struct Curve {
-    family: Family,
-    p: i64,
+    family: Boundary,
+    p: u32,
     points: Vec<(f64, f64)>,
 }
 
 impl Curve {
     fn pen(&self) -> Pen {
         match self.family {
-            Family::Trapesium => OUTLINE,
-            Family::Limit => LIMIT,
-            Family::Resonance => resonance_pen(self.p),
-            Family::Admissibility => admissibility_pen(self.p),
+            Boundary::Trapesium => OUTLINE,
+            Boundary::Limit => LIMIT,
+            Boundary::Resonance => resonance_pen(self.p),
+            Boundary::Admissibility => admissibility_pen(self.p),
         }
     }
 
     fn label(&self) -> String {
         match self.family {
-            Family::Trapesium => String::new(),
-            Family::Limit => r"$2\,\sqrt\delta$".to_owned(),
-            Family::Resonance => format!("$g_{{{}}}$", self.p),
-            Family::Admissibility => format!("$h_{{{}}}$", self.p),
+            Boundary::Trapesium => String::new(),
+            Boundary::Limit => r"$2\,\sqrt\delta$".to_owned(),
+            Boundary::Resonance => format!("$g_{{{}}}$", self.p),
+            Boundary::Admissibility => format!("$h_{{{}}}$", self.p),
         }
     }
 }
@@ -76,7 +67,7 @@ const NAME_GAP: f64 = 3.0;
 /// Draws Figure 4.
 ///
 /// # Errors
-/// [`DrawingError`] if a column is missing or of the wrong type or a kind is unknown.
+/// None for rows as the reproduction makes them.
 pub fn draw_fig04(figure: &Figure04<'_>, width: SheetWidth) -> Result<String, DrawingError> {
     compose(figure, width)?.finish(
         "fig04",
@@ -87,16 +78,14 @@ pub fn draw_fig04(figure: &Figure04<'_>, width: SheetWidth) -> Result<String, Dr
 }
 
 pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
-    let curves = read_curves(Table::new("fig04_curves", figure.curves))?;
-    let points = Table::new("fig04_points", figure.points);
-    let (tau, delta) = (points.numbers("tau")?, points.numbers("delta")?);
+    let curves = curves(figure.curves);
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let bounds = Bounds { left: 37.0, top: 23.0, right: canvas.width - 12.0, bottom: canvas.height - 30.0 };
     let panel = Panel::new(&canvas, WINDOW, bounds);
     let mut labels = Labels::new(&canvas, bounds);
 
-    for curve in curves.iter().filter(|curve| curve.family == Family::Trapesium) {
+    for curve in curves.iter().filter(|curve| curve.family == Boundary::Trapesium) {
         panel.fill(&curve.points, NON_IMPACTING_AREA)?;
     }
     for curve in &curves {
@@ -106,14 +95,14 @@ pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas
     }
     panel.axes(r"$\tau$", r"$\delta$")?;
     name_above(&panel, &curves)?;
-    for point in tau.into_iter().zip(delta) {
+    for point in figure.points.iter().map(|point| (point.tau, point.delta)) {
         if let Some(taken) = panel.marker(point, Marker::Star)? {
             labels.placer.block(taken);
             let reach = 0.5 * (taken.right - taken.left);
             labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Wanted::Around(panel.spot(point), reach))?;
         }
     }
-    for curve in curves.iter().filter(|curve| curve.family == Family::Trapesium) {
+    for curve in curves.iter().filter(|curve| curve.family == Boundary::Trapesium) {
         // Of the sides, the slanted ones say what they are; the others are read off the axis.
         for side in curve.points.windows(2).filter(|side| side[0].1 != side[1].1) {
             let text = if side[0].0 > 0.0 { r"$\tau=\delta+1$" } else { r"$\tau=-\delta-1$" };
@@ -136,7 +125,7 @@ fn name_above(panel: &Panel<'_>, curves: &[Curve]) -> Result<(), DrawingError> {
         curve: &'a Curve,
     }
     let mut names: Vec<Name<'_>> = Vec::new();
-    for curve in curves.iter().filter(|curve| curve.family != Family::Trapesium) {
+    for curve in curves.iter().filter(|curve| curve.family != Boundary::Trapesium) {
         let Some(&end) = curve.points.last().filter(|&&end| panel.window.contains(end)) else {
             continue;
         };
@@ -159,58 +148,38 @@ fn name_above(panel: &Panel<'_>, curves: &[Curve]) -> Result<(), DrawingError> {
     Ok(())
 }
 
-fn read_curves(table: Table<'_>) -> Result<Vec<Curve>, DrawingError> {
-    let families = table.words("kind", "trapesium, limit, g, h", |word| match word {
-        "trapesium" => Some(Family::Trapesium),
-        "limit" => Some(Family::Limit),
-        "g" => Some(Family::Resonance),
-        "h" => Some(Family::Admissibility),
-        _ => None,
-    })?;
-    let p = table.integers("p")?;
-    let (tau, delta) = (table.numbers("tau")?, table.numbers("delta")?);
-    let keys: Vec<_> = families.iter().copied().zip(p.iter().copied()).collect();
-    Ok(runs(&keys)
-        .into_iter()
-        .map(|rows| Curve {
-            family: families[rows.start],
-            p: p[rows.start],
-            points: rows.map(|i| (tau[i], delta[i])).collect(),
-        })
-        .collect())
+fn curves(points: &[BoundaryPoint]) -> Vec<Curve> {
+    let curve = |points: &[BoundaryPoint]| Curve {
+        family: points[0].kind,
+        p: points[0].loops,
+        points: points.iter().map(|point| (point.tau, point.delta)).collect(),
+    };
+    points.chunk_by(|a, b| (a.kind, a.loops) == (b.kind, b.loops)).map(curve).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use polars::prelude::df;
-
     use super::*;
     use crate::inspection::{coordinates, off_the_sheet};
 
     /// The outline, the limit, and for each p a solid and a dashed curve; some share their ends.
-    fn sample() -> (DataFrame, DataFrame) {
-        let mut rows: Vec<(&str, i64, f64, f64)> =
-            [(-1.0, 0.0), (1.0, 0.0), (2.0, 1.0), (-2.0, 1.0), (-1.0, 0.0)]
-                .map(|(tau, delta)| ("trapesium", 0, tau, delta))
-                .to_vec();
-        let mut curve = |kind, p, end: f64, bulge: f64| {
+    fn sample() -> (Vec<BoundaryPoint>, Vec<Star>) {
+        let mut rows = [(-1.0, 0.0), (1.0, 0.0), (2.0, 1.0), (-2.0, 1.0), (-1.0, 0.0)]
+            .map(|(tau, delta)| BoundaryPoint { kind: Boundary::Trapesium, loops: 0, tau, delta })
+            .to_vec();
+        let mut curve = |kind, loops, end: f64, bulge: f64| {
             for k in 0..=100 {
                 let root = f64::from(k) / 100.0;
-                rows.push((kind, p, end * root + bulge * root * (1.0 - root), root * root));
+                let tau = end * root + bulge * root * (1.0 - root);
+                rows.push(BoundaryPoint { kind, loops, tau, delta: root * root });
             }
         };
-        curve("limit", 0, 2.0, 0.0);
+        curve(Boundary::Limit, 0, 2.0, 0.0);
         for (p, g, h) in [(2, 0.0, -2.0), (3, 1.0, -1.0), (4, 1.4, 0.0), (5, 1.6, 0.6), (6, 1.7, 1.0)] {
-            curve("g", p, g, 0.0);
-            curve("h", p, h, if p > 3 { 1.2 } else { 0.0 });
+            curve(Boundary::Resonance, p, g, 0.0);
+            curve(Boundary::Admissibility, p, h, if p > 3 { 1.2 } else { 0.0 });
         }
-        let curves = df!(
-            "kind" => rows.iter().map(|r| r.0).collect::<Vec<_>>(),
-            "p" => rows.iter().map(|r| r.1).collect::<Vec<_>>(),
-            "tau" => rows.iter().map(|r| r.2).collect::<Vec<_>>(),
-            "delta" => rows.iter().map(|r| r.3).collect::<Vec<_>>(),
-        );
-        (curves.unwrap(), df!("kind" => ["fig02"], "tau" => [-0.25], "delta" => [0.7]).unwrap())
+        (rows, vec![Star { kind: "fig02", tau: -0.25, delta: 0.7 }])
     }
 
     fn with_sample<T>(test: impl Fn(&Figure04<'_>) -> T) -> T {
@@ -253,14 +222,5 @@ mod tests {
         let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
         assert!(coordinates(&svg).len() > 200);
         assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
-    }
-
-    #[test]
-    fn an_unknown_kind_is_an_error() {
-        let (mut curves, points) = sample();
-        let kinds = vec!["f"; curves.height()];
-        curves.with_column(polars::prelude::Column::new("kind".into(), kinds)).unwrap();
-        let error = draw_fig04(&Figure04 { curves: &curves, points: &points }, SheetWidth::Paper);
-        assert!(matches!(error, Err(DrawingError::UnknownWord { frame: "fig04_curves", .. })));
     }
 }

@@ -1,73 +1,16 @@
 //! Figure 6: the oscillator as a mechanical schematic.
 
-use polars::prelude::DataFrame;
+use grazing_results::sketches::{Part, PartPoint};
 
 use crate::DrawingError;
 use crate::arrow::{arrow, double_arrow};
 use crate::canvas::{Canvas, Ink};
-use crate::frames::{Table, runs};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
     AXIS, BLACK, BODY, BODY_OUTLINE, FORCE, LABEL_SIZE, PISTON, PROJECTION, SMALL_LABEL_SIZE, SheetWidth,
     TICK_SIZE, TITLE_SIZE, WALL, WALL_FACE, WALL_HATCHING, WIRE,
 };
 use crate::svg_backend::Anchor;
-
-/// What Figure 6 shows.
-///
-/// Paper: Figure 6, fig:F.
-#[derive(Debug, Clone, Copy)]
-pub struct Figure06<'a> {
-    /// Columns part, piece, x, height. Rows that follow each other with equal part and piece are one polyline; both
-    /// coordinates have the same unit. All parts occur: anchor hatching, anchor, wall hatching, wall, floor, guide, axis,
-    /// tick (of the face, of the equilibrium, of the wall), spring, cylinder, rod, piston, wheel, block, force, dimension.
-    pub parts: &'a DataFrame,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Part {
-    Hatching,
-    Anchor,
-    Wall,
-    Floor,
-    Guide,
-    Axis,
-    Tick,
-    Spring,
-    Cylinder,
-    Rod,
-    Piston,
-    Wheel,
-    Block,
-    Force,
-    Dimension,
-}
-
-impl Part {
-    const KNOWN: &'static str = "anchor hatching, anchor, wall hatching, wall, floor, guide, axis, tick, spring, cylinder, \
-                                 rod, piston, wheel, block, force, dimension";
-
-    fn parse(word: &str) -> Option<Part> {
-        Some(match word {
-            "anchor hatching" | "wall hatching" => Part::Hatching,
-            "anchor" => Part::Anchor,
-            "wall" => Part::Wall,
-            "floor" => Part::Floor,
-            "guide" => Part::Guide,
-            "axis" => Part::Axis,
-            "tick" => Part::Tick,
-            "spring" => Part::Spring,
-            "cylinder" => Part::Cylinder,
-            "rod" => Part::Rod,
-            "piston" => Part::Piston,
-            "wheel" => Part::Wheel,
-            "block" => Part::Block,
-            "force" => Part::Force,
-            "dimension" => Part::Dimension,
-            _ => return None,
-        })
-    }
-}
 
 /// A polyline of a part, on the sheet.
 struct Piece {
@@ -82,12 +25,14 @@ const SIDE: f64 = 4.0;
 const BELOW: f64 = 22.0;
 const ABOVE: f64 = 15.0;
 
-/// Draws Figure 6.
+/// Draws Figure 6. Paper: fig:F.
+///
+/// Points that follow each other with equal part and piece are one polyline. The ticks are those of the face, the equilibrium and the wall.
 ///
 /// # Errors
-/// [`DrawingError`] if a column is missing or of the wrong type, a part is unknown, or the parts have no extent.
-pub fn draw_fig06(figure: &Figure06<'_>, width: SheetWidth) -> Result<String, DrawingError> {
-    compose(figure, width)?.finish(
+/// [`DrawingError`] if the parts have no extent.
+pub fn draw_fig06(parts: &[PartPoint], width: SheetWidth) -> Result<String, DrawingError> {
+    compose(parts, width)?.finish(
         "fig06",
         "The impact oscillator",
         "A block on a spring and a dashpot, driven by a harmonic force; its face is at x, its equilibrium at x = -1, and a \
@@ -95,8 +40,8 @@ pub fn draw_fig06(figure: &Figure06<'_>, width: SheetWidth) -> Result<String, Dr
     )
 }
 
-pub(crate) fn compose(figure: &Figure06<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
-    let (canvas, pieces) = read(Table::new("fig06_parts", figure.parts), width.mm(WIDTH_MM))?;
+pub(crate) fn compose(parts: &[PartPoint], width: SheetWidth) -> Result<Canvas, DrawingError> {
+    let (canvas, pieces) = on_sheet(parts, width.mm(WIDTH_MM))?;
     for piece in &pieces {
         draw(&canvas, piece)?;
     }
@@ -107,7 +52,7 @@ pub(crate) fn compose(figure: &Figure06<'_>, width: SheetWidth) -> Result<Canvas
 fn draw(canvas: &Canvas, Piece { part, path }: &Piece) -> Result<(), DrawingError> {
     let ends = path.first().copied().zip(path.last().copied());
     let pen = match part {
-        Part::Hatching => WALL_HATCHING,
+        Part::AnchorHatching | Part::WallHatching => WALL_HATCHING,
         Part::Anchor | Part::Wall => WALL,
         Part::Floor => AXIS,
         Part::Guide => PROJECTION,
@@ -183,90 +128,72 @@ fn extent<'a>(paths: impl Iterator<Item = &'a Vec<Spot>>) -> Option<Bounds> {
     around
 }
 
-/// Reads the parts and lays them on a sheet of the given width, as high as they need, at one scale across and up.
-fn read(table: Table<'_>, width_mm: f64) -> Result<(Canvas, Vec<Piece>), DrawingError> {
-    let parts = table.words("part", Part::KNOWN, Part::parse)?;
-    let pieces = table.integers("piece")?;
-    let (x, height) = (table.numbers("x")?, table.numbers("height")?);
-    let span = |values: &[f64]| {
-        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-        [low, values.iter().copied().fold(f64::NEG_INFINITY, f64::max)]
+/// Lays the parts on a sheet of the given width, as high as they need, at one scale across and up.
+fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), DrawingError> {
+    let span = |value: fn(&PartPoint) -> f64| {
+        let low = parts.iter().map(value).fold(f64::INFINITY, f64::min);
+        [low, parts.iter().map(value).fold(f64::NEG_INFINITY, f64::max)]
     };
-    let window = crate::Window { x: span(&x), y: span(&height) }.checked("fig06")?;
+    let window =
+        crate::Window { x: span(|point| point.x), y: span(|point| point.height) }.checked("fig06")?;
     let [[left, right], [low, high]] = [window.x, window.y];
     let millimetre = crate::svg_backend::POINTS_PER_MM;
     let scale = (width_mm * millimetre - 2.0 * SIDE) / (right - left);
     let sheet_height = (high - low) * scale + ABOVE + BELOW;
     let canvas = Canvas::new(width_mm, sheet_height / millimetre)?;
-    let keys: Vec<_> = parts.iter().copied().zip(pieces.iter().copied()).collect();
-    let spot = |i: usize| (SIDE + (x[i] - left) * scale, ABOVE + (high - height[i]) * scale);
-    let pieces = runs(&keys)
-        .into_iter()
-        .map(|rows| Piece { part: parts[rows.start], path: rows.map(spot).collect() })
-        .collect();
+    let spot = |point: &PartPoint| (SIDE + (point.x - left) * scale, ABOVE + (high - point.height) * scale);
+    let piece =
+        |points: &[PartPoint]| Piece { part: points[0].part, path: points.iter().map(spot).collect() };
+    let pieces = parts.chunk_by(|a, b| (a.part, a.piece) == (b.part, b.piece)).map(piece).collect();
     Ok((canvas, pieces))
 }
 
 #[cfg(test)]
 mod tests {
-    use polars::prelude::df;
-
     use super::*;
     use crate::inspection::{coordinates, off_the_sheet};
 
-    type SamplePiece = (&'static str, i64, Vec<(f64, f64)>);
-
-    fn pieces() -> Vec<SamplePiece> {
+    fn sample() -> Vec<PartPoint> {
         let rectangle = |l: f64, r: f64, b: f64, t: f64| vec![(l, b), (r, b), (r, t), (l, t), (l, b)];
-        vec![
-            ("anchor hatching", 1, vec![(-4.2, 0.0), (-4.0, 0.2)]),
-            ("anchor", 1, vec![(-4.0, 0.0), (-4.0, 1.4)]),
-            ("wall hatching", 1, vec![(0.0, 0.0), (0.2, 0.2)]),
-            ("wall", 1, vec![(0.0, 0.0), (0.0, 1.4)]),
-            ("floor", 1, vec![(-4.0, 0.0), (0.0, 0.0)]),
-            ("guide", 1, vec![(-1.0, 0.6), (-1.0, -0.4)]),
-            ("axis", 1, vec![(-2.4, -0.4), (0.4, -0.4)]),
-            ("tick", 1, vec![(-1.5, -0.4), (-1.5, -0.33)]),
-            ("tick", 2, vec![(-1.0, -0.4), (-1.0, -0.33)]),
-            ("tick", 3, vec![(0.0, -0.4), (0.0, -0.33)]),
-            ("spring", 1, vec![(-4.0, 0.9), (-3.3, 1.05), (-3.1, 0.75), (-2.4, 0.9)]),
-            ("cylinder", 1, vec![(-2.7, 0.55), (-3.7, 0.55), (-3.7, 0.3), (-2.7, 0.3)]),
-            ("rod", 1, vec![(-3.3, 0.42), (-2.4, 0.42)]),
-            ("piston", 1, vec![(-3.3, 0.33), (-3.3, 0.51)]),
-            ("wheel", 1, rectangle(-2.2, -2.1, 0.0, 0.1)),
-            ("block", 1, rectangle(-2.4, -1.5, 0.1, 1.2)),
-            ("force", 1, vec![(-1.5, 0.9), (-0.7, 0.9)]),
-            ("dimension", 1, vec![(-1.0, 0.3), (0.0, 0.3)]),
-        ]
-    }
-
-    fn frame(pieces: &[SamplePiece]) -> DataFrame {
-        let rows: Vec<_> = pieces
-            .iter()
-            .flat_map(|(part, piece, points)| points.iter().map(move |point| (*part, *piece, *point)))
-            .collect();
-        df!(
-            "part" => rows.iter().map(|r| r.0).collect::<Vec<_>>(),
-            "piece" => rows.iter().map(|r| r.1).collect::<Vec<_>>(),
-            "x" => rows.iter().map(|r| r.2.0).collect::<Vec<_>>(),
-            "height" => rows.iter().map(|r| r.2.1).collect::<Vec<_>>(),
-        )
-        .unwrap()
+        let pieces = vec![
+            (Part::AnchorHatching, 1, vec![(-4.2, 0.0), (-4.0, 0.2)]),
+            (Part::Anchor, 1, vec![(-4.0, 0.0), (-4.0, 1.4)]),
+            (Part::WallHatching, 1, vec![(0.0, 0.0), (0.2, 0.2)]),
+            (Part::Wall, 1, vec![(0.0, 0.0), (0.0, 1.4)]),
+            (Part::Floor, 1, vec![(-4.0, 0.0), (0.0, 0.0)]),
+            (Part::Guide, 1, vec![(-1.0, 0.6), (-1.0, -0.4)]),
+            (Part::Axis, 1, vec![(-2.4, -0.4), (0.4, -0.4)]),
+            (Part::Tick, 1, vec![(-1.5, -0.4), (-1.5, -0.33)]),
+            (Part::Tick, 2, vec![(-1.0, -0.4), (-1.0, -0.33)]),
+            (Part::Tick, 3, vec![(0.0, -0.4), (0.0, -0.33)]),
+            (Part::Spring, 1, vec![(-4.0, 0.9), (-3.3, 1.05), (-3.1, 0.75), (-2.4, 0.9)]),
+            (Part::Cylinder, 1, vec![(-2.7, 0.55), (-3.7, 0.55), (-3.7, 0.3), (-2.7, 0.3)]),
+            (Part::Rod, 1, vec![(-3.3, 0.42), (-2.4, 0.42)]),
+            (Part::Piston, 1, vec![(-3.3, 0.33), (-3.3, 0.51)]),
+            (Part::Wheel, 1, rectangle(-2.2, -2.1, 0.0, 0.1)),
+            (Part::Block, 1, rectangle(-2.4, -1.5, 0.1, 1.2)),
+            (Part::Force, 1, vec![(-1.5, 0.9), (-0.7, 0.9)]),
+            (Part::Dimension, 1, vec![(-1.0, 0.3), (0.0, 0.3)]),
+        ];
+        let rows = |(part, piece, points): (Part, u32, Vec<(f64, f64)>)| {
+            points.into_iter().map(move |(x, height)| PartPoint { part, piece, x, height })
+        };
+        pieces.into_iter().flat_map(rows).collect()
     }
 
     #[test]
     fn no_two_labels_overlap_and_none_leaves_the_sheet() {
-        let parts = frame(&pieces());
+        let parts = sample();
         for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
-            let misplaced = compose(&Figure06 { parts: &parts }, width).unwrap().misplaced_texts();
+            let misplaced = compose(&parts, width).unwrap().misplaced_texts();
             assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
         }
     }
 
     #[test]
     fn lengths_keep_their_ratio_across_and_up() {
-        let parts = frame(&pieces());
-        let (_, drawn) = read(Table::new("fig06_parts", &parts), 90.0).unwrap();
+        let parts = sample();
+        let (_, drawn) = on_sheet(&parts, 90.0).unwrap();
         let block = drawn.iter().find(|piece| piece.part == Part::Block).unwrap();
         let Bounds { left, top, right, bottom } = extent(std::iter::once(&block.path)).unwrap();
         // 0.9 wide and 1.1 high; one rounding of each coordinate of some 100 points.
@@ -275,8 +202,8 @@ mod tests {
 
     #[test]
     fn everything_is_named_and_on_the_sheet() {
-        let parts = frame(&pieces());
-        let svg = draw_fig06(&Figure06 { parts: &parts }, SheetWidth::Paper).unwrap();
+        let parts = sample();
+        let svg = draw_fig06(&parts, SheetWidth::Paper).unwrap();
         for label in
             [">unit stiffness<", ">unit<", ">mass<", ">equilibrium<", "restitution ", "damping 2", ">−1<"]
         {
@@ -286,12 +213,5 @@ mod tests {
         assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
         // Heads of the axis, of the force and of both ends of the dimension; wheel and block.
         assert_eq!(svg.matches("Z\"").count(), 6);
-    }
-
-    #[test]
-    fn an_unknown_part_is_an_error() {
-        let parts = frame(&[("magnet", 1, vec![(0.0, 0.0), (1.0, 1.0)])]);
-        let error = draw_fig06(&Figure06 { parts: &parts }, SheetWidth::Paper).unwrap_err();
-        assert!(matches!(error, DrawingError::UnknownWord { frame: "fig06_parts", .. }));
     }
 }

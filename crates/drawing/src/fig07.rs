@@ -1,11 +1,10 @@
 //! Figure 7: the two-parameter bifurcation diagram of the paper's oscillator.
 
-use polars::prelude::DataFrame;
+use grazing_results::plane::{CurvePoint, RegionVertex, SpecialPoint};
 
 use crate::DrawingError;
 use crate::clip::Window;
 use crate::diagram::{Diagram, Section, draw_diagram};
-use crate::frames::Table;
 use crate::magnified::Magnified;
 use crate::plane::{Axis, Plane};
 use crate::style::SheetWidth;
@@ -15,12 +14,12 @@ use crate::style::SheetWidth;
 /// Paper: Figure 7, fig:G.
 #[derive(Debug, Clone, Copy)]
 pub struct Figure07<'a> {
-    /// As [`Diagram::curves`], the parameters in columns amplitude and omega.
-    pub curves: &'a DataFrame,
-    /// As [`Diagram::points`], likewise.
-    pub points: &'a DataFrame,
-    /// As [`Diagram::regions`], likewise.
-    pub regions: &'a DataFrame,
+    /// As [`Diagram::curves`].
+    pub curves: &'a [CurvePoint],
+    /// As [`Diagram::points`].
+    pub points: &'a [SpecialPoint],
+    /// As [`Diagram::regions`].
+    pub regions: &'a [RegionVertex],
     /// Amplitudes (horizontal) and frequencies (vertical) shown.
     pub window: Window,
     /// The rectangles of Figure 8.
@@ -32,21 +31,21 @@ pub struct Figure07<'a> {
 /// Draws Figure 7.
 ///
 /// # Errors
-/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown or a window is empty.
+/// [`DrawingError`] if a window is empty.
 pub fn draw_fig07(figure: &Figure07<'_>, width: SheetWidth) -> Result<String, DrawingError> {
     draw_diagram(&diagram(figure, &forcing_plane()), width)
 }
 
 /// Forcing amplitude across, forcing frequency up.
-pub(crate) fn forcing_plane() -> Plane<'static> {
+pub(crate) fn forcing_plane() -> Plane {
     Plane {
-        across: Axis { column: "amplitude", title: r"$\mathcal{A}$".to_owned() },
-        up: Axis { column: "omega", title: r"$\omega$".to_owned() },
+        across: Axis { column: "amplitude".to_owned(), title: r"$\mathcal{A}$".to_owned() },
+        up: Axis { column: "omega".to_owned(), title: r"$\omega$".to_owned() },
         grazing: r"$\mathcal{A}_{\mathrm{graz}}$".to_owned(),
     }
 }
 
-fn diagram<'a>(figure: &Figure07<'a>, plane: &'a Plane<'a>) -> Diagram<'a> {
+fn diagram<'a>(figure: &Figure07<'a>, plane: &'a Plane) -> Diagram<'a> {
     Diagram {
         name: "fig07",
         title: "Two-parameter bifurcation diagram",
@@ -54,9 +53,10 @@ fn diagram<'a>(figure: &Figure07<'a>, plane: &'a Plane<'a>) -> Diagram<'a> {
              saddle-node, period-doubling and grazing bifurcations of maximal periodic solutions; regions of stability \
              in grey.",
         plane,
-        curves: Table::new("fig07_curves", figure.curves),
-        points: Table::new("fig07_points", figure.points),
-        regions: Some(Table::new("fig07_regions", figure.regions)),
+        tables: ["fig07_points", "fig07_curves"],
+        curves: figure.curves,
+        points: figure.points,
+        regions: figure.regions,
         window: figure.window,
         magnified: figure.magnified,
         sections: figure.sections,
@@ -107,9 +107,8 @@ mod tests {
     fn inadmissible_rows_are_not_drawn() {
         with_sample(|figure| {
             let all = draw_fig07(figure, SheetWidth::Paper).unwrap();
-            let none = vec![false; figure.curves.height()];
-            let mut curves = figure.curves.clone();
-            curves.with_column(polars::prelude::Column::new("admissible".into(), none)).unwrap();
+            let inadmissible = |point: &CurvePoint| CurvePoint { admissible: false, ..point.clone() };
+            let curves: Vec<_> = figure.curves.iter().map(inadmissible).collect();
             let without = draw_fig07(&Figure07 { curves: &curves, ..*figure }, SheetWidth::Paper).unwrap();
             let blue = "stroke=\"#1946be\"";
             assert!(all.contains(blue) && !without.contains(blue));
@@ -117,14 +116,8 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_column_and_a_reversed_window_are_errors() {
+    fn a_reversed_window_is_an_error() {
         with_sample(|figure| {
-            let curves = figure.curves.drop("arc").unwrap();
-            let error = draw_fig07(&Figure07 { curves: &curves, ..*figure }, SheetWidth::Paper).unwrap_err();
-            assert!(matches!(
-                error,
-                DrawingError::MissingColumn { frame: "fig07_curves", column, .. } if column == "arc"
-            ));
             let window = Window { x: [1.0, 0.0], ..figure.window };
             let error = draw_fig07(&Figure07 { window, ..*figure }, SheetWidth::Paper).unwrap_err();
             assert!(matches!(error, DrawingError::Window { window, .. } if window == "fig07"));

@@ -1,13 +1,10 @@
 //! Figure 8: magnifications about three resonances of the paper's oscillator, with the quadratic approximations.
 
-use polars::prelude::DataFrame;
+use grazing_results::plane::{MagnifiedPoint, RegionVertex, SpecialPoint};
 
 use crate::DrawingError;
-use crate::captions::Heading;
 use crate::fig07::forcing_plane;
-use crate::frames::Table;
 use crate::magnifications::{Magnifications, MagnifiedPanel, draw_magnifications};
-use crate::magnified::Magnified;
 use crate::plane::Plane;
 use crate::style::SheetWidth;
 
@@ -16,16 +13,14 @@ use crate::style::SheetWidth;
 /// Paper: Figure 8, fig:Y.
 #[derive(Debug, Clone, Copy)]
 pub struct Figure08<'a> {
-    /// As [`Magnifications::curves`], the parameters in columns amplitude and omega.
-    pub curves: &'a DataFrame,
+    /// As [`Magnifications::curves`].
+    pub curves: &'a [MagnifiedPoint],
     /// The points of Figure 7.
-    pub points: &'a DataFrame,
+    pub points: &'a [SpecialPoint],
     /// The regions of Figure 7.
-    pub regions: &'a DataFrame,
-    /// Columns panel, p, c_sn, c_pd.
-    pub coefficients: &'a DataFrame,
-    /// The windows, one to three panels in order.
-    pub panels: &'a [Magnified],
+    pub regions: &'a [RegionVertex],
+    /// One to three panels in order, with their headings.
+    pub panels: &'a [MagnifiedPanel],
 }
 
 /// As many panels as stand in a row.
@@ -34,47 +29,29 @@ const MOST_PANELS: usize = 3;
 /// Draws Figure 8.
 ///
 /// # Errors
-/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown, a window is empty or their
-/// number is not one to three.
+/// [`DrawingError`] if a window is empty or their number is not one to three.
 pub fn draw_fig08(figure: &Figure08<'_>, width: SheetWidth) -> Result<String, DrawingError> {
-    let panels = panels(figure)?;
-    let sheets = draw_magnifications(&magnifications(figure, &forcing_plane(), &panels), width)?;
+    if !(1..=MOST_PANELS).contains(&figure.panels.len()) {
+        let found = figure.panels.len();
+        return Err(DrawingError::PanelCount { figure: "fig08", wanted: "one to three panels", found });
+    }
+    let sheets = draw_magnifications(&magnifications(figure, &forcing_plane()), width)?;
     Ok(sheets.concat())
 }
 
-fn magnifications<'a>(
-    figure: &Figure08<'a>,
-    plane: &'a Plane<'a>,
-    panels: &'a [MagnifiedPanel],
-) -> Magnifications<'a> {
+fn magnifications<'a>(figure: &Figure08<'a>, plane: &'a Plane) -> Magnifications<'a> {
     Magnifications {
         name: "fig08",
         title: "Magnifications about three resonant grazing bifurcations",
         description: "Forcing amplitude across, forcing frequency up. Dashed: the quadratic approximations to the \
              saddle-node and period-doubling curves.",
         plane,
-        curves: Table::new("fig08_curves", figure.curves),
-        points: Table::new("fig07_points", figure.points),
-        regions: Some(Table::new("fig07_regions", figure.regions)),
-        panels,
+        table: "fig08_curves",
+        curves: figure.curves,
+        points: figure.points,
+        regions: figure.regions,
+        panels: figure.panels,
     }
-}
-
-/// The panels, each with the coefficients of its row.
-fn panels(figure: &Figure08<'_>) -> Result<Vec<MagnifiedPanel>, DrawingError> {
-    if !(1..=MOST_PANELS).contains(&figure.panels.len()) {
-        let found = figure.panels.len();
-        return Err(DrawingError::PanelCount { figure: "fig08", wanted: "one to three panels", found });
-    }
-    let table = Table::new("fig08_coefficients", figure.coefficients);
-    let (panel, p) = (table.integers("panel")?, table.integers("p")?);
-    let (c_sn, c_pd) = (table.numbers("c_sn")?, table.numbers("c_pd")?);
-    let headed = |shown: &Magnified| {
-        let row = panel.iter().position(|&number| number == i64::from(shown.panel));
-        let heading = row.map(|i| Heading { p: p[i], n: None, c_sn: c_sn[i], c_pd: c_pd[i] });
-        MagnifiedPanel { shown: *shown, heading }
-    };
-    Ok(figure.panels.iter().map(headed).collect())
 }
 
 #[cfg(test)]
@@ -85,20 +62,13 @@ mod tests {
     use crate::samples;
 
     fn with_sample<T>(test: impl Fn(&Figure08<'_>) -> T) -> T {
-        let (curves, coefficients) = (samples::fig08_curves(), samples::fig08_coefficients());
+        let (curves, panels) = (samples::fig08_curves(), samples::fig08_panels());
         let (points, regions) = (samples::fig07_points(), samples::fig07_regions());
-        test(&Figure08 {
-            curves: &curves,
-            points: &points,
-            regions: &regions,
-            coefficients: &coefficients,
-            panels: &samples::magnified(),
-        })
+        test(&Figure08 { curves: &curves, points: &points, regions: &regions, panels: &panels })
     }
 
     fn composed(figure: &Figure08<'_>, width: SheetWidth) -> Canvas {
-        let panels = panels(figure).unwrap();
-        let mut sheets = compose(&magnifications(figure, &forcing_plane(), &panels), width).unwrap();
+        let mut sheets = compose(&magnifications(figure, &forcing_plane()), width).unwrap();
         assert_eq!(sheets.len(), 1);
         sheets.remove(0)
     }

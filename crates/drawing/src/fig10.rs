@@ -1,27 +1,17 @@
 //! Figure 10: the path of the proof of Theorem 2.3.
 
-use polars::prelude::DataFrame;
+use grazing_results::sketches::Visit;
 
 use crate::DrawingError;
 use crate::arrow::{arrowhead, head_length};
 use crate::axes::{Marker, Panel};
 use crate::canvas::Canvas;
 use crate::clip::Window;
-use crate::frames::Table;
 use crate::labels::{Labels, Wanted};
 use crate::sheet::{Bounds, Spot, along, distance, inside};
 use crate::style::{
     BLACK, DISC_RADIUS, LABEL_SIZE, PATH, PATH_AREA, SMALL_LABEL_SIZE, SheetWidth, THRESHOLD,
 };
-
-/// What Figure 10 shows.
-///
-/// Paper: Figure 10, fig:I.
-#[derive(Debug, Clone, Copy)]
-pub struct Figure10<'a> {
-    /// Columns visit, u, w: the vertices in order.
-    pub path: &'a DataFrame,
-}
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 80.0;
@@ -31,12 +21,12 @@ const MARGIN: [f64; 2] = [0.42, 0.14];
 /// Segments shorter than this (points) carry no arrowhead.
 const POINTED_LENGTH: f64 = 14.0;
 
-/// Draws Figure 10.
+/// Draws Figure 10, the vertices of the path in order. Paper: fig:I.
 ///
 /// # Errors
-/// [`DrawingError`] if a column is missing or of the wrong type, or the vertices span no area.
-pub fn draw_fig10(figure: &Figure10<'_>, width: SheetWidth) -> Result<String, DrawingError> {
-    compose(figure, width)?.finish(
+/// [`DrawingError`] if the vertices span no area.
+pub fn draw_fig10(path: &[Visit], width: SheetWidth) -> Result<String, DrawingError> {
+    compose(path, width)?.finish(
         "fig10",
         "The path P",
         "The scaled visits of an emerging maximal periodic solution to the Poincaré section, joined in order: a convex path \
@@ -44,10 +34,8 @@ pub fn draw_fig10(figure: &Figure10<'_>, width: SheetWidth) -> Result<String, Dr
     )
 }
 
-pub(crate) fn compose(figure: &Figure10<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
-    let table = Table::new("fig10_path", figure.path);
-    let visits = table.integers("visit")?;
-    let vertices: Vec<(f64, f64)> = table.numbers("u")?.into_iter().zip(table.numbers("w")?).collect();
+pub(crate) fn compose(path: &[Visit], width: SheetWidth) -> Result<Canvas, DrawingError> {
+    let vertices: Vec<(f64, f64)> = path.iter().map(|visit| (visit.u, visit.w)).collect();
     let window =
         Window { x: extent(&vertices, |v| v.0, MARGIN[0]), y: extent(&vertices, |v| v.1, MARGIN[1]) }
             .checked("fig10")?;
@@ -61,9 +49,9 @@ pub(crate) fn compose(figure: &Figure10<'_>, width: SheetWidth) -> Result<Canvas
     for axis in panel.line(&[(0.0, window.y[0]), (0.0, window.y[1])], THRESHOLD)? {
         labels.placer.keep_off_nameless(&axis);
     }
-    for path in panel.line(&vertices, PATH)? {
-        labels.placer.keep_off(&path);
-        for segment in path.windows(2).filter(|s| distance(s[0], s[1]) >= POINTED_LENGTH) {
+    for line in panel.line(&vertices, PATH)? {
+        labels.placer.keep_off(&line);
+        for segment in line.windows(2).filter(|s| distance(s[0], s[1]) >= POINTED_LENGTH) {
             // The head's middle on the segment's.
             if let Some((middle, direction)) = along(segment, 0.5) {
                 let size = head_length(PATH);
@@ -81,7 +69,7 @@ pub(crate) fn compose(figure: &Figure10<'_>, width: SheetWidth) -> Result<Canvas
     // Labels of vertices stand outside as far as they can.
     let outline: Vec<_> = vertices.iter().map(|&vertex| panel.spot(vertex)).collect();
     labels.placer.avoid(inner_spots(&outline));
-    for (visit, &vertex) in visits.iter().zip(&vertices) {
+    for (Visit { visit, .. }, &vertex) in path.iter().zip(&vertices) {
         let text = format!(r"$(u^{{({visit})}},\,w^{{({visit})}})$");
         let wanted = Wanted::Around(panel.spot(vertex), DISC_RADIUS + 1.0);
         labels.add(&text, SMALL_LABEL_SIZE, BLACK, &wanted)?;
@@ -111,25 +99,22 @@ fn extent(vertices: &[(f64, f64)], coordinate: impl Fn(&(f64, f64)) -> f64, shar
 
 #[cfg(test)]
 mod tests {
-    use polars::prelude::df;
-
     use super::*;
     use crate::inspection::{coordinates, off_the_sheet};
 
-    fn sample() -> DataFrame {
-        df!(
-            "visit" => [0_u32, 1, 2, 3, 4, 5, 6],
-            "u" => [0.0, -2.5, -3.8, -3.5, -2.2, -0.8, 0.0],
-            "w" => [-3.7, -3.2, -1.2, 1.0, 2.1, 1.9, 0.7],
-        )
-        .unwrap()
+    fn path(places: &[(f64, f64)]) -> Vec<Visit> {
+        (0..).zip(places).map(|(visit, &(u, w))| Visit { visit, u, w }).collect()
+    }
+
+    fn sample() -> Vec<Visit> {
+        path(&[(0.0, -3.7), (-2.5, -3.2), (-3.8, -1.2), (-3.5, 1.0), (-2.2, 2.1), (-0.8, 1.9), (0.0, 0.7)])
     }
 
     #[test]
     fn no_two_labels_overlap_and_none_leaves_the_sheet() {
         let path = sample();
         for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
-            let misplaced = compose(&Figure10 { path: &path }, width).unwrap().misplaced_texts();
+            let misplaced = compose(&path, width).unwrap().misplaced_texts();
             assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
         }
     }
@@ -137,7 +122,7 @@ mod tests {
     #[test]
     fn every_vertex_is_marked_and_named() {
         let path = sample();
-        let svg = draw_fig10(&Figure10 { path: &path }, SheetWidth::Paper).unwrap();
+        let svg = draw_fig10(&path, SheetWidth::Paper).unwrap();
         assert_eq!(svg.matches("<circle").count(), 7);
         for visit in 0..=6 {
             assert_eq!(svg.matches(&format!(">({visit})</tspan>")).count(), 2, "{visit}");
@@ -148,7 +133,7 @@ mod tests {
     #[test]
     fn vertices_are_named_outside_the_path() {
         let path = sample();
-        let canvas = compose(&Figure10 { path: &path }, SheetWidth::Paper).unwrap();
+        let canvas = compose(&path, SheetWidth::Paper).unwrap();
         let svg = canvas.finish("fig10", "", "").unwrap();
         let area =
             svg.lines().find(|line| line.contains("fill-opacity=\"0.1\"")).expect("the area is filled");
@@ -162,15 +147,15 @@ mod tests {
     #[test]
     fn everything_is_on_the_sheet() {
         let path = sample();
-        let svg = draw_fig10(&Figure10 { path: &path }, SheetWidth::Paper).unwrap();
+        let svg = draw_fig10(&path, SheetWidth::Paper).unwrap();
         assert!(coordinates(&svg).len() > 40);
         assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
     }
 
     #[test]
     fn a_path_without_width_is_an_error() {
-        let path = df!("visit" => [0_u32, 1], "u" => [0.0, 0.0], "w" => [0.0, 1.0]).unwrap();
-        let error = draw_fig10(&Figure10 { path: &path }, SheetWidth::Paper).unwrap_err();
+        let path = path(&[(0.0, 0.0), (0.0, 1.0)]);
+        let error = draw_fig10(&path, SheetWidth::Paper).unwrap_err();
         assert!(matches!(error, DrawingError::Window { window, .. } if window == "fig10"));
     }
 }

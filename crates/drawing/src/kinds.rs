@@ -1,120 +1,71 @@
-//! The bifurcations as the frames name them, with the pen and the label each is drawn with.
+//! The bifurcations with the pen and the label each is drawn with, and the regions.
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::plane::{RegionKind, RegionVertex};
 
 use crate::DrawingError;
 use crate::axes::Panel;
-use crate::frames::{Table, runs};
-use crate::plane::Plane;
 use crate::sheet::Spot;
 use crate::style::{
     Colour, GRAZ, MPS_AREA, MPS_GRAZING, NON_IMPACTING_AREA, PERIOD_DOUBLING, Pen, SADDLE_NODE, UNDECIDED,
 };
 
-/// A kind of codimension-one bifurcation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
-    /// Grazing of the non-impacting solution.
-    Graz,
-    /// Saddle-node bifurcation of an MPS.
-    SaddleNode,
-    /// Period-doubling bifurcation of an MPS.
-    PeriodDoubling,
-    /// Grazing of an MPS.
-    Grazing,
-}
-
-impl Kind {
-    /// The words the column `kind` may hold.
-    pub(crate) const KNOWN: &'static str = "graz, SN, PD, GZ";
-
-    pub(crate) fn parse(word: &str) -> Option<Kind> {
-        match word {
-            "graz" => Some(Kind::Graz),
-            "SN" => Some(Kind::SaddleNode),
-            "PD" => Some(Kind::PeriodDoubling),
-            "GZ" => Some(Kind::Grazing),
-            _ => None,
-        }
-    }
-
-    pub(crate) fn pen(self) -> Pen {
-        match self {
-            Kind::Graz => GRAZ,
-            Kind::SaddleNode => SADDLE_NODE,
-            Kind::PeriodDoubling => PERIOD_DOUBLING,
-            Kind::Grazing => MPS_GRAZING,
-        }
-    }
-
-    /// The colour of the label: the pen's, darkened where that would be too light for text.
-    pub(crate) fn text_colour(self) -> Colour {
-        match self {
-            Kind::Graz => Colour(40, 120, 40),
-            other => other.pen().colour,
-        }
-    }
-
-    /// The label, in the markup of labels.
-    pub(crate) fn label(self) -> &'static str {
-        match self {
-            Kind::Graz => r"$\mathcal{A}_{\mathrm{graz}}$",
-            Kind::SaddleNode => "SN",
-            Kind::PeriodDoubling => "PD",
-            Kind::Grazing => "GZ",
-        }
+pub(crate) fn pen(bifurcation: Bifurcation) -> Pen {
+    match bifurcation {
+        Bifurcation::NonImpactingGrazing => GRAZ,
+        Bifurcation::SaddleNode => SADDLE_NODE,
+        Bifurcation::PeriodDoubling => PERIOD_DOUBLING,
+        Bifurcation::Grazing => MPS_GRAZING,
     }
 }
 
-/// What is known of a region.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Shown {
-    /// The non-impacting solution is stable.
-    NonImpacting,
-    /// An MPS is stable.
-    Mps,
-    /// Not decided.
-    Undecided,
+/// The colour of the label: the pen's, darkened where that would be too light for text.
+pub(crate) fn text_colour(bifurcation: Bifurcation) -> Colour {
+    match bifurcation {
+        Bifurcation::NonImpactingGrazing => Colour(40, 120, 40),
+        other => pen(other).colour,
+    }
+}
+
+/// The label, in the markup of labels.
+pub(crate) fn label(bifurcation: Bifurcation) -> &'static str {
+    match bifurcation {
+        Bifurcation::NonImpactingGrazing => r"$\mathcal{A}_{\mathrm{graz}}$",
+        other => other.name(),
+    }
 }
 
 /// A region of the parameter plane; vertices are (across, up).
 pub(crate) struct Region {
-    pub(crate) p: i64,
-    pub(crate) shown: Shown,
+    pub(crate) p: u32,
+    pub(crate) kind: RegionKind,
     /// Its border and those of its holes.
     pub(crate) rings: Vec<Vec<(f64, f64)>>,
 }
 
 impl Region {
+    /// Regions from their vertices: those of one number are one region, those of one ring of it, in order, one polygon.
+    pub(crate) fn all(vertices: &[RegionVertex]) -> Vec<Self> {
+        let region = |vertices: &[RegionVertex]| Region {
+            p: vertices[0].loops,
+            kind: vertices[0].kind,
+            rings: vertices
+                .chunk_by(|a, b| a.ring == b.ring)
+                .map(|ring| ring.iter().map(|vertex| (vertex.primary, vertex.secondary)).collect())
+                .collect(),
+        };
+        let mut regions: Vec<_> = vertices.chunk_by(|a, b| a.region == b.region).map(region).collect();
+        // Hatching lies above what is shaded.
+        regions.sort_by_key(|region| region.kind == RegionKind::Undecided);
+        regions
+    }
+
     /// Fills or hatches the region; returns its border on the sheet, if any of it shows.
     pub(crate) fn draw(&self, panel: &Panel<'_>) -> Result<Vec<Spot>, DrawingError> {
-        match self.shown {
-            Shown::NonImpacting => panel.area(&self.rings, NON_IMPACTING_AREA),
-            Shown::Mps => panel.area(&self.rings, MPS_AREA),
-            Shown::Undecided => panel.hatch(&self.rings, UNDECIDED).map(|()| Vec::new()),
+        match self.kind {
+            RegionKind::NonImpacting => panel.area(&self.rings, NON_IMPACTING_AREA),
+            RegionKind::Mps | RegionKind::Both => panel.area(&self.rings, MPS_AREA),
+            RegionKind::Undecided => panel.hatch(&self.rings, UNDECIDED).map(|()| Vec::new()),
         }
     }
-}
-
-/// Reads a frame of regions: rows of one `region` number are one region, those of one `ring` of it, in order, one polygon.
-pub(crate) fn read_regions(table: Table<'_>, plane: &Plane<'_>) -> Result<Vec<Region>, DrawingError> {
-    let (ids, rings) = (table.integers("region")?, table.integers("ring")?);
-    let shown = table.words("kind", "non-impacting, mps, undecided", |word| match word {
-        "non-impacting" => Some(Shown::NonImpacting),
-        "mps" => Some(Shown::Mps),
-        "undecided" => Some(Shown::Undecided),
-        _ => None,
-    })?;
-    let p = table.integers("p")?;
-    let points = plane.points(table)?;
-    let region = |rows: std::ops::Range<usize>| Region {
-        p: p[rows.start],
-        shown: shown[rows.start],
-        rings: runs(&rings[rows.clone()])
-            .into_iter()
-            .map(|ring| points[rows.clone()][ring].to_vec())
-            .collect(),
-    };
-    let mut regions: Vec<Region> = runs(&ids).into_iter().map(region).collect();
-    // Hatching lies above what is shaded.
-    regions.sort_by_key(|region| region.shown == Shown::Undecided);
-    Ok(regions)
 }

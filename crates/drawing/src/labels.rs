@@ -1,8 +1,10 @@
 //! Labels of one panel: placed while the figure is built up, drawn over everything else at the end.
 
+use grazing_continuation::bifurcation::Bifurcation;
+
 use crate::DrawingError;
 use crate::canvas::{Canvas, Ink};
-use crate::kinds::Kind;
+use crate::kinds;
 use crate::markup::Label;
 use crate::placement::{Place, Placer};
 use crate::sheet::{Bounds, Spot, along, length, near};
@@ -95,23 +97,26 @@ impl<'c> Labels<'c> {
     /// the non-impacting solution.
     pub(crate) fn name_curves(
         &mut self,
-        mut curves: Vec<(Kind, Vec<Spot>)>,
+        mut curves: Vec<(Bifurcation, Vec<Spot>)>,
         least: f64,
         grazing: &str,
     ) -> Result<(), DrawingError> {
         curves.sort_by(|a, b| length(&b.1).total_cmp(&length(&a.1)));
-        let mut named: Vec<(Kind, Vec<Spot>)> = Vec::new();
+        let mut named: Vec<(Bifurcation, Vec<Spot>)> = Vec::new();
         for (kind, piece) in curves.into_iter().filter(|(_, piece)| length(piece) >= least) {
             let middle = along(&piece, 0.5).map(|(spot, _)| spot);
-            let again = |other: &(Kind, Vec<Spot>)| {
+            let again = |other: &(Bifurcation, Vec<Spot>)| {
                 other.0 == kind && middle.is_some_and(|spot| near(&other.1, spot, 1.5))
             };
             if named.iter().any(again) {
                 continue;
             }
-            let (name, size) =
-                if kind == Kind::Graz { (grazing, LABEL_SIZE) } else { (kind.label(), SMALL_LABEL_SIZE) };
-            self.add(name, size, kind.text_colour(), &Wanted::Beside(&piece))?;
+            let (name, size) = if kind == Bifurcation::NonImpactingGrazing {
+                (grazing, LABEL_SIZE)
+            } else {
+                (kind.name(), SMALL_LABEL_SIZE)
+            };
+            self.add(name, size, kinds::text_colour(kind), &Wanted::Beside(&piece))?;
             named.push((kind, piece));
         }
         Ok(())

@@ -1,10 +1,9 @@
-//! The figures of the paper as SVG, drawn from data frames.
+//! The figures of the paper as SVG, drawn from rows.
 //!
 //! For the two parameters of any oscillator there are [`Diagram`] with [`draw_diagram`], and [`Magnifications`] with
-//! [`draw_magnifications`]. For the paper there is one struct and one function a figure: [`Figure01`] and [`draw_fig01`], [`Figure02`] and [`draw_fig02`], and so on;
-//! Figures 7 and 8 are two of the former. A struct borrows the frames and says which windows are shown; the function
-//! returns the text of an SVG file. This crate knows frames, windows and ink; it computes nothing about impacts, and equal input gives
-//! equal bytes.
+//! [`draw_magnifications`]. For the paper there is one function a figure: [`draw_fig01`], [`draw_fig02`], and so on;
+//! Figures 7 and 8 are two of the former. A function gets rows ([`grazing_results`]) and windows, and returns the text of an SVG file. This crate
+//! knows rows, windows and ink; it computes nothing about impacts, and equal input gives equal bytes.
 //!
 //! plotters maps data to the sheet and passes elements to a backend of our own, which writes lengths in points with two
 //! decimals. Curves and polygons are clipped before plotters sees them, because it clamps points to the frame, and are
@@ -37,7 +36,6 @@ mod fig08;
 mod fig09;
 mod fig10;
 mod font;
-mod frames;
 mod kinds;
 mod labels;
 mod magnifications;
@@ -61,19 +59,19 @@ pub use captions::Heading;
 pub use clip::Window;
 pub use diagram::{Diagram, Section, draw_diagram};
 pub use error::DrawingError;
-pub use fig01::{Figure01, draw_fig01};
+pub use fig01::draw_fig01;
 pub use fig02::{Figure02, draw_fig02};
-pub use fig03::{Figure03, draw_fig03};
+pub use fig03::draw_fig03;
 pub use fig04::{Figure04, draw_fig04};
 pub use fig05::{Figure05, draw_fig05};
-pub use fig06::{Figure06, draw_fig06};
+pub use fig06::draw_fig06;
 pub use fig07::{Figure07, draw_fig07};
 pub use fig08::{Figure08, draw_fig08};
-pub use fig09::{Figure09, draw_fig09};
-pub use fig10::{Figure10, draw_fig10};
+pub use fig09::draw_fig09;
+pub use fig10::draw_fig10;
 pub use font::FONT_FILES;
-pub use frames::Table;
 pub use magnifications::{Magnifications, MagnifiedPanel, draw_magnifications};
 pub use magnified::Magnified;
-pub use plane::{Axis, Plane, parameter_title};
+pub use plane::{Axis, Plane};
+pub use scene::SpaceFigure;
 pub use style::SheetWidth;

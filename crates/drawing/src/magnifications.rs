@@ -2,14 +2,16 @@
 
 use std::ops::Range;
 
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::plane::{MagnifiedPoint, RegionVertex, Source, SpecialPoint};
+
 use crate::DrawingError;
 use crate::axes::Panel;
 use crate::canvas::Canvas;
 use crate::captions::{Caption, Heading};
-use crate::diagram::{MarkedPoint, read_points};
+use crate::diagram::{MarkedPoint, marked_points};
 use crate::font::Fonts;
-use crate::frames::{Table, runs};
-use crate::kinds::{Kind, Region, read_regions};
+use crate::kinds::{Region, pen};
 use crate::labels::Labels;
 use crate::magnified::Magnified;
 use crate::panel_grid::Grid;
@@ -29,14 +31,15 @@ pub struct Magnifications<'a> {
     /// The description of the SVG, likewise.
     pub description: &'a str,
     /// The two parameters.
-    pub plane: &'a Plane<'a>,
-    /// Columns panel, kind (graz, SN, PD, GZ), source (continuation, quadratic), arc and the two parameters. Rows that
-    /// follow each other with equal panel, kind, source and arc are one curve.
-    pub curves: Table<'a>,
+    pub plane: &'a Plane,
+    /// The name of the table of curves, which the SVG names.
+    pub table: &'static str,
+    /// Points that follow each other with equal panel, kind, source and arc are one curve.
+    pub curves: &'a [MagnifiedPoint],
     /// As [`Diagram::points`](crate::Diagram::points).
-    pub points: Table<'a>,
+    pub points: &'a [SpecialPoint],
     /// As [`Diagram::regions`](crate::Diagram::regions).
-    pub regions: Option<Table<'a>>,
+    pub regions: &'a [RegionVertex],
     /// The panels in the order in which they are drawn, row by row.
     pub panels: &'a [MagnifiedPanel],
 }
@@ -51,8 +54,8 @@ pub struct MagnifiedPanel {
 }
 
 struct Curve {
-    panel: i64,
-    kind: Kind,
+    panel: u32,
+    kind: Bifurcation,
     approximate: bool,
     points: Vec<(f64, f64)>,
 }
@@ -65,7 +68,7 @@ const LABELLED_LENGTH: f64 = 24.0;
 /// there have to be, all with about as many panels, none if there is no panel.
 ///
 /// # Errors
-/// [`DrawingError`] if a column is missing or of the wrong type, a kind is unknown or a window is empty.
+/// [`DrawingError`] if a window is empty.
 pub fn draw_magnifications(
     figure: &Magnifications<'_>,
     width: SheetWidth,
@@ -83,11 +86,10 @@ pub(crate) fn compose(figure: &Magnifications<'_>, width: SheetWidth) -> Result<
     for MagnifiedPanel { shown, .. } in figure.panels {
         shown.window.checked(&format!("a panel of {}", figure.name))?;
     }
-    let plane = figure.plane;
     let content = Content {
-        curves: read_curves(figure.curves, plane)?,
-        regions: figure.regions.map_or(Ok(Vec::new()), |table| read_regions(table, plane))?,
-        markers: read_points(figure.points, plane)?,
+        curves: curves(figure.curves),
+        regions: Region::all(figure.regions),
+        markers: marked_points(figure.points),
     };
     let sheets = Grid::sheets(width, figure.panels.len());
     sheets.into_iter().map(|range| draw_sheet(figure, &content, range, width)).collect()
@@ -123,11 +125,10 @@ fn draw_sheet(
     for (place, (MagnifiedPanel { shown, .. }, caption)) in panels.iter().zip(captions).enumerate() {
         let bounds = grid.bounds(place);
         let panel = Panel::new(&canvas, shown.window, bounds)
-            .showing(&[figure.curves.name])
+            .showing(&[figure.table])
             .only("panel", shown.panel)
             .over(plane);
-        let number = i64::from(shown.panel);
-        let own: Vec<&Curve> = content.curves.iter().filter(|curve| curve.panel == number).collect();
+        let own: Vec<&Curve> = content.curves.iter().filter(|curve| curve.panel == shown.panel).collect();
         draw_panel(&panel, &own, content, &plane.grazing)?;
         panel.axes(&plane.across.title, if grid.is_titled(place) { &plane.up.title } else { "" })?;
         caption.draw(&canvas, &bounds, grid.heading_rise(), split)?;
@@ -145,9 +146,10 @@ fn draw_panel(
     for region in &content.regions {
         region.draw(panel)?;
     }
-    let mut drawn: Vec<(Kind, Vec<Spot>)> = Vec::new();
+    let mut drawn: Vec<(Bifurcation, Vec<Spot>)> = Vec::new();
     for curve in curves {
-        let pen = if curve.approximate { approximation(curve.kind.pen()) } else { curve.kind.pen() };
+        let pen = pen(curve.kind);
+        let pen = if curve.approximate { approximation(pen) } else { pen };
         for piece in panel.line(&curve.points, pen)? {
             if curve.approximate {
                 labels.placer.keep_off_nameless(&piece);
@@ -166,28 +168,18 @@ fn draw_panel(
     labels.draw()
 }
 
-fn read_curves(table: Table<'_>, plane: &Plane<'_>) -> Result<Vec<Curve>, DrawingError> {
-    let (panel, arc) = (table.integers("panel")?, table.integers("arc")?);
-    let kinds = table.words("kind", Kind::KNOWN, Kind::parse)?;
-    let approximate = table.words("source", "continuation, quadratic", |word| match word {
-        "continuation" => Some(false),
-        "quadratic" => Some(true),
-        _ => None,
-    })?;
-    let points = plane.points(table)?;
-    let keys: Vec<_> = (0..kinds.len()).map(|i| (panel[i], kinds[i], approximate[i], arc[i])).collect();
-    let mut curves: Vec<Curve> = runs(&keys)
-        .into_iter()
-        .map(|rows| Curve {
-            panel: panel[rows.start],
-            kind: kinds[rows.start],
-            approximate: approximate[rows.start],
-            points: points[rows].to_vec(),
-        })
-        .collect();
+fn curves(points: &[MagnifiedPoint]) -> Vec<Curve> {
+    let place = |point: &MagnifiedPoint| (point.panel, point.kind, point.source, point.arc);
+    let curve = |points: &[MagnifiedPoint]| Curve {
+        panel: points[0].panel,
+        kind: points[0].kind,
+        approximate: points[0].source == Source::Quadratic,
+        points: points.iter().map(|point| (point.primary, point.secondary)).collect(),
+    };
+    let mut curves: Vec<Curve> = points.chunk_by(|a, b| place(a) == place(b)).map(curve).collect();
     // The wide grazing curve lies lowest, approximations on top of the curves they approximate.
-    curves.sort_by_key(|curve| (curve.kind != Kind::Graz, curve.approximate));
-    Ok(curves)
+    curves.sort_by_key(|curve| (curve.kind != Bifurcation::NonImpactingGrazing, curve.approximate));
+    curves
 }
 
 #[cfg(test)]
@@ -301,25 +293,11 @@ mod tests {
     fn panels_may_be_without_curves_regions_and_heading() {
         let mut sample = sample(4);
         // The first 201 rows are the grazing curve in the first panel.
-        sample.magnified_curves = sample.magnified_curves.head(Some(201));
-        (sample.regions, sample.panels[1].heading) = (None, None);
+        sample.magnified_curves.truncate(201);
+        sample.regions.clear();
+        sample.panels[1].heading = None;
         let texts = compose(&sample.magnifications(), SheetWidth::Paper).unwrap()[0].texts();
         assert!(texts.contains(&"(b)".to_owned()));
         assert_eq!(texts.iter().filter(|text| text.contains("graz")).count(), 1);
-    }
-
-    #[test]
-    fn missing_columns_are_errors_that_name_the_parameter() {
-        let sample = SampleOscillator::new(["F_0", "Omega"], UNIT, UNIT, 2);
-        for wanted in ["panel", "kind", "source", "arc", "F_0", "Omega"] {
-            let less = sample.magnified_curves.drop(wanted).unwrap();
-            let figure =
-                Magnifications { curves: Table::new("magnified_curves", &less), ..sample.magnifications() };
-            let error = draw_magnifications(&figure, SheetWidth::Paper).unwrap_err();
-            let DrawingError::MissingColumn { frame: "magnified_curves", column, .. } = error else {
-                panic!("{error}")
-            };
-            assert_eq!(column, wanted);
-        }
     }
 }

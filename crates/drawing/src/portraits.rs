@@ -1,10 +1,11 @@
 //! The phase portraits above Figure 2: orbits in the (x, y) plane, and the wall.
 
+use grazing_results::branches::{PortraitKind, PortraitPoint};
+
 use crate::DrawingError;
 use crate::axes::Panel;
 use crate::canvas::{Canvas, Ink};
 use crate::clip::Window;
-use crate::frames::{Table, runs};
 use crate::magnified::panel_letter;
 use crate::sheet::Bounds;
 use crate::style::{
@@ -17,7 +18,7 @@ use crate::ticks::significant;
 pub(crate) struct Portrait {
     pub(crate) number: u32,
     pub(crate) amplitude: f64,
-    p: i64,
+    p: u32,
     attractor: bool,
     orbit: Vec<(f64, f64)>,
 }
@@ -34,35 +35,27 @@ const LEFT: f64 = 38.0;
 const GAP: f64 = 13.0;
 const MOST: usize = 6;
 
-/// Reads the frame of portraits.
-pub(crate) fn read_portraits(table: Table<'_>) -> Result<Vec<Portrait>, DrawingError> {
-    let (number, p) = (table.integers("portrait")?, table.integers("p")?);
-    let attractor = table.words("kind", "periodic, attractor, chaotic", |word| match word {
-        "periodic" => Some(false),
-        "attractor" | "chaotic" => Some(true),
-        _ => None,
-    })?;
-    let amplitude = table.numbers("amplitude")?;
-    let (x, y) = (table.numbers("x")?, table.numbers("y")?);
-    let portraits: Vec<Portrait> = runs(&number)
-        .into_iter()
-        .map(|rows| Portrait {
-            number: u32::try_from(number[rows.start]).unwrap_or(0),
-            amplitude: amplitude[rows.start],
-            p: p[rows.start],
-            attractor: attractor[rows.start],
-            orbit: rows.map(|i| (x[i], y[i])).collect(),
-        })
-        .collect();
-    if portraits.is_empty() || portraits.len() > MOST {
-        let found = portraits.len();
-        return Err(DrawingError::PanelCount {
-            figure: "fig02",
-            wanted: "one to six phase portraits",
-            found,
-        });
+impl Portrait {
+    /// Portraits from their points: those that follow each other with one number are one.
+    pub(crate) fn all(points: &[PortraitPoint]) -> Result<Vec<Self>, DrawingError> {
+        let portrait = |points: &[PortraitPoint]| Portrait {
+            number: points[0].portrait,
+            amplitude: points[0].primary,
+            p: points[0].loops,
+            attractor: points[0].kind == PortraitKind::Attractor,
+            orbit: points.iter().map(|point| (point.x, point.y)).collect(),
+        };
+        let portraits: Vec<_> = points.chunk_by(|a, b| a.portrait == b.portrait).map(portrait).collect();
+        if portraits.is_empty() || portraits.len() > MOST {
+            let found = portraits.len();
+            return Err(DrawingError::PanelCount {
+                figure: "fig02",
+                wanted: "one to six phase portraits",
+                found,
+            });
+        }
+        Ok(portraits)
     }
-    Ok(portraits)
 }
 
 /// Into how many rows the portraits are set: one, or on a narrow sheet rows of at most two.

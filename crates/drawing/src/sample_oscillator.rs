@@ -1,15 +1,14 @@
 //! Made-up results for an oscillator of any kind: parameters of any name and magnitude, any number of resonances.
 
-use polars::prelude::DataFrame;
+use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
 
 use crate::captions::Heading;
 use crate::clip::Window;
 use crate::diagram::{Diagram, Section};
-use crate::frames::Table;
 use crate::magnifications::{Magnifications, MagnifiedPanel};
 use crate::magnified::Magnified;
 use crate::plane::Plane;
-use crate::samples::{Resonance, curve_table, curves, graz, magnified_table, point_table, region_table};
+use crate::samples::{Resonance, curve_rows, curves, graz, magnified_rows, point_rows, region_rows};
 
 /// Where a parameter of the samples goes: multiplied, then shifted.
 #[derive(Debug, Clone, Copy)]
@@ -26,11 +25,11 @@ impl Affine {
 }
 
 pub(crate) struct SampleOscillator {
-    pub(crate) plane: Plane<'static>,
-    pub(crate) curves: DataFrame,
-    pub(crate) points: DataFrame,
-    pub(crate) regions: Option<DataFrame>,
-    pub(crate) magnified_curves: DataFrame,
+    pub(crate) plane: Plane,
+    pub(crate) curves: Vec<CurvePoint>,
+    pub(crate) points: Vec<SpecialPoint>,
+    pub(crate) regions: Vec<RegionVertex>,
+    pub(crate) magnified_curves: Vec<MagnifiedPoint>,
     pub(crate) window: Window,
     pub(crate) panels: Vec<MagnifiedPanel>,
     pub(crate) magnified: Vec<Magnified>,
@@ -45,7 +44,7 @@ fn resonances(count: u32) -> Vec<Resonance> {
 }
 
 impl SampleOscillator {
-    pub(crate) fn new(names: [&'static str; 2], across: Affine, up: Affine, count: u32) -> Self {
+    pub(crate) fn new(names: [&str; 2], across: Affine, up: Affine, count: u32) -> Self {
         let resonances = resonances(count);
         let mut all = curves(&resonances);
         for (.., points) in &mut all {
@@ -60,8 +59,8 @@ impl SampleOscillator {
                 let window = Window { x: across.range(x), y: up.range(y) };
                 let curvature = across.0 / (up.0 * up.0);
                 let heading = Heading {
-                    p: i64::from(p),
-                    n: Some(i64::from(n)),
+                    p,
+                    n: Some(n),
                     c_sn: -282.437 * curvature,
                     c_pd: if panel == 2 { f64::NAN } else { 12.153 * curvature },
                 };
@@ -70,10 +69,10 @@ impl SampleOscillator {
             .collect();
         SampleOscillator {
             plane: Plane::of_parameters(names[0], names[1]),
-            points: point_table(&all, names),
-            regions: Some(region_table(&all, corners, names)),
-            magnified_curves: magnified_table(&all, names),
-            curves: curve_table(all, names),
+            points: point_rows(&all),
+            regions: region_rows(&all, corners),
+            magnified_curves: magnified_rows(&all),
+            curves: curve_rows(all),
             window: Window { x: across.range([0.0, 1.2]), y: up.range([0.3, 1.0]) },
             magnified: panels.iter().map(|panel| panel.shown).collect(),
             panels,
@@ -87,9 +86,10 @@ impl SampleOscillator {
             title: "Two-parameter bifurcation diagram",
             description: "A made-up oscillator.",
             plane: &self.plane,
-            curves: Table::new("curves", &self.curves),
-            points: Table::new("points", &self.points),
-            regions: self.regions.as_ref().map(|frame| Table::new("regions", frame)),
+            tables: ["points", "curves"],
+            curves: &self.curves,
+            points: &self.points,
+            regions: &self.regions,
             window: self.window,
             magnified: &self.magnified,
             sections: &self.sections,
@@ -102,9 +102,10 @@ impl SampleOscillator {
             title: "Magnifications",
             description: "A made-up oscillator.",
             plane: &self.plane,
-            curves: Table::new("magnified_curves", &self.magnified_curves),
-            points: Table::new("points", &self.points),
-            regions: self.regions.as_ref().map(|frame| Table::new("regions", frame)),
+            table: "magnified_curves",
+            curves: &self.magnified_curves,
+            points: &self.points,
+            regions: &self.regions,
             panels: &self.panels,
         }
     }

@@ -1,15 +1,14 @@
 //! Scenes in phase space, as Figures 1, 3 and 9 show them: translucent surfaces, curves, points.
 //!
-//! The frames hold the projected coordinates and the order of painting; here they are scaled to the sheet. Of two curves
+//! The rows hold the projected coordinates and the order of painting; here they are scaled to the sheet. Of two curves
 //! that cross on the sheet the farther one is interrupted.
 
-use polars::prelude::DataFrame;
+use grazing_results::space::{CurveKind, Mark, MarkKind, SurfaceKind, Vertex};
 
 use crate::DrawingError;
 use crate::arrow::{arrow, arrowhead, head_length};
 use crate::canvas::{Canvas, Ink};
 use crate::clip::Window;
-use crate::frames::{Table, runs};
 use crate::labels::{Labels, Wanted};
 use crate::passing::{Course, interrupted};
 use crate::sheet::{Bounds, Spot, along, length};
@@ -19,114 +18,58 @@ use crate::style::{
 };
 use crate::svg_backend::POINTS_PER_MM;
 
-/// What a curve is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum CurveKind {
-    Orbit,
-    Virtual,
-    Periodic,
-    Reset,
-    Global,
-}
-
-impl CurveKind {
-    const KNOWN: &'static str = "orbit, virtual, periodic, reset, global";
-
-    fn parse(word: &str) -> Option<Self> {
-        Some(match word {
-            "orbit" => Self::Orbit,
-            "virtual" => Self::Virtual,
-            "periodic" => Self::Periodic,
-            "reset" => Self::Reset,
-            "global" => Self::Global,
-            _ => return None,
-        })
-    }
-
-    fn pen(self) -> Pen {
-        match self {
-            Self::Orbit => FLOW,
-            Self::Virtual => VIRTUAL_FLOW,
-            Self::Periodic => PERIODIC_FLOW,
-            Self::Reset => RESET,
-            Self::Global => RETURN,
-        }
-    }
-
-    /// True for what follows the flow, false for arrows of maps.
-    fn flows(self) -> bool {
-        matches!(self, Self::Orbit | Self::Virtual | Self::Periodic)
+/// How a curve is drawn.
+fn pen(kind: CurveKind) -> Pen {
+    match kind {
+        CurveKind::Orbit => FLOW,
+        CurveKind::Virtual => VIRTUAL_FLOW,
+        CurveKind::Periodic => PERIODIC_FLOW,
+        CurveKind::Reset => RESET,
+        CurveKind::Global => RETURN,
     }
 }
 
-/// What a surface or a line on it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum SurfaceKind {
-    Incoming,
-    Outgoing,
-    Section,
-    Tangency,
-    Circle,
-    Axis(&'static str),
+/// True for what follows the flow, false for arrows of maps.
+fn flows(kind: CurveKind) -> bool {
+    matches!(kind, CurveKind::Orbit | CurveKind::Virtual | CurveKind::Periodic)
 }
 
-impl SurfaceKind {
-    const KNOWN: &'static str = "incoming, outgoing, section, tangency, circle, x_axis, y_axis, z_axis";
-
-    fn parse(word: &str) -> Option<Self> {
-        Some(match word {
-            "incoming" => Self::Incoming,
-            "outgoing" => Self::Outgoing,
-            "section" => Self::Section,
-            "tangency" => Self::Tangency,
-            "circle" => Self::Circle,
-            "x_axis" => Self::Axis("$x$"),
-            "y_axis" => Self::Axis("$y$"),
-            "z_axis" => Self::Axis("$z$"),
-            _ => return None,
-        })
-    }
-
-    fn face(self) -> Option<Paint> {
-        match self {
-            Self::Incoming => Some(INCOMING_FACE),
-            Self::Outgoing => Some(OUTGOING_FACE),
-            Self::Section => Some(SECTION_FACE),
-            Self::Tangency | Self::Circle | Self::Axis(_) => None,
-        }
+/// How a surface is filled; a line on one is not.
+fn face(kind: SurfaceKind) -> Option<Paint> {
+    match kind {
+        SurfaceKind::Incoming => Some(INCOMING_FACE),
+        SurfaceKind::Outgoing => Some(OUTGOING_FACE),
+        SurfaceKind::Section => Some(SECTION_FACE),
+        _ => None,
     }
 }
 
-/// What a point is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum PointKind {
-    Impact,
-    Recoil,
-    Graze,
-    Virtual,
-    Section,
+/// The name of an axis.
+fn axis(kind: SurfaceKind) -> Option<&'static str> {
+    match kind {
+        SurfaceKind::AxisX => Some("$x$"),
+        SurfaceKind::AxisY => Some("$y$"),
+        SurfaceKind::AxisZ => Some("$z$"),
+        _ => None,
+    }
 }
 
-impl PointKind {
-    const KNOWN: &'static str = "impact, recoil, graze, virtual, section";
-
-    fn parse(word: &str) -> Option<Self> {
-        Some(match word {
-            "impact" => Self::Impact,
-            "recoil" => Self::Recoil,
-            "graze" => Self::Graze,
-            "virtual" => Self::Virtual,
-            "section" => Self::Section,
-            _ => return None,
-        })
-    }
+/// What a figure in phase space shows: Figures 1, 3 and 9.
+#[derive(Debug, Clone, Copy)]
+pub struct SpaceFigure<'a> {
+    /// Vertices that follow each other with equal number and piece are one polyline.
+    pub curves: &'a [Vertex<CurveKind>],
+    /// Points that are marked.
+    pub points: &'a [Mark],
+    /// Closed outlines of faces, and lines on them.
+    pub surfaces: &'a [Vertex<SurfaceKind>],
 }
 
 /// A curve or surface, or the part of one that lies in one layer; on the sheet once the scene has been fitted.
 pub(crate) struct Piece<K> {
     pub(crate) kind: K,
-    pub(crate) number: i64,
-    layer: i64,
+    pub(crate) number: u32,
+    layer: u32,
     /// To the right, downwards and away from the viewer.
     course: Course,
 }
@@ -137,17 +80,17 @@ impl<K> Piece<K> {
     }
 }
 
-/// A point that is marked.
-pub(crate) struct Mark {
-    pub(crate) kind: PointKind,
-    pub(crate) number: i64,
-    layer: i64,
+/// A point that is marked, on the sheet once the scene has been fitted.
+pub(crate) struct Spotted {
+    pub(crate) kind: MarkKind,
+    pub(crate) number: u32,
+    layer: u32,
     at: [f64; 3],
     /// Beyond the wall, where no orbit of the full system comes.
     open: bool,
 }
 
-impl Mark {
+impl Spotted {
     pub(crate) fn spot(&self) -> Spot {
         (self.at[0], self.at[1])
     }
@@ -165,18 +108,24 @@ pub(crate) struct Margin {
 pub(crate) struct Scene {
     pub(crate) curves: Vec<Piece<CurveKind>>,
     pub(crate) surfaces: Vec<Piece<SurfaceKind>>,
-    pub(crate) points: Vec<Mark>,
+    pub(crate) points: Vec<Spotted>,
 }
 
 impl Scene {
-    /// Reads the three frames of a figure, under their names.
-    pub(crate) fn read(names: [&'static str; 3], frames: [&DataFrame; 3]) -> Result<Self, DrawingError> {
-        let [curves, points, surfaces] = [0, 1, 2].map(|k| Table::new(names[k], frames[k]));
-        Ok(Scene {
-            curves: read_pieces(curves, CurveKind::KNOWN, CurveKind::parse)?,
-            surfaces: read_pieces(surfaces, SurfaceKind::KNOWN, SurfaceKind::parse)?,
-            points: read_marks(points)?,
-        })
+    /// The scene in its own lengths.
+    pub(crate) fn new(figure: &SpaceFigure<'_>) -> Self {
+        let spotted = |mark: &Mark| Spotted {
+            kind: mark.kind,
+            number: mark.number,
+            layer: mark.layer,
+            at: [mark.across, mark.up, mark.depth],
+            open: mark.x > 0.0,
+        };
+        Scene {
+            curves: pieces(figure.curves),
+            surfaces: pieces(figure.surfaces),
+            points: figure.points.iter().map(spotted).collect(),
+        }
     }
 
     /// Scales the scene to a sheet of the width, whose height follows, and gives the empty sheet.
@@ -214,18 +163,18 @@ impl Scene {
 
     /// Paints everything, layer by layer; in a layer faces, lines on them, curves from far to near, points.
     pub(crate) fn paint(&self, canvas: &Canvas) -> Result<(), DrawingError> {
-        let mut layers: Vec<i64> = self.curves.iter().map(|piece| piece.layer).collect();
+        let mut layers: Vec<u32> = self.curves.iter().map(|piece| piece.layer).collect();
         layers.extend(self.surfaces.iter().map(|piece| piece.layer));
         layers.extend(self.points.iter().map(|mark| mark.layer));
         layers.sort_unstable();
         layers.dedup();
-        let flows: Vec<&Course> =
-            self.curves.iter().filter(|c| c.kind.flows()).map(|piece| &piece.course).collect();
+        let flowing: Vec<&Course> =
+            self.curves.iter().filter(|c| flows(c.kind)).map(|piece| &piece.course).collect();
         let headed = self.headed();
         for layer in layers {
             let here: Vec<_> = self.surfaces.iter().filter(|piece| piece.layer == layer).collect();
             for piece in &here {
-                if let Some(paint) = piece.kind.face() {
+                if let Some(paint) = face(piece.kind) {
                     canvas.draw(&piece.spots(), Ink::Polygon(paint, Some(FACE_EDGE)))?;
                 }
             }
@@ -236,7 +185,7 @@ impl Scene {
                 (0..self.curves.len()).filter(|&i| self.curves[i].layer == layer).collect();
             curves.sort_by(|&a, &b| depth(&self.curves[b].course).total_cmp(&depth(&self.curves[a].course)));
             for index in curves {
-                self.curve(canvas, index, &flows, headed.contains(&index))?;
+                self.curve(canvas, index, &flowing, headed.contains(&index))?;
             }
             for mark in self.points.iter().filter(|mark| mark.layer == layer) {
                 let paint = if mark.open { OPEN_SPOT } else { SPOT };
@@ -251,10 +200,14 @@ impl Scene {
         match piece.kind {
             SurfaceKind::Tangency => canvas.draw(&piece.spots(), Ink::Line(TANGENCY)),
             SurfaceKind::Circle => canvas.draw(&piece.spots(), Ink::Line(CIRCLE)),
-            SurfaceKind::Axis(_) if last_of(&self.surfaces, piece) => {
+            SurfaceKind::AxisX | SurfaceKind::AxisY | SurfaceKind::AxisZ
+                if last_of(&self.surfaces, piece) =>
+            {
                 arrow(canvas, &piece.spots(), 0.0, SPACE_AXIS)
             }
-            SurfaceKind::Axis(_) => canvas.draw(&piece.spots(), Ink::Line(SPACE_AXIS)),
+            SurfaceKind::AxisX | SurfaceKind::AxisY | SurfaceKind::AxisZ => {
+                canvas.draw(&piece.spots(), Ink::Line(SPACE_AXIS))
+            }
             SurfaceKind::Incoming | SurfaceKind::Outgoing | SurfaceKind::Section => Ok(()),
         }
     }
@@ -263,12 +216,12 @@ impl Scene {
         &self,
         canvas: &Canvas,
         index: usize,
-        flows: &[&Course],
+        flowing: &[&Course],
         headed: bool,
     ) -> Result<(), DrawingError> {
         let piece = &self.curves[index];
-        let pen = piece.kind.pen();
-        if !piece.kind.flows() {
+        let pen = pen(piece.kind);
+        if !flows(piece.kind) {
             let spots = piece.spots();
             return if last_of(&self.curves, piece) {
                 arrow(canvas, &spots, SPOT_RADIUS + 0.8, pen)
@@ -276,7 +229,7 @@ impl Scene {
                 canvas.draw(&spots, Ink::Line(pen))
             };
         }
-        for part in interrupted(&piece.course, flows) {
+        for part in interrupted(&piece.course, flowing) {
             canvas.draw(&part, Ink::Line(pen))?;
         }
         if headed {
@@ -301,7 +254,7 @@ impl Scene {
         let long = |i: usize| length(&self.curves[i].spots());
         for index in 0..self.curves.len() {
             let piece = &self.curves[index];
-            if !piece.kind.flows() || long(index) < HEADED_LENGTH {
+            if !flows(piece.kind) || long(index) < HEADED_LENGTH {
                 continue;
             }
             if long(index) > OWN_HEAD {
@@ -319,7 +272,7 @@ impl Scene {
 
     /// Of each curve of a kind, in order, its longest piece on the sheet.
     pub(crate) fn longest(&self, kind: CurveKind) -> Vec<Vec<Spot>> {
-        let mut found: Vec<(i64, Vec<Spot>)> = Vec::new();
+        let mut found: Vec<(u32, Vec<Spot>)> = Vec::new();
         for piece in self.curves.iter().filter(|piece| piece.kind == kind) {
             let spots = piece.spots();
             match found.last_mut().filter(|(number, _)| *number == piece.number) {
@@ -340,7 +293,7 @@ impl Scene {
         }
         for piece in &self.surfaces {
             let mut spots = piece.spots();
-            if piece.kind.face().is_some() {
+            if face(piece.kind).is_some() {
                 spots.extend(spots.first().copied());
             }
             labels.placer.keep_off(&spots);
@@ -350,7 +303,7 @@ impl Scene {
             labels.placer.block(Bounds::about(mark.spot(), 1.6 * SPOT_RADIUS, 1.6 * SPOT_RADIUS));
         }
         for piece in &self.surfaces {
-            if let (SurfaceKind::Axis(name), true) = (piece.kind, last_of(&self.surfaces, piece)) {
+            if let (Some(name), true) = (axis(piece.kind), last_of(&self.surfaces, piece)) {
                 let spots = piece.spots();
                 if let Some(&tip) = spots.last() {
                     labels.add(name, axis_size, BLACK, &Wanted::Around(tip, 2.0))?;
@@ -399,40 +352,11 @@ fn depth(course: &Course) -> f64 {
     course.iter().map(|point| point[2]).sum::<f64>() / course.len() as f64
 }
 
-fn read_pieces<K: Copy + PartialEq>(
-    table: Table<'_>,
-    known: &'static str,
-    parse: impl Fn(&str) -> Option<K>,
-) -> Result<Vec<Piece<K>>, DrawingError> {
-    let kinds = table.words("kind", known, parse)?;
-    let [number, piece, layer] = ["number", "piece", "layer"].map(|name| table.integers(name));
-    let (number, piece, layer) = (number?, piece?, layer?);
-    let course = read_course(table)?;
-    let keys: Vec<_> = (0..kinds.len()).map(|i| (number[i], piece[i])).collect();
-    let pieces = runs(&keys).into_iter().map(|rows| Piece {
-        kind: kinds[rows.start],
-        number: number[rows.start],
-        layer: layer[rows.start],
-        course: course[rows].to_vec(),
-    });
-    Ok(pieces.collect())
-}
-
-fn read_marks(table: Table<'_>) -> Result<Vec<Mark>, DrawingError> {
-    let kinds = table.words("kind", PointKind::KNOWN, PointKind::parse)?;
-    let (number, layer) = (table.integers("number")?, table.integers("layer")?);
-    let (x, course) = (table.numbers("x")?, read_course(table)?);
-    let marks = (0..kinds.len()).map(|i| Mark {
-        kind: kinds[i],
-        number: number[i],
-        layer: layer[i],
-        at: course[i],
-        open: x[i] > 0.0,
-    });
-    Ok(marks.collect())
-}
-
-fn read_course(table: Table<'_>) -> Result<Course, DrawingError> {
-    let (across, up, depth) = (table.numbers("across")?, table.numbers("up")?, table.numbers("depth")?);
-    Ok((0..across.len()).map(|i| [across[i], up[i], depth[i]]).collect())
+fn pieces<K: Copy>(vertices: &[Vertex<K>]) -> Vec<Piece<K>> {
+    let pieces = vertices.chunk_by(|a, b| (a.number, a.piece) == (b.number, b.piece));
+    let piece = |vertices: &[Vertex<K>]| {
+        let Vertex { kind, number, layer, .. } = vertices[0];
+        Piece { kind, number, layer, course: vertices.iter().map(|vertex| vertex.place).collect() }
+    };
+    pieces.map(piece).collect()
 }

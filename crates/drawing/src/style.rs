@@ -127,7 +127,7 @@ pub(crate) const DISC_RADIUS: f64 = 2.1;
 pub(crate) const STAR_RADIUS: f64 = 3.8;
 
 /// A branch of the one-parameter diagram by its number of loops, 0 for the non-impacting solution.
-pub(crate) const fn branch_pen(p: i64, width: f64) -> Pen {
+pub(crate) const fn branch_pen(p: u32, width: f64) -> Pen {
     let colour = match p {
         1 => Colour(190, 95, 0),
         2 => Colour(25, 70, 190),
@@ -208,12 +208,12 @@ pub(crate) const SPOT_RIM: Pen = Pen::solid(BLACK, 0.7);
 pub(crate) const PASSING_GAP: f64 = 2.2;
 
 /// A boundary g_p: solid. Its colour is that of the branch with the same p.
-pub(crate) const fn resonance_pen(p: i64) -> Pen {
+pub(crate) const fn resonance_pen(p: u32) -> Pen {
     branch_pen(p, 1.1)
 }
 
 /// A boundary h_p: the colour of g_p, in short dashes.
-pub(crate) const fn admissibility_pen(p: i64) -> Pen {
+pub(crate) const fn admissibility_pen(p: u32) -> Pen {
     Pen { dashes: &[2.6, 1.3], ..branch_pen(p, 1.1) }
 }
 

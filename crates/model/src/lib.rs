@@ -15,8 +15,11 @@ pub mod maps;
 pub mod motion;
 pub mod orbit;
 mod oscillator;
+mod scalar;
 pub mod smooth;
+mod taylor;
 mod third_order;
+mod tolerances;
 
 pub use jet::{FlowJet, MapJet, ParameterJet, flow_variable};
 pub use linear::{LinearMotion, LinearOscillator, OscillatorError};

@@ -15,6 +15,7 @@ use nalgebra::{Matrix6, Vector2, Vector4};
 use crate::jet::{FlowJet, MapJet, flow_variable as flow};
 use crate::motion::{Motion, first_rest};
 use crate::oscillator::{ImpactOscillator, State};
+use crate::tolerances::{LAST_STEP_TO_SECTION, LAST_STEP_TO_WALL, MOST_ITERATIONS, MOST_PERIODS};
 
 /// A map is not defined at a point.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -101,7 +102,7 @@ pub fn virtual_preimage<O: ImpactOscillator>(
     if time == 0.0 {
         return Ok(Vector2::new(0.0, phase));
     }
-    for _ in 0..MAX_ITERATIONS {
+    for _ in 0..MOST_ITERATIONS {
         let here = motion.at(time);
         let step = here.position / here.velocity;
         time -= step;
@@ -109,7 +110,7 @@ pub fn virtual_preimage<O: ImpactOscillator>(
             return Err(below);
         }
         // Or x is zero to rounding, which for small x says less about the time.
-        if step.abs() <= TIME_TOLERANCE * time.abs() || here.position.abs() <= 4.0 * f64::EPSILON {
+        if step.abs() <= LAST_STEP_TO_WALL * time.abs() || here.position.abs() <= 4.0 * f64::EPSILON {
             return Ok(Vector2::new(motion.at(time).velocity, phase + frequency * time));
         }
     }
@@ -235,19 +236,6 @@ pub fn stroboscopic_map<O: ImpactOscillator, const ORDER: usize>(
     substitute_duration::<ORDER>(&jet, &columns, &ds, dds)
 }
 
-/// A step of Halley's method this short is the last: its error is of third order, about 10⁻¹⁵, as rounding of the time.
-const LAST_STEP: f64 = 1e-5;
-
-/// Newton's method for P_virt⁻¹, of second order, ends with a step of this fraction of the evolution time: what is left is of
-/// the order of its square.
-const TIME_TOLERANCE: f64 = 1e-9;
-
-/// An event time this many forcing periods from where it was expected is none: at rest, say, any time would do.
-const MOST_PERIODS: f64 = 20.0;
-
-/// Newton's method for an event time either converges within this many steps or is lost.
-const MAX_ITERATIONS: usize = 50;
-
 /// Solves for the zero of the velocity and differentiates the landing point implicitly.
 ///
 /// `FIRST` is the column of the flow that is the map's first coordinate: x₀ when starting on Π, y₀ when starting on Σ.
@@ -262,17 +250,17 @@ fn land_on_section<O: ImpactOscillator, const ORDER: usize, const FIRST: usize>(
     let farthest = MOST_PERIODS * oscillator.forcing_period();
     let mut time = guess;
     let mut here = motion.at(time);
-    for _ in 0..MAX_ITERATIONS {
+    for _ in 0..MOST_ITERATIONS {
         // Halley's step for y = 0, of third order: y, ẏ and ÿ all come with one evaluation.
         let newton = here.velocity / here.acceleration;
         let step = newton / (1.0 - 0.5 * newton * here.jerk / here.acceleration);
         time -= step;
-        // Not a number is far as well.
+        // NaN is far as well.
         let near = (time - guess).abs() <= farthest;
         if !near {
             break;
         }
-        if step.abs() <= LAST_STEP {
+        if step.abs() <= LAST_STEP_TO_SECTION {
             return finish_landing::<O, ORDER, FIRST>(oscillator, &motion, from, time, turn);
         }
         here = motion.at(time);

@@ -4,8 +4,9 @@ use core::f64::consts::TAU;
 
 use crate::motion::{Motion, first_crossing};
 use crate::oscillator::{ImpactOscillator, State};
+use crate::tolerances::CHATTER_VELOCITY;
 
-/// A free flight between two events of an orbit.
+/// A flight between two events of an orbit.
 #[derive(Clone, Debug)]
 pub struct Flight<M> {
     /// Time at which the flight begins, counted from the start of the orbit.
@@ -20,7 +21,7 @@ pub struct Flight<M> {
     pub end: FlightEnd,
 }
 
-/// How a free flight ends.
+/// How a flight ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FlightEnd {
     /// An impact: the state on the incoming set, just before the reset law acts.
@@ -60,11 +61,7 @@ pub enum OrbitEnd {
     },
 }
 
-/// Impacts slower than this, pressed by ẍ > 0, count as accumulated: a flight then rises v²/2ẍ from the wall, near the rounding
-/// of x, and what is left of the sequence lasts about 10⁻⁶ (for accelerations of order one).
-const CHATTER_VELOCITY: f64 = 1e-6;
-
-/// An orbit with impacts as an iterator over its free flights.
+/// An orbit with impacts as an iterator over its flights.
 ///
 /// After the iterator has ended, [`end`](Self::end) says why. Phases are reduced modulo 2π at every impact (eq:z).
 #[derive(Clone, Debug)]

@@ -1,7 +1,8 @@
 //! Third derivatives of the flow and of the reset law, along curves.
 
 use crate::oscillator::ImpactOscillator;
-use crate::smooth::{Scalar, Taylor};
+use crate::scalar::Scalar;
+use crate::taylor::Taylor;
 
 /// An impact oscillator that can be followed along a curve of arguments to third order.
 ///
@@ -10,7 +11,7 @@ use crate::smooth::{Scalar, Taylor};
 /// simulation need is [`ImpactOscillator`], for which second derivatives in all directions are enough.
 pub trait ThirdOrder: ImpactOscillator {
     /// The flow of eq:f, the wall ignored: position and velocity after a time `duration` of either sign from the state
-    /// (x₀, y₀, z₀), the parameters (μ, η) held; not numbers if the solution does not exist for so long.
+    /// (x₀, y₀, z₀), the parameters (μ, η) held; NaN if the solution does not exist for so long.
     fn flow_series(&self, from: [Taylor; 3], duration: Taylor) -> [Taylor; 2];
 
     /// The reset law R of eq:R as a function of (y, z), extended smoothly to y < 0, the parameters (μ, η) held.

@@ -1,7 +1,9 @@
 //! Figures: SVG inside the page, with the numbers that are drawn.
 
+use grazing_results::Table;
+
 use crate::html::{escape, identifier, json_string, put};
-use crate::{CsvTable, OscillatorEntry, Report, csv, ledger, prose};
+use crate::{OscillatorEntry, Report, data, ledger, prose, table};
 
 /// A figure with its data.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,7 +15,7 @@ pub struct Figure {
     /// The SVG file. Rectangles of class `panel` say where the axes are; without them the figure can be zoomed only.
     pub svg: String,
     /// The tables that are drawn.
-    pub tables: Vec<CsvTable>,
+    pub tables: Vec<Table>,
 }
 
 /// An SVG file taken apart: what goes into the page, and what the page keeps elsewhere.
@@ -139,14 +141,14 @@ impl Frame<'_> {
              <figcaption id=\"{name}-caption\"><p>{}</p>\n{}</figcaption>\n{}</figure>\n",
             prose(&description),
             self.links,
-            data(figure, self.id),
+            tables(figure, self.id),
         )
     }
 }
 
 /// The paths that the figure's own files have among all.
 fn own_files(figure: &Figure) -> Vec<String> {
-    let tables = figure.tables.iter().map(|table| table.path());
+    let tables = figure.tables.iter().map(table::path);
     std::iter::once(format!("{}.svg", figure.name)).chain(tables).collect()
 }
 
@@ -164,11 +166,11 @@ pub(crate) fn capitalised(text: &str) -> String {
 }
 
 /// The tables for the scripts.
-fn data(figure: &Figure, id: &str) -> String {
+fn tables(figure: &Figure, id: &str) -> String {
     let mut json = String::from("{");
     for (index, table) in figure.tables.iter().enumerate() {
         let comma = if index == 0 { "" } else { ",\n" };
-        put!(json, "{comma}{}:{}", json_string(&table.name), json_string(&csv::compact(&table.csv)));
+        put!(json, "{comma}{}:{}", json_string(table.name), json_string(&data::compact(table)));
     }
     json.push('}');
     let id = identifier("data", id);

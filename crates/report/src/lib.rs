@@ -10,7 +10,7 @@
 
 mod claim;
 mod columns;
-mod csv;
+mod data;
 mod figure;
 mod formula;
 mod html;
@@ -38,7 +38,7 @@ pub use manifest::{Manifest, OutputFile};
 pub use oscillator::{CoefficientEntry, Finding, Judgement, OscillatorEntry, ResonanceEntry};
 pub use page::page;
 pub use published::PublishedEntry;
-pub use table::{CsvTable, TableOutput};
+pub use table::TableOutput;
 
 /// All that the page shows.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,9 @@
 //! Oscillators from text files: what they are, and what the theorems, the curves and simulation say of them.
 
 use crate::html::identifier;
-use crate::{CsvTable, Figure};
+use grazing_results::Table;
+
+use crate::Figure;
 
 /// An oscillator with all that was found out about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,7 +37,7 @@ pub struct OscillatorEntry {
     /// The figures; their names and those of their tables need be unique in this oscillator only.
     pub figures: Vec<Figure>,
     /// The tables that are shown as such.
-    pub tables: Vec<CsvTable>,
+    pub tables: Vec<Table>,
     /// The resonant grazing bifurcations, in the order in which they were found.
     pub resonances: Vec<ResonanceEntry>,
     /// What could not be unfolded and why, in words: resonances that were seen and not located, curves that could not be

@@ -1,8 +1,7 @@
 //! The page as a whole.
 
-use std::collections::BTreeSet;
+use grazing_results::Table;
 
-use crate::csv::Cells;
 use crate::html::{escape, put};
 use crate::{Report, columns, figure, ledger, manifest, misprints, oscillators, published, summary, table};
 
@@ -85,24 +84,22 @@ pub fn page(report: &Report) -> String {
         "</main>\n<footer><p>{}. Licence: MIT or Apache-2.0; embedded fonts: SIL Open Font License.</p></footer>\n\
          <script type=\"application/json\" id=\"columns\">{}</script>\n<script>\n{}</script>\n</body>\n</html>\n",
         escape(&report.manifest.program),
-        columns::json(headers(report).iter().map(String::as_str)),
+        columns::json(drawn(report)),
         SCRIPTS.concat(),
     );
     html
 }
 
-/// The names of the columns of oscillators' tables, which are those of their parameters too.
-fn headers(report: &Report) -> BTreeSet<String> {
-    let oscillators = report.oscillators.iter();
-    let drawn =
-        oscillators.flat_map(|oscillator| oscillator.figures.iter().flat_map(|figure| &figure.tables));
-    let first_line = |csv: &str| csv.lines().next().unwrap_or_default().to_owned();
-    let header = |line: &String| Cells::read(line).header.iter().map(ToString::to_string).collect::<Vec<_>>();
-    drawn.map(|table| first_line(&table.csv)).flat_map(|line| header(&line)).collect()
+/// The tables of all figures.
+fn drawn(report: &Report) -> impl Iterator<Item = &Table> {
+    let of_oscillators = report.oscillators.iter().flat_map(|oscillator| &oscillator.figures);
+    report.figures.iter().chain(of_oscillators).flat_map(|figure| &figure.tables)
 }
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
     use crate::sample;
 

@@ -1,24 +1,14 @@
 //! Outputs that are tables only.
 
-use crate::columns::{explanation, heading};
-use crate::csv::Cells;
+use grazing_results::{Cell, Table};
+
+use crate::columns::heading;
 use crate::html::{counted, escape, number, put};
 use crate::{OscillatorEntry, Report, prose};
 
-/// A table as CSV: a header, commas, no quotes.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CsvTable {
-    /// File name without ending, as `fig07_curves`.
-    pub name: String,
-    /// The text.
-    pub csv: String,
-}
-
-impl CsvTable {
-    /// The path of its file among the outputs.
-    pub(crate) fn path(&self) -> String {
-        format!("data/{}.csv", self.name)
-    }
+/// The path of a table's file among the outputs.
+pub(crate) fn path(table: &Table) -> String {
+    format!("data/{}.csv", table.name)
 }
 
 /// An output that is one or more tables.
@@ -29,7 +19,7 @@ pub struct TableOutput {
     /// What it shows, in one line.
     pub title: String,
     /// The tables.
-    pub tables: Vec<CsvTable>,
+    pub tables: Vec<Table>,
 }
 
 /// Significant digits shown; the whole number is in the data file.
@@ -56,65 +46,58 @@ pub(crate) fn section(report: &Report) -> String {
     html
 }
 
-fn one(report: &Report, table: &CsvTable) -> String {
-    let path = table.path();
+fn one(report: &Report, table: &Table) -> String {
+    let path = path(table);
     let written = report.manifest.outputs.iter().any(|file| file.path == path);
     let link = written.then(|| report.manifest.link(&path));
     // Short ones are open.
-    let open = table.csv.lines().count() <= LONG + 1;
-    folded(table, &table.name, open, link)
+    let open = table.rows.len() <= LONG;
+    folded(table, table.name, open, link)
 }
 
 /// A table of an oscillator.
-pub(crate) fn of_oscillator(oscillator: &OscillatorEntry, table: &CsvTable) -> String {
-    let path = table.path();
+pub(crate) fn of_oscillator(oscillator: &OscillatorEntry, table: &Table) -> String {
+    let path = path(table);
     let written = oscillator.files.contains(&path);
     let link = written.then(|| format!("<a href=\"{0}\"><code>{0}</code></a>", escape(&path)));
     folded(table, &format!("{}-{}", oscillator.anchor(), table.name), false, link)
 }
 
 /// A table that can be folded away, with a name that no other on the page has.
-fn folded(table: &CsvTable, id: &str, open: bool, link: Option<String>) -> String {
-    let cells = Cells::read(&table.csv);
-    let (name, id) = (escape(&table.name), escape(id));
+fn folded(table: &Table, id: &str, open: bool, link: Option<String>) -> String {
+    let (name, id) = (escape(table.name), escape(id));
     let open = if open { " open" } else { "" };
     let mut html = format!(
         "<details class=\"table\"{open}>\n<summary><code>{name}</code> <span>{}</span>{}</summary>\n",
-        counted(cells.rows.len(), "row", "rows"),
-        verdicts(&cells),
+        counted(table.rows.len(), "row", "rows"),
+        verdicts(table),
     );
     put!(
         html,
         "<p class=\"scripted filter\"><label>Filter <input type=\"search\" data-filters=\"table-{id}\" \
          placeholder=\"text of a row\"></label> <output>{}</output></p>\n",
-        counted(cells.rows.len(), "row", "rows"),
+        counted(table.rows.len(), "row", "rows"),
     );
     put!(
         html,
         "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{name}\">\n<table class=\"sortable data\" id=\"table-{id}\"><thead><tr>"
     );
-    let numeric: Vec<bool> = (0..cells.header.len())
-        .map(|column| {
-            cells
-                .rows
-                .iter()
-                .all(|row| row.get(column).is_none_or(|cell| cell.is_empty() || cell.parse::<f64>().is_ok()))
-        })
-        .collect();
-    for (column, numeric) in cells.header.iter().zip(&numeric) {
-        let class = if *numeric { " class=\"number\"" } else { "" };
+    for (place, column) in table.columns.iter().enumerate() {
+        let numeric =
+            table.rows.first().is_some_and(|row| matches!(row[place], Cell::Integer(_) | Cell::Number(_)));
+        let class = if numeric { " class=\"number\"" } else { "" };
         put!(
             html,
             "<th scope=\"col\"{class} title=\"{}\">{}</th>",
-            escape(explanation(column)),
-            heading(column)
+            escape(column.meaning()),
+            heading(table, place)
         );
     }
     html.push_str("</tr></thead>\n<tbody>\n");
-    for row in &cells.rows {
+    for row in &table.rows {
         html.push_str("<tr>");
-        for ((cell, column), numeric) in row.iter().zip(&cells.header).zip(&numeric) {
-            html.push_str(&shown(cell, column, *numeric));
+        for (cell, column) in row.iter().zip(table.columns) {
+            html.push_str(&shown(cell, column.name == VERDICT));
         }
         html.push_str("</tr>\n");
     }
@@ -126,31 +109,36 @@ fn folded(table: &CsvTable, id: &str, open: bool, link: Option<String>) -> Strin
     html
 }
 
-fn shown(cell: &str, column: &str, numeric: bool) -> String {
-    match cell.parse::<f64>() {
-        Ok(value) if numeric && cell.contains('.') => {
-            let shown = number(value, DIGITS);
-            // What a script cannot read as a number is given for sorting.
-            let sort = if shown.contains('<') { format!(" data-value=\"{value:e}\"") } else { String::new() };
-            format!("<td class=\"number\"{sort}>{shown}</td>")
+fn shown(cell: &Cell, verdict: bool) -> String {
+    match cell {
+        Cell::Number(_) => match cell.number() {
+            Some(value) => {
+                let shown = number(value, DIGITS);
+                // What a script cannot read as a number is given for sorting.
+                let sort =
+                    if shown.contains('<') { format!(" data-value=\"{value:e}\"") } else { String::new() };
+                format!("<td class=\"number\"{sort}>{shown}</td>")
+            }
+            None => "<td class=\"number\"></td>".to_owned(),
+        },
+        Cell::Integer(value) => format!("<td class=\"number\">{value}</td>"),
+        Cell::Flag(value) => format!("<td>{value}</td>"),
+        Cell::Text(words) if verdict => {
+            format!("<td><span class=\"verdict {}\">{}</span></td>", tone(words), escape(words))
         }
-        Ok(_) if numeric => format!("<td class=\"number\">{}</td>", escape(&cell.replace('-', "−"))),
-        _ if numeric => "<td class=\"number\"></td>".to_owned(),
-        _ if column == VERDICT => {
-            format!("<td><span class=\"verdict {}\">{}</span></td>", tone(cell), escape(cell))
-        }
-        _ => format!("<td>{}</td>", escape(&cell.replace('_', " "))),
+        Cell::Text(words) => format!("<td>{}</td>", escape(&words.replace('_', " "))),
     }
 }
 
 /// How often each verdict occurs, the most frequent first.
-fn verdicts(cells: &Cells<'_>) -> String {
-    let Some(column) = cells.column(VERDICT) else {
+fn verdicts(table: &Table) -> String {
+    let Some(cells) = table.column(VERDICT) else {
         return String::new();
     };
     let mut counts: Vec<(&str, usize)> = Vec::new();
-    for word in cells.rows.iter().filter_map(|row| row.get(column)).map(AsRef::as_ref) {
-        match counts.iter_mut().find(|(known, _)| *known == word) {
+    for cell in cells {
+        let Cell::Text(word) = cell else { continue };
+        match counts.iter_mut().find(|(known, _)| known == word) {
             Some((_, count)) => *count += 1,
             None => counts.push((word, 1)),
         }
@@ -177,12 +165,17 @@ fn tone(verdict: &str) -> &'static str {
 
 #[cfg(test)]
 mod tests {
+    use grazing_results::columns::{self, LOOPS};
+    use grazing_results::{Column, Names};
+
     use super::*;
 
     #[test]
     fn verdicts_are_counted_and_coloured() {
-        let cells = Cells::read("p,verdict\n1,agreement\n2,unexplained\n3,agreement\n4,explained\n");
-        let html = verdicts(&cells);
+        const COLUMNS: &[Column] = &[LOOPS, columns::VERDICT];
+        let rows = [(1, "agreement"), (2, "unexplained"), (3, "agreement"), (4, "explained")];
+        let rows = rows.map(|(p, word)| vec![Cell::from(p), Cell::from(word)]);
+        let html = verdicts(&Table::of_cells("sample", COLUMNS, &Names::of_the_paper(), rows.into()));
         let at = |text: &str| html.find(text).unwrap_or_else(|| panic!("{text} is missing in {html}"));
         assert!(at("passed\">2 agreement") < at("unchecked\">1 explained"));
         assert!(at("unchecked\">1 explained") < at("failed\">1 unexplained"));
@@ -190,12 +183,10 @@ mod tests {
 
     #[test]
     fn numbers_are_rounded_for_the_eye_and_can_be_sorted() {
-        let cell = shown("-5.6794452873805710e2", "c_sn", true);
-        assert_eq!(cell, "<td class=\"number\">−567.9445</td>");
-        assert_eq!(
-            shown("1.5000000000000000e-9", "c_sn", true),
-            "<td class=\"number\" data-value=\"1.5e-9\">1.5 × 10<sup>−9</sup></td>"
-        );
-        assert_eq!(shown("a<b", "kind", false), "<td>a&lt;b</td>");
+        let number = |value: f64| shown(&Cell::Number(value), false);
+        assert_eq!(number(-5.679_445_287_380_571e2), "<td class=\"number\">−567.9445</td>");
+        assert_eq!(number(1.5e-9), "<td class=\"number\" data-value=\"1.5e-9\">1.5 × 10<sup>−9</sup></td>");
+        assert_eq!(number(f64::NAN), "<td class=\"number\"></td>");
+        assert_eq!(shown(&Cell::from("a<b"), false), "<td>a&lt;b</td>");
     }
 }

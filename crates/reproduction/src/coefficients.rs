@@ -1,15 +1,18 @@
 //! The table of coefficients: by closed form, by the general theorem, and by measurement on the continued curves.
 
+use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
+use grazing_results::resonances::PaperResonance;
+use grazing_results::{Names, Table};
 use grazing_theorems::Resonance;
+use grazing_theorems::unfolding::StabilityCoefficients;
 use grazing_unfold::Diagram;
 use grazing_unfold::verdict::{self, Coefficient, Verdict};
 use rayon::prelude::*;
 
 use crate::StudyError;
 use crate::parameters::Parameters;
-use crate::table::{Table, columns, row};
 
 /// The quadratic coefficients at one resonance, reached in three ways.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,35 +26,37 @@ pub struct Coefficients {
     /// 𝒜_graz(ω*).
     pub amplitude: f64,
     /// s_p⁺ and s_p⁻ by closed form (Propositions 3.2, 3.3).
-    pub stability: [f64; 2],
+    pub stability: StabilityCoefficients,
     /// c_SN,p and c_PD,p by closed form.
-    pub closed_form: [f64; 2],
+    pub closed_form: Pair<f64>,
     /// c_SN,p and c_PD,p by Theorems 2.4, 2.5 from derivatives of the numerical P_global, and as limits of μ/η² on the continued
     /// curves, where these can be measured.
-    pub measured: [Coefficient; 2],
+    pub measured: Pair<Coefficient>,
 }
 
 impl Coefficients {
     fn of(closed_form: &Resonance, located: &ResonantGrazingPoint<LinearOscillator>) -> Self {
-        let stability = closed_form.stability_coefficients();
         Self {
             loops: closed_form.loops(),
             n: closed_form.index(),
             frequency: closed_form.forcing_frequency(),
             amplitude: closed_form.grazing().amplitude(),
-            stability: [stability.plus, stability.minus],
-            closed_form: [closed_form.saddle_node_coefficient(), closed_form.period_doubling_coefficient()],
+            stability: closed_form.stability_coefficients(),
+            closed_form: Pair {
+                saddle_node: closed_form.saddle_node_coefficient(),
+                period_doubling: closed_form.period_doubling_coefficient(),
+            },
             measured: verdict::coefficients(located),
         }
     }
 
     /// What could not be measured, or is not as by the theorem, with the reason.
     pub fn doubts(&self) -> impl Iterator<Item = String> {
-        ["c_SN", "c_PD"].into_iter().zip(&self.measured).filter_map(|(name, measured)| {
+        self.measured.named().into_iter().filter_map(|(bifurcation, measured)| {
             let verdict = measured.verdict();
-            let (told, reason) = (verdict.name(), verdict.reason());
+            let (name, told, reason) = (bifurcation.name(), verdict.name(), verdict.reason());
             (verdict != Verdict::Agree)
-                .then(|| format!("{name} at p = {}, n = {} {told}: {reason}", self.loops, self.n))
+                .then(|| format!("c_{name} at p = {}, n = {} {told}: {reason}", self.loops, self.n))
         })
     }
 }
@@ -69,36 +74,35 @@ pub(crate) fn compute(
         .collect()
 }
 
-/// `coefficients.csv`.
-pub(crate) fn table(coefficients: &[Coefficients]) -> Result<Table, StudyError> {
-    let mut columns = columns! {
-        "p": 0, "n": 0, "omega_star": 0.0, "amplitude_graz": 0.0, "s_plus": 0.0, "s_minus": 0.0,
-        "c_sn": 0.0, "c_pd": 0.0, "c_sn_theorem": 0.0, "c_pd_theorem": 0.0, "c_sn_fit": 0.0, "c_pd_fit": 0.0,
-        "c_sn_fit_error": 0.0, "c_pd_fit_error": 0.0, "sn_verdict": "", "sn_reason": "", "pd_verdict": "", "pd_reason": "",
-    };
-    for c in coefficients {
-        let [sn, pd] = &c.measured;
-        let verdicts = [sn.verdict(), pd.verdict()];
-        columns.push(row![
-            c.loops,
-            c.n,
-            c.frequency,
-            c.amplitude,
-            c.stability[0],
-            c.stability[1],
-            c.closed_form[0],
-            c.closed_form[1],
-            sn.theorem.value,
-            pd.theorem.value,
-            sn.measured().value,
-            pd.measured().value,
-            sn.measured().error,
-            pd.measured().error,
-            verdicts[0].name(),
-            verdicts[0].reason(),
-            verdicts[1].name(),
-            verdicts[1].reason(),
-        ]);
+impl From<&Coefficients> for PaperResonance {
+    fn from(known: &Coefficients) -> Self {
+        let Pair { saddle_node: sn, period_doubling: pd } = known.measured;
+        let verdicts = known.measured.map(|coefficient| coefficient.verdict());
+        Self {
+            loops: known.loops,
+            n: known.n,
+            secondary: known.frequency,
+            primary: known.amplitude,
+            s_plus: known.stability.plus,
+            s_minus: known.stability.minus,
+            c_sn: known.closed_form.saddle_node,
+            c_pd: known.closed_form.period_doubling,
+            c_sn_theorem: sn.theorem.value,
+            c_pd_theorem: pd.theorem.value,
+            c_sn_fit: sn.measured().value,
+            c_pd_fit: pd.measured().value,
+            c_sn_fit_error: sn.measured().error,
+            c_pd_fit_error: pd.measured().error,
+            sn_verdict: verdicts.saddle_node.name(),
+            sn_reason: verdicts.saddle_node.reason(),
+            pd_verdict: verdicts.period_doubling.name(),
+            pd_reason: verdicts.period_doubling.reason(),
+        }
     }
-    Ok(columns.finish("coefficients")?)
+}
+
+/// `coefficients.csv`.
+pub(crate) fn table(coefficients: &[Coefficients]) -> Table {
+    let rows: Vec<PaperResonance> = coefficients.iter().map(PaperResonance::from).collect();
+    Table::new("coefficients", &Names::of_the_paper(), &rows)
 }

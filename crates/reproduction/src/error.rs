@@ -98,19 +98,10 @@ pub enum StudyError {
     /// A case of the sweep over the theorems could not be worked out.
     #[error("theorems 2.2 to 2.5: {0}")]
     Sweep(#[from] grazing_claims::sweep::SweepError),
-    /// A table could not be made.
-    #[error("a table could not be made: {0}")]
-    Table(String),
 }
 
 impl StudyError {
     pub(crate) fn resonance(loops: u32, n: u32, source: ResonanceError) -> Self {
         Self::Resonance { loops, n, source }
-    }
-}
-
-impl From<polars::prelude::PolarsError> for StudyError {
-    fn from(error: polars::prelude::PolarsError) -> Self {
-        Self::Table(error.to_string())
     }
 }

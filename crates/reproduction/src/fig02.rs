@@ -6,25 +6,26 @@ mod portraits;
 mod subjects;
 
 use grazing_model::LinearOscillator;
+use grazing_results::branches::{AttractorPoint, BranchBifurcation, BranchPoint, PortraitPoint};
+use grazing_results::{Names, Table};
 use grazing_theorems::GrazingState;
+use grazing_unfold::progress::Progress;
 
 use crate::StudyError;
 use crate::diagram::forced;
 use crate::parameters::{Figure2 as Figure2Parameters, Parameters};
-use crate::table::Table;
-use grazing_unfold::progress::Progress;
 
-/// The frames of Figure 2.
+/// What Figure 2 shows.
 #[derive(Clone, Debug)]
 pub struct Figure2 {
-    /// `fig02_branches`: the non-impacting solution (p = 0) and the branches of MPSs.
-    pub branches: Table,
-    /// `fig02_bifurcations`: grazing of the non-impacting solution, PD, SN and GZ of MPSs.
-    pub bifurcations: Table,
-    /// `fig02_attractor`: long-time behaviour of forward orbits between GZ and PD.
-    pub attractor: Table,
-    /// `fig02_portraits`: orbits in the (x, y) plane.
-    pub portraits: Table,
+    /// The non-impacting solution (p = 0) and the branches of MPSs.
+    pub branches: Vec<BranchPoint>,
+    /// Grazing of the non-impacting solution, PD, SN and GZ of MPSs.
+    pub bifurcations: Vec<BranchBifurcation>,
+    /// Long-time behaviour of forward orbits between GZ and PD.
+    pub attractor: Vec<AttractorPoint>,
+    /// Orbits in the (x, y) plane.
+    pub portraits: Vec<PortraitPoint>,
     /// What is shown elsewhere than the parameters ask for, or not at all, in sentences.
     pub notes: Vec<String>,
 }
@@ -45,7 +46,13 @@ impl Setting<'_> {
 impl Figure2 {
     /// All tables.
     pub fn tables(&self) -> Vec<Table> {
-        vec![self.branches.clone(), self.bifurcations.clone(), self.attractor.clone(), self.portraits.clone()]
+        let names = Names::of_the_paper();
+        vec![
+            Table::new("fig02_branches", &names, &self.branches),
+            Table::new("fig02_bifurcations", &names, &self.bifurcations),
+            Table::new("fig02_attractor", &names, &self.attractor),
+            Table::new("fig02_portraits", &names, &self.portraits),
+        ]
     }
 
     pub(crate) fn compute(parameters: &Parameters, progress: &dyn Progress) -> Result<Self, StudyError> {
@@ -53,13 +60,13 @@ impl Figure2 {
         let setting = Setting { figure, theory, grazing: theory.grazing(figure.frequency())? };
         let branches = branches::follow(&setting)?;
         let bifurcations = branches::bifurcations(&setting, &branches);
-        let (portraits, more) = portraits::table(&setting, &branches)?;
+        let (portraits, more) = portraits::rows(&setting, &branches)?;
         Ok(Self {
-            branches: branches::table(&setting, &branches)?,
-            attractor: attractor::table(&setting, &bifurcations, progress)?,
+            branches: branches::rows(&setting, &branches)?,
+            attractor: attractor::rows(&setting, &bifurcations, progress)?,
             portraits,
             notes: [figure.notes(), &more].concat(),
-            bifurcations: branches::bifurcation_table(&bifurcations)?,
+            bifurcations,
         })
     }
 }

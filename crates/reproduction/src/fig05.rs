@@ -13,22 +13,25 @@
 //! μ > c_SN η² on the side of η with the saddle-node curve, and where μ > c_PD η² on the other side: one region, beyond
 //! the grazing line but for the strip between it and the saddle-node curve, where the non-impacting solution is stable too.
 
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_results::plane::RegionKind;
+use grazing_results::sketches::{UnfoldingPoint, UnfoldingResonance, UnfoldingVertex};
+use grazing_results::{Names, Table};
 use grazing_theorems::ResonantGrazing;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::StudyError;
 use crate::parameters::{self, Parameters};
-use crate::table::{Table, columns, row};
 
-/// The frames of Figure 5.
+/// What Figure 5 shows.
 #[derive(Clone, Debug)]
 pub struct Figure5 {
-    /// `fig05_curves`: the line of grazing bifurcations and the quadratic SN and PD curves.
-    pub curves: Table,
-    /// `fig05_points`: the resonance.
-    pub points: Table,
-    /// `fig05_regions`: where the non-impacting solution is stable, where an MPS is, and where both are.
-    pub regions: Table,
+    /// The line of grazing bifurcations and the quadratic SN and PD curves.
+    pub curves: Vec<UnfoldingPoint>,
+    /// The resonance.
+    pub points: Vec<UnfoldingResonance>,
+    /// Where the non-impacting solution is stable, where an MPS is, and where both are.
+    pub regions: Vec<UnfoldingVertex>,
 }
 
 /// Samples of a curve from the resonance to the edge of the window.
@@ -40,7 +43,12 @@ const RESONANCE_TOLERANCE: f64 = 1e-12;
 impl Figure5 {
     /// All tables.
     pub fn tables(&self) -> Vec<Table> {
-        vec![self.curves.clone(), self.points.clone(), self.regions.clone()]
+        let names = Names::of_the_paper();
+        vec![
+            Table::new("fig05_curves", &names, &self.curves),
+            Table::new("fig05_points", &names, &self.points),
+            Table::new("fig05_regions", &names, &self.regions),
+        ]
     }
 
     pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
@@ -53,36 +61,33 @@ impl Figure5 {
 
         let (mu, eta) = (shown.mu(), shown.eta());
         let grazing = vec![[0.0, eta.lower()], [0.0, eta.upper()]];
-        let mut curves = columns! { "kind": "", "mu": 0.0, "eta": 0.0 };
-        for (kind, points) in [("graz", &grazing), ("SN", &saddle_node), ("PD", &period_doubling)] {
-            for [mu, eta] in points {
-                curves.push(row![kind, *mu, *eta]);
-            }
-        }
-        let mut points = columns! { "kind": "", "p": 0, "n": 0, "mu": 0.0, "eta": 0.0 };
-        points.push(row!["resonance", shown.loops(), shown.n(), 0.0, 0.0]);
+        let curves = [
+            (Bifurcation::NonImpactingGrazing, &grazing),
+            (Bifurcation::SaddleNode, &saddle_node),
+            (Bifurcation::PeriodDoubling, &period_doubling),
+        ];
+        let points = |(kind, points): (Bifurcation, &Vec<[f64; 2]>)| {
+            let points = points.iter().map(move |&[mu, eta]| UnfoldingPoint { kind, mu, eta });
+            points.collect::<Vec<_>>()
+        };
+        let curves = curves.into_iter().flat_map(points).collect();
+        let (kind, loops, n) = (CodimensionTwo::Resonance, shown.loops(), shown.n());
+        let points = vec![UnfoldingResonance { kind, loops, n, mu: 0.0, eta: 0.0 }];
 
         let corner = |points: &[[f64; 2]]| [mu.upper(), points[points.len() - 1][1]];
         let beyond = [corner(&period_doubling), corner(&saddle_node)];
         let stable = saddle_node.iter().rev().chain(&period_doubling[1..]).chain(&beyond);
         let before = [[mu.lower(), eta.upper()], [mu.lower(), eta.lower()]];
         let on_the_line = [[0.0, saddle_node[saddle_node.len() - 1][1]]];
-        let polygons: [(&str, Vec<[f64; 2]>); 3] = [
-            ("non-impacting", grazing.iter().chain(&before).copied().collect()),
-            ("mps", stable.copied().collect()),
-            ("both", saddle_node.iter().chain(&on_the_line).copied().collect()),
+        let polygons: [(RegionKind, Vec<[f64; 2]>); 3] = [
+            (RegionKind::NonImpacting, grazing.iter().chain(&before).copied().collect()),
+            (RegionKind::Mps, stable.copied().collect()),
+            (RegionKind::Both, saddle_node.iter().chain(&on_the_line).copied().collect()),
         ];
-        let mut regions = columns! { "region": 0, "kind": "", "mu": 0.0, "eta": 0.0 };
-        for (region, (kind, vertices)) in (1..).zip(&polygons) {
-            for [mu, eta] in vertices {
-                regions.push(row![region, *kind, *mu, *eta]);
-            }
-        }
-        Ok(Self {
-            curves: curves.finish("fig05_curves")?,
-            points: points.finish("fig05_points")?,
-            regions: regions.finish("fig05_regions")?,
-        })
+        let regions = (1..).zip(polygons).flat_map(|(region, (kind, vertices))| {
+            vertices.into_iter().map(move |[mu, eta]| UnfoldingVertex { region, kind, mu, eta })
+        });
+        Ok(Self { curves, points, regions: regions.collect() })
     }
 }
 

@@ -6,17 +6,11 @@
 
 mod shapes;
 
+use grazing_results::sketches::{Part, PartPoint};
+
 use crate::StudyError;
 use crate::diagram::forced;
 use crate::parameters::Parameters;
-use crate::table::{Table, columns, row};
-
-/// The frames of Figure 6.
-#[derive(Clone, Debug)]
-pub struct Figure6 {
-    /// `fig06_parts`: polylines of (x, height), part by part; outlines end where they begin.
-    pub parts: Table,
-}
 
 /// A polyline of points (x, height).
 type Polyline = Vec<[f64; 2]>;
@@ -46,33 +40,25 @@ mod lengths {
     pub(super) const AXIS_BEYOND_WALL: f64 = 0.42;
 }
 
-impl Figure6 {
-    /// All tables.
-    pub fn tables(&self) -> Vec<Table> {
-        vec![self.parts.clone()]
-    }
-
-    pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
-        let shown = parameters.fig06()?;
-        let theory = parameters.oscillator()?;
-        let oscillator = forced(theory, shown.amplitude(), shown.frequency())?;
-        let instant = Instant {
-            face: oscillator.non_impacting_solution(shown.phase()).position,
-            // φ_p is harmonic about −1 and reaches 0 at the grazing amplitude.
-            stroke: shown.amplitude() / theory.grazing(shown.frequency())?.amplitude(),
-            force: libm::cos(shown.phase()),
-            coils: shown.coils(),
-        };
-        let mut columns = columns! { "part": "", "piece": 0, "x": 0.0, "height": 0.0 };
-        for (part, pieces) in instant.parts() {
-            for (piece, points) in (1..).zip(&pieces) {
-                for [x, height] in points {
-                    columns.push(row![part, piece, *x, *height]);
-                }
-            }
+/// The parts of the drawing as polylines of (x, height); outlines end where they begin.
+pub(crate) fn compute(parameters: &Parameters) -> Result<Vec<PartPoint>, StudyError> {
+    let shown = parameters.fig06()?;
+    let theory = parameters.oscillator()?;
+    let oscillator = forced(theory, shown.amplitude(), shown.frequency())?;
+    let instant = Instant {
+        face: oscillator.non_impacting_solution(shown.phase()).position,
+        // φ_p is harmonic about −1 and reaches 0 at the grazing amplitude.
+        stroke: shown.amplitude() / theory.grazing(shown.frequency())?.amplitude(),
+        force: libm::cos(shown.phase()),
+        coils: shown.coils(),
+    };
+    let mut rows = Vec::new();
+    for (part, pieces) in instant.parts() {
+        for (piece, points) in (1..).zip(&pieces) {
+            rows.extend(points.iter().map(|&[x, height]| PartPoint { part, piece, x, height }));
         }
-        Ok(Self { parts: columns.finish("fig06_parts")? })
     }
+    Ok(rows)
 }
 
 /// What is shown.
@@ -88,7 +74,7 @@ struct Instant {
 
 impl Instant {
     /// All parts, each as polylines. What is listed later covers what is listed earlier.
-    fn parts(&self) -> Vec<(&'static str, Vec<Polyline>)> {
+    fn parts(&self) -> Vec<(Part, Vec<Polyline>)> {
         use lengths::*;
         const EQUILIBRIUM: f64 = -1.0;
         const WALL: f64 = 0.0;
@@ -108,24 +94,27 @@ impl Instant {
             shapes::circle([back + share * BLOCK_WIDTH, 0.5 * BLOCK_BOTTOM], 0.5 * BLOCK_BOTTOM)
         });
         vec![
-            ("anchor hatching", shapes::hatching([anchor - STRIP, anchor], [0.0, WALL_TOP])),
-            ("anchor", vec![vertical(anchor, 0.0, WALL_TOP)]),
-            ("wall hatching", shapes::hatching([WALL, WALL + STRIP], [0.0, WALL_TOP])),
-            ("wall", vec![vertical(WALL, 0.0, WALL_TOP)]),
-            ("floor", vec![horizontal(0.0, anchor, WALL)]),
+            (Part::AnchorHatching, shapes::hatching([anchor - STRIP, anchor], [0.0, WALL_TOP])),
+            (Part::Anchor, vec![vertical(anchor, 0.0, WALL_TOP)]),
+            (Part::WallHatching, shapes::hatching([WALL, WALL + STRIP], [0.0, WALL_TOP])),
+            (Part::Wall, vec![vertical(WALL, 0.0, WALL_TOP)]),
+            (Part::Floor, vec![horizontal(0.0, anchor, WALL)]),
             (
-                "guide",
+                Part::Guide,
                 vec![
                     vertical(face, BLOCK_BOTTOM, AXIS_HEIGHT),
                     vertical(WALL, 0.0, AXIS_HEIGHT),
                     vertical(EQUILIBRIUM, EQUILIBRIUM_TOP, AXIS_HEIGHT),
                 ],
             ),
-            ("axis", vec![horizontal(AXIS_HEIGHT, back, WALL + AXIS_BEYOND_WALL)]),
-            ("tick", vec![tick(face), tick(EQUILIBRIUM), tick(WALL)]),
-            ("spring", vec![shapes::spring([anchor, back], SPRING_HEIGHT, SPRING_RADIUS, LEAD, self.coils)]),
+            (Part::Axis, vec![horizontal(AXIS_HEIGHT, back, WALL + AXIS_BEYOND_WALL)]),
+            (Part::Tick, vec![tick(face), tick(EQUILIBRIUM), tick(WALL)]),
             (
-                "cylinder",
+                Part::Spring,
+                vec![shapes::spring([anchor, back], SPRING_HEIGHT, SPRING_RADIUS, LEAD, self.coils)],
+            ),
+            (
+                Part::Cylinder,
                 vec![vec![
                     [mouth, DASHPOT_HEIGHT + DASHPOT_RADIUS],
                     [bottom_of_cylinder, DASHPOT_HEIGHT + DASHPOT_RADIUS],
@@ -134,24 +123,24 @@ impl Instant {
                 ]],
             ),
             (
-                "rod",
+                Part::Rod,
                 vec![
                     horizontal(DASHPOT_HEIGHT, anchor, bottom_of_cylinder),
                     horizontal(DASHPOT_HEIGHT, piston, back),
                 ],
             ),
             (
-                "piston",
+                Part::Piston,
                 vec![vertical(
                     piston,
                     DASHPOT_HEIGHT - 0.8 * DASHPOT_RADIUS,
                     DASHPOT_HEIGHT + 0.8 * DASHPOT_RADIUS,
                 )],
             ),
-            ("wheel", wheels.into()),
-            ("block", vec![shapes::rectangle([back, face], [BLOCK_BOTTOM, BLOCK_TOP])]),
-            ("force", vec![horizontal(FORCE_HEIGHT, face, face + FULL_FORCE * self.force)]),
-            ("dimension", vec![horizontal(DIMENSION_HEIGHT, EQUILIBRIUM, WALL)]),
+            (Part::Wheel, wheels.into()),
+            (Part::Block, vec![shapes::rectangle([back, face], [BLOCK_BOTTOM, BLOCK_TOP])]),
+            (Part::Force, vec![horizontal(FORCE_HEIGHT, face, face + FULL_FORCE * self.force)]),
+            (Part::Dimension, vec![horizontal(DIMENSION_HEIGHT, EQUILIBRIUM, WALL)]),
         ]
     }
 }

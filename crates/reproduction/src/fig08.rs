@@ -1,8 +1,11 @@
 //! Figure 8 (fig:Y): magnifications around resonances with the quadratic approximations.
 
+use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
+use grazing_results::plane::MagnifiedPoint;
+use grazing_results::{Names, Table};
 use grazing_unfold::Diagram;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::resonances::Resonance;
@@ -11,24 +14,34 @@ use rayon::prelude::*;
 use crate::StudyError;
 use crate::diagram::ends;
 use crate::parameters::{Panel, Parameters};
-use crate::plane::{self, Axes};
-use crate::table::{Table, columns, row};
+use crate::plane;
 
-/// The frames of Figure 8.
+/// What Figure 8 shows.
 #[derive(Clone, Debug)]
 pub struct Figure8 {
-    /// `fig08_curves`: continued curves and quadratic approximations, panel by panel.
-    pub curves: Table,
-    /// The coefficients printed in each panel; they also stand in `coefficients.csv`.
-    pub coefficients: Table,
+    /// Continued curves and quadratic approximations, panel by panel.
+    pub curves: Vec<MagnifiedPoint>,
+    /// The panels, numbered from 1.
+    pub panels: Vec<ShownPanel>,
     /// What is shown in the place of something else, in sentences.
     pub notes: Vec<String>,
+}
+
+/// A panel of Figure 8.
+#[derive(Clone, Copy, Debug)]
+pub struct ShownPanel {
+    /// Number of loops p of its resonance.
+    pub loops: u32,
+    /// What it shows of the plane.
+    pub window: Window,
+    /// The coefficients by the closed form.
+    pub coefficients: Pair<f64>,
 }
 
 impl Figure8 {
     /// The tables that are written.
     pub fn tables(&self) -> Vec<Table> {
-        vec![self.curves.clone()]
+        vec![Table::new("fig08_curves", &Names::of_the_paper(), &self.curves)]
     }
 
     pub(crate) fn compute(
@@ -37,23 +50,24 @@ impl Figure8 {
     ) -> Result<Self, StudyError> {
         let theory = parameters.oscillator()?;
         let (shown, notes) = shown(parameters, diagram)?;
-        let mut printed = columns! { "panel": 0, "p": 0, "n": 0, "c_sn": 0.0, "c_pd": 0.0 };
         let polylines: Vec<_> =
             shown.par_iter().map(|panel| panel.curves(diagram)).collect::<Result<_, StudyError>>()?;
-        for (number, panel) in (1..).zip(&shown) {
-            let (loops, n) = (panel.resonance.loops, panel.resonance.n);
-            let c = theory.resonance(loops, n)?;
-            printed.push(row![
-                number,
-                loops,
-                n,
-                c.saddle_node_coefficient(),
-                c.period_doubling_coefficient()
-            ]);
-        }
+        let panel = |panel: &Shown<'_>| {
+            let (loops, window) = (panel.resonance.loops, panel.window);
+            let known = theory.resonance(loops, panel.resonance.n)?;
+            let coefficients = Pair {
+                saddle_node: known.saddle_node_coefficient(),
+                period_doubling: known.period_doubling_coefficient(),
+            };
+            Ok(ShownPanel { loops, window, coefficients })
+        };
+        let panels = shown.iter().map(panel).collect::<Result<_, StudyError>>()?;
+        let magnified = shown.iter().zip(&polylines);
+        let magnified =
+            magnified.map(|(panel, lines)| (panel.resonance.loops, panel.resonance.n, lines.as_slice()));
         Ok(Self {
-            curves: plane::magnifications("fig08_curves", &Axes::of_the_paper(), &polylines)?,
-            coefficients: printed.finish("fig08_coefficients")?,
+            curves: plane::magnifications(magnified),
+            panels,
             notes: [parameters.fig08()?.notes(), &notes].concat(),
         })
     }
@@ -73,14 +87,6 @@ impl Shown<'_> {
         magnify(diagram, resonance, point, window)
             .map_err(|source| StudyError::resonance(resonance.loops, resonance.n, source))
     }
-}
-
-/// The windows of the panels that are shown, as the file has them or chosen about the resonances.
-pub(crate) fn windows(
-    parameters: &Parameters,
-    diagram: &Diagram<LinearOscillator>,
-) -> Result<Vec<Window>, StudyError> {
-    Ok(shown(parameters, diagram)?.0.iter().map(|panel| panel.window).collect())
 }
 
 /// The panels that can be shown, and why others cannot, in sentences.

@@ -3,22 +3,11 @@
 use grazing_model::maps::{global_map, virtual_map};
 use grazing_model::motion::{Motion, first_rest};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_results::space::{CurveKind, Mark, MarkKind, SurfaceKind};
 
 use crate::StudyError;
 use crate::parameters::{self, Parameters};
-use crate::space::{Drawn, Points, Space, axes, line, outline, trajectory};
-use crate::table::Table;
-
-/// The frames of Figure 9.
-#[derive(Clone, Debug)]
-pub struct Figure9 {
-    /// `fig09_curves`: real and virtual parts of the orbit near the wall, the reset law, and P_global from point to point.
-    pub curves: Table,
-    /// `fig09_points`: impact, recoil, (x̂, 0, ẑ) as `virtual`, and (x⁽ʲ⁾, 0, z⁽ʲ⁾) as `section` with number j.
-    pub points: Table,
-    /// `fig09_surfaces`: incoming and outgoing set, Π on both sides of the wall, the tangency set, and the axes.
-    pub surfaces: Table,
-}
+use crate::space::{Drawn, Scene, Space, axes, line, outline, trajectory};
 
 /// The points of Figure 9, phases near z_graz.
 struct Marks {
@@ -54,62 +43,58 @@ impl Marks {
     }
 }
 
-impl Figure9 {
-    /// The tables that are written.
-    pub fn tables(&self) -> Vec<Table> {
-        vec![self.curves.clone(), self.points.clone(), self.surfaces.clone()]
-    }
-
-    pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
-        let shown = parameters.fig09()?;
-        let of = shown.specimen();
-        let oscillator = LinearOscillator::new(of.zeta(), of.epsilon(), of.amplitude(), of.frequency())?;
-        let theory = grazing_theorems::LinearOscillator::new(of.zeta(), of.epsilon())?;
-        let origin = theory.grazing(of.frequency())?.phase();
-        let [velocity, phase] = shown.impact();
-        let marks = Marks::compute(&oscillator, State::on_wall(velocity, origin + phase), shown.loops())?;
-        let space = Space::straight(shown.view());
-        Ok(Self {
-            curves: curves(&space, &oscillator, &marks, shown.position().lower())?,
-            points: points(&space, &marks)?,
-            surfaces: surfaces(&space, shown, origin)?,
-        })
-    }
+/// Real and virtual parts of the orbit near the wall, the reset law, P_global from point to point, and Π on both sides of the wall; marks are
+/// the impact, the recoil, (x̂, 0, ẑ) as virtual, and (x⁽ʲ⁾, 0, z⁽ʲ⁾) with number j.
+pub(crate) fn compute(parameters: &Parameters) -> Result<Scene, StudyError> {
+    let shown = parameters.fig09()?;
+    let of = shown.specimen();
+    let oscillator = LinearOscillator::new(of.zeta(), of.epsilon(), of.amplitude(), of.frequency())?;
+    let theory = grazing_theorems::LinearOscillator::new(of.zeta(), of.epsilon())?;
+    let origin = theory.grazing(of.frequency())?.phase();
+    let [velocity, phase] = shown.impact();
+    let marks = Marks::compute(&oscillator, State::on_wall(velocity, origin + phase), shown.loops())?;
+    let space = Space::straight(shown.view());
+    let curves = curves(&space, &oscillator, &marks, shown.position().lower());
+    let names = ["fig09_curves", "fig09_points", "fig09_surfaces"];
+    Ok(Scene::new(names, curves, points(&space, &marks), surfaces(&space, shown, origin)))
 }
 
-fn curves(
-    space: &Space,
+fn curves<'a>(
+    space: &'a Space,
     oscillator: &LinearOscillator,
     marks: &Marks,
     edge: f64,
-) -> Result<Table, StudyError> {
+) -> Drawn<'a, CurveKind> {
     let mut drawn = Drawn::new(space);
     let from_edge =
         |state: State| trajectory(oscillator, state, to_level(oscillator, state, false, edge), 0.0);
     let till_edge =
         |state: State| trajectory(oscillator, state, 0.0, to_level(oscillator, state, true, edge));
-    drawn.curve("orbit", &from_edge(marks.impact));
-    drawn.curve("virtual", &trajectory(oscillator, marks.impact, 0.0, marks.ahead.1));
-    drawn.curve("reset", &line(marks.impact, marks.recoil));
-    drawn.curve("virtual", &trajectory(oscillator, marks.recoil, marks.behind.1, 0.0));
-    drawn.curve("orbit", &till_edge(marks.recoil));
+    drawn.curve(CurveKind::Orbit, &from_edge(marks.impact));
+    drawn.curve(CurveKind::Virtual, &trajectory(oscillator, marks.impact, 0.0, marks.ahead.1));
+    drawn.curve(CurveKind::Reset, &line(marks.impact, marks.recoil));
+    drawn.curve(CurveKind::Virtual, &trajectory(oscillator, marks.recoil, marks.behind.1, 0.0));
+    drawn.curve(CurveKind::Orbit, &till_edge(marks.recoil));
     let mut last = marks.behind.0;
     for (place, &next) in marks.iterates.iter().enumerate() {
-        drawn.curve("global", &line(last, next));
+        drawn.curve(CurveKind::Global, &line(last, next));
         let go_on = place + 1 < marks.iterates.len();
         if next.position > 0.0 {
             let [edge, wall] = [edge, 0.0].map(|level| to_level(oscillator, next, false, level));
-            drawn.curve("orbit", &trajectory(oscillator, next, edge, wall));
-            drawn.curve("virtual", &trajectory(oscillator, next, wall, 0.0));
+            drawn.curve(CurveKind::Orbit, &trajectory(oscillator, next, edge, wall));
+            drawn.curve(CurveKind::Virtual, &trajectory(oscillator, next, wall, 0.0));
         } else {
-            drawn.curve("orbit", &from_edge(next));
+            drawn.curve(CurveKind::Orbit, &from_edge(next));
         }
         if go_on {
-            drawn.curve(if next.position > 0.0 { "virtual" } else { "orbit" }, &till_edge(next));
+            drawn.curve(
+                if next.position > 0.0 { CurveKind::Virtual } else { CurveKind::Orbit },
+                &till_edge(next),
+            );
         }
         last = next;
     }
-    drawn.finish("fig09_curves")
+    drawn
 }
 
 /// The time from a state near the wall, in either direction of time, to where x has fallen to a level, or to the turning
@@ -143,31 +128,38 @@ fn to_level(oscillator: &LinearOscillator, state: State, forwards: bool, level: 
     }
 }
 
-fn points(space: &Space, marks: &Marks) -> Result<Table, StudyError> {
-    let mut points = Points::new(space);
-    points.point("impact", 0, marks.impact);
-    points.point("recoil", 0, marks.recoil);
-    points.point("virtual", 0, marks.ahead.0);
-    points.point("section", 0, marks.behind.0);
-    for (number, &state) in (1..).zip(&marks.iterates) {
-        points.point("section", number, state);
-    }
-    points.finish("fig09_points")
+fn points(space: &Space, marks: &Marks) -> Vec<Mark> {
+    let named = [
+        (MarkKind::Impact, marks.impact),
+        (MarkKind::Recoil, marks.recoil),
+        (MarkKind::Virtual, marks.ahead.0),
+        (MarkKind::Section, marks.behind.0),
+    ];
+    let named = named.map(|(kind, state)| space.mark(kind, 0, state));
+    let iterates = (1..).zip(&marks.iterates);
+    named
+        .into_iter()
+        .chain(iterates.map(|(number, &state)| space.mark(MarkKind::Section, number, state)))
+        .collect()
 }
 
-fn surfaces(space: &Space, shown: &parameters::Figure9, origin: f64) -> Result<Table, StudyError> {
+fn surfaces<'a>(space: &'a Space, shown: &parameters::Figure9, origin: f64) -> Drawn<'a, SurfaceKind> {
     let ends = |range: parameters::Range| [range.lower(), range.upper()];
     let (position, velocity) = (ends(shown.position()), ends(shown.velocity()));
     let phase = ends(shown.phase()).map(|z| origin + z);
     let mut drawn = Drawn::new(space);
     let corners = |end: f64| [(0.0, phase[0]), (end, phase[0]), (end, phase[1]), (0.0, phase[1])];
-    for (kind, end) in [("outgoing", velocity[0]), ("incoming", velocity[1])] {
+    for (kind, end) in [(SurfaceKind::Outgoing, velocity[0]), (SurfaceKind::Incoming, velocity[1])] {
         drawn.face(kind, [0.0, end], &outline(corners(end).map(|(y, z)| State::on_wall(y, z))));
     }
     for end in position {
-        drawn.face("section", [end, 0.0], &outline(corners(end).map(|(x, z)| State::at_rest(x, z))));
+        drawn.face(
+            SurfaceKind::Section,
+            [end, 0.0],
+            &outline(corners(end).map(|(x, z)| State::at_rest(x, z))),
+        );
     }
-    drawn.curve("tangency", &line(State::on_wall(0.0, phase[0]), State::on_wall(0.0, phase[1])));
+    drawn.curve(SurfaceKind::Tangency, &line(State::on_wall(0.0, phase[0]), State::on_wall(0.0, phase[1])));
     axes(&mut drawn, [position, velocity, phase], phase[0]);
-    drawn.finish("fig09_surfaces")
+    drawn
 }

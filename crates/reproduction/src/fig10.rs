@@ -1,40 +1,26 @@
 //! Figure 10 (fig:I): the path of the proof of Theorem 2.3, Step 3.
 
+use grazing_results::sketches::Visit;
 use grazing_theorems::auxiliary::lucas_sequence;
 use nalgebra::Vector2;
 
 use crate::StudyError;
 use crate::parameters::Parameters;
-use crate::table::{Table, columns, row};
 
-/// The frames of Figure 10.
-#[derive(Clone, Debug)]
-pub struct Figure10 {
-    /// `fig10_path`: the vertices (u⁽ʲ⁾, w⁽ʲ⁾), j = 0, …, p.
-    pub path: Table,
-}
-
-impl Figure10 {
-    /// All tables.
-    pub fn tables(&self) -> Vec<Table> {
-        vec![self.path.clone()]
+/// The vertices (u⁽ʲ⁾, w⁽ʲ⁾), j = 0, …, p, as iterates of (0, −b₁ₚ / (a₁₂ β)) under the affine map Q(u, w) = A (u, w) + (S_p / β) b.
+///
+/// Paper: eq:affineMap and the line after eq:affineMapj. The scaling S_p / β of eq:ujwj makes u⁽ʲ⁾ free of μ.
+pub(crate) fn compute(parameters: &Parameters) -> Result<Vec<Visit>, StudyError> {
+    let shown = parameters.fig10()?;
+    let oscillator = parameters.oscillator()?;
+    let map = oscillator.grazing(shown.frequency())?.linearised_map();
+    let (p, beta) = (shown.loops(), map.transversality());
+    let drift = map.b * (lucas_sequence(p, map.trace(), map.determinant()) / beta);
+    let mut vertex = Vector2::new(0.0, -map.iterate(p).b.x / (map.a.m12 * beta));
+    let mut path = Vec::new();
+    for visit in 0..=p {
+        path.push(Visit { visit, u: vertex.x, w: vertex.y });
+        vertex = map.a * vertex + drift;
     }
-
-    /// The vertices as iterates of (0, −b₁ₚ / (a₁₂ β)) under the affine map Q(u, w) = A (u, w) + (S_p / β) b.
-    ///
-    /// Paper: eq:affineMap and the line after eq:affineMapj. The scaling S_p / β of eq:ujwj makes u⁽ʲ⁾ free of μ.
-    pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
-        let shown = parameters.fig10()?;
-        let oscillator = parameters.oscillator()?;
-        let map = oscillator.grazing(shown.frequency())?.linearised_map();
-        let (p, beta) = (shown.loops(), map.transversality());
-        let drift = map.b * (lucas_sequence(p, map.trace(), map.determinant()) / beta);
-        let mut vertex = Vector2::new(0.0, -map.iterate(p).b.x / (map.a.m12 * beta));
-        let mut path = columns! { "visit": 0, "u": 0.0, "w": 0.0 };
-        for visit in 0..=p {
-            path.push(row![visit, vertex.x, vertex.y]);
-            vertex = map.a * vertex + drift;
-        }
-        Ok(Self { path: path.finish("fig10_path")? })
-    }
+    Ok(path)
 }

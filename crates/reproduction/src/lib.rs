@@ -1,7 +1,7 @@
-//! The figures and tables of the paper as data frames.
+//! The figures and tables of the paper as rows.
 //!
 //! Parameters come in as TOML ([`parameters`]), a [`Study`] computes what is asked for, and each figure is a struct of
-//! [`Table`]s. Nothing here draws or writes files.
+//! lists of rows ([`grazing_results`]). Nothing here draws or writes files.
 
 mod coefficients;
 mod diagram;
@@ -22,21 +22,15 @@ pub mod published;
 mod space;
 mod study;
 mod sweep;
-mod table;
 pub mod unfolded;
 
 pub use coefficients::Coefficients;
 pub use error::StudyError;
-pub use fig01::Figure1;
 pub use fig02::Figure2;
-pub use fig03::Figure3;
 pub use fig04::Figure4;
 pub use fig05::Figure5;
-pub use fig06::Figure6;
 pub use fig07::Figure7;
-pub use fig08::Figure8;
-pub use fig09::Figure9;
-pub use fig10::Figure10;
+pub use fig08::{Figure8, ShownPanel};
+pub use space::Scene;
 pub use study::Study;
 pub use sweep::TheoremsInAction;
-pub use table::Table;

@@ -1,277 +1,184 @@
-//! Tables of a two-parameter diagram, whatever the oscillator and its parameters are called.
+//! Rows of a two-parameter diagram, whatever the oscillator and its parameters are called.
 
 use core::f64::consts::{PI, TAU};
 
-use grazing_continuation::curve::CurvePoint;
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
+use grazing_results::Names;
+use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionKind, RegionVertex, Source, SpecialPoint};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
-use grazing_unfold::grazing::{GrazingCurve, GrazingState};
+use grazing_unfold::grazing::GrazingCurve;
 use grazing_unfold::magnification::Polyline;
-use grazing_unfold::regions::{Region, RegionKind};
+use grazing_unfold::regions::{self, Region};
 use grazing_unfold::units::InUnits;
 
-use crate::StudyError;
-use crate::table::{Cell, Columns, Table, columns, row};
+use crate::unfolded;
 
 /// The names of the two parameters, which head their columns, and the units in which the tables count what was found without dimensions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axes {
-    /// The primary parameter μ.
-    pub primary: String,
-    /// The secondary parameter η.
-    pub secondary: String,
+    /// The names; one that is another column's has a `_` more.
+    pub names: Names,
     /// The oscillator's own units.
     pub units: Units,
 }
 
-/// Names of columns of these tables, which a parameter's column must not repeat.
-const TAKEN: &[&str] = &[
-    "kind",
-    "p",
-    "n",
-    "arc",
-    "region",
-    "panel",
-    "ring",
-    "reason",
-    "source",
-    "impact_velocity",
-    "impact_phase",
-    "trace",
-    "determinant",
-    "max_interior_x",
-    "stable",
-    "admissible",
-    "phase",
-    "a11",
-    "a12",
-    "a21",
-    "a22",
-    "b1",
-    "b2",
-    "frequency",
-    "tau",
-    "delta",
-    "alpha",
-    "beta",
-    "gamma",
-    "phi",
-    "psi",
-    "kappa",
-    "xi",
-    "a12_prime",
-    "kappa_prime",
-    "s_plus",
-    "s_minus",
-    "c_sn",
-    "c_pd",
-    "theorem",
-    "hypothesis",
-    "value",
-    "holds",
-];
-
 impl Axes {
-    /// The columns of parameters with these names; `_` is added to one that names another column.
+    /// Axes of these names.
     pub fn new(primary: &str, secondary: &str, units: Units) -> Self {
-        let column = |name: &str| {
-            let mut column = name.to_owned();
-            while TAKEN.contains(&column.as_str()) {
-                column.push('_');
+        let columns = unfolded::TABLES.iter().flat_map(|table| table.columns);
+        let taken: Vec<_> = columns.map(|column| column.name).collect();
+        let own = |name: &str| {
+            let mut name = name.to_owned();
+            while taken.contains(&name.as_str()) {
+                name.push('_');
             }
-            column
+            name
         };
-        Self { primary: column(primary), secondary: column(secondary), units }
+        Self { names: Names::new(&own(primary), &own(secondary)), units }
     }
 
-    /// The forcing amplitude and frequency of the paper's oscillator.
+    /// Amplitude and frequency of the paper's oscillator.
     pub fn of_the_paper() -> Self {
-        Self::new("amplitude", "omega", Units::ONE)
-    }
-
-    pub(crate) fn names(&self) -> [&str; 2] {
-        [&self.primary, &self.secondary]
+        Self { names: Names::of_the_paper(), units: Units::ONE }
     }
 }
 
 /// Grazing curves and bifurcation curves, point by point.
-///
-/// # Errors
-/// The table could not be made.
-pub fn curves<O: ImpactOscillator>(
-    name: &'static str,
-    axes: &Axes,
-    diagram: &Diagram<O>,
-) -> Result<Table, StudyError> {
+pub fn curves<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<CurvePoint> {
     let curves = diagram.curves.iter().map(|curve| bifurcation_rows(axes, diagram, curve));
-    joined(name, axes, grazing_rows(axes, diagram).into_iter().chain(curves))
+    numbered(grazing_rows(axes, diagram).into_iter().chain(curves))
 }
 
-/// The rows of a curve but for its number.
-pub(crate) type CurveRows = Vec<[Cell; 12]>;
-
-/// The table of curves, numbered in their order.
-pub(crate) fn joined(
-    name: &'static str,
-    axes: &Axes,
-    curves: impl IntoIterator<Item = CurveRows>,
-) -> Result<Table, StudyError> {
-    let [primary, secondary] = axes.names();
-    let mut columns = columns! {
-        "kind": "", "p": 0, "n": 0, secondary: 0.0, primary: 0.0, "impact_velocity": 0.0, "impact_phase": 0.0,
-        "trace": 0.0, "determinant": 0.0, "max_interior_x": 0.0, "stable": false, "admissible": false, "arc": 0,
-    };
-    for (arc, curve) in (0..).zip(curves) {
-        for [
-            kind,
-            p,
-            n,
-            secondary,
-            primary,
-            velocity,
-            phase,
-            trace,
-            determinant,
-            ceiling,
-            stable,
-            admissible,
-        ] in curve
-        {
-            columns.push([
-                kind,
-                p,
-                n,
-                secondary,
-                primary,
-                velocity,
-                phase,
-                trace,
-                determinant,
-                ceiling,
-                stable,
-                admissible,
-                Cell::Integer(arc),
-            ]);
-        }
-    }
-    Ok(columns.finish(name)?)
+/// The points of curves that are numbered in their order.
+pub(crate) fn numbered(curves: impl IntoIterator<Item = Vec<CurvePoint>>) -> Vec<CurvePoint> {
+    let numbered = (0..).zip(curves);
+    numbered
+        .flat_map(|(arc, curve)| curve.into_iter().map(move |point| CurvePoint { arc, ..point }))
+        .collect()
 }
 
-/// The pieces of the grazing curve.
-pub(crate) fn grazing_rows<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<CurveRows> {
+/// The pieces of the grazing curve, without numbers.
+pub(crate) fn grazing_rows<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Vec<CurvePoint>> {
     let rows = |curve: &GrazingCurve<O>| {
-        let row = |state: &GrazingState<O>| {
+        let points = curve.states.iter().map(|state| {
             let [primary, secondary] = axes.units.parameters(state.orbit.oscillator().parameters());
             let map = state.orbit.grazing_point().map;
-            let (stable, admissible) = (state.stable, state.admissible);
-            let (trace, determinant) = (map.trace(), map.determinant());
-            row!["graz", 0, 0, secondary, primary, 0.0, 0.0, trace, determinant, f64::NAN, stable, admissible]
-        };
-        curve.states.iter().map(row).collect()
+            CurvePoint {
+                kind: Bifurcation::NonImpactingGrazing,
+                loops: 0,
+                n: 0,
+                secondary,
+                primary,
+                impact_velocity: 0.0,
+                impact_phase: 0.0,
+                trace: map.trace(),
+                determinant: map.determinant(),
+                max_interior_x: f64::NAN,
+                stable: state.stable,
+                admissible: state.admissible,
+                arc: 0,
+            }
+        });
+        points.collect()
     };
     diagram.grazing.iter().map(rows).collect()
 }
 
-/// A bifurcation curve, which need not be in the diagram yet; its grazing curves are.
+/// A bifurcation curve without its number; it need not be in the diagram yet, whose grazing curves are.
 pub(crate) fn bifurcation_rows<O: ImpactOscillator>(
     axes: &Axes,
     diagram: &Diagram<O>,
     curve: &DiagramCurve,
-) -> CurveRows {
+) -> Vec<CurvePoint> {
     let units = &axes.units;
-    let row = |point: &CurvePoint| {
+    let points = curve.curve.points.iter().map(|point| {
         let solution = &point.solution;
         let [velocity, phase, _, eta] = solution.unknowns.into();
         let [primary, secondary] = units.parameters(solution.parameters());
-        row![
-            curve.kind.name(),
-            curve.loops,
-            curve.n,
+        CurvePoint {
+            kind: curve.kind,
+            loops: curve.loops,
+            n: curve.n,
             secondary,
             primary,
-            velocity * units.velocity(),
-            diagram.grazing_phase(eta).map_or(f64::NAN, |graz| centred(phase - graz)),
-            solution.multipliers.trace,
-            solution.multipliers.determinant,
-            solution.ceiling() * units.length,
-            solution.stable(),
-            solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
-        ]
-    };
-    curve.curve.points.iter().map(row).collect()
+            impact_velocity: velocity * units.velocity(),
+            impact_phase: diagram.grazing_phase(eta).map_or(f64::NAN, |graz| centred(phase - graz)),
+            trace: solution.multipliers.trace,
+            determinant: solution.multipliers.determinant,
+            max_interior_x: solution.ceiling() * units.length,
+            stable: solution.stable(),
+            admissible: solution.ceiling() <= MaximalPeriodicSolution::TOUCH,
+            arc: 0,
+        }
+    });
+    points.collect()
 }
 
 /// Resonances at which a theorem holds, and other codimension-two points.
-///
-/// # Errors
-/// The table could not be made.
-pub fn points<O: ImpactOscillator>(
-    name: &'static str,
-    axes: &Axes,
-    diagram: &Diagram<O>,
-) -> Result<Table, StudyError> {
-    let [primary, secondary] = axes.names();
-    let mut columns = columns! { "kind": "", "p": 0, "n": 0, secondary: 0.0, primary: 0.0 };
-    for (resonance, point) in diagram.unfolding() {
-        let [_, _, primary, secondary] = point.unknowns().into();
-        let [primary, secondary] = axes.units.parameters([primary, secondary]);
-        columns.push(row!["resonance", resonance.loops, resonance.n, secondary, primary]);
-    }
-    for corner in &diagram.corners {
-        let [primary, secondary] = axes.units.parameters(corner.event.solution.parameters());
-        columns.push(row![corner.kind, corner.loops, corner.n, secondary, primary]);
-    }
-    Ok(columns.finish(name)?)
+pub fn points<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<SpecialPoint> {
+    let point = |kind, loops, n, parameters| {
+        let [primary, secondary] = axes.units.parameters(parameters);
+        SpecialPoint { kind, loops, n, secondary, primary }
+    };
+    let resonances = diagram.unfolding().map(|(resonance, at)| {
+        let [_, _, primary, secondary] = at.unknowns().into();
+        point(CodimensionTwo::Resonance, resonance.loops, resonance.n, [primary, secondary])
+    });
+    let others = diagram
+        .codimension_two
+        .iter()
+        .map(|other| point(other.kind, other.loops, other.n, other.event.solution.parameters()));
+    resonances.chain(others).collect()
 }
 
-/// Regions of stability, corner by corner.
-///
-/// # Errors
-/// The table could not be made.
-pub fn regions(name: &'static str, axes: &Axes, regions: &[Region]) -> Result<Table, StudyError> {
-    let [primary, secondary] = axes.names();
-    let mut columns = columns! {
-        "region": 0, "kind": "", "p": 0, "n": 0, secondary: 0.0, primary: 0.0, "ring": 0, "reason": "",
-    };
+/// Regions of stability, vertex by vertex.
+pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
+    let mut rows = Vec::new();
     for (number, region) in (1..).zip(regions) {
-        let reason = match &region.kind {
-            RegionKind::Undecided(doubt) => doubt.in_units(&axes.units).to_string(),
-            _ => String::new(),
+        let (kind, reason) = match &region.kind {
+            regions::RegionKind::NonImpacting => (RegionKind::NonImpacting, String::new()),
+            regions::RegionKind::Mps => (RegionKind::Mps, String::new()),
+            regions::RegionKind::Undecided(doubt) => {
+                (RegionKind::Undecided, doubt.in_units(&axes.units).to_string())
+            }
         };
         for (ring, vertices) in (0..).zip(&region.rings) {
-            for vertex in vertices {
+            rows.extend(vertices.iter().map(|vertex| {
                 let [primary, secondary] = axes.units.parameters(*vertex);
-                let (kind, reason) = (region.kind.name(), reason.as_str());
-                columns.push(row![number, kind, region.loops, region.n, secondary, primary, ring, reason]);
-            }
+                let (loops, n, reason) = (region.loops, region.n, reason.clone());
+                RegionVertex { region: number, kind, loops, n, secondary, primary, ring, reason }
+            }));
         }
     }
-    Ok(columns.finish(name)?)
+    rows
 }
 
-/// Curves of magnifications, panel by panel from 1; their points are in the oscillator's own units.
-///
-/// # Errors
-/// The table could not be made.
-pub fn magnifications(
-    name: &'static str,
-    axes: &Axes,
-    panels: &[Vec<Polyline>],
-) -> Result<Table, StudyError> {
-    let [primary, secondary] = axes.names();
-    let mut columns: Columns =
-        columns! { "panel": 0, "kind": "", "source": "", "arc": 0, secondary: 0.0, primary: 0.0 };
-    for (panel, polylines) in (1..).zip(panels) {
+/// Curves of magnifications about the resonances of these p and n, panel by panel from 1; their points are in the oscillator's own units.
+pub fn magnifications<'a>(
+    panels: impl IntoIterator<Item = (u32, u32, &'a [Polyline])>,
+) -> Vec<MagnifiedPoint> {
+    let mut rows = Vec::new();
+    for (panel, (loops, n, polylines)) in (1..).zip(panels) {
         for (arc, polyline) in (1..).zip(polylines) {
-            for [primary, secondary] in &polyline.points {
-                let (kind, source) = (polyline.kind_name(), polyline.source.name());
-                columns.push(row![panel, kind, source, arc, *secondary, *primary]);
-            }
+            let kind = polyline.kind;
+            let source = if polyline.quadratic { Source::Quadratic } else { Source::Continuation };
+            let point = |&[primary, secondary]: &[f64; 2]| MagnifiedPoint {
+                panel,
+                loops,
+                n,
+                kind,
+                source,
+                arc,
+                secondary,
+                primary,
+            };
+            rows.extend(polyline.points.iter().map(point));
         }
     }
-    Ok(columns.finish(name)?)
+    rows
 }
 
 /// An angle brought into (−π, π].

@@ -7,10 +7,10 @@
 
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, State};
+use grazing_results::space::{CurveKind, Mark, MarkKind, SurfaceKind, Vertex};
+use grazing_results::{Names, Table};
 
-use crate::StudyError;
 use crate::parameters::View;
-use crate::table::{Columns, Table, columns, row};
 
 /// Samples of an orbit per forcing period: segments shorter than a point on the sheet.
 const SAMPLES: f64 = 300.0;
@@ -163,24 +163,53 @@ pub(crate) fn outline(corners: [State; 4]) -> Vec<State> {
     corners.iter().zip(next).flat_map(|(&a, &b)| line(a, b).into_iter().take(LINE_SAMPLES as usize)).collect()
 }
 
+/// What a figure in phase space shows.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    names: [&'static str; 3],
+    /// Orbits, and what joins points.
+    pub curves: Vec<Vertex<CurveKind>>,
+    /// Points with names.
+    pub points: Vec<Mark>,
+    /// Surfaces, lines on them, and the axes.
+    pub surfaces: Vec<Vertex<SurfaceKind>>,
+}
+
+impl Scene {
+    pub(crate) fn new(
+        names: [&'static str; 3],
+        curves: Drawn<'_, CurveKind>,
+        points: Vec<Mark>,
+        surfaces: Drawn<'_, SurfaceKind>,
+    ) -> Self {
+        Self { names, curves: curves.vertices, points, surfaces: surfaces.vertices }
+    }
+
+    /// All tables.
+    pub fn tables(&self) -> Vec<Table> {
+        let ([curves, points, surfaces], names) = (self.names, Names::of_the_paper());
+        vec![
+            Table::new(curves, &names, &self.curves),
+            Table::new(points, &names, &self.points),
+            Table::new(surfaces, &names, &self.surfaces),
+        ]
+    }
+}
+
 /// The curves or the surfaces of a figure, seen from its viewpoint.
-pub(crate) struct Drawn<'a> {
+pub(crate) struct Drawn<'a, K> {
     space: &'a Space,
-    columns: Columns,
+    vertices: Vec<Vertex<K>>,
     number: u32,
 }
 
-impl<'a> Drawn<'a> {
+impl<'a, K: Copy> Drawn<'a, K> {
     pub(crate) fn new(space: &'a Space) -> Self {
-        let columns = columns! {
-            "kind": "", "number": 0, "piece": 0, "layer": 0,
-            "x": 0.0, "y": 0.0, "z": 0.0, "across": 0.0, "up": 0.0, "depth": 0.0,
-        };
-        Self { space, columns, number: 0 }
+        Self { space, vertices: Vec::new(), number: 0 }
     }
 
     /// A curve, split into pieces where it changes its layer.
-    pub(crate) fn curve(&mut self, kind: &'static str, states: &[State]) {
+    pub(crate) fn curve(&mut self, kind: K, states: &[State]) {
         self.number += 1;
         let layers: Vec<u32> =
             states.windows(2).map(|pair| self.space.layer_between(pair[0], pair[1])).collect();
@@ -197,7 +226,7 @@ impl<'a> Drawn<'a> {
     }
 
     /// A face of a surface: a closed outline on it, and the signs of x and y over it.
-    pub(crate) fn face(&mut self, kind: &'static str, [x, y]: [f64; 2], outline: &[State]) {
+    pub(crate) fn face(&mut self, kind: K, [x, y]: [f64; 2], outline: &[State]) {
         self.number += 1;
         let layer = self.space.layer(x, y);
         for &state in outline {
@@ -205,51 +234,29 @@ impl<'a> Drawn<'a> {
         }
     }
 
-    fn push(&mut self, kind: &'static str, piece: u32, layer: u32, state: State) {
+    fn push(&mut self, kind: K, piece: u32, layer: u32, state: State) {
         let Sight { across, up, depth } = self.space.see(state);
         let State { position: x, velocity: y, phase: z } = state;
-        self.columns.push(row![kind, self.number, piece, layer, x, y, z, across, up, depth]);
-    }
-
-    pub(crate) fn finish(self, name: &'static str) -> Result<Table, StudyError> {
-        Ok(self.columns.finish(name)?)
+        let (number, state, place) = (self.number, [x, y, z], [across, up, depth]);
+        self.vertices.push(Vertex { kind, number, piece, layer, state, place });
     }
 }
 
-/// The points of a figure that have names, seen from its viewpoint.
-pub(crate) struct Points<'a> {
-    space: &'a Space,
-    columns: Columns,
-}
-
-impl<'a> Points<'a> {
-    pub(crate) fn new(space: &'a Space) -> Self {
-        let columns = columns! {
-            "kind": "", "number": 0, "layer": 0,
-            "x": 0.0, "y": 0.0, "z": 0.0, "across": 0.0, "up": 0.0, "depth": 0.0,
-        };
-        Self { space, columns }
-    }
-
-    /// A point on Σ or Π.
-    pub(crate) fn point(&mut self, kind: &'static str, number: u32, state: State) {
-        let Sight { across, up, depth } = self.space.see(state);
+impl Space {
+    /// A point on Σ or Π that has a name.
+    pub(crate) fn mark(&self, kind: MarkKind, number: u32, state: State) -> Mark {
+        let Sight { across, up, depth } = self.see(state);
         let State { position: x, velocity: y, phase: z } = state;
-        let layer = self.space.layer_before(state);
-        self.columns.push(row![kind, number, layer, x, y, z, across, up, depth]);
-    }
-
-    pub(crate) fn finish(self, name: &'static str) -> Result<Table, StudyError> {
-        Ok(self.columns.finish(name)?)
+        Mark { kind, number, layer: self.layer_before(state), x, y, z, across, up, depth }
     }
 }
 
 /// The three axes along the edges of a box that meet at (0, 0, `origin`), each a little longer than the box.
-pub(crate) fn axes(drawn: &mut Drawn<'_>, [x, y, z]: [[f64; 2]; 3], origin: f64) {
+pub(crate) fn axes(drawn: &mut Drawn<'_, SurfaceKind>, [x, y, z]: [[f64; 2]; 3], origin: f64) {
     /// By how much of the box an axis is longer than it.
     const OVERSHOOT: f64 = 0.12;
     let beyond = |[low, high]: [f64; 2]| high + OVERSHOOT * (high - low);
-    drawn.curve("x_axis", &line(State::at_rest(x[0], origin), State::at_rest(beyond(x), origin)));
-    drawn.curve("y_axis", &line(State::on_wall(y[0], origin), State::on_wall(beyond(y), origin)));
-    drawn.curve("z_axis", &line(State::on_wall(0.0, z[0]), State::on_wall(0.0, beyond(z))));
+    drawn.curve(SurfaceKind::AxisX, &line(State::at_rest(x[0], origin), State::at_rest(beyond(x), origin)));
+    drawn.curve(SurfaceKind::AxisY, &line(State::on_wall(y[0], origin), State::on_wall(beyond(y), origin)));
+    drawn.curve(SurfaceKind::AxisZ, &line(State::on_wall(0.0, z[0]), State::on_wall(0.0, beyond(z))));
 }

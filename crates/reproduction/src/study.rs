@@ -3,27 +3,24 @@
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-use grazing_continuation::curve::Window;
 use grazing_model::LinearOscillator;
+use grazing_results::Table;
+use grazing_results::sketches::{PartPoint, Visit};
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::{Progress, Silent};
 
 use crate::StudyError;
 use crate::coefficients::{self, Coefficients};
 use crate::diagram;
-use crate::fig01::Figure1;
 use crate::fig02::Figure2;
-use crate::fig03::Figure3;
 use crate::fig04::Figure4;
 use crate::fig05::Figure5;
-use crate::fig06::Figure6;
 use crate::fig07::Figure7;
-use crate::fig08::{self, Figure8};
-use crate::fig09::Figure9;
-use crate::fig10::Figure10;
+use crate::fig08::Figure8;
 use crate::parameters::Parameters;
+use crate::space::Scene;
 use crate::sweep::TheoremsInAction;
-use crate::table::Table;
+use crate::{fig01, fig03, fig06, fig09, fig10};
 
 /// The reproduction at one set of parameters. What several outputs share is computed when it is first needed.
 pub struct Study<'a> {
@@ -69,7 +66,7 @@ impl<'a> Study<'a> {
     /// # Errors
     /// As [`coefficients`](Self::coefficients).
     pub fn coefficient_table(&self) -> Result<Table, StudyError> {
-        coefficients::table(self.coefficients()?)
+        Ok(coefficients::table(self.coefficients()?))
     }
 
     /// What Figure 7 and the table of coefficients lack: resonances that could not be located, and curves that could not be followed.
@@ -80,15 +77,15 @@ impl<'a> Study<'a> {
         Ok(diagram::gaps(self.diagram()?))
     }
 
-    /// The frames of Figure 1.
+    /// Figure 1.
     ///
     /// # Errors
     /// An orbit does not reach the wall where it should.
-    pub fn fig01(&self) -> Result<Figure1, StudyError> {
-        Figure1::compute(&self.parameters)
+    pub fn fig01(&self) -> Result<Scene, StudyError> {
+        fig01::compute(&self.parameters)
     }
 
-    /// The frames of Figure 2.
+    /// Figure 2.
     ///
     /// # Errors
     /// A branch could not be started, or a portrait's solution is not there.
@@ -96,23 +93,23 @@ impl<'a> Study<'a> {
         Figure2::compute(&self.parameters, self.progress)
     }
 
-    /// The frames of Figure 3.
+    /// Figure 3.
     ///
     /// # Errors
     /// P_global is not defined at the point.
-    pub fn fig03(&self) -> Result<Figure3, StudyError> {
-        Figure3::compute(&self.parameters)
+    pub fn fig03(&self) -> Result<Scene, StudyError> {
+        fig03::compute(&self.parameters)
     }
 
-    /// The frames of Figure 4.
+    /// Figure 4.
     ///
     /// # Errors
-    /// None at parameters that passed their checks; a table could not be made.
+    /// A section of the parameter file is not right.
     pub fn fig04(&self) -> Result<Figure4, StudyError> {
         Figure4::compute(&self.parameters)
     }
 
-    /// The frames of Figure 5.
+    /// Figure 5.
     ///
     /// # Errors
     /// The theorem of the figure does not apply at the resonance.
@@ -120,23 +117,23 @@ impl<'a> Study<'a> {
         Figure5::compute(&self.parameters)
     }
 
-    /// The frames of Figure 6.
+    /// Figure 6.
     ///
     /// # Errors
-    /// None at parameters that passed their checks; a table could not be made.
-    pub fn fig06(&self) -> Result<Figure6, StudyError> {
-        Figure6::compute(&self.parameters)
+    /// A section of the parameter file is not right.
+    pub fn fig06(&self) -> Result<Vec<PartPoint>, StudyError> {
+        fig06::compute(&self.parameters)
     }
 
-    /// The frames of Figure 7.
+    /// Figure 7.
     ///
     /// # Errors
     /// There is no grazing in the window.
     pub fn fig07(&self) -> Result<Figure7, StudyError> {
-        Figure7::of(self.diagram()?)
+        Ok(Figure7::of(self.diagram()?))
     }
 
-    /// The frames of Figure 8.
+    /// Figure 8.
     ///
     /// # Errors
     /// A resonance could not be located, unfolded or measured.
@@ -144,28 +141,20 @@ impl<'a> Study<'a> {
         Figure8::compute(&self.parameters, self.diagram()?)
     }
 
-    /// The windows of the panels of Figure 8 in the order of the parameters.
-    ///
-    /// # Errors
-    /// As [`fig08`](Self::fig08).
-    pub fn panels(&self) -> Result<Vec<Window>, StudyError> {
-        fig08::windows(&self.parameters, self.diagram()?)
-    }
-
-    /// The frames of Figure 9.
+    /// Figure 9.
     ///
     /// # Errors
     /// P_virt or P_global is not defined at a point.
-    pub fn fig09(&self) -> Result<Figure9, StudyError> {
-        Figure9::compute(&self.parameters)
+    pub fn fig09(&self) -> Result<Scene, StudyError> {
+        fig09::compute(&self.parameters)
     }
 
-    /// The frames of Figure 10.
+    /// Figure 10.
     ///
     /// # Errors
-    /// None at parameters that passed their checks; a table could not be made.
-    pub fn fig10(&self) -> Result<Figure10, StudyError> {
-        Figure10::compute(&self.parameters)
+    /// A section of the parameter file is not right.
+    pub fn fig10(&self) -> Result<Vec<Visit>, StudyError> {
+        fig10::compute(&self.parameters)
     }
 
     /// Theorems 2.2 to 2.5 against continuation and simulation over many oscillators; the parameters of this study do not
@@ -197,8 +186,8 @@ impl<'a> Study<'a> {
         for c in self.coefficients()? {
             let name = |quantity: &str| format!("{quantity}_p{}_n{}", c.loops, c.n);
             values.insert(name("omega"), c.frequency);
-            values.insert(name("c_sn"), c.closed_form[0]);
-            values.insert(name("c_pd"), c.closed_form[1]);
+            values.insert(name("c_sn"), c.closed_form.saddle_node);
+            values.insert(name("c_pd"), c.closed_form.period_doubling);
         }
         Ok(values)
     }

@@ -5,20 +5,21 @@ use grazing_claims::sweep::resonant::CurveRow;
 use grazing_claims::sweep::{
     Extent, GenericRow, ResonantRow, generic_cases, generic_rows, resonant_cases, resonant_rows,
 };
+use grazing_results::theorems::{Generic, Resonant};
+use grazing_results::{Names, Table};
 use grazing_theorems::Side;
 use grazing_theorems::hypothesis::Quantity;
+use grazing_unfold::progress::Progress;
 
 use crate::StudyError;
-use crate::table::{Columns, Table, columns, row};
-use grazing_unfold::progress::Progress;
 
 /// The four theorems against continuation and simulation.
 #[derive(Clone, Debug)]
 pub struct TheoremsInAction {
-    /// `theorems_generic`: theorems 2.2 and 2.3, a row for each oscillator at grazing.
-    pub generic: Table,
-    /// `theorems_resonant`: theorems 2.4 and 2.5, a row for each resonance.
-    pub resonant: Table,
+    /// Theorems 2.2 and 2.3, a row for each oscillator at grazing.
+    pub generic: Vec<Generic>,
+    /// Theorems 2.4 and 2.5, a row for each resonance.
+    pub resonant: Vec<Resonant>,
 }
 
 impl TheoremsInAction {
@@ -28,15 +29,19 @@ impl TheoremsInAction {
         let what = "theorems 2.2 to 2.5";
         progress.begin(what, (generic.len() + resonant.len()) as u64);
         let step = || progress.step(what);
-        let generic = generic_rows(&generic, step)?;
-        let resonant = resonant_rows(&resonant, step)?;
+        let generic = generic_rows(&generic, step)?.iter().map(self::generic).collect();
+        let resonant = resonant_rows(&resonant, step)?.iter().map(self::resonant).collect();
         progress.end(what);
-        Ok(Self { generic: generic_table(&generic)?, resonant: resonant_table(&resonant)? })
+        Ok(Self { generic, resonant })
     }
 
     /// The tables in the order of their names.
-    pub fn tables(self) -> Vec<Table> {
-        vec![self.generic, self.resonant]
+    pub fn tables(&self) -> Vec<Table> {
+        let names = Names::of_the_paper();
+        vec![
+            Table::new("theorems_generic", &names, &self.generic),
+            Table::new("theorems_resonant", &names, &self.resonant),
+        ]
     }
 }
 
@@ -61,129 +66,99 @@ fn seen(existence: Existence, names: [&'static str; 2]) -> &'static str {
     }
 }
 
-fn generic_table(rows: &[GenericRow]) -> Result<Table, StudyError> {
-    let mut columns = columns! {
-        "theorem": "", "zeta": 0.0, "epsilon": 0.0, "p": 0, "n": 0, "omega": 0.0, "tau": 0.0, "delta": 0.0,
-        "trapesium_margin": 0.0, "alpha": 0.0, "beta": 0.0, "a12": 0.0, "a12_alpha": 0.0, "tau_minus_h": 0.0,
-        "a12_beta": 0.0, "beta_kappa": 0.0, "predicted": "", "first_order": "", "continuation": "",
-        "simulation": "", "unstable_branch": true, "unstable_simulation": true, "dy_dmu": 0.0, "dz_dmu": 0.0,
-        "dy_dmu_exact": 0.0, "dz_dmu_exact": 0.0, "dy_dmu_fit": 0.0, "dz_dmu_fit": 0.0,
-        "slope_difference": 0.0, "verdict": "", "reason": "",
+fn generic(r: &GenericRow) -> Generic {
+    let value = |quantity| r.hypothesis(quantity).unwrap_or(f64::NAN);
+    let map = &r.point.map;
+    let [first_order, exact, fit] = r.slopes;
+    Generic {
+        theorem: r.theorem(),
+        zeta: r.case.zeta,
+        epsilon: r.case.epsilon,
+        loops: r.case.loops,
+        n: r.case.n,
+        omega: r.case.omega,
+        tau: map.trace(),
+        delta: map.determinant(),
+        trapesium_margin: value(Quantity::StabilityMargin),
+        alpha: r.point.alpha(),
+        beta: map.transversality(),
+        a12: map.a.m12,
+        a12_alpha: map.a.m12 * r.point.alpha(),
+        tau_minus_h: value(Quantity::AdmissibilityMargin),
+        a12_beta: value(Quantity::OffDiagonalTimesTransversality),
+        beta_kappa: value(Quantity::TransversalityTimesDetuning),
+        predicted: predicted(r.predicted, OF_MU),
+        first_order: seen(r.first_order, OF_MU),
+        continuation: seen(r.continued, OF_MU),
+        simulation: seen(r.simulated, OF_MU),
+        unstable_branch: r.unstable[0],
+        unstable_simulation: r.unstable[1],
+        dy_dmu: first_order[0],
+        dz_dmu: first_order[1],
+        dy_dmu_exact: exact[0],
+        dz_dmu_exact: exact[1],
+        dy_dmu_fit: fit[0],
+        dz_dmu_fit: fit[1],
+        slope_difference: r.slope_difference(),
+        verdict: r.verdict.name(),
+        reason: r.verdict.reason().to_owned(),
+    }
+}
+
+fn resonant(r: &ResonantRow) -> Resonant {
+    let stability = r.point.stability_coefficients();
+    let map = &r.point.grazing.map;
+    let value = |quantity| r.hypothesis(quantity).unwrap_or(f64::NAN);
+    let shift = match (r.case.loops, r.case.negative) {
+        (1, _) => "n/2",
+        (_, false) => "n + 1/(2p)",
+        (_, true) => "n - 1/(2p)",
     };
-    for r in rows {
-        let value = |quantity| r.hypothesis(quantity).unwrap_or(f64::NAN);
-        let map = &r.point.map;
-        let [first_order, exact, fit] = r.slopes;
-        columns.push(row![
-            r.theorem(),
-            r.case.zeta,
-            r.case.epsilon,
-            r.case.loops,
-            r.case.n,
-            r.case.omega,
-            map.trace(),
-            map.determinant(),
-            value(Quantity::StabilityMargin),
-            r.point.alpha(),
-            map.transversality(),
-            map.a.m12,
-            map.a.m12 * r.point.alpha(),
-            value(Quantity::AdmissibilityMargin),
-            value(Quantity::OffDiagonalTimesTransversality),
-            value(Quantity::TransversalityTimesDetuning),
-            predicted(r.predicted, OF_MU),
-            seen(r.first_order, OF_MU),
-            seen(r.continued, OF_MU),
-            seen(r.simulated, OF_MU),
-            r.unstable[0],
-            r.unstable[1],
-            first_order[0],
-            first_order[1],
-            exact[0],
-            exact[1],
-            fit[0],
-            fit[1],
-            r.slope_difference(),
-            r.verdict.name(),
-            r.verdict.reason(),
-        ]);
-    }
-    Ok(columns.finish("theorems_generic")?)
-}
-
-fn resonant_table(rows: &[ResonantRow]) -> Result<Table, StudyError> {
-    let mut columns = resonant_columns();
-    for r in rows {
-        let stability = r.point.stability_coefficients();
-        let map = &r.point.grazing.map;
-        let value = |quantity| r.hypothesis(quantity).unwrap_or(f64::NAN);
-        let shift = match (r.case.loops, r.case.negative) {
-            (1, _) => "n/2",
-            (_, false) => "n + 1/(2p)",
-            (_, true) => "n - 1/(2p)",
-        };
-        let [sn, pd] = &r.curves;
-        columns.push(row![
-            r.theorem(),
-            r.case.zeta,
-            r.case.epsilon,
-            r.case.loops,
-            r.case.n,
-            shift,
-            r.case.omega,
-            r.amplitude,
-            r.decay,
-            r.rebound(),
-            value(Quantity::StabilityMargin),
-            r.point.grazing.alpha(),
-            map.transversality(),
-            map.a.m12 * r.point.grazing.alpha(),
-            r.point.unfolding.derivative(),
-            stability.plus,
-            stability.minus,
-            predicted(sn.predicted, OF_ETA),
-            continued(sn),
-            seen(sn.simulated, OF_ETA),
-            sn.crossed,
-            yes_or_no(sn.stability_changes),
-            sn.theorem,
-            sn.proposition,
-            sn.quadratic_equation,
-            fit(sn)[0],
-            fit(sn)[1],
-            sn.difference(),
-            sn.fit_difference(),
-            predicted(pd.predicted, OF_ETA),
-            continued(pd),
-            seen(pd.simulated, OF_ETA),
-            pd.crossed,
-            yes_or_no(pd.stability_changes),
-            pd.theorem,
-            pd.proposition,
-            pd.quadratic_equation,
-            fit(pd)[0],
-            fit(pd)[1],
-            pd.difference(),
-            pd.fit_difference(),
-            r.verdict.name(),
-            r.verdict.reason(),
-        ]);
-    }
-    Ok(columns.finish("theorems_resonant")?)
-}
-
-fn resonant_columns() -> Columns {
-    columns! {
-        "theorem": "", "zeta": 0.0, "epsilon": 0.0, "p": 0, "n": 0, "ratio": "", "omega_star": 0.0,
-        "amplitude_graz": 0.0, "e_p": 0.0, "epsilon_e_p": 0.0, "trapesium_margin": 0.0, "alpha": 0.0,
-        "beta": 0.0, "a12_alpha": 0.0, "unfolding": 0.0, "s_plus": 0.0, "s_minus": 0.0,
-        "sn_predicted": "", "sn_continuation": "", "sn_simulation": "", "sn_crossed": true,
-        "sn_stability_changes": "", "c_sn_theorem": 0.0, "c_sn": 0.0, "c_sn_exact": 0.0, "c_sn_fit": 0.0,
-        "c_sn_fit_error": 0.0, "c_sn_difference": 0.0, "c_sn_fit_difference": 0.0,
-        "pd_predicted": "", "pd_continuation": "", "pd_simulation": "", "pd_crossed": true,
-        "pd_stability_changes": "", "c_pd_theorem": 0.0, "c_pd": 0.0, "c_pd_exact": 0.0, "c_pd_fit": 0.0,
-        "c_pd_fit_error": 0.0, "c_pd_difference": 0.0, "c_pd_fit_difference": 0.0,
-        "verdict": "", "reason": "",
+    let [sn, pd] = &r.curves;
+    Resonant {
+        theorem: r.theorem(),
+        zeta: r.case.zeta,
+        epsilon: r.case.epsilon,
+        loops: r.case.loops,
+        n: r.case.n,
+        ratio: shift,
+        omega: r.case.omega,
+        amplitude: r.amplitude,
+        e_p: r.decay,
+        epsilon_e_p: r.rebound(),
+        trapesium_margin: value(Quantity::StabilityMargin),
+        alpha: r.point.grazing.alpha(),
+        beta: map.transversality(),
+        a12_alpha: map.a.m12 * r.point.grazing.alpha(),
+        unfolding: r.point.unfolding.derivative(),
+        s_plus: stability.plus,
+        s_minus: stability.minus,
+        sn_predicted: predicted(sn.predicted, OF_ETA),
+        sn_continuation: continued(sn),
+        sn_simulation: seen(sn.simulated, OF_ETA),
+        sn_crossed: sn.crossed,
+        sn_stability_changes: yes_or_no(sn.stability_changes),
+        c_sn_theorem: sn.theorem,
+        c_sn: sn.proposition,
+        c_sn_exact: sn.quadratic_equation,
+        c_sn_fit: fit(sn)[0],
+        c_sn_fit_error: fit(sn)[1],
+        c_sn_difference: sn.difference(),
+        c_sn_fit_difference: sn.fit_difference(),
+        pd_predicted: predicted(pd.predicted, OF_ETA),
+        pd_continuation: continued(pd),
+        pd_simulation: seen(pd.simulated, OF_ETA),
+        pd_crossed: pd.crossed,
+        pd_stability_changes: yes_or_no(pd.stability_changes),
+        c_pd_theorem: pd.theorem,
+        c_pd: pd.proposition,
+        c_pd_exact: pd.quadratic_equation,
+        c_pd_fit: fit(pd)[0],
+        c_pd_fit_error: fit(pd)[1],
+        c_pd_difference: pd.difference(),
+        c_pd_fit_difference: pd.fit_difference(),
+        verdict: r.verdict.name(),
+        reason: r.verdict.reason().to_owned(),
     }
 }
 

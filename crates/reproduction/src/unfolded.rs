@@ -1,14 +1,17 @@
-//! What there is to know about the resonant grazing bifurcations of any oscillator, as data frames.
+//! What there is to know about the resonant grazing bifurcations of any oscillator, as rows of tables.
 
 mod finished;
 mod tables;
 
+use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated};
+use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
+use grazing_results::resonances::{Asked, GrazingLoops, GrazingPoint, Resonance};
+use grazing_results::{Names, Plan, Table};
 use grazing_theorems::ResonantPoint;
-use grazing_unfold::diagram::Kind;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::sides::{Simulated, simulate};
@@ -20,7 +23,6 @@ use rayon::prelude::*;
 
 use crate::StudyError;
 use crate::plane::{self, Axes};
-use crate::table::Table;
 pub use finished::Observer;
 
 /// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a
@@ -53,9 +55,9 @@ pub struct AtResonance {
     /// The integer n.
     pub n: u32,
     /// c_SN and c_PD by the theorem and measured.
-    pub coefficients: [Coefficient; 2],
+    pub coefficients: Pair<Coefficient>,
     /// What the simulated hybrid system does beside the SN and the PD curve.
-    pub sides: [Simulated; 2],
+    pub sides: Pair<Simulated>,
     /// The window of the magnification.
     pub window: Window,
     /// Its curves; none where they could not be followed.
@@ -64,9 +66,9 @@ pub struct AtResonance {
 
 impl AtResonance {
     /// What is known of the SN or the PD curve: its coefficient, and the motion beside it.
-    pub fn beside(&self, kind: Kind) -> (&Coefficient, &Simulated) {
-        let index = usize::from(kind == Kind::PeriodDoubling);
-        (&self.coefficients[index], &self.sides[index])
+    pub fn beside(&self, kind: Bifurcation) -> (&Coefficient, &Simulated) {
+        let both = self.coefficients.as_ref().zip(self.sides.as_ref());
+        if kind == Bifurcation::PeriodDoubling { both.period_doubling } else { both.saddle_node }
     }
 }
 
@@ -131,9 +133,8 @@ impl<O: ImpactOscillator> Unfolded<O> {
                     AtResonance {
                         loops: resonance.loops,
                         n: resonance.n,
-                        sides: [Kind::SaddleNode, Kind::PeriodDoubling]
-                            .map(|kind| simulated(kind).in_units(&units)),
-                        coefficients: coefficients.each_ref().map(|known| known.in_units(&units)),
+                        sides: Pair::BIFURCATIONS.map(|kind| simulated(kind).in_units(&units)),
+                        coefficients: coefficients.map(|known| known.in_units(&units)),
                         window: window.in_units(&units),
                         magnified,
                     }
@@ -158,34 +159,77 @@ impl<O: ImpactOscillator> Unfolded<O> {
         Ok(Self { axes, diagram, resonances, along })
     }
 
-    /// The names of all tables, in their order.
-    pub const TABLES: [&'static str; 8] = [
-        "grazing",
-        "grazing_loops",
-        "curves",
-        "points",
-        "regions",
-        "coefficients",
-        "hypotheses",
-        "magnifications",
-    ];
+    /// Everything as rows.
+    pub fn rows(&self) -> Rows {
+        let magnified = self.resonances.iter().map(|at| (at.loops, at.n, at.magnified.as_slice()));
+        Rows {
+            grazing: tables::grazing(self),
+            grazing_loops: tables::grazing_loops(self),
+            curves: plane::curves(&self.axes, &self.diagram),
+            points: plane::points(&self.axes, &self.diagram),
+            regions: plane::regions(&self.axes, &self.diagram.regions),
+            coefficients: tables::coefficients(self),
+            hypotheses: tables::hypotheses(self),
+            magnifications: plane::magnifications(magnified),
+        }
+    }
+}
 
-    /// All tables, which [`TABLES`](Self::TABLES) names.
-    ///
-    /// # Errors
-    /// A table could not be made.
-    pub fn tables(&self) -> Result<Vec<Table>, StudyError> {
-        let magnified: Vec<_> = self.resonances.iter().map(|at| at.magnified.clone()).collect();
-        Ok(vec![
-            tables::grazing(self)?,
-            tables::grazing_loops(self)?,
-            plane::curves("curves", &self.axes, &self.diagram)?,
-            plane::points("points", &self.axes, &self.diagram)?,
-            plane::regions("regions", &self.axes, &self.diagram.regions)?,
-            tables::coefficients(self)?,
-            tables::hypotheses(self)?,
-            plane::magnifications("magnifications", &self.axes, &magnified)?,
-        ])
+/// The rows of all tables of an analysis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rows {
+    /// The grazing orbit and the map around it, along the grazing curve.
+    pub grazing: Vec<GrazingPoint>,
+    /// What depends on p there.
+    pub grazing_loops: Vec<GrazingLoops>,
+    /// The curves of the diagram.
+    pub curves: Vec<CurvePoint>,
+    /// Its codimension-two points.
+    pub points: Vec<SpecialPoint>,
+    /// Its regions.
+    pub regions: Vec<RegionVertex>,
+    /// The resonances at which a theorem holds.
+    pub coefficients: Vec<Resonance>,
+    /// What the theorems ask.
+    pub hypotheses: Vec<Asked>,
+    /// The curves of the magnifications.
+    pub magnifications: Vec<MagnifiedPoint>,
+}
+
+/// The tables of an analysis, in their order.
+pub const TABLES: [Plan; 8] = [
+    Plan::of::<GrazingPoint>(
+        "grazing",
+        "a point of the grazing curve, with the grazing orbit and the Poincaré map around it",
+    ),
+    Plan::of::<GrazingLoops>("grazing_loops", "such a point and a p, with what depends on p"),
+    Plan::of::<CurvePoint>("curves", "a point of a curve of the diagram"),
+    Plan::of::<SpecialPoint>(
+        "points",
+        "a resonance at which a theorem holds, or another codimension-two point",
+    ),
+    Plan::of::<RegionVertex>("regions", "a vertex of a region of stability"),
+    Plan::of::<Resonance>("coefficients", "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds"),
+    Plan::of::<Asked>(
+        "hypotheses",
+        "a hypothesis of the theorem at a resonance, whether or not all of them hold",
+    ),
+    Plan::of::<MagnifiedPoint>("magnifications", "a point of a curve of a magnification"),
+];
+
+impl Rows {
+    /// All tables, which [`TABLES`] lists, with these names of the parameters.
+    pub fn tables(&self, names: &Names) -> Vec<Table> {
+        vec![
+            Table::new("grazing", names, &self.grazing),
+            Table::new("grazing_loops", names, &self.grazing_loops),
+            Table::new("curves", names, &self.curves),
+            Table::new("points", names, &self.points),
+            Table::new("regions", names, &self.regions),
+            Table::new("coefficients", names, &self.coefficients),
+            Table::new("hypotheses", names, &self.hypotheses),
+            Table::new("magnifications", names, &self.magnifications),
+        ]
     }
 }
 

@@ -6,8 +6,9 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
+use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{Parameters, Specimen};
-use grazing_reproduction::{Study, Table};
+use grazing_results::{Cell, Names, Row};
 
 /// A point (x, y, z) of phase space.
 type Point = [f64; 3];
@@ -63,37 +64,49 @@ fn study() -> (Parameters, Study<'static>) {
     (parameters, study)
 }
 
-fn numbers(table: &Table, column: &str) -> Vec<f64> {
-    let column = table.frame.column(column).expect("the column is there").f64().expect("it holds numbers");
-    column.iter().map(|cell| cell.expect("no cell is empty")).collect()
+/// A column, by the name that it has for the paper's oscillator.
+fn column<R: Row>(rows: &[R], name: &str) -> Vec<Cell> {
+    let names = Names::of_the_paper();
+    let place = R::COLUMNS.iter().position(|column| column.header(&names) == name);
+    let place = place.expect("the column is there");
+    rows.iter().map(|row| row.cells().swap_remove(place)).collect()
 }
 
-fn integers(table: &Table, column: &str) -> Vec<u32> {
-    let column = table.frame.column(column).expect("the column is there").u32().expect("it holds integers");
-    column.iter().flatten().collect()
+/// A column of numbers.
+fn numbers<R: Row>(rows: &[R], name: &str) -> Vec<f64> {
+    column(rows, name).iter().map(|cell| cell.number().expect("no cell is empty")).collect()
 }
 
-fn words(table: &Table) -> Vec<String> {
-    let column = table.frame.column("kind").expect("the column is there").str().expect("it holds words");
-    column.iter().flatten().map(str::to_owned).collect()
+/// A column of integers.
+fn integers<R: Row>(rows: &[R], name: &str) -> Vec<u32> {
+    let integer =
+        |cell| if let Cell::Integer(value) = cell { value } else { panic!("{cell:?} is no integer") };
+    column(rows, name).into_iter().map(integer).collect()
 }
 
-fn places(table: &Table, columns: [&str; 3]) -> Vec<Point> {
+/// A column of words.
+fn words<R: Row>(rows: &[R], name: &str) -> Vec<String> {
+    let word =
+        |cell| if let Cell::Text(word) = cell { word.into_owned() } else { panic!("{cell:?} is no word") };
+    column(rows, name).into_iter().map(word).collect()
+}
+
+fn places<R: Row>(table: &[R], columns: [&str; 3]) -> Vec<Point> {
     let [a, b, c] = columns.map(|column| numbers(table, column));
     (0..a.len()).map(|i| [a[i], b[i], c[i]]).collect()
 }
 
-fn states(table: &Table) -> Vec<Point> {
+fn states<R: Row>(table: &[R]) -> Vec<Point> {
     places(table, ["x", "y", "z"])
 }
 
-fn sights(table: &Table) -> Vec<Point> {
+fn sights<R: Row>(table: &[R]) -> Vec<Point> {
     places(table, ["across", "up", "depth"])
 }
 
 /// The curves of a kind, whole.
-fn curves(table: &Table, kind: &str) -> Vec<Vec<Point>> {
-    let (kinds, number, all) = (words(table), integers(table, "number"), states(table));
+fn curves<R: Row>(table: &[R], kind: &str) -> Vec<Vec<Point>> {
+    let (kinds, number, all) = (words(table, "kind"), integers(table, "number"), states(table));
     let mut found: Vec<(u32, Vec<Point>)> = Vec::new();
     for row in (0..all.len()).filter(|&row| kinds[row] == kind) {
         match found.last_mut().filter(|(last, _)| *last == number[row]) {
@@ -105,8 +118,8 @@ fn curves(table: &Table, kind: &str) -> Vec<Vec<Point>> {
 }
 
 /// The points of a kind, in order.
-fn points(table: &Table, kind: &str) -> Vec<Point> {
-    let kinds = words(table);
+fn points<R: Row>(table: &[R], kind: &str) -> Vec<Point> {
+    let kinds = words(table, "kind");
     states(table).into_iter().zip(kinds).filter(|(_, k)| k == kind).map(|(point, _)| point).collect()
 }
 
@@ -176,7 +189,7 @@ fn the_image_in_figure_3_is_where_the_orbit_returns_and_gamma_closes_at_its_only
     let inner = &periodic[1..periodic.len() - 1];
     assert!(inner.iter().all(|state| state[0] < 0.0), "Γ meets Σ at one point");
     // Glued, both ends are one place on the page: the sine and cosine of a phase and of the phase one turn on.
-    let (kinds, seen) = (words(&made.curves), sights(&made.curves));
+    let (kinds, seen) = (words(&made.curves, "kind"), sights(&made.curves));
     let on_page: Vec<Point> =
         seen.into_iter().zip(kinds).filter(|(_, kind)| kind == "periodic").map(|(place, _)| place).collect();
     assert!(distance(on_page[0], on_page[on_page.len() - 1]) < 1e-13);
@@ -272,7 +285,7 @@ fn the_projection_turns_space_and_leaves_lengths_alone() {
     check_lengths(&three.curves, ring);
     // Upwards on the page is upwards in velocity: the viewer stands upright.
     let (seen, at) = (sights(&nine.surfaces), states(&nine.surfaces));
-    let kinds = words(&nine.surfaces);
+    let kinds = words(&nine.surfaces, "kind");
     let axis: Vec<usize> = (0..kinds.len()).filter(|&i| kinds[i] == "y_axis").collect();
     let (low, high) = (axis[0], axis[axis.len() - 1]);
     assert!(at[high][1] > at[low][1] && seen[high][1] > seen[low][1]);
@@ -280,7 +293,7 @@ fn the_projection_turns_space_and_leaves_lengths_alone() {
 }
 
 /// Distances on the page with depth equal distances in stretched space, between each row and the first.
-fn check_lengths(table: &Table, place: impl Fn(Point) -> Point) {
+fn check_lengths<R: Row>(table: &[R], place: impl Fn(Point) -> Point) {
     let (at, seen) = (states(table), sights(table));
     for row in 1..at.len() {
         let (true_length, length) = (distance(place(at[0]), place(at[row])), distance(seen[0], seen[row]));
@@ -296,7 +309,7 @@ fn pieces_of_a_curve_join_and_each_lies_on_one_side_of_both_planes() {
     let table = &made.curves;
     let (number, piece, layer) =
         (integers(table, "number"), integers(table, "piece"), integers(table, "layer"));
-    let (kinds, at) = (words(table), states(table));
+    let (kinds, at) = (words(table, "kind"), states(table));
     let mut changes = 0;
     for row in 1..at.len() {
         if number[row] == number[row - 1] && piece[row] != piece[row - 1] {

@@ -1,10 +1,9 @@
 //! The same oscillator in other units: all tables are the same but for the units of their columns.
 
 use grazing_description::Description;
-use grazing_reproduction::Table;
 use grazing_reproduction::unfolded::Unfolded;
+use grazing_results::{Cell, Table};
 use grazing_unfold::progress::Silent;
-use polars::prelude::{AnyValue, DataFrame};
 
 /// A hardening spring, a reset law in which everything varies; length and time are units that the text counts in.
 fn written(length: f64, time: f64) -> Description {
@@ -26,36 +25,43 @@ fn written(length: f64, time: f64) -> Description {
 fn tables(description: &Description) -> Vec<Table> {
     let unfolded = Unfolded::described(description, &Silent).expect("there is grazing in the window");
     assert!(unfolded.resonances.len() == 1, "{}", unfolded.resonances.len());
-    unfolded.tables().expect("the tables can be made")
+    unfolded.rows().tables(&unfolded.axes.names)
 }
 
-/// The powers of length and time in the unit of a column, or of a hypothesis's value.
-fn dimension(table: &str, column: &str, frame: &DataFrame, row: usize) -> [i32; 2] {
-    // A is a force per mass, omega a frequency.
-    match column {
-        "A" | "A_graz" | "gamma" => [1, -2],
-        "omega" | "omega_star" | "frequency" => [0, -1],
-        "impact_velocity" => [1, -1],
-        "max_interior_x" | "a12" | "xi" => [1, 0],
-        "a21" => [-1, 0],
-        "b1" | "beta" => [0, 2],
-        "b2" => [-1, 2],
-        "psi" => [-1, 1],
-        "a12_prime" => [1, 1],
-        "kappa_prime" => [0, 1],
-        _ if column.starts_with("c_") => [1, 0],
-        "value" if table == "hypotheses" => match frame.column("hypothesis").unwrap().get(row).unwrap() {
-            AnyValue::String(hypothesis) => match hypothesis.split([' ']).next().unwrap() {
-                "omega" => [0, -1],
-                "gamma" => [1, -2],
-                "beta" => [0, 2],
-                "a12'" => [1, 1],
-                "kappa_p'" => [0, 1],
-                "a12" => [1, 0],
-                _ => [0, 0],
-            },
-            other => panic!("{other}"),
-        },
+/// The powers of length and time in a unit as the columns tell it, where the primary parameter is a force per mass and the secondary one a frequency.
+fn dimension(unit: &str) -> [i32; 2] {
+    let (above, below) = unit.split_once('/').unwrap_or((unit, ""));
+    let powers = |factors: &str| {
+        let mut powers = [0, 0];
+        for factor in factors.split([' ', '*']).filter(|factor| !factor.is_empty()) {
+            let (base, power) =
+                factor.split_once('^').map_or((factor, 1), |(base, power)| (base, power.parse().unwrap()));
+            let [length, time] = match base {
+                "length" => [1, 0],
+                "time" => [0, 1],
+                "{primary}" => [1, -2],
+                "{secondary}" => [0, -1],
+                "1" | "rad" => [0, 0],
+                unknown => panic!("{unknown}"),
+            };
+            powers = [powers[0] + power * length, powers[1] + power * time];
+        }
+        powers
+    };
+    let (above, below) = (powers(above), powers(below));
+    [above[0] - below[0], above[1] - below[1]]
+}
+
+/// The same of the value of a hypothesis.
+fn dimension_of_hypothesis(hypothesis: &Cell) -> [i32; 2] {
+    let Cell::Text(hypothesis) = hypothesis else { panic!("{hypothesis:?}") };
+    match hypothesis.split(' ').next().unwrap() {
+        "omega" => [0, -1],
+        "gamma" => [1, -2],
+        "beta" => [0, 2],
+        "a12'" => [1, 1],
+        "kappa_p'" => [0, 1],
+        "a12" => [1, 0],
         _ => [0, 0],
     }
 }
@@ -68,23 +74,27 @@ fn tables_in_other_units_are_the_same_to_the_last_bit_but_for_the_units() {
     let [length, time] = [second[0] / first[0], second[1] / first[1]];
     let mut numbers = 0;
     for (plain, other) in plain.iter().zip(&other) {
-        assert_eq!((plain.name, plain.frame.shape()), (other.name, other.frame.shape()));
-        for column in plain.frame.get_column_names() {
-            let column = column.as_str();
-            let [values, scaled] = [plain, other].map(|table| table.frame.column(column).unwrap());
-            for row in 0..plain.frame.height() {
-                match (values.get(row).unwrap(), scaled.get(row).unwrap()) {
-                    (AnyValue::Float64(value), AnyValue::Float64(found)) => {
-                        let [l, t] = dimension(plain.name, column, &plain.frame, row);
+        assert_eq!((plain.name, plain.rows.len()), (other.name, other.rows.len()));
+        let hypotheses = plain.position("hypothesis");
+        for (values, scaled) in plain.rows.iter().zip(&other.rows) {
+            for (place, column) in plain.columns.iter().enumerate() {
+                let [l, t] = match hypotheses {
+                    Some(hypothesis) if column.name == "value" => {
+                        dimension_of_hypothesis(&values[hypothesis])
+                    }
+                    _ => dimension(column.unit),
+                };
+                match (&values[place], &scaled[place]) {
+                    (Cell::Number(value), Cell::Number(found)) => {
                         let wanted = value * libm::pow(length, f64::from(l)) * libm::pow(time, f64::from(t));
-                        let same = found == wanted || found.is_nan() && wanted.is_nan();
-                        assert!(same, "{}.{column}, row {row}: {found} and not {wanted}", plain.name);
+                        let same = *found == wanted || found.is_nan() && wanted.is_nan();
+                        assert!(same, "{}.{}: {found} and not {wanted}", plain.name, column.name);
                         numbers += 1;
                     }
-                    (value, found) if column.ends_with("reason") => {
-                        assert_eq!(value.to_string().is_empty(), found.to_string().is_empty());
+                    (Cell::Text(value), Cell::Text(found)) if column.name.ends_with("reason") => {
+                        assert_eq!(value.is_empty(), found.is_empty());
                     }
-                    (value, found) => assert_eq!(value, found, "{}.{column}, row {row}", plain.name),
+                    (value, found) => assert_eq!(value, found, "{}.{}", plain.name, column.name),
                 }
             }
         }

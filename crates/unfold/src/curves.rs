@@ -1,49 +1,17 @@
 //! The bifurcation curves of the p-loop MPSs of one p, and the codimension-two points at which they meet.
 
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::curve::{Curve, CurveEnd, Event, Route};
 use grazing_continuation::cusp::cusps;
-use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{Formulation, LoopEquations, Unknowns};
 use grazing_continuation::resonance::same_point;
 use grazing_model::ImpactOscillator;
-
-/// Kinds of bifurcation curves, by the names the figures use.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Saddle-node bifurcations of MPSs.
-    SaddleNode,
-    /// Period-doubling bifurcations of MPSs.
-    PeriodDoubling,
-    /// Grazing bifurcations of MPSs: an interior maximum touches the wall.
-    Grazing,
-}
-
-impl Kind {
-    /// SN, PD or GZ.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::SaddleNode => "SN",
-            Self::PeriodDoubling => "PD",
-            Self::Grazing => "GZ",
-        }
-    }
-
-    /// The kind of a condition that a curve or an event can have.
-    pub fn of(condition: Condition) -> Option<Self> {
-        match condition {
-            Condition::Multiplier(multiplier) if multiplier > 0.0 => Some(Self::SaddleNode),
-            Condition::Multiplier(_) => Some(Self::PeriodDoubling),
-            Condition::InteriorGrazing => Some(Self::Grazing),
-            _ => None,
-        }
-    }
-}
 
 /// A bifurcation curve of the diagram.
 #[derive(Clone, Debug)]
 pub struct DiagramCurve {
     /// What happens along it.
-    pub kind: Kind,
+    pub kind: Bifurcation,
     /// Number of loops p.
     pub loops: u32,
     /// The integer n of the resonance from which the curve, or the point at which it starts, was reached; 0 if from none.
@@ -69,9 +37,9 @@ impl DiagramCurve {
 
 /// A codimension-two point other than a resonance.
 #[derive(Clone, Debug)]
-pub struct Corner {
-    /// The two bifurcations that meet there: SN-GZ, PD-GZ or GZ-GZ; `cusp` where an SN curve turns back.
-    pub kind: &'static str,
+pub struct CodimensionTwoPoint {
+    /// What happens there.
+    pub kind: CodimensionTwo,
     /// Number of loops p.
     pub loops: u32,
     /// The integer n of the resonance from which it was reached; 0 if from none.
@@ -80,7 +48,7 @@ pub struct Corner {
     pub event: Event,
 }
 
-impl Corner {
+impl CodimensionTwoPoint {
     /// (y, z, μ, η).
     pub fn unknowns(&self) -> Unknowns {
         self.event.solution.unknowns
@@ -92,20 +60,17 @@ impl Corner {
 pub(crate) struct Net<O> {
     pub(crate) equations: LoopEquations<O>,
     pub(crate) curves: Vec<DiagramCurve>,
-    pub(crate) corners: Vec<Corner>,
+    pub(crate) meetings: Vec<CodimensionTwoPoint>,
     /// How many of the codimension-two points have been looked at for further curves.
     grown: usize,
 }
-
-/// The kind of a point at which a saddle-node curve turns back.
-const CUSP: &str = "cusp";
 
 /// In the order in which they are tried.
 const FORMULATIONS: [Formulation; 2] = [Formulation::Vivid, Formulation::FixedPhase];
 
 impl<O: ImpactOscillator> Net<O> {
     pub(crate) fn new(equations: LoopEquations<O>) -> Self {
-        Self { equations, curves: Vec::new(), corners: Vec::new(), grown: 0 }
+        Self { equations, curves: Vec::new(), meetings: Vec::new(), grown: 0 }
     }
 
     pub(crate) fn loops(&self) -> u32 {
@@ -122,9 +87,14 @@ impl<O: ImpactOscillator> Net<O> {
                 self.meet(&new, event);
             }
         }
-        if new.kind == Kind::SaddleNode {
+        if new.kind == Bifurcation::SaddleNode {
             for event in cusps(&self.equations, &new.curve) {
-                self.corners.push(Corner { kind: CUSP, loops: new.loops, n: new.n, event });
+                self.meetings.push(CodimensionTwoPoint {
+                    kind: CodimensionTwo::Cusp,
+                    loops: new.loops,
+                    n: new.n,
+                    event,
+                });
             }
         }
         self.curves.push(new);
@@ -132,30 +102,34 @@ impl<O: ImpactOscillator> Net<O> {
 
     /// Adds the codimension-two point at an end of a curve, unless it is known.
     fn meet(&mut self, curve: &DiagramCurve, event: &Event) {
-        let kind = match [Some(curve.kind), Kind::of(event.condition)] {
-            [Some(Kind::SaddleNode), Some(Kind::Grazing)] | [Some(Kind::Grazing), Some(Kind::SaddleNode)] => {
-                "SN-GZ"
-            }
-            [Some(Kind::PeriodDoubling), Some(Kind::Grazing)]
-            | [Some(Kind::Grazing), Some(Kind::PeriodDoubling)] => "PD-GZ",
-            _ => "GZ-GZ",
-        };
+        let other = Bifurcation::of(event.condition).unwrap_or(Bifurcation::Grazing);
+        let kind = CodimensionTwo::between(curve.kind, other);
         let unknowns = event.solution.unknowns;
-        if !self.corners.iter().any(|corner| same_point(&corner.unknowns(), &unknowns)) {
-            self.corners.push(Corner { kind, loops: curve.loops, n: curve.n, event: event.clone() });
+        if !self.meetings.iter().any(|corner| same_point(&corner.unknowns(), &unknowns)) {
+            self.meetings.push(CodimensionTwoPoint {
+                kind,
+                loops: curve.loops,
+                n: curve.n,
+                event: event.clone(),
+            });
         }
     }
 
     /// Follows what is missing of the two curves that meet at each codimension-two point, and so on from where that ends.
     pub(crate) fn grow(&mut self, route: &Route) {
-        while let Some(Corner { kind: meeting, loops, n, event }) = self.corners.get(self.grown).cloned() {
+        while let Some(CodimensionTwoPoint { kind: meeting, loops, n, event }) =
+            self.meetings.get(self.grown).cloned()
+        {
             self.grown += 1;
-            let Some(kind) = Kind::of(event.condition).filter(|_| meeting != CUSP) else { continue };
+            let Some(kind) = Bifurcation::of(event.condition).filter(|_| meeting != CodimensionTwo::Cusp)
+            else {
+                continue;
+            };
             let corner = event.solution.unknowns;
             let there = self.curves.iter().filter(|curve| {
                 curve.kind == kind && curve.ends().iter().any(|end| same_point(end, &corner))
             });
-            let known = there.count() >= if meeting == "GZ-GZ" { 2 } else { 1 };
+            let known = there.count() >= if meeting == CodimensionTwo::GrazingGrazing { 2 } else { 1 };
             if known {
                 continue;
             }

@@ -1,6 +1,7 @@
 //! The two-parameter diagram: grazing curves, resonances, the curves that leave them, and codimension-two points.
 
 use grazing_continuation::arclength::StepControl;
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Route, Window};
 use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance};
@@ -8,7 +9,7 @@ use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
 use crate::curves::Net;
-pub use crate::curves::{Corner, DiagramCurve, Kind};
+pub use crate::curves::{CodimensionTwoPoint, DiagramCurve};
 use crate::free::non_impacting::{self, NonImpacting};
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
@@ -51,7 +52,7 @@ pub struct Diagram<O> {
     /// Folds and period doublings of non-impacting motion (p = 0); then SN, PD and GZ curves of the MPSs, by p.
     pub curves: Vec<DiagramCurve>,
     /// Codimension-two points other than resonances.
-    pub corners: Vec<Corner>,
+    pub codimension_two: Vec<CodimensionTwoPoint>,
     /// Where solutions are stable, and where that is not decided.
     pub regions: Vec<Region>,
     /// Resonances that were seen and could not be located.
@@ -98,7 +99,7 @@ impl<O: ImpactOscillator> Diagram<O> {
             grazing,
             resonances: Vec::new(),
             curves,
-            corners: Vec::new(),
+            codimension_two: Vec::new(),
             regions,
             unlocated: Vec::new(),
             not_unfolded: Vec::new(),
@@ -152,7 +153,7 @@ impl<O: ImpactOscillator> Diagram<O> {
         for (mut net, followed) in nets.into_iter().zip(followed) {
             then.extend(net.curves.split_off(followed));
             first.extend(net.curves);
-            self.corners.extend(net.corners);
+            self.codimension_two.extend(net.meetings);
         }
         self.curves.extend(first);
         self.curves.extend(then);
@@ -208,10 +209,10 @@ impl<O: ImpactOscillator> Diagram<O> {
 fn listed<O>(index: usize, resonance: &Resonance<O>, unfolded: UnfoldedResonance) -> Followed {
     let of_kind = |kind, curve| DiagramCurve { kind, loops: resonance.loops, n: resonance.n, curve };
     let own = [
-        of_kind(Kind::SaddleNode, unfolded.saddle_node),
-        of_kind(Kind::PeriodDoubling, unfolded.period_doubling),
+        of_kind(Bifurcation::SaddleNode, unfolded.saddle_node),
+        of_kind(Bifurcation::PeriodDoubling, unfolded.period_doubling),
     ];
-    let grazing = unfolded.grazing.into_iter().map(|curve| of_kind(Kind::Grazing, curve));
+    let grazing = unfolded.grazing.into_iter().map(|curve| of_kind(Bifurcation::Grazing, curve));
     let curves = own.into_iter().chain(grazing).collect();
     Followed { resonance: index, curves, missing: unfolded.missing }
 }

@@ -18,7 +18,7 @@ use nalgebra::Vector2;
 
 use crate::Scope;
 use crate::escape::Escape;
-use branch::{Bifurcation, Branch};
+use branch::{Branch, Crossing};
 use orbits::{FAR, FreeOrbits, Orbit};
 
 /// What was seen of free periodic motion at one η, and where it grazes.
@@ -137,7 +137,7 @@ impl<O: ImpactOscillator> Survey<O> {
             }
         }
         for bifurcation in self.branches.iter().flat_map(|branch| &branch.bifurcations) {
-            if let Bifurcation { condition: Condition::InteriorGrazing, near, .. } = bifurcation {
+            if let Crossing { condition: Condition::InteriorGrazing, near, .. } = bifurcation {
                 match orbits.grazing(near) {
                     Some(orbit) => {
                         let same = |other: &GrazingOrbit<O>| {

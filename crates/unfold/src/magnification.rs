@@ -1,51 +1,26 @@
 //! The diagram close to one resonance, with the quadratic approximations that the theorem gives.
 
 use grazing_continuation::arclength::StepControl;
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, same_point};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
-use crate::diagram::{Diagram, DiagramCurve, Kind, route};
+use crate::diagram::{Diagram, DiagramCurve, route};
 use crate::grazing::{GrazingCurve, between};
 use crate::resonances::Resonance;
-
-/// What a polyline shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Source {
-    /// A continued curve.
-    Continuation,
-    /// The quadratic approximation μ = c η².
-    Quadratic,
-}
-
-impl Source {
-    /// `continuation` or `quadratic`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Continuation => "continuation",
-            Self::Quadratic => "quadratic",
-        }
-    }
-}
 
 /// A polyline of a magnification, as points (μ, η).
 #[derive(Clone, Debug)]
 pub struct Polyline {
-    /// The bifurcation; `None` for grazing of the non-impacting solution.
-    pub kind: Option<Kind>,
-    /// Continued or approximated.
-    pub source: Source,
+    /// What happens along it.
+    pub kind: Bifurcation,
+    /// Whether it is a quadratic approximation μ = μ_graz(η) + c (η − η*)², not continued.
+    pub quadratic: bool,
     /// Its points in order.
     pub points: Vec<[f64; 2]>,
-}
-
-impl Polyline {
-    /// graz, SN, PD or GZ.
-    pub fn kind_name(&self) -> &'static str {
-        self.kind.map_or("graz", Kind::name)
-    }
 }
 
 /// Short steps, for curves seen at thirty times the scale of the diagram.
@@ -65,15 +40,18 @@ pub fn magnify<O: ImpactOscillator>(
     point: &ResonantGrazingPoint<O>,
     window: Window,
 ) -> Result<Vec<Polyline>, ResonanceError> {
-    let continued = |kind, points| Polyline { kind, source: Source::Continuation, points };
-    let mut list: Vec<_> =
-        diagram.grazing.iter().map(|curve| continued(None, close_to(curve, window))).collect();
+    let continued = |kind, points| Polyline { kind, quadratic: false, points };
+    let mut list: Vec<_> = diagram
+        .grazing
+        .iter()
+        .map(|curve| continued(Bifurcation::NonImpactingGrazing, close_to(curve, window)))
+        .collect();
     list.retain(|polyline| polyline.points.len() > 1);
 
     let unfolded = point.unfold(&route(window, MAGNIFIED))?;
-    list.push(continued(Some(Kind::SaddleNode), unfolded.saddle_node.parameters()));
-    list.push(continued(Some(Kind::PeriodDoubling), unfolded.period_doubling.parameters()));
-    list.extend(unfolded.grazing.iter().map(|curve| continued(Some(Kind::Grazing), curve.parameters())));
+    list.push(continued(Bifurcation::SaddleNode, unfolded.saddle_node.parameters()));
+    list.push(continued(Bifurcation::PeriodDoubling, unfolded.period_doubling.parameters()));
+    list.extend(unfolded.grazing.iter().map(|curve| continued(Bifurcation::Grazing, curve.parameters())));
     // The resonance's own curves are there already; one of them may begin outside and come in again.
     let own = [&unfolded.saddle_node, &unfolded.period_doubling].into_iter().chain(&unfolded.grazing);
     let starts: Vec<_> = own.map(|curve| (curve.condition, curve.points[0].solution.unknowns)).collect();
@@ -88,16 +66,17 @@ pub fn magnify<O: ImpactOscillator>(
     for other in diagram.curves.iter().filter(|curve| !shown(curve)) {
         let points = other.curve.parameters();
         if points.iter().any(|point| inside(window, *point)) {
-            list.push(continued(Some(other.kind), points));
+            list.push(continued(other.kind, points));
         }
     }
 
     let theorem = point.theorem();
-    for (kind, curve) in
-        [(Kind::SaddleNode, theorem.saddle_node()), (Kind::PeriodDoubling, theorem.period_doubling())]
-    {
+    for (kind, curve) in [
+        (Bifurcation::SaddleNode, theorem.saddle_node()),
+        (Bifurcation::PeriodDoubling, theorem.period_doubling()),
+    ] {
         let points = quadratic(point, curve, window);
-        list.push(Polyline { kind: Some(kind), source: Source::Quadratic, points });
+        list.push(Polyline { kind, quadratic: true, points });
     }
     Ok(list)
 }
@@ -179,7 +158,7 @@ pub fn window_about<O: ImpactOscillator>(
         .curves
         .iter()
         .filter(|curve| {
-            (curve.loops, curve.n) == (resonance.loops, resonance.n) && curve.kind != Kind::Grazing
+            (curve.loops, curve.n) == (resonance.loops, resonance.n) && curve.kind != Bifurcation::Grazing
         })
         .collect();
     let faithful = own.iter().map(|curve| faithful(point, curve.kind, &curve.curve.parameters()));
@@ -202,10 +181,14 @@ pub fn window_about<O: ImpactOscillator>(
 }
 
 /// How far from the resonance in η a curve stays within a fifth of its quadratic approximation, or how far it goes.
-fn faithful<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>, kind: Kind, curve: &[[f64; 2]]) -> f64 {
+fn faithful<O: ImpactOscillator>(
+    point: &ResonantGrazingPoint<O>,
+    kind: Bifurcation,
+    curve: &[[f64; 2]],
+) -> f64 {
     let theorem = point.theorem();
     let coefficient = match kind {
-        Kind::PeriodDoubling => theorem.period_doubling().coefficient,
+        Bifurcation::PeriodDoubling => theorem.period_doubling().coefficient,
         _ => theorem.saddle_node().coefficient,
     };
     let [_, origin] = point.orbit().oscillator().parameters();

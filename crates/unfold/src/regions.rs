@@ -11,12 +11,13 @@ use grazing_continuation::curve::Window;
 use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
-use crate::curves::{DiagramCurve, Kind, Net};
+use crate::curves::{DiagramCurve, Net};
 use crate::diagram::{Diagram, route};
 use crate::faces::{self, Face, Point, chords, extent};
 use crate::progress::Progress;
 use crate::slices::{MOST_BRANCHES, Slice};
 use crate::survey::Survey;
+use grazing_continuation::bifurcation::Bifurcation;
 
 /// What is known of a region.
 #[derive(Clone, Debug, PartialEq)]
@@ -439,7 +440,7 @@ impl Judge {
         let first = |saddle_node: bool| {
             curves
                 .iter()
-                .position(|curve| (curve.kind == Kind::SaddleNode) == saddle_node && on_border(curve))
+                .position(|curve| (curve.kind == Bifurcation::SaddleNode) == saddle_node && on_border(curve))
         };
         first(true).or_else(|| first(false))
     }

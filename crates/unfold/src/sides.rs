@@ -10,13 +10,13 @@
 
 use core::fmt;
 
+use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::fit::Measurement;
 use grazing_continuation::locate::{Condition, LocateFailure, locate};
 use grazing_continuation::mps::{Memory, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 
-use crate::diagram::Kind;
 use crate::simulation::{MOST_RETURNS, Seen, Suspect};
 use crate::verdict::Coefficient;
 
@@ -126,12 +126,12 @@ const VELOCITIES: usize = 3;
 /// Simulates the hybrid system to both sides of the SN or PD curve close to its resonance, where `coefficients` were measured.
 pub fn simulate<O: ImpactOscillator>(
     point: &ResonantGrazingPoint<O>,
-    kind: Kind,
-    coefficients: &[Coefficient; 2],
+    kind: Bifurcation,
+    coefficients: &Pair<Coefficient>,
 ) -> Simulated {
-    let [saddle_node, period_doubling] = coefficients;
+    let Pair { saddle_node, period_doubling } = coefficients;
     let measured = match kind {
-        Kind::PeriodDoubling => [&period_doubling.fit, &saddle_node.fit],
+        Bifurcation::PeriodDoubling => [&period_doubling.fit, &saddle_node.fit],
         _ => [&saddle_node.fit, &period_doubling.fit],
     };
     let [Ok(own), Ok(other)] = measured else { return Simulated::Undecided(Doubt::NotMeasured) };
@@ -217,11 +217,11 @@ impl Sides {
     /// Simulates to both sides of the point of the curve with this impact velocity.
     fn at<O: ImpactOscillator>(
         point: &ResonantGrazingPoint<O>,
-        kind: Kind,
+        kind: Bifurcation,
         velocity: f64,
     ) -> Result<Self, LocateFailure> {
         let (own, other) = match kind {
-            Kind::PeriodDoubling => (Condition::PERIOD_DOUBLING, Condition::SADDLE_NODE),
+            Bifurcation::PeriodDoubling => (Condition::PERIOD_DOUBLING, Condition::SADDLE_NODE),
             _ => (Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING),
         };
         let slope = |condition| {
@@ -246,7 +246,7 @@ impl Sides {
 
         let stability = point.resonant_point().stability_coefficients();
         let [saddle_node, period_doubling] = match kind {
-            Kind::PeriodDoubling => [ratio * velocity, velocity],
+            Bifurcation::PeriodDoubling => [ratio * velocity, velocity],
             _ => [velocity, ratio * velocity],
         };
         let grazing = &point.resonant_point().grazing;
@@ -261,7 +261,7 @@ impl Sides {
 
         let oscillators = solutions.map(|solution| equations.oscillator_at(&solution));
         let suspects = [0, 1].map(|k| suspect(&oscillators[k], point.loops(), &solutions[k]));
-        let gone_beyond = if kind == Kind::SaddleNode {
+        let gone_beyond = if kind == Bifurcation::SaddleNode {
             let mut beyond = middle;
             // As far to the other side of the curve as the MPSs lie on theirs.
             beyond[unknown::PRIMARY] -= solutions[1][unknown::PRIMARY] - middle[unknown::PRIMARY];

@@ -2,7 +2,7 @@
 //!
 //! A branch begins on the grazing curve, where y = 0, on the edge of the window, or is closed. Those from the grazing curve are
 //! followed from there. The others have neighbours in the slices beside: (y, η) are coordinates of the surface of MPSs, so that
-//! an MPS is carried from slice to slice with its y held.
+//! an MPS is carried from slice to slice with its y held. And they are met where a known bifurcation curve crosses the slice.
 
 use core::f64::consts::TAU;
 
@@ -15,6 +15,7 @@ use grazing_continuation::mps::{
 use grazing_model::ImpactOscillator;
 use nalgebra::SVector;
 
+use crate::curves::DiagramCurve;
 use crate::progress::Progress;
 
 /// The branches at one η, and how far they have been worked on.
@@ -148,6 +149,38 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
             }
         }
         to.branches.len() > before
+    }
+
+    /// Adds the branches of a slice to which curves that cross it lead, and says whether there are any.
+    pub(crate) fn through_curves(&self, slice: &mut Slice<Curve>, curves: &[DiagramCurve]) -> bool {
+        let before = slice.branches.len();
+        let here = Condition::Secondary(slice.secondary);
+        let pairs = curves.iter().flat_map(|curve| {
+            let condition = curve.curve.condition;
+            curve.curve.points.windows(2).map(move |pair| (condition, pair))
+        });
+        for (condition, pair) in pairs {
+            let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
+            let [from, to] = [a, b].map(|point| point[unknown::SECONDARY] - slice.secondary);
+            if from * to > 0.0 || from == to {
+                continue;
+            }
+            let near = a + (b - a) * (from / (from - to));
+            if slice.branches.iter().any(|branch| passes(branch, &near)) {
+                continue;
+            }
+            let mut memory = pair[0].memory.clone();
+            let found = locate_within(CARRIED_OFF, &self.equations, [condition, here], near, &mut memory);
+            if let Ok(through) = found
+                && through[unknown::VELOCITY] > 0.0
+                && self.window.contains(&through)
+            {
+                self.add(slice, through, &memory, true);
+            }
+        }
+        let fresh = slice.branches.len() > before;
+        slice.carried &= !fresh;
+        fresh
     }
 
     /// The MPS with the impact velocity and the η of `near`, if it lies in the window and nearby.

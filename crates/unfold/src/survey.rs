@@ -8,11 +8,12 @@ use grazing_continuation::mps::{Formulation, Unknowns, unknown};
 use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
-use crate::curves::{DiagramCurve, Kind, Net};
+use crate::curves::{DiagramCurve, Net};
 use crate::faces::Point;
 use crate::progress::Progress;
 use crate::regions::{Doubt, Sight, Surveyor};
 use crate::slices::{Slice, Slicer, broken_at, spread, stretches};
+use grazing_continuation::bifurcation::Bifurcation;
 
 /// The slices through the surface of p-loop MPSs, in the order of η.
 pub(crate) struct Survey<'a, O> {
@@ -80,8 +81,16 @@ impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
     fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
         let found: Vec<_> = levels.par_iter().map(|level| self.slicer.beginning_at_grazing(*level)).collect();
         self.slices.extend(found);
-        spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
-        self.explain(progress);
+        loop {
+            spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
+            self.explain(progress);
+            let curves = &self.net.curves;
+            let fresh: Vec<bool> =
+                self.slices.par_iter_mut().map(|slice| self.slicer.through_curves(slice, curves)).collect();
+            if progress.stopped() || !fresh.contains(&true) {
+                break;
+            }
+        }
     }
 
     fn lines(&self) -> Vec<Vec<Point>> {
@@ -115,7 +124,7 @@ impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
 
 /// Whether a bifurcation on a slice lies on a known curve.
 fn explained<O: ImpactOscillator>(net: &Net<O>, event: &Event, [left, right]: [f64; 2]) -> bool {
-    let Some(kind) = Kind::of(event.condition) else { return true };
+    let Some(kind) = Bifurcation::of(event.condition) else { return true };
     let here = event.solution.unknowns;
     let secondary = here[unknown::SECONDARY];
     let distance = |point: &Unknowns| {
@@ -149,7 +158,7 @@ fn explained<O: ImpactOscillator>(net: &Net<O>, event: &Event, [left, right]: [f
 
 /// Follows the curve through a bifurcation that lies on none that is known.
 fn start<O: ImpactOscillator>(net: &mut Net<O>, event: &Event, route: &Route) {
-    let Some(kind) = Kind::of(event.condition) else { return };
+    let Some(kind) = Bifurcation::of(event.condition) else { return };
     let equations = net.equations.with_formulation(Formulation::FixedPhase);
     let curve = MpsCurve { equations, condition: event.condition };
     // Across the slice.

@@ -1,11 +1,13 @@
 //! Whether the theorem's quadratic coefficients are those of the continued curves, and where that cannot be told.
 
+use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::fit::{Estimate, FitError, Measurement, measure};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::global_iterate;
 use grazing_theorems::from_map::GrazingOrbit;
+use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{ResonantPoint, Unfolding};
 use nalgebra::Matrix2;
 
@@ -117,21 +119,23 @@ impl Coefficient {
 }
 
 /// c_SN and c_PD at a resonance.
-pub fn coefficients<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [Coefficient; 2] {
-    let errors = theorem_errors(point);
-    let stability = point.resonant_point().stability_coefficients();
-    let curves = [
-        (point.theorem().saddle_node(), stability.plus, Condition::SADDLE_NODE),
-        (point.theorem().period_doubling(), stability.minus, Condition::PERIOD_DOUBLING),
-    ];
-    core::array::from_fn(|k| {
-        let (curve, stability, condition) = curves[k];
-        Coefficient {
-            stability,
-            theorem: Estimate { value: curve.coefficient, error: errors[k] },
-            fit: measure(point, condition),
-        }
-    })
+pub fn coefficients<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> Pair<Coefficient> {
+    let [saddle_node, period_doubling] = theorem_errors(point);
+    let (theorem, stability) = (point.theorem(), point.resonant_point().stability_coefficients());
+    let coefficient = |curve: BifurcationCurve, stability, condition, error| Coefficient {
+        stability,
+        theorem: Estimate { value: curve.coefficient, error },
+        fit: measure(point, condition),
+    };
+    Pair {
+        saddle_node: coefficient(theorem.saddle_node(), stability.plus, Condition::SADDLE_NODE, saddle_node),
+        period_doubling: coefficient(
+            theorem.period_doubling(),
+            stability.minus,
+            Condition::PERIOD_DOUBLING,
+            period_doubling,
+        ),
+    }
 }
 
 /// Relative errors that first derivatives of the flow, and differences of them, have at best (empirical: integrated motion is right

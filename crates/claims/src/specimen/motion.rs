@@ -1,92 +1,89 @@
 //! Motion of a specimen, in closed form or integrated.
 
 use grazing_model::LinearMotion;
-use grazing_model::motion::{Bounds, Kinematics, Motion, Walk};
+use grazing_model::motion::{Bounds, Enclosure, Kinematics, Motion, Walk};
 use grazing_model::smooth::IntegratedMotion;
 
 use super::Law;
 
 /// The motion of a [`Specimen`](super::Specimen).
-#[derive(Debug)]
-pub enum SpecimenMotion {
+pub type SpecimenMotion = Either<LinearMotion, IntegratedMotion<Law>>;
+
+/// One of two, both of which do the same.
+#[derive(Clone, Copy, Debug)]
+pub enum Either<L, I> {
     /// In closed form.
-    Linear(LinearMotion),
+    Linear(L),
     /// Integrated.
-    Integrated(IntegratedMotion<Law>),
+    Integrated(I),
 }
 
-/// What either kind of motion does.
+/// The value for whichever it is.
 macro_rules! either {
-    ($motion:expr, $inner:ident => $value:expr) => {
-        match $motion {
-            SpecimenMotion::Linear($inner) => $value,
-            SpecimenMotion::Integrated($inner) => $value,
+    ($self:ident, $inner:ident => $value:expr) => {
+        match $self {
+            Self::Linear($inner) => $value,
+            Self::Integrated($inner) => $value,
         }
     };
 }
 
-impl Motion for SpecimenMotion {
+impl<L: Motion, I: Motion> Motion for Either<L, I> {
     fn at(&self, time: f64) -> Kinematics {
         either!(self, motion => motion.at(time))
     }
 
-    fn bounds(&self, from: f64, to: f64) -> Bounds {
-        either!(self, motion => motion.bounds(from, to))
-    }
-
-    fn bounds_between(&self, from: f64, to: f64, all: &Bounds) -> Bounds {
-        either!(self, motion => motion.bounds_between(from, to, all))
+    fn enclose(&self, horizon: f64) -> impl Enclosure {
+        match self {
+            Self::Linear(motion) => Either::Linear(motion.enclose(horizon)),
+            Self::Integrated(motion) => Either::Integrated(motion.enclose(horizon)),
+        }
     }
 
     fn foresight(&self) -> f64 {
         either!(self, motion => motion.foresight())
     }
+}
 
-    fn stride(&self, horizon: f64) -> f64 {
-        either!(self, motion => motion.stride(horizon))
+impl<L: Enclosure, I: Enclosure> Enclosure for Either<L, I> {
+    fn bounds(&self) -> Bounds {
+        either!(self, enclosure => enclosure.bounds())
     }
 
-    fn time_after(&self, strides: f64) -> f64 {
-        either!(self, motion => motion.time_after(strides))
+    fn bounds_between(&self, from: f64, to: f64) -> Bounds {
+        either!(self, enclosure => enclosure.bounds_between(from, to))
     }
 
-    fn strides_within(&self, horizon: f64) -> f64 {
-        either!(self, motion => motion.strides_within(horizon))
+    fn stride(&self) -> f64 {
+        either!(self, enclosure => enclosure.stride())
+    }
+
+    fn strides(&self) -> usize {
+        either!(self, enclosure => enclosure.strides())
+    }
+
+    fn time_after(&self, strides: usize) -> f64 {
+        either!(self, enclosure => enclosure.time_after(strides))
     }
 
     fn walk(&self) -> impl Walk {
         match self {
-            Self::Linear(motion) => EitherWalk::Linear(motion.walk()),
-            Self::Integrated(motion) => EitherWalk::Integrated(motion.walk()),
+            Self::Linear(enclosure) => Either::Linear(enclosure.walk()),
+            Self::Integrated(enclosure) => Either::Integrated(enclosure.walk()),
         }
     }
 }
 
-#[derive(Clone, Copy)]
-enum EitherWalk<L, I> {
-    Linear(L),
-    Integrated(I),
-}
-
-impl<L: Walk, I: Walk> Walk for EitherWalk<L, I> {
+impl<L: Walk, I: Walk> Walk for Either<L, I> {
     fn position(&self) -> f64 {
-        match self {
-            Self::Linear(walk) => walk.position(),
-            Self::Integrated(walk) => walk.position(),
-        }
+        either!(self, walk => walk.position())
     }
 
     fn kinematics(&self) -> Kinematics {
-        match self {
-            Self::Linear(walk) => walk.kinematics(),
-            Self::Integrated(walk) => walk.kinematics(),
-        }
+        either!(self, walk => walk.kinematics())
     }
 
     fn advance(&mut self) {
-        match self {
-            Self::Linear(walk) => walk.advance(),
-            Self::Integrated(walk) => walk.advance(),
-        }
+        either!(self, walk => walk.advance());
     }
 }

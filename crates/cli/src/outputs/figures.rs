@@ -1,12 +1,14 @@
 //! From a study's frames to figures: one function a figure.
 
+use grazing_continuation::bifurcation::Pair;
 use grazing_drawing::{
-    Figure01, Figure02, Figure03, Figure04, Figure05, Figure06, Figure07, Figure08, Figure09, Figure10,
-    Magnified, Section, SheetWidth, Window, draw_fig01, draw_fig02, draw_fig03, draw_fig04, draw_fig05,
-    draw_fig06, draw_fig07, draw_fig08, draw_fig09, draw_fig10,
+    Figure02, Figure04, Figure05, Figure07, Figure08, Heading, Magnified, MagnifiedPanel, Section,
+    SheetWidth, SpaceFigure, Window, draw_fig01, draw_fig02, draw_fig03, draw_fig04, draw_fig05, draw_fig06,
+    draw_fig07, draw_fig08, draw_fig09, draw_fig10,
 };
 use grazing_reproduction::parameters::{Range, Rectangle};
-use grazing_reproduction::{Coefficients, Study, StudyError};
+use grazing_reproduction::{Coefficients, Figure8, Scene, ShownPanel, Study, StudyError};
+use grazing_results::{Names, Table};
 
 use super::{Made, MadeResult};
 
@@ -20,19 +22,17 @@ pub(super) fn coefficients(study: &Study<'_>, _: SheetWidth) -> MadeResult {
 
 pub(super) fn fig01(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig01()?;
-    let figure =
-        Figure01 { curves: &made.curves.frame, points: &made.points.frame, surfaces: &made.surfaces.frame };
-    Ok(Made::figure(draw_fig01(&figure, width)?, made.tables()))
+    Ok(Made::figure(draw_fig01(&space(&made), width)?, made.tables()))
 }
 
 pub(super) fn fig02(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig02()?;
     let shown = study.parameters().fig02()?;
     let figure = Figure02 {
-        branches: &made.branches.frame,
-        bifurcations: &made.bifurcations.frame,
-        attractor: &made.attractor.frame,
-        portraits: &made.portraits.frame,
+        branches: &made.branches,
+        bifurcations: &made.bifurcations,
+        attractor: &made.attractor,
+        portraits: &made.portraits,
         window: window(shown.amplitude(), shown.x()),
         magnification: window(shown.magnified_amplitude(), shown.magnified_x()),
     };
@@ -42,14 +42,12 @@ pub(super) fn fig02(study: &Study<'_>, width: SheetWidth) -> MadeResult {
 
 pub(super) fn fig03(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig03()?;
-    let figure =
-        Figure03 { curves: &made.curves.frame, points: &made.points.frame, surfaces: &made.surfaces.frame };
-    Ok(Made::figure(draw_fig03(&figure, width)?, made.tables()))
+    Ok(Made::figure(draw_fig03(&space(&made), width)?, made.tables()))
 }
 
 pub(super) fn fig04(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig04()?;
-    let figure = Figure04 { curves: &made.curves.frame, points: &made.points.frame };
+    let figure = Figure04 { curves: &made.curves, points: &made.points };
     Ok(Made::figure(draw_fig04(&figure, width)?, made.tables()))
 }
 
@@ -57,9 +55,9 @@ pub(super) fn fig05(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig05()?;
     let shown = study.parameters().fig05()?;
     let figure = Figure05 {
-        curves: &made.curves.frame,
-        points: &made.points.frame,
-        regions: &made.regions.frame,
+        curves: &made.curves,
+        points: &made.points,
+        regions: &made.regions,
         window: window(shown.mu(), shown.eta()),
     };
     Ok(Made::figure(draw_fig05(&figure, width)?, made.tables()))
@@ -67,8 +65,8 @@ pub(super) fn fig05(study: &Study<'_>, width: SheetWidth) -> MadeResult {
 
 pub(super) fn fig06(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig06()?;
-    let figure = draw_fig06(&Figure06 { parts: &made.parts.frame }, width)?;
-    Ok(Made::figure(figure, made.tables()))
+    let tables = vec![Table::new("fig06_parts", &Names::of_the_paper(), &made)];
+    Ok(Made::figure(draw_fig06(&made, width)?, tables))
 }
 
 pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
@@ -79,13 +77,14 @@ pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         up: [section.frequency(); 2],
         label: "Fig. 2".to_owned(),
     });
-    let magnified = study.panels().map(magnified);
+    let magnified: Vec<Magnified> =
+        study.fig08().map(|made| panels(&made)).unwrap_or_default().iter().map(|panel| panel.shown).collect();
     let figure = Figure07 {
-        curves: &made.curves.frame,
-        points: &made.points.frame,
-        regions: &made.regions.frame,
+        curves: &made.curves,
+        points: &made.points,
+        regions: &made.regions,
         window: plane(study.parameters().fig07()?.window()),
-        magnified: &magnified.unwrap_or_default(),
+        magnified: &magnified,
         sections: section.as_slice(),
     };
     let gaps = study.gaps()?.iter().map(ToString::to_string).collect();
@@ -95,11 +94,10 @@ pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
 pub(super) fn fig08(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let (made, whole) = (study.fig08()?, study.fig07()?);
     let figure = Figure08 {
-        curves: &made.curves.frame,
-        points: &whole.points.frame,
-        regions: &whole.regions.frame,
-        coefficients: &made.coefficients.frame,
-        panels: &magnified(study.panels()?),
+        curves: &made.curves,
+        points: &whole.points,
+        regions: &whole.regions,
+        panels: &panels(&made),
     };
     let figure = draw_fig08(&figure, width)?;
     Ok(Made { notes: made.notes.clone(), ..Made::figure(figure, made.tables()) })
@@ -107,23 +105,29 @@ pub(super) fn fig08(study: &Study<'_>, width: SheetWidth) -> MadeResult {
 
 pub(super) fn fig09(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig09()?;
-    let figure =
-        Figure09 { curves: &made.curves.frame, points: &made.points.frame, surfaces: &made.surfaces.frame };
-    Ok(Made::figure(draw_fig09(&figure, width)?, made.tables()))
+    Ok(Made::figure(draw_fig09(&space(&made), width)?, made.tables()))
 }
 
 pub(super) fn fig10(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig10()?;
-    let figure = draw_fig10(&Figure10 { path: &made.path.frame }, width)?;
-    Ok(Made::figure(figure, made.tables()))
+    let tables = vec![Table::new("fig10_path", &Names::of_the_paper(), &made)];
+    Ok(Made::figure(draw_fig10(&made, width)?, tables))
+}
+
+/// A scene in phase space.
+fn space(scene: &Scene) -> SpaceFigure<'_> {
+    SpaceFigure { curves: &scene.curves, points: &scene.points, surfaces: &scene.surfaces }
 }
 
 /// The panels of Figure 8, numbered from 1.
-fn magnified(windows: Vec<grazing_continuation::curve::Window>) -> Vec<Magnified> {
-    let panels = windows.into_iter().zip(1..);
-    panels
-        .map(|(shown, panel)| Magnified { panel, window: Window { x: shown.primary, y: shown.secondary } })
-        .collect()
+fn panels(made: &Figure8) -> Vec<MagnifiedPanel> {
+    let panel = |(panel, shown): (u32, &ShownPanel)| {
+        let window = Window { x: shown.window.primary, y: shown.window.secondary };
+        let Pair { saddle_node: c_sn, period_doubling: c_pd } = shown.coefficients;
+        let heading = Heading { p: shown.loops, n: None, c_sn, c_pd };
+        MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }
+    };
+    (1..).zip(&made.panels).map(panel).collect()
 }
 
 /// The amplitudes across and the frequencies up.

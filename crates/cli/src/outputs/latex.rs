@@ -3,8 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use grazing_reproduction::Table;
-use polars::prelude::{Column, DataFrame, DataType, PolarsResult};
+use grazing_results::{Cell, Table};
 
 use super::Output;
 use super::edition::{Edition, Format};
@@ -22,47 +21,21 @@ pub(crate) const SNIPPET: &str = "figures.tex";
 const SELECTED: [(&str, &[&str]); 1] =
     [("coefficients", &["p", "n", "omega_star", "amplitude_graz", "s_plus", "s_minus", "c_sn", "c_pd"])];
 
-/// The headings of columns that have a symbol; others are printed by name.
-const HEADINGS: [(&str, &str); 16] = [
-    ("p", "$p$"),
-    ("n", "$n$"),
-    ("omega", r"$\omega$"),
-    ("amplitude", r"$\mathcal{A}$"),
-    ("zeta", r"$\zeta$"),
-    ("epsilon", r"$\epsilon$"),
-    ("omega_star", r"$\omega^*$"),
-    ("amplitude_graz", r"$\mathcal{A}_{\mathrm{graz}}$"),
-    ("s_plus", "$s_p^+$"),
-    ("s_minus", "$s_p^-$"),
-    ("c_sn", r"$c_{\mathrm{SN},p}$"),
-    ("c_pd", r"$c_{\mathrm{PD},p}$"),
-    ("trace", "$T$"),
-    ("determinant", "$D$"),
-    ("tau", r"$\tau$"),
-    ("delta", r"$\delta$"),
-];
-
 /// Where a table lies in the output folder.
 pub(crate) fn table_path(name: &str) -> PathBuf {
     Path::new(name).with_extension("tex")
 }
 
 /// The table as a tabular of booktabs: numbers rounded and aligned at the decimal point, all quantities dimensionless.
-///
-/// # Errors
-/// Whatever the tables library finds wrong with the frame.
-pub(crate) fn table(table: &Table, title: &str) -> PolarsResult<String> {
-    let frame = selected(table)?;
-    let mut columns = Vec::new();
-    for column in frame.columns() {
-        columns.push(cells(column)?);
-    }
+pub(crate) fn table(table: &Table, title: &str) -> String {
+    let places = selected(table);
+    let columns: Vec<(Vec<String>, bool)> = places.iter().map(|&place| cells(table, place)).collect();
     let alignment: String = columns.iter().map(|(_, numeric)| if *numeric { 'r' } else { 'l' }).collect();
-    let heading = |column: &Column| match HEADINGS.iter().find(|(name, _)| name == column.name()) {
-        Some((_, heading)) => (*heading).to_owned(),
-        None => escaped(column.name()),
+    let heading = |&place: &usize| match table.symbols[place].as_str() {
+        "" => escaped(&table.headers[place]),
+        symbol => format!("${symbol}$"),
     };
-    let headings: Vec<String> = frame.columns().iter().map(heading).collect();
+    let headings: Vec<String> = places.iter().map(heading).collect();
     let mut text = format!(
         "% {}\n% Needs \\usepackage{{booktabs}}. All quantities are dimensionless; numbers are rounded, those of data/{}.csv are\n\
          % not.\n\\begin{{tabular}}{{{alignment}}}\n  \\toprule\n  {} \\\\\n  \\midrule\n",
@@ -70,36 +43,38 @@ pub(crate) fn table(table: &Table, title: &str) -> PolarsResult<String> {
         table.name,
         headings.join(" & "),
     );
-    for row in 0..frame.height() {
+    for row in 0..table.rows.len() {
         let cells: Vec<&str> = columns.iter().map(|(cells, _)| cells[row].as_str()).collect();
         // Writing to a string cannot fail.
         let _ = writeln!(text, "  {} \\\\", cells.join(" & "));
     }
     text.push_str("  \\bottomrule\n\\end{tabular}\n");
-    Ok(text)
+    text
 }
 
-fn selected(table: &Table) -> PolarsResult<DataFrame> {
+/// The places of the columns that are printed.
+fn selected(table: &Table) -> Vec<usize> {
     match SELECTED.iter().find(|(name, _)| *name == table.name) {
-        Some((_, columns)) => table.frame.select(columns.iter().copied()),
-        None => Ok(table.frame.clone()),
+        Some((_, columns)) => columns.iter().filter_map(|column| table.position(column)).collect(),
+        None => (0..table.columns.len()).collect(),
     }
 }
 
 /// The cells of a column, and whether they are numbers.
-fn cells(column: &Column) -> PolarsResult<(Vec<String>, bool)> {
-    if column.dtype() == &DataType::Float64 {
-        let numbers: Vec<Option<f64>> = column.f64()?.iter().collect();
-        return Ok((aligned(&numbers), true));
+fn cells(table: &Table, place: usize) -> (Vec<String>, bool) {
+    let cells = || table.rows.iter().map(|row| &row[place]);
+    match cells().next() {
+        Some(Cell::Number(_)) => (aligned(&cells().map(Cell::number).collect::<Vec<_>>()), true),
+        first => {
+            let written = |cell: &Cell| match cell {
+                Cell::Text(words) => escaped(words),
+                Cell::Integer(value) => value.to_string(),
+                Cell::Flag(value) => value.to_string(),
+                Cell::Number(value) => value.to_string(),
+            };
+            (cells().map(written).collect(), matches!(first, Some(Cell::Integer(_))))
+        }
     }
-    let numeric = column.dtype().is_integer();
-    let series = column.as_materialized_series();
-    let cells = series.iter().map(|value| match value.get_str() {
-        Some(text) => escaped(text),
-        None if value.is_null() => String::new(),
-        None => value.to_string(),
-    });
-    Ok((cells.collect(), numeric))
 }
 
 /// Numbers with one number of decimals, so that they align, or with powers of ten if they are too small for that.
@@ -244,7 +219,8 @@ pub(crate) fn has_snippet(edition: &Edition) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use polars::prelude::df;
+    use grazing_results::columns::{BIFURCATION, LOOPS, SECONDARY, SN_AS_SIMULATED as AS_SIMULATED};
+    use grazing_results::{Column, Names};
 
     use super::*;
     use crate::outputs::ALL;
@@ -265,13 +241,17 @@ mod tests {
 
     #[test]
     fn a_table_has_headings_alignment_and_escaped_words() {
-        let frame = df!("kind" => ["a_b", "c"], "p" => [1_u32, 2], "omega" => [0.5, -2.25], "odd_name" => [true, false]);
-        let made = Table { name: "sample", frame: frame.expect("a frame") };
-        let text = table(&made, "A title with 50 %").expect("it can be printed");
+        const COLUMNS: &[Column] = &[BIFURCATION, LOOPS, SECONDARY, AS_SIMULATED];
+        let row = |kind: &'static str, p: u32, omega: f64, flag: bool| {
+            vec![kind.into(), p.into(), omega.into(), flag.into()]
+        };
+        let made = vec![row("a_b", 1, 0.5, true), row("c", 2, -2.25, false)];
+        let text =
+            table(&Table::of_cells("sample", COLUMNS, &Names::of_the_paper(), made), "A title with 50 %");
         assert!(text.starts_with("% A title with 50 \\%\n"), "{text}");
         for line in [
             r"\begin{tabular}{lrrl}",
-            r"  kind & $p$ & $\omega$ & odd\_name \\",
+            r"  kind & $p$ & $\omega$ & sn\_as\_simulated \\",
             r"  a\_b & 1 & $0.5000$ & true \\",
             r"  c & 2 & $-2.2500$ & false \\",
         ] {

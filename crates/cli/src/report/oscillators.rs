@@ -9,16 +9,15 @@ use grazing_description::{Axis, Description, DescriptionError};
 use grazing_drawing::SheetWidth;
 use grazing_model::ImpactOscillator;
 use grazing_report::{
-    CoefficientEntry, CsvTable, Figure, Finding, Judgement, Manifest, OscillatorEntry, OutputFile, Report,
+    CoefficientEntry, Figure, Finding, Judgement, Manifest, OscillatorEntry, OutputFile, Report,
     ResonanceEntry,
 };
-use grazing_reproduction::Table;
-use grazing_reproduction::unfolded::{AtResonance, Observer, Unfolded};
-use grazing_unfold::diagram::Kind;
+use grazing_reproduction::unfolded::{Observer, Unfolded};
+use grazing_results::{Cell, Table, columns};
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::stop::Stop;
 use grazing_unfold::units::InUnits;
-use grazing_unfold::verdict::Verdict;
+use grazing_unfold::verdict::{Coefficient, Verdict};
 
 use super::{file_name, links, versions};
 use crate::failure::Failure;
@@ -26,10 +25,10 @@ use crate::folder::MadeFile;
 use crate::limits::Watch;
 use crate::outputs::computation;
 use crate::progress::Display;
+use crate::project;
 use crate::unfold::numbers::agreement;
 use crate::unfold::reason::{self, place, unfinished};
 use crate::unfold::{self, Analysis, sheets};
-use crate::{project, tables};
 
 /// The example whose results the page shows anyway: the oscillator of the paper.
 const PAPER: &str = "paper.toml";
@@ -104,10 +103,11 @@ impl Source {
             outcome: "what was not finished is named on the page".to_owned(),
         });
         drop(watch);
-        let tables = &unfolded.tables().map_err(|error| computation("tables", &error))?;
-        let figures = &sheets::figures(description, unfolded, tables, SheetWidth::Paper)
-            .map_err(|error| computation("figures", &*error))?;
-        Ok((Material { file, text, description, unfolded, figures, tables }.entry()?, met))
+        let rows = unfolded.rows();
+        let figures = &sheets::figures(description, unfolded, &rows, SheetWidth::Paper)
+            .map_err(|error| computation("figures", &error))?;
+        let tables = &rows.tables(&unfolded.axes.names);
+        Ok((Material { file, text, description, unfolded, figures, tables }.entry(), met))
     }
 
     /// Names the entry as the page is to name its file, and links that where it is part of the repository.
@@ -148,14 +148,10 @@ impl Observer for Display {
 
 impl Material<'_> {
     /// The oscillator as a page shows it.
-    ///
-    /// # Errors
-    /// A table could not be written.
-    pub(crate) fn entry(&self) -> Result<OscillatorEntry, Failure> {
+    pub(crate) fn entry(&self) -> OscillatorEntry {
         let texts = self.description.texts();
         let axis = |axis: &Axis| (axis.name().to_owned(), axis.range());
-        let shown = SHOWN.iter().map(|name| self.table(name)).collect::<Result<_, _>>()?;
-        Ok(OscillatorEntry {
+        OscillatorEntry {
             id: self.file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
             name: self.description.name().to_owned(),
             file: file_name(self.file),
@@ -169,23 +165,20 @@ impl Material<'_> {
             primary: axis(self.description.primary()),
             secondary: axis(self.description.secondary()),
             loops: self.description.loops().to_vec(),
-            figures: self.figures()?,
-            tables: shown,
+            figures: self.figures(),
+            tables: SHOWN.iter().filter_map(|name| self.table(name)).collect(),
             resonances: resonances(self.unfolded),
             lost: lost(self.description, self.unfolded),
             undecided: undecided(self.description, self.unfolded),
             files: Vec::new(),
-        })
+        }
     }
 
     /// The page about this oscillator alone, to stand in the folder of the files that were made of it.
-    ///
-    /// # Errors
-    /// A table could not be written.
-    pub(crate) fn page(&self, made: &[MadeFile]) -> Result<MadeFile, Failure> {
+    pub(crate) fn page(&self, made: &[MadeFile]) -> MadeFile {
         let outputs: Vec<OutputFile> =
             made.iter().map(|file| OutputFile::of(links::with_slashes(&file.path), &file.content)).collect();
-        let mut entry = self.entry()?;
+        let mut entry = self.entry();
         entry.files = outputs.iter().map(|file| file.path.clone()).collect();
         let report = Report {
             figures: Vec::new(),
@@ -205,54 +198,47 @@ impl Material<'_> {
             missing: Vec::new(),
             root: None,
         };
-        Ok(MadeFile { path: PathBuf::from(PAGE), content: grazing_report::page(&report).into_bytes() })
+        MadeFile { path: PathBuf::from(PAGE), content: grazing_report::page(&report).into_bytes() }
     }
 
     /// The figures, each with the tables that it shows.
-    fn figures(&self) -> Result<Vec<Figure>, Failure> {
-        let (points, curves) = (self.table("points")?, self.table("curves")?);
-        let magnified = self.table("magnifications")?;
+    fn figures(&self) -> Vec<Figure> {
         let sheets = self.figures.len().saturating_sub(1);
         let figure = |(index, (file, svg)): (usize, &(String, String))| {
+            let magnified = || self.table("magnifications").map(|table| rows_of_panels(table, svg));
             let (title, tables) = match index {
-                0 => ("two-parameter bifurcation diagram".to_owned(), vec![points.clone(), curves.clone()]),
-                _ if sheets == 1 => {
-                    ("magnifications about the resonances".to_owned(), vec![magnified.clone()])
-                }
-                sheet => (
-                    format!("magnifications about the resonances, sheet {sheet} of {sheets}"),
-                    vec![CsvTable { name: magnified.name.clone(), csv: rows_of_panels(&magnified.csv, svg) }],
+                0 => (
+                    "two-parameter bifurcation diagram".to_owned(),
+                    vec![self.table("points"), self.table("curves")],
                 ),
+                _ if sheets == 1 => ("magnifications about the resonances".to_owned(), vec![magnified()]),
+                sheet => {
+                    let title = format!("magnifications about the resonances, sheet {sheet} of {sheets}");
+                    (title, vec![magnified()])
+                }
             };
-            let name = file.trim_end_matches(".svg").to_owned();
+            let (name, tables) =
+                (file.trim_end_matches(".svg").to_owned(), tables.into_iter().flatten().collect());
             Figure { name, title, svg: svg.clone(), tables }
         };
-        Ok(self.figures.iter().enumerate().map(figure).collect())
+        self.figures.iter().enumerate().map(figure).collect()
     }
 
-    /// A table as text; an empty one if there is none of that name.
-    fn table(&self, name: &str) -> Result<CsvTable, Failure> {
-        let table = self.tables.iter().find(|table| table.name == name);
-        let csv = match table {
-            Some(table) => tables::csv(&table.frame).map_err(|error| computation("tables", &error))?,
-            None => Vec::new(),
-        };
-        Ok(CsvTable { name: name.to_owned(), csv: String::from_utf8_lossy(&csv).into_owned() })
+    /// The table of a name.
+    fn table(&self, name: &str) -> Option<Table> {
+        self.tables.iter().find(|table| table.name == name).cloned()
     }
 }
 
-/// The rows of `magnifications.csv` that belong to the panels of a sheet, with the header.
-fn rows_of_panels(csv: &str, svg: &str) -> String {
+/// The table of magnifications with the rows that belong to the panels of a sheet.
+fn rows_of_panels(mut table: Table, svg: &str) -> Table {
     const MARK: &str = "data-only=\"panel ";
     let marks = svg.match_indices(MARK).filter_map(|(at, _)| svg[at + MARK.len()..].split('"').next());
-    let panels: BTreeSet<&str> = marks.collect();
-    let mut lines = csv.lines();
-    let header = lines.next().unwrap_or_default();
-    let column = header.split(',').position(|name| name == "panel");
-    let here = |line: &&str| {
-        column.and_then(|column| line.split(',').nth(column)).is_none_or(|panel| panels.contains(panel))
-    };
-    std::iter::once(header).chain(lines.filter(here)).flat_map(|line| [line, "\n"]).collect()
+    let panels: BTreeSet<u32> = marks.filter_map(|panel| panel.parse().ok()).collect();
+    if let Some(place) = table.position(columns::PANEL.name) {
+        table.rows.retain(|row| matches!(row[place], Cell::Integer(panel) if panels.contains(&panel)));
+    }
+    table
 }
 
 /// The paragraphs of the comment with which a file begins.
@@ -285,9 +271,8 @@ fn resonances(unfolded: &Analysis) -> Vec<ResonanceEntry> {
         let finding = match &resonance.theorem {
             Ok(_) => {
                 let Some(at) = measured.next() else { continue };
-                Finding::Unfolded(Box::new(
-                    [Kind::SaddleNode, Kind::PeriodDoubling].map(|kind| coefficient(at, kind)),
-                ))
+                let both = at.coefficients.as_ref().zip(at.sides.as_ref());
+                Finding::Unfolded(Box::new(both.map(coefficient).into_array()))
             }
             Err(violated) => {
                 let failing = violated.violated();
@@ -330,8 +315,7 @@ fn undecided(description: &Description, unfolded: &Analysis) -> Vec<(u32, String
 }
 
 /// c_SN or c_PD.
-fn coefficient(at: &AtResonance, kind: Kind) -> CoefficientEntry {
-    let (coefficient, simulated) = at.beside(kind);
+fn coefficient((coefficient, simulated): (&Coefficient, &Simulated)) -> CoefficientEntry {
     let theorem = coefficient.theorem.value;
     let verdict = coefficient.verdict();
     let measured = match (verdict, &coefficient.fit) {
@@ -353,6 +337,8 @@ fn coefficient(at: &AtResonance, kind: Kind) -> CoefficientEntry {
 
 #[cfg(test)]
 mod tests {
+    use grazing_results::{Column, Names};
+
     use super::*;
 
     #[test]
@@ -364,9 +350,13 @@ mod tests {
 
     #[test]
     fn a_sheet_gets_the_rows_of_its_own_panels() {
-        let csv = "kind,panel,x\nSN,1,0.5\nSN,2,0.25\nPD,10,0.125\n";
+        const COLUMNS: &[Column] = &[columns::PANEL];
+        let table = |panels: &[u32]| {
+            let rows = panels.iter().map(|panel| vec![Cell::from(*panel)]).collect();
+            Table::of_cells("magnifications", COLUMNS, &Names::of_the_paper(), rows)
+        };
         let svg = "<rect data-only=\"panel 2\"/>\n<rect data-only=\"panel 10\"/>";
-        assert_eq!(rows_of_panels(csv, svg), "kind,panel,x\nSN,2,0.25\nPD,10,0.125\n");
+        assert_eq!(rows_of_panels(table(&[1, 2, 2, 10]), svg), table(&[2, 2, 10]));
     }
 
     #[test]

@@ -5,8 +5,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use grazing_reproduction::Table;
 use grazing_reproduction::unfolded::Observer;
+use grazing_results::Table;
 use grazing_unfold::progress::Progress;
 use grazing_unfold::stop::Stop;
 
@@ -56,7 +56,7 @@ impl<'a> Keeper<'a> {
     }
 
     fn write(&self, finished: &Table) -> Result<(), String> {
-        let content = tables::csv(&finished.frame).map_err(|error| error.to_string())?;
+        let content = tables::csv(finished).map_err(|error| error.to_string())?;
         let file = MadeFile { path: table_path(UNFINISHED), content };
         folder::write(self.folder, &[file]).map(drop).map_err(|failure| failure.to_string())
     }

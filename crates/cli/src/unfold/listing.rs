@@ -4,13 +4,13 @@ mod gaps;
 
 use std::path::Path;
 
+use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_reproduction::unfolded::AtResonance;
 use grazing_theorems::HypothesesViolated;
 use grazing_theorems::hypothesis::Hypothesis;
-use grazing_unfold::diagram::Kind;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::units::InUnits;
@@ -167,14 +167,14 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     text.push_str(&wrapped("Curves that leave them:  ", &content));
     let rows = found.iter().flat_map(|((_, point), at)| {
         let [_, eta] = units.parameters(point.orbit().oscillator().parameters());
-        [Kind::SaddleNode, Kind::PeriodDoubling].map(|kind| coefficient(eta, kind, at))
+        Pair::BIFURCATIONS.into_array().map(|kind| coefficient(eta, kind, at))
     });
     let header =
         ["p", "n", secondary, "curve", "c by theorem", "c measured", "digits agreeing", "as simulated"];
     text.push_str(&aligned(&header, rows));
     for ((_, point), at) in &found {
         let [_, eta] = units.parameters(point.orbit().oscillator().parameters());
-        for kind in [Kind::SaddleNode, Kind::PeriodDoubling] {
+        for kind in Pair::BIFURCATIONS.into_array() {
             text.push_str(&reasons(secondary, eta, kind, at));
         }
     }
@@ -182,7 +182,7 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
 }
 
 /// Why a coefficient was not measured or simulation is not as predicted; nothing if all is well.
-fn reasons(secondary: &str, eta: f64, kind: Kind, at: &AtResonance) -> String {
+fn reasons(secondary: &str, eta: f64, kind: Bifurcation, at: &AtResonance) -> String {
     let (coefficient, simulated) = at.beside(kind);
     let verdict = coefficient.verdict();
     let mark = format!(
@@ -207,7 +207,7 @@ fn reasons(secondary: &str, eta: f64, kind: Kind, at: &AtResonance) -> String {
 pub(super) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
     let mut told = Vec::new();
     for at in resonances {
-        for kind in [Kind::SaddleNode, Kind::PeriodDoubling] {
+        for kind in Pair::BIFURCATIONS.into_array() {
             let (coefficient, simulated) = at.beside(kind);
             let what = format!("p = {}, n = {}", at.loops, at.n);
             if let (Verdict::Contradict, Ok(fit)) = (coefficient.verdict(), &coefficient.fit) {
@@ -230,7 +230,7 @@ pub(super) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
 }
 
 /// A row: one coefficient by the theorem, measured, and whether simulation agrees.
-fn coefficient(secondary: f64, kind: Kind, at: &AtResonance) -> Vec<String> {
+fn coefficient(secondary: f64, kind: Bifurcation, at: &AtResonance) -> Vec<String> {
     let (coefficient, simulated) = at.beside(kind);
     let theorem = coefficient.theorem.value;
     let (measured, digits) = match (coefficient.verdict(), &coefficient.fit) {
@@ -279,14 +279,14 @@ fn failing(violated: &HypothesesViolated, units: &Units) -> String {
 }
 
 fn corners(description: &Description, unfolded: &Analysis) -> String {
-    let (units, corners) = (&unfolded.axes.units, &unfolded.diagram.corners);
+    let (units, corners) = (&unfolded.axes.units, &unfolded.diagram.codimension_two);
     if corners.is_empty() {
         return String::new();
     }
     let rows = corners.iter().map(|corner| {
         let velocity = corner.unknowns()[0] * units.velocity();
         let [primary, secondary] = units.parameters(corner.event.solution.parameters());
-        let mut row = vec![corner.kind.to_owned(), corner.loops.to_string(), corner.n.to_string()];
+        let mut row = vec![corner.kind.name().to_owned(), corner.loops.to_string(), corner.n.to_string()];
         row.extend([secondary, primary, velocity].map(|value| significant(value, PARAMETER)));
         row
     });
@@ -319,8 +319,11 @@ mod tests {
         AtResonance {
             loops: 2,
             n: 3,
-            coefficients: [coefficient(error), coefficient(1.0)],
-            sides: [simulated, Simulated::Undecided(sides::Doubt::NotMeasured)],
+            coefficients: Pair { saddle_node: coefficient(error), period_doubling: coefficient(1.0) },
+            sides: Pair {
+                saddle_node: simulated,
+                period_doubling: Simulated::Undecided(sides::Doubt::NotMeasured),
+            },
             window: Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] },
             magnified: Vec::new(),
         }
@@ -350,9 +353,9 @@ mod tests {
         let doubtful =
             resonance(1.0, Simulated::Undecided(sides::Doubt::TooSlow { leading: 1e-9, least: 1e-6 }));
         assert!(contradictions(std::slice::from_ref(&doubtful)).is_empty());
-        let (coefficient, _) = doubtful.beside(Kind::SaddleNode);
+        let (coefficient, _) = doubtful.beside(Bifurcation::SaddleNode);
         assert!(matches!(coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
-        let told = reasons("omega", 0.75, Kind::SaddleNode, &doubtful);
+        let told = reasons("omega", 0.75, Bifurcation::SaddleNode, &doubtful);
         for wanted in [
             "p = 2, n = 3, omega = 0.75000, SN:  not measurable: where",
             "as simulated undecided: the leading",

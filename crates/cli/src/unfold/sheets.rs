@@ -1,13 +1,12 @@
 //! The figures: a two-parameter diagram, and magnifications about its resonances.
 
-use std::error::Error;
-
+use grazing_continuation::bifurcation::Pair;
 use grazing_description::Description;
 use grazing_drawing::{
-    Diagram, Heading, Magnifications, Magnified, MagnifiedPanel, Plane, SheetWidth, Table as Drawn, Window,
+    Diagram, DrawingError, Heading, Magnifications, Magnified, MagnifiedPanel, Plane, SheetWidth, Window,
     draw_diagram, draw_magnifications,
 };
-use grazing_reproduction::Table;
+use grazing_reproduction::unfolded::Rows;
 
 use super::Analysis;
 
@@ -31,20 +30,14 @@ pub(super) fn possible_names() -> impl Iterator<Item = String> {
 pub(crate) fn figures(
     description: &Description,
     unfolded: &Analysis,
-    tables: &[Table],
+    rows: &Rows,
     width: SheetWidth,
-) -> Result<Vec<(String, String)>, Box<dyn Error>> {
-    let frame = |name: &'static str| {
-        let table =
-            tables.iter().find(|table| table.name == name).ok_or(format!("there is no table {name}"))?;
-        Ok::<_, String>(Drawn::new(name, &table.frame))
-    };
-    let (points, regions) = (frame("points")?, frame("regions")?);
+) -> Result<Vec<(String, String)>, DrawingError> {
     let (primary, secondary) = (description.primary(), description.secondary());
     let mut plane = Plane::of_parameters(primary.name(), secondary.name());
     // The columns may have other names than the parameters.
-    plane.across.column = &unfolded.axes.primary;
-    plane.up.column = &unfolded.axes.secondary;
+    plane.across.column.clone_from(&unfolded.axes.names.primary);
+    plane.up.column.clone_from(&unfolded.axes.names.secondary);
     let panels = panels(unfolded);
     let magnified: Vec<Magnified> = panels.iter().map(|panel| panel.shown).collect();
     let axes = format!("{} across, {} up.", primary.name(), secondary.name());
@@ -56,9 +49,10 @@ pub(crate) fn figures(
              maximal periodic solutions; regions of stability in grey."
         ),
         plane: &plane,
-        curves: frame("curves")?,
-        points,
-        regions: Some(regions),
+        tables: ["points", "curves"],
+        curves: &rows.curves,
+        points: &rows.points,
+        regions: &rows.regions,
         window: Window { x: primary.range(), y: secondary.range() },
         magnified: &magnified,
         sections: &[],
@@ -71,9 +65,10 @@ pub(crate) fn figures(
             "{axes} Dashed: the quadratic approximations to the saddle-node and period-doubling curves."
         ),
         plane: &plane,
-        curves: frame("magnifications")?,
-        points,
-        regions: Some(regions),
+        table: "magnifications",
+        curves: &rows.magnifications,
+        points: &rows.points,
+        regions: &rows.regions,
         panels: &panels,
     };
     let sheets = draw_magnifications(&magnifications, width)?;
@@ -90,9 +85,10 @@ fn panels(unfolded: &Analysis) -> Vec<MagnifiedPanel> {
         .filter(|(_, at)| !at.magnified.is_empty() && wide(at.window.primary) && wide(at.window.secondary));
     shown
         .map(|(panel, at)| {
-            let [c_sn, c_pd] = at.coefficients.map(|coefficient| coefficient.theorem.value);
+            let Pair { saddle_node: c_sn, period_doubling: c_pd } =
+                at.coefficients.map(|coefficient| coefficient.theorem.value);
             let window = Window { x: at.window.primary, y: at.window.secondary };
-            let heading = Heading { p: i64::from(at.loops), n: Some(i64::from(at.n)), c_sn, c_pd };
+            let heading = Heading { p: at.loops, n: Some(at.n), c_sn, c_pd };
             MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }
         })
         .collect()

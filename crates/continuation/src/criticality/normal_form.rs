@@ -3,8 +3,6 @@
 use grazing_model::smooth::Taylor;
 use nalgebra::{Matrix2, Vector2};
 
-use super::solved;
-
 /// A curve in the plane with the parameter s.
 pub(super) type Curve = [Taylor; 2];
 
@@ -81,6 +79,12 @@ impl<F: Fn(Curve) -> [Curve; 2]> ImplicitMap<F> {
         let curve = [0, 1].map(|i| Taylor::new([self.point[i], q[i], h[i], 0.0]));
         (self.along)(curve).map(|image| Vector2::from(image.map(|component| component.coefficients()[power])))
     }
+}
+
+/// M⁻¹ b by Cramer's rule; not finite if M is singular.
+pub(super) fn solved(m: &Matrix2<f64>, b: Vector2<f64>) -> Vector2<f64> {
+    let determinant = m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)];
+    Vector2::new(m[(1, 1)] * b[0] - m[(0, 1)] * b[1], m[(0, 0)] * b[1] - m[(1, 0)] * b[0]) / determinant
 }
 
 #[cfg(test)]

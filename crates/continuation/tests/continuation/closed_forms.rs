@@ -43,6 +43,15 @@ fn grazing_orbit_and_its_slopes() {
 }
 
 #[test]
+fn an_oscillator_with_and_without_its_forcing_is_the_same() {
+    compare(|resonance, orbit| {
+        let grazing = resonance.grazing();
+        assert_eq!(grazing_theorems::LinearOscillator::from(orbit.oscillator()), grazing.oscillator());
+        assert_eq!(grazing.model().parameters(), [grazing.amplitude(), grazing.forcing_frequency()]);
+    });
+}
+
+#[test]
 fn linearised_map_trace_and_determinant() {
     compare(|resonance, orbit| {
         let (numerical, closed) = (orbit.grazing_point(), resonance.grazing().grazing_point());

@@ -8,41 +8,11 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
-use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
+use grazing_model::smooth::Integrated;
 
-use crate::specimens::{EPSILON, ZETA, assert_close, assert_within, located, resonances, route};
-
-/// A cubic spring of stiffness κ; with κ = 0 and a plain reset law the paper's oscillator.
-#[derive(Clone, Debug)]
-struct Spring {
-    kappa: f64,
-    /// Φ falls with the impact velocity, and an impact takes time.
-    varying: bool,
-}
-
-impl SmoothOscillator for Spring {
-    fn force<S: Scalar>(&self, x: S, y: S, t: S, amplitude: S, omega: S) -> S {
-        amplitude * (omega * t).apply(Function::Cos)
-            - y.scale(2.0 * ZETA)
-            - x
-            - x.power(3).scale(self.kappa)
-            - S::constant(1.0)
-    }
-
-    fn forcing_frequency<S: Scalar>(&self, _: S, omega: S) -> S {
-        omega
-    }
-
-    fn restitution<S: Scalar>(&self, y: S, z: S, _: S, _: S) -> S {
-        let varied =
-            if self.varying { y.scale(0.1) + z.apply(Function::Sin).scale(0.02) } else { S::constant(0.0) };
-        S::constant(EPSILON) - varied
-    }
-
-    fn impact_duration<S: Scalar>(&self, y: S, _: S, _: S, _: S) -> S {
-        if self.varying { S::constant(0.05) + y.scale(0.01) } else { S::constant(0.0) }
-    }
-}
+use crate::specimens::{
+    DUFFING, EPSILON, Spring, ZETA, assert_close, assert_within, duffing, located, resonances, route,
+};
 
 #[test]
 fn the_linear_oscillator_given_by_its_force_has_the_curves_of_the_closed_form() {
@@ -50,7 +20,7 @@ fn the_linear_oscillator_given_by_its_force_has_the_curves_of_the_closed_form() 
         let closed = located(&closed_form);
         let phase = closed.orbit().phase();
         let [primary, secondary] = closed.orbit().oscillator().parameters();
-        let oscillator = Integrated::new(Spring { kappa: 0.0, varying: false }, [primary + 1e-4, secondary]);
+        let oscillator = Integrated::new(Spring::LINEAR, [primary + 1e-4, secondary]);
         let integrated = ResonantGrazingPoint::find(&oscillator, closed_form.loops(), phase + 1e-4).unwrap();
         // Both are located to about 10⁻¹²; the coefficients come from second derivatives.
         assert_within((integrated.unknowns() - closed.unknowns()).amax(), 0.0, 1e-10);
@@ -83,38 +53,27 @@ fn the_linear_oscillator_given_by_its_force_has_the_curves_of_the_closed_form() 
     }
 }
 
-/// The p-loop resonance of a nonlinear oscillator near a place known beforehand.
-fn assert_fit_agrees(loops: u32, [phase, amplitude, omega]: [f64; 3]) {
-    let oscillator = Integrated::new(Spring { kappa: 0.1, varying: true }, [amplitude, omega]);
-    let resonance = ResonantGrazingPoint::find(&oscillator, loops, phase).unwrap();
-    let theorem = resonance.theorem();
-    for (condition, curve) in [
-        (Condition::SADDLE_NODE, theorem.saddle_node()),
-        (Condition::PERIOD_DOUBLING, theorem.period_doubling()),
-    ] {
-        let fitted = fit::quadratic_coefficient(&resonance, condition).unwrap();
-        // Six digits, and no more than the extrapolation itself leaves open.
-        assert_close(fitted.value, curve.coefficient, 1e-6);
-        assert!(fitted.error < 1e-5 * fitted.value.abs());
+#[test]
+fn coefficients_of_a_duffing_oscillator_are_those_of_the_theorem() {
+    for (loops, near) in DUFFING {
+        let resonance = duffing(loops, near);
+        let theorem = resonance.theorem();
+        for (condition, curve) in [
+            (Condition::SADDLE_NODE, theorem.saddle_node()),
+            (Condition::PERIOD_DOUBLING, theorem.period_doubling()),
+        ] {
+            let fitted = fit::quadratic_coefficient(&resonance, condition).unwrap();
+            // Six digits, and no more than the extrapolation itself leaves open.
+            assert_close(fitted.value, curve.coefficient, 1e-6);
+            assert!(fitted.error < 1e-5 * fitted.value.abs());
+        }
     }
-}
-
-#[test]
-fn coefficients_of_a_duffing_oscillator_with_one_loop_are_those_of_the_theorem() {
-    // Found by homotopy from the linear oscillator's resonance with n = 3 (empirical: where Newton's method starts).
-    assert_fit_agrees(1, [0.0668, 0.6734, 0.7597]);
-}
-
-#[test]
-fn coefficients_of_a_duffing_oscillator_with_two_loops_are_those_of_the_theorem() {
-    // Found by homotopy from the linear oscillator's resonance with n = 1 (empirical: where Newton's method starts).
-    assert_fit_agrees(2, [0.0868, 0.3983, 0.9134]);
 }
 
 #[test]
 fn normal_form_of_a_saddle_node_degenerates_where_its_curve_turns_back_in_a_cusp() {
     // Near the resonance p = 2 of the cubic spring (empirical).
-    let start = Integrated::new(Spring { kappa: 0.1, varying: false }, [0.3983, 0.9134]);
+    let start = Integrated::new(Spring { varying: false, ..Spring::DUFFING }, [0.3983, 0.9134]);
     let resonance = ResonantGrazingPoint::find(&start, 2, 0.09).unwrap();
     let secondary = resonance.orbit().oscillator().parameters()[1];
     let curves = resonance.unfold(&route([0.0, 1.5], [secondary - 0.05, secondary + 0.05], true)).unwrap();

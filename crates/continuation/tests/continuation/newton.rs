@@ -1,6 +1,7 @@
 //! Newton's method: how fast it converges, and how it says that it does not.
 
-use grazing_continuation::newton::{Linearisation, NewtonFailure, STEP_TOLERANCE, solve};
+use grazing_continuation::newton::{Linearisation, NewtonFailure, solve};
+use grazing_continuation::tolerances::STEP;
 use nalgebra::{Matrix1, Matrix2, Vector1, Vector2};
 
 use crate::specimens::assert_within;
@@ -49,7 +50,7 @@ fn the_last_factors_were_taken_within_the_step_tolerance() {
     let identity = solution.factors.solve(&at_the_end.jacobian).unwrap();
     let inverse = at_the_end.jacobian.try_inverse().unwrap().norm();
     let difference = (identity - nalgebra::Matrix2::identity()).norm();
-    assert_within(difference, 0.0, 4.0 * STEP_TOLERANCE * inverse);
+    assert_within(difference, 0.0, 4.0 * STEP * inverse);
 }
 
 #[test]

@@ -5,6 +5,7 @@ use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns};
 use grazing_continuation::resonance::ResonantGrazingPoint;
+use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::{GrazingState, Resonance};
 use proptest::prelude::ProptestConfig;
@@ -14,6 +15,59 @@ use proptest::test_runner::RngSeed;
 pub(crate) const ZETA: f64 = 0.02;
 pub(crate) const EPSILON: f64 = 0.9;
 pub(crate) const OMEGA: f64 = 0.854;
+
+/// The paper's oscillator, given by its force, with a spring of cubic stiffness κ besides.
+#[derive(Clone, Debug)]
+pub(crate) struct Spring {
+    pub(crate) kappa: f64,
+    /// Φ falls with the impact velocity and varies with the phase, and an impact takes time.
+    pub(crate) varying: bool,
+    /// The unit of positions.
+    pub(crate) length: f64,
+}
+
+impl Spring {
+    /// The paper's oscillator.
+    pub(crate) const LINEAR: Self = Self { kappa: 0.0, varying: false, length: 1.0 };
+    /// One that is linear in nothing.
+    pub(crate) const DUFFING: Self = Self { kappa: 0.1, varying: true, length: 1.0 };
+}
+
+/// Resonances of [`Spring::DUFFING`], as p and where Newton's method starts (empirical, by homotopy from the linear oscillator's
+/// with n = 3 and n = 1).
+pub(crate) const DUFFING: [(u32, [f64; 3]); 2] =
+    [(1, [0.0668, 0.6734, 0.7597]), (2, [0.0868, 0.3983, 0.9134])];
+
+pub(crate) fn duffing(
+    loops: u32,
+    [phase, amplitude, omega]: [f64; 3],
+) -> ResonantGrazingPoint<Integrated<Spring>> {
+    let oscillator = Integrated::new(Spring::DUFFING, [amplitude, omega]);
+    ResonantGrazingPoint::find(&oscillator, loops, phase).unwrap()
+}
+
+impl SmoothOscillator for Spring {
+    fn force<S: Scalar>(&self, x: S, y: S, t: S, amplitude: S, omega: S) -> S {
+        let (x, y) = (x.scale(self.length), y.scale(self.length));
+        let spring = x + x.power(3).scale(self.kappa) + S::constant(1.0);
+        let force = amplitude * (omega * t).apply(Function::Cos) - y.scale(2.0 * ZETA) - spring;
+        force.scale(1.0 / self.length)
+    }
+
+    fn forcing_frequency<S: Scalar>(&self, _: S, omega: S) -> S {
+        omega
+    }
+
+    fn restitution<S: Scalar>(&self, y: S, z: S, _: S, _: S) -> S {
+        let varied = y.scale(0.1 * self.length) + z.apply(Function::Sin).scale(0.02);
+        S::constant(EPSILON) - varied.scale(f64::from(u8::from(self.varying)))
+    }
+
+    fn impact_duration<S: Scalar>(&self, y: S, _: S, _: S, _: S) -> S {
+        let duration = S::constant(0.05) + y.scale(0.01 * self.length);
+        duration.scale(f64::from(u8::from(self.varying)) * self.length)
+    }
+}
 
 /// A deterministic configuration of a property test.
 pub(crate) fn deterministic(cases: u32) -> ProptestConfig {
@@ -29,8 +83,7 @@ pub(crate) fn deterministic(cases: u32) -> ProptestConfig {
 pub(crate) fn at_grazing(zeta: f64, epsilon: f64, omega: f64) -> (GrazingState, LinearOscillator) {
     let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon).unwrap();
     let grazing = theory.grazing(omega).unwrap();
-    let oscillator = LinearOscillator::new(zeta, epsilon, grazing.amplitude(), omega).unwrap();
-    (grazing, oscillator)
+    (grazing, grazing.model())
 }
 
 /// The closed forms of all resonances with the given numbers of loops and forcing frequencies between the two.
@@ -46,9 +99,7 @@ pub(crate) fn resonances(
 
 /// The oscillator at a resonance, in closed form.
 pub(crate) fn oscillator_at(resonance: &Resonance) -> LinearOscillator {
-    let theory = resonance.grazing().oscillator();
-    let (zeta, epsilon) = (theory.damping_ratio(), theory.coefficient_of_restitution());
-    at_grazing(zeta, epsilon, resonance.forcing_frequency()).1
+    resonance.grazing().model()
 }
 
 /// The resonance located numerically, from a start that is a little off.

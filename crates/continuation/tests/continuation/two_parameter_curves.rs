@@ -89,7 +89,7 @@ fn every_curve_ends_where_the_diagram_has_it_end() {
     assert_eq!(names, [(1, 5), (2, 2), (3, 2), (1, 4), (1, 3), (2, 1), (3, 1), (1, 2)]);
 }
 
-fn corner(curve: &Curve) -> Option<&Event> {
+fn codimension_two_end(curve: &Curve) -> Option<&Event> {
     match &curve.end {
         CurveEnd::Event(event) => Some(event),
         _ => None,
@@ -102,9 +102,11 @@ fn grazing_curve_starts_at_the_end_of_sn_and_arrives_at_the_end_of_pd() {
         let UnfoldedResonance { saddle_node, period_doubling, grazing, missing } = &unfolded.curves;
         assert!(missing.is_empty(), "{missing:?}");
         for curve in grazing {
-            let start = &corner(saddle_node).unwrap().solution.unknowns;
+            let start = &codimension_two_end(saddle_node).unwrap().solution.unknowns;
             assert!(same_point(start, &curve.points[0].solution.unknowns));
-            if let (Some(from_pd), Some(from_gz)) = (corner(period_doubling), corner(curve)) {
+            if let (Some(from_pd), Some(from_gz)) =
+                (codimension_two_end(period_doubling), codimension_two_end(curve))
+            {
                 // Two routes to one point, each located to rounding with a condition of the system below 10³.
                 assert_within((from_pd.solution.unknowns - from_gz.solution.unknowns).norm(), 0.0, 1e-11);
             }
@@ -117,7 +119,8 @@ fn grazing_curve_from_the_end_of_pd_comes_back_to_the_end_of_sn() {
     let mut compared = 0;
     for unfolded in unfolded() {
         let UnfoldedResonance { saddle_node, period_doubling, .. } = &unfolded.curves;
-        let (Some(sn), Some(pd)) = (corner(saddle_node), corner(period_doubling)) else {
+        let (Some(sn), Some(pd)) = (codimension_two_end(saddle_node), codimension_two_end(period_doubling))
+        else {
             continue;
         };
         let arrived = [1.0, -1.0].into_iter().any(|side| {
@@ -127,7 +130,7 @@ fn grazing_curve_from_the_end_of_pd_comes_back_to_the_end_of_sn() {
             };
             let direction = Unknowns::new(side, 0.0, 0.0, 0.0);
             let curve = curve.follow(pd.solution.unknowns, direction, pd.memory.clone(), &window()).unwrap();
-            corner(&curve).is_some_and(|end| {
+            codimension_two_end(&curve).is_some_and(|end| {
                 end.condition == Condition::SADDLE_NODE
                     && (end.solution.unknowns - sn.solution.unknowns).norm() < 1e-11
             })

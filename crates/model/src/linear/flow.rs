@@ -2,13 +2,13 @@
 
 use nalgebra::{Matrix2, Matrix2x6, Matrix6, Vector2};
 
-use super::LinearOscillator;
+use super::oscillator::LinearOscillator;
 use crate::jet::{FlowJet, flow_variable::*};
 use crate::oscillator::State;
 
 /// The solution eq:flow after a time s, with derivatives in (x₀, y₀, z₀, s, 𝒜, ω).
 ///
-/// With w = (x, y), f(z, ω) the periodic response to unit forcing, M the matrix of the free oscillator and E = e^{Ms},
+/// With w = (x, y), f(z, ω) the periodic response to unit forcing, M the matrix of the unforced oscillator and E = e^{Ms},
 /// eq:flow reads w(s) = E (w₀ + e₁ − 𝒜 f(z₀)) − e₁ + 𝒜 f(z₀ + ωs). Every derivative below follows by one product rule and
 /// f_zz = −f.
 pub(super) fn flow<const ORDER: usize>(oscillator: &LinearOscillator, from: State, duration: f64) -> FlowJet {
@@ -17,7 +17,7 @@ pub(super) fn flow<const ORDER: usize>(oscillator: &LinearOscillator, from: Stat
     let (sin, cos) = libm::sincos(natural_frequency * duration);
     let (c, q) = (decay * cos, decay * sin / natural_frequency);
     let propagator = Matrix2::new(c + damping_ratio * q, q, -q, c - damping_ratio * q);
-    let free = Matrix2::new(0.0, 1.0, -1.0, -2.0 * damping_ratio);
+    let unforced = Matrix2::new(0.0, 1.0, -1.0, -2.0 * damping_ratio);
 
     let start = oscillator.response.at(from.phase);
     let end = oscillator.response.at(from.phase + frequency * duration);
@@ -25,8 +25,8 @@ pub(super) fn flow<const ORDER: usize>(oscillator: &LinearOscillator, from: Stat
     let transient = propagator * displacement;
     let value = transient + end.value * amplitude - Vector2::new(1.0, 0.0);
 
-    let transient_rate = free * transient;
-    let free_propagator = free * propagator;
+    let transient_rate = unforced * transient;
+    let unforced_propagator = unforced * propagator;
     let e_value = propagator * start.value;
     let e_phase = propagator * start.d_phase;
     let e_frequency = propagator * start.d_frequency;
@@ -46,18 +46,18 @@ pub(super) fn flow<const ORDER: usize>(oscillator: &LinearOscillator, from: Stat
                 hessian[(column, row)] = *value;
             }
         };
-        set(POSITION, DURATION, free_propagator.column(0).into_owned());
-        set(VELOCITY, DURATION, free_propagator.column(1).into_owned());
+        set(POSITION, DURATION, unforced_propagator.column(0).into_owned());
+        set(VELOCITY, DURATION, unforced_propagator.column(1).into_owned());
         set(PHASE, PHASE, (e_value - end.value) * amplitude);
-        set(PHASE, DURATION, -(free * e_phase + end.value * frequency) * amplitude);
+        set(PHASE, DURATION, -(unforced * e_phase + end.value * frequency) * amplitude);
         set(PHASE, PRIMARY, end.d_phase - e_phase);
         let phase_frequency =
             end.d_phase_frequency - end.value * duration - propagator * start.d_phase_frequency;
         set(PHASE, SECONDARY, phase_frequency * amplitude);
-        set(DURATION, DURATION, free * transient_rate - end.value * (amplitude * frequency * frequency));
-        set(DURATION, PRIMARY, end.d_phase * frequency - free * e_value);
+        set(DURATION, DURATION, unforced * transient_rate - end.value * (amplitude * frequency * frequency));
+        set(DURATION, PRIMARY, end.d_phase * frequency - unforced * e_value);
         let duration_frequency =
-            end.d_phase + (end.d_phase_frequency - end.value * duration) * frequency - free * e_frequency;
+            end.d_phase + (end.d_phase_frequency - end.value * duration) * frequency - unforced * e_frequency;
         set(DURATION, SECONDARY, duration_frequency * amplitude);
         set(PRIMARY, SECONDARY, end.d_frequency + end.d_phase * duration - e_frequency);
         let frequency_frequency = end.d_frequency_frequency

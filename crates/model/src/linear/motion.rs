@@ -1,28 +1,9 @@
 //! Motion of the linear oscillator between impacts, as a function of time alone.
 
-use super::LinearOscillator;
-use crate::motion::{Bounds, Kinematics, Motion, Walk};
+use super::oscillator::LinearOscillator;
+use super::response::{Stride, multiply};
+use crate::motion::{Bounds, Enclosure, Kinematics, Motion, Walk};
 use crate::oscillator::State;
-
-/// A stride of the walk along a motion; computed once per oscillator.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stride {
-    length: f64,
-    /// e^{(−ζ+iω₁)h} and e^{iωh}.
-    turn: [[f64; 2]; 2],
-}
-
-impl Stride {
-    /// An eighth of the shorter of the two periods keeps the undecided cells few (empirical; any length finds the same
-    /// events).
-    pub(super) fn new(damping_ratio: f64, natural_frequency: f64, frequency: f64) -> Self {
-        let length = core::f64::consts::TAU / (8.0 * frequency.max(natural_frequency));
-        let decay = libm::exp(-damping_ratio * length);
-        let (sin, cos) = libm::sincos(natural_frequency * length);
-        let (forced_sin, forced_cos) = libm::sincos(frequency * length);
-        Self { length, turn: [[decay * cos, decay * sin], [forced_cos, forced_sin]] }
-    }
-}
 
 /// x(t) = e^{−ζt}(p cos ω₁t + q sin ω₁t) + u cos ωt + v sin ωt − 1.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +11,7 @@ pub struct LinearMotion {
     damping_ratio: f64,
     natural_frequency: f64,
     frequency: f64,
-    free: [f64; 2],
+    transient: [f64; 2],
     forced: [f64; 2],
     stride: Stride,
 }
@@ -39,27 +20,27 @@ pub struct LinearMotion {
 #[derive(Clone, Copy, Debug)]
 struct Rotation<'a> {
     motion: &'a LinearMotion,
-    free: [f64; 2],
+    transient: [f64; 2],
     forced: [f64; 2],
 }
 
 impl Walk for Rotation<'_> {
     #[inline]
     fn position(&self) -> f64 {
-        let LinearMotion { free: [p, q], forced: [u, v], .. } = self.motion;
-        p * self.free[0] + q * self.free[1] + u * self.forced[0] + v * self.forced[1] - 1.0
+        let LinearMotion { transient: [p, q], forced: [u, v], .. } = self.motion;
+        p * self.transient[0] + q * self.transient[1] + u * self.forced[0] + v * self.forced[1] - 1.0
     }
 
     #[inline]
     fn kinematics(&self) -> Kinematics {
-        self.motion.assemble(self.free, self.forced)
+        self.motion.assemble(self.transient, self.forced)
     }
 
     #[inline]
     fn advance(&mut self) {
-        let [free, forced] = self.motion.stride.turn;
-        self.free = super::multiply(self.free, free);
-        self.forced = super::multiply(self.forced, forced);
+        let [transient, forced] = self.motion.stride.turn;
+        self.transient = multiply(self.transient, transient);
+        self.forced = multiply(self.forced, forced);
     }
 }
 
@@ -72,7 +53,10 @@ impl LinearMotion {
             damping_ratio: oscillator.damping_ratio,
             natural_frequency: oscillator.natural_frequency,
             frequency: oscillator.frequency,
-            free: [position, (velocity + oscillator.damping_ratio * position) / oscillator.natural_frequency],
+            transient: [
+                position,
+                (velocity + oscillator.damping_ratio * position) / oscillator.natural_frequency,
+            ],
             forced: [oscillator.amplitude * response.value[0], oscillator.amplitude * response.d_phase[0]],
             stride: oscillator.stride,
         }
@@ -80,10 +64,10 @@ impl LinearMotion {
 
     /// Kinematics from the two rotating factors e^{(−ζ+iω₁)t} and e^{iωt}.
     #[inline]
-    fn assemble(&self, free: [f64; 2], forced: [f64; 2]) -> Kinematics {
-        let [p, q] = self.free;
-        let x = p * free[0] + q * free[1];
-        let quadrature = q * free[0] - p * free[1];
+    fn assemble(&self, transient: [f64; 2], forced: [f64; 2]) -> Kinematics {
+        let [p, q] = self.transient;
+        let x = p * transient[0] + q * transient[1];
+        let quadrature = q * transient[0] - p * transient[1];
         let y = self.natural_frequency * quadrature - self.damping_ratio * x;
         let a = -x - 2.0 * self.damping_ratio * y;
         let [u, v] = self.forced;
@@ -107,27 +91,57 @@ impl Motion for LinearMotion {
         self.assemble([decay * cos, decay * sin], [forced_cos, forced_sin])
     }
 
-    fn bounds(&self, from: f64, to: f64) -> Bounds {
-        // |−ζ + iω₁| = 1: all derivatives of the free part have the amplitude of the free part itself.
-        let [p, q] = self.free;
-        let earliest = from.min(to);
-        let growth = if earliest < 0.0 { libm::exp(-self.damping_ratio * earliest) } else { 1.0 };
-        let free = (p * p + q * q).sqrt() * growth;
+    #[inline]
+    fn enclose(&self, horizon: f64) -> impl Enclosure {
+        // |−ζ + iω₁| = 1: all derivatives of the transient have the amplitude of the transient itself.
+        let [p, q] = self.transient;
+        let growth = if horizon < 0.0 { libm::exp(-self.damping_ratio * horizon) } else { 1.0 };
+        let transient = (p * p + q * q).sqrt() * growth;
         let [u, v] = self.forced;
         let square = self.frequency * self.frequency;
         let forced = (u * u + v * v).sqrt() * square;
-        Bounds {
-            acceleration: free + forced,
-            jerk: free + forced * self.frequency,
-            snap: free + forced * square,
-        }
+        let bounds = Bounds {
+            acceleration: transient + forced,
+            jerk: transient + forced * self.frequency,
+            snap: transient + forced * square,
+        };
+        Amplitudes { motion: self, horizon, bounds }
+    }
+}
+
+/// An enclosure with the amplitudes of the derivatives.
+struct Amplitudes<'a> {
+    motion: &'a LinearMotion,
+    horizon: f64,
+    bounds: Bounds,
+}
+
+impl Enclosure for Amplitudes<'_> {
+    fn bounds(&self) -> Bounds {
+        self.bounds
     }
 
-    fn stride(&self, _: f64) -> f64 {
-        self.stride.length
+    #[inline]
+    fn bounds_between(&self, from: f64, to: f64) -> Bounds {
+        // Forwards nothing grows, so that these bounds hold for ever.
+        let earliest = from.min(to);
+        if earliest >= 0.0 || earliest >= self.horizon { self.bounds } else { Bounds::UNKNOWN }
+    }
+
+    fn stride(&self) -> f64 {
+        self.motion.stride.length
+    }
+
+    fn strides(&self) -> usize {
+        libm::floor(self.horizon / self.stride()) as usize
+    }
+
+    #[inline]
+    fn time_after(&self, strides: usize) -> f64 {
+        strides as f64 * self.stride()
     }
 
     fn walk(&self) -> impl Walk {
-        Rotation { motion: self, free: [1.0, 0.0], forced: [1.0, 0.0] }
+        Rotation { motion: self.motion, transient: [1.0, 0.0], forced: [1.0, 0.0] }
     }
 }

@@ -1,7 +1,8 @@
 //! The closed-form flow of the linear oscillator along a curve of arguments.
 
-use super::LinearOscillator;
-use crate::smooth::{Function, Scalar, Taylor};
+use super::oscillator::LinearOscillator;
+use crate::scalar::{Function, Scalar};
+use crate::taylor::Taylor;
 use crate::third_order::ThirdOrder;
 
 impl LinearOscillator {

@@ -1,17 +1,34 @@
 //! A cell of time between two evaluations of a motion: what bounds prove about it, and the events that it holds.
 
-use super::{Bounds, Crossing, Kinematics, Maximum, Motion};
+use super::enclosure::{Bounds, Enclosure, Kinematics, Motion};
+use crate::tolerances::{LAST_STEP_TO_EVENT, NARROWEST_CELL, STEPS_TO_EVENT};
 
-/// Below this width two zeros of the velocity count as one (empirical: far above rounding, far below any motion).
-const NARROWEST_CELL: f64 = 1e-9;
+/// A local maximum of x(t).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Maximum {
+    /// Time since the motion began.
+    pub time: f64,
+    /// The value of x there.
+    pub position: f64,
+}
+
+/// A crossing of the wall from x ≤ 0 to x > 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Time since the motion began.
+    pub time: f64,
+    /// The velocity y there, not negative.
+    pub velocity: f64,
+}
 
 /// Two evaluations of a motion with nothing known in between but the bounds.
 #[derive(Clone, Copy)]
 pub(super) struct Cell {
-    pub(super) start: f64,
+    start: f64,
     pub(super) first: Kinematics,
-    pub(super) end: f64,
+    end: f64,
     pub(super) last: Kinematics,
+    bounds: Bounds,
 }
 
 /// What the velocity does in a cell, as far as the bounds can prove it.
@@ -25,27 +42,38 @@ pub(super) enum Course {
 }
 
 impl Cell {
+    /// The cell between two times, in this order, whose bounds an enclosure has.
+    #[inline]
+    pub(super) fn within(
+        enclosure: &impl Enclosure,
+        [start, end]: [f64; 2],
+        [first, last]: [Kinematics; 2],
+    ) -> Self {
+        Self { start, first, end, last, bounds: enclosure.bounds_between(start, end) }
+    }
+
     fn width(&self) -> f64 {
         (self.end - self.start).abs()
     }
 
     /// |f − chord| ≤ h²/8 · max|f''|, applied to the velocity and to the acceleration.
-    pub(super) fn course(&self, bounds: &Bounds) -> Course {
+    pub(super) fn course(&self) -> Course {
         let slack = self.width() * self.width() / 8.0;
         let (v, w) = (self.first.velocity, self.last.velocity);
-        if v * w > 0.0 && v.abs().min(w.abs()) > slack * bounds.jerk {
+        if v * w > 0.0 && v.abs().min(w.abs()) > slack * self.bounds.jerk {
             return Course::Monotone;
         }
         let (a, b) = (self.first.acceleration, self.last.acceleration);
-        if a * b > 0.0 && a.abs().min(b.abs()) > slack * bounds.snap {
+        if a * b > 0.0 && a.abs().min(b.abs()) > slack * self.bounds.snap {
             return Course::Curved { falling: a < 0.0 };
         }
         Course::Open
     }
 
     /// No point of the cell lies above this.
-    fn ceiling(&self, bounds: &Bounds) -> f64 {
-        self.first.position.max(self.last.position) + self.width() * self.width() / 8.0 * bounds.acceleration
+    fn ceiling(&self) -> f64 {
+        self.first.position.max(self.last.position)
+            + self.width() * self.width() / 8.0 * self.bounds.acceleration
     }
 
     /// Both halves; nothing if the motion ceases to exist between them.
@@ -60,6 +88,7 @@ impl Cell {
     }
 
     /// The zero of the velocity by interpolation; the velocity is strictly monotone in this cell and changes sign.
+    #[inline(always)]
     fn near_stationary_time(&self) -> f64 {
         inverse_hermite(
             [self.first.velocity, self.last.velocity],
@@ -95,12 +124,12 @@ impl Cell {
 
     /// A point of a cell in which the velocity falls through zero: the highest one, or any above the wall if there is one, or
     /// one that proves that there is none.
-    fn top(&self, motion: &impl Motion, bounds: &Bounds) -> (f64, Kinematics) {
+    fn top(&self, motion: &impl Motion) -> (f64, Kinematics) {
         let near = self.near_stationary_time();
         let there = motion.at(near);
         let within = self.start < near && near < self.end;
         // −ẍ is at least this, so that no point is higher than x + y²/(2·this).
-        let slack = self.width() * self.width() / 8.0 * bounds.snap;
+        let slack = self.width() * self.width() / 8.0 * self.bounds.snap;
         let deceleration = self.first.acceleration.abs().min(self.last.acceleration.abs()) - slack;
         let highest = there.position + there.velocity * there.velocity / (2.0 * deceleration);
         if within && (there.position > 0.0 || highest < 0.0) {
@@ -110,18 +139,18 @@ impl Cell {
     }
 
     /// First crossing from x ≤ 0 to x > 0 in this cell, which begins with x ≤ 0.
-    pub(super) fn crossing(&self, motion: &impl Motion, bounds: &Bounds) -> Option<Crossing> {
-        if self.ceiling(bounds) < 0.0 {
+    pub(super) fn crossing(&self, motion: &impl Motion) -> Option<Crossing> {
+        if self.ceiling() < 0.0 {
             return None;
         }
         // The highest point of the cell that can lie above the wall, and its time.
-        let (time, top) = match self.course(bounds) {
+        let (time, top) = match self.course() {
             Course::Monotone if self.last.velocity < 0.0 => return None,
             Course::Curved { falling: true } if self.first.velocity <= 0.0 => return None,
-            Course::Curved { falling: true } if self.last.velocity < 0.0 => self.top(motion, bounds),
+            Course::Curved { falling: true } if self.last.velocity < 0.0 => self.top(motion),
             Course::Open if self.width() >= NARROWEST_CELL => {
                 let [left, right] = self.halves(motion)?;
-                return left.crossing(motion, bounds).or_else(|| right.crossing(motion, bounds));
+                return left.crossing(motion).or_else(|| right.crossing(motion));
             }
             Course::Monotone | Course::Curved { .. } | Course::Open => (self.end, self.last),
         };
@@ -133,24 +162,23 @@ impl Cell {
     pub(super) fn maxima(
         &self,
         motion: &impl Motion,
-        bounds: &Bounds,
         threshold: f64,
         visit: &mut impl FnMut(Maximum) -> f64,
     ) -> f64 {
-        if self.ceiling(bounds) < threshold {
+        if self.ceiling() < threshold {
             return threshold;
         }
         let rising =
             self.first.velocity > 0.0 || (self.first.velocity == 0.0 && self.first.acceleration > 0.0);
-        let isolated = match self.course(bounds) {
+        let isolated = match self.course() {
             Course::Monotone | Course::Curved { falling: false } => return threshold,
             Course::Curved { falling: true } => true,
             Course::Open => self.width() < NARROWEST_CELL,
         };
         if !isolated {
             let Some([left, right]) = self.halves(motion) else { return threshold };
-            let threshold = left.maxima(motion, bounds, threshold, visit);
-            return right.maxima(motion, bounds, threshold, visit);
+            let threshold = left.maxima(motion, threshold, visit);
+            return right.maxima(motion, threshold, visit);
         }
         if rising && self.last.velocity <= 0.0 {
             let (time, top) = self.stationary_point(motion);
@@ -161,16 +189,16 @@ impl Cell {
 
     /// First zero of the velocity in this cell, in the cell's direction of time; none if `patience` is at an end, the number of
     /// times that a cell may be halved.
-    pub(super) fn rest(&self, motion: &impl Motion, bounds: &Bounds, patience: &mut u32) -> Option<f64> {
+    pub(super) fn rest(&self, motion: &impl Motion, patience: &mut u32) -> Option<f64> {
         let changes = self.first.velocity * self.last.velocity <= 0.0;
-        match self.course(bounds) {
+        match self.course() {
             Course::Monotone => None,
             Course::Curved { .. } => changes.then(|| self.stationary_point(motion).0),
             Course::Open if self.width() < NARROWEST_CELL => changes.then_some(self.end),
             Course::Open => {
                 *patience = patience.checked_sub(1)?;
                 let [near, far] = self.halves(motion)?;
-                near.rest(motion, bounds, patience).or_else(|| far.rest(motion, bounds, patience))
+                near.rest(motion, patience).or_else(|| far.rest(motion, patience))
             }
         }
     }
@@ -186,9 +214,7 @@ fn inverse_hermite([f, g]: [f64; 2], [a, b]: [f64; 2], [da, db]: [f64; 2]) -> f6
 
 /// The zero of a component of a motion that changes sign in a bracket, by Halley's method kept inside it.
 ///
-/// `component` picks value, slope and curvature; `rising` says that the value is negative at the bracket's first end. A step shorter
-/// than 10⁻⁶ ends the iteration: the convergence is of third order, so the point it leads to is exact to rounding, and so
-/// are the kinematics there, by Taylor's formula.
+/// `component` picks value, slope and curvature; `rising` says that the value is negative at the bracket's first end.
 fn bracketed_halley(
     motion: &impl Motion,
     [a, b]: [f64; 2],
@@ -200,8 +226,7 @@ fn bracketed_halley(
     let inside = |time: f64, low: f64, high: f64| (time - low) * (time - high) < 0.0;
     let mut time = if inside(guess, low, high) { guess } else { 0.5 * (a + b) };
     let mut here = motion.at(time);
-    // Bisection alone empties a bracket of doubles in at most about 60 steps near 1; twice that is ample.
-    for _ in 0..128 {
+    for _ in 0..STEPS_TO_EVENT {
         let [value, slope, curvature] = component(&here);
         if value == 0.0 {
             break;
@@ -215,7 +240,7 @@ fn bracketed_halley(
         let halley = time - newton / (1.0 - 0.5 * newton * curvature / slope);
         let accepted = inside(halley, low, high);
         let next = if accepted { halley } else { 0.5 * (low + high) };
-        let tolerance = if accepted { 1e-6 } else { 4.0 * f64::EPSILON * time.abs().max(1.0) };
+        let tolerance = if accepted { LAST_STEP_TO_EVENT } else { 4.0 * f64::EPSILON * time.abs().max(1.0) };
         let step = next - time;
         time = next;
         if step.abs() <= tolerance {

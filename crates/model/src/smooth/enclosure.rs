@@ -3,10 +3,10 @@
 use super::integrator::{Node, Pair};
 use super::interval::Interval;
 use super::jet::{Jet, PLANAR};
-use super::scalar::Scalar;
+use super::oscillator::{Integrated, SmoothOscillator};
 use super::series::Series;
-use super::{Integrated, SmoothOscillator};
 use crate::motion::Bounds;
+use crate::scalar::Scalar;
 
 /// d²x/dt² and d³x/dt³ at a point of the motion.
 #[inline]
@@ -38,7 +38,11 @@ fn ranges<M: SmoothOscillator>(
     [jerk, bend.scale(2.0) + by_velocity * jerk]
 }
 
-/// The range of F over a first box grows by this share (empirical: most boxes are then right at once).
+/// A first box holds both ends, with this share of room for motion that turns in between (empirical: most boxes are then right
+/// at once).
+const ROOM: f64 = 0.05;
+
+/// Ranges that were too small, or may be, grow by this share (empirical, likewise).
 const WIDENED: f64 = 0.1;
 
 /// A box is tried and grown this often before the interval of time is halved.
@@ -69,12 +73,7 @@ fn halved<M: SmoothOscillator>(
     let time = 0.5 * (node.time + next.time);
     let middle = oscillator.next_node(&Node { last: None, ..*node }, time - node.time)?;
     let [a, b] = [[node, &middle], [&middle, next]].map(|[a, b]| halved(oscillator, a, b, halvings));
-    let (a, b) = (a?, b?);
-    Some(Bounds {
-        acceleration: a.acceleration.max(b.acceleration),
-        jerk: a.jerk.max(b.jerk),
-        snap: a.snap.max(b.snap),
-    })
+    Some(a?.joined(&b?))
 }
 
 /// Bounds from a box that the solution cannot leave (Picard's criterion): with F taken over the box, velocity and position
@@ -86,7 +85,7 @@ fn boxed<M: SmoothOscillator>(oscillator: &Integrated<M>, node: &Node, next: &No
     let start = node.state.map(Interval::constant);
     let mut force = oscillator.model.force_at(time, mu, eta);
     // F over a box that holds both ends, grown for what a box of this F would reach beyond.
-    let [x, y] = [0, 1].map(|i| Interval::new(node.state[i], next.state[i]).grown(0.05));
+    let [x, y] = [0, 1].map(|i| Interval::new(node.state[i], next.state[i]).grown(ROOM));
     let velocity = start[1] + duration * force(x, y).grown(WIDENED);
     let mut guess = [start[0] + duration * velocity.joined(&y), velocity.joined(&y)];
     for _ in 0..TRIALS {
@@ -102,7 +101,7 @@ fn boxed<M: SmoothOscillator>(oscillator: &Integrated<M>, node: &Node, next: &No
         // Only what is too small grows: the one that is large enough would drive the other on.
         for (guess, reached) in guess.iter_mut().zip(&reached) {
             if !guess.holds(reached) {
-                *guess = guess.joined(reached).grown(0.1);
+                *guess = guess.joined(reached).grown(WIDENED);
             }
         }
     }

@@ -3,11 +3,13 @@
 use nalgebra::{Matrix2x6, Matrix6, Vector2};
 
 use super::enclosure::derivatives;
-use super::jet::{FIRST, Jet};
+use super::jet::{FIRST, Jet, variable};
+use super::motion::IntegratedMotion;
+use super::oscillator::{Integrated, SmoothOscillator};
 use super::variational::Surroundings;
-use super::{Integrated, IntegratedMotion, Scalar, SmoothOscillator, variable};
 use crate::jet::{FlowJet, flow_variable as flow};
 use crate::oscillator::State;
+use crate::scalar::Scalar;
 
 /// Columns of a [`FlowJet`] and the variables of the jets that are integrated.
 const INTEGRATED: [(usize, usize); 4] = [
@@ -25,7 +27,7 @@ struct Passage<const LENGTH: usize> {
 }
 
 impl<M: SmoothOscillator> Integrated<M> {
-    /// The jet of the flow; not numbers if the solution does not exist for so long.
+    /// The jet of the flow; NaN if the solution does not exist for so long.
     pub(super) fn flow_jet<const LENGTH: usize>(
         &self,
         motion: &IntegratedMotion<M>,

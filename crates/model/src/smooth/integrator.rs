@@ -7,10 +7,11 @@
 mod taylor;
 
 use super::jet::{Jet, PLANAR};
-use super::scalar::Scalar;
-use super::stages::{Lanes, Stages};
-use super::tableau::{LAGRANGE, LEGENDRE, MATRIX, NODES, POSITION_WEIGHTS, SQUARE, STAGES, WEIGHTS};
-use super::{Integrated, SmoothOscillator};
+use super::oscillator::{Integrated, SmoothOscillator};
+use super::stages::{Lanes, STAGES, Stages};
+use super::tableau::{LAGRANGE, LEGENDRE, MATRIX, NODES, POSITION_WEIGHTS, SQUARE, WEIGHTS};
+use crate::oscillator::State;
+use crate::scalar::Scalar;
 
 /// Position and velocity.
 pub(super) type Pair<S> = [S; 2];
@@ -200,6 +201,16 @@ fn relative(size: f64, scale: f64) -> f64 {
 }
 
 impl<M: SmoothOscillator> Integrated<M> {
+    /// The start of an integration in the direction of time of `duration`.
+    pub(super) fn first_node(&self, from: State, duration: f64) -> Node {
+        Node {
+            time: from.phase / self.frequency,
+            state: [from.position, from.velocity],
+            proposal: (0.5 * self.longest_step()).copysign(duration),
+            last: None,
+        }
+    }
+
     /// Solves for the accelerations of a step by Newton's method; `None` if it does not converge.
     fn solve_step(&self, from: Pair<f64>, time: f64, guess: Step) -> Option<Step> {
         Some(self.solve(from, time, guess)?.0)
@@ -282,7 +293,7 @@ impl<M: SmoothOscillator> Integrated<M> {
                 self.solve(node.state, node.time, Step { length: trial, accelerations })
             else {
                 trial *= SHRINK;
-                // What is not a number, or beyond all, becomes no shorter.
+                // NaN and infinity become no shorter.
                 if !(shortest..f64::INFINITY).contains(&trial.abs()) {
                     return None;
                 }
@@ -331,7 +342,7 @@ impl<M: SmoothOscillator> Integrated<M> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::smooth::Function;
+    use crate::scalar::Function;
 
     /// A pendulum that is driven.
     #[derive(Clone)]

@@ -3,9 +3,9 @@
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::scalar::{Coefficient, Function, Scalar};
+use crate::scalar::{Coefficient, Function, Scalar};
 
-/// All numbers from `lower` to `upper`; with a bound that is not a number, nothing is known.
+/// All numbers from `lower` to `upper`; with a bound that is NaN, nothing is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Interval {
     pub(super) lower: f64,
@@ -37,7 +37,7 @@ impl Interval {
         Self { lower: self.lower.min(other.lower), upper: self.upper.max(other.upper) }
     }
 
-    /// Grown by a share of its width and a little more.
+    /// Grown by a share of its width, and by a little more than rounding, as it may have none.
     pub(super) fn grown(&self, share: f64) -> Self {
         let by = share * (self.upper - self.lower) + 1e-12 * self.modulus();
         Self { lower: self.lower - by, upper: self.upper + by }
@@ -267,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_known_of_what_is_not_a_number() {
+    fn nothing_is_known_of_nan() {
         let zero = Interval::constant(0.0);
         assert_eq!(UNKNOWN * zero, UNKNOWN);
         assert_eq!(zero / Interval::new(-1.0, 1.0), UNKNOWN);

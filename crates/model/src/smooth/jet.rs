@@ -4,7 +4,19 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::scalar::{Coefficient, Function, Scalar};
+use crate::scalar::{Coefficient, Function, Scalar};
+
+/// The variables of jets, by number.
+///
+/// The phase needs no place in the jets that are integrated: the flow's derivatives in z₀ follow from the others. Where
+/// there is no position, it takes the place of that.
+pub(super) mod variable {
+    pub(crate) const POSITION: usize = 0;
+    pub(crate) const PHASE: usize = 0;
+    pub(crate) const VELOCITY: usize = 1;
+    pub(crate) const PRIMARY: usize = 2;
+    pub(crate) const SECONDARY: usize = 3;
+}
 
 /// The number of variables.
 pub(super) const VARIABLES: usize = 4;

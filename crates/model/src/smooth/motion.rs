@@ -4,9 +4,10 @@ use core::cell::RefCell;
 
 use super::enclosure::{derivatives, enclose};
 use super::integrator::{Node, Step};
-use super::{Integrated, SmoothOscillator};
-use crate::motion::{Bounds, Kinematics, Motion, Walk};
+use super::oscillator::{Integrated, SmoothOscillator};
+use crate::motion::{Bounds, Enclosure, Kinematics, Motion, Walk};
 use crate::oscillator::State;
+use crate::tolerances::MOST_STEPS;
 
 /// Nodes of the solution from a state in one direction of time, found when they are needed.
 #[derive(Debug)]
@@ -18,31 +19,24 @@ struct Course {
     ended: bool,
 }
 
-/// A motion of so many steps has ended: a few hundred make a period of a spring sixty times as fast as its forcing, and ten
-/// thousand of one that is a thousand times as fast; a hundred thousand take fifteen megabytes and some tenths of a second.
-const MOST_STEPS: usize = 100_000;
-
-/// Bounds over no time at all.
-const NO_BOUNDS: Bounds = Bounds { acceleration: 0.0, jerk: 0.0, snap: 0.0 };
-
 impl Course {
-    /// Raises bounds to those between two times, counted away from the start.
-    fn largest_bounds(&self, start: f64, [begin, end]: [f64; 2], largest: &mut Bounds) {
-        let first = self.nodes.partition_point(|node| (node.time - start).abs() <= begin).saturating_sub(1);
-        for (node, here) in self.nodes.iter().zip(&self.bounds).skip(first) {
-            if (node.time - start).abs() >= end {
-                return;
-            }
-            largest.acceleration = largest.acceleration.max(here.acceleration);
-            largest.jerk = largest.jerk.max(here.jerk);
-            largest.snap = largest.snap.max(here.snap);
-        }
+    /// How many nodes lie before a time or at it, times being counted away from the start.
+    fn nodes_until(&self, start: f64, time: f64) -> usize {
+        self.nodes.partition_point(|node| (node.time - start).abs() <= time)
+    }
+
+    /// Bounds between two times, likewise, as far as they have been made.
+    fn bounds_between(&self, start: f64, [begin, end]: [f64; 2]) -> Bounds {
+        let first = self.nodes_until(start, begin).saturating_sub(1);
+        let made = self.nodes.iter().zip(&self.bounds).skip(first);
+        made.take_while(|(node, _)| (node.time - start).abs() < end)
+            .fold(Bounds::NO_TIME, |all, (_, here)| all.joined(here))
     }
 }
 
 /// A motion of an [`Integrated`] oscillator.
 ///
-/// It exists up to where its solution escapes; beyond, all is not a number.
+/// It exists up to where its solution escapes; beyond, all is NaN.
 #[derive(Debug)]
 pub struct IntegratedMotion<M> {
     oscillator: Integrated<M>,
@@ -83,7 +77,7 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
     /// Makes nodes until the time is passed, and bounds between them.
     ///
     /// Where no bounds can be proved the solution is about to escape, and counts as ended.
-    fn enclose(&self, course: &mut Course, time: f64) {
+    fn make_bounds(&self, course: &mut Course, time: f64) {
         self.extend(course, time);
         for k in course.bounds.len()..course.nodes.len() - 1 {
             match enclose(&self.oscillator, &course.nodes[k], &course.nodes[k + 1]) {
@@ -101,12 +95,12 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
     /// the solution does not get that far.
     fn node_before(&self, course: &mut Course, time: f64) -> Option<usize> {
         self.extend(course, time);
-        let passed = course.nodes.partition_point(|node| (node.time - self.start).abs() <= time.abs());
-        // None is passed at a time that is not a number.
+        let passed = course.nodes_until(self.start, time.abs());
+        // None is passed at a time that is NaN.
         (0 < passed && passed < course.nodes.len()).then(|| passed - 1)
     }
 
-    /// Position and velocity at a time since the start; not numbers where the solution has ended.
+    /// Position and velocity at a time since the start; NaN where the solution has ended.
     fn state(&self, time: f64) -> [f64; 2] {
         let course = &mut *self.course(time).borrow_mut();
         let Some(k) = self.node_before(course, time) else { return [f64::NAN; 2] };
@@ -140,24 +134,12 @@ impl<M: SmoothOscillator> Motion for IntegratedMotion<M> {
         self.kinematics(self.state(time), self.start + time)
     }
 
-    fn bounds(&self, from: f64, to: f64) -> Bounds {
-        let mut largest = NO_BOUNDS;
-        for end in [from.max(to).max(0.0), from.min(to).min(0.0)] {
-            if end != 0.0 {
-                let mut course = self.course(end).borrow_mut();
-                self.enclose(&mut course, end);
-                let begin = if from * to > 0.0 { from.abs().min(to.abs()) } else { 0.0 };
-                course.largest_bounds(self.start, [begin, end.abs()], &mut largest);
-            }
+    fn enclose(&self, horizon: f64) -> impl Enclosure {
+        let course = self.course(horizon);
+        if horizon != 0.0 {
+            self.make_bounds(&mut course.borrow_mut(), horizon);
         }
-        largest
-    }
-
-    fn bounds_between(&self, from: f64, to: f64, _: &Bounds) -> Bounds {
-        let mut largest = NO_BOUNDS;
-        let course = self.course(to).borrow();
-        course.largest_bounds(self.start, [from.abs(), to.abs()], &mut largest);
-        largest
+        Boxes { motion: self, course, horizon: horizon.abs() }
     }
 
     /// Up to the first node beyond the wall: what the force is farther on is not asked for, as nobody may have thought of it.
@@ -176,25 +158,45 @@ impl<M: SmoothOscillator> Motion for IntegratedMotion<M> {
         }
         period
     }
+}
 
-    fn stride(&self, horizon: f64) -> f64 {
-        let mut course = self.course(horizon).borrow_mut();
-        self.extend(&mut course, horizon);
-        course.nodes.windows(2).fold(0.0, |longest, ends| (ends[1].time - ends[0].time).abs().max(longest))
+/// An enclosure in which boxes between nodes have been proved to hold the motion.
+struct Boxes<'a, M> {
+    motion: &'a IntegratedMotion<M>,
+    course: &'a RefCell<Course>,
+    /// How far the enclosure reaches.
+    horizon: f64,
+}
+
+impl<M: SmoothOscillator> Enclosure for Boxes<'_, M> {
+    fn bounds(&self) -> Bounds {
+        self.course.borrow().bounds_between(self.motion.start, [0.0, self.horizon])
     }
 
-    fn time_after(&self, strides: f64) -> f64 {
-        self.course(1.0).borrow().nodes[strides as usize].time - self.start
+    fn bounds_between(&self, from: f64, to: f64) -> Bounds {
+        let reached = from.abs() <= to.abs() && to.abs() <= self.horizon;
+        if !reached || !core::ptr::eq(self.course, self.motion.course(to)) {
+            return Bounds::UNKNOWN;
+        }
+        self.course.borrow().bounds_between(self.motion.start, [from.abs(), to.abs()])
     }
 
-    fn strides_within(&self, horizon: f64) -> f64 {
-        let mut course = self.course(1.0).borrow_mut();
-        self.extend(&mut course, horizon);
-        course.nodes.partition_point(|node| node.time - self.start <= horizon) as f64 - 1.0
+    fn stride(&self) -> f64 {
+        let course = self.course.borrow();
+        let boxed = &course.nodes[..=course.bounds.len()];
+        boxed.windows(2).fold(0.0, |longest, ends| (ends[1].time - ends[0].time).abs().max(longest))
+    }
+
+    fn strides(&self) -> usize {
+        self.course.borrow().nodes_until(self.motion.start, self.horizon).saturating_sub(1)
+    }
+
+    fn time_after(&self, strides: usize) -> f64 {
+        self.course.borrow().nodes[strides].time - self.motion.start
     }
 
     fn walk(&self) -> impl Walk {
-        Nodes { motion: self, index: 0 }
+        Nodes { motion: self.motion, course: self.course, index: 0 }
     }
 }
 
@@ -202,6 +204,7 @@ impl<M: SmoothOscillator> Motion for IntegratedMotion<M> {
 #[derive(Debug)]
 struct Nodes<'a, M> {
     motion: &'a IntegratedMotion<M>,
+    course: &'a RefCell<Course>,
     index: usize,
 }
 
@@ -215,7 +218,7 @@ impl<M> Copy for Nodes<'_, M> {}
 
 impl<M> Nodes<'_, M> {
     fn node(&self) -> Node {
-        self.motion.courses[0].borrow().nodes[self.index]
+        self.course.borrow().nodes[self.index]
     }
 }
 

@@ -2,15 +2,32 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::scalar::{Coefficient, Function, Scalar};
-use super::tableau::{Matrix, STAGES};
+use crate::scalar::{Coefficient, Function, Scalar};
 
 /// Numbers side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lanes<const COUNT: usize>(pub(super) [f64; COUNT]);
 
+/// Number of stages.
+pub(super) const STAGES: usize = 6;
+
 /// One number for each stage of a step.
 pub(super) type Stages = Lanes<STAGES>;
+
+/// A matrix that acts on numbers at the stages, by columns.
+pub(super) struct Matrix(pub(super) [Stages; STAGES]);
+
+impl Matrix {
+    pub(super) const fn from_rows(rows: [[f64; STAGES]; STAGES]) -> Self {
+        let mut columns = [Lanes([0.0; STAGES]); STAGES];
+        let mut place = 0;
+        while place < STAGES * STAGES {
+            columns[place % STAGES].0[place / STAGES] = rows[place / STAGES][place % STAGES];
+            place += 1;
+        }
+        Self(columns)
+    }
+}
 
 impl Stages {
     /// The sum of the numbers with these weights.
@@ -29,10 +46,10 @@ impl Stages {
         sums
     }
 
-    /// The largest modulus; not a number if one of the numbers is none.
+    /// The largest modulus; NaN if one of the numbers is.
     #[inline]
     pub(super) fn modulus(&self) -> f64 {
-        // Bits of numbers without sign are in the order of the numbers, with those of what is no number last.
+        // Bits of numbers without sign are in the order of the numbers, with those of NaN last.
         f64::from_bits(self.0.iter().map(|value| value.abs().to_bits()).fold(0, u64::max))
     }
 }
@@ -173,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn the_modulus_of_what_is_not_a_number_is_none() {
+    fn the_modulus_of_nan_is_nan() {
         for place in 0..STAGES {
             let mut stages = Stages::constant(-2.0);
             assert_eq!(stages.modulus(), 2.0);

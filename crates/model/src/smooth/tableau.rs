@@ -4,10 +4,7 @@
 //! nodes are the zeros of the Legendre polynomial of degree six, shifted to the unit interval, and the other coefficients
 //! integrals of Lagrange's polynomials on them, computed to 50 digits and rounded. Tests hold them to the conditions that define them.
 
-use super::stages::{Lanes, Stages};
-
-/// Number of stages.
-pub(super) const STAGES: usize = 6;
+use super::stages::{Matrix, STAGES};
 
 /// Fractions c of the step at which the stages stand.
 pub(super) const NODES: [f64; STAGES] = [
@@ -18,21 +15,6 @@ pub(super) const NODES: [f64; STAGES] = [
     0.8306046932331322,
     0.966234757101576,
 ];
-
-/// A matrix that acts on numbers at the stages, by columns.
-pub(super) struct Matrix(pub(super) [Stages; STAGES]);
-
-impl Matrix {
-    const fn from_rows(rows: [[f64; STAGES]; STAGES]) -> Self {
-        let mut columns = [Lanes([0.0; STAGES]); STAGES];
-        let mut place = 0;
-        while place < STAGES * STAGES {
-            columns[place % STAGES].0[place / STAGES] = rows[place / STAGES][place % STAGES];
-            place += 1;
-        }
-        Self(columns)
-    }
-}
 
 /// The matrix A: velocities at the stages from accelerations.
 pub(super) static MATRIX: Matrix = Matrix::from_rows([

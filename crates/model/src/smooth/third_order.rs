@@ -1,7 +1,9 @@
 //! The flow and the reset law of an integrated oscillator along a curve of arguments.
 
-use super::{Integrated, Scalar, SmoothOscillator, Taylor};
+use super::oscillator::{Integrated, SmoothOscillator};
 use crate::oscillator::{ImpactOscillator, State};
+use crate::scalar::Scalar;
+use crate::taylor::Taylor;
 use crate::third_order::ThirdOrder;
 
 impl<M: SmoothOscillator> ThirdOrder for Integrated<M> {

@@ -7,7 +7,9 @@
 
 use core::f64::consts::TAU;
 
-use super::{Scalar, SmoothOscillator, Taylor};
+use super::oscillator::SmoothOscillator;
+use crate::scalar::Scalar;
+use crate::taylor::Taylor;
 
 /// What one of each dimensionless quantity is in the oscillator's own units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +85,7 @@ impl Units {
 /// The power of four next to a positive number.
 fn power_of_four(value: f64) -> f64 {
     let exponent = libm::round(0.5 * libm::log2(value));
-    // Not a number, as from zero, counts as one.
+    // NaN, as from zero, counts as one.
     if exponent.is_nan() { 1.0 } else { libm::ldexp(1.0, 2 * exponent.clamp(-MOST, MOST) as i32) }
 }
 
@@ -100,14 +102,14 @@ fn sizes<M: SmoothOscillator>(model: &M, [mu, eta]: [f64; 2]) -> Option<[f64; 4]
     if !(load > 0.0 && load.is_finite() && frequency > 0.0 && frequency.is_finite()) {
         return None;
     }
-    // Where the force has ceased to be a number it holds as well.
+    // Where the force is NaN it holds as well.
     let held = |length: f64| {
         let change = (mean(-length) - at_wall).abs();
         change.is_nan() || change >= load
     };
     let inertial = load / (frequency * frequency);
     let mut lengths = (-DOUBLINGS..0).map(|k| libm::ldexp(inertial, k));
-    // Where the force is not a number next to the wall nothing is known of lengths.
+    // Where the force is NaN next to the wall nothing is known of lengths.
     if lengths.next().is_some_and(held) {
         return None;
     }
@@ -212,7 +214,7 @@ impl<M: SmoothOscillator> SmoothOscillator for Dimensionless<M> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::smooth::Function;
+    use crate::scalar::Function;
 
     /// ẍ = −g − k x − c x³ + μ cos ηt.
     #[derive(Clone)]

@@ -12,12 +12,12 @@
 //! position, velocity and parameters, and all else is arithmetic.
 
 use super::integrator::{Factors, Pair, Step};
+use super::jet::variable::{POSITION, PRIMARY, VELOCITY};
 use super::jet::{FIRST, Jet, PAIRS, SECOND, VARIABLES};
-use super::scalar::Scalar;
-use super::stages::{Lanes, Stages};
-use super::tableau::{MATRIX, NODES, POSITION_WEIGHTS, SQUARE, STAGES, WEIGHTS};
-use super::variable::{POSITION, PRIMARY, VELOCITY};
-use super::{Integrated, SmoothOscillator};
+use super::oscillator::{Integrated, SmoothOscillator};
+use super::stages::{Lanes, STAGES, Stages};
+use super::tableau::{MATRIX, NODES, POSITION_WEIGHTS, SQUARE, WEIGHTS};
+use crate::scalar::Scalar;
 
 /// What F depends on besides position and velocity, as jets: the time origin's shift and the parameters.
 #[derive(Clone, Copy, Debug)]

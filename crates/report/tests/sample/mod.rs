@@ -1,9 +1,12 @@
 //! A small report with everything in it, for the tests.
 
+use grazing_continuation::bifurcation::CodimensionTwo;
 use grazing_report::{
-    ClaimEntry, CoefficientEntry, CsvTable, Figure, Finding, Judgement, Manifest, Measured, MisprintEntry,
+    ClaimEntry, CoefficientEntry, Figure, Finding, Judgement, Manifest, Measured, MisprintEntry,
     OscillatorEntry, OutputFile, PublishedEntry, Report, ResonanceEntry, Source, TableOutput, Verdict,
 };
+use grazing_results::plane::SpecialPoint;
+use grazing_results::{Column, Names, Table, columns};
 
 /// Text that would be markup if it were not escaped.
 pub(crate) const HOSTILE: &str = "<img src=\"x\" onerror='alert(1)'>&";
@@ -43,9 +46,33 @@ fn figure(name: &str, title: &str) -> Figure {
          <rect class=\"panel\" x=\"20\" y=\"10\" width=\"160\" height=\"80\" data-x=\"0 4\" data-y=\"-1 1\" data-x-title=\"$\\mathcal{{A}}$\" \
          data-y-title=\"$\\omega$\"/>\n</svg>\n"
     );
-    let csv = "kind,p,amplitude,omega,stable,admissible\nSN,1,0.0,-1.0,true,true\nSN,1,2.0,0.0,false,true\nPD,2,4.0,1.0,true,false\n";
-    let tables = vec![CsvTable { name: format!("{name}_points"), csv: csv.to_owned() }];
+    const COLUMNS: &[Column] = &[
+        columns::BIFURCATION,
+        columns::LOOPS,
+        columns::PRIMARY,
+        columns::SECONDARY,
+        columns::STABLE,
+        columns::ADMISSIBLE,
+    ];
+    let row = |kind: &'static str, p: u32, amplitude: f64, omega: f64, stable: bool, admissible: bool| {
+        vec![kind.into(), p.into(), amplitude.into(), omega.into(), stable.into(), admissible.into()]
+    };
+    let rows = vec![
+        row("SN", 1, 0.0, -1.0, true, true),
+        row("SN", 1, 2.0, 0.0, false, true),
+        row("PD", 2, 4.0, 1.0, true, false),
+    ];
+    let name_of_table = if name == "fig98" { "fig98_points" } else { "fig99_points" };
+    let tables = vec![Table::of_cells(name_of_table, COLUMNS, &Names::of_the_paper(), rows)];
     Figure { name: name.to_owned(), title: title.to_owned(), svg, tables }
+}
+
+fn sweep() -> Table {
+    const COLUMNS: &[Column] = &[columns::LOOPS, columns::C_SN_CLOSED_FORM, columns::VERDICT];
+    let rows =
+        [(1_u32, -5.679_445_287_380_571e2, "agreement"), (2, 3.0, "unexplained"), (3, 1e-7, "agreement")];
+    let rows = rows.map(|(p, c_sn, verdict)| vec![p.into(), c_sn.into(), verdict.into()]);
+    Table::of_cells("sweep", COLUMNS, &Names::of_the_paper(), rows.into())
 }
 
 fn published(id: &str, met: bool) -> PublishedEntry {
@@ -75,10 +102,22 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
     let mut drawn = figure("diagram", "two-parameter bifurcation diagram");
     // The panel says which columns it shows, as titles of parameters do not.
     drawn.svg = drawn.svg.replace("data-x=", "data-columns=\"F_0 A\" data-tables=\"points\" data-x=");
-    drawn.tables = vec![CsvTable {
-        name: "points".to_owned(),
-        csv: "kind,p,n,F_0,A\nresonance,1,1,2.0,0.0\nSN-GZ,1,1,4.0,1.0\n".to_owned(),
-    }];
+    let names = Names::new("F_0", "A");
+    let point = |kind, primary, secondary| SpecialPoint { kind, loops: 1, n: 1, secondary, primary };
+    let points =
+        [point(CodimensionTwo::Resonance, 2.0, 0.0), point(CodimensionTwo::SaddleNodeGrazing, 4.0, 1.0)];
+    drawn.tables = vec![Table::new("points", &names, &points)];
+    const COLUMNS: &[Column] = &[
+        columns::LOOPS,
+        columns::RESONANCE_INDEX,
+        columns::SECONDARY_AT_RESONANCE,
+        columns::PRIMARY_AT_GRAZING,
+        columns::C_SN,
+    ];
+    let row = |p: u32, secondary: f64, primary: f64, c_sn: f64| {
+        vec![p.into(), 1_u32.into(), secondary.into(), primary.into(), c_sn.into()]
+    };
+    let coefficients = vec![row(2, 0.75, 0.5, -12.5), row(3, 0.7, 0.6, 25.0)];
     OscillatorEntry {
         id: id.to_owned(),
         name: name.to_owned(),
@@ -94,10 +133,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
         secondary: ("A".to_owned(), [-1.0, 1.0]),
         loops: vec![1, 2],
         figures: vec![drawn],
-        tables: vec![CsvTable {
-            name: "coefficients".to_owned(),
-            csv: "p,n,A_star,F_0_graz,c_sn\n2,1,7.5e-1,5.0e-1,-1.25e1\n3,1,7.0e-1,6.0e-1,2.5e1\n".to_owned(),
-        }],
+        tables: vec![Table::of_cells("coefficients", COLUMNS, &names, coefficients)],
         resonances: vec![
             resonance(1, Finding::Unfolded(Box::new(unfolded))),
             resonance(2, Finding::Silent(vec![("a12 alpha > 0".to_owned(), -0.25)])),
@@ -175,15 +211,7 @@ pub(crate) fn report() -> Report {
     Report {
         missing: vec![hostile()],
         figures: vec![figure("fig98", "Figure 98: a line"), figure("fig99", "Figure 99: another line")],
-        tables: vec![TableOutput {
-            name: "sweep".to_owned(),
-            title: hostile(),
-            tables: vec![CsvTable {
-                name: "sweep".to_owned(),
-                csv: "p,c_sn,verdict\n1,-5.6794452873805710e2,agreement\n2,3.0,unexplained\n3,1.0e-7,agreement\n"
-                    .to_owned(),
-            }],
-        }],
+        tables: vec![TableOutput { name: "sweep".to_owned(), title: hostile(), tables: vec![sweep()] }],
         published: vec![published("a", true), published("b", false)],
         claims,
         oscillators: vec![oscillator("one", "Sample oscillator"), oscillator("two", HOSTILE)],

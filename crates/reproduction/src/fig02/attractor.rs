@@ -2,31 +2,31 @@
 
 use core::f64::consts::TAU;
 
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::maps::{global_map, virtual_map};
 use grazing_model::orbit::{Flight, FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearMotion, LinearOscillator, State};
+use grazing_results::branches::{AttractorPoint, BranchBifurcation};
+use grazing_unfold::progress::Progress;
 use nalgebra::Vector2;
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 use rayon::prelude::*;
 
 use super::Setting;
-use super::branches::Bifurcation;
 use crate::StudyError;
-use crate::table::{Table, columns, row};
-use grazing_unfold::progress::Progress;
 
-/// `fig02_attractor.csv`: x on Π along orbits after a transient, at amplitudes between GZ and PD.
+/// x on Π along orbits after a transient, at amplitudes between GZ and PD.
 ///
 /// Empty if the branches have no GZ or no PD in the window.
-pub(super) fn table(
+pub(super) fn rows(
     setting: &Setting,
-    bifurcations: &[Bifurcation],
+    bifurcations: &[BranchBifurcation],
     progress: &dyn Progress,
-) -> Result<Table, StudyError> {
-    let mut columns = columns! { "amplitude": 0.0, "x": 0.0 };
-    let first = |kind| bifurcations.iter().find(|b| b.kind == kind).map(|b| b.amplitude);
-    if let (Some(gz), Some(pd)) = (first("GZ"), first("PD")) {
+) -> Result<Vec<AttractorPoint>, StudyError> {
+    let mut rows = Vec::new();
+    let first = |kind| bifurcations.iter().find(|b| b.kind == kind).map(|b| b.primary);
+    if let (Some(gz), Some(pd)) = (first(Bifurcation::Grazing), first(Bifurcation::PeriodDoubling)) {
         let plan = setting.figure.attractor();
         let what = "long-time behaviour";
         progress.begin(what, u64::from(plan.amplitudes()));
@@ -45,13 +45,11 @@ pub(super) fn table(
             })
             .collect::<Result<_, StudyError>>()?;
         progress.end(what);
-        for (amplitude, visits) in samples {
-            for x in visits {
-                columns.push(row![amplitude, x]);
-            }
+        for (primary, visits) in samples {
+            rows.extend(visits.into_iter().map(|x| AttractorPoint { primary, x }));
         }
     }
-    Ok(columns.finish("fig02_attractor")?)
+    Ok(rows)
 }
 
 /// A random point of Π: x uniform between the lower edge of the figure and the wall, the phase uniform.

@@ -1,32 +1,22 @@
 //! Branches of MPSs in the amplitude, from the grazing bifurcation to the edge of the window.
 
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurvePoint, MpsCurve};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Memory, Unknowns};
 use grazing_model::LinearOscillator;
-use grazing_unfold::diagram::Kind;
+use grazing_results::branches::{BranchBifurcation, BranchPoint};
 use rayon::prelude::*;
 
 use super::Setting;
 use crate::StudyError;
 use crate::diagram::branch_route;
 use crate::plane::centred;
-use crate::table::{Table, columns, row};
 
 /// The branch of p-loop MPSs that emanates from the grazing bifurcation.
 pub(super) struct Branch {
     pub(super) equations: LoopEquations<LinearOscillator>,
     pub(super) curve: Curve,
-}
-
-/// A bifurcation on one of the branches, or the grazing bifurcation itself.
-pub(super) struct Bifurcation {
-    pub(super) kind: &'static str,
-    pub(super) loops: u32,
-    pub(super) amplitude: f64,
-    pub(super) impact_velocity: f64,
-    /// x on Π of the loop with the impact.
-    pub(super) position: f64,
 }
 
 /// Follows the branches of all p asked for.
@@ -53,60 +43,58 @@ pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch>, StudyError> {
 }
 
 /// The grazing bifurcation and all bifurcations of admissible MPSs, branch by branch.
-pub(super) fn bifurcations(setting: &Setting, branches: &[Branch]) -> Vec<Bifurcation> {
-    let graz = Bifurcation {
-        kind: "graz",
+pub(super) fn bifurcations(setting: &Setting, branches: &[Branch]) -> Vec<BranchBifurcation> {
+    let graz = BranchBifurcation {
+        kind: Bifurcation::NonImpactingGrazing,
         loops: 0,
-        amplitude: setting.grazing.amplitude(),
+        primary: setting.grazing.amplitude(),
         impact_velocity: 0.0,
-        position: 0.0,
+        x: 0.0,
     };
     let mut list = vec![graz];
     for branch in branches {
         for event in &branch.curve.events {
-            let Some(kind) = Kind::of(event.condition) else {
+            let Some(kind) = Bifurcation::of(event.condition) else {
                 continue;
             };
             if !event.solution.admissible() {
                 continue;
             }
             let visits = branch.equations.visits(&event.solution.unknowns, &event.memory);
-            list.push(Bifurcation {
-                kind: kind.name(),
+            list.push(BranchBifurcation {
+                kind,
                 loops: branch.equations.loops(),
-                amplitude: event.solution.parameters()[0],
+                primary: event.solution.parameters()[0],
                 impact_velocity: event.solution.impact_velocity(),
-                position: visits.ok().and_then(|visits| Some(visits.last()?[0])).unwrap_or(f64::NAN),
+                x: visits.ok().and_then(|visits| Some(visits.last()?[0])).unwrap_or(f64::NAN),
             });
         }
     }
     list
 }
 
-/// `fig02_bifurcations.csv`.
-pub(super) fn bifurcation_table(bifurcations: &[Bifurcation]) -> Result<Table, StudyError> {
-    let mut columns = columns! { "kind": "", "p": 0, "amplitude": 0.0, "impact_velocity": 0.0, "x": 0.0 };
-    for b in bifurcations {
-        columns.push(row![b.kind, b.loops, b.amplitude, b.impact_velocity, b.position]);
-    }
-    Ok(columns.finish("fig02_bifurcations")?)
-}
-
 /// Samples of the non-impacting solution, a straight line in this diagram.
 const NON_IMPACTING_SAMPLES: u32 = 50;
 
-/// `fig02_branches.csv`.
-pub(super) fn table(setting: &Setting, branches: &[Branch]) -> Result<Table, StudyError> {
-    let mut columns = columns! {
-        "p": 0, "amplitude": 0.0, "x": 0.0, "loop": 0, "impact_velocity": 0.0, "impact_phase": 0.0,
-        "stable": false, "admissible": false, "branch": 0,
-    };
+/// The non-impacting solution and all branches, loop by loop.
+pub(super) fn rows(setting: &Setting, branches: &[Branch]) -> Result<Vec<BranchPoint>, StudyError> {
+    let mut rows = Vec::new();
     let (lower, graz) = (setting.figure.amplitude().lower(), setting.grazing.amplitude());
     for k in 0..=NON_IMPACTING_SAMPLES {
         let amplitude = lower + (graz - lower) * f64::from(k) / f64::from(NON_IMPACTING_SAMPLES);
         // The maximum of eq:phip lies at the phase z_graz, whatever the amplitude.
         let x = setting.oscillator(amplitude)?.non_impacting_solution(setting.grazing.phase()).position;
-        columns.push(row![0, amplitude, x, 1, f64::NAN, f64::NAN, true, true, 0]);
+        rows.push(BranchPoint {
+            loops: 0,
+            primary: amplitude,
+            x,
+            visit: 1,
+            impact_velocity: f64::NAN,
+            impact_phase: f64::NAN,
+            stable: true,
+            admissible: true,
+            branch: 0,
+        });
     }
     let mut polyline = 0;
     for branch in branches {
@@ -118,21 +106,21 @@ pub(super) fn table(setting: &Setting, branches: &[Branch]) -> Result<Table, Stu
             for (at, visits) in points.iter().zip(&visits) {
                 let [velocity, phase, amplitude, _] = at.solution.unknowns.into();
                 let x = visits.as_ref().map_or(f64::NAN, |visits| visits[visit as usize][0]);
-                columns.push(row![
-                    branch.equations.loops(),
-                    amplitude,
+                rows.push(BranchPoint {
+                    loops: branch.equations.loops(),
+                    primary: amplitude,
                     x,
-                    visit + 1,
-                    velocity,
-                    centred(phase - setting.grazing.phase()),
-                    velocity > 0.0 && at.solution.stable(),
-                    admissible(&at.solution),
-                    polyline,
-                ]);
+                    visit: visit + 1,
+                    impact_velocity: velocity,
+                    impact_phase: centred(phase - setting.grazing.phase()),
+                    stable: velocity > 0.0 && at.solution.stable(),
+                    admissible: admissible(&at.solution),
+                    branch: polyline,
+                });
             }
         }
     }
-    Ok(columns.finish("fig02_branches")?)
+    Ok(rows)
 }
 
 /// Admissible, or the grazing orbit in which the branch begins.

@@ -5,13 +5,14 @@ use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread;
 
 use grazing_model::ImpactOscillator;
+use grazing_results::Table;
+use grazing_results::plane::CurvePoint;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::{DiagramCurve, Followed};
 use grazing_unfold::progress::{Progress, Silent};
 use grazing_unfold::stop::Stop;
 
-use crate::plane::{self, Axes, CurveRows};
-use crate::table::Table;
+use crate::plane::{self, Axes};
 
 /// Hears of the progress of an analysis, and gets what is finished; called from any thread.
 pub trait Observer: Progress {
@@ -26,7 +27,7 @@ pub trait Observer: Progress {
 impl Observer for Silent {}
 
 /// The curves of a resonance, by its place in the diagram's list.
-type Done = (usize, Vec<(DiagramCurve, CurveRows)>);
+type Done = (usize, Vec<(DiagramCurve, Vec<CurvePoint>)>);
 
 /// Follows the curves of a diagram whose resonances are located, and hands on those that are finished.
 pub(super) fn follow<O: ImpactOscillator>(
@@ -53,7 +54,7 @@ fn hand_on<O: ImpactOscillator>(
     let mut finished = BTreeMap::new();
     for (resonance, curves) in receiver {
         finished.insert(resonance, curves);
-        let mut listed: Vec<&(DiagramCurve, CurveRows)> = Vec::new();
+        let mut listed: Vec<&(DiagramCurve, Vec<CurvePoint>)> = Vec::new();
         for candidate in finished.values().flatten() {
             if !listed.iter().any(|(curve, _)| curve.is_same(&candidate.0)) {
                 listed.push(candidate);
@@ -62,10 +63,7 @@ fn hand_on<O: ImpactOscillator>(
         let rows = listed.into_iter().map(|(_, rows)| rows.clone());
         let free = located.curves.iter().map(|curve| plane::bifurcation_rows(axes, located, curve));
         let all = plane::grazing_rows(axes, located).into_iter().chain(free).chain(rows);
-        // A table that cannot be made now cannot be made at the end either, where this is told.
-        if let Ok(table) = plane::joined("curves", axes, all) {
-            observer.curves(&table);
-        }
+        observer.curves(&Table::new("curves", &axes.names, &plane::numbered(all)));
     }
 }
 
@@ -109,14 +107,13 @@ mod tests {
     use grazing_continuation::curve::Window;
     use grazing_model::LinearOscillator;
     use grazing_unfold::Scope;
-    use polars::prelude::DataFrame;
 
     use super::*;
     use crate::unfolded::Unfolded;
 
     /// Remembers what was handed on.
     #[derive(Default)]
-    struct Collector(Mutex<Vec<DataFrame>>);
+    struct Collector(Mutex<Vec<Table>>);
 
     impl Progress for Collector {
         fn begin(&self, _: &str, _: u64) {}
@@ -127,7 +124,7 @@ mod tests {
     impl Observer for Collector {
         fn curves(&self, finished: &Table) {
             assert_eq!(finished.name, "curves");
-            self.0.lock().expect("nobody panics").push(finished.frame.clone());
+            self.0.lock().expect("nobody panics").push(finished.clone());
         }
     }
 
@@ -139,14 +136,13 @@ mod tests {
         let collector = Collector::default();
         let unfolded = Unfolded::compute(&oscillator, &scope, Axes::of_the_paper(), &collector)
             .expect("there is grazing in the window");
-        let frames = collector.0.into_inner().expect("nobody panicked");
-        assert_eq!(frames.len(), unfolded.resonances.len(), "one table a resonance");
-        assert!(frames.len() > 1);
-        let tables = unfolded.tables().expect("the tables can be made");
-        let whole = &tables.iter().find(|table| table.name == "curves").expect("it is one of them").frame;
-        let last = frames.last().expect("there are some");
-        // What begins at codimension-two points of the finished curves comes after all of them.
-        assert!(last.equals_missing(&whole.head(Some(last.height()))));
-        assert!(frames.windows(2).all(|pair| pair[0].height() < pair[1].height()));
+        let tables = collector.0.into_inner().expect("nobody panicked");
+        assert_eq!(tables.len(), unfolded.resonances.len(), "one table a resonance");
+        assert!(tables.len() > 1);
+        let whole = Table::new("curves", &unfolded.axes.names, &unfolded.rows().curves);
+        let last = &tables.last().expect("there are some").rows;
+        // What begins at codimension-two points of the finished curves comes after all of them. NaN is not equal to itself, its text is.
+        assert_eq!(format!("{last:?}"), format!("{:?}", &whole.rows[..last.len()]));
+        assert!(tables.windows(2).all(|pair| pair[0].rows.len() < pair[1].rows.len()));
     }
 }

@@ -2,19 +2,20 @@
 
 use core::f64::consts::TAU;
 
+use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::{Figure6, Study};
+use grazing_results::sketches::PartPoint;
 
 use crate::{made, numbers, words};
 
-fn figure(parameters: &Parameters) -> Figure6 {
+fn figure(parameters: &Parameters) -> Vec<PartPoint> {
     Study::new(parameters).fig06().expect("figure 6 can be computed")
 }
 
 /// All points (x, height) of a part.
-fn part(figure: &Figure6, name: &str) -> Vec<[f64; 2]> {
-    let parts = words(&figure.parts, "part");
-    let (x, height) = (numbers(&figure.parts, "x"), numbers(&figure.parts, "height"));
+fn part(figure: &[PartPoint], name: &str) -> Vec<[f64; 2]> {
+    let parts = words(figure, "part");
+    let (x, height) = (numbers(figure, "x"), numbers(figure, "height"));
     let points: Vec<_> =
         (0..parts.len()).filter(|&row| parts[row] == name).map(|row| [x[row], height[row]]).collect();
     assert!(!points.is_empty(), "there is no {name}");
@@ -22,7 +23,7 @@ fn part(figure: &Figure6, name: &str) -> Vec<[f64; 2]> {
 }
 
 /// Least and greatest x of a part.
-fn span(figure: &Figure6, name: &str) -> [f64; 2] {
+fn span(figure: &[PartPoint], name: &str) -> [f64; 2] {
     let points = part(figure, name);
     let least = points.iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
     [least, points.iter().map(|point| point[0]).fold(f64::NEG_INFINITY, f64::max)]

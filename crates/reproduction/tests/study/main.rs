@@ -1,4 +1,4 @@
-//! The frames of the default parameters: held fixed by snapshots, and against routes that share nothing with them.
+//! The rows of the default parameters: held fixed by snapshots, and against routes that share nothing with them.
 
 mod fig04;
 mod fig05;
@@ -11,12 +11,14 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::{Figure2, Figure7, Figure8, Study, Table, TheoremsInAction};
+use grazing_reproduction::{Figure2, Figure7, Figure8, Study, TheoremsInAction};
+use grazing_results::resonances::PaperResonance;
+use grazing_results::{Cell, Names, Row};
 
 /// Everything that is reproduced, computed once for all tests.
 struct Made {
     parameters: Parameters,
-    coefficients: Table,
+    coefficients: Vec<PaperResonance>,
     fig02: Figure2,
     fig07: Figure7,
     fig08: Figure8,
@@ -30,7 +32,12 @@ fn made() -> &'static Made {
         let parameters = Parameters::from_file(&file).expect("the default parameters are valid");
         let study = Study::new(&parameters);
         Made {
-            coefficients: study.coefficient_table().expect("all coefficients can be computed"),
+            coefficients: study
+                .coefficients()
+                .expect("all coefficients can be computed")
+                .iter()
+                .map(PaperResonance::from)
+                .collect(),
             fig02: study.fig02().expect("figure 2 can be computed"),
             fig07: study.fig07().expect("figure 7 can be computed"),
             fig08: study.fig08().expect("figure 8 can be computed"),
@@ -40,27 +47,35 @@ fn made() -> &'static Made {
     })
 }
 
-/// A column of numbers; empty cells are NaN.
-fn numbers(table: &Table, column: &str) -> Vec<f64> {
-    let column = table.frame.column(column).expect("the column is there");
-    let column = column.f64().expect("it holds numbers");
-    column.iter().map(|cell| cell.unwrap_or(f64::NAN)).collect()
+/// A column, by the name that it has for the paper's oscillator.
+fn column<R: Row>(rows: &[R], name: &str) -> Vec<Cell> {
+    let names = Names::of_the_paper();
+    let place = R::COLUMNS.iter().position(|column| column.header(&names) == name);
+    let place = place.expect("the column is there");
+    rows.iter().map(|row| row.cells().swap_remove(place)).collect()
+}
+
+/// A column of numbers.
+fn numbers<R: Row>(rows: &[R], name: &str) -> Vec<f64> {
+    column(rows, name).iter().map(|cell| cell.number().unwrap_or(f64::NAN)).collect()
 }
 
 /// A column of integers.
-fn integers(table: &Table, column: &str) -> Vec<u32> {
-    let column = table.frame.column(column).expect("the column is there");
-    column.u32().expect("it holds integers").iter().flatten().collect()
+fn integers<R: Row>(rows: &[R], name: &str) -> Vec<u32> {
+    let integer =
+        |cell| if let Cell::Integer(value) = cell { value } else { panic!("{cell:?} is no integer") };
+    column(rows, name).into_iter().map(integer).collect()
 }
 
 /// A column of words.
-fn words(table: &Table, column: &str) -> Vec<String> {
-    let column = table.frame.column(column).expect("the column is there");
-    column.str().expect("it holds words").iter().flatten().map(str::to_owned).collect()
+fn words<R: Row>(rows: &[R], name: &str) -> Vec<String> {
+    let word =
+        |cell| if let Cell::Text(word) = cell { word.into_owned() } else { panic!("{cell:?} is no word") };
+    column(rows, name).into_iter().map(word).collect()
 }
 
 /// A column of flags.
-fn flags(table: &Table, column: &str) -> Vec<bool> {
-    let column = table.frame.column(column).expect("the column is there");
-    column.bool().expect("it holds flags").iter().flatten().collect()
+fn flags<R: Row>(rows: &[R], name: &str) -> Vec<bool> {
+    let flag = |cell| if let Cell::Flag(value) = cell { value } else { panic!("{cell:?} is no flag") };
+    column(rows, name).into_iter().map(flag).collect()
 }

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
-use grazing_reproduction::{Study, Table};
+use grazing_reproduction::Study;
+use grazing_results::{Cell, Row};
 use insta::{Settings, assert_snapshot};
 
-use crate::{integers, made, numbers, words};
+use crate::{column, integers, made, numbers, words};
 
 fn snapshots() -> Settings {
     let mut settings = Settings::clone_current();
@@ -89,13 +90,14 @@ fn codimension_two_points_hold() {
 }
 
 /// First and last point, number of points and extent of each polyline of a table, by the columns that tell them apart.
-fn summary(table: &Table, keys: &[&str], x: &str, y: &str) -> String {
+fn summary<R: Row>(table: &[R], keys: &[&str], x: &str, y: &str) -> String {
     let (xs, ys) = (numbers(table, x), numbers(table, y));
+    let keys: Vec<Vec<Cell>> = keys.iter().map(|name| column(table, name)).collect();
     let key = |row: usize| {
-        let cells = keys.iter().map(|name| {
-            let cell =
-                table.frame.column(name).expect("the column is there").get(row).expect("the row is there");
-            cell.to_string().replace('"', "")
+        let cells = keys.iter().map(|cells| match &cells[row] {
+            Cell::Text(word) => word.to_string(),
+            Cell::Integer(value) => value.to_string(),
+            other => panic!("{other:?} is no key"),
         });
         cells.collect::<Vec<_>>().join(" ")
     };
@@ -134,7 +136,7 @@ fn curves_regions_and_parts_of_the_planar_sketches_hold() {
         summary(&fig04.points, &["kind"], "tau", "delta"),
         summary(&fig05.curves, &["kind"], "mu", "eta"),
         summary(&fig05.regions, &["region", "kind"], "mu", "eta"),
-        summary(&fig06.parts, &["part"], "x", "height"),
+        summary(&fig06, &["part"], "x", "height"),
     ]
     .join("\n");
     snapshots().bind(|| assert_snapshot!("planar_sketches", text));
@@ -143,12 +145,10 @@ fn curves_regions_and_parts_of_the_planar_sketches_hold() {
 #[test]
 fn theorems_in_action_hold() {
     let mut counts = BTreeMap::new();
-    for table in [&made().theorems.generic, &made().theorems.resonant] {
-        let [theorem, verdict, reason] = ["theorem", "verdict", "reason"].map(|name| words(table, name));
-        for row in 0..theorem.len() {
-            let key = (theorem[row].clone(), verdict[row].clone(), reason[row].clone());
-            *counts.entry(key).or_insert(0) += 1;
-        }
+    let generic = made().theorems.generic.iter().map(|row| (row.theorem, row.verdict, &row.reason));
+    let resonant = made().theorems.resonant.iter().map(|row| (row.theorem, row.verdict, &row.reason));
+    for key in generic.chain(resonant) {
+        *counts.entry(key).or_insert(0) += 1;
     }
     let mut text = String::new();
     for ((theorem, verdict, reason), count) in counts {

@@ -47,6 +47,20 @@ impl GrazingState {
         libm::hypot(self.stiffness_deficit(), 2.0 * self.oscillator.zeta * self.omega)
     }
 
+    /// The oscillator with this forcing, so that it can be moved, simulated and continued.
+    ///
+    /// The only way from this crate's oscillator, which has no forcing, to that of `grazing_model`, which has; the other way leads
+    /// `From`.
+    ///
+    /// # Panics
+    /// The forcing amplitude is infinite, as it is beyond `omega = 1e154`.
+    #[must_use]
+    pub fn model(&self) -> grazing_model::LinearOscillator {
+        let LinearOscillator { zeta, epsilon } = self.oscillator;
+        let oscillator = grazing_model::LinearOscillator::new(zeta, epsilon, self.amplitude(), self.omega);
+        oscillator.expect("both crates have the same domains of zeta, epsilon and omega")
+    }
+
     /// The slope of the grazing curve in the `(omega, A)` plane.
     ///
     /// `d A_graz / d omega = 2 omega (omega^2 - 1 + 2 zeta^2) / A_graz`, from section 3, eq. (5), `eq:Agraz`.

@@ -15,14 +15,14 @@ use crate::slices::near_chord;
 pub(crate) struct Branch {
     /// Its orbits in order, the bifurcations among them.
     pub(crate) orbits: Vec<FreeOrbit>,
-    pub(crate) bifurcations: Vec<Bifurcation>,
+    pub(crate) bifurcations: Vec<Crossing>,
     /// It was followed to the edges of the range to both sides.
     pub(crate) whole: bool,
 }
 
 /// A fold, a period doubling or grazing between two orbits of a branch.
 #[derive(Clone, Debug)]
-pub(crate) struct Bifurcation {
+pub(crate) struct Crossing {
     /// [`Condition::SADDLE_NODE`], [`Condition::PERIOD_DOUBLING`] or [`Condition::InteriorGrazing`].
     pub(crate) condition: Condition,
     /// The orbit at a bifurcation that was located, or one nearby.
@@ -173,6 +173,6 @@ impl Branch {
         } else {
             place.map_or(near, |at| self.orbits[at])
         };
-        self.bifurcations.push(Bifurcation { condition, near, place });
+        self.bifurcations.push(Crossing { condition, near, place });
     }
 }

@@ -8,18 +8,19 @@ use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{MaximalPeriodicSolution, Memory, Unknowns};
 use grazing_model::ImpactOscillator;
 
-use super::branch::Bifurcation;
+use super::branch::Crossing;
 use super::orbits::{FreeCurve, FreeOrbit, FreeOrbits, Orbit, PRIMARY, SECONDARY};
-use crate::curves::{DiagramCurve, Kind};
+use crate::curves::DiagramCurve;
+use grazing_continuation::bifurcation::Bifurcation;
 
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;
 
 impl<O: ImpactOscillator> FreeOrbits<'_, O> {
     /// The curve of folds or period doublings through one that was located, to both sides.
-    pub(crate) fn curve(&self, through: &Bifurcation) -> Option<DiagramCurve> {
+    pub(crate) fn curve(&self, through: &Crossing) -> Option<DiagramCurve> {
         let condition = through.condition;
-        let kind = Kind::of(condition)?;
+        let kind = Bifurcation::of(condition)?;
         let up = Orbit::new(0.0, 0.0, 0.0, 1.0);
         let (mut orbits, beginning) = self.follow_curve(condition, &through.near.orbit, -up)?;
         orbits.reverse();

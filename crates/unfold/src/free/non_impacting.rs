@@ -10,7 +10,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::{Vector2, Vector3};
 use rayon::prelude::*;
 
-use super::branch::{Bifurcation, Branch};
+use super::branch::{Branch, Crossing};
 use super::orbits::{FreeOrbits, Orbit, SECONDARY};
 use super::{Survey, survey};
 use crate::curves::DiagramCurve;
@@ -162,7 +162,7 @@ impl<O: ImpactOscillator> FreeSurvey<'_, O> {
     /// Starts a curve at every bifurcation that bounds good motion and lies on none.
     fn explain(&mut self) {
         for index in 0..self.slices.len() {
-            let found: Vec<Bifurcation> = self.slices[index]
+            let found: Vec<Crossing> = self.slices[index]
                 .take_new()
                 .iter()
                 .flat_map(|branch| branch.bifurcations.iter().filter(|b| branch.bounds(b)).cloned())
@@ -198,7 +198,7 @@ impl<O: ImpactOscillator> FreeSurvey<'_, O> {
     }
 
     /// Whether a fold or period doubling lies on a known curve.
-    fn known(&self, bifurcation: &Bifurcation) -> bool {
+    fn known(&self, bifurcation: &Crossing) -> bool {
         let scope = self.orbits.scope;
         let place = |parameters: [f64; 2], height: f64| {
             let [primary, secondary] = scope.shares(parameters);
@@ -225,7 +225,7 @@ fn stalls(curve: &DiagramCurve) -> bool {
 
 impl Branch {
     /// Whether motion is good to one side of a bifurcation and not to the other.
-    fn bounds(&self, bifurcation: &Bifurcation) -> bool {
+    fn bounds(&self, bifurcation: &Crossing) -> bool {
         let Some(place) = bifurcation.place else { return false };
         let at_event = |k: &usize| self.bifurcations.iter().any(|other| other.place == Some(*k));
         let good = |k: usize| self.orbits[k].good();

@@ -1,11 +1,11 @@
 //! Codimension-two points at which a second interior maximum touches the wall.
 
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::curve::CurveEnd;
 use grazing_continuation::resonance::same_point;
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, State};
 use grazing_unfold::Diagram;
-use grazing_unfold::diagram::Kind;
 use grazing_unfold::progress::Silent;
 
 use crate::specimens::{assert_within, example, scope};
@@ -15,13 +15,17 @@ fn grazing_goes_on_with_another_maximum_where_a_second_one_touches_the_wall() {
     let (oscillator, _) = example("varying-impact.toml");
     let scope = scope([0.0, 1.2], [0.4, 0.6], &[2]);
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
-    let meeting: Vec<_> = diagram.corners.iter().filter(|corner| corner.kind == "GZ-GZ").collect();
+    let meeting: Vec<_> = diagram
+        .codimension_two
+        .iter()
+        .filter(|corner| corner.kind == CodimensionTwo::GrazingGrazing)
+        .collect();
     let [corner] = meeting.as_slice() else { panic!("{} of them", meeting.len()) };
     // There are others, to which no resonance leads.
     let [velocity, phase, primary, secondary] = corner.unknowns().into();
 
     let curves: Vec<_> =
-        diagram.curves.iter().filter(|curve| curve.kind == Kind::Grazing && curve.n > 0).collect();
+        diagram.curves.iter().filter(|curve| curve.kind == Bifurcation::Grazing && curve.n > 0).collect();
     let [before, after] = curves.as_slice() else { panic!("{} of them", curves.len()) };
     let [reached, begun] = [before.curve.points.last().unwrap(), &after.curve.points[0]];
     assert!(same_point(&reached.solution.unknowns, &corner.unknowns()));

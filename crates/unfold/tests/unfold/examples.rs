@@ -6,7 +6,6 @@ use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Integrated;
 use grazing_theorems::hypothesis::Quantity;
-use grazing_unfold::diagram::Kind;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::resonances::{Resonance, on_curve};
 use grazing_unfold::sides::{Simulated, simulate};
@@ -41,8 +40,7 @@ fn assert_theory_holds(name: &str, resonances: &[Resonance<Integrated<Descriptio
         .flat_map_iter(|(resonance, point)| {
             let place = format!("{name}, p = {}, n = {}", resonance.loops, resonance.n);
             let both = coefficients(point);
-            let kinds = [Kind::SaddleNode, Kind::PeriodDoubling];
-            kinds.into_iter().zip(both).flat_map(move |(kind, coefficient)| {
+            both.named().into_iter().flat_map(move |(kind, coefficient)| {
                 let place = format!("{place}, {}", kind.name());
                 let theorem = coefficient.theorem.value;
                 // Five digits.

@@ -8,6 +8,7 @@ use std::sync::LazyLock;
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::StepControl;
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurveEnd, MpsCurve, Route, Window};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
@@ -15,8 +16,8 @@ use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_description::Description;
 use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, LinearOscillator};
-use grazing_unfold::diagram::{Kind, route};
-use grazing_unfold::magnification::{Polyline, Source, magnify};
+use grazing_unfold::diagram::route;
+use grazing_unfold::magnification::{Polyline, magnify};
 use grazing_unfold::progress::Silent;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::{Diagram, Scope};
@@ -193,12 +194,15 @@ fn points_of_figure_7_are_the_committed_ones() {
             )
         })
         .collect();
-    assert_eq!(integrated.corners.len(), closed.corners.len());
-    for (corner, theirs) in integrated.corners.iter().zip(&closed.corners) {
-        assert_eq!((corner.kind, corner.loops, corner.n), (theirs.kind, theirs.loops, theirs.n));
+    assert_eq!(integrated.codimension_two.len(), closed.codimension_two.len());
+    for (corner, theirs) in integrated.codimension_two.iter().zip(&closed.codimension_two) {
+        assert_eq!(
+            (corner.kind.name(), corner.loops, corner.n),
+            (theirs.kind.name(), theirs.loops, theirs.n)
+        );
         assert_same(&corner.unknowns(), &theirs.unknowns());
         let [_, _, primary, secondary] = corner.unknowns().into();
-        ours.push((format!("{} {} {}", corner.kind, corner.loops, corner.n), [primary, secondary]));
+        ours.push((format!("{} {} {}", corner.kind.name(), corner.loops, corner.n), [primary, secondary]));
     }
     let committed = rows("fig07_points.csv", &["kind", "p", "n", "amplitude", "omega"]);
     assert_eq!(committed.len(), ours.len());
@@ -266,22 +270,22 @@ fn magnified_curves_of_figure_8_lie_on_those_of_the_closed_form() {
         let (theirs, closed_point) = resonance(closed, loops, n);
         let ours = magnify(integrated, found, point, window).unwrap();
         let closed_lines = magnify(closed, theirs, closed_point, window).unwrap();
-        let shape = |lines: &[Polyline]| -> Vec<_> { lines.iter().map(|l| (l.kind, l.source)).collect() };
+        let shape = |lines: &[Polyline]| -> Vec<_> { lines.iter().map(|l| (l.kind, l.quadratic)).collect() };
         assert_eq!(shape(&ours), shape(&closed_lines));
         // Steps that leave Newton's method a short way from the nearest point.
         let control =
             StepControl { first: 1e-4, longest: 4e-3, shortest: 1e-9, turn: 0.02, ..StepControl::DRAWING };
         let unfolded = closed_point.unfold(&route(window, control)).unwrap();
-        let mut own = [true, true, true];
+        let mut own = vec![Bifurcation::SaddleNode, Bifurcation::PeriodDoubling, Bifurcation::Grazing];
         for (line, theirs) in ours.iter().zip(&closed_lines) {
-            let kind = match (line.kind, line.source) {
-                (None, _) => {
+            let kind = match (line.kind, line.quadratic) {
+                (Bifurcation::NonImpactingGrazing, _) => {
                     for [amplitude, frequency] in &line.points {
                         assert_within(*amplitude, grazing_at(ZETA, *frequency).amplitude(), AGREEMENT);
                     }
                     continue;
                 }
-                (_, Source::Quadratic) => {
+                (_, true) => {
                     // Sampled at the same η; the last sample may lie on either side of the edge.
                     assert!(
                         line.points.len().abs_diff(theirs.points.len()) <= 1 && line.points.len() > 10,
@@ -295,17 +299,15 @@ fn magnified_curves_of_figure_8_lie_on_those_of_the_closed_form() {
                     }
                     continue;
                 }
-                (Some(kind), Source::Continuation) => kind,
+                (kind, false) => kind,
             };
-            let index = kind as usize;
             // After a resonance's own curves come its neighbours', which are curves of Figure 7.
-            if !std::mem::take(&mut own[index]) {
-                continue;
-            }
+            let Some(place) = own.iter().position(|own| *own == kind) else { continue };
+            own.remove(place);
             let (condition, known): (_, Vec<&Curve>) = match kind {
-                Kind::SaddleNode => (Condition::SADDLE_NODE, vec![&unfolded.saddle_node]),
-                Kind::PeriodDoubling => (Condition::PERIOD_DOUBLING, vec![&unfolded.period_doubling]),
-                Kind::Grazing => (Condition::InteriorGrazing, unfolded.grazing.iter().collect()),
+                Bifurcation::SaddleNode => (Condition::SADDLE_NODE, vec![&unfolded.saddle_node]),
+                Bifurcation::PeriodDoubling => (Condition::PERIOD_DOUBLING, vec![&unfolded.period_doubling]),
+                _ => (Condition::InteriorGrazing, unfolded.grazing.iter().collect()),
             };
             if !known.is_empty() {
                 let compared = assert_near(line, condition, &known, loops);
@@ -352,7 +354,7 @@ fn branches_and_bifurcations_of_figure_2_are_those_of_the_closed_form() {
             }
         }
         for event in curve.events.iter().filter(|event| event.solution.admissible()) {
-            let Some(kind) = Kind::of(event.condition) else { continue };
+            let Some(kind) = Bifurcation::of(event.condition) else { continue };
             let unknowns = event.solution.unknowns;
             bifurcations.push((
                 kind.name().to_owned(),

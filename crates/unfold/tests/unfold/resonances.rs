@@ -121,7 +121,7 @@ fn resonances_in_the_stiffness_lie_where_the_free_frequency_is_in_step() {
         // Integration and Newton's method.
         assert_within(resonance.located.orbit().oscillator().parameters()[1], stiffness, 1e-10);
         let Ok(point) = &resonance.theorem else { continue };
-        for coefficient in coefficients(point) {
+        for coefficient in coefficients(point).into_array() {
             assert_eq!(coefficient.verdict(), Verdict::Agree, "{coefficient:?}");
             let measured = coefficient.fit.as_ref().unwrap().coefficient.value;
             assert_within(measured / coefficient.theorem.value, 1.0, 1e-5);

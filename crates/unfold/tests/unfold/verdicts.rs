@@ -1,8 +1,8 @@
 //! What is said of theorem, curve and simulation where one of them has its difficulties.
 
+use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::{ImpactOscillator, LinearOscillator};
-use grazing_unfold::diagram::Kind;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::sides::{Doubt, Sides, Simulated, simulate};
 use grazing_unfold::simulation::Seen;
@@ -21,9 +21,9 @@ fn linear(zeta: f64, loops: u32, n: u32) -> ResonantGrazingPoint<LinearOscillato
 
 fn simulated<O: ImpactOscillator>(
     point: &ResonantGrazingPoint<O>,
-    both: &[Coefficient; 2],
+    both: &Pair<Coefficient>,
 ) -> [Simulated; 2] {
-    [Kind::SaddleNode, Kind::PeriodDoubling].map(|kind| simulate(point, kind, both))
+    Pair::BIFURCATIONS.map(|kind| simulate(point, kind, both)).into_array()
 }
 
 #[test]
@@ -41,7 +41,7 @@ fn coefficients_with_the_parameters_swapped_are_those_of_the_other_way_round() {
     let theorem = straight.theorem();
     let wanted = [theorem.saddle_node(), theorem.period_doubling()]
         .map(|curve| -curve.coefficient / (slope * slope * slope));
-    for (coefficient, wanted) in coefficients(point).into_iter().zip(wanted) {
+    for (coefficient, wanted) in coefficients(point).into_array().into_iter().zip(wanted) {
         assert_eq!(coefficient.verdict(), Verdict::Agree, "{coefficient:?}");
         assert_within(coefficient.theorem.value, wanted, coefficient.theorem.error + 1e-9 * wanted.abs());
         let fit = coefficient.fit.unwrap().coefficient;
@@ -55,13 +55,13 @@ fn coefficients_lost_in_rounding_are_not_measurable_and_others_of_the_same_oscil
     // With δ = exp(−4πζ/ω) the coefficients fall as δ^(p − 1), and the velocities at which leading terms decide with them.
     let point = linear(0.5, 1, 2);
     let both = coefficients(&point);
-    assert!(both.iter().all(|coefficient| coefficient.verdict() == Verdict::Agree), "{both:?}");
+    assert!(both.into_array().iter().all(|coefficient| coefficient.verdict() == Verdict::Agree), "{both:?}");
     let sides = simulated(&point, &both);
     assert!(sides.iter().all(|sides| matches!(sides, Simulated::AsPredicted(_))), "{sides:?}");
 
     let point = linear(0.5, 3, 2);
     let both = coefficients(&point);
-    for coefficient in &both {
+    for coefficient in both.into_array() {
         let verdict = coefficient.verdict();
         assert!(matches!(verdict, Verdict::NotMeasurable(Obstacle::Rounding { .. })), "{coefficient:?}");
         assert!(!verdict.reason().is_empty());
@@ -74,7 +74,7 @@ fn coefficients_lost_in_rounding_are_not_measurable_and_others_of_the_same_oscil
 
 #[test]
 fn a_difference_beyond_the_errors_contradicts_and_a_value_without_digits_is_not_measurable() {
-    let [mut saddle_node, mut period_doubling] = coefficients(&linear(ZETA, 1, 3));
+    let Pair { mut saddle_node, mut period_doubling } = coefficients(&linear(ZETA, 1, 3));
     assert_eq!(saddle_node.verdict(), Verdict::Agree);
     saddle_node.theorem.value *= 1.0 + 1e-6;
     assert_eq!(saddle_node.verdict(), Verdict::Contradict);

@@ -158,7 +158,7 @@ mod tests {
             grazing: Vec::new(),
             resonances: Vec::new(),
             curves: Vec::new(),
-            corners: Vec::new(),
+            codimension_two: Vec::new(),
             regions: Vec::new(),
             unlocated: vec![Unlocated {
                 loops: 1,

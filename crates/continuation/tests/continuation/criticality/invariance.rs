@@ -9,15 +9,15 @@ use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use nalgebra::Vector2;
 
-use super::specimens::{DUFFING, Duffing, Linear, at_velocity, duffing, one_loop};
-use crate::specimens::{EPSILON, ZETA, assert_close, assert_within};
+use super::specimens::{at_velocity, one_loop};
+use crate::specimens::{DUFFING, EPSILON, Spring, ZETA, assert_close, assert_within, duffing};
 
 #[test]
 fn another_unit_of_length_changes_coefficients_as_it_must() {
     let length = 2.5;
     for (loops, place) in DUFFING {
         let resonance = duffing(loops, place);
-        let other = Integrated::new(Duffing { length }, [place[1], place[2]]);
+        let other = Integrated::new(Spring { length, ..Spring::DUFFING }, [place[1], place[2]]);
         let other = LoopEquations::new(other, loops, Formulation::FixedPhase);
         let moved = |point: &Unknowns| {
             let mut point = *point;
@@ -46,7 +46,7 @@ fn another_unit_of_length_changes_coefficients_as_it_must() {
 fn integrated_and_closed_form_have_the_same_normal_forms() {
     let closed = one_loop(3);
     let integrated = LoopEquations::new(
-        Integrated::new(Linear, closed.orbit().oscillator().parameters()),
+        Integrated::new(Spring::LINEAR, closed.orbit().oscillator().parameters()),
         1,
         Formulation::FixedPhase,
     );

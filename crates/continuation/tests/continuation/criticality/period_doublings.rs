@@ -1,7 +1,7 @@
 //! Period doublings against the doubled orbits, and towards resonances.
 
 use grazing_continuation::criticality::{
-    coefficient_at_resonance, generalised_period_doublings, period_doubling,
+    codimension_two::generalised_period_doublings, coefficient_at_resonance, period_doubling,
 };
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{LoopEquations, Unknowns, unknown};
@@ -9,8 +9,10 @@ use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ThirdOrder;
 
 use super::doubled::doubled;
-use super::specimens::{BY_EXTRAPOLATION, DUFFING, at_velocity, curves, duffing, extrapolated, spread};
-use crate::specimens::{EPSILON, ZETA, assert_vanishes, assert_within, located, resonances};
+use super::specimens::{BY_EXTRAPOLATION, at_velocity, curves, extrapolated, spread};
+use crate::specimens::{
+    DUFFING, EPSILON, ZETA, assert_vanishes, assert_within, duffing, located, resonances,
+};
 
 /// c from the doubled orbits, twice: from the parameter at which they are, and from their stability.
 ///

@@ -5,8 +5,8 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Formulation, LoopEquations, Memory, Unknowns, unknown};
 use grazing_model::{ImpactOscillator, ThirdOrder};
 
-use super::specimens::{BY_EXTRAPOLATION, DUFFING, at_velocity, curves, duffing, extrapolated, spread};
-use crate::specimens::{EPSILON, ZETA, assert_within, located, resonances};
+use super::specimens::{BY_EXTRAPOLATION, at_velocity, curves, extrapolated, spread};
+use crate::specimens::{DUFFING, EPSILON, ZETA, assert_within, duffing, located, resonances};
 
 /// a from the branch of MPSs through a saddle-node.
 ///

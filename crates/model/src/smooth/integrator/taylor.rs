@@ -1,9 +1,11 @@
 //! Steps of the collocation whose start, time and length move along a curve.
 
 use super::{Factors, Pair, Step};
-use crate::smooth::stages::{Lanes, Stages};
-use crate::smooth::tableau::{MATRIX, Matrix, NODES, POSITION_WEIGHTS, SQUARE, STAGES, WEIGHTS};
-use crate::smooth::{Integrated, Scalar, SmoothOscillator, Taylor};
+use crate::scalar::Scalar;
+use crate::smooth::oscillator::{Integrated, SmoothOscillator};
+use crate::smooth::stages::{Lanes, Matrix, STAGES, Stages};
+use crate::smooth::tableau::{MATRIX, NODES, POSITION_WEIGHTS, SQUARE, WEIGHTS};
+use crate::taylor::Taylor;
 
 /// Parts of a step: with order 12, three take five and a half digits off an error.
 const PARTS: u32 = 3;

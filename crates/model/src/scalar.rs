@@ -24,9 +24,9 @@ pub enum Function {
 }
 
 impl Function {
-    /// The value with the first and second derivative; not a number outside the domain.
+    /// The value with the first and second derivative; NaN outside the domain.
     #[inline]
-    pub(super) fn derivatives(self, x: f64) -> [f64; 3] {
+    pub(crate) fn derivatives(self, x: f64) -> [f64; 3] {
         match self {
             Self::Sin => {
                 let (sin, cos) = libm::sincos(x);
@@ -103,7 +103,7 @@ pub trait Scalar:
 }
 
 /// A number whose functions come with their derivatives: what a series can be made of.
-pub(super) trait Coefficient: Scalar {
+pub(crate) trait Coefficient: Scalar {
     /// The function with its first and second derivative.
     fn derivatives(self, function: Function) -> [Self; 3];
 }

@@ -1,6 +1,6 @@
 //! Orbits with impacts: no event is stepped over, and every orbit comes to a named end.
 
-use grazing_model::motion::{Motion, first_crossing, first_rest, highest_maximum, local_maxima};
+use grazing_model::motion::{Enclosure, Motion, first_crossing, first_rest, highest_maximum, local_maxima};
 use grazing_model::orbit::{FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use proptest::prelude::*;
@@ -116,6 +116,16 @@ proptest! {
         prop_assert!(motion.at(time).velocity.abs() < 1e-14);
         prop_assert!(motion.at(time).position > 0.0);
     }
+}
+
+#[test]
+fn bounds_outside_of_an_enclosure_are_infinite() {
+    let oscillator = oscillator(0.3);
+    let motion = oscillator.motion(State::at_rest(-0.4, 1.0));
+    let enclosure = motion.enclose(-5.0);
+    assert_eq!(enclosure.bounds_between(-2.0, -5.0), enclosure.bounds());
+    assert_eq!(enclosure.bounds_between(-2.0, -5.1).snap, f64::INFINITY);
+    assert_eq!(motion.enclose(5.0).bounds_between(0.0, -0.1).snap, f64::INFINITY);
 }
 
 #[test]

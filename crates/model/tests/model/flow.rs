@@ -1,38 +1,11 @@
 //! The hand-written flow and its derivatives against the printed solution under automatic differentiation.
 
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
-use nalgebra::{Const, SVector};
-use num_dual::{Dual2Vec, DualNum, hessian};
+use nalgebra::SVector;
+use num_dual::hessian;
 use proptest::prelude::*;
 
-/// A number that carries first and second derivatives in (x₀, y₀, z₀, s, 𝒜, ω).
-type Dual = Dual2Vec<f64, Const<6>>;
-
-/// eq:flow and its time derivative as printed, with eq:phip and t₀ = z₀/ω.
-fn printed_flow(zeta: f64, arguments: &SVector<Dual, 6>) -> [Dual; 2] {
-    let [x0, y0, z0, s, amplitude, omega] = arguments.data.0[0];
-    let constant = Dual::from_re;
-    let (zeta, omega_1) = (constant(zeta), constant((1.0 - zeta * zeta).sqrt()));
-    let (t0, t) = (z0 / omega, z0 / omega + s);
-    let stiffness = constant(1.0) - omega * omega;
-    let loss = constant(2.0) * zeta * omega;
-    let denominator = stiffness * stiffness + loss * loss;
-    let periodic = |t: Dual| {
-        let (sine, cosine) = (omega * t).sin_cos();
-        let position = amplitude / denominator * (stiffness * cosine + loss * sine) - constant(1.0);
-        let velocity = amplitude / denominator * omega * (loss * cosine - stiffness * sine);
-        [position, velocity]
-    };
-    let [start, start_velocity] = periodic(t0);
-    let [end, end_velocity] = periodic(t);
-    let (u, v) = (x0 - start, y0 - start_velocity);
-    let decay = (-zeta * s).exp();
-    let (sine, cosine) = (omega_1 * s).sin_cos();
-    let sine = sine / omega_1;
-    let position = decay * ((cosine + zeta * sine) * u + sine * v);
-    let velocity = decay * ((cosine - zeta * sine) * v - sine * u);
-    [position + end, velocity + end_velocity]
-}
+use crate::printed::printed_flow;
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, rng_seed: proptest::test_runner::RngSeed::Fixed(2), ..ProptestConfig::default() })]
@@ -47,7 +20,7 @@ proptest! {
         let jet = oscillator.flow::<2>(State { position: x, velocity: y, phase: z }, s);
         let point = SVector::from([x, y, z, s, amplitude, omega]);
         for i in 0..2 {
-            let (value, gradient, second) = hessian(|arguments| printed_flow(zeta, &arguments)[i], &point);
+            let (value, gradient, second) = hessian(|arguments| printed_flow(zeta, arguments.data.0[0])[i], &point);
             prop_assert!((jet.value[i] - value).abs() < 1e-11);
             for a in 0..6 {
                 let (hand, dual) = (jet.jacobian[(i, a)], gradient[a]);

@@ -3,15 +3,19 @@
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
 use grazing_model::{LinearOscillator, State};
 
-/// A force alone; the parameters are the forcing's amplitude and frequency, impacts are elastic.
+/// A force alone, of a new type or of one with fields; the parameters are the forcing's amplitude and frequency, impacts are elastic.
 macro_rules! forced {
     ($(#[$doc:meta])* $name:ident, |$x:ident, $y:ident, $forcing:ident| $force:expr) => {
         $(#[$doc])*
         #[derive(Clone, Debug)]
         pub(crate) struct $name;
 
+        forced!(impl $name {}, |$x, $y, $forcing| $force);
+    };
+    (impl $name:ident { $($field:ident),* }, |$x:ident, $y:ident, $forcing:ident| $force:expr) => {
         impl SmoothOscillator for $name {
             fn force<S: Scalar>(&self, $x: S, $y: S, t: S, amplitude: S, omega: S) -> S {
+                let Self { $($field),* } = *self;
                 let $forcing = amplitude * (omega * t).apply(Function::Cos);
                 $force
             }
@@ -30,6 +34,7 @@ macro_rules! forced {
         }
     };
 }
+pub(crate) use forced;
 
 forced!(
     /// The paper's oscillator, eq:oscf, with ζ = 0.02.

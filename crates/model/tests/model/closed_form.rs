@@ -1,7 +1,9 @@
 //! The linear oscillator, integrated, against its closed form.
 
 use grazing_model::maps::{self, global_map, virtual_map};
-use grazing_model::motion::{Motion, Walk, first_crossing, first_rest, highest_maximum, local_maxima};
+use grazing_model::motion::{
+    Enclosure, Motion, Walk, first_crossing, first_rest, highest_maximum, local_maxima,
+};
 use grazing_model::orbit::Orbit;
 use grazing_model::{ImpactOscillator, MapJet, State};
 
@@ -52,11 +54,11 @@ fn motion_is_that_of_the_closed_form_in_both_directions_of_time() {
         assert!((a.acceleration - b.acceleration).abs() < TOLERANCE);
         assert!((a.jerk - b.jerk).abs() < TOLERANCE);
     }
-    let mut walk = a.walk();
-    let strides = a.strides_within(20.0);
-    assert!(strides > 20.0 && a.time_after(strides) <= 20.0);
-    for k in 0..strides as u32 {
-        let time = a.time_after(f64::from(k));
+    let enclosure = a.enclose(20.0);
+    let mut walk = enclosure.walk();
+    assert!(enclosure.strides() > 20 && enclosure.time_after(enclosure.strides()) <= 20.0);
+    for k in 0..enclosure.strides() {
+        let time = enclosure.time_after(k);
         assert!((walk.position() - b.at(time).position).abs() < TOLERANCE);
         assert!((walk.kinematics().jerk - b.at(time).jerk).abs() < TOLERANCE);
         walk.advance();

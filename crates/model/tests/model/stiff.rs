@@ -1,13 +1,13 @@
 //! Springs that are much faster than their forcing, and forces that are steep.
 
-use grazing_model::motion::Motion;
+use grazing_model::motion::{Enclosure, Motion};
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
 use grazing_model::{FlowJet, ImpactOscillator, LinearOscillator, State, ThirdOrder, flow_variable};
 use nalgebra::{Matrix2x6, Matrix6};
 
-use crate::models::{Bouncing, Dragged, Duffing, FROM, Sticking};
+use crate::models::{Bouncing, FROM, forced};
 
-/// The damping ratio: free motion lives for hundreds of turns.
+/// The damping ratio: transients live for hundreds of turns.
 const ZETA: f64 = 1e-4;
 
 /// The paper's oscillator in other units: `rate` is the number of its units of time in one of these, `size` its unit of length in
@@ -18,25 +18,10 @@ struct Stiff {
     size: f64,
 }
 
-impl SmoothOscillator for Stiff {
-    fn force<S: Scalar>(&self, x: S, y: S, t: S, amplitude: S, omega: S) -> S {
-        let drive = amplitude * (omega * t).apply(Function::Cos) - S::constant(1.0);
-        let spring = drive - x.scale(1.0 / self.size) - y.scale(2.0 * ZETA / (self.rate * self.size));
-        spring.scale(self.rate * self.rate * self.size)
-    }
-
-    fn forcing_frequency<S: Scalar>(&self, _: S, omega: S) -> S {
-        omega
-    }
-
-    fn restitution<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
-        S::constant(1.0)
-    }
-
-    fn impact_duration<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
-        S::constant(0.0)
-    }
-}
+forced!(impl Stiff { rate, size }, |x, y, forcing| {
+    let spring = forcing - S::constant(1.0) - x.scale(1.0 / size) - y.scale(2.0 * ZETA / (rate * size));
+    spring.scale(rate * rate * size)
+});
 
 impl Stiff {
     /// The units of x, y, z, s, μ, η in those of the paper's oscillator, in the order of a flow's variables.
@@ -66,7 +51,7 @@ const AMPLITUDE: f64 = 0.7;
 const SHARE_OF_PERIOD: f64 = 0.83;
 
 /// An oscillator in both forms, the duration of its flight, and what an error may be relative to the largest of its kind:
-/// 2e-14 for each radian of free motion, as the steps allow, and roundings.
+/// 2e-14 for each radian of unforced motion, as the steps allow, and roundings.
 fn flights(rate: f64, size: f64) -> (Integrated<Stiff>, LinearOscillator, f64, f64) {
     let stiff = Integrated::new(Stiff { rate, size }, [AMPLITUDE, 0.9]);
     let closed = LinearOscillator::new(ZETA, 1.0, AMPLITUDE, 0.9 / rate).unwrap();
@@ -127,9 +112,9 @@ fn rest_under_a_stiff_spring_takes_long_steps_and_stays_rest() {
         let stiff = Integrated::new(Stiff { rate: 100.0, size }, [0.0, 1.0]);
         let at_rest = State { position: -size, velocity: 0.0, phase: 0.4 };
         let motion = stiff.motion(at_rest);
-        let strides = motion.strides_within(core::f64::consts::TAU);
+        let strides = motion.enclose(core::f64::consts::TAU).strides();
         // A step of 0.85 in the spring's own time.
-        assert!(strides < 100.0 * core::f64::consts::TAU / 0.8, "{strides}");
+        assert!((strides as f64) < 100.0 * core::f64::consts::TAU / 0.8, "{strides}");
         assert!((motion.at(core::f64::consts::TAU).position / -size - 1.0).abs() < 1e-13);
     }
 }
@@ -145,50 +130,6 @@ fn energy_is_kept_by_a_wall_that_is_soft() {
         // Some thousand steps, each of which leaves 1e-14 or so.
         assert!((energy(here.position, here.velocity) - start).abs() < 1e-10, "after {k} halves");
     }
-}
-
-/// The flow against that in many short flights, which take steps of their own, with derivatives composed by the chain rule.
-fn assert_composition<M: SmoothOscillator>(oscillator: &Integrated<M>, tolerance: f64) {
-    const FLIGHTS: u32 = 600;
-    let [duration, omega] = [6.0, oscillator.forcing_frequency().value];
-    let part = duration / f64::from(FLIGHTS);
-    let line = |i: usize, value: f64| Taylor::new([value, [0.6, -0.8, 0.4][i], 0.0, 0.0]);
-    let start = [line(0, FROM.position), line(1, FROM.velocity), line(2, FROM.phase)];
-    let whole = oscillator.flow_series(start, Taylor::constant(duration));
-    let jet = oscillator.flow::<2>(FROM, duration);
-    let mut state = start;
-    for _ in 0..FLIGHTS {
-        let [x, y] = oscillator.flow_series(state, Taylor::constant(part));
-        state = [x, y, state[2] + Taylor::constant(part * omega)];
-    }
-    let along = [0.6, -0.8, 0.4];
-    for i in 0..2 {
-        let [value, first, second, third] = state[i].coefficients();
-        let [_, _, _, whole_third] = whole[i].coefficients();
-        let columns = [flow_variable::POSITION, flow_variable::VELOCITY, flow_variable::PHASE];
-        let slope: f64 = columns.iter().zip(along).map(|(a, q)| jet.jacobian[(i, *a)] * q).sum();
-        let bend: f64 = columns
-            .iter()
-            .zip(along)
-            .flat_map(|(a, q)| columns.iter().zip(along).map(move |(b, r)| (*a, *b, q * r)))
-            .map(|(a, b, product)| 0.5 * jet.hessians[i][(a, b)] * product)
-            .sum();
-        let pairs = [(jet.value[i], value), (slope, first), (bend, second), (whole_third, third)];
-        for (order, (one, other)) in pairs.into_iter().enumerate() {
-            let error = (one - other).abs() / (1.0 + other.abs());
-            assert!(error < tolerance, "{i}, order {order}: {one} {other}, {error:e}");
-        }
-    }
-}
-
-#[test]
-fn flows_under_steep_forces_are_those_of_many_short_flights() {
-    // Steps follow the solution and its first derivatives: each order has errors some thirty times as large as the one before,
-    // of about 1e-13 to begin with, and three times that where the force itself bends on the length of a step, as drag does.
-    assert_composition(&Integrated::new(Duffing, [0.6, 0.76]), 1e-12);
-    assert_composition(&Integrated::new(Bouncing, [0.6, 0.76]), 3e-11);
-    assert_composition(&Integrated::new(Sticking, [0.6, 0.76]), 3e-11);
-    assert_composition(&Integrated::new(Dragged, [0.6, 0.76]), 1e-10);
 }
 
 #[test]

@@ -1,0 +1,121 @@
+//! The words for what happens along curves and at points: bifurcations of codimension one and two.
+
+use crate::locate::Condition;
+
+/// A bifurcation of codimension one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Bifurcation {
+    /// Grazing of the non-impacting solution: its highest point touches the wall.
+    NonImpactingGrazing,
+    /// Saddle-node: a multiplier is 1.
+    SaddleNode,
+    /// Period doubling: a multiplier is −1.
+    PeriodDoubling,
+    /// Grazing of an MPS: a maximum between two impacts touches the wall.
+    Grazing,
+}
+
+impl Bifurcation {
+    /// Where a condition is met; none if that is no bifurcation.
+    pub fn of(condition: Condition) -> Option<Self> {
+        match condition {
+            Condition::Multiplier(multiplier) if multiplier > 0.0 => Some(Self::SaddleNode),
+            Condition::Multiplier(_) => Some(Self::PeriodDoubling),
+            Condition::InteriorGrazing => Some(Self::Grazing),
+            _ => None,
+        }
+    }
+
+    /// `graz`, `SN`, `PD` or `GZ`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::NonImpactingGrazing => "graz",
+            Self::SaddleNode => "SN",
+            Self::PeriodDoubling => "PD",
+            Self::Grazing => "GZ",
+        }
+    }
+}
+
+/// A bifurcation of codimension two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CodimensionTwo {
+    /// A resonance on the grazing curve of the non-impacting solution, from which SN and PD curves leave.
+    Resonance,
+    /// An SN and a GZ curve meet.
+    SaddleNodeGrazing,
+    /// A PD and a GZ curve meet.
+    PeriodDoublingGrazing,
+    /// Two GZ curves meet: two maxima touch the wall.
+    GrazingGrazing,
+    /// An SN curve turns back.
+    Cusp,
+}
+
+impl CodimensionTwo {
+    /// Where two curves meet of which one at least is a GZ curve.
+    pub fn between(one: Bifurcation, other: Bifurcation) -> Self {
+        use Bifurcation::{PeriodDoubling, SaddleNode};
+        match (one, other) {
+            (SaddleNode, _) | (_, SaddleNode) => Self::SaddleNodeGrazing,
+            (PeriodDoubling, _) | (_, PeriodDoubling) => Self::PeriodDoublingGrazing,
+            _ => Self::GrazingGrazing,
+        }
+    }
+
+    /// `resonance`, `SN-GZ`, `PD-GZ`, `GZ-GZ` or `cusp`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Resonance => "resonance",
+            Self::SaddleNodeGrazing => "SN-GZ",
+            Self::PeriodDoublingGrazing => "PD-GZ",
+            Self::GrazingGrazing => "GZ-GZ",
+            Self::Cusp => "cusp",
+        }
+    }
+}
+
+/// Something of the SN curve at a resonance, and the same of the PD curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair<T> {
+    /// Of the saddle-node curve.
+    pub saddle_node: T,
+    /// Of the period-doubling curve.
+    pub period_doubling: T,
+}
+
+impl Pair<Bifurcation> {
+    /// The two bifurcations themselves.
+    pub const BIFURCATIONS: Self =
+        Self { saddle_node: Bifurcation::SaddleNode, period_doubling: Bifurcation::PeriodDoubling };
+}
+
+impl<T> Pair<T> {
+    /// Both, changed.
+    pub fn map<U>(self, mut change: impl FnMut(T) -> U) -> Pair<U> {
+        Pair { saddle_node: change(self.saddle_node), period_doubling: change(self.period_doubling) }
+    }
+
+    /// Both, borrowed.
+    pub const fn as_ref(&self) -> Pair<&T> {
+        Pair { saddle_node: &self.saddle_node, period_doubling: &self.period_doubling }
+    }
+
+    /// Both with those of another pair.
+    pub fn zip<U>(self, other: Pair<U>) -> Pair<(T, U)> {
+        Pair {
+            saddle_node: (self.saddle_node, other.saddle_node),
+            period_doubling: (self.period_doubling, other.period_doubling),
+        }
+    }
+
+    /// First that of the SN curve.
+    pub fn into_array(self) -> [T; 2] {
+        [self.saddle_node, self.period_doubling]
+    }
+
+    /// Each with its bifurcation, that of the SN curve first.
+    pub fn named(self) -> [(Bifurcation, T); 2] {
+        Pair::BIFURCATIONS.zip(self).into_array()
+    }
+}

@@ -1,0 +1,108 @@
+//! A motion, and the bounds of its derivatives over a stretch of time.
+
+/// Position and its first three derivatives at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kinematics {
+    /// x.
+    pub position: f64,
+    /// y = ẋ.
+    pub velocity: f64,
+    /// ẍ.
+    pub acceleration: f64,
+    /// d³x/dt³.
+    pub jerk: f64,
+}
+
+impl Kinematics {
+    /// The kinematics a very short time later, by Taylor's formula.
+    pub(super) fn after(&self, time: f64) -> Self {
+        let Self { position, velocity, acceleration, jerk } = *self;
+        Self {
+            position: position + (velocity + (0.5 * acceleration + jerk * time / 6.0) * time) * time,
+            velocity: velocity + (acceleration + 0.5 * jerk * time) * time,
+            acceleration: acceleration + jerk * time,
+            jerk,
+        }
+    }
+}
+
+/// Bounds of |ẍ|, |d³x/dt³| and |d⁴x/dt⁴| on an interval of time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Bound of |ẍ|.
+    pub acceleration: f64,
+    /// Bound of |d³x/dt³|.
+    pub jerk: f64,
+    /// Bound of |d⁴x/dt⁴|.
+    pub snap: f64,
+}
+
+impl Bounds {
+    /// Nothing is known, so that nothing can be proved.
+    pub(crate) const UNKNOWN: Self = Self::all(f64::INFINITY);
+    /// Over no time at all nothing happens.
+    pub(crate) const NO_TIME: Self = Self::all(0.0);
+
+    const fn all(bound: f64) -> Self {
+        Self { acceleration: bound, jerk: bound, snap: bound }
+    }
+
+    /// Bounds that hold wherever one of the two does.
+    pub(crate) fn joined(&self, other: &Self) -> Self {
+        Self {
+            acceleration: self.acceleration.max(other.acceleration),
+            jerk: self.jerk.max(other.jerk),
+            snap: self.snap.max(other.snap),
+        }
+    }
+}
+
+/// A smooth motion x(t), t being the time since it began.
+pub trait Motion {
+    /// The motion at a time of either sign; NaN where it has ceased to exist.
+    fn at(&self, time: f64) -> Kinematics;
+
+    /// The derivatives bounded from the beginning to a horizon, which may lie in the past.
+    fn enclose(&self, horizon: f64) -> impl Enclosure;
+
+    /// How far bounds are worth having when the first event may come sooner; all the way, where they cost nothing.
+    #[inline]
+    fn foresight(&self) -> f64 {
+        f64::INFINITY
+    }
+}
+
+/// The time from a motion's beginning to a horizon, over which its derivatives have been bounded: the only source of bounds.
+///
+/// It is divided into strides, such that the motion is cheap to evaluate between two.
+pub trait Enclosure {
+    /// Bounds for all of it, as far as the motion exists.
+    fn bounds(&self) -> Bounds;
+
+    /// Bounds between two times, in this order; infinite outside of the enclosure. Those for all of it will do where they are about as good.
+    fn bounds_between(&self, from: f64, to: f64) -> Bounds;
+
+    /// The length of the longest stride.
+    fn stride(&self) -> f64;
+
+    /// The number of whole strides in the enclosure.
+    fn strides(&self) -> usize;
+
+    /// The time after so many strides, at most [`strides`](Self::strides).
+    fn time_after(&self, strides: usize) -> f64;
+
+    /// A walk through the times after 0, 1, 2, … strides, standing at 0.
+    fn walk(&self) -> impl Walk;
+}
+
+/// A walk along a motion in strides: the position at once, the derivatives when they are asked for.
+pub trait Walk: Copy {
+    /// x.
+    fn position(&self) -> f64;
+
+    /// x and its derivatives.
+    fn kinematics(&self) -> Kinematics;
+
+    /// Goes on by one stride.
+    fn advance(&mut self);
+}

@@ -1,0 +1,134 @@
+//! The searches for events, cell by cell.
+
+use super::cell::{Cell, Course, Crossing, Maximum};
+use super::enclosure::{Enclosure, Kinematics, Motion, Walk};
+use crate::tolerances::MOST_CELLS;
+
+/// The cells of a motion from time 0 to `horizon`, up to which an enclosure reaches, in which x may exceed `level`.
+#[inline]
+fn cells_above(
+    motion: &impl Motion,
+    enclosure: &impl Enclosure,
+    horizon: f64,
+    level: f64,
+) -> impl Iterator<Item = Cell> {
+    let stride = enclosure.stride();
+    // Positions at both ends below this rule the cell out: |x − chord| ≤ h²/8 · max|ẍ|.
+    let relevant = level - stride * stride / 8.0 * enclosure.bounds().acceleration;
+    let whole_cells = enclosure.strides();
+    let mut walk = enclosure.walk();
+    let (mut index, mut position) = (0, walk.position());
+    // The derivatives at the point where the walk stands, if the cell before needed them.
+    let mut known: Option<Kinematics> = None;
+    core::iter::from_fn(move || {
+        // Local copies, so that the loop over ruled-out cells runs in registers.
+        let (mut here, mut cell, mut above) = (walk, index, position >= relevant);
+        while cell < whole_cells {
+            let before = here;
+            here.advance();
+            cell += 1;
+            let next = here.position();
+            let next_above = next >= relevant;
+            if above || next_above {
+                let first = known.filter(|_| cell == index + 1).unwrap_or_else(|| before.kinematics());
+                let last = here.kinematics();
+                (walk, index, position, known) = (here, cell, next, Some(last));
+                let [start, end] = [cell - 1, cell].map(|strides| enclosure.time_after(strides));
+                return Some(Cell::within(enclosure, [start, end], [first, last]));
+            }
+            above = next_above;
+        }
+        if cell > index {
+            (walk, index, known) = (here, cell, None);
+        }
+        let start = enclosure.time_after(index.min(whole_cells));
+        // The rest of the time, shorter than a stride, comes last, unless the motion ends before the horizon.
+        if index > whole_cells || start >= horizon {
+            return None;
+        }
+        index += 1;
+        let last = motion.at(horizon);
+        let first = known.unwrap_or_else(|| walk.kinematics());
+        last.position.is_finite().then(|| Cell::within(enclosure, [start, horizon], [first, last]))
+    })
+}
+
+/// The first crossing of x = 0 upwards, at a time in (0, horizon], by a motion that begins with x ≤ 0.
+///
+/// A maximum that only touches the wall (x ≤ 0 to rounding) is no crossing.
+#[inline]
+pub fn first_crossing(motion: &impl Motion, horizon: f64) -> Option<Crossing> {
+    let mut reach = motion.foresight().min(horizon);
+    loop {
+        let enclosure = motion.enclose(reach);
+        let crossing = cells_above(motion, &enclosure, reach, 0.0).find_map(|cell| cell.crossing(motion));
+        if crossing.is_some() || reach >= horizon {
+            return crossing;
+        }
+        reach = (2.0 * reach).min(horizon);
+    }
+}
+
+/// All local maxima of x(t) for t in (0, horizon), in order of time.
+pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
+    let mut found = Vec::new();
+    for cell in cells_above(motion, &motion.enclose(horizon), horizon, f64::NEG_INFINITY) {
+        cell.maxima(motion, f64::NEG_INFINITY, &mut |maximum| {
+            found.push(maximum);
+            f64::NEG_INFINITY
+        });
+    }
+    found
+}
+
+/// The highest local maximum of x(t) for t in (0, horizon), or `None` if there is no local maximum.
+pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
+    let mut candidates: Vec<Cell> = Vec::with_capacity(16);
+    // Where the velocity changes from + to − there is a maximum, at least as high as the cell's ends.
+    let mut threshold = f64::NEG_INFINITY;
+    for cell in cells_above(motion, &motion.enclose(horizon), horizon, f64::NEG_INFINITY) {
+        match cell.course() {
+            Course::Monotone | Course::Curved { falling: false } => continue,
+            Course::Curved { falling: true } | Course::Open => {}
+        }
+        if cell.first.velocity > 0.0 && cell.last.velocity <= 0.0 {
+            threshold = threshold.max(cell.first.position.max(cell.last.position));
+        }
+        candidates.push(cell);
+    }
+    let mut highest: Option<Maximum> = None;
+    for cell in candidates {
+        threshold = cell.maxima(motion, threshold, &mut |maximum| {
+            if highest.is_none_or(|other| other.position < maximum.position) {
+                highest = Some(maximum);
+            }
+            maximum.position
+        });
+    }
+    highest
+}
+
+/// The zero of the velocity nearest to time 0 in the given direction of time, at most `horizon` away.
+///
+/// For a motion that begins with a velocity other than zero; paper: the evolution time of P_virt.
+pub fn first_rest(motion: &impl Motion, forwards: bool, horizon: f64) -> Option<f64> {
+    let sign = if forwards { 1.0 } else { -1.0 };
+    let enclosure = motion.enclose(sign * horizon);
+    let stride = enclosure.stride();
+    let (mut start, mut first) = (0.0, motion.at(0.0));
+    let mut patience = MOST_CELLS;
+    while start < horizon && patience > 0 {
+        let end = (start + stride).min(horizon);
+        let last = motion.at(sign * end);
+        if !last.position.is_finite() {
+            return None;
+        }
+        let cell = Cell::within(&enclosure, [sign * start, sign * end], [first, last]);
+        if let Some(time) = cell.rest(motion, &mut patience) {
+            return Some(time);
+        }
+        (start, first) = (end, last);
+        patience = patience.saturating_sub(1);
+    }
+    None
+}

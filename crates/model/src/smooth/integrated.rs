@@ -1,0 +1,82 @@
+//! The integrated oscillator as an impact oscillator.
+
+use nalgebra::{Matrix2, Matrix4, RowVector4, Vector2};
+
+use super::jet::{FIRST, Jet, SECOND, variable};
+use super::motion::IntegratedMotion;
+use super::oscillator::{Integrated, SmoothOscillator};
+use crate::jet::{FlowJet, MapJet, ParameterJet};
+use crate::oscillator::{ImpactOscillator, State};
+
+impl<M: SmoothOscillator> Integrated<M> {
+    fn reset_jet<const LENGTH: usize>(&self, velocity: f64, phase: f64) -> MapJet {
+        let [mu, eta] = self.parameter_jets::<LENGTH>();
+        let y = Jet::variable(variable::VELOCITY, velocity);
+        let z = Jet::variable(variable::PHASE, phase);
+        let image =
+            [-y * self.model.restitution(y, z, mu, eta), z + y * self.model.impact_duration(y, z, mu, eta)];
+        let columns = [variable::VELOCITY, variable::PHASE, variable::PRIMARY, variable::SECONDARY];
+        let mut jet = MapJet::identity(Vector2::new(image[0].value(), image[1].value()));
+        for (i, component) in image.iter().enumerate() {
+            jet.jacobian.set_row(i, &RowVector4::from_fn(|_, a| component.first(columns[a])));
+            jet.hessians[i] = Matrix4::from_fn(|a, b| component.second(columns[a], columns[b]));
+        }
+        jet
+    }
+}
+
+impl<M: SmoothOscillator> ImpactOscillator for Integrated<M> {
+    type Motion = IntegratedMotion<M>;
+
+    fn parameters(&self) -> [f64; 2] {
+        self.parameters
+    }
+
+    fn with_parameters(&self, parameters: [f64; 2]) -> Self {
+        Self::new(self.model.clone(), parameters)
+    }
+
+    fn forcing_frequency(&self) -> ParameterJet {
+        let [mu, eta] = self.parameter_jets::<SECOND>();
+        let jet = self.model.forcing_frequency(mu, eta);
+        let columns = [variable::PRIMARY, variable::SECONDARY];
+        ParameterJet {
+            value: jet.value(),
+            gradient: Vector2::from_fn(|i, _| jet.first(columns[i])),
+            hessian: Matrix2::from_fn(|i, j| jet.second(columns[i], columns[j])),
+        }
+    }
+
+    fn acceleration(&self, state: State) -> f64 {
+        self.force(state.position, state.velocity, state.phase / self.frequency)
+    }
+
+    fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet {
+        self.flow_along::<ORDER>(&self.motion(from), from, duration)
+    }
+
+    fn flow_along<const ORDER: usize>(
+        &self,
+        motion: &IntegratedMotion<M>,
+        from: State,
+        duration: f64,
+    ) -> FlowJet {
+        if ORDER >= 2 {
+            self.flow_jet::<SECOND>(motion, from, duration)
+        } else {
+            self.flow_jet::<FIRST>(motion, from, duration)
+        }
+    }
+
+    fn reset<const ORDER: usize>(&self, velocity: f64, phase: f64) -> MapJet {
+        if ORDER >= 2 {
+            self.reset_jet::<SECOND>(velocity, phase)
+        } else {
+            self.reset_jet::<FIRST>(velocity, phase)
+        }
+    }
+
+    fn motion(&self, from: State) -> IntegratedMotion<M> {
+        IntegratedMotion::new(self, from)
+    }
+}

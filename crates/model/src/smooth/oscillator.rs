@@ -1,0 +1,65 @@
+//! What an implementor writes, and the oscillator that is made of it.
+
+use super::jet::{Jet, variable};
+use crate::scalar::Scalar;
+
+/// An oscillator ẍ = F(x, ẋ, t; μ, η) with reset law y ↦ −y Φ, z ↦ z + y Ψ, all functions smooth.
+///
+/// Paper: eq:F, eq:R. F has the period 2π/ω(μ, η) in t; Φ is positive.
+pub trait SmoothOscillator: Clone + Send + Sync {
+    /// The force F(x, y, t; μ, η) per mass.
+    fn force<S: Scalar>(&self, x: S, y: S, t: S, mu: S, eta: S) -> S;
+
+    /// The force at one time, as a function of position and velocity.
+    ///
+    /// The integrator asks for it again and again at the same times: an implementor saves most of its work who computes
+    /// here, once, what depends on time and parameters alone.
+    fn force_at<S: Scalar>(&self, t: S, mu: S, eta: S) -> impl FnMut(S, S) -> S {
+        move |x, y| self.force(x, y, t, mu, eta)
+    }
+
+    /// The angular frequency ω(μ, η) of the forcing.
+    fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S;
+
+    /// The restitution Φ(y, z; μ, η).
+    fn restitution<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S;
+
+    /// Ψ(y, z; μ, η): the phase that passes during an impact, over the impact velocity.
+    fn impact_duration<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S;
+}
+
+/// A [`SmoothOscillator`] at parameters (μ, η), with its flow integrated.
+#[derive(Clone, Debug)]
+pub struct Integrated<M> {
+    pub(super) model: M,
+    pub(super) parameters: [f64; 2],
+    pub(super) frequency: f64,
+}
+
+impl<M: SmoothOscillator> Integrated<M> {
+    /// The oscillator at these parameters.
+    pub fn new(model: M, [mu, eta]: [f64; 2]) -> Self {
+        let frequency = model.forcing_frequency(mu, eta);
+        Self { model, parameters: [mu, eta], frequency }
+    }
+
+    /// The oscillator without its parameters.
+    pub fn model(&self) -> &M {
+        &self.model
+    }
+
+    pub(super) fn force(&self, x: f64, y: f64, t: f64) -> f64 {
+        let [mu, eta] = self.parameters;
+        self.model.force(x, y, t, mu, eta)
+    }
+
+    pub(super) fn parameter_jets<const LENGTH: usize>(&self) -> [Jet<LENGTH>; 2] {
+        let [mu, eta] = self.parameters;
+        [Jet::variable(variable::PRIMARY, mu), Jet::variable(variable::SECONDARY, eta)]
+    }
+
+    /// No step is longer, so that the search for events has cells of a reasonable size (empirical).
+    pub(super) fn longest_step(&self) -> f64 {
+        core::f64::consts::TAU / (10.0 * self.frequency)
+    }
+}

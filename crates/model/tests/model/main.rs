@@ -1,0 +1,13 @@
+//! The model: flows, motions, maps, orbits and reset laws, of the linear oscillator in closed form and of others by integration.
+
+mod closed_form;
+mod escape;
+mod flow;
+mod maps;
+mod models;
+mod nonlinear;
+mod orbits;
+mod printed;
+mod reset;
+mod stiff;
+mod third_order;

@@ -1,0 +1,97 @@
+//! What stands in a cell of a table.
+
+use std::borrow::Cow;
+
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+
+/// One cell.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// Words.
+    Text(Cow<'static, str>),
+    /// A count or an index.
+    Integer(u32),
+    /// A number; NaN and infinities are written as empty cells.
+    Number(f64),
+    /// Yes or no.
+    Flag(bool),
+}
+
+impl Cell {
+    /// The number, if it is one and finite. Negative zero is zero.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(value) => value.is_finite().then_some(value + 0.0),
+            _ => None,
+        }
+    }
+}
+
+impl From<&'static str> for Cell {
+    fn from(value: &'static str) -> Self {
+        Self::Text(value.into())
+    }
+}
+
+impl From<String> for Cell {
+    fn from(value: String) -> Self {
+        Self::Text(value.into())
+    }
+}
+
+impl From<u32> for Cell {
+    fn from(value: u32) -> Self {
+        Self::Integer(value)
+    }
+}
+
+impl From<f64> for Cell {
+    fn from(value: f64) -> Self {
+        Self::Number(value)
+    }
+}
+
+impl From<bool> for Cell {
+    fn from(value: bool) -> Self {
+        Self::Flag(value)
+    }
+}
+
+impl From<Bifurcation> for Cell {
+    fn from(value: Bifurcation) -> Self {
+        value.name().into()
+    }
+}
+
+impl From<CodimensionTwo> for Cell {
+    fn from(value: CodimensionTwo) -> Self {
+        value.name().into()
+    }
+}
+
+/// Enumerations whose variants stand in tables as words.
+macro_rules! words {
+    ($($(#[$meta:meta])* $name:ident { $($(#[$about:meta])* $variant:ident = $word:literal,)+ })+) => {$(
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum $name { $($(#[$about])* $variant,)+ }
+
+        impl $name {
+            /// All of them.
+            pub const ALL: &'static [Self] = &[$(Self::$variant,)+];
+
+            /// The word in tables.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $word,)+ }
+            }
+        }
+
+        impl From<$name> for $crate::Cell {
+            fn from(value: $name) -> Self {
+                value.name().into()
+            }
+        }
+    )+};
+}
+
+pub(crate) use words;

@@ -1,0 +1,364 @@
+//! All columns of all tables, each declared once.
+//!
+//! In names `{primary}` and `{secondary}` stand for the names of the two parameters, in units for their units. Length, velocity and time are
+//! those in which an oscillator is described; the paper's oscillator is without dimensions, so that all its units are 1. A unit of 1 is left out.
+
+use crate::Names;
+
+/// A column of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// Its header.
+    pub name: &'static str,
+    /// Its symbol in LaTeX, without dollars; empty if the header serves as one.
+    symbol: &'static str,
+    /// The unit of its numbers.
+    pub unit: &'static str,
+    /// What it holds.
+    meaning: &'static str,
+    /// Labels in the paper, separated by commas.
+    pub equations: &'static str,
+}
+
+impl Column {
+    /// The header with the names of the parameters.
+    pub fn header(&self, names: &Names) -> String {
+        names.put_into(self.name)
+    }
+
+    /// The symbol in LaTeX, without dollars; empty where there is none.
+    pub fn symbol(&self, names: &Names) -> String {
+        names.symbols_put_into(self.symbol)
+    }
+
+    /// What it holds, in words.
+    pub fn meaning(&self) -> &'static str {
+        self.meaning.trim_start()
+    }
+}
+
+macro_rules! columns {
+    ($($(#[doc = $meaning:literal])+ $column:ident = $name:literal, $symbol:literal, $unit:literal $(, $equations:literal)?;)+) => {$(
+        $(#[doc = $meaning])+
+        pub const $column: Column = Column {
+            name: $name,
+            symbol: $symbol,
+            unit: $unit,
+            meaning: concat!($($meaning),+),
+            equations: concat!($($equations)?),
+        };
+    )+};
+}
+
+// The two parameters, and what solutions are counted by.
+columns! {
+    /// the primary parameter μ; for the paper's oscillator the forcing amplitude 𝒜
+    PRIMARY = "{primary}", "{primary}", "{primary}", "eq:oscf";
+    /// the secondary parameter η; for the paper's oscillator the forcing frequency ω
+    SECONDARY = "{secondary}", "{secondary}", "{secondary}", "eq:oscf";
+    /// the primary parameter at the resonance
+    PRIMARY_AT_GRAZING = "{primary}_graz", "{primary_graz}", "{primary}", "eq:Agraz";
+    /// the secondary parameter at the resonance
+    SECONDARY_AT_RESONANCE = "{secondary}_star", "{secondary}^*", "{secondary}", "eq:resonance1, eq:resonancep";
+    /// loops of the solution; 0: non-impacting
+    LOOPS = "p", "p", "1";
+    /// integer of the resonance: n half-turns (p = 1) or whole turns (p ≥ 2) of neighbouring motion in a forcing period; for the paper's oscillator
+    /// ω₁/ω = n/2 for p = 1, n + 1/(2p) for p ≥ 2. A curve carries the n of the resonance it leaves, a GZ curve that of the resonance whose SN or
+    /// PD curve led to it; 0 if no resonance in the window leads to it
+    RESONANCE_INDEX = "n", "n", "1", "eq:resonance1, eq:resonancep";
+    /// rows with the same number, in order, are one polyline; in tables about one oscillator a number is the same piece of the grazing curve
+    ARC = "arc", "", "1";
+    /// both multipliers lie inside the unit circle
+    STABLE = "stable", "", "1";
+    /// no maximum of x between two impacts lies above the wall (it may touch)
+    ADMISSIBLE = "admissible", "", "1";
+    /// why it is so; empty where there is nothing to say
+    REASON = "reason", "", "1";
+}
+
+// Two-parameter diagrams.
+columns! {
+    /// `graz`: grazing of the non-impacting solution; `SN`, `PD`, `GZ`: saddle-node, period-doubling, grazing bifurcation of the p-loop solution; SN and PD of
+    /// p = 0 are folds and period doublings of the non-impacting solution
+    BIFURCATION = "kind", "", "1";
+    /// `resonance`, or `SN-GZ`, `PD-GZ`, `GZ-GZ`, named after the curves that meet, or `cusp`, where an SN curve turns back
+    CODIMENSION_TWO = "kind", "", "1";
+    /// `non-impacting`, where that solution is stable and admissible; `mps`, where a p-loop solution is; `both`, where these overlap; `undecided`, where
+    /// that could not be decided
+    REGION_KIND = "kind", "", "1";
+    /// y of the solution's one impact
+    IMPACT_VELOCITY = "impact_velocity", r"y_{\mathrm{imp}}", "length/time";
+    /// z_imp − z_graz(η) within (−π, π]
+    IMPACT_PHASE = "impact_phase", r"z_{\mathrm{imp}}-z_{\mathrm{graz}}", "rad";
+    /// sum of the multipliers, a limit where y_imp = 0; on the grazing curve that of the map without impacts; empty at the end of a GZ curve on the grazing
+    /// curve, where there is no limit
+    TRACE = "trace", "T", "1", "eq:TD";
+    /// product of the multipliers, likewise
+    DETERMINANT = "determinant", "D", "1", "eq:TD";
+    /// highest local maximum of x between two impacts; empty if there is none
+    MAX_INTERIOR_X = "max_interior_x", r"\max x", "length";
+    /// number of the region: its rows, in order, are its vertices
+    REGION = "region", "", "1";
+    /// number of a ring of the region: 0 is its border, others bound holes; a point lies inside if a ray from it crosses all rings an odd number of times
+    RING = "ring", "", "1";
+    /// number of the panel of a magnification: 1 is (a)
+    PANEL = "panel", "", "1";
+    /// `continuation`, or `quadratic` for μ = μ_graz(η) + c (η − η*)²
+    SOURCE = "source", "", "1";
+}
+
+// Coefficients and what they are made of.
+columns! {
+    /// s_p⁺, whose sign says to which side of the SN curve solutions are stable
+    S_PLUS = "s_plus", "s_p^+", "1", "eq:c1, eq:cp";
+    /// s_p⁻, likewise of the PD curve
+    S_MINUS = "s_minus", "s_p^-", "1", "eq:c1, eq:cp";
+    /// c_SN,p by the closed form of Propositions 3.2 and 3.3
+    C_SN_CLOSED_FORM = "c_sn", r"c_{\mathrm{SN},p}", "{primary}/{secondary}^2", "eq:impFormula1odd, eq:impFormula1even, eq:impFormulap";
+    /// c_PD,p by the closed form of Propositions 3.2 and 3.3
+    C_PD_CLOSED_FORM = "c_pd", r"c_{\mathrm{PD},p}", "{primary}/{secondary}^2", "eq:impFormula1odd, eq:impFormula1even, eq:impFormulap";
+    /// c_SN,p by Theorem 2.4 or 2.5 from derivatives of the numerical Poincaré map
+    C_SN_THEOREM = "c_sn_theorem", r"c_{\mathrm{SN},p}\text{, theorem}", "{primary}/{secondary}^2", "eq:coeffs1, eq:coeffsp";
+    /// c_PD,p by Theorem 2.4 or 2.5 from derivatives of the numerical Poincaré map
+    C_PD_THEOREM = "c_pd_theorem", r"c_{\mathrm{PD},p}\text{, theorem}", "{primary}/{secondary}^2", "eq:coeffs1, eq:coeffsp";
+    /// c_SN,p by Theorem 2.4 or 2.5: μ = μ_graz(η) + c (η − η*)² to leading order along the SN curve
+    C_SN = "c_sn", r"c_{\mathrm{SN},p}", "{primary}/{secondary}^2", "eq:coeffs1, eq:coeffsp";
+    /// c_PD,p by Theorem 2.4 or 2.5, likewise along the PD curve
+    C_PD = "c_pd", r"c_{\mathrm{PD},p}", "{primary}/{secondary}^2", "eq:coeffs1, eq:coeffsp";
+    /// error of the theorem's own value: rounding, and how far differences of first derivatives are from the second ones in the formula
+    C_SN_ERROR = "c_sn_error", r"\Delta c_{\mathrm{SN},p}", "{primary}/{secondary}^2";
+    /// likewise
+    C_PD_ERROR = "c_pd_error", r"\Delta c_{\mathrm{PD},p}", "{primary}/{secondary}^2";
+    /// limit of (μ − μ_graz)/(η − η*)² on the continued SN curve; empty where it cannot be measured
+    C_SN_FIT = "c_sn_fit", r"c_{\mathrm{SN},p}\text{, curve}", "{primary}/{secondary}^2";
+    /// likewise on the PD curve
+    C_PD_FIT = "c_pd_fit", r"c_{\mathrm{PD},p}\text{, curve}", "{primary}/{secondary}^2";
+    /// estimated error of the measured value
+    C_SN_FIT_ERROR = "c_sn_fit_error", r"\Delta c_{\mathrm{SN},p}\text{, curve}", "{primary}/{secondary}^2";
+    /// estimated error of the measured value
+    C_PD_FIT_ERROR = "c_pd_fit_error", r"\Delta c_{\mathrm{PD},p}\text{, curve}", "{primary}/{secondary}^2";
+    /// `agree`: theorem and SN curve differ by less than their errors; `not measurable`: one of them is not known to two digits; `contradict`, with which the
+    /// program ends with exit code 1
+    SN_VERDICT = "sn_verdict", "", "1";
+    /// why the verdict on the SN curve is not `agree`
+    SN_REASON = "sn_reason", "", "1";
+    /// the same of the PD curve
+    PD_VERDICT = "pd_verdict", "", "1";
+    /// why the verdict on the PD curve is not `agree`
+    PD_REASON = "pd_reason", "", "1";
+    /// whether the hybrid system, simulated from event to event to either side of the SN curve, does what the theorem predicts, at an impact velocity at which the
+    /// leading terms decide: `yes`; `no`, which is exit code 1; `undecided`
+    SN_AS_SIMULATED = "sn_as_simulated", "", "1";
+    /// why it is not `yes`
+    SN_SIMULATION_REASON = "sn_simulation_reason", "", "1";
+    /// the same of the PD curve
+    PD_AS_SIMULATED = "pd_as_simulated", "", "1";
+    /// why it is not `yes`
+    PD_SIMULATION_REASON = "pd_simulation_reason", "", "1";
+    /// limit of y² times the normal form's coefficient of the period doubling towards the resonance: positive where it is supercritical, negative where subcritical
+    PD_CRITICALITY = "pd_criticality", "", "1";
+    /// trace of A
+    TAU = "tau", r"\tau", "1", "eq:A";
+    /// determinant of A
+    DELTA = "delta", r"\delta", "1", "eq:A";
+    /// factor of the square-root term
+    ALPHA = "alpha", r"\alpha", "1", "eq:alpha";
+    /// transversality coefficient (1 − a₂₂) b₁ + a₁₂ b₂
+    BETA = "beta", r"\beta", "length/{primary}", "eq:beta";
+    /// −F at the wall, the deceleration at grazing
+    GAMMA = "gamma", r"\gamma", "length/time^2", "eq:phipsigamma";
+    /// value of Φ at grazing: the restitution at impacts of velocity zero
+    PHI = "phi", r"\phi", "1", "eq:phipsigamma";
+    /// value of Ψ at grazing: by how much phase an impact takes, over its velocity
+    PSI = "psi", r"\psi", "rad time/length", "eq:phipsigamma";
+    /// κ_p, whose zero is the resonance for p ≥ 2 as that of a₁₂ is for p = 1; empty for p = 1
+    KAPPA = "kappa", r"\kappa_p", "1", "eq:gp";
+    /// ξ_p, the second derivative by phase that the coefficients need
+    XI = "xi", r"\xi_p", "length", "eq:xi";
+    /// a₁₂', the derivative by η along the grazing curve, for p = 1; empty otherwise
+    A12_PRIME = "a12_prime", "a_{12}'", "length/{secondary}", "eq:xi1proof5";
+    /// κ_p', the derivative by η along the grazing curve, for p ≥ 2; empty otherwise
+    KAPPA_PRIME = "kappa_prime", r"\kappa_p'", "1/{secondary}", "eq:xipproof5";
+    /// z_graz, continuous along a piece
+    GRAZING_PHASE = "phase", r"z_{\mathrm{graz}}", "rad";
+    /// the forcing frequency ω
+    FREQUENCY = "frequency", r"\omega", "1/time";
+    /// A, derivative by (x, z) of the Poincaré map P_global at grazing
+    A11 = "a11", "a_{11}", "1", "eq:A";
+    /// likewise
+    A12 = "a12", "a_{12}", "length", "eq:A";
+    /// likewise
+    A21 = "a21", "a_{21}", "1/length", "eq:A";
+    /// likewise
+    A22 = "a22", "a_{22}", "1", "eq:A";
+    /// b, derivative of P_global by μ at grazing
+    B1 = "b1", "b_1", "length/{primary}", "eq:b";
+    /// likewise
+    B2 = "b2", "b_2", "1/{primary}", "eq:b";
+    /// `2.4` or `2.5`
+    RESONANT_THEOREM = "theorem", "", "1";
+    /// what the theorem asks, as `a12 alpha > 0`
+    HYPOTHESIS = "hypothesis", "", "1";
+    /// value of the left side of the hypothesis; its unit is that of the quantity
+    HYPOTHESIS_VALUE = "value", "", "that of the quantity";
+    /// whether the hypothesis holds
+    HOLDS = "holds", "", "1";
+}
+
+// Figure 2.
+columns! {
+    /// x on the Poincaré section Π; of loop p, which has the impact, it is virtual and positive
+    X_ON_SECTION = "x", "x", "length";
+    /// number of the loop, 1 to p
+    LOOP = "loop", "", "1";
+    /// rows with the same number, in order, are one curve
+    BRANCH = "branch", "", "1";
+    /// number of the phase portrait: 1 is (a)
+    PORTRAIT = "portrait", "", "1";
+    /// `periodic` or `attractor`
+    PORTRAIT_KIND = "kind", "", "1";
+    /// time since the orbit begins; an empty row stands after each flight between two impacts
+    TIME = "time", "t", "time";
+    /// position
+    X = "x", "x", "length";
+    /// velocity
+    Y = "y", "y", "length/time";
+}
+
+// Scenes in phase space.
+columns! {
+    /// `orbit`, `virtual` (continued beyond the wall), `periodic` (Γ), `reset` (R, impact to recoil), `global` (P_global: a line that joins point and image)
+    SPACE_CURVE = "kind", "", "1";
+    /// `incoming`, `outgoing`, `section` (outlines), `tangency`, `circle` (x = y = 0), `x_axis`, `y_axis`, `z_axis`
+    SPACE_SURFACE = "kind", "", "1";
+    /// `impact`, `recoil`, `graze`, `virtual` (x̂, 0, ẑ), `section` (on Π)
+    SPACE_MARK = "kind", "", "1";
+    /// which curve or surface; of points the number of the orbit, or the j of (x⁽ʲ⁾, 0, z⁽ʲ⁾), in Figure 3 0 for the point and 1 for its image
+    NUMBER = "number", "", "1";
+    /// part of a curve or surface: rows with the same number and piece, in order, are one polyline
+    PIECE = "piece", "", "1";
+    /// order of painting: 0 to 2 beyond Σ (below Π, on it, above), 3 on Σ, 4 to 6 before Σ; in Figure 3 0 to 2 alone. A point has the layer of what
+    /// lies right before it
+    LAYER = "layer", "", "1";
+    /// phase: of Figure 1 within [0, 2π), of Figures 3 and 9 continued, on Π near z_graz
+    Z = "z", "z", "rad";
+    /// the place after projection, to the right; a length of stretched phase space, as the next two
+    ACROSS = "across", "", "1";
+    /// the place after projection, upwards
+    UP = "up", "", "1";
+    /// the place after projection, away from the viewer
+    DEPTH = "depth", "", "1";
+}
+
+// Figures 4, 5, 6 and 10.
+columns! {
+    /// `trapesium` (its outline), `limit` (2√δ), `g` or `h`
+    BOUNDARY = "kind", "", "1", "eq:cT, eq:gp, le:admissibilityBoundary";
+    /// `fig02`: the grazing bifurcation of Figure 2
+    STAR = "kind", "", "1";
+    /// 𝒜 − 𝒜_graz(ω)
+    MU = "mu", r"\mu", "1";
+    /// ω less that of the resonance
+    ETA = "eta", r"\eta", "1";
+    /// part of the drawing
+    PART = "part", "", "1";
+    /// coordinate across x, in the unit of x
+    HEIGHT = "height", "", "1";
+    /// number j of the visit to Π, from 0 to p
+    VISIT = "visit", "j", "1";
+    /// u⁽ʲ⁾, the scaled x of the visit
+    U = "u", "u", "1", "eq:ujwj";
+    /// w⁽ʲ⁾, the scaled z of the visit
+    W = "w", "w", "1", "eq:ujwj";
+}
+
+// Theorems 2.2 to 2.5 in action.
+columns! {
+    /// the theorem that the row is about
+    THEOREM = "theorem", "", "1";
+    /// damping ratio ζ
+    ZETA = "zeta", r"\zeta", "1", "eq:oscf";
+    /// coefficient of restitution ε
+    EPSILON = "epsilon", r"\epsilon", "1", "eq:oscf";
+    /// forcing frequency
+    OMEGA = "omega", r"\omega", "1", "eq:oscf";
+    /// δ + 1 − |τ|
+    TRAPESIUM_MARGIN = "trapesium_margin", r"\delta+1-|\tau|", "1", "eq:cT";
+    /// a₁₂ α
+    A12_ALPHA = "a12_alpha", r"a_{12}\alpha", "1";
+    /// τ − h_p(δ), where the theorem makes a hypothesis about it
+    TAU_MINUS_H = "tau_minus_h", r"\tau-h_p(\delta)", "1", "le:admissibilityBoundary";
+    /// a₁₂ β, where the theorem makes a hypothesis about it
+    A12_BETA = "a12_beta", r"a_{12}\beta", "1";
+    /// β κ_p, where the theorem makes a hypothesis about it
+    BETA_KAPPA = "beta_kappa", r"\beta\kappa_p", "1";
+    /// the sign of μ by the theorem, or `silent`
+    PREDICTED = "predicted", "", "1";
+    /// the sign of μ for which y > 0 and no interior loop meets the wall, by the first-order terms of section 4; `none` if there is none
+    FIRST_ORDER = "first_order", "", "1";
+    /// the sign of μ for which the MPS is seen, by following the branch from grazing
+    CONTINUATION = "continuation", "", "1";
+    /// the same by running the hybrid system from the impact of every solution that could be an MPS
+    SIMULATION = "simulation", "", "1";
+    /// the MPS is unstable, by its multipliers
+    UNSTABLE_BRANCH = "unstable_branch", "", "1";
+    /// the MPS is unstable, by simulation of orbits beside it
+    UNSTABLE_SIMULATION = "unstable_simulation", "", "1";
+    /// slope of the impact velocity at grazing by section 4
+    DY_DMU = "dy_dmu", r"\mathrm{d}y/\mathrm{d}\mu", "1";
+    /// slope of the impact phase at grazing by section 4
+    DZ_DMU = "dz_dmu", r"\mathrm{d}z/\mathrm{d}\mu", "1";
+    /// the slope by a quadratic equation for the impact velocity
+    DY_DMU_EXACT = "dy_dmu_exact", r"\mathrm{d}y/\mathrm{d}\mu\text{, exact}", "1";
+    /// likewise
+    DZ_DMU_EXACT = "dz_dmu_exact", r"\mathrm{d}z/\mathrm{d}\mu\text{, exact}", "1";
+    /// the slope along the branch
+    DY_DMU_FIT = "dy_dmu_fit", r"\mathrm{d}y/\mathrm{d}\mu\text{, branch}", "1";
+    /// likewise
+    DZ_DMU_FIT = "dz_dmu_fit", r"\mathrm{d}z/\mathrm{d}\mu\text{, branch}", "1";
+    /// largest relative difference of the slopes
+    SLOPE_DIFFERENCE = "slope_difference", "", "1";
+    /// `agreement`: all hypotheses hold, and the whole conclusion is seen; `explained`: a hypothesis fails, and what is seen is what the reason lets one expect;
+    /// `unexplained`: anything else. There is no such row
+    VERDICT = "verdict", "", "1";
+    /// which resonance: ω₁/ω = n/2, n + 1/(2p), or n − 1/(2p), where MPSs are virtual
+    RATIO = "ratio", "", "1", "eq:resonance1, eq:resonancep";
+    /// E_p
+    E_P = "e_p", "E_p", "1", "eq:Ep";
+    /// ε E_p, which is 1 where s_p⁺ (for p = 1 and even n: s_1⁻) vanishes
+    EPSILON_E_P = "epsilon_e_p", r"\epsilon E_p", "1";
+    /// a₁₂' or κ_p'
+    UNFOLDING = "unfolding", "", "1";
+    /// the sign of η for which the saddle-node curve is there, by the theorem
+    SN_PREDICTED = "sn_predicted", "", "1";
+    /// the same by following the curve
+    SN_CONTINUATION = "sn_continuation", "", "1";
+    /// the same by simulation
+    SN_SIMULATION = "sn_simulation", "", "1";
+    /// the multiplier 1 is crossed between MPSs to either side of the curve, by simulated derivatives
+    SN_CROSSED = "sn_crossed", "", "1";
+    /// simulated orbits come nearer to one of these MPSs and leave the other (empty where |D| ≥ 1 or no curve was seen)
+    SN_STABILITY_CHANGES = "sn_stability_changes", "", "1";
+    /// limit of μ/η² on the curve that the quadratic equation gives
+    C_SN_EXACT = "c_sn_exact", r"c_{\mathrm{SN},p}\text{, exact}", "1";
+    /// largest relative difference of closed form and exact limit from the theorem
+    C_SN_DIFFERENCE = "c_sn_difference", "", "1";
+    /// relative difference of the measured coefficient from the theorem
+    C_SN_FIT_DIFFERENCE = "c_sn_fit_difference", "", "1";
+    /// the sign of η for which the curve of multiplier −1 is there, by the theorem
+    PD_PREDICTED = "pd_predicted", "", "1";
+    /// the same by following the curve
+    PD_CONTINUATION = "pd_continuation", "", "1";
+    /// the same by simulation
+    PD_SIMULATION = "pd_simulation", "", "1";
+    /// the multiplier −1 is crossed between MPSs to either side of the curve, by simulated derivatives
+    PD_CROSSED = "pd_crossed", "", "1";
+    /// simulated orbits come nearer to one of these MPSs and leave the other (empty where |D| ≥ 1 or no curve was seen)
+    PD_STABILITY_CHANGES = "pd_stability_changes", "", "1";
+    /// limit of μ/η² on the curve that the quadratic equation gives
+    C_PD_EXACT = "c_pd_exact", r"c_{\mathrm{PD},p}\text{, exact}", "1";
+    /// largest relative difference of closed form and exact limit from the theorem
+    C_PD_DIFFERENCE = "c_pd_difference", "", "1";
+    /// relative difference of the measured coefficient from the theorem
+    C_PD_FIT_DIFFERENCE = "c_pd_fit_difference", "", "1";
+}

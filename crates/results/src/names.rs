@@ -1,0 +1,242 @@
+//! Names of parameters, and the symbols that they become.
+
+/// Greek letters by their names in LaTeX; where italic and upright forms differ, small ones are italic.
+pub const GREEK: [(&str, char); 49] = [
+    ("alpha", 'α'),
+    ("beta", 'β'),
+    ("gamma", 'γ'),
+    ("delta", 'δ'),
+    ("epsilon", 'ϵ'),
+    ("varepsilon", 'ε'),
+    ("zeta", 'ζ'),
+    ("eta", 'η'),
+    ("theta", 'θ'),
+    ("iota", 'ι'),
+    ("kappa", 'κ'),
+    ("lambda", 'λ'),
+    ("mu", 'μ'),
+    ("nu", 'ν'),
+    ("xi", 'ξ'),
+    ("omicron", 'ο'),
+    ("pi", 'π'),
+    ("rho", 'ρ'),
+    ("sigma", 'σ'),
+    ("tau", 'τ'),
+    ("upsilon", 'υ'),
+    ("phi", 'φ'),
+    ("chi", 'χ'),
+    ("psi", 'ψ'),
+    ("omega", 'ω'),
+    ("Alpha", 'Α'),
+    ("Beta", 'Β'),
+    ("Gamma", 'Γ'),
+    ("Delta", 'Δ'),
+    ("Epsilon", 'Ε'),
+    ("Zeta", 'Ζ'),
+    ("Eta", 'Η'),
+    ("Theta", 'Θ'),
+    ("Iota", 'Ι'),
+    ("Kappa", 'Κ'),
+    ("Lambda", 'Λ'),
+    ("Mu", 'Μ'),
+    ("Nu", 'Ν'),
+    ("Xi", 'Ξ'),
+    ("Omicron", 'Ο'),
+    ("Pi", 'Π'),
+    ("Rho", 'Ρ'),
+    ("Sigma", 'Σ'),
+    ("Tau", 'Τ'),
+    ("Upsilon", 'Υ'),
+    ("Phi", 'Φ'),
+    ("Chi", 'Χ'),
+    ("Psi", 'Ψ'),
+    ("Omega", 'Ω'),
+];
+
+/// The names of the two parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Names {
+    /// Of the primary parameter μ.
+    pub primary: String,
+    /// Of the secondary parameter η.
+    pub secondary: String,
+    /// The symbol of the primary parameter, that at grazing, and the symbol of the secondary one.
+    symbols: [String; 3],
+}
+
+impl Names {
+    /// Names as a file has them.
+    pub fn new(primary: &str, secondary: &str) -> Self {
+        let at_grazing = Symbol::read(primary).map(|symbol| symbol.lowered(&["graz"]).latex());
+        let symbols = [symbol(primary), at_grazing, symbol(secondary)].map(Option::unwrap_or_default);
+        Self { primary: primary.to_owned(), secondary: secondary.to_owned(), symbols }
+    }
+
+    /// Amplitude and frequency of the paper's oscillator.
+    pub fn of_the_paper() -> Self {
+        let symbols = [r"\mathcal{A}", r"\mathcal{A}_{\mathrm{graz}}", r"\omega"].map(str::to_owned);
+        Self { symbols, ..Self::new("amplitude", "omega") }
+    }
+
+    /// The text with the names in the place of `{primary}` and `{secondary}`.
+    pub fn put_into(&self, text: &str) -> String {
+        text.replace("{primary}", &self.primary).replace("{secondary}", &self.secondary)
+    }
+
+    /// The text with their symbols in LaTeX in these places, and that of the primary parameter at grazing in the place of `{primary_graz}`.
+    pub fn symbols_put_into(&self, text: &str) -> String {
+        let [primary, at_grazing, secondary] = &self.symbols;
+        text.replace("{primary}", primary)
+            .replace("{primary_graz}", at_grazing)
+            .replace("{secondary}", secondary)
+    }
+}
+
+/// The symbol of a parameter in LaTeX, without dollars; none for a name that is no identifier of ASCII letters, digits and underscores.
+///
+/// Names of Greek letters become these letters, single letters are italic, longer words upright. What follows an
+/// underscore, and digits at the end of a part, is a subscript: `F_0` and `F0`, `omega_max`. Words joined by underscores
+/// stay words: `forcing_amplitude`.
+pub fn symbol(name: &str) -> Option<String> {
+    Some(Symbol::read(name)?.latex())
+}
+
+/// The symbol of the value at grazing; none for a parameter that is named in words.
+pub fn symbol_at_grazing(name: &str) -> Option<String> {
+    let symbol = Symbol::read(name).filter(|symbol| !symbol.is_word())?;
+    Some(symbol.lowered(&["graz"]).latex())
+}
+
+/// A name taken apart.
+struct Symbol<'a> {
+    /// The letter, or the words.
+    base: Vec<&'a str>,
+    lowered: Vec<&'a str>,
+}
+
+impl<'a> Symbol<'a> {
+    fn read(name: &'a str) -> Option<Self> {
+        if !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
+            return None;
+        }
+        let mut parts = name.split('_').filter(|part| !part.is_empty());
+        let (letters, digits) = without_digits(parts.next().filter(|head| !starts_with_digit(head))?);
+        let mut symbol = Symbol { base: vec![letters], lowered: Vec::new() };
+        symbol.lowered.extend(digits);
+        for part in parts {
+            let (letters, digits) = without_digits(part);
+            if symbol.is_word() && symbol.lowered.is_empty() && is_word(letters) && !starts_with_digit(part) {
+                symbol.base.push(letters);
+                symbol.lowered.extend(digits);
+            } else {
+                symbol.lowered.push(part);
+            }
+        }
+        Some(symbol)
+    }
+
+    /// The same with further subscripts.
+    fn lowered(mut self, further: &[&'a str]) -> Self {
+        self.lowered.extend(further);
+        self
+    }
+
+    fn is_word(&self) -> bool {
+        self.base.iter().all(|part| is_word(part))
+    }
+
+    fn latex(&self) -> String {
+        let base = if self.is_word() {
+            format!(r"\mathrm{{{}}}", self.base.join(" "))
+        } else {
+            self.base.iter().map(|part| letters(part)).collect()
+        };
+        if self.lowered.is_empty() {
+            return base;
+        }
+        let lowered: Vec<String> = self
+            .lowered
+            .iter()
+            .map(|part| {
+                let (head, digits) = without_digits(part);
+                format!("{}{}", letters(head), digits.unwrap_or_default())
+            })
+            .collect();
+        format!("{base}_{{{}}}", lowered.join(","))
+    }
+}
+
+/// The part without the digits at its end, and these digits if there are any; a part of digits alone is all digits.
+fn without_digits(part: &str) -> (&str, Option<&str>) {
+    let letters = part.trim_end_matches(|c: char| c.is_ascii_digit());
+    let digits = &part[letters.len()..];
+    (letters, (!digits.is_empty()).then_some(digits))
+}
+
+fn starts_with_digit(part: &str) -> bool {
+    part.starts_with(|c: char| c.is_ascii_digit())
+}
+
+fn is_greek(part: &str) -> bool {
+    GREEK.iter().any(|(name, ..)| *name == part)
+}
+
+/// Neither a single letter nor the name of a Greek one.
+fn is_word(part: &str) -> bool {
+    part.len() > 1 && !is_greek(part)
+}
+
+/// A part without digits at its end.
+fn letters(part: &str) -> String {
+    match part {
+        greek if is_greek(greek) => format!(r"\{greek}"),
+        word if is_word(word) => format!(r"\mathrm{{{word}}}"),
+        letter => letter.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_become_letters_words_and_subscripts() {
+        for (name, latex) in [
+            ("A", "A"),
+            ("omega", r"\omega"),
+            ("Omega", r"\Omega"),
+            ("F_0", "F_{0}"),
+            ("F0", "F_{0}"),
+            ("omega_2", r"\omega_{2}"),
+            ("omega12", r"\omega_{12}"),
+            ("kappa_max", r"\kappa_{\mathrm{max}}"),
+            ("F_0_x", "F_{0,x}"),
+            ("k_x1", "k_{x1}"),
+            ("x_omega", r"x_{\omega}"),
+            ("amplitude", r"\mathrm{amplitude}"),
+            ("amplitude_2", r"\mathrm{amplitude}_{2}"),
+            ("forcing_amplitude", r"\mathrm{forcing amplitude}"),
+            ("mass_ratio2", r"\mathrm{mass ratio}_{2}"),
+            ("max_F", r"\mathrm{max}_{F}"),
+            ("_a__b_", "a_{b}"),
+        ] {
+            assert_eq!(symbol(name).as_deref(), Some(latex), "{name}");
+        }
+        assert!(["_", "_1", "a b", "a$"].iter().all(|name| symbol(name).is_none()));
+    }
+
+    #[test]
+    fn parameters_with_a_letter_have_a_symbol_at_grazing() {
+        assert_eq!(symbol_at_grazing("A").as_deref(), Some(r"A_{\mathrm{graz}}"));
+        assert_eq!(symbol_at_grazing("F_0").as_deref(), Some(r"F_{0,\mathrm{graz}}"));
+        assert_eq!(symbol_at_grazing("amplitude"), None);
+    }
+
+    #[test]
+    fn names_and_symbols_take_their_places() {
+        let names = Names::new("F_0", "Omega");
+        assert_eq!(names.put_into("{primary}_graz/{secondary}^2"), "F_0_graz/Omega^2");
+        assert_eq!(names.symbols_put_into("{primary_graz}, {secondary}^*"), r"F_{0,\mathrm{graz}}, \Omega^*");
+        assert_eq!(Names::of_the_paper().symbols_put_into("{primary_graz}"), r"\mathcal{A}_{\mathrm{graz}}");
+    }
+}

@@ -1,0 +1,123 @@
+//! Scenes in phase space, with the projected coordinates and the order of painting.
+
+use crate::Cell;
+use crate::cell::words;
+use crate::columns::{self, Column};
+use crate::table::{Row, rows};
+
+words! {
+    /// What a curve in phase space is.
+    CurveKind {
+        /// An orbit.
+        Orbit = "orbit",
+        /// An orbit continued beyond the wall.
+        Virtual = "virtual",
+        /// The grazing periodic solution Γ.
+        Periodic = "periodic",
+        /// The reset law R, from impact to recoil.
+        Reset = "reset",
+        /// P_global: a line that joins a point and its image.
+        Global = "global",
+    }
+
+    /// What a surface in phase space is, or a line on one.
+    SurfaceKind {
+        /// The part of Σ where orbits arrive.
+        Incoming = "incoming",
+        /// The part of Σ where orbits leave.
+        Outgoing = "outgoing",
+        /// The Poincaré section Π.
+        Section = "section",
+        /// The line y = 0 of Σ.
+        Tangency = "tangency",
+        /// The circle x = y = 0 where the phase is an angle.
+        Circle = "circle",
+        /// The axis of x.
+        AxisX = "x_axis",
+        /// The axis of y.
+        AxisY = "y_axis",
+        /// The axis of z.
+        AxisZ = "z_axis",
+    }
+
+    /// What a point in phase space is.
+    MarkKind {
+        /// An arrival at Σ.
+        Impact = "impact",
+        /// Where the reset law leads from there.
+        Recoil = "recoil",
+        /// A touch.
+        Graze = "graze",
+        /// The virtual turning point (x̂, 0, ẑ).
+        Virtual = "virtual",
+        /// A visit to Π.
+        Section = "section",
+    }
+}
+
+/// The kinds of what consists of polylines.
+pub trait PolylineKind: Copy + Into<Cell> {
+    /// The column that holds it.
+    const COLUMN: Column;
+}
+
+impl PolylineKind for CurveKind {
+    const COLUMN: Column = columns::SPACE_CURVE;
+}
+
+impl PolylineKind for SurfaceKind {
+    const COLUMN: Column = columns::SPACE_SURFACE;
+}
+
+/// A vertex of a curve, or of the outline of a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Vertex<K> {
+    /// What it belongs to.
+    pub kind: K,
+    /// [`NUMBER`](columns::NUMBER)
+    pub number: u32,
+    /// [`PIECE`](columns::PIECE)
+    pub piece: u32,
+    /// [`LAYER`](columns::LAYER)
+    pub layer: u32,
+    /// The state (x, y, z).
+    pub state: [f64; 3],
+    /// Its place: to the right, upwards, away from the viewer.
+    pub place: [f64; 3],
+}
+
+impl<K: PolylineKind> Row for Vertex<K> {
+    const COLUMNS: &'static [Column] = &[
+        K::COLUMN,
+        columns::NUMBER,
+        columns::PIECE,
+        columns::LAYER,
+        columns::X,
+        columns::Y,
+        columns::Z,
+        columns::ACROSS,
+        columns::UP,
+        columns::DEPTH,
+    ];
+
+    fn cells(&self) -> Vec<Cell> {
+        let indices = [self.number, self.piece, self.layer].map(Cell::from);
+        let numbers = self.state.into_iter().chain(self.place).map(Cell::from);
+        std::iter::once(self.kind.into()).chain(indices).chain(numbers).collect()
+    }
+}
+
+rows! {
+    /// A point with a name.
+    Mark {
+        kind: MarkKind = SPACE_MARK,
+        number: u32 = NUMBER,
+        layer: u32 = LAYER,
+        x: f64 = X,
+        y: f64 = Y,
+        z: f64 = Z,
+        across: f64 = ACROSS,
+        up: f64 = UP,
+        depth: f64 = DEPTH,
+    }
+}

@@ -1,0 +1,103 @@
+//! Rows, and tables of them.
+
+use crate::{Cell, Column, Names};
+
+/// A row of a table.
+pub trait Row {
+    /// Its columns, in their order.
+    const COLUMNS: &'static [Column];
+
+    /// Its cells, one a column.
+    fn cells(&self) -> Vec<Cell>;
+}
+
+/// A table that is made, before it is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Plan {
+    /// The name of its CSV file, without ending.
+    pub name: &'static str,
+    /// What a row is.
+    pub row: &'static str,
+    /// Its columns.
+    pub columns: &'static [Column],
+}
+
+impl Plan {
+    /// A table of rows of the type.
+    pub const fn of<R: Row>(name: &'static str, row: &'static str) -> Self {
+        Self { name, row, columns: R::COLUMNS }
+    }
+}
+
+/// A table under the name of its CSV file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// File name without ending, such as `fig07_curves`.
+    pub name: &'static str,
+    /// What its columns are.
+    pub columns: &'static [Column],
+    /// The headers of the columns: their names, with those of the parameters put in.
+    pub headers: Vec<String>,
+    /// The symbols of the columns, in LaTeX; empty where a column has none.
+    pub symbols: Vec<String>,
+    /// The rows.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+impl Table {
+    /// The table of rows, with these names of the two parameters.
+    pub fn new<'a, R: Row + 'a>(
+        name: &'static str,
+        names: &Names,
+        rows: impl IntoIterator<Item = &'a R>,
+    ) -> Self {
+        Self::of_cells(name, R::COLUMNS, names, rows.into_iter().map(Row::cells).collect())
+    }
+
+    /// The table of cells, which stand in the order of the columns.
+    pub fn of_cells(
+        name: &'static str,
+        columns: &'static [Column],
+        names: &Names,
+        rows: Vec<Vec<Cell>>,
+    ) -> Self {
+        let headers = columns.iter().map(|column| column.header(names)).collect();
+        let symbols = columns.iter().map(|column| column.symbol(names)).collect();
+        Self { name, columns, headers, symbols, rows }
+    }
+
+    /// The place of the column with a header.
+    pub fn position(&self, header: &str) -> Option<usize> {
+        self.headers.iter().position(|found| found == header)
+    }
+
+    /// The cells under a header; none where there is no such column.
+    pub fn column(&self, header: &str) -> Option<impl Iterator<Item = &Cell>> {
+        let place = self.position(header)?;
+        Some(self.rows.iter().map(move |row| &row[place]))
+    }
+}
+
+/// Row types: each field with its type and its column.
+macro_rules! rows {
+    ($($(#[$meta:meta])* $row:ident { $($field:ident: $type:ty = $column:ident,)+ })+) => {$(
+        $(#[$meta])*
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct $row {
+            $(
+                #[doc = concat!("[`", stringify!($column), "`](crate::columns::", stringify!($column), ")")]
+                pub $field: $type,
+            )+
+        }
+
+        impl $crate::Row for $row {
+            const COLUMNS: &'static [$crate::Column] = &[$($crate::columns::$column,)+];
+
+            fn cells(&self) -> Vec<$crate::Cell> {
+                vec![$(self.$field.clone().into(),)+]
+            }
+        }
+    )+};
+}
+
+pub(crate) use rows;
