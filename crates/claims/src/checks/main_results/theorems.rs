@@ -172,6 +172,10 @@ fn other_oscillators(wanted: impl Fn(u32) -> bool) -> Result<Vec<(Grazing, u32, 
     let orbit = Law::varying(damping).grazing((1.0 - damping * damping).sqrt() / 1.1)?;
     // τ = 1.6 lies above h_p for these p, and a₁₂ > 0.
     found.extend((1..=4).map(|p| (orbit.clone(), p, Some(true))));
+    // β < 0 and a₁₂ > 0: with μ = ω far above the natural frequency, where Γ shrinks as ω grows. h₃ < τ < g₃ and g₂ < τ.
+    let law = Law { delay: Exponential::constant(0.05), ..Law::linear(0.05, 0.7) }.frequency_first();
+    let orbit = law.grazing(4.5)?;
+    found.extend((1..=3).map(|p| (orbit.clone(), p, Some(true))));
     found.retain(|(_, p, _)| wanted(*p));
     Ok(found)
 }
