@@ -98,6 +98,8 @@ pub(super) fn criticality_of_figure_7() -> CheckResult {
             let Some(near) = place.on_curve(curve, eta) else { continue };
             let found = criticality(&place, &near.unknowns, true)?;
             cases.push(found.unstable == subcritical && found.settles != subcritical);
+            let normal_form = period_doubling(place.resonance.equations(), &near.unknowns)?;
+            cases.push(normal_form.supercritical() != found.unstable);
         }
     }
     let over = "points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along";
