@@ -37,7 +37,7 @@ fn flag(cell: &Cell) -> Option<bool> {
 }
 
 /// The table as CSV: a header, `.` decimals, computed numbers with 17 significant digits, `-0.0` as `0.0`, and an empty
-/// cell for what is missing or not a number.
+/// cell for what is missing or NaN.
 ///
 /// # Errors
 /// Whatever the tables library finds wrong.

@@ -6,13 +6,13 @@ use core::ops::ControlFlow;
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
 
-use crate::arclength::{Continuation, Stall, Station};
+use crate::arclength::{Continuation, Stall, Station, StepControl};
 use crate::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
 use crate::locate::{Condition, LocateFailure, locate, locate_grazing_end};
 use crate::mps::{
     EventTimes, Formulation, MaximalPeriodicSolution, Multipliers, Stability, Unknowns, unknown,
 };
-use crate::tolerances::{FARTHEST_EVENT, NO_VELOCITY, ON_TWO_CURVES, TOUCHES_TOO};
+use crate::tolerances::{FARTHEST_EVENT, HALVINGS, NO_VELOCITY, ON_TWO_CURVES, TOUCHES_TOO};
 
 type MpsStation = Station<4, EventTimes>;
 
@@ -98,6 +98,17 @@ struct Signs {
     period_doubling: bool,
     /// Unknown where that was not looked at.
     inadmissible: Option<bool>,
+}
+
+impl Signs {
+    /// The one that changes where the condition is met.
+    fn of(&self, condition: Condition) -> Option<bool> {
+        match condition {
+            Condition::InteriorGrazing => self.inadmissible,
+            Condition::Multiplier(multiplier) if multiplier < 0.0 => Some(self.period_doubling),
+            _ => Some(self.saddle_node),
+        }
+    }
 }
 
 impl Follower<'_> {
@@ -228,7 +239,10 @@ impl Follower<'_> {
         let index = self.curve.points.len();
         let mut located = Vec::new();
         for condition in changes(past, now) {
-            match locate_event(equations, condition, before, after, beyond) {
+            let found = locate_event(equations, condition, before, after, beyond);
+            match found.or_else(|failure| {
+                self.located_closer(equations, condition, past, [before, after]).ok_or(failure)
+            }) {
                 Ok((solution, times)) => located.push(Event { condition, solution, index, times }),
                 Err(failure) => {
                     return ControlFlow::Break(CurveEnd::EventNotLocated { condition, failure });
@@ -245,6 +259,34 @@ impl Follower<'_> {
             }
         }
         ControlFlow::Continue(())
+    }
+
+    /// Locates an event that Newton's method does not find from the middle of the step: the step is halved about it, over and over.
+    fn located_closer<O: ImpactOscillator>(
+        &self,
+        equations: &MpsCurve<O>,
+        condition: Condition,
+        past: Signs,
+        [before, after]: [&MpsStation; 2],
+    ) -> Option<(MaximalPeriodicSolution, EventTimes)> {
+        let (mut before, mut after) = (before.clone(), after.clone());
+        for _ in 0..HALVINGS {
+            let half = 0.5 * (after.point - before.point).norm();
+            let control = StepControl { first: half, longest: half, ..self.route.control };
+            let (point, tangent, times) = (before.point, before.tangent, before.carried.clone());
+            let mut walker = Continuation::new(equations, control, point, tangent, times).ok()?;
+            let middle = walker.advance().ok()?.clone();
+            let (solution, pair) = equations.equations.solution(&middle.point);
+            if signs(equations.condition, &pair.stability(), &solution).of(condition) == past.of(condition) {
+                before = middle;
+                continue;
+            }
+            after = middle;
+            if let Ok(found) = locate_event(equations, condition, &before, &after, &solution) {
+                return Some(found);
+            }
+        }
+        None
     }
 
     /// Ends the curve where the impact velocity vanishes.

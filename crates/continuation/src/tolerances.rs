@@ -28,6 +28,10 @@ pub(crate) const FARTHEST_CORRECTION: f64 = 4.0;
 /// An event is not the one that was seen if it is found so many steps of the curve away: it lies within one.
 pub(crate) const FARTHEST_EVENT: f64 = 2.0;
 
+/// How often a step is halved about an event that Newton's method does not find from its middle: to some 10⁻³ of it, where multipliers that
+/// change by a hundred in a step change by a tenth (empirical: three are enough in most cases).
+pub(crate) const HALVINGS: usize = 10;
+
 /// A zero of a function along a curve is sought with this many evaluations at most; regula falsi needs about ten, and near a pole
 /// all are in vain.
 pub(crate) const FALSE_POSITIONS: usize = 50;

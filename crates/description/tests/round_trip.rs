@@ -79,7 +79,7 @@ impl Tree {
         }
     }
 
-    /// The value; not a number where a part is too large to be exact.
+    /// The value; NaN where a part is too large to be exact.
     fn value(&self, x: f64, v: f64) -> f64 {
         let value = match self {
             Tree::Leaf("x") => x,

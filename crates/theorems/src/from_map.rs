@@ -147,7 +147,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
 
     /// What vanishes at a resonance, with its derivative along a direction in which A changes by `rate`.
     ///
-    /// a₁₂ for p = 1; κ_p = τ − g_p(δ) for p ≥ 2, which is not a number where δ ≤ 0. Paper: eq:gp, section 2.6.
+    /// a₁₂ for p = 1; κ_p = τ − g_p(δ) for p ≥ 2, which is NaN where δ ≤ 0. Paper: eq:gp, section 2.6.
     pub fn detuning(&self, loops: u32, rate: &Matrix2<f64>) -> [f64; 2] {
         let a = self.map.derivative();
         if loops == 1 {

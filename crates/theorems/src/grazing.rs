@@ -171,7 +171,7 @@ impl GrazingPoint {
     ///
     /// # Errors
     /// [`TheoryError::TooFewLoops`] when `p = 0`; [`TheoryError::SingularVividJacobian`] when `det(J)` is
-    /// zero (resonance, or `alpha = 0`) or not a number.
+    /// zero (resonance, or `alpha = 0`) or NaN.
     pub fn emerging_orbit(&self, p: u32) -> Result<EmergingOrbit, TheoryError> {
         if p == 0 {
             return Err(TheoryError::TooFewLoops { loops: p, minimum: 1 });

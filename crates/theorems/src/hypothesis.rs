@@ -159,7 +159,7 @@ impl Hypothesis {
         }
     }
 
-    /// Whether the value is as the theorem asks; a value that is not a number never is.
+    /// Whether the value is as the theorem asks; NaN never is.
     #[must_use]
     pub fn holds(&self) -> bool {
         self.value.is_finite()

@@ -72,7 +72,7 @@ impl LinearisedMap {
     /// `d (x*, z*) / d mu (0) = (I - A)^{-1} b`. Paper: section 2, eq. (10), `eq:xStarzStar`.
     ///
     /// # Errors
-    /// [`TheoryError::UnitEigenvalue`] when `det(I - A)` is zero or not a number.
+    /// [`TheoryError::UnitEigenvalue`] when `det(I - A)` is zero or NaN.
     pub fn fixed_point_slope(&self) -> Result<Vector2<f64>, TheoryError> {
         let determinant = self.unit_eigenvalue_excluded()?;
         let adjugate_second = self.a.m21 * self.b.x + (1.0 - self.a.m11) * self.b.y;
@@ -84,7 +84,7 @@ impl LinearisedMap {
     /// `d x* / d mu (0) = beta / (delta - tau + 1)`. Paper: section 2, eq. (11), `eq:xStarzStarDeriv`.
     ///
     /// # Errors
-    /// [`TheoryError::UnitEigenvalue`] when `det(I - A)` is zero or not a number.
+    /// [`TheoryError::UnitEigenvalue`] when `det(I - A)` is zero or NaN.
     pub fn fixed_point_position_slope(&self) -> Result<f64, TheoryError> {
         Ok(self.transversality() / self.unit_eigenvalue_excluded()?)
     }

@@ -50,7 +50,7 @@ impl Unfolding {
 ///
 /// The methods evaluate the formulas of the paper as they stand and check nothing; the hypotheses under which
 /// they mean something are checked by [`ResonantGrazing`](crate::resonant_theorem::ResonantGrazing). Where a
-/// denominator is zero (`s^+- = 0`, `beta = 0`) the result is infinite or not a number.
+/// denominator is zero (`s^+- = 0`, `beta = 0`) the result is infinite or NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ResonantPoint {
     /// The grazing point at `(mu, eta) = (0, 0)`.

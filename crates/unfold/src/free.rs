@@ -109,7 +109,7 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
             let from = State { position: state[0], velocity: state[1], phase: 0.0 };
             let end = oscillator.motion(from).at(period);
             let next = Vector2::new(end.position, end.velocity);
-            // Not a number is far as well.
+            // NaN is far as well.
             if next.norm().is_nan() || next.norm() > FAR {
                 return Err(Escape::of(&oscillator, state.into()));
             }

@@ -212,7 +212,7 @@ impl<O: ImpactOscillator> GrazingState<O> {
             let [p, q, r, s] = [m[(0, 0)], m[(0, 1)], m[(1, 0)], m[(1, 1)]];
             p * p + s * s + q * q * unit + r * r / unit
         };
-        // Not a number where there is no turning: that is no reason for points between.
+        // NaN where there is no turning: that is no reason for points between.
         (size(change) / size(a)).sqrt()
     }
 }

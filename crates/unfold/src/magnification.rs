@@ -97,7 +97,7 @@ fn close_to<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Vec
             continue;
         }
         let ends = [a[1].clamp(low, high), b[1].clamp(low, high)];
-        // One where the window is so low that the quotient is not a number.
+        // One where the window is so low that the quotient is NaN.
         let parts = libm::ceil((ends[1] - ends[0]).abs() / spacing).max(1.0).min(f64::from(SAMPLES)) as u32;
         for part in 0..=parts {
             let share = f64::from(part) / f64::from(parts);

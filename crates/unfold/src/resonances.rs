@@ -124,7 +124,7 @@ impl<'a, O: ImpactOscillator> Stretch<'a, O> {
         for bracket in self.brackets().windows(2) {
             let (mut low, mut high) = (bracket[0], bracket[1]);
             let sign = self.at(low) > 0.0;
-            // Where κ_p is not a number (δ ≤ 0) there is no resonance.
+            // Where κ_p is NaN (δ ≤ 0) there is no resonance.
             if self.at(low).is_nan() || self.at(high).is_nan() || sign == (self.at(high) > 0.0) {
                 continue;
             }

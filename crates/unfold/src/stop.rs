@@ -1,7 +1,7 @@
 //! Ending a computation early: a mark that anybody can set, and oscillators that cease to move once it is.
 //!
 //! An analysis is loops in loops, and the innermost of all is a step of the integration. So it is the force that asks: once an
-//! end is asked for it is not a number, no step can be made, and whatever waits for a motion learns that there is
+//! end is asked for it is NaN, no step can be made, and whatever waits for a motion learns that there is
 //! none. Every loop then ends within moments by the way it has anyway for motion that does not exist, and nothing that Newton's method, the
 //! continuation or the search for events do has to know of it. What was being computed at that moment is worth nothing and
 //! is left out by whoever asks [`Progress::stopped`](crate::progress::Progress::stopped) afterwards.
@@ -117,7 +117,7 @@ impl Unfinished {
     }
 }
 
-/// A [`SmoothOscillator`] whose force is not a number once an end is asked for.
+/// A [`SmoothOscillator`] whose force is NaN once an end is asked for.
 #[derive(Clone, Debug)]
 pub struct Stoppable<M> {
     model: M,

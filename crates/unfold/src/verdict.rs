@@ -100,7 +100,7 @@ impl Coefficient {
         let measured = fit.coefficient;
         let larger = theorem.value.abs().max(measured.value.abs());
         let shares = [theorem.error, measured.error].map(|error| error / larger);
-        // Not a number counts as too large.
+        // NaN counts as too large.
         let known = shares.map(|share| share <= LARGEST_SHARE);
         if !known[0] {
             return Verdict::NotMeasurable(Obstacle::NearlyDegenerate {
