@@ -47,7 +47,11 @@ fn entry(
     others: &[(&Finding<'_>, &Misprint)],
 ) -> String {
     let claim = finding.claim;
-    let more = if others.is_empty() { String::new() } else { format!(", and {} more places", others.len()) };
+    let more = match others.len() {
+        0 => String::new(),
+        1 => ", and one more place".to_owned(),
+        count => format!(", and {count} more places"),
+    };
     let mut entry = format!("### {number}. {} (`{}`){more}\n\n", claim.place, claim.label);
     let _ = writeln!(entry, "Printed: {}\n", misprint.printed.trim());
     let _ = writeln!(entry, "Corrected: {}\n", misprint.corrected.trim());
@@ -68,19 +72,17 @@ fn entry(
         );
     }
     for (finding, misprint) in others {
-        let Verdict::Measured(Outcome { measure, print: Some(print), .. }) = &finding.verdict else {
-            continue;
+        let [printed, corrected, against] = match &finding.verdict {
+            Verdict::Measured(Outcome { measure, print: Some(print), .. }) => {
+                let (corrected, against) = told(measure);
+                [told(print).0, corrected, against]
+            }
+            _ => [(); 3].map(|()| "–".to_owned()),
         };
-        let ([(printed, _), (corrected, against)], Misprint { printed: from, corrected: to, .. }) =
-            ([told(print), told(measure)], misprint);
-        let _ = writeln!(
-            entry,
-            "| {} (`{}`) | {} | {} | {printed} | {corrected} | {against} |",
-            finding.claim.place,
-            finding.claim.label,
-            from.trim(),
-            to.trim()
-        );
+        let (place, label) = (&finding.claim.place, &finding.claim.label);
+        let (from, to) = (misprint.printed.trim(), misprint.corrected.trim());
+        let _ =
+            writeln!(entry, "| {place} (`{label}`) | {from} | {to} | {printed} | {corrected} | {against} |");
     }
     entry
 }

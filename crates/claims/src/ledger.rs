@@ -131,7 +131,7 @@ pub struct Claim {
     pub says: String,
     /// The formula in LaTeX, without dollars, in standard commands only.
     pub formula: Option<String>,
-    /// The public items that hold it, as `grazing_theorems::auxiliary::resonance_boundary`.
+    /// The public items that hold it, as `grazing_theorems::auxiliary::resonance_boundary`, which its check calls.
     #[serde(default)]
     pub holds: Vec<String>,
     /// The figures that show it, as `fig04`.

@@ -24,6 +24,10 @@ fn main() -> ExitCode {
         matches!(claim.test(), Test::Check(_)) && (labels.is_empty() || labels.contains(&claim.label))
     };
     let claims: Vec<&Claim> = ledger.claims.iter().filter(asked).collect();
+    if std::env::args().any(|argument| argument == "--list") {
+        claims.iter().for_each(|claim| println!("{}: test", claim.label));
+        return ExitCode::SUCCESS;
+    }
     let mut failures = 0;
     for finding in audit(&claims, |_| None, || {}) {
         let wrong = wrong(&finding);

@@ -8,7 +8,14 @@ use std::path::Path;
 use program::repository;
 
 /// Files that are not snapshots and belong there.
-const BY_HAND: [&str; 4] = ["published.toml", "published_examples.toml", "claims.toml", "labels.txt"];
+const BY_HAND: [&str; 6] = [
+    "published.toml",
+    "published_examples.toml",
+    "claims.toml",
+    "labels.txt",
+    "deliberate_errors.toml",
+    "deliberate_errors.md",
+];
 
 /// The test file that a snapshot says it comes from.
 fn source(snapshot: &str) -> Option<&str> {

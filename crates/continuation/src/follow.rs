@@ -272,7 +272,8 @@ impl Follower<'_> {
         let (mut before, mut after) = (before.clone(), after.clone());
         for _ in 0..HALVINGS {
             let half = 0.5 * (after.point - before.point).norm();
-            let control = StepControl { first: half, longest: half, ..self.route.control };
+            let tolerance = StepControl::DRAWING.tolerance;
+            let control = StepControl { first: half, longest: half, tolerance, ..self.route.control };
             let (point, tangent, times) = (before.point, before.tangent, before.carried.clone());
             let mut walker = Continuation::new(equations, control, point, tangent, times).ok()?;
             let middle = walker.advance().ok()?.clone();

@@ -6,7 +6,7 @@ mod curves;
 mod derivatives;
 mod discussion;
 mod doubled;
-mod places;
+pub(crate) mod places;
 mod simulation;
 mod stability;
 mod visits;

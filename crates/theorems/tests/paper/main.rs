@@ -3,8 +3,8 @@
 //! Property tests run with a fixed seed and keep no files, so that every run draws the same cases.
 
 mod admissibility_boundary;
+mod auxiliary;
 mod generic_grazing;
-mod lemmas;
 mod oscillator_flow;
 mod oscillator_map;
 mod oscillator_resonances;

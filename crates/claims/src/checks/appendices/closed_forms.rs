@@ -59,14 +59,14 @@ fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
 
 /// eq:xi1proof3.
 pub(super) fn resonant_second_derivative_of_one_loop() -> CheckResult {
-    at_resonances(&[1], ONE, 1e-11, |resonance| {
+    at_resonances(&[1], ONE, 1e-14, |resonance| {
         Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
     })
 }
 
 /// eq:xipproof3.
 pub(super) fn resonant_second_derivative_of_many_loops() -> CheckResult {
-    at_resonances(MORE_LOOPS, MANY, 1e-11, |resonance| {
+    at_resonances(MORE_LOOPS, MANY, 1e-13, |resonance| {
         Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
     })
 }
@@ -99,7 +99,7 @@ pub(super) fn angles_at_resonance() -> CheckResult {
 /// s^± by the general formula at the numerical A, φ, ψ, γ and ξ_p, by the first line of the proof, which a function of E, ε and ±1 gives,
 /// and in the end.
 fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> f64) -> CheckResult {
-    at_resonances(loops, over, 1e-10, |resonance| {
+    at_resonances(loops, over, 1e-12, |resonance| {
         let grazing = resonance.grazing();
         let orbit = GrazingOrbit::find(&model(&grazing)?, grazing.phase())?;
         let general = orbit.resonant_point(resonance.loops())?.stability_coefficients();
@@ -179,7 +179,7 @@ pub(super) fn slope_of_many_loops() -> CheckResult {
 
 /// The last steps of both proofs: the general coefficients at resonance are those of Propositions 3.2 and 3.3.
 pub(super) fn coefficients() -> CheckResult {
-    at_resonances(&[1, 2, 3, 4, 5, 6], "resonances with p = 1 to 6, E and ε at random", 1e-8, |resonance| {
+    at_resonances(&[1, 2, 3, 4, 5, 6], "resonances with p = 1 to 6, E and ε at random", 1e-11, |resonance| {
         let point = resonance.resonant_point();
         // Divided by the stated number: the coefficients have sizes of all orders, and c_PD loses digits where s⁻ is small.
         Ok(vec![

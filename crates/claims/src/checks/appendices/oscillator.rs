@@ -166,7 +166,7 @@ fn xi(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
         }
     }
     // Second derivatives of up to five composed maps.
-    Ok(largest.outcome(1e-11, STATES))
+    Ok(largest.outcome(1e-13, STATES))
 }
 
 /// eq:xi1proof2.

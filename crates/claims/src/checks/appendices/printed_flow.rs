@@ -136,8 +136,8 @@ pub(super) fn model(state: &GrazingState) -> Result<LinearOscillator, grazing_mo
     LinearOscillator::new(zeta, epsilon, state.amplitude(), state.forcing_frequency())
 }
 
-/// What the differences of sixth order explain: 10⁻¹² for first and second derivatives; nested ones some 10⁻¹⁰.
-pub(super) const DIFFERENCES: f64 = 1e-8;
+/// What the differences of sixth order explain: 10⁻¹² for first and second derivatives, and some ten times that for nested ones.
+pub(super) const DIFFERENCES: f64 = 1e-10;
 
 /// Closed forms with the same rounding: angles of up to 2πp ω₁/ω ≈ 80 are rounded to 10⁻¹⁴.
 pub(super) const CLOSED: f64 = 1e-12;

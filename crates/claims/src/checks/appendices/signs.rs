@@ -141,7 +141,7 @@ pub(crate) fn t_at_resonance() -> CheckResult {
         print.see(t * gap - (1.0 + delta * 0.5 * f64::from(p)));
     }
     // T_p depends on the rounding of τ at most p² times as strongly.
-    let tolerance = 1e-12;
+    let tolerance = 1e-13;
     Ok(deviations.outcome(tolerance, "determinants, p = 2 to 15").against_print(print.measure(tolerance)))
 }
 

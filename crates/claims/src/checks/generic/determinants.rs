@@ -32,7 +32,7 @@ pub(crate) fn matrices() -> CheckResult {
         }
     }
     // Derivatives at event times that are off by rounding, p times, magnified by second derivatives of order ten.
-    Ok(deviations.outcome(1e-11, "twelve oscillators, p = 1 to 8"))
+    Ok(deviations.outcome(1e-13, "twelve oscillators, p = 1 to 8"))
 }
 
 /// le:dets: det J and det K of oscillators against eq:detJac1detJac2 and eq:detJac2.
@@ -51,7 +51,7 @@ pub(crate) fn determinants_of_oscillators() -> CheckResult {
         }
     }
     // As for the matrices, and the products cancel.
-    Ok(deviations.outcome(1e-11, "three formulas on twelve oscillators, p = 1 to 8"))
+    Ok(deviations.outcome(1e-13, "three formulas on twelve oscillators, p = 1 to 8"))
 }
 
 /// det J, det K and det K in factors.
@@ -90,7 +90,7 @@ pub(crate) fn determinants() -> CheckResult {
         deviations.see((k.determinant() - second) / determinant_size(&k, &point));
     }
     // Tens of roundings of the numbers by which deviations are divided.
-    Ok(deviations.outcome(1e-13, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"))
+    Ok(deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"))
 }
 
 /// eq:detJac2: det K in factors, also near τ = δ + 1 and near double eigenvalues.
@@ -109,7 +109,7 @@ pub(crate) fn factored_determinant() -> CheckResult {
         let gap = Pair::new(point.map.a.trace(), point.map.a.determinant()).gap().norm().min(1.0);
         deviations.see((k.determinant() - printed) * gap / determinant_size(&k, &point));
     }
-    Ok(deviations.outcome(1e-13, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"))
+    Ok(deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"))
 }
 
 /// det J = α a₁₂ ω / γ and det K = β for p = 1.
@@ -125,5 +125,5 @@ pub(crate) fn one_loop_determinants() -> CheckResult {
         deviations.see((k.determinant() - map.transversality()) / determinant_size(&k, &point));
     }
     // As for any p.
-    Ok(deviations.outcome(1e-13, "grazing points with (τ, δ) in the trapesium"))
+    Ok(deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium"))
 }

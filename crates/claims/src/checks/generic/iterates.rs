@@ -115,7 +115,7 @@ fn repeated(map: &LinearisedMap, p: u32) -> (LinearisedMap, f64) {
 }
 
 /// Tens of roundings of numbers of the size by which deviations are divided; τ and δ are rounded too.
-const MATRIX_ROUNDING: f64 = 1e-12;
+const MATRIX_ROUNDING: f64 = 1e-14;
 
 /// eq:Ap: the printed form against repeated multiplication.
 pub(crate) fn powers() -> CheckResult {

@@ -84,7 +84,7 @@ pub(crate) fn virtual_points() -> CheckResult {
         }
     }
     // Sixty-four steps over a time below 0.5: some (10⁻²)⁴ times derivatives over 5!.
-    Ok(deviations.outcome(1e-10, "impacts near grazing on twelve oscillators, and their recoils"))
+    Ok(deviations.outcome(1e-11, "impacts near grazing on twelve oscillators, and their recoils"))
 }
 
 /// Orbits hit Π transversally near grazing, where P_virt ends: the acceleration there is negative.
@@ -187,7 +187,7 @@ pub(crate) fn two_inverses() -> CheckResult {
     }
     // Newton's method ends where the phase is known to its rounding.
     Ok(deviations
-        .outcome(1e-13, "positions from 10⁻⁶ to 0.003 beyond the wall, both preimages, twelve oscillators"))
+        .outcome(1e-14, "positions from 10⁻⁶ to 0.003 beyond the wall, both preimages, twelve oscillators"))
 }
 
 /// eq:Pdisc: P_disc maps (x̂, ẑ) to (x⁽⁰⁾, z⁽⁰⁾).

@@ -16,7 +16,7 @@ use crate::specimen::Grazing;
 use crate::tally::Deviations;
 
 /// Tens of roundings of numbers of the size by which deviations are divided.
-const ROUNDING: f64 = 1e-12;
+const ROUNDING: f64 = 1e-14;
 
 /// d(x⁽ʲ⁾, z⁽ʲ⁾)/dμ at grazing, j = 0, …, p, by implicit differentiation of the zero of V and the chain rule through the maps
 /// of the oscillator.
@@ -61,7 +61,7 @@ fn over_oscillators(
         }
     }
     // Derivatives of the maps with thirteen digits, and J⁻¹, which S_p cancels.
-    Ok(deviations.outcome(1e-11, over))
+    Ok(deviations.outcome(1e-12, over))
 }
 
 const OSCILLATORS: &str = "twelve oscillators, p = 1 to 6, derivatives by the chain rule";
@@ -187,7 +187,7 @@ pub(crate) fn first_position() -> CheckResult {
         deviations.see((pair.t(p) + scaled_visit_position(1, p as u32, tau, delta)).norm() / size);
     }
     // As for eq:SpTp.
-    Ok(deviations.outcome(1e-13, "points of the trapesium, p = 2 to 15"))
+    Ok(deviations.outcome(1e-14, "points of the trapesium, p = 2 to 15"))
 }
 
 /// eq:upm1codim1proof.
@@ -206,7 +206,7 @@ pub(crate) fn last_position() -> CheckResult {
         deviations.see((admissibility_sum(p as u32, tau, delta) * raised + last) / terms);
     }
     // As for eq:Hp9.
-    Ok(deviations.outcome(1e-13, "points of the trapesium, p = 2 to 15"))
+    Ok(deviations.outcome(1e-14, "points of the trapesium, p = 2 to 15"))
 }
 
 /// fig:I: the path starts and ends on the w-axis.

@@ -57,7 +57,7 @@ pub(crate) fn geometric_series() -> CheckResult {
         deviations.see((sum * (1.0 - r) - (1.0 - power)) / (1.0 + power.abs()));
     }
     // Twenty roundings.
-    Ok(deviations.outcome(1e-13, "ratios between −1.5 and 1.5, one to twenty terms"))
+    Ok(deviations.outcome(1e-14, "ratios between −1.5 and 1.5, one to twenty terms"))
 }
 
 /// S_j at τ = δ + 1.
@@ -236,7 +236,7 @@ pub(crate) fn invariance() -> CheckResult {
         }
     }
     // The balanced map divides by a₁₂, at least a tenth of r ≥ 0.03.
-    Ok(deviations.outcome(1e-11, "pairs of maps with the same τ and δ, p = 2 to 8"))
+    Ok(deviations.outcome(1e-14, "pairs of maps with the same τ and δ, p = 2 to 8"))
 }
 
 #[cfg(test)]

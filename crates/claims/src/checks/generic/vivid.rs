@@ -88,7 +88,7 @@ pub(crate) fn visits() -> CheckResult {
         }
     }
     // Times of maxima are known to the rounding of the velocity.
-    Ok(deviations.outcome(1e-12, "visits of the admissible MPSs of fifteen oscillators, p = 2 to 4"))
+    Ok(deviations.outcome(1e-13, "visits of the admissible MPSs of fifteen oscillators, p = 2 to 4"))
 }
 
 /// Zeros of V are MPSs: the simulated orbit has its next impact where it started, p periods later; from other points, and on
@@ -123,7 +123,7 @@ pub(crate) fn fixed_points() -> CheckResult {
     }
     // Newton's method for V and P_disc's for y, each with roundings of phases, p times.
     Ok(deviations
-        .outcome(1e-13, "MPSs near grazing of fifteen oscillators, p = 1 to 4: the deviation times y"))
+        .outcome(1e-14, "MPSs near grazing of fifteen oscillators, p = 1 to 4: the deviation times y"))
 }
 
 /// eq:V: V against numerical integration of the way from the impact and of the way from the recoil, return by return.

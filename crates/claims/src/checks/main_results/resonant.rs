@@ -1,13 +1,11 @@
 //! Section 2.6: the assumption, ξ_p, the sketch of the unfolding, and the remark.
 
-use grazing_continuation::locate::Condition;
 use grazing_model::motion::highest_maximum;
 use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::{Matrix2, Vector2};
 
-use super::coefficients::{Resonant, resonant};
-use super::curves::{on_curve, unfolded};
+use super::coefficients::resonant;
 use super::returns::{iterated, second_derivative};
 use crate::outcome::CheckResult;
 use crate::sampling::Sampler;
@@ -65,25 +63,23 @@ pub(super) fn sketch() -> CheckResult {
     let mut sampler = Sampler::new(53);
     let mut cases = Votes::default();
     while cases_below(&cases, 60) {
-        let Resonant { point: located, .. } = resonant(&mut sampler, &[1, 2, 3])?;
-        let point = located.resonant_point();
+        let place = resonant(&mut sampler, &[1, 2, 3])?;
+        let point = place.point();
         let (sn, pd) = (point.saddle_node_coefficient(), point.period_doubling_coefficient());
         let map = &point.grazing.map;
         if !(sn < 0.0 && pd > 0.0 && map.transversality() > 0.0) {
             continue;
         }
-        let theorem = located.theorem();
         // The fixed point of P_global moves to x < 0 for μ < 0.
         let slope = map.fixed_point_position_slope()?;
         cases.see(slope > 0.0 && map.eigenvalues().spectral_radius() < 1.0);
-        for (condition, side, curve) in [
-            (Condition::SADDLE_NODE, -1.0, theorem.saddle_node()),
-            (Condition::PERIOD_DOUBLING, 1.0, theorem.period_doubling()),
-        ] {
+        for (curve, side) in place.curves().iter().zip([-1.0, 1.0]) {
             // A small velocity: the quadratic term rules.
-            let found = on_curve(&located, condition, 1e-4).ok_or("no point of the curve was found")?;
-            let [mu, eta] = unfolded(&located, &found).ok_or("no grazing orbit was found")?;
-            cases.see(mu * side > 0.0 && eta * curve.eta_side.signum() > 0.0);
+            let eta = 1e-4 / curve.leading.impact_velocity_slope;
+            let found = place.on_curve(curve, eta).ok_or("no point of the curve was found")?;
+            let [_, mu] = found.relative();
+            let admissible = eta * curve.leading.eta_side.signum() > 0.0 && found.unknowns[0] > 0.0;
+            cases.see(mu * side > 0.0 && admissible);
         }
     }
     Ok(cases.outcome("resonances of random oscillators in the case of the caption"))

@@ -100,7 +100,7 @@ pub(super) fn phase() -> CheckResult {
         }
     }
     // Phases up to 130 added up over at most 200 impacts.
-    Ok(largest.outcome(1e-11, "flights of orbits with impacts"))
+    Ok(largest.outcome(1e-12, "flights of orbits with impacts"))
 }
 
 /// Σ_graz: where F < 0 at (0, 0, z), and only there, the orbit through the point stays on the free side around it.
@@ -192,5 +192,5 @@ pub(super) fn reset_law() -> CheckResult {
         }
     }
     // Event times are exact to rounding; phases are of order ten.
-    Ok(largest.outcome(1e-12, "properties of the impacts and flights of orbits"))
+    Ok(largest.outcome(1e-13, "properties of the impacts and flights of orbits"))
 }

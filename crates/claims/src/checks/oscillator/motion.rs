@@ -205,7 +205,7 @@ pub(super) fn attraction() -> CheckResult {
         largest.compare(distance(time), libm::exp(-zeta * time) * distance(0.0), distance(0.0));
     }
     // Differences of positions that reach a hundred at resonance.
-    Ok(largest.outcome(1e-13, "random oscillators; distance to φ_p in the norm of the free motion"))
+    Ok(largest.outcome(1e-14, "random oscillators; distance to φ_p in the norm of the free motion"))
 }
 
 /// eq:Agraz: at the printed amplitude the highest maximum of φ_p, found by search, is the wall; beside it is not.
@@ -232,7 +232,7 @@ pub(super) fn grazing_amplitude() -> CheckResult {
         }
     }
     // Positions of order one, gains up to a hundred at 𝒜 as small.
-    Ok(largest.outcome(1e-13, "random damping ratios and frequencies; maxima by search"))
+    Ok(largest.outcome(1e-14, "random damping ratios and frequencies; maxima by search"))
 }
 
 /// Any phase to start from; one that depends on the frequency, so that no special one is hit.

@@ -50,7 +50,7 @@ fn compared(seed: u64, loops: &[u32], indices: &[u32]) -> Result<Deviations, Fai
 }
 
 /// What jets leave: second derivatives up to 10³ rounded, relative to s^± that may be down to (1 − 0.95)².
-const JETS: f64 = 1e-11;
+const JETS: f64 = 1e-12;
 
 /// pr:imp1: both parities of n.
 pub(super) fn one_loop() -> CheckResult {

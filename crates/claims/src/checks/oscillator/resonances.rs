@@ -89,7 +89,7 @@ pub(super) fn one_loop() -> CheckResult {
         }
     }
     // a₁₂ is good to 10⁻¹⁴, its slope in ω₁/ω is E₁ times some ten, E₁ above 0.01.
-    Ok(largest.outcome(1e-12, "zeros of the numerical a₁₂ in a range of ω₁/ω, by bracketing"))
+    Ok(largest.outcome(1e-13, "zeros of the numerical a₁₂ in a range of ω₁/ω, by bracketing"))
 }
 
 /// eq:resonancep: κ_p of the numerical map vanishes at ω₁/ω = n ± 1/(2p) and nowhere else.
@@ -120,7 +120,7 @@ pub(super) fn many_loops() -> CheckResult {
         }
     }
     // As for one loop.
-    Ok(largest.outcome(1e-12, "zeros of the numerical κ_p in a range of ω₁/ω, p = 2, 3, 4, 7, by bracketing"))
+    Ok(largest.outcome(1e-14, "zeros of the numerical κ_p in a range of ω₁/ω, p = 2, 3, 4, 7, by bracketing"))
 }
 
 /// The indices n of the labelled points of Figure 7: the printed frequencies belong to them, and between the lowest and the

@@ -27,7 +27,7 @@ const MAP: f64 = 1e-15;
 /// At the resonance det J = 0 and det K is what eq:detJac2 says.
 pub(super) fn jacobians() -> CheckResult {
     // Sums of products of some tens of roundings.
-    deviation(Loops::Any, 1e-11, "derivatives of V at located resonances", |place| {
+    deviation(Loops::Any, 1e-13, "derivatives of V at located resonances", |place| {
         let start = place.resonance.unknowns();
         let pair = place.resonance.equations().pair::<1>(&start, &mut EventTimes::default())?;
         let derivative = pair.difference().1;
@@ -61,7 +61,7 @@ pub(super) fn second_jacobian_is_regular() -> CheckResult {
 /// Z(0, η) = z_graz,η and M(0, η) = 0.
 pub(super) fn at_zero_velocity() -> CheckResult {
     // Both are located to some 10⁻¹⁴; K has entries down to 0.1.
-    deviation(Loops::Any, 1e-12, "zeros of V with y = 0 for η up to 0.03 around resonances", |place| {
+    deviation(Loops::Any, 1e-13, "zeros of V with y = 0 for η up to 0.03 around resonances", |place| {
         let mut found = Vec::new();
         for eta in [-0.03, -0.01, 0.005, 0.02] {
             if let Some(near) = place.on_branch(0.0, eta) {
@@ -231,7 +231,7 @@ pub(super) fn vivid_of_many_loops() -> CheckResult {
 /// X₁ = X₂ = X₃ = 0 has the solution eq:k1231 or eq:k123p.
 pub(super) fn solution() -> CheckResult {
     // A dozen roundings, and a₁₂ or κ_p of up to 10⁻¹³ at the located resonance.
-    deviation(Loops::Any, 1e-11, "resonances with p up to 5", |place| {
+    deviation(Loops::Any, 1e-14, "resonances with p up to 5", |place| {
         let branch = place.point().branch_expansion();
         let symbols = place.symbols()?;
         let by_parameter = parameter_column(place).x;
@@ -253,7 +253,7 @@ fn psi(multipliers: &grazing_continuation::mps::Multipliers) -> [f64; 2] {
 /// Ψ^± against det(U ∓ I), which vanishes where U has the eigenvalue ±1.
 pub(super) fn multiplier_conditions() -> CheckResult {
     // Determinants of matrices with entries of size 1/y, relative to their squares.
-    deviation(Loops::Any, 1e-13, "MPSs on branches near resonances", |place| {
+    deviation(Loops::Any, 1e-14, "MPSs on branches near resonances", |place| {
         let mut found = Vec::new();
         for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };

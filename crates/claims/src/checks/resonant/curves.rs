@@ -106,7 +106,7 @@ pub(super) fn functions_of_many_loops() -> CheckResult {
 /// c_SN and c_PD from k₂, k₃ and Υ^±, against eq:coeffs1 and eq:coeffsp.
 pub(super) fn simplification() -> CheckResult {
     // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
-    deviation(Loops::Any, 1e-10, "resonances with p up to 5", |place| {
+    deviation(Loops::Any, 1e-13, "resonances with p up to 5", |place| {
         let branch = place.point().branch_expansion();
         let gap = |curve: &Bifurcation| {
             let slope = curve.leading.impact_velocity_slope;
@@ -124,7 +124,7 @@ pub(super) fn square_root() -> CheckResult {
     // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
     deviation(
         Loops::Any,
-        0.01,
+        1e-4,
         "exponents on either fold: zeros of V at two distances from SN curves",
         |place| {
             let mut found = Vec::new();

@@ -290,7 +290,7 @@ pub(super) fn slope_of_many_loops() -> CheckResult {
 /// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
 pub(super) fn power_at_resonance() -> CheckResult {
     // Roundings of up to five factors.
-    deviation(Loops::Many, 1e-11, "located resonances with p = 2 to 5", |place| {
+    deviation(Loops::Many, 1e-13, "located resonances with p = 2 to 5", |place| {
         let map = place.point().grazing.map;
         let (loops, tau, delta) = (place.loops(), map.trace(), map.determinant());
         let orbit = place.resonance.orbit();

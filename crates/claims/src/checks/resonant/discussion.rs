@@ -114,7 +114,7 @@ pub(super) fn finite_differences() -> CheckResult {
     // Nested differences of sixth order: rounding 10⁻¹⁵ over both steps is 10⁻⁹, and sixth derivatives in ω reach 10¹².
     deviation(
         Loops::Any,
-        1e-7,
+        1e-8,
         "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone",
         |place| {
             let orbit = place.resonance.orbit();
