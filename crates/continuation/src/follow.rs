@@ -272,6 +272,9 @@ impl Follower<'_> {
         let (mut before, mut after) = (before.clone(), after.clone());
         for _ in 0..HALVINGS {
             let half = 0.5 * (after.point - before.point).norm();
+            if half < self.route.control.shortest {
+                return None;
+            }
             let tolerance = StepControl::DRAWING.tolerance;
             let control = StepControl { first: half, longest: half, tolerance, ..self.route.control };
             let (point, tangent, times) = (before.point, before.tangent, before.carried.clone());
