@@ -27,11 +27,13 @@ pub(crate) struct Slice<B> {
     carried: bool,
     /// The number of branches whose bifurcations have been looked at.
     looked_at: usize,
+    /// The number of curves that have been looked at for branches.
+    curves: usize,
 }
 
 impl<B> Slice<B> {
     pub(crate) fn new(secondary: f64, branches: Vec<B>) -> Self {
-        Self { secondary, branches, carried: false, looked_at: 0 }
+        Self { secondary, branches, carried: false, looked_at: 0, curves: 0 }
     }
 
     /// The branches that have not been taken before.
@@ -155,7 +157,8 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
     pub(crate) fn through_curves(&self, slice: &mut Slice<Curve>, curves: &[DiagramCurve]) -> bool {
         let before = slice.branches.len();
         let here = Condition::Secondary(slice.secondary);
-        let pairs = curves.iter().flat_map(|curve| {
+        let new = core::mem::replace(&mut slice.curves, curves.len());
+        let pairs = curves[new..].iter().flat_map(|curve| {
             let condition = curve.curve.condition;
             curve.curve.points.windows(2).map(move |pair| (condition, pair))
         });
