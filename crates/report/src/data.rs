@@ -63,7 +63,7 @@ mod tests {
     #[test]
     fn numbers_are_rounded_words_kept_and_repetitions_marked() {
         let table = table(&[
-            ("SN", 1, 3.499_999_999_999_999_8e-1),
+            ("SN", 1, 0.349_999_999_999),
             ("SN", 1, 0.35),
             ("PD", 1, f64::NAN),
             ("P|D", 1, -1.25e-17),
