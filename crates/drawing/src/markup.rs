@@ -13,6 +13,8 @@
 //!
 //! Scripts do not nest, and a superscript after a subscript follows it instead of standing above it.
 
+use grazing_results::GREEK;
+
 use crate::DrawingError;
 
 /// Which of the embedded fonts a run of text is set in.
@@ -47,59 +49,6 @@ pub(crate) struct Label {
     pub(crate) source: String,
     pub(crate) runs: Vec<Run>,
 }
-
-/// Greek letters by their names.
-pub(crate) const GREEK: [(&str, char, Face); 49] = [
-    ("alpha", 'α', Face::Italic),
-    ("beta", 'β', Face::Italic),
-    ("gamma", 'γ', Face::Italic),
-    ("delta", 'δ', Face::Italic),
-    ("epsilon", 'ϵ', Face::Italic),
-    ("varepsilon", 'ε', Face::Italic),
-    ("zeta", 'ζ', Face::Italic),
-    ("eta", 'η', Face::Italic),
-    ("theta", 'θ', Face::Italic),
-    ("iota", 'ι', Face::Italic),
-    ("kappa", 'κ', Face::Italic),
-    ("lambda", 'λ', Face::Italic),
-    ("mu", 'μ', Face::Italic),
-    ("nu", 'ν', Face::Italic),
-    ("xi", 'ξ', Face::Italic),
-    ("omicron", 'ο', Face::Italic),
-    ("pi", 'π', Face::Italic),
-    ("rho", 'ρ', Face::Italic),
-    ("sigma", 'σ', Face::Italic),
-    ("tau", 'τ', Face::Italic),
-    ("upsilon", 'υ', Face::Italic),
-    ("phi", 'φ', Face::Italic),
-    ("chi", 'χ', Face::Italic),
-    ("psi", 'ψ', Face::Italic),
-    ("omega", 'ω', Face::Italic),
-    ("Alpha", 'Α', Face::Upright),
-    ("Beta", 'Β', Face::Upright),
-    ("Gamma", 'Γ', Face::Upright),
-    ("Delta", 'Δ', Face::Upright),
-    ("Epsilon", 'Ε', Face::Upright),
-    ("Zeta", 'Ζ', Face::Upright),
-    ("Eta", 'Η', Face::Upright),
-    ("Theta", 'Θ', Face::Upright),
-    ("Iota", 'Ι', Face::Upright),
-    ("Kappa", 'Κ', Face::Upright),
-    ("Lambda", 'Λ', Face::Upright),
-    ("Mu", 'Μ', Face::Upright),
-    ("Nu", 'Ν', Face::Upright),
-    ("Xi", 'Ξ', Face::Upright),
-    ("Omicron", 'Ο', Face::Upright),
-    ("Pi", 'Π', Face::Upright),
-    ("Rho", 'Ρ', Face::Upright),
-    ("Sigma", 'Σ', Face::Upright),
-    ("Tau", 'Τ', Face::Upright),
-    ("Upsilon", 'Υ', Face::Upright),
-    ("Phi", 'Φ', Face::Upright),
-    ("Chi", 'Χ', Face::Upright),
-    ("Psi", 'Ψ', Face::Upright),
-    ("Omega", 'Ω', Face::Upright),
-];
 
 const SIGNS: [(&str, char, Face); 8] = [
     ("le", '≤', Face::Signs),
@@ -203,7 +152,12 @@ impl Parser<'_> {
             self.position += 1;
         }
         let name: String = self.characters[start..self.position].iter().collect();
-        if let Some(&(_, character, face)) = GREEK.iter().chain(&SIGNS).find(|c| c.0 == name) {
+        if let Some(&(_, character)) = GREEK.iter().find(|letter| letter.0 == name) {
+            let face = if character.is_uppercase() { Face::Upright } else { Face::Italic };
+            self.push(face, level, character);
+            return Ok(());
+        }
+        if let Some(&(_, character, face)) = SIGNS.iter().find(|sign| sign.0 == name) {
             self.push(face, level, character);
             return Ok(());
         }

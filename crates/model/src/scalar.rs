@@ -68,6 +68,10 @@ pub enum Function {
 }
 
 impl Function {
+    /// All of them.
+    pub const ALL: [Self; 8] =
+        [Self::Sin, Self::Cos, Self::Tan, Self::Tanh, Self::Atan, Self::Exp, Self::Ln, Self::Sqrt];
+
     /// The value with the first and second derivative; NaN outside the domain.
     #[inline]
     pub(crate) fn derivatives(self, x: f64) -> [f64; 3] {

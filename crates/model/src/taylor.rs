@@ -109,17 +109,6 @@ mod tests {
     use super::*;
     use num_dual::{Dual3_64, DualNum, third_derivative};
 
-    const FUNCTIONS: [Function; 8] = [
-        Function::Sin,
-        Function::Cos,
-        Function::Tan,
-        Function::Tanh,
-        Function::Atan,
-        Function::Exp,
-        Function::Ln,
-        Function::Sqrt,
-    ];
-
     /// The function in dual numbers of third order.
     fn dual(function: Function, x: Dual3_64) -> Dual3_64 {
         match function {
@@ -137,7 +126,7 @@ mod tests {
     /// Every operation and function along a curved path, against automatic differentiation by other means.
     #[test]
     fn coefficients_are_those_of_automatic_differentiation() {
-        for function in FUNCTIONS {
+        for function in Function::ALL {
             let s = Taylor::new([0.3, 1.0, 0.0, 0.0]);
             let inner = s.power(3) - s.scale(0.7) + Scalar::constant(0.8);
             let outer = inner.apply(function);

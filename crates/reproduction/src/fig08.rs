@@ -48,29 +48,36 @@ impl Figure8 {
         parameters: &Parameters,
         diagram: &Diagram<LinearOscillator>,
     ) -> Result<Self, StudyError> {
-        let theory = parameters.oscillator()?;
         let (shown, notes) = shown(parameters, diagram)?;
         let polylines: Vec<_> =
             shown.par_iter().map(|panel| panel.curves(diagram)).collect::<Result<_, StudyError>>()?;
-        let panel = |panel: &Shown<'_>| {
-            let (loops, window) = (panel.resonance.loops, panel.window);
-            let known = theory.resonance(loops, panel.resonance.n)?;
-            let coefficients = Pair {
-                saddle_node: known.saddle_node_coefficient(),
-                period_doubling: known.period_doubling_coefficient(),
-            };
-            Ok(ShownPanel { loops, window, coefficients })
-        };
-        let panels = shown.iter().map(panel).collect::<Result<_, StudyError>>()?;
         let magnified = shown.iter().zip(&polylines);
         let magnified =
             magnified.map(|(panel, lines)| (panel.resonance.loops, panel.resonance.n, lines.as_slice()));
         Ok(Self {
             curves: plane::magnifications(magnified),
-            panels,
+            panels: panels(parameters, diagram)?,
             notes: [parameters.fig08()?.notes(), &notes].concat(),
         })
     }
+}
+
+/// The panels that are shown, without their curves.
+pub(crate) fn panels(
+    parameters: &Parameters,
+    diagram: &Diagram<LinearOscillator>,
+) -> Result<Vec<ShownPanel>, StudyError> {
+    let theory = parameters.oscillator()?;
+    let panel = |panel: &Shown<'_>| {
+        let (loops, window) = (panel.resonance.loops, panel.window);
+        let known = theory.resonance(loops, panel.resonance.n)?;
+        let coefficients = Pair {
+            saddle_node: known.saddle_node_coefficient(),
+            period_doubling: known.period_doubling_coefficient(),
+        };
+        Ok(ShownPanel { loops, window, coefficients })
+    };
+    shown(parameters, diagram)?.0.iter().map(panel).collect()
 }
 
 /// A panel whose resonance is in the diagram.

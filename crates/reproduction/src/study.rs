@@ -16,7 +16,7 @@ use crate::fig02::Figure2;
 use crate::fig04::Figure4;
 use crate::fig05::Figure5;
 use crate::fig07::Figure7;
-use crate::fig08::Figure8;
+use crate::fig08::{self, Figure8, ShownPanel};
 use crate::parameters::Parameters;
 use crate::space::Scene;
 use crate::sweep::TheoremsInAction;
@@ -139,6 +139,14 @@ impl<'a> Study<'a> {
     /// A resonance could not be located, unfolded or measured.
     pub fn fig08(&self) -> Result<Figure8, StudyError> {
         Figure8::compute(&self.parameters, self.diagram()?)
+    }
+
+    /// The panels of Figure 8, without their curves.
+    ///
+    /// # Errors
+    /// No panel can be shown.
+    pub fn panels(&self) -> Result<Vec<ShownPanel>, StudyError> {
+        fig08::panels(&self.parameters, self.diagram()?)
     }
 
     /// Figure 9.

@@ -176,7 +176,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
 }
 
 /// The rows of all tables of an analysis.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Rows {
     /// The grazing orbit and the map around it, along the grazing curve.
     pub grazing: Vec<GrazingPoint>,

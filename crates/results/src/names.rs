@@ -1,6 +1,6 @@
 //! Names of parameters, and the symbols that they become.
 
-/// Greek letters by their names in LaTeX; where italic and upright forms differ, small ones are italic.
+/// Greek letters by their names in LaTeX.
 pub const GREEK: [(&str, char); 49] = [
     ("alpha", 'α'),
     ("beta", 'β'),
@@ -178,7 +178,7 @@ fn starts_with_digit(part: &str) -> bool {
 }
 
 fn is_greek(part: &str) -> bool {
-    GREEK.iter().any(|(name, ..)| *name == part)
+    GREEK.iter().any(|(name, _)| *name == part)
 }
 
 /// Neither a single letter nor the name of a Greek one.

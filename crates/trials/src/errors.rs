@@ -6,8 +6,9 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::{fs, io};
+use std::process::{Command, ExitStatus, Stdio};
+use std::time::{Duration, Instant};
+use std::{fs, io, thread};
 
 use serde::Deserialize;
 
@@ -142,24 +143,50 @@ impl Copy {
         Ok(if failed.is_empty() { Seen::Unseen } else { Seen::Tests(failed) })
     }
 
-    /// Whether the tests could be built, and the names of those that fail.
+    /// Whether the tests could be built, and the names of those that fail. They are built first, so that the time limit is that of the tests.
     fn failures(&self, what: &[&str]) -> io::Result<(bool, Vec<String>)> {
-        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-        let output = Command::new(cargo)
-            .args(["test", "--locked", "--no-fail-fast"])
-            .args(what)
-            .current_dir(&self.root)
-            .env("CARGO_TARGET_DIR", self.root.join("target"))
-            .env("INSTA_UPDATE", "no")
-            .output()?;
-        let told = String::from_utf8_lossy(&output.stdout);
+        let cargo = || {
+            let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+            cargo.args(["test", "--locked", "--no-fail-fast"]).args(what).current_dir(&self.root);
+            cargo.env("CARGO_TARGET_DIR", self.root.join("target")).env("INSTA_UPDATE", "no");
+            cargo
+        };
+        if !cargo().arg("--no-run").output()?.status.success() {
+            return Ok((false, Vec::new()));
+        }
+        let Some((status, told)) = ended(&mut cargo(), &self.root.join("target/told"))? else {
+            return Ok((true, vec![format!("a test that had not ended after {} s", LONGEST.as_secs())]));
+        };
         let failed = told.lines().filter_map(|line| line.strip_prefix("test ")?.strip_suffix(" ... FAILED"));
         let failed: Vec<String> = failed.map(str::to_owned).collect();
-        let ran = told.contains("test result:");
         // A test that ends the process, by a stack that is too small or without end, has no line of its own.
-        let ended = ran && failed.is_empty() && !output.status.success();
-        Ok((ran, if ended { vec!["a test that does not end as it should".to_owned()] } else { failed }))
+        let broken = failed.is_empty() && !status.success();
+        Ok((true, if broken { vec!["a test that does not end as it should".to_owned()] } else { failed }))
     }
+}
+
+/// Tests take half a minute; with an error in a formula a search may go on without end.
+const LONGEST: Duration = Duration::from_secs(180);
+
+/// Runs a command in a group of processes of its own, with its output in a file: how it ended and what it told, or nothing if it had to be ended
+/// because it took too long.
+fn ended(command: &mut Command, output: &Path) -> io::Result<Option<(ExitStatus, String)>> {
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(command, 0);
+    let mut run = command.stdout(fs::File::create(output)?).stderr(Stdio::null()).spawn()?;
+    let start = Instant::now();
+    while start.elapsed() < LONGEST {
+        if let Some(status) = run.try_wait()? {
+            return Ok(Some((status, fs::read_to_string(output)?)));
+        }
+        thread::sleep(Duration::from_millis(100));
+    }
+    // The whole group where there are any: cargo does not end its tests.
+    #[cfg(unix)]
+    Command::new("kill").args(["-KILL", "--", &format!("-{}", run.id())]).status()?;
+    run.kill()?;
+    run.wait()?;
+    Ok(None)
 }
 
 /// The table with new rows in it, in the order of the list; rows of errors that were not tried out stay if their errors are still listed.

@@ -7,6 +7,7 @@
 use core::fmt;
 
 use grazing_continuation::arclength::StepControl;
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::Window;
 use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
@@ -17,7 +18,6 @@ use crate::faces::{self, Face, Point, chords, extent};
 use crate::progress::Progress;
 use crate::slices::{MOST_BRANCHES, Slice};
 use crate::survey::Survey;
-use grazing_continuation::bifurcation::Bifurcation;
 
 /// What is known of a region.
 #[derive(Clone, Debug, PartialEq)]

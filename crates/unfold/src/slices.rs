@@ -355,6 +355,7 @@ pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
         };
         let last = &point?.solution;
         let Multipliers { trace, determinant } = last.multipliers;
-        (trace.abs().max(determinant.abs()) < VIOLENT).then(|| (last.parameters()[0], reason))
+        let violent = trace.abs().max(determinant.abs()) > VIOLENT;
+        (!violent).then(|| (last.parameters()[0], reason))
     })
 }

@@ -2,6 +2,7 @@
 //!
 //! One that does not starts a new curve, until none is left unexplained.
 
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Event, MpsCurve, Route};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Formulation, Unknowns, unknown};
@@ -13,7 +14,6 @@ use crate::faces::Point;
 use crate::progress::Progress;
 use crate::regions::{Doubt, Sight, Surveyor};
 use crate::slices::{Slice, Slicer, broken_at, spread, stretches};
-use grazing_continuation::bifurcation::Bifurcation;
 
 /// The slices through the surface of p-loop MPSs, in the order of η.
 pub(crate) struct Survey<'a, O> {

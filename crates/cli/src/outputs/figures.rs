@@ -7,7 +7,7 @@ use grazing_drawing::{
     draw_fig07, draw_fig08, draw_fig09, draw_fig10,
 };
 use grazing_reproduction::parameters::{Range, Rectangle};
-use grazing_reproduction::{Coefficients, Figure8, Scene, ShownPanel, Study, StudyError};
+use grazing_reproduction::{Coefficients, Scene, ShownPanel, Study, StudyError};
 use grazing_results::{Names, Table};
 
 use super::{Made, MadeResult};
@@ -77,8 +77,8 @@ pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         up: [section.frequency(); 2],
         label: "Fig. 2".to_owned(),
     });
-    let magnified: Vec<Magnified> =
-        study.fig08().map(|made| panels(&made)).unwrap_or_default().iter().map(|panel| panel.shown).collect();
+    let panels = panels(&study.panels().unwrap_or_default());
+    let magnified: Vec<Magnified> = panels.iter().map(|panel| panel.shown).collect();
     let figure = Figure07 {
         curves: &made.curves,
         points: &made.points,
@@ -97,7 +97,7 @@ pub(super) fn fig08(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         curves: &made.curves,
         points: &whole.points,
         regions: &whole.regions,
-        panels: &panels(&made),
+        panels: &panels(&made.panels),
     };
     let figure = draw_fig08(&figure, width)?;
     Ok(Made { notes: made.notes.clone(), ..Made::figure(figure, made.tables()) })
@@ -120,14 +120,14 @@ fn space(scene: &Scene) -> SpaceFigure<'_> {
 }
 
 /// The panels of Figure 8, numbered from 1.
-fn panels(made: &Figure8) -> Vec<MagnifiedPanel> {
+fn panels(shown: &[ShownPanel]) -> Vec<MagnifiedPanel> {
     let panel = |(panel, shown): (u32, &ShownPanel)| {
         let window = Window { x: shown.window.primary, y: shown.window.secondary };
         let Pair { saddle_node: c_sn, period_doubling: c_pd } = shown.coefficients;
         let heading = Heading { p: shown.loops, n: None, c_sn, c_pd };
         MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }
     };
-    (1..).zip(&made.panels).map(panel).collect()
+    (1..).zip(shown).map(panel).collect()
 }
 
 /// The amplitudes across and the frequencies up.

@@ -196,17 +196,6 @@ impl Coefficient for Interval {
 mod tests {
     use super::*;
 
-    const FUNCTIONS: [Function; 8] = [
-        Function::Sin,
-        Function::Cos,
-        Function::Tan,
-        Function::Tanh,
-        Function::Atan,
-        Function::Exp,
-        Function::Ln,
-        Function::Sqrt,
-    ];
-
     /// Intervals of many sizes and places, and points of each.
     fn samples() -> impl Iterator<Item = (Interval, [f64; 9])> {
         let ends = (0..40).map(|k| (-3.0 + 0.31 * f64::from(k), 0.05 + 0.17 * f64::from(k % 11)));
@@ -228,7 +217,7 @@ mod tests {
 
     #[test]
     fn ranges_of_functions_and_of_their_derivatives_are_held() {
-        for function in FUNCTIONS {
+        for function in Function::ALL {
             for (interval, points) in samples() {
                 let ranges = interval.derivatives(function);
                 assert_eq!(ranges[0], interval.apply(function));

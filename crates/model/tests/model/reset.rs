@@ -51,17 +51,7 @@ fn image(function: Function, [y, z, mu, eta]: [Dual; 4]) -> [Dual; 2] {
 #[test]
 fn reset_jets_are_those_of_automatic_differentiation() {
     let point = [0.7, 0.9, 0.2, 1.3];
-    let list = [
-        Function::Sin,
-        Function::Cos,
-        Function::Tan,
-        Function::Tanh,
-        Function::Atan,
-        Function::Exp,
-        Function::Ln,
-        Function::Sqrt,
-    ];
-    for function in list {
+    for function in Function::ALL {
         let oscillator = Integrated::new(Law(function), [point[2], point[3]]);
         let impact = OnWall::new(point[0], point[1]);
         let (jet, first) = (oscillator.reset::<2>(impact), oscillator.reset::<1>(impact));

@@ -6,6 +6,7 @@ mod fig06;
 mod fig10;
 mod independent;
 mod snapshots;
+mod space;
 
 use std::path::Path;
 use std::sync::OnceLock;

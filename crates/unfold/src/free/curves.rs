@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::{Continuation, Stall, StepControl};
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, MaximalPeriodicSolution, Unknowns};
@@ -11,7 +12,6 @@ use grazing_model::ImpactOscillator;
 use super::branch::Crossing;
 use super::orbits::{FreeCurve, FreeOrbit, FreeOrbits, Orbit, PRIMARY, SECONDARY};
 use crate::curves::DiagramCurve;
-use grazing_continuation::bifurcation::Bifurcation;
 
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;

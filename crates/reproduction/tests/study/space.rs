@@ -8,7 +8,9 @@ use std::path::Path;
 
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{Parameters, Specimen};
-use grazing_results::{Cell, Names, Row};
+use grazing_results::Row;
+
+use crate::{integers, numbers, words};
 
 /// A point (x, y, z) of phase space.
 type Point = [f64; 3];
@@ -64,35 +66,9 @@ fn study() -> (Parameters, Study<'static>) {
     (parameters, study)
 }
 
-/// A column, by the name that it has for the paper's oscillator.
-fn column<R: Row>(rows: &[R], name: &str) -> Vec<Cell> {
-    let names = Names::of_the_paper();
-    let place = R::COLUMNS.iter().position(|column| column.header(&names) == name);
-    let place = place.expect("the column is there");
-    rows.iter().map(|row| row.cells().swap_remove(place)).collect()
-}
-
-/// A column of numbers.
-fn numbers<R: Row>(rows: &[R], name: &str) -> Vec<f64> {
-    column(rows, name).iter().map(|cell| cell.number().expect("no cell is empty")).collect()
-}
-
-/// A column of integers.
-fn integers<R: Row>(rows: &[R], name: &str) -> Vec<u32> {
-    let integer =
-        |cell| if let Cell::Integer(value) = cell { value } else { panic!("{cell:?} is no integer") };
-    column(rows, name).into_iter().map(integer).collect()
-}
-
-/// A column of words.
-fn words<R: Row>(rows: &[R], name: &str) -> Vec<String> {
-    let word =
-        |cell| if let Cell::Text(word) = cell { word.into_owned() } else { panic!("{cell:?} is no word") };
-    column(rows, name).into_iter().map(word).collect()
-}
-
 fn places<R: Row>(table: &[R], columns: [&str; 3]) -> Vec<Point> {
     let [a, b, c] = columns.map(|column| numbers(table, column));
+    assert!([&a, &b, &c].into_iter().flatten().all(|number| number.is_finite()), "no cell is empty");
     (0..a.len()).map(|i| [a[i], b[i], c[i]]).collect()
 }
 
