@@ -3,7 +3,7 @@
 //! They stand in `expected/deliberate_errors.toml`. Each is put into a copy of the project under `target/`, where what depends on
 //! it is built again; the copy's file is put back before the next. The project itself is never touched.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Stdio};
@@ -99,10 +99,19 @@ impl Copy {
         if !listed.status.success() || files.is_empty() {
             return Err(invalid(String::from_utf8_lossy(&listed.stderr).into_owned()));
         }
+        fs::create_dir_all(root.join("target"))?;
         let copy = Self { root, from: from.to_owned() };
-        for file in files.split_terminator('\0') {
+        // What the project has no more goes.
+        let record = copy.root.join("target/files");
+        let before = fs::read_to_string(&record).unwrap_or_default();
+        let now: BTreeSet<&str> = files.split_terminator('\0').collect();
+        for file in before.split_terminator('\0').filter(|file| !now.contains(file)) {
+            fs::remove_file(copy.root.join(file))?;
+        }
+        for file in now {
             copy.restore(Path::new(file))?;
         }
+        fs::write(record, &files)?;
         Ok(copy)
     }
 
@@ -151,8 +160,14 @@ impl Copy {
             cargo.env("CARGO_TARGET_DIR", self.root.join("target")).env("INSTA_UPDATE", "no");
             cargo
         };
-        if !cargo().arg("--no-run").output()?.status.success() {
-            return Ok((false, Vec::new()));
+        let build = cargo().arg("--no-run").output()?;
+        if !build.status.success() {
+            let told = String::from_utf8_lossy(&build.stderr).into_owned();
+            return if told.contains("could not compile") {
+                Ok((false, Vec::new()))
+            } else {
+                Err(invalid(told))
+            };
         }
         let Some((status, told)) = ended(&mut cargo(), &self.root.join("target/told"))? else {
             return Ok((true, vec![format!("a test that had not ended after {} s", LONGEST.as_secs())]));

@@ -359,3 +359,33 @@ pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
         (!violent).then(|| (last.parameters()[0], reason))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use grazing_model::LinearOscillator;
+
+    use super::*;
+    use crate::progress::Silent;
+    use crate::{Diagram, Scope};
+
+    #[test]
+    fn a_slice_that_knows_no_branch_gets_those_through_the_curves_that_cross_it() {
+        let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.0] };
+        let oscillator = LinearOscillator::new(0.05, 0.9, 0.5, 0.9).expect("it is in the domain");
+        let scope = Scope { window, loops: vec![2], start: None };
+        let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
+        let curves: Vec<DiagramCurve> =
+            diagram.curves.iter().filter(|curve| curve.loops == 2).cloned().collect();
+        let slicer = Slicer::new(&diagram.equations(2), window, &|_| Vec::new());
+        let middle =
+            |curve: &DiagramCurve| curve.curve.points[curve.curve.points.len() / 2].solution.unknowns;
+        assert!(curves.len() > 2, "{}", curves.len());
+        for crossing in curves.iter().map(middle) {
+            let mut slice = Slice::new(crossing[unknown::SECONDARY], Vec::new());
+            assert!(slicer.through_curves(&mut slice, &curves));
+            assert!(slice.branches.iter().any(|branch| passes(branch, &crossing)), "{crossing}");
+            // They are looked at once.
+            assert!(!slicer.through_curves(&mut slice, &curves));
+        }
+    }
+}
