@@ -362,8 +362,7 @@ impl ImpactOscillator for Specimen {
     }
 
     fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall> {
-        let OnWall { velocity, phase } = impact;
-        self.law.reset::<ORDER>(OnWall::new(velocity, phase))
+        self.law.reset::<ORDER>(impact)
     }
 
     fn motion(&self, from: State) -> SpecimenMotion {

@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitStatus, Stdio};
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use std::{fs, io, thread};
 
@@ -38,6 +38,8 @@ pub enum Seen {
     Claims(Vec<String>),
     /// No claim did; names of tests that failed.
     Tests(Vec<String>),
+    /// No test failed, but the tests did not end by themselves, or not in time.
+    NotEnded,
     /// The program does not compile with it.
     DoesNotCompile,
     /// Nobody.
@@ -140,20 +142,17 @@ impl Copy {
     }
 
     fn seen(&self) -> io::Result<Seen> {
-        let (built, failed) = self.failures(&["-p", "grazing-claims", "--test", "claims"])?;
-        if !built {
-            return Ok(Seen::DoesNotCompile);
-        }
-        if !failed.is_empty() {
-            return Ok(Seen::Claims(failed));
+        let by_claims = self.seen_in(&["-p", "grazing-claims", "--test", "claims"], Seen::Claims)?;
+        if !matches!(by_claims, Seen::Unseen | Seen::NotEnded) {
+            return Ok(by_claims);
         }
         let packages: Vec<&str> = TESTED.iter().flat_map(|package| ["-p", package]).collect();
-        let (_, failed) = self.failures(&packages)?;
-        Ok(if failed.is_empty() { Seen::Unseen } else { Seen::Tests(failed) })
+        let by_tests = self.seen_in(&packages, Seen::Tests)?;
+        Ok(if by_tests == Seen::Unseen { by_claims } else { by_tests })
     }
 
-    /// Whether the tests could be built, and the names of those that fail. They are built first, so that the time limit is that of the tests.
-    fn failures(&self, what: &[&str]) -> io::Result<(bool, Vec<String>)> {
+    /// Who sees the error among these tests. They are built first, so that the time limit is that of the tests.
+    fn seen_in(&self, what: &[&str], failures: fn(Vec<String>) -> Seen) -> io::Result<Seen> {
         let cargo = || {
             let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
             cargo.args(["test", "--locked", "--no-fail-fast"]).args(what).current_dir(&self.root);
@@ -164,35 +163,37 @@ impl Copy {
         if !build.status.success() {
             let told = String::from_utf8_lossy(&build.stderr).into_owned();
             return if told.contains("could not compile") {
-                Ok((false, Vec::new()))
+                Ok(Seen::DoesNotCompile)
             } else {
                 Err(invalid(told))
             };
         }
-        let Some((status, told)) = ended(&mut cargo(), &self.root.join("target/told"))? else {
-            return Ok((true, vec![format!("a test that had not ended after {} s", LONGEST.as_secs())]));
-        };
+        let (ended_well, told) = run(&mut cargo(), &self.root.join("target/told"))?;
         let failed = told.lines().filter_map(|line| line.strip_prefix("test ")?.strip_suffix(" ... FAILED"));
         let failed: Vec<String> = failed.map(str::to_owned).collect();
-        // A test that ends the process, by a stack that is too small or without end, has no line of its own.
-        let broken = failed.is_empty() && !status.success();
-        Ok((true, if broken { vec!["a test that does not end as it should".to_owned()] } else { failed }))
+        Ok(if !failed.is_empty() {
+            failures(failed)
+        } else if ended_well {
+            Seen::Unseen
+        } else {
+            Seen::NotEnded
+        })
     }
 }
 
 /// Tests take half a minute; with an error in a formula a search may go on without end.
 const LONGEST: Duration = Duration::from_secs(180);
 
-/// Runs a command in a group of processes of its own, with its output in a file: how it ended and what it told, or nothing if it had to be ended
-/// because it took too long.
-fn ended(command: &mut Command, output: &Path) -> io::Result<Option<(ExitStatus, String)>> {
+/// Runs a command in a group of processes of its own, with its output in a file: whether it ended well and in time, and what it told until it
+/// ended or had to be ended.
+fn run(command: &mut Command, output: &Path) -> io::Result<(bool, String)> {
     #[cfg(unix)]
     std::os::unix::process::CommandExt::process_group(command, 0);
     let mut run = command.stdout(fs::File::create(output)?).stderr(Stdio::null()).spawn()?;
     let start = Instant::now();
     while start.elapsed() < LONGEST {
         if let Some(status) = run.try_wait()? {
-            return Ok(Some((status, fs::read_to_string(output)?)));
+            return Ok((status.success(), fs::read_to_string(output)?));
         }
         thread::sleep(Duration::from_millis(100));
     }
@@ -201,7 +202,7 @@ fn ended(command: &mut Command, output: &Path) -> io::Result<Option<(ExitStatus,
     Command::new("kill").args(["-KILL", "--", &format!("-{}", run.id())]).status()?;
     run.kill()?;
     run.wait()?;
-    Ok(None)
+    Ok((false, fs::read_to_string(output)?))
 }
 
 /// The table with new rows in it, in the order of the list; rows of errors that were not tried out stay if their errors are still listed.
@@ -240,6 +241,9 @@ impl std::fmt::Display for Seen {
         match self {
             Self::Claims(labels) => told("claim", labels),
             Self::Tests(names) => told("test", names),
+            Self::NotEnded => {
+                write!(f, "tests that do not end by themselves, or not within {} s", LONGEST.as_secs())
+            }
             Self::DoesNotCompile => f.write_str("the compiler"),
             Self::Unseen => f.write_str("**nobody**"),
         }
