@@ -130,24 +130,34 @@ impl<P: Copy> Operation<P> {
 }
 
 impl Operation<Place> {
+    /// Computes the result from the operands, which are got by place.
     #[inline(always)]
-    fn compute<'v, S: Scalar + 'v>(&self, get: impl Fn(Place) -> &'v S) -> S {
-        let get = |place: Place| *get(place);
+    fn compute<'v, S: Scalar + 'v>(&self, result: &mut S, get: impl Fn(Place) -> &'v S) {
         match *self {
-            Operation::Constant(value) => S::constant(value),
-            Operation::Add(a, b) => get(a) + get(b),
-            Operation::Shift(a, value) => get(a) + S::constant(value),
-            Operation::Subtract(a, b) => get(a) - get(b),
-            Operation::Negate(a) => -get(a),
-            Operation::Multiply(a, b) => get(a) * get(b),
-            Operation::Scale(a, value) => get(a).scale(value),
-            Operation::Divide(a, b) => get(a) / get(b),
-            Operation::Square(a) => get(a).square(),
-            Operation::Power(a, 3) => get(a).square() * get(a),
-            Operation::Power(a, exponent) => get(a).power(exponent),
-            Operation::Apply(function, a) => get(a).apply(function),
+            Operation::Constant(value) => *result = S::constant(value),
+            Operation::Add(a, b) => into(result, get(a), get(b), |a, b| *a + *b),
+            Operation::Shift(a, value) => into(result, get(a), &value, |a, value| *a + S::constant(*value)),
+            Operation::Subtract(a, b) => into(result, get(a), get(b), |a, b| *a - *b),
+            Operation::Negate(a) => into(result, get(a), &(), |a, ()| -*a),
+            Operation::Multiply(a, b) => into(result, get(a), get(b), |a, b| *a * *b),
+            Operation::Scale(a, value) => into(result, get(a), &value, |a, value| a.scale(*value)),
+            Operation::Divide(a, b) => into(result, get(a), get(b), |a, b| *a / *b),
+            Operation::Square(a) => into(result, get(a), &(), |a, ()| a.square()),
+            Operation::Power(a, 3) => into(result, get(a), &(), |a, ()| a.square() * *a),
+            Operation::Power(a, exponent) => {
+                into(result, get(a), &exponent, |a, exponent| a.power(*exponent))
+            }
+            Operation::Apply(function, a) => {
+                into(result, get(a), &function, |a, function| a.apply(*function))
+            }
         }
     }
+}
+
+/// Writes a result to its place. It is a call of its own so that the compiler knows the places to differ, and copies nothing.
+#[inline(never)]
+fn into<S, T>(result: &mut S, a: &S, b: &T, compute: impl Fn(&S, &T) -> S) {
+    *result = compute(a, b);
 }
 
 impl Expression {
@@ -201,22 +211,39 @@ impl Expression {
         }
     }
 
-    /// The expression as a function of the variables that move, with these values of the others.
+    /// The expression as a function of the variables that move, with these values of the others, which may be of a simpler kind of number.
     ///
     /// # Panics
     /// With fewer values than there are variables that do not move.
-    pub(crate) fn hold<'a, S: Scalar>(&'a self, others: &[S]) -> impl FnMut(&[S]) -> S + use<'a, S> {
+    pub(crate) fn hold<'a, T: Scalar, S: Scalar + From<T>>(
+        &'a self,
+        others: &[T],
+    ) -> impl FnMut(&[S]) -> S + use<'a, T, S> {
         let tape = &*self.0;
-        let others = &others[..tape.variables.len() - tape.moving];
-        let mut known = Vec::with_capacity(others.len() + tape.instructions.len());
-        known.extend_from_slice(others);
-        known.resize(known.capacity(), S::constant(0.0));
-        tape.run(0..tape.held, &[], tape.moving, &mut known);
+        let count = tape.variables.len() - tape.moving;
+        let known = |held: &mut [T]| {
+            held[..count].copy_from_slice(&others[..count]);
+            tape.run(0..tape.held, &[], tape.moving, held);
+            let mut known = Vec::with_capacity(count + tape.instructions.len());
+            known.extend(held[..count + tape.held].iter().copied().map(S::from));
+            known.resize(known.capacity(), S::constant(0.0));
+            known
+        };
+        let mut known = match count + tape.held {
+            0..=8 => known(&mut [T::constant(0.0); 8]),
+            more => known(&mut vec![T::constant(0.0); more]),
+        };
         move |moving| {
             tape.run(tape.held..tape.instructions.len(), moving, tape.moving, &mut known);
             *value(tape.result, moving, tape.moving, &known)
         }
     }
+}
+
+/// Adds a number times a plain one.
+#[inline(never)]
+fn add<S: Scalar>(sum: &mut S, factor: f64, term: &S) {
+    *sum = sum.plus(factor, term);
 }
 
 /// The value at a place: of one of the first variables, so many as are `free`, or one that is known.
@@ -239,20 +266,23 @@ impl Tape {
     fn run<S: Scalar>(&self, which: Range<usize>, variables: &[S], free: usize, known: &mut [S]) {
         let first = self.variables.len() - free;
         for place in which {
+            let (known, results) = known.split_at_mut(first + place);
             let get = |place: Place| value(place, variables, free, known);
-            let result = match &self.instructions[place] {
-                Instruction::Plain(operation) => operation.compute(get),
+            let result = &mut results[0];
+            match &self.instructions[place] {
+                Instruction::Plain(operation) => operation.compute(result, get),
                 Instruction::Sum { start, end, constant } => {
                     // Factors of one and minus one change no bit, and no branch is faster than one that is guessed wrong.
                     let [(factor, place), rest @ ..] = &self.terms[*start..*end] else {
                         unreachable!("a sum has a term");
                     };
-                    let sum = get(*place).scale(*factor);
-                    rest.iter().fold(sum, |sum, &(factor, place)| sum.plus(factor, get(place)))
-                        + S::constant(*constant)
+                    into(result, get(*place), factor, |value, factor| value.scale(*factor));
+                    for (factor, place) in rest {
+                        add(result, *factor, get(*place));
+                    }
+                    *result = *result + S::constant(*constant);
                 }
-            };
-            known[first + place] = result;
+            }
         }
     }
 }
