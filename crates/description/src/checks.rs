@@ -9,7 +9,7 @@ use grazing_source::Source;
 use toml::Spanned;
 
 use crate::description::Description;
-use crate::error::{DescriptionError, Place, Point, rounded};
+use crate::error::{DescriptionError, Place, Values, rounded};
 use crate::file::File;
 
 /// Points along the range of either parameter, both ends included.
@@ -77,9 +77,9 @@ impl Sampler<'_> {
     }
 
     /// The parameters and more variables by name.
-    fn point(&self, [mu, eta]: [f64; 2], variables: &[(&str, f64)]) -> Point {
+    fn point(&self, [mu, eta]: [f64; 2], variables: &[(&str, f64)]) -> Values {
         let axes = [(self.description.primary().name(), mu), (self.description.secondary().name(), eta)];
-        Point(axes.iter().chain(variables).map(|&(name, value)| (name.to_owned(), value)).collect())
+        Values(axes.iter().chain(variables).map(|&(name, value)| (name.to_owned(), value)).collect())
     }
 
     fn frequency(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
@@ -163,7 +163,7 @@ impl Sampler<'_> {
         unit: f64,
         parameters: [f64; 2],
         function: impl Fn(f64, f64) -> f64,
-        wrong: impl Fn(f64, Point) -> Option<DescriptionError>,
+        wrong: impl Fn(f64, Values) -> Option<DescriptionError>,
     ) -> Checked {
         let place = || Place::new(self.source, key, text);
         for y in self.impact_velocities() {

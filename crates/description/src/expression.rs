@@ -55,18 +55,18 @@ struct Tape {
     /// The number of instructions that need no variable that moves; they come first.
     held: usize,
     /// The terms of all sums.
-    terms: Vec<(f64, Place)>,
-    /// The place of the result.
-    result: Place,
+    terms: Vec<(f64, Slot)>,
+    /// The slot of the result.
+    result: Slot,
 }
 
-/// The place of a value in the list: those of the variables come first, then one for each instruction.
-type Place = usize;
+/// The slot of a value in the list: those of the variables come first, then one for each instruction.
+type Slot = usize;
 
 /// What one instruction computes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Instruction {
-    Plain(Operation<Place>),
+    Plain(Operation<Slot>),
     /// A constant and values times numbers, which stand in the list of terms from `start` to before `end`.
     Sum {
         start: usize,
@@ -75,7 +75,7 @@ enum Instruction {
     },
 }
 
-/// An operation on operands that are given by number: of a node in the graph, of a value's place on the tape.
+/// An operation on operands that are given by number: of a node in the graph, of a value's slot on the tape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Operation<P> {
     Constant(f64),
@@ -94,7 +94,7 @@ enum Operation<P> {
 }
 
 impl<P: Copy> Operation<P> {
-    /// The operands from left to right; both places hold the same one where there is only one.
+    /// The operands from left to right; both slots hold the same one where there is only one.
     fn operands(&self) -> Option<(P, P)> {
         match *self {
             Operation::Constant(_) => None,
@@ -112,27 +112,27 @@ impl<P: Copy> Operation<P> {
     }
 
     /// The same operation on other operands.
-    fn on<Q>(&self, mut place: impl FnMut(P) -> Q) -> Operation<Q> {
+    fn on<Q>(&self, mut slot: impl FnMut(P) -> Q) -> Operation<Q> {
         match *self {
             Operation::Constant(value) => Operation::Constant(value),
-            Operation::Add(a, b) => Operation::Add(place(a), place(b)),
-            Operation::Shift(a, value) => Operation::Shift(place(a), value),
-            Operation::Subtract(a, b) => Operation::Subtract(place(a), place(b)),
-            Operation::Negate(a) => Operation::Negate(place(a)),
-            Operation::Multiply(a, b) => Operation::Multiply(place(a), place(b)),
-            Operation::Scale(a, value) => Operation::Scale(place(a), value),
-            Operation::Divide(a, b) => Operation::Divide(place(a), place(b)),
-            Operation::Square(a) => Operation::Square(place(a)),
-            Operation::Power(a, exponent) => Operation::Power(place(a), exponent),
-            Operation::Apply(function, a) => Operation::Apply(function, place(a)),
+            Operation::Add(a, b) => Operation::Add(slot(a), slot(b)),
+            Operation::Shift(a, value) => Operation::Shift(slot(a), value),
+            Operation::Subtract(a, b) => Operation::Subtract(slot(a), slot(b)),
+            Operation::Negate(a) => Operation::Negate(slot(a)),
+            Operation::Multiply(a, b) => Operation::Multiply(slot(a), slot(b)),
+            Operation::Scale(a, value) => Operation::Scale(slot(a), value),
+            Operation::Divide(a, b) => Operation::Divide(slot(a), slot(b)),
+            Operation::Square(a) => Operation::Square(slot(a)),
+            Operation::Power(a, exponent) => Operation::Power(slot(a), exponent),
+            Operation::Apply(function, a) => Operation::Apply(function, slot(a)),
         }
     }
 }
 
-impl Operation<Place> {
-    /// Computes the result from the operands, which are got by place.
+impl Operation<Slot> {
+    /// Computes the result from the operands, which are in slots.
     #[inline(always)]
-    fn compute<'v, S: Scalar + 'v>(&self, result: &mut S, get: impl Fn(Place) -> &'v S) {
+    fn compute<'v, S: Scalar + 'v>(&self, result: &mut S, get: impl Fn(Slot) -> &'v S) {
         match *self {
             Operation::Constant(value) => *result = S::constant(value),
             Operation::Add(a, b) => into(result, get(a), get(b), |a, b| *a + *b),
@@ -154,7 +154,7 @@ impl Operation<Place> {
     }
 }
 
-/// Writes a result to its place. It is a call of its own so that the compiler knows the places to differ, and copies nothing.
+/// Writes a result to its slot. It is a call of its own so that the compiler knows the slots to differ, and copies nothing.
 #[inline(never)]
 fn into<S, T>(result: &mut S, a: &S, b: &T, compute: impl Fn(&S, &T) -> S) {
     *result = compute(a, b);
@@ -246,12 +246,12 @@ fn add<S: Scalar>(sum: &mut S, factor: f64, term: &S) {
     *sum = sum.plus(factor, term);
 }
 
-/// The value at a place: of one of the first variables, so many as are `free`, or one that is known.
+/// The value at a slot: of one of the first variables, so many as are `free`, or one that is known.
 #[inline(always)]
-fn value<'v, S>(place: Place, variables: &'v [S], free: usize, known: &'v [S]) -> &'v S {
-    match place.checked_sub(free) {
+fn value<'v, S>(slot: Slot, variables: &'v [S], free: usize, known: &'v [S]) -> &'v S {
+    match slot.checked_sub(free) {
         Some(index) => &known[index],
-        None => &variables[place],
+        None => &variables[slot],
     }
 }
 
@@ -265,20 +265,20 @@ impl Tape {
     #[inline]
     fn run<S: Scalar>(&self, which: Range<usize>, variables: &[S], free: usize, known: &mut [S]) {
         let first = self.variables.len() - free;
-        for place in which {
-            let (known, results) = known.split_at_mut(first + place);
-            let get = |place: Place| value(place, variables, free, known);
+        for slot in which {
+            let (known, results) = known.split_at_mut(first + slot);
+            let get = |slot: Slot| value(slot, variables, free, known);
             let result = &mut results[0];
-            match &self.instructions[place] {
+            match &self.instructions[slot] {
                 Instruction::Plain(operation) => operation.compute(result, get),
                 Instruction::Sum { start, end, constant } => {
                     // Factors of one and minus one change no bit, and no branch is faster than one that is guessed wrong.
-                    let [(factor, place), rest @ ..] = &self.terms[*start..*end] else {
+                    let [(factor, slot), rest @ ..] = &self.terms[*start..*end] else {
                         unreachable!("a sum has a term");
                     };
-                    into(result, get(*place), factor, |value, factor| value.scale(*factor));
-                    for (factor, place) in rest {
-                        add(result, *factor, get(*place));
+                    into(result, get(*slot), factor, |value, factor| value.scale(*factor));
+                    for (factor, slot) in rest {
+                        add(result, *factor, get(*slot));
                     }
                     *result = *result + S::constant(*constant);
                 }
