@@ -9,7 +9,7 @@ use grazing_source::Source;
 use toml::Spanned;
 
 use crate::description::Description;
-use crate::error::{DescriptionError, Place, Values, rounded};
+use crate::error::{DescriptionError, Place, rounded};
 use crate::file::File;
 
 /// Points along the range of either parameter, both ends included.
@@ -77,26 +77,77 @@ impl Sampler<'_> {
     }
 
     /// The parameters and more variables by name.
-    fn point(&self, [mu, eta]: [f64; 2], variables: &[(&str, f64)]) -> Values {
+    fn point(&self, [mu, eta]: [f64; 2], variables: &[(&str, f64)]) -> String {
         let axes = [(self.description.primary().name(), mu), (self.description.secondary().name(), eta)];
-        Values(axes.iter().chain(variables).map(|&(name, value)| (name.to_owned(), value)).collect())
+        let values =
+            axes.iter().chain(variables).map(|(name, value)| format!("{name} = {}", rounded(*value)));
+        values.collect::<Vec<_>>().join(", ")
+    }
+
+    fn wrong(&self, key: &'static str, text: &Spanned<String>, problem: String) -> DescriptionError {
+        DescriptionError::Value { place: Place::new(self.source, key, text), problem }
+    }
+
+    fn not_finite(
+        &self,
+        key: &'static str,
+        text: &Spanned<String>,
+        value: f64,
+        at: &str,
+    ) -> DescriptionError {
+        let place = match key {
+            "motion.force" => {
+                "at the wall and close to it in x < 0, where motion takes place, over the ranges of both parameters"
+            }
+            _ => "over the ranges of both parameters",
+        };
+        self.wrong(key, text, format!("the value is {value} at {at}: it must be a finite number {place}"))
+    }
+
+    /// The error of a value that changes over one period of t or z.
+    fn not_periodic(
+        &self,
+        key: &'static str,
+        text: &Spanned<String>,
+        (change, at): (f64, &str),
+        (variable, period): (&str, f64),
+    ) -> DescriptionError {
+        let entry = match variable {
+            "t" => {
+                "cos(omega*t) or sin(omega*t), where omega is the frequency of motion.frequency, or with multiples of omega"
+            }
+            _ => "cos(z) or sin(z), or with multiples of z",
+        };
+        let (change, period) = (rounded(change), rounded(period));
+        self.wrong(
+            key,
+            text,
+            format!(
+                "not periodic with the forcing: the value changes by {change} from {at} over one period, to {variable} + {period}; \
+                 {variable} must enter as {entry}"
+            ),
+        )
     }
 
     fn frequency(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
-        let place = || Place::new(self.source, "motion.frequency", text);
+        let key = "motion.frequency";
         let value = self.description.forcing_frequency(mu, eta);
-        let at = || self.point([mu, eta], &[]);
+        let at = self.point([mu, eta], &[]);
         if !value.is_finite() {
-            return Err(DescriptionError::NotFinite { place: place(), value, at: at() });
+            return Err(self.not_finite(key, text, value, &at));
         }
         if value <= 0.0 {
-            return Err(DescriptionError::Frequency { place: place(), value, at: at() });
+            let value = rounded(value);
+            let problem = format!(
+                "the frequency is {value} at {at}: it must be positive over the ranges of both parameters"
+            );
+            return Err(self.wrong(key, text, problem));
         }
         Ok(())
     }
 
     fn force(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
-        let place = || Place::new(self.source, "motion.force", text);
+        let key = "motion.force";
         let period = TAU / self.description.forcing_frequency(mu, eta);
         let near = NEAR * self.units.length;
         for x in POSITIONS.map(|x| x * self.units.length) {
@@ -106,16 +157,10 @@ impl Sampler<'_> {
                     let at = || self.point([mu, eta], &[("x", x), ("v", v), ("t", t)]);
                     let (value, after) = (force(t), force(t + period));
                     if !value.is_finite() && x >= -near {
-                        return Err(DescriptionError::NotFinite { place: place(), value, at: at() });
+                        return Err(self.not_finite(key, text, value, &at()));
                     }
                     if (after - value).abs() > ROUNDING * (self.units.acceleration() + value.abs()) {
-                        return Err(DescriptionError::Period {
-                            place: place(),
-                            change: after - value,
-                            at: at(),
-                            variable: "t",
-                            period,
-                        });
+                        return Err(self.not_periodic(key, text, (after - value, &at()), ("t", period)));
                     }
                 }
             }
@@ -124,15 +169,10 @@ impl Sampler<'_> {
     }
 
     fn restitution(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
-        let place = || Place::new(self.source, "impact.restitution", text);
-        self.reset(
-            "impact.restitution",
-            text,
-            1.0,
-            [mu, eta],
-            |y, z| self.description.restitution(y, z, mu, eta),
-            |value, at| (value <= 0.0).then(|| DescriptionError::Restitution { place: place(), value, at }),
-        )
+        let restitution = |y, z| self.description.restitution(y, z, mu, eta);
+        self.reset("impact.restitution", text, 1.0, [mu, eta], restitution, |value| {
+            (value <= 0.0).then_some("it must be positive, for the rebound to leave the wall")
+        })
     }
 
     /// What is to be said of a restitution above one.
@@ -152,7 +192,7 @@ impl Sampler<'_> {
     fn duration(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
         let duration = |y, z| self.description.impact_duration(y, z, mu, eta);
         let unit = 1.0 / self.units.velocity();
-        self.reset("impact.duration", text, unit, [mu, eta], duration, |_, _| None)
+        self.reset("impact.duration", text, unit, [mu, eta], duration, |_| None)
     }
 
     /// Checks a function of the reset law, which is of the order of `unit`: finite, 2π-periodic in z, and whatever `wrong` finds of a value.
@@ -163,27 +203,21 @@ impl Sampler<'_> {
         unit: f64,
         parameters: [f64; 2],
         function: impl Fn(f64, f64) -> f64,
-        wrong: impl Fn(f64, Values) -> Option<DescriptionError>,
+        wrong: impl Fn(f64) -> Option<&'static str>,
     ) -> Checked {
-        let place = || Place::new(self.source, key, text);
         for y in self.impact_velocities() {
             for z in SHARES.map(|share| share * TAU) {
                 let at = || self.point(parameters, &[("y", y), ("z", z)]);
                 let (value, after) = (function(y, z), function(y, z + TAU));
                 if !value.is_finite() {
-                    return Err(DescriptionError::NotFinite { place: place(), value, at: at() });
+                    return Err(self.not_finite(key, text, value, &at()));
                 }
-                if let Some(error) = wrong(value, at()) {
-                    return Err(error);
+                if let Some(remedy) = wrong(value) {
+                    let problem = format!("the restitution is {} at {}: {remedy}", rounded(value), at());
+                    return Err(self.wrong(key, text, problem));
                 }
                 if (after - value).abs() > ROUNDING * (unit + value.abs()) {
-                    return Err(DescriptionError::Period {
-                        place: place(),
-                        change: after - value,
-                        at: at(),
-                        variable: "z",
-                        period: TAU,
-                    });
+                    return Err(self.not_periodic(key, text, (after - value, &at()), ("z", TAU)));
                 }
             }
         }

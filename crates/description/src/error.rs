@@ -6,9 +6,8 @@ use grazing_source::{Source, SourceError, place};
 use thiserror::Error;
 use toml::Spanned;
 
-use crate::expression::{ExpressionError, Problem};
+use crate::expression::ExpressionError;
 use crate::file::REQUIREMENTS;
-use crate::names::variable;
 
 /// The first thing in a description that is not right, and what would be.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -22,74 +21,23 @@ pub enum DescriptionError {
         /// Where it stands.
         place: Place,
         /// What is wrong, and what would be right.
-        problem: Box<Problem>,
+        problem: String,
         /// The line of the expression with a mark under what is wrong.
         excerpt: String,
     },
-    /// An expression has no finite value at a point of the ranges.
-    #[error(
-        "{place}: the value is {value} at {at}: it must be a finite number {}",
-        where_finite(place.key)
-    )]
-    NotFinite {
-        /// Where the expression stands.
+    /// An expression has a value that it must not have.
+    #[error("{place}: {problem}")]
+    Value {
+        /// Where it stands.
         place: Place,
-        /// Its value.
-        value: f64,
-        /// The values of the variables.
-        at: Values,
-    },
-    /// The frequency is not positive over the ranges.
-    #[error(
-        "{place}: the frequency is {} at {at}: it must be positive over the ranges of both parameters",
-        rounded(*.value)
-    )]
-    Frequency {
-        /// Where the expression stands.
-        place: Place,
-        /// The frequency.
-        value: f64,
-        /// The values of the parameters.
-        at: Values,
-    },
-    /// The restitution is not positive over the ranges.
-    #[error(
-        "{place}: the restitution is {} at {at}: it must be positive, for the rebound to leave the wall",
-        rounded(*.value)
-    )]
-    Restitution {
-        /// Where the expression stands.
-        place: Place,
-        /// The restitution.
-        value: f64,
-        /// The values of the variables.
-        at: Values,
+        /// What is wrong and where in the ranges, and what would be right.
+        problem: String,
     },
     /// Numbers of loops that were asked for instead of the file's are not right.
     #[error("{}: {}", loops.iter().map(u32::to_string).collect::<Vec<_>>().join(","), REQUIREMENTS.of("analysis.loops"))]
     Loops {
         /// The numbers.
         loops: Vec<u32>,
-    },
-    /// An expression has not the period of the forcing.
-    #[error(
-        "{place}: not periodic with the forcing: the value changes by {} from {at} over one period, to \
-         {variable} + {}; {variable} must enter as {}",
-        rounded(*.change),
-        rounded(*.period),
-        entry(.variable)
-    )]
-    Period {
-        /// Where the expression stands.
-        place: Place,
-        /// The change over one period.
-        change: f64,
-        /// The values of the variables before it.
-        at: Values,
-        /// The variable that grows by the period, t or z.
-        variable: &'static str,
-        /// The period: 2π/ω in t, 2π in z.
-        period: f64,
     },
 }
 
@@ -114,40 +62,6 @@ impl Place {
     }
 }
 
-/// Where an expression must have a finite value.
-fn where_finite(key: &str) -> &'static str {
-    match key {
-        "motion.force" => {
-            "at the wall and close to it in x < 0, where motion takes place, over the ranges of both parameters"
-        }
-        _ => "over the ranges of both parameters",
-    }
-}
-
-/// Names with their values.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Values(pub Vec<(String, f64)>);
-
-impl std::fmt::Display for Values {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        for (index, (name, value)) in self.0.iter().enumerate() {
-            let comma = if index == 0 { "" } else { ", " };
-            write!(formatter, "{comma}{name} = {}", rounded(*value))?;
-        }
-        Ok(())
-    }
-}
-
-/// How t or z must enter an expression that has the period of the forcing.
-fn entry(variable: &str) -> &'static str {
-    match variable {
-        "t" => {
-            "cos(omega*t) or sin(omega*t), where omega is the frequency of motion.frequency, or with multiples of omega"
-        }
-        _ => "cos(z) or sin(z), or with multiples of z",
-    }
-}
-
 /// The value to six digits, without zeros at the end, and with an exponent where there were many in it.
 pub(crate) fn rounded(value: f64) -> String {
     let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
@@ -169,14 +83,8 @@ impl DescriptionError {
             (place.file, place.line) = source.place(text.span().start + start + error.span.start);
         }
         let excerpt = excerpt(text.get_ref(), &error.span);
-        let problem = match error.problem.clone() {
-            Problem::UnknownName { name, nearest, known } => match variable(&name) {
-                Some(meaning) => Problem::NotHere { name, meaning, known },
-                None => Problem::UnknownName { name, nearest, known },
-            },
-            problem => problem,
-        };
-        DescriptionError::Expression { place, problem: Box::new(problem), excerpt }
+        let problem = error.problem.clone();
+        DescriptionError::Expression { place, problem, excerpt }
     }
 }
 

@@ -21,8 +21,6 @@ mod assemble;
 mod function;
 mod graph;
 mod parse;
-mod print;
-mod problem;
 #[cfg(test)]
 mod tests;
 
@@ -30,13 +28,22 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use grazing_model::smooth::{Function, Scalar};
+use thiserror::Error;
 
 pub(crate) use function::is_function;
-use graph::Node;
-pub use problem::{ExpressionError, Problem};
 
 /// The most results of instructions that an evaluation keeps on the stack; an expression with more of them allocates.
 pub const MOST_VALUES_ON_STACK: usize = 24;
+
+/// The first thing in an expression that is not right.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("{problem}")]
+pub struct ExpressionError {
+    /// The bytes of the text that are not right; empty at the text's end.
+    pub span: Range<usize>,
+    /// What is wrong with them, and what would be right.
+    pub problem: String,
+}
 
 /// An expression in variables that are known by name and number.
 ///
@@ -47,8 +54,6 @@ pub struct Expression(Arc<Tape>);
 #[derive(Debug, Default, PartialEq)]
 struct Tape {
     variables: Vec<String>,
-    /// All parts of the expression, each after those it is made of; the last one is the whole.
-    nodes: Vec<Node>,
     instructions: Vec<Instruction>,
     /// The number of variables that move; they come first.
     moving: usize,

@@ -38,7 +38,12 @@ fn every_example_loads_and_is_evaluated_without_allocation() {
             description.restitution_expression(),
             description.duration_expression(),
         ] {
-            assert!(expression.instructions() <= MOST_VALUES_ON_STACK, "{}: {expression}", path.display());
+            assert!(
+                expression.instructions() <= MOST_VALUES_ON_STACK,
+                "{}: {}",
+                path.display(),
+                expression.instructions()
+            );
         }
         examples += 1;
     }

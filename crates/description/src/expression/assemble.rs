@@ -24,8 +24,8 @@ impl Plan {
 }
 
 /// The expression of nodes of which each stands after those it is made of, and the last one is the whole.
-pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: Vec<Node>) -> Expression {
-    let plans = plans(&nodes);
+pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: &[Node]) -> Expression {
+    let plans = plans(nodes);
     let mut moves = vec![false; nodes.len()];
     for (index, (node, plan)) in nodes.iter().zip(&plans).enumerate() {
         moves[index] = match node {
@@ -49,7 +49,6 @@ pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: Vec<Node>
         }
     }
     tape.result = *slots.last().expect("an expression has at least one part");
-    tape.nodes = nodes;
     Expression(Arc::new(tape))
 }
 

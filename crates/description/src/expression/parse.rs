@@ -4,12 +4,12 @@ use std::cell::RefCell;
 use std::f64::consts;
 use std::ops::Range;
 
-use grazing_source::{nearest, shortened};
+use grazing_source::{nearest, shortened, suggestion};
 use nanoexpr::{Context, ErrorKind, Evaluator};
 
-use super::graph::{Graph, Term, parts};
-use super::{Expression, ExpressionError, Problem};
-use super::{assemble, function};
+use super::graph::{Graph, Node, Term, parts};
+use super::{Expression, ExpressionError, assemble, function};
+use crate::names;
 
 /// Parentheses in parentheses beyond which nobody can read an expression.
 const MOST_DEPTH: usize = 100;
@@ -55,54 +55,88 @@ impl Names<'_, '_> {
         self.variables.iter().copied().chain(numbers).collect()
     }
 
-    fn problem(&self, text: &str, kind: ErrorKind, span: Range<usize>) -> Problem {
-        let written = text[span.clone()].to_owned();
-        let shown = shortened(&written, SHOWN);
+    /// What is wrong at a place of the text, and what would be right.
+    fn problem(&self, text: &str, kind: ErrorKind, span: Range<usize>) -> String {
+        let written = &text[span.clone()];
+        let shown = shortened(written, SHOWN);
+        let unexpected = |expected: &str| format!("{written} cannot stand here: {expected} is expected");
+        let not_smooth = |what: &str| {
+            format!(
+                "{what} is not smooth: the theorems need functions with continuous derivatives; a smooth one that is close may do, \
+                 as sqrt(x^2 + s^2) with a small s for the modulus of x"
+            )
+        };
         match kind {
-            ErrorKind::UnknownVariable if function::is_function(&written) => {
-                Problem::FunctionWithoutArgument { name: written }
+            ErrorKind::UnknownVariable if function::is_function(written) => {
+                format!("{written} is a function: write its argument after it, as in {written}(x)")
             }
             ErrorKind::UnknownVariable => {
                 let known = self.known();
-                Problem::UnknownName {
-                    nearest: nearest(&written, &known).map(str::to_owned),
-                    name: written,
-                    known: known.into_iter().map(str::to_owned).collect(),
+                match names::variable(written) {
+                    Some(meaning) => {
+                        format!("{written}, {meaning}, cannot be used here. Known here: {}", listed(&known))
+                    }
+                    None => {
+                        let nearest = suggestion(nearest(written, &known));
+                        format!("unknown name {shown}{nearest} Known here: {}", listed(&known))
+                    }
                 }
             }
-            ErrorKind::UnknownFunction if function::is_not_smooth(&written) => {
-                Problem::NotSmooth { what: format!("the function {written}") }
+            ErrorKind::UnknownFunction if function::is_not_smooth(written) => {
+                not_smooth(&format!("the function {written}"))
             }
-            ErrorKind::UnknownFunction if self.known().contains(&written.as_str()) => {
-                Problem::NumberWithArgument { name: written }
+            ErrorKind::UnknownFunction if self.known().contains(&written) => {
+                format!("{written} is a number, no function: for a product write {written}*(...)")
             }
             ErrorKind::UnknownFunction => {
                 let known: Vec<&str> = function::functions().collect();
-                let nearest = if written.starts_with("log") { Some("ln") } else { nearest(&written, &known) };
-                Problem::UnknownFunction { nearest: nearest.map(str::to_owned), name: written }
+                let nearest = if written.starts_with("log") { Some("ln") } else { nearest(written, &known) };
+                format!("unknown function {shown}{} Known: {}", suggestion(nearest), known.join(", "))
             }
             ErrorKind::ArgumentCount | ErrorKind::TooManyArguments => {
-                Problem::Arguments { name: written.split('(').next().unwrap_or_default().trim().to_owned() }
+                let name = written.split('(').next().unwrap_or_default().trim();
+                format!("wrong number of arguments: {name} takes one, as in {name}(x)")
             }
-            ErrorKind::Unsupported => Problem::NotSmooth {
-                what: format!("{shown} (a remainder, a factorial, a comparison or a choice)"),
-            },
-            ErrorKind::InvalidNumber => Problem::Number { written: shown },
-            ErrorKind::UnclosedParenthesis => Problem::Unclosed,
-            ErrorKind::UnexpectedEnd => Problem::End,
-            ErrorKind::UnexpectedCharacter => Problem::Character { written },
-            ErrorKind::DivisionByZero => Problem::DivisionByZero,
-            ErrorKind::Domain => Problem::Domain { written: shown },
-            ErrorKind::Overflow | ErrorKind::Inexact => Problem::TooLarge { written: shown },
-            ErrorKind::TooDeep | ErrorKind::TooLong => Problem::TooDeep { most: MOST_DEPTH },
-            _ if !value_ends_before(text, span.start) => {
-                Problem::Unexpected { written, expected: "a number, a name, a function or (" }
+            ErrorKind::Unsupported => {
+                not_smooth(&format!("{shown} (a remainder, a factorial, a comparison or a choice)"))
             }
-            _ if written == ")" => Problem::Unopened,
-            _ if value_begins(&written) => Problem::OperatorMissing,
-            _ => Problem::Unexpected { written, expected: "an operator or the end" },
+            ErrorKind::InvalidNumber => format!("{shown} is too large a number to be computed with"),
+            ErrorKind::UnclosedParenthesis => "this parenthesis is not closed: a ) is missing".to_owned(),
+            ErrorKind::UnexpectedEnd => {
+                "the expression ends too early: a number, a name, a function or ( is expected".to_owned()
+            }
+            ErrorKind::UnexpectedCharacter => format!(
+                "the character {written} means nothing here: names are of the letters a to z and A to Z, digits and _, operators are \
+                 + - * / ^"
+            ),
+            ErrorKind::DivisionByZero => "division by zero".to_owned(),
+            ErrorKind::Domain => format!(
+                "{shown} has no real value: the logarithm and real powers need a positive number, roots one that is not negative"
+            ),
+            ErrorKind::Overflow | ErrorKind::Inexact => format!("{shown} is too large to be computed with"),
+            ErrorKind::TooDeep | ErrorKind::TooLong => format!(
+                "more than {MOST_DEPTH} parentheses, functions and operators stand inside one another here: shorten it"
+            ),
+            _ if !value_ends_before(text, span.start) => unexpected("a number, a name, a function or ("),
+            _ if written == ")" => {
+                "this parenthesis closes nothing: a ( is missing before it, or the ) is one too many"
+                    .to_owned()
+            }
+            _ if value_begins(written) => {
+                "an operator is missing here: products are written with *, as in 2*x".to_owned()
+            }
+            _ => unexpected("an operator or the end"),
         }
     }
+}
+
+/// The most names that a message lists.
+const LISTED: usize = 30;
+
+/// Names, the first ones if they are many.
+fn listed(names: &[&str]) -> String {
+    let rest = if names.len() > LISTED { ", ..." } else { "" };
+    format!("{}{rest}", names[..names.len().min(LISTED)].join(", "))
 }
 
 /// Whether a number, a name or a parenthesis ends right before this place.
@@ -126,8 +160,21 @@ pub(super) fn expression(
     moving: usize,
     constants: &[(&str, f64)],
 ) -> Result<(Expression, Vec<usize>), ExpressionError> {
+    let (nodes, uses) = nodes(text, variables, constants)?;
+    let variables = variables.iter().map(|&name| name.to_owned()).collect();
+    Ok((assemble::expression(variables, moving, &nodes), uses))
+}
+
+/// The parts of the expression, each after those it is made of, and the numbers of the variables that its text names.
+pub(super) fn nodes(
+    text: &str,
+    variables: &[&str],
+    constants: &[(&str, f64)],
+) -> Result<(Vec<Node>, Vec<usize>), ExpressionError> {
     if text.len() > MOST_BYTES {
-        let problem = Problem::TooLong { most: MOST_BYTES };
+        let problem = format!(
+            "the expression has more than {MOST_BYTES} bytes: shorten it, as by constants in [parameters] for parts that do not vary"
+        );
         return Err(ExpressionError { problem, span: 0..0 });
     }
     let graph = Graph::default();
@@ -137,7 +184,5 @@ pub(super) fn expression(
             let span = error.span.start..error.span.end;
             ExpressionError { problem: names.problem(text, error.kind, span.clone()), span }
         })?;
-    let variables = variables.iter().map(|&name| name.to_owned()).collect();
-    let expression = assemble::expression(variables, moving, parts(term));
-    Ok((expression, names.uses.into_inner()))
+    Ok((parts(term), names.uses.into_inner()))
 }

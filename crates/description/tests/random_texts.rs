@@ -1,6 +1,6 @@
-//! An expression that is printed and read again is the same.
+//! Random texts are read as what they say.
 
-use grazing_description::{Expression, Problem};
+use grazing_description::Expression;
 use proptest::prelude::*;
 
 const VARIABLES: [&str; 3] = ["x", "v", "t"];
@@ -32,25 +32,10 @@ fn expression() -> impl Strategy<Value = String> {
 
 proptest! {
     #[test]
-    fn printing_and_reading_gives_the_same_expression(text in expression()) {
-        let parse = |text: &str| Expression::parse(text, &VARIABLES, &[("kappa", 0.1)]);
-        match parse(&text) {
-            Ok(expression) => {
-                let printed = expression.to_string();
-                let again = parse(&printed);
-                prop_assert_eq!(again.as_ref(), Ok(&expression), "{} printed as {}", text, printed);
-                let at = [0.7, -0.4, 1.9];
-                let values = [expression.evaluate(&at), again.expect("read").evaluate(&at)];
-                prop_assert_eq!(values[0].to_bits(), values[1].to_bits(), "{}", printed);
-            }
-            // Constants may lie outside a domain; nothing else can be wrong with these texts.
-            Err(error) => prop_assert!(
-                matches!(
-                    error.problem,
-                    Problem::DivisionByZero | Problem::Domain { .. } | Problem::TooLarge { .. }
-                ),
-                "{}: {}", text, error
-            ),
+    fn nothing_but_its_constants_can_be_wrong_with_an_expression(text in expression()) {
+        if let Err(error) = Expression::parse(&text, &VARIABLES, &[("kappa", 0.1)]) {
+            let outside = ["division by zero", "has no real value", "is too large"];
+            prop_assert!(outside.iter().any(|told| error.problem.contains(told)), "{}: {}", text, error);
         }
     }
 
@@ -114,7 +99,7 @@ proptest! {
         for (x, v) in [(1.0, -1.0), (2.0, 1.0), (-1.0, 2.0)] {
             let (got, wanted) = (expression.evaluate(&[x, v, 0.0]), tree.value(x, v));
             if !wanted.is_nan() {
-                prop_assert_eq!(got, wanted, "{} read as {}", text, expression);
+                prop_assert_eq!(got, wanted, "{}", text);
             }
         }
     }
