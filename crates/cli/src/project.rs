@@ -33,7 +33,7 @@ pub(crate) fn root() -> Option<PathBuf> {
 /// # Errors
 /// [`Failure::NoProject`] if none was named and there is no default one; [`Failure::Parameters`].
 pub(crate) fn parameters(asked: &ParameterFile) -> Result<Parameters, Failure> {
-    Ok(Parameters::from_file_with(&parameter_file(asked.file.as_deref())?, &asked.set)?)
+    Ok(Parameters::from_file(&parameter_file(asked.file.as_deref())?, &asked.set)?)
 }
 
 /// The parameter file that was named, or the default one.

@@ -14,7 +14,7 @@ use std::time::Instant;
 
 use grazing_description::{Description, DescriptionError, Limits};
 use grazing_reproduction::StudyError;
-use grazing_reproduction::unfolded::{Described, TABLES, Unfolded};
+use grazing_reproduction::unfolded::{Described, Rows, Unfolded};
 use grazing_source::Setting;
 use grazing_unfold::UnfoldError;
 
@@ -55,7 +55,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let tasks = tasks(arguments)?;
     for task in &tasks {
         let figures = sheets::FILES.iter().flat_map(|file| edition.figure_paths(file));
-        let tables = TABLES.iter().map(|table| table_path(table.name));
+        let tables = Rows::TABLES.iter().map(|table| table_path(table.name));
         let pages = [PathBuf::from(PAGE), data_page::path()];
         folder::ensure_writable(&task.folder, &figures.chain(tables).chain(pages).collect::<Vec<_>>())?;
     }
@@ -202,7 +202,7 @@ impl Task {
             let content = tables::csv(table).map_err(|error| computation("tables", &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
         }
-        files.push(data_page::of_an_oscillator(TABLES, &unfolded.axes.names));
+        files.push(data_page::of_an_oscillator(Rows::TABLES.iter().copied(), &unfolded.axes.names));
         let Self { file, text, description, .. } = self;
         let material = Material { file, text, description, unfolded, figures: &drawn, tables };
         files.push(material.page(&files));

@@ -9,9 +9,7 @@ use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
-use grazing_results::resonances::{Asked, GrazingLoops, GrazingPoint, Resonance};
-use grazing_results::{Names, Plan, Table};
-use grazing_theorems::ResonantPoint;
+use grazing_results::tables;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::sides::{Simulated, simulate};
@@ -24,6 +22,7 @@ use rayon::prelude::*;
 use crate::StudyError;
 use crate::plane::{self, Axes};
 pub use finished::Observer;
+pub use tables::{Along, Asked, GrazingRow, ResonanceRow};
 
 /// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a
 /// magnification.
@@ -35,16 +34,8 @@ pub struct Unfolded<O> {
     pub diagram: Diagram<O>,
     /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`]; in the oscillator's own units.
     pub resonances: Vec<AtResonance>,
-    /// What depends on p along the grazing curves, for one p after the other.
+    /// What depends on p along the grazing curves, for one p after the other; without dimensions.
     along: Vec<Along>,
-}
-
-/// What depends on p at a point of a grazing curve.
-#[derive(Clone, Copy, Debug)]
-struct Along {
-    arc: u32,
-    parameters: [f64; 2],
-    point: ResonantPoint,
 }
 
 /// What was found at a resonance, in the oscillator's own units.
@@ -175,61 +166,28 @@ impl<O: ImpactOscillator> Unfolded<O> {
     }
 }
 
-/// The rows of all tables of an analysis.
-#[derive(Clone, Debug)]
-pub struct Rows {
-    /// The grazing orbit and the map around it, along the grazing curve.
-    pub grazing: Vec<GrazingPoint>,
-    /// What depends on p there.
-    pub grazing_loops: Vec<GrazingLoops>,
-    /// The curves of the diagram.
-    pub curves: Vec<CurvePoint>,
-    /// Its codimension-two points.
-    pub points: Vec<SpecialPoint>,
-    /// Its regions.
-    pub regions: Vec<RegionVertex>,
-    /// The resonances at which a theorem holds.
-    pub coefficients: Vec<Resonance>,
-    /// What the theorems ask.
-    pub hypotheses: Vec<Asked>,
-    /// The curves of the magnifications.
-    pub magnifications: Vec<MagnifiedPoint>,
-}
-
-/// The tables of an analysis, in their order.
-pub const TABLES: [Plan; 8] = [
-    Plan::of::<GrazingPoint>(
-        "grazing",
-        "a point of the grazing curve, with the grazing orbit and the Poincaré map around it",
-    ),
-    Plan::of::<GrazingLoops>("grazing_loops", "such a point and a p, with what depends on p"),
-    Plan::of::<CurvePoint>("curves", "a point of a curve of the diagram"),
-    Plan::of::<SpecialPoint>(
-        "points",
-        "a resonance at which a theorem holds, or another codimension-two point",
-    ),
-    Plan::of::<RegionVertex>("regions", "a vertex of a region of stability"),
-    Plan::of::<Resonance>("coefficients", "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds"),
-    Plan::of::<Asked>(
-        "hypotheses",
-        "a hypothesis of the theorem at a resonance, whether or not all of them hold",
-    ),
-    Plan::of::<MagnifiedPoint>("magnifications", "a point of a curve of a magnification"),
-];
-
-impl Rows {
-    /// All tables, which [`TABLES`] lists, with these names of the parameters.
-    pub fn tables(&self, names: &Names) -> Vec<Table> {
-        vec![
-            Table::new("grazing", names, &self.grazing),
-            Table::new("grazing_loops", names, &self.grazing_loops),
-            Table::new("curves", names, &self.curves),
-            Table::new("points", names, &self.points),
-            Table::new("regions", names, &self.regions),
-            Table::new("coefficients", names, &self.coefficients),
-            Table::new("hypotheses", names, &self.hypotheses),
-            Table::new("magnifications", names, &self.magnifications),
-        ]
+tables! {
+    /// The rows of all tables of an analysis, in the oscillator's own units.
+    Rows {
+        /// The grazing orbit and the map around it, along the grazing curve.
+        grazing: GrazingRow = "grazing",
+            "a point of the grazing curve, with the grazing orbit and the Poincaré map around it",
+        /// What depends on p there.
+        grazing_loops: Along = "grazing_loops", "such a point and a p, with what depends on p",
+        /// The curves of the diagram.
+        curves: CurvePoint = "curves", "a point of a curve of the diagram",
+        /// Its codimension-two points.
+        points: SpecialPoint = "points", "a resonance at which a theorem holds, or another codimension-two point",
+        /// Its regions.
+        regions: RegionVertex = "regions", "a vertex of a region of stability",
+        /// The resonances at which a theorem holds.
+        coefficients: ResonanceRow = "coefficients",
+            "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds",
+        /// What the theorems ask.
+        hypotheses: Asked = "hypotheses",
+            "a hypothesis of the theorem at a resonance, whether or not all of them hold",
+        /// The curves of the magnifications.
+        magnifications: MagnifiedPoint = "magnifications", "a point of a curve of a magnification",
     }
 }
 

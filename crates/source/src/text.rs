@@ -7,10 +7,11 @@ use std::path::Path;
 
 use serde::de::DeserializeOwned;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
+use toml::de::{DeTable, DeValue, Deserializer};
 
 use crate::error::SourceError;
 use crate::requirements::Requirements;
+use crate::section::Section;
 use crate::setting::Setting;
 use crate::words::{nearest, shortened};
 
@@ -85,10 +86,10 @@ impl<'a> Source<'a> {
     }
 
     /// The file's content, with the settings applied.
-    fn document<T>(
+    fn document<T, E: From<SourceError>>(
         &self,
-        read: impl FnOnce(Spanned<DeTable<'_>>) -> Result<T, SourceError>,
-    ) -> Result<T, SourceError> {
+        read: impl FnOnce(Spanned<DeTable<'_>>) -> Result<T, E>,
+    ) -> Result<T, E> {
         let Text { whole, end, settings } = self.text;
         let padded: Vec<String> =
             settings.iter().map(|(position, setting)| setting.padded(*position)).collect();
@@ -176,22 +177,25 @@ impl<'a> Source<'a> {
         })
     }
 
-    /// One table of the top level with its keys and types checked; what stands in the others does not matter.
+    /// One table of the top level, read by `read`; what stands in the others does not matter.
     ///
     /// # Errors
-    /// [`SourceError`]: no TOML, no such table, an unknown or missing key in it, or a value of the wrong type.
-    pub fn read_table<Table: DeserializeOwned>(&self, name: &str) -> Result<Table, SourceError> {
+    /// [`SourceError`]: no TOML, no such table, or an unknown key in it; and whatever `read` finds wrong.
+    pub fn section<T, E: From<SourceError>>(
+        &self,
+        name: &str,
+        read: impl FnOnce(Section<'_>) -> Result<T, E>,
+    ) -> Result<T, E> {
         self.document(|document| {
             let Some(value) = document.get_ref().get(name) else {
-                return Err(self.missing("", name, 0));
+                return Err(self.missing("", name, 0).into());
             };
-            let table = value.get_ref().as_table();
-            if let Some(unknown) = table.and_then(|table| first_unknown_key(table, name, &self.requirements))
+            let section = Section::of(self, name.to_owned(), value)?;
+            match value.get_ref().as_table().and_then(|table| first_unknown_key(table, name, &self.requirements))
             {
-                return Err(self.refuse(unknown));
+                Some(unknown) => Err(self.refuse(unknown).into()),
+                None => read(section),
             }
-            Table::deserialize(ValueDeserializer::from(value.clone()))
-                .map_err(|error| self.explain(&error, document.get_ref()))
         })
     }
 
@@ -200,7 +204,12 @@ impl<'a> Source<'a> {
         self.forbid_at(key, place.span(), allowed)
     }
 
-    fn forbid_at(&self, key: &str, span: ops::Range<usize>, allowed: String) -> SourceError {
+    /// The refusal of the value at a place, with what its key must hold.
+    pub(crate) fn refusal(&self, key: &str, span: ops::Range<usize>) -> SourceError {
+        self.forbid_at(key, span, self.requirements.of(key).to_owned())
+    }
+
+    pub(crate) fn forbid_at(&self, key: &str, span: ops::Range<usize>, allowed: String) -> SourceError {
         let (file, line) = self.place(span.start);
         SourceError::Forbidden { file, line, key: key.to_owned(), value: self.written(span), allowed }
     }
@@ -288,7 +297,7 @@ impl<'a> Source<'a> {
         };
         let missing = error.message().strip_prefix("missing field `").and_then(|rest| rest.strip_suffix('`'));
         let Some(name) = missing else {
-            return self.forbid_at(&path, span, self.requirements.of(&path).to_owned());
+            return self.refusal(&path, span);
         };
         self.missing(&path, name, span.start)
     }
@@ -349,7 +358,7 @@ fn first_unknown_key(table: &DeTable<'_>, path: &str, requirements: &Requirement
         .min_by_key(|unknown| unknown.position)
 }
 
-fn joined(table: &str, name: &str) -> String {
+pub(crate) fn joined(table: &str, name: &str) -> String {
     if table.is_empty() { name.to_owned() } else { format!("{table}.{name}") }
 }
 

@@ -22,17 +22,17 @@ fn parse(text: &str) -> Result<Parameters, SourceError> {
 /// What is wrong in the sections, in their order.
 fn errors(parameters: &Parameters) -> Vec<ParameterError> {
     [
-        parameters.oscillator().map(drop),
-        parameters.fig01().map(drop),
-        parameters.fig02().map(drop),
-        parameters.fig03().map(drop),
-        parameters.fig04().map(drop),
-        parameters.fig05().map(drop),
-        parameters.fig06().map(drop),
-        parameters.fig07().map(drop),
-        parameters.fig08().map(drop),
-        parameters.fig09().map(drop),
-        parameters.fig10().map(drop),
+        parameters.oscillator.get().map(drop),
+        parameters.fig01.get().map(drop),
+        parameters.fig02.get().map(drop),
+        parameters.fig03.get().map(drop),
+        parameters.fig04.get().map(drop),
+        parameters.fig05.get().map(drop),
+        parameters.fig06.get().map(drop),
+        parameters.fig07.get().map(drop),
+        parameters.fig08.get().map(drop),
+        parameters.fig09.get().map(drop),
+        parameters.fig10.get().map(drop),
     ]
     .into_iter()
     .filter_map(Result::err)

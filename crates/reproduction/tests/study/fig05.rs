@@ -15,10 +15,10 @@ fn figure() -> Figure5 {
 }
 
 fn resonance() -> Resonance {
-    let (parameters, shown) = (&made().parameters, made().parameters.fig05().expect("it is right"));
+    let (parameters, shown) = (&made().parameters, made().parameters.fig05.get().expect("it is right"));
     let theory = grazing_theorems::LinearOscillator::new(
-        parameters.oscillator().expect("it is right").damping_ratio(),
-        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+        parameters.oscillator.get().expect("it is right").damping_ratio(),
+        parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
     )
     .unwrap();
     theory.resonance(shown.loops(), shown.n()).unwrap()
@@ -35,11 +35,11 @@ fn solutions(mu: f64, eta: f64) -> Vec<Orbit> {
     let (amplitude, omega) = parameters_at(mu, eta);
     let parameters = &made().parameters;
     let all = orbits(
-        parameters.oscillator().expect("it is right").damping_ratio(),
-        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+        parameters.oscillator.get().expect("it is right").damping_ratio(),
+        parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
         amplitude,
         omega,
-        parameters.fig05().expect("it is right").loops(),
+        parameters.fig05.get().expect("it is right").loops(),
     );
     all.into_iter().filter(Orbit::admissible).collect()
 }
@@ -62,7 +62,7 @@ fn inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
 
 /// A grid over the middle of the cells of the window.
 fn grid(cells: u32) -> Vec<[f64; 2]> {
-    let shown = made().parameters.fig05().expect("it is right");
+    let shown = made().parameters.fig05.get().expect("it is right");
     let at = |range: grazing_reproduction::parameters::Range, k: u32| {
         range.lower() + range.width() * (f64::from(k) + 0.5) / f64::from(cells)
     };
@@ -73,7 +73,7 @@ fn grid(cells: u32) -> Vec<[f64; 2]> {
 fn margin([mu, eta]: [f64; 2]) -> f64 {
     let (sn, pd) = (resonance().saddle_node_coefficient(), resonance().period_doubling_coefficient());
     let boundary = if eta * saddle_node_side() > 0.0 { sn } else { pd } * eta * eta;
-    (mu - boundary).abs() / made().parameters.fig05().expect("it is right").mu().width()
+    (mu - boundary).abs() / made().parameters.fig05.get().expect("it is right").mu().width()
 }
 
 /// The sign of η on the saddle-node curve of the frame.
@@ -168,13 +168,13 @@ fn last_impacts(mu: f64, eta: f64, from: &Orbit, closeness: f64) -> Vec<[f64; 2]
     let parameters = &made().parameters;
     let (amplitude, omega) = parameters_at(mu, eta);
     let oscillator = LinearOscillator::new(
-        parameters.oscillator().expect("it is right").damping_ratio(),
-        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+        parameters.oscillator.get().expect("it is right").damping_ratio(),
+        parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
         amplitude,
         omega,
     )
     .unwrap();
-    let period = f64::from(parameters.fig05().expect("it is right").loops()) * TAU / omega;
+    let period = f64::from(parameters.fig05.get().expect("it is right").loops()) * TAU / omega;
     let start = State::on_wall(from.velocity * (1.0 + closeness), from.phase);
     let periods = 400.0;
     // Half a period on, so that no impact falls on the end.
@@ -223,8 +223,8 @@ fn the_non_impacting_solution_attracts_where_it_is_said_to() {
     for [mu, eta] in grid(8) {
         let (amplitude, omega) = parameters_at(mu, eta);
         let oscillator = LinearOscillator::new(
-            parameters.oscillator().expect("it is right").damping_ratio(),
-            parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+            parameters.oscillator.get().expect("it is right").damping_ratio(),
+            parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
             amplitude,
             omega,
         )
@@ -245,7 +245,7 @@ fn the_non_impacting_solution_attracts_where_it_is_said_to() {
 #[test]
 fn closed_form_solutions_are_those_of_the_branch_expansion() {
     // μ = k₂y² + k₃ηy of eq:ZM, on which the argument for the region rests: at the turning point y = Υ⁺η the two MPSs merge.
-    let (shown, resonance) = (made().parameters.fig05().expect("it is right"), resonance());
+    let (shown, resonance) = (made().parameters.fig05.get().expect("it is right"), resonance());
     let branch = resonance.resonant_point().branch_expansion();
     assert!(branch.k_2 > 0.0);
     let edge = if saddle_node_side() < 0.0 { shown.eta().lower() } else { shown.eta().upper() };

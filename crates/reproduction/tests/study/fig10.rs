@@ -22,22 +22,22 @@ fn vertices() -> Vec<[f64; 2]> {
 fn grazing() -> GrazingState {
     let parameters = &made().parameters;
     let theory = grazing_theorems::LinearOscillator::new(
-        parameters.oscillator().expect("it is right").damping_ratio(),
-        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+        parameters.oscillator.get().expect("it is right").damping_ratio(),
+        parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
     )
     .unwrap();
-    theory.grazing(parameters.fig10().expect("it is right").frequency()).unwrap()
+    theory.grazing(parameters.fig10.get().expect("it is right").frequency()).unwrap()
 }
 
 /// S_p / β, which scales slopes in μ to (u, w). Paper: eq:ujwj.
 fn scale() -> f64 {
-    let p = made().parameters.fig10().expect("it is right").loops();
+    let p = made().parameters.fig10.get().expect("it is right").loops();
     lucas_sequence(p, grazing().trace(), grazing().determinant()) / grazing().transversality()
 }
 
 #[test]
 fn vertices_are_scaled_slopes_of_the_visits_and_the_closed_form_of_u() {
-    let (point, p) = (grazing().grazing_point(), made().parameters.fig10().expect("it is right").loops());
+    let (point, p) = (grazing().grazing_point(), made().parameters.fig10.get().expect("it is right").loops());
     let orbit = point.emerging_orbit(p).unwrap();
     let (tau, delta) = (grazing().trace(), grazing().determinant());
     for (j, [u, w]) in (0..).zip(vertices()) {
@@ -52,7 +52,7 @@ fn vertices_are_scaled_slopes_of_the_visits_and_the_closed_form_of_u() {
 fn the_path_starts_and_ends_on_the_w_axis_and_lies_left_of_it_between() {
     let vertices = vertices();
     let last = vertices.len() - 1;
-    assert_eq!(last as u32, made().parameters.fig10().expect("it is right").loops());
+    assert_eq!(last as u32, made().parameters.fig10.get().expect("it is right").loops());
     assert_eq!(vertices[0][0], 0.0);
     assert!(vertices[last][0].abs() < 1e-13, "{}", vertices[last][0]);
     assert!(vertices[1..last].iter().all(|[u, _]| *u < -0.1), "{vertices:?}");
@@ -80,11 +80,11 @@ fn the_closed_path_is_convex() {
 
 #[test]
 fn visits_of_followed_solutions_tend_to_the_vertices() {
-    let (parameters, shown) = (&made().parameters, made().parameters.fig10().expect("it is right"));
+    let (parameters, shown) = (&made().parameters, made().parameters.fig10.get().expect("it is right"));
     let (omega, graz) = (shown.frequency(), grazing().amplitude());
     let oscillator = LinearOscillator::new(
-        parameters.oscillator().expect("it is right").damping_ratio(),
-        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+        parameters.oscillator.get().expect("it is right").damping_ratio(),
+        parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
         graz,
         omega,
     )

@@ -10,8 +10,8 @@ use grazing_trials::closed_form::{Orbit, orbits};
 fn nearest(amplitude: f64, omega: f64, loops: u32, velocity: f64) -> Orbit {
     let parameters = &made().parameters;
     let all = orbits(
-        parameters.oscillator().expect("it is right").damping_ratio(),
-        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+        parameters.oscillator.get().expect("it is right").damping_ratio(),
+        parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
         amplitude,
         omega,
         loops,
@@ -64,8 +64,8 @@ fn every_point_of_every_curve_of_figure_7_is_a_closed_form_mps_with_its_property
             let shifted = |shift: f64| {
                 let parameters = &made().parameters;
                 orbits(
-                    parameters.oscillator().expect("it is right").damping_ratio(),
-                    parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+                    parameters.oscillator.get().expect("it is right").damping_ratio(),
+                    parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
                     amplitude[row] + shift,
                     omega[row],
                     loops[row],
@@ -131,8 +131,8 @@ fn codimension_two_points_meet_both_their_conditions() {
         }
         let parameters = &made().parameters;
         let all = orbits(
-            parameters.oscillator().expect("it is right").damping_ratio(),
-            parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+            parameters.oscillator.get().expect("it is right").damping_ratio(),
+            parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
             amplitude[k],
             omega[k],
             loops[k],
@@ -181,7 +181,7 @@ fn regions_are_where_a_closed_form_mps_is_stable_and_admissible() {
     assert_eq!([count(1), count(2), count(3)], [4, 3, 2]);
 
     let parameters = &made().parameters;
-    let window = parameters.fig07().expect("it is right").window();
+    let window = parameters.fig07.get().expect("it is right").window();
     let mut random = Pcg64::new(11, 0);
     let mut uniform =
         |low: f64, high: f64| low + (high - low) * (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
@@ -198,8 +198,8 @@ fn regions_are_where_a_closed_form_mps_is_stable_and_admissible() {
             }
             let inside = places.iter().any(|(_, inside)| *inside);
             let all = orbits(
-                parameters.oscillator().expect("it is right").damping_ratio(),
-                parameters.oscillator().expect("it is right").coefficient_of_restitution(),
+                parameters.oscillator.get().expect("it is right").damping_ratio(),
+                parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
                 point[0],
                 point[1],
                 p,
@@ -220,8 +220,8 @@ fn branches_of_figure_2_are_closed_form_mpss_with_their_stability() {
     let [amplitude, velocity, phase] =
         ["amplitude", "impact_velocity", "impact_phase"].map(|name| numbers(table, name));
     let (stable, admissible) = (flags(table, "stable"), flags(table, "admissible"));
-    let omega = made().parameters.fig02().expect("it is right").frequency();
-    let loss = 2.0 * made().parameters.oscillator().expect("it is right").damping_ratio() * omega;
+    let omega = made().parameters.fig02.get().expect("it is right").frequency();
+    let loss = 2.0 * made().parameters.oscillator.get().expect("it is right").damping_ratio() * omega;
     let grazing_phase = libm::atan2(loss, 1.0 - omega * omega);
     for row in 0..loops.len() {
         if loops[row] == 0 || visit[row] > 1 || velocity[row] == 0.0 {

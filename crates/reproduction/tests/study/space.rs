@@ -119,7 +119,7 @@ fn assert_follows(equation: Equation, curve: &[Point]) {
 fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset_law_says() {
     let (parameters, study) = study();
     let made = study.fig01().expect("figure 1 can be computed");
-    let shown = parameters.fig01().expect("it is right");
+    let shown = parameters.fig01.get().expect("it is right");
     let flights = curves(&made.curves, "orbit");
     for flight in &flights {
         assert_follows(Equation::of(shown.specimen()), flight);
@@ -147,7 +147,7 @@ fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset
 fn the_image_in_figure_3_is_where_the_orbit_returns_and_gamma_closes_at_its_only_touch_of_the_wall() {
     let (parameters, study) = study();
     let made = study.fig03().expect("figure 3 can be computed");
-    let shown = parameters.fig03().expect("it is right");
+    let shown = parameters.fig03.get().expect("it is right");
     let theory = grazing_theorems::LinearOscillator::new(shown.zeta(), 1.0).expect("a damping ratio");
     let grazing = theory.grazing(shown.frequency()).expect("a frequency");
     let equation =
@@ -175,7 +175,7 @@ fn the_image_in_figure_3_is_where_the_orbit_returns_and_gamma_closes_at_its_only
 fn points_of_figure_9_are_where_the_orbits_come_to_rest() {
     let (parameters, study) = study();
     let made = study.fig09().expect("figure 9 can be computed");
-    let shown = parameters.fig09().expect("it is right");
+    let shown = parameters.fig09.get().expect("it is right");
     let equation = Equation::of(shown.specimen());
     let one = |kind: &str| points(&made.points, kind)[0];
     let (impact, recoil, ahead) = (one("impact"), one("recoil"), one("virtual"));
@@ -199,7 +199,7 @@ fn points_of_figure_9_are_where_the_orbits_come_to_rest() {
 fn curves_of_figure_9_join_the_points_and_are_virtual_exactly_beyond_the_wall() {
     let (parameters, study) = study();
     let made = study.fig09().expect("figure 9 can be computed");
-    let shown = parameters.fig09().expect("it is right");
+    let shown = parameters.fig09.get().expect("it is right");
     let (real, unreal) = (curves(&made.curves, "orbit"), curves(&made.curves, "virtual"));
     for curve in real.iter().chain(&unreal) {
         assert_follows(Equation::of(shown.specimen()), curve);
@@ -244,13 +244,13 @@ fn the_projection_turns_space_and_leaves_lengths_alone() {
     let (parameters, study) = study();
     let straight = |stretch: [f64; 3]| move |p: Point| [0, 1, 2].map(|i| stretch[i] * p[i]);
     let nine = study.fig09().expect("figure 9");
-    let view = parameters.fig09().expect("it is right").view();
+    let view = parameters.fig09.get().expect("it is right").view();
     check_lengths(&nine.curves, straight(view.stretch()));
     check_lengths(&nine.surfaces, straight(view.stretch()));
     let three = study.fig03().expect("figure 3");
     let (radius, stretch) = (
-        parameters.fig03().expect("it is right").radius(),
-        parameters.fig03().expect("it is right").view().stretch(),
+        parameters.fig03.get().expect("it is right").radius(),
+        parameters.fig03.get().expect("it is right").view().stretch(),
     );
     let ring = |[x, y, z]: Point| {
         let (sin, cos) = libm::sincos(z);

@@ -1,0 +1,122 @@
+//! A table of a file, read key by key.
+
+use std::ops::Range;
+
+use serde::de::DeserializeOwned;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue, ValueDeserializer};
+
+use crate::error::{SourceError, place};
+use crate::text::{Source, joined};
+
+/// A table of a file, whose keys are known ones. Values are read one by one, each as what it is to be, so that whoever checks them
+/// needs no other record of where they stand.
+#[derive(Debug, Clone)]
+pub struct Section<'d> {
+    source: &'d Source<'d>,
+    /// The key of the table with all that leads to it.
+    key: String,
+    span: Range<usize>,
+    table: &'d DeTable<'d>,
+}
+
+impl<'d> Section<'d> {
+    /// The table that a value is.
+    ///
+    /// # Errors
+    /// [`SourceError::Forbidden`]: it is none.
+    pub(crate) fn of(
+        source: &'d Source<'d>,
+        key: String,
+        value: &'d Spanned<DeValue<'d>>,
+    ) -> Result<Self, SourceError> {
+        match value.get_ref() {
+            DeValue::Table(table) => Ok(Self { source, key, span: value.span(), table }),
+            _ => Err(source.refusal(&key, value.span())),
+        }
+    }
+
+    /// The key in this table with all that leads to it.
+    pub fn key(&self, name: &str) -> String {
+        joined(&self.key, name)
+    }
+
+    /// Whether the key is there.
+    pub fn has(&self, name: &str) -> bool {
+        self.table.contains_key(name)
+    }
+
+    fn find(&self, name: &str) -> Result<&'d Spanned<DeValue<'d>>, SourceError> {
+        self.table.get(name).ok_or_else(|| self.source.missing(&self.key, name, self.span.start))
+    }
+
+    fn span(&self, name: &str) -> Range<usize> {
+        self.table.get(name).map_or(self.span.clone(), Spanned::span)
+    }
+
+    /// The value of a key.
+    ///
+    /// # Errors
+    /// [`SourceError`]: it is missing, or of the wrong type.
+    pub fn value<T: DeserializeOwned>(&self, name: &str) -> Result<T, SourceError> {
+        let value = self.find(name)?;
+        T::deserialize(ValueDeserializer::from(value.clone())).map_err(|error| {
+            self.source.refusal(&self.key(name), error.span().unwrap_or_else(|| value.span()))
+        })
+    }
+
+    /// The value of a key that need not be there.
+    ///
+    /// # Errors
+    /// [`SourceError::Forbidden`]: it is of the wrong type.
+    pub fn optional<T: DeserializeOwned>(&self, name: &str) -> Result<Option<T>, SourceError> {
+        if self.has(name) { self.value(name).map(Some) } else { Ok(None) }
+    }
+
+    /// A table in this one.
+    ///
+    /// # Errors
+    /// [`SourceError`]: it is missing, or no table.
+    pub fn table(&self, name: &str) -> Result<Self, SourceError> {
+        Self::of(self.source, self.key(name), self.find(name)?)
+    }
+
+    /// The tables of a list, as `[[fig08.panels]]`.
+    ///
+    /// # Errors
+    /// [`SourceError`]: they are missing, or not all of them are tables.
+    pub fn tables(&self, name: &str) -> Result<Vec<Self>, SourceError> {
+        let value = self.find(name)?;
+        let DeValue::Array(members) = value.get_ref() else { return Err(self.refusal(name)) };
+        let numbered = (1..).zip(members.iter());
+        numbered
+            .map(|(number, member)| Self::of(self.source, format!("{}[{number}]", self.key(name)), member))
+            .collect()
+    }
+
+    /// The refusal of a value, with what its key must hold.
+    pub fn refusal(&self, name: &str) -> SourceError {
+        self.source.refusal(&self.key(name), self.span(name))
+    }
+
+    /// The refusal of a part of a value, with what its key must hold.
+    pub fn refusal_of<T>(&self, name: &str, part: &Spanned<T>) -> SourceError {
+        self.source.refusal(&self.key(name), part.span())
+    }
+
+    /// The refusal of a value; `allowed` says what would be right.
+    pub fn forbid(&self, name: &str, allowed: String) -> SourceError {
+        self.source.forbid_at(&self.key(name), self.span(name), allowed)
+    }
+
+    /// Where a value stands, as messages have it: `file:line`, or `--set`.
+    pub fn place(&self, name: &str) -> String {
+        let (file, line) = self.source.place(self.span(name).start);
+        place(&file, line)
+    }
+
+    /// A value with its place and key, as messages begin: `file:line: key = value`.
+    pub fn told(&self, name: &str) -> String {
+        format!("{}: {} = {}", self.place(name), self.key(name), self.source.raw(self.span(name)))
+    }
+}
