@@ -48,10 +48,14 @@ pub enum Change {
 /// there goes.
 ///
 /// # Errors
-/// [`Failure::Unwritable`]; [`Failure::NotRegular`] if something other than a regular file is in a file's place.
+/// The folder cannot be written, or something other than a regular file is in a file's place.
 pub fn ensure_writable(folder: &Path, files: &[PathBuf]) -> Result<(), Failure> {
     for place in [folder.to_owned(), folder.join(DATA)] {
-        obstacle(&place).map_or(Ok(()), |(path, reason)| Err(Failure::Unwritable { path, reason }))?;
+        if let Some((path, reason)) = obstacle(&place) {
+            let path = path.display();
+            let remedy = "name a folder for the outputs with --output DIR";
+            return Err(Failure::input(format!("{path}: cannot be written: {reason}; {remedy}")));
+        }
         sweep(&place);
     }
     files.iter().try_for_each(|file| to_write(&folder.join(file)).map(drop))
@@ -76,7 +80,7 @@ pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
 /// they are moved into their places.
 ///
 /// # Errors
-/// [`Failure::File`]. Temporary files are removed; a file is old or new, never in between.
+/// A file cannot be written. Temporary files are removed; a file is old or new, never in between.
 pub fn write(folder: &Path, files: &[MadeFile]) -> Result<Vec<Change>, Failure> {
     let folders: BTreeSet<PathBuf> =
         files.iter().filter_map(|file| Some(folder.join(&file.path).parent()?.to_owned())).collect();
@@ -85,13 +89,13 @@ pub fn write(folder: &Path, files: &[MadeFile]) -> Result<Vec<Change>, Failure> 
     for file in files {
         let path = folder.join(&file.path);
         let place = to_write(&path)?;
-        staged.push((stage(&place, &file.content).map_err(|reason| failed(&path, reason))?, place));
+        staged.push((stage(&place, &file.content).map_err(|reason| Failure::file(&path, &reason))?, place));
     }
     staged
         .into_iter()
         .map(|((change, unfinished), place)| {
             if let Some(unfinished) = unfinished {
-                unfinished.persist(&place).map_err(|error| failed(&place, error))?;
+                unfinished.persist(&place).map_err(|error| Failure::file(&place, &error))?;
             }
             Ok(change)
         })
@@ -102,7 +106,7 @@ pub fn write(folder: &Path, files: &[MadeFile]) -> Result<Vec<Change>, Failure> 
 /// folder that the code does not make; `known` are those that belong there all the same.
 ///
 /// # Errors
-/// [`Failure::File`] if the folder or a file in it cannot be read.
+/// The folder or a file in it cannot be read.
 pub fn differences(
     folder: &Path,
     files: &[MadeFile],
@@ -116,7 +120,7 @@ pub fn differences(
             Ok(content) if content == file.content => {}
             Ok(content) => found.push(Difference::content(path, &content, &file.content)),
             Err(error) if error.kind() == io::ErrorKind::NotFound => found.push(Difference::missing(path)),
-            Err(error) => return Err(failed(&path, error)),
+            Err(error) => return Err(Failure::file(&path, &error)),
         }
     }
     if complete {
@@ -140,10 +144,10 @@ fn listed(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
         let entries = match fs::read_dir(&place) {
             Ok(entries) => entries,
             Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
-            Err(error) => return Err(failed(&place, error)),
+            Err(error) => return Err(Failure::file(&place, &error)),
         };
         for entry in entries {
-            let name = entry.map_err(|error| failed(&place, error))?.file_name();
+            let name = entry.map_err(|error| Failure::file(&place, &error))?.file_name();
             let path = subfolder.join(&name);
             if path != Path::new(DATA) && !is_foreign(&name) {
                 paths.push(path);
@@ -183,8 +187,4 @@ fn plain(error: &io::Error) -> String {
         io::ErrorKind::StorageFull => "the disk is full".to_owned(),
         kind => kind.to_string(),
     }
-}
-
-fn failed(path: &Path, reason: io::Error) -> Failure {
-    Failure::File { path: path.to_owned(), reason }
 }

@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use grazing_drawing::SheetWidth;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
 use grazing_reproduction::{
-    CoefficientTable, Figure2, Figure4, Figure5, Figure6, Figure7, Figure8, Figure10, Scene, Study, StudyError,
-    TheoremsInAction,
+    CoefficientTable, Figure2, Figure4, Figure5, Figure6, Figure7, Figure8, Figure10, Scene, Study,
+    StudyError, TheoremsInAction,
 };
 use grazing_results::{Names, Plan, Table};
 
@@ -20,35 +20,26 @@ use crate::folder::{DATA, MadeFile};
 use crate::tables;
 use edition::{Edition, Format};
 
-/// An output when it is made: the figure as SVG, if it is one, the tables in the order of the registry, and what is shown
-/// otherwise than asked for, in sentences.
-struct Made {
-    figure: Option<String>,
-    tables: Vec<Table>,
-    notes: Vec<String>,
-    /// What it lacks, so that it is not what was asked for.
-    gaps: Vec<String>,
+/// An output when it is made.
+pub(crate) struct Made {
+    /// The figure as SVG, if it is one.
+    pub(crate) svg: Option<String>,
+    /// The tables in the order of the registry.
+    pub(crate) tables: Vec<Table>,
+    /// What is shown otherwise than asked for, in sentences.
+    pub(crate) notes: Vec<String>,
+    /// What it lacks, so that it is not what was asked for; in the end with the keys to change.
+    pub(crate) gaps: Vec<String>,
 }
 
 impl Made {
     fn figure(svg: String, tables: Vec<Table>) -> Made {
-        Made { figure: Some(svg), ..Made::tables(tables) }
+        Made { svg: Some(svg), ..Made::tables(tables) }
     }
 
     fn tables(tables: Vec<Table>) -> Made {
-        Made { figure: None, tables, notes: Vec::new(), gaps: Vec::new() }
+        Made { svg: None, tables, notes: Vec::new(), gaps: Vec::new() }
     }
-}
-
-/// The files of an output, and what there is to tell about them.
-pub(crate) struct Files {
-    pub(crate) files: Vec<MadeFile>,
-    /// The figure as SVG, if it is one.
-    pub(crate) svg: Option<String>,
-    pub(crate) tables: Vec<Table>,
-    pub(crate) notes: Vec<String>,
-    /// What is missing in them, with the keys to change.
-    pub(crate) gaps: Vec<String>,
 }
 
 type MadeResult = Result<Made, Box<dyn Error>>;
@@ -220,20 +211,26 @@ impl Output {
         (self.check)(parameters)
     }
 
-    /// Computes the output.
+    /// Computes the output, and makes its files.
     ///
     /// # Errors
-    /// [`Failure::Parameters`]; [`Failure::Computation`]; [`Failure::Registry`] if other tables were made than announced.
-    pub(crate) fn files(&self, study: &Study<'_>, edition: &Edition) -> Result<Files, Failure> {
+    /// A section of the parameter file is not right, the computation failed, or other tables were made than announced.
+    pub(crate) fn files(
+        &self,
+        study: &Study<'_>,
+        edition: &Edition,
+    ) -> Result<(Made, Vec<MadeFile>), Failure> {
         self.check(&study.parameters)?;
-        let made = (self.make)(study, edition.width()).map_err(|error| self.failure(&*error))?;
+        let mut made = (self.make)(study, edition.width()).map_err(|error| self.failure(&*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
         let registered: Vec<&'static str> = self.tables.iter().map(|table| table.name).collect();
         if names != registered {
-            return Err(Failure::Registry { output: self.name, made: names, registered });
+            let reason =
+                format!("the tables {names:?} were made, the registry of outputs says {registered:?}");
+            return Err(Failure::computation(self.name, reason));
         }
         let mut files = Vec::new();
-        if let (Some(file), Some(svg)) = (self.figure, &made.figure) {
+        if let (Some(file), Some(svg)) = (self.figure, &made.svg) {
             files.extend(
                 edition.figure_files(file, svg.clone()).map_err(|error| computation(self.name, &error))?,
             );
@@ -247,19 +244,17 @@ impl Output {
             let content = latex::table(table, self.title).into_bytes();
             files.push(MadeFile { path: latex::table_path(table.name), content });
         }
-        let gaps = made.gaps.iter().map(|gap| format!("{gap}; change {}", self.keys)).collect();
-        Ok(Files { files, svg: made.figure, tables: made.tables, notes: made.notes, gaps })
+        made.gaps.iter_mut().for_each(|gap| gap.push_str(&format!("; change {}", self.keys)));
+        Ok((made, files))
     }
 
     /// The failure to compute it, with the keys to change unless it names one itself.
     fn failure(&self, error: &(dyn Error + 'static)) -> Failure {
-        let named = matches!(error.downcast_ref(), Some(StudyError::NoPortrait { .. }));
-        match computation(self.name, error) {
-            Failure::Computation { what, reason } if !named => {
-                Failure::Computation { what, reason: format!("{reason}; change {}", self.keys) }
-            }
-            failure => failure,
+        let mut failure = computation(self.name, error);
+        if !matches!(error.downcast_ref(), Some(StudyError::NoPortrait { .. } | StudyError::Parameters(_))) {
+            failure.reason.push_str(&format!("; change {}", self.keys));
         }
+        failure
     }
 }
 
@@ -280,19 +275,11 @@ pub(crate) fn refuse_malformed<'a>(
     }
 }
 
-/// The failure of an output with its name, once.
-pub(crate) fn told(output: &str, failure: Failure) -> String {
-    match failure {
-        Failure::Computation { reason, .. } => format!("{output}: {reason}"),
-        failure => format!("{output}: {failure}"),
-    }
-}
-
 /// The failure of a computation, with the error and all that it came from and does not tell itself; that of a section of the
 /// parameter file if it is one.
 pub(crate) fn computation(what: &'static str, error: &(dyn Error + 'static)) -> Failure {
     if let Some(StudyError::Parameters(error)) = error.downcast_ref() {
-        return Failure::Parameters(error.clone());
+        return error.clone().into();
     }
     let mut reason = error.to_string();
     let mut cause = error.source();
@@ -303,7 +290,7 @@ pub(crate) fn computation(what: &'static str, error: &(dyn Error + 'static)) -> 
         }
         cause = deeper.source();
     }
-    Failure::Computation { what, reason }
+    Failure::computation(what, reason)
 }
 
 /// Where a table lies in the output folder.

@@ -24,7 +24,7 @@ const KNOWN: [&str; 1] = ["parameters.toml"];
 /// Makes the outputs that were asked for.
 ///
 /// # Errors
-/// [`Failure::CheckFailed`] if a check was asked for and files differ; any other [`Failure`] if they could not be made.
+/// A check was asked for and files differ, or they could not be made.
 pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let start = Instant::now();
@@ -133,7 +133,7 @@ fn tell_missing(
             folder.display()
         ));
     }
-    Err(Failure::PartlyMade { missing: names.len(), all: chosen.len() })
+    Err(Failure::partly_made(names.len(), chosen.len()))
 }
 
 /// What was set, for the folder in which the files do not tell.
@@ -183,12 +183,12 @@ fn is_chosen(output: &Output, only: &[String]) -> bool {
 /// Sets the number of threads.
 ///
 /// # Errors
-/// [`Failure::Threads`].
+/// They could not be started.
 pub(crate) fn start_threads(jobs: u16) -> Result<(), Failure> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(jobs))
         .build_global()
-        .map_err(|error| Failure::Threads { jobs, reason: error.to_string() })
+        .map_err(|error| Failure::input(format!("{jobs} threads could not be started: {error}")))
 }
 
 /// All outputs that can be made; the failure if none can.
@@ -196,22 +196,16 @@ fn make<'a>(study: &Study<'_>, chosen: &[&'a Output], edition: &Edition) -> Resu
     let mut all = Made { files: Vec::new(), made: Vec::new(), missing: Vec::new() };
     for output in chosen {
         match output.files(study, edition) {
-            Ok(made) => {
+            Ok((made, files)) => {
                 made.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
-                all.files.extend(made.files);
+                all.files.extend(files);
                 for gap in made.gaps {
                     all.add_missing(output.name, format!("it is written, but {gap}"));
                 }
                 all.made.push(output);
             }
             Err(failure) if chosen.len() == 1 => return Err(failure),
-            Err(failure) => {
-                let reason = match failure {
-                    Failure::Computation { reason, .. } => reason,
-                    failure => failure.to_string(),
-                };
-                all.add_missing(output.name, reason);
-            }
+            Err(failure) => all.add_missing(output.name, failure.reason),
         }
     }
     Ok(all)
@@ -248,12 +242,16 @@ fn check(places: &[Place], arguments: &Reproduce, edition: &Edition) -> Result<(
         visual::show(&place.folder, &visual::changed(&place.folder, &place.files));
     }
     let unexpected = differences.iter().filter(|difference| difference.kind == Kind::Unexpected).count();
-    Err(Failure::CheckFailed {
-        folder: places[0].folder.display().to_string(),
-        wrong: differences.len() - unexpected,
-        unexpected,
-        mend: mending_command(arguments, edition),
-    })
+    let mut remedies = Vec::new();
+    if differences.len() > unexpected {
+        let mend = mending_command(arguments, edition);
+        remedies.push(format!("mend {} with `{mend}`", counted(differences.len() - unexpected)));
+    }
+    if unexpected > 0 {
+        remedies.push(format!("remove {} that it does not make", counted(unexpected)));
+    }
+    let folder = places[0].folder.display();
+    Err(Failure::check(format!("{folder} is not what the code makes: {}", remedies.join(", "))))
 }
 
 /// The command that writes what this check compared with.

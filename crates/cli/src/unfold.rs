@@ -84,7 +84,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
         }
     }
     match code {
-        Some(code) => Err(Failure::SomeFiles { failing, all: tasks.len(), code }),
+        Some(code) => Err(Failure::of_files(failing, tasks.len(), code)),
         None => Ok(()),
     }
 }
@@ -98,7 +98,7 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
         if let Some(loops) = &arguments.loops {
             description = description
                 .with_loops(loops)
-                .map_err(|reason| Failure::Option { option: "--loops", reason: reason.to_string() })?;
+                .map_err(|reason| Failure::input(format!("--loops {reason}")))?;
         }
         let named = folder::name_for(file);
         let folder = match &arguments.output {
@@ -107,8 +107,12 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
             None => Path::new(RESULTS).join(&named),
         };
         if let Some(other) = tasks.iter().find(|other| other.folder == folder) {
-            let (first, second) = (other.file.clone(), file.clone());
-            return Err(Failure::SameFolder { first, second, folder });
+            return Err(Failure::input(format!(
+                "{} and {} would both go to {}: unfold them one by one, with --output DIR",
+                other.file.display(),
+                file.display(),
+                folder.display()
+            )));
         }
         let text = noted(&grazing_source::read_file(file).map_err(DescriptionError::from)?, &settings);
         let file_limits = description.limits();
@@ -139,16 +143,20 @@ pub(crate) fn failure(
     met: Option<Met>,
 ) -> Failure {
     match (error, met) {
-        (StudyError::Unfold(UnfoldError::Stopped { stage }), Some(met)) => Failure::Ended {
-            file: file.to_owned(),
-            met: met.to_string(),
-            outcome: format!("nothing is written, for nothing was found up to then, in the stage `{stage}`"),
-        },
+        (StudyError::Unfold(UnfoldError::Stopped { stage }), Some(met)) => {
+            let outcome = "nothing is written, for nothing was found up to then, in the stage";
+            ended(file, met, &format!("{outcome} `{stage}`"))
+        }
         (StudyError::Unfold(error), _) => {
-            Failure::NothingToUnfold { file: file.to_owned(), reason: reason::of(error, description) }
+            Failure::incomplete(format!("{}: {}", file.display(), reason::of(error, description)))
         }
         (error, _) => computation("unfold", error),
     }
+}
+
+/// The failure of an analysis that was ended by a limit or by Ctrl-C.
+pub(crate) fn ended(file: &Path, met: Met, outcome: &str) -> Failure {
+    Failure::incomplete(format!("{}: {met}; {outcome}", file.display()))
 }
 
 impl Task {
@@ -175,15 +183,20 @@ impl Task {
         terminal::say(&format!("\n{}", summary(&names.zip(changes).collect::<Vec<_>>())));
         terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
         if let Some(met) = met {
-            let outcome = "what was not finished is named above; everything else is written".to_owned();
-            return Err(Failure::Ended { file: self.file.clone(), met: met.to_string(), outcome });
+            let outcome = "what was not finished is named above; everything else is written";
+            return Err(ended(&self.file, met, outcome));
         }
-        let contradictions = listing::contradictions(&unfolded.resonances);
+        let (file, contradictions) = (self.file.display(), listing::contradictions(&unfolded.resonances));
         if !contradictions.is_empty() {
-            return Err(Failure::Contradiction { file: self.file.clone(), what: contradictions.join("; ") });
+            let what = contradictions.join("; ");
+            return Err(Failure::check(format!(
+                "{file}: the theorem is contradicted: {what}; everything is written"
+            )));
         }
         match listing::incomplete(&unfolded.diagram) {
-            Some(missing) => Err(Failure::PartlyUnfolded { file: self.file.clone(), missing }),
+            Some(missing) => Err(Failure::incomplete(format!(
+                "{file}: {missing}, as told above; everything else is written"
+            ))),
             None => Ok(()),
         }
     }
@@ -216,7 +229,7 @@ impl Task {
             {
                 let path = self.folder.join(path);
                 if path.is_file() {
-                    fs::remove_file(&path).map_err(|reason| Failure::File { path, reason })?;
+                    fs::remove_file(&path).map_err(|reason| Failure::file(&path, &reason))?;
                 }
             }
         }

@@ -9,7 +9,7 @@ use clap::error::ErrorKind;
 use grazing_claims::ledger::Ledger;
 use grazing_cli::arguments::Arguments;
 use grazing_cli::outputs;
-use grazing_reproduction::unfolded::TABLES;
+use grazing_reproduction::unfolded::Rows;
 use program::repository;
 
 /// The lines of the README that begin with `cargo xtask`, as in a block of commands.
@@ -52,7 +52,7 @@ fn columns_name_equations_that_the_paper_has() {
     let labels: Vec<&str> = labels.lines().filter_map(|line| line.split_whitespace().next()).collect();
     let own = outputs::ALL.iter().flat_map(|output| output.tables());
     let mut named = 0;
-    for column in own.chain(&TABLES).flat_map(|table| table.columns) {
+    for column in own.chain(Rows::TABLES).flat_map(|table| table.columns) {
         for label in column.equations.split(", ").filter(|label| !label.is_empty()) {
             assert!(labels.contains(&label), "{}: the paper has no {label}", column.name);
             named += 1;

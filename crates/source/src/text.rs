@@ -191,7 +191,10 @@ impl<'a> Source<'a> {
                 return Err(self.missing("", name, 0).into());
             };
             let section = Section::of(self, name.to_owned(), value)?;
-            match value.get_ref().as_table().and_then(|table| first_unknown_key(table, name, &self.requirements))
+            match value
+                .get_ref()
+                .as_table()
+                .and_then(|table| first_unknown_key(table, name, &self.requirements))
             {
                 Some(unknown) => Err(self.refuse(unknown).into()),
                 None => read(section),

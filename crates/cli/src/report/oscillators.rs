@@ -97,11 +97,8 @@ impl Source {
         let watch = Watch::begin(description.limits());
         let unfolded = &Unfolded::described(description, &Display::counting(watch.stop()))
             .map_err(|error| unfold::failure(description, file, &error, watch.met()))?;
-        let met = watch.met().filter(|_| !unfolded.diagram.unfinished.is_empty()).map(|met| Failure::Ended {
-            file: file.clone(),
-            met: met.to_string(),
-            outcome: "what was not finished is named on the page".to_owned(),
-        });
+        let met = watch.met().filter(|_| !unfolded.diagram.unfinished.is_empty());
+        let met = met.map(|met| unfold::ended(file, met, "what was not finished is named on the page"));
         drop(watch);
         let rows = unfolded.rows();
         let figures = &sheets::figures(description, unfolded, &rows, SheetWidth::Paper)

@@ -49,7 +49,7 @@ impl<'a> Keeper<'a> {
     pub(super) fn clear(&self) -> Result<(), Failure> {
         match fs::remove_file(self.path()) {
             Err(reason) if reason.kind() != io::ErrorKind::NotFound => {
-                Err(Failure::File { path: self.path(), reason })
+                Err(Failure::file(&self.path(), &reason))
             }
             _ => Ok(()),
         }

@@ -348,8 +348,6 @@ mod tests {
                  and repels",
             ]
         );
-        let failure = crate::failure::Failure::Contradiction { file: "a.toml".into(), what: told.join("; ") };
-        assert_eq!(failure.exit_code(), 1);
         let doubtful =
             resonance(1.0, Simulated::Undecided(sides::Doubt::TooSlow { leading: 1e-9, least: 1e-6 }));
         assert!(contradictions(std::slice::from_ref(&doubtful)).is_empty());

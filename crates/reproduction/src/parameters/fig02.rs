@@ -89,7 +89,17 @@ impl Figure2 {
             }
         }
         let Across { amplitude, magnified: magnified_amplitude, notes, .. } = across;
-        Ok(Self { frequency, amplitude, x, loops, magnified_amplitude, magnified_x, attractor, portraits, notes })
+        Ok(Self {
+            frequency,
+            amplitude,
+            x,
+            loops,
+            magnified_amplitude,
+            magnified_x,
+            attractor,
+            portraits,
+            notes,
+        })
     }
 }
 

@@ -37,10 +37,13 @@ impl Figure7 {
             let where_one_is = nearest.map_or_else(String::new, |one| {
                 let (amplitude, omega) = (one.grazing().amplitude(), one.forcing_frequency());
                 let (p, n) = (one.loops(), one.index());
-                format!("; the nearest, p = {p}, n = {n}, is at amplitude {amplitude:.5}, frequency {omega:.5}")
+                format!(
+                    "; the nearest, p = {p}, n = {n}, is at amplitude {amplitude:.5}, frequency {omega:.5}"
+                )
             });
-            let allowed =
-                format!("no resonance lies in the window of fig07.amplitude and fig07.frequency{where_one_is}");
+            let allowed = format!(
+                "no resonance lies in the window of fig07.amplitude and fig07.frequency{where_one_is}"
+            );
             return Err(ParameterError::Unfit(section.forbid("frequency", allowed)));
         }
         Ok(figure)

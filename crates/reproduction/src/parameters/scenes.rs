@@ -5,8 +5,8 @@ use core::f64::consts::TAU;
 use grazing_source::{Section, SourceError};
 
 use super::checks::{
-    around_zero, contains, count, damping_ratio, encloses, frequency, number, numbers, range,
-    restitution, strictly_contains, tables,
+    around_zero, contains, count, damping_ratio, encloses, frequency, number, numbers, range, restitution,
+    strictly_contains, tables,
 };
 use super::requirements::{MOST_AMPLITUDE, MOST_ARRIVALS};
 
@@ -182,9 +182,8 @@ impl Figure9 {
         let position = around_zero(section, "position")?;
         let velocity = around_zero(section, "velocity")?;
         let phase = range(section, "phase", |[lower, upper]| upper - lower <= TAU)?;
-        let impact = numbers(section, "impact", |[y, z]| {
-            y > 0.0 && contains(velocity, y) && contains(phase, z)
-        })?;
+        let impact =
+            numbers(section, "impact", |[y, z]| y > 0.0 && contains(velocity, y) && contains(phase, z))?;
         let loops = count(section, "loops", 1..=MOST_LOOPS)?;
         Ok(Self { specimen, impact, loops, position, velocity, phase, view: View::read(section)? })
     }

@@ -12,7 +12,7 @@ const DEFAULT: &str = include_str!("../../../../figures/parameters.toml");
 /// The parameters, or the first thing that is wrong in any section.
 fn parse(text: &str) -> Result<Parameters, SourceError> {
     let told = |error: ParameterError| error.source_error().clone();
-    let parameters = Parameters::parse(text, "p.toml").map_err(told)?;
+    let parameters = Parameters::parse(&Text::new(text, &[]), "p.toml").map_err(told)?;
     match errors(&parameters).into_iter().next() {
         Some(error) => Err(told(error)),
         None => Ok(parameters),
@@ -42,7 +42,7 @@ fn errors(parameters: &Parameters) -> Vec<ParameterError> {
 /// The default parameters with settings.
 fn set(settings: &[&str]) -> Result<Parameters, ParameterError> {
     let settings: Vec<Setting> = settings.iter().map(|text| text.parse().expect("it is a setting")).collect();
-    Parameters::parse_with(&Text::new(DEFAULT, &settings), "p.toml")
+    Parameters::parse(&Text::new(DEFAULT, &settings), "p.toml")
 }
 
 /// The default file with another line in the place of the first one for the key after `section`. The values that stand

@@ -21,7 +21,7 @@ fn curve(figure: &Figure4, kind: &str, p: u32) -> Vec<[f64; 2]> {
 }
 
 fn all_loops() -> &'static [u32] {
-    made().parameters.fig04.get().expect("it is right").loops()
+    &made().parameters.fig04.get().expect("it is right").loops
 }
 
 /// Modulus and argument of the eigenvalues, which are complex below τ = 2√δ.
@@ -122,7 +122,7 @@ fn the_corners_of_the_trapesium_bound_stable_matrices() {
 fn the_star_is_read_off_the_global_map_and_lies_where_section_2_4_says() {
     let (figure, parameters) = (figure(), &made().parameters);
     let (tau, delta) = (numbers(&figure.points, "tau")[0], numbers(&figure.points, "delta")[0]);
-    let frequency = parameters.fig02.get().expect("it is right").frequency();
+    let frequency = parameters.fig02.get().expect("it is right").frequency;
     let theory = grazing_theorems::LinearOscillator::new(
         parameters.oscillator.get().expect("it is right").damping_ratio(),
         parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),

@@ -21,7 +21,7 @@ fn resonance() -> Resonance {
         parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
     )
     .unwrap();
-    theory.resonance(shown.loops(), shown.n()).unwrap()
+    theory.resonance(shown.loops, shown.n).unwrap()
 }
 
 /// Amplitude and frequency at (μ, η).
@@ -39,7 +39,7 @@ fn solutions(mu: f64, eta: f64) -> Vec<Orbit> {
         parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
         amplitude,
         omega,
-        parameters.fig05.get().expect("it is right").loops(),
+        parameters.fig05.get().expect("it is right").loops,
     );
     all.into_iter().filter(Orbit::admissible).collect()
 }
@@ -63,17 +63,16 @@ fn inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
 /// A grid over the middle of the cells of the window.
 fn grid(cells: u32) -> Vec<[f64; 2]> {
     let shown = made().parameters.fig05.get().expect("it is right");
-    let at = |range: grazing_reproduction::parameters::Range, k: u32| {
-        range.lower() + range.width() * (f64::from(k) + 0.5) / f64::from(cells)
-    };
-    (0..cells).flat_map(|i| (0..cells).map(move |j| [at(shown.mu(), i), at(shown.eta(), j)])).collect()
+    let at = |[low, high]: [f64; 2], k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(cells);
+    (0..cells).flat_map(|i| (0..cells).map(move |j| [at(shown.mu, i), at(shown.eta, j)])).collect()
 }
 
 /// Distance in μ, over the width of the window, from the boundary of the shaded region.
 fn margin([mu, eta]: [f64; 2]) -> f64 {
     let (sn, pd) = (resonance().saddle_node_coefficient(), resonance().period_doubling_coefficient());
     let boundary = if eta * saddle_node_side() > 0.0 { sn } else { pd } * eta * eta;
-    (mu - boundary).abs() / made().parameters.fig05.get().expect("it is right").mu().width()
+    let [low, high] = made().parameters.fig05.get().expect("it is right").mu;
+    (mu - boundary).abs() / (high - low)
 }
 
 /// The sign of η on the saddle-node curve of the frame.
@@ -174,7 +173,7 @@ fn last_impacts(mu: f64, eta: f64, from: &Orbit, closeness: f64) -> Vec<[f64; 2]
         omega,
     )
     .unwrap();
-    let period = f64::from(parameters.fig05.get().expect("it is right").loops()) * TAU / omega;
+    let period = f64::from(parameters.fig05.get().expect("it is right").loops) * TAU / omega;
     let start = State::on_wall(from.velocity * (1.0 + closeness), from.phase);
     let periods = 400.0;
     // Half a period on, so that no impact falls on the end.
@@ -248,7 +247,7 @@ fn closed_form_solutions_are_those_of_the_branch_expansion() {
     let (shown, resonance) = (made().parameters.fig05.get().expect("it is right"), resonance());
     let branch = resonance.resonant_point().branch_expansion();
     assert!(branch.k_2 > 0.0);
-    let edge = if saddle_node_side() < 0.0 { shown.eta().lower() } else { shown.eta().upper() };
+    let edge = if saddle_node_side() < 0.0 { shown.eta[0] } else { shown.eta[1] };
     let worst = |s: f64| {
         let eta = s * edge;
         let mu = 0.25 * resonance.saddle_node_coefficient() * eta * eta;

@@ -181,14 +181,14 @@ fn regions_are_where_a_closed_form_mps_is_stable_and_admissible() {
     assert_eq!([count(1), count(2), count(3)], [4, 3, 2]);
 
     let parameters = &made().parameters;
-    let window = parameters.fig07.get().expect("it is right").window();
+    let window = parameters.fig07.get().expect("it is right").window;
     let mut random = Pcg64::new(11, 0);
     let mut uniform =
         |low: f64, high: f64| low + (high - low) * (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
     let mut hits = [0; 4];
     for _ in 0..3000 {
-        let frequency = uniform(window.frequency().lower(), window.frequency().upper());
-        let point = [uniform(window.amplitude().lower(), window.amplitude().upper()), frequency];
+        let frequency = uniform(window.secondary[0], window.secondary[1]);
+        let point = [uniform(window.primary[0], window.primary[1]), frequency];
         for p in 1..=3 {
             let of_p = polygons.iter().filter(|(loops, _)| *loops == p);
             let places: Vec<_> = of_p.map(|(_, polygon)| position(polygon, point)).collect();
@@ -220,7 +220,7 @@ fn branches_of_figure_2_are_closed_form_mpss_with_their_stability() {
     let [amplitude, velocity, phase] =
         ["amplitude", "impact_velocity", "impact_phase"].map(|name| numbers(table, name));
     let (stable, admissible) = (flags(table, "stable"), flags(table, "admissible"));
-    let omega = made().parameters.fig02.get().expect("it is right").frequency();
+    let omega = made().parameters.fig02.get().expect("it is right").frequency;
     let loss = 2.0 * made().parameters.oscillator.get().expect("it is right").damping_ratio() * omega;
     let grazing_phase = libm::atan2(loss, 1.0 - omega * omega);
     for row in 0..loops.len() {
