@@ -14,7 +14,7 @@ use std::time::Instant;
 
 use grazing_description::{Description, DescriptionError, Limits};
 use grazing_reproduction::StudyError;
-use grazing_reproduction::unfolded::{Described, Rows, Unfolded};
+use grazing_reproduction::unfolded::{Described, Keep, Rows, Unfolded};
 use grazing_source::Setting;
 use grazing_unfold::UnfoldError;
 
@@ -24,6 +24,7 @@ use crate::folder::{self, MadeFile};
 use crate::limits::{self, Met, Watch};
 use crate::outputs::edition::Edition;
 use crate::outputs::{computation, table_path};
+use crate::progress::Display;
 use crate::report::noted;
 use crate::report::oscillators::{Material, PAGE};
 use crate::reproduce::{start_threads, summary};
@@ -135,13 +136,26 @@ fn settings(set: &[Setting]) -> Vec<Setting> {
     set.iter().map(full).collect()
 }
 
-/// The failure that tells, with the file's names of the parameters, why there is nothing to unfold, or what has ended the search.
-pub(crate) fn failure(
+/// Analyses an oscillator up to its limits; with what has ended the analysis, if anything is missing in it.
+///
+/// # Errors
+/// There is nothing to unfold.
+pub(crate) fn analyse(
     description: &Description,
     file: &Path,
-    error: &StudyError,
-    met: Option<Met>,
-) -> Failure {
+    limits: Limits,
+    keep: Keep<'_>,
+) -> Result<(Analysis, Option<Met>), Failure> {
+    let watch = Watch::begin(limits);
+    let display = Display::counting(watch.stop());
+    let unfolded = Unfolded::described(description, &display, &watch.stop(), keep)
+        .map_err(|error| failure(description, file, &error, watch.met()))?;
+    let met = watch.met().filter(|_| !unfolded.diagram.unfinished.is_empty());
+    Ok((unfolded, met))
+}
+
+/// The failure that tells, with the file's names of the parameters, why there is nothing to unfold, or what has ended the search.
+fn failure(description: &Description, file: &Path, error: &StudyError, met: Option<Met>) -> Failure {
     match (error, met) {
         (StudyError::Unfold(UnfoldError::Stopped { stage }), Some(met)) => {
             let outcome = "nothing is written, for nothing was found up to then, in the stage";
@@ -164,13 +178,9 @@ impl Task {
     fn run(&self, edition: &Edition, explain: bool) -> Result<(), Failure> {
         let start = Instant::now();
         terminal::say(&listing::oscillator(&self.description, &self.file));
-        let watch = Watch::begin(self.limits);
-        let keeper = Keeper::new(&self.folder, watch.stop());
-        let unfolded = Unfolded::described(&self.description, &keeper)
-            .map_err(|error| failure(&self.description, &self.file, &error, watch.met()))?;
-        let met = watch.met().filter(|_| !unfolded.diagram.unfinished.is_empty());
-        // What follows only writes down what there is.
-        drop(watch);
+        let keeper = Keeper::new(&self.folder);
+        let (unfolded, met) =
+            analyse(&self.description, &self.file, self.limits, &|table| keeper.keep(table))?;
         let files = self.files(&unfolded, edition)?;
         let changes = folder::write(&self.folder, &files)?;
         self.remove_other_sheets(&files, edition)?;

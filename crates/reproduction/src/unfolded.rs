@@ -13,7 +13,7 @@ use grazing_results::tables;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::sides::{Simulated, simulate};
-use grazing_unfold::stop::{Stoppable, Unfinished};
+use grazing_unfold::stop::{Stop, Stoppable, Unfinished};
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Coefficient, coefficients};
 use grazing_unfold::{Diagram, Scope};
@@ -21,7 +21,7 @@ use rayon::prelude::*;
 
 use crate::StudyError;
 use crate::plane::{self, Axes};
-pub use finished::Observer;
+pub use finished::Keep;
 pub use tables::{Along, Asked, GrazingRow, ResonanceRow};
 
 /// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a
@@ -67,24 +67,30 @@ impl AtResonance {
 pub type Described = Integrated<Stoppable<Dimensionless<Description>>>;
 
 impl Unfolded<Described> {
-    /// The analysis of an oscillator from a text file.
+    /// The analysis of an oscillator from a text file, which ends when an end is asked for by `stop`; `keep` gets curves as they are
+    /// finished.
     ///
     /// # Errors
     /// There is no grazing in the ranges.
-    pub fn described(description: &Description, progress: &dyn Observer) -> Result<Self, StudyError> {
+    pub fn described(
+        description: &Description,
+        progress: &dyn Progress,
+        stop: &Stop,
+        keep: Keep<'_>,
+    ) -> Result<Self, StudyError> {
         let (primary, secondary) = (description.primary(), description.secondary());
         let window = Window { primary: primary.range(), secondary: secondary.range() };
         let units = description.units();
         let scope = Scope { window, loops: description.loops().to_vec(), start: description.start() };
         let scope = scope.without_dimensions(&units);
-        let stop = progress.stop();
         let stoppable = Stoppable::new(Dimensionless::new(description.clone(), units), stop.clone());
         let oscillator = Integrated::new(stoppable, [scope.window.primary[0], scope.window.secondary[0]]);
         let axes = Axes::new(primary.name(), secondary.name(), units);
-        let unfolded = Self::compute(&oscillator, &scope, axes, progress).map_err(|error| match error {
-            StudyError::Unfold(error) => StudyError::Unfold(error.in_units(&units)),
-            other => other,
-        });
+        let unfolded =
+            Self::compute(&oscillator, &scope, axes, progress, keep).map_err(|error| match error {
+                StudyError::Unfold(error) => StudyError::Unfold(error.in_units(&units)),
+                other => other,
+            });
         // What was finished can be written down.
         stop.withdraw();
         unfolded
@@ -100,10 +106,11 @@ impl<O: ImpactOscillator> Unfolded<O> {
         oscillator: &O,
         scope: &Scope,
         axes: Axes,
-        progress: &dyn Observer,
+        progress: &dyn Progress,
+        keep: Keep<'_>,
     ) -> Result<Self, StudyError> {
         let located = Diagram::located(oscillator, scope, progress)?;
-        let followed = finished::follow(progress, &axes, &located);
+        let followed = finished::follow(&axes, &located, progress, keep);
         let mut diagram = located.with(followed, progress);
         let units = axes.units;
         let what = "coefficients and magnifications";
