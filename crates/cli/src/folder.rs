@@ -7,7 +7,7 @@ mod temporaries;
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::fs;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 pub use difference::{Difference, Kind};
@@ -17,7 +17,8 @@ pub use temporaries::remove_own_temporaries;
 pub(crate) use temporaries::{Changes, sweep};
 
 use crate::failure::Failure;
-use temporaries::{UNFINISHED, Unfinished};
+use tempfile::NamedTempFile;
+use temporaries::{UNFINISHED, unfinished};
 
 /// The subfolder of the tables.
 pub(crate) const DATA: &str = "data";
@@ -69,7 +70,7 @@ pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
         .find(|path| path.symlink_metadata().is_ok())
         .unwrap_or(Path::new("."));
     let reason = if existing.is_dir() {
-        plain(&Unfinished::new(existing).err()?)
+        plain(&unfinished(existing).err()?)
     } else {
         "it is not a folder".to_owned()
     };
@@ -91,15 +92,13 @@ pub fn write(folder: &Path, files: &[MadeFile]) -> Result<Vec<Change>, Failure> 
         let place = to_write(&path)?;
         staged.push((stage(&place, &file.content).map_err(|reason| Failure::file(&path, &reason))?, place));
     }
-    staged
-        .into_iter()
-        .map(|((change, unfinished), place)| {
-            if let Some(unfinished) = unfinished {
-                unfinished.persist(&place).map_err(|error| Failure::file(&place, &error))?;
-            }
-            Ok(change)
-        })
-        .collect()
+    let finish = |((change, unfinished), place): ((Change, Option<NamedTempFile>), PathBuf)| {
+        if let Some(unfinished) = unfinished {
+            unfinished.persist(&place).map_err(|error| Failure::file(&place, &error.error))?;
+        }
+        Ok(change)
+    };
+    staged.into_iter().map(finish).collect()
 }
 
 /// How the folder differs from the files: missing ones, other contents, and, if the files are `complete`, files in the
@@ -118,8 +117,13 @@ pub fn differences(
         let path = folder.join(&file.path);
         match regular(&path).and_then(|_| fs::read(&path)) {
             Ok(content) if content == file.content => {}
-            Ok(content) => found.push(Difference::content(path, &content, &file.content)),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => found.push(Difference::missing(path)),
+            Ok(content) => {
+                let what = difference::of_content(&path, &content, &file.content);
+                found.push(Difference { path, kind: Kind::Content, what });
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                found.push(Difference { path, kind: Kind::Missing, what: "missing".to_owned() });
+            }
             Err(error) => return Err(Failure::file(&path, &error)),
         }
     }
@@ -129,7 +133,8 @@ pub fn differences(
         };
         for path in listed(folder)? {
             if !expected(&path) {
-                found.push(Difference::unexpected(folder.join(path)));
+                let what = "not made by the code; remove it if it is left over from an earlier version or an interrupted run";
+                found.push(Difference { path: folder.join(path), kind: Kind::Unexpected, what: what.to_owned() });
             }
         }
     }
@@ -165,7 +170,7 @@ fn is_foreign(name: &OsStr) -> bool {
 }
 
 /// What writing will do to the file at a place, with the temporary file that holds its content if it has to be written.
-fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<Unfinished>)> {
+fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<NamedTempFile>)> {
     let change = match fs::read(place) {
         Ok(present) if present == content => return Ok((Change::Unchanged, None)),
         Ok(_) => Change::Updated,
@@ -174,9 +179,11 @@ fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<Unfinished>
     };
     let folder = place.parent().unwrap_or(Path::new(""));
     fs::create_dir_all(folder)?;
-    let mut unfinished = Unfinished::new(folder)?;
-    unfinished.fill(content)?;
-    Ok((change, Some(unfinished)))
+    let mut file = unfinished(folder)?;
+    file.write_all(content)?;
+    // The content must be on the disk before the name is, or a crash could leave an empty file under it.
+    file.as_file().sync_all()?;
+    Ok((change, Some(file)))
 }
 
 /// The system's reason without the name of the temporary file.

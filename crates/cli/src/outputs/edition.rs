@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use grazing_drawing::SheetWidth;
 use grazing_export::{ExportError, Figure};
 
-use crate::arguments::Columns;
+use crate::arguments::{Columns, Size};
 use crate::folder::MadeFile;
 
 /// A format of the outputs.
@@ -52,7 +52,7 @@ impl Default for Edition {
 
 impl Edition {
     /// What the command line asks for.
-    pub fn new(formats: &[Format], columns: Columns, resolution: u16) -> Edition {
+    pub fn new(formats: &[Format], size: &Size) -> Edition {
         let mut formats = formats.to_vec();
         if formats.contains(&Format::Tex) {
             // The snippet includes the figures as PDF.
@@ -60,7 +60,7 @@ impl Edition {
         }
         formats.sort_unstable();
         formats.dedup();
-        Edition { formats, columns, resolution }
+        Edition { formats, columns: size.columns, resolution: size.dpi }
     }
 
     /// True if it is what `figures/` holds.

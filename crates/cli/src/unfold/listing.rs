@@ -9,7 +9,6 @@ use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_reproduction::unfolded::AtResonance;
-use grazing_theorems::HypothesesViolated;
 use grazing_theorems::hypothesis::Hypothesis;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::sides::Simulated;
@@ -17,7 +16,7 @@ use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
 
 use super::Analysis;
-use super::layout::{KEPT, aligned, wrapped};
+use super::layout::{KEPT, aligned, headed, wrapped};
 use super::numbers::{agreement, brief, fixed, range, significant};
 use super::reason::place;
 pub(super) use gaps::incomplete;
@@ -33,7 +32,6 @@ pub(super) fn oscillator(description: &Description, file: &Path) -> String {
     let texts = description.texts();
     let constants: Vec<String> =
         description.constants().map(|(name, value)| format!("{name} = {value}")).collect();
-    let loops: Vec<String> = description.loops().iter().map(u32::to_string).collect();
     let (primary, secondary) = (description.primary(), description.secondary());
     let mut text = format!("{} ({})\n\n", description.name(), file.display());
     let lines = [
@@ -47,13 +45,17 @@ pub(super) fn oscillator(description: &Description, file: &Path) -> String {
         ("constants", if constants.is_empty() { "none".to_owned() } else { constants.join(", ") }),
         ("primary", format!("{} from {}", primary.name(), range(primary.range()))),
         ("secondary", format!("{} from {}", secondary.name(), range(secondary.range()))),
-        ("loops", format!("p = {}", loops.join(", "))),
+        ("loops", format!("p = {}", loops(description))),
     ];
     let notes = description.notes().iter().map(|note| ("note", note.clone()));
     for (word, content) in lines.into_iter().chain(notes) {
         text.push_str(&wrapped(&format!("  {word:11}"), &content));
     }
     text
+}
+
+fn loops(description: &Description) -> String {
+    description.loops().iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
 }
 
 /// All that was found, in the order in which it was.
@@ -70,25 +72,25 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
 }
 
 fn grazing_curves(description: &Description, unfolded: &Analysis) -> String {
-    let mut text = "\nGrazing of the non-impacting solution\n".to_owned();
-    for (arc, curve) in unfolded.diagram.grazing.iter().enumerate() {
-        let points: Vec<[f64; 2]> = curve.parameters().map(|at| unfolded.axes.units.parameters(at)).collect();
+    let units = &unfolded.axes.units;
+    let (primary, secondary) = (description.primary().name(), description.secondary().name());
+    let told = |(arc, curve): (usize, &GrazingCurve<_>)| {
+        let points: Vec<[f64; 2]> = curve.parameters().map(|at| units.parameters(at)).collect();
         let extent = |index: usize| {
             let values = points.iter().map(|point| point[index]);
             range([values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)])
         };
-        let (primary, secondary) = (description.primary().name(), description.secondary().name());
         let content = format!(
             "{secondary} from {}, {primary} from {}, {} points; {}; {}",
             extent(1),
             extent(0),
             points.len(),
             ends(&curve.ends),
-            stability(curve, secondary, &unfolded.axes.units)
+            stability(curve, secondary, units)
         );
-        text.push_str(&wrapped(&format!("  curve {arc:<5}"), &content));
-    }
-    text
+        (format!("  curve {arc:<5}"), content)
+    };
+    headed("Grazing of the non-impacting solution", unfolded.diagram.grazing.iter().enumerate().map(told))
 }
 
 fn ends(ends: &[GrazingEnd; 2]) -> String {
@@ -137,10 +139,9 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     let units = &unfolded.axes.units;
     let found: Vec<_> = unfolded.diagram.unfolding().zip(&unfolded.resonances).collect();
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
-    let loops: Vec<String> = description.loops().iter().map(u32::to_string).collect();
     let all = unfolded.diagram.resonances.len();
     if all == 0 {
-        let loops = loops.join(", ");
+        let loops = loops(description);
         return format!("\nResonant grazing bifurcations\n  none on the grazing curve for p = {loops}\n");
     }
     let mut text = format!(
@@ -253,29 +254,20 @@ fn coefficient(secondary: f64, kind: Bifurcation, at: &AtResonance) -> Vec<Strin
     ]
 }
 
-/// Resonances at which no theorem applies, with what fails.
+/// Resonances at which no theorem applies, with the hypotheses that fail and their values.
 fn silent_theorems(description: &Description, unfolded: &Analysis) -> String {
-    let mut text = String::new();
-    for resonance in &unfolded.diagram.resonances {
-        let Err(violated) = &resonance.theorem else { continue };
-        if text.is_empty() {
-            text.push_str("\nResonances where the theorem does not apply, and no curve is followed\n");
-        }
-        let units = &unfolded.axes.units;
-        let at = place(description, units.parameters(resonance.located.orbit().oscillator().parameters()));
-        let content = format!("{at}: {}", failing(violated, units));
-        text.push_str(&wrapped(&format!("  p = {}, n = {}  ", resonance.loops, resonance.n), &content));
-    }
-    text
-}
-
-/// The hypotheses that fail, with their values.
-fn failing(violated: &HypothesesViolated, units: &Units) -> String {
-    let told = |hypothesis: &Hypothesis| {
+    let units = &unfolded.axes.units;
+    let failing = |hypothesis: &Hypothesis| {
         let value = hypothesis.in_units(units).value;
         format!("{} fails: {}", hypothesis.statement(), brief(value, 4))
     };
-    violated.violated().map(told).collect::<Vec<_>>().join(", ")
+    let silent = unfolded.diagram.resonances.iter().filter_map(|resonance| {
+        let violated = resonance.theorem.as_ref().err()?.violated();
+        let at = place(description, units.parameters(resonance.located.orbit().oscillator().parameters()));
+        let content = format!("{at}: {}", violated.map(failing).collect::<Vec<_>>().join(", "));
+        Some((format!("  p = {}, n = {}  ", resonance.loops, resonance.n), content))
+    });
+    headed("Resonances where the theorem does not apply, and no curve is followed", silent)
 }
 
 fn corners(description: &Description, unfolded: &Analysis) -> String {
