@@ -69,11 +69,8 @@ pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
         .map(|path| if path.as_os_str().is_empty() { Path::new(".") } else { path })
         .find(|path| path.symlink_metadata().is_ok())
         .unwrap_or(Path::new("."));
-    let reason = if existing.is_dir() {
-        plain(&unfinished(existing).err()?)
-    } else {
-        "it is not a folder".to_owned()
-    };
+    let reason =
+        if existing.is_dir() { plain(&unfinished(existing).err()?) } else { "it is not a folder".to_owned() };
     Some((existing.to_owned(), reason))
 }
 
@@ -134,7 +131,11 @@ pub fn differences(
         for path in listed(folder)? {
             if !expected(&path) {
                 let what = "not made by the code; remove it if it is left over from an earlier version or an interrupted run";
-                found.push(Difference { path: folder.join(path), kind: Kind::Unexpected, what: what.to_owned() });
+                found.push(Difference {
+                    path: folder.join(path),
+                    kind: Kind::Unexpected,
+                    what: what.to_owned(),
+                });
             }
         }
     }

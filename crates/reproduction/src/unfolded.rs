@@ -10,6 +10,7 @@ use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
 use grazing_results::tables;
+use grazing_theorems::ResonantPoint;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::sides::{Simulated, simulate};
@@ -22,7 +23,7 @@ use rayon::prelude::*;
 use crate::StudyError;
 use crate::plane::{self, Axes};
 pub use finished::Keep;
-pub use tables::{Along, Asked, GrazingRow, ResonanceRow};
+pub use tables::{Along, Asked, GrazingRow};
 
 /// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a
 /// magnification.
@@ -45,6 +46,10 @@ pub struct AtResonance {
     pub loops: u32,
     /// The integer n.
     pub n: u32,
+    /// Primary and secondary parameter.
+    pub parameters: [f64; 2],
+    /// What the theorem knows of it.
+    pub point: ResonantPoint,
     /// c_SN and c_PD by the theorem and measured.
     pub coefficients: Pair<Coefficient>,
     /// What the simulated hybrid system does beside the SN and the PD curve.
@@ -131,6 +136,8 @@ impl<O: ImpactOscillator> Unfolded<O> {
                     AtResonance {
                         loops: resonance.loops,
                         n: resonance.n,
+                        parameters: units.parameters(point.orbit().oscillator().parameters()),
+                        point: point.resonant_point().in_units(&units),
                         sides: Pair::BIFURCATIONS.map(|kind| simulated(kind).in_units(&units)),
                         coefficients: coefficients.map(|known| known.in_units(&units)),
                         window: window.in_units(&units),
@@ -166,7 +173,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
             curves: plane::curves(&self.axes, &self.diagram),
             points: plane::points(&self.axes, &self.diagram),
             regions: plane::regions(&self.axes, &self.diagram.regions),
-            coefficients: tables::coefficients(self),
+            coefficients: self.resonances.clone(),
             hypotheses: tables::hypotheses(self),
             magnifications: plane::magnifications(magnified),
         }
@@ -188,7 +195,7 @@ tables! {
         /// Its regions.
         regions: RegionVertex = "regions", "a vertex of a region of stability",
         /// The resonances at which a theorem holds.
-        coefficients: ResonanceRow = "coefficients",
+        coefficients: AtResonance = "coefficients",
             "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds",
         /// What the theorems ask.
         hypotheses: Asked = "hypotheses",

@@ -136,8 +136,7 @@ fn stability(curve: &GrazingCurve<impl ImpactOscillator>, secondary: &str, units
 
 /// Resonances at which a theorem holds, and the coefficients there.
 fn resonances(description: &Description, unfolded: &Analysis) -> String {
-    let units = &unfolded.axes.units;
-    let found: Vec<_> = unfolded.diagram.unfolding().zip(&unfolded.resonances).collect();
+    let found = &unfolded.resonances;
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
     let all = unfolded.diagram.resonances.len();
     if all == 0 {
@@ -151,10 +150,9 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     if found.is_empty() {
         return text;
     }
-    let rows = found.iter().map(|((resonance, point), _)| {
-        let [mu, eta] = units.parameters(point.orbit().oscillator().parameters());
-        let grazing = point.resonant_point().grazing.in_units(units);
-        let mut row = vec![resonance.loops.to_string(), resonance.n.to_string()];
+    let rows = found.iter().map(|at| {
+        let ([mu, eta], grazing) = (at.parameters, &at.point.grazing);
+        let mut row = vec![at.loops.to_string(), at.n.to_string()];
         row.extend([eta, mu].map(|value| significant(value, PARAMETER)));
         // Where p = 2, tau is zero but for rounding.
         row.extend([grazing.map.trace(), grazing.map.determinant()].map(|value| fixed(value, QUANTITY)));
@@ -166,31 +164,25 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     let formula = format!("{primary} = {primary}_graz({secondary}) + c eta^2 + ...,").replace(' ', KEPT);
     let content = format!("{formula} where eta is {secondary} less that of the resonance");
     text.push_str(&wrapped("Curves that leave them:  ", &content));
-    let rows = found.iter().flat_map(|((_, point), at)| {
-        let [_, eta] = units.parameters(point.orbit().oscillator().parameters());
-        Pair::BIFURCATIONS.into_array().map(|kind| coefficient(eta, kind, at))
-    });
+    let curves = || {
+        found.iter().flat_map(|at| Pair::BIFURCATIONS.into_array().into_iter().map(move |kind| (kind, at)))
+    };
     let header =
         ["p", "n", secondary, "curve", "c by theorem", "c measured", "digits agreeing", "as simulated"];
-    text.push_str(&aligned(&header, rows));
-    for ((_, point), at) in &found {
-        let [_, eta] = units.parameters(point.orbit().oscillator().parameters());
-        for kind in Pair::BIFURCATIONS.into_array() {
-            text.push_str(&reasons(secondary, eta, kind, at));
-        }
-    }
+    text.push_str(&aligned(&header, curves().map(|(kind, at)| coefficient(kind, at))));
+    text.extend(curves().map(|(kind, at)| reasons(secondary, kind, at)));
     text
 }
 
 /// Why a coefficient was not measured or simulation is not as predicted; nothing if all is well.
-fn reasons(secondary: &str, eta: f64, kind: Bifurcation, at: &AtResonance) -> String {
+fn reasons(secondary: &str, kind: Bifurcation, at: &AtResonance) -> String {
     let (coefficient, simulated) = at.beside(kind);
     let verdict = coefficient.verdict();
     let mark = format!(
         "  p = {}, n = {}, {secondary} = {}, {}:  ",
         at.loops,
         at.n,
-        significant(eta, QUANTITY),
+        significant(at.parameters[1], QUANTITY),
         kind.name()
     );
     let mut text = String::new();
@@ -231,7 +223,7 @@ pub(super) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
 }
 
 /// A row: one coefficient by the theorem, measured, and whether simulation agrees.
-fn coefficient(secondary: f64, kind: Bifurcation, at: &AtResonance) -> Vec<String> {
+fn coefficient(kind: Bifurcation, at: &AtResonance) -> Vec<String> {
     let (coefficient, simulated) = at.beside(kind);
     let theorem = coefficient.theorem.value;
     let (measured, digits) = match (coefficient.verdict(), &coefficient.fit) {
@@ -245,7 +237,7 @@ fn coefficient(secondary: f64, kind: Bifurcation, at: &AtResonance) -> Vec<Strin
         at.loops.to_string(),
         at.n.to_string(),
         // Enough to tell resonances with the same p and n apart.
-        significant(secondary, QUANTITY),
+        significant(at.parameters[1], QUANTITY),
         kind.name().to_owned(),
         significant(theorem, COEFFICIENT),
         measured,
@@ -292,6 +284,7 @@ mod tests {
     use super::*;
     use grazing_continuation::curve::Window;
     use grazing_continuation::fit::{Estimate, Measurement};
+    use grazing_theorems::LinearOscillator;
     use grazing_unfold::sides::{self, Sides};
     use grazing_unfold::simulation::Seen;
     use grazing_unfold::verdict::{Coefficient, Obstacle};
@@ -308,9 +301,12 @@ mod tests {
                 velocity: 0.01,
             }),
         };
+        let theory = LinearOscillator::new(0.02, 0.9).expect("it is in the domain");
         AtResonance {
             loops: 2,
             n: 3,
+            parameters: [0.5, 0.75],
+            point: theory.resonance(2, 3).expect("it is one").resonant_point(),
             coefficients: Pair { saddle_node: coefficient(error), period_doubling: coefficient(1.0) },
             sides: Pair {
                 saddle_node: simulated,
@@ -345,7 +341,7 @@ mod tests {
         assert!(contradictions(std::slice::from_ref(&doubtful)).is_empty());
         let (coefficient, _) = doubtful.beside(Bifurcation::SaddleNode);
         assert!(matches!(coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
-        let told = reasons("omega", 0.75, Bifurcation::SaddleNode, &doubtful);
+        let told = reasons("omega", Bifurcation::SaddleNode, &doubtful);
         for wanted in [
             "p = 2, n = 3, omega = 0.75000, SN:  not measurable: where",
             "as simulated undecided: the leading",

@@ -8,11 +8,9 @@ use grazing_model::ImpactOscillator;
 use grazing_results::row;
 use grazing_theorems::hypothesis::Hypothesis;
 use grazing_theorems::{GrazingPoint, ResonantPoint, Unfolding, auxiliary};
-use grazing_unfold::sides::Simulated;
 use grazing_unfold::units::InUnits;
-use grazing_unfold::verdict::Coefficient;
 
-use super::Unfolded;
+use super::{AtResonance, Unfolded};
 
 /// A point of the grazing curve, with the grazing orbit and the Poincaré map around it.
 #[derive(Clone, Copy, Debug)]
@@ -120,17 +118,7 @@ fn slopes(point: &ResonantPoint) -> [f64; 2] {
     }
 }
 
-/// A resonance at which a theorem holds.
-#[derive(Clone, Debug)]
-pub struct ResonanceRow {
-    n: u32,
-    parameters: [f64; 2],
-    point: ResonantPoint,
-    coefficients: Pair<Coefficient>,
-    sides: Pair<Simulated>,
-}
-
-row! { ResonanceRow, |row| {
+row! { AtResonance, |row| {
     let point = &row.point;
     let stability = point.stability_coefficients();
     let [a12_prime, kappa_prime] = slopes(point);
@@ -138,7 +126,7 @@ row! { ResonanceRow, |row| {
     let [sn_verdict, pd_verdict] = row.coefficients.map(|coefficient| coefficient.verdict()).into_array();
     let [sn_side, pd_side] = row.sides.as_ref().into_array();
 } [
-    LOOPS = point.loops(),
+    LOOPS = row.loops,
     RESONANCE_INDEX = row.n,
     SECONDARY_AT_RESONANCE = row.parameters[1],
     PRIMARY_AT_GRAZING = row.parameters[0],
@@ -170,23 +158,6 @@ row! { ResonanceRow, |row| {
     PD_AS_SIMULATED = pd_side.name(),
     PD_SIMULATION_REASON = pd_side.reason(),
 ] }
-
-/// The resonances at which a theorem holds.
-pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Vec<ResonanceRow> {
-    let units = &unfolded.axes.units;
-    let found = unfolded.diagram.unfolding().zip(&unfolded.resonances);
-    let row = found.map(|((resonance, point), at)| {
-        let [_, _, primary, secondary] = point.unknowns().into();
-        ResonanceRow {
-            n: resonance.n,
-            parameters: units.parameters([primary, secondary]),
-            point: point.resonant_point().in_units(units),
-            coefficients: at.coefficients,
-            sides: at.sides.clone(),
-        }
-    });
-    row.collect()
-}
 
 /// A hypothesis of the theorem at a resonance, whether or not all of them hold.
 #[derive(Clone, Debug)]

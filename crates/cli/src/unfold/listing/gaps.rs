@@ -22,8 +22,8 @@ pub(super) fn missing<O>(description: &Description, units: &Units, diagram: &Dia
         (format!("  p = {}  ", lost.loops), format!("near {at}: {}", lost.reason))
     });
     let not_unfolded = diagram.not_unfolded.iter();
-    let not_unfolded = not_unfolded
-        .map(|lost| (format!("  p = {}, n = {}  ", lost.loops, lost.n), lost.reason.to_string()));
+    let not_unfolded =
+        not_unfolded.map(|lost| (format!("  p = {}, n = {}  ", lost.loops, lost.n), lost.reason.to_string()));
     headed("Resonances that could not be unfolded", unlocated.chain(not_unfolded))
 }
 
