@@ -10,13 +10,13 @@ use grazing_claims::errata;
 use grazing_claims::ledger::{Claim, Ledger};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::published::{Comparison, Published};
+use grazing_reproduction::published::Comparison;
 use grazing_unfold::progress::Progress;
 
 use crate::arguments::Claims;
+use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
-use crate::outputs::computation;
 use crate::progress::Display;
 use crate::{project, terminal};
 
@@ -69,21 +69,12 @@ pub(crate) fn findings<'a>(
 }
 
 fn printed_numbers(parameters: &Parameters) -> Result<BTreeMap<String, PrintedNumber>, Failure> {
-    let published = Published::printed()?;
-    let computed =
-        Study::new(parameters).published_values().map_err(|error| computation("published values", &error))?;
-    let number = |comparison: Comparison<'_>| {
-        let value = comparison.published;
-        let number = PrintedNumber {
-            id: value.id.clone(),
-            quantity: value.quantity.clone(),
-            printed: value.printed.clone(),
-            computed: comparison.computed,
-            met: comparison.is_met(),
-        };
-        (value.id.clone(), number)
+    let number = |comparison: Comparison| {
+        let (computed, met, value) = (comparison.computed, comparison.is_met(), comparison.published);
+        let id = value.id.clone();
+        (id, PrintedNumber { id: value.id, quantity: value.quantity, printed: value.printed, computed, met })
     };
-    Ok(published.compare(&computed).into_iter().map(number).collect())
+    Ok(published(&Study::new(parameters))?.into_iter().map(number).collect())
 }
 
 /// Whether a claim was asked for: by a label, where `*` stands for anything, or a part of one; and by kind.

@@ -21,11 +21,7 @@ const GAP: &str = "  ";
 /// A value is not met, or there is nothing to compare.
 pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
     let parameters = project::parameters(&arguments.parameters)?;
-    let published = Published::printed()?;
-    let computed = Study::new(&parameters)
-        .published_values()
-        .map_err(|error| computation("published values", &error))?;
-    let comparisons = published.compare(&computed);
+    let comparisons = published(&Study::new(&parameters))?;
     terminal::say_coloured(&table(&comparisons, terminal::is_coloured()));
     let off = comparisons.iter().filter(|comparison| !comparison.is_met()).count();
     if off > 0 {
@@ -35,8 +31,17 @@ pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
     Ok(())
 }
 
+/// What the paper prints, with what the study gives.
+///
+/// # Errors
+/// The values could not be computed.
+pub(crate) fn published(study: &Study<'_>) -> Result<Vec<Comparison>, Failure> {
+    let computed = study.published_values().map_err(|error| computation("published values", &error))?;
+    Ok(Published::printed()?.compare(&computed))
+}
+
 /// The comparisons as a table with aligned columns, one line each.
-pub fn table(comparisons: &[Comparison<'_>], coloured: bool) -> String {
+pub fn table(comparisons: &[Comparison], coloured: bool) -> String {
     let header = ["quantity", "printed", "computed", "difference", "verdict", "where"].map(str::to_owned);
     let mut rows = vec![(header, None)];
     rows.extend(comparisons.iter().map(|comparison| (cells(comparison), Some(comparison.is_met()))));
@@ -59,8 +64,8 @@ pub fn table(comparisons: &[Comparison<'_>], coloured: bool) -> String {
 }
 
 /// Quantity, printed, computed, difference, verdict, place.
-fn cells(comparison: &Comparison<'_>) -> [String; 6] {
-    let published = comparison.published;
+fn cells(comparison: &Comparison) -> [String; 6] {
+    let published = &comparison.published;
     let decimals = published.decimals() + DIGITS_BEYOND_PRINT;
     let computed = comparison.computed.map(|computed| match published.rounding {
         Rounding::Exact => format!("{computed}"),

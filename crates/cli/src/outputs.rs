@@ -50,10 +50,10 @@ pub struct Output {
     pub name: &'static str,
     /// What it shows, in one line.
     pub title: &'static str,
-    /// The file of the figure.
-    figure: Option<&'static str>,
-    /// The tables.
-    tables: &'static [Plan],
+    /// The file of the figure as SVG, if it is one.
+    pub figure: Option<&'static str>,
+    /// Its tables.
+    pub tables: &'static [Plan],
     /// Whether the sections of the parameter file that it cannot do without are right.
     check: fn(&Parameters) -> Result<(), ParameterError>,
     /// The keys to change where it cannot be computed.
@@ -175,40 +175,17 @@ pub const ALL: &[Output] = &[
 ];
 
 impl Output {
-    /// The paths of its files in the output folder.
-    pub fn paths(&self) -> impl Iterator<Item = PathBuf> {
-        self.paths_in(&Edition::default()).into_iter()
-    }
-
     /// The paths of its files in the output folder of an edition.
-    pub fn paths_in(&self, edition: &Edition) -> Vec<PathBuf> {
+    pub fn paths(&self, edition: &Edition) -> Vec<PathBuf> {
         let figures = self.figure.iter().flat_map(|figure| edition.figure_paths(figure));
         let tables = self.tables.iter().map(|table| table_path(table.name));
         figures.chain(tables).chain(self.latex_tables(edition).map(latex::table_path)).collect()
-    }
-
-    /// The file of the figure as SVG, if it is one.
-    pub fn figure(&self) -> Option<&'static str> {
-        self.figure
-    }
-
-    /// Its tables.
-    pub fn tables(&self) -> &'static [Plan] {
-        self.tables
     }
 
     /// The tables that are printed, in an edition that has LaTeX: those of outputs without a figure.
     pub(crate) fn latex_tables(&self, edition: &Edition) -> impl Iterator<Item = &'static str> {
         let printed = self.figure.is_none() && edition.has(Format::Tex);
         self.tables.iter().map(|table| table.name).filter(move |_| printed)
-    }
-
-    /// Whether the sections of the parameter file that it cannot do without are right.
-    ///
-    /// # Errors
-    /// What is wrong with the first that is not.
-    pub(crate) fn check(&self, parameters: &Parameters) -> Result<(), ParameterError> {
-        (self.check)(parameters)
     }
 
     /// Computes the output, and makes its files.
@@ -220,7 +197,7 @@ impl Output {
         study: &Study<'_>,
         edition: &Edition,
     ) -> Result<(Made, Vec<MadeFile>), Failure> {
-        self.check(&study.parameters)?;
+        (self.check)(&study.parameters)?;
         let mut made = (self.make)(study, edition.width()).map_err(|error| self.failure(&*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
         let registered: Vec<&'static str> = self.tables.iter().map(|table| table.name).collect();
@@ -263,13 +240,11 @@ impl Output {
 /// # Errors
 /// The first that some output needs.
 pub(crate) fn refuse_malformed<'a>(
-    mut outputs: impl Iterator<Item = &'a Output>,
+    outputs: impl Iterator<Item = &'a Output>,
     parameters: &Parameters,
 ) -> Result<(), Failure> {
-    let refusal = |output: &Output| output.check(parameters).err();
-    match outputs
-        .find_map(|output| refusal(output).filter(|error| matches!(error, ParameterError::Malformed(_))))
-    {
+    let mut refused = outputs.filter_map(|output| (output.check)(parameters).err());
+    match refused.find(|error| matches!(error, ParameterError::Malformed(_))) {
         Some(error) => Err(error.into()),
         None => Ok(()),
     }

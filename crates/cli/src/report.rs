@@ -5,7 +5,6 @@ mod links;
 pub(crate) mod oscillators;
 mod versions;
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -13,14 +12,15 @@ use grazing_claims::ledger::Ledger;
 use grazing_report::{Figure, Manifest, OutputFile, PublishedEntry, State, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_reproduction::published::{Comparison, Published};
+use grazing_reproduction::published::Comparison;
 use grazing_source::Setting;
 
 use crate::arguments::Report;
+use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
 use crate::outputs::edition::Edition;
-use crate::outputs::{self, Made, computation};
+use crate::outputs::{self, Made};
 use crate::progress::Display;
 use crate::reproduce::start_threads;
 use crate::{claims, project, terminal};
@@ -117,6 +117,7 @@ fn assemble(
         missing.push(failure.to_string());
         Vec::new()
     });
+    let published: Vec<PublishedEntry> = published.into_iter().map(entry).collect();
     let root = project::root();
     let sources = root.as_deref().map(links::sources).unwrap_or_default();
     let ledger = Ledger::of_the_paper()?;
@@ -163,23 +164,16 @@ fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// The published values with the computed ones.
-fn published(study: &Study<'_>) -> Result<Vec<PublishedEntry>, Failure> {
-    let computed: BTreeMap<String, f64> =
-        study.published_values().map_err(|error| computation("published values", &error))?;
-    Ok(Published::printed()?.compare(&computed).iter().map(entry).collect())
-}
-
-fn entry(comparison: &Comparison<'_>) -> PublishedEntry {
-    let value = comparison.published;
+fn entry(comparison: Comparison) -> PublishedEntry {
+    let (computed, met, value) = (comparison.computed, comparison.is_met(), comparison.published);
     PublishedEntry {
-        id: value.id.clone(),
-        quantity: value.quantity.clone(),
-        printed: value.printed.clone(),
-        computed: comparison.computed,
-        met: comparison.is_met(),
-        label: value.label.clone(),
-        place: value.place.clone(),
+        id: value.id,
+        quantity: value.quantity,
+        printed: value.printed,
+        computed,
+        met,
+        label: value.label,
+        place: value.place,
     }
 }
 

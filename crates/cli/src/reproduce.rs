@@ -1,17 +1,17 @@
 //! `grazing reproduce`: compute first, then write everything or check it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_reproduction::Study;
-use grazing_reproduction::published::Published;
 
 use crate::arguments::{ParameterFile, Reproduce};
+use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, Change, Kind, MadeFile};
-use crate::outputs::edition::Edition;
+use crate::outputs::edition::{Edition, Format};
 use crate::outputs::{self, Output, latex};
 use crate::progress::Display;
 use crate::{codecheck, data_page, project, terminal, visual};
@@ -35,9 +35,9 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         outputs::ALL.iter().filter(|output| is_chosen(output, &arguments.only)).collect();
     outputs::refuse_malformed(chosen.iter().copied(), &parameters)?;
     if !arguments.check {
-        let mut paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths_in(&edition)).collect();
+        let mut paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths(&edition)).collect();
         paths.extend(arguments.only.is_empty().then(data_page::path));
-        paths.extend(latex::has_snippet(&edition).then(|| PathBuf::from(latex::SNIPPET)));
+        paths.extend(edition.has(Format::Tex).then(|| PathBuf::from(latex::SNIPPET)));
         paths.extend((!set.is_empty()).then(|| PathBuf::from(SETTINGS)));
         folder::ensure_writable(&output_folder, &paths)?;
     }
@@ -46,18 +46,20 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     }
     let display = Display::new();
     let study = Study::new(&parameters).with_progress(&display);
-    let Made { mut files, made, missing } = make(&study, &chosen, &edition)?;
+    let Made { mut files, rows, made, missing } = make(&study, &chosen, &edition)?;
     if made.is_empty() {
         return tell_missing(&missing, &chosen, &made, &output_folder);
     }
-    if latex::has_snippet(&edition) && arguments.only.is_empty() {
-        files.push(snippet(&made, &edition, &files));
+    if edition.has(Format::Tex) && arguments.only.is_empty() {
+        let rows_of = |table: &str| rows.get(table).copied().unwrap_or(0);
+        let content = latex::snippet(&made, &edition, rows_of).into_bytes();
+        files.push(MadeFile { path: PathBuf::from(latex::SNIPPET), content });
     }
     if !set.is_empty() {
         files.push(settings(&arguments.parameters));
     }
     if arguments.only.is_empty() {
-        files.push(data_page::of_the_paper(chosen.iter().flat_map(|output| output.tables()).copied()));
+        files.push(data_page::of_the_paper(chosen.iter().flat_map(|output| output.tables).copied()));
     }
     let mut places = vec![Place { folder: output_folder, files, complete: false }];
     if edition.is_default() && arguments.only.is_empty() {
@@ -81,7 +83,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         terminal::say(&write(&places)?);
     }
     if arguments.only.is_empty() {
-        terminal::say(&verdict(&study)?);
+        terminal::say(&verdict(&study));
     }
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
     tell_missing(&missing, &chosen, &made, &places[0].folder)
@@ -90,6 +92,8 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
 /// What was made of the outputs that were asked for.
 struct Made<'a> {
     files: Vec<MadeFile>,
+    /// How many rows each table has.
+    rows: BTreeMap<&'static str, usize>,
     made: Vec<&'a Output>,
     missing: Vec<Missing>,
 }
@@ -124,7 +128,7 @@ fn tell_missing(
         return Ok(());
     }
     let absent = chosen.iter().filter(|output| made.iter().all(|made| made.name != output.name));
-    let paths = absent.flat_map(|output| output.paths());
+    let paths = absent.flat_map(|output| output.paths(&Edition::default()));
     let left = paths.map(|path| folder.join(path)).filter(|path| path.exists()).count();
     if left > 0 {
         let left = counted(left);
@@ -152,16 +156,6 @@ struct Place {
     files: Vec<MadeFile>,
     /// Whether nothing else belongs there.
     complete: bool,
-}
-
-/// The LaTeX snippet that includes all outputs.
-fn snippet(chosen: &[&Output], edition: &Edition, files: &[MadeFile]) -> MadeFile {
-    let rows = |table: &str| {
-        let path = latex::table_path(table);
-        files.iter().find(|file| file.path == path).map_or(0, |file| latex::rows(&file.content))
-    };
-    let content = latex::snippet(chosen, edition, rows).into_bytes();
-    MadeFile { path: PathBuf::from(latex::SNIPPET), content }
 }
 
 /// Writes all files and draws the figures that changed; returns what there is to tell.
@@ -193,12 +187,13 @@ pub(crate) fn start_threads(jobs: u16) -> Result<(), Failure> {
 
 /// All outputs that can be made; the failure if none can.
 fn make<'a>(study: &Study<'_>, chosen: &[&'a Output], edition: &Edition) -> Result<Made<'a>, Failure> {
-    let mut all = Made { files: Vec::new(), made: Vec::new(), missing: Vec::new() };
+    let mut all = Made { files: Vec::new(), rows: BTreeMap::new(), made: Vec::new(), missing: Vec::new() };
     for output in chosen {
         match output.files(study, edition) {
             Ok((made, files)) => {
                 made.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
                 all.files.extend(files);
+                all.rows.extend(made.tables.iter().map(|table| (table.name, table.rows.len())));
                 for gap in made.gaps {
                     all.add_missing(output.name, format!("it is written, but {gap}"));
                 }
@@ -212,19 +207,17 @@ fn make<'a>(study: &Study<'_>, chosen: &[&'a Output], edition: &Edition) -> Resu
 }
 
 /// A line that says whether the published values are met.
-fn verdict(study: &Study<'_>) -> Result<String, Failure> {
-    let published = Published::printed()?;
-    let Ok(computed) = study.published_values() else {
+fn verdict(study: &Study<'_>) -> String {
+    let Ok(comparisons) = published(study) else {
         // Why not is told of the outputs that need the same.
-        return Ok("Published values could not be compared.\n".to_owned());
+        return "Published values could not be compared.\n".to_owned();
     };
-    let comparisons = published.compare(&computed);
     let met = comparisons.iter().filter(|comparison| comparison.is_met()).count();
-    Ok(if met == comparisons.len() {
+    if met == comparisons.len() {
         format!("All {met} published values are met.\n")
     } else {
         format!("Only {met} of {} published values are met: see `cargo xtask compare`.\n", comparisons.len())
-    })
+    }
 }
 
 fn check(places: &[Place], arguments: &Reproduce, edition: &Edition) -> Result<(), Failure> {

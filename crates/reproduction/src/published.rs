@@ -89,15 +89,15 @@ impl PublishedValue {
 }
 
 /// A published value with what the reproduction gives.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Comparison<'a> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct Comparison {
     /// The published value.
-    pub published: &'a PublishedValue,
+    pub published: PublishedValue,
     /// The computed value; none if under these parameters the quantity does not come up.
     pub computed: Option<f64>,
 }
 
-impl Comparison<'_> {
+impl Comparison {
     /// Whether the computed value, rounded to the printed decimals (to nearest, as its exact binary value demands), is the print; for
     /// [`Rounding::Exact`], whether it is the printed number itself. NaN never is, nor is what was not computed.
     pub fn is_met(&self) -> bool {
@@ -165,10 +165,11 @@ impl Published {
 
     /// Holds computed values, by identifier, against the print: one comparison for each published value. Computed values
     /// that the paper does not print are passed over.
-    pub fn compare(&self, computed: &BTreeMap<String, f64>) -> Vec<Comparison<'_>> {
-        let values = self.values.iter();
-        values
-            .map(|published| Comparison { published, computed: computed.get(&published.id).copied() })
-            .collect()
+    pub fn compare(self, computed: &BTreeMap<String, f64>) -> Vec<Comparison> {
+        let compare = |published: PublishedValue| {
+            let computed = computed.get(&published.id).copied();
+            Comparison { published, computed }
+        };
+        self.values.into_iter().map(compare).collect()
     }
 }
