@@ -1,7 +1,7 @@
 //! The registry of outputs: what can be made, and from what.
 
 pub mod edition;
-mod figures;
+pub(crate) mod figures;
 pub mod latex;
 
 use std::error::Error;

@@ -28,7 +28,7 @@ impl Study<'_> {
         let shown = self.parameters.fig01.get()?;
         let of = shown.specimen;
         let oscillator = LinearOscillator::new(of.zeta, of.epsilon, of.amplitude, of.frequency)?;
-        let space = Space::straight(&shown.view);
+        let space = Space::new(&shown.view, None);
         let (mut curves, mut points) = (Drawn::new(&space), Vec::new());
         for (number, arrival) in (1..).zip(&shown.orbits) {
             let from = beginning(&oscillator, arrival);

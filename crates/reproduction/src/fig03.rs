@@ -1,7 +1,7 @@
 //! Figure 3 (fig:Ba): the return map P_global on Π and the grazing periodic solution Γ.
 //!
 //! The phase is taken as an angle, so that Γ closes and a point of Π and its image lie on one and the same Π
-//! (`Space::ring`).
+//! (`Space`).
 
 use core::f64::consts::TAU;
 
@@ -31,7 +31,7 @@ impl Study<'_> {
         let grazing = theory.grazing(shown.frequency)?;
         let oscillator = LinearOscillator::new(shown.zeta, ELASTIC, grazing.amplitude(), shown.frequency)?;
         let origin = grazing.phase();
-        let space = Space::ring(&shown.view, shown.radius, origin);
+        let space = Space::new(&shown.view, Some([shown.radius, origin]));
 
         let [x, phase] = shown.start;
         let start = State::at_rest(x, origin + phase);

@@ -57,7 +57,7 @@ impl Study<'_> {
         let origin = theory.grazing(of.frequency)?.phase();
         let [velocity, phase] = shown.impact;
         let marks = Marks::compute(&oscillator, State::on_wall(velocity, origin + phase), shown.loops)?;
-        let space = Space::straight(&shown.view);
+        let space = Space::new(&shown.view, None);
         let curves = curves(&space, &oscillator, &marks, shown.position[0]);
         Ok(Scene::new(Scene::FIG09, curves, points(&space, &marks), surfaces(&space, shown, origin)))
     }

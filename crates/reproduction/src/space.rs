@@ -20,38 +20,23 @@ const LINE_SAMPLES: u32 = 60;
 /// A way to see phase space on a page.
 #[derive(Clone, Debug)]
 pub(crate) struct Space {
-    shape: Shape,
+    /// Radius ρ and origin z₀ of a ring, if the phase is an angle: (x, y, z) ↦ ((ρ + x) cos ψ, y, (ρ + x) sin ψ) with ψ = z − z₀.
+    /// Otherwise x, y and z are seen along straight axes.
+    ///
+    /// One-to-one for x > −ρ, with z and z + 2π the same place, and right-handed as the straight axes are. Π stays in a
+    /// plane, y = 0.
+    ring: Option<[f64; 2]>,
     stretch: [f64; 3],
     /// Sine and cosine of the turn and of the tilt.
     turn: (f64, f64),
     tilt: (f64, f64),
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Shape {
-    /// x, y and z along straight axes.
-    Straight,
-    /// The phase as an angle: (x, y, z) ↦ ((ρ + x) cos ψ, y, (ρ + x) sin ψ) with ψ = z − z₀ and the radius ρ.
-    ///
-    /// One-to-one for x > −ρ, with z and z + 2π the same place, and right-handed as the straight axes are. Π stays in a
-    /// plane, y = 0.
-    Ring { radius: f64, origin: f64 },
-}
-
 impl Space {
-    /// Straight axes.
-    pub(crate) fn straight(view: &View) -> Self {
-        Self::new(view, Shape::Straight)
-    }
-
-    /// The phase as an angle about an axis at distance `radius` from x = 0, measured from `origin`.
-    pub(crate) fn ring(view: &View, radius: f64, origin: f64) -> Self {
-        Self::new(view, Shape::Ring { radius, origin })
-    }
-
-    fn new(view: &View, shape: Shape) -> Self {
+    /// Seen as a figure has it; for a ring its radius and the phase from which the angle is measured.
+    pub(crate) fn new(view: &View, ring: Option<[f64; 2]>) -> Self {
         let turned = |degrees: f64| libm::sincos(degrees.to_radians());
-        Self { shape, stretch: view.stretch, turn: turned(view.turn), tilt: turned(view.tilt) }
+        Self { ring, stretch: view.stretch, turn: turned(view.turn), tilt: turned(view.tilt) }
     }
 
     /// The orthographic projection of a state: its place to the right, upwards, and away from the viewer.
@@ -60,13 +45,10 @@ impl Space {
     /// across = X cos α + Z sin α, up = Y cos β + D sin β, depth = D cos β − Y sin β, where D = X sin α − Z cos α.
     fn see(&self, state: State) -> [f64; 3] {
         let State { position: x, velocity: y, phase: z } = state;
-        let place = match self.shape {
-            Shape::Straight => [x, y, z],
-            Shape::Ring { radius, origin } => {
-                let (sin, cos) = libm::sincos(z - origin);
-                [(radius + x) * cos, y, (radius + x) * sin]
-            }
-        };
+        let place = self.ring.map_or([x, y, z], |[radius, origin]| {
+            let (sin, cos) = libm::sincos(z - origin);
+            [(radius + x) * cos, y, (radius + x) * sin]
+        });
         let [right, height, front] = [0, 1, 2].map(|k| self.stretch[k] * place[k]);
         let ((turn_sin, turn_cos), (tilt_sin, tilt_cos)) = (self.turn, self.tilt);
         let away = right * turn_sin - front * turn_cos;
@@ -82,18 +64,11 @@ impl Space {
     /// Beyond Σ: beyond Π 0, Π 1, before Π 2; Σ 3; before Σ: beyond Π 4, Π 5, before Π 6. On the ring Σ is not shown.
     fn layer(&self, x: f64, y: f64) -> u32 {
         // The viewer stands above y = 0, and on the side x < 0 if the scene is turned to the right.
-        let about_section = if y == 0.0 {
-            1
-        } else if y > 0.0 {
-            2
-        } else {
-            0
-        };
-        match self.shape {
-            Shape::Ring { .. } => about_section,
-            Shape::Straight if x == 0.0 => 3,
-            Shape::Straight if x * self.turn.0 < 0.0 => 4 + about_section,
-            Shape::Straight => about_section,
+        let about_section = u32::from(y >= 0.0) + u32::from(y > 0.0);
+        match self.ring {
+            None if x == 0.0 => 3,
+            None if x * self.turn.0 < 0.0 => 4 + about_section,
+            _ => about_section,
         }
     }
 
@@ -106,6 +81,13 @@ impl Space {
 
     fn layer_between(&self, a: State, b: State) -> u32 {
         self.layer(0.5 * (a.position + b.position), 0.5 * (a.velocity + b.velocity))
+    }
+
+    /// A point on Σ or Π that has a name.
+    pub(crate) fn mark(&self, kind: MarkKind, number: u32, state: State) -> Mark {
+        let [across, up, depth] = self.see(state);
+        let State { position: x, velocity: y, phase: z } = state;
+        Mark { kind, number, layer: self.layer_before(state), x, y, z, across, up, depth }
     }
 }
 
@@ -243,15 +225,6 @@ impl<'a, K: Copy> Drawn<'a, K> {
         let State { position: x, velocity: y, phase: z } = state;
         let (number, place) = (self.number, self.space.see(state));
         self.vertices.push(Vertex { kind, number, piece, layer, state: [x, y, z], place });
-    }
-}
-
-impl Space {
-    /// A point on Σ or Π that has a name.
-    pub(crate) fn mark(&self, kind: MarkKind, number: u32, state: State) -> Mark {
-        let [across, up, depth] = self.see(state);
-        let State { position: x, velocity: y, phase: z } = state;
-        Mark { kind, number, layer: self.layer_before(state), x, y, z, across, up, depth }
     }
 }
 

@@ -120,13 +120,22 @@ fn space(scene: &Scene) -> SpaceFigure<'_> {
 
 /// The panels of Figure 8, numbered from 1.
 fn panels(shown: &[ShownPanel]) -> Vec<MagnifiedPanel> {
-    let panel = |(panel, shown): (u32, &ShownPanel)| {
-        let window = plane(&shown.window);
-        let Pair { saddle_node: c_sn, period_doubling: c_pd } = shown.coefficients;
-        let heading = Heading { p: shown.loops, n: None, c_sn, c_pd };
-        MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }
-    };
-    (1..).zip(shown).map(panel).collect()
+    let numbered = (1..).zip(shown);
+    numbered
+        .map(|(number, shown)| panel(number, shown.loops, None, &shown.window, shown.coefficients))
+        .collect()
+}
+
+/// A panel about the resonance of p and perhaps n, with its coefficients.
+pub(crate) fn panel(
+    panel: u32,
+    p: u32,
+    n: Option<u32>,
+    window: &curve::Window,
+    Pair { saddle_node: c_sn, period_doubling: c_pd }: Pair<f64>,
+) -> MagnifiedPanel {
+    let shown = Magnified { panel, window: plane(window) };
+    MagnifiedPanel { shown, heading: Some(Heading { p, n, c_sn, c_pd }) }
 }
 
 /// Amplitudes across and frequencies up.

@@ -2,26 +2,21 @@
 
 use core::f64::consts::TAU;
 
+use grazing_model::State;
 use grazing_model::orbit::{FlightEnd, Orbit as Simulation};
-use grazing_model::{LinearOscillator, State};
 use grazing_reproduction::{Figure5, Study};
 use grazing_theorems::Resonance;
 
-use crate::{made, numbers, words};
-use grazing_trials::closed_form::{self, Orbit, orbits};
+use crate::{closed_forms, forced, made, numbers, theory, words};
+use grazing_trials::closed_form::{self, Orbit};
 
 fn figure() -> Figure5 {
     Study::new(&made().parameters).fig05().expect("figure 5 can be computed")
 }
 
 fn resonance() -> Resonance {
-    let (parameters, shown) = (&made().parameters, made().parameters.fig05.get().expect("it is right"));
-    let theory = grazing_theorems::LinearOscillator::new(
-        parameters.oscillator.get().expect("it is right").damping_ratio(),
-        parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
-    )
-    .unwrap();
-    theory.resonance(shown.loops, shown.n).unwrap()
+    let shown = made().parameters.fig05.get().expect("it is right");
+    theory().resonance(shown.loops, shown.n).unwrap()
 }
 
 /// Amplitude and frequency at (μ, η).
@@ -34,13 +29,7 @@ fn parameters_at(mu: f64, eta: f64) -> (f64, f64) {
 fn solutions(mu: f64, eta: f64) -> Vec<Orbit> {
     let (amplitude, omega) = parameters_at(mu, eta);
     let parameters = &made().parameters;
-    let all = orbits(
-        parameters.oscillator.get().expect("it is right").damping_ratio(),
-        parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
-        amplitude,
-        omega,
-        parameters.fig05.get().expect("it is right").loops,
-    );
+    let all = closed_forms(amplitude, omega, parameters.fig05.get().expect("it is right").loops);
     all.into_iter().filter(Orbit::admissible).collect()
 }
 
@@ -166,13 +155,7 @@ fn both_solutions_are_stable_in_the_overlap_of_the_two_regions() {
 fn last_impacts(mu: f64, eta: f64, from: &Orbit, closeness: f64) -> Vec<[f64; 2]> {
     let parameters = &made().parameters;
     let (amplitude, omega) = parameters_at(mu, eta);
-    let oscillator = LinearOscillator::new(
-        parameters.oscillator.get().expect("it is right").damping_ratio(),
-        parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
-        amplitude,
-        omega,
-    )
-    .unwrap();
+    let oscillator = forced(amplitude, omega);
     let period = f64::from(parameters.fig05.get().expect("it is right").loops) * TAU / omega;
     let start = State::on_wall(from.velocity * (1.0 + closeness), from.phase);
     let periods = 400.0;
@@ -217,17 +200,10 @@ fn simulated_orbits_settle_on_the_mps_in_the_shaded_region_and_leave_it_outside(
 
 #[test]
 fn the_non_impacting_solution_attracts_where_it_is_said_to() {
-    let parameters = &made().parameters;
     let light = region(&figure(), "non-impacting");
     for [mu, eta] in grid(8) {
         let (amplitude, omega) = parameters_at(mu, eta);
-        let oscillator = LinearOscillator::new(
-            parameters.oscillator.get().expect("it is right").damping_ratio(),
-            parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
-            amplitude,
-            omega,
-        )
-        .unwrap();
+        let oscillator = forced(amplitude, omega);
         let top = resonance().grazing().oscillator().grazing(omega).unwrap().phase();
         let State { position, velocity, phase } = oscillator.non_impacting_solution(top);
         assert_eq!(position < 0.0, inside(&light, [mu, eta]));

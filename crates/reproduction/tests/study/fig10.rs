@@ -4,12 +4,11 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{MpsCurve, Route, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
-use grazing_model::LinearOscillator;
 use grazing_reproduction::Study;
 use grazing_theorems::auxiliary::{lucas_sequence, scaled_visit_position};
 use grazing_theorems::{GenericGrazing, GrazingState};
 
-use crate::{integers, made, numbers};
+use crate::{forced, integers, made, numbers, theory};
 
 /// The vertices (u, w) in order.
 fn vertices() -> Vec<[f64; 2]> {
@@ -21,12 +20,7 @@ fn vertices() -> Vec<[f64; 2]> {
 
 fn grazing() -> GrazingState {
     let parameters = &made().parameters;
-    let theory = grazing_theorems::LinearOscillator::new(
-        parameters.oscillator.get().expect("it is right").damping_ratio(),
-        parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
-    )
-    .unwrap();
-    theory.grazing(parameters.fig10.get().expect("it is right").frequency).unwrap()
+    theory().grazing(parameters.fig10.get().expect("it is right").frequency).unwrap()
 }
 
 /// S_p / β, which scales slopes in μ to (u, w). Paper: eq:ujwj.
@@ -80,15 +74,9 @@ fn the_closed_path_is_convex() {
 
 #[test]
 fn visits_of_followed_solutions_tend_to_the_vertices() {
-    let (parameters, shown) = (&made().parameters, made().parameters.fig10.get().expect("it is right"));
+    let shown = made().parameters.fig10.get().expect("it is right");
     let (omega, graz) = (shown.frequency, grazing().amplitude());
-    let oscillator = LinearOscillator::new(
-        parameters.oscillator.get().expect("it is right").damping_ratio(),
-        parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
-        graz,
-        omega,
-    )
-    .unwrap();
+    let oscillator = forced(graz, omega);
     let equations = LoopEquations::new(oscillator, shown.loops, Formulation::Vivid);
     let side = GenericGrazing::check(&grazing().grazing_point(), shown.loops).unwrap().side().signum();
     let reach = 1e-3;

@@ -3,19 +3,12 @@
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-use crate::{flags, integers, made, numbers, words};
-use grazing_trials::closed_form::{Orbit, orbits};
+use crate::{closed_forms, flags, integers, made, numbers, words};
+use grazing_trials::closed_form::Orbit;
 
 /// The closed-form MPS with the impact velocity nearest to the given one.
 fn nearest(amplitude: f64, omega: f64, loops: u32, velocity: f64) -> Orbit {
-    let parameters = &made().parameters;
-    let all = orbits(
-        parameters.oscillator.get().expect("it is right").damping_ratio(),
-        parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
-        amplitude,
-        omega,
-        loops,
-    );
+    let all = closed_forms(amplitude, omega, loops);
     let distance = |orbit: &Orbit| (orbit.velocity - velocity).abs();
     all.into_iter()
         .min_by(|a, b| distance(a).total_cmp(&distance(b)))
@@ -61,17 +54,7 @@ fn every_point_of_every_curve_of_figure_7_is_a_closed_form_mps_with_its_property
         if fold {
             // The two MPSs merge: rounding of the discriminant, a few 1e-16, moves them by its root.
             assert!((orbit.velocity - y).abs() < 1e-6, "{place}: {} {y}", orbit.velocity);
-            let shifted = |shift: f64| {
-                let parameters = &made().parameters;
-                orbits(
-                    parameters.oscillator.get().expect("it is right").damping_ratio(),
-                    parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
-                    amplitude[row] + shift,
-                    omega[row],
-                    loops[row],
-                )
-                .len()
-            };
+            let shifted = |shift: f64| closed_forms(amplitude[row] + shift, omega[row], loops[row]).len();
             if kind != "SN" {
                 continue;
             }
@@ -129,14 +112,7 @@ fn codimension_two_points_meet_both_their_conditions() {
         if kinds[k] != "PD-GZ" {
             continue;
         }
-        let parameters = &made().parameters;
-        let all = orbits(
-            parameters.oscillator.get().expect("it is right").damping_ratio(),
-            parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
-            amplitude[k],
-            omega[k],
-            loops[k],
-        );
+        let all = closed_forms(amplitude[k], omega[k], loops[k]);
         let doubly = |orbit: &Orbit| {
             (orbit.trace + 1.0 + orbit.determinant).abs() < 1e-7 && orbit.ceiling.abs() < 1e-9
         };
@@ -197,13 +173,7 @@ fn regions_are_where_a_closed_form_mps_is_stable_and_admissible() {
                 continue;
             }
             let inside = places.iter().any(|(_, inside)| *inside);
-            let all = orbits(
-                parameters.oscillator.get().expect("it is right").damping_ratio(),
-                parameters.oscillator.get().expect("it is right").coefficient_of_restitution(),
-                point[0],
-                point[1],
-                p,
-            );
+            let all = closed_forms(point[0], point[1], p);
             let stable = all.iter().any(|orbit| orbit.stable() && orbit.admissible());
             assert_eq!(inside, stable, "p = {p} at {point:?}: {all:?}");
             hits[p as usize] += usize::from(inside);

@@ -11,9 +11,11 @@ mod space;
 use std::path::Path;
 use std::sync::OnceLock;
 
+use grazing_model::LinearOscillator;
 use grazing_reproduction::parameters::Parameters;
 use grazing_reproduction::{Coefficients, Figure2, Figure7, Figure8, Study, TheoremsInAction};
 use grazing_results::{Cell, Names, Row};
+use grazing_trials::closed_form::{Orbit, orbits};
 
 /// Everything that is reproduced, computed once for all tests.
 struct Made {
@@ -40,6 +42,23 @@ fn made() -> &'static Made {
             parameters,
         }
     })
+}
+
+/// The paper's oscillator, for which the theory is.
+fn theory() -> &'static grazing_theorems::LinearOscillator {
+    made().parameters.oscillator.get().expect("it is right")
+}
+
+/// The paper's oscillator with its forcing.
+fn forced(amplitude: f64, frequency: f64) -> LinearOscillator {
+    let (zeta, epsilon) = (theory().damping_ratio(), theory().coefficient_of_restitution());
+    LinearOscillator::new(zeta, epsilon, amplitude, frequency).expect("it is in the domain")
+}
+
+/// All MPSs of the paper's oscillator that the quadratic equation gives.
+fn closed_forms(amplitude: f64, frequency: f64, loops: u32) -> Vec<Orbit> {
+    let (zeta, epsilon) = (theory().damping_ratio(), theory().coefficient_of_restitution());
+    orbits(zeta, epsilon, amplitude, frequency, loops)
 }
 
 /// A column, by the name that it has for the paper's oscillator.
