@@ -5,12 +5,10 @@
 use std::f64::consts::TAU;
 
 use grazing_model::smooth::{SmoothOscillator, Units};
-use grazing_source::Source;
-use toml::Spanned;
 
 use crate::description::Description;
 use crate::error::{DescriptionError, Place, Point, rounded};
-use crate::file::File;
+use crate::validate::Places;
 
 /// Points along the range of either parameter, both ends included.
 const ALONG: u32 = 7;
@@ -30,31 +28,27 @@ const ROUNDING: f64 = 1e-9;
 type Checked = Result<(), DescriptionError>;
 
 /// Checks frequency, force and reset law at samples, in the order of the file; what is allowed and may not be meant.
-pub(crate) fn samples(
-    description: &Description,
-    raw: &File,
-    source: &Source<'_>,
-) -> Result<Vec<String>, DescriptionError> {
-    let sampler = Sampler { description, source, units: description.units() };
+pub(crate) fn samples(description: &Description, places: &Places) -> Result<Vec<String>, DescriptionError> {
+    let sampler = Sampler { description, places, units: description.units() };
     let parameters = sampler.parameters();
     for &parameters in &parameters {
-        sampler.frequency(&raw.motion.frequency, parameters)?;
+        sampler.frequency(parameters)?;
     }
     for &parameters in &parameters {
-        sampler.force(&raw.motion.force, parameters)?;
+        sampler.force(parameters)?;
     }
     for &parameters in &parameters {
-        sampler.restitution(&raw.impact.restitution, parameters)?;
+        sampler.restitution(parameters)?;
     }
     for &parameters in &parameters {
-        sampler.duration(&raw.impact.duration, parameters)?;
+        sampler.duration(parameters)?;
     }
-    Ok(parameters.iter().find_map(|&parameters| sampler.lively(raw, parameters)).into_iter().collect())
+    Ok(parameters.iter().find_map(|&parameters| sampler.lively(parameters)).into_iter().collect())
 }
 
 struct Sampler<'a> {
     description: &'a Description,
-    source: &'a Source<'a>,
+    places: &'a Places,
     units: Units,
 }
 
@@ -82,8 +76,8 @@ impl Sampler<'_> {
         Point(axes.iter().chain(variables).map(|&(name, value)| (name.to_owned(), value)).collect())
     }
 
-    fn frequency(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
-        let place = || Place::new(self.source, "motion.frequency", text);
+    fn frequency(&self, [mu, eta]: [f64; 2]) -> Checked {
+        let place = || self.places.frequency.clone();
         let value = self.description.forcing_frequency(mu, eta);
         let at = || self.point([mu, eta], &[]);
         if !value.is_finite() {
@@ -95,8 +89,8 @@ impl Sampler<'_> {
         Ok(())
     }
 
-    fn force(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
-        let place = || Place::new(self.source, "motion.force", text);
+    fn force(&self, [mu, eta]: [f64; 2]) -> Checked {
+        let place = || self.places.force.clone();
         let period = TAU / self.description.forcing_frequency(mu, eta);
         let near = NEAR * self.units.length;
         for x in POSITIONS.map(|x| x * self.units.length) {
@@ -123,25 +117,26 @@ impl Sampler<'_> {
         Ok(())
     }
 
-    fn restitution(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
-        let place = || Place::new(self.source, "impact.restitution", text);
+    fn restitution(&self, [mu, eta]: [f64; 2]) -> Checked {
+        let place = &self.places.restitution;
         self.reset(
-            "impact.restitution",
-            text,
+            place,
             1.0,
             [mu, eta],
             |y, z| self.description.restitution(y, z, mu, eta),
-            |value, at| (value <= 0.0).then(|| DescriptionError::Restitution { place: place(), value, at }),
+            |value, at| {
+                (value <= 0.0).then(|| DescriptionError::Restitution { place: place.clone(), value, at })
+            },
         )
     }
 
     /// What is to be said of a restitution above one.
-    fn lively(&self, raw: &File, [mu, eta]: [f64; 2]) -> Option<String> {
+    fn lively(&self, [mu, eta]: [f64; 2]) -> Option<String> {
         let samples = self.impact_velocities().into_iter().flat_map(|y| SHARES.map(|share| (y, share * TAU)));
         let (y, z, value) = samples
             .map(|(y, z)| (y, z, self.description.restitution(y, z, mu, eta)))
             .find(|(_, _, value)| *value > 1.0)?;
-        let place = Place::new(self.source, "impact.restitution", &raw.impact.restitution);
+        let place = &self.places.restitution;
         let at = self.point([mu, eta], &[("y", y), ("z", z)]);
         Some(format!(
             "{place}: the restitution is {} at {at}: above 1, so that impacts drive the oscillator; it is analysed as it stands",
@@ -149,23 +144,22 @@ impl Sampler<'_> {
         ))
     }
 
-    fn duration(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
+    fn duration(&self, [mu, eta]: [f64; 2]) -> Checked {
         let duration = |y, z| self.description.impact_duration(y, z, mu, eta);
         let unit = 1.0 / self.units.velocity();
-        self.reset("impact.duration", text, unit, [mu, eta], duration, |_, _| None)
+        self.reset(&self.places.duration, unit, [mu, eta], duration, |_, _| None)
     }
 
     /// Checks a function of the reset law, which is of the order of `unit`: finite, 2π-periodic in z, and whatever `wrong` finds of a value.
     fn reset(
         &self,
-        key: &'static str,
-        text: &Spanned<String>,
+        place: &Place,
         unit: f64,
         parameters: [f64; 2],
         function: impl Fn(f64, f64) -> f64,
         wrong: impl Fn(f64, Point) -> Option<DescriptionError>,
     ) -> Checked {
-        let place = || Place::new(self.source, key, text);
+        let place = || place.clone();
         for y in self.impact_velocities() {
             for z in SHARES.map(|share| share * TAU) {
                 let at = || self.point(parameters, &[("y", y), ("z", z)]);

@@ -21,6 +21,11 @@ pub struct Section<'d> {
 }
 
 impl<'d> Section<'d> {
+    /// The whole file.
+    pub(crate) fn whole(source: &'d Source<'d>, table: &'d DeTable<'d>) -> Self {
+        Self { source, key: String::new(), span: 0..0, table }
+    }
+
     /// The table that a value is.
     ///
     /// # Errors
@@ -46,6 +51,13 @@ impl<'d> Section<'d> {
         self.table.contains_key(name)
     }
 
+    /// The keys, in the order of the file.
+    pub fn names(&self) -> Vec<&'d str> {
+        let mut keys: Vec<_> = self.table.keys().collect();
+        keys.sort_by_key(|key| key.span().start);
+        keys.into_iter().map(|key| key.get_ref().as_ref()).collect()
+    }
+
     fn find(&self, name: &str) -> Result<&'d Spanned<DeValue<'d>>, SourceError> {
         self.table.get(name).ok_or_else(|| self.source.missing(&self.key, name, self.span.start))
     }
@@ -61,7 +73,15 @@ impl<'d> Section<'d> {
     pub fn value<T: DeserializeOwned>(&self, name: &str) -> Result<T, SourceError> {
         let value = self.find(name)?;
         T::deserialize(ValueDeserializer::from(value.clone())).map_err(|error| {
-            self.source.refusal(&self.key(name), error.span().unwrap_or_else(|| value.span()))
+            let span = error.span().unwrap_or_else(|| value.span());
+            // A table where a value should be is named as a member of its list.
+            let members = (1..).zip(value.get_ref().as_array().into_iter().flat_map(|list| list.iter()));
+            let mut tables = members.filter(|(_, member)| member.get_ref().is_table());
+            let key = match tables.find(|(_, member)| member.span().contains(&span.start)) {
+                Some((number, _)) => format!("{}[{number}]", self.key(name)),
+                None => self.key(name),
+            };
+            self.source.refusal(&key, span)
         })
     }
 
@@ -109,14 +129,24 @@ impl<'d> Section<'d> {
         self.source.forbid_at(&self.key(name), self.span(name), allowed)
     }
 
+    /// A value as the file has it.
+    pub fn raw(&self, name: &str) -> &'d str {
+        self.source.raw(self.span(name))
+    }
+
     /// Where a value stands, as messages have it: `file:line`, or `--set`.
     pub fn place(&self, name: &str) -> String {
-        let (file, line) = self.source.place(self.span(name).start);
+        self.place_within(name, 0)
+    }
+
+    /// Where so many bytes after the beginning of a value stand.
+    pub fn place_within(&self, name: &str, offset: usize) -> String {
+        let (file, line) = self.source.place(self.span(name).start + offset);
         place(&file, line)
     }
 
     /// A value with its place and key, as messages begin: `file:line: key = value`.
     pub fn told(&self, name: &str) -> String {
-        format!("{}: {} = {}", self.place(name), self.key(name), self.source.raw(self.span(name)))
+        format!("{}: {} = {}", self.place(name), self.key(name), self.raw(name))
     }
 }
