@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use grazing_source::{Section, SourceError};
-use toml::Spanned;
 
 use crate::description::{Axis, Content, Description, Limits, Texts};
 use crate::error::{DescriptionError, Place};
@@ -83,8 +82,8 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
             restitution: restitution_text,
             duration: duration_text,
         },
-        loops: loops(&analysis)?,
-        start: start(&analysis)?,
+        loops: analysis.counts("loops", 1..=MOST_LOOPS)?,
+        start: analysis.has("start").then(|| analysis.numbers("start", |_| true)).transpose()?,
         limits: Limits {
             time: limit(&analysis, "time_limit", Limits::USUAL.time)?,
             memory: limit(&analysis, "memory_limit", Limits::USUAL.memory)?,
@@ -111,32 +110,14 @@ fn constants(parameters: &Section<'_>) -> Result<Vec<(String, f64)>, SourceError
     }
     let mut constants = Vec::new();
     for name in names {
-        let value: f64 = parameters.value(name)?;
-        if !value.is_finite() {
-            return Err(parameters.refusal(name));
-        }
-        constants.push((name.to_owned(), value));
+        constants.push((name.to_owned(), parameters.number(name, |_| true)?));
     }
     constants.sort_by(|(a, _), (b, _)| a.cmp(b));
     Ok(constants)
 }
 
 fn limit(analysis: &Section<'_>, name: &str, usual: f64) -> Result<f64, SourceError> {
-    match analysis.optional::<f64>(name)? {
-        None => Ok(usual),
-        Some(value) if value.is_finite() && value > 0.0 => Ok(value),
-        Some(_) => Err(analysis.refusal(name)),
-    }
-}
-
-fn start(analysis: &Section<'_>) -> Result<Option<[f64; 2]>, SourceError> {
-    match analysis.optional::<Vec<f64>>("start")?.as_deref() {
-        None => Ok(None),
-        Some(&[position, velocity]) if position.is_finite() && velocity.is_finite() => {
-            Ok(Some([position, velocity]))
-        }
-        Some(_) => Err(analysis.refusal("start")),
-    }
+    if analysis.has(name) { analysis.number(name, |value| value > 0.0) } else { Ok(usual) }
 }
 
 fn axis(section: &Section<'_>) -> Result<Axis, SourceError> {
@@ -154,20 +135,4 @@ fn axis(section: &Section<'_>) -> Result<Axis, SourceError> {
         return Err(section.forbid("range", allowed.to_owned()));
     }
     Ok(Axis { name, range: [lower, upper] })
-}
-
-fn loops(analysis: &Section<'_>) -> Result<Vec<u32>, SourceError> {
-    const NAME: &str = "loops";
-    let mut loops = Vec::new();
-    for member in analysis.value::<Vec<Spanned<u32>>>(NAME)? {
-        let number = *member.get_ref();
-        if !(1..=MOST_LOOPS).contains(&number) {
-            return Err(analysis.refusal_of(NAME, &member));
-        }
-        if loops.contains(&number) {
-            return Err(analysis.forbid(NAME, format!("{number} is listed twice: list each number once")));
-        }
-        loops.push(number);
-    }
-    if loops.is_empty() { Err(analysis.refusal(NAME)) } else { Ok(loops) }
 }

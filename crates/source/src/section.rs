@@ -1,6 +1,6 @@
 //! A table of a file, read key by key.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use serde::de::DeserializeOwned;
 use toml::Spanned;
@@ -93,6 +93,59 @@ impl<'d> Section<'d> {
         if self.has(name) { self.value(name).map(Some) } else { Ok(None) }
     }
 
+    /// A number that is finite and passes the test.
+    ///
+    /// # Errors
+    /// [`SourceError`]: it is missing, or something else.
+    pub fn number(&self, name: &str, holds: impl Fn(f64) -> bool) -> Result<f64, SourceError> {
+        let number: f64 = self.value(name)?;
+        if number.is_finite() && holds(number) { Ok(number) } else { Err(self.refusal(name)) }
+    }
+
+    /// A list of N finite numbers that passes the test.
+    ///
+    /// # Errors
+    /// [`SourceError`]: it is missing, or something else.
+    pub fn numbers<const N: usize>(
+        &self,
+        name: &str,
+        holds: impl Fn([f64; N]) -> bool,
+    ) -> Result<[f64; N], SourceError> {
+        // For an array the reader would take the first N numbers and drop the rest.
+        let numbers = <[f64; N]>::try_from(self.value::<Vec<f64>>(name)?).ok();
+        numbers
+            .filter(|list| list.iter().all(|number| number.is_finite()) && holds(*list))
+            .ok_or_else(|| self.refusal(name))
+    }
+
+    /// A whole number.
+    ///
+    /// # Errors
+    /// [`SourceError`]: it is missing, or something else.
+    pub fn count(&self, name: &str, allowed: RangeInclusive<u32>) -> Result<u32, SourceError> {
+        let count = self.value(name)?;
+        if allowed.contains(&count) { Ok(count) } else { Err(self.refusal(name)) }
+    }
+
+    /// A list of different whole numbers, one at least.
+    ///
+    /// # Errors
+    /// [`SourceError`]: it is missing, or something else.
+    pub fn counts(&self, name: &str, allowed: RangeInclusive<u32>) -> Result<Vec<u32>, SourceError> {
+        let mut counts = Vec::new();
+        for written in self.value::<Vec<Spanned<u32>>>(name)? {
+            let count = *written.get_ref();
+            if !allowed.contains(&count) {
+                return Err(self.source.refusal(&self.key(name), written.span()));
+            }
+            if counts.contains(&count) {
+                return Err(self.forbid(name, format!("{count} is listed twice: list each number once")));
+            }
+            counts.push(count);
+        }
+        if counts.is_empty() { Err(self.refusal(name)) } else { Ok(counts) }
+    }
+
     /// A table in this one.
     ///
     /// # Errors
@@ -117,11 +170,6 @@ impl<'d> Section<'d> {
     /// The refusal of a value, with what its key must hold.
     pub fn refusal(&self, name: &str) -> SourceError {
         self.source.refusal(&self.key(name), self.span(name))
-    }
-
-    /// The refusal of a part of a value, with what its key must hold.
-    pub fn refusal_of<T>(&self, name: &str, part: &Spanned<T>) -> SourceError {
-        self.source.refusal(&self.key(name), part.span())
     }
 
     /// The refusal of a value; `allowed` says what would be right.

@@ -4,9 +4,8 @@ use std::ops::RangeInclusive;
 
 use grazing_source::{Section, SourceError};
 use grazing_theorems::{GrazingState, LinearOscillator};
-use toml::Spanned;
 
-use super::requirements::{LEAST_FREQUENCY, MOST_AMPLITUDE, MOST_FREQUENCY, MOST_LOOPS};
+use super::requirements::{LEAST_FREQUENCY, MOST_AMPLITUDE, MOST_FREQUENCY};
 
 /// Whether a number lies in a range [lower, upper], its ends included; never for NaN.
 pub fn contains([lower, upper]: [f64; 2], value: f64) -> bool {
@@ -23,39 +22,19 @@ pub fn encloses(outer: [f64; 2], inner: [f64; 2]) -> bool {
     outer[0] <= inner[0] && inner[1] <= outer[1]
 }
 
-/// A number that is finite and passes the test.
-pub(super) fn number(
-    section: &Section<'_>,
-    name: &str,
-    holds: impl Fn(f64) -> bool,
-) -> Result<f64, SourceError> {
-    let number: f64 = section.value(name)?;
-    if number.is_finite() && holds(number) { Ok(number) } else { Err(section.refusal(name)) }
-}
-
-/// A whole number.
-pub(super) fn count(
-    section: &Section<'_>,
-    name: &str,
-    allowed: RangeInclusive<u32>,
-) -> Result<u32, SourceError> {
-    let count = section.value(name)?;
-    if allowed.contains(&count) { Ok(count) } else { Err(section.refusal(name)) }
-}
-
 /// A damping ratio.
 pub(super) fn damping_ratio(section: &Section<'_>) -> Result<f64, SourceError> {
-    number(section, "zeta", |zeta| strictly_contains([0.0, 1.0], zeta))
+    section.number("zeta", |zeta| strictly_contains([0.0, 1.0], zeta))
 }
 
 /// A coefficient of restitution.
 pub(super) fn restitution(section: &Section<'_>) -> Result<f64, SourceError> {
-    number(section, "epsilon", |epsilon| 0.0 < epsilon && epsilon <= 1.0)
+    section.number("epsilon", |epsilon| 0.0 < epsilon && epsilon <= 1.0)
 }
 
 /// A forcing frequency.
 pub(super) fn frequency(section: &Section<'_>) -> Result<f64, SourceError> {
-    number(section, "frequency", |frequency| contains([LEAST_FREQUENCY, MOST_FREQUENCY], frequency))
+    section.number("frequency", |frequency| contains([LEAST_FREQUENCY, MOST_FREQUENCY], frequency))
 }
 
 /// The grazing bifurcation at the section's forcing frequency.
@@ -67,20 +46,6 @@ pub(super) fn grazing(
     oscillator.grazing(frequency).map_err(|error| section.forbid("frequency", error.to_string()))
 }
 
-/// A list of N finite numbers that passes the test.
-pub(super) fn numbers<const N: usize>(
-    section: &Section<'_>,
-    name: &str,
-    holds: impl Fn([f64; N]) -> bool,
-) -> Result<[f64; N], SourceError> {
-    // For an array the reader would take the first N numbers and drop the rest.
-    let written: Vec<f64> = section.value(name)?;
-    <[f64; N]>::try_from(written)
-        .ok()
-        .filter(|list| list.iter().all(|number| number.is_finite()) && holds(*list))
-        .ok_or_else(|| section.refusal(name))
-}
-
 /// A range of quantities, none of which is beyond all amplitudes, that passes the test.
 pub(super) fn range(
     section: &Section<'_>,
@@ -88,7 +53,7 @@ pub(super) fn range(
     holds: impl Fn([f64; 2]) -> bool,
 ) -> Result<[f64; 2], SourceError> {
     const POSSIBLE: [f64; 2] = [-MOST_AMPLITUDE, MOST_AMPLITUDE];
-    numbers(section, name, |range| range[0] < range[1] && encloses(POSSIBLE, range) && holds(range))
+    section.numbers(name, |range| range[0] < range[1] && encloses(POSSIBLE, range) && holds(range))
 }
 
 /// Any range of possible quantities.
@@ -119,23 +84,6 @@ pub(super) fn range_inside(
     }
     let [lower, upper] = outer;
     Err(section.forbid(name, format!("the range must lie inside {outer_key} = [{lower}, {upper}]")))
-}
-
-/// The numbers of loops that a section lists: some, none twice, each from `least` on.
-pub(super) fn loops(section: &Section<'_>, least: u32) -> Result<Vec<u32>, SourceError> {
-    const NAME: &str = "loops";
-    let mut numbers = Vec::new();
-    for written in section.value::<Vec<Spanned<u32>>>(NAME)? {
-        let p = *written.get_ref();
-        if !(least..=MOST_LOOPS).contains(&p) {
-            return Err(section.refusal_of(NAME, &written));
-        }
-        if numbers.contains(&p) {
-            return Err(section.forbid(NAME, format!("{p} is listed twice: list each number once")));
-        }
-        numbers.push(p);
-    }
-    if numbers.is_empty() { Err(section.refusal(NAME)) } else { Ok(numbers) }
 }
 
 /// The tables of a list, as many as are allowed.

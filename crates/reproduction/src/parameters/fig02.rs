@@ -5,10 +5,11 @@ use grazing_theorems::LinearOscillator;
 
 use super::ParameterError;
 use super::checks::{
-    amplitudes, any, contains, count, frequency, grazing, loops, number, range, range_inside,
-    strictly_contains, tables,
+    amplitudes, any, contains, frequency, grazing, range, range_inside, strictly_contains, tables,
 };
-use super::requirements::{MOST_AMPLITUDES, MOST_ORBITS, MOST_PERIODS, MOST_PERIODS_IN_ALL, MOST_PORTRAITS};
+use super::requirements::{
+    MOST_AMPLITUDES, MOST_LOOPS, MOST_ORBITS, MOST_PERIODS, MOST_PERIODS_IN_ALL, MOST_PORTRAITS,
+};
 
 /// Figure 2: one frequency, the amplitude across, x on Pi up.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,7 +80,7 @@ impl Figure2 {
         let grazing = grazing(section, oscillator, frequency)?.amplitude();
         let across = Across::read(section, frequency, grazing)?;
         let x = range(section, "x", any)?;
-        let loops = loops(section, 1)?;
+        let loops = section.counts("loops", 1..=MOST_LOOPS)?;
         let magnified_x = range_inside(&section.table("magnification")?, "x", "fig02.x", x)?;
         let attractor = Attractor::read(&section.table("attractor")?)?;
         let mut portraits = Vec::new();
@@ -158,10 +159,10 @@ impl Portrait {
         }
         let near: Option<f64> = section.optional("near")?;
         let (name, place) = if section.has("amplitude") {
-            let amplitude = number(section, "amplitude", |a| contains(across.amplitude, a))?;
+            let amplitude = section.number("amplitude", |a| contains(across.amplitude, a))?;
             ("amplitude", Place::At(amplitude))
         } else if near.is_some() {
-            ("near", Place::Near(across.factor * number(section, "near", |a| a >= 0.0)?))
+            ("near", Place::Near(across.factor * section.number("near", |a| a >= 0.0)?))
         } else {
             ("loops", Place::Anywhere)
         };
@@ -171,10 +172,10 @@ impl Portrait {
 
 impl Attractor {
     fn read(section: &Section<'_>) -> Result<Self, SourceError> {
-        let amplitudes = count(section, "amplitudes", 2..=MOST_AMPLITUDES)?;
-        let orbits = count(section, "orbits", 1..=MOST_ORBITS)?;
-        let transient = count(section, "transient", 0..=MOST_PERIODS)?;
-        let recorded = count(section, "recorded", 1..=MOST_PERIODS)?;
+        let amplitudes = section.count("amplitudes", 2..=MOST_AMPLITUDES)?;
+        let orbits = section.count("orbits", 1..=MOST_ORBITS)?;
+        let transient = section.count("transient", 0..=MOST_PERIODS)?;
+        let recorded = section.count("recorded", 1..=MOST_PERIODS)?;
         let periods =
             u64::from(amplitudes) * u64::from(orbits) * (u64::from(transient) + u64::from(recorded));
         if periods > MOST_PERIODS_IN_ALL {

@@ -5,10 +5,8 @@ use grazing_source::Section;
 use grazing_theorems::{LinearOscillator, Resonance, TheoryError};
 
 use super::ParameterError;
-use super::checks::{
-    amplitudes, any, contains, count, encloses, loops, range, range_inside, strictly_contains, tables,
-};
-use super::requirements::{LEAST_WINDOW_FREQUENCY, MOST_FREQUENCY, MOST_N, MOST_PANELS};
+use super::checks::{amplitudes, any, contains, encloses, range, range_inside, strictly_contains, tables};
+use super::requirements::{LEAST_WINDOW_FREQUENCY, MOST_FREQUENCY, MOST_LOOPS, MOST_N, MOST_PANELS};
 
 /// Figure 7: the forcing amplitude across, the forcing frequency up.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +23,8 @@ impl Figure7 {
         let whole = [LEAST_WINDOW_FREQUENCY, MOST_FREQUENCY];
         let primary = amplitudes(section, "amplitude")?;
         let secondary = range(section, "frequency", |range| encloses(whole, range))?;
-        let figure = Self { window: Window { primary, secondary }, loops: loops(section, 1)? };
+        let figure =
+            Self { window: Window { primary, secondary }, loops: section.counts("loops", 1..=MOST_LOOPS)? };
         let refuse = |error: TheoryError| section.forbid("frequency", error.to_string());
         if figure.resonances(oscillator).map_err(refuse)?.is_empty() {
             let distance = |resonance: &Resonance| {
@@ -148,7 +147,7 @@ impl Panel {
         if !fig07.loops.contains(&loops) {
             return Err(section.refusal("loops").into());
         }
-        let n = count(section, "n", 0..=MOST_N)?;
+        let n = section.count("n", 0..=MOST_N)?;
         let resonance = oscillator.resonance(loops, n).map_err(|_| section.refusal("n"))?;
         let axes = [
             ("amplitude", fig07.window.primary, resonance.grazing().amplitude()),

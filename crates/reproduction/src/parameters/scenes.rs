@@ -5,8 +5,7 @@ use core::f64::consts::TAU;
 use grazing_source::{Section, SourceError};
 
 use super::checks::{
-    around_zero, contains, count, damping_ratio, encloses, frequency, number, numbers, range, restitution,
-    strictly_contains, tables,
+    around_zero, contains, damping_ratio, encloses, frequency, range, restitution, strictly_contains, tables,
 };
 use super::requirements::{MOST_AMPLITUDE, MOST_ARRIVALS};
 
@@ -38,9 +37,9 @@ impl View {
     fn read(figure: &Section<'_>) -> Result<Self, SourceError> {
         let section = &figure.table("view")?;
         Ok(Self {
-            turn: number(section, "turn", |turn| contains([-180.0, 180.0], turn))?,
-            tilt: number(section, "tilt", |tilt| strictly_contains([0.0, 90.0], tilt))?,
-            stretch: numbers(section, "stretch", |units| units.iter().all(|&unit| unit > 0.0))?,
+            turn: section.number("turn", |turn| contains([-180.0, 180.0], turn))?,
+            tilt: section.number("tilt", |tilt| strictly_contains([0.0, 90.0], tilt))?,
+            stretch: section.numbers("stretch", |units| units.iter().all(|&unit| unit > 0.0))?,
         })
     }
 }
@@ -64,7 +63,7 @@ impl Specimen {
         Ok(Self {
             zeta: damping_ratio(section)?,
             epsilon: restitution(section)?,
-            amplitude: number(section, "amplitude", |a| 0.0 < a && a <= MOST_AMPLITUDE)?,
+            amplitude: section.number("amplitude", |a| 0.0 < a && a <= MOST_AMPLITUDE)?,
             frequency: frequency(section)?,
         })
     }
@@ -105,12 +104,12 @@ impl Figure1 {
         let view = View::read(section)?;
         let mut orbits = Vec::new();
         for orbit in &tables(section, "orbits", 1..=MOST_ARRIVALS)? {
-            let velocity = number(orbit, "velocity", |y| {
+            let velocity = orbit.number("velocity", |y| {
                 y >= 0.0 && contains(shown, y) && contains(shown, -specimen.epsilon * y)
             })?;
-            let phase = number(orbit, "phase", |z| strictly_contains([0.0, TAU], z))?;
-            let before = number(orbit, "before", |span| 0.0 < span && span <= phase)?;
-            let after = number(orbit, "after", |span| 0.0 < span && phase + span < TAU)?;
+            let phase = orbit.number("phase", |z| strictly_contains([0.0, TAU], z))?;
+            let before = orbit.number("before", |span| 0.0 < span && span <= phase)?;
+            let after = orbit.number("after", |span| 0.0 < span && phase + span < TAU)?;
             orbits.push(Arrival { velocity, phase, before, after });
         }
         Ok(Self { specimen, velocity: shown, orbits, view })
@@ -146,11 +145,10 @@ impl Figure3 {
         let phase = range(section, "phase", |range| {
             strictly_contains(range, 0.0) && encloses([-SECTION_REACH, SECTION_REACH], range)
         })?;
-        let start = numbers(section, "start", |[x, z]| {
-            strictly_contains(position, x) && strictly_contains(phase, z)
-        })?;
-        let radius = number(section, "radius", |r| LEAST_RADIUS < r && r <= MOST_RADIUS)?;
-        let axes = number(section, "axes", |z| contains([0.0, TAU], z))?;
+        let start = section
+            .numbers("start", |[x, z]| strictly_contains(position, x) && strictly_contains(phase, z))?;
+        let radius = section.number("radius", |r| LEAST_RADIUS < r && r <= MOST_RADIUS)?;
+        let axes = section.number("axes", |z| contains([0.0, TAU], z))?;
         let view = View::read(section)?;
         Ok(Self { zeta, frequency, start, position, phase, radius, axes, view })
     }
@@ -183,8 +181,8 @@ impl Figure9 {
         let velocity = around_zero(section, "velocity")?;
         let phase = range(section, "phase", |[lower, upper]| upper - lower <= TAU)?;
         let impact =
-            numbers(section, "impact", |[y, z]| y > 0.0 && contains(velocity, y) && contains(phase, z))?;
-        let loops = count(section, "loops", 1..=MOST_LOOPS)?;
+            section.numbers("impact", |[y, z]| y > 0.0 && contains(velocity, y) && contains(phase, z))?;
+        let loops = section.count("loops", 1..=MOST_LOOPS)?;
         Ok(Self { specimen, impact, loops, position, velocity, phase, view: View::read(section)? })
     }
 }

@@ -6,7 +6,7 @@ use grazing_source::{Section, SourceError};
 use grazing_theorems::{GenericGrazing, LinearOscillator};
 
 use super::ParameterError;
-use super::checks::{around_zero, contains, count, frequency, grazing, loops, number};
+use super::checks::{around_zero, contains, frequency, grazing};
 use super::requirements::{LEAST_FREQUENCY, MOST_COILS, MOST_FREQUENCY, MOST_LOOPS, MOST_N};
 
 /// Figure 4: the boundaries g_p and h_p in the trapesium.
@@ -19,7 +19,7 @@ pub struct Figure4 {
 
 impl Figure4 {
     pub(super) fn read(section: &Section<'_>) -> Result<Self, SourceError> {
-        Ok(Self { loops: loops(section, 2)? })
+        Ok(Self { loops: section.counts("loops", 2..=MOST_LOOPS)? })
     }
 }
 
@@ -42,8 +42,8 @@ pub struct Figure5 {
 
 impl Figure5 {
     pub(super) fn read(section: &Section<'_>, oscillator: &LinearOscillator) -> Result<Self, SourceError> {
-        let loops = count(section, "loops", 1..=MOST_LOOPS)?;
-        let n = count(section, "n", 0..=MOST_N)?;
+        let loops = section.count("loops", 1..=MOST_LOOPS)?;
+        let n = section.count("n", 0..=MOST_N)?;
         oscillator.resonance(loops, n).map_err(|_| section.refusal("n"))?;
         Ok(Self { loops, n, mu: around_zero(section, "mu")?, eta: around_zero(section, "eta")? })
     }
@@ -67,15 +67,15 @@ impl Figure6 {
     pub(super) fn read(section: &Section<'_>, oscillator: &LinearOscillator) -> Result<Self, ParameterError> {
         let frequency = frequency(section)?;
         let grazing = grazing(section, oscillator, frequency)?.amplitude();
-        let amplitude = number(section, "amplitude", |amplitude| amplitude > 0.0)?;
+        let amplitude = section.number("amplitude", |amplitude| amplitude > 0.0)?;
         if amplitude >= grazing {
             let allowed = format!(
                 "the amplitude must lie above 0 and below the grazing amplitude {grazing:.5} of the frequency {frequency}"
             );
             return Err(ParameterError::Unfit(section.forbid("amplitude", allowed)));
         }
-        let phase = number(section, "phase", |z| (0.0..TAU).contains(&z))?;
-        Ok(Self { frequency, amplitude, phase, coils: count(section, "coils", 1..=MOST_COILS)? })
+        let phase = section.number("phase", |z| (0.0..TAU).contains(&z))?;
+        Ok(Self { frequency, amplitude, phase, coils: section.count("coils", 1..=MOST_COILS)? })
     }
 }
 
@@ -92,7 +92,7 @@ pub struct Figure10 {
 impl Figure10 {
     pub(super) fn read(section: &Section<'_>, oscillator: &LinearOscillator) -> Result<Self, ParameterError> {
         let frequency = frequency(section)?;
-        let loops = count(section, "loops", 3..=MOST_LOOPS)?;
+        let loops = section.count("loops", 3..=MOST_LOOPS)?;
         let grazing = grazing(section, oscillator, frequency)?;
         GenericGrazing::check(&grazing.grazing_point(), loops).map_err(|violated| {
             let remedy = remedy(oscillator, frequency, loops);
