@@ -69,8 +69,9 @@ pub(crate) fn findings<'a>(
 }
 
 fn printed_numbers(parameters: &Parameters) -> Result<BTreeMap<String, PrintedNumber>, Failure> {
-    let number = |comparison: Comparison| {
-        let (computed, met, value) = (comparison.computed, comparison.is_met(), comparison.published);
+    let number = |comparison: Comparison<'_>| {
+        let (computed, met) = (comparison.computed, comparison.is_met());
+        let value = comparison.published.clone();
         let id = value.id.clone();
         (id, PrintedNumber { id: value.id, quantity: value.quantity, printed: value.printed, computed, met })
     };

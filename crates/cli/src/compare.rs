@@ -35,13 +35,13 @@ pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
 ///
 /// # Errors
 /// The values could not be computed.
-pub(crate) fn published(study: &Study<'_>) -> Result<Vec<Comparison>, Failure> {
+pub(crate) fn published(study: &Study<'_>) -> Result<Vec<Comparison<'static>>, Failure> {
     let computed = study.published_values().map_err(|error| computation("published values", &error))?;
     Ok(Published::printed()?.compare(&computed))
 }
 
 /// The comparisons as a table with aligned columns, one line each.
-pub fn table(comparisons: &[Comparison], coloured: bool) -> String {
+pub fn table(comparisons: &[Comparison<'_>], coloured: bool) -> String {
     let header = ["quantity", "printed", "computed", "difference", "verdict", "where"].map(str::to_owned);
     let mut rows = vec![(header, None)];
     rows.extend(comparisons.iter().map(|comparison| (cells(comparison), Some(comparison.is_met()))));
@@ -64,8 +64,8 @@ pub fn table(comparisons: &[Comparison], coloured: bool) -> String {
 }
 
 /// Quantity, printed, computed, difference, verdict, place.
-fn cells(comparison: &Comparison) -> [String; 6] {
-    let published = &comparison.published;
+fn cells(comparison: &Comparison<'_>) -> [String; 6] {
+    let published = comparison.published;
     let decimals = published.decimals() + DIGITS_BEYOND_PRINT;
     let computed = comparison.computed.map(|computed| match published.rounding {
         Rounding::Exact => format!("{computed}"),

@@ -164,8 +164,9 @@ fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-fn entry(comparison: Comparison) -> PublishedEntry {
-    let (computed, met, value) = (comparison.computed, comparison.is_met(), comparison.published);
+fn entry(comparison: Comparison<'_>) -> PublishedEntry {
+    let (computed, met) = (comparison.computed, comparison.is_met());
+    let value = comparison.published.clone();
     PublishedEntry {
         id: value.id,
         quantity: value.quantity,

@@ -3,6 +3,7 @@
 //! They stand in `expected/published.toml` with the digits of the print, and only there.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::LazyLock;
 
 use serde::Deserialize;
 use thiserror::Error;
@@ -89,15 +90,15 @@ impl PublishedValue {
 }
 
 /// A published value with what the reproduction gives.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Comparison {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Comparison<'a> {
     /// The published value.
-    pub published: PublishedValue,
+    pub published: &'a PublishedValue,
     /// The computed value; none if under these parameters the quantity does not come up.
     pub computed: Option<f64>,
 }
 
-impl Comparison {
+impl Comparison<'_> {
     /// Whether the computed value, rounded to the printed decimals (to nearest, as its exact binary value demands), is the print; for
     /// [`Rounding::Exact`], whether it is the printed number itself. NaN never is, nor is what was not computed.
     pub fn is_met(&self) -> bool {
@@ -132,8 +133,10 @@ impl Published {
     ///
     /// # Errors
     /// [`PublishedError`] if that file is not as it should be.
-    pub fn printed() -> Result<Published, PublishedError> {
-        Published::parse(FILE)
+    pub fn printed() -> Result<&'static Published, PublishedError> {
+        static PRINTED: LazyLock<Result<Published, PublishedError>> =
+            LazyLock::new(|| Published::parse(FILE));
+        PRINTED.as_ref().map_err(Clone::clone)
     }
 
     /// The list that a text in the form of `expected/published.toml` holds.
@@ -165,11 +168,8 @@ impl Published {
 
     /// Holds computed values, by identifier, against the print: one comparison for each published value. Computed values
     /// that the paper does not print are passed over.
-    pub fn compare(self, computed: &BTreeMap<String, f64>) -> Vec<Comparison> {
-        let compare = |published: PublishedValue| {
-            let computed = computed.get(&published.id).copied();
-            Comparison { published, computed }
-        };
-        self.values.into_iter().map(compare).collect()
+    pub fn compare(&self, computed: &BTreeMap<String, f64>) -> Vec<Comparison<'_>> {
+        let of = |value: &PublishedValue| computed.get(&value.id).copied();
+        self.values.iter().map(|value| Comparison { published: value, computed: of(value) }).collect()
     }
 }
