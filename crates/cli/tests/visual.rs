@@ -140,7 +140,7 @@ fn every_kind_of_curve_in_the_data_is_named_in_its_figure() {
             .filter(|path| path.extension().is_some_and(|ending| ending == "csv"))
         {
             let content =
-                fs::read_to_string(repository().join("figures").join(&table)).expect("the table is there");
+                fs::read_to_string(repository().join("figures").join(table)).expect("the table is there");
             for kind in bifurcations(&content) {
                 let named = labels.iter().any(|label| label.split(' ').any(|word| word == kind));
                 assert!(named, "{}: `{kind}` of {} is not named: {labels:?}", output.name, table.display());
