@@ -28,7 +28,7 @@ const KNOWN: [&str; 1] = ["parameters.toml"];
 pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let start = Instant::now();
-    let edition = Edition::new(&arguments.format, &arguments.size);
+    let edition = Edition::new(&arguments.format, arguments.size);
     let (parameters, set) = (project::parameters(&arguments.parameters)?, &arguments.parameters.set);
     let output_folder = project::output_folder(arguments.output.as_deref(), &edition, !set.is_empty())?;
     let chosen: Vec<&Output> =
