@@ -166,18 +166,26 @@ pub struct Reproduce {
     /// Formats, separated by commas; tex: LaTeX tables, and figures.tex to include all, with PDF
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
     pub format: Vec<Format>,
-    /// Width of the figures: as in the paper, one column (86 mm) or two (178 mm) of a journal
-    #[arg(long, value_name = "WIDTH", default_value = "paper")]
-    pub columns: Columns,
-    /// Dots per inch of PNG
-    #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u16).range(50..=1200))]
-    pub dpi: u16,
+    /// Width and resolution.
+    #[command(flatten)]
+    pub size: Size,
     /// Folder for the figures, with data/ for tables [default: figures, or journal beside it]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Number of threads; the outputs do not depend on it [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
+}
+
+/// How wide figures are made, and how finely.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Args)]
+pub struct Size {
+    /// Width of the figures: as in the paper, one column (86 mm) or two (178 mm) of a journal
+    #[arg(long, value_name = "WIDTH", default_value = "paper")]
+    pub columns: Columns,
+    /// Dots per inch of PNG
+    #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u16).range(50..=1200))]
+    pub dpi: u16,
 }
 
 /// How wide figures are made.
@@ -251,12 +259,9 @@ pub struct Unfold {
     /// Formats of the figures, separated by commas
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg", value_parser = picture_formats())]
     pub format: Vec<Format>,
-    /// Width of the figures: as in the paper, one column (86 mm) or two (178 mm) of a journal
-    #[arg(long, value_name = "WIDTH", default_value = "paper")]
-    pub columns: Columns,
-    /// Dots per inch of PNG
-    #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u16).range(50..=1200))]
-    pub dpi: u16,
+    /// Width and resolution.
+    #[command(flatten)]
+    pub size: Size,
     /// Numbers of loops p, separated by commas [default: those of the file]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub loops: Option<Vec<u32>>,
@@ -301,13 +306,8 @@ fn positive(text: &str) -> Result<f64, String> {
 
 /// Formats of figures: all but LaTeX.
 fn picture_formats() -> impl TypedValueParser<Value = Format> {
-    PossibleValuesParser::new([Format::Svg, Format::Pdf, Format::Png].map(Format::name)).map(
-        |name| match name.as_str() {
-            "pdf" => Format::Pdf,
-            "png" => Format::Png,
-            _ => Format::Svg,
-        },
-    )
+    PossibleValuesParser::new([Format::Svg, Format::Pdf, Format::Png].map(Format::name))
+        .try_map(|name| Format::from_str(&name, true))
 }
 
 fn output_names() -> impl Iterator<Item = PossibleValue> {

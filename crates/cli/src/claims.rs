@@ -10,13 +10,13 @@ use grazing_claims::errata;
 use grazing_claims::ledger::{Claim, Ledger};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::published::{Published, Verdict as Met};
+use grazing_reproduction::published::Comparison;
 use grazing_unfold::progress::Progress;
 
 use crate::arguments::Claims;
+use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
-use crate::outputs::computation;
 use crate::progress::Display;
 use crate::{project, terminal};
 
@@ -26,12 +26,15 @@ const ERRATA: &str = "ERRATA.md";
 /// Tests the claims that were asked for and prints what came of it.
 ///
 /// # Errors
-/// [`Failure::ClaimsFail`]; [`Failure::ErrataStale`] if `ERRATA.md` is not what the ledger makes; any other [`Failure`].
+/// Claims do not hold, `ERRATA.md` is not what the ledger makes, or nothing could be tested.
 pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
     let ledger = Ledger::of_the_paper()?;
     let chosen: Vec<&Claim> = ledger.claims.iter().filter(|claim| is_chosen(claim, arguments)).collect();
     if chosen.is_empty() {
-        return Err(Failure::NoClaim { wanted: arguments.labels.join(" ") });
+        let wanted = arguments.labels.join(" ");
+        return Err(Failure::input(format!(
+            "no claim fits {wanted}: labels are those of the paper, as eq:gp or th:*; `cargo xtask claims` lists all"
+        )));
     }
     let parameters = project::parameters(&arguments.parameters)?;
     let findings = findings(&parameters, &chosen, &Display::new())?;
@@ -39,7 +42,7 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
     terminal::say_coloured(&listing::table(&findings, arguments.explain, terminal::is_coloured()));
     terminal::say(&listing::summary(&findings));
     if failing > 0 {
-        return Err(Failure::ClaimsFail { failing, all: findings.len() });
+        return Err(Failure::check(format!("{failing} of {} claims do not hold", findings.len())));
     }
     if chosen.len() == ledger.claims.len() {
         misprints(&findings, arguments.write_errata)?;
@@ -50,7 +53,7 @@ pub(crate) fn run(arguments: &Claims) -> Result<(), Failure> {
 /// What comes of testing the claims.
 ///
 /// # Errors
-/// [`Failure::Computation`] if the numbers that the paper prints could not be computed.
+/// The numbers that the paper prints could not be computed.
 pub(crate) fn findings<'a>(
     parameters: &Parameters,
     claims: &[&'a Claim],
@@ -66,21 +69,13 @@ pub(crate) fn findings<'a>(
 }
 
 fn printed_numbers(parameters: &Parameters) -> Result<BTreeMap<String, PrintedNumber>, Failure> {
-    let published = Published::printed()?;
-    let computed =
-        Study::new(parameters).published_values().map_err(|error| computation("published values", &error))?;
-    let number = |comparison: grazing_reproduction::published::Comparison<'_>| {
-        let (computed, met) = match comparison.verdict {
-            Met::Met { computed, .. } => (Some(computed), true),
-            Met::Off { computed, .. } => (Some(computed), false),
-            Met::NotComputed => (None, false),
-        };
-        let value = comparison.published;
-        let (id, quantity, printed) = (value.id(), value.quantity(), value.printed());
-        let [id, quantity, printed] = [id, quantity, printed].map(str::to_owned);
-        (id.clone(), PrintedNumber { id, quantity, printed, computed, met })
+    let number = |comparison: Comparison<'_>| {
+        let (computed, met) = (comparison.computed, comparison.is_met());
+        let value = comparison.published.clone();
+        let id = value.id.clone();
+        (id, PrintedNumber { id: value.id, quantity: value.quantity, printed: value.printed, computed, met })
     };
-    Ok(published.compare(&computed).into_iter().map(number).collect())
+    Ok(published(&Study::new(parameters))?.into_iter().map(number).collect())
 }
 
 /// Whether a claim was asked for: by a label, where `*` stands for anything, or a part of one; and by kind.
@@ -114,8 +109,9 @@ fn matches(wanted: &str, label: &str) -> bool {
 
 /// Writes `ERRATA.md`, or holds the one that is there against the ledger.
 fn misprints(findings: &[Finding<'_>], write: bool) -> Result<(), Failure> {
-    let Some(root) = project::root() else {
-        return if write { Err(Failure::NoProject) } else { Ok(()) };
+    let root = match project::root_folder() {
+        Err(_) if !write => return Ok(()),
+        root => root?,
     };
     let content = errata::page(findings).into_bytes();
     if write {
@@ -127,9 +123,10 @@ fn misprints(findings: &[Finding<'_>], write: bool) -> Result<(), Failure> {
     let path = root.join(ERRATA);
     match fs::read(&path) {
         Ok(present) if present == content => Ok(()),
-        Ok(_) => Err(Failure::ErrataStale),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Err(Failure::ErrataStale),
-        Err(reason) => Err(Failure::File { path, reason }),
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(Failure::file(&path, &error)),
+        _ => Err(Failure::check(
+            "ERRATA.md is not what the ledger makes: mend it with `cargo xtask claims --write-errata`",
+        )),
     }
 }
 

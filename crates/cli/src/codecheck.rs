@@ -4,6 +4,7 @@
 
 use std::fmt::Write;
 
+use crate::outputs::edition::Edition;
 use crate::outputs::{self, Output};
 
 /// The manifest's file, at the root of the repository.
@@ -38,9 +39,13 @@ pub fn manifest() -> String {
 
 /// The figure, or the tables if there is none, by path from the root.
 fn files(output: &Output) -> Vec<String> {
-    match output.figure() {
+    match output.figure {
         Some(figure) => vec![format!("figures/{figure}")],
-        None => output.paths().map(|path| format!("figures/{}", path.display())).collect(),
+        None => output
+            .paths(&Edition::default())
+            .iter()
+            .map(|path| format!("figures/{}", path.display()))
+            .collect(),
     }
 }
 
@@ -57,16 +62,4 @@ fn comment(title: &str) -> String {
 /// The text as a scalar of YAML in double quotes.
 fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_figure_is_named_as_in_the_manuscript() {
-        assert_eq!(comment("Figure 2: a diagram"), "Figure 2 of manuscript: a diagram");
-        assert_eq!(comment("Coefficients"), "Coefficients");
-        assert_eq!(quoted("a \"b\" \\"), "\"a \\\"b\\\" \\\\\"");
-    }
 }

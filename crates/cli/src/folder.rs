@@ -7,7 +7,7 @@ mod temporaries;
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::fs;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 pub use difference::{Difference, Kind};
@@ -17,7 +17,8 @@ pub use temporaries::remove_own_temporaries;
 pub(crate) use temporaries::{Changes, sweep};
 
 use crate::failure::Failure;
-use temporaries::{UNFINISHED, Unfinished};
+use tempfile::NamedTempFile;
+use temporaries::{UNFINISHED, unfinished};
 
 /// The subfolder of the tables.
 pub(crate) const DATA: &str = "data";
@@ -48,10 +49,14 @@ pub enum Change {
 /// there goes.
 ///
 /// # Errors
-/// [`Failure::Unwritable`]; [`Failure::NotRegular`] if something other than a regular file is in a file's place.
+/// The folder cannot be written, or something other than a regular file is in a file's place.
 pub fn ensure_writable(folder: &Path, files: &[PathBuf]) -> Result<(), Failure> {
     for place in [folder.to_owned(), folder.join(DATA)] {
-        obstacle(&place).map_or(Ok(()), |(path, reason)| Err(Failure::Unwritable { path, reason }))?;
+        if let Some((path, reason)) = obstacle(&place) {
+            let path = path.display();
+            let remedy = "name a folder for the outputs with --output DIR";
+            return Err(Failure::input(format!("{path}: cannot be written: {reason}; {remedy}")));
+        }
         sweep(&place);
     }
     files.iter().try_for_each(|file| to_write(&folder.join(file)).map(drop))
@@ -64,11 +69,8 @@ pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
         .map(|path| if path.as_os_str().is_empty() { Path::new(".") } else { path })
         .find(|path| path.symlink_metadata().is_ok())
         .unwrap_or(Path::new("."));
-    let reason = if existing.is_dir() {
-        plain(&Unfinished::new(existing).err()?)
-    } else {
-        "it is not a folder".to_owned()
-    };
+    let reason =
+        if existing.is_dir() { plain(&unfinished(existing).err()?) } else { "it is not a folder".to_owned() };
     Some((existing.to_owned(), reason))
 }
 
@@ -76,7 +78,7 @@ pub(crate) fn obstacle(folder: &Path) -> Option<(PathBuf, String)> {
 /// they are moved into their places.
 ///
 /// # Errors
-/// [`Failure::File`]. Temporary files are removed; a file is old or new, never in between.
+/// A file cannot be written. Temporary files are removed; a file is old or new, never in between.
 pub fn write(folder: &Path, files: &[MadeFile]) -> Result<Vec<Change>, Failure> {
     let folders: BTreeSet<PathBuf> =
         files.iter().filter_map(|file| Some(folder.join(&file.path).parent()?.to_owned())).collect();
@@ -85,24 +87,22 @@ pub fn write(folder: &Path, files: &[MadeFile]) -> Result<Vec<Change>, Failure> 
     for file in files {
         let path = folder.join(&file.path);
         let place = to_write(&path)?;
-        staged.push((stage(&place, &file.content).map_err(|reason| failed(&path, reason))?, place));
+        staged.push((stage(&place, &file.content).map_err(|reason| Failure::file(&path, &reason))?, place));
     }
-    staged
-        .into_iter()
-        .map(|((change, unfinished), place)| {
-            if let Some(unfinished) = unfinished {
-                unfinished.persist(&place).map_err(|error| failed(&place, error))?;
-            }
-            Ok(change)
-        })
-        .collect()
+    let finish = |((change, unfinished), place): ((Change, Option<NamedTempFile>), PathBuf)| {
+        if let Some(unfinished) = unfinished {
+            unfinished.persist(&place).map_err(|error| Failure::file(&place, &error.error))?;
+        }
+        Ok(change)
+    };
+    staged.into_iter().map(finish).collect()
 }
 
 /// How the folder differs from the files: missing ones, other contents, and, if the files are `complete`, files in the
 /// folder that the code does not make; `known` are those that belong there all the same.
 ///
 /// # Errors
-/// [`Failure::File`] if the folder or a file in it cannot be read.
+/// The folder or a file in it cannot be read.
 pub fn differences(
     folder: &Path,
     files: &[MadeFile],
@@ -114,9 +114,14 @@ pub fn differences(
         let path = folder.join(&file.path);
         match regular(&path).and_then(|_| fs::read(&path)) {
             Ok(content) if content == file.content => {}
-            Ok(content) => found.push(Difference::content(path, &content, &file.content)),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => found.push(Difference::missing(path)),
-            Err(error) => return Err(failed(&path, error)),
+            Ok(content) => {
+                let what = difference::of_content(&path, &content, &file.content);
+                found.push(Difference { path, kind: Kind::Content, what });
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                found.push(Difference { path, kind: Kind::Missing, what: "missing".to_owned() });
+            }
+            Err(error) => return Err(Failure::file(&path, &error)),
         }
     }
     if complete {
@@ -125,7 +130,12 @@ pub fn differences(
         };
         for path in listed(folder)? {
             if !expected(&path) {
-                found.push(Difference::unexpected(folder.join(path)));
+                let what = "not made by the code; remove it if it is left over from an earlier version or an interrupted run";
+                found.push(Difference {
+                    path: folder.join(path),
+                    kind: Kind::Unexpected,
+                    what: what.to_owned(),
+                });
             }
         }
     }
@@ -140,10 +150,10 @@ fn listed(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
         let entries = match fs::read_dir(&place) {
             Ok(entries) => entries,
             Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
-            Err(error) => return Err(failed(&place, error)),
+            Err(error) => return Err(Failure::file(&place, &error)),
         };
         for entry in entries {
-            let name = entry.map_err(|error| failed(&place, error))?.file_name();
+            let name = entry.map_err(|error| Failure::file(&place, &error))?.file_name();
             let path = subfolder.join(&name);
             if path != Path::new(DATA) && !is_foreign(&name) {
                 paths.push(path);
@@ -161,7 +171,7 @@ fn is_foreign(name: &OsStr) -> bool {
 }
 
 /// What writing will do to the file at a place, with the temporary file that holds its content if it has to be written.
-fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<Unfinished>)> {
+fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<NamedTempFile>)> {
     let change = match fs::read(place) {
         Ok(present) if present == content => return Ok((Change::Unchanged, None)),
         Ok(_) => Change::Updated,
@@ -170,9 +180,11 @@ fn stage(place: &Path, content: &[u8]) -> io::Result<(Change, Option<Unfinished>
     };
     let folder = place.parent().unwrap_or(Path::new(""));
     fs::create_dir_all(folder)?;
-    let mut unfinished = Unfinished::new(folder)?;
-    unfinished.fill(content)?;
-    Ok((change, Some(unfinished)))
+    let mut file = unfinished(folder)?;
+    file.write_all(content)?;
+    // The content must be on the disk before the name is, or a crash could leave an empty file under it.
+    file.as_file().sync_all()?;
+    Ok((change, Some(file)))
 }
 
 /// The system's reason without the name of the temporary file.
@@ -183,8 +195,4 @@ fn plain(error: &io::Error) -> String {
         io::ErrorKind::StorageFull => "the disk is full".to_owned(),
         kind => kind.to_string(),
     }
-}
-
-fn failed(path: &Path, reason: io::Error) -> Failure {
-    Failure::File { path: path.to_owned(), reason }
 }

@@ -6,9 +6,9 @@
 
 use std::fs;
 use std::process;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
-use std::thread::{self, JoinHandle};
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, OnceLock};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use grazing_description::Limits;
@@ -86,12 +86,14 @@ pub(crate) fn is_interrupted() -> bool {
 }
 
 /// Watches over one analysis, as long as it lives.
-pub(crate) struct Watch {
+pub(crate) struct Watch(Arc<Watched>);
+
+/// What the thread looks at.
+struct Watched {
     stop: Stop,
     limits: Limits,
-    met: Arc<Mutex<Option<Met>>>,
-    over: Arc<AtomicBool>,
-    thread: Option<JoinHandle<()>>,
+    began: Instant,
+    met: OnceLock<Met>,
 }
 
 impl Watch {
@@ -99,62 +101,42 @@ impl Watch {
     pub(crate) fn begin(limits: Limits) -> Self {
         // A count of steps is a whole number, and one beyond all counts is none.
         let stop = Stop::after(limits.steps as u64);
-        let met = Arc::new(Mutex::new(None));
-        let over = Arc::new(AtomicBool::new(false));
-        let look = Look { stop: stop.clone(), limits, met: met.clone(), over: over.clone() };
-        let thread = thread::Builder::new().name("limits".to_owned()).spawn(move || look.on()).ok();
-        Self { stop, limits, met, over, thread }
+        let watched = Arc::new(Watched { stop, limits, began: Instant::now(), met: OnceLock::new() });
+        let weak = Arc::downgrade(&watched);
+        let look = move || {
+            // It ends with the watch.
+            while let Some(watched) = weak.upgrade() {
+                if let Some(met) = watched.look() {
+                    watched.met.get_or_init(|| met);
+                    return watched.stop.ask();
+                }
+                drop(watched);
+                thread::sleep(PAUSE);
+            }
+        };
+        // Without a thread there are no limits but that of the steps.
+        let _ = thread::Builder::new().name("limits".to_owned()).spawn(look);
+        Self(watched)
     }
 
     /// The mark that is set when a limit is met.
     pub(crate) fn stop(&self) -> Stop {
-        self.stop.clone()
+        self.0.stop.clone()
     }
 
     /// What has ended the analysis, if something has.
     pub(crate) fn met(&self) -> Option<Met> {
-        let met = *self.met.lock().unwrap_or_else(PoisonError::into_inner);
-        met.or_else(|| self.stop.is_used_up().then_some(Met::Steps(self.limits.steps)))
+        let Watched { stop, limits, met, .. } = &*self.0;
+        met.get().copied().or_else(|| stop.is_used_up().then_some(Met::Steps(limits.steps)))
     }
 }
 
-impl Drop for Watch {
-    fn drop(&mut self) {
-        self.over.store(true, Ordering::Relaxed);
-        if let Some(thread) = self.thread.take() {
-            // It ends within a pause, and has nothing to tell.
-            let _ = thread.join();
-        }
-    }
-}
-
-/// What the thread looks at.
-struct Look {
-    stop: Stop,
-    limits: Limits,
-    met: Arc<Mutex<Option<Met>>>,
-    over: Arc<AtomicBool>,
-}
-
-impl Look {
-    /// Looks until something is met or the analysis is over.
-    fn on(&self) {
-        let began = Instant::now();
-        while !self.over.load(Ordering::Relaxed) {
-            if let Some(met) = self.now(began) {
-                *self.met.lock().unwrap_or_else(PoisonError::into_inner) = Some(met);
-                self.stop.ask();
-                return;
-            }
-            thread::sleep(PAUSE);
-        }
-    }
-
-    fn now(&self, began: Instant) -> Option<Met> {
+impl Watched {
+    fn look(&self) -> Option<Met> {
         let Limits { time, memory, .. } = self.limits;
         if is_interrupted() {
             Some(Met::Interruption)
-        } else if began.elapsed().as_secs_f64() > time {
+        } else if self.began.elapsed().as_secs_f64() > time {
             Some(Met::Time(time))
         } else if held().is_some_and(|held| held > memory) {
             Some(Met::Memory(memory))

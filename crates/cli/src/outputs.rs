@@ -1,7 +1,7 @@
 //! The registry of outputs: what can be made, and from what.
 
 pub mod edition;
-mod figures;
+pub(crate) mod figures;
 pub mod latex;
 
 use std::error::Error;
@@ -9,51 +9,37 @@ use std::path::{Path, PathBuf};
 
 use grazing_drawing::SheetWidth;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_reproduction::{Study, StudyError};
-use grazing_results::branches::{AttractorPoint, BranchBifurcation, BranchPoint, PortraitPoint};
-use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
-use grazing_results::resonances::PaperResonance;
-use grazing_results::sketches::{
-    BoundaryPoint, PartPoint, Star, UnfoldingPoint, UnfoldingResonance, UnfoldingVertex, Visit,
+use grazing_reproduction::{
+    CoefficientTable, Figure2, Figure4, Figure5, Figure6, Figure7, Figure8, Figure10, Scene, Study,
+    StudyError, TheoremsInAction,
 };
-use grazing_results::space::{CurveKind, Mark, SurfaceKind, Vertex};
-use grazing_results::theorems::{Generic, Resonant};
-use grazing_results::{Plan, Table};
+use grazing_results::{Names, Plan, Table};
 
 use crate::failure::Failure;
 use crate::folder::{DATA, MadeFile};
 use crate::tables;
 use edition::{Edition, Format};
 
-/// An output when it is made: the figure as SVG, if it is one, the tables in the order of the registry, and what is shown
-/// otherwise than asked for, in sentences.
-struct Made {
-    figure: Option<String>,
-    tables: Vec<Table>,
-    notes: Vec<String>,
-    /// What it lacks, so that it is not what was asked for.
-    gaps: Vec<String>,
+/// An output when it is made.
+pub(crate) struct Made {
+    /// The figure as SVG, if it is one.
+    pub(crate) svg: Option<String>,
+    /// The tables in the order of the registry.
+    pub(crate) tables: Vec<Table>,
+    /// What is shown otherwise than asked for, in sentences.
+    pub(crate) notes: Vec<String>,
+    /// What it lacks, so that it is not what was asked for; in the end with the keys to change.
+    pub(crate) gaps: Vec<String>,
 }
 
 impl Made {
     fn figure(svg: String, tables: Vec<Table>) -> Made {
-        Made { figure: Some(svg), ..Made::tables(tables) }
+        Made { svg: Some(svg), ..Made::tables(tables) }
     }
 
     fn tables(tables: Vec<Table>) -> Made {
-        Made { figure: None, tables, notes: Vec::new(), gaps: Vec::new() }
+        Made { svg: None, tables, notes: Vec::new(), gaps: Vec::new() }
     }
-}
-
-/// The files of an output, and what there is to tell about them.
-pub(crate) struct Files {
-    pub(crate) files: Vec<MadeFile>,
-    /// The figure as SVG, if it is one.
-    pub(crate) svg: Option<String>,
-    pub(crate) tables: Vec<Table>,
-    pub(crate) notes: Vec<String>,
-    /// What is missing in them, with the keys to change.
-    pub(crate) gaps: Vec<String>,
 }
 
 type MadeResult = Result<Made, Box<dyn Error>>;
@@ -64,27 +50,15 @@ pub struct Output {
     pub name: &'static str,
     /// What it shows, in one line.
     pub title: &'static str,
-    /// The file of the figure.
-    figure: Option<&'static str>,
-    /// The tables.
-    tables: &'static [Plan],
+    /// The file of the figure as SVG, if it is one.
+    pub figure: Option<&'static str>,
+    /// Its tables.
+    pub tables: &'static [Plan],
     /// Whether the sections of the parameter file that it cannot do without are right.
     check: fn(&Parameters) -> Result<(), ParameterError>,
     /// The keys to change where it cannot be computed.
     keys: &'static str,
     make: fn(&Study<'_>, SheetWidth) -> MadeResult,
-}
-
-/// The tables of a scene in phase space.
-const fn scene([curves, points, surfaces]: [&'static str; 3]) -> [Plan; 3] {
-    [
-        Plan::of::<Vertex<CurveKind>>(curves, "a vertex of a curve"),
-        Plan::of::<Mark>(points, "a point that is marked"),
-        Plan::of::<Vertex<SurfaceKind>>(
-            surfaces,
-            "a vertex of the outline of a surface, or of a line on one",
-        ),
-    ]
 }
 
 /// All outputs, in the order in which they are made.
@@ -93,8 +67,8 @@ pub const ALL: &[Output] = &[
         name: "coefficients",
         title: "Coefficients at all resonances of Figure 7",
         figure: None,
-        tables: &[Plan::of::<PaperResonance>("coefficients", "a resonance of Figure 7")],
-        check: |parameters| parameters.fig07().map(drop),
+        tables: CoefficientTable::TABLES,
+        check: |parameters| parameters.fig07.get().map(drop),
         keys: "fig07.frequency, fig07.amplitude or fig07.loops",
         make: figures::coefficients,
     },
@@ -102,8 +76,8 @@ pub const ALL: &[Output] = &[
         name: "fig01",
         title: "Figure 1: phase space, impacting surface and reset law",
         figure: Some("fig01.svg"),
-        tables: &scene(["fig01_curves", "fig01_points", "fig01_surfaces"]),
-        check: |parameters| parameters.fig01().map(drop),
+        tables: &Scene::FIG01,
+        check: |parameters| parameters.fig01.get().map(drop),
         keys: "fig01.orbits, fig01.amplitude or fig01.frequency",
         make: figures::fig01,
     },
@@ -111,13 +85,8 @@ pub const ALL: &[Output] = &[
         name: "fig02",
         title: "Figure 2: one-parameter bifurcation diagram with phase portraits",
         figure: Some("fig02.svg"),
-        tables: &[
-            Plan::of::<BranchPoint>("fig02_branches", "a point of a branch, on one loop of the solution"),
-            Plan::of::<BranchBifurcation>("fig02_bifurcations", "a bifurcation on a branch"),
-            Plan::of::<AttractorPoint>("fig02_attractor", "a visit to Π of an orbit that has settled"),
-            Plan::of::<PortraitPoint>("fig02_portraits", "a point of an orbit in a phase portrait"),
-        ],
-        check: |parameters| parameters.fig02().map(drop),
+        tables: Figure2::TABLES,
+        check: |parameters| parameters.fig02.get().map(drop),
         keys: "fig02.frequency, fig02.near or fig02.loops",
         make: figures::fig02,
     },
@@ -125,8 +94,8 @@ pub const ALL: &[Output] = &[
         name: "fig03",
         title: "Figure 3: the return map near a grazing periodic solution",
         figure: Some("fig03.svg"),
-        tables: &scene(["fig03_curves", "fig03_points", "fig03_surfaces"]),
-        check: |parameters| parameters.fig03().map(drop),
+        tables: &Scene::FIG03,
+        check: |parameters| parameters.fig03.get().map(drop),
         keys: "fig03.start or fig03.frequency",
         make: figures::fig03,
     },
@@ -134,11 +103,8 @@ pub const ALL: &[Output] = &[
         name: "fig04",
         title: "Figure 4: the boundaries g_p and h_p in the trapesium",
         figure: Some("fig04.svg"),
-        tables: &[
-            Plan::of::<BoundaryPoint>("fig04_curves", "a point of a curve"),
-            Plan::of::<Star>("fig04_points", "a point that is marked"),
-        ],
-        check: |parameters| parameters.fig04().map(drop),
+        tables: Figure4::TABLES,
+        check: |parameters| parameters.fig04.get().map(drop),
         keys: "fig04.loops",
         make: figures::fig04,
     },
@@ -146,12 +112,8 @@ pub const ALL: &[Output] = &[
         name: "fig05",
         title: "Figure 5: unfolding of a resonant grazing bifurcation",
         figure: Some("fig05.svg"),
-        tables: &[
-            Plan::of::<UnfoldingPoint>("fig05_curves", "a point of a curve"),
-            Plan::of::<UnfoldingResonance>("fig05_points", "the resonance"),
-            Plan::of::<UnfoldingVertex>("fig05_regions", "a vertex of a region"),
-        ],
-        check: |parameters| parameters.fig05().map(drop),
+        tables: Figure5::TABLES,
+        check: |parameters| parameters.fig05.get().map(drop),
         keys: "fig05.loops or fig05.n",
         make: figures::fig05,
     },
@@ -159,8 +121,8 @@ pub const ALL: &[Output] = &[
         name: "fig06",
         title: "Figure 6: the impact oscillator",
         figure: Some("fig06.svg"),
-        tables: &[Plan::of::<PartPoint>("fig06_parts", "a point of the drawing")],
-        check: |parameters| parameters.fig06().map(drop),
+        tables: Figure6::TABLES,
+        check: |parameters| parameters.fig06.get().map(drop),
         keys: "fig06.frequency or fig06.amplitude",
         make: figures::fig06,
     },
@@ -168,15 +130,8 @@ pub const ALL: &[Output] = &[
         name: "fig07",
         title: "Figure 7: two-parameter bifurcation diagram",
         figure: Some("fig07.svg"),
-        tables: &[
-            Plan::of::<CurvePoint>("fig07_curves", "a point of a curve of the diagram"),
-            Plan::of::<SpecialPoint>(
-                "fig07_points",
-                "a resonance at which a theorem holds, or another codimension-two point",
-            ),
-            Plan::of::<RegionVertex>("fig07_regions", "a vertex of a region of stability"),
-        ],
-        check: |parameters| parameters.fig07().map(drop),
+        tables: Figure7::TABLES,
+        check: |parameters| parameters.fig07.get().map(drop),
         keys: "fig07.frequency, fig07.amplitude or fig07.loops",
         make: figures::fig07,
     },
@@ -184,8 +139,8 @@ pub const ALL: &[Output] = &[
         name: "fig08",
         title: "Figure 8: three magnifications of Figure 7 with quadratic approximations",
         figure: Some("fig08.svg"),
-        tables: &[Plan::of::<MagnifiedPoint>("fig08_curves", "a point of a curve of a magnification")],
-        check: |parameters| parameters.fig08().map(drop),
+        tables: Figure8::TABLES,
+        check: |parameters| parameters.fig08.get().map(drop),
         keys: "fig08.panels, fig07.frequency or fig07.amplitude",
         make: figures::fig08,
     },
@@ -193,8 +148,8 @@ pub const ALL: &[Output] = &[
         name: "fig09",
         title: "Figure 9: points on the impacting surface and on the section",
         figure: Some("fig09.svg"),
-        tables: &scene(["fig09_curves", "fig09_points", "fig09_surfaces"]),
-        check: |parameters| parameters.fig09().map(drop),
+        tables: &Scene::FIG09,
+        check: |parameters| parameters.fig09.get().map(drop),
         keys: "fig09.impact, fig09.amplitude or fig09.frequency",
         make: figures::fig09,
     },
@@ -202,8 +157,8 @@ pub const ALL: &[Output] = &[
         name: "fig10",
         title: "Figure 10: the path of visits in the proof of Theorem 2.3",
         figure: Some("fig10.svg"),
-        tables: &[Plan::of::<Visit>("fig10_path", "a vertex of the path")],
-        check: |parameters| parameters.fig10().map(drop),
+        tables: Figure10::TABLES,
+        check: |parameters| parameters.fig10.get().map(drop),
         keys: "fig10.frequency or fig10.loops",
         make: figures::fig10,
     },
@@ -211,41 +166,20 @@ pub const ALL: &[Output] = &[
         name: "theorems",
         title: "Theorems 2.2 to 2.5 against continuation and simulation",
         figure: None,
-        tables: &[
-            Plan::of::<Generic>("theorems_generic", "an oscillator at grazing; no parameter file matters"),
-            Plan::of::<Resonant>(
-                "theorems_resonant",
-                "an oscillator at a resonance; no parameter file matters",
-            ),
-        ],
+        tables: TheoremsInAction::TABLES,
         check: |_| Ok(()),
         // It depends on no parameter.
         keys: "nothing",
-        make: |study, _| Ok(Made::tables(study.theorems_in_action()?.tables())),
+        make: |study, _| Ok(Made::tables(study.theorems_in_action()?.tables(&Names::of_the_paper()))),
     },
 ];
 
 impl Output {
-    /// The paths of its files in the output folder.
-    pub fn paths(&self) -> impl Iterator<Item = PathBuf> {
-        self.paths_in(&Edition::default()).into_iter()
-    }
-
     /// The paths of its files in the output folder of an edition.
-    pub fn paths_in(&self, edition: &Edition) -> Vec<PathBuf> {
+    pub fn paths(&self, edition: &Edition) -> Vec<PathBuf> {
         let figures = self.figure.iter().flat_map(|figure| edition.figure_paths(figure));
         let tables = self.tables.iter().map(|table| table_path(table.name));
         figures.chain(tables).chain(self.latex_tables(edition).map(latex::table_path)).collect()
-    }
-
-    /// The file of the figure as SVG, if it is one.
-    pub fn figure(&self) -> Option<&'static str> {
-        self.figure
-    }
-
-    /// Its tables.
-    pub fn tables(&self) -> &'static [Plan] {
-        self.tables
     }
 
     /// The tables that are printed, in an edition that has LaTeX: those of outputs without a figure.
@@ -254,28 +188,26 @@ impl Output {
         self.tables.iter().map(|table| table.name).filter(move |_| printed)
     }
 
-    /// Whether the sections of the parameter file that it cannot do without are right.
+    /// Computes the output, and makes its files.
     ///
     /// # Errors
-    /// What is wrong with the first that is not.
-    pub(crate) fn check(&self, parameters: &Parameters) -> Result<(), ParameterError> {
-        (self.check)(parameters)
-    }
-
-    /// Computes the output.
-    ///
-    /// # Errors
-    /// [`Failure::Parameters`]; [`Failure::Computation`]; [`Failure::Registry`] if other tables were made than announced.
-    pub(crate) fn files(&self, study: &Study<'_>, edition: &Edition) -> Result<Files, Failure> {
-        self.check(study.parameters())?;
-        let made = (self.make)(study, edition.width()).map_err(|error| self.failure(&*error))?;
+    /// A section of the parameter file is not right, the computation failed, or other tables were made than announced.
+    pub(crate) fn files(
+        &self,
+        study: &Study<'_>,
+        edition: &Edition,
+    ) -> Result<(Made, Vec<MadeFile>), Failure> {
+        (self.check)(&study.parameters)?;
+        let mut made = (self.make)(study, edition.width()).map_err(|error| self.failure(&*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
         let registered: Vec<&'static str> = self.tables.iter().map(|table| table.name).collect();
         if names != registered {
-            return Err(Failure::Registry { output: self.name, made: names, registered });
+            let reason =
+                format!("the tables {names:?} were made, the registry of outputs says {registered:?}");
+            return Err(Failure::computation(self.name, reason));
         }
         let mut files = Vec::new();
-        if let (Some(file), Some(svg)) = (self.figure, &made.figure) {
+        if let (Some(file), Some(svg)) = (self.figure, &made.svg) {
             files.extend(
                 edition.figure_files(file, svg.clone()).map_err(|error| computation(self.name, &error))?,
             );
@@ -289,19 +221,17 @@ impl Output {
             let content = latex::table(table, self.title).into_bytes();
             files.push(MadeFile { path: latex::table_path(table.name), content });
         }
-        let gaps = made.gaps.iter().map(|gap| format!("{gap}; change {}", self.keys)).collect();
-        Ok(Files { files, svg: made.figure, tables: made.tables, notes: made.notes, gaps })
+        made.gaps.iter_mut().for_each(|gap| gap.push_str(&format!("; change {}", self.keys)));
+        Ok((made, files))
     }
 
     /// The failure to compute it, with the keys to change unless it names one itself.
     fn failure(&self, error: &(dyn Error + 'static)) -> Failure {
-        let named = matches!(error.downcast_ref(), Some(StudyError::NoPortrait { .. }));
-        match computation(self.name, error) {
-            Failure::Computation { what, reason } if !named => {
-                Failure::Computation { what, reason: format!("{reason}; change {}", self.keys) }
-            }
-            failure => failure,
+        let mut failure = computation(self.name, error);
+        if !matches!(error.downcast_ref(), Some(StudyError::NoPortrait { .. } | StudyError::Parameters(_))) {
+            failure.reason.push_str(&format!("; change {}", self.keys));
         }
+        failure
     }
 }
 
@@ -310,23 +240,13 @@ impl Output {
 /// # Errors
 /// The first that some output needs.
 pub(crate) fn refuse_malformed<'a>(
-    mut outputs: impl Iterator<Item = &'a Output>,
+    outputs: impl Iterator<Item = &'a Output>,
     parameters: &Parameters,
 ) -> Result<(), Failure> {
-    let refusal = |output: &Output| output.check(parameters).err();
-    match outputs
-        .find_map(|output| refusal(output).filter(|error| matches!(error, ParameterError::Malformed(_))))
-    {
+    let mut refused = outputs.filter_map(|output| (output.check)(parameters).err());
+    match refused.find(|error| matches!(error, ParameterError::Malformed(_))) {
         Some(error) => Err(error.into()),
         None => Ok(()),
-    }
-}
-
-/// The failure of an output with its name, once.
-pub(crate) fn told(output: &str, failure: Failure) -> String {
-    match failure {
-        Failure::Computation { reason, .. } => format!("{output}: {reason}"),
-        failure => format!("{output}: {failure}"),
     }
 }
 
@@ -334,7 +254,7 @@ pub(crate) fn told(output: &str, failure: Failure) -> String {
 /// parameter file if it is one.
 pub(crate) fn computation(what: &'static str, error: &(dyn Error + 'static)) -> Failure {
     if let Some(StudyError::Parameters(error)) = error.downcast_ref() {
-        return Failure::Parameters(error.clone());
+        return error.clone().into();
     }
     let mut reason = error.to_string();
     let mut cause = error.source();
@@ -345,7 +265,7 @@ pub(crate) fn computation(what: &'static str, error: &(dyn Error + 'static)) -> 
         }
         cause = deeper.source();
     }
-    Failure::Computation { what, reason }
+    Failure::computation(what, reason)
 }
 
 /// Where a table lies in the output folder.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::io::{self, IsTerminal};
-use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -19,28 +19,15 @@ const SIGN_OF_LIFE: Duration = Duration::from_secs(10);
 const TEMPLATE: &str = "{spinner} {msg:32} [{bar:30}] {pos}/{len} {elapsed} {prefix}";
 
 /// Shows the steps of a computation.
+#[derive(Default)]
 pub(crate) struct Display {
     bars: Option<MultiProgress>,
-    running: Guard,
+    tasks: Arc<Mutex<Tasks>>,
     stop: Stop,
 }
 
-/// Ends the telling when it goes.
-#[derive(Default)]
-struct Guard(Arc<Running>);
-
-#[derive(Default)]
-struct Running {
-    tasks: Mutex<Tasks>,
-    /// Nothing more is to be shown.
-    over: Condvar,
-}
-
-#[derive(Default)]
-struct Tasks {
-    by_name: BTreeMap<String, Task>,
-    over: bool,
-}
+/// What runs, by name.
+type Tasks = BTreeMap<String, Task>;
 
 struct Task {
     began: Instant,
@@ -52,56 +39,45 @@ struct Task {
 impl Display {
     /// Bars if the error stream is a terminal, lines otherwise.
     pub(crate) fn new() -> Display {
-        let bars = io::stderr().is_terminal().then(MultiProgress::new);
-        Display { bars, running: Guard::default(), stop: Stop::default() }
+        Display { bars: io::stderr().is_terminal().then(MultiProgress::new), ..Display::default() }
     }
 
     /// The same, which tells also how many steps of integration were made: these go on within the longest work.
     /// An analysis that hears of it ends when the mark is set.
     pub(crate) fn counting(stop: Stop) -> Display {
         let display = Display { stop: stop.clone(), ..Self::new() };
-        let running = display.running.0.clone();
+        let tasks = Arc::downgrade(&display.tasks);
         let pause = if display.bars.is_some() { HEARTBEAT } else { SIGN_OF_LIFE };
+        let tell = move || {
+            // It ends with the display.
+            while let Some(tasks) = tasks.upgrade() {
+                locked(&tasks).iter().for_each(|(what, task)| task.tell(what, &stop, pause));
+                drop(tasks);
+                thread::sleep(pause);
+            }
+        };
         // Without a thread there are only fewer lines.
-        let _ = thread::Builder::new().name("progress".to_owned()).spawn(move || running.tell(&stop, pause));
+        let _ = thread::Builder::new().name("progress".to_owned()).spawn(tell);
         display
     }
-
-    /// The mark by which the computation can be ended.
-    pub(crate) fn stop(&self) -> &Stop {
-        &self.stop
-    }
-
-    fn change<T>(&self, change: impl FnOnce(&mut BTreeMap<String, Task>) -> T) -> T {
-        change(&mut self.running.0.tasks.lock().unwrap_or_else(PoisonError::into_inner).by_name)
-    }
 }
 
-impl Drop for Guard {
-    fn drop(&mut self) {
-        self.0.tasks.lock().unwrap_or_else(PoisonError::into_inner).over = true;
-        self.0.over.notify_all();
-    }
+fn locked(tasks: &Mutex<Tasks>) -> MutexGuard<'_, Tasks> {
+    tasks.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-impl Running {
-    /// Tells of what runs, time after time until it is over.
-    fn tell(&self, stop: &Stop, pause: Duration) {
-        let mut tasks = self.tasks.lock().unwrap_or_else(PoisonError::into_inner);
-        while !tasks.over {
-            tasks = self.over.wait_timeout(tasks, pause).unwrap_or_else(PoisonError::into_inner).0;
-            for (what, task) in &tasks.by_name {
-                // A number with one digit after the point is easier to follow than all digits.
-                let steps = format!("{:.1e} steps of integration", stop.steps() as f64);
-                match &task.bar {
-                    Some(bar) => bar.set_prefix(steps),
-                    None if task.began.elapsed() >= pause && !tasks.over => {
-                        let (done, all, time) = (task.done, task.all, task.began.elapsed().as_secs());
-                        terminal::note(&format!("{what}: {done} of {all} after {time} s, {steps}"));
-                    }
-                    None => {}
-                }
+impl Task {
+    /// Tells how far it has come, in a line if it takes long.
+    fn tell(&self, what: &str, stop: &Stop, pause: Duration) {
+        // A number with one digit after the point is easier to follow than all digits.
+        let steps = format!("{:.1e} steps of integration", stop.steps() as f64);
+        match &self.bar {
+            Some(bar) => bar.set_prefix(steps),
+            None if self.began.elapsed() >= pause => {
+                let (done, all, time) = (self.done, self.all, self.began.elapsed().as_secs());
+                terminal::note(&format!("{what}: {done} of {all} after {time} s, {steps}"));
             }
+            None => {}
         }
     }
 }
@@ -119,24 +95,20 @@ impl Progress for Display {
             terminal::note(&format!("{what}: begun"));
         }
         let task = Task { began: Instant::now(), bar, done: 0, all: steps };
-        self.change(|running| running.insert(what.to_owned(), task));
+        locked(&self.tasks).insert(what.to_owned(), task);
     }
 
     fn step(&self, what: &str) {
-        self.change(|running| {
-            if let Some(task) = running.get_mut(what) {
-                task.done += 1;
-                if let Some(bar) = &task.bar {
-                    bar.inc(1);
-                }
+        if let Some(task) = locked(&self.tasks).get_mut(what) {
+            task.done += 1;
+            if let Some(bar) = &task.bar {
+                bar.inc(1);
             }
-        });
+        }
     }
 
     fn end(&self, what: &str) {
-        let Some(task) = self.change(|running| running.remove(what)) else {
-            return;
-        };
+        let Some(task) = locked(&self.tasks).remove(what) else { return };
         match task.bar {
             Some(bar) => bar.finish_and_clear(),
             None => terminal::note(&format!("{what}: done in {:.2} s", task.began.elapsed().as_secs_f64())),

@@ -31,27 +31,27 @@ pub(crate) fn root() -> Option<PathBuf> {
 /// The parameters of the file that was named, or of the default one, with what was set.
 ///
 /// # Errors
-/// [`Failure::NoProject`] if none was named and there is no default one; [`Failure::Parameters`].
+/// None was named and there is no default one, or what it holds is not right.
 pub(crate) fn parameters(asked: &ParameterFile) -> Result<Parameters, Failure> {
-    Ok(Parameters::from_file_with(&parameter_file(asked.file.as_deref())?, &asked.set)?)
+    Ok(Parameters::from_file(&parameter_file(asked.file.as_deref())?, &asked.set)?)
 }
 
 /// The parameter file that was named, or the default one.
 ///
 /// # Errors
-/// [`Failure::NoProject`] if none was named and there is no default one.
+/// None was named and there is no default one.
 pub(crate) fn parameter_file(named: Option<&Path>) -> Result<PathBuf, Failure> {
     match named {
         Some(file) => Ok(file.to_owned()),
-        None => Ok(root().ok_or(Failure::NoProject)?.join(PARAMETERS)),
+        None => Ok(root_folder()?.join(PARAMETERS)),
     }
 }
 
 /// The folder that was named, or the default one, which is another for values that were set (`varied`).
 ///
 /// # Errors
-/// [`Failure::NoProject`] if none was named and there is no default one; [`Failure::DefaultFolder`] if other formats or
-/// widths than the default ones were to go to the folder of the default ones.
+/// None was named and there is no default one, or other formats or widths than the default ones were to go to the folder of the
+/// default ones.
 pub(crate) fn output_folder(
     named: Option<&Path>,
     edition: &Edition,
@@ -63,16 +63,17 @@ pub(crate) fn output_folder(
             (false, true) => FIGURES,
             (false, false) => JOURNAL,
         };
-        return Ok(root().ok_or(Failure::NoProject)?.join(folder));
+        return Ok(root_folder()?.join(folder));
     };
     let same = |default: &PathBuf| match (default.canonicalize(), named.canonicalize()) {
         (Ok(default), Ok(named)) => default == named,
         _ => false,
     };
     match root().map(|root| root.join(FIGURES)).filter(same) {
-        Some(default) if !edition.is_default() => {
-            Err(Failure::DefaultFolder { folder: default.display().to_string() })
-        }
+        Some(default) if !edition.is_default() => Err(Failure::input(format!(
+            "{} holds SVG at the paper's widths only: leave --output out, or name another folder, for other formats and widths",
+            default.display()
+        ))),
         _ => Ok(named.to_owned()),
     }
 }
@@ -80,7 +81,12 @@ pub(crate) fn output_folder(
 /// The root of the repository, for what belongs there.
 ///
 /// # Errors
-/// [`Failure::NoProject`].
+/// There is none.
 pub(crate) fn root_folder() -> Result<PathBuf, Failure> {
-    root().ok_or(Failure::NoProject)
+    root().ok_or_else(|| {
+        Failure::input(format!(
+            "no {PARAMETERS} in this folder or in one above: run this inside a clone of the repository, or name the files with \
+             --parameters FILE and, where files are written or checked, --output DIR"
+        ))
+    })
 }

@@ -5,7 +5,6 @@ mod links;
 pub(crate) mod oscillators;
 mod versions;
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -13,14 +12,15 @@ use grazing_claims::ledger::Ledger;
 use grazing_report::{Figure, Manifest, OutputFile, PublishedEntry, State, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_reproduction::published::{Comparison, Published, Verdict};
+use grazing_reproduction::published::Comparison;
 use grazing_source::Setting;
 
 use crate::arguments::Report;
+use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
 use crate::outputs::edition::Edition;
-use crate::outputs::{self, Files, computation};
+use crate::outputs::{self, Made};
 use crate::progress::Display;
 use crate::reproduce::start_threads;
 use crate::{claims, project, terminal};
@@ -29,8 +29,7 @@ use oscillators::Source;
 /// Computes everything and writes the page.
 ///
 /// # Errors
-/// Any [`Failure`] that keeps the page from being made, and [`Failure::PartlyMade`] if something is missing on it; claims that do not hold
-/// are shown on it.
+/// What keeps the page from being made, or that something is missing on it; claims that do not hold are shown on it.
 pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let start = Instant::now();
@@ -50,14 +49,16 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     terminal::say(&summary(&report, &arguments.output, size));
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
     report.missing.iter().for_each(|reason| terminal::note(&format!("error: {reason}")));
-    if missing > 0 { Err(Failure::PartlyMade { missing, all }) } else { Ok(()) }
+    if missing > 0 { Err(Failure::partly_made(missing, all)) } else { Ok(()) }
 }
 
 /// The folder and the name of the page, once it is sure that it can be written.
 fn place(output: &Path) -> Result<(PathBuf, PathBuf), Failure> {
     let folder = output.parent().unwrap_or(Path::new("")).to_owned();
     let refuse = |path: &Path, reason: &str| {
-        Err(Failure::UnwritablePage { path: path.to_owned(), reason: reason.to_owned() })
+        let path = path.display();
+        let remedy = "name another file for the page with --output FILE";
+        Err(Failure::input(format!("{path}: cannot be written: {reason}; {remedy}")))
     };
     let Some(name) = output.file_name().filter(|_| !output.is_dir()) else {
         return refuse(output, "it is a folder");
@@ -93,13 +94,13 @@ fn assemble(
     let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
     for output in outputs::ALL {
         let (files, svg, shown) = match output.files(&study, &Edition::default()) {
-            Ok(Files { files, svg, tables: shown, notes, gaps }) => {
+            Ok((Made { svg, tables: shown, notes, gaps }, files)) => {
                 notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
                 missing.extend(gaps.iter().map(|gap| format!("{}: it is shown, but {gap}", output.name)));
                 (files, svg, shown)
             }
             Err(failure) => {
-                missing.push(outputs::told(output.name, failure));
+                missing.push(format!("{}: {}", output.name, failure.reason));
                 continue;
             }
         };
@@ -116,6 +117,7 @@ fn assemble(
         missing.push(failure.to_string());
         Vec::new()
     });
+    let published: Vec<PublishedEntry> = published.into_iter().map(entry).collect();
     let root = project::root();
     let sources = root.as_deref().map(links::sources).unwrap_or_default();
     let ledger = Ledger::of_the_paper()?;
@@ -162,26 +164,17 @@ fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// The published values with the computed ones.
-fn published(study: &Study<'_>) -> Result<Vec<PublishedEntry>, Failure> {
-    let computed: BTreeMap<String, f64> =
-        study.published_values().map_err(|error| computation("published values", &error))?;
-    Ok(Published::printed()?.compare(&computed).iter().map(entry).collect())
-}
-
-fn entry(comparison: &Comparison<'_>) -> PublishedEntry {
-    let value = comparison.published;
+fn entry(comparison: Comparison<'_>) -> PublishedEntry {
+    let (computed, met) = (comparison.computed, comparison.is_met());
+    let value = comparison.published.clone();
     PublishedEntry {
-        id: value.id().to_owned(),
-        quantity: value.quantity().to_owned(),
-        printed: value.printed().to_owned(),
-        computed: match comparison.verdict {
-            Verdict::Met { computed, .. } | Verdict::Off { computed, .. } => Some(computed),
-            Verdict::NotComputed => None,
-        },
-        met: comparison.is_met(),
-        label: value.label().to_owned(),
-        place: value.place().to_owned(),
+        id: value.id,
+        quantity: value.quantity,
+        printed: value.printed,
+        computed,
+        met,
+        label: value.label,
+        place: value.place,
     }
 }
 

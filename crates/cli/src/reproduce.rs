@@ -1,17 +1,17 @@
 //! `grazing reproduce`: compute first, then write everything or check it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_reproduction::Study;
-use grazing_reproduction::published::Published;
 
 use crate::arguments::{ParameterFile, Reproduce};
+use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, Change, Kind, MadeFile};
-use crate::outputs::edition::Edition;
+use crate::outputs::edition::{Edition, Format};
 use crate::outputs::{self, Output, latex};
 use crate::progress::Display;
 use crate::{codecheck, data_page, project, terminal, visual};
@@ -24,20 +24,20 @@ const KNOWN: [&str; 1] = ["parameters.toml"];
 /// Makes the outputs that were asked for.
 ///
 /// # Errors
-/// [`Failure::CheckFailed`] if a check was asked for and files differ; any other [`Failure`] if they could not be made.
+/// A check was asked for and files differ, or they could not be made.
 pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let start = Instant::now();
-    let edition = Edition::new(&arguments.format, arguments.columns, arguments.dpi);
+    let edition = Edition::new(&arguments.format, arguments.size);
     let (parameters, set) = (project::parameters(&arguments.parameters)?, &arguments.parameters.set);
     let output_folder = project::output_folder(arguments.output.as_deref(), &edition, !set.is_empty())?;
     let chosen: Vec<&Output> =
         outputs::ALL.iter().filter(|output| is_chosen(output, &arguments.only)).collect();
     outputs::refuse_malformed(chosen.iter().copied(), &parameters)?;
     if !arguments.check {
-        let mut paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths_in(&edition)).collect();
+        let mut paths: Vec<PathBuf> = chosen.iter().flat_map(|output| output.paths(&edition)).collect();
         paths.extend(arguments.only.is_empty().then(data_page::path));
-        paths.extend(latex::has_snippet(&edition).then(|| PathBuf::from(latex::SNIPPET)));
+        paths.extend(edition.has(Format::Tex).then(|| PathBuf::from(latex::SNIPPET)));
         paths.extend((!set.is_empty()).then(|| PathBuf::from(SETTINGS)));
         folder::ensure_writable(&output_folder, &paths)?;
     }
@@ -46,22 +46,25 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     }
     let display = Display::new();
     let study = Study::new(&parameters).with_progress(&display);
-    let Made { mut files, made, missing } = make(&study, &chosen, &edition)?;
-    if made.is_empty() {
-        return tell_missing(&missing, &chosen, &made, &output_folder);
+    let mut made = Made::of(&study, &chosen, &edition)?;
+    if made.outputs.is_empty() {
+        return made.tell_missing(&chosen, &output_folder);
     }
-    if latex::has_snippet(&edition) && arguments.only.is_empty() {
-        files.push(snippet(&made, &edition, &files));
+    let mut files = std::mem::take(&mut made.files);
+    if edition.has(Format::Tex) && arguments.only.is_empty() {
+        let rows_of = |table: &str| made.rows.get(table).copied().unwrap_or(0);
+        let content = latex::snippet(&made.outputs, &edition, rows_of).into_bytes();
+        files.push(MadeFile { path: PathBuf::from(latex::SNIPPET), content });
     }
     if !set.is_empty() {
         files.push(settings(&arguments.parameters));
     }
     if arguments.only.is_empty() {
-        files.push(data_page::of_the_paper(chosen.iter().flat_map(|output| output.tables()).copied()));
+        files.push(data_page::of_the_paper(chosen.iter().flat_map(|output| output.tables).copied()));
     }
     let mut places = vec![Place { folder: output_folder, files, complete: false }];
     if edition.is_default() && arguments.only.is_empty() {
-        places[0].complete = missing.is_empty();
+        places[0].complete = made.missing.is_empty();
         if arguments.output.is_none() && set.is_empty() {
             let manifest = MadeFile {
                 path: PathBuf::from(codecheck::FILE),
@@ -72,7 +75,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     }
     if arguments.check {
         if let Err(failure) = check(&places, arguments, &edition) {
-            tell_missing(&missing, &chosen, &made, &places[0].folder)?;
+            made.tell_missing(&chosen, &places[0].folder)?;
             return Err(failure);
         }
         let count = places.iter().map(|place| place.files.len()).sum();
@@ -81,59 +84,73 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         terminal::say(&write(&places)?);
     }
     if arguments.only.is_empty() {
-        terminal::say(&verdict(&study)?);
+        terminal::say(&verdict(&study));
     }
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-    tell_missing(&missing, &chosen, &made, &places[0].folder)
+    made.tell_missing(&chosen, &places[0].folder)
 }
 
 /// What was made of the outputs that were asked for.
+#[derive(Default)]
 struct Made<'a> {
     files: Vec<MadeFile>,
-    made: Vec<&'a Output>,
-    missing: Vec<Missing>,
+    /// How many rows each table has.
+    rows: BTreeMap<&'static str, usize>,
+    outputs: Vec<&'a Output>,
+    /// Why outputs could not be made, or not wholly, with their names.
+    missing: Vec<(String, Vec<&'static str>)>,
 }
 
-impl Made<'_> {
+impl<'a> Made<'a> {
+    /// All outputs that can be made; the failure if the only one cannot.
+    fn of(study: &Study<'_>, chosen: &[&'a Output], edition: &Edition) -> Result<Self, Failure> {
+        let mut all = Self::default();
+        for output in chosen {
+            match output.files(study, edition) {
+                Ok((made, files)) => {
+                    made.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
+                    all.files.extend(files);
+                    all.rows.extend(made.tables.iter().map(|table| (table.name, table.rows.len())));
+                    for gap in made.gaps {
+                        all.add_missing(output.name, format!("it is written, but {gap}"));
+                    }
+                    all.outputs.push(output);
+                }
+                Err(failure) if chosen.len() == 1 => return Err(failure),
+                Err(failure) => all.add_missing(output.name, failure.reason),
+            }
+        }
+        Ok(all)
+    }
+
     fn add_missing(&mut self, output: &'static str, reason: String) {
-        match self.missing.iter_mut().find(|missing| missing.reason == reason) {
-            Some(missing) => missing.outputs.push(output),
-            None => self.missing.push(Missing { outputs: vec![output], reason }),
+        match self.missing.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, outputs)) => outputs.push(output),
+            None => self.missing.push((reason, vec![output])),
         }
     }
-}
 
-/// Outputs that could not be made, or not wholly, for one reason.
-struct Missing {
-    outputs: Vec<&'static str>,
-    reason: String,
-}
-
-/// Tells which outputs are missing and why.
-fn tell_missing(
-    missing: &[Missing],
-    chosen: &[&Output],
-    made: &[&Output],
-    folder: &Path,
-) -> Result<(), Failure> {
-    for Missing { outputs, reason } in missing {
-        terminal::note(&format!("error: {}: {reason}", outputs.join(", ")));
+    /// Tells which outputs are missing and why.
+    fn tell_missing(&self, chosen: &[&Output], folder: &Path) -> Result<(), Failure> {
+        for (reason, outputs) in &self.missing {
+            terminal::note(&format!("error: {}: {reason}", outputs.join(", ")));
+        }
+        let names: BTreeSet<&str> = self.missing.iter().flat_map(|(_, outputs)| outputs).copied().collect();
+        if names.is_empty() {
+            return Ok(());
+        }
+        let absent = chosen.iter().filter(|output| self.outputs.iter().all(|made| made.name != output.name));
+        let paths = absent.flat_map(|output| output.paths(&Edition::default()));
+        let left = paths.filter(|path| folder.join(path).exists()).count();
+        if left > 0 {
+            terminal::note(&format!(
+                "{} from earlier runs, of outputs that could not be made now, left in {}",
+                counted(left),
+                folder.display()
+            ));
+        }
+        Err(Failure::partly_made(names.len(), chosen.len()))
     }
-    let names: BTreeSet<&str> = missing.iter().flat_map(|missing| missing.outputs.iter().copied()).collect();
-    if names.is_empty() {
-        return Ok(());
-    }
-    let absent = chosen.iter().filter(|output| made.iter().all(|made| made.name != output.name));
-    let paths = absent.flat_map(|output| output.paths());
-    let left = paths.map(|path| folder.join(path)).filter(|path| path.exists()).count();
-    if left > 0 {
-        let left = counted(left);
-        terminal::note(&format!(
-            "{left} from earlier runs, of outputs that could not be made now, left in {}",
-            folder.display()
-        ));
-    }
-    Err(Failure::PartlyMade { missing: names.len(), all: chosen.len() })
 }
 
 /// What was set, for the folder in which the files do not tell.
@@ -152,16 +169,6 @@ struct Place {
     files: Vec<MadeFile>,
     /// Whether nothing else belongs there.
     complete: bool,
-}
-
-/// The LaTeX snippet that includes all outputs.
-fn snippet(chosen: &[&Output], edition: &Edition, files: &[MadeFile]) -> MadeFile {
-    let rows = |table: &str| {
-        let path = latex::table_path(table);
-        files.iter().find(|file| file.path == path).map_or(0, |file| latex::rows(&file.content))
-    };
-    let content = latex::snippet(chosen, edition, rows).into_bytes();
-    MadeFile { path: PathBuf::from(latex::SNIPPET), content }
 }
 
 /// Writes all files and draws the figures that changed; returns what there is to tell.
@@ -183,54 +190,26 @@ fn is_chosen(output: &Output, only: &[String]) -> bool {
 /// Sets the number of threads.
 ///
 /// # Errors
-/// [`Failure::Threads`].
+/// They could not be started.
 pub(crate) fn start_threads(jobs: u16) -> Result<(), Failure> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(jobs))
         .build_global()
-        .map_err(|error| Failure::Threads { jobs, reason: error.to_string() })
-}
-
-/// All outputs that can be made; the failure if none can.
-fn make<'a>(study: &Study<'_>, chosen: &[&'a Output], edition: &Edition) -> Result<Made<'a>, Failure> {
-    let mut all = Made { files: Vec::new(), made: Vec::new(), missing: Vec::new() };
-    for output in chosen {
-        match output.files(study, edition) {
-            Ok(made) => {
-                made.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
-                all.files.extend(made.files);
-                for gap in made.gaps {
-                    all.add_missing(output.name, format!("it is written, but {gap}"));
-                }
-                all.made.push(output);
-            }
-            Err(failure) if chosen.len() == 1 => return Err(failure),
-            Err(failure) => {
-                let reason = match failure {
-                    Failure::Computation { reason, .. } => reason,
-                    failure => failure.to_string(),
-                };
-                all.add_missing(output.name, reason);
-            }
-        }
-    }
-    Ok(all)
+        .map_err(|error| Failure::input(format!("{jobs} threads could not be started: {error}")))
 }
 
 /// A line that says whether the published values are met.
-fn verdict(study: &Study<'_>) -> Result<String, Failure> {
-    let published = Published::printed()?;
-    let Ok(computed) = study.published_values() else {
+fn verdict(study: &Study<'_>) -> String {
+    let Ok(comparisons) = published(study) else {
         // Why not is told of the outputs that need the same.
-        return Ok("Published values could not be compared.\n".to_owned());
+        return "Published values could not be compared.\n".to_owned();
     };
-    let comparisons = published.compare(&computed);
     let met = comparisons.iter().filter(|comparison| comparison.is_met()).count();
-    Ok(if met == comparisons.len() {
+    if met == comparisons.len() {
         format!("All {met} published values are met.\n")
     } else {
         format!("Only {met} of {} published values are met: see `cargo xtask compare`.\n", comparisons.len())
-    })
+    }
 }
 
 fn check(places: &[Place], arguments: &Reproduce, edition: &Edition) -> Result<(), Failure> {
@@ -248,12 +227,16 @@ fn check(places: &[Place], arguments: &Reproduce, edition: &Edition) -> Result<(
         visual::show(&place.folder, &visual::changed(&place.folder, &place.files));
     }
     let unexpected = differences.iter().filter(|difference| difference.kind == Kind::Unexpected).count();
-    Err(Failure::CheckFailed {
-        folder: places[0].folder.display().to_string(),
-        wrong: differences.len() - unexpected,
-        unexpected,
-        mend: mending_command(arguments, edition),
-    })
+    let mut remedies = Vec::new();
+    if differences.len() > unexpected {
+        let mend = mending_command(arguments, edition);
+        remedies.push(format!("mend {} with `{mend}`", counted(differences.len() - unexpected)));
+    }
+    if unexpected > 0 {
+        remedies.push(format!("remove {} that it does not make", counted(unexpected)));
+    }
+    let folder = places[0].folder.display();
+    Err(Failure::check(format!("{folder} is not what the code makes: {}", remedies.join(", "))))
 }
 
 /// The command that writes what this check compared with.

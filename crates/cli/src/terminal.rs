@@ -29,7 +29,7 @@ pub(crate) fn say_coloured(text: &str) {
 /// The failure to write to the output stream, if there was one.
 pub fn untold() -> Option<Failure> {
     let reason = UNTOLD.lock().unwrap_or_else(PoisonError::into_inner).take()?;
-    Some(Failure::Untold { reason })
+    Some(Failure::unwritten(format!("standard output cannot be written: {reason}")))
 }
 
 /// Writes a line to the error stream.

@@ -14,7 +14,7 @@ use std::time::Instant;
 
 use grazing_description::{Description, DescriptionError, Limits};
 use grazing_reproduction::StudyError;
-use grazing_reproduction::unfolded::{Described, TABLES, Unfolded};
+use grazing_reproduction::unfolded::{Described, Keep, Rows, Unfolded};
 use grazing_source::Setting;
 use grazing_unfold::UnfoldError;
 
@@ -24,6 +24,7 @@ use crate::folder::{self, MadeFile};
 use crate::limits::{self, Met, Watch};
 use crate::outputs::edition::Edition;
 use crate::outputs::{computation, table_path};
+use crate::progress::Display;
 use crate::report::noted;
 use crate::report::oscillators::{Material, PAGE};
 use crate::reproduce::{start_threads, summary};
@@ -51,11 +52,11 @@ struct Task {
 /// # Errors
 /// Bad input, before anything is computed; what went wrong with a single file, or with how many of several.
 pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
-    let edition = Edition::new(&arguments.format, arguments.columns, arguments.dpi);
+    let edition = Edition::new(&arguments.format, arguments.size);
     let tasks = tasks(arguments)?;
     for task in &tasks {
         let figures = sheets::FILES.iter().flat_map(|file| edition.figure_paths(file));
-        let tables = TABLES.iter().map(|table| table_path(table.name));
+        let tables = Rows::TABLES.iter().map(|table| table_path(table.name));
         let pages = [PathBuf::from(PAGE), data_page::path()];
         folder::ensure_writable(&task.folder, &figures.chain(tables).chain(pages).collect::<Vec<_>>())?;
     }
@@ -84,7 +85,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
         }
     }
     match code {
-        Some(code) => Err(Failure::SomeFiles { failing, all: tasks.len(), code }),
+        Some(code) => Err(Failure::of_files(failing, tasks.len(), code)),
         None => Ok(()),
     }
 }
@@ -98,7 +99,7 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
         if let Some(loops) = &arguments.loops {
             description = description
                 .with_loops(loops)
-                .map_err(|reason| Failure::Option { option: "--loops", reason: reason.to_string() })?;
+                .map_err(|reason| Failure::input(format!("--loops {reason}")))?;
         }
         let named = folder::name_for(file);
         let folder = match &arguments.output {
@@ -107,8 +108,12 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
             None => Path::new(RESULTS).join(&named),
         };
         if let Some(other) = tasks.iter().find(|other| other.folder == folder) {
-            let (first, second) = (other.file.clone(), file.clone());
-            return Err(Failure::SameFolder { first, second, folder });
+            return Err(Failure::input(format!(
+                "{} and {} would both go to {}: unfold them one by one, with --output DIR",
+                other.file.display(),
+                file.display(),
+                folder.display()
+            )));
         }
         let text = noted(&grazing_source::read_file(file).map_err(DescriptionError::from)?, &settings);
         let file_limits = description.limits();
@@ -131,24 +136,41 @@ fn settings(set: &[Setting]) -> Vec<Setting> {
     set.iter().map(full).collect()
 }
 
-/// The failure that tells, with the file's names of the parameters, why there is nothing to unfold, or what has ended the search.
-pub(crate) fn failure(
+/// Analyses an oscillator up to its limits; with what has ended the analysis, if anything is missing in it.
+///
+/// # Errors
+/// There is nothing to unfold.
+pub(crate) fn analyse(
     description: &Description,
     file: &Path,
-    error: &StudyError,
-    met: Option<Met>,
-) -> Failure {
+    limits: Limits,
+    keep: Keep<'_>,
+) -> Result<(Analysis, Option<Met>), Failure> {
+    let watch = Watch::begin(limits);
+    let display = Display::counting(watch.stop());
+    let unfolded = Unfolded::described(description, &display, &watch.stop(), keep)
+        .map_err(|error| failure(description, file, &error, watch.met()))?;
+    let met = watch.met().filter(|_| !unfolded.diagram.unfinished.is_empty());
+    Ok((unfolded, met))
+}
+
+/// The failure that tells, with the file's names of the parameters, why there is nothing to unfold, or what has ended the search.
+fn failure(description: &Description, file: &Path, error: &StudyError, met: Option<Met>) -> Failure {
     match (error, met) {
-        (StudyError::Unfold(UnfoldError::Stopped { stage }), Some(met)) => Failure::Ended {
-            file: file.to_owned(),
-            met: met.to_string(),
-            outcome: format!("nothing is written, for nothing was found up to then, in the stage `{stage}`"),
-        },
+        (StudyError::Unfold(UnfoldError::Stopped { stage }), Some(met)) => {
+            let outcome = "nothing is written, for nothing was found up to then, in the stage";
+            ended(file, met, &format!("{outcome} `{stage}`"))
+        }
         (StudyError::Unfold(error), _) => {
-            Failure::NothingToUnfold { file: file.to_owned(), reason: reason::of(error, description) }
+            Failure::incomplete(format!("{}: {}", file.display(), reason::of(error, description)))
         }
         (error, _) => computation("unfold", error),
     }
+}
+
+/// The failure of an analysis that was ended by a limit or by Ctrl-C.
+pub(crate) fn ended(file: &Path, met: Met, outcome: &str) -> Failure {
+    Failure::incomplete(format!("{}: {met}; {outcome}", file.display()))
 }
 
 impl Task {
@@ -156,13 +178,9 @@ impl Task {
     fn run(&self, edition: &Edition, explain: bool) -> Result<(), Failure> {
         let start = Instant::now();
         terminal::say(&listing::oscillator(&self.description, &self.file));
-        let watch = Watch::begin(self.limits);
-        let keeper = Keeper::new(&self.folder, watch.stop());
-        let unfolded = Unfolded::described(&self.description, &keeper)
-            .map_err(|error| failure(&self.description, &self.file, &error, watch.met()))?;
-        let met = watch.met().filter(|_| !unfolded.diagram.unfinished.is_empty());
-        // What follows only writes down what there is.
-        drop(watch);
+        let keeper = Keeper::new(&self.folder);
+        let (unfolded, met) =
+            analyse(&self.description, &self.file, self.limits, &|table| keeper.keep(table))?;
         let files = self.files(&unfolded, edition)?;
         let changes = folder::write(&self.folder, &files)?;
         self.remove_other_sheets(&files, edition)?;
@@ -175,15 +193,20 @@ impl Task {
         terminal::say(&format!("\n{}", summary(&names.zip(changes).collect::<Vec<_>>())));
         terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
         if let Some(met) = met {
-            let outcome = "what was not finished is named above; everything else is written".to_owned();
-            return Err(Failure::Ended { file: self.file.clone(), met: met.to_string(), outcome });
+            let outcome = "what was not finished is named above; everything else is written";
+            return Err(ended(&self.file, met, outcome));
         }
-        let contradictions = listing::contradictions(&unfolded.resonances);
+        let (file, contradictions) = (self.file.display(), listing::contradictions(&unfolded.resonances));
         if !contradictions.is_empty() {
-            return Err(Failure::Contradiction { file: self.file.clone(), what: contradictions.join("; ") });
+            let what = contradictions.join("; ");
+            return Err(Failure::check(format!(
+                "{file}: the theorem is contradicted: {what}; everything is written"
+            )));
         }
         match listing::incomplete(&unfolded.diagram) {
-            Some(missing) => Err(Failure::PartlyUnfolded { file: self.file.clone(), missing }),
+            Some(missing) => Err(Failure::incomplete(format!(
+                "{file}: {missing}, as told above; everything else is written"
+            ))),
             None => Ok(()),
         }
     }
@@ -202,7 +225,7 @@ impl Task {
             let content = tables::csv(table).map_err(|error| computation("tables", &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
         }
-        files.push(data_page::of_an_oscillator(TABLES, &unfolded.axes.names));
+        files.push(data_page::of_an_oscillator(Rows::TABLES.iter().copied(), &unfolded.axes.names));
         let Self { file, text, description, .. } = self;
         let material = Material { file, text, description, unfolded, figures: &drawn, tables };
         files.push(material.page(&files));
@@ -216,7 +239,7 @@ impl Task {
             {
                 let path = self.folder.join(path);
                 if path.is_file() {
-                    fs::remove_file(&path).map_err(|reason| Failure::File { path, reason })?;
+                    fs::remove_file(&path).map_err(|reason| Failure::file(&path, &reason))?;
                 }
             }
         }

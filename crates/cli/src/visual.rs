@@ -8,34 +8,27 @@ use grazing_export::{Figure, comparison};
 use crate::folder::{Changes, MadeFile, regular};
 use crate::terminal;
 
-/// A figure whose file has another content.
-pub(crate) struct ChangedFigure<'a> {
-    before: Vec<u8>,
-    after: &'a MadeFile,
-}
+/// A figure that has another content: its file's before, and that of now.
+pub(crate) type Changed<'a> = (Vec<u8>, &'a MadeFile);
 
 /// The figures among the files that are in the folder with another content.
-pub(crate) fn changed<'a>(folder: &Path, files: &'a [MadeFile]) -> Vec<ChangedFigure<'a>> {
+pub(crate) fn changed<'a>(folder: &Path, files: &'a [MadeFile]) -> Vec<Changed<'a>> {
     let figures =
         files.iter().filter(|file| file.path.extension().is_some_and(|extension| extension == "svg"));
-    figures
-        .filter_map(|after| {
-            // A figure that is missing or cannot be read has no picture from before.
-            let path = folder.join(&after.path);
-            let before = regular(&path)
-                .and_then(|_| fs::read(&path))
-                .ok()
-                .filter(|before| *before != after.content)?;
-            Some(ChangedFigure { before, after })
-        })
-        .collect()
+    let changed = figures.filter_map(|after| {
+        // A figure that is missing or cannot be read has no picture from before.
+        let path = folder.join(&after.path);
+        let before = regular(&path).and_then(|_| fs::read(&path)).ok()?;
+        (before != after.content).then_some((before, after))
+    });
+    changed.collect()
 }
 
 /// Draws each changed figure before, after and what differs, in a new folder for temporary files, and tells where. It stays until
 /// a later run draws changes in the same output folder.
 ///
 /// Pictures are a help and not the result: one that cannot be drawn is told of and nothing more.
-pub(crate) fn show(output: &Path, changes: &[ChangedFigure<'_>]) {
+pub(crate) fn show(output: &Path, changes: &[Changed<'_>]) {
     if changes.is_empty() {
         return;
     }
@@ -43,9 +36,9 @@ pub(crate) fn show(output: &Path, changes: &[ChangedFigure<'_>]) {
         Ok(folder) => folder,
         Err(error) => return terminal::note(&format!("the changes could not be drawn: {error}")),
     };
-    for change in changes {
-        let name = change.after.path.display();
-        match draw(change, folder.path()) {
+    for (before, after) in changes {
+        let name = after.path.display();
+        match draw(before, after, folder.path()) {
             Ok(picture) => {
                 terminal::note(&format!("{name}: before, after and difference: {}", picture.display()));
             }
@@ -55,11 +48,11 @@ pub(crate) fn show(output: &Path, changes: &[ChangedFigure<'_>]) {
     folder.keep();
 }
 
-fn draw(change: &ChangedFigure<'_>, folder: &Path) -> Result<PathBuf, String> {
+fn draw(before: &[u8], after: &MadeFile, folder: &Path) -> Result<PathBuf, String> {
     let read = |svg: &[u8]| Figure::read(&String::from_utf8_lossy(svg)).map_err(|error| error.to_string());
-    let before = read(&change.before).map_err(|error| format!("the figure before: {error}"))?;
-    let picture = comparison(&before, &read(&change.after.content)?).map_err(|error| error.to_string())?;
-    let path = folder.join(change.after.path.with_extension("png"));
+    let before = read(before).map_err(|error| format!("the figure before: {error}"))?;
+    let picture = comparison(&before, &read(&after.content)?).map_err(|error| error.to_string())?;
+    let path = folder.join(after.path.with_extension("png"));
     fs::write(&path, picture).map_err(|error| error.to_string())?;
     Ok(path)
 }

@@ -26,8 +26,8 @@ fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it(
     let journal = folder.path().join("journal");
     let snippet = fs::read_to_string(journal.join("figures.tex")).expect("there is a snippet");
     for output in outputs::ALL {
-        let Some(figure) = output.figure() else {
-            for table in output.tables().iter().map(|table| table.name) {
+        let Some(figure) = output.figure else {
+            for table in output.tables.iter().map(|table| table.name) {
                 let input = format!("\\input{{\\grazingfiles {table}.tex}}");
                 assert!(snippet.contains(&input), "{input} is missing in {snippet}");
                 assert!(journal.join(table).with_extension("tex").is_file(), "{table}");

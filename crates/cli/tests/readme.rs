@@ -9,7 +9,7 @@ use clap::error::ErrorKind;
 use grazing_claims::ledger::Ledger;
 use grazing_cli::arguments::Arguments;
 use grazing_cli::outputs;
-use grazing_reproduction::unfolded::TABLES;
+use grazing_reproduction::unfolded::Rows;
 use program::repository;
 
 /// The lines of the README that begin with `cargo xtask`, as in a block of commands.
@@ -50,9 +50,9 @@ fn every_command_of_the_readme_is_understood() {
 fn columns_name_equations_that_the_paper_has() {
     let labels = fs::read_to_string(repository().join("expected/labels.txt")).expect("there is a list");
     let labels: Vec<&str> = labels.lines().filter_map(|line| line.split_whitespace().next()).collect();
-    let own = outputs::ALL.iter().flat_map(|output| output.tables());
+    let own = outputs::ALL.iter().flat_map(|output| output.tables);
     let mut named = 0;
-    for column in own.chain(&TABLES).flat_map(|table| table.columns) {
+    for column in own.chain(Rows::TABLES).flat_map(|table| table.columns) {
         for label in column.equations.split(", ").filter(|label| !label.is_empty()) {
             assert!(labels.contains(&label), "{}: the paper has no {label}", column.name);
             named += 1;
@@ -72,7 +72,7 @@ fn the_readme_counts_the_claims() {
 #[test]
 fn the_readme_shows_every_figure() {
     let readme = fs::read_to_string(repository().join("README.md")).expect("there is a README.md");
-    for figure in outputs::ALL.iter().filter_map(|output| output.figure()) {
+    for figure in outputs::ALL.iter().filter_map(|output| output.figure) {
         assert!(readme.contains(&format!("](figures/{figure})")), "README.md does not show {figure}");
     }
 }

@@ -11,6 +11,7 @@ use std::path::Path;
 use browser::{Spot, assert_all_pass, checked};
 use grazing_claims::ledger::Ledger;
 use grazing_cli::outputs;
+use grazing_cli::outputs::edition::Edition;
 use program::{DEFAULT, edited, empty_folder, grazing, listing, narrow_duffing, project, repository};
 
 /// The heaviest page that opens at once from any disk, in bytes.
@@ -75,7 +76,7 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     // Every output, every file and every claim stands there.
     for output in outputs::ALL {
         assert!(page.contains(&format!("id=\"{}\"", output.name)), "{} is missing", output.name);
-        for path in output.paths() {
+        for path in output.paths(&Edition::default()) {
             let link = format!("href=\"../figures/{}\"", path.display());
             assert!(page.contains(&link), "{link} is missing");
         }

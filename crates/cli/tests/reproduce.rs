@@ -7,6 +7,7 @@ use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
 
 use grazing_cli::outputs;
+use grazing_cli::outputs::edition::Edition;
 use program::{DEFAULT, edited, grazing, listing, project};
 
 /// The default parameters with little work for the attractor of Figure 2: what is tested here does not depend on it.
@@ -21,7 +22,7 @@ fn the_whole_reproduction_passes_its_own_check_whatever_the_number_of_threads() 
     assert_eq!(made.code, Some(0), "{}", made.messages);
     let files: Vec<String> = outputs::ALL
         .iter()
-        .flat_map(|output| output.paths())
+        .flat_map(|output| output.paths(&Edition::default()))
         .map(|path| path.display().to_string())
         .collect();
     for file in &files {
@@ -81,7 +82,7 @@ fn outputs_that_can_be_made_are_and_the_others_are_named_with_their_keys() {
     assert!(made.messages.contains(told) && made.messages.contains("they hold from"), "{}", made.messages);
     assert!(made.errors().contains("1 of 12 outputs could not be made"), "{}", made.messages);
     for output in outputs::ALL {
-        for path in output.paths() {
+        for path in output.paths(&Edition::default()) {
             let is_there = folder.path().join("varied").join(&path).is_file();
             assert_eq!(is_there, output.name != "fig10", "{}", path.display());
         }

@@ -7,6 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use grazing_cli::outputs;
+use grazing_cli::outputs::edition::Edition;
 use grazing_export::{Figure, Text};
 use program::{empty_folder, grazing, repository, snapshots};
 use sha2::{Digest, Sha256};
@@ -24,7 +25,7 @@ const HEAVIEST: u64 = 2_000_000;
 
 /// The figures of the registry: name of the output and of the file.
 fn registered() -> Vec<(&'static str, &'static str)> {
-    outputs::ALL.iter().filter_map(|output| Some((output.name, output.figure()?))).collect()
+    outputs::ALL.iter().filter_map(|output| Some((output.name, output.figure?))).collect()
 }
 
 /// The figures in a folder.
@@ -129,13 +130,17 @@ fn every_element_of_a_figure_can_be_drawn_and_no_coordinate_is_infinite() {
 #[test]
 fn every_kind_of_curve_in_the_data_is_named_in_its_figure() {
     for output in outputs::ALL {
-        let Some(file) = output.figure() else { continue };
+        let Some(file) = output.figure else { continue };
         let svg = fs::read_to_string(repository().join("figures").join(file)).expect("the figure is there");
         let texts = Figure::read(&svg).expect("the figure can be read").texts();
         let labels: Vec<&str> = texts.iter().map(|text| text.text.as_str()).collect();
-        for table in output.paths().filter(|path| path.extension().is_some_and(|ending| ending == "csv")) {
+        for table in output
+            .paths(&Edition::default())
+            .iter()
+            .filter(|path| path.extension().is_some_and(|ending| ending == "csv"))
+        {
             let content =
-                fs::read_to_string(repository().join("figures").join(&table)).expect("the table is there");
+                fs::read_to_string(repository().join("figures").join(table)).expect("the table is there");
             for kind in bifurcations(&content) {
                 let named = labels.iter().any(|label| label.split(' ').any(|word| word == kind));
                 assert!(named, "{}: `{kind}` of {} is not named: {labels:?}", output.name, table.display());

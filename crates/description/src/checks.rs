@@ -5,12 +5,10 @@
 use std::f64::consts::TAU;
 
 use grazing_model::smooth::{SmoothOscillator, Units};
-use grazing_source::Source;
-use toml::Spanned;
 
 use crate::description::Description;
 use crate::error::{DescriptionError, Place, rounded};
-use crate::file::File;
+use crate::validate::Places;
 
 /// Points along the range of either parameter, both ends included.
 const ALONG: u32 = 7;
@@ -30,31 +28,27 @@ const ROUNDING: f64 = 1e-9;
 type Checked = Result<(), DescriptionError>;
 
 /// Checks frequency, force and reset law at samples, in the order of the file; what is allowed and may not be meant.
-pub(crate) fn samples(
-    description: &Description,
-    raw: &File,
-    source: &Source<'_>,
-) -> Result<Vec<String>, DescriptionError> {
-    let sampler = Sampler { description, source, units: description.units() };
+pub(crate) fn samples(description: &Description, places: &Places) -> Result<Vec<String>, DescriptionError> {
+    let sampler = Sampler { description, places, units: description.units() };
     let parameters = sampler.parameters();
     for &parameters in &parameters {
-        sampler.frequency(&raw.motion.frequency, parameters)?;
+        sampler.frequency(parameters)?;
     }
     for &parameters in &parameters {
-        sampler.force(&raw.motion.force, parameters)?;
+        sampler.force(parameters)?;
     }
     for &parameters in &parameters {
-        sampler.restitution(&raw.impact.restitution, parameters)?;
+        sampler.restitution(parameters)?;
     }
     for &parameters in &parameters {
-        sampler.duration(&raw.impact.duration, parameters)?;
+        sampler.duration(parameters)?;
     }
-    Ok(parameters.iter().find_map(|&parameters| sampler.lively(raw, parameters)).into_iter().collect())
+    Ok(parameters.iter().find_map(|&parameters| sampler.lively(parameters)).into_iter().collect())
 }
 
 struct Sampler<'a> {
     description: &'a Description,
-    source: &'a Source<'a>,
+    places: &'a Places,
     units: Units,
 }
 
@@ -84,70 +78,25 @@ impl Sampler<'_> {
         values.collect::<Vec<_>>().join(", ")
     }
 
-    fn wrong(&self, key: &'static str, text: &Spanned<String>, problem: String) -> DescriptionError {
-        DescriptionError::Value { place: Place::new(self.source, key, text), problem }
-    }
-
-    fn not_finite(
-        &self,
-        key: &'static str,
-        text: &Spanned<String>,
-        value: f64,
-        at: &str,
-    ) -> DescriptionError {
-        let place = match key {
-            "motion.force" => {
-                "at the wall and close to it in x < 0, where motion takes place, over the ranges of both parameters"
-            }
-            _ => "over the ranges of both parameters",
-        };
-        self.wrong(key, text, format!("the value is {value} at {at}: it must be a finite number {place}"))
-    }
-
-    /// The error of a value that changes over one period of t or z.
-    fn not_periodic(
-        &self,
-        key: &'static str,
-        text: &Spanned<String>,
-        (change, at): (f64, &str),
-        (variable, period): (&str, f64),
-    ) -> DescriptionError {
-        let entry = match variable {
-            "t" => {
-                "cos(omega*t) or sin(omega*t), where omega is the frequency of motion.frequency, or with multiples of omega"
-            }
-            _ => "cos(z) or sin(z), or with multiples of z",
-        };
-        let (change, period) = (rounded(change), rounded(period));
-        self.wrong(
-            key,
-            text,
-            format!(
-                "not periodic with the forcing: the value changes by {change} from {at} over one period, to {variable} + {period}; \
-                 {variable} must enter as {entry}"
-            ),
-        )
-    }
-
-    fn frequency(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
-        let key = "motion.frequency";
+    fn frequency(&self, [mu, eta]: [f64; 2]) -> Checked {
+        let place = &self.places.frequency;
         let value = self.description.forcing_frequency(mu, eta);
         let at = self.point([mu, eta], &[]);
         if !value.is_finite() {
-            return Err(self.not_finite(key, text, value, &at));
+            return Err(not_finite(place, value, &at));
         }
         if value <= 0.0 {
             let value = rounded(value);
             let problem = format!(
                 "the frequency is {value} at {at}: it must be positive over the ranges of both parameters"
             );
-            return Err(self.wrong(key, text, problem));
+            return Err(wrong(place, problem));
         }
         Ok(())
     }
 
-    fn force(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
-        let key = "motion.force";
+    fn force(&self, [mu, eta]: [f64; 2]) -> Checked {
+        let place = &self.places.force;
         let period = TAU / self.description.forcing_frequency(mu, eta);
         let near = NEAR * self.units.length;
         for x in POSITIONS.map(|x| x * self.units.length) {
@@ -157,10 +106,10 @@ impl Sampler<'_> {
                     let at = || self.point([mu, eta], &[("x", x), ("v", v), ("t", t)]);
                     let (value, after) = (force(t), force(t + period));
                     if !value.is_finite() && x >= -near {
-                        return Err(self.not_finite(key, text, value, &at()));
+                        return Err(not_finite(place, value, &at()));
                     }
                     if (after - value).abs() > ROUNDING * (self.units.acceleration() + value.abs()) {
-                        return Err(self.not_periodic(key, text, (after - value, &at()), ("t", period)));
+                        return Err(not_periodic(place, after - value, &at(), ("t", period)));
                     }
                 }
             }
@@ -168,20 +117,20 @@ impl Sampler<'_> {
         Ok(())
     }
 
-    fn restitution(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
+    fn restitution(&self, [mu, eta]: [f64; 2]) -> Checked {
         let restitution = |y, z| self.description.restitution(y, z, mu, eta);
-        self.reset("impact.restitution", text, 1.0, [mu, eta], restitution, |value| {
+        self.reset(&self.places.restitution, 1.0, [mu, eta], restitution, |value| {
             (value <= 0.0).then_some("it must be positive, for the rebound to leave the wall")
         })
     }
 
     /// What is to be said of a restitution above one.
-    fn lively(&self, raw: &File, [mu, eta]: [f64; 2]) -> Option<String> {
+    fn lively(&self, [mu, eta]: [f64; 2]) -> Option<String> {
         let samples = self.impact_velocities().into_iter().flat_map(|y| SHARES.map(|share| (y, share * TAU)));
         let (y, z, value) = samples
             .map(|(y, z)| (y, z, self.description.restitution(y, z, mu, eta)))
             .find(|(_, _, value)| *value > 1.0)?;
-        let place = Place::new(self.source, "impact.restitution", &raw.impact.restitution);
+        let place = &self.places.restitution;
         let at = self.point([mu, eta], &[("y", y), ("z", z)]);
         Some(format!(
             "{place}: the restitution is {} at {at}: above 1, so that impacts drive the oscillator; it is analysed as it stands",
@@ -189,38 +138,67 @@ impl Sampler<'_> {
         ))
     }
 
-    fn duration(&self, text: &Spanned<String>, [mu, eta]: [f64; 2]) -> Checked {
+    fn duration(&self, [mu, eta]: [f64; 2]) -> Checked {
         let duration = |y, z| self.description.impact_duration(y, z, mu, eta);
         let unit = 1.0 / self.units.velocity();
-        self.reset("impact.duration", text, unit, [mu, eta], duration, |_| None)
+        self.reset(&self.places.duration, unit, [mu, eta], duration, |_| None)
     }
 
-    /// Checks a function of the reset law, which is of the order of `unit`: finite, 2π-periodic in z, and whatever `wrong` finds of a value.
+    /// Checks a function of the reset law, which is of the order of `unit`: finite, 2π-periodic in z, and not `refused` for a reason.
     fn reset(
         &self,
-        key: &'static str,
-        text: &Spanned<String>,
+        place: &Place,
         unit: f64,
         parameters: [f64; 2],
         function: impl Fn(f64, f64) -> f64,
-        wrong: impl Fn(f64) -> Option<&'static str>,
+        refused: impl Fn(f64) -> Option<&'static str>,
     ) -> Checked {
         for y in self.impact_velocities() {
             for z in SHARES.map(|share| share * TAU) {
                 let at = || self.point(parameters, &[("y", y), ("z", z)]);
                 let (value, after) = (function(y, z), function(y, z + TAU));
                 if !value.is_finite() {
-                    return Err(self.not_finite(key, text, value, &at()));
+                    return Err(not_finite(place, value, &at()));
                 }
-                if let Some(remedy) = wrong(value) {
-                    let problem = format!("the restitution is {} at {}: {remedy}", rounded(value), at());
-                    return Err(self.wrong(key, text, problem));
+                if let Some(reason) = refused(value) {
+                    let problem = format!("the restitution is {} at {}: {reason}", rounded(value), at());
+                    return Err(wrong(place, problem));
                 }
                 if (after - value).abs() > ROUNDING * (unit + value.abs()) {
-                    return Err(self.not_periodic(key, text, (after - value, &at()), ("z", TAU)));
+                    return Err(not_periodic(place, after - value, &at(), ("z", TAU)));
                 }
             }
         }
         Ok(())
     }
+}
+
+fn wrong(place: &Place, problem: String) -> DescriptionError {
+    DescriptionError::Value { place: place.clone(), problem }
+}
+
+fn not_finite(place: &Place, value: f64, at: &str) -> DescriptionError {
+    let domain = match place.key.as_str() {
+        "motion.force" => {
+            "at the wall and close to it in x < 0, where motion takes place, over the ranges of both parameters"
+        }
+        _ => "over the ranges of both parameters",
+    };
+    wrong(place, format!("the value is {value} at {at}: it must be a finite number {domain}"))
+}
+
+/// The error of a value that changes over one period of t or z.
+fn not_periodic(place: &Place, change: f64, at: &str, (variable, period): (&str, f64)) -> DescriptionError {
+    let entry = match variable {
+        "t" => {
+            "cos(omega*t) or sin(omega*t), where omega is the frequency of motion.frequency, or with multiples of omega"
+        }
+        _ => "cos(z) or sin(z), or with multiples of z",
+    };
+    let (change, period) = (rounded(change), rounded(period));
+    let problem = format!(
+        "not periodic with the forcing: the value changes by {change} from {at} over one period, to {variable} + {period}; {variable} \
+         must enter as {entry}"
+    );
+    wrong(place, problem)
 }

@@ -117,9 +117,8 @@ impl Description {
     /// As [`parse`](Self::parse), and for settings of keys that mean nothing or are not there.
     pub fn parse_with(text: &Text, file: &str) -> Result<Description, DescriptionError> {
         let source = Source::new(text, file, file::REQUIREMENTS);
-        let raw: file::File = source.read()?;
-        let description = validate::description(&raw, &source)?;
-        let notes = checks::samples(&description, &raw, &source)?;
+        let (description, places) = source.whole(|file| validate::description(&file))?;
+        let notes = checks::samples(&description, &places)?;
         let mut content = (*description.0).clone();
         content.notes = notes;
         Ok(Description(Arc::new(content)))

@@ -2,9 +2,8 @@
 
 use std::ops::Range;
 
-use grazing_source::{Source, SourceError, place};
+use grazing_source::{Section, SourceError};
 use thiserror::Error;
-use toml::Spanned;
 
 use crate::expression::ExpressionError;
 use crate::file::REQUIREMENTS;
@@ -44,21 +43,20 @@ pub enum DescriptionError {
 /// A key with its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
-    file: String,
-    line: usize,
-    key: &'static str,
+    /// File and line.
+    at: String,
+    pub(crate) key: String,
 }
 
 impl std::fmt::Display for Place {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(formatter, "{}: {}", place(&self.file, self.line), self.key)
+        write!(formatter, "{}: {}", self.at, self.key)
     }
 }
 
 impl Place {
-    pub(crate) fn new(source: &Source<'_>, key: &'static str, text: &Spanned<String>) -> Place {
-        let (file, line) = source.place(text.span().start);
-        Place { file, line, key }
+    pub(crate) fn new(section: &Section<'_>, name: &str) -> Place {
+        Place { at: section.place(name), key: section.key(name) }
     }
 }
 
@@ -72,17 +70,17 @@ pub(crate) fn rounded(value: f64) -> String {
 impl DescriptionError {
     /// The error of an expression that stands in a file.
     pub(crate) fn in_expression(
-        source: &Source<'_>,
-        key: &'static str,
-        text: &Spanned<String>,
+        section: &Section<'_>,
+        name: &str,
+        text: &str,
         error: &ExpressionError,
     ) -> DescriptionError {
-        let mut place = Place::new(source, key, text);
+        let mut place = Place::new(section, name);
         // With escapes in it, the text's lines are not those of the file.
-        if let Some(start) = source.raw(text.span()).find(text.get_ref().as_str()) {
-            (place.file, place.line) = source.place(text.span().start + start + error.span.start);
+        if let Some(start) = section.raw(name).find(text) {
+            place.at = section.place_within(name, start + error.span.start);
         }
-        let excerpt = excerpt(text.get_ref(), &error.span);
+        let excerpt = excerpt(text, &error.span);
         let problem = error.problem.clone();
         DescriptionError::Expression { place, problem, excerpt }
     }

@@ -1,10 +1,6 @@
-//! The file as it is written: types and keys are checked here, values are not.
-
-use std::collections::BTreeMap;
+//! What the keys of a file must hold.
 
 use grazing_source::Requirements;
-use serde::Deserialize;
-use toml::Spanned;
 
 /// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are not told apart.
 pub(crate) const MOST_LOOPS: u32 = 12;
@@ -77,54 +73,6 @@ const KEYS: &[(&str, &str)] = &[
 
 const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
 const RANGE: &str = "the range must be [lower, upper] with finite numbers lower < upper";
-
-/// The whole file.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table")]
-pub(crate) struct File {
-    pub(crate) name: Spanned<String>,
-    pub(crate) parameters: BTreeMap<Spanned<String>, Spanned<f64>>,
-    pub(crate) primary: Axis,
-    pub(crate) secondary: Axis,
-    pub(crate) motion: Motion,
-    pub(crate) impact: Impact,
-    pub(crate) analysis: Analysis,
-}
-
-/// `[primary]` and `[secondary]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table")]
-pub(crate) struct Axis {
-    pub(crate) name: Spanned<String>,
-    pub(crate) range: Spanned<Vec<f64>>,
-}
-
-/// `[motion]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table")]
-pub(crate) struct Motion {
-    pub(crate) force: Spanned<String>,
-    pub(crate) frequency: Spanned<String>,
-}
-
-/// `[impact]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table")]
-pub(crate) struct Impact {
-    pub(crate) restitution: Spanned<String>,
-    pub(crate) duration: Spanned<String>,
-}
-
-/// `[analysis]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table")]
-pub(crate) struct Analysis {
-    pub(crate) loops: Spanned<Vec<Spanned<u32>>>,
-    pub(crate) start: Option<Spanned<Vec<f64>>>,
-    pub(crate) time_limit: Option<Spanned<f64>>,
-    pub(crate) memory_limit: Option<Spanned<f64>>,
-    pub(crate) step_limit: Option<Spanned<f64>>,
-}
 
 #[cfg(test)]
 mod tests {

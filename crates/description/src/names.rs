@@ -1,10 +1,9 @@
 //! The names in a description: none may mean two things.
 
-use grazing_source::Source;
+use grazing_source::{Section, SourceError};
 
-use crate::error::DescriptionError;
 use crate::expression::is_function;
-use crate::file::{File, REQUIREMENTS};
+use crate::file::REQUIREMENTS;
 
 /// What the name of a variable of force or reset law means.
 pub(crate) fn variable(name: &str) -> Option<&'static str> {
@@ -38,25 +37,19 @@ fn is_name(name: &str) -> bool {
 }
 
 /// Checks the names of constants and of the two parameters.
-pub(crate) fn check(file: &File, source: &Source<'_>) -> Result<(), DescriptionError> {
-    let mut constants: Vec<_> = file.parameters.iter().collect();
-    constants.sort_by_key(|(name, _)| name.span().start);
-    let mut seen: Vec<(&str, &'static str)> = Vec::new();
-    for (name, value) in constants {
-        let name = name.get_ref().as_str();
+pub(crate) fn check(constants: &Section<'_>, axes: &[Section<'_>; 2]) -> Result<(), SourceError> {
+    let mut seen: Vec<(String, &'static str)> = Vec::new();
+    for name in constants.names() {
         let meaning = "a constant in [parameters]";
         if let Some(allowed) = wrong(name, meaning, &seen) {
-            return Err(source.forbid(&format!("parameters.{name}"), value, allowed).into());
+            return Err(constants.forbid(name, allowed));
         }
-        seen.push((name, meaning));
+        seen.push((name.to_owned(), meaning));
     }
-    for (key, written, meaning) in [
-        ("primary.name", &file.primary.name, "the primary parameter"),
-        ("secondary.name", &file.secondary.name, "the secondary parameter"),
-    ] {
-        let name = written.get_ref().as_str();
-        if let Some(allowed) = wrong(name, meaning, &seen) {
-            return Err(source.forbid(key, written, allowed).into());
+    for (axis, meaning) in axes.iter().zip(["the primary parameter", "the secondary parameter"]) {
+        let name: String = axis.value("name")?;
+        if let Some(allowed) = wrong(&name, meaning, &seen) {
+            return Err(axis.forbid("name", allowed));
         }
         seen.push((name, meaning));
     }
@@ -64,7 +57,7 @@ pub(crate) fn check(file: &File, source: &Source<'_>) -> Result<(), DescriptionE
 }
 
 /// What is wrong with a name, and what would be right, after these names with their meanings.
-fn wrong(name: &str, meaning: &str, seen: &[(&str, &'static str)]) -> Option<String> {
+fn wrong(name: &str, meaning: &str, seen: &[(String, &'static str)]) -> Option<String> {
     if !is_name(name) {
         return Some(REQUIREMENTS.of("primary.name").to_owned());
     }

@@ -2,86 +2,72 @@
 
 use std::sync::Arc;
 
-use grazing_source::Source;
-use toml::Spanned;
+use grazing_source::{Section, SourceError};
 
 use crate::description::{Axis, Content, Description, Limits, Texts};
-use crate::error::DescriptionError;
+use crate::error::{DescriptionError, Place};
 use crate::expression::Expression;
-use crate::file::{self, File, MOST_LOOPS, REQUIREMENTS};
+use crate::file::MOST_LOOPS;
 use crate::names;
 
 /// More constants than this nobody names; every name in an expression is looked for among them.
 const MOST_CONSTANTS: usize = 1000;
 
-type Checked<T> = Result<T, DescriptionError>;
+/// Where the four expressions stand.
+pub(crate) struct Places {
+    pub(crate) force: Place,
+    pub(crate) frequency: Place,
+    pub(crate) restitution: Place,
+    pub(crate) duration: Place,
+}
 
 /// The keys of the four expressions with the variables that each may use beside the parameters, and how many of them, the
 /// first ones, move while the others are held.
-const FORCE: (&str, &[&str], usize) = ("motion.force", &["x", "v", "t"], 2);
-const FREQUENCY: (&str, &[&str], usize) = ("motion.frequency", &[], 0);
-const RESTITUTION: (&str, &[&str], usize) = ("impact.restitution", &["y", "z"], 2);
-const DURATION: (&str, &[&str], usize) = ("impact.duration", &["y", "z"], 2);
+const FORCE: (&str, &[&str], usize) = ("force", &["x", "v", "t"], 2);
+const FREQUENCY: (&str, &[&str], usize) = ("frequency", &[], 0);
+const RESTITUTION: (&str, &[&str], usize) = ("restitution", &["y", "z"], 2);
+const DURATION: (&str, &[&str], usize) = ("duration", &["y", "z"], 2);
 
 /// Checks everything that can be checked without evaluating an expression.
-pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Description> {
-    let name = raw.name.get_ref().trim();
+pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), DescriptionError> {
+    let name = file.value::<String>("name")?.trim().to_owned();
     if name.is_empty() {
-        return Err(source.forbid("name", &raw.name, REQUIREMENTS.of("name").to_owned()).into());
+        return Err(file.refusal("name").into());
     }
-    if raw.parameters.len() > MOST_CONSTANTS {
-        let last = raw.parameters.iter().max_by_key(|(name, _)| name.span().start);
-        let allowed =
-            format!("this is constant number {}: at most {MOST_CONSTANTS} are allowed", raw.parameters.len());
-        if let Some((name, value)) = last {
-            return Err(source.forbid(&format!("parameters.{}", name.get_ref()), value, allowed).into());
-        }
-    }
-    names::check(raw, source)?;
-    let mut constants = Vec::new();
-    for (name, value) in &raw.parameters {
-        if !value.get_ref().is_finite() {
-            let key = format!("parameters.{}", name.get_ref());
-            return Err(source.forbid(&key, value, REQUIREMENTS.of(&key).to_owned()).into());
-        }
-        constants.push((name.get_ref().clone(), *value.get_ref()));
-    }
-    let primary = axis("primary", &raw.primary, source)?;
-    let secondary = axis("secondary", &raw.secondary, source)?;
+    let parameters = file.table("parameters")?;
+    let axes = [file.table("primary")?, file.table("secondary")?];
+    names::check(&parameters, &axes)?;
+    let constants = constants(&parameters)?;
+    let [primary, secondary] = [axis(&axes[0])?, axis(&axes[1])?];
 
     let mut used = [false; 2];
-    let mut expression = |(key, variables, moving): (&'static str, &[&str], usize),
-                          text: &Spanned<String>| {
-        let axes = [primary.name.as_str(), secondary.name.as_str()];
-        let variables = [variables, &axes].concat();
+    let mut expression = |section: &Section<'_>, (name, variables, moving): (&str, &[&str], usize)| {
+        let text: String = section.value(name)?;
+        let variables = [variables, &[primary.name.as_str(), secondary.name.as_str()]].concat();
         let constants: Vec<_> = constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-        let (expression, uses) = Expression::parse_with_uses(text.get_ref(), &variables, moving, &constants)
-            .map_err(|error| DescriptionError::in_expression(source, key, text, &error))?;
+        let (expression, uses) = Expression::parse_with_uses(&text, &variables, moving, &constants)
+            .map_err(|error| DescriptionError::in_expression(section, name, &text, &error))?;
         for (used, place) in used.iter_mut().zip(variables.len() - 2..) {
             *used |= uses.contains(&place);
         }
-        Ok::<_, DescriptionError>(expression)
+        Ok::<_, DescriptionError>((expression, text, Place::new(section, name)))
     };
-    let force = expression(FORCE, &raw.motion.force)?;
-    let frequency = expression(FREQUENCY, &raw.motion.frequency)?;
-    let restitution = expression(RESTITUTION, &raw.impact.restitution)?;
-    let duration = expression(DURATION, &raw.impact.duration)?;
-    let names = [("primary.name", &raw.primary.name), ("secondary.name", &raw.secondary.name)];
-    for (used, (key, name)) in used.into_iter().zip(names) {
+    let (motion, impact) = (file.table("motion")?, file.table("impact")?);
+    let (force, force_text, force_place) = expression(&motion, FORCE)?;
+    let (frequency, frequency_text, frequency_place) = expression(&motion, FREQUENCY)?;
+    let (restitution, restitution_text, restitution_place) = expression(&impact, RESTITUTION)?;
+    let (duration, duration_text, duration_place) = expression(&impact, DURATION)?;
+    for (used, (axis, name)) in used.into_iter().zip(axes.iter().zip([&primary.name, &secondary.name])) {
         if !used {
             let allowed = format!(
-                "the name {} appears in none of the four expressions, so nothing depends on this parameter: use it in one, \
-                 or name the parameter that is meant",
-                name.get_ref()
+                "the name {name} appears in none of the four expressions, so nothing depends on this parameter: use it in one, \
+                 or name the parameter that is meant"
             );
-            return Err(source.forbid(key, name, allowed).into());
+            return Err(axis.forbid("name", allowed).into());
         }
     }
-    let loops = loops(&raw.analysis.loops, source)?;
-    let start = raw.analysis.start.as_ref().map(|start| finite(start, source)).transpose()?;
-    let limits = limits(&raw.analysis, source)?;
-    let name = name.to_owned();
-    Ok(Description(Arc::new(Content {
+    let analysis = file.table("analysis")?;
+    let content = Content {
         name,
         constants,
         primary,
@@ -91,76 +77,62 @@ pub(crate) fn description(raw: &File, source: &Source<'_>) -> Checked<Descriptio
         restitution,
         duration,
         texts: Texts {
-            force: raw.motion.force.get_ref().clone(),
-            frequency: raw.motion.frequency.get_ref().clone(),
-            restitution: raw.impact.restitution.get_ref().clone(),
-            duration: raw.impact.duration.get_ref().clone(),
+            force: force_text,
+            frequency: frequency_text,
+            restitution: restitution_text,
+            duration: duration_text,
         },
-        loops,
-        start,
-        limits,
+        loops: analysis.counts("loops", 1..=MOST_LOOPS)?,
+        start: analysis.has("start").then(|| analysis.numbers("start", |_| true)).transpose()?,
+        limits: Limits {
+            time: limit(&analysis, "time_limit", Limits::USUAL.time)?,
+            memory: limit(&analysis, "memory_limit", Limits::USUAL.memory)?,
+            steps: limit(&analysis, "step_limit", Limits::USUAL.steps)?,
+        },
         notes: Vec::new(),
-    })))
-}
-
-fn limits(raw: &file::Analysis, source: &Source<'_>) -> Checked<Limits> {
-    let given = |key: &str, value: &Option<Spanned<f64>>, usual: f64| match value {
-        None => Ok(usual),
-        Some(value) if value.get_ref().is_finite() && *value.get_ref() > 0.0 => Ok(*value.get_ref()),
-        Some(value) => Err(source.forbid(key, value, REQUIREMENTS.of(key).to_owned())),
     };
-    Ok(Limits {
-        time: given("analysis.time_limit", &raw.time_limit, Limits::USUAL.time)?,
-        memory: given("analysis.memory_limit", &raw.memory_limit, Limits::USUAL.memory)?,
-        steps: given("analysis.step_limit", &raw.step_limit, Limits::USUAL.steps)?,
-    })
+    let places = Places {
+        force: force_place,
+        frequency: frequency_place,
+        restitution: restitution_place,
+        duration: duration_place,
+    };
+    Ok((Description(Arc::new(content)), places))
 }
 
-fn finite(start: &Spanned<Vec<f64>>, source: &Source<'_>) -> Checked<[f64; 2]> {
-    let key = "analysis.start";
-    match start.get_ref()[..] {
-        [position, velocity] if position.is_finite() && velocity.is_finite() => Ok([position, velocity]),
-        _ => Err(source.forbid(key, start, REQUIREMENTS.of(key).to_owned()).into()),
+/// The constants in the order of the alphabet.
+fn constants(parameters: &Section<'_>) -> Result<Vec<(String, f64)>, SourceError> {
+    let names = parameters.names();
+    if let Some(last) = names.last().filter(|_| names.len() > MOST_CONSTANTS) {
+        let allowed =
+            format!("this is constant number {}: at most {MOST_CONSTANTS} are allowed", names.len());
+        return Err(parameters.forbid(last, allowed));
     }
+    let mut constants = Vec::new();
+    for name in names {
+        constants.push((name.to_owned(), parameters.number(name, |_| true)?));
+    }
+    constants.sort_by(|(a, _), (b, _)| a.cmp(b));
+    Ok(constants)
 }
 
-fn axis(table: &str, raw: &file::Axis, source: &Source<'_>) -> Checked<Axis> {
-    let key = format!("{table}.range");
-    match raw.range.get_ref()[..] {
-        [lower, upper]
-            if lower < upper && lower.is_finite() && (upper - lower).is_infinite() && upper.is_finite() =>
-        {
-            let allowed =
-                "the range is too wide to be computed with: upper - lower must be a finite number".to_owned();
-            Err(source.forbid(&key, &raw.range, allowed).into())
-        }
-        [lower, upper] if lower.is_finite() && upper.is_finite() && lower < upper => {
-            Ok(Axis { name: raw.name.get_ref().clone(), range: [lower, upper] })
-        }
-        [lower, upper] if lower > upper && lower.is_finite() && upper.is_finite() => {
-            let allowed = format!("the range is reversed: write [{upper:?}, {lower:?}]");
-            Err(source.forbid(&key, &raw.range, allowed).into())
-        }
-        _ => Err(source.forbid(&key, &raw.range, REQUIREMENTS.of(&key).to_owned()).into()),
-    }
+fn limit(analysis: &Section<'_>, name: &str, usual: f64) -> Result<f64, SourceError> {
+    if analysis.has(name) { analysis.number(name, |value| value > 0.0) } else { Ok(usual) }
 }
 
-fn loops(raw: &Spanned<Vec<Spanned<u32>>>, source: &Source<'_>) -> Checked<Vec<u32>> {
-    let key = "analysis.loops";
-    let mut loops = Vec::new();
-    for member in raw.get_ref() {
-        let number = *member.get_ref();
-        if !(1..=MOST_LOOPS).contains(&number) {
-            return Err(source.forbid(key, member, REQUIREMENTS.of(key).to_owned()).into());
-        }
-        if loops.contains(&number) {
-            let allowed = format!("{number} is listed twice: list each number once");
-            return Err(source.forbid(key, raw, allowed).into());
-        }
-        loops.push(number);
+fn axis(section: &Section<'_>) -> Result<Axis, SourceError> {
+    let (name, range): (String, Vec<f64>) = (section.value("name")?, section.value("range")?);
+    let [lower, upper] = range[..] else { return Err(section.refusal("range")) };
+    if !(lower.is_finite() && upper.is_finite() && lower != upper) {
+        return Err(section.refusal("range"));
     }
-    if loops.is_empty() {
-        return Err(source.forbid(key, raw, REQUIREMENTS.of(key).to_owned()).into());
+    if lower > upper {
+        let allowed = format!("the range is reversed: write [{upper:?}, {lower:?}]");
+        return Err(section.forbid("range", allowed));
     }
-    Ok(loops)
+    if (upper - lower).is_infinite() {
+        let allowed = "the range is too wide to be computed with: upper - lower must be a finite number";
+        return Err(section.forbid("range", allowed.to_owned()));
+    }
+    Ok(Axis { name, range: [lower, upper] })
 }

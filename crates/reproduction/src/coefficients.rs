@@ -1,18 +1,12 @@
 //! The table of coefficients: by closed form, by the general theorem, and by measurement on the continued curves.
 
 use grazing_continuation::bifurcation::Pair;
-use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::LinearOscillator;
-use grazing_results::resonances::PaperResonance;
-use grazing_results::{Names, Table};
-use grazing_theorems::Resonance;
+use grazing_results::{row, tables};
 use grazing_theorems::unfolding::StabilityCoefficients;
-use grazing_unfold::Diagram;
 use grazing_unfold::verdict::{self, Coefficient, Verdict};
 use rayon::prelude::*;
 
-use crate::StudyError;
-use crate::parameters::Parameters;
+use crate::{Study, StudyError};
 
 /// The quadratic coefficients at one resonance, reached in three ways.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,22 +28,39 @@ pub struct Coefficients {
     pub measured: Pair<Coefficient>,
 }
 
-impl Coefficients {
-    fn of(closed_form: &Resonance, located: &ResonantGrazingPoint<LinearOscillator>) -> Self {
-        Self {
-            loops: closed_form.loops(),
-            n: closed_form.index(),
-            frequency: closed_form.forcing_frequency(),
-            amplitude: closed_form.grazing().amplitude(),
-            stability: closed_form.stability_coefficients(),
-            closed_form: Pair {
-                saddle_node: closed_form.saddle_node_coefficient(),
-                period_doubling: closed_form.period_doubling_coefficient(),
-            },
-            measured: verdict::coefficients(located),
-        }
+tables! {
+    /// The coefficients at all resonances of Figure 7, by p and increasing frequency.
+    CoefficientTable {
+        /// A row for each resonance.
+        rows: Coefficients = "coefficients", "a resonance of Figure 7",
     }
+}
 
+row! { Coefficients, |c| {
+    let Pair { saddle_node: sn, period_doubling: pd } = c.measured;
+    let [sn_verdict, pd_verdict] = c.measured.map(|coefficient| coefficient.verdict()).into_array();
+} [
+    LOOPS = c.loops,
+    RESONANCE_INDEX = c.n,
+    SECONDARY_AT_RESONANCE = c.frequency,
+    PRIMARY_AT_GRAZING = c.amplitude,
+    S_PLUS = c.stability.plus,
+    S_MINUS = c.stability.minus,
+    C_SN_CLOSED_FORM = c.closed_form.saddle_node,
+    C_PD_CLOSED_FORM = c.closed_form.period_doubling,
+    C_SN_THEOREM = sn.theorem.value,
+    C_PD_THEOREM = pd.theorem.value,
+    C_SN_FIT = sn.measured().value,
+    C_PD_FIT = pd.measured().value,
+    C_SN_FIT_ERROR = sn.measured().error,
+    C_PD_FIT_ERROR = pd.measured().error,
+    SN_VERDICT = sn_verdict.name(),
+    SN_REASON = sn_verdict.reason(),
+    PD_VERDICT = pd_verdict.name(),
+    PD_REASON = pd_verdict.reason(),
+] }
+
+impl Coefficients {
     /// What could not be measured, or is not as by the theorem, with the reason.
     pub fn doubts(&self) -> impl Iterator<Item = String> {
         self.measured.named().into_iter().filter_map(|(bifurcation, measured)| {
@@ -61,48 +72,32 @@ impl Coefficients {
     }
 }
 
-/// The coefficients at all resonances of Figure 7, by p and increasing frequency.
-pub(crate) fn compute(
-    parameters: &Parameters,
-    diagram: &Diagram<LinearOscillator>,
-) -> Result<Vec<Coefficients>, StudyError> {
-    let theory = parameters.oscillator()?;
-    let resonances: Vec<_> = diagram.unfolding().collect();
-    resonances
-        .into_par_iter()
-        .map(|(found, located)| Ok(Coefficients::of(&theory.resonance(found.loops, found.n)?, located)))
-        .collect()
-}
-
-impl From<&Coefficients> for PaperResonance {
-    fn from(known: &Coefficients) -> Self {
-        let Pair { saddle_node: sn, period_doubling: pd } = known.measured;
-        let verdicts = known.measured.map(|coefficient| coefficient.verdict());
-        Self {
-            loops: known.loops,
-            n: known.n,
-            secondary: known.frequency,
-            primary: known.amplitude,
-            s_plus: known.stability.plus,
-            s_minus: known.stability.minus,
-            c_sn: known.closed_form.saddle_node,
-            c_pd: known.closed_form.period_doubling,
-            c_sn_theorem: sn.theorem.value,
-            c_pd_theorem: pd.theorem.value,
-            c_sn_fit: sn.measured().value,
-            c_pd_fit: pd.measured().value,
-            c_sn_fit_error: sn.measured().error,
-            c_pd_fit_error: pd.measured().error,
-            sn_verdict: verdicts.saddle_node.name(),
-            sn_reason: verdicts.saddle_node.reason(),
-            pd_verdict: verdicts.period_doubling.name(),
-            pd_reason: verdicts.period_doubling.reason(),
-        }
+impl Study<'_> {
+    /// The coefficients at all resonances of Figure 7.
+    ///
+    /// # Errors
+    /// There is no grazing in the window.
+    pub fn coefficients(&self) -> Result<&CoefficientTable, StudyError> {
+        let compute = || {
+            let theory = self.parameters.oscillator.get()?;
+            let resonances: Vec<_> = self.diagram()?.unfolding().collect();
+            let rows = resonances.into_par_iter().map(|(found, located)| {
+                let closed_form = theory.resonance(found.loops, found.n)?;
+                Ok(Coefficients {
+                    loops: closed_form.loops(),
+                    n: closed_form.index(),
+                    frequency: closed_form.forcing_frequency(),
+                    amplitude: closed_form.grazing().amplitude(),
+                    stability: closed_form.stability_coefficients(),
+                    closed_form: Pair {
+                        saddle_node: closed_form.saddle_node_coefficient(),
+                        period_doubling: closed_form.period_doubling_coefficient(),
+                    },
+                    measured: verdict::coefficients(located),
+                })
+            });
+            Ok(CoefficientTable { rows: rows.collect::<Result<_, StudyError>>()? })
+        };
+        self.coefficients.get_or_init(compute).as_ref().map_err(Clone::clone)
     }
-}
-
-/// `coefficients.csv`.
-pub(crate) fn table(coefficients: &[Coefficients]) -> Table {
-    let rows: Vec<PaperResonance> = coefficients.iter().map(PaperResonance::from).collect();
-    Table::new("coefficients", &Names::of_the_paper(), &rows)
 }

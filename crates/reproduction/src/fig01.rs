@@ -7,9 +7,9 @@ use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_results::space::{CurveKind, MarkKind, SurfaceKind};
 
-use crate::StudyError;
-use crate::parameters::{Arrival, Parameters};
+use crate::parameters::Arrival;
 use crate::space::{Drawn, Scene, Space, axes, line, outline, trajectory};
+use crate::{Study, StudyError};
 
 /// Positions x that the axis of x reaches; nothing else depends on it.
 const AXIS: [f64; 2] = [-1.0, 0.6];
@@ -18,40 +18,44 @@ const MOST_IMPACTS: usize = 20;
 /// What root finding leaves of x and z at an impact that is met again from another start (rounding, a thousandfold).
 const SAME: f64 = 1e-9;
 
-/// Free flights of orbits, the reset law from each impact to its recoil, the marks of these with the number of their orbit, and Σ.
-pub(crate) fn compute(parameters: &Parameters) -> Result<Scene, StudyError> {
-    let shown = parameters.fig01()?;
-    let of = shown.specimen();
-    let oscillator = LinearOscillator::new(of.zeta(), of.epsilon(), of.amplitude(), of.frequency())?;
-    let space = Space::straight(shown.view());
-    let (mut curves, mut points) = (Drawn::new(&space), Vec::new());
-    for (number, arrival) in (1..).zip(shown.orbits()) {
-        let from = beginning(&oscillator, arrival);
-        if arrival.velocity() == 0.0 {
-            graze(&oscillator, from, arrival, &mut curves)?;
-            points.push(space.mark(MarkKind::Graze, number, State::on_wall(0.0, arrival.phase())));
-        } else {
-            for (impact, recoil) in fly(&oscillator, from, arrival, &mut curves)? {
-                points.push(space.mark(MarkKind::Impact, number, impact));
-                points.push(space.mark(MarkKind::Recoil, number, recoil));
+impl Study<'_> {
+    /// Figure 1: free flights of orbits, the reset law from each impact to its recoil, the marks of these with the number of their
+    /// orbit, and Σ.
+    ///
+    /// # Errors
+    /// An orbit does not reach the wall where it should.
+    pub fn fig01(&self) -> Result<Scene, StudyError> {
+        let shown = self.parameters.fig01.get()?;
+        let of = shown.specimen;
+        let oscillator = LinearOscillator::new(of.zeta, of.epsilon, of.amplitude, of.frequency)?;
+        let space = Space::new(&shown.view, None);
+        let (mut curves, mut points) = (Drawn::new(&space), Vec::new());
+        for (number, arrival) in (1..).zip(&shown.orbits) {
+            let from = beginning(&oscillator, arrival);
+            if arrival.velocity == 0.0 {
+                graze(&oscillator, from, arrival, &mut curves)?;
+                points.push(space.mark(MarkKind::Graze, number, State::on_wall(0.0, arrival.phase)));
+            } else {
+                for (impact, recoil) in fly(&oscillator, from, arrival, &mut curves)? {
+                    points.push(space.mark(MarkKind::Impact, number, impact));
+                    points.push(space.mark(MarkKind::Recoil, number, recoil));
+                }
             }
         }
+        Ok(Scene::new(Scene::FIG01, curves, points, surfaces(&space, shown.velocity)))
     }
-    let velocity = [shown.velocity().lower(), shown.velocity().upper()];
-    let names = ["fig01_curves", "fig01_points", "fig01_surfaces"];
-    Ok(Scene::new(names, curves, points, surfaces(&space, velocity)))
 }
 
 /// The state at which an orbit begins: before the point on Σ, the wall ignored.
 fn beginning(oscillator: &LinearOscillator, arrival: &Arrival) -> State {
-    let at = State::on_wall(arrival.velocity(), arrival.phase());
-    let back = -arrival.before() / oscillator.frequency();
+    let at = State::on_wall(arrival.velocity, arrival.phase);
+    let back = -arrival.before / oscillator.frequency();
     let jet = oscillator.flow::<1>(at, back);
-    State { position: jet.value[0], velocity: jet.value[1], phase: arrival.phase() - arrival.before() }
+    State { position: jet.value[0], velocity: jet.value[1], phase: arrival.phase - arrival.before }
 }
 
 fn duration(oscillator: &LinearOscillator, arrival: &Arrival) -> f64 {
-    (arrival.before() + arrival.after()) / oscillator.frequency()
+    (arrival.before + arrival.after) / oscillator.frequency()
 }
 
 /// An orbit that touches Σ at the tangency set, where the reset law is the identity.
@@ -61,7 +65,7 @@ fn graze(
     arrival: &Arrival,
     curves: &mut Drawn<'_, CurveKind>,
 ) -> Result<(), StudyError> {
-    let top = State::on_wall(0.0, arrival.phase());
+    let top = State::on_wall(0.0, arrival.phase);
     let whole = duration(oscillator, arrival);
     let highest = highest_maximum(&oscillator.motion(from), whole);
     if from.position > 0.0
@@ -70,9 +74,9 @@ fn graze(
     {
         return Err(unreachable_arrival(arrival));
     }
-    let start = -arrival.before() / oscillator.frequency();
+    let start = -arrival.before / oscillator.frequency();
     let mut states = trajectory(oscillator, top, start, 0.0);
-    states.extend(trajectory(oscillator, top, 0.0, arrival.after() / oscillator.frequency()).drain(1..));
+    states.extend(trajectory(oscillator, top, 0.0, arrival.after / oscillator.frequency()).drain(1..));
     curves.curve(CurveKind::Orbit, &states);
     Ok(())
 }
@@ -90,7 +94,7 @@ fn fly(
         let FlightEnd::Impact(impact) = flight.end else {
             break;
         };
-        let missed = (impact.velocity - arrival.velocity()).abs() + (impact.phase - arrival.phase()).abs();
+        let missed = (impact.velocity - arrival.velocity).abs() + (impact.phase - arrival.phase).abs();
         if impacts.is_empty() && missed > SAME {
             return Err(unreachable_arrival(arrival));
         }
@@ -103,7 +107,7 @@ fn fly(
 }
 
 fn unreachable_arrival(arrival: &Arrival) -> StudyError {
-    StudyError::Arrival { velocity: arrival.velocity(), phase: arrival.phase(), before: arrival.before() }
+    StudyError::Arrival { velocity: arrival.velocity, phase: arrival.phase, before: arrival.before }
 }
 
 fn surfaces(space: &Space, velocity: [f64; 2]) -> Drawn<'_, SurfaceKind> {

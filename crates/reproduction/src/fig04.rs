@@ -1,20 +1,20 @@
 //! Figure 4 (fig:D): the boundaries g_p and h_p in the trapesium of stable, orientation-preserving grazing orbits.
 
 use grazing_results::sketches::{Boundary, BoundaryPoint, Star};
-use grazing_results::{Names, Table};
+use grazing_results::tables;
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::auxiliary::resonance_boundary;
 
-use crate::StudyError;
-use crate::parameters::Parameters;
+use crate::{Study, StudyError};
 
-/// What Figure 4 shows.
-#[derive(Clone, Debug)]
-pub struct Figure4 {
-    /// The trapesium's outline, the curves τ = g_p(δ) and τ = h_p(δ), and their limit τ = 2√δ.
-    pub curves: Vec<BoundaryPoint>,
-    /// The grazing bifurcation of Figure 2.
-    pub points: Vec<Star>,
+tables! {
+    /// What Figure 4 shows.
+    Figure4 {
+        /// The trapesium's outline, the curves τ = g_p(δ) and τ = h_p(δ), and their limit τ = 2√δ.
+        curves: BoundaryPoint = "fig04_curves", "a point of a curve",
+        /// The grazing bifurcation of Figure 2.
+        points: Star = "fig04_points", "a point that is marked",
+    }
 }
 
 /// Samples of each curve.
@@ -23,34 +23,29 @@ const SAMPLES: u32 = 200;
 /// The corners (τ, δ) of the trapesium. Paper: eq:cT.
 const CORNERS: [[f64; 2]; 4] = [[-1.0, 0.0], [1.0, 0.0], [2.0, 1.0], [-2.0, 1.0]];
 
-impl Figure4 {
-    /// All tables.
-    pub fn tables(&self) -> Vec<Table> {
-        let names = Names::of_the_paper();
-        vec![
-            Table::new("fig04_curves", &names, &self.curves),
-            Table::new("fig04_points", &names, &self.points),
-        ]
-    }
-
-    pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
+impl Study<'_> {
+    /// Figure 4.
+    ///
+    /// # Errors
+    /// A section of the parameter file is not right.
+    pub fn fig04(&self) -> Result<Figure4, StudyError> {
         let mut curves = Vec::new();
         for [tau, delta] in CORNERS.into_iter().chain([CORNERS[0]]) {
             curves.push(BoundaryPoint { kind: Boundary::Trapesium, loops: 0, tau, delta });
         }
         // The limit of both families as p grows: the cosine in eq:gp tends to 1, and h_p lies between two of the g.
         sample(&mut curves, Boundary::Limit, 0, |delta| Ok(2.0 * delta.sqrt()))?;
-        for &p in parameters.fig04()?.loops() {
+        for &p in &self.parameters.fig04.get()?.loops {
             sample(&mut curves, Boundary::Resonance, p, |delta| Ok(resonance_boundary(f64::from(p), delta)))?;
             sample(&mut curves, Boundary::Admissibility, p, |delta| {
                 extended_admissibility_boundary(p, delta)
             })?;
         }
 
-        let oscillator = parameters.oscillator()?;
-        let grazing = oscillator.grazing(parameters.fig02_frequency()?)?;
+        let oscillator = self.parameters.oscillator.get()?;
+        let grazing = oscillator.grazing(*self.parameters.fig02_frequency.get()?)?;
         let star = Star { kind: "fig02", tau: grazing.trace(), delta: grazing.determinant() };
-        Ok(Self { curves, points: vec![star] })
+        Ok(Figure4 { curves, points: vec![star] })
     }
 }
 

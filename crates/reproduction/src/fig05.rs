@@ -16,22 +16,22 @@
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::plane::RegionKind;
 use grazing_results::sketches::{UnfoldingPoint, UnfoldingResonance, UnfoldingVertex};
-use grazing_results::{Names, Table};
+use grazing_results::tables;
 use grazing_theorems::ResonantGrazing;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
-use crate::StudyError;
-use crate::parameters::{self, Parameters};
+use crate::{Study, StudyError, parameters};
 
-/// What Figure 5 shows.
-#[derive(Clone, Debug)]
-pub struct Figure5 {
-    /// The line of grazing bifurcations and the quadratic SN and PD curves.
-    pub curves: Vec<UnfoldingPoint>,
-    /// The resonance.
-    pub points: Vec<UnfoldingResonance>,
-    /// Where the non-impacting solution is stable, where an MPS is, and where both are.
-    pub regions: Vec<UnfoldingVertex>,
+tables! {
+    /// What Figure 5 shows.
+    Figure5 {
+        /// The line of grazing bifurcations and the quadratic SN and PD curves.
+        curves: UnfoldingPoint = "fig05_curves", "a point of a curve",
+        /// The resonance.
+        points: UnfoldingResonance = "fig05_points", "the resonance",
+        /// Where the non-impacting solution is stable, where an MPS is, and where both are.
+        regions: UnfoldingVertex = "fig05_regions", "a vertex of a region",
+    }
 }
 
 /// Samples of a curve from the resonance to the edge of the window.
@@ -40,27 +40,21 @@ const SAMPLES: u32 = 100;
 /// |κ_p| or |a₁₂| that counts as zero at the closed form of a resonance, as in the theorem's own example.
 const RESONANCE_TOLERANCE: f64 = 1e-12;
 
-impl Figure5 {
-    /// All tables.
-    pub fn tables(&self) -> Vec<Table> {
-        let names = Names::of_the_paper();
-        vec![
-            Table::new("fig05_curves", &names, &self.curves),
-            Table::new("fig05_points", &names, &self.points),
-            Table::new("fig05_regions", &names, &self.regions),
-        ]
-    }
-
-    pub(crate) fn compute(parameters: &Parameters) -> Result<Self, StudyError> {
-        let shown = parameters.fig05()?;
-        let oscillator = parameters.oscillator()?;
-        let resonance = oscillator.resonance(shown.loops(), shown.n())?;
+impl Study<'_> {
+    /// Figure 5.
+    ///
+    /// # Errors
+    /// The theorem of the figure does not apply at the resonance.
+    pub fn fig05(&self) -> Result<Figure5, StudyError> {
+        let shown = self.parameters.fig05.get()?;
+        let oscillator = self.parameters.oscillator.get()?;
+        let resonance = oscillator.resonance(shown.loops, shown.n)?;
         let theorem = ResonantGrazing::check(&resonance.resonant_point(), RESONANCE_TOLERANCE)?;
         let saddle_node = half_parabola(theorem.saddle_node(), shown);
         let period_doubling = half_parabola(theorem.period_doubling(), shown);
 
-        let (mu, eta) = (shown.mu(), shown.eta());
-        let grazing = vec![[0.0, eta.lower()], [0.0, eta.upper()]];
+        let (mu, eta) = (shown.mu, shown.eta);
+        let grazing = vec![[0.0, eta[0]], [0.0, eta[1]]];
         let curves = [
             (Bifurcation::NonImpactingGrazing, &grazing),
             (Bifurcation::SaddleNode, &saddle_node),
@@ -71,13 +65,13 @@ impl Figure5 {
             points.collect::<Vec<_>>()
         };
         let curves = curves.into_iter().flat_map(points).collect();
-        let (kind, loops, n) = (CodimensionTwo::Resonance, shown.loops(), shown.n());
+        let (kind, loops, n) = (CodimensionTwo::Resonance, shown.loops, shown.n);
         let points = vec![UnfoldingResonance { kind, loops, n, mu: 0.0, eta: 0.0 }];
 
-        let corner = |points: &[[f64; 2]]| [mu.upper(), points[points.len() - 1][1]];
+        let corner = |points: &[[f64; 2]]| [mu[1], points[points.len() - 1][1]];
         let beyond = [corner(&period_doubling), corner(&saddle_node)];
         let stable = saddle_node.iter().rev().chain(&period_doubling[1..]).chain(&beyond);
-        let before = [[mu.lower(), eta.upper()], [mu.lower(), eta.lower()]];
+        let before = [[mu[0], eta[1]], [mu[0], eta[0]]];
         let on_the_line = [[0.0, saddle_node[saddle_node.len() - 1][1]]];
         let polygons: [(RegionKind, Vec<[f64; 2]>); 3] = [
             (RegionKind::NonImpacting, grazing.iter().chain(&before).copied().collect()),
@@ -87,13 +81,13 @@ impl Figure5 {
         let regions = (1..).zip(polygons).flat_map(|(region, (kind, vertices))| {
             vertices.into_iter().map(move |[mu, eta]| UnfoldingVertex { region, kind, mu, eta })
         });
-        Ok(Self { curves, points, regions: regions.collect() })
+        Ok(Figure5 { curves, points, regions: regions.collect() })
     }
 }
 
 /// μ = c η² from the resonance to the edge of the window, on the side of η that theory gives, as points (μ, η).
 fn half_parabola(curve: BifurcationCurve, shown: &parameters::Figure5) -> Vec<[f64; 2]> {
-    let edge = if curve.eta_side.signum() < 0.0 { shown.eta().lower() } else { shown.eta().upper() };
+    let edge = if curve.eta_side.signum() < 0.0 { shown.eta[0] } else { shown.eta[1] };
     let eta = |k: u32| edge * (f64::from(k) / f64::from(SAMPLES));
     (0..=SAMPLES).map(eta).filter_map(|eta| Some([curve.parameter(eta)?, eta])).collect()
 }

@@ -7,10 +7,10 @@
 mod shapes;
 
 use grazing_results::sketches::{Part, PartPoint};
+use grazing_results::tables;
 
-use crate::StudyError;
 use crate::diagram::forced;
-use crate::parameters::Parameters;
+use crate::{Study, StudyError};
 
 /// A polyline of points (x, height).
 type Polyline = Vec<[f64; 2]>;
@@ -40,25 +40,37 @@ mod lengths {
     pub(super) const AXIS_BEYOND_WALL: f64 = 0.42;
 }
 
-/// The parts of the drawing as polylines of (x, height); outlines end where they begin.
-pub(crate) fn compute(parameters: &Parameters) -> Result<Vec<PartPoint>, StudyError> {
-    let shown = parameters.fig06()?;
-    let theory = parameters.oscillator()?;
-    let oscillator = forced(theory, shown.amplitude(), shown.frequency())?;
-    let instant = Instant {
-        face: oscillator.non_impacting_solution(shown.phase()).position,
-        // φ_p is harmonic about −1 and reaches 0 at the grazing amplitude.
-        stroke: shown.amplitude() / theory.grazing(shown.frequency())?.amplitude(),
-        force: libm::cos(shown.phase()),
-        coils: shown.coils(),
-    };
-    let mut rows = Vec::new();
-    for (part, pieces) in instant.parts() {
-        for (piece, points) in (1..).zip(&pieces) {
-            rows.extend(points.iter().map(|&[x, height]| PartPoint { part, piece, x, height }));
-        }
+tables! {
+    /// What Figure 6 shows.
+    Figure6 {
+        /// The parts of the drawing as polylines of (x, height); outlines end where they begin.
+        parts: PartPoint = "fig06_parts", "a point of the drawing",
     }
-    Ok(rows)
+}
+
+impl Study<'_> {
+    /// Figure 6.
+    ///
+    /// # Errors
+    /// A section of the parameter file is not right.
+    pub fn fig06(&self) -> Result<Figure6, StudyError> {
+        let (shown, theory) = (self.parameters.fig06.get()?, self.parameters.oscillator.get()?);
+        let oscillator = forced(theory, shown.amplitude, shown.frequency)?;
+        let instant = Instant {
+            face: oscillator.non_impacting_solution(shown.phase).position,
+            // φ_p is harmonic about −1 and reaches 0 at the grazing amplitude.
+            stroke: shown.amplitude / theory.grazing(shown.frequency)?.amplitude(),
+            force: libm::cos(shown.phase),
+            coils: shown.coils,
+        };
+        let mut parts = Vec::new();
+        for (part, pieces) in instant.parts() {
+            for (piece, points) in (1..).zip(&pieces) {
+                parts.extend(points.iter().map(|&[x, height]| PartPoint { part, piece, x, height }));
+            }
+        }
+        Ok(Figure6 { parts })
+    }
 }
 
 /// What is shown.

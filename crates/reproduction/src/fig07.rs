@@ -1,40 +1,34 @@
 //! Figure 7 (fig:G): the two-parameter bifurcation diagram.
 
-use grazing_model::LinearOscillator;
-use grazing_results::Table;
 use grazing_results::plane::{CurvePoint, RegionVertex, SpecialPoint};
-use grazing_unfold::Diagram;
+use grazing_results::tables;
 
 use crate::plane::{self, Axes};
+use crate::{Study, StudyError};
 
-/// What Figure 7 shows.
-#[derive(Clone, Debug)]
-pub struct Figure7 {
-    /// The grazing curve of the non-impacting solution and the bifurcation curves of MPSs.
-    pub curves: Vec<CurvePoint>,
-    /// Resonances and other codimension-two points.
-    pub points: Vec<SpecialPoint>,
-    /// Polygons of stability.
-    pub regions: Vec<RegionVertex>,
+tables! {
+    /// What Figure 7 shows.
+    Figure7 {
+        /// The grazing curve of the non-impacting solution and the bifurcation curves of MPSs.
+        curves: CurvePoint = "fig07_curves", "a point of a curve of the diagram",
+        /// Resonances and other codimension-two points.
+        points: SpecialPoint = "fig07_points", "a resonance at which a theorem holds, or another codimension-two point",
+        /// Polygons of stability.
+        regions: RegionVertex = "fig07_regions", "a vertex of a region of stability",
+    }
 }
 
-impl Figure7 {
-    /// All tables.
-    pub fn tables(&self) -> Vec<Table> {
-        let names = &Axes::of_the_paper().names;
-        vec![
-            Table::new("fig07_curves", names, &self.curves),
-            Table::new("fig07_points", names, &self.points),
-            Table::new("fig07_regions", names, &self.regions),
-        ]
-    }
-
-    pub(crate) fn of(diagram: &Diagram<LinearOscillator>) -> Self {
-        let axes = Axes::of_the_paper();
-        Self {
+impl Study<'_> {
+    /// Figure 7.
+    ///
+    /// # Errors
+    /// There is no grazing in the window.
+    pub fn fig07(&self) -> Result<Figure7, StudyError> {
+        let (axes, diagram) = (Axes::of_the_paper(), self.diagram()?);
+        Ok(Figure7 {
             curves: plane::curves(&axes, diagram),
             points: plane::points(&axes, diagram),
             regions: plane::regions(&axes, &diagram.regions),
-        }
+        })
     }
 }

@@ -5,9 +5,8 @@ use grazing_model::motion::{Motion, first_rest};
 use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_results::space::{CurveKind, Mark, MarkKind, SurfaceKind};
 
-use crate::StudyError;
-use crate::parameters::{self, Parameters};
 use crate::space::{Drawn, Scene, Space, axes, line, outline, trajectory};
+use crate::{Study, StudyError, parameters};
 
 /// The points of Figure 9, phases near z_graz.
 struct Marks {
@@ -44,20 +43,24 @@ impl Marks {
     }
 }
 
-/// Real and virtual parts of the orbit near the wall, the reset law, P_global from point to point, and Π on both sides of the wall; marks are
-/// the impact, the recoil, (x̂, 0, ẑ) as virtual, and (x⁽ʲ⁾, 0, z⁽ʲ⁾) with number j.
-pub(crate) fn compute(parameters: &Parameters) -> Result<Scene, StudyError> {
-    let shown = parameters.fig09()?;
-    let of = shown.specimen();
-    let oscillator = LinearOscillator::new(of.zeta(), of.epsilon(), of.amplitude(), of.frequency())?;
-    let theory = grazing_theorems::LinearOscillator::new(of.zeta(), of.epsilon())?;
-    let origin = theory.grazing(of.frequency())?.phase();
-    let [velocity, phase] = shown.impact();
-    let marks = Marks::compute(&oscillator, State::on_wall(velocity, origin + phase), shown.loops())?;
-    let space = Space::straight(shown.view());
-    let curves = curves(&space, &oscillator, &marks, shown.position().lower());
-    let names = ["fig09_curves", "fig09_points", "fig09_surfaces"];
-    Ok(Scene::new(names, curves, points(&space, &marks), surfaces(&space, shown, origin)))
+impl Study<'_> {
+    /// Figure 9: real and virtual parts of the orbit near the wall, the reset law, P_global from point to point, and Π on both sides of
+    /// the wall; marks are the impact, the recoil, (x̂, 0, ẑ) as virtual, and (x⁽ʲ⁾, 0, z⁽ʲ⁾) with number j.
+    ///
+    /// # Errors
+    /// P_virt or P_global is not defined at a point.
+    pub fn fig09(&self) -> Result<Scene, StudyError> {
+        let shown = self.parameters.fig09.get()?;
+        let of = shown.specimen;
+        let oscillator = LinearOscillator::new(of.zeta, of.epsilon, of.amplitude, of.frequency)?;
+        let theory = grazing_theorems::LinearOscillator::new(of.zeta, of.epsilon)?;
+        let origin = theory.grazing(of.frequency)?.phase();
+        let [velocity, phase] = shown.impact;
+        let marks = Marks::compute(&oscillator, State::on_wall(velocity, origin + phase), shown.loops)?;
+        let space = Space::new(&shown.view, None);
+        let curves = curves(&space, &oscillator, &marks, shown.position[0]);
+        Ok(Scene::new(Scene::FIG09, curves, points(&space, &marks), surfaces(&space, shown, origin)))
+    }
 }
 
 fn curves<'a>(
@@ -145,9 +148,8 @@ fn points(space: &Space, marks: &Marks) -> Vec<Mark> {
 }
 
 fn surfaces<'a>(space: &'a Space, shown: &parameters::Figure9, origin: f64) -> Drawn<'a, SurfaceKind> {
-    let ends = |range: parameters::Range| [range.lower(), range.upper()];
-    let (position, velocity) = (ends(shown.position()), ends(shown.velocity()));
-    let phase = ends(shown.phase()).map(|z| origin + z);
+    let parameters::Figure9 { position, velocity, .. } = *shown;
+    let phase = shown.phase.map(|z| origin + z);
     let mut drawn = Drawn::new(space);
     let corners = |end: f64| [(0.0, phase[0]), (end, phase[0]), (end, phase[1]), (0.0, phase[1])];
     for (kind, end) in [(SurfaceKind::Outgoing, velocity[0]), (SurfaceKind::Incoming, velocity[1])] {

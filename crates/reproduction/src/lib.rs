@@ -1,7 +1,7 @@
 //! The figures and tables of the paper as rows.
 //!
 //! Parameters come in as TOML ([`parameters`]), a [`Study`] computes what is asked for, and each figure is a struct of
-//! lists of rows ([`grazing_results`]). Nothing here draws or writes files.
+//! lists of rows ([`grazing_results`]), declared with the names of their tables. Nothing here draws or writes files.
 
 mod coefficients;
 mod diagram;
@@ -24,13 +24,15 @@ mod study;
 mod sweep;
 pub mod unfolded;
 
-pub use coefficients::Coefficients;
+pub use coefficients::{CoefficientTable, Coefficients};
 pub use error::StudyError;
 pub use fig02::Figure2;
 pub use fig04::Figure4;
 pub use fig05::Figure5;
+pub use fig06::Figure6;
 pub use fig07::Figure7;
 pub use fig08::{Figure8, ShownPanel};
+pub use fig10::Figure10;
 pub use space::Scene;
 pub use study::Study;
-pub use sweep::TheoremsInAction;
+pub use sweep::{Generic, Resonant, TheoremsInAction};

@@ -2,236 +2,145 @@
 //!
 //! [`Parameters`] can be made from a file only; every section of it is checked by itself, and what is not right in one keeps
 //! nobody from using another. `figures/parameters.toml` is the file of the paper's figures; nothing of science has a hidden
-//! default, but places of portraits and panels may be left to the program. All quantities are dimensionless.
+//! default, but places of portraits and panels may be left to the program. All quantities are dimensionless; a range is
+//! [lower, upper], finite, with lower < upper.
 
-mod error;
+mod checks;
 mod fig02;
-mod fig04;
-mod fig05;
-mod fig06;
-mod fig07;
-mod fig08;
-mod fig10;
-mod range;
-mod raw;
+mod plane;
 mod requirements;
 mod scenes;
-mod space;
-mod validate;
+mod sketches;
 
 use std::path::Path;
 
-use grazing_source::{Setting, Source, Text, read_file};
+use grazing_source::{Section, Setting, Source, SourceError, Text, read_file};
 use grazing_theorems::LinearOscillator;
-use serde::Deserialize;
-use serde::de::DeserializeOwned;
-use toml::Spanned;
+use thiserror::Error;
 
-pub use error::ParameterError;
-pub use fig02::{Attractor, Figure2, Place, Portrait};
-pub use fig04::Figure4;
-pub use fig05::Figure5;
-pub use fig06::Figure6;
-pub use fig07::Figure7;
-pub use fig08::{Figure8, Panel};
-pub use fig10::Figure10;
-pub use range::{Range, Rectangle};
+pub use checks::{contains, encloses, strictly_contains};
+pub use fig02::{Attractor, Figure2, Portrait};
+pub use plane::{Figure7, Figure8, Panel};
 pub(crate) use requirements::MOST_PORTRAITS;
-pub use space::{Arrival, Figure1, Figure3, Figure9, Specimen, View};
-use validate::{Checked, demand};
+pub use scenes::{Arrival, Figure1, Figure3, Figure9, Specimen, View};
+pub use sketches::{Figure4, Figure5, Figure6, Figure10};
+
+/// The first thing in a section of the parameter file that is not right, and what would be.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ParameterError {
+    /// It would be wrong whatever the oscillator is: no TOML, an unknown or missing key, a value outside its domain.
+    #[error(transparent)]
+    Malformed(#[from] SourceError),
+    /// It does not fit the oscillator, or the window that goes with it: with another zeta it may well be right.
+    #[error(transparent)]
+    Unfit(SourceError),
+}
+
+impl ParameterError {
+    /// The same without its kind.
+    pub fn source_error(&self) -> &SourceError {
+        match self {
+            Self::Malformed(error) | Self::Unfit(error) => error,
+        }
+    }
+}
+
+/// What a section says, if it is right.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Checked<T>(Result<T, ParameterError>);
+
+impl<T> Checked<T> {
+    /// What it says.
+    ///
+    /// # Errors
+    /// The section is not right.
+    pub fn get(&self) -> Result<&T, ParameterError> {
+        self.0.as_ref().map_err(Clone::clone)
+    }
+
+    fn read<E: Into<ParameterError>>(
+        source: &Source<'_>,
+        name: &str,
+        read: impl FnOnce(&Section<'_>) -> Result<T, E>,
+    ) -> Self {
+        Self(source.section(name, |section| read(&section).map_err(Into::into)))
+    }
+}
 
 /// Everything that the figures and the tables depend on, section by section.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Parameters {
-    oscillator: Checked<LinearOscillator>,
-    fig01: Checked<Figure1>,
-    fig02: Checked<Figure2>,
-    fig02_frequency: Checked<f64>,
-    fig03: Checked<Figure3>,
-    fig04: Checked<Figure4>,
-    fig05: Checked<Figure5>,
-    fig06: Checked<Figure6>,
-    fig07: Checked<Figure7>,
-    fig08: Checked<Figure8>,
-    fig09: Checked<Figure9>,
-    fig10: Checked<Figure10>,
+    /// The oscillator of the paper's example: damping ratio zeta of eq:oscf in (0, 1), coefficient of restitution epsilon of
+    /// eq:oscResetLaw in (0, 1].
+    pub oscillator: Checked<LinearOscillator>,
+    /// What Figure 1 (fig:Bc) shows.
+    pub fig01: Checked<Figure1>,
+    /// What Figure 2 (fig:Z) shows.
+    pub fig02: Checked<Figure2>,
+    /// The forcing frequency of Figure 2, which Figure 4 and the printed numbers share, whatever else its section holds.
+    pub fig02_frequency: Checked<f64>,
+    /// What Figure 3 (fig:Ba) shows.
+    pub fig03: Checked<Figure3>,
+    /// What Figure 4 (fig:D) shows.
+    pub fig04: Checked<Figure4>,
+    /// What Figure 5 (fig:E) shows.
+    pub fig05: Checked<Figure5>,
+    /// What Figure 6 (fig:F) shows.
+    pub fig06: Checked<Figure6>,
+    /// What Figure 7 (fig:G) shows.
+    pub fig07: Checked<Figure7>,
+    /// What Figure 8 (fig:Y) shows.
+    pub fig08: Checked<Figure8>,
+    /// What Figure 9 (fig:Bb) shows.
+    pub fig09: Checked<Figure9>,
+    /// What Figure 10 (fig:I) shows.
+    pub fig10: Checked<Figure10>,
 }
 
 impl Parameters {
-    /// Reads and checks a parameter file; its path appears in messages as it is given here.
+    /// Reads and checks a parameter file, with settings that take the place of values in it; its path appears in messages as it is
+    /// given here.
     ///
     /// # Errors
     /// As [`parse`](Self::parse), or the file cannot be read.
-    pub fn from_file(path: &Path) -> Result<Parameters, ParameterError> {
-        Parameters::from_file_with(path, &[])
-    }
-
-    /// As [`from_file`](Self::from_file), with settings that take the place of values in the file.
-    ///
-    /// # Errors
-    /// As [`parse_with`](Self::parse_with), or the file cannot be read.
-    pub fn from_file_with(path: &Path, settings: &[Setting]) -> Result<Parameters, ParameterError> {
+    pub fn from_file(path: &Path, settings: &[Setting]) -> Result<Parameters, ParameterError> {
         let text = read_file(path)?;
-        Parameters::parse_with(&Text::new(&text, settings), &path.display().to_string())
+        Parameters::parse(&Text::new(&text, settings), &path.display().to_string())
     }
 
     /// Checks the text of a parameter file; `file` is the name that messages use.
     ///
     /// # Errors
-    /// [`ParameterError`] if the text is no TOML or has sections that nobody reads. What else is wrong, the first thing in each
-    /// section, is told to whoever asks for that section.
-    pub fn parse(text: &str, file: &str) -> Result<Parameters, ParameterError> {
-        Parameters::parse_with(&Text::new(text, &[]), file)
-    }
-
-    /// As [`parse`](Self::parse), with settings that take the place of values in the text.
-    ///
-    /// # Errors
-    /// As [`parse`](Self::parse), and for settings of keys that are not there.
-    pub fn parse_with(text: &Text, file: &str) -> Result<Parameters, ParameterError> {
+    /// [`ParameterError`] if the text is no TOML or has sections that nobody reads, and for settings of keys that are not there. What
+    /// else is wrong, the first thing in each section, is told to whoever asks for that section.
+    pub fn parse(text: &Text, file: &str) -> Result<Parameters, ParameterError> {
         let source = &Source::new(text, file, requirements::REQUIREMENTS);
         source.check_top_level()?;
-        let oscillator = read(source, "oscillator", |raw| check(raw, source));
-        let of = || oscillator.as_ref().map_err(Clone::clone);
-        let fig07 = read(source, "fig07", |raw| fig07::check(raw, of()?, source));
-        let whole = || fig07.as_ref().map_err(Clone::clone);
+        let oscillator = Checked::read(source, "oscillator", oscillator);
+        let fig07 = Checked::read(source, "fig07", |section| Figure7::read(section, oscillator.get()?));
         Ok(Parameters {
-            fig01: read(source, "fig01", |raw| scenes::figure1(raw, source)),
-            fig02: read(source, "fig02", |raw| fig02::check(raw, of()?, source)),
-            fig02_frequency: read(source, "fig02", |raw| fig02::frequency(raw, source)),
-            fig03: read(source, "fig03", |raw| scenes::figure3(raw, source)),
-            fig04: read(source, "fig04", |raw| fig04::check(raw, source)),
-            fig05: read(source, "fig05", |raw| fig05::check(raw, of()?, source)),
-            fig06: read(source, "fig06", |raw| fig06::check(raw, of()?, source)),
-            fig08: read(source, "fig08", |raw| fig08::check(raw, whole()?, of()?, source)),
-            fig09: read(source, "fig09", |raw| scenes::figure9(raw, source)),
-            fig10: read(source, "fig10", |raw| fig10::check(raw, of()?, source)),
+            fig01: Checked::read(source, "fig01", Figure1::read),
+            fig02: Checked::read(source, "fig02", |section| Figure2::read(section, oscillator.get()?)),
+            fig02_frequency: Checked::read(source, "fig02", checks::frequency),
+            fig03: Checked::read(source, "fig03", Figure3::read),
+            fig04: Checked::read(source, "fig04", Figure4::read),
+            fig05: Checked::read(source, "fig05", |section| {
+                Figure5::read(section, oscillator.get()?).map_err(ParameterError::from)
+            }),
+            fig06: Checked::read(source, "fig06", |section| Figure6::read(section, oscillator.get()?)),
+            fig08: Checked::read(source, "fig08", |section| {
+                Figure8::read(section, fig07.get()?, oscillator.get()?)
+            }),
+            fig09: Checked::read(source, "fig09", Figure9::read),
+            fig10: Checked::read(source, "fig10", |section| Figure10::read(section, oscillator.get()?)),
             fig07,
             oscillator,
         })
     }
-
-    /// The oscillator of the paper's example: damping ratio zeta of eq:oscf in (0, 1), coefficient of restitution epsilon of
-    /// eq:oscResetLaw in (0, 1].
-    ///
-    /// # Errors
-    /// Its section is not right.
-    pub fn oscillator(&self) -> Result<&LinearOscillator, ParameterError> {
-        self.oscillator.as_ref().map_err(Clone::clone)
-    }
-
-    /// What Figure 1 (fig:Bc) shows.
-    ///
-    /// # Errors
-    /// Its section is not right.
-    pub fn fig01(&self) -> Result<&Figure1, ParameterError> {
-        self.fig01.as_ref().map_err(Clone::clone)
-    }
-
-    /// What Figure 2 (fig:Z) shows.
-    ///
-    /// # Errors
-    /// Its section is not right.
-    pub fn fig02(&self) -> Result<&Figure2, ParameterError> {
-        self.fig02.as_ref().map_err(Clone::clone)
-    }
-
-    /// The forcing frequency of Figure 2, which Figure 4 and the printed numbers share, whatever else its section holds.
-    ///
-    /// # Errors
-    /// It is not right.
-    pub fn fig02_frequency(&self) -> Result<f64, ParameterError> {
-        self.fig02_frequency.clone()
-    }
-
-    /// What Figure 3 (fig:Ba) shows.
-    ///
-    /// # Errors
-    /// Its section is not right.
-    pub fn fig03(&self) -> Result<&Figure3, ParameterError> {
-        self.fig03.as_ref().map_err(Clone::clone)
-    }
-
-    /// What Figure 4 (fig:D) shows.
-    ///
-    /// # Errors
-    /// Its section is not right.
-    pub fn fig04(&self) -> Result<&Figure4, ParameterError> {
-        self.fig04.as_ref().map_err(Clone::clone)
-    }
-
-    /// What Figure 5 (fig:E) shows.
-    ///
-    /// # Errors
-    /// Its section is not right.
-    pub fn fig05(&self) -> Result<&Figure5, ParameterError> {
-        self.fig05.as_ref().map_err(Clone::clone)
-    }
-
-    /// What Figure 6 (fig:F) shows.
-    ///
-    /// # Errors
-    /// Its section is not right.
-    pub fn fig06(&self) -> Result<&Figure6, ParameterError> {
-        self.fig06.as_ref().map_err(Clone::clone)
-    }
-
-    /// What Figure 7 (fig:G) shows.
-    ///
-    /// # Errors
-    /// Its section is not right.
-    pub fn fig07(&self) -> Result<&Figure7, ParameterError> {
-        self.fig07.as_ref().map_err(Clone::clone)
-    }
-
-    /// What Figure 8 (fig:Y) shows.
-    ///
-    /// # Errors
-    /// Its section is not right.
-    pub fn fig08(&self) -> Result<&Figure8, ParameterError> {
-        self.fig08.as_ref().map_err(Clone::clone)
-    }
-
-    /// What Figure 9 (fig:Bb) shows.
-    ///
-    /// # Errors
-    /// Its section is not right.
-    pub fn fig09(&self) -> Result<&Figure9, ParameterError> {
-        self.fig09.as_ref().map_err(Clone::clone)
-    }
-
-    /// What Figure 10 (fig:I) shows.
-    ///
-    /// # Errors
-    /// Its section is not right.
-    pub fn fig10(&self) -> Result<&Figure10, ParameterError> {
-        self.fig10.as_ref().map_err(Clone::clone)
-    }
 }
 
-/// A section, checked.
-fn read<Raw: DeserializeOwned, T>(
-    source: &Source<'_>,
-    name: &str,
-    check: impl FnOnce(&Raw) -> Checked<T>,
-) -> Checked<T> {
-    check(&source.read_table(name)?)
-}
-
-/// `[oscillator]` as it is written.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table")]
-struct Oscillator {
-    zeta: Spanned<f64>,
-    epsilon: Spanned<f64>,
-}
-
-fn check(raw: &Oscillator, source: &Source<'_>) -> Checked<LinearOscillator> {
-    let zeta = demand(source, "oscillator.zeta", &raw.zeta, |zeta| 0.0 < zeta && zeta < 1.0)?;
-    let epsilon =
-        demand(source, "oscillator.epsilon", &raw.epsilon, |epsilon| 0.0 < epsilon && epsilon <= 1.0)?;
-    let refuse = |error: grazing_theorems::TheoryError| {
-        validate::refused(source, "oscillator.zeta", &raw.zeta, error.to_string())
-    };
-    LinearOscillator::new(zeta, epsilon).map_err(refuse)
+fn oscillator(section: &Section<'_>) -> Result<LinearOscillator, SourceError> {
+    let (zeta, epsilon) = (checks::damping_ratio(section)?, checks::restitution(section)?);
+    LinearOscillator::new(zeta, epsilon).map_err(|error| section.forbid("zeta", error.to_string()))
 }

@@ -14,7 +14,7 @@ use grazing_unfold::magnification::Polyline;
 use grazing_unfold::regions::{self, Region};
 use grazing_unfold::units::InUnits;
 
-use crate::unfolded;
+use crate::unfolded::Rows;
 
 /// The names of the two parameters, which head their columns, and the units in which the tables count what was found without dimensions.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,7 +28,7 @@ pub struct Axes {
 impl Axes {
     /// Axes of these names.
     pub fn new(primary: &str, secondary: &str, units: Units) -> Self {
-        let columns = unfolded::TABLES.iter().flat_map(|table| table.columns);
+        let columns = Rows::TABLES.iter().flat_map(|table| table.columns);
         let taken: Vec<_> = columns.map(|column| column.name).collect();
         let own = |name: &str| {
             let mut name = name.to_owned();

@@ -3,6 +3,7 @@
 //! They stand in `expected/published.toml` with the digits of the print, and only there.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::LazyLock;
 
 use serde::Deserialize;
 use thiserror::Error;
@@ -51,121 +52,80 @@ pub enum Rounding {
 /// One number as the paper prints it.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct PublishedValue {
-    id: String,
-    quantity: String,
-    label: String,
+    /// The name under which the reproduction gives the same quantity.
+    pub id: String,
+    /// The quantity in the paper's symbols.
+    pub quantity: String,
+    /// The LaTeX label of the figure, section or equation that the number belongs to.
+    pub label: String,
+    /// Where the paper prints it.
     #[serde(rename = "where")]
-    place: String,
-    value: String,
-    rounding: Rounding,
+    pub place: String,
+    /// The number with the digits of the print.
+    #[serde(rename = "value")]
+    pub printed: String,
+    /// How the print came from the number.
+    pub rounding: Rounding,
 }
 
 impl PublishedValue {
-    /// The name under which the reproduction gives the same quantity.
-    pub fn id(&self) -> &str {
-        &self.id
-    }
-
-    /// The quantity in the paper's symbols.
-    pub fn quantity(&self) -> &str {
-        &self.quantity
-    }
-
-    /// The LaTeX label of the figure, section or equation that the number belongs to.
-    pub fn label(&self) -> &str {
-        &self.label
-    }
-
-    /// Where the paper prints it.
-    pub fn place(&self) -> &str {
-        &self.place
-    }
-
-    /// The number with the digits of the print.
-    pub fn printed(&self) -> &str {
-        &self.value
-    }
-
-    /// How the print came from the number.
-    pub fn rounding(&self) -> Rounding {
-        self.rounding
-    }
-
     /// The number of printed decimals.
     pub fn decimals(&self) -> usize {
-        self.value.split_once('.').map_or(0, |(_, decimals)| decimals.len())
+        self.printed.split_once('.').map_or(0, |(_, decimals)| decimals.len())
     }
 
     /// Whether the print is a sign at most, digits, and at most one point with digits on both sides.
     fn is_decimal(&self) -> bool {
-        let unsigned = self.value.strip_prefix('-').unwrap_or(&self.value);
+        let unsigned = self.printed.strip_prefix('-').unwrap_or(&self.printed);
         let (whole, decimals) = unsigned.split_once('.').unwrap_or((unsigned, "0"));
         let digits = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
         digits(whole) && digits(decimals)
     }
 
-    /// Whether a computed value, rounded to the printed decimals (to nearest, as its exact binary value demands), is
-    /// the print; for [`Rounding::Exact`], whether it is the printed number itself. NaN never is.
-    fn is_met_by(&self, computed: f64) -> bool {
-        let printed: f64 = self.value.parse().unwrap_or(f64::NAN);
-        match self.rounding {
-            Rounding::Exact => computed == printed,
-            Rounding::Significant => {
-                let rounded = format!("{computed:.decimals$}", decimals = self.decimals());
-                rounded.parse::<f64>().is_ok_and(|rounded| rounded == printed)
-            }
-        }
+    fn number(&self) -> f64 {
+        self.printed.parse().unwrap_or(f64::NAN)
     }
 }
 
-/// What came of holding a computed value against the print.
+/// A published value with what the reproduction gives.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Verdict {
-    /// The computed value, rounded to the printed digits, is the print.
-    Met {
-        /// The computed value.
-        computed: f64,
-        /// Computed minus printed value.
-        difference: f64,
-    },
-    /// It is not.
-    Off {
-        /// The computed value.
-        computed: f64,
-        /// Computed minus printed value.
-        difference: f64,
-    },
-    /// Nothing was computed: under these parameters the quantity does not come up.
-    NotComputed,
-}
-
-/// A published value with its verdict.
-#[derive(Debug, Clone, PartialEq)]
 pub struct Comparison<'a> {
     /// The published value.
     pub published: &'a PublishedValue,
-    /// What came of it.
-    pub verdict: Verdict,
+    /// The computed value; none if under these parameters the quantity does not come up.
+    pub computed: Option<f64>,
 }
 
 impl Comparison<'_> {
-    /// Whether the computed value is the print.
+    /// Whether the computed value, rounded to the printed decimals (to nearest, as its exact binary value demands), is the print; for
+    /// [`Rounding::Exact`], whether it is the printed number itself. NaN never is, nor is what was not computed.
     pub fn is_met(&self) -> bool {
-        matches!(self.verdict, Verdict::Met { .. })
+        let Self { published, computed: Some(computed) } = self else { return false };
+        match published.rounding {
+            Rounding::Exact => *computed == published.number(),
+            Rounding::Significant => {
+                let rounded = format!("{computed:.decimals$}", decimals = published.decimals());
+                rounded.parse().is_ok_and(|rounded: f64| rounded == published.number())
+            }
+        }
+    }
+
+    /// Computed minus printed value.
+    pub fn difference(&self) -> Option<f64> {
+        Some(self.computed? - self.published.number())
     }
 }
 
-/// The list of published values, in the order of the file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Published {
-    values: Vec<PublishedValue>,
-}
-
-#[derive(Deserialize)]
+/// The list of published values.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
-    value: Vec<PublishedValue>,
+#[non_exhaustive]
+pub struct Published {
+    /// The values in the order of the file.
+    #[serde(rename = "value")]
+    pub values: Vec<PublishedValue>,
 }
 
 impl Published {
@@ -173,8 +133,10 @@ impl Published {
     ///
     /// # Errors
     /// [`PublishedError`] if that file is not as it should be.
-    pub fn printed() -> Result<Published, PublishedError> {
-        Published::parse(FILE)
+    pub fn printed() -> Result<&'static Published, PublishedError> {
+        static PRINTED: LazyLock<Result<Published, PublishedError>> =
+            LazyLock::new(|| Published::parse(FILE));
+        PRINTED.as_ref().map_err(Clone::clone)
     }
 
     /// The list that a text in the form of `expected/published.toml` holds.
@@ -182,7 +144,7 @@ impl Published {
     /// # Errors
     /// [`PublishedError`]: not TOML, an identifier that stands there twice, or a value that is no decimal number.
     pub fn parse(text: &str) -> Result<Published, PublishedError> {
-        let file: File = toml::from_str(text).map_err(|error| {
+        let published: Published = toml::from_str(text).map_err(|error| {
             let start = error.span().map_or(0, |span| span.start);
             PublishedError::Unreadable {
                 line: 1 + text[..start].matches('\n').count(),
@@ -190,38 +152,24 @@ impl Published {
             }
         })?;
         let mut seen = BTreeSet::new();
-        for value in &file.value {
+        for value in &published.values {
             if !value.is_decimal() {
-                return Err(PublishedError::NotDecimal { id: value.id.clone(), value: value.value.clone() });
+                return Err(PublishedError::NotDecimal {
+                    id: value.id.clone(),
+                    value: value.printed.clone(),
+                });
             }
             if !seen.insert(&value.id) {
                 return Err(PublishedError::Twice { id: value.id.clone() });
             }
         }
-        Ok(Published { values: file.value })
+        Ok(published)
     }
 
-    /// The values in the order of the file.
-    pub fn values(&self) -> &[PublishedValue] {
-        &self.values
-    }
-
-    /// Holds computed values, by identifier, against the print: one verdict for each published value. Computed values
+    /// Holds computed values, by identifier, against the print: one comparison for each published value. Computed values
     /// that the paper does not print are passed over.
     pub fn compare(&self, computed: &BTreeMap<String, f64>) -> Vec<Comparison<'_>> {
-        let compare = |published| Comparison { published, verdict: verdict(published, computed) };
-        self.values.iter().map(compare).collect()
-    }
-}
-
-fn verdict(published: &PublishedValue, computed: &BTreeMap<String, f64>) -> Verdict {
-    let Some(&computed) = computed.get(&published.id) else {
-        return Verdict::NotComputed;
-    };
-    let difference = computed - published.value.parse::<f64>().unwrap_or(f64::NAN);
-    if published.is_met_by(computed) {
-        Verdict::Met { computed, difference }
-    } else {
-        Verdict::Off { computed, difference }
+        let of = |value: &PublishedValue| computed.get(&value.id).copied();
+        self.values.iter().map(|value| Comparison { published: value, computed: of(value) }).collect()
     }
 }

@@ -8,7 +8,7 @@
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, State};
 use grazing_results::space::{CurveKind, Mark, MarkKind, SurfaceKind, Vertex};
-use grazing_results::{Names, Table};
+use grazing_results::{Names, Plan, Table};
 
 use crate::parameters::View;
 
@@ -20,91 +20,55 @@ const LINE_SAMPLES: u32 = 60;
 /// A way to see phase space on a page.
 #[derive(Clone, Debug)]
 pub(crate) struct Space {
-    shape: Shape,
+    /// Radius ρ and origin z₀ of a ring, if the phase is an angle: (x, y, z) ↦ ((ρ + x) cos ψ, y, (ρ + x) sin ψ) with ψ = z − z₀.
+    /// Otherwise x, y and z are seen along straight axes.
+    ///
+    /// One-to-one for x > −ρ, with z and z + 2π the same place, and right-handed as the straight axes are. Π stays in a
+    /// plane, y = 0.
+    ring: Option<[f64; 2]>,
     stretch: [f64; 3],
     /// Sine and cosine of the turn and of the tilt.
     turn: (f64, f64),
     tilt: (f64, f64),
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Shape {
-    /// x, y and z along straight axes.
-    Straight,
-    /// The phase as an angle: (x, y, z) ↦ ((ρ + x) cos ψ, y, (ρ + x) sin ψ) with ψ = z − z₀ and the radius ρ.
-    ///
-    /// One-to-one for x > −ρ, with z and z + 2π the same place, and right-handed as the straight axes are. Π stays in a
-    /// plane, y = 0.
-    Ring { radius: f64, origin: f64 },
-}
-
-/// A point on the page.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Sight {
-    /// To the right.
-    pub(crate) across: f64,
-    /// Upwards.
-    pub(crate) up: f64,
-    /// Away from the viewer.
-    pub(crate) depth: f64,
-}
-
 impl Space {
-    /// Straight axes.
-    pub(crate) fn straight(view: &View) -> Self {
-        Self::new(view, Shape::Straight)
-    }
-
-    /// The phase as an angle about an axis at distance `radius` from x = 0, measured from `origin`.
-    pub(crate) fn ring(view: &View, radius: f64, origin: f64) -> Self {
-        Self::new(view, Shape::Ring { radius, origin })
-    }
-
-    fn new(view: &View, shape: Shape) -> Self {
+    /// Seen as a figure has it; for a ring its radius and the phase from which the angle is measured.
+    pub(crate) fn new(view: &View, ring: Option<[f64; 2]>) -> Self {
         let turned = |degrees: f64| libm::sincos(degrees.to_radians());
-        Self { shape, stretch: view.stretch(), turn: turned(view.turn()), tilt: turned(view.tilt()) }
+        Self { ring, stretch: view.stretch, turn: turned(view.turn), tilt: turned(view.tilt) }
     }
 
-    /// The orthographic projection of a state.
+    /// The orthographic projection of a state: its place to the right, upwards, and away from the viewer.
     ///
     /// With (X, Y, Z) the place in space, units stretched: turned by α about Y, then tilted by β,
     /// across = X cos α + Z sin α, up = Y cos β + D sin β, depth = D cos β − Y sin β, where D = X sin α − Z cos α.
-    pub(crate) fn see(&self, state: State) -> Sight {
+    fn see(&self, state: State) -> [f64; 3] {
         let State { position: x, velocity: y, phase: z } = state;
-        let place = match self.shape {
-            Shape::Straight => [x, y, z],
-            Shape::Ring { radius, origin } => {
-                let (sin, cos) = libm::sincos(z - origin);
-                [(radius + x) * cos, y, (radius + x) * sin]
-            }
-        };
+        let place = self.ring.map_or([x, y, z], |[radius, origin]| {
+            let (sin, cos) = libm::sincos(z - origin);
+            [(radius + x) * cos, y, (radius + x) * sin]
+        });
         let [right, height, front] = [0, 1, 2].map(|k| self.stretch[k] * place[k]);
         let ((turn_sin, turn_cos), (tilt_sin, tilt_cos)) = (self.turn, self.tilt);
         let away = right * turn_sin - front * turn_cos;
-        Sight {
-            across: right * turn_cos + front * turn_sin,
-            up: height * tilt_cos + away * tilt_sin,
-            depth: away * tilt_cos - height * tilt_sin,
-        }
+        [
+            right * turn_cos + front * turn_sin,
+            height * tilt_cos + away * tilt_sin,
+            away * tilt_cos - height * tilt_sin,
+        ]
     }
 
     /// The place in the order of painting, by the signs of x and of y: on a surface where a sign is 0.
     ///
     /// Beyond Σ: beyond Π 0, Π 1, before Π 2; Σ 3; before Σ: beyond Π 4, Π 5, before Π 6. On the ring Σ is not shown.
-    pub(crate) fn layer(&self, x: f64, y: f64) -> u32 {
+    fn layer(&self, x: f64, y: f64) -> u32 {
         // The viewer stands above y = 0, and on the side x < 0 if the scene is turned to the right.
-        let about_section = if y == 0.0 {
-            1
-        } else if y > 0.0 {
-            2
-        } else {
-            0
-        };
-        match self.shape {
-            Shape::Ring { .. } => about_section,
-            Shape::Straight if x == 0.0 => 3,
-            Shape::Straight if x * self.turn.0 < 0.0 => 4 + about_section,
-            Shape::Straight => about_section,
+        let about_section = u32::from(y >= 0.0) + u32::from(y > 0.0);
+        match self.ring {
+            None if x == 0.0 => 3,
+            None if x * self.turn.0 < 0.0 => 4 + about_section,
+            _ => about_section,
         }
     }
 
@@ -117,6 +81,13 @@ impl Space {
 
     fn layer_between(&self, a: State, b: State) -> u32 {
         self.layer(0.5 * (a.position + b.position), 0.5 * (a.velocity + b.velocity))
+    }
+
+    /// A point on Σ or Π that has a name.
+    pub(crate) fn mark(&self, kind: MarkKind, number: u32, state: State) -> Mark {
+        let [across, up, depth] = self.see(state);
+        let State { position: x, velocity: y, phase: z } = state;
+        Mark { kind, number, layer: self.layer_before(state), x, y, z, across, up, depth }
     }
 }
 
@@ -166,7 +137,7 @@ pub(crate) fn outline(corners: [State; 4]) -> Vec<State> {
 /// What a figure in phase space shows.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    names: [&'static str; 3],
+    plans: [Plan; 3],
     /// Orbits, and what joins points.
     pub curves: Vec<Vertex<CurveKind>>,
     /// Points with names.
@@ -176,22 +147,38 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The tables of Figure 1.
+    pub const FIG01: [Plan; 3] = Self::plans(["fig01_curves", "fig01_points", "fig01_surfaces"]);
+    /// The tables of Figure 3.
+    pub const FIG03: [Plan; 3] = Self::plans(["fig03_curves", "fig03_points", "fig03_surfaces"]);
+    /// The tables of Figure 9.
+    pub const FIG09: [Plan; 3] = Self::plans(["fig09_curves", "fig09_points", "fig09_surfaces"]);
+
+    const fn plans([curves, points, surfaces]: [&'static str; 3]) -> [Plan; 3] {
+        let outline = "a vertex of the outline of a surface, or of a line on one";
+        [
+            Plan::of::<Vertex<CurveKind>>(curves, "a vertex of a curve"),
+            Plan::of::<Mark>(points, "a point that is marked"),
+            Plan::of::<Vertex<SurfaceKind>>(surfaces, outline),
+        ]
+    }
+
     pub(crate) fn new(
-        names: [&'static str; 3],
+        plans: [Plan; 3],
         curves: Drawn<'_, CurveKind>,
         points: Vec<Mark>,
         surfaces: Drawn<'_, SurfaceKind>,
     ) -> Self {
-        Self { names, curves: curves.vertices, points, surfaces: surfaces.vertices }
+        Self { plans, curves: curves.vertices, points, surfaces: surfaces.vertices }
     }
 
     /// All tables.
-    pub fn tables(&self) -> Vec<Table> {
-        let ([curves, points, surfaces], names) = (self.names, Names::of_the_paper());
+    pub fn tables(&self, names: &Names) -> Vec<Table> {
+        let [curves, points, surfaces] = self.plans.map(|plan| plan.name);
         vec![
-            Table::new(curves, &names, &self.curves),
-            Table::new(points, &names, &self.points),
-            Table::new(surfaces, &names, &self.surfaces),
+            Table::new(curves, names, &self.curves),
+            Table::new(points, names, &self.points),
+            Table::new(surfaces, names, &self.surfaces),
         ]
     }
 }
@@ -235,19 +222,9 @@ impl<'a, K: Copy> Drawn<'a, K> {
     }
 
     fn push(&mut self, kind: K, piece: u32, layer: u32, state: State) {
-        let Sight { across, up, depth } = self.space.see(state);
         let State { position: x, velocity: y, phase: z } = state;
-        let (number, state, place) = (self.number, [x, y, z], [across, up, depth]);
-        self.vertices.push(Vertex { kind, number, piece, layer, state, place });
-    }
-}
-
-impl Space {
-    /// A point on Σ or Π that has a name.
-    pub(crate) fn mark(&self, kind: MarkKind, number: u32, state: State) -> Mark {
-        let Sight { across, up, depth } = self.see(state);
-        let State { position: x, velocity: y, phase: z } = state;
-        Mark { kind, number, layer: self.layer_before(state), x, y, z, across, up, depth }
+        let (number, place) = (self.number, self.space.see(state));
+        self.vertices.push(Vertex { kind, number, piece, layer, state: [x, y, z], place });
     }
 }
 

@@ -5,57 +5,55 @@ use grazing_claims::sweep::resonant::CurveRow;
 use grazing_claims::sweep::{
     Extent, GenericRow, ResonantRow, generic_cases, generic_rows, resonant_cases, resonant_rows,
 };
-use grazing_results::theorems::{Generic, Resonant};
-use grazing_results::{Names, Table};
+use grazing_results::{row, tables};
 use grazing_theorems::Side;
 use grazing_theorems::hypothesis::Quantity;
-use grazing_unfold::progress::Progress;
 
-use crate::StudyError;
+use crate::{Study, StudyError};
 
-/// The four theorems against continuation and simulation.
+tables! {
+    /// The four theorems against continuation and simulation.
+    TheoremsInAction {
+        /// Theorems 2.2 and 2.3, a row for each oscillator at grazing.
+        generic: Generic = "theorems_generic", "an oscillator at grazing; no parameter file matters",
+        /// Theorems 2.4 and 2.5, a row for each resonance.
+        resonant: Resonant = "theorems_resonant", "an oscillator at a resonance; no parameter file matters",
+    }
+}
+
+/// An oscillator at grazing, for Theorems 2.2 and 2.3.
 #[derive(Clone, Debug)]
-pub struct TheoremsInAction {
-    /// Theorems 2.2 and 2.3, a row for each oscillator at grazing.
-    pub generic: Vec<Generic>,
-    /// Theorems 2.4 and 2.5, a row for each resonance.
-    pub resonant: Vec<Resonant>,
-}
+pub struct Generic(pub GenericRow);
 
-impl TheoremsInAction {
-    pub(crate) fn compute(progress: &dyn Progress) -> Result<Self, StudyError> {
-        let generic = generic_cases(Extent::Whole)?;
-        let resonant = resonant_cases(Extent::Whole)?;
+/// An oscillator at a resonance, for Theorems 2.4 and 2.5.
+#[derive(Clone, Debug)]
+pub struct Resonant(pub ResonantRow);
+
+impl Study<'_> {
+    /// Theorems 2.2 to 2.5 against continuation and simulation over many oscillators; the parameters of this study do not
+    /// matter.
+    ///
+    /// # Errors
+    /// A case could not be worked out.
+    pub fn theorems_in_action(&self) -> Result<TheoremsInAction, StudyError> {
+        let (generic, resonant) = (generic_cases(Extent::Whole)?, resonant_cases(Extent::Whole)?);
         let what = "theorems 2.2 to 2.5";
-        progress.begin(what, (generic.len() + resonant.len()) as u64);
-        let step = || progress.step(what);
-        let generic = generic_rows(&generic, step)?.iter().map(self::generic).collect();
-        let resonant = resonant_rows(&resonant, step)?.iter().map(self::resonant).collect();
-        progress.end(what);
-        Ok(Self { generic, resonant })
-    }
-
-    /// The tables in the order of their names.
-    pub fn tables(&self) -> Vec<Table> {
-        let names = Names::of_the_paper();
-        vec![
-            Table::new("theorems_generic", &names, &self.generic),
-            Table::new("theorems_resonant", &names, &self.resonant),
-        ]
-    }
-}
-
-/// What a theorem says that may be silent.
-fn predicted(side: Option<Side>, names: [&'static str; 2]) -> &'static str {
-    match side {
-        Some(Side::Positive) => names[0],
-        Some(Side::Negative) => names[1],
-        None => "silent",
+        self.progress.begin(what, (generic.len() + resonant.len()) as u64);
+        let step = || self.progress.step(what);
+        let generic = generic_rows(&generic, step)?.into_iter().map(Generic).collect();
+        let resonant = resonant_rows(&resonant, step)?.into_iter().map(Resonant).collect();
+        self.progress.end(what);
+        Ok(TheoremsInAction { generic, resonant })
     }
 }
 
 const OF_MU: [&str; 2] = ["mu > 0", "mu < 0"];
 const OF_ETA: [&str; 2] = ["eta > 0", "eta < 0"];
+
+/// What a theorem says that may be silent.
+fn predicted(side: Option<Side>, names: [&'static str; 2]) -> &'static str {
+    side.map_or("silent", |side| seen(Existence::On(side), names))
+}
 
 fn seen(existence: Existence, names: [&'static str; 2]) -> &'static str {
     match existence {
@@ -66,112 +64,107 @@ fn seen(existence: Existence, names: [&'static str; 2]) -> &'static str {
     }
 }
 
-fn generic(r: &GenericRow) -> Generic {
+row! { Generic, |this| {
+    let r = &this.0;
     let value = |quantity| r.hypothesis(quantity).unwrap_or(f64::NAN);
     let map = &r.point.map;
     let [first_order, exact, fit] = r.slopes;
-    Generic {
-        theorem: r.theorem(),
-        zeta: r.case.zeta,
-        epsilon: r.case.epsilon,
-        loops: r.case.loops,
-        n: r.case.n,
-        omega: r.case.omega,
-        tau: map.trace(),
-        delta: map.determinant(),
-        trapesium_margin: value(Quantity::StabilityMargin),
-        alpha: r.point.alpha(),
-        beta: map.transversality(),
-        a12: map.a.m12,
-        a12_alpha: map.a.m12 * r.point.alpha(),
-        tau_minus_h: value(Quantity::AdmissibilityMargin),
-        a12_beta: value(Quantity::OffDiagonalTimesTransversality),
-        beta_kappa: value(Quantity::TransversalityTimesDetuning),
-        predicted: predicted(r.predicted, OF_MU),
-        first_order: seen(r.first_order, OF_MU),
-        continuation: seen(r.continued, OF_MU),
-        simulation: seen(r.simulated, OF_MU),
-        unstable_branch: r.unstable[0],
-        unstable_simulation: r.unstable[1],
-        dy_dmu: first_order[0],
-        dz_dmu: first_order[1],
-        dy_dmu_exact: exact[0],
-        dz_dmu_exact: exact[1],
-        dy_dmu_fit: fit[0],
-        dz_dmu_fit: fit[1],
-        slope_difference: r.slope_difference(),
-        verdict: r.verdict.name(),
-        reason: r.verdict.reason().to_owned(),
-    }
-}
+} [
+    THEOREM = r.theorem(),
+    ZETA = r.case.zeta,
+    EPSILON = r.case.epsilon,
+    LOOPS = r.case.loops,
+    RESONANCE_INDEX = r.case.n,
+    OMEGA = r.case.omega,
+    TAU = map.trace(),
+    DELTA = map.determinant(),
+    TRAPESIUM_MARGIN = value(Quantity::StabilityMargin),
+    ALPHA = r.point.alpha(),
+    BETA = map.transversality(),
+    A12 = map.a.m12,
+    A12_ALPHA = (map.a.m12 * r.point.alpha()),
+    TAU_MINUS_H = value(Quantity::AdmissibilityMargin),
+    A12_BETA = value(Quantity::OffDiagonalTimesTransversality),
+    BETA_KAPPA = value(Quantity::TransversalityTimesDetuning),
+    PREDICTED = predicted(r.predicted, OF_MU),
+    FIRST_ORDER = seen(r.first_order, OF_MU),
+    CONTINUATION = seen(r.continued, OF_MU),
+    SIMULATION = seen(r.simulated, OF_MU),
+    UNSTABLE_BRANCH = r.unstable[0],
+    UNSTABLE_SIMULATION = r.unstable[1],
+    DY_DMU = first_order[0],
+    DZ_DMU = first_order[1],
+    DY_DMU_EXACT = exact[0],
+    DZ_DMU_EXACT = exact[1],
+    DY_DMU_FIT = fit[0],
+    DZ_DMU_FIT = fit[1],
+    SLOPE_DIFFERENCE = r.slope_difference(),
+    VERDICT = r.verdict.name(),
+    REASON = r.verdict.reason().to_owned(),
+] }
 
-fn resonant(r: &ResonantRow) -> Resonant {
+row! { Resonant, |this| {
+    let r = &this.0;
     let stability = r.point.stability_coefficients();
     let map = &r.point.grazing.map;
-    let value = |quantity| r.hypothesis(quantity).unwrap_or(f64::NAN);
-    let shift = match (r.case.loops, r.case.negative) {
+    let margin = r.hypothesis(Quantity::StabilityMargin).unwrap_or(f64::NAN);
+    let [sn, pd] = &r.curves;
+} [
+    THEOREM = r.theorem(),
+    ZETA = r.case.zeta,
+    EPSILON = r.case.epsilon,
+    LOOPS = r.case.loops,
+    RESONANCE_INDEX = r.case.n,
+    RATIO = match (r.case.loops, r.case.negative) {
         (1, _) => "n/2",
         (_, false) => "n + 1/(2p)",
         (_, true) => "n - 1/(2p)",
-    };
-    let [sn, pd] = &r.curves;
-    Resonant {
-        theorem: r.theorem(),
-        zeta: r.case.zeta,
-        epsilon: r.case.epsilon,
-        loops: r.case.loops,
-        n: r.case.n,
-        ratio: shift,
-        omega: r.case.omega,
-        amplitude: r.amplitude,
-        e_p: r.decay,
-        epsilon_e_p: r.rebound(),
-        trapesium_margin: value(Quantity::StabilityMargin),
-        alpha: r.point.grazing.alpha(),
-        beta: map.transversality(),
-        a12_alpha: map.a.m12 * r.point.grazing.alpha(),
-        unfolding: r.point.unfolding.derivative(),
-        s_plus: stability.plus,
-        s_minus: stability.minus,
-        sn_predicted: predicted(sn.predicted, OF_ETA),
-        sn_continuation: continued(sn),
-        sn_simulation: seen(sn.simulated, OF_ETA),
-        sn_crossed: sn.crossed,
-        sn_stability_changes: yes_or_no(sn.stability_changes),
-        c_sn_theorem: sn.theorem,
-        c_sn: sn.proposition,
-        c_sn_exact: sn.quadratic_equation,
-        c_sn_fit: fit(sn)[0],
-        c_sn_fit_error: fit(sn)[1],
-        c_sn_difference: sn.difference(),
-        c_sn_fit_difference: sn.fit_difference(),
-        pd_predicted: predicted(pd.predicted, OF_ETA),
-        pd_continuation: continued(pd),
-        pd_simulation: seen(pd.simulated, OF_ETA),
-        pd_crossed: pd.crossed,
-        pd_stability_changes: yes_or_no(pd.stability_changes),
-        c_pd_theorem: pd.theorem,
-        c_pd: pd.proposition,
-        c_pd_exact: pd.quadratic_equation,
-        c_pd_fit: fit(pd)[0],
-        c_pd_fit_error: fit(pd)[1],
-        c_pd_difference: pd.difference(),
-        c_pd_fit_difference: pd.fit_difference(),
-        verdict: r.verdict.name(),
-        reason: r.verdict.reason().to_owned(),
-    }
-}
+    },
+    SECONDARY_AT_RESONANCE = r.case.omega,
+    PRIMARY_AT_GRAZING = r.amplitude,
+    E_P = r.decay,
+    EPSILON_E_P = r.rebound(),
+    TRAPESIUM_MARGIN = margin,
+    ALPHA = r.point.grazing.alpha(),
+    BETA = map.transversality(),
+    A12_ALPHA = (map.a.m12 * r.point.grazing.alpha()),
+    UNFOLDING = r.point.unfolding.derivative(),
+    S_PLUS = stability.plus,
+    S_MINUS = stability.minus,
+    SN_PREDICTED = predicted(sn.predicted, OF_ETA),
+    SN_CONTINUATION = continued(sn),
+    SN_SIMULATION = seen(sn.simulated, OF_ETA),
+    SN_CROSSED = sn.crossed,
+    SN_STABILITY_CHANGES = yes_or_no(sn.stability_changes),
+    C_SN_THEOREM = sn.theorem,
+    C_SN_CLOSED_FORM = sn.proposition,
+    C_SN_EXACT = sn.quadratic_equation,
+    C_SN_FIT = fit(sn)[0],
+    C_SN_FIT_ERROR = fit(sn)[1],
+    C_SN_DIFFERENCE = sn.difference(),
+    C_SN_FIT_DIFFERENCE = sn.fit_difference(),
+    PD_PREDICTED = predicted(pd.predicted, OF_ETA),
+    PD_CONTINUATION = continued(pd),
+    PD_SIMULATION = seen(pd.simulated, OF_ETA),
+    PD_CROSSED = pd.crossed,
+    PD_STABILITY_CHANGES = yes_or_no(pd.stability_changes),
+    C_PD_THEOREM = pd.theorem,
+    C_PD_CLOSED_FORM = pd.proposition,
+    C_PD_EXACT = pd.quadratic_equation,
+    C_PD_FIT = fit(pd)[0],
+    C_PD_FIT_ERROR = fit(pd)[1],
+    C_PD_DIFFERENCE = pd.difference(),
+    C_PD_FIT_DIFFERENCE = pd.fit_difference(),
+    VERDICT = r.verdict.name(),
+    REASON = r.verdict.reason().to_owned(),
+] }
 
 fn continued(curve: &CurveRow) -> &'static str {
     curve.continued.map_or("", |existence| seen(existence, OF_ETA))
 }
 
 fn yes_or_no(answer: Option<bool>) -> &'static str {
-    match answer {
-        Some(true) => "yes",
-        Some(false) => "no",
-        None => "",
-    }
+    answer.map_or("", |yes| if yes { "yes" } else { "no" })
 }
 
 /// Value and estimated error.

@@ -9,13 +9,12 @@ use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
-use grazing_results::resonances::{Asked, GrazingLoops, GrazingPoint, Resonance};
-use grazing_results::{Names, Plan, Table};
+use grazing_results::tables;
 use grazing_theorems::ResonantPoint;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::sides::{Simulated, simulate};
-use grazing_unfold::stop::{Stoppable, Unfinished};
+use grazing_unfold::stop::{Stop, Stoppable, Unfinished};
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Coefficient, coefficients};
 use grazing_unfold::{Diagram, Scope};
@@ -23,7 +22,8 @@ use rayon::prelude::*;
 
 use crate::StudyError;
 use crate::plane::{self, Axes};
-pub use finished::Observer;
+pub use finished::Keep;
+pub use tables::{Along, Asked, GrazingRow};
 
 /// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a
 /// magnification.
@@ -35,16 +35,8 @@ pub struct Unfolded<O> {
     pub diagram: Diagram<O>,
     /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`]; in the oscillator's own units.
     pub resonances: Vec<AtResonance>,
-    /// What depends on p along the grazing curves, for one p after the other.
+    /// What depends on p along the grazing curves, for one p after the other; without dimensions.
     along: Vec<Along>,
-}
-
-/// What depends on p at a point of a grazing curve.
-#[derive(Clone, Copy, Debug)]
-struct Along {
-    arc: u32,
-    parameters: [f64; 2],
-    point: ResonantPoint,
 }
 
 /// What was found at a resonance, in the oscillator's own units.
@@ -54,6 +46,10 @@ pub struct AtResonance {
     pub loops: u32,
     /// The integer n.
     pub n: u32,
+    /// Primary and secondary parameter.
+    pub parameters: [f64; 2],
+    /// What the theorem knows of it.
+    pub point: ResonantPoint,
     /// c_SN and c_PD by the theorem and measured.
     pub coefficients: Pair<Coefficient>,
     /// What the simulated hybrid system does beside the SN and the PD curve.
@@ -76,24 +72,30 @@ impl AtResonance {
 pub type Described = Integrated<Stoppable<Dimensionless<Description>>>;
 
 impl Unfolded<Described> {
-    /// The analysis of an oscillator from a text file.
+    /// The analysis of an oscillator from a text file, which ends when an end is asked for by `stop`; `keep` gets curves as they are
+    /// finished.
     ///
     /// # Errors
     /// There is no grazing in the ranges.
-    pub fn described(description: &Description, progress: &dyn Observer) -> Result<Self, StudyError> {
+    pub fn described(
+        description: &Description,
+        progress: &dyn Progress,
+        stop: &Stop,
+        keep: Keep<'_>,
+    ) -> Result<Self, StudyError> {
         let (primary, secondary) = (description.primary(), description.secondary());
         let window = Window { primary: primary.range(), secondary: secondary.range() };
         let units = description.units();
         let scope = Scope { window, loops: description.loops().to_vec(), start: description.start() };
         let scope = scope.without_dimensions(&units);
-        let stop = progress.stop();
         let stoppable = Stoppable::new(Dimensionless::new(description.clone(), units), stop.clone());
         let oscillator = Integrated::new(stoppable, [scope.window.primary[0], scope.window.secondary[0]]);
         let axes = Axes::new(primary.name(), secondary.name(), units);
-        let unfolded = Self::compute(&oscillator, &scope, axes, progress).map_err(|error| match error {
-            StudyError::Unfold(error) => StudyError::Unfold(error.in_units(&units)),
-            other => other,
-        });
+        let unfolded =
+            Self::compute(&oscillator, &scope, axes, progress, keep).map_err(|error| match error {
+                StudyError::Unfold(error) => StudyError::Unfold(error.in_units(&units)),
+                other => other,
+            });
         // What was finished can be written down.
         stop.withdraw();
         unfolded
@@ -109,10 +111,11 @@ impl<O: ImpactOscillator> Unfolded<O> {
         oscillator: &O,
         scope: &Scope,
         axes: Axes,
-        progress: &dyn Observer,
+        progress: &dyn Progress,
+        keep: Keep<'_>,
     ) -> Result<Self, StudyError> {
         let located = Diagram::located(oscillator, scope, progress)?;
-        let followed = finished::follow(progress, &axes, &located);
+        let followed = finished::follow(&axes, &located, progress, keep);
         let mut diagram = located.with(followed, progress);
         let units = axes.units;
         let what = "coefficients and magnifications";
@@ -133,6 +136,8 @@ impl<O: ImpactOscillator> Unfolded<O> {
                     AtResonance {
                         loops: resonance.loops,
                         n: resonance.n,
+                        parameters: units.parameters(point.orbit().oscillator().parameters()),
+                        point: point.resonant_point().in_units(&units),
                         sides: Pair::BIFURCATIONS.map(|kind| simulated(kind).in_units(&units)),
                         coefficients: coefficients.map(|known| known.in_units(&units)),
                         window: window.in_units(&units),
@@ -168,68 +173,35 @@ impl<O: ImpactOscillator> Unfolded<O> {
             curves: plane::curves(&self.axes, &self.diagram),
             points: plane::points(&self.axes, &self.diagram),
             regions: plane::regions(&self.axes, &self.diagram.regions),
-            coefficients: tables::coefficients(self),
+            coefficients: self.resonances.clone(),
             hypotheses: tables::hypotheses(self),
             magnifications: plane::magnifications(magnified),
         }
     }
 }
 
-/// The rows of all tables of an analysis.
-#[derive(Clone, Debug)]
-pub struct Rows {
-    /// The grazing orbit and the map around it, along the grazing curve.
-    pub grazing: Vec<GrazingPoint>,
-    /// What depends on p there.
-    pub grazing_loops: Vec<GrazingLoops>,
-    /// The curves of the diagram.
-    pub curves: Vec<CurvePoint>,
-    /// Its codimension-two points.
-    pub points: Vec<SpecialPoint>,
-    /// Its regions.
-    pub regions: Vec<RegionVertex>,
-    /// The resonances at which a theorem holds.
-    pub coefficients: Vec<Resonance>,
-    /// What the theorems ask.
-    pub hypotheses: Vec<Asked>,
-    /// The curves of the magnifications.
-    pub magnifications: Vec<MagnifiedPoint>,
-}
-
-/// The tables of an analysis, in their order.
-pub const TABLES: [Plan; 8] = [
-    Plan::of::<GrazingPoint>(
-        "grazing",
-        "a point of the grazing curve, with the grazing orbit and the Poincaré map around it",
-    ),
-    Plan::of::<GrazingLoops>("grazing_loops", "such a point and a p, with what depends on p"),
-    Plan::of::<CurvePoint>("curves", "a point of a curve of the diagram"),
-    Plan::of::<SpecialPoint>(
-        "points",
-        "a resonance at which a theorem holds, or another codimension-two point",
-    ),
-    Plan::of::<RegionVertex>("regions", "a vertex of a region of stability"),
-    Plan::of::<Resonance>("coefficients", "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds"),
-    Plan::of::<Asked>(
-        "hypotheses",
-        "a hypothesis of the theorem at a resonance, whether or not all of them hold",
-    ),
-    Plan::of::<MagnifiedPoint>("magnifications", "a point of a curve of a magnification"),
-];
-
-impl Rows {
-    /// All tables, which [`TABLES`] lists, with these names of the parameters.
-    pub fn tables(&self, names: &Names) -> Vec<Table> {
-        vec![
-            Table::new("grazing", names, &self.grazing),
-            Table::new("grazing_loops", names, &self.grazing_loops),
-            Table::new("curves", names, &self.curves),
-            Table::new("points", names, &self.points),
-            Table::new("regions", names, &self.regions),
-            Table::new("coefficients", names, &self.coefficients),
-            Table::new("hypotheses", names, &self.hypotheses),
-            Table::new("magnifications", names, &self.magnifications),
-        ]
+tables! {
+    /// The rows of all tables of an analysis, in the oscillator's own units.
+    Rows {
+        /// The grazing orbit and the map around it, along the grazing curve.
+        grazing: GrazingRow = "grazing",
+            "a point of the grazing curve, with the grazing orbit and the Poincaré map around it",
+        /// What depends on p there.
+        grazing_loops: Along = "grazing_loops", "such a point and a p, with what depends on p",
+        /// The curves of the diagram.
+        curves: CurvePoint = "curves", "a point of a curve of the diagram",
+        /// Its codimension-two points.
+        points: SpecialPoint = "points", "a resonance at which a theorem holds, or another codimension-two point",
+        /// Its regions.
+        regions: RegionVertex = "regions", "a vertex of a region of stability",
+        /// The resonances at which a theorem holds.
+        coefficients: AtResonance = "coefficients",
+            "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds",
+        /// What the theorems ask.
+        hypotheses: Asked = "hypotheses",
+            "a hypothesis of the theorem at a resonance, whether or not all of them hold",
+        /// The curves of the magnifications.
+        magnifications: MagnifiedPoint = "magnifications", "a point of a curve of a magnification",
     }
 }
 

@@ -4,6 +4,7 @@ use grazing_description::Description;
 use grazing_reproduction::unfolded::Unfolded;
 use grazing_results::{Cell, Table};
 use grazing_unfold::progress::Silent;
+use grazing_unfold::stop::Stop;
 
 /// A hardening spring, a reset law in which everything varies; length and time are units that the text counts in.
 fn written(length: f64, time: f64) -> Description {
@@ -23,7 +24,8 @@ fn written(length: f64, time: f64) -> Description {
 }
 
 fn tables(description: &Description) -> Vec<Table> {
-    let unfolded = Unfolded::described(description, &Silent).expect("there is grazing in the window");
+    let unfolded = Unfolded::described(description, &Silent, &Stop::default(), &|_| ())
+        .expect("there is grazing in the window");
     assert!(unfolded.resonances.len() == 1, "{}", unfolded.resonances.len());
     unfolded.rows().tables(&unfolded.axes.names)
 }

@@ -27,46 +27,25 @@ impl Cell {
     }
 }
 
-impl From<&'static str> for Cell {
-    fn from(value: &'static str) -> Self {
-        Self::Text(value.into())
-    }
+/// What becomes which kind of cell.
+macro_rules! cells {
+    ($($type:ty: |$value:ident| $cell:expr,)+) => {$(
+        impl From<$type> for Cell {
+            fn from($value: $type) -> Self {
+                $cell
+            }
+        }
+    )+};
 }
 
-impl From<String> for Cell {
-    fn from(value: String) -> Self {
-        Self::Text(value.into())
-    }
-}
-
-impl From<u32> for Cell {
-    fn from(value: u32) -> Self {
-        Self::Integer(value)
-    }
-}
-
-impl From<f64> for Cell {
-    fn from(value: f64) -> Self {
-        Self::Number(value)
-    }
-}
-
-impl From<bool> for Cell {
-    fn from(value: bool) -> Self {
-        Self::Flag(value)
-    }
-}
-
-impl From<Bifurcation> for Cell {
-    fn from(value: Bifurcation) -> Self {
-        value.name().into()
-    }
-}
-
-impl From<CodimensionTwo> for Cell {
-    fn from(value: CodimensionTwo) -> Self {
-        value.name().into()
-    }
+cells! {
+    &'static str: |words| Self::Text(words.into()),
+    String: |words| Self::Text(words.into()),
+    u32: |count| Self::Integer(count),
+    f64: |number| Self::Number(number),
+    bool: |yes| Self::Flag(yes),
+    Bifurcation: |kind| kind.name().into(),
+    CodimensionTwo: |kind| kind.name().into(),
 }
 
 /// Enumerations whose variants stand in tables as words.

@@ -101,3 +101,47 @@ macro_rules! rows {
 }
 
 pub(crate) use rows;
+
+/// Makes rows of a type that is not only a row: each column with what stands in it, after what these have in common.
+///
+/// `row! { Point, |p| { let both = p.x + p.y; } [X = p.x, SUM = both] }`
+#[macro_export]
+macro_rules! row {
+    ($type:ty, |$this:ident| { $($common:tt)* } [$($column:ident = $value:expr,)+]) => {
+        impl $crate::Row for $type {
+            const COLUMNS: &'static [$crate::Column] = &[$($crate::columns::$column,)+];
+
+            fn cells(&self) -> Vec<$crate::Cell> {
+                let $this = self;
+                $($common)*
+                vec![$($value.into(),)+]
+            }
+        }
+    };
+}
+
+/// What an output is made of: lists of rows, each with the name of its table and what a row is; and what else there is to know.
+#[macro_export]
+macro_rules! tables {
+    ($($(#[$meta:meta])* $name:ident {
+        $($(#[$about:meta])* $rows:ident: $row:ty = $table:literal, $is:literal,)+
+        $(; $($(#[$what:meta])* $other:ident: $type:ty,)+)?
+    })+) => {$(
+        $(#[$meta])*
+        #[derive(Clone, Debug)]
+        pub struct $name {
+            $($(#[$about])* pub $rows: Vec<$row>,)+
+            $($($(#[$what])* pub $other: $type,)+)?
+        }
+
+        impl $name {
+            /// Its tables, before they are made.
+            pub const TABLES: &'static [$crate::Plan] = &[$($crate::Plan::of::<$row>($table, $is),)+];
+
+            /// All tables, with these names of the parameters.
+            pub fn tables(&self, names: &$crate::Names) -> Vec<$crate::Table> {
+                vec![$($crate::Table::new($table, names, &self.$rows),)+]
+            }
+        }
+    )+};
+}

@@ -74,6 +74,6 @@ pub enum SourceError {
 }
 
 /// A file and a line as messages have them; a setting has no line.
-pub fn place(file: &str, line: usize) -> String {
+pub(crate) fn place(file: &str, line: usize) -> String {
     if line == 0 { file.to_owned() } else { format!("{file}:{line}") }
 }

@@ -5,12 +5,12 @@ use std::io::{self, Read};
 use std::ops;
 use std::path::Path;
 
-use serde::de::DeserializeOwned;
 use toml::Spanned;
-use toml::de::{DeTable, DeValue, Deserializer, ValueDeserializer};
+use toml::de::{DeTable, DeValue};
 
 use crate::error::SourceError;
 use crate::requirements::Requirements;
+use crate::section::Section;
 use crate::setting::Setting;
 use crate::words::{nearest, shortened};
 
@@ -85,10 +85,10 @@ impl<'a> Source<'a> {
     }
 
     /// The file's content, with the settings applied.
-    fn document<T>(
+    fn document<T, E: From<SourceError>>(
         &self,
-        read: impl FnOnce(Spanned<DeTable<'_>>) -> Result<T, SourceError>,
-    ) -> Result<T, SourceError> {
+        read: impl FnOnce(Spanned<DeTable<'_>>) -> Result<T, E>,
+    ) -> Result<T, E> {
         let Text { whole, end, settings } = self.text;
         let padded: Vec<String> =
             settings.iter().map(|(position, setting)| setting.padded(*position)).collect();
@@ -129,7 +129,7 @@ impl<'a> Source<'a> {
     }
 
     /// The file with the line of a position in the text, or the setting that stands there.
-    pub fn place(&self, position: usize) -> (String, usize) {
+    pub(crate) fn place(&self, position: usize) -> (String, usize) {
         let setting = self.text.settings.iter().rev().find(|(start, _)| *start <= position);
         match setting {
             Some(_) => ("--set".to_owned(), 0),
@@ -137,22 +137,17 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The name of the file.
-    pub fn file(&self) -> &'a str {
-        self.file
-    }
-
-    /// The file's content with keys and types checked; `File` denies unknown fields and has none with a default.
+    /// The whole file, read by `read`.
     ///
     /// # Errors
-    /// [`SourceError`]: no TOML, an unknown or missing key, or a value of the wrong type.
-    pub fn read<File: DeserializeOwned>(&self) -> Result<File, SourceError> {
-        self.document(|document| {
-            if let Some(unknown) = first_unknown_key(document.get_ref(), "", &self.requirements) {
-                return Err(self.refuse(unknown));
-            }
-            File::deserialize(Deserializer::from(document.clone()))
-                .map_err(|error| self.explain(&error, document.get_ref()))
+    /// [`SourceError`]: no TOML, or an unknown key; and whatever `read` finds wrong.
+    pub fn whole<T, E: From<SourceError>>(
+        &self,
+        read: impl FnOnce(Section<'_>) -> Result<T, E>,
+    ) -> Result<T, E> {
+        self.document(|document| match first_unknown_key(document.get_ref(), "", &self.requirements) {
+            Some(unknown) => Err(self.refuse(unknown).into()),
+            None => read(Section::whole(self, document.get_ref())),
         })
     }
 
@@ -176,37 +171,43 @@ impl<'a> Source<'a> {
         })
     }
 
-    /// One table of the top level with its keys and types checked; what stands in the others does not matter.
+    /// One table of the top level, read by `read`; what stands in the others does not matter.
     ///
     /// # Errors
-    /// [`SourceError`]: no TOML, no such table, an unknown or missing key in it, or a value of the wrong type.
-    pub fn read_table<Table: DeserializeOwned>(&self, name: &str) -> Result<Table, SourceError> {
+    /// [`SourceError`]: no TOML, no such table, or an unknown key in it; and whatever `read` finds wrong.
+    pub fn section<T, E: From<SourceError>>(
+        &self,
+        name: &str,
+        read: impl FnOnce(Section<'_>) -> Result<T, E>,
+    ) -> Result<T, E> {
         self.document(|document| {
             let Some(value) = document.get_ref().get(name) else {
-                return Err(self.missing("", name, 0));
+                return Err(self.missing("", name, 0).into());
             };
-            let table = value.get_ref().as_table();
-            if let Some(unknown) = table.and_then(|table| first_unknown_key(table, name, &self.requirements))
+            let section = Section::of(self, name.to_owned(), value)?;
+            match value
+                .get_ref()
+                .as_table()
+                .and_then(|table| first_unknown_key(table, name, &self.requirements))
             {
-                return Err(self.refuse(unknown));
+                Some(unknown) => Err(self.refuse(unknown).into()),
+                None => read(section),
             }
-            Table::deserialize(ValueDeserializer::from(value.clone()))
-                .map_err(|error| self.explain(&error, document.get_ref()))
         })
     }
 
-    /// The refusal of the value that `place` holds; `allowed` says what would be right.
-    pub fn forbid<T>(&self, key: &str, place: &Spanned<T>, allowed: String) -> SourceError {
-        self.forbid_at(key, place.span(), allowed)
+    /// The refusal of the value at a place, with what its key must hold.
+    pub(crate) fn refusal(&self, key: &str, span: ops::Range<usize>) -> SourceError {
+        self.forbid_at(key, span, self.requirements.of(key).to_owned())
     }
 
-    fn forbid_at(&self, key: &str, span: ops::Range<usize>, allowed: String) -> SourceError {
+    pub(crate) fn forbid_at(&self, key: &str, span: ops::Range<usize>, allowed: String) -> SourceError {
         let (file, line) = self.place(span.start);
         SourceError::Forbidden { file, line, key: key.to_owned(), value: self.written(span), allowed }
     }
 
     /// The text of a place as the file has it.
-    pub fn raw(&self, span: ops::Range<usize>) -> &'a str {
+    pub(crate) fn raw(&self, span: ops::Range<usize>) -> &'a str {
         &self.text.whole[span]
     }
 
@@ -216,7 +217,7 @@ impl<'a> Source<'a> {
     }
 
     /// The line of a position in the text, from 1.
-    pub fn line(&self, position: usize) -> usize {
+    fn line(&self, position: usize) -> usize {
         1 + self.text.whole[..position].matches('\n').count()
     }
 
@@ -274,27 +275,8 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Puts the reader's refusal of a type, or its lack of a key, into our words.
-    ///
-    /// The reader keeps no structure beside its message and a place, so the name of a missing key is taken from between
-    /// the message's backticks.
-    fn explain(&self, error: &toml::de::Error, document: &DeTable<'_>) -> SourceError {
-        let span = error.span().unwrap_or(0..0);
-        // What the top level lacks has no place, and the text may begin with a table.
-        let path = if span.is_empty() {
-            String::new()
-        } else {
-            path_in_table(document, span.start).unwrap_or_default()
-        };
-        let missing = error.message().strip_prefix("missing field `").and_then(|rest| rest.strip_suffix('`'));
-        let Some(name) = missing else {
-            return self.forbid_at(&path, span, self.requirements.of(&path).to_owned());
-        };
-        self.missing(&path, name, span.start)
-    }
-
     /// The lack of a key in the table that stands at a position.
-    pub fn missing(&self, table: &str, name: &str, position: usize) -> SourceError {
+    pub(crate) fn missing(&self, table: &str, name: &str, position: usize) -> SourceError {
         let key = joined(table, name);
         let (file, line) = self.place(position);
         let line = if !table.is_empty() {
@@ -349,35 +331,6 @@ fn first_unknown_key(table: &DeTable<'_>, path: &str, requirements: &Requirement
         .min_by_key(|unknown| unknown.position)
 }
 
-fn joined(table: &str, name: &str) -> String {
+pub(crate) fn joined(table: &str, name: &str) -> String {
     if table.is_empty() { name.to_owned() } else { format!("{table}.{name}") }
-}
-
-/// The key of the innermost table entry at `position`; a place inside a list of values belongs to the list.
-fn path_in_table(table: &DeTable<'_>, position: usize) -> Option<String> {
-    table.iter().find_map(|(key, value)| {
-        let name = key.get_ref();
-        match path_in_value(value, position) {
-            Some(rest) => Some(format!("{name}{rest}")),
-            None => {
-                (key.span().contains(&position) || value.span().contains(&position)).then(|| name.to_string())
-            }
-        }
-    })
-}
-
-/// What follows the key of `value` on the way to `position`: `.key` or `[number].key`.
-fn path_in_value(value: &Spanned<DeValue<'_>>, position: usize) -> Option<String> {
-    match value.get_ref() {
-        DeValue::Table(table) => path_in_table(table, position).map(|path| format!(".{path}")),
-        DeValue::Array(members) => members.iter().zip(1..).find_map(|(member, number)| {
-            let table = member.get_ref().as_table()?;
-            let inner = path_in_table(table, position).map(|path| format!(".{path}"));
-            match inner {
-                Some(path) => Some(format!("[{number}]{path}")),
-                None => member.span().contains(&position).then(|| format!("[{number}]")),
-            }
-        }),
-        _ => None,
-    }
 }

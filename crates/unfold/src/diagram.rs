@@ -83,7 +83,7 @@ impl<O: ImpactOscillator> Diagram<O> {
     /// There is no grazing in the ranges, with what was seen instead.
     pub fn compute(oscillator: &O, scope: &Scope, progress: &dyn Progress) -> Result<Self, UnfoldError> {
         let located = Self::located(oscillator, scope, progress)?;
-        let followed = located.follow(progress);
+        let followed = located.follow(progress, &|_, _| ());
         Ok(located.with(followed, progress))
     }
 
@@ -177,8 +177,13 @@ impl<O: ImpactOscillator> Diagram<O> {
     }
 
     /// The curves from every resonance at which a theorem holds, each resonance by itself, in the order of the list; without
-    /// those that were not finished when an end was asked for.
-    pub fn follow(&self, progress: &dyn Progress) -> Vec<Followed> {
+    /// those that were not finished when an end was asked for. `finished` hears of the curves of each resonance, by its place in the
+    /// list, as soon as they are done: those of others may take a while.
+    pub fn follow(
+        &self,
+        progress: &dyn Progress,
+        finished: &(dyn Fn(usize, &[DiagramCurve]) + Sync),
+    ) -> Vec<Followed> {
         let what = CURVES;
         let route = route(self.scope.window, StepControl::DRAWING);
         let points: Vec<_> =
@@ -195,7 +200,7 @@ impl<O: ImpactOscillator> Diagram<O> {
                 if progress.stopped() {
                     return None;
                 }
-                progress.unfolded(index, &followed.curves);
+                finished(index, &followed.curves);
                 progress.step(what);
                 Some(followed)
             })

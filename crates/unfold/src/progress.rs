@@ -1,7 +1,5 @@
 //! Telling how far long work has come.
 
-use crate::diagram::DiagramCurve;
-
 /// Hears of the progress of a computation; called from any thread.
 pub trait Progress: Sync {
     /// Work of a number of steps begins.
@@ -10,8 +8,6 @@ pub trait Progress: Sync {
     fn step(&self, what: &str);
     /// The work is done.
     fn end(&self, what: &str);
-    /// The curves of one resonance are done, by its place in the diagram's list; those of others may take a while.
-    fn unfolded(&self, _resonance: usize, _curves: &[DiagramCurve]) {}
     /// Whether nothing more is to be begun, as when time is up: long loops ask this and end with what they have.
     fn stopped(&self) -> bool {
         false

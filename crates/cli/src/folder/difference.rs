@@ -1,7 +1,7 @@
 //! How a file differs from what the code makes, in words.
 
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The most characters of a line that a message quotes.
 const QUOTED: usize = 80;
@@ -34,21 +34,10 @@ impl fmt::Display for Difference {
     }
 }
 
-impl Difference {
-    pub(super) fn missing(path: PathBuf) -> Difference {
-        Difference { path, kind: Kind::Missing, what: "missing".to_owned() }
-    }
-
-    pub(super) fn unexpected(path: PathBuf) -> Difference {
-        let what = "not made by the code; remove it if it is left over from an earlier version or an interrupted run";
-        Difference { path, kind: Kind::Unexpected, what: what.to_owned() }
-    }
-
-    pub(super) fn content(path: PathBuf, here: &[u8], made: &[u8]) -> Difference {
-        let is_table = path.extension().is_some_and(|extension| extension == "csv");
-        let what = first_difference(is_table, &String::from_utf8_lossy(here), &String::from_utf8_lossy(made));
-        Difference { path, kind: Kind::Content, what }
-    }
+/// How the content of a file differs from what the code makes.
+pub(super) fn of_content(path: &Path, here: &[u8], made: &[u8]) -> String {
+    let is_table = path.extension().is_some_and(|extension| extension == "csv");
+    first_difference(is_table, &String::from_utf8_lossy(here), &String::from_utf8_lossy(made))
 }
 
 /// The first line in which the contents differ; for tables the first column with both values.
@@ -64,18 +53,11 @@ fn first_difference(is_table: bool, here: &str, made: &str) -> String {
                 return format!("differs from what the code makes, first in line {number}");
             }
             (Some(here), Some(made)) => {
-                return match first_cell(header, here, made) {
-                    Some((column, here, made)) => {
-                        format!(
-                            "line {number}, {column}: {} here, {} made by the code",
-                            cell(here),
-                            cell(made)
-                        )
-                    }
-                    None => {
-                        format!("line {number}: `{}` here, `{}` made by the code", quote(here), quote(made))
-                    }
+                let (place, [here, made]) = match first_cell(header, here, made) {
+                    Some((column, cells)) => (format!("line {number}, {column}"), cells.map(cell)),
+                    None => (format!("line {number}"), [here, made].map(quote)),
                 };
+                return format!("{place}: {here} here, {made} made by the code");
             }
             (Some(_), None) => return format!("more lines here than the {} made by the code", number - 1),
             (None, Some(_)) => return format!("ends after line {}, the code makes more", number - 1),
@@ -84,26 +66,21 @@ fn first_difference(is_table: bool, here: &str, made: &str) -> String {
     }
 }
 
-/// The first column in which two lines of a table differ, if both have as many cells as the header.
-fn first_cell<'a>(header: &'a str, here: &'a str, made: &'a str) -> Option<(&'a str, &'a str, &'a str)> {
-    let columns = header.split(',').count();
-    if header == made || here.split(',').count() != columns || made.split(',').count() != columns {
+/// The first column in which two lines of a table differ, with both cells, if both lines have as many as the header.
+fn first_cell<'a>(header: &'a str, here: &'a str, made: &'a str) -> Option<(&'a str, [&'a str; 2])> {
+    let count = |line: &str| line.split(',').count();
+    if header == made || [here, made].map(count) != [count(header); 2] {
         return None;
     }
-    header
-        .split(',')
-        .zip(here.split(',').zip(made.split(',')))
-        .find(|(_, (here, made))| here != made)
-        .map(|(column, (here, made))| (column, here, made))
+    let cells = here.split(',').zip(made.split(',')).map(|(here, made)| [here, made]);
+    header.split(',').zip(cells).find(|(_, [here, made])| here != made)
 }
 
-fn cell(text: &str) -> &str {
-    if text.is_empty() { "nothing" } else { text }
+fn cell(text: &str) -> String {
+    if text.is_empty() { "nothing".to_owned() } else { text.to_owned() }
 }
 
 fn quote(line: &str) -> String {
-    if line.chars().count() <= QUOTED {
-        return line.to_owned();
-    }
-    format!("{}...", line.chars().take(QUOTED).collect::<String>())
+    let more = if line.chars().count() > QUOTED { "..." } else { "" };
+    format!("`{}{more}`", line.chars().take(QUOTED).collect::<String>())
 }

@@ -11,11 +11,13 @@ use crate::failure::Failure;
 /// links stay.
 ///
 /// # Errors
-/// [`Failure::NotRegular`] if something else is there: a folder, a device, a link that leads nowhere. [`Failure::File`] if that
-/// cannot be found out.
+/// Something else is there: a folder, a device, a link that leads nowhere; or that cannot be found out.
 pub(crate) fn to_write(path: &Path) -> Result<PathBuf, Failure> {
-    let refuse = |what: &'static str| Failure::NotRegular { path: path.to_owned(), what };
-    let failed = |reason| Failure::File { path: path.to_owned(), reason };
+    let refuse = |what: &str| {
+        let remedy = "is not replaced: move it away, or name another place with --output";
+        Failure::unwritten(format!("{}: is {what}, not a regular file, and {remedy}", path.display()))
+    };
+    let failed = |reason: io::Error| Failure::file(path, &reason);
     let here = match path.symlink_metadata() {
         Ok(here) => here,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(path.to_owned()),

@@ -17,7 +17,7 @@ pub(super) const UNFINISHED: &str = ".grazing-";
 /// the process.
 const CHANGES: &str = "grazing-changes-";
 
-/// What this run has begun and not finished.
+/// What this run has begun, of which nothing is left where it is finished.
 static OWN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 fn change_own<T>(change: impl FnOnce(&mut BTreeSet<PathBuf>) -> T) -> T {
@@ -37,51 +37,19 @@ fn remove(path: &Path) {
     let _ = if is_folder { fs::remove_dir_all(path) } else { fs::remove_file(path) };
 }
 
-/// A file that is not finished; it goes with the value unless it is moved into its place.
-pub(super) struct Unfinished {
-    file: Option<NamedTempFile>,
-    path: PathBuf,
-}
-
-impl Unfinished {
-    /// An empty file in the folder, readable as other new files are.
-    pub(super) fn new(folder: &Path) -> io::Result<Unfinished> {
-        let prefix = format!("{UNFINISHED}{}-", process::id());
-        let mut builder = Builder::new();
-        builder.prefix(&prefix);
-        #[cfg(unix)]
-        {
-            use std::os::unix::fs::PermissionsExt;
-            builder.permissions(fs::Permissions::from_mode(0o666));
-        }
-        let file =
-            builder.tempfile_in(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })?;
-        let path = file.path().to_owned();
-        change_own(|own| own.insert(path.clone()));
-        Ok(Unfinished { file: Some(file), path })
+/// An empty file in the folder, readable as other new files are; it goes with the value unless it is moved into its place.
+pub(super) fn unfinished(folder: &Path) -> io::Result<NamedTempFile> {
+    let prefix = format!("{UNFINISHED}{}-", process::id());
+    let mut builder = Builder::new();
+    builder.prefix(&prefix);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666));
     }
-
-    /// Writes the content down to the disk: it must be there before the name is, or a crash could leave an empty file under it.
-    pub(super) fn fill(&mut self, content: &[u8]) -> io::Result<()> {
-        let Some(file) = &mut self.file else { return Ok(()) };
-        io::Write::write_all(file, content)?;
-        file.as_file().sync_all()
-    }
-
-    /// Moves the file into its place.
-    pub(super) fn persist(mut self, place: &Path) -> io::Result<()> {
-        match self.file.take() {
-            Some(file) => file.persist(place).map(drop).map_err(|error| error.error),
-            None => Ok(()),
-        }
-    }
-}
-
-impl Drop for Unfinished {
-    fn drop(&mut self) {
-        self.file = None;
-        change_own(|own| own.remove(&self.path));
-    }
+    let file = builder.tempfile_in(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })?;
+    change_own(|own| own.insert(file.path().to_owned()));
+    Ok(file)
 }
 
 /// A folder for pictures of what changed, in the system's folder for temporary files.
@@ -168,15 +136,10 @@ mod tests {
     #[test]
     fn what_is_begun_goes_when_the_run_is_ended_and_what_is_finished_stays() {
         let folder = tempfile::tempdir().expect("a temporary folder can be made");
-        let (mut begun, mut finished) = (
-            Unfinished::new(folder.path()).expect("the folder is ours"),
-            Unfinished::new(folder.path()).expect("the folder is ours"),
-        );
-        begun.fill(b"half").expect("the folder is ours");
-        finished.fill(b"whole").expect("the folder is ours");
-        finished.persist(&folder.path().join("place")).expect("the folder is ours");
+        let [begun, finished] = [(); 2].map(|()| unfinished(folder.path()).expect("the folder is ours"));
+        finished.persist(folder.path().join("place")).expect("the folder is ours");
         sweep(folder.path());
-        assert!(begun.path.exists(), "a run does not sweep away what it works on");
+        assert!(begun.path().exists(), "a run does not sweep away what it works on");
         remove_own_temporaries();
         let left: Vec<_> = fs::read_dir(folder.path()).expect("it is there").flatten().collect();
         assert_eq!(left.len(), 1);

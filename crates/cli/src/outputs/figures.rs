@@ -1,80 +1,80 @@
 //! From a study's frames to figures: one function a figure.
 
 use grazing_continuation::bifurcation::Pair;
+use grazing_continuation::curve;
 use grazing_drawing::{
     Figure02, Figure04, Figure05, Figure07, Figure08, Heading, Magnified, MagnifiedPanel, Section,
     SheetWidth, SpaceFigure, Window, draw_fig01, draw_fig02, draw_fig03, draw_fig04, draw_fig05, draw_fig06,
     draw_fig07, draw_fig08, draw_fig09, draw_fig10,
 };
-use grazing_reproduction::parameters::{Range, Rectangle};
 use grazing_reproduction::{Coefficients, Scene, ShownPanel, Study, StudyError};
-use grazing_results::{Names, Table};
+use grazing_results::Names;
 
 use super::{Made, MadeResult};
 
 pub(super) fn coefficients(study: &Study<'_>, _: SheetWidth) -> MadeResult {
-    let notes = study.coefficients()?.iter().flat_map(Coefficients::doubts).collect();
+    let made = study.coefficients()?;
+    let notes = made.rows.iter().flat_map(Coefficients::doubts).collect();
     // A curve that is missing is none of the table's business.
     let gaps = study.gaps()?.into_iter().filter(|gap| matches!(gap, StudyError::Unlocated { .. }));
     let gaps = gaps.map(|gap| gap.to_string()).collect();
-    Ok(Made { notes, gaps, ..Made::tables(vec![study.coefficient_table()?]) })
+    Ok(Made { notes, gaps, ..Made::tables(made.tables(&Names::of_the_paper())) })
 }
 
 pub(super) fn fig01(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig01()?;
-    Ok(Made::figure(draw_fig01(&space(&made), width)?, made.tables()))
+    Ok(Made::figure(draw_fig01(&space(&made), width)?, made.tables(&Names::of_the_paper())))
 }
 
 pub(super) fn fig02(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig02()?;
-    let shown = study.parameters().fig02()?;
+    let shown = study.parameters.fig02.get()?;
     let figure = Figure02 {
         branches: &made.branches,
         bifurcations: &made.bifurcations,
         attractor: &made.attractor,
         portraits: &made.portraits,
-        window: window(shown.amplitude(), shown.x()),
-        magnification: window(shown.magnified_amplitude(), shown.magnified_x()),
+        window: Window { x: shown.amplitude, y: shown.x },
+        magnification: Window { x: shown.magnified_amplitude, y: shown.magnified_x },
     };
     let figure = draw_fig02(&figure, width)?;
-    Ok(Made { notes: made.notes.clone(), ..Made::figure(figure, made.tables()) })
+    Ok(Made { notes: made.notes.clone(), ..Made::figure(figure, made.tables(&Names::of_the_paper())) })
 }
 
 pub(super) fn fig03(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig03()?;
-    Ok(Made::figure(draw_fig03(&space(&made), width)?, made.tables()))
+    Ok(Made::figure(draw_fig03(&space(&made), width)?, made.tables(&Names::of_the_paper())))
 }
 
 pub(super) fn fig04(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig04()?;
     let figure = Figure04 { curves: &made.curves, points: &made.points };
-    Ok(Made::figure(draw_fig04(&figure, width)?, made.tables()))
+    Ok(Made::figure(draw_fig04(&figure, width)?, made.tables(&Names::of_the_paper())))
 }
 
 pub(super) fn fig05(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig05()?;
-    let shown = study.parameters().fig05()?;
+    let shown = study.parameters.fig05.get()?;
     let figure = Figure05 {
         curves: &made.curves,
         points: &made.points,
         regions: &made.regions,
-        window: window(shown.mu(), shown.eta()),
+        window: Window { x: shown.mu, y: shown.eta },
     };
-    Ok(Made::figure(draw_fig05(&figure, width)?, made.tables()))
+    Ok(Made::figure(draw_fig05(&figure, width)?, made.tables(&Names::of_the_paper())))
 }
 
 pub(super) fn fig06(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig06()?;
-    let tables = vec![Table::new("fig06_parts", &Names::of_the_paper(), &made)];
-    Ok(Made::figure(draw_fig06(&made, width)?, tables))
+    Ok(Made::figure(draw_fig06(&made.parts, width)?, made.tables(&Names::of_the_paper())))
 }
 
 pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig07()?;
     // Where Figures 2 and 8 cannot be made, this one does not say where they lie.
-    let section = study.parameters().fig02().ok().map(|section| Section {
-        across: ends(section.amplitude()),
-        up: [section.frequency(); 2],
+    let section = study.parameters.fig02.get().ok().map(|section| Section {
+        across: section.amplitude,
+        up: [section.frequency; 2],
         label: "Fig. 2".to_owned(),
     });
     let panels = panels(&study.panels().unwrap_or_default());
@@ -83,12 +83,12 @@ pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         curves: &made.curves,
         points: &made.points,
         regions: &made.regions,
-        window: plane(study.parameters().fig07()?.window()),
+        window: plane(&study.parameters.fig07.get()?.window),
         magnified: &magnified,
         sections: section.as_slice(),
     };
     let gaps = study.gaps()?.iter().map(ToString::to_string).collect();
-    Ok(Made { gaps, ..Made::figure(draw_fig07(&figure, width)?, made.tables()) })
+    Ok(Made { gaps, ..Made::figure(draw_fig07(&figure, width)?, made.tables(&Names::of_the_paper())) })
 }
 
 pub(super) fn fig08(study: &Study<'_>, width: SheetWidth) -> MadeResult {
@@ -100,18 +100,17 @@ pub(super) fn fig08(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         panels: &panels(&made.panels),
     };
     let figure = draw_fig08(&figure, width)?;
-    Ok(Made { notes: made.notes.clone(), ..Made::figure(figure, made.tables()) })
+    Ok(Made { notes: made.notes.clone(), ..Made::figure(figure, made.tables(&Names::of_the_paper())) })
 }
 
 pub(super) fn fig09(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig09()?;
-    Ok(Made::figure(draw_fig09(&space(&made), width)?, made.tables()))
+    Ok(Made::figure(draw_fig09(&space(&made), width)?, made.tables(&Names::of_the_paper())))
 }
 
 pub(super) fn fig10(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig10()?;
-    let tables = vec![Table::new("fig10_path", &Names::of_the_paper(), &made)];
-    Ok(Made::figure(draw_fig10(&made, width)?, tables))
+    Ok(Made::figure(draw_fig10(&made.path, width)?, made.tables(&Names::of_the_paper())))
 }
 
 /// A scene in phase space.
@@ -121,24 +120,25 @@ fn space(scene: &Scene) -> SpaceFigure<'_> {
 
 /// The panels of Figure 8, numbered from 1.
 fn panels(shown: &[ShownPanel]) -> Vec<MagnifiedPanel> {
-    let panel = |(panel, shown): (u32, &ShownPanel)| {
-        let window = Window { x: shown.window.primary, y: shown.window.secondary };
-        let Pair { saddle_node: c_sn, period_doubling: c_pd } = shown.coefficients;
-        let heading = Heading { p: shown.loops, n: None, c_sn, c_pd };
-        MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }
-    };
-    (1..).zip(shown).map(panel).collect()
+    let numbered = (1..).zip(shown);
+    numbered
+        .map(|(number, shown)| panel(number, shown.loops, None, &shown.window, shown.coefficients))
+        .collect()
 }
 
-/// The amplitudes across and the frequencies up.
-fn plane(rectangle: Rectangle) -> Window {
-    window(rectangle.amplitude(), rectangle.frequency())
+/// A panel about the resonance of p and perhaps n, with its coefficients.
+pub(crate) fn panel(
+    panel: u32,
+    p: u32,
+    n: Option<u32>,
+    window: &curve::Window,
+    Pair { saddle_node: c_sn, period_doubling: c_pd }: Pair<f64>,
+) -> MagnifiedPanel {
+    let shown = Magnified { panel, window: plane(window) };
+    MagnifiedPanel { shown, heading: Some(Heading { p, n, c_sn, c_pd }) }
 }
 
-fn window(across: Range, up: Range) -> Window {
-    Window { x: ends(across), y: ends(up) }
-}
-
-fn ends(range: Range) -> [f64; 2] {
-    [range.lower(), range.upper()]
+/// Amplitudes across and frequencies up.
+fn plane(window: &curve::Window) -> Window {
+    Window { x: window.primary, y: window.secondary }
 }

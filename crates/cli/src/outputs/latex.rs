@@ -3,10 +3,10 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use grazing_results::{Cell, Table};
+use grazing_results::{Cell, GREEK, Table};
 
 use super::Output;
-use super::edition::{Edition, Format};
+use super::edition::Edition;
 
 /// Significant digits of the number of least magnitude in a column; all its numbers have as many decimals.
 const DIGITS: i32 = 4;
@@ -160,7 +160,8 @@ fn referring(caption: String, outputs: &[&Output]) -> String {
 
 /// Text with the characters that LaTeX reserves escaped, and mathematical signs as commands.
 pub fn escaped(text: &str) -> String {
-    const SIGNS: [(char, &str); 30] = [
+    /// Signs, and the Greek letters whose form is not that of their name.
+    const SIGNS: [(char, &str); 15] = [
         ('\\', r"\textbackslash{}"),
         ('~', r"\textasciitilde{}"),
         ('^', r"\textasciicircum{}"),
@@ -168,23 +169,8 @@ pub fn escaped(text: &str) -> String {
         ('—', "---"),
         ('’', "'"),
         ('𝒜', r"$\mathcal{A}$"),
-        ('α', r"$\alpha$"),
-        ('β', r"$\beta$"),
-        ('γ', r"$\gamma$"),
-        ('δ', r"$\delta$"),
         ('ε', r"$\epsilon$"),
-        ('ζ', r"$\zeta$"),
-        ('η', r"$\eta$"),
-        ('λ', r"$\lambda$"),
-        ('μ', r"$\mu$"),
-        ('ξ', r"$\xi$"),
-        ('π', r"$\pi$"),
-        ('τ', r"$\tau$"),
         ('φ', r"$\varphi$"),
-        ('ω', r"$\omega$"),
-        ('Γ', r"$\Gamma$"),
-        ('Π', r"$\Pi$"),
-        ('Σ', r"$\Sigma$"),
         ('≤', r"$\le$"),
         ('≥', r"$\ge$"),
         ('≈', r"$\approx$"),
@@ -194,27 +180,16 @@ pub fn escaped(text: &str) -> String {
     ];
     let mut escaped = String::new();
     for character in text.chars() {
-        match SIGNS.iter().find(|(sign, _)| *sign == character) {
-            Some((_, command)) => escaped.push_str(command),
-            None => {
-                if "#$%&_{}".contains(character) {
-                    escaped.push('\\');
-                }
-                escaped.push(character);
-            }
+        if let Some((_, command)) = SIGNS.iter().find(|(sign, _)| *sign == character) {
+            escaped.push_str(command);
+        } else if let Some((name, _)) = GREEK.iter().find(|(_, letter)| *letter == character) {
+            escaped.push_str(&format!("$\\{name}$"));
+        } else {
+            escaped.extend("#$%&_{}".contains(character).then_some('\\'));
+            escaped.push(character);
         }
     }
     escaped
-}
-
-/// How many rows a table has that was made by [`table`].
-pub(crate) fn rows(content: &[u8]) -> usize {
-    String::from_utf8_lossy(content).lines().filter(|line| line.ends_with(r"\\")).count().saturating_sub(1)
-}
-
-/// True if the edition has the snippet.
-pub(crate) fn has_snippet(edition: &Edition) -> bool {
-    edition.has(Format::Tex)
 }
 
 #[cfg(test)]
@@ -257,7 +232,6 @@ mod tests {
         ] {
             assert!(text.lines().any(|found| found == line), "{line} is missing in\n{text}");
         }
-        assert_eq!(rows(text.as_bytes()), 2);
     }
 
     #[test]

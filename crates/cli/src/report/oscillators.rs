@@ -12,19 +12,15 @@ use grazing_report::{
     CoefficientEntry, Figure, Finding, Judgement, Manifest, OscillatorEntry, OutputFile, Report,
     ResonanceEntry,
 };
-use grazing_reproduction::unfolded::{Observer, Unfolded};
 use grazing_results::{Cell, Table, columns};
 use grazing_unfold::sides::Simulated;
-use grazing_unfold::stop::Stop;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Coefficient, Verdict};
 
 use super::{file_name, links, versions};
 use crate::failure::Failure;
 use crate::folder::MadeFile;
-use crate::limits::Watch;
 use crate::outputs::computation;
-use crate::progress::Display;
 use crate::project;
 use crate::unfold::numbers::agreement;
 use crate::unfold::reason::{self, place, unfinished};
@@ -94,15 +90,10 @@ impl Source {
     /// There is nothing to unfold, or a figure or table could not be made.
     pub(crate) fn entry(&self) -> Result<(OscillatorEntry, Option<Failure>), Failure> {
         let Self { file, text, description } = self;
-        let watch = Watch::begin(description.limits());
-        let unfolded = &Unfolded::described(description, &Display::counting(watch.stop()))
-            .map_err(|error| unfold::failure(description, file, &error, watch.met()))?;
-        let met = watch.met().filter(|_| !unfolded.diagram.unfinished.is_empty()).map(|met| Failure::Ended {
-            file: file.clone(),
-            met: met.to_string(),
-            outcome: "what was not finished is named on the page".to_owned(),
-        });
-        drop(watch);
+        // Finished curves are not kept: the page is made quickly.
+        let (unfolded, met) = unfold::analyse(description, file, description.limits(), &|_| ())?;
+        let unfolded = &unfolded;
+        let met = met.map(|met| unfold::ended(file, met, "what was not finished is named on the page"));
         let rows = unfolded.rows();
         let figures = &sheets::figures(description, unfolded, &rows, SheetWidth::Paper)
             .map_err(|error| computation("figures", &error))?;
@@ -136,13 +127,6 @@ pub(crate) fn distinguish(entries: &mut [OscillatorEntry]) {
             number += 1;
             entry.id = format!("{stem}-{number}");
         }
-    }
-}
-
-/// Finished curves are not kept: the page is made quickly.
-impl Observer for Display {
-    fn stop(&self) -> Stop {
-        Display::stop(self).clone()
     }
 }
 

@@ -46,6 +46,12 @@ pub(super) fn wrapped(mark: &str, content: &str) -> String {
     format!("{}\n", text.trim_end().replace(KEPT, " "))
 }
 
+/// A heading with entries under it, each after its mark; nothing if there are none.
+pub(super) fn headed(heading: &str, entries: impl IntoIterator<Item = (String, String)>) -> String {
+    let entries: String = entries.into_iter().map(|(mark, content)| wrapped(&mark, &content)).collect();
+    if entries.is_empty() { entries } else { format!("\n{heading}\n{entries}") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -9,7 +9,6 @@ use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_reproduction::unfolded::AtResonance;
-use grazing_theorems::HypothesesViolated;
 use grazing_theorems::hypothesis::Hypothesis;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::sides::Simulated;
@@ -17,7 +16,7 @@ use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
 
 use super::Analysis;
-use super::layout::{KEPT, aligned, wrapped};
+use super::layout::{KEPT, aligned, headed, wrapped};
 use super::numbers::{agreement, brief, fixed, range, significant};
 use super::reason::place;
 pub(super) use gaps::incomplete;
@@ -33,7 +32,6 @@ pub(super) fn oscillator(description: &Description, file: &Path) -> String {
     let texts = description.texts();
     let constants: Vec<String> =
         description.constants().map(|(name, value)| format!("{name} = {value}")).collect();
-    let loops: Vec<String> = description.loops().iter().map(u32::to_string).collect();
     let (primary, secondary) = (description.primary(), description.secondary());
     let mut text = format!("{} ({})\n\n", description.name(), file.display());
     let lines = [
@@ -47,13 +45,17 @@ pub(super) fn oscillator(description: &Description, file: &Path) -> String {
         ("constants", if constants.is_empty() { "none".to_owned() } else { constants.join(", ") }),
         ("primary", format!("{} from {}", primary.name(), range(primary.range()))),
         ("secondary", format!("{} from {}", secondary.name(), range(secondary.range()))),
-        ("loops", format!("p = {}", loops.join(", "))),
+        ("loops", format!("p = {}", loops(description))),
     ];
     let notes = description.notes().iter().map(|note| ("note", note.clone()));
     for (word, content) in lines.into_iter().chain(notes) {
         text.push_str(&wrapped(&format!("  {word:11}"), &content));
     }
     text
+}
+
+fn loops(description: &Description) -> String {
+    description.loops().iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
 }
 
 /// All that was found, in the order in which it was.
@@ -70,25 +72,25 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
 }
 
 fn grazing_curves(description: &Description, unfolded: &Analysis) -> String {
-    let mut text = "\nGrazing of the non-impacting solution\n".to_owned();
-    for (arc, curve) in unfolded.diagram.grazing.iter().enumerate() {
-        let points: Vec<[f64; 2]> = curve.parameters().map(|at| unfolded.axes.units.parameters(at)).collect();
+    let units = &unfolded.axes.units;
+    let (primary, secondary) = (description.primary().name(), description.secondary().name());
+    let told = |(arc, curve): (usize, &GrazingCurve<_>)| {
+        let points: Vec<[f64; 2]> = curve.parameters().map(|at| units.parameters(at)).collect();
         let extent = |index: usize| {
             let values = points.iter().map(|point| point[index]);
             range([values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)])
         };
-        let (primary, secondary) = (description.primary().name(), description.secondary().name());
         let content = format!(
             "{secondary} from {}, {primary} from {}, {} points; {}; {}",
             extent(1),
             extent(0),
             points.len(),
             ends(&curve.ends),
-            stability(curve, secondary, &unfolded.axes.units)
+            stability(curve, secondary, units)
         );
-        text.push_str(&wrapped(&format!("  curve {arc:<5}"), &content));
-    }
-    text
+        (format!("  curve {arc:<5}"), content)
+    };
+    headed("Grazing of the non-impacting solution", unfolded.diagram.grazing.iter().enumerate().map(told))
 }
 
 fn ends(ends: &[GrazingEnd; 2]) -> String {
@@ -134,13 +136,11 @@ fn stability(curve: &GrazingCurve<impl ImpactOscillator>, secondary: &str, units
 
 /// Resonances at which a theorem holds, and the coefficients there.
 fn resonances(description: &Description, unfolded: &Analysis) -> String {
-    let units = &unfolded.axes.units;
-    let found: Vec<_> = unfolded.diagram.unfolding().zip(&unfolded.resonances).collect();
+    let found = &unfolded.resonances;
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
-    let loops: Vec<String> = description.loops().iter().map(u32::to_string).collect();
     let all = unfolded.diagram.resonances.len();
     if all == 0 {
-        let loops = loops.join(", ");
+        let loops = loops(description);
         return format!("\nResonant grazing bifurcations\n  none on the grazing curve for p = {loops}\n");
     }
     let mut text = format!(
@@ -150,10 +150,9 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     if found.is_empty() {
         return text;
     }
-    let rows = found.iter().map(|((resonance, point), _)| {
-        let [mu, eta] = units.parameters(point.orbit().oscillator().parameters());
-        let grazing = point.resonant_point().grazing.in_units(units);
-        let mut row = vec![resonance.loops.to_string(), resonance.n.to_string()];
+    let rows = found.iter().map(|at| {
+        let ([mu, eta], grazing) = (at.parameters, &at.point.grazing);
+        let mut row = vec![at.loops.to_string(), at.n.to_string()];
         row.extend([eta, mu].map(|value| significant(value, PARAMETER)));
         // Where p = 2, tau is zero but for rounding.
         row.extend([grazing.map.trace(), grazing.map.determinant()].map(|value| fixed(value, QUANTITY)));
@@ -165,31 +164,25 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     let formula = format!("{primary} = {primary}_graz({secondary}) + c eta^2 + ...,").replace(' ', KEPT);
     let content = format!("{formula} where eta is {secondary} less that of the resonance");
     text.push_str(&wrapped("Curves that leave them:  ", &content));
-    let rows = found.iter().flat_map(|((_, point), at)| {
-        let [_, eta] = units.parameters(point.orbit().oscillator().parameters());
-        Pair::BIFURCATIONS.into_array().map(|kind| coefficient(eta, kind, at))
-    });
+    let curves = || {
+        found.iter().flat_map(|at| Pair::BIFURCATIONS.into_array().into_iter().map(move |kind| (kind, at)))
+    };
     let header =
         ["p", "n", secondary, "curve", "c by theorem", "c measured", "digits agreeing", "as simulated"];
-    text.push_str(&aligned(&header, rows));
-    for ((_, point), at) in &found {
-        let [_, eta] = units.parameters(point.orbit().oscillator().parameters());
-        for kind in Pair::BIFURCATIONS.into_array() {
-            text.push_str(&reasons(secondary, eta, kind, at));
-        }
-    }
+    text.push_str(&aligned(&header, curves().map(|(kind, at)| coefficient(kind, at))));
+    text.extend(curves().map(|(kind, at)| reasons(secondary, kind, at)));
     text
 }
 
 /// Why a coefficient was not measured or simulation is not as predicted; nothing if all is well.
-fn reasons(secondary: &str, eta: f64, kind: Bifurcation, at: &AtResonance) -> String {
+fn reasons(secondary: &str, kind: Bifurcation, at: &AtResonance) -> String {
     let (coefficient, simulated) = at.beside(kind);
     let verdict = coefficient.verdict();
     let mark = format!(
         "  p = {}, n = {}, {secondary} = {}, {}:  ",
         at.loops,
         at.n,
-        significant(eta, QUANTITY),
+        significant(at.parameters[1], QUANTITY),
         kind.name()
     );
     let mut text = String::new();
@@ -230,7 +223,7 @@ pub(super) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
 }
 
 /// A row: one coefficient by the theorem, measured, and whether simulation agrees.
-fn coefficient(secondary: f64, kind: Bifurcation, at: &AtResonance) -> Vec<String> {
+fn coefficient(kind: Bifurcation, at: &AtResonance) -> Vec<String> {
     let (coefficient, simulated) = at.beside(kind);
     let theorem = coefficient.theorem.value;
     let (measured, digits) = match (coefficient.verdict(), &coefficient.fit) {
@@ -244,7 +237,7 @@ fn coefficient(secondary: f64, kind: Bifurcation, at: &AtResonance) -> Vec<Strin
         at.loops.to_string(),
         at.n.to_string(),
         // Enough to tell resonances with the same p and n apart.
-        significant(secondary, QUANTITY),
+        significant(at.parameters[1], QUANTITY),
         kind.name().to_owned(),
         significant(theorem, COEFFICIENT),
         measured,
@@ -253,29 +246,20 @@ fn coefficient(secondary: f64, kind: Bifurcation, at: &AtResonance) -> Vec<Strin
     ]
 }
 
-/// Resonances at which no theorem applies, with what fails.
+/// Resonances at which no theorem applies, with the hypotheses that fail and their values.
 fn silent_theorems(description: &Description, unfolded: &Analysis) -> String {
-    let mut text = String::new();
-    for resonance in &unfolded.diagram.resonances {
-        let Err(violated) = &resonance.theorem else { continue };
-        if text.is_empty() {
-            text.push_str("\nResonances where the theorem does not apply, and no curve is followed\n");
-        }
-        let units = &unfolded.axes.units;
-        let at = place(description, units.parameters(resonance.located.orbit().oscillator().parameters()));
-        let content = format!("{at}: {}", failing(violated, units));
-        text.push_str(&wrapped(&format!("  p = {}, n = {}  ", resonance.loops, resonance.n), &content));
-    }
-    text
-}
-
-/// The hypotheses that fail, with their values.
-fn failing(violated: &HypothesesViolated, units: &Units) -> String {
-    let told = |hypothesis: &Hypothesis| {
+    let units = &unfolded.axes.units;
+    let failing = |hypothesis: &Hypothesis| {
         let value = hypothesis.in_units(units).value;
         format!("{} fails: {}", hypothesis.statement(), brief(value, 4))
     };
-    violated.violated().map(told).collect::<Vec<_>>().join(", ")
+    let silent = unfolded.diagram.resonances.iter().filter_map(|resonance| {
+        let violated = resonance.theorem.as_ref().err()?.violated();
+        let at = place(description, units.parameters(resonance.located.orbit().oscillator().parameters()));
+        let content = format!("{at}: {}", violated.map(failing).collect::<Vec<_>>().join(", "));
+        Some((format!("  p = {}, n = {}  ", resonance.loops, resonance.n), content))
+    });
+    headed("Resonances where the theorem does not apply, and no curve is followed", silent)
 }
 
 fn corners(description: &Description, unfolded: &Analysis) -> String {
@@ -300,6 +284,7 @@ mod tests {
     use super::*;
     use grazing_continuation::curve::Window;
     use grazing_continuation::fit::{Estimate, Measurement};
+    use grazing_theorems::LinearOscillator;
     use grazing_unfold::sides::{self, Sides};
     use grazing_unfold::simulation::Seen;
     use grazing_unfold::verdict::{Coefficient, Obstacle};
@@ -316,9 +301,12 @@ mod tests {
                 velocity: 0.01,
             }),
         };
+        let theory = LinearOscillator::new(0.02, 0.9).expect("it is in the domain");
         AtResonance {
             loops: 2,
             n: 3,
+            parameters: [0.5, 0.75],
+            point: theory.resonance(2, 3).expect("it is one").resonant_point(),
             coefficients: Pair { saddle_node: coefficient(error), period_doubling: coefficient(1.0) },
             sides: Pair {
                 saddle_node: simulated,
@@ -348,14 +336,12 @@ mod tests {
                  and repels",
             ]
         );
-        let failure = crate::failure::Failure::Contradiction { file: "a.toml".into(), what: told.join("; ") };
-        assert_eq!(failure.exit_code(), 1);
         let doubtful =
             resonance(1.0, Simulated::Undecided(sides::Doubt::TooSlow { leading: 1e-9, least: 1e-6 }));
         assert!(contradictions(std::slice::from_ref(&doubtful)).is_empty());
         let (coefficient, _) = doubtful.beside(Bifurcation::SaddleNode);
         assert!(matches!(coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
-        let told = reasons("omega", 0.75, Bifurcation::SaddleNode, &doubtful);
+        let told = reasons("omega", Bifurcation::SaddleNode, &doubtful);
         for wanted in [
             "p = 2, n = 3, omega = 0.75000, SN:  not measurable: where",
             "as simulated undecided: the leading",

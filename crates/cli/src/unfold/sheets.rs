@@ -1,14 +1,14 @@
 //! The figures: a two-parameter diagram, and magnifications about its resonances.
 
-use grazing_continuation::bifurcation::Pair;
 use grazing_description::Description;
 use grazing_drawing::{
-    Diagram, DrawingError, Heading, Magnifications, Magnified, MagnifiedPanel, Plane, SheetWidth, Window,
+    Diagram, DrawingError, Magnifications, Magnified, MagnifiedPanel, Plane, SheetWidth, Window,
     draw_diagram, draw_magnifications,
 };
-use grazing_reproduction::unfolded::Rows;
+use grazing_reproduction::unfolded::{AtResonance, Rows};
 
 use super::Analysis;
+use crate::outputs::figures::panel;
 
 /// The files of the figures, if all magnifications find room on one sheet.
 pub(super) const FILES: [&str; 2] = ["diagram.svg", "magnifications.svg"];
@@ -83,13 +83,6 @@ fn panels(unfolded: &Analysis) -> Vec<MagnifiedPanel> {
     let numbered = (1..).zip(&unfolded.resonances);
     let shown = numbered
         .filter(|(_, at)| !at.magnified.is_empty() && wide(at.window.primary) && wide(at.window.secondary));
-    shown
-        .map(|(panel, at)| {
-            let Pair { saddle_node: c_sn, period_doubling: c_pd } =
-                at.coefficients.map(|coefficient| coefficient.theorem.value);
-            let window = Window { x: at.window.primary, y: at.window.secondary };
-            let heading = Heading { p: at.loops, n: Some(at.n), c_sn, c_pd };
-            MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }
-        })
-        .collect()
+    let coefficients = |at: &AtResonance| at.coefficients.map(|coefficient| coefficient.theorem.value);
+    shown.map(|(number, at)| panel(number, at.loops, Some(at.n), &at.window, coefficients(at))).collect()
 }

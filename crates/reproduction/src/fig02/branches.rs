@@ -22,13 +22,13 @@ pub(super) struct Branch {
 /// Follows the branches of all p asked for.
 pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch>, StudyError> {
     let figure = setting.figure;
-    let frequency = figure.frequency();
-    let route = branch_route(figure.amplitude());
+    let frequency = figure.frequency;
+    let route = branch_route(figure.amplitude);
     let amplitude = setting.grazing.amplitude();
     let start = Unknowns::new(0.0, setting.grazing.phase(), amplitude, frequency);
     let oscillator = setting.oscillator(amplitude)?;
     figure
-        .loops()
+        .loops
         .par_iter()
         .map(|&loops| {
             let equations = LoopEquations::new(oscillator, loops, Formulation::Vivid);
@@ -79,7 +79,7 @@ const NON_IMPACTING_SAMPLES: u32 = 50;
 /// The non-impacting solution and all branches, loop by loop.
 pub(super) fn rows(setting: &Setting, branches: &[Branch]) -> Result<Vec<BranchPoint>, StudyError> {
     let mut rows = Vec::new();
-    let (lower, graz) = (setting.figure.amplitude().lower(), setting.grazing.amplitude());
+    let (lower, graz) = (setting.figure.amplitude[0], setting.grazing.amplitude());
     for k in 0..=NON_IMPACTING_SAMPLES {
         let amplitude = lower + (graz - lower) * f64::from(k) / f64::from(NON_IMPACTING_SAMPLES);
         // The maximum of eq:phip lies at the phase z_graz, whatever the amplitude.

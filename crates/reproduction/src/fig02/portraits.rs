@@ -63,9 +63,9 @@ fn draw(
         let top = oscillator.non_impacting_solution(setting.grazing.phase());
         sample(PortraitKind::Periodic, 0.0, &oscillator.motion(top), period);
     } else {
-        let plan = setting.figure.attractor();
-        let mut random = Pcg64::new(u128::from(plan.seed()), u128::from(number) << 64);
-        let transient = f64::from(plan.transient()) * period;
+        let plan = &setting.figure.attractor;
+        let mut random = Pcg64::new(u128::from(plan.seed), u128::from(number) << 64);
+        let transient = f64::from(plan.transient) * period;
         let horizon = transient + ATTRACTOR_PERIODS * period;
         let start = attractor::random_start(setting, &mut random);
         let flights = attractor::settled_flights(&oscillator, start, transient, horizon);

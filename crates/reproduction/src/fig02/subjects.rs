@@ -7,7 +7,7 @@ use grazing_model::State;
 use super::Setting;
 use super::branches::{Branch, with_events};
 use crate::StudyError;
-use crate::parameters::{MOST_PORTRAITS, Place, Portrait};
+use crate::parameters::{MOST_PORTRAITS, Portrait};
 
 /// The part of a stretch, at either end, in which no portrait is put by itself: close to a bifurcation an orbit is hardly told
 /// from the one it is born with.
@@ -25,27 +25,27 @@ pub(super) struct Subject {
 
 /// All subjects, and what is shown elsewhere than asked for, or not at all, in sentences.
 pub(super) fn all(setting: &Setting, branches: &[Branch]) -> Result<(Vec<Subject>, Vec<String>), StudyError> {
-    let asked = setting.figure.portraits();
+    let asked = &setting.figure.portraits;
     if asked.is_empty() {
         return Ok((chosen(setting, branches), Vec::new()));
     }
     let (mut subjects, mut notes) = (Vec::new(), Vec::new());
     for portrait in asked {
-        match (found(setting, branches, portrait), portrait.place()) {
-            (Some(subject), Place::Near(wish)) if subject.amplitude != wish => {
-                let (loops, amplitude) = (subject.loops, subject.amplitude);
-                notes.push(format!(
-                    "{}: the portrait of p = {loops} is at {amplitude:.5}, where it exists",
-                    portrait.key()
-                ));
+        let Portrait { loops, amplitude: wish, must, key, .. } = portrait;
+        match found(setting, branches, portrait) {
+            Some(subject) => {
+                if !must && wish.is_some_and(|wish| wish != subject.amplitude) {
+                    let amplitude = subject.amplitude;
+                    notes.push(format!(
+                        "{key}: the portrait of p = {loops} is at {amplitude:.5}, where it exists"
+                    ));
+                }
                 subjects.push(subject);
             }
-            (Some(subject), _) => subjects.push(subject),
-            (None, Place::At(_)) => return Err(missing(branches, portrait)),
-            (None, _) => {
-                let (key, loops) = (portrait.key(), portrait.loops());
-                notes.push(format!("{key}: no such portrait, as no {loops}-loop solution is stable and admissible at the amplitudes of Figure 2"));
-            }
+            None if *must => return Err(missing(branches, portrait)),
+            None => notes.push(format!(
+                "{key}: no such portrait, as no {loops}-loop solution is stable and admissible at the amplitudes of Figure 2"
+            )),
         }
     }
     // There is always a non-impacting solution.
@@ -55,7 +55,7 @@ pub(super) fn all(setting: &Setting, branches: &[Branch]) -> Result<(Vec<Subject
 /// The non-impacting solution, and each p that is somewhere stable, from left to right.
 fn chosen(setting: &Setting, branches: &[Branch]) -> Vec<Subject> {
     let mut subjects = vec![non_impacting(setting, None)];
-    for &loops in setting.figure.loops().iter().take(MOST_PORTRAITS - 1) {
+    for &loops in setting.figure.loops.iter().take(MOST_PORTRAITS - 1) {
         subjects.extend(nearest(branches, loops, None));
     }
     subjects.sort_by(|a, b| a.amplitude.total_cmp(&b.amplitude));
@@ -64,27 +64,20 @@ fn chosen(setting: &Setting, branches: &[Branch]) -> Vec<Subject> {
 
 /// What the file asks for, if it exists.
 fn found(setting: &Setting, branches: &[Branch], portrait: &Portrait) -> Option<Subject> {
-    let wish = match portrait.place() {
-        Place::At(amplitude) | Place::Near(amplitude) => Some(amplitude),
-        Place::Anywhere => None,
-    };
-    let loops = portrait.loops();
+    let Portrait { loops, amplitude: wish, must, .. } = *portrait;
     if loops == 0 {
         return Some(non_impacting(setting, wish));
     }
     let there = wish.and_then(|amplitude| at(branches, loops, amplitude));
-    match portrait.place() {
-        Place::At(_) => there,
-        _ => there.or_else(|| nearest(branches, loops, wish)),
-    }
+    if must { there } else { there.or_else(|| nearest(branches, loops, wish)) }
 }
 
 /// The non-impacting solution or the attractor, at the amplitude or the nearest one in the figure.
 fn non_impacting(setting: &Setting, wish: Option<f64>) -> Subject {
-    let (window, grazing) = (setting.figure.amplitude(), setting.grazing.amplitude());
+    let (window, grazing) = (setting.figure.amplitude, setting.grazing.amplitude());
     let amplitude = match wish {
-        Some(wish) => wish.clamp(window.lower(), window.upper()),
-        None => 0.5 * (window.lower() + grazing),
+        Some(wish) => wish.clamp(window[0], window[1]),
+        None => 0.5 * (window[0] + grazing),
     };
     Subject { loops: 0, amplitude, recoil: None }
 }
@@ -127,7 +120,7 @@ fn stretches(branches: &[Branch], loops: u32) -> Vec<[f64; 2]> {
 }
 
 fn missing(branches: &[Branch], portrait: &Portrait) -> StudyError {
-    let ranges: Vec<String> = stretches(branches, portrait.loops())
+    let ranges: Vec<String> = stretches(branches, portrait.loops)
         .iter()
         .map(|[low, high]| format!("from {low:.5} to {high:.5}"))
         .collect();
@@ -136,7 +129,7 @@ fn missing(branches: &[Branch], portrait: &Portrait) -> StudyError {
     } else {
         format!("there is one {}", ranges.join(", "))
     };
-    StudyError::NoPortrait { key: portrait.key().to_owned(), loops: portrait.loops(), remedy }
+    StudyError::NoPortrait { key: portrait.key.clone(), loops: portrait.loops, remedy }
 }
 
 /// The stable admissible MPS at the amplitude.

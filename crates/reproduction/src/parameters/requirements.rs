@@ -195,11 +195,6 @@ const STRETCH: &str = "the stretch must be three positive numbers, for x, y and 
 const LOOPS: &str =
     "the numbers of loops must be a list of different whole numbers from 1 to 12, as [1, 2, 3]";
 
-/// What the key must hold; the numbers of list members in the key do not matter.
-pub(super) fn requirement(key: &str) -> &'static str {
-    REQUIREMENTS.of(key)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -221,7 +216,8 @@ mod tests {
             ("fig02.attractor.recorded", MOST_PERIODS),
         ] {
             let told = format!(" to {limit}");
-            assert!(requirement(key).contains(&told), "{key}: `{told}` is not in: {}", requirement(key));
+            let requirement = REQUIREMENTS.of(key);
+            assert!(requirement.contains(&told), "{key}: `{told}` is not in: {requirement}");
         }
     }
 

@@ -1,15 +1,13 @@
-//! The checks of Figures 1, 3 and 9.
+//! `[fig01]`, `[fig03]` and `[fig09]`: orbits in (x, y, z) phase space.
 
 use core::f64::consts::TAU;
 
-use toml::Spanned;
+use grazing_source::{Section, SourceError};
 
-use super::range::Range;
-use super::raw;
+use super::checks::{
+    around_zero, contains, damping_ratio, encloses, frequency, range, restitution, strictly_contains, tables,
+};
 use super::requirements::{MOST_AMPLITUDE, MOST_ARRIVALS};
-use super::space::{Arrival, Figure1, Figure3, Figure9, Specimen, View};
-use super::validate::{Checked, bound_members, demand, frequency, range, refusal};
-use grazing_source::Source;
 
 /// Gamma is two units of x wide; a ring with a smaller radius would overlap itself.
 const LEAST_RADIUS: f64 = 2.0;
@@ -20,100 +18,171 @@ const SECTION_REACH: f64 = 1.5;
 /// Loops that can be told apart near the wall.
 const MOST_LOOPS: u32 = 3;
 
-pub(super) fn figure1(raw: &raw::Figure1, source: &Source<'_>) -> Checked<Figure1> {
-    let specimen = specimen(source, "fig01", [&raw.zeta, &raw.epsilon, &raw.amplitude, &raw.frequency])?;
-    let velocity = around_zero(source, "fig01.velocity", &raw.velocity)?;
-    let view = view(source, "fig01", &raw.view)?;
-    bound_members(source, "fig01.orbits", &raw.orbits, 1..=MOST_ARRIVALS)?;
-    let mut orbits = Vec::new();
-    for (orbit, number) in raw.orbits.get_ref().iter().zip(1..) {
-        let key = |name: &str| format!("fig01.orbits[{number}].{name}");
-        let shown = demand(source, &key("velocity"), &orbit.velocity, |y| {
-            y >= 0.0 && velocity.contains(y) && velocity.contains(-specimen.epsilon * y)
+/// From where phase space is looked at: an orthographic view along parallel rays.
+///
+/// Before any turning x points right, y up and z towards the viewer, a right-handed frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct View {
+    /// The angle in degrees by which the scene is turned about the y-axis, in [-180, 180]; z swings to the right.
+    pub turn: f64,
+    /// The angle in degrees by which the viewer stands above the plane y = 0, strictly between 0 and 90.
+    pub tilt: f64,
+    /// The lengths of the units of x, y and z relative to each other, positive.
+    pub stretch: [f64; 3],
+}
+
+impl View {
+    /// The view of a figure.
+    fn read(figure: &Section<'_>) -> Result<Self, SourceError> {
+        let section = &figure.table("view")?;
+        Ok(Self {
+            turn: section.number("turn", |turn| contains([-180.0, 180.0], turn))?,
+            tilt: section.number("tilt", |tilt| strictly_contains([0.0, 90.0], tilt))?,
+            stretch: section.numbers("stretch", |units| units.iter().all(|&unit| unit > 0.0))?,
+        })
+    }
+}
+
+/// The linear oscillator of one of these figures; it need not be that of the paper's example.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Specimen {
+    /// The damping ratio zeta, in (0, 1).
+    pub zeta: f64,
+    /// The coefficient of restitution epsilon, in (0, 1].
+    pub epsilon: f64,
+    /// The forcing amplitude, positive.
+    pub amplitude: f64,
+    /// The forcing frequency omega, positive.
+    pub frequency: f64,
+}
+
+impl Specimen {
+    fn read(section: &Section<'_>) -> Result<Self, SourceError> {
+        Ok(Self {
+            zeta: damping_ratio(section)?,
+            epsilon: restitution(section)?,
+            amplitude: section.number("amplitude", |a| 0.0 < a && a <= MOST_AMPLITUDE)?,
+            frequency: frequency(section)?,
+        })
+    }
+}
+
+/// Figure 1: orbits that reach the impacting surface.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Figure1 {
+    /// The oscillator.
+    pub specimen: Specimen,
+    /// The velocities y that the shown part of Sigma reaches; 0 lies strictly inside.
+    pub velocity: [f64; 2],
+    /// The orbits, at least one.
+    pub orbits: Vec<Arrival>,
+    /// The view.
+    pub view: View,
+}
+
+/// An orbit of Figure 1, given by a point at which it reaches Sigma.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Arrival {
+    /// The velocity y at the point on Sigma, not negative; 0 for an orbit that grazes.
+    pub velocity: f64,
+    /// The phase z at that point in radians; with what follows, the orbit stays within [0, 2 pi].
+    pub phase: f64,
+    /// How much phase before the point the orbit is drawn, in radians, positive.
+    pub before: f64,
+    /// How much phase after the point the orbit is drawn, in radians, positive.
+    pub after: f64,
+}
+
+impl Figure1 {
+    pub(super) fn read(section: &Section<'_>) -> Result<Self, SourceError> {
+        let specimen = Specimen::read(section)?;
+        let shown = around_zero(section, "velocity")?;
+        let view = View::read(section)?;
+        let mut orbits = Vec::new();
+        for orbit in &tables(section, "orbits", 1..=MOST_ARRIVALS)? {
+            let velocity = orbit.number("velocity", |y| {
+                y >= 0.0 && contains(shown, y) && contains(shown, -specimen.epsilon * y)
+            })?;
+            let phase = orbit.number("phase", |z| strictly_contains([0.0, TAU], z))?;
+            let before = orbit.number("before", |span| 0.0 < span && span <= phase)?;
+            let after = orbit.number("after", |span| 0.0 < span && phase + span < TAU)?;
+            orbits.push(Arrival { velocity, phase, before, after });
+        }
+        Ok(Self { specimen, velocity: shown, orbits, view })
+    }
+}
+
+/// Figure 3: the return map P_global at grazing, its phase space glued to a ring.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Figure3 {
+    /// The damping ratio zeta, in (0, 1).
+    pub zeta: f64,
+    /// The forcing frequency omega, positive; the amplitude is that of grazing.
+    pub frequency: f64,
+    /// The point on Pi that is mapped: x and z - z_graz, inside the shown part.
+    pub start: [f64; 2],
+    /// The positions x of Pi; 0 lies strictly inside.
+    pub position: [f64; 2],
+    /// The phases z - z_graz of Pi in radians; 0 lies strictly inside.
+    pub phase: [f64; 2],
+    /// The radius of the circle x = 0, y = 0 about which phase space is bent; above 2, the width of Gamma.
+    pub radius: f64,
+    /// The phase z - z_graz at which the axes of x and y are drawn, in radians.
+    pub axes: f64,
+    /// The view.
+    pub view: View,
+}
+
+impl Figure3 {
+    pub(super) fn read(section: &Section<'_>) -> Result<Self, SourceError> {
+        let (zeta, frequency) = (damping_ratio(section)?, frequency(section)?);
+        let position = around_zero(section, "position")?;
+        let phase = range(section, "phase", |range| {
+            strictly_contains(range, 0.0) && encloses([-SECTION_REACH, SECTION_REACH], range)
         })?;
-        let phase = demand(source, &key("phase"), &orbit.phase, |z| 0.0 < z && z < TAU)?;
-        let before = demand(source, &key("before"), &orbit.before, |span| 0.0 < span && span <= phase)?;
-        let after = demand(source, &key("after"), &orbit.after, |span| 0.0 < span && phase + span < TAU)?;
-        orbits.push(Arrival { velocity: shown, phase, before, after });
+        let start = section
+            .numbers("start", |[x, z]| strictly_contains(position, x) && strictly_contains(phase, z))?;
+        let radius = section.number("radius", |r| LEAST_RADIUS < r && r <= MOST_RADIUS)?;
+        let axes = section.number("axes", |z| contains([0.0, TAU], z))?;
+        let view = View::read(section)?;
+        Ok(Self { zeta, frequency, start, position, phase, radius, axes, view })
     }
-    Ok(Figure1 { specimen, velocity, orbits, view })
 }
 
-pub(super) fn figure3(raw: &raw::Figure3, source: &Source<'_>) -> Checked<Figure3> {
-    let zeta = demand(source, "fig03.zeta", &raw.zeta, |zeta| 0.0 < zeta && zeta < 1.0)?;
-    let frequency = frequency(source, "fig03.frequency", &raw.frequency)?;
-    let position = around_zero(source, "fig03.position", &raw.position)?;
-    let phase = around_zero(source, "fig03.phase", &raw.phase)?;
-    if phase.lower() < -SECTION_REACH || phase.upper() > SECTION_REACH {
-        return Err(refusal(source, "fig03.phase", &raw.phase));
+/// Figure 9: an impact and the points on Sigma and Pi that it defines.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Figure9 {
+    /// The oscillator.
+    pub specimen: Specimen,
+    /// The impact: y_imp, positive, and z_imp - z_graz in radians, where z_graz is that of the frequency.
+    pub impact: [f64; 2],
+    /// The number p of applications of P_global, from 1 to 3.
+    pub loops: u32,
+    /// The positions x of Pi; 0 lies strictly inside. Orbits are cut off at the lower end.
+    pub position: [f64; 2],
+    /// The velocities y of Sigma; 0 lies strictly inside.
+    pub velocity: [f64; 2],
+    /// The phases z - z_graz of both surfaces in radians.
+    pub phase: [f64; 2],
+    /// The view.
+    pub view: View,
+}
+
+impl Figure9 {
+    pub(super) fn read(section: &Section<'_>) -> Result<Self, SourceError> {
+        let specimen = Specimen::read(section)?;
+        let position = around_zero(section, "position")?;
+        let velocity = around_zero(section, "velocity")?;
+        let phase = range(section, "phase", |[lower, upper]| upper - lower <= TAU)?;
+        let impact =
+            section.numbers("impact", |[y, z]| y > 0.0 && contains(velocity, y) && contains(phase, z))?;
+        let loops = section.count("loops", 1..=MOST_LOOPS)?;
+        Ok(Self { specimen, impact, loops, position, velocity, phase, view: View::read(section)? })
     }
-    let start = numbers(source, "fig03.start", &raw.start, |[x, z]| {
-        position.strictly_contains(x) && phase.strictly_contains(z)
-    })?;
-    let radius = demand(source, "fig03.radius", &raw.radius, |r| LEAST_RADIUS < r && r <= MOST_RADIUS)?;
-    let axes = demand(source, "fig03.axes", &raw.axes, |z| (0.0..=TAU).contains(&z))?;
-    let view = view(source, "fig03", &raw.view)?;
-    Ok(Figure3 { zeta, frequency, start, position, phase, radius, axes, view })
-}
-
-pub(super) fn figure9(raw: &raw::Figure9, source: &Source<'_>) -> Checked<Figure9> {
-    let specimen = specimen(source, "fig09", [&raw.zeta, &raw.epsilon, &raw.amplitude, &raw.frequency])?;
-    let position = around_zero(source, "fig09.position", &raw.position)?;
-    let velocity = around_zero(source, "fig09.velocity", &raw.velocity)?;
-    let phase = range(source, "fig09.phase", &raw.phase, f64::is_finite)?;
-    if phase.width() > TAU {
-        return Err(refusal(source, "fig09.phase", &raw.phase));
-    }
-    let impact = numbers(source, "fig09.impact", &raw.impact, |[y, z]| {
-        y > 0.0 && velocity.contains(y) && phase.contains(z)
-    })?;
-    let loops = demand(source, "fig09.loops", &raw.loops, |p| (1..=MOST_LOOPS).contains(&p))?;
-    let view = view(source, "fig09", &raw.view)?;
-    Ok(Figure9 { specimen, impact, loops, position, velocity, phase, view })
-}
-
-fn specimen(
-    source: &Source<'_>,
-    figure: &str,
-    [zeta, epsilon, amplitude, omega]: [&Spanned<f64>; 4],
-) -> Checked<Specimen> {
-    let key = |name: &str| format!("{figure}.{name}");
-    Ok(Specimen {
-        zeta: demand(source, &key("zeta"), zeta, |zeta| 0.0 < zeta && zeta < 1.0)?,
-        epsilon: demand(source, &key("epsilon"), epsilon, |epsilon| 0.0 < epsilon && epsilon <= 1.0)?,
-        amplitude: demand(source, &key("amplitude"), amplitude, |a| 0.0 < a && a <= MOST_AMPLITUDE)?,
-        frequency: frequency(source, &key("frequency"), omega)?,
-    })
-}
-
-fn view(source: &Source<'_>, figure: &str, raw: &raw::View) -> Checked<View> {
-    let key = |name: &str| format!("{figure}.view.{name}");
-    let turn = demand(source, &key("turn"), &raw.turn, |turn| (-180.0..=180.0).contains(&turn))?;
-    let tilt = demand(source, &key("tilt"), &raw.tilt, |tilt| 0.0 < tilt && tilt < 90.0)?;
-    let stretch = numbers(source, &key("stretch"), &raw.stretch, |units: [f64; 3]| {
-        units.iter().all(|&unit| unit > 0.0)
-    })?;
-    Ok(View { turn, tilt, stretch })
-}
-
-/// A range that has 0 strictly inside.
-fn around_zero(source: &Source<'_>, key: &str, value: &Spanned<Vec<f64>>) -> Checked<Range> {
-    let found = range(source, key, value, |lower| lower < 0.0)?;
-    if found.strictly_contains(0.0) {
-        return Ok(found);
-    }
-    Err(refusal(source, key, value))
-}
-
-/// A list of N finite numbers that passes the test.
-fn numbers<const N: usize>(
-    source: &Source<'_>,
-    key: &str,
-    value: &Spanned<Vec<f64>>,
-    holds: impl Fn([f64; N]) -> bool,
-) -> Checked<[f64; N]> {
-    <[f64; N]>::try_from(value.get_ref().as_slice())
-        .ok()
-        .filter(|list| list.iter().all(|number| number.is_finite()) && holds(*list))
-        .ok_or_else(|| refusal(source, key, value))
 }

@@ -1,86 +1,111 @@
-//! The rows that only an oscillator in general has: quantities along the grazing curve, hypotheses, coefficients.
+//! The rows that only an oscillator in general has: quantities along the grazing curve, hypotheses, coefficients; all in its own units.
 
 use core::f64::consts::TAU;
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::criticality::coefficient_at_resonance;
-use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ImpactOscillator;
-use grazing_results::resonances::{Asked, GrazingLoops, GrazingPoint, Resonance};
+use grazing_results::row;
 use grazing_theorems::hypothesis::Hypothesis;
-use grazing_theorems::{ResonantPoint, Unfolding};
-use grazing_unfold::resonances;
+use grazing_theorems::{GrazingPoint, ResonantPoint, Unfolding, auxiliary};
 use grazing_unfold::units::InUnits;
 
-use super::{Along, AtResonance, Unfolded};
+use super::{AtResonance, Unfolded};
 
-/// A resonance with what the theorem says of it.
-type Found<'a, O> = (&'a resonances::Resonance<O>, &'a ResonantGrazingPoint<O>);
+/// A point of the grazing curve, with the grazing orbit and the Poincaré map around it.
+#[derive(Clone, Copy, Debug)]
+pub struct GrazingRow {
+    arc: u32,
+    parameters: [f64; 2],
+    phase: f64,
+    point: GrazingPoint,
+    stable: bool,
+    admissible: bool,
+}
+
+row! { GrazingRow, |row| {
+    let (point, map) = (&row.point, &row.point.map);
+} [
+    ARC = row.arc,
+    SECONDARY = row.parameters[1],
+    PRIMARY = row.parameters[0],
+    GRAZING_PHASE = row.phase,
+    FREQUENCY = point.forcing_frequency,
+    A11 = map.a.m11,
+    A12 = map.a.m12,
+    A21 = map.a.m21,
+    A22 = map.a.m22,
+    B1 = map.b.x,
+    B2 = map.b.y,
+    TAU = map.trace(),
+    DELTA = map.determinant(),
+    ALPHA = point.alpha(),
+    BETA = map.transversality(),
+    GAMMA = point.gamma,
+    PHI = point.phi,
+    PSI = point.psi,
+    STABLE = row.stable,
+    ADMISSIBLE = row.admissible,
+] }
 
 /// The grazing orbit and the map around it, point by point along the curve.
-pub(super) fn grazing<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Vec<GrazingPoint> {
+pub(super) fn grazing<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Vec<GrazingRow> {
     let units = &unfolded.axes.units;
     let mut rows = Vec::new();
     for (arc, curve) in (0..).zip(&unfolded.diagram.grazing) {
         // Phases are continuous along a curve, and begin between -pi and pi.
         let first = curve.states.first().map_or(0.0, |first| first.orbit.phase());
         let turns = TAU * libm::round(first / TAU);
-        rows.extend(curve.states.iter().map(|state| {
-            let [primary, secondary] = units.parameters(state.orbit.oscillator().parameters());
-            let point = state.orbit.grazing_point().in_units(units);
-            let (a, b) = (point.map.a, point.map.b);
-            GrazingPoint {
-                arc,
-                secondary,
-                primary,
-                phase: state.orbit.phase() - turns,
-                frequency: point.forcing_frequency,
-                a11: a.m11,
-                a12: a.m12,
-                a21: a.m21,
-                a22: a.m22,
-                b1: b.x,
-                b2: b.y,
-                tau: point.map.trace(),
-                delta: point.map.determinant(),
-                alpha: point.alpha(),
-                beta: point.map.transversality(),
-                gamma: point.gamma,
-                phi: point.phi,
-                psi: point.psi,
-                stable: state.stable,
-                admissible: state.admissible,
-            }
+        rows.extend(curve.states.iter().map(|state| GrazingRow {
+            arc,
+            parameters: units.parameters(state.orbit.oscillator().parameters()),
+            phase: state.orbit.phase() - turns,
+            point: state.orbit.grazing_point().in_units(units),
+            stable: state.stable,
+            admissible: state.admissible,
         }));
     }
     rows
 }
 
+/// What depends on p at a point of a grazing curve.
+#[derive(Clone, Copy, Debug)]
+pub struct Along {
+    pub(super) arc: u32,
+    pub(super) parameters: [f64; 2],
+    pub(super) point: ResonantPoint,
+}
+
+row! { Along, |row| {
+    let point = &row.point;
+    let map = &point.grazing.map;
+    let stability = point.stability_coefficients();
+    let [a12_prime, kappa_prime] = slopes(point);
+    let kappa = match point.loops() {
+        1 => f64::NAN,
+        loops => auxiliary::detuning(loops, map.trace(), map.determinant()),
+    };
+} [
+    LOOPS = point.loops(),
+    ARC = row.arc,
+    SECONDARY = row.parameters[1],
+    PRIMARY = row.parameters[0],
+    A12 = map.a.m12,
+    KAPPA = kappa,
+    A12_PRIME = a12_prime,
+    KAPPA_PRIME = kappa_prime,
+    XI = point.second_phase_derivative,
+    S_PLUS = stability.plus,
+    S_MINUS = stability.minus,
+] }
+
 /// What depends on p, along the grazing curve for each p.
-pub(super) fn grazing_loops<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Vec<GrazingLoops> {
+pub(super) fn grazing_loops<O>(unfolded: &Unfolded<O>) -> Vec<Along> {
     let units = &unfolded.axes.units;
-    let row = |Along { arc, parameters, point }: &Along| {
-        let ([primary, secondary], point) = (units.parameters(*parameters), point.in_units(units));
-        let stability = point.stability_coefficients();
-        let [a12_prime, kappa_prime] = slopes(&point);
-        let map = &point.grazing.map;
-        let kappa = match point.loops() {
-            1 => f64::NAN,
-            loops => grazing_theorems::auxiliary::detuning(loops, map.trace(), map.determinant()),
-        };
-        GrazingLoops {
-            loops: point.loops(),
-            arc: *arc,
-            secondary,
-            primary,
-            a12: map.a.m12,
-            kappa,
-            a12_prime,
-            kappa_prime,
-            xi: point.second_phase_derivative,
-            s_plus: stability.plus,
-            s_minus: stability.minus,
-        }
+    let row = |&Along { arc, parameters, ref point }: &Along| Along {
+        arc,
+        parameters: units.parameters(parameters),
+        point: point.in_units(units),
     };
     unfolded.along.iter().map(row).collect()
 }
@@ -93,62 +118,73 @@ fn slopes(point: &ResonantPoint) -> [f64; 2] {
     }
 }
 
-/// The resonances at which a theorem holds.
-pub(super) fn coefficients<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Vec<Resonance> {
-    let units = &unfolded.axes.units;
-    let resonances = unfolded.diagram.unfolding().zip(&unfolded.resonances);
-    let row = |((resonance, point), at): (Found<'_, O>, &AtResonance)| {
-        let [_, _, primary, secondary] = point.unknowns().into();
-        let [primary, secondary] = units.parameters([primary, secondary]);
-        let known = &point.resonant_point().in_units(units);
-        let stability = known.stability_coefficients();
-        let [a12_prime, kappa_prime] = slopes(known);
-        let Pair { saddle_node: sn, period_doubling: pd } = &at.coefficients;
-        let verdicts = at.coefficients.map(|coefficient| coefficient.verdict());
-        let simulated = at.sides.as_ref();
-        Resonance {
-            loops: resonance.loops,
-            n: resonance.n,
-            secondary,
-            primary,
-            s_plus: stability.plus,
-            s_minus: stability.minus,
-            c_sn: sn.theorem.value,
-            c_pd: pd.theorem.value,
-            c_sn_error: sn.theorem.error,
-            c_pd_error: pd.theorem.error,
-            c_sn_fit: sn.measured().value,
-            c_pd_fit: pd.measured().value,
-            c_sn_fit_error: sn.measured().error,
-            c_pd_fit_error: pd.measured().error,
-            sn_verdict: verdicts.saddle_node.name(),
-            sn_reason: verdicts.saddle_node.reason(),
-            pd_verdict: verdicts.period_doubling.name(),
-            pd_reason: verdicts.period_doubling.reason(),
-            tau: known.grazing.map.trace(),
-            delta: known.grazing.map.determinant(),
-            alpha: known.grazing.alpha(),
-            beta: known.grazing.map.transversality(),
-            gamma: known.grazing.gamma,
-            xi: known.second_phase_derivative,
-            a12_prime,
-            kappa_prime,
-            pd_criticality: coefficient_at_resonance(known),
-            sn_as_simulated: simulated.saddle_node.name(),
-            sn_simulation_reason: simulated.saddle_node.reason(),
-            pd_as_simulated: simulated.period_doubling.name(),
-            pd_simulation_reason: simulated.period_doubling.reason(),
-        }
-    };
-    resonances.map(row).collect()
+row! { AtResonance, |row| {
+    let point = &row.point;
+    let stability = point.stability_coefficients();
+    let [a12_prime, kappa_prime] = slopes(point);
+    let Pair { saddle_node: sn, period_doubling: pd } = &row.coefficients;
+    let [sn_verdict, pd_verdict] = row.coefficients.map(|coefficient| coefficient.verdict()).into_array();
+    let [sn_side, pd_side] = row.sides.as_ref().into_array();
+} [
+    LOOPS = row.loops,
+    RESONANCE_INDEX = row.n,
+    SECONDARY_AT_RESONANCE = row.parameters[1],
+    PRIMARY_AT_GRAZING = row.parameters[0],
+    S_PLUS = stability.plus,
+    S_MINUS = stability.minus,
+    C_SN = sn.theorem.value,
+    C_PD = pd.theorem.value,
+    C_SN_ERROR = sn.theorem.error,
+    C_PD_ERROR = pd.theorem.error,
+    C_SN_FIT = sn.measured().value,
+    C_PD_FIT = pd.measured().value,
+    C_SN_FIT_ERROR = sn.measured().error,
+    C_PD_FIT_ERROR = pd.measured().error,
+    SN_VERDICT = sn_verdict.name(),
+    SN_REASON = sn_verdict.reason(),
+    PD_VERDICT = pd_verdict.name(),
+    PD_REASON = pd_verdict.reason(),
+    TAU = point.grazing.map.trace(),
+    DELTA = point.grazing.map.determinant(),
+    ALPHA = point.grazing.alpha(),
+    BETA = point.grazing.map.transversality(),
+    GAMMA = point.grazing.gamma,
+    XI = point.second_phase_derivative,
+    A12_PRIME = a12_prime,
+    KAPPA_PRIME = kappa_prime,
+    PD_CRITICALITY = coefficient_at_resonance(point),
+    SN_AS_SIMULATED = sn_side.name(),
+    SN_SIMULATION_REASON = sn_side.reason(),
+    PD_AS_SIMULATED = pd_side.name(),
+    PD_SIMULATION_REASON = pd_side.reason(),
+] }
+
+/// A hypothesis of the theorem at a resonance, whether or not all of them hold.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    loops: u32,
+    n: u32,
+    parameters: [f64; 2],
+    hypothesis: Hypothesis,
+    holds: bool,
 }
+
+row! { Asked, |row| {} [
+    LOOPS = row.loops,
+    RESONANCE_INDEX = row.n,
+    SECONDARY = row.parameters[1],
+    PRIMARY = row.parameters[0],
+    RESONANT_THEOREM = if row.loops == 1 { "2.4" } else { "2.5" },
+    HYPOTHESIS = row.hypothesis.statement().to_string(),
+    HYPOTHESIS_VALUE = row.hypothesis.value,
+    HOLDS = row.holds,
+] }
 
 /// For every resonance what its theorem asks, one by one.
 pub(super) fn hypotheses<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Vec<Asked> {
     let units = &unfolded.axes.units;
     let mut rows = Vec::new();
     for resonance in &unfolded.diagram.resonances {
-        let [primary, secondary] = units.parameters(resonance.located.orbit().oscillator().parameters());
         let asked: &[Hypothesis] = match &resonance.theorem {
             Ok(point) => point.theorem().hypotheses(),
             Err(violated) => &violated.hypotheses,
@@ -156,11 +192,8 @@ pub(super) fn hypotheses<O: ImpactOscillator>(unfolded: &Unfolded<O>) -> Vec<Ask
         rows.extend(asked.iter().map(|hypothesis| Asked {
             loops: resonance.loops,
             n: resonance.n,
-            secondary,
-            primary,
-            theorem: if resonance.loops == 1 { "2.4" } else { "2.5" },
-            hypothesis: hypothesis.statement().to_string(),
-            value: hypothesis.in_units(units).value,
+            parameters: units.parameters(resonance.located.orbit().oscillator().parameters()),
+            hypothesis: hypothesis.in_units(units),
             holds: hypothesis.holds(),
         }));
     }

@@ -9,22 +9,24 @@ use crate::{DEFAULT, edited, errors, line_of, parse, set};
 fn the_default_file_is_accepted_and_read_whole() {
     let parameters = parse(DEFAULT).expect("the default file is valid");
     assert!(
-        DEFAULT
-            .contains(&format!("zeta = {}", parameters.oscillator().expect("it is right").damping_ratio()))
+        DEFAULT.contains(&format!(
+            "zeta = {}",
+            parameters.oscillator.get().expect("it is right").damping_ratio()
+        ))
     );
     assert!(DEFAULT.contains(&format!(
         "epsilon = {}",
-        parameters.oscillator().expect("it is right").coefficient_of_restitution()
+        parameters.oscillator.get().expect("it is right").coefficient_of_restitution()
     )));
     assert!(
-        DEFAULT.contains(&format!("frequency = {}", parameters.fig02().expect("it is right").frequency()))
+        DEFAULT.contains(&format!("frequency = {}", parameters.fig02.get().expect("it is right").frequency))
     );
-    assert_eq!(parameters.fig02().expect("it is right").loops(), [1, 2, 3]);
-    assert_eq!(parameters.fig07().expect("it is right").loops(), [1, 2, 3]);
-    let panels = parameters.fig08().expect("it is right").panels().iter();
-    assert_eq!(panels.map(|panel| (panel.loops(), panel.n())).collect::<Vec<_>>(), [(1, 3), (2, 1), (3, 2)]);
+    assert_eq!(parameters.fig02.get().expect("it is right").loops, [1, 2, 3]);
+    assert_eq!(parameters.fig07.get().expect("it is right").loops, [1, 2, 3]);
+    let panels = parameters.fig08.get().expect("it is right").panels.iter();
+    assert_eq!(panels.map(|panel| (panel.loops, panel.n)).collect::<Vec<_>>(), [(1, 3), (2, 1), (3, 2)]);
     assert_eq!(
-        parameters.fig02().expect("it is right").portraits().len(),
+        parameters.fig02.get().expect("it is right").portraits.len(),
         DEFAULT.matches("[[fig02.portraits]]").count()
     );
 }
@@ -65,7 +67,7 @@ fn every_key_of_the_default_file_is_needed() {
 #[test]
 fn settings_are_told_of_as_such_and_later_ones_go_before() {
     let parameters = set(&["oscillator.zeta=0.3", "oscillator.zeta=0.04"]).expect("it is TOML");
-    assert_eq!(parameters.oscillator().map(|of| of.damping_ratio()), Ok(0.04));
+    assert_eq!(parameters.oscillator.get().map(|of| of.damping_ratio()), Ok(0.04));
     let told = |settings: &[&str]| match set(settings) {
         Ok(parameters) => errors(&parameters)[0].to_string(),
         Err(error) => error.to_string(),
@@ -141,7 +143,7 @@ fn what_is_not_toml_is_shown_with_line_and_column() {
 #[test]
 fn a_file_that_is_not_there_is_named() {
     let path = std::path::Path::new("no/such/parameters.toml");
-    match Parameters::from_file(path) {
+    match Parameters::from_file(path, &[]) {
         Err(ParameterError::Malformed(SourceError::Unreadable { file, .. })) => {
             assert_eq!(file, "no/such/parameters.toml")
         }
@@ -153,7 +155,8 @@ fn a_file_that_is_not_there_is_named() {
 #[test]
 fn what_has_no_end_is_not_read() {
     for (path, wanted) in [("/dev/zero", "not a file"), ("/", "not a file")] {
-        let error = Parameters::from_file(std::path::Path::new(path)).expect_err("it is no file").to_string();
+        let error =
+            Parameters::from_file(std::path::Path::new(path), &[]).expect_err("it is no file").to_string();
         assert!(error.starts_with(path) && error.contains(wanted), "{error}");
     }
 }

@@ -12,7 +12,7 @@ const DEFAULT: &str = include_str!("../../../../figures/parameters.toml");
 /// The parameters, or the first thing that is wrong in any section.
 fn parse(text: &str) -> Result<Parameters, SourceError> {
     let told = |error: ParameterError| error.source_error().clone();
-    let parameters = Parameters::parse(text, "p.toml").map_err(told)?;
+    let parameters = Parameters::parse(&Text::new(text, &[]), "p.toml").map_err(told)?;
     match errors(&parameters).into_iter().next() {
         Some(error) => Err(told(error)),
         None => Ok(parameters),
@@ -22,17 +22,17 @@ fn parse(text: &str) -> Result<Parameters, SourceError> {
 /// What is wrong in the sections, in their order.
 fn errors(parameters: &Parameters) -> Vec<ParameterError> {
     [
-        parameters.oscillator().map(drop),
-        parameters.fig01().map(drop),
-        parameters.fig02().map(drop),
-        parameters.fig03().map(drop),
-        parameters.fig04().map(drop),
-        parameters.fig05().map(drop),
-        parameters.fig06().map(drop),
-        parameters.fig07().map(drop),
-        parameters.fig08().map(drop),
-        parameters.fig09().map(drop),
-        parameters.fig10().map(drop),
+        parameters.oscillator.get().map(drop),
+        parameters.fig01.get().map(drop),
+        parameters.fig02.get().map(drop),
+        parameters.fig03.get().map(drop),
+        parameters.fig04.get().map(drop),
+        parameters.fig05.get().map(drop),
+        parameters.fig06.get().map(drop),
+        parameters.fig07.get().map(drop),
+        parameters.fig08.get().map(drop),
+        parameters.fig09.get().map(drop),
+        parameters.fig10.get().map(drop),
     ]
     .into_iter()
     .filter_map(Result::err)
@@ -42,7 +42,7 @@ fn errors(parameters: &Parameters) -> Vec<ParameterError> {
 /// The default parameters with settings.
 fn set(settings: &[&str]) -> Result<Parameters, ParameterError> {
     let settings: Vec<Setting> = settings.iter().map(|text| text.parse().expect("it is a setting")).collect();
-    Parameters::parse_with(&Text::new(DEFAULT, &settings), "p.toml")
+    Parameters::parse(&Text::new(DEFAULT, &settings), "p.toml")
 }
 
 /// The default file with another line in the place of the first one for the key after `section`. The values that stand

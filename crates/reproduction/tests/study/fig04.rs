@@ -1,12 +1,12 @@
 //! Figure 4 against the sums over eigenvalues that its curves are zeros of, and against the global map of the model.
 
+use grazing_model::AtRest;
 use grazing_model::maps::global_map;
-use grazing_model::{AtRest, LinearOscillator};
 use grazing_reproduction::{Figure4, Study};
 use grazing_theorems::auxiliary::{admissibility_sum, resonance_boundary};
 use grazing_theorems::spectrum::in_trapesium;
 
-use crate::{integers, made, numbers, words};
+use crate::{forced, integers, made, numbers, theory, words};
 
 fn figure() -> Figure4 {
     Study::new(&made().parameters).fig04().expect("figure 4 can be computed")
@@ -21,7 +21,7 @@ fn curve(figure: &Figure4, kind: &str, p: u32) -> Vec<[f64; 2]> {
 }
 
 fn all_loops() -> &'static [u32] {
-    made().parameters.fig04().expect("it is right").loops()
+    &made().parameters.fig04.get().expect("it is right").loops
 }
 
 /// Modulus and argument of the eigenvalues, which are complex below τ = 2√δ.
@@ -122,20 +122,9 @@ fn the_corners_of_the_trapesium_bound_stable_matrices() {
 fn the_star_is_read_off_the_global_map_and_lies_where_section_2_4_says() {
     let (figure, parameters) = (figure(), &made().parameters);
     let (tau, delta) = (numbers(&figure.points, "tau")[0], numbers(&figure.points, "delta")[0]);
-    let frequency = parameters.fig02().expect("it is right").frequency();
-    let theory = grazing_theorems::LinearOscillator::new(
-        parameters.oscillator().expect("it is right").damping_ratio(),
-        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
-    )
-    .unwrap();
-    let grazing = theory.grazing(frequency).unwrap();
-    let oscillator = LinearOscillator::new(
-        parameters.oscillator().expect("it is right").damping_ratio(),
-        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
-        grazing.amplitude(),
-        frequency,
-    )
-    .unwrap();
+    let frequency = parameters.fig02.get().expect("it is right").frequency;
+    let grazing = theory().grazing(frequency).unwrap();
+    let oscillator = forced(grazing.amplitude(), frequency);
     let map =
         global_map::<_, 1>(&oscillator, AtRest::new(0.0, grazing.phase()), None).unwrap().jet.derivative();
     // Rounding over one period of flow.

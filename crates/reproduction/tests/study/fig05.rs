@@ -2,26 +2,21 @@
 
 use core::f64::consts::TAU;
 
+use grazing_model::State;
 use grazing_model::orbit::{FlightEnd, Orbit as Simulation};
-use grazing_model::{LinearOscillator, State};
 use grazing_reproduction::{Figure5, Study};
 use grazing_theorems::Resonance;
 
-use crate::{made, numbers, words};
-use grazing_trials::closed_form::{self, Orbit, orbits};
+use crate::{closed_forms, forced, made, numbers, theory, words};
+use grazing_trials::closed_form::{self, Orbit};
 
 fn figure() -> Figure5 {
     Study::new(&made().parameters).fig05().expect("figure 5 can be computed")
 }
 
 fn resonance() -> Resonance {
-    let (parameters, shown) = (&made().parameters, made().parameters.fig05().expect("it is right"));
-    let theory = grazing_theorems::LinearOscillator::new(
-        parameters.oscillator().expect("it is right").damping_ratio(),
-        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
-    )
-    .unwrap();
-    theory.resonance(shown.loops(), shown.n()).unwrap()
+    let shown = made().parameters.fig05.get().expect("it is right");
+    theory().resonance(shown.loops, shown.n).unwrap()
 }
 
 /// Amplitude and frequency at (μ, η).
@@ -34,13 +29,7 @@ fn parameters_at(mu: f64, eta: f64) -> (f64, f64) {
 fn solutions(mu: f64, eta: f64) -> Vec<Orbit> {
     let (amplitude, omega) = parameters_at(mu, eta);
     let parameters = &made().parameters;
-    let all = orbits(
-        parameters.oscillator().expect("it is right").damping_ratio(),
-        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
-        amplitude,
-        omega,
-        parameters.fig05().expect("it is right").loops(),
-    );
+    let all = closed_forms(amplitude, omega, parameters.fig05.get().expect("it is right").loops);
     all.into_iter().filter(Orbit::admissible).collect()
 }
 
@@ -62,18 +51,17 @@ fn inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
 
 /// A grid over the middle of the cells of the window.
 fn grid(cells: u32) -> Vec<[f64; 2]> {
-    let shown = made().parameters.fig05().expect("it is right");
-    let at = |range: grazing_reproduction::parameters::Range, k: u32| {
-        range.lower() + range.width() * (f64::from(k) + 0.5) / f64::from(cells)
-    };
-    (0..cells).flat_map(|i| (0..cells).map(move |j| [at(shown.mu(), i), at(shown.eta(), j)])).collect()
+    let shown = made().parameters.fig05.get().expect("it is right");
+    let at = |[low, high]: [f64; 2], k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(cells);
+    (0..cells).flat_map(|i| (0..cells).map(move |j| [at(shown.mu, i), at(shown.eta, j)])).collect()
 }
 
 /// Distance in μ, over the width of the window, from the boundary of the shaded region.
 fn margin([mu, eta]: [f64; 2]) -> f64 {
     let (sn, pd) = (resonance().saddle_node_coefficient(), resonance().period_doubling_coefficient());
     let boundary = if eta * saddle_node_side() > 0.0 { sn } else { pd } * eta * eta;
-    (mu - boundary).abs() / made().parameters.fig05().expect("it is right").mu().width()
+    let [low, high] = made().parameters.fig05.get().expect("it is right").mu;
+    (mu - boundary).abs() / (high - low)
 }
 
 /// The sign of η on the saddle-node curve of the frame.
@@ -167,14 +155,8 @@ fn both_solutions_are_stable_in_the_overlap_of_the_two_regions() {
 fn last_impacts(mu: f64, eta: f64, from: &Orbit, closeness: f64) -> Vec<[f64; 2]> {
     let parameters = &made().parameters;
     let (amplitude, omega) = parameters_at(mu, eta);
-    let oscillator = LinearOscillator::new(
-        parameters.oscillator().expect("it is right").damping_ratio(),
-        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
-        amplitude,
-        omega,
-    )
-    .unwrap();
-    let period = f64::from(parameters.fig05().expect("it is right").loops()) * TAU / omega;
+    let oscillator = forced(amplitude, omega);
+    let period = f64::from(parameters.fig05.get().expect("it is right").loops) * TAU / omega;
     let start = State::on_wall(from.velocity * (1.0 + closeness), from.phase);
     let periods = 400.0;
     // Half a period on, so that no impact falls on the end.
@@ -218,17 +200,10 @@ fn simulated_orbits_settle_on_the_mps_in_the_shaded_region_and_leave_it_outside(
 
 #[test]
 fn the_non_impacting_solution_attracts_where_it_is_said_to() {
-    let parameters = &made().parameters;
     let light = region(&figure(), "non-impacting");
     for [mu, eta] in grid(8) {
         let (amplitude, omega) = parameters_at(mu, eta);
-        let oscillator = LinearOscillator::new(
-            parameters.oscillator().expect("it is right").damping_ratio(),
-            parameters.oscillator().expect("it is right").coefficient_of_restitution(),
-            amplitude,
-            omega,
-        )
-        .unwrap();
+        let oscillator = forced(amplitude, omega);
         let top = resonance().grazing().oscillator().grazing(omega).unwrap().phase();
         let State { position, velocity, phase } = oscillator.non_impacting_solution(top);
         assert_eq!(position < 0.0, inside(&light, [mu, eta]));
@@ -245,10 +220,10 @@ fn the_non_impacting_solution_attracts_where_it_is_said_to() {
 #[test]
 fn closed_form_solutions_are_those_of_the_branch_expansion() {
     // μ = k₂y² + k₃ηy of eq:ZM, on which the argument for the region rests: at the turning point y = Υ⁺η the two MPSs merge.
-    let (shown, resonance) = (made().parameters.fig05().expect("it is right"), resonance());
+    let (shown, resonance) = (made().parameters.fig05.get().expect("it is right"), resonance());
     let branch = resonance.resonant_point().branch_expansion();
     assert!(branch.k_2 > 0.0);
-    let edge = if saddle_node_side() < 0.0 { shown.eta().lower() } else { shown.eta().upper() };
+    let edge = if saddle_node_side() < 0.0 { shown.eta[0] } else { shown.eta[1] };
     let worst = |s: f64| {
         let eta = s * edge;
         let mu = 0.25 * resonance.saddle_node_coefficient() * eta * eta;

@@ -3,19 +3,12 @@
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-use crate::{flags, integers, made, numbers, words};
-use grazing_trials::closed_form::{Orbit, orbits};
+use crate::{closed_forms, flags, integers, made, numbers, words};
+use grazing_trials::closed_form::Orbit;
 
 /// The closed-form MPS with the impact velocity nearest to the given one.
 fn nearest(amplitude: f64, omega: f64, loops: u32, velocity: f64) -> Orbit {
-    let parameters = &made().parameters;
-    let all = orbits(
-        parameters.oscillator().expect("it is right").damping_ratio(),
-        parameters.oscillator().expect("it is right").coefficient_of_restitution(),
-        amplitude,
-        omega,
-        loops,
-    );
+    let all = closed_forms(amplitude, omega, loops);
     let distance = |orbit: &Orbit| (orbit.velocity - velocity).abs();
     all.into_iter()
         .min_by(|a, b| distance(a).total_cmp(&distance(b)))
@@ -61,17 +54,7 @@ fn every_point_of_every_curve_of_figure_7_is_a_closed_form_mps_with_its_property
         if fold {
             // The two MPSs merge: rounding of the discriminant, a few 1e-16, moves them by its root.
             assert!((orbit.velocity - y).abs() < 1e-6, "{place}: {} {y}", orbit.velocity);
-            let shifted = |shift: f64| {
-                let parameters = &made().parameters;
-                orbits(
-                    parameters.oscillator().expect("it is right").damping_ratio(),
-                    parameters.oscillator().expect("it is right").coefficient_of_restitution(),
-                    amplitude[row] + shift,
-                    omega[row],
-                    loops[row],
-                )
-                .len()
-            };
+            let shifted = |shift: f64| closed_forms(amplitude[row] + shift, omega[row], loops[row]).len();
             if kind != "SN" {
                 continue;
             }
@@ -129,14 +112,7 @@ fn codimension_two_points_meet_both_their_conditions() {
         if kinds[k] != "PD-GZ" {
             continue;
         }
-        let parameters = &made().parameters;
-        let all = orbits(
-            parameters.oscillator().expect("it is right").damping_ratio(),
-            parameters.oscillator().expect("it is right").coefficient_of_restitution(),
-            amplitude[k],
-            omega[k],
-            loops[k],
-        );
+        let all = closed_forms(amplitude[k], omega[k], loops[k]);
         let doubly = |orbit: &Orbit| {
             (orbit.trace + 1.0 + orbit.determinant).abs() < 1e-7 && orbit.ceiling.abs() < 1e-9
         };
@@ -181,14 +157,14 @@ fn regions_are_where_a_closed_form_mps_is_stable_and_admissible() {
     assert_eq!([count(1), count(2), count(3)], [4, 3, 2]);
 
     let parameters = &made().parameters;
-    let window = parameters.fig07().expect("it is right").window();
+    let window = parameters.fig07.get().expect("it is right").window;
     let mut random = Pcg64::new(11, 0);
     let mut uniform =
         |low: f64, high: f64| low + (high - low) * (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
     let mut hits = [0; 4];
     for _ in 0..3000 {
-        let frequency = uniform(window.frequency().lower(), window.frequency().upper());
-        let point = [uniform(window.amplitude().lower(), window.amplitude().upper()), frequency];
+        let frequency = uniform(window.secondary[0], window.secondary[1]);
+        let point = [uniform(window.primary[0], window.primary[1]), frequency];
         for p in 1..=3 {
             let of_p = polygons.iter().filter(|(loops, _)| *loops == p);
             let places: Vec<_> = of_p.map(|(_, polygon)| position(polygon, point)).collect();
@@ -197,13 +173,7 @@ fn regions_are_where_a_closed_form_mps_is_stable_and_admissible() {
                 continue;
             }
             let inside = places.iter().any(|(_, inside)| *inside);
-            let all = orbits(
-                parameters.oscillator().expect("it is right").damping_ratio(),
-                parameters.oscillator().expect("it is right").coefficient_of_restitution(),
-                point[0],
-                point[1],
-                p,
-            );
+            let all = closed_forms(point[0], point[1], p);
             let stable = all.iter().any(|orbit| orbit.stable() && orbit.admissible());
             assert_eq!(inside, stable, "p = {p} at {point:?}: {all:?}");
             hits[p as usize] += usize::from(inside);
@@ -220,8 +190,8 @@ fn branches_of_figure_2_are_closed_form_mpss_with_their_stability() {
     let [amplitude, velocity, phase] =
         ["amplitude", "impact_velocity", "impact_phase"].map(|name| numbers(table, name));
     let (stable, admissible) = (flags(table, "stable"), flags(table, "admissible"));
-    let omega = made().parameters.fig02().expect("it is right").frequency();
-    let loss = 2.0 * made().parameters.oscillator().expect("it is right").damping_ratio() * omega;
+    let omega = made().parameters.fig02.get().expect("it is right").frequency;
+    let loss = 2.0 * made().parameters.oscillator.get().expect("it is right").damping_ratio() * omega;
     let grazing_phase = libm::atan2(loss, 1.0 - omega * omega);
     for row in 0..loops.len() {
         if loops[row] == 0 || visit[row] > 1 || velocity[row] == 0.0 {

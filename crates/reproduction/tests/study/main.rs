@@ -11,15 +11,16 @@ mod space;
 use std::path::Path;
 use std::sync::OnceLock;
 
+use grazing_model::LinearOscillator;
 use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::{Figure2, Figure7, Figure8, Study, TheoremsInAction};
-use grazing_results::resonances::PaperResonance;
+use grazing_reproduction::{Coefficients, Figure2, Figure7, Figure8, Study, TheoremsInAction};
 use grazing_results::{Cell, Names, Row};
+use grazing_trials::closed_form::{Orbit, orbits};
 
 /// Everything that is reproduced, computed once for all tests.
 struct Made {
     parameters: Parameters,
-    coefficients: Vec<PaperResonance>,
+    coefficients: Vec<Coefficients>,
     fig02: Figure2,
     fig07: Figure7,
     fig08: Figure8,
@@ -30,15 +31,10 @@ fn made() -> &'static Made {
     static MADE: OnceLock<Made> = OnceLock::new();
     MADE.get_or_init(|| {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures/parameters.toml");
-        let parameters = Parameters::from_file(&file).expect("the default parameters are valid");
+        let parameters = Parameters::from_file(&file, &[]).expect("the default parameters are valid");
         let study = Study::new(&parameters);
         Made {
-            coefficients: study
-                .coefficients()
-                .expect("all coefficients can be computed")
-                .iter()
-                .map(PaperResonance::from)
-                .collect(),
+            coefficients: study.coefficients().expect("all coefficients can be computed").rows.clone(),
             fig02: study.fig02().expect("figure 2 can be computed"),
             fig07: study.fig07().expect("figure 7 can be computed"),
             fig08: study.fig08().expect("figure 8 can be computed"),
@@ -46,6 +42,23 @@ fn made() -> &'static Made {
             parameters,
         }
     })
+}
+
+/// The paper's oscillator, for which the theory is.
+fn theory() -> &'static grazing_theorems::LinearOscillator {
+    made().parameters.oscillator.get().expect("it is right")
+}
+
+/// The paper's oscillator with its forcing.
+fn forced(amplitude: f64, frequency: f64) -> LinearOscillator {
+    let (zeta, epsilon) = (theory().damping_ratio(), theory().coefficient_of_restitution());
+    LinearOscillator::new(zeta, epsilon, amplitude, frequency).expect("it is in the domain")
+}
+
+/// All MPSs of the paper's oscillator that the quadratic equation gives.
+fn closed_forms(amplitude: f64, frequency: f64, loops: u32) -> Vec<Orbit> {
+    let (zeta, epsilon) = (theory().damping_ratio(), theory().coefficient_of_restitution());
+    orbits(zeta, epsilon, amplitude, frequency, loops)
 }
 
 /// A column, by the name that it has for the paper's oscillator.

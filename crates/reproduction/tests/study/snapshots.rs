@@ -130,7 +130,7 @@ fn branches_and_curves_hold() {
 fn curves_regions_and_parts_of_the_planar_sketches_hold() {
     let study = Study::new(&made().parameters);
     let (fig04, fig05) = (study.fig04().expect("figure 4"), study.fig05().expect("figure 5"));
-    let fig06 = study.fig06().expect("figure 6");
+    let fig06 = study.fig06().expect("figure 6").parts;
     let text = [
         summary(&fig04.curves, &["kind", "p"], "tau", "delta"),
         summary(&fig04.points, &["kind"], "tau", "delta"),
@@ -145,10 +145,10 @@ fn curves_regions_and_parts_of_the_planar_sketches_hold() {
 #[test]
 fn theorems_in_action_hold() {
     let mut counts = BTreeMap::new();
-    let generic = made().theorems.generic.iter().map(|row| (row.theorem, row.verdict, &row.reason));
-    let resonant = made().theorems.resonant.iter().map(|row| (row.theorem, row.verdict, &row.reason));
-    for key in generic.chain(resonant) {
-        *counts.entry(key).or_insert(0) += 1;
+    let generic = made().theorems.generic.iter().map(|row| (row.0.theorem(), &row.0.verdict));
+    let resonant = made().theorems.resonant.iter().map(|row| (row.0.theorem(), &row.0.verdict));
+    for (theorem, verdict) in generic.chain(resonant) {
+        *counts.entry((theorem, verdict.name(), verdict.reason())).or_insert(0) += 1;
     }
     let mut text = String::new();
     for ((theorem, verdict, reason), count) in counts {

@@ -9,6 +9,7 @@ use std::path::Path;
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{Parameters, Specimen};
 use grazing_results::Row;
+use grazing_source::Text;
 
 use crate::{integers, numbers, words};
 
@@ -25,7 +26,7 @@ struct Equation {
 
 impl Equation {
     fn of(specimen: &Specimen) -> Self {
-        Self { zeta: specimen.zeta(), amplitude: specimen.amplitude(), frequency: specimen.frequency() }
+        Self { zeta: specimen.zeta, amplitude: specimen.amplitude, frequency: specimen.frequency }
     }
 
     fn rate(&self, [x, y, z]: Point) -> Point {
@@ -61,7 +62,7 @@ impl Equation {
 
 fn study() -> (Parameters, Study<'static>) {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures/parameters.toml");
-    let parameters = Parameters::from_file(&file).expect("the default parameters are valid");
+    let parameters = Parameters::from_file(&file, &[]).expect("the default parameters are valid");
     let study = Study::new(&parameters);
     (parameters, study)
 }
@@ -119,10 +120,10 @@ fn assert_follows(equation: Equation, curve: &[Point]) {
 fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset_law_says() {
     let (parameters, study) = study();
     let made = study.fig01().expect("figure 1 can be computed");
-    let shown = parameters.fig01().expect("it is right");
+    let shown = parameters.fig01.get().expect("it is right");
     let flights = curves(&made.curves, "orbit");
     for flight in &flights {
-        assert_follows(Equation::of(shown.specimen()), flight);
+        assert_follows(Equation::of(&shown.specimen), flight);
         // The flight that grazes touches the wall, the others end at it; both to rounding.
         assert!(flight.iter().all(|state| state[0] < 1e-12), "in front of the wall");
     }
@@ -130,7 +131,7 @@ fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset
     assert!(!impacts.is_empty() && impacts.len() == recoils.len());
     for (impact, recoil) in impacts.iter().zip(&recoils) {
         assert!(impact[0] == 0.0 && impact[1] > 0.0, "on the incoming set");
-        let reset = [0.0, -shown.specimen().epsilon() * impact[1], impact[2]];
+        let reset = [0.0, -shown.specimen.epsilon * impact[1], impact[2]];
         assert!(distance(*recoil, reset) < 1e-15, "{recoil:?} is not {reset:?}");
         // Crossings are located to a few roundings.
         let ends_there = |flight: &&Vec<Point>| distance(flight[flight.len() - 1], *impact) < 1e-12;
@@ -139,7 +140,7 @@ fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset
     }
     for graze in points(&made.points, "graze") {
         assert_eq!(graze[..2], [0.0, 0.0]);
-        assert!(Equation::of(shown.specimen()).rate(graze)[1] < 0.0, "in the grazing set");
+        assert!(Equation::of(&shown.specimen).rate(graze)[1] < 0.0, "in the grazing set");
     }
 }
 
@@ -147,14 +148,13 @@ fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset
 fn the_image_in_figure_3_is_where_the_orbit_returns_and_gamma_closes_at_its_only_touch_of_the_wall() {
     let (parameters, study) = study();
     let made = study.fig03().expect("figure 3 can be computed");
-    let shown = parameters.fig03().expect("it is right");
-    let theory = grazing_theorems::LinearOscillator::new(shown.zeta(), 1.0).expect("a damping ratio");
-    let grazing = theory.grazing(shown.frequency()).expect("a frequency");
-    let equation =
-        Equation { zeta: shown.zeta(), amplitude: grazing.amplitude(), frequency: shown.frequency() };
+    let shown = parameters.fig03.get().expect("it is right");
+    let theory = grazing_theorems::LinearOscillator::new(shown.zeta, 1.0).expect("a damping ratio");
+    let grazing = theory.grazing(shown.frequency).expect("a frequency");
+    let equation = Equation { zeta: shown.zeta, amplitude: grazing.amplitude(), frequency: shown.frequency };
     let section = points(&made.points, "section");
     let [start, image] = section[..] else { panic!("a point and its image") };
-    let returned = equation.rest(start, TAU / shown.frequency());
+    let returned = equation.rest(start, TAU / shown.frequency);
     assert!(distance([returned[0], returned[1], returned[2] - TAU], image) < INTEGRATED);
 
     let periodic = &curves(&made.curves, "periodic")[0];
@@ -175,18 +175,18 @@ fn the_image_in_figure_3_is_where_the_orbit_returns_and_gamma_closes_at_its_only
 fn points_of_figure_9_are_where_the_orbits_come_to_rest() {
     let (parameters, study) = study();
     let made = study.fig09().expect("figure 9 can be computed");
-    let shown = parameters.fig09().expect("it is right");
-    let equation = Equation::of(shown.specimen());
+    let shown = parameters.fig09.get().expect("it is right");
+    let equation = Equation::of(&shown.specimen);
     let one = |kind: &str| points(&made.points, kind)[0];
     let (impact, recoil, ahead) = (one("impact"), one("recoil"), one("virtual"));
-    assert_eq!((impact[0], impact[1]), (0.0, shown.impact()[0]));
-    assert_eq!(recoil, [0.0, -shown.specimen().epsilon() * impact[1], impact[2]]);
+    assert_eq!((impact[0], impact[1]), (0.0, shown.impact[0]));
+    assert_eq!(recoil, [0.0, -shown.specimen.epsilon * impact[1], impact[2]]);
     // y/|ẍ| is the time to the maximum of x to leading order.
     let time = |state: Point| -state[1] / equation.rate(state)[1];
     assert!(time(impact) > 0.0 && time(recoil) < 0.0);
     assert!(distance(equation.rest(impact, time(impact)), ahead) < INTEGRATED);
     let section = points(&made.points, "section");
-    assert_eq!(section.len(), 1 + shown.loops() as usize);
+    assert_eq!(section.len(), 1 + shown.loops as usize);
     assert!(distance(equation.rest(recoil, time(recoil)), section[0]) < INTEGRATED);
     for pair in section.windows(2) {
         let next = equation.rest(pair[0], TAU / equation.frequency);
@@ -199,13 +199,13 @@ fn points_of_figure_9_are_where_the_orbits_come_to_rest() {
 fn curves_of_figure_9_join_the_points_and_are_virtual_exactly_beyond_the_wall() {
     let (parameters, study) = study();
     let made = study.fig09().expect("figure 9 can be computed");
-    let shown = parameters.fig09().expect("it is right");
+    let shown = parameters.fig09.get().expect("it is right");
     let (real, unreal) = (curves(&made.curves, "orbit"), curves(&made.curves, "virtual"));
     for curve in real.iter().chain(&unreal) {
-        assert_follows(Equation::of(shown.specimen()), curve);
+        assert_follows(Equation::of(&shown.specimen), curve);
     }
     // Ends on the wall or at the edge are located to rounding.
-    let low = shown.position().lower();
+    let low = shown.position[0];
     assert!(real.iter().flatten().all(|state| low - 1e-12 < state[0] && state[0] < 1e-12));
     assert!(unreal.iter().flatten().all(|state| state[0] > -1e-12));
     let ends: Vec<Point> =
@@ -244,13 +244,13 @@ fn the_projection_turns_space_and_leaves_lengths_alone() {
     let (parameters, study) = study();
     let straight = |stretch: [f64; 3]| move |p: Point| [0, 1, 2].map(|i| stretch[i] * p[i]);
     let nine = study.fig09().expect("figure 9");
-    let view = parameters.fig09().expect("it is right").view();
-    check_lengths(&nine.curves, straight(view.stretch()));
-    check_lengths(&nine.surfaces, straight(view.stretch()));
+    let view = parameters.fig09.get().expect("it is right").view;
+    check_lengths(&nine.curves, straight(view.stretch));
+    check_lengths(&nine.surfaces, straight(view.stretch));
     let three = study.fig03().expect("figure 3");
     let (radius, stretch) = (
-        parameters.fig03().expect("it is right").radius(),
-        parameters.fig03().expect("it is right").view().stretch(),
+        parameters.fig03.get().expect("it is right").radius,
+        parameters.fig03.get().expect("it is right").view.stretch,
     );
     let ring = |[x, y, z]: Point| {
         let (sin, cos) = libm::sincos(z);
@@ -313,7 +313,8 @@ fn an_orbit_that_would_meet_the_wall_earlier_and_a_point_that_is_no_maximum_are_
         let end = start + text[start..].find('\n').expect("the line ends");
         format!("{}{key} = {value}{}", &text[..start], &text[end..])
     };
-    let parsed = |text: &str| Parameters::parse(text, "edited").expect("the values are valid");
+    let parsed =
+        |text: &str| Parameters::parse(&Text::new(text, &[]), "edited").expect("the values are valid");
     // Followed back for so long, the orbit has been beyond the wall.
     let early = parsed(&edited(&text, "[[fig01.orbits]]", "before", "2.5"));
     let error = Study::new(&early).fig01().expect_err("the wall is met before");

@@ -12,54 +12,37 @@ use grazing_unfold::grazing::GrazingEnd;
 use grazing_unfold::regions::RegionKind;
 
 use crate::unfold::Analysis;
-use crate::unfold::layout::wrapped;
+use crate::unfold::layout::headed;
 use crate::unfold::reason::{self, place};
 
 /// Resonances that could not be located, or whose curves could not be followed.
 pub(super) fn missing<O>(description: &Description, units: &Units, diagram: &Diagram<O>) -> String {
-    let mut text = String::new();
-    if !diagram.unlocated.is_empty() || !diagram.not_unfolded.is_empty() {
-        text.push_str("\nResonances that could not be unfolded\n");
-    }
-    for lost in &diagram.unlocated {
-        let content = format!("near {}: {}", place(description, units.parameters(lost.near)), lost.reason);
-        text.push_str(&wrapped(&format!("  p = {}  ", lost.loops), &content));
-    }
-    for lost in &diagram.not_unfolded {
-        text.push_str(&wrapped(&format!("  p = {}, n = {}  ", lost.loops, lost.n), &lost.reason.to_string()));
-    }
-    text
+    let unlocated = diagram.unlocated.iter().map(|lost| {
+        let at = place(description, units.parameters(lost.near));
+        (format!("  p = {}  ", lost.loops), format!("near {at}: {}", lost.reason))
+    });
+    let not_unfolded = diagram.not_unfolded.iter();
+    let not_unfolded =
+        not_unfolded.map(|lost| (format!("  p = {}, n = {}  ", lost.loops, lost.n), lost.reason.to_string()));
+    headed("Resonances that could not be unfolded", unlocated.chain(not_unfolded))
 }
 
 /// What a limit or Ctrl-C has cut off.
 pub(super) fn unfinished<O>(description: &Description, units: &Units, diagram: &Diagram<O>) -> String {
-    let mut text = String::new();
-    for cut in &diagram.unfinished {
-        if text.is_empty() {
-            text.push_str("\nNot finished\n");
-        }
-        text.push_str(&wrapped("  ", &reason::unfinished(description, units, cut)));
-    }
-    text
+    let cut = diagram.unfinished.iter();
+    headed("Not finished", cut.map(|cut| ("  ".to_owned(), reason::unfinished(description, units, cut))))
 }
 
 /// Curves that end neither at the edge of the ranges nor at a point of codimension two.
 pub(super) fn odd_ends(description: &Description, unfolded: &Analysis) -> String {
-    let mut text = String::new();
-    for curve in &unfolded.diagram.curves {
-        let Some(end) = odd_end(&curve.curve.end) else { continue };
-        if text.is_empty() {
-            text.push_str("\nCurves that end unexpectedly\n");
-        }
-        let DiagramCurve { kind, loops, n, .. } = curve;
-        let last = curve.curve.points.last();
-        let at = last.map_or(String::new(), |last| {
+    let told = |DiagramCurve { kind, loops, n, curve }: &DiagramCurve| {
+        let end = odd_end(&curve.end)?;
+        let at = curve.points.last().map_or(String::new(), |last| {
             place(description, unfolded.axes.units.parameters(last.solution.parameters()))
         });
-        let mark = format!("  {} of p = {loops}, n = {n}  ", kind.name());
-        text.push_str(&wrapped(&mark, &format!("at {at}: {end}")));
-    }
-    text
+        Some((format!("  {} of p = {loops}, n = {n}  ", kind.name()), format!("at {at}: {end}")))
+    };
+    headed("Curves that end unexpectedly", unfolded.diagram.curves.iter().filter_map(told))
 }
 
 /// As many undecided regions of one p and one kind of reason are told one by one.
@@ -67,32 +50,23 @@ const TOLD: usize = 3;
 
 /// Where it is not decided whether solutions are stable, with the reason.
 pub(super) fn undecided(description: &Description, unfolded: &Analysis) -> String {
-    let units = &unfolded.axes.units;
     let mut kinds: Vec<(_, Vec<String>)> = Vec::new();
     for region in &unfolded.diagram.regions {
         let RegionKind::Undecided(doubt) = &region.kind else { continue };
-        let Some(told) = reason::undecided(description, units, region) else { continue };
+        let Some(told) = reason::undecided(description, &unfolded.axes.units, region) else { continue };
         let kind = (region.loops, discriminant(doubt));
         match kinds.iter_mut().find(|(known, _)| *known == kind) {
             Some((_, alike)) => alike.push(told),
             None => kinds.push((kind, vec![told])),
         }
     }
-    let mut text = String::new();
-    for ((loops, _), alike) in kinds {
-        if text.is_empty() {
-            text.push_str("\nNot decided (hatched in the diagram)\n");
-        }
-        let mark = format!("  p = {loops}  ");
-        for told in alike.iter().take(TOLD) {
-            text.push_str(&wrapped(&mark, told));
-        }
-        if alike.len() > TOLD {
-            let content = format!("{} more for reasons of this kind, in regions.csv", alike.len() - TOLD);
-            text.push_str(&wrapped(&mark, &content));
-        }
-    }
-    text
+    let entries = kinds.into_iter().flat_map(|((loops, _), mut alike)| {
+        let more = alike.len().saturating_sub(TOLD);
+        alike.truncate(TOLD);
+        let more = (more > 0).then(|| format!("{more} more for reasons of this kind, in regions.csv"));
+        alike.into_iter().chain(more).map(move |told| (format!("  p = {loops}  "), told))
+    });
+    headed("Not decided (hatched in the diagram)", entries)
 }
 
 /// What is missing in the diagram although there was time for it, as `1 of 3 resonances could not be unfolded`; nothing if nothing is.
@@ -100,13 +74,9 @@ pub(in crate::unfold) fn incomplete<O>(diagram: &Diagram<O>) -> Option<String> {
     let lost = diagram.unlocated.len() + diagram.not_unfolded.len();
     let all = diagram.unlocated.len() + diagram.resonances.len();
     let ends = diagram.curves.iter().flat_map(|curve| curve.curve.beginning.iter().chain([&curve.curve.end]));
+    let grazing_ends = diagram.grazing.iter().flat_map(|curve| curve.ends);
     let endless = ends.filter(|end| matches!(end, CurveEnd::StepLimit)).count()
-        + diagram
-            .grazing
-            .iter()
-            .flat_map(|curve| curve.ends)
-            .filter(|end| *end == GrazingEnd::StepLimit)
-            .count();
+        + grazing_ends.filter(|end| *end == GrazingEnd::StepLimit).count();
     let mut told = Vec::new();
     if lost > 0 {
         told.push(format!("{lost} of {all} resonances could not be unfolded"));
