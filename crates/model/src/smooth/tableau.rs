@@ -2,9 +2,10 @@
 //!
 //! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd edition, section II.7; the
 //! nodes are the zeros of the Legendre polynomial of degree six, shifted to the unit interval, and the other coefficients
-//! integrals of Lagrange's polynomials on them, computed to 50 digits and rounded. Tests hold them to the conditions that define them.
+//! integrals of Lagrange's polynomials on them, computed to 50 digits and rounded, or products of such. Tests hold them to the conditions that
+//! define them.
 
-use super::stages::{Matrix, STAGES};
+use super::stages::{Lanes, Matrix, STAGES, Stages};
 
 /// Fractions c of the step at which the stages stand.
 pub(super) const NODES: [f64; STAGES] = [
@@ -17,7 +18,7 @@ pub(super) const NODES: [f64; STAGES] = [
 ];
 
 /// The matrix A: velocities at the stages from accelerations.
-pub(super) static MATRIX: Matrix = Matrix::from_rows([
+pub(super) const MATRIX: Matrix = Matrix::from_rows([
     [
         0.04283112309479259,
         -0.014763725997197413,
@@ -69,56 +70,27 @@ pub(super) static MATRIX: Matrix = Matrix::from_rows([
 ]);
 
 /// A²: positions at the stages from accelerations.
-pub(super) static SQUARE: Matrix = Matrix::from_rows([
-    [
-        0.0009062542019565115,
-        -0.000728597116125314,
-        0.0007910269586116769,
-        -0.0007067539021853538,
-        0.0004564771422405692,
-        -0.00014836147050330408,
-    ],
-    [
-        0.011272367531794366,
-        0.00390834824478407,
-        -0.0014724868010943912,
-        0.001099266905658843,
-        -0.0006768904072940142,
-        0.0002167795034717414,
-    ],
-    [
-        0.030008019623627546,
-        0.036978289259468146,
-        0.0065490339168957825,
-        -0.0016615098173008262,
-        0.0008475346186204161,
-        -0.0002587746262343742,
-    ],
-    [
-        0.0499002696506509,
-        0.08200342744527161,
-        0.05416511129506007,
-        0.0065490339168957825,
-        -0.0011352871017627473,
-        0.0002896308105595239,
-    ],
-    [
-        0.06847583667161725,
-        0.11859257878058808,
-        0.10635984886129551,
-        0.04796147404218138,
-        0.00390834824478407,
-        -0.0003460083900134244,
-    ],
-    [
-        0.07972907161944999,
-        0.1441910039270223,
-        0.13628542646896577,
-        0.0819565862174019,
-        0.023736460480774324,
-        0.0009062542019565115,
-    ],
-]);
+pub(super) static SQUARE: Matrix = {
+    let mut square = [Lanes([0.0; STAGES]); STAGES];
+    let mut j = 0;
+    while j < STAGES {
+        square[j] = through(&MATRIX.0[j].0, &MATRIX.0);
+        j += 1;
+    }
+    Matrix(square)
+};
+
+/// A linear combination of columns.
+const fn through(weights: &[f64; STAGES], columns: &[Stages; STAGES]) -> Stages {
+    let mut sums = [0.0; STAGES];
+    let mut place = 0;
+    while place < STAGES * STAGES {
+        let (i, j) = (place % STAGES, place / STAGES);
+        sums[i] += weights[j] * columns[j].0[i];
+        place += 1;
+    }
+    Lanes(sums)
+}
 
 /// The weights b: velocity at the end from accelerations.
 pub(super) const WEIGHTS: [f64; STAGES] = [
@@ -131,14 +103,16 @@ pub(super) const WEIGHTS: [f64; STAGES] = [
 ];
 
 /// bA: position at the end from accelerations.
-pub(super) const POSITION_WEIGHTS: [f64; STAGES] = [
-    0.08276983963976924,
-    0.1498251278559757,
-    0.14489179419935322,
-    0.08906517308699231,
-    0.030555658668093604,
-    0.0028924065498159377,
-];
+pub(super) const POSITION_WEIGHTS: [f64; STAGES] = {
+    let mut weights = [0.0; STAGES];
+    let mut place = 0;
+    while place < STAGES * STAGES {
+        let (i, j) = (place % STAGES, place / STAGES);
+        weights[j] += WEIGHTS[i] * MATRIX.0[j].0[i];
+        place += 1;
+    }
+    weights
+};
 
 /// The coefficients of a function in Legendre polynomials on the step, of degrees five to two: (2n + 1) b P_n(2c − 1).
 pub(super) const LEGENDRE: [[f64; STAGES]; 4] = {
@@ -156,14 +130,18 @@ pub(super) const LEGENDRE: [[f64; STAGES]; 4] = {
 };
 
 /// The factors of Lagrange's polynomials on the stages: 1/((c_j − c_1) ⋯ (c_j − c_6)), without the factor that is zero.
-pub(super) const LAGRANGE: [f64; STAGES] = [
-    -48.847570374052054,
-    147.20243244417318,
-    -217.01004297283262,
-    217.01004297283262,
-    -147.20243244417318,
-    48.847570374052054,
-];
+pub(super) const LAGRANGE: [f64; STAGES] = {
+    let mut factors = [1.0; STAGES];
+    let mut place = 0;
+    while place < STAGES * STAGES {
+        let (j, k) = (place / STAGES, place % STAGES);
+        if j != k {
+            factors[j] /= NODES[j] - NODES[k];
+        }
+        place += 1;
+    }
+    factors
+};
 
 #[cfg(test)]
 mod tests {
