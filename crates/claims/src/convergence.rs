@@ -12,7 +12,7 @@ const RESOLVED: f64 = 100.0;
 ///
 /// `remainder` gives, for a size, the remainder and its rounding, or `None` where the size is too large for it to exist.
 /// Infinite if the remainder is never resolved twice: then there is none to be seen.
-pub fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
+pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
     let mut resolved: Vec<f64> = Vec::new();
     for k in FIRST..FIRST + SIZES {
         match remainder(libm::ldexp(1.0, -k)) {

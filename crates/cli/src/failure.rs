@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use grazing_claims::ledger::LedgerError;
 use grazing_description::DescriptionError;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::published::PublishedError;
@@ -199,9 +198,6 @@ pub enum Failure {
         /// The tables that should have been.
         registered: Vec<&'static str>,
     },
-    /// The ledger of claims is not right.
-    #[error(transparent)]
-    Ledger(#[from] LedgerError),
     /// The list of published values is not right, or does not fit the computed ones.
     #[error(transparent)]
     Published(#[from] PublishedError),
@@ -241,8 +237,7 @@ impl Failure {
             | Failure::Parameters(ParameterError::Unfit(_))
             | Failure::PartlyMade { .. }
             | Failure::Registry { .. }
-            | Failure::Published(_)
-            | Failure::Ledger(_) => 3,
+            | Failure::Published(_) => 3,
             Failure::File { .. } | Failure::NotRegular { .. } | Failure::Untold { .. } => 4,
             Failure::SomeFiles { code, .. } => *code,
         }

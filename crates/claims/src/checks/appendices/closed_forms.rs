@@ -8,10 +8,8 @@ use grazing_theorems::Resonance;
 use grazing_theorems::from_map::GrazingOrbit;
 
 use super::printed_flow::{CLOSED, DIFFERENCES, Turn, model};
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
 use crate::specimen::damping_for_decay;
-use crate::tally::Deviations;
+use crate::{CheckResult, Deviations, Failure, Sampler};
 
 /// Resonances with p loops, E_p and ε at random.
 fn resonances(loops: &[u32], count: usize) -> Result<Vec<Resonance>, grazing_theorems::TheoryError> {
@@ -58,21 +56,21 @@ fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
 }
 
 /// eq:xi1proof3.
-pub(super) fn resonant_second_derivative_of_one_loop() -> CheckResult {
+pub(crate) fn resonant_second_derivative_of_one_loop() -> CheckResult {
     at_resonances(&[1], ONE, 1e-14, |resonance| {
         Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
     })
 }
 
 /// eq:xipproof3.
-pub(super) fn resonant_second_derivative_of_many_loops() -> CheckResult {
+pub(crate) fn resonant_second_derivative_of_many_loops() -> CheckResult {
     at_resonances(MORE_LOOPS, MANY, 1e-13, |resonance| {
         Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
     })
 }
 
 /// a₁₁ = a₂₂ = (−1)ⁿ E₁ and the values of sine and cosine at resonance.
-pub(super) fn diagonal_at_resonance() -> CheckResult {
+pub(crate) fn diagonal_at_resonance() -> CheckResult {
     at_resonances(&[1], ONE, CLOSED, |resonance| {
         let grazing = resonance.grazing();
         let jet = global_map::<_, 1>(&model(&grazing)?, AtRest::new(0.0, grazing.phase()), None)?.jet;
@@ -87,7 +85,7 @@ pub(super) fn diagonal_at_resonance() -> CheckResult {
 }
 
 /// sin and cos of 2πp ω₁/ω and of 2πω₁/ω at a resonance with p ≥ 2.
-pub(super) fn angles_at_resonance() -> CheckResult {
+pub(crate) fn angles_at_resonance() -> CheckResult {
     at_resonances(MORE_LOOPS, MANY, CLOSED, |resonance| {
         let (once, whole) =
             (Turn::new(&resonance.grazing(), 1), Turn::new(&resonance.grazing(), resonance.loops()));
@@ -111,7 +109,7 @@ fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> 
 }
 
 /// eq:xi1proof4.
-pub(super) fn stability_of_one_loop() -> CheckResult {
+pub(crate) fn stability_of_one_loop() -> CheckResult {
     stability(&[1], ONE, |resonance, side| {
         let (decay, sign) = (resonance.grazing().decay(1), parity(resonance));
         let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
@@ -122,7 +120,7 @@ pub(super) fn stability_of_one_loop() -> CheckResult {
 }
 
 /// eq:xipproof4.
-pub(super) fn stability_of_many_loops() -> CheckResult {
+pub(crate) fn stability_of_many_loops() -> CheckResult {
     stability(MORE_LOOPS, MANY, |resonance, side| {
         let decay = resonance.grazing().decay(resonance.loops());
         let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
@@ -148,7 +146,7 @@ fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> 
 }
 
 /// eq:xi1proof5.
-pub(super) fn slope_of_one_loop() -> CheckResult {
+pub(crate) fn slope_of_one_loop() -> CheckResult {
     at_resonances(&[1], ONE, DIFFERENCES, |resonance| {
         let measured = along_grazing(resonance, |a| a.m12)?;
         let general = resonance.grazing().off_diagonal_derivative();
@@ -161,7 +159,7 @@ fn detuning(loops: u32) -> impl Fn(&nalgebra::Matrix2<f64>) -> f64 {
 }
 
 /// The display of κ_p', at resonances of other numbers of loops than p too.
-pub(super) fn detuning_derivative() -> CheckResult {
+pub(crate) fn detuning_derivative() -> CheckResult {
     at_resonances(&[1, 2, 3, 4, 5, 6], "grazing states, p = 2 to 5", DIFFERENCES, |resonance| {
         let pair =
             |p: u32| Ok((along_grazing(resonance, detuning(p))?, resonance.grazing().detuning_derivative(p)));
@@ -170,7 +168,7 @@ pub(super) fn detuning_derivative() -> CheckResult {
 }
 
 /// eq:xipproof5.
-pub(super) fn slope_of_many_loops() -> CheckResult {
+pub(crate) fn slope_of_many_loops() -> CheckResult {
     at_resonances(MORE_LOOPS, MANY, DIFFERENCES, |resonance| {
         let measured = along_grazing(resonance, detuning(resonance.loops()))?;
         Ok(vec![(measured, resonance.unfolding().derivative())])
@@ -178,7 +176,7 @@ pub(super) fn slope_of_many_loops() -> CheckResult {
 }
 
 /// The last steps of both proofs: the general coefficients at resonance are those of Propositions 3.2 and 3.3.
-pub(super) fn coefficients() -> CheckResult {
+pub(crate) fn coefficients() -> CheckResult {
     at_resonances(&[1, 2, 3, 4, 5, 6], "resonances with p = 1 to 6, E and ε at random", 1e-11, |resonance| {
         let point = resonance.resonant_point();
         // Divided by the stated number: the coefficients have sizes of all orders, and c_PD loses digits where s⁻ is small.

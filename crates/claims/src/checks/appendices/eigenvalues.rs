@@ -4,9 +4,7 @@ use grazing_theorems::auxiliary::{admissibility_sum, lucas_partial_sum, lucas_se
 use nalgebra::Complex;
 
 use crate::eigenvalues::{Pair, power};
-use crate::outcome::{CheckResult, Outcome};
-use crate::sampling::Sampler;
-use crate::tally::{Deviations, Votes};
+use crate::{CheckResult, Deviations, Outcome, Sampler, Votes};
 
 /// Each of the two routes makes some p² roundings of the terms by which deviations are divided, p up to 15.
 const ROUNDING: f64 = 1e-13;

@@ -6,13 +6,10 @@ use grazing_model::AtRest;
 use grazing_model::maps::{global_iterate, global_map};
 
 use super::printed_flow::{DIFFERENCES, Derivatives, Printed, STATES, STEP, Turn, first, model, states};
-use crate::convergence::order;
-use crate::outcome::{CheckResult, Measure, Outcome};
-use crate::sampling::Sampler;
-use crate::tally::Deviations;
+use crate::{CheckResult, Deviations, Measure, Outcome, Sampler, order};
 
 /// eq:Abproof1: P_global ends where the printed flow from (x, 0) at z/ω comes to rest.
-pub(super) fn return_by_printed_flow() -> CheckResult {
+pub(crate) fn return_by_printed_flow() -> CheckResult {
     let mut sampler = Sampler::new(13);
     let mut largest = Deviations::default();
     for state in states(400)? {
@@ -34,7 +31,7 @@ pub(super) fn return_by_printed_flow() -> CheckResult {
 }
 
 /// eq:Abproof2: both lines, as the order of what the linear terms leave of φ and φ̇ at the return.
-pub(super) fn first_order_terms() -> CheckResult {
+pub(crate) fn first_order_terms() -> CheckResult {
     let mut sampler = Sampler::new(14);
     let mut worst = f64::INFINITY;
     let all = states(60)?;
@@ -76,7 +73,7 @@ pub(super) fn first_order_terms() -> CheckResult {
 }
 
 /// eq:Abproof3 with derivatives of the printed flow by differences, against the derivatives of P_global.
-pub(super) fn entries_by_derivatives() -> CheckResult {
+pub(crate) fn entries_by_derivatives() -> CheckResult {
     let all = states(300)?;
     let mut largest = Deviations::default();
     for state in &all {
@@ -98,7 +95,7 @@ pub(super) fn entries_by_derivatives() -> CheckResult {
 }
 
 /// eq:Abproof4: all eight derivatives of φ at grazing.
-pub(super) fn derivatives_at_grazing() -> CheckResult {
+pub(crate) fn derivatives_at_grazing() -> CheckResult {
     let all = states(300)?;
     let mut largest = Deviations::default();
     for state in &all {
@@ -122,7 +119,7 @@ pub(super) fn derivatives_at_grazing() -> CheckResult {
 }
 
 /// The display of ξ₁ by derivatives of φ, differences against the second derivative of P_global.
-pub(super) fn second_derivative_by_flow() -> CheckResult {
+pub(crate) fn second_derivative_by_flow() -> CheckResult {
     let all = states(200)?;
     let mut largest = Deviations::default();
     for state in &all {
@@ -143,7 +140,7 @@ pub(super) fn second_derivative_by_flow() -> CheckResult {
 }
 
 /// eq:d2phidt02.
-pub(super) fn second_derivative_in_start() -> CheckResult {
+pub(crate) fn second_derivative_in_start() -> CheckResult {
     let all = states(300)?;
     let mut largest = Deviations::default();
     for state in &all {
@@ -170,11 +167,11 @@ fn xi(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
 }
 
 /// eq:xi1proof2.
-pub(super) fn second_derivative_of_one_loop() -> CheckResult {
+pub(crate) fn second_derivative_of_one_loop() -> CheckResult {
     xi(1..=1)
 }
 
 /// eq:xipproof2, off resonance too.
-pub(super) fn second_derivative_of_many_loops() -> CheckResult {
+pub(crate) fn second_derivative_of_many_loops() -> CheckResult {
     xi(2..=5)
 }

@@ -6,9 +6,7 @@ use grazing_theorems::auxiliary::{admissibility_sum, lucas_partial_sum, lucas_se
 use nalgebra::Complex;
 
 use crate::eigenvalues::Pair;
-use crate::outcome::{CheckResult, Outcome};
-use crate::sampling::Sampler;
-use crate::tally::{Deviations, Votes};
+use crate::{CheckResult, Deviations, Outcome, Sampler, Votes};
 
 /// A point with complex eigenvalues, r = √δ and θ in (0, π).
 struct Polar {

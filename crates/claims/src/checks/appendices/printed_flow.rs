@@ -2,10 +2,9 @@
 
 use core::f64::consts::TAU;
 
+use crate::Sampler;
 use grazing_model::LinearOscillator;
 use grazing_theorems::GrazingState;
-
-use crate::sampling::Sampler;
 
 /// eq:flow and eq:phip, coded from the print.
 #[derive(Clone, Copy)]

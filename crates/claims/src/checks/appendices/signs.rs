@@ -8,9 +8,7 @@ use grazing_theorems::auxiliary::{
 };
 
 use super::polar::xi;
-use crate::outcome::{CheckResult, Outcome};
-use crate::sampling::{Sampler, smallest};
-use crate::tally::{Deviations, Smallest};
+use crate::{CheckResult, Deviations, Outcome, Sampler, Smallest, smallest};
 
 /// Local searches for each number of loops.
 const STARTS: usize = 6;

@@ -6,9 +6,7 @@ use nalgebra::Matrix2;
 use super::specimens::{sampled_map, sampled_point, specimens};
 use super::vivid::derivatives;
 use crate::eigenvalues::{Pair, power};
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
-use crate::tally::Deviations;
+use crate::{CheckResult, Deviations, Sampler};
 
 /// J and K.
 fn matrices_of(point: &GrazingPoint, p: u32) -> (Matrix2<f64>, Matrix2<f64>) {

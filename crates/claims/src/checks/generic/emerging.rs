@@ -12,10 +12,8 @@ use nalgebra::{Matrix2, Vector2};
 use super::specimens::{delayed, map_with, sampled_point, specimens, uniform_order};
 use super::vivid::{derivatives, equations, scale, zero, zero_from};
 use crate::checks::appendices::signs::{determinant, search};
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
 use crate::specimen::Grazing;
-use crate::tally::{Smallest, Votes};
+use crate::{CheckResult, Sampler, Smallest, Votes};
 
 /// The smallest order over oscillators and numbers of loops of a remainder at the zero of V for μ and for −μ.
 fn smallest_order(

@@ -8,10 +8,8 @@ use nalgebra::Vector2;
 
 use super::maps::{ROUNDING, SLACK, near_grazing};
 use super::specimens::{delayed, directions, specimens, uniform_order};
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
 use crate::specimen::Specimen;
-use crate::tally::{Smallest, Votes};
+use crate::{CheckResult, Sampler, Smallest, Votes};
 
 const SPECIMENS: &str = "twelve oscillators, Ψ = 0 or not, μ the amplitude or the frequency; nine directions in (y, z, μ) at once";
 

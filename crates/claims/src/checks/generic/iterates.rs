@@ -12,9 +12,7 @@ use nalgebra::{Matrix2, Vector2};
 use super::specimens::{directions, sampled_map, specimens, uniform_order};
 use crate::checks::appendices::signs::{along, determinant, search};
 use crate::eigenvalues::Pair;
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
-use crate::tally::{Deviations, Smallest, Votes};
+use crate::{CheckResult, Deviations, Sampler, Smallest, Votes};
 
 /// Each of the two routes makes some p² roundings of the terms by which deviations are divided, p up to 15.
 const ROUNDING: f64 = 1e-13;

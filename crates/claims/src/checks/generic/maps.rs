@@ -5,11 +5,8 @@ use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
 use nalgebra::{Vector2, Vector3};
 
 use super::specimens::{delayed, directions, specimens, uniform_order};
-use crate::convergence::order;
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
 use crate::specimen::{Grazing, Specimen};
-use crate::tally::{Deviations, Smallest, Votes};
+use crate::{CheckResult, Deviations, Sampler, Smallest, Votes, order};
 
 /// How far below the stated order the observed one may lie: where remainders are resolved last, sizes are below 10⁻³, and the
 /// next term is of that relative size, times a coefficient of order ten at most.

@@ -10,10 +10,8 @@ use nalgebra::{Matrix2, Vector2};
 use super::specimens::{sampled_map, specimens};
 use super::vivid::{derivatives, equations, scale, zero};
 use crate::eigenvalues::Pair;
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
 use crate::specimen::Grazing;
-use crate::tally::Deviations;
+use crate::{CheckResult, Deviations, Failure, Sampler};
 
 /// Tens of roundings of numbers of the size by which deviations are divided.
 const ROUNDING: f64 = 1e-14;

@@ -10,9 +10,7 @@ use nalgebra::{Matrix2, Vector2};
 use super::specimens::map_with;
 use crate::checks::appendices::signs::{along, determinant, search};
 use crate::eigenvalues::Pair;
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
-use crate::tally::{Deviations, Votes};
+use crate::{CheckResult, Deviations, Sampler, Votes};
 
 /// τ above h_p by a share of the way to δ + 1, both in (0, 1).
 fn above(p: u32, [x, y]: [f64; 2]) -> Option<(f64, f64)> {

@@ -13,10 +13,8 @@ use nalgebra::{Matrix2, Vector2};
 use super::maps::integrated;
 use super::specimens::{delayed, directions, specimens, uniform_order};
 use crate::checks::main_results::simulation::returns;
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
 use crate::specimen::{Grazing, Specimen};
-use crate::tally::{Deviations, Smallest, Votes};
+use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes};
 
 /// The equations of p-loop MPSs of a specimen.
 pub(super) fn equations(grazing: &Grazing, p: u32) -> LoopEquations<Specimen> {

@@ -13,7 +13,6 @@ use grazing_theorems::{GenericGrazing, HypothesesViolated, ResonantGrazing, Side
 
 use self::general::{side_of_curve, side_of_orbit};
 use crate::checks::generic::specimens::specimens;
-use crate::outcome::{CheckResult, Failure};
 use crate::specimen::{DELAY, Exponential, Grazing, Law, damping_for_decay};
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
 use crate::sweep::generic::Existence;
@@ -21,7 +20,7 @@ use crate::sweep::resonant::FIT_TOLERANCE;
 use crate::sweep::{
     Extent, GenericRow, ResonantRow, Verdict, generic_cases, generic_rows, resonant_cases, resonant_rows,
 };
-use crate::tally::Votes;
+use crate::{CheckResult, Failure, Votes};
 use grazing_unfold::simulation::{Seen, Suspect};
 
 /// An oscillator for what is seen to fail.
@@ -29,7 +28,7 @@ const ZETA: f64 = 0.03;
 const EPSILON: f64 = 0.8;
 
 /// th:codim11.
-pub(super) fn generic_grazing_one_loop() -> CheckResult {
+pub(crate) fn generic_grazing_one_loop() -> CheckResult {
     let mut count = Votes::default();
     generic_sweep(&mut count, |loops| loops == 1)?;
     general_sweep(&mut count, |loops| loops == 1)?;
@@ -58,7 +57,7 @@ pub(super) fn generic_grazing_one_loop() -> CheckResult {
 }
 
 /// th:codim1p.
-pub(super) fn generic_grazing_p_loops() -> CheckResult {
+pub(crate) fn generic_grazing_p_loops() -> CheckResult {
     let mut count = Votes::default();
     generic_sweep(&mut count, |loops| loops > 1)?;
     general_sweep(&mut count, |loops| loops > 1)?;
@@ -92,7 +91,7 @@ pub(super) fn generic_grazing_p_loops() -> CheckResult {
 }
 
 /// th:codim21.
-pub(super) fn resonant_grazing_one_loop() -> CheckResult {
+pub(crate) fn resonant_grazing_one_loop() -> CheckResult {
     let mut count = Votes::default();
     resonant_sweep(&mut count, |loops| loops == 1)?;
     general_resonances(&mut count, &[(1, 2), (1, 3)])?;
@@ -118,7 +117,7 @@ pub(super) fn resonant_grazing_one_loop() -> CheckResult {
 }
 
 /// th:codim2p.
-pub(super) fn resonant_grazing_p_loops() -> CheckResult {
+pub(crate) fn resonant_grazing_p_loops() -> CheckResult {
     let mut count = Votes::default();
     resonant_sweep(&mut count, |loops| loops > 1)?;
     general_resonances(&mut count, &[(2, 1), (3, 1)])?;

@@ -2,6 +2,9 @@
 
 use core::f64::consts::PI;
 
+use crate::{
+    CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Smallest, Votes, order, printed, smallest,
+};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
@@ -9,14 +12,8 @@ use grazing_model::LinearOscillator;
 use grazing_theorems::auxiliary::modulus_power;
 use grazing_theorems::{Resonance, ResonantGrazing};
 
-use crate::convergence::order;
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
-use crate::printed::printed;
-use crate::sampling::{Sampler, smallest};
-use crate::tally::{Deviations, Smallest, Votes};
-
 /// eq:Ep and E_p = δ^{p/2}: the decay of the free motion over p periods.
-pub(super) fn decay() -> CheckResult {
+pub(crate) fn decay() -> CheckResult {
     let mut sampler = Sampler::new(131);
     let mut largest = Deviations::default();
     for _ in 0..1000 {
@@ -37,7 +34,7 @@ pub(super) fn decay() -> CheckResult {
 ///
 /// For ε ≤ 1 the product εE_p stays below 1; for ε above 1 the general formulas are evaluated. All four are measured against
 /// the factors that vanish with 1 − εE_p, E_p and 𝒜_graz.
-pub(super) fn signs() -> CheckResult {
+pub(crate) fn signs() -> CheckResult {
     let mut least = f64::INFINITY;
     const STARTS: usize = 6;
     for (p, n) in INDICES {
@@ -110,7 +107,7 @@ fn numerically(resonance: &Resonance) -> Result<ResonantGrazingPoint<LinearOscil
 }
 
 /// The continued SN and PD curves start with η of different signs and μ of different signs: the former as theorems 2.4 and 2.5 say.
-pub(super) fn opposite_sides() -> CheckResult {
+pub(crate) fn opposite_sides() -> CheckResult {
     let mut sampler = Sampler::new(133);
     let mut cases = Votes::default();
     for _ in 0..60 {
@@ -141,8 +138,8 @@ pub(super) fn opposite_sides() -> CheckResult {
 
 /// At the three resonances of Figure 8: the dashed curve, (μ, η) = (𝒜 − 𝒜_graz, ω − ω*) inverted with the closed forms of
 /// the coefficients, is off the continued curve by third order in η.
-pub(super) fn quadratic_approximation() -> CheckResult {
-    let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
+pub(crate) fn quadratic_approximation() -> CheckResult {
+    let theory = grazing_theorems::LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
     let mut least = Smallest::default();
     for (p, n) in [(1, 3), (2, 1), (3, 2)] {
         let resonance = theory.resonance(p, n)?;

@@ -11,17 +11,14 @@ use grazing_model::orbit::{Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 
 use crate::checks::main_results::simulation::attracts;
-use crate::outcome::CheckResult;
-use crate::printed::printed;
-use crate::sampling::Sampler;
-use crate::tally::Votes;
+use crate::{CheckResult, Sampler, Votes, printed};
 
 /// Frequencies from below the lowest resonance that Figure 7 labels to above the highest.
 const FREQUENCIES: [f64; 2] = [0.36, 0.95];
 
 /// Left of the grazing curve orbits that start near φ_p approach it in the full system; right of it φ_p is no solution.
-pub(super) fn non_impacting_region() -> CheckResult {
-    let (zeta, epsilon) = (printed("zeta")?, printed("epsilon")?);
+pub(crate) fn non_impacting_region() -> CheckResult {
+    let (zeta, epsilon) = (printed("zeta"), printed("epsilon"));
     let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
     let mut sampler = Sampler::new(151);
     let mut cases = Votes::default();
@@ -51,8 +48,8 @@ pub(super) fn non_impacting_region() -> CheckResult {
 
 /// At each resonance of Figure 7 an SN and a PD curve leave, a GZ curve of the MPS closes the region, and the MPS is stable on
 /// one side of SN and PD and unstable on the other, in simulation too.
-pub(super) fn boundaries() -> CheckResult {
-    let (zeta, epsilon) = (printed("zeta")?, printed("epsilon")?);
+pub(crate) fn boundaries() -> CheckResult {
+    let (zeta, epsilon) = (printed("zeta"), printed("epsilon"));
     let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
     let mut cases = Votes::default();
     let route = Route {

@@ -2,15 +2,11 @@
 
 use core::f64::consts::TAU;
 
+use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, order};
 use grazing_model::motion::highest_maximum;
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use nalgebra::Matrix2;
-
-use crate::convergence::order;
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
-use crate::tally::{Deviations, Smallest};
 
 /// An oscillator with parameters from their whole domains, frequencies around the natural one.
 fn oscillator(sampler: &mut Sampler) -> Result<LinearOscillator, Failure> {
@@ -68,7 +64,7 @@ fn defect(oscillator: &LinearOscillator, x: impl Fn(f64) -> f64, time: f64, h: f
 }
 
 /// eq:oscf: the model's flow has no defect.
-pub(super) fn equation_of_motion() -> CheckResult {
+pub(crate) fn equation_of_motion() -> CheckResult {
     let mut sampler = Sampler::new(101);
     let mut least = Smallest::default();
     for _ in 0..300 {
@@ -84,7 +80,7 @@ pub(super) fn equation_of_motion() -> CheckResult {
 }
 
 /// eq:oscResetLaw: at every impact of simulated orbits y becomes −εy, and neither x nor z changes.
-pub(super) fn reset_law() -> CheckResult {
+pub(crate) fn reset_law() -> CheckResult {
     let mut sampler = Sampler::new(102);
     let mut largest = Deviations::default();
     for _ in 0..60 {
@@ -109,7 +105,7 @@ pub(super) fn reset_law() -> CheckResult {
 }
 
 /// ω₁ and −ζ ± iω₁: trace and determinant of the matrix of the free oscillator.
-pub(super) fn damped_frequency() -> CheckResult {
+pub(crate) fn damped_frequency() -> CheckResult {
     let mut sampler = Sampler::new(103);
     let mut largest = Deviations::default();
     for _ in 0..500 {
@@ -134,7 +130,7 @@ pub(super) fn damped_frequency() -> CheckResult {
 }
 
 /// eq:flow: the print satisfies the initial condition and the equation, and is the model's flow.
-pub(super) fn flow() -> CheckResult {
+pub(crate) fn flow() -> CheckResult {
     let mut sampler = Sampler::new(104);
     let mut least = Smallest::default();
     for _ in 0..300 {
@@ -160,7 +156,7 @@ pub(super) fn flow() -> CheckResult {
 }
 
 /// eq:phip: the print satisfies the equation, has period 2π/ω, and is the model's periodic solution.
-pub(super) fn periodic_solution() -> CheckResult {
+pub(crate) fn periodic_solution() -> CheckResult {
     let mut sampler = Sampler::new(105);
     let mut least = Smallest::default();
     for _ in 0..300 {
@@ -187,7 +183,7 @@ pub(super) fn periodic_solution() -> CheckResult {
 }
 
 /// As t → ∞ solutions converge to φ_p: distances shrink like e^{−ζt}.
-pub(super) fn attraction() -> CheckResult {
+pub(crate) fn attraction() -> CheckResult {
     let mut sampler = Sampler::new(106);
     let mut largest = Deviations::default();
     for _ in 0..300 {
@@ -209,7 +205,7 @@ pub(super) fn attraction() -> CheckResult {
 }
 
 /// eq:Agraz: at the printed amplitude the highest maximum of φ_p, found by search, is the wall; beside it is not.
-pub(super) fn grazing_amplitude() -> CheckResult {
+pub(crate) fn grazing_amplitude() -> CheckResult {
     let mut sampler = Sampler::new(107);
     let mut largest = Deviations::default();
     for _ in 0..500 {
@@ -241,7 +237,7 @@ fn sampler_phase(omega: f64) -> f64 {
 }
 
 /// The display after eq:Agraz: z_graz is the phase of that maximum.
-pub(super) fn grazing_phase() -> CheckResult {
+pub(crate) fn grazing_phase() -> CheckResult {
     let mut sampler = Sampler::new(108);
     let mut largest = Deviations::default();
     for _ in 0..500 {

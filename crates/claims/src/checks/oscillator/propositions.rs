@@ -1,12 +1,9 @@
 //! Propositions 3.2 and 3.3 against the general theorem fed from the numerical map, over random parameters.
 
+use crate::{CheckResult, Deviations, Failure, Sampler};
 use grazing_model::LinearOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{Resonance, ResonantPoint, Unfolding};
-
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
-use crate::tally::Deviations;
 
 /// The general theory with A, b, ξ_p and their derivatives along the grazing curve from the numerical P_global.
 fn numerical(resonance: &Resonance) -> Result<ResonantPoint, Failure> {
@@ -53,31 +50,31 @@ fn compared(seed: u64, loops: &[u32], indices: &[u32]) -> Result<Deviations, Fai
 const JETS: f64 = 1e-12;
 
 /// pr:imp1: both parities of n.
-pub(super) fn one_loop() -> CheckResult {
+pub(crate) fn one_loop() -> CheckResult {
     let over = "all five formulas at random ζ and ε, n = 1 to 7, against the numerical map";
     Ok(compared(146, &[1], &[1, 2, 3, 4, 5, 6, 7])?.outcome(JETS, over))
 }
 
 /// eq:impFormula1odd.
-pub(super) fn one_loop_odd() -> CheckResult {
+pub(crate) fn one_loop_odd() -> CheckResult {
     let over = "all five formulas at random ζ and ε, n = 1, 3, 5, against the numerical map";
     Ok(compared(141, &[1], &[1, 3, 5])?.outcome(JETS, over))
 }
 
 /// eq:impFormula1even: E₁ with the other sign.
-pub(super) fn one_loop_even() -> CheckResult {
+pub(crate) fn one_loop_even() -> CheckResult {
     let over = "all five formulas at random ζ and ε, n = 2, 4, 6, against the numerical map";
     Ok(compared(142, &[1], &[2, 4, 6])?.outcome(JETS, over))
 }
 
 /// pr:impp: the proposition as it holds, for the s of p loops.
-pub(super) fn many_loops() -> CheckResult {
+pub(crate) fn many_loops() -> CheckResult {
     let over = "all five formulas at random ζ and ε, p = 2 to 6, n = 1, 2, 3, against the numerical map";
     Ok(compared(143, &[2, 3, 4, 5, 6], &[1, 2, 3])?.outcome(JETS, over))
 }
 
 /// eq:impFormulap: with s_p^±; the print, which names s_1^±, fails for eq:c1 evaluated at the same resonance.
-pub(super) fn many_loops_misprint() -> CheckResult {
+pub(crate) fn many_loops_misprint() -> CheckResult {
     let largest = compared(144, &[2, 3, 4, 5, 6], &[1, 2, 3])?;
     let mut sampler = Sampler::new(145);
     let mut named = Deviations::default();

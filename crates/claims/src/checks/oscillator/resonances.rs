@@ -11,10 +11,7 @@ use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{GenericGrazing, GrazingState, ResonantGrazing};
 
 use crate::checks::main_results::simulation::{attracts, returns};
-use crate::outcome::{CheckResult, Failure};
-use crate::printed::{printed, printed_at_resonances};
-use crate::sampling::Sampler;
-use crate::tally::{Deviations, Votes};
+use crate::{CheckResult, Deviations, Failure, Sampler, Votes, printed, printed_at_resonances};
 
 /// A function of the frequency, read off the numerical grazing orbit.
 fn measured(
@@ -72,7 +69,7 @@ fn only_zeros(
 }
 
 /// eq:resonance1: a₁₂ of the numerical map vanishes at ω₁/ω = n/2 and nowhere else.
-pub(super) fn one_loop() -> CheckResult {
+pub(crate) fn one_loop() -> CheckResult {
     let mut sampler = Sampler::new(121);
     let mut largest = Deviations::default();
     for _ in 0..4 {
@@ -93,7 +90,7 @@ pub(super) fn one_loop() -> CheckResult {
 }
 
 /// eq:resonancep: κ_p of the numerical map vanishes at ω₁/ω = n ± 1/(2p) and nowhere else.
-pub(super) fn many_loops() -> CheckResult {
+pub(crate) fn many_loops() -> CheckResult {
     let mut sampler = Sampler::new(122);
     let mut largest = Deviations::default();
     for p in [2, 3, 4, 7] {
@@ -125,11 +122,11 @@ pub(super) fn many_loops() -> CheckResult {
 
 /// The indices n of the labelled points of Figure 7: the printed frequencies belong to them, and between the lowest and the
 /// highest labelled frequency there are no others.
-pub(super) fn indices() -> CheckResult {
-    let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
+pub(crate) fn indices() -> CheckResult {
+    let theory = grazing_theorems::LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
     let omega_1 = theory.damped_natural_frequency();
     let mut cases = Votes::default();
-    for (loops, index, frequency) in printed_at_resonances("omega")? {
+    for (loops, index, frequency) in printed_at_resonances("omega") {
         let ratio =
             if loops == 1 { 0.5 * f64::from(index) } else { f64::from(index) + 0.5 / f64::from(loops) };
         // Four printed decimals: half a unit of the last, relative to frequencies from 0.39, and ratios up to 2.5.
@@ -165,7 +162,7 @@ pub(super) fn indices() -> CheckResult {
 }
 
 /// The display after eq:resonancep: a₁₂ at the resonances of either sign, and the sign of a₁₂α.
-pub(super) fn off_diagonal() -> CheckResult {
+pub(crate) fn off_diagonal() -> CheckResult {
     let mut sampler = Sampler::new(123);
     let mut largest = Deviations::default();
     for _ in 0..60 {
@@ -230,7 +227,7 @@ fn near_grazing(
 
 /// At ω₁/ω = n − 1/(2p) the theorem's hypothesis a₁₂α > 0 fails, and near it the zero of the VIVID function with y > 0 is
 /// virtual: in the hybrid system its orbit meets the wall too early. At n + 1/(2p) it is none of that.
-pub(super) fn virtual_solutions() -> CheckResult {
+pub(crate) fn virtual_solutions() -> CheckResult {
     let mut sampler = Sampler::new(124);
     let mut cases = Votes::default();
     for _ in 0..40 {
@@ -272,8 +269,8 @@ pub(super) fn virtual_solutions() -> CheckResult {
 
 /// At p = 2, n = 1 the hypotheses of theorem 2.5 hold, and close to that frequency there is a stable two-loop MPS shortly
 /// after grazing that attracts orbits of the hybrid system.
-pub(super) fn stable_two_loops() -> CheckResult {
-    let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
+pub(crate) fn stable_two_loops() -> CheckResult {
+    let theory = grazing_theorems::LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
     let resonance = theory.resonance(2, 1)?;
     let theorem = ResonantGrazing::check(&resonance.resonant_point(), 1e-12)?;
     let mut cases = Votes::default();

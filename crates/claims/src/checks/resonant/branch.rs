@@ -9,8 +9,7 @@ use nalgebra::{Matrix2, Vector2};
 use super::places::{
     EVERYWHERE, Loops, Observed, Place, Symbols, deviation, directions, order, orders, remembered, scaled,
 };
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
-use crate::sampling::{Sampler, smallest};
+use crate::{CheckResult, Failure, Measure, Outcome, Sampler, smallest};
 
 /// Ratios of y and η in which points run into the resonance.
 const RATIOS: [[f64; 2]; 4] = [[1.0, 0.0], [1.0, 0.3], [1.0, -0.3], [-1.0, 0.2]];
@@ -25,7 +24,7 @@ const PARAMETER: f64 = 1e-15;
 const MAP: f64 = 1e-15;
 
 /// At the resonance det J = 0 and det K is what eq:detJac2 says.
-pub(super) fn jacobians() -> CheckResult {
+pub(crate) fn jacobians() -> CheckResult {
     // Sums of products of some tens of roundings.
     deviation(Loops::Any, 1e-13, "derivatives of V at located resonances", |place| {
         let start = place.resonance.unknowns();
@@ -40,7 +39,7 @@ pub(super) fn jacobians() -> CheckResult {
 }
 
 /// det K/β > 0 at resonance, so that K is non-singular: adversarial search over δ and p.
-pub(super) fn second_jacobian_is_regular() -> CheckResult {
+pub(crate) fn second_jacobian_is_regular() -> CheckResult {
     let mut found = f64::INFINITY;
     let loops = 2..=12_u32;
     for p in loops.clone() {
@@ -59,7 +58,7 @@ pub(super) fn second_jacobian_is_regular() -> CheckResult {
 }
 
 /// Z(0, η) = z_graz,η and M(0, η) = 0.
-pub(super) fn at_zero_velocity() -> CheckResult {
+pub(crate) fn at_zero_velocity() -> CheckResult {
     // Both are located to some 10⁻¹⁴; K has entries down to 0.1.
     deviation(Loops::Any, 1e-13, "zeros of V with y = 0 for η up to 0.03 around resonances", |place| {
         let mut found = Vec::new();
@@ -89,7 +88,7 @@ fn branch_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 }
 
 /// eq:ZM: Z − z_graz,η is of first order, M of second.
-pub(super) fn form() -> CheckResult {
+pub(crate) fn form() -> CheckResult {
     orders(Loops::Any, EVERYWHERE, |place| {
         let mut found = Vec::new();
         for [y, eta] in RATIOS {
@@ -102,12 +101,12 @@ pub(super) fn form() -> CheckResult {
 }
 
 /// eq:k1231 in eq:ZM.
-pub(super) fn coefficients_of_one_loop() -> CheckResult {
+pub(crate) fn coefficients_of_one_loop() -> CheckResult {
     orders(Loops::One, EVERYWHERE, branch_orders)
 }
 
 /// eq:k123p in eq:ZM.
-pub(super) fn coefficients_of_many_loops() -> CheckResult {
+pub(crate) fn coefficients_of_many_loops() -> CheckResult {
     orders(Loops::Many, EVERYWHERE, branch_orders)
 }
 
@@ -171,12 +170,12 @@ fn return_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 }
 
 /// eq:codim21proof1.
-pub(super) fn return_of_one_loop() -> CheckResult {
+pub(crate) fn return_of_one_loop() -> CheckResult {
     orders(Loops::One, EVERYWHERE, return_orders)
 }
 
 /// eq:codim21proofp.
-pub(super) fn return_of_many_loops() -> CheckResult {
+pub(crate) fn return_of_many_loops() -> CheckResult {
     orders(Loops::Many, EVERYWHERE, return_orders)
 }
 
@@ -219,17 +218,17 @@ fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 }
 
 /// The display of V(y, Z, M, η) with X₁, X₂, X₃, p = 1.
-pub(super) fn vivid_of_one_loop() -> CheckResult {
+pub(crate) fn vivid_of_one_loop() -> CheckResult {
     orders(Loops::One, EVERYWHERE, vivid_orders)
 }
 
 /// The same for p ≥ 2.
-pub(super) fn vivid_of_many_loops() -> CheckResult {
+pub(crate) fn vivid_of_many_loops() -> CheckResult {
     orders(Loops::Many, EVERYWHERE, vivid_orders)
 }
 
 /// X₁ = X₂ = X₃ = 0 has the solution eq:k1231 or eq:k123p.
-pub(super) fn solution() -> CheckResult {
+pub(crate) fn solution() -> CheckResult {
     // A dozen roundings, and a₁₂ or κ_p of up to 10⁻¹³ at the located resonance.
     deviation(Loops::Any, 1e-14, "resonances with p up to 5", |place| {
         let branch = place.point().branch_expansion();
@@ -251,7 +250,7 @@ fn psi(multipliers: &grazing_continuation::mps::Multipliers) -> [f64; 2] {
 /// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻.
 ///
 /// Ψ^± against det(U ∓ I), which vanishes where U has the eigenvalue ±1.
-pub(super) fn multiplier_conditions() -> CheckResult {
+pub(crate) fn multiplier_conditions() -> CheckResult {
     // Determinants of matrices with entries of size 1/y, relative to their squares.
     deviation(Loops::Any, 1e-14, "MPSs on branches near resonances", |place| {
         let mut found = Vec::new();
@@ -301,11 +300,11 @@ fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 }
 
 /// y Ψ^± = s₁^± y − α ω a₁₂' η + O(2).
-pub(super) fn stability_of_one_loop() -> CheckResult {
+pub(crate) fn stability_of_one_loop() -> CheckResult {
     orders(Loops::One, EVERYWHERE, psi_orders)
 }
 
 /// y Ψ^± = s_p^± y − α ω f_p η + O(2).
-pub(super) fn stability_of_many_loops() -> CheckResult {
+pub(crate) fn stability_of_many_loops() -> CheckResult {
     orders(Loops::Many, EVERYWHERE, psi_orders)
 }

@@ -4,7 +4,7 @@ use super::places::{
     Bifurcation, EVERYWHERE, Loops, Near, Observed, Place, deviation, everywhere, lowest, order, orders,
     remembered,
 };
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
+use crate::{CheckResult, Failure, Measure, Outcome};
 
 /// Rounding of located velocities, phases and positions: on the curves they come from quotients of derivatives.
 pub(super) const PHASE: f64 = 1e-13;
@@ -60,12 +60,12 @@ fn velocity_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 }
 
 /// eq:Upsilon1.
-pub(super) fn velocity_of_one_loop() -> CheckResult {
+pub(crate) fn velocity_of_one_loop() -> CheckResult {
     orders(Loops::One, EVERYWHERE, velocity_orders)
 }
 
 /// eq:Upsilonp.
-pub(super) fn velocity_of_many_loops() -> CheckResult {
+pub(crate) fn velocity_of_many_loops() -> CheckResult {
     orders(Loops::Many, EVERYWHERE, velocity_orders)
 }
 
@@ -92,19 +92,19 @@ fn coefficients(which: Loops) -> CheckResult {
 }
 
 /// g_SN = M(Υ⁺, η) and g_PD = M(Υ⁻, η), p = 1; the print has Υ⁺ in both.
-pub(super) fn functions_of_one_loop() -> CheckResult {
+pub(crate) fn functions_of_one_loop() -> CheckResult {
     coefficients(Loops::One)
 }
 
 /// The same for p ≥ 2.
-pub(super) fn functions_of_many_loops() -> CheckResult {
+pub(crate) fn functions_of_many_loops() -> CheckResult {
     coefficients(Loops::Many)
 }
 
 /// eq:coeffs1 and eq:coeffsp follow from k₂, k₃, Υ^±, T_p and f_p.
 ///
 /// c_SN and c_PD from k₂, k₃ and Υ^±, against eq:coeffs1 and eq:coeffsp.
-pub(super) fn simplification() -> CheckResult {
+pub(crate) fn simplification() -> CheckResult {
     // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
     deviation(Loops::Any, 1e-13, "resonances with p up to 5", |place| {
         let branch = place.point().branch_expansion();
@@ -120,7 +120,7 @@ pub(super) fn simplification() -> CheckResult {
 /// Two zeros of V separate from the SN curve like the square root of the change of μ.
 ///
 /// The exponent with which the two zeros of V separate behind the fold, less 1/2.
-pub(super) fn square_root() -> CheckResult {
+pub(crate) fn square_root() -> CheckResult {
     // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
     deviation(
         Loops::Any,
@@ -192,11 +192,11 @@ fn admissible(which: Loops) -> CheckResult {
 }
 
 /// With sgn η = sgn(a₁₂' s₁^±) the one-loop MPS is admissible on the curves.
-pub(super) fn admissible_with_one_loop() -> CheckResult {
+pub(crate) fn admissible_with_one_loop() -> CheckResult {
     admissible(Loops::One)
 }
 
 /// With sgn η = sgn(κ_p' s_p^±) the p-loop MPS is admissible on the curves.
-pub(super) fn admissible_with_many_loops() -> CheckResult {
+pub(crate) fn admissible_with_many_loops() -> CheckResult {
     admissible(Loops::Many)
 }

@@ -11,7 +11,7 @@ use super::places::{
     EVERYWHERE, Loops, Near, Observed, Offset, Place, deviation, directions, everywhere, largest, lowest,
     order, orders, remembered, scaled,
 };
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
+use crate::{CheckResult, Failure, Measure, Outcome};
 
 /// Rounding of the entries of D P_virt and D(P_virt ∘ R), numbers of order one.
 const VIRTUAL: f64 = 1e-15;
@@ -52,7 +52,7 @@ fn slope_of(map: &VirtualMap, velocity: f64) -> Matrix2<f64> {
 }
 
 /// eq:DPvirt.
-pub(super) fn of_virtual_map() -> CheckResult {
+pub(crate) fn of_virtual_map() -> CheckResult {
     orders(Loops::Any, EVERYWHERE, |place| {
         let grazing = place.point().grazing;
         Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
@@ -62,7 +62,7 @@ pub(super) fn of_virtual_map() -> CheckResult {
 }
 
 /// eq:DPvirtR.
-pub(super) fn after_reset() -> CheckResult {
+pub(crate) fn after_reset() -> CheckResult {
     orders(Loops::Any, EVERYWHERE, |place| {
         let grazing = place.point().grazing;
         Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
@@ -73,7 +73,7 @@ pub(super) fn after_reset() -> CheckResult {
 }
 
 /// det D P_virt = y G₁ with G₁ = 1/γ at the resonance.
-pub(super) fn determinant_quotient() -> CheckResult {
+pub(crate) fn determinant_quotient() -> CheckResult {
     orders(Loops::Any, EVERYWHERE, |place| {
         let gamma = place.symbols()?.gamma;
         let one = |direction: &Offset| {
@@ -90,7 +90,7 @@ pub(super) fn determinant_quotient() -> CheckResult {
 }
 
 /// eq:DPdisc, and that y D P_disc extends through y = 0: y has either sign.
-pub(super) fn of_discontinuity_map() -> CheckResult {
+pub(crate) fn of_discontinuity_map() -> CheckResult {
     orders(Loops::Any, EVERYWHERE, |place| {
         let symbols = place.symbols()?;
         // y (D P_virt)⁻¹ is y/det ≈ γ times the adjugate: rounding as that of the factors.
@@ -149,12 +149,12 @@ fn global(which: Loops) -> CheckResult {
 }
 
 /// eq:DPglobal, about z_graz,η; the print has z_graz,0.
-pub(super) fn of_global_map() -> CheckResult {
+pub(crate) fn of_global_map() -> CheckResult {
     global(Loops::One)
 }
 
 /// eq:DPglobalp, about z_graz,η; the print has z_graz,0.
-pub(super) fn of_iterated_global_map() -> CheckResult {
+pub(crate) fn of_iterated_global_map() -> CheckResult {
     global(Loops::Many)
 }
 
@@ -176,14 +176,14 @@ fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
 }
 
 /// eq:yU, about z_graz,η; the print has z_graz,0.
-pub(super) fn product() -> CheckResult {
+pub(crate) fn product() -> CheckResult {
     let printed = lowest(&everywhere(Loops::One, |place| product_orders(place, Cure::AsPrinted))?);
     let outcome = orders(Loops::One, EVERYWHERE, |place| product_orders(place, Cure::Moving))?;
     Ok(outcome.against_print(printed))
 }
 
 /// The other cure: with f_p at fixed z the expansions about z_graz,0 hold as printed.
-pub(super) fn other_cure() -> CheckResult {
+pub(crate) fn other_cure() -> CheckResult {
     orders(Loops::Any, EVERYWHERE, |place| {
         let mut found = global_orders(place, Cure::PartialDerivative)?;
         if place.loops() == 1 {
@@ -245,7 +245,7 @@ fn second_derivative_gaps(place: &Place) -> Result<Vec<[f64; 2]>, Failure> {
 
 /// The display of d_p, e_p, f_p with ξ_p: that f_p is the f_p of eq:fp, and a₁₂' for p = 1, asks for the derivative along the
 /// grazing curve; at fixed z, as printed, it is not.
-pub(super) fn second_derivatives() -> CheckResult {
+pub(crate) fn second_derivatives() -> CheckResult {
     let gaps = everywhere(Loops::Any, second_derivative_gaps)?;
     let largest = |index: usize| largest(&gaps.iter().map(|gap| gap[index]).collect::<Vec<_>>());
     // Nested differences: errors of sixth order grow with the derivatives in ω, some 10² for each order at large p n; rounding
@@ -278,17 +278,17 @@ fn slopes(which: Loops, over: &str) -> CheckResult {
 }
 
 /// f₁ = a₁₂', along the grazing curve.
-pub(super) fn slope_of_one_loop() -> CheckResult {
+pub(crate) fn slope_of_one_loop() -> CheckResult {
     slopes(Loops::One, "the grazing curve around resonances with p = 1")
 }
 
 /// eq:fp, from f_p = a₁₂ ∂S_p/∂η.
-pub(super) fn slope_of_many_loops() -> CheckResult {
+pub(crate) fn slope_of_many_loops() -> CheckResult {
     slopes(Loops::Many, "the grazing curve around resonances with p = 2 to 5")
 }
 
 /// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
-pub(super) fn power_at_resonance() -> CheckResult {
+pub(crate) fn power_at_resonance() -> CheckResult {
     // Roundings of up to five factors.
     deviation(Loops::Many, 1e-13, "located resonances with p = 2 to 5", |place| {
         let map = place.point().grazing.map;

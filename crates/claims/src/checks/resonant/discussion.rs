@@ -11,9 +11,8 @@ use nalgebra::Vector2;
 use super::derivatives::slope;
 use super::places::{Loops, Observed, Place, agreement, deviation, everywhere, lowest, order};
 use super::simulation::next_impact;
-use crate::outcome::{CheckResult, Failure, Outcome};
-use crate::printed::printed;
 use crate::specimen::{Law, damping_for_decay};
+use crate::{CheckResult, Failure, Outcome, printed};
 
 /// Near a resonance an MPS is stable between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0 of the (η, y) plane, and nowhere else.
 fn regions(place: &Place) -> Result<Vec<bool>, Failure> {
@@ -40,7 +39,7 @@ fn regions(place: &Place) -> Result<Vec<bool>, Failure> {
 }
 
 /// Periodicity regions lie between the SN and the PD curve.
-pub(super) fn periodicity_regions() -> CheckResult {
+pub(crate) fn periodicity_regions() -> CheckResult {
     Ok(agreement(
         &everywhere(Loops::Any, regions)?,
         "MPSs around resonances, stable between SN and PD curves alone",
@@ -73,7 +72,7 @@ fn attraction(place: &Place) -> Result<Vec<bool>, Failure> {
 }
 
 /// The response can be periodic near resonant grazing: stable MPSs attract.
-pub(super) fn periodic_response() -> CheckResult {
+pub(crate) fn periodic_response() -> CheckResult {
     Ok(agreement(
         &everywhere(Loops::Any, attraction)?,
         "perturbed stable MPSs near resonances, simulated for 200 impacts",
@@ -81,7 +80,7 @@ pub(super) fn periodic_response() -> CheckResult {
 }
 
 /// The sign of a₁₂' by the parity of n, from differences of P_global, and the side on which the SN curve leaves.
-pub(super) fn direction_by_parity() -> CheckResult {
+pub(crate) fn direction_by_parity() -> CheckResult {
     let mut cases = Vec::new();
     for n in 1..=12_u32 {
         for decay in [0.2, 0.5, 0.8] {
@@ -110,7 +109,7 @@ pub(super) fn direction_by_parity() -> CheckResult {
 /// The quantities of the theorems by finite differences of P_global.
 ///
 /// All that the theorems need by differences of values of P_global alone, against from_map's derivatives.
-pub(super) fn finite_differences() -> CheckResult {
+pub(crate) fn finite_differences() -> CheckResult {
     // Nested differences of sixth order: rounding 10⁻¹⁵ over both steps is 10⁻⁹, and sixth derivatives in ω reach 10¹².
     deviation(
         Loops::Any,
@@ -160,7 +159,7 @@ pub(super) fn finite_differences() -> CheckResult {
 
 /// The resonances of Figure 7: p = 1 with n = 3, 4, 5, p = 2 and 3 with n = 1, 2.
 pub(super) fn of_figure_7() -> Result<Vec<Place>, Failure> {
-    let law = Law::linear(printed("zeta")?, printed("epsilon")?);
+    let law = Law::linear(printed("zeta"), printed("epsilon"));
     let indices = [(1, 3), (1, 4), (1, 5), (2, 1), (2, 2), (3, 1), (3, 2)];
     indices.iter().map(|&(p, n)| Place::find(law, p, n)).collect()
 }
@@ -211,7 +210,7 @@ fn return_through_impact(place: &Place, solution: &MaximalPeriodicSolution) -> O
 }
 
 /// Impacts elsewhere leave P_global smooth, as seen at MPSs that graze between their impacts.
-pub(super) fn impacts_elsewhere() -> CheckResult {
+pub(crate) fn impacts_elsewhere() -> CheckResult {
     let mut orders = Vec::new();
     for place in of_figure_7()? {
         for curve in place.resonance.unfold(&ROUTE)?.grazing {

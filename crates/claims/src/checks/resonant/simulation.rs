@@ -7,7 +7,7 @@ use grazing_model::{ImpactOscillator, State};
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{Loops, Near, Place, deviation};
-use crate::outcome::CheckResult;
+use crate::CheckResult;
 
 /// The next impact (y, z) after an impact, its phase counted near that of the first; `None` if it comes at another time than
 /// p periods later.
@@ -59,7 +59,7 @@ pub(super) fn admissible(place: &Place) -> Vec<Near> {
 }
 
 /// eq:U: its eigenvalues are the multipliers of the MPS, seen as the growth of perturbations from impact to impact.
-pub(super) fn multipliers() -> CheckResult {
+pub(crate) fn multipliers() -> CheckResult {
     // Differences: rounding of 10⁻¹⁵ over steps down to 2·10⁻⁵, products of two of them for the determinant.
     deviation(Loops::Any, 1e-7, "admissible MPSs near resonances, followed from impact to impact", |place| {
         let mut found = Vec::new();

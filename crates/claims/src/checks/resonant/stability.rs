@@ -8,7 +8,7 @@ use super::places::{
     EVERYWHERE, Loops, Near, Observed, Offset, Place, Symbols, agreement, deviation, directions, everywhere,
     lowest, order, orders, scaled,
 };
-use crate::outcome::{CheckResult, Failure};
+use crate::{CheckResult, Failure};
 
 /// T and D at a point, from the derivatives of the two sides of V.
 fn multipliers(place: &Place, near: &Near) -> Option<Multipliers> {
@@ -71,12 +71,12 @@ fn trace(which: Loops) -> CheckResult {
 }
 
 /// eq:yT1, about z_graz,η; the print has z_graz,0.
-pub(super) fn trace_of_one_loop() -> CheckResult {
+pub(crate) fn trace_of_one_loop() -> CheckResult {
     trace(Loops::One)
 }
 
 /// eq:yTp, about z_graz,η; the print has z_graz,0.
-pub(super) fn trace_of_many_loops() -> CheckResult {
+pub(crate) fn trace_of_many_loops() -> CheckResult {
     trace(Loops::Many)
 }
 
@@ -96,12 +96,12 @@ fn determinant_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 }
 
 /// eq:yD1.
-pub(super) fn determinant_of_one_loop() -> CheckResult {
+pub(crate) fn determinant_of_one_loop() -> CheckResult {
     orders(Loops::One, EVERYWHERE, determinant_orders)
 }
 
 /// eq:yDp.
-pub(super) fn determinant_of_many_loops() -> CheckResult {
+pub(crate) fn determinant_of_many_loops() -> CheckResult {
     orders(Loops::Many, EVERYWHERE, determinant_orders)
 }
 
@@ -126,12 +126,12 @@ fn seam_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 }
 
 /// Lemma 5.1: y T and y D have a smooth extension through y = 0, p = 1.
-pub(super) fn extension_for_one_loop() -> CheckResult {
+pub(crate) fn extension_for_one_loop() -> CheckResult {
     orders(Loops::One, "extrapolations to y = 0 from both sides at resonances with p = 1", seam_orders)
 }
 
 /// Lemma 5.2: the same for p ≥ 2.
-pub(super) fn extension_for_many_loops() -> CheckResult {
+pub(crate) fn extension_for_many_loops() -> CheckResult {
     orders(Loops::Many, "extrapolations to y = 0 from both sides at resonances with p = 2 to 5", seam_orders)
 }
 
@@ -162,7 +162,7 @@ fn divergence_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 }
 
 /// T → ±∞ as y → 0, with the sign of −α a₁₂ S_p.
-pub(super) fn divergence() -> CheckResult {
+pub(crate) fn divergence() -> CheckResult {
     let over = "η to either side of resonances: y T less its limit, which is other than zero; for the print, where it is positive";
     let positive = agreement(
         &everywhere(Loops::Any, |place| Ok(limits(place)?.iter().map(|limit| *limit > 0.0).collect()))?,
@@ -175,7 +175,7 @@ pub(super) fn divergence() -> CheckResult {
 ///
 /// U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against the quotient of the
 /// derivatives of the two sides of V.
-pub(super) fn trace_and_determinant() -> CheckResult {
+pub(crate) fn trace_and_determinant() -> CheckResult {
     // P_virt⁻¹ takes the root of x̂ ≈ y²/2γ, which is rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y, and in T.
     deviation(Loops::Any, 1e-10, "MPSs on branches near resonances", |place| {
         let mut found = Vec::new();

@@ -9,11 +9,10 @@ use nalgebra::Vector2;
 
 use super::curves::{PHASE, all_along_curves, along_curves, eta_at};
 use super::places::{Bifurcation, EVERYWHERE, Loops, Near, Place, agreement, everywhere, orders};
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
-use crate::sampling::smallest;
+use crate::{CheckResult, Failure, Measure, Outcome, smallest};
 
 /// eq:admp7.
-pub(super) fn phase() -> CheckResult {
+pub(crate) fn phase() -> CheckResult {
     orders(Loops::Many, EVERYWHERE, |place| {
         Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
             Some(near.relative()[0] - curve.leading.impact_phase_slope * eta)
@@ -31,7 +30,7 @@ fn recoil(near: &Near) -> Option<Vector2<f64>> {
 }
 
 /// eq:admp8a.
-pub(super) fn position_after_recoil() -> CheckResult {
+pub(crate) fn position_after_recoil() -> CheckResult {
     orders(Loops::Many, EVERYWHERE, |place| {
         Ok(along_curves(place, 2.0, PHASE, |_, _, near| Some(recoil(near)?[0])))
     })
@@ -52,7 +51,7 @@ impl Place {
 }
 
 /// eq:admp8b, both forms.
-pub(super) fn phase_after_recoil() -> CheckResult {
+pub(crate) fn phase_after_recoil() -> CheckResult {
     orders(Loops::Many, EVERYWHERE, |place| {
         let [fold, flip] = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
         let (fold, flip) = (fold?, flip?);
@@ -71,7 +70,7 @@ fn visits(place: &Place, near: &Near) -> Option<Vec<Vector2<f64>>> {
 }
 
 /// eq:admp9.
-pub(super) fn visits_by_powers() -> CheckResult {
+pub(crate) fn visits_by_powers() -> CheckResult {
     orders(Loops::Many, EVERYWHERE, |place| {
         let map = place.point().grazing.map;
         Ok(all_along_curves(place, 2.0, PHASE, |_, _, near| {
@@ -86,7 +85,7 @@ pub(super) fn visits_by_powers() -> CheckResult {
 }
 
 /// eq:admp10.
-pub(super) fn positions_of_visits() -> CheckResult {
+pub(crate) fn positions_of_visits() -> CheckResult {
     orders(Loops::Many, EVERYWHERE, |place| {
         let recoil = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
         let [fold, flip] = recoil;
@@ -126,7 +125,7 @@ fn visit_signs(place: &Place) -> Result<Vec<bool>, Failure> {
 }
 
 /// eq:admp11, and x⁽ᵖ⁾ > 0.
-pub(super) fn signs_of_visits() -> CheckResult {
+pub(crate) fn signs_of_visits() -> CheckResult {
     Ok(agreement(
         &everywhere(Loops::Many, visit_signs)?,
         "all loops of MPSs on SN and PD curves, η of either sign",
@@ -134,7 +133,7 @@ pub(super) fn signs_of_visits() -> CheckResult {
 }
 
 /// S_j > 0 for 0 < j < p at resonance, in units of δ^{(j−1)/2}: adversarial search over δ, p and j.
-pub(super) fn sums_are_positive() -> CheckResult {
+pub(crate) fn sums_are_positive() -> CheckResult {
     let mut found = f64::INFINITY;
     let mut searches = 0;
     for p in 2..=12_u32 {

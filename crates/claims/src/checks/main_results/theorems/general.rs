@@ -1,12 +1,12 @@
 //! What is seen of any oscillator of the class at grazing, without closed forms.
 
-use crate::outcome::Failure;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::Side;
 use grazing_theorems::from_map::GrazingOrbit;
 
+use crate::Failure;
 use crate::sweep::generic::{Existence, small_velocity};
 use grazing_unfold::simulation::{Seen, Suspect};
 
@@ -18,7 +18,7 @@ fn follow<O: ImpactOscillator>(oscillator: &O, loops: u32, point: &Unknowns) -> 
 ///
 /// # Errors
 /// Newton's method failed.
-pub(in crate::checks::main_results) fn side_of_orbit<O: ImpactOscillator>(
+pub(crate) fn side_of_orbit<O: ImpactOscillator>(
     orbit: &GrazingOrbit<O>,
     loops: u32,
 ) -> Result<Existence, Failure> {
