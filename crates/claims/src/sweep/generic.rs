@@ -5,7 +5,7 @@ use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::maps::MapError;
-use grazing_model::{LinearOscillator, OscillatorError};
+use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 use grazing_theorems::{GenericGrazing, GrazingPoint, HypothesesViolated, Side, TheoryError};
@@ -22,9 +22,6 @@ pub enum SweepError {
     /// A parameter outside the domain of the theory.
     #[error(transparent)]
     Theory(#[from] TheoryError),
-    /// A parameter outside the domain of the oscillator.
-    #[error(transparent)]
-    Oscillator(#[from] OscillatorError),
     /// The grazing orbit was not found.
     #[error(transparent)]
     Orbit(#[from] GrazingOrbitError),
@@ -98,7 +95,7 @@ impl GenericRow {
     pub fn of(case: GenericCase) -> Result<Self, SweepError> {
         let GenericCase { zeta, epsilon, loops, omega, .. } = case;
         let closed = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
-        let start = LinearOscillator::new(zeta, epsilon, closed.amplitude(), omega)?;
+        let start = closed.model();
         let orbit = GrazingOrbit::find(&start, closed.phase())?;
         let point = orbit.grazing_point();
         let (predicted, hypotheses) = match GenericGrazing::check(&point, loops) {
@@ -288,13 +285,7 @@ fn simulate(
                 .filter(|solution| solution.velocity.abs() < 10.0 * velocity * size)
                 .collect();
             let [solution] = near[..] else { return None };
-            let at = LinearOscillator::new(
-                oscillator.damping_ratio(),
-                oscillator.restitution(),
-                solution.amplitude,
-                oscillator.frequency(),
-            );
-            let at = at.ok()?;
+            let at = oscillator.with_parameters([solution.amplitude, oscillator.frequency()]);
             let suspect =
                 Suspect { oscillator: &at, loops, velocity: solution.velocity, phase: solution.phase };
             let seen = suspect.follow();

@@ -7,7 +7,7 @@ use grazing_continuation::curve::{Curve, Route, Window};
 use grazing_continuation::fit::{Estimate, quadratic_coefficient};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::LinearOscillator;
+use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
@@ -95,7 +95,7 @@ impl ResonantRow {
         let ResonantCase { zeta, epsilon, loops, n, negative, omega } = case;
         let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
         let state = theory.grazing(omega)?;
-        let start = LinearOscillator::new(zeta, epsilon, state.amplitude(), omega)?;
+        let start = state.model();
         let orbit = GrazingOrbit::find(&start, state.phase())?;
         let point = orbit.resonant_point(loops)?;
         let closed = if negative { None } else { Some(theory.resonance(loops, n)?) };
@@ -349,10 +349,7 @@ impl Scene<'_> {
         }
         let oscillators = [1.0 - ASIDE, 1.0 + ASIDE].map(|size| {
             let solution = solutions.with_velocity(size * middle.velocity);
-            let omega = self.case.omega + eta;
-            let oscillator =
-                LinearOscillator::new(self.case.zeta, self.case.epsilon, solution.amplitude, omega);
-            (oscillator.unwrap_or(self.start), solution)
+            (self.start.with_parameters([solution.amplitude, self.case.omega + eta]), solution)
         });
         let suspects = [0, 1].map(|k| {
             let (oscillator, solution) = &oscillators[k];

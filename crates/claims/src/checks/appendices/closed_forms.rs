@@ -7,7 +7,7 @@ use grazing_model::maps::{global_iterate, global_map};
 use grazing_theorems::Resonance;
 use grazing_theorems::from_map::GrazingOrbit;
 
-use super::printed_flow::{CLOSED, DIFFERENCES, Turn, model};
+use super::printed_flow::{CLOSED, DIFFERENCES, Turn};
 use crate::specimen::damping_for_decay;
 use crate::{CheckResult, Deviations, Failure, Sampler};
 
@@ -50,8 +50,7 @@ fn parity(resonance: &Resonance) -> f64 {
 /// ξ_p of the iterated map at a resonance.
 fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
     let grazing = resonance.grazing();
-    let jet =
-        global_iterate::<_, 2>(&model(&grazing)?, resonance.loops(), AtRest::new(0.0, grazing.phase()))?;
+    let jet = global_iterate::<_, 2>(&grazing.model(), resonance.loops(), AtRest::new(0.0, grazing.phase()))?;
     Ok(jet.hessians[0][(1, 1)])
 }
 
@@ -73,7 +72,7 @@ pub(crate) fn resonant_second_derivative_of_many_loops() -> CheckResult {
 pub(crate) fn diagonal_at_resonance() -> CheckResult {
     at_resonances(&[1], ONE, CLOSED, |resonance| {
         let grazing = resonance.grazing();
-        let jet = global_map::<_, 1>(&model(&grazing)?, AtRest::new(0.0, grazing.phase()), None)?.jet;
+        let jet = global_map::<_, 1>(&grazing.model(), AtRest::new(0.0, grazing.phase()), None)?.jet;
         let stated = parity(resonance) * grazing.decay(1);
         let turn = Turn::new(&grazing, 1);
         let angles = [(turn.sine, 0.0), (turn.cosine, parity(resonance))];
@@ -99,7 +98,7 @@ pub(crate) fn angles_at_resonance() -> CheckResult {
 fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> f64) -> CheckResult {
     at_resonances(loops, over, 1e-12, |resonance| {
         let grazing = resonance.grazing();
-        let orbit = GrazingOrbit::find(&model(&grazing)?, grazing.phase())?;
+        let orbit = GrazingOrbit::find(&grazing.model(), grazing.phase())?;
         let general = orbit.resonant_point(resonance.loops())?.stability_coefficients();
         let stated = resonance.stability_coefficients();
         let pairs = [(1.0, general.plus, stated.plus), (-1.0, general.minus, stated.minus)];
@@ -134,7 +133,7 @@ fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> 
     let theory = resonance.grazing().oscillator();
     let at = |h: f64| -> Result<f64, Failure> {
         let state = theory.grazing(resonance.forcing_frequency() + h)?;
-        Ok(of(&global_map::<_, 1>(&model(&state)?, AtRest::new(0.0, state.phase()), None)?.jet.derivative()))
+        Ok(of(&global_map::<_, 1>(&state.model(), AtRest::new(0.0, state.phase()), None)?.jet.derivative()))
     };
     // Angles 2πω₁/ω change fast at low ω: the step shrinks with ω².
     let step = 2e-3 * resonance.forcing_frequency() * resonance.forcing_frequency();

@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use grazing_model::AtRest;
 use grazing_model::maps::{global_iterate, global_map};
 
-use super::printed_flow::{DIFFERENCES, Derivatives, Printed, STATES, STEP, Turn, first, model, states};
+use super::printed_flow::{DIFFERENCES, Derivatives, Printed, STATES, STEP, Turn, first, states};
 use crate::{CheckResult, Deviations, Measure, Outcome, Sampler, order};
 
 /// eq:Abproof1: P_global ends where the printed flow from (x, 0) at z/ω comes to rest.
@@ -16,7 +16,7 @@ pub(crate) fn return_by_printed_flow() -> CheckResult {
         let mut at = || 0.02 * sampler.between(-1.0, 1.0);
         let (x, z, amplitude) = (at(), state.phase() + at(), state.amplitude() * (1.0 + at()));
         let oscillator = grazing_model::ImpactOscillator::with_parameters(
-            &model(&state)?,
+            &state.model(),
             [amplitude, state.forcing_frequency()],
         );
         let Ok(landing) = global_map::<_, 1>(&oscillator, AtRest::new(x, z), None) else { continue };
@@ -80,7 +80,7 @@ pub(crate) fn entries_by_derivatives() -> CheckResult {
         let derivatives = Derivatives::new(state, 1);
         let omega = state.forcing_frequency();
         let (velocity, acceleration) = (derivatives.velocity(), derivatives.acceleration());
-        let jet = global_map::<_, 1>(&model(state)?, AtRest::new(0.0, state.phase()), None)?.jet;
+        let jet = global_map::<_, 1>(&state.model(), AtRest::new(0.0, state.phase()), None)?.jet;
         let entry = |variable: usize| {
             let (position, rate) = (derivatives.mixed(0, variable), derivatives.mixed(1, variable));
             [position - velocity / acceleration * rate, -omega / acceleration * rate]
@@ -133,7 +133,7 @@ pub(crate) fn second_derivative_by_flow() -> CheckResult {
             + derivatives.twice_in_start(0)
             - slip * derivatives.twice_in_start(1))
             / (omega * omega);
-        let jet = global_map::<_, 2>(&model(state)?, AtRest::new(0.0, state.phase()), None)?.jet;
+        let jet = global_map::<_, 2>(&state.model(), AtRest::new(0.0, state.phase()), None)?.jet;
         largest.pairs([(xi, jet.hessians[0][(1, 1)])]);
     }
     Ok(largest.outcome(DIFFERENCES, STATES))
@@ -158,7 +158,7 @@ fn xi(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
     let mut largest = Deviations::default();
     for state in &all {
         for p in loops.clone() {
-            let jet = global_iterate::<_, 2>(&model(state)?, p, AtRest::new(0.0, state.phase()))?;
+            let jet = global_iterate::<_, 2>(&state.model(), p, AtRest::new(0.0, state.phase()))?;
             largest.pairs([(jet.hessians[0][(1, 1)], state.second_phase_derivative(p))]);
         }
     }

@@ -15,8 +15,7 @@ use crate::{CheckResult, Failure, Sampler, Smallest, Votes, order, printed};
 fn branch(loops: u32) -> Result<(LoopEquations<LinearOscillator>, Curve, f64), Failure> {
     let (zeta, epsilon, omega) = (printed("zeta"), printed("epsilon"), printed("fig02_frequency"));
     let grazing = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
-    let oscillator = LinearOscillator::new(zeta, epsilon, grazing.amplitude(), omega)?;
-    let equations = LoopEquations::new(oscillator, loops, Formulation::Vivid);
+    let equations = LoopEquations::new(grazing.model(), loops, Formulation::Vivid);
     let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
     let amplitude = grazing.amplitude();
     let route = Route {

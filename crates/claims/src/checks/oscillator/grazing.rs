@@ -16,7 +16,7 @@ fn both(sampler: &mut Sampler) -> Result<(GrazingState, GrazingOrbit<LinearOscil
     let (zeta, epsilon) = (sampler.between(0.005, 0.3), sampler.between(0.05, 1.0));
     let omega = sampler.between(0.3, 2.5);
     let closed = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
-    let near = LinearOscillator::new(zeta, epsilon, closed.amplitude() * 1.001, omega)?;
+    let near = closed.model().with_parameters([closed.amplitude() * 1.001, omega]);
     let orbit = GrazingOrbit::find(&near, closed.phase() + 1e-3)?;
     Ok((closed, orbit))
 }
@@ -143,8 +143,7 @@ pub(crate) fn both_derivatives() -> CheckResult {
         let zeta = sampler.between(0.002, 0.8);
         let omega = sampler.between(0.25, 5.0);
         let closed = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
-        let oscillator = LinearOscillator::new(zeta, 0.7, closed.amplitude(), omega)?;
-        let map = global_map::<_, 1>(&oscillator, AtRest::new(0.0, closed.phase()), None)?.jet;
+        let map = global_map::<_, 1>(&closed.model(), AtRest::new(0.0, closed.phase()), None)?.jet;
         let stated = closed.linearised_map();
         let scale = stated.a.amax().max(1.0);
         largest.see((map.derivative() - stated.a).amax() / scale);

@@ -1,27 +1,20 @@
 //! Propositions 3.2 and 3.3 against the general theorem fed from the numerical map, over random parameters.
 
 use crate::{CheckResult, Deviations, Failure, Sampler};
-use grazing_model::LinearOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
-use grazing_theorems::{Resonance, ResonantPoint, Unfolding};
+use grazing_theorems::{LinearOscillator, Resonance, ResonantPoint, Unfolding};
 
 /// The general theory with A, b, ξ_p and their derivatives along the grazing curve from the numerical P_global.
 fn numerical(resonance: &Resonance) -> Result<ResonantPoint, Failure> {
-    let (theory, grazing) = (resonance.grazing().oscillator(), resonance.grazing());
-    let oscillator = LinearOscillator::new(
-        theory.damping_ratio(),
-        theory.coefficient_of_restitution(),
-        grazing.amplitude(),
-        grazing.forcing_frequency(),
-    )?;
-    Ok(GrazingOrbit::find(&oscillator, grazing.phase())?.resonant_point(resonance.loops())?)
+    let grazing = resonance.grazing();
+    Ok(GrazingOrbit::find(&grazing.model(), grazing.phase())?.resonant_point(resonance.loops())?)
 }
 
 /// A resonance of an oscillator with random ζ and ε.
 fn random(sampler: &mut Sampler, loops: &[u32], indices: &[u32]) -> Result<Resonance, Failure> {
     let (p, n) = (sampler.one_of(loops), sampler.one_of(indices));
     let (zeta, epsilon) = (sampler.between(0.005, 0.08), sampler.between(0.05, 0.95));
-    Ok(grazing_theorems::LinearOscillator::new(zeta, epsilon)?.resonance(p, n)?)
+    Ok(LinearOscillator::new(zeta, epsilon)?.resonance(p, n)?)
 }
 
 /// Holds the propositions' derivative, s⁺, s⁻, c_SN and c_PD against the numerical theory over random ζ, ε and these indices.
