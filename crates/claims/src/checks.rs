@@ -15,6 +15,13 @@ pub struct Check {
 /// The checks that claims name, by name: `build.rs` makes the table of the ledger.
 pub const CHECKS: &[Check] = include!(concat!(env!("OUT_DIR"), "/checks.rs"));
 
+/// Checks as rows of a table: a name, and what is measured.
+macro_rules! checks {
+    ($($(#[$doc:meta])* $name:ident: $measured:expr;)*) => {
+        $($(#[$doc])* pub(crate) fn $name() -> $crate::CheckResult { $measured })*
+    };
+}
+
 /// Section 1, introduction, and section 2, main results.
 pub(crate) mod main_results {
     pub(crate) mod auxiliary;

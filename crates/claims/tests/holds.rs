@@ -61,6 +61,12 @@ fn functions(folders: &[PathBuf]) -> Functions {
             let body = rest.find('{').map_or("", |brace| block(&rest[brace..]));
             functions.entry(name).or_default().push((file.clone(), words(body)));
         }
+        for (start, _) in code.match_indices("\nchecks! {") {
+            let rows = block(&code[start..]).split_once('{').map_or("", |(_, rows)| rows);
+            for (name, measured) in rows.split(';').filter_map(|row| row.split_once(": ")) {
+                functions.entry(name.trim().to_owned()).or_default().push((file.clone(), words(measured)));
+            }
+        }
     }
     functions
 }

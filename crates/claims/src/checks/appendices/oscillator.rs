@@ -166,12 +166,9 @@ fn xi(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
     Ok(largest.outcome(1e-13, STATES))
 }
 
-/// eq:xi1proof2.
-pub(crate) fn second_derivative_of_one_loop() -> CheckResult {
-    xi(1..=1)
-}
-
-/// eq:xipproof2, off resonance too.
-pub(crate) fn second_derivative_of_many_loops() -> CheckResult {
-    xi(2..=5)
+checks! {
+    /// eq:xi1proof2.
+    second_derivative_of_one_loop: xi(1..=1);
+    /// eq:xipproof2, off resonance too.
+    second_derivative_of_many_loops: xi(2..=5);
 }

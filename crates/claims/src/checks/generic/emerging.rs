@@ -52,26 +52,6 @@ fn phase_order(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
     })
 }
 
-/// eq:yStar1codim1proof.
-pub(crate) fn one_loop_velocity() -> CheckResult {
-    velocity_order(1..=1)
-}
-
-/// eq:zStar1codim1proof.
-pub(crate) fn one_loop_phase() -> CheckResult {
-    phase_order(1..=1)
-}
-
-/// eq:yStarpcodim1proof.
-pub(crate) fn velocity() -> CheckResult {
-    velocity_order(2..=4)
-}
-
-/// eq:zStarpcodim1proof.
-pub(crate) fn phase() -> CheckResult {
-    phase_order(2..=4)
-}
-
 /// The points (x⁽⁰⁾, z⁽⁰⁾) and (x⁽ᵖ⁾, z⁽ᵖ⁾) of the zero of V, the last by p returns.
 fn ends(grazing: &Grazing, p: u32, mu: f64) -> Option<[Vector2<f64>; 2]> {
     let point = zero(grazing, p, mu)?;
@@ -97,26 +77,6 @@ fn end_phase_order(index: usize) -> CheckResult {
         let slope = emerging.visit_slope([0, p][index]).y;
         Some(ends(grazing, p, mu)?[index][1] - grazing.phase() - slope * mu)
     })
-}
-
-/// eq:x0codim1proof.
-pub(crate) fn first_position() -> CheckResult {
-    position_order(0, GrazingPoint::virtual_map_after_reset)
-}
-
-/// eq:z0codim1proof.
-pub(crate) fn first_phase() -> CheckResult {
-    end_phase_order(0)
-}
-
-/// eq:xpcodim1proof.
-pub(crate) fn last_position() -> CheckResult {
-    position_order(1, GrazingPoint::virtual_map)
-}
-
-/// eq:zpcodim1proof.
-pub(crate) fn last_phase() -> CheckResult {
-    end_phase_order(1)
 }
 
 /// The solution of V = 0 for (y, z) is unique near grazing: Newton's method finds the same from all starts.
@@ -240,4 +200,23 @@ pub(crate) fn visits_on_the_side() -> CheckResult {
         votes.see((1..p).all(|j| orbit.visit_slope(j).x * side.signum() < rounding));
     }
     Ok(votes.outcome("grazing points with τ > h_p, p = 2 to 15, all visits"))
+}
+
+checks! {
+    /// eq:yStar1codim1proof.
+    one_loop_velocity: velocity_order(1..=1);
+    /// eq:zStar1codim1proof.
+    one_loop_phase: phase_order(1..=1);
+    /// eq:yStarpcodim1proof.
+    velocity: velocity_order(2..=4);
+    /// eq:zStarpcodim1proof.
+    phase: phase_order(2..=4);
+    /// eq:x0codim1proof.
+    first_position: position_order(0, GrazingPoint::virtual_map_after_reset);
+    /// eq:z0codim1proof.
+    first_phase: end_phase_order(0);
+    /// eq:xpcodim1proof.
+    last_position: position_order(1, GrazingPoint::virtual_map);
+    /// eq:zpcodim1proof.
+    last_phase: end_phase_order(1);
 }

@@ -79,21 +79,6 @@ fn orbit_expansion(seed: u64, stated: f64, coordinate: Coordinate) -> CheckResul
     Ok(orders.order(stated, SLACK, "twelve oscillators, twelve directions in (y, z, μ, t)"))
 }
 
-/// x(t) in the proof of le:discMapComponents.
-pub(crate) fn position_of_orbit() -> CheckResult {
-    orbit_expansion(5, 3.0, Coordinate::Position)
-}
-
-/// y(t) in the proof of le:discMapComponents.
-pub(crate) fn velocity_of_orbit() -> CheckResult {
-    orbit_expansion(6, 2.0, Coordinate::Velocity)
-}
-
-/// z(t) in the proof of le:discMapComponents.
-pub(crate) fn phase_of_orbit() -> CheckResult {
-    orbit_expansion(7, 2.0, Coordinate::Phase)
-}
-
 /// The evolution time T.
 pub(crate) fn evolution_time() -> CheckResult {
     smallest_order(8, 2.0, |point, oscillator, y, z| {
@@ -196,4 +181,13 @@ pub(crate) fn reset_law() -> CheckResult {
         // Where y = 0 the map is the identity.
         Some(if y == 0.0 { (remainder.norm(), ROUNDING) } else { (remainder.norm() / y, ROUNDING / y.abs()) })
     })
+}
+
+checks! {
+    /// x(t) in the proof of le:discMapComponents.
+    position_of_orbit: orbit_expansion(5, 3.0, Coordinate::Position);
+    /// y(t) in the proof of le:discMapComponents.
+    velocity_of_orbit: orbit_expansion(6, 2.0, Coordinate::Velocity);
+    /// z(t) in the proof of le:discMapComponents.
+    phase_of_orbit: orbit_expansion(7, 2.0, Coordinate::Phase);
 }

@@ -239,16 +239,6 @@ fn leading_order(seed: u64, component: usize, stated: f64) -> CheckResult {
     Ok(orders.order(stated, SLACK, "fifteen oscillators, α of either sign; nine directions in (√x̂, ẑ, μ)"))
 }
 
-/// The display after eq:Pdisc, first line: the coefficient of x̂ is φ².
-pub(crate) fn leading_position() -> CheckResult {
-    leading_order(19, 0, 3.0)
-}
-
-/// The display after eq:Pdisc, second line: the square root.
-pub(crate) fn leading_phase() -> CheckResult {
-    leading_order(20, 1, 2.0)
-}
-
 /// The sign of the square-root term is opposite to that of α.
 pub(crate) fn sign_of_square_root() -> CheckResult {
     let mut votes = Votes::default();
@@ -261,4 +251,11 @@ pub(crate) fn sign_of_square_root() -> CheckResult {
         }
     }
     Ok(votes.outcome("fifteen oscillators, twelve with α > 0 and three with α < 0, x̂ = 10⁻⁶ to 10⁻⁴"))
+}
+
+checks! {
+    /// The display after eq:Pdisc, first line: the coefficient of x̂ is φ².
+    leading_position: leading_order(19, 0, 3.0);
+    /// The display after eq:Pdisc, second line: the square root.
+    leading_phase: leading_order(20, 1, 2.0);
 }

@@ -258,12 +258,9 @@ fn expansion(seed: u64, component: usize) -> CheckResult {
     Ok(orders.order(2.0, 0.1, "twelve oscillators, p = 1 to 4, seven directions in (y, z, μ) at once"))
 }
 
-/// eq:V1.
-pub(crate) fn first_component() -> CheckResult {
-    expansion(2, 0)
-}
-
-/// eq:V2.
-pub(crate) fn second_component() -> CheckResult {
-    expansion(3, 1)
+checks! {
+    /// eq:V1.
+    first_component: expansion(2, 0);
+    /// eq:V2.
+    second_component: expansion(3, 1);
 }

@@ -32,26 +32,6 @@ fn remainder(seed: u64, loops: &[u32], curve: usize) -> CheckResult {
     Ok(least.order(3.0, 0.3, "resonances of random oscillators with ψ ≠ 0, points of the continued curve"))
 }
 
-/// eq:sn1.
-pub(crate) fn saddle_node_one_loop() -> CheckResult {
-    remainder(71, &[1], 0)
-}
-
-/// eq:pd1.
-pub(crate) fn period_doubling_one_loop() -> CheckResult {
-    remainder(72, &[1], 1)
-}
-
-/// eq:snp.
-pub(crate) fn saddle_node_many_loops() -> CheckResult {
-    remainder(73, &[2, 3, 4], 0)
-}
-
-/// eq:pdp.
-pub(crate) fn period_doubling_many_loops() -> CheckResult {
-    remainder(74, &[2, 3, 4], 1)
-}
-
 /// Across the SN curve two MPSs on one side of μ become none, and across the PD curve a multiplier passes through −1.
 pub(crate) fn crossing() -> CheckResult {
     let mut sampler = Sampler::new(75);
@@ -87,4 +67,15 @@ pub(crate) fn crossing() -> CheckResult {
         }
     }
     Ok(cases.outcome("SN and PD curves of random oscillators, crossed along the branch at fixed η"))
+}
+
+checks! {
+    /// eq:sn1.
+    saddle_node_one_loop: remainder(71, &[1], 0);
+    /// eq:pd1.
+    period_doubling_one_loop: remainder(72, &[1], 1);
+    /// eq:snp.
+    saddle_node_many_loops: remainder(73, &[2, 3, 4], 0);
+    /// eq:pdp.
+    period_doubling_many_loops: remainder(74, &[2, 3, 4], 1);
 }

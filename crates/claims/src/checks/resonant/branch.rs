@@ -100,16 +100,6 @@ pub(crate) fn form() -> CheckResult {
     })
 }
 
-/// eq:k1231 in eq:ZM.
-pub(crate) fn coefficients_of_one_loop() -> CheckResult {
-    orders(Loops::One, EVERYWHERE, branch_orders)
-}
-
-/// eq:k123p in eq:ZM.
-pub(crate) fn coefficients_of_many_loops() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, branch_orders)
-}
-
 /// The coefficients of μ in x⁽ᵖ⁾ and z⁽ᵖ⁾ at resonance: b for p = 1, T_p (β, a₂₁ b₁ + (1 − a₁₁) b₂) for p ≥ 2.
 fn parameter_column(place: &Place) -> Vector2<f64> {
     let map = place.point().grazing.map;
@@ -169,16 +159,6 @@ fn return_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     Ok(found)
 }
 
-/// eq:codim21proof1.
-pub(crate) fn return_of_one_loop() -> CheckResult {
-    orders(Loops::One, EVERYWHERE, return_orders)
-}
-
-/// eq:codim21proofp.
-pub(crate) fn return_of_many_loops() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, return_orders)
-}
-
 impl Symbols {
     /// X₁, X₂, X₃ for any k₁, k₂, k₃; `by_parameter` is b₁ or T_p β.
     fn x(&self, [k_1, k_2, k_3]: [f64; 3], by_parameter: f64) -> [f64; 3] {
@@ -215,16 +195,6 @@ fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
         found.push((order(|size| Some((remainder(size)?[1], MAP))), 2.0));
     }
     Ok(found)
-}
-
-/// The display of V(y, Z, M, η) with X₁, X₂, X₃, p = 1.
-pub(crate) fn vivid_of_one_loop() -> CheckResult {
-    orders(Loops::One, EVERYWHERE, vivid_orders)
-}
-
-/// The same for p ≥ 2.
-pub(crate) fn vivid_of_many_loops() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, vivid_orders)
 }
 
 /// X₁ = X₂ = X₃ = 0 has the solution eq:k1231 or eq:k123p.
@@ -299,12 +269,21 @@ fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     Ok(found)
 }
 
-/// y Ψ^± = s₁^± y − α ω a₁₂' η + O(2).
-pub(crate) fn stability_of_one_loop() -> CheckResult {
-    orders(Loops::One, EVERYWHERE, psi_orders)
-}
-
-/// y Ψ^± = s_p^± y − α ω f_p η + O(2).
-pub(crate) fn stability_of_many_loops() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, psi_orders)
+checks! {
+    /// eq:k1231 in eq:ZM.
+    coefficients_of_one_loop: orders(Loops::One, EVERYWHERE, branch_orders);
+    /// eq:k123p in eq:ZM.
+    coefficients_of_many_loops: orders(Loops::Many, EVERYWHERE, branch_orders);
+    /// eq:codim21proof1.
+    return_of_one_loop: orders(Loops::One, EVERYWHERE, return_orders);
+    /// eq:codim21proofp.
+    return_of_many_loops: orders(Loops::Many, EVERYWHERE, return_orders);
+    /// The display of V(y, Z, M, η) with X₁, X₂, X₃, p = 1.
+    vivid_of_one_loop: orders(Loops::One, EVERYWHERE, vivid_orders);
+    /// The same for p ≥ 2.
+    vivid_of_many_loops: orders(Loops::Many, EVERYWHERE, vivid_orders);
+    /// y Ψ^± = s₁^± y − α ω a₁₂' η + O(2).
+    stability_of_one_loop: orders(Loops::One, EVERYWHERE, psi_orders);
+    /// y Ψ^± = s_p^± y − α ω f_p η + O(2).
+    stability_of_many_loops: orders(Loops::Many, EVERYWHERE, psi_orders);
 }

@@ -59,16 +59,6 @@ fn velocity_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     }))
 }
 
-/// eq:Upsilon1.
-pub(crate) fn velocity_of_one_loop() -> CheckResult {
-    orders(Loops::One, EVERYWHERE, velocity_orders)
-}
-
-/// eq:Upsilonp.
-pub(crate) fn velocity_of_many_loops() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, velocity_orders)
-}
-
 /// μ less c_SN η² on the SN and c_PD η² on the PD curve, as M(Υ⁺, η) and M(Υ⁻, η) give them.
 fn coefficient_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
@@ -89,16 +79,6 @@ fn printed_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 fn coefficients(which: Loops) -> CheckResult {
     let printed = lowest(&everywhere(which, printed_orders)?);
     Ok(orders(which, EVERYWHERE, coefficient_orders)?.against_print(printed))
-}
-
-/// g_SN = M(Υ⁺, η) and g_PD = M(Υ⁻, η), p = 1; the print has Υ⁺ in both.
-pub(crate) fn functions_of_one_loop() -> CheckResult {
-    coefficients(Loops::One)
-}
-
-/// The same for p ≥ 2.
-pub(crate) fn functions_of_many_loops() -> CheckResult {
-    coefficients(Loops::Many)
 }
 
 /// eq:coeffs1 and eq:coeffsp follow from k₂, k₃, Υ^±, T_p and f_p.
@@ -191,12 +171,17 @@ fn admissible(which: Loops) -> CheckResult {
     Ok(Outcome::new(measure, cases.len(), over))
 }
 
-/// With sgn η = sgn(a₁₂' s₁^±) the one-loop MPS is admissible on the curves.
-pub(crate) fn admissible_with_one_loop() -> CheckResult {
-    admissible(Loops::One)
-}
-
-/// With sgn η = sgn(κ_p' s_p^±) the p-loop MPS is admissible on the curves.
-pub(crate) fn admissible_with_many_loops() -> CheckResult {
-    admissible(Loops::Many)
+checks! {
+    /// eq:Upsilon1.
+    velocity_of_one_loop: orders(Loops::One, EVERYWHERE, velocity_orders);
+    /// eq:Upsilonp.
+    velocity_of_many_loops: orders(Loops::Many, EVERYWHERE, velocity_orders);
+    /// g_SN = M(Υ⁺, η) and g_PD = M(Υ⁻, η), p = 1; the print has Υ⁺ in both.
+    functions_of_one_loop: coefficients(Loops::One);
+    /// The same for p ≥ 2.
+    functions_of_many_loops: coefficients(Loops::Many);
+    /// With sgn η = sgn(a₁₂' s₁^±) the one-loop MPS is admissible on the curves.
+    admissible_with_one_loop: admissible(Loops::One);
+    /// With sgn η = sgn(κ_p' s_p^±) the p-loop MPS is admissible on the curves.
+    admissible_with_many_loops: admissible(Loops::Many);
 }

@@ -148,16 +148,6 @@ fn global(which: Loops) -> CheckResult {
     Ok(orders(which, EVERYWHERE, |place| global_orders(place, Cure::Moving))?.against_print(printed))
 }
 
-/// eq:DPglobal, about z_graz,η; the print has z_graz,0.
-pub(crate) fn of_global_map() -> CheckResult {
-    global(Loops::One)
-}
-
-/// eq:DPglobalp, about z_graz,η; the print has z_graz,0.
-pub(crate) fn of_iterated_global_map() -> CheckResult {
-    global(Loops::Many)
-}
-
 /// y U less eq:yU.
 fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
@@ -277,16 +267,6 @@ fn slopes(which: Loops, over: &str) -> CheckResult {
     Ok(Outcome::new(Measure::Deviation { largest, tolerance: 1e-7 }, gaps.len(), over))
 }
 
-/// f₁ = a₁₂', along the grazing curve.
-pub(crate) fn slope_of_one_loop() -> CheckResult {
-    slopes(Loops::One, "the grazing curve around resonances with p = 1")
-}
-
-/// eq:fp, from f_p = a₁₂ ∂S_p/∂η.
-pub(crate) fn slope_of_many_loops() -> CheckResult {
-    slopes(Loops::Many, "the grazing curve around resonances with p = 2 to 5")
-}
-
 /// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
 pub(crate) fn power_at_resonance() -> CheckResult {
     // Roundings of up to five factors.
@@ -305,4 +285,15 @@ pub(crate) fn power_at_resonance() -> CheckResult {
         let rest = power + Matrix2::identity() * modulus;
         Ok(sums.iter().chain(rest.iter()).map(|gap| gap.abs()).collect())
     })
+}
+
+checks! {
+    /// eq:DPglobal, about z_graz,η; the print has z_graz,0.
+    of_global_map: global(Loops::One);
+    /// eq:DPglobalp, about z_graz,η; the print has z_graz,0.
+    of_iterated_global_map: global(Loops::Many);
+    /// f₁ = a₁₂', along the grazing curve.
+    slope_of_one_loop: slopes(Loops::One, "the grazing curve around resonances with p = 1");
+    /// eq:fp, from f_p = a₁₂ ∂S_p/∂η.
+    slope_of_many_loops: slopes(Loops::Many, "the grazing curve around resonances with p = 2 to 5");
 }

@@ -70,16 +70,6 @@ fn trace(which: Loops) -> CheckResult {
     Ok(orders(which, EVERYWHERE, trace_about_moving)?.against_print(printed))
 }
 
-/// eq:yT1, about z_graz,η; the print has z_graz,0.
-pub(crate) fn trace_of_one_loop() -> CheckResult {
-    trace(Loops::One)
-}
-
-/// eq:yTp, about z_graz,η; the print has z_graz,0.
-pub(crate) fn trace_of_many_loops() -> CheckResult {
-    trace(Loops::Many)
-}
-
 fn determinant_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let grazing = place.point().grazing;
     let power = libm::pow(grazing.map.determinant(), f64::from(place.loops()));
@@ -93,16 +83,6 @@ fn determinant_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
         (observed, 2.0)
     };
     Ok(directions(4).iter().map(one).collect())
-}
-
-/// eq:yD1.
-pub(crate) fn determinant_of_one_loop() -> CheckResult {
-    orders(Loops::One, EVERYWHERE, determinant_orders)
-}
-
-/// eq:yDp.
-pub(crate) fn determinant_of_many_loops() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, determinant_orders)
 }
 
 /// y T and y D at y = 0 extrapolated from four points on either side: they differ by O(h⁴) if the functions are smooth, and at
@@ -123,16 +103,6 @@ fn seam_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
         (observed, 3.0)
     };
     Ok(vec![part(|both| both.trace), part(|both| both.determinant)])
-}
-
-/// Lemma 5.1: y T and y D have a smooth extension through y = 0, p = 1.
-pub(crate) fn extension_for_one_loop() -> CheckResult {
-    orders(Loops::One, "extrapolations to y = 0 from both sides at resonances with p = 1", seam_orders)
-}
-
-/// Lemma 5.2: the same for p ≥ 2.
-pub(crate) fn extension_for_many_loops() -> CheckResult {
-    orders(Loops::Many, "extrapolations to y = 0 from both sides at resonances with p = 2 to 5", seam_orders)
 }
 
 /// Values of η beside a resonance.
@@ -195,4 +165,19 @@ pub(crate) fn trace_and_determinant() -> CheckResult {
         }
         Ok(found)
     })
+}
+
+checks! {
+    /// eq:yT1, about z_graz,η; the print has z_graz,0.
+    trace_of_one_loop: trace(Loops::One);
+    /// eq:yTp, about z_graz,η; the print has z_graz,0.
+    trace_of_many_loops: trace(Loops::Many);
+    /// eq:yD1.
+    determinant_of_one_loop: orders(Loops::One, EVERYWHERE, determinant_orders);
+    /// eq:yDp.
+    determinant_of_many_loops: orders(Loops::Many, EVERYWHERE, determinant_orders);
+    /// Lemma 5.1: y T and y D have a smooth extension through y = 0, p = 1.
+    extension_for_one_loop: orders(Loops::One, "extrapolations to y = 0 from both sides at resonances with p = 1", seam_orders);
+    /// Lemma 5.2: the same for p ≥ 2.
+    extension_for_many_loops: orders(Loops::Many, "extrapolations to y = 0 from both sides at resonances with p = 2 to 5", seam_orders);
 }
