@@ -132,12 +132,10 @@ pub(crate) fn one_loop_side() -> CheckResult {
 
 /// det K / β > 0 in the trapesium, by search.
 pub(crate) fn sign_of_det_k() -> CheckResult {
-    let over =
-        "searches over the trapesium up to 10⁻⁶ from its slanted sides, p = 2 to 15: the smallest det K / β";
-    Ok(search(2, over, |p, [x, y]| {
+    search(2, "the trapesium up to 10⁻⁶ from its slanted sides", "det K / β", |p, [x, y]| {
         let delta = determinant(x);
         geometric_sum_determinant(p, 0.999_999 * (2.0 * y - 1.0) * (delta + 1.0), delta)
-    }))
+    })
 }
 
 /// A grazing point with τ > h_p; a₁₂ and α of either sign.

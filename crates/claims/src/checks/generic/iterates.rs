@@ -158,8 +158,7 @@ pub(crate) fn induction() -> CheckResult {
 
 /// le:SpTp(a) by search: S_p / (τ − g_p) > 0 for h_p < τ ≤ δ + 1, also at τ = g_p.
 pub(crate) fn sign_of_s() -> CheckResult {
-    let over = "searches over h_p < τ ≤ δ + 1, p = 2 to 15: the smallest r^(2−p) S_p / (τ − g_p)";
-    Ok(search(2, over, |p, [x, y]| {
+    search(2, "h_p < τ ≤ δ + 1", "r^(2−p) S_p / (τ − g_p)", |p, [x, y]| {
         let delta = determinant(x);
         let Ok(lowest) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
         let tau = along(along(y, 1e-9, 1.0), lowest, delta + 1.0);
@@ -168,7 +167,7 @@ pub(crate) fn sign_of_s() -> CheckResult {
         let distance = if kappa.abs() < 1e-8 { 1e-8_f64.copysign(kappa) } else { kappa };
         let s = lucas_sequence(p, tau - kappa + distance, delta);
         s / distance * libm::pow(delta, 0.5 * (2.0 - f64::from(p)))
-    }))
+    })
 }
 
 /// le:SpTp(b).
@@ -189,12 +188,11 @@ pub(crate) fn values_at_resonance() -> CheckResult {
 
 /// le:SpTp(c) by search.
 pub(crate) fn sign_of_t() -> CheckResult {
-    let over = "searches over g_(p/2) ≤ τ ≤ δ + 1, p = 2 to 15: the smallest T_p";
-    Ok(search(2, over, |p, [x, y]| {
+    search(2, "g_(p/2) ≤ τ ≤ δ + 1", "T_p", |p, [x, y]| {
         let delta = determinant(x);
         let lowest = resonance_boundary(0.5 * f64::from(p), delta);
         lucas_partial_sum(p, along(y, lowest, delta + 1.0), delta)
-    }))
+    })
 }
 
 /// le:SpTp: all three parts where their hypotheses hold, and each seen to fail where its hypothesis does not.

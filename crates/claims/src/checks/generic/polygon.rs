@@ -26,21 +26,29 @@ fn r_to(delta: f64, k: u32) -> f64 {
 
 /// T_p > 0 and H_p > 0, and so u⁽¹⁾ < 0 and u⁽ᵖ⁻¹⁾ < 0, for τ > h_p.
 pub(crate) fn ends_are_negative() -> CheckResult {
-    let over = "searches over h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p, p = 2 to 15: the smallest T_p and r^(p−2) H_p";
-    Ok(search(2, over, |p, point| {
-        let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
-        lucas_partial_sum(p, tau, delta).min(admissibility_sum(p, tau, delta) * r_to(delta, p - 2))
-    }))
+    search(
+        2,
+        "h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p",
+        "T_p and r^(p−2) H_p",
+        |p, point| {
+            let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
+            lucas_partial_sum(p, tau, delta).min(admissibility_sum(p, tau, delta) * r_to(delta, p - 2))
+        },
+    )
 }
 
 /// u⁽ʲ⁾ < 0 for all 0 < j < p and τ > h_p: the conclusion of the proof.
 pub(crate) fn all_are_negative() -> CheckResult {
-    let over = "searches over h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p, p = 2 to 15: the smallest −r^(1−j) u⁽ʲ⁾";
-    Ok(search(2, over, |p, point| {
-        let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
-        let scaled = |j: u32| -scaled_visit_position(j, p, tau, delta) / r_to(delta, j - 1);
-        (1..p).map(scaled).fold(f64::INFINITY, f64::min)
-    }))
+    search(
+        2,
+        "h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p",
+        "−r^(1−j) u⁽ʲ⁾",
+        |p, point| {
+            let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
+            let scaled = |j: u32| -scaled_visit_position(j, p, tau, delta) / r_to(delta, j - 1);
+            (1..p).map(scaled).fold(f64::INFINITY, f64::min)
+        },
+    )
 }
 
 /// The sum of a truncated geometric series.
@@ -151,18 +159,21 @@ fn cross_each_other([a, b]: [Vector2<f64>; 2], [c, d]: [Vector2<f64>; 2]) -> boo
 /// its start on that of δ^(i−1) H_(n+1) c, and u⁽ʲ⁾ tells the side of the edge that closes the polygon. So the polygon is convex, and its
 /// vertices in order, exactly if T_n > 0 and H_n > 0 for n = 2, …, p and u⁽ʲ⁾ < 0 for 0 < j < p.
 pub(crate) fn convex() -> CheckResult {
-    let over = "searches over h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p, p = 2 to 15: the smallest T_n, r^(n−2) H_n and \
-                −r^(1−j) u⁽ʲ⁾, n ≤ p, j < p";
-    Ok(search(2, over, |p, point| {
-        let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
-        (2..=p)
-            .map(|n| {
-                let h = admissibility_sum(n, tau, delta) * r_to(delta, n - 2);
-                let u = -scaled_visit_position(n - 1, p, tau, delta) / r_to(delta, n - 2);
-                lucas_partial_sum(n, tau, delta).min(h).min(u)
-            })
-            .fold(f64::INFINITY, f64::min)
-    }))
+    search(
+        2,
+        "h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p",
+        "T_n, r^(n−2) H_n and −r^(1−j) u⁽ʲ⁾, n ≤ p, j < p",
+        |p, point| {
+            let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
+            (2..=p)
+                .map(|n| {
+                    let h = admissibility_sum(n, tau, delta) * r_to(delta, n - 2);
+                    let u = -scaled_visit_position(n - 1, p, tau, delta) / r_to(delta, n - 2);
+                    lucas_partial_sum(n, tau, delta).min(h).min(u)
+                })
+                .fold(f64::INFINITY, f64::min)
+        },
+    )
 }
 
 /// The path seen as a polygon: convex, in order and without intersections for τ > h_p, and not convex for smaller τ (p ≥ 3),
