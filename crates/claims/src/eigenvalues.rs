@@ -56,18 +56,19 @@ impl Pair {
     }
 
     /// S_j = Σₖ λ₁^(j−k) λ₂^(k−1), k = 1, …, j. Paper: eq:SpTp.
-    pub(crate) fn s(&self, j: i32) -> Complex<f64> {
+    pub(crate) fn s(&self, j: u32) -> Complex<f64> {
+        let j = j as i32;
         (1..=j).map(|k| self.monomial(j - k, k - 1)).sum()
     }
 
     /// T_p = Σ S_j, j = 1, …, p − 1. Paper: eq:SpTp.
-    pub(crate) fn t(&self, p: i32) -> Complex<f64> {
+    pub(crate) fn t(&self, p: u32) -> Complex<f64> {
         (1..p).map(|j| self.s(j)).sum()
     }
 
     /// H_p = Σⱼ Σₖ λ₁^(k−j) λ₂^(1−k), j = 1, …, p − 1, k = 1, …, j. Paper: eq:Hp.
-    pub(crate) fn h(&self, p: i32) -> Complex<f64> {
-        (1..p).flat_map(|j| (1..=j).map(move |k| self.monomial(k - j, 1 - k))).sum()
+    pub(crate) fn h(&self, p: u32) -> Complex<f64> {
+        (1..p as i32).flat_map(|j| (1..=j).map(move |k| self.monomial(k - j, 1 - k))).sum()
     }
 
     /// (1 − λ₁)(1 − λ₂).

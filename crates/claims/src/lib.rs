@@ -27,5 +27,5 @@ mod tally;
 use convergence::order;
 use outcome::{CheckResult, Failure, Measure, Outcome};
 use printed::{printed, printed_at_resonances};
-use sampling::{Sampler, smallest};
+use sampling::{Sampler, sampled, smallest};
 use tally::{Deviations, Smallest, Votes};

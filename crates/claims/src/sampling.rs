@@ -1,5 +1,7 @@
 //! Seeded samples of domains, and adversarial search for the smallest value of a function.
 
+use core::ops::RangeInclusive;
+
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
@@ -33,6 +35,18 @@ impl Sampler {
         let delta = self.between(0.001, 0.999);
         (self.between(-0.999_999, 0.999_999) * (delta + 1.0), delta)
     }
+}
+
+/// What so many samples add up to, each for the next number of loops in a range, round and round.
+pub(crate) fn sampled<T: Default>(
+    seed: u64,
+    samples: usize,
+    loops: RangeInclusive<u32>,
+    mut sample: impl FnMut(&mut Sampler, u32, &mut T),
+) -> T {
+    let (mut sampler, mut tally) = (Sampler::new(seed), T::default());
+    loops.cycle().take(samples).for_each(|p| sample(&mut sampler, p, &mut tally));
+    tally
 }
 
 /// The smallest value of a function on the unit cube that many local searches from seeded starts find, and where.

@@ -39,7 +39,7 @@ fn over_trapesium(seed: u64, deviation: impl Fn(i32, f64, f64, &Pair) -> f64) ->
 /// eq:HpAgain.
 pub(crate) fn definition_of_h() -> CheckResult {
     over_trapesium(1, |p, tau, delta, pair| {
-        (pair.h(p) - admissibility_sum(p as u32, tau, delta)).norm() / pair.moduli().h(p).re
+        (pair.h(p as u32) - admissibility_sum(p as u32, tau, delta)).norm() / pair.moduli().h(p as u32).re
     })
 }
 

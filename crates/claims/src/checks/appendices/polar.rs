@@ -6,7 +6,7 @@ use grazing_theorems::auxiliary::{admissibility_sum, lucas_partial_sum, lucas_se
 use nalgebra::Complex;
 
 use crate::eigenvalues::Pair;
-use crate::{CheckResult, Deviations, Sampler, Votes};
+use crate::{CheckResult, Deviations, Sampler, Votes, sampled};
 
 /// A point with complex eigenvalues, r = √δ and θ in (0, π).
 struct Polar {
@@ -155,14 +155,11 @@ pub(crate) fn t_grouped() -> CheckResult {
 
 /// The factorisation of Ξ, an identity for all angles.
 pub(crate) fn factored_xi() -> CheckResult {
-    let mut sampler = Sampler::new(19);
-    let mut deviations = Deviations::default();
-    for index in 0..3000 {
-        let p = 1 + index % 20;
+    let deviations = sampled(19, 3000, 1..=20, |sampler, p, deviations: &mut Deviations| {
         let theta = sampler.between(-7.0, 7.0);
         let half = |k: u32| libm::sin(0.5 * f64::from(k) * theta);
         deviations.see(xi(p, theta) - 4.0 * half(1) * half(p - 1) * half(p));
-    }
+    });
     // Three sines of angles up to 140, each off by 10⁻¹⁴.
     Ok(deviations.outcome(1e-13, "angles between −7 and 7, p = 1 to 20"))
 }

@@ -8,7 +8,7 @@ use grazing_theorems::auxiliary::{
 };
 
 use super::polar::xi;
-use crate::{CheckResult, Deviations, Sampler, Smallest, smallest};
+use crate::{CheckResult, Deviations, Sampler, Smallest, sampled, smallest};
 
 /// Local searches for each number of loops.
 const STARTS: usize = 6;
@@ -67,15 +67,12 @@ pub(crate) fn h_above_g_before() -> CheckResult {
 
 /// H_p at g_(p/2), p ≥ 3.
 pub(crate) fn h_at_g_half() -> CheckResult {
-    let mut sampler = Sampler::new(31);
-    let mut deviations = Deviations::default();
-    for index in 0..1000 {
-        let p = 3 + index % 13;
+    let deviations = sampled(31, 1000, 3..=15, |sampler, p, deviations: &mut Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let tau = resonance_boundary(0.5 * f64::from(p), delta);
         let expected = (modulus_power(p, delta) - 1.0) / (delta - tau + 1.0);
         deviations.see(scaled_h(p, tau, delta) - expected);
-    }
+    });
     // Both are of order one; p roundings of τ, on which H_p depends p² times as strongly.
     Ok(deviations.outcome(1e-12, "determinants, p = 3 to 15"))
 }
@@ -123,16 +120,14 @@ pub(crate) fn other_zeros_of_s() -> CheckResult {
 
 /// T_p at τ = g_p: the end of the proof of le:SpTp(b), where the print has δ{p/2} for a power.
 pub(crate) fn t_at_resonance() -> CheckResult {
-    let mut sampler = Sampler::new(32);
-    let (mut deviations, mut print) = (Deviations::default(), Deviations::default());
-    for index in 0..1000 {
-        let p = 2 + index % 14;
-        let delta = sampler.between(0.001, 0.999);
-        let tau = resonance_boundary(f64::from(p), delta);
-        let (t, gap) = (lucas_partial_sum(p, tau, delta), delta - tau + 1.0);
-        deviations.see(t * gap - (1.0 + modulus_power(p, delta)));
-        print.see(t * gap - (1.0 + delta * 0.5 * f64::from(p)));
-    }
+    let (deviations, print) =
+        sampled(32, 1000, 2..=15, |sampler, p, (deviations, print): &mut (Deviations, Deviations)| {
+            let delta = sampler.between(0.001, 0.999);
+            let tau = resonance_boundary(f64::from(p), delta);
+            let (t, gap) = (lucas_partial_sum(p, tau, delta), delta - tau + 1.0);
+            deviations.see(t * gap - (1.0 + modulus_power(p, delta)));
+            print.see(t * gap - (1.0 + delta * 0.5 * f64::from(p)));
+        });
     // T_p depends on the rounding of τ at most p² times as strongly.
     let tolerance = 1e-13;
     Ok(deviations.outcome(tolerance, "determinants, p = 2 to 15").against_print(print.measure(tolerance)))

@@ -10,7 +10,7 @@ use nalgebra::{Matrix2, Vector2};
 use super::specimens::map_with;
 use crate::checks::appendices::signs::{along, determinant, search};
 use crate::eigenvalues::Pair;
-use crate::{CheckResult, Deviations, Sampler, Votes};
+use crate::{CheckResult, Deviations, Sampler, Votes, sampled};
 
 /// τ above h_p by a share of the way to δ + 1, both in (0, 1).
 fn above(p: u32, [x, y]: [f64; 2]) -> Option<(f64, f64)> {
@@ -68,10 +68,7 @@ pub(crate) fn geometric_series() -> CheckResult {
 
 /// S_j at τ = δ + 1.
 pub(crate) fn sums_at_unit_eigenvalue() -> CheckResult {
-    let mut sampler = Sampler::new(7);
-    let mut deviations = Deviations::default();
-    for index in 0..1000 {
-        let p = 2 + index % 14;
+    let deviations = sampled(7, 1000, 2..=15, |sampler, p, deviations: &mut Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let pair = Pair::new(delta + 1.0, delta);
         deviations.see((pair.first - 1.0).norm() * (1.0 - delta));
@@ -82,17 +79,14 @@ pub(crate) fn sums_at_unit_eigenvalue() -> CheckResult {
         deviations.see((s - (1.0 - top)) / f64::from(p));
         let t = lucas_partial_sum(p, delta + 1.0, delta) * (1.0 - delta) * (1.0 - delta);
         deviations.see((t - (f64::from(p) * (1.0 - delta) - (1.0 - top))) / f64::from(p * p));
-    }
+    });
     // δ + 1 is rounded, which changes an eigenvalue by that over 1 − δ.
     Ok(deviations.outcome(1e-14, "λ₁, λ₂, S_p and T_p for determinants from 0.001 to 0.999, p = 2 to 15"))
 }
 
 /// eq:ujeig1.
 pub(crate) fn positions_at_unit_eigenvalue() -> CheckResult {
-    let mut sampler = Sampler::new(8);
-    let mut deviations = Deviations::default();
-    for index in 0..1000 {
-        let p = 2 + index % 14;
+    let deviations = sampled(8, 1000, 2..=15, |sampler, p, deviations: &mut Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let raised = |k: u32| libm::pow(delta, f64::from(k));
         for j in 1..p {
@@ -102,7 +96,7 @@ pub(crate) fn positions_at_unit_eigenvalue() -> CheckResult {
             let size = 1.0 + f64::from(p * p * p) * (1.0 - delta) * (1.0 - delta);
             deviations.see((u * (1.0 - delta) * (1.0 - delta) - expected) / size);
         }
-    }
+    });
     Ok(deviations.outcome(1e-14, "determinants from 0.001 to 0.999, p = 2 to 15, all j"))
 }
 
@@ -228,13 +222,10 @@ pub(crate) fn first_zero() -> CheckResult {
 
 /// u⁽ʲ⁾ depends on the map through τ and δ alone, so that it may be followed in τ at fixed δ.
 pub(crate) fn invariance() -> CheckResult {
-    let mut sampler = Sampler::new(11);
-    let mut deviations = Deviations::default();
-    for index in 0..1000 {
-        let p = 2 + index % 7;
+    let deviations = sampled(11, 1000, 2..=8, |sampler, p, deviations: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         let expected: Vec<f64> = path(p, tau, delta).iter().map(|point| point.x).collect();
-        let map = map_with(&mut sampler, tau, delta);
+        let map = map_with(sampler, tau, delta);
         let (s, beta) = (lucas_sequence(p, tau, delta), map.transversality());
         let mut here = Vector2::new(0.0, -map.iterate(p).b.x / map.a.m12);
         // Multiplied by β, which may be small.
@@ -243,7 +234,7 @@ pub(crate) fn invariance() -> CheckResult {
             deviations.see((here.x - beta * position) / (size * (1.0 + position.abs())));
             here = map.a * here + map.b * s;
         }
-    }
+    });
     // The balanced map divides by a₁₂, at least a tenth of r ≥ 0.03.
     Ok(deviations.outcome(1e-14, "pairs of maps with the same τ and δ, p = 2 to 8"))
 }
