@@ -130,7 +130,7 @@ fn resonant(r: &ResonantRow) -> Resonant {
         alpha: r.point.grazing.alpha(),
         beta: map.transversality(),
         a12_alpha: map.a.m12 * r.point.grazing.alpha(),
-        unfolding: r.point.unfolding.derivative(),
+        unfolding: r.point.unfolding.derivative,
         s_plus: stability.plus,
         s_minus: stability.minus,
         sn_predicted: predicted(sn.predicted, OF_ETA),

@@ -149,7 +149,7 @@ pub(crate) fn slope_of_one_loop() -> CheckResult {
     at_resonances(&[1], ONE, DIFFERENCES, |resonance| {
         let measured = along_grazing(resonance, |a| a.m12)?;
         let general = resonance.grazing().off_diagonal_derivative();
-        Ok(vec![(measured, resonance.unfolding().derivative()), (measured, general)])
+        Ok(vec![(measured, resonance.unfolding().derivative), (measured, general)])
     })
 }
 
@@ -170,7 +170,7 @@ pub(crate) fn detuning_derivative() -> CheckResult {
 pub(crate) fn slope_of_many_loops() -> CheckResult {
     at_resonances(MORE_LOOPS, MANY, DIFFERENCES, |resonance| {
         let measured = along_grazing(resonance, detuning(resonance.loops()))?;
-        Ok(vec![(measured, resonance.unfolding().derivative())])
+        Ok(vec![(measured, resonance.unfolding().derivative)])
     })
 }
 

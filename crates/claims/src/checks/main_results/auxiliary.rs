@@ -199,7 +199,7 @@ fn two_loops_below_the_boundary() -> Result<bool, Failure> {
     let resonance = law.resonance(1, 1, false)?;
     let [_, omega] = resonance.orbit().oscillator().parameters();
     // To that side on which a₁₂ > 0.
-    let off = libm::copysign(1e-3, resonance.resonant_point().unfolding.derivative());
+    let off = libm::copysign(1e-3, resonance.resonant_point().unfolding.derivative);
     let orbit = law.grazing(omega * (1.0 + off))?;
     let point = orbit.grazing_point();
     let (tau, delta) = (point.map.trace(), point.map.determinant());

@@ -299,7 +299,7 @@ fn no_curve_away_from_resonance(loops: u32, omega: f64) -> bool {
 fn stated_sides(orbit: &Grazing, loops: u32) -> Result<[Side; 2], Failure> {
     let point = orbit.resonant_point(loops)?;
     let stability = point.stability_coefficients();
-    Ok([stability.plus, stability.minus].map(|s| side(point.unfolding.derivative() * s)))
+    Ok([stability.plus, stability.minus].map(|s| side(point.unfolding.derivative * s)))
 }
 
 /// Both curves are seen for the stated sign of η, and the continued ones have the stated coefficients.

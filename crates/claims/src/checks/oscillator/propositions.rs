@@ -26,11 +26,11 @@ fn compared(seed: u64, loops: &[u32], indices: &[u32]) -> Result<Deviations, Fai
         let point = numerical(&resonance)?;
         let (measured, stated) = (point.stability_coefficients(), resonance.stability_coefficients());
         let (derivative, sn, pd) = (
-            resonance.unfolding().derivative(),
+            resonance.unfolding().derivative,
             resonance.saddle_node_coefficient(),
             resonance.period_doubling_coefficient(),
         );
-        largest.compare(point.unfolding.derivative(), derivative, derivative.abs().max(1.0));
+        largest.compare(point.unfolding.derivative, derivative, derivative.abs().max(1.0));
         largest.compare(measured.plus, stated.plus, stated.plus.abs().max(1.0));
         largest.compare(measured.minus, stated.minus, stated.minus.abs().max(1.0));
         largest.compare(point.saddle_node_coefficient(), sn, sn.abs());
@@ -77,7 +77,7 @@ pub(crate) fn many_loops_misprint() -> CheckResult {
         let point = resonance.resonant_point();
         let one_loop = ResonantPoint {
             second_phase_derivative: resonance.grazing().second_phase_derivative(1),
-            unfolding: Unfolding::OneLoop { off_diagonal_derivative: f64::NAN },
+            unfolding: Unfolding { loops: 1, derivative: f64::NAN },
             ..point
         };
         let measured = one_loop.stability_coefficients();

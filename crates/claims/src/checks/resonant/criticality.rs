@@ -86,7 +86,7 @@ pub(crate) fn criticality_of_figure_7() -> CheckResult {
     for place in of_figure_7()? {
         let subcritical = coefficient_at_resonance(place.point()) < 0.0;
         // As the correction of the misprint says: p = 1 with even n alone.
-        let even = place.loops() == 1 && place.point().unfolding.derivative() < 0.0;
+        let even = place.loops() == 1 && place.point().unfolding.derivative < 0.0;
         cases.push(subcritical == even);
         for flip in flips(&place, 25)? {
             printed.push(criticality(&place, &flip, false)?.unstable);

@@ -106,7 +106,7 @@ pub(crate) fn positions_of_visits() -> CheckResult {
 
 fn visit_signs(place: &Place) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
-    let unfolding = place.point().unfolding.derivative();
+    let unfolding = place.point().unfolding.derivative;
     for curve in place.curves() {
         for size in [1e-3, -1e-3, 1e-4, -1e-4] {
             let eta = eta_at(&curve, size);
