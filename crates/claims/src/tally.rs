@@ -19,6 +19,13 @@ impl Deviations {
         self.samples += 1;
     }
 
+    /// All of these taken into account.
+    pub(crate) fn of(deviations: impl IntoIterator<Item = f64>) -> Self {
+        let mut largest = Self::default();
+        deviations.into_iter().for_each(|deviation| largest.see(deviation));
+        largest
+    }
+
     /// Takes into account the distance of two numbers relative to the scale of the terms they were computed from.
     pub(crate) fn compare(&mut self, computed: f64, expected: f64, scale: f64) {
         self.see((computed - expected) / scale);
@@ -102,6 +109,13 @@ impl Votes {
     pub(crate) fn see(&mut self, agrees: bool) {
         self.agreeing += usize::from(agrees);
         self.cases += 1;
+    }
+
+    /// All of these taken into account.
+    pub(crate) fn of(cases: impl IntoIterator<Item = bool>) -> Self {
+        let mut votes = Self::default();
+        cases.into_iter().for_each(|agrees| votes.see(agrees));
+        votes
     }
 
     /// Takes into account a case of which the statement says nothing: it neither agrees nor disagrees.

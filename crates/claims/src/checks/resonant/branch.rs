@@ -7,7 +7,8 @@ use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, 
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{
-    EVERYWHERE, Loops, Observed, Place, Symbols, deviation, directions, order, orders, remembered, scaled,
+    ANY, EVERYWHERE, MANY, ONE, Observed, Place, Symbols, deviation, directions, order, orders, remembered,
+    scaled,
 };
 use crate::{CheckResult, Failure, Measure, Outcome, Sampler, smallest};
 
@@ -26,7 +27,7 @@ const MAP: f64 = 1e-15;
 /// At the resonance det J = 0 and det K is what eq:detJac2 says.
 pub(crate) fn jacobians() -> CheckResult {
     // Sums of products of some tens of roundings.
-    deviation(Loops::Any, 1e-13, "derivatives of V at located resonances", |place| {
+    deviation(ANY, 1e-13, "derivatives of V at located resonances", |place| {
         let start = place.resonance.unknowns();
         let pair = place.resonance.equations().pair::<1>(&start, &mut EventTimes::default())?;
         let derivative = pair.difference().1;
@@ -60,7 +61,7 @@ pub(crate) fn second_jacobian_is_regular() -> CheckResult {
 /// Z(0, η) = z_graz,η and M(0, η) = 0.
 pub(crate) fn at_zero_velocity() -> CheckResult {
     // Both are located to some 10⁻¹⁴; K has entries down to 0.1.
-    deviation(Loops::Any, 1e-13, "zeros of V with y = 0 for η up to 0.03 around resonances", |place| {
+    deviation(ANY, 1e-13, "zeros of V with y = 0 for η up to 0.03 around resonances", |place| {
         let mut found = Vec::new();
         for eta in [-0.03, -0.01, 0.005, 0.02] {
             if let Some(near) = place.on_branch(0.0, eta) {
@@ -89,7 +90,7 @@ fn branch_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 
 /// eq:ZM: Z − z_graz,η is of first order, M of second.
 pub(crate) fn form() -> CheckResult {
-    orders(Loops::Any, EVERYWHERE, |place| {
+    orders(ANY, EVERYWHERE, |place| {
         let mut found = Vec::new();
         for [y, eta] in RATIOS {
             let relative = remembered(|size| Some(place.on_branch(y * size, eta * size)?.relative()));
@@ -186,8 +187,7 @@ fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
         let remainder = remembered(|size| {
             let (y, eta) = (y * size, eta * size);
             let near = place.near([y, k[0] * y, k[1] * y * y + k[2] * eta * y, eta])?;
-            let pair =
-                place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default()).ok()?;
+            let pair = place.pair(&near).ok()?;
             let v = pair.difference().0;
             Some([v[0] - x[1] * y * y - x[2] * eta * y, v[1] - x[0] * y])
         });
@@ -200,7 +200,7 @@ fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 /// X₁ = X₂ = X₃ = 0 has the solution eq:k1231 or eq:k123p.
 pub(crate) fn solution() -> CheckResult {
     // A dozen roundings, and a₁₂ or κ_p of up to 10⁻¹³ at the located resonance.
-    deviation(Loops::Any, 1e-14, "resonances with p up to 5", |place| {
+    deviation(ANY, 1e-14, "resonances with p up to 5", |place| {
         let branch = place.point().branch_expansion();
         let symbols = place.symbols()?;
         let by_parameter = parameter_column(place).x;
@@ -222,11 +222,11 @@ fn psi(multipliers: &grazing_continuation::mps::Multipliers) -> [f64; 2] {
 /// Ψ^± against det(U ∓ I), which vanishes where U has the eigenvalue ±1.
 pub(crate) fn multiplier_conditions() -> CheckResult {
     // Determinants of matrices with entries of size 1/y, relative to their squares.
-    deviation(Loops::Any, 1e-14, "MPSs on branches near resonances", |place| {
+    deviation(ANY, 1e-14, "MPSs on branches near resonances", |place| {
         let mut found = Vec::new();
         for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };
-            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default())?;
+            let pair = place.pair(&near)?;
             let inverse = pair.impact.derivative().try_inverse().ok_or("D P_virt is singular")?;
             let u = pair.round_trip.derivative() * inverse;
             let [plus, minus] = psi(&pair.multipliers());
@@ -251,8 +251,7 @@ fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     for [y, eta] in RATIOS {
         let conditions = remembered(|size| {
             let near = place.on_branch(y * size, eta * size)?;
-            let pair =
-                place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default()).ok()?;
+            let pair = place.pair(&near).ok()?;
             Some(psi(&pair.multipliers()))
         });
         for (index, coefficient) in [stability.plus, stability.minus].into_iter().enumerate() {
@@ -271,19 +270,19 @@ fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 
 checks! {
     /// eq:k1231 in eq:ZM.
-    coefficients_of_one_loop: orders(Loops::One, EVERYWHERE, branch_orders);
+    coefficients_of_one_loop: orders(ONE, EVERYWHERE, branch_orders);
     /// eq:k123p in eq:ZM.
-    coefficients_of_many_loops: orders(Loops::Many, EVERYWHERE, branch_orders);
+    coefficients_of_many_loops: orders(MANY, EVERYWHERE, branch_orders);
     /// eq:codim21proof1.
-    return_of_one_loop: orders(Loops::One, EVERYWHERE, return_orders);
+    return_of_one_loop: orders(ONE, EVERYWHERE, return_orders);
     /// eq:codim21proofp.
-    return_of_many_loops: orders(Loops::Many, EVERYWHERE, return_orders);
+    return_of_many_loops: orders(MANY, EVERYWHERE, return_orders);
     /// The display of V(y, Z, M, η) with X₁, X₂, X₃, p = 1.
-    vivid_of_one_loop: orders(Loops::One, EVERYWHERE, vivid_orders);
+    vivid_of_one_loop: orders(ONE, EVERYWHERE, vivid_orders);
     /// The same for p ≥ 2.
-    vivid_of_many_loops: orders(Loops::Many, EVERYWHERE, vivid_orders);
+    vivid_of_many_loops: orders(MANY, EVERYWHERE, vivid_orders);
     /// y Ψ^± = s₁^± y − α ω a₁₂' η + O(2).
-    stability_of_one_loop: orders(Loops::One, EVERYWHERE, psi_orders);
+    stability_of_one_loop: orders(ONE, EVERYWHERE, psi_orders);
     /// y Ψ^± = s_p^± y − α ω f_p η + O(2).
-    stability_of_many_loops: orders(Loops::Many, EVERYWHERE, psi_orders);
+    stability_of_many_loops: orders(MANY, EVERYWHERE, psi_orders);
 }

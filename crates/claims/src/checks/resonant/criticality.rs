@@ -6,9 +6,9 @@ use grazing_model::ImpactOscillator;
 
 use super::discussion::{ROUTE, of_figure_7};
 use super::doubled::DoubledEquations;
-use super::places::{Loops, Observed, Place, agreement, lowest, order, orders, remembered};
+use super::places::{ANY, Observed, Place, lowest, order, orders, remembered};
 use super::simulation::next_impact;
-use crate::{CheckResult, Failure, Measure, Outcome};
+use crate::{CheckResult, Failure, Outcome, Votes};
 
 /// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
 fn flips(place: &Place, count: usize) -> Result<Vec<Unknowns>, Failure> {
@@ -62,7 +62,7 @@ fn criticality(place: &Place, flip: &Unknowns, simulate: bool) -> Result<Critica
 /// y² c of the normal form, along the PD curve and as y falls to 0, less the closed form at the resonance; c counted in the impact
 /// velocity.
 pub(crate) fn criterion_at_resonance() -> CheckResult {
-    orders(Loops::Any, "PD curves running into resonances with p up to 5", |place| {
+    orders(ANY, "PD curves running into resonances with p up to 5", |place| {
         let limit = coefficient_at_resonance(place.point());
         let curve = &place.curves()[1];
         let observed = order(|y| {
@@ -103,8 +103,7 @@ pub(crate) fn criticality_of_figure_7() -> CheckResult {
         }
     }
     let over = "points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along";
-    let agreeing = printed.iter().filter(|unstable| **unstable).count();
-    Ok(agreement(&cases, over).against_print(Measure::Agreement { agreeing, cases: printed.len() }))
+    Ok(Votes::of(cases).outcome(over).against_print(Votes::of(printed).measure()))
 }
 
 /// The order in η of μ at the grazing member of the period-doubled family, and of its first impact velocity.

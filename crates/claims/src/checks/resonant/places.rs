@@ -1,13 +1,14 @@
 //! Resonances to measure at, and points near them.
 
+use core::ops::RangeInclusive;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, LoopPair, MaximalPeriodicSolution, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::maps::global_iterate;
+use grazing_model::maps::{MapError, global_iterate};
 use grazing_model::{AtRest, ImpactOscillator};
 use grazing_theorems::auxiliary::modulus_power;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
@@ -16,7 +17,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use crate::convergence;
 use crate::specimen::{Grazing, Law, Specimen, damping_for_decay};
-use crate::{CheckResult, Failure, Measure, Outcome, Sampler};
+use crate::{CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Votes};
 
 /// A resonant grazing point of one oscillator.
 pub(crate) struct Place {
@@ -128,6 +129,16 @@ impl Place {
         self.located([curve.condition, Condition::Secondary(near.unknowns[3])], near)
     }
 
+    /// The two ways from the impact of a point to one surface, to first order.
+    pub(crate) fn pair(&self, near: &Near) -> Result<LoopPair, MapError> {
+        self.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default())
+    }
+
+    /// The MPS at a point.
+    pub(crate) fn solution(&self, near: &Near) -> MaximalPeriodicSolution {
+        self.resonance.equations().solution(&near.unknowns).0
+    }
+
     fn located(&self, conditions: [Condition; 2], near: Near) -> Option<Near> {
         let unknowns =
             locate(self.resonance.equations(), conditions, near.unknowns, &mut EventTimes::default()).ok()?;
@@ -184,22 +195,13 @@ impl Near {
 }
 
 /// Which numbers of loops.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Loops {
-    One,
-    Many,
-    Any,
-}
-
-impl Loops {
-    fn includes(self, loops: u32) -> bool {
-        match self {
-            Self::One => loops == 1,
-            Self::Many => loops > 1,
-            Self::Any => true,
-        }
-    }
-}
+pub(crate) type Loops = RangeInclusive<u32>;
+/// One loop.
+pub(crate) const ONE: Loops = 1..=1;
+/// Two loops and more.
+pub(crate) const MANY: Loops = 2..=5;
+/// All that there are resonances of in [`everywhere`].
+pub(crate) const ANY: Loops = 1..=5;
 
 /// The resonances at which everything is measured: of the linear oscillator, of one with a reset law that varies, and of one with a
 /// force that is not linear.
@@ -209,7 +211,7 @@ static PLACES: LazyLock<Result<Vec<Place>, String>> =
 fn places() -> Result<Vec<Place>, Failure> {
     let mut sampler = Sampler::new(5);
     let mut found = Vec::new();
-    let indices = (1..=5_u32).flat_map(|loops| (1..=if loops == 1 { 4 } else { 2 }).map(move |n| (loops, n)));
+    let indices = ANY.flat_map(|loops| (1..=if loops == 1 { 4 } else { 2 }).map(move |n| (loops, n)));
     for (loops, n) in indices {
         // Smaller E_p make the leading terms so small that they drown in rounding.
         let damping = damping_for_decay(loops, n, sampler.between(0.15, 0.8));
@@ -230,7 +232,7 @@ pub(crate) fn everywhere<T>(
 ) -> Result<Vec<T>, Failure> {
     let mut found = Vec::new();
     for place in PLACES.as_ref().map_err(String::as_str)? {
-        if which.includes(place.loops()) {
+        if which.contains(&place.loops()) {
             found.extend(measure(place)?);
         }
     }
@@ -247,6 +249,16 @@ pub(crate) fn orders(
     Ok(Outcome::new(lowest(&orders), orders.len(), over))
 }
 
+/// The same for what is corrected and for what is printed.
+pub(crate) fn orders_against_print(
+    which: Loops,
+    corrected: impl Fn(&Place) -> Result<Vec<Observed>, Failure>,
+    printed: impl Fn(&Place) -> Result<Vec<Observed>, Failure>,
+) -> CheckResult {
+    let printed = lowest(&everywhere(which.clone(), printed)?);
+    Ok(orders(which, EVERYWHERE, corrected)?.against_print(printed))
+}
+
 /// The largest of the deviations that a function finds everywhere, as an outcome.
 pub(crate) fn deviation(
     which: Loops,
@@ -254,14 +266,16 @@ pub(crate) fn deviation(
     over: &str,
     measure: impl Fn(&Place) -> Result<Vec<f64>, Failure>,
 ) -> CheckResult {
-    let gaps = everywhere(which, measure)?;
-    Ok(Outcome::new(Measure::Deviation { largest: largest(&gaps), tolerance }, gaps.len(), over))
+    Ok(Deviations::of(everywhere(which, measure)?).outcome(tolerance, over))
 }
 
-/// The cases that agree, as an outcome.
-pub(crate) fn agreement(cases: &[bool], over: &str) -> Outcome {
-    let agreeing = cases.iter().filter(|agrees| **agrees).count();
-    Outcome::new(Measure::Agreement { agreeing, cases: cases.len() }, cases.len(), over)
+/// The cases that agree among those that a function finds everywhere, as an outcome.
+pub(crate) fn agreement(
+    which: Loops,
+    over: &str,
+    measure: impl Fn(&Place) -> Result<Vec<bool>, Failure>,
+) -> CheckResult {
+    Ok(Votes::of(everywhere(which, measure)?).outcome(over))
 }
 
 /// The words for the samples of [`everywhere`] where they are remainders.
@@ -301,11 +315,6 @@ pub(crate) fn lowest(orders: &[Observed]) -> Measure {
     let worst = all().reduce(lower).filter(|order| !measure(*order).holds());
     let told = worst.or_else(|| all().filter(|order| order.1 == highest).reduce(lower));
     measure(told.unwrap_or((f64::NAN, f64::NAN)))
-}
-
-/// The largest of some deviations, or what is not a number among them.
-pub(crate) fn largest(gaps: &[f64]) -> f64 {
-    gaps.iter().copied().fold(0.0, |a: f64, b| if a.is_nan() || b <= a { a } else { b })
 }
 
 /// Directions (y, z, μ, η) in which points approach a resonance, y of either sign and never small.
