@@ -3,7 +3,9 @@
 use grazing_continuation::mps::EventTimes;
 use grazing_model::maps::{global_map, virtual_map};
 use grazing_model::{AtRest, ImpactOscillator, OnWall};
-use grazing_theorems::auxiliary::{admissibility_sum, lucas_sequence, scaled_visit_position};
+use grazing_theorems::auxiliary::{
+    admissibility_sum, lucas_partial_sum, lucas_sequence, scaled_visit_position,
+};
 use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
 
@@ -176,7 +178,9 @@ pub(crate) fn first_position() -> CheckResult {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
         let size = pair.moduli().t(p).re;
-        deviations.see((pair.t(p) + scaled_visit_position(1, p, tau, delta)).norm() / size);
+        let first = scaled_visit_position(1, p, tau, delta);
+        let by_recurrence = (first + lucas_partial_sum(p, tau, delta)).abs();
+        deviations.see((pair.t(p) + first).norm().max(by_recurrence) / size);
     });
     // As for eq:SpTp.
     Ok(deviations.outcome(1e-14, "points of the trapesium, p = 2 to 15"))

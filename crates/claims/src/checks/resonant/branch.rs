@@ -74,7 +74,7 @@ pub(crate) fn at_zero_velocity() -> CheckResult {
 
 /// Orders of Z − z_graz,η − k₁ y and of M − k₂ y² − k₃ η y.
 fn branch_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let branch = place.resonance.theorem().branch();
+    let branch = place.point().branch_expansion();
     let mut found = Vec::new();
     for [y, eta] in RATIOS {
         let remainder = remembered(|size| {
