@@ -76,27 +76,3 @@ impl Pair {
         (-self.first + 1.0) * (-self.second + 1.0)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn short_sums_are_exact() {
-        let (tau, delta) = (0.75, 0.125);
-        let pair = Pair::new(tau, delta);
-        assert_eq!((pair.first.re, pair.second.re), (0.5, 0.25));
-        assert_eq!([0, 1, 2, 3].map(|j| pair.s(j).re), [0.0, 1.0, tau, tau * tau - delta]);
-        assert_eq!([1, 2, 3].map(|p| pair.t(p).re), [0.0, 1.0, 1.0 + tau]);
-        assert_eq!([1, 2, 3].map(|p| pair.h(p).re), [0.0, 1.0, 1.0 + tau / delta]);
-        assert_eq!(power(Complex::new(2.0, 0.0), -2).re, 0.25);
-    }
-
-    #[test]
-    fn complex_pairs_are_conjugate() {
-        let pair = Pair::new(0.5, 0.5);
-        assert_eq!(pair.first.conj(), pair.second);
-        assert!((pair.monomial(1, 1) - 0.5).norm() < 1e-16);
-        assert!(pair.first.im > 0.0);
-    }
-}

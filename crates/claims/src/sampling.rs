@@ -109,17 +109,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_same_seed_gives_the_same_numbers_inside_the_range() {
-        let numbers = |seed| {
-            let mut sampler = Sampler::new(seed);
-            [(); 100].map(|()| sampler.between(-2.0, 3.0))
-        };
-        assert_eq!(numbers(1), numbers(1));
-        assert_ne!(numbers(1), numbers(2));
-        assert!(numbers(1).iter().all(|x| (-2.0..=3.0).contains(x)));
-    }
-
-    #[test]
     fn the_bottom_of_a_slanted_valley_is_found() {
         let valley = |[x, y]: [f64; 2]| {
             let (u, v) = (x + y - 0.9, x - y - 0.3);

@@ -314,14 +314,10 @@ fn simulate(
 mod tests {
     use super::*;
 
-    fn row() -> GenericRow {
-        let case = GenericCase { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, omega: 0.83 };
-        GenericRow::of(case).expect("the case can be worked out")
-    }
-
     #[test]
     fn each_thing_that_is_seen_is_needed_for_an_agreement() {
-        let good = row();
+        let case = GenericCase { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, omega: 0.83 };
+        let good = GenericRow::of(case).expect("the case can be worked out");
         assert_eq!(good.verdict, Verdict::Agreement);
         let Some(side) = good.predicted else { panic!("the theorem applies") };
         let other = if side == Side::Positive { Side::Negative } else { Side::Positive };
@@ -338,12 +334,5 @@ mod tests {
         for row in spoiled {
             assert_eq!(row.judge(), Verdict::Unexplained, "{row:?}");
         }
-    }
-
-    #[test]
-    fn the_polynomial_through_points_of_a_cubic_has_its_value_at_zero() {
-        let cubic = |x: f64| 2.0 + x * (1.0 - x * (3.0 - x));
-        let at = [0.1, 0.25, -0.2, 0.4];
-        assert!((to_zero(&at, at.map(cubic).to_vec()) - 2.0).abs() < 1e-14);
     }
 }

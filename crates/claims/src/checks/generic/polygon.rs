@@ -261,15 +261,4 @@ mod tests {
             }
         }
     }
-
-    #[test]
-    fn a_square_is_convex_in_order_only() {
-        let [a, b, c, d] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Vector2::new(x, y));
-        // The diagonal is seen at 45 degrees, to a rounding.
-        for square in [[a, b, c, d], [d, c, b, a]] {
-            assert!((convexity(&square) - libm::sqrt(0.5)).abs() < 1e-15);
-        }
-        assert!(convexity(&[a, c, b, d]) < 0.0);
-        assert!(cross_each_other([a, c], [b, d]) && !cross_each_other([a, b], [c, d]));
-    }
 }
