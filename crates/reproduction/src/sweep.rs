@@ -1,9 +1,8 @@
 //! Theorems 2.2 to 2.5 in action: the tables of what they predict and what is seen.
 
-use grazing_claims::sweep::generic::Existence;
 use grazing_claims::sweep::resonant::CurveRow;
 use grazing_claims::sweep::{
-    Extent, GenericRow, ResonantRow, generic_cases, generic_rows, resonant_cases, resonant_rows,
+    Existence, GenericRow, ResonantRow, generic_cases, generic_rows, resonant_cases, resonant_rows,
 };
 use grazing_results::theorems::{Generic, Resonant};
 use grazing_results::{Names, Table};
@@ -24,8 +23,8 @@ pub struct TheoremsInAction {
 
 impl TheoremsInAction {
     pub(crate) fn compute(progress: &dyn Progress) -> Result<Self, StudyError> {
-        let generic = generic_cases(Extent::Whole)?;
-        let resonant = resonant_cases(Extent::Whole)?;
+        let generic = generic_cases()?;
+        let resonant = resonant_cases()?;
         let what = "theorems 2.2 to 2.5";
         progress.begin(what, (generic.len() + resonant.len()) as u64);
         let step = || progress.step(what);

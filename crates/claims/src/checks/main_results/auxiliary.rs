@@ -13,7 +13,7 @@ use nalgebra::Matrix2;
 
 use super::theorems::general::side_of_orbit;
 use crate::specimen::{Exponential, Law, damping_for_decay};
-use crate::sweep::generic::Existence;
+use crate::sweep::Existence;
 use crate::{
     CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Smallest, Votes, order, printed, smallest,
 };

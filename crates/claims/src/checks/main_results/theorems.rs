@@ -15,10 +15,9 @@ use self::general::{side_of_curve, side_of_orbit};
 use crate::checks::generic::specimens::specimens;
 use crate::specimen::{DELAY, Exponential, Grazing, Law, damping_for_decay};
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
-use crate::sweep::generic::Existence;
 use crate::sweep::resonant::FIT_TOLERANCE;
 use crate::sweep::{
-    Extent, GenericRow, ResonantRow, Verdict, generic_cases, generic_rows, resonant_cases, resonant_rows,
+    Existence, GenericRow, ResonantRow, Verdict, generic_cases, generic_rows, resonant_cases, resonant_rows,
 };
 use crate::{CheckResult, Failure, Votes};
 use grazing_unfold::simulation::{Seen, Suspect};
@@ -221,7 +220,7 @@ fn general_resonances(count: &mut Votes, cases: &[(u32, u32)]) -> Result<(), Fai
 }
 
 fn generic_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
-    let mut cases = generic_cases(Extent::Whole)?;
+    let mut cases = generic_cases()?;
     cases.retain(|case| wanted(case.loops));
     let rows: Vec<GenericRow> = generic_rows(&cases, || ())?;
     rows.iter().for_each(|row| judged(count, row.verdict));
@@ -229,7 +228,7 @@ fn generic_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), 
 }
 
 fn resonant_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
-    let mut cases = resonant_cases(Extent::Whole)?;
+    let mut cases = resonant_cases()?;
     cases.retain(|case| wanted(case.loops));
     let rows: Vec<ResonantRow> = resonant_rows(&cases, || ())?;
     rows.iter().for_each(|row| judged(count, row.verdict));
