@@ -120,7 +120,7 @@ fn assemble(
     let published: Vec<PublishedEntry> = published.into_iter().map(entry).collect();
     let root = project::root();
     let sources = root.as_deref().map(links::sources).unwrap_or_default();
-    let ledger = Ledger::of_the_paper()?;
+    let ledger = Ledger::of_the_paper();
     let all: Vec<_> = ledger.claims.iter().collect();
     let findings = claims::findings(parameters, &all, &display)?;
     let claims = findings.iter().map(|finding| ledger::entry(finding, &published, &sources)).collect();

@@ -7,11 +7,9 @@ use grazing_model::maps::{global_iterate, global_map};
 use grazing_theorems::Resonance;
 use grazing_theorems::from_map::GrazingOrbit;
 
-use super::printed_flow::{CLOSED, DIFFERENCES, Turn, model};
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
+use super::printed_flow::{CLOSED, DIFFERENCES, Turn};
 use crate::specimen::damping_for_decay;
-use crate::tally::Deviations;
+use crate::{CheckResult, Deviations, Failure, Sampler};
 
 /// Resonances with p loops, E_p and ε at random.
 fn resonances(loops: &[u32], count: usize) -> Result<Vec<Resonance>, grazing_theorems::TheoryError> {
@@ -52,30 +50,29 @@ fn parity(resonance: &Resonance) -> f64 {
 /// ξ_p of the iterated map at a resonance.
 fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
     let grazing = resonance.grazing();
-    let jet =
-        global_iterate::<_, 2>(&model(&grazing)?, resonance.loops(), AtRest::new(0.0, grazing.phase()))?;
+    let jet = global_iterate::<_, 2>(&grazing.model(), resonance.loops(), AtRest::new(0.0, grazing.phase()))?;
     Ok(jet.hessians[0][(1, 1)])
 }
 
 /// eq:xi1proof3.
-pub(super) fn resonant_second_derivative_of_one_loop() -> CheckResult {
+pub(crate) fn resonant_second_derivative_of_one_loop() -> CheckResult {
     at_resonances(&[1], ONE, 1e-14, |resonance| {
         Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
     })
 }
 
 /// eq:xipproof3.
-pub(super) fn resonant_second_derivative_of_many_loops() -> CheckResult {
+pub(crate) fn resonant_second_derivative_of_many_loops() -> CheckResult {
     at_resonances(MORE_LOOPS, MANY, 1e-13, |resonance| {
         Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
     })
 }
 
 /// a₁₁ = a₂₂ = (−1)ⁿ E₁ and the values of sine and cosine at resonance.
-pub(super) fn diagonal_at_resonance() -> CheckResult {
+pub(crate) fn diagonal_at_resonance() -> CheckResult {
     at_resonances(&[1], ONE, CLOSED, |resonance| {
         let grazing = resonance.grazing();
-        let jet = global_map::<_, 1>(&model(&grazing)?, AtRest::new(0.0, grazing.phase()), None)?.jet;
+        let jet = global_map::<_, 1>(&grazing.model(), AtRest::new(0.0, grazing.phase()), None)?.jet;
         let stated = parity(resonance) * grazing.decay(1);
         let turn = Turn::new(&grazing, 1);
         let angles = [(turn.sine, 0.0), (turn.cosine, parity(resonance))];
@@ -87,7 +84,7 @@ pub(super) fn diagonal_at_resonance() -> CheckResult {
 }
 
 /// sin and cos of 2πp ω₁/ω and of 2πω₁/ω at a resonance with p ≥ 2.
-pub(super) fn angles_at_resonance() -> CheckResult {
+pub(crate) fn angles_at_resonance() -> CheckResult {
     at_resonances(MORE_LOOPS, MANY, CLOSED, |resonance| {
         let (once, whole) =
             (Turn::new(&resonance.grazing(), 1), Turn::new(&resonance.grazing(), resonance.loops()));
@@ -101,7 +98,7 @@ pub(super) fn angles_at_resonance() -> CheckResult {
 fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> f64) -> CheckResult {
     at_resonances(loops, over, 1e-12, |resonance| {
         let grazing = resonance.grazing();
-        let orbit = GrazingOrbit::find(&model(&grazing)?, grazing.phase())?;
+        let orbit = GrazingOrbit::find(&grazing.model(), grazing.phase())?;
         let general = orbit.resonant_point(resonance.loops())?.stability_coefficients();
         let stated = resonance.stability_coefficients();
         let pairs = [(1.0, general.plus, stated.plus), (-1.0, general.minus, stated.minus)];
@@ -111,7 +108,7 @@ fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> 
 }
 
 /// eq:xi1proof4.
-pub(super) fn stability_of_one_loop() -> CheckResult {
+pub(crate) fn stability_of_one_loop() -> CheckResult {
     stability(&[1], ONE, |resonance, side| {
         let (decay, sign) = (resonance.grazing().decay(1), parity(resonance));
         let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
@@ -122,7 +119,7 @@ pub(super) fn stability_of_one_loop() -> CheckResult {
 }
 
 /// eq:xipproof4.
-pub(super) fn stability_of_many_loops() -> CheckResult {
+pub(crate) fn stability_of_many_loops() -> CheckResult {
     stability(MORE_LOOPS, MANY, |resonance, side| {
         let decay = resonance.grazing().decay(resonance.loops());
         let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
@@ -136,7 +133,7 @@ fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> 
     let theory = resonance.grazing().oscillator();
     let at = |h: f64| -> Result<f64, Failure> {
         let state = theory.grazing(resonance.forcing_frequency() + h)?;
-        Ok(of(&global_map::<_, 1>(&model(&state)?, AtRest::new(0.0, state.phase()), None)?.jet.derivative()))
+        Ok(of(&global_map::<_, 1>(&state.model(), AtRest::new(0.0, state.phase()), None)?.jet.derivative()))
     };
     // Angles 2πω₁/ω change fast at low ω: the step shrinks with ω².
     let step = 2e-3 * resonance.forcing_frequency() * resonance.forcing_frequency();
@@ -148,11 +145,11 @@ fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> 
 }
 
 /// eq:xi1proof5.
-pub(super) fn slope_of_one_loop() -> CheckResult {
+pub(crate) fn slope_of_one_loop() -> CheckResult {
     at_resonances(&[1], ONE, DIFFERENCES, |resonance| {
         let measured = along_grazing(resonance, |a| a.m12)?;
         let general = resonance.grazing().off_diagonal_derivative();
-        Ok(vec![(measured, resonance.unfolding().derivative()), (measured, general)])
+        Ok(vec![(measured, resonance.unfolding().derivative), (measured, general)])
     })
 }
 
@@ -161,7 +158,7 @@ fn detuning(loops: u32) -> impl Fn(&nalgebra::Matrix2<f64>) -> f64 {
 }
 
 /// The display of κ_p', at resonances of other numbers of loops than p too.
-pub(super) fn detuning_derivative() -> CheckResult {
+pub(crate) fn detuning_derivative() -> CheckResult {
     at_resonances(&[1, 2, 3, 4, 5, 6], "grazing states, p = 2 to 5", DIFFERENCES, |resonance| {
         let pair =
             |p: u32| Ok((along_grazing(resonance, detuning(p))?, resonance.grazing().detuning_derivative(p)));
@@ -170,15 +167,15 @@ pub(super) fn detuning_derivative() -> CheckResult {
 }
 
 /// eq:xipproof5.
-pub(super) fn slope_of_many_loops() -> CheckResult {
+pub(crate) fn slope_of_many_loops() -> CheckResult {
     at_resonances(MORE_LOOPS, MANY, DIFFERENCES, |resonance| {
         let measured = along_grazing(resonance, detuning(resonance.loops()))?;
-        Ok(vec![(measured, resonance.unfolding().derivative())])
+        Ok(vec![(measured, resonance.unfolding().derivative)])
     })
 }
 
 /// The last steps of both proofs: the general coefficients at resonance are those of Propositions 3.2 and 3.3.
-pub(super) fn coefficients() -> CheckResult {
+pub(crate) fn coefficients() -> CheckResult {
     at_resonances(&[1, 2, 3, 4, 5, 6], "resonances with p = 1 to 6, E and ε at random", 1e-11, |resonance| {
         let point = resonance.resonant_point();
         // Divided by the stated number: the coefficients have sizes of all orders, and c_PD loses digits where s⁻ is small.

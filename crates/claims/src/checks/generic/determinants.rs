@@ -6,9 +6,7 @@ use nalgebra::Matrix2;
 use super::specimens::{sampled_map, sampled_point, specimens};
 use super::vivid::derivatives;
 use crate::eigenvalues::{Pair, power};
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
-use crate::tally::Deviations;
+use crate::{CheckResult, Deviations, Sampler, sampled};
 
 /// J and K.
 fn matrices_of(point: &GrazingPoint, p: u32) -> (Matrix2<f64>, Matrix2<f64>) {
@@ -78,29 +76,23 @@ fn determinant_size(matrix: &Matrix2<f64>, point: &GrazingPoint) -> f64 {
 
 /// eq:detJac1detJac2: the determinants of the printed matrices.
 pub(crate) fn determinants() -> CheckResult {
-    let mut sampler = Sampler::new(4);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = 1 + index % 12;
-        let map = sampled_map(&mut sampler);
-        let point = sampled_point(&mut sampler, map);
+    let deviations = sampled(4, 2000, 1..=12, |sampler, p, deviations: &mut Deviations| {
+        let map = sampled_map(sampler);
+        let point = sampled_point(sampler, map);
         let (j, k) = matrices_of(&point, p);
         let [first, second, _] = stated(&point, p);
         deviations.see((j.determinant() - first) / determinant_size(&j, &point));
         deviations.see((k.determinant() - second) / determinant_size(&k, &point));
-    }
+    });
     // Tens of roundings of the numbers by which deviations are divided.
     Ok(deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"))
 }
 
 /// eq:detJac2: det K in factors, also near τ = δ + 1 and near double eigenvalues.
 pub(crate) fn factored_determinant() -> CheckResult {
-    let mut sampler = Sampler::new(5);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = 1 + index % 12;
-        let map = sampled_map(&mut sampler);
-        let point = sampled_point(&mut sampler, map);
+    let deviations = sampled(5, 2000, 1..=12, |sampler, p, deviations: &mut Deviations| {
+        let map = sampled_map(sampler);
+        let point = sampled_point(sampler, map);
         let (_, k) = matrices_of(&point, p);
         let printed = factored_by_eigenvalues(&point, p as i32);
         let [_, _, factored] = stated(&point, p);
@@ -108,7 +100,7 @@ pub(crate) fn factored_determinant() -> CheckResult {
         // The quotient has the rounding of 1 − λ₁ in its denominator.
         let gap = Pair::new(point.map.a.trace(), point.map.a.determinant()).gap().norm().min(1.0);
         deviations.see((k.determinant() - printed) * gap / determinant_size(&k, &point));
-    }
+    });
     Ok(deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"))
 }
 

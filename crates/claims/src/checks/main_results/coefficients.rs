@@ -8,11 +8,8 @@ use grazing_theorems::LinearisedMap;
 
 use super::returns::derivative as difference;
 use crate::checks::resonant::places::{Bifurcation, Place};
-use crate::convergence::order;
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
 use crate::specimen::Law;
-use crate::tally::{Deviations, Smallest};
+use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, order};
 
 /// A resonance with one of these numbers of loops at which s^± are not within a twentieth of zero, nor the impact
 /// velocity along either curve within a fifth of η: then the curves are seen at small velocities.
@@ -53,7 +50,7 @@ fn stability(seed: u64, loops: &[u32]) -> Result<Smallest, Failure> {
 }
 
 /// eq:c1.
-pub(super) fn stability_one_loop() -> CheckResult {
+pub(crate) fn stability_one_loop() -> CheckResult {
     // Slack for the term of second order at the smallest resolved velocities.
     Ok(stability(61, &[1])?.order(
         1.0,
@@ -63,7 +60,7 @@ pub(super) fn stability_one_loop() -> CheckResult {
 }
 
 /// eq:cp.
-pub(super) fn stability_many_loops() -> CheckResult {
+pub(crate) fn stability_many_loops() -> CheckResult {
     let over = "resonances p = 2, 3, 4 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0";
     // Slack as for one loop.
     Ok(stability(62, &[2, 3, 4])?.order(1.0, 0.3, over))
@@ -88,19 +85,19 @@ fn fitted(seed: u64, loops: &[u32]) -> Result<Deviations, Failure> {
 const FIT: f64 = 1e-7;
 
 /// eq:coeffs1.
-pub(super) fn curves_one_loop() -> CheckResult {
+pub(crate) fn curves_one_loop() -> CheckResult {
     let over = "c_SN and c_PD at resonances p = 1 with ψ ≠ 0, against fits to continued curves";
     Ok(fitted(63, &[1])?.outcome(FIT, over))
 }
 
 /// eq:coeffsp.
-pub(super) fn curves_many_loops() -> CheckResult {
+pub(crate) fn curves_many_loops() -> CheckResult {
     let over = "c_SN and c_PD at resonances p = 2, 3, 4 with ψ ≠ 0, against fits to continued curves";
     Ok(fitted(64, &[2, 3, 4])?.outcome(FIT, over))
 }
 
 /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
-pub(super) fn unfolding_derivatives() -> CheckResult {
+pub(crate) fn unfolding_derivatives() -> CheckResult {
     let mut sampler = Sampler::new(65);
     let mut largest = Deviations::default();
     for _ in 0..30 {
@@ -112,7 +109,7 @@ pub(super) fn unfolding_derivatives() -> CheckResult {
             let cosine = libm::cos(PI / f64::from(loops));
             Ok([if loops == 1 { a.m12 } else { a.trace() - 2.0 * a.determinant().sqrt() * cosine }])
         })?;
-        let stated = place.point().unfolding.derivative();
+        let stated = place.point().unfolding.derivative;
         largest.compare(measured, stated, stated.abs().max(1.0));
     }
     // Rounding 10⁻¹⁴ over the step 10⁻⁴.

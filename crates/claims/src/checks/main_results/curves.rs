@@ -4,10 +4,7 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, unknown};
 
 use super::coefficients::resonant;
-use crate::convergence::order;
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
-use crate::tally::{Smallest, Votes};
+use crate::{CheckResult, Sampler, Smallest, Votes, order};
 
 /// The order of μ − cη² along the SN (`curve` 0) or PD (1) curve as the impact velocity, to which η is proportional, tends to zero.
 fn remainder(seed: u64, loops: &[u32], curve: usize) -> CheckResult {
@@ -35,28 +32,8 @@ fn remainder(seed: u64, loops: &[u32], curve: usize) -> CheckResult {
     Ok(least.order(3.0, 0.3, "resonances of random oscillators with ψ ≠ 0, points of the continued curve"))
 }
 
-/// eq:sn1.
-pub(super) fn saddle_node_one_loop() -> CheckResult {
-    remainder(71, &[1], 0)
-}
-
-/// eq:pd1.
-pub(super) fn period_doubling_one_loop() -> CheckResult {
-    remainder(72, &[1], 1)
-}
-
-/// eq:snp.
-pub(super) fn saddle_node_many_loops() -> CheckResult {
-    remainder(73, &[2, 3, 4], 0)
-}
-
-/// eq:pdp.
-pub(super) fn period_doubling_many_loops() -> CheckResult {
-    remainder(74, &[2, 3, 4], 1)
-}
-
 /// Across the SN curve two MPSs on one side of μ become none, and across the PD curve a multiplier passes through −1.
-pub(super) fn crossing() -> CheckResult {
+pub(crate) fn crossing() -> CheckResult {
     let mut sampler = Sampler::new(75);
     let mut cases = Votes::default();
     for _ in 0..30 {
@@ -90,4 +67,15 @@ pub(super) fn crossing() -> CheckResult {
         }
     }
     Ok(cases.outcome("SN and PD curves of random oscillators, crossed along the branch at fixed η"))
+}
+
+checks! {
+    /// eq:sn1.
+    saddle_node_one_loop: remainder(71, &[1], 0);
+    /// eq:pd1.
+    period_doubling_one_loop: remainder(72, &[1], 1);
+    /// eq:snp.
+    saddle_node_many_loops: remainder(73, &[2, 3, 4], 0);
+    /// eq:pdp.
+    period_doubling_many_loops: remainder(74, &[2, 3, 4], 1);
 }
