@@ -94,19 +94,19 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
     let width = width.mm(WIDTH_MM);
     let canvas = Canvas::new(width, (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM))?;
     let bounds = bounds(&canvas, &window, plane)?;
-    let panel = Panel::new(&canvas, window, bounds).showing(&diagram.tables).over(plane);
+    let panel = Panel { tables: &diagram.tables, plane: Some(plane), ..Panel::new(&canvas, window, bounds) };
     let mut labels = Labels::new(&canvas, bounds);
 
     let mut shapes: Vec<(u32, Vec<Spot>)> = Vec::new();
     for region in &regions {
-        let shape = region.draw(&panel)?;
+        let shape = region.draw(&panel);
         if region.kind == RegionKind::Mps && !shape.is_empty() {
             shapes.push((region.p, shape));
         }
     }
     let mut drawn: Vec<(Bifurcation, Vec<Spot>)> = Vec::new();
     for curve in &curves {
-        for piece in panel.line(&curve.points, pen(curve.kind))? {
+        for piece in panel.line(&curve.points, pen(curve.kind)) {
             labels.placer.keep_off(&piece);
             drawn.push((curve.kind, piece));
         }
@@ -114,14 +114,14 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
     let mut section_ends: Vec<(Spot, &str)> = Vec::new();
     for section in diagram.sections {
         let [from, to] = [0, 1].map(|end| (section.across[end], section.up[end]));
-        for piece in panel.line(&[from, to], SECTION)? {
+        for piece in panel.line(&[from, to], SECTION) {
             labels.placer.keep_off(&piece);
             section_ends.extend(piece.last().map(|&end| (end, section.label.as_str())));
         }
     }
     let mut unnamed: Vec<(u32, Spot)> = Vec::new();
     for marked in &markers {
-        if let Some(taken) = panel.marker(marked.point, marked.marker)? {
+        if let Some(taken) = panel.marker(marked.point, marked.marker) {
             labels.placer.block(taken.grown(0.5));
             if marked.marker == Marker::Triangle && !shapes.iter().any(|(p, _)| *p == marked.p) {
                 unnamed.push((marked.p, taken.centre()));
@@ -130,7 +130,7 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
     }
     let mut boxes = Vec::new();
     for magnified in diagram.magnified {
-        let outline = rectangle(&panel, &magnified.window, &mut labels)?;
+        let outline = rectangle(&panel, &magnified.window, &mut labels);
         boxes.extend(outline.map(|outline| (magnified.panel, outline)));
     }
     panel.axes(&plane.across.title, &plane.up.title)?;
@@ -154,15 +154,14 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
     }
     labels.name_curves(drawn, LABELLED_LENGTH, &plane.grazing)?;
     labels.draw()?;
-    drop(panel);
     Ok(canvas)
 }
 
 /// Where the panel is: within the margins, wider ones if the numbers or the title need them.
 fn bounds(canvas: &Canvas, window: &Window, plane: &Plane) -> Result<Bounds, DrawingError> {
     let (top, bottom) = (MARGINS.top, canvas.height - MARGINS.bottom);
-    let left = room_beside(canvas.fonts(), window.y, bottom - top, &plane.up.title)?.max(MARGINS.left);
-    let beyond = overhang(canvas.fonts(), window.x, canvas.width - left - MARGINS.right)?;
+    let left = room_beside(&canvas.fonts, window.y, bottom - top, &plane.up.title)?.max(MARGINS.left);
+    let beyond = overhang(&canvas.fonts, window.x, canvas.width - left - MARGINS.right)?;
     let right = canvas.width - MARGINS.right.max(beyond + 2.0);
     Ok(Bounds { left, top, right, bottom })
 }
@@ -244,6 +243,18 @@ mod tests {
     }
 
     #[test]
+    fn inadmissible_rows_are_not_drawn() {
+        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
+        let count = |sample: &SampleOscillator| {
+            let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
+            crate::inspection::paths(&svg, "#1946be").len()
+        };
+        assert_eq!(count(&sample), 3, "saddle-node curves");
+        sample.curves.iter_mut().for_each(|point| point.admissible = false);
+        assert_eq!(count(&sample), 0);
+    }
+
+    #[test]
     fn axes_and_grazing_curve_bear_the_names_of_the_parameters() {
         let sample = SampleOscillator::new(["F_0", "Omega"], UNIT, UNIT, 3);
         let texts = texts(&sample);
@@ -296,7 +307,7 @@ mod tests {
             (Bifurcation::NonImpactingGrazing, 0, 0, arc, points.collect())
         };
         let pieces: Vec<_> = [(0, 0.2), (1, 0.7)].map(fold).to_vec();
-        sample.curves = crate::samples::curve_rows(pieces);
+        sample.curves = crate::sample_oscillator::curve_rows(pieces);
         sample.regions.clear();
         let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
         let curves = crate::inspection::paths(&svg, "#78c86e");

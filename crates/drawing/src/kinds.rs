@@ -3,7 +3,6 @@
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::plane::{RegionKind, RegionVertex};
 
-use crate::DrawingError;
 use crate::axes::Panel;
 use crate::sheet::Spot;
 use crate::style::{
@@ -61,11 +60,14 @@ impl Region {
     }
 
     /// Fills or hatches the region; returns its border on the sheet, if any of it shows.
-    pub(crate) fn draw(&self, panel: &Panel<'_>) -> Result<Vec<Spot>, DrawingError> {
+    pub(crate) fn draw(&self, panel: &Panel<'_>) -> Vec<Spot> {
         match self.kind {
             RegionKind::NonImpacting => panel.area(&self.rings, NON_IMPACTING_AREA),
             RegionKind::Mps | RegionKind::Both => panel.area(&self.rings, MPS_AREA),
-            RegionKind::Undecided => panel.hatch(&self.rings, UNDECIDED).map(|()| Vec::new()),
+            RegionKind::Undecided => {
+                panel.hatch(&self.rings, UNDECIDED);
+                Vec::new()
+            }
         }
     }
 }

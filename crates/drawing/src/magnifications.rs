@@ -124,10 +124,12 @@ fn draw_sheet(
     let canvas = Canvas::new(grid.width_mm(), grid.height_mm())?;
     for (place, (MagnifiedPanel { shown, .. }, caption)) in panels.iter().zip(captions).enumerate() {
         let bounds = grid.bounds(place);
-        let panel = Panel::new(&canvas, shown.window, bounds)
-            .showing(&[figure.table])
-            .only("panel", shown.panel)
-            .over(plane);
+        let panel = Panel {
+            tables: &[figure.table],
+            only: Some(("panel", shown.panel)),
+            plane: Some(plane),
+            ..Panel::new(&canvas, shown.window, bounds)
+        };
         let own: Vec<&Curve> = content.curves.iter().filter(|curve| curve.panel == shown.panel).collect();
         draw_panel(&panel, &own, content, &plane.grazing)?;
         panel.axes(&plane.across.title, if grid.is_titled(place) { &plane.up.title } else { "" })?;
@@ -144,13 +146,13 @@ fn draw_panel(
 ) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
     for region in &content.regions {
-        region.draw(panel)?;
+        region.draw(panel);
     }
     let mut drawn: Vec<(Bifurcation, Vec<Spot>)> = Vec::new();
     for curve in curves {
         let pen = pen(curve.kind);
         let pen = if curve.approximate { approximation(pen) } else { pen };
-        for piece in panel.line(&curve.points, pen)? {
+        for piece in panel.line(&curve.points, pen) {
             if curve.approximate {
                 labels.placer.keep_off_nameless(&piece);
             } else {
@@ -160,7 +162,7 @@ fn draw_panel(
         }
     }
     for marked in &content.markers {
-        if let Some(taken) = panel.marker(marked.point, marked.marker)? {
+        if let Some(taken) = panel.marker(marked.point, marked.marker) {
             labels.placer.block(taken.grown(0.5));
         }
     }
@@ -232,12 +234,19 @@ mod tests {
     }
 
     #[test]
+    fn only_approximations_are_plainly_dashed() {
+        let svgs = draw_magnifications(&sample(3).magnifications(), SheetWidth::Paper).unwrap();
+        // Two approximations in each of three panels.
+        assert_eq!(svgs[0].matches("stroke-dasharray=\"3.2 2\"").count(), 6);
+    }
+
+    #[test]
     fn sheets_are_no_taller_than_a_page_with_its_caption() {
         for sample in oscillators() {
             for width in WIDTHS {
                 for sheet in compose(&sample.magnifications(), width).unwrap() {
                     // A4 less margins of 30 mm above and below, and 30 mm for the caption.
-                    assert!(sheet.height < (297.0 - 90.0) * crate::svg_backend::POINTS_PER_MM);
+                    assert!(sheet.height < (297.0 - 90.0) * crate::svg::POINTS_PER_MM);
                 }
             }
         }
