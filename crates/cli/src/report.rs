@@ -1,19 +1,17 @@
 //! `grazing report`: everything on one page.
 
-mod ledger;
 mod links;
 pub(crate) mod oscillators;
 mod versions;
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_claims::ledger::Ledger;
-use grazing_report::{Figure, Manifest, OutputFile, PublishedEntry, State, TableOutput, page};
+use grazing_report::{Counts, Figure, Manifest, OutputFile, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_reproduction::published::{Comparison, Published, Verdict};
+use grazing_reproduction::published::Published;
 use grazing_source::Setting;
 
 use crate::arguments::Report;
@@ -42,7 +40,8 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     if let Some(jobs) = arguments.jobs {
         start_threads(jobs)?;
     }
-    let report = assemble(arguments, &parameter_file, &parameters, &sources, &folder)?;
+    let stated = (Ledger::of_the_paper()?, Published::printed()?);
+    let report = assemble(arguments, &stated, &parameter_file, &parameters, &sources, &folder)?;
     let content = page(&report).into_bytes();
     let (missing, all) = (report.missing.len(), outputs::ALL.len() + sources.len());
     let size = content.len();
@@ -69,13 +68,14 @@ fn place(output: &Path) -> Result<(PathBuf, PathBuf), Failure> {
 }
 
 /// Everything that the page shows.
-fn assemble(
+fn assemble<'a>(
     arguments: &Report,
+    (ledger, printed): &'a (Ledger, Published),
     parameter_file: &Path,
     parameters: &Parameters,
     oscillators: &[Source],
     page_folder: &Path,
-) -> Result<grazing_report::Report, Failure> {
+) -> Result<grazing_report::Report<'a>, Failure> {
     let display = Display::new();
     let (mut shown, mut entries, mut missing) = (Vec::new(), Vec::new(), Vec::new());
     for source in oscillators {
@@ -112,17 +112,16 @@ fn assemble(
     }
     // Their names are numbered as in the paper; the registry has them in the order in which they are best made.
     figures.sort_by(|a, b| a.name.cmp(&b.name));
-    let published = published(&study).unwrap_or_else(|failure| {
-        missing.push(failure.to_string());
-        Vec::new()
-    });
-    let root = project::root();
-    let sources = root.as_deref().map(links::sources).unwrap_or_default();
-    let ledger = Ledger::of_the_paper()?;
+    let published = match study.published_values() {
+        Ok(computed) => printed.compare(&computed),
+        Err(error) => {
+            missing.push(computation("published values", &error).to_string());
+            Vec::new()
+        }
+    };
     let all: Vec<_> = ledger.claims.iter().collect();
-    let findings = claims::findings(parameters, &all, &display)?;
-    let claims = findings.iter().map(|finding| ledger::entry(finding, &published, &sources)).collect();
-    let repository = root;
+    let claims = claims::findings(parameters, &all, &display)?;
+    let repository = project::root();
     let root = repository.as_deref().and_then(|root| links::relative(page_folder, root));
     let placed = shown.iter().zip(entries);
     let oscillators =
@@ -133,6 +132,7 @@ fn assemble(
         tables,
         published,
         claims,
+        sources: repository.as_deref().map(links::sources).unwrap_or_default(),
         oscillators,
         missing,
         manifest: Manifest {
@@ -162,35 +162,9 @@ fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// The published values with the computed ones.
-fn published(study: &Study<'_>) -> Result<Vec<PublishedEntry>, Failure> {
-    let computed: BTreeMap<String, f64> =
-        study.published_values().map_err(|error| computation("published values", &error))?;
-    Ok(Published::printed()?.compare(&computed).iter().map(entry).collect())
-}
-
-fn entry(comparison: &Comparison<'_>) -> PublishedEntry {
-    let value = comparison.published;
-    PublishedEntry {
-        id: value.id().to_owned(),
-        quantity: value.quantity().to_owned(),
-        printed: value.printed().to_owned(),
-        computed: match comparison.verdict {
-            Verdict::Met { computed, .. } | Verdict::Off { computed, .. } => Some(computed),
-            Verdict::NotComputed => None,
-        },
-        met: comparison.is_met(),
-        label: value.label().to_owned(),
-        place: value.place().to_owned(),
-    }
-}
-
 /// What the page says at its top, and where it is.
-fn summary(report: &grazing_report::Report, output: &Path, size: usize) -> String {
-    let met = report.published.iter().filter(|entry| entry.met).count();
-    let states: Vec<State> = report.claims.iter().map(|claim| claim.verdict.state()).collect();
-    let count = |state| states.iter().filter(|found| **found == state).count();
-    let misprints = report.claims.iter().filter(|claim| claim.misprint.is_some()).count();
+fn summary(report: &grazing_report::Report<'_>, output: &Path, size: usize) -> String {
+    let Counts { met, passed, failed, unchecked, misprints } = report.counts();
     format!(
         "{path}: {megabytes:.1} MB; open it in a browser, no network is needed.\n\
          {met} of {published} published values met; claims: {passed} passed, {failed} failed, {unchecked} unchecked; \
@@ -199,9 +173,6 @@ fn summary(report: &grazing_report::Report, output: &Path, size: usize) -> Strin
         path = output.display(),
         megabytes = size as f64 / 1e6,
         published = report.published.len(),
-        passed = count(State::Passed),
-        failed = count(State::Failed),
-        unchecked = count(State::Unchecked),
         figures = report.figures.len(),
         files = report.manifest.outputs.len(),
         oscillators = report.oscillators.len(),
