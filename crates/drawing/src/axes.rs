@@ -192,7 +192,7 @@ impl<'c> Panel<'c> {
         self.frame();
         let x_numbers = Numbers::along(&canvas.fonts, self.window.x, right - left, Direction::Across)?;
         for minor in &x_numbers.minor {
-            let (x, _) = self.spot((minor.value, self.window.y[0]));
+            let (x, _) = self.spot((*minor, self.window.y[0]));
             canvas.line(&[(x, bottom), (x, bottom + MINOR_TICK_LENGTH)], TICK);
         }
         let baseline = bottom + TICK_LENGTH + TICK_GAP + 0.66 * TICK_SIZE;
@@ -203,7 +203,7 @@ impl<'c> Panel<'c> {
         }
         let y_numbers = Numbers::along(&canvas.fonts, self.window.y, bottom - top, Direction::Up)?;
         for minor in &y_numbers.minor {
-            let (_, y) = self.spot((self.window.x[0], minor.value));
+            let (_, y) = self.spot((self.window.x[0], *minor));
             canvas.line(&[(left, y), (left - MINOR_TICK_LENGTH, y)], TICK);
         }
         let reach = if y_numbers_shown { y_numbers.width } else { 0.0 };

@@ -235,14 +235,6 @@ mod tests {
     }
 
     #[test]
-    fn equal_input_gives_equal_bytes() {
-        for sample in oscillators() {
-            let svg = || draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
-            assert_eq!(svg(), svg());
-        }
-    }
-
-    #[test]
     fn inadmissible_rows_are_not_drawn() {
         let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
         let count = |sample: &SampleOscillator| {

@@ -146,43 +146,24 @@ fn outline(window: &Window) -> [(f64, f64); 5] {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::samples;
+    use grazing_results::branches::PortraitKind;
 
-    fn with_sample<T>(points: u32, test: impl Fn(&Figure02<'_>) -> T) -> T {
-        let (branches, bifurcations) = (samples::fig02_branches(), samples::fig02_bifurcations());
-        let (attractor, portraits) = (samples::fig02_attractor(points), samples::fig02_portraits());
-        test(&Figure02 {
-            branches: &branches,
-            bifurcations: &bifurcations,
-            attractor: &attractor,
-            portraits: &portraits,
-            window: Window { x: [0.7, 1.6], y: [-0.6, 1.0] },
-            magnification: Window { x: [0.9, 1.3], y: [-0.3, 0.4] },
-        })
-    }
+    use super::*;
 
     #[test]
     fn diagram_and_magnification_stand_one_above_the_other_in_one_column() {
-        let size =
-            |width| with_sample(10, |figure| compose(figure, width).map(|sheet| (sheet.width, sheet.height)));
-        let (one, paper) = (size(SheetWidth::OneColumn).unwrap(), size(SheetWidth::Paper).unwrap());
+        let (kind, time) = (PortraitKind::Periodic, f64::NAN);
+        let point = |x, y| PortraitPoint { portrait: 1, loops: 0, primary: 0.8, kind, time, x, y };
+        let figure = Figure02 {
+            branches: &[],
+            bifurcations: &[],
+            attractor: &[],
+            portraits: &[point(-1.0, 0.5), point(-0.5, -0.5)],
+            window: Window { x: [0.7, 1.6], y: [-0.6, 1.0] },
+            magnification: Window { x: [0.9, 1.3], y: [-0.3, 0.4] },
+        };
+        let size = |width| compose(&figure, width).map(|sheet| (sheet.width, sheet.height)).unwrap();
+        let (one, paper) = (size(SheetWidth::OneColumn), size(SheetWidth::Paper));
         assert!(one.1 > 1.5 * one.0 && paper.0 > paper.1, "{one:?} {paper:?}");
-    }
-
-    #[test]
-    fn all_bifurcations_and_loops_are_labelled() {
-        let svg = with_sample(2_000, |figure| draw_fig02(figure, SheetWidth::Paper).unwrap());
-        for label in [">SN<", ">PD<", ">GZ<", ">graz</tspan>", "non-impacting", "attractor<", "(d)"] {
-            assert!(svg.contains(label), "{label}");
-        }
-    }
-
-    #[test]
-    fn sixty_thousand_points_stay_under_two_megabytes() {
-        let svg = with_sample(60_000, |figure| draw_fig02(figure, SheetWidth::Paper).unwrap());
-        assert!(svg.len() < 2_000_000, "{}", svg.len());
-        // One path a shade and panel at most.
-        assert!(svg.matches("scale(").count() <= 6);
     }
 }

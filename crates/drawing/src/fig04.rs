@@ -158,51 +158,32 @@ fn curves(points: &[BoundaryPoint]) -> Vec<Curve> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// The outline, the limit, and for each p a solid and a dashed curve; some share their ends.
-    fn sample() -> (Vec<BoundaryPoint>, Vec<Star>) {
-        let mut rows = [(-1.0, 0.0), (1.0, 0.0), (2.0, 1.0), (-2.0, 1.0), (-1.0, 0.0)]
-            .map(|(tau, delta)| BoundaryPoint { kind: Boundary::Trapesium, loops: 0, tau, delta })
-            .to_vec();
-        let mut curve = |kind, loops, end: f64, bulge: f64| {
-            for k in 0..=100 {
-                let root = f64::from(k) / 100.0;
-                let tau = end * root + bulge * root * (1.0 - root);
-                rows.push(BoundaryPoint { kind, loops, tau, delta: root * root });
-            }
-        };
-        curve(Boundary::Limit, 0, 2.0, 0.0);
-        for (p, g, h) in [(2, 0.0, -2.0), (3, 1.0, -1.0), (4, 1.4, 0.0), (5, 1.6, 0.6), (6, 1.7, 1.0)] {
-            curve(Boundary::Resonance, p, g, 0.0);
-            curve(Boundary::Admissibility, p, h, if p > 3 { 1.2 } else { 0.0 });
-        }
-        (rows, vec![Star { kind: "fig02", tau: -0.25, delta: 0.7 }])
-    }
-
-    fn with_sample<T>(test: impl Fn(&Figure04<'_>) -> T) -> T {
-        let (curves, points) = sample();
-        test(&Figure04 { curves: &curves, points: &points })
-    }
+    use crate::samples::{integer, known, number, written};
 
     #[test]
-    fn every_curve_is_named_and_the_star_says_where_it_comes_from() {
-        let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
-        for p in 2..=6 {
-            for family in ["g", "h"] {
-                let name = format!(">{family}</tspan>");
-                assert_eq!(svg.matches(&name).count(), 5);
+    fn every_curve_is_named_and_families_differ_without_colour() {
+        let point = |row: &Vec<String>| BoundaryPoint {
+            kind: known(&row[0], Boundary::ALL, Boundary::name),
+            loops: integer(&row[1]),
+            tau: number(&row[2]),
+            delta: number(&row[3]),
+        };
+        let rows: Vec<BoundaryPoint> = written("fig04_curves").iter().map(point).collect();
+        let star = Star { kind: "fig02", tau: -0.25, delta: 0.7 };
+        let figure = Figure04 { curves: &rows, points: &[star] };
+        let svg = draw_fig04(&figure, SheetWidth::Paper).unwrap();
+        let curves = curves(&rows);
+        for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
+            let own = curves.iter().filter(|curve| curve.family == kind);
+            assert_eq!(svg.matches(&format!(">{family}</tspan>")).count(), own.clone().count());
+            for Curve { p, .. } in own {
                 assert!(svg.contains(&format!(">{p}</tspan>")), "{p}");
             }
         }
         assert!(svg.contains(">Fig. 2<") && svg.contains('√'));
         // Both slanted sides: δ + 1 and −δ − 1, besides the axis titles and the limit.
         assert_eq!(svg.matches(">δ</tspan>").count(), 4);
-    }
-
-    #[test]
-    fn families_differ_without_colour() {
-        let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
-        assert_eq!(svg.matches("stroke-width=\"1.1\"").count(), 10);
-        assert_eq!(svg.matches("stroke-width=\"1.1\" stroke-dasharray").count(), 5);
+        let families = svg.matches("stroke-width=\"1.1\"").count();
+        assert_eq!(2 * svg.matches("stroke-width=\"1.1\" stroke-dasharray").count(), families);
     }
 }

@@ -122,52 +122,37 @@ pub(crate) fn compose(figure: &Figure05<'_>, width: SheetWidth) -> Result<Canvas
 
 #[cfg(test)]
 mod tests {
-    use grazing_continuation::bifurcation::CodimensionTwo;
-
     use super::*;
-
-    fn with_sample<T>(test: impl Fn(&Figure05<'_>) -> T) -> T {
-        let parabola = |c: f64, side: f64| {
-            (0..=50).map(move |k| side * f64::from(k) / 50.0).map(move |eta| (c * eta * eta, eta))
-        };
-        let (sn, pd) = (|| parabola(-0.8, -1.0), || parabola(0.3, 1.0));
-        let curve = |kind: Bifurcation, points: Vec<(f64, f64)>| {
-            points.into_iter().map(move |(mu, eta)| UnfoldingPoint { kind, mu, eta })
-        };
-        let curves: Vec<_> = curve(Bifurcation::NonImpactingGrazing, vec![(0.0, -1.0), (0.0, 1.0)])
-            .chain(curve(Bifurcation::SaddleNode, sn().collect()))
-            .chain(curve(Bifurcation::PeriodDoubling, pd().collect()))
-            .collect();
-        let region = |region: u32, kind: RegionKind, vertices: Vec<(f64, f64)>| {
-            vertices.into_iter().map(move |(mu, eta)| UnfoldingVertex { region, kind, mu, eta })
-        };
-        let stable = sn().collect::<Vec<_>>().into_iter().rev().chain(pd());
-        let below = vec![(0.0, -1.0), (0.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)];
-        let regions: Vec<_> = region(1, RegionKind::NonImpacting, below)
-            .chain(region(2, RegionKind::Mps, stable.chain([(1.0, 1.0), (1.0, -1.0)]).collect()))
-            .chain(region(3, RegionKind::Both, sn().chain([(0.0, -1.0)]).collect()))
-            .collect();
-        let (kind, mu, eta) = (CodimensionTwo::Resonance, 0.0, 0.0);
-        test(&Figure05 {
-            curves: &curves,
-            points: &[UnfoldingResonance { kind, loops: 1, n: 1, mu, eta }],
-            regions: &regions,
-            window: Window { x: [-1.0, 1.0], y: [-1.0, 1.0] },
-        })
-    }
+    use crate::samples::{integer, known, number, written};
 
     #[test]
-    fn curves_and_regions_are_named() {
-        let svg = with_sample(|figure| draw_fig05(figure, SheetWidth::Paper).unwrap());
-        for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<"] {
+    fn curves_and_regions_are_named_and_the_overlap_is_shaded_by_its_two_regions_alone() {
+        const KINDS: [Bifurcation; 3] =
+            [Bifurcation::NonImpactingGrazing, Bifurcation::SaddleNode, Bifurcation::PeriodDoubling];
+        let point = |row: &Vec<String>| UnfoldingPoint {
+            kind: known(&row[0], &KINDS, Bifurcation::name),
+            mu: number(&row[1]),
+            eta: number(&row[2]),
+        };
+        let vertex = |row: &Vec<String>| UnfoldingVertex {
+            region: integer(&row[0]),
+            kind: known(&row[1], RegionKind::ALL, RegionKind::name),
+            mu: number(&row[2]),
+            eta: number(&row[3]),
+        };
+        let curves: Vec<_> = written("fig05_curves").iter().map(point).collect();
+        let regions: Vec<_> = written("fig05_regions").iter().map(vertex).collect();
+        let extent = |value: fn(&UnfoldingVertex) -> f64| {
+            let values = || regions.iter().map(value);
+            [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
+        };
+        let window = Window { x: extent(|vertex| vertex.mu), y: extent(|vertex| vertex.eta) };
+        let figure = Figure05 { curves: &curves, points: &[], regions: &regions, window };
+        let svg = draw_fig05(&figure, SheetWidth::Paper).unwrap();
+        for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<", "-loop MPS<"]
+        {
             assert!(svg.contains(label), "{label}");
         }
-        assert!(svg.contains("-loop MPS<"));
-    }
-
-    #[test]
-    fn the_overlap_is_shaded_by_its_two_regions_and_not_once_more() {
-        let svg = with_sample(|figure| draw_fig05(figure, SheetWidth::Paper).unwrap());
         assert_eq!(svg.matches("fill=\"#e9e9e9\"").count(), 1);
         assert_eq!(svg.matches("fill-opacity=\"0.3\"").count(), 1);
     }

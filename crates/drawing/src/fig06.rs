@@ -148,55 +148,32 @@ fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::samples::{integer, known, number, written};
 
-    fn sample() -> Vec<PartPoint> {
-        let rectangle = |l: f64, r: f64, b: f64, t: f64| vec![(l, b), (r, b), (r, t), (l, t), (l, b)];
-        let pieces = vec![
-            (Part::AnchorHatching, 1, vec![(-4.2, 0.0), (-4.0, 0.2)]),
-            (Part::Anchor, 1, vec![(-4.0, 0.0), (-4.0, 1.4)]),
-            (Part::WallHatching, 1, vec![(0.0, 0.0), (0.2, 0.2)]),
-            (Part::Wall, 1, vec![(0.0, 0.0), (0.0, 1.4)]),
-            (Part::Floor, 1, vec![(-4.0, 0.0), (0.0, 0.0)]),
-            (Part::Guide, 1, vec![(-1.0, 0.6), (-1.0, -0.4)]),
-            (Part::Axis, 1, vec![(-2.4, -0.4), (0.4, -0.4)]),
-            (Part::Tick, 1, vec![(-1.5, -0.4), (-1.5, -0.33)]),
-            (Part::Tick, 2, vec![(-1.0, -0.4), (-1.0, -0.33)]),
-            (Part::Tick, 3, vec![(0.0, -0.4), (0.0, -0.33)]),
-            (Part::Spring, 1, vec![(-4.0, 0.9), (-3.3, 1.05), (-3.1, 0.75), (-2.4, 0.9)]),
-            (Part::Cylinder, 1, vec![(-2.7, 0.55), (-3.7, 0.55), (-3.7, 0.3), (-2.7, 0.3)]),
-            (Part::Rod, 1, vec![(-3.3, 0.42), (-2.4, 0.42)]),
-            (Part::Piston, 1, vec![(-3.3, 0.33), (-3.3, 0.51)]),
-            (Part::Wheel, 1, rectangle(-2.2, -2.1, 0.0, 0.1)),
-            (Part::Block, 1, rectangle(-2.4, -1.5, 0.1, 1.2)),
-            (Part::Force, 1, vec![(-1.5, 0.9), (-0.7, 0.9)]),
-            (Part::Dimension, 1, vec![(-1.0, 0.3), (0.0, 0.3)]),
-        ];
-        let rows = |(part, piece, points): (Part, u32, Vec<(f64, f64)>)| {
-            points.into_iter().map(move |(x, height)| PartPoint { part, piece, x, height })
+    #[test]
+    fn everything_is_named_and_lengths_keep_their_ratio_across_and_up() {
+        let point = |row: &Vec<String>| PartPoint {
+            part: known(&row[0], Part::ALL, Part::name),
+            piece: integer(&row[1]),
+            x: number(&row[2]),
+            height: number(&row[3]),
         };
-        pieces.into_iter().flat_map(rows).collect()
-    }
-
-    #[test]
-    fn lengths_keep_their_ratio_across_and_up() {
-        let parts = sample();
-        let (_, drawn) = on_sheet(&parts, 90.0).unwrap();
-        let block = drawn.iter().find(|piece| piece.part == Part::Block).unwrap();
-        let Bounds { left, top, right, bottom } = extent(std::iter::once(&block.path)).unwrap();
-        // 0.9 wide and 1.1 high; one rounding of each coordinate of some 100 points.
-        assert!(((right - left) / (bottom - top) - 0.9 / 1.1).abs() < 1e-12);
-    }
-
-    #[test]
-    fn everything_is_named() {
-        let parts = sample();
+        let parts: Vec<PartPoint> = written("fig06_parts").iter().map(point).collect();
         let svg = draw_fig06(&parts, SheetWidth::Paper).unwrap();
         for label in
             [">unit stiffness<", ">unit<", ">mass<", ">equilibrium<", "restitution ", "damping 2", ">−1<"]
         {
             assert!(svg.contains(label), "{label}");
         }
-        // Heads of the axis, of the force and of both ends of the dimension; wheel and block.
-        assert_eq!(svg.matches("Z\"").count(), 6);
+        let (_, drawn) = on_sheet(&parts, 90.0).unwrap();
+        let sheet = drawn.iter().find(|piece| piece.part == Part::Block).unwrap();
+        let block: Vec<Spot> =
+            parts.iter().filter(|point| point.part == Part::Block).map(|at| (at.x, at.height)).collect();
+        let ratio = |path: &Vec<Spot>| {
+            let Bounds { left, top, right, bottom } = extent(std::iter::once(path)).unwrap();
+            (right - left) / (bottom - top)
+        };
+        // One rounding of each coordinate of some 100 points.
+        assert!((ratio(&sheet.path) - ratio(&block)).abs() < 1e-12);
     }
 }

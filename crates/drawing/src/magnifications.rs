@@ -210,14 +210,6 @@ mod tests {
     }
 
     #[test]
-    fn equal_input_gives_equal_bytes() {
-        for sample in oscillators() {
-            let svg = || draw_magnifications(&sample.magnifications(), SheetWidth::Paper).unwrap();
-            assert_eq!(svg(), svg());
-        }
-    }
-
-    #[test]
     fn every_resonance_has_its_panel_on_one_of_the_sheets() {
         for (count, sheets) in [(0, 0), (1, 1), (5, 1), (9, 1), (20, 3), (30, 4)] {
             let sample = sample(count);

@@ -9,7 +9,6 @@ use crate::diagram::Diagram;
 use crate::magnifications::{Magnifications, MagnifiedPanel};
 use crate::magnified::Magnified;
 use crate::plane::Plane;
-use crate::samples::shares;
 
 /// Where a parameter of the samples goes: multiplied, then shifted.
 #[derive(Debug, Clone, Copy)]
@@ -39,6 +38,10 @@ pub(crate) struct SampleOscillator {
 /// The frequency at which the made-up grazing curve has the amplitude.
 fn graz(amplitude: f64) -> f64 {
     1.0 - 0.6 * amplitude * amplitude - 0.2 * amplitude
+}
+
+fn shares(count: u32) -> impl Iterator<Item = f64> {
+    (0..=count).map(move |i| f64::from(i) / f64::from(count))
 }
 
 /// A made-up resonance: p, n, the amplitude at which it lies on the grazing curve, and the size of its loop of curves.
