@@ -4,10 +4,10 @@ use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::plane::{CurvePoint, RegionKind, RegionVertex, SpecialPoint};
 
 use crate::DrawingError;
-use crate::axes::{Marker, Panel, overhang, room_beside};
+use crate::axes::{Panel, overhang, room_beside};
 use crate::canvas::Canvas;
 use crate::clip::Window;
-use crate::kinds::{Region, pen};
+use crate::kinds::{Curve, Region, draw_curves, draw_points};
 use crate::labels::{Labels, Wanted};
 use crate::magnified::{Magnified, letter, rectangle};
 use crate::plane::Plane;
@@ -54,11 +54,6 @@ pub struct Diagram<'a> {
     pub sections: &'a [Section],
 }
 
-struct Curve {
-    kind: Bifurcation,
-    points: Vec<(f64, f64)>,
-}
-
 /// Width in the paper.
 const WIDTH_MM: f64 = 120.0;
 /// Height as a share of the width, up to the most that leaves room for a caption and text on the page.
@@ -87,9 +82,6 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
         magnified.window.checked(&format!("a rectangle of {}", diagram.name))?;
     }
     let plane = diagram.plane;
-    let curves = shown_curves(diagram.curves);
-    let regions = Region::all(diagram.regions);
-    let markers = marked_points(diagram.points);
 
     let width = width.mm(WIDTH_MM);
     let canvas = Canvas::new(width, (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM))?;
@@ -98,19 +90,13 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
     let mut labels = Labels::new(&canvas, bounds);
 
     let mut shapes: Vec<(u32, Vec<Spot>)> = Vec::new();
-    for region in &regions {
+    for region in Region::all(diagram.regions) {
         let shape = region.draw(&panel);
         if region.kind == RegionKind::Mps && !shape.is_empty() {
             shapes.push((region.p, shape));
         }
     }
-    let mut drawn: Vec<(Bifurcation, Vec<Spot>)> = Vec::new();
-    for curve in &curves {
-        for piece in panel.line(&curve.points, pen(curve.kind)) {
-            labels.placer.keep_off(&piece);
-            drawn.push((curve.kind, piece));
-        }
-    }
+    let drawn = draw_curves(&panel, &mut labels, shown_curves(diagram.curves));
     let mut section_ends: Vec<(Spot, &str)> = Vec::new();
     for section in diagram.sections {
         let [from, to] = [0, 1].map(|end| (section.across[end], section.up[end]));
@@ -120,12 +106,10 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
         }
     }
     let mut unnamed: Vec<(u32, Spot)> = Vec::new();
-    for marked in &markers {
-        if let Some(taken) = panel.marker(marked.point, marked.marker) {
-            labels.placer.block(taken.grown(0.5));
-            if marked.marker == Marker::Triangle && !shapes.iter().any(|(p, _)| *p == marked.p) {
-                unnamed.push((marked.p, taken.centre()));
-            }
+    for (point, taken) in draw_points(&panel, &mut labels, diagram.points) {
+        let p = point.loops;
+        if point.kind == CodimensionTwo::Resonance && !shapes.iter().any(|(known, _)| *known == p) {
+            unnamed.push((p, taken.centre()));
         }
     }
     let mut boxes = Vec::new();
@@ -183,31 +167,9 @@ fn shown_curves(points: &[CurvePoint]) -> Vec<Curve> {
             let shown = point.admissible && (point.kind != Bifurcation::Grazing || stable);
             if shown { (point.primary, point.secondary) } else { (f64::NAN, f64::NAN) }
         });
-        Curve { kind: points[0].kind, points: spots.collect() }
+        Curve { kind: points[0].kind, approximate: false, points: spots.collect() }
     };
-    let mut curves: Vec<Curve> = points.chunk_by(|a, b| place(a) == place(b)).map(curve).collect();
-    // The wide grazing curve lies below the others.
-    curves.sort_by_key(|curve| curve.kind != Bifurcation::NonImpactingGrazing);
-    curves
-}
-
-/// A codimension-two point (across, up) and its marker.
-pub(crate) struct MarkedPoint {
-    pub(crate) point: (f64, f64),
-    pub(crate) marker: Marker,
-    pub(crate) p: u32,
-}
-
-/// Triangles for resonances, discs for all other points.
-pub(crate) fn marked_points(points: &[SpecialPoint]) -> Vec<MarkedPoint> {
-    let marked = |point: &SpecialPoint| {
-        let resonance = point.kind == CodimensionTwo::Resonance;
-        let marker = if resonance { Marker::Triangle } else { Marker::Disc };
-        MarkedPoint { point: (point.primary, point.secondary), marker, p: point.loops }
-    };
-    let mut points: Vec<_> = points.iter().map(marked).collect();
-    points.sort_by_key(|marked| marked.marker == Marker::Triangle);
-    points
+    points.chunk_by(|a, b| place(a) == place(b)).map(curve).collect()
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::DrawingError;
 use crate::axes::{Marker, Panel};
 use crate::canvas::Canvas;
 use crate::clip::Window;
-use crate::kinds::{pen, text_colour};
+use crate::kinds::{Curve, draw_curves, text_colour};
 use crate::labels::{Labels, Wanted};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
@@ -68,11 +68,12 @@ pub fn draw_fig05(figure: &Figure05<'_>, width: SheetWidth) -> Result<String, Dr
 
 pub(crate) fn compose(figure: &Figure05<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
     let window = figure.window.checked("fig05")?;
-    let curves: Vec<(Bifurcation, Vec<_>)> = figure
-        .curves
-        .chunk_by(|a, b| a.kind == b.kind)
-        .map(|points| (points[0].kind, points.iter().map(|point| (point.mu, point.eta)).collect()))
-        .collect();
+    let curve = |points: &[UnfoldingPoint]| Curve {
+        kind: points[0].kind,
+        approximate: false,
+        points: points.iter().map(|point| (point.mu, point.eta)).collect(),
+    };
+    let curves = figure.curves.chunk_by(|a, b| a.kind == b.kind).map(curve).collect();
     let regions: Vec<(RegionKind, Vec<_>)> = figure
         .regions
         .chunk_by(|a, b| a.region == b.region)
@@ -92,13 +93,7 @@ pub(crate) fn compose(figure: &Figure05<'_>, width: SheetWidth) -> Result<Canvas
         };
         shapes.push((*kind, shape));
     }
-    let mut drawn: Vec<(Bifurcation, Vec<Spot>)> = Vec::new();
-    for (kind, points) in &curves {
-        for piece in panel.line(points, pen(*kind)) {
-            labels.placer.keep_off(&piece);
-            drawn.push((*kind, piece));
-        }
-    }
+    let drawn = draw_curves(&panel, &mut labels, curves);
     for point in figure.points.iter().map(|point| (point.mu, point.eta)) {
         if let Some(taken) = panel.marker(point, Marker::Triangle) {
             labels.placer.block(taken.grown(0.5));

@@ -2,22 +2,19 @@
 
 use std::ops::Range;
 
-use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::plane::{MagnifiedPoint, RegionVertex, Source, SpecialPoint};
 
 use crate::DrawingError;
 use crate::axes::Panel;
 use crate::canvas::Canvas;
 use crate::captions::{Caption, Heading};
-use crate::diagram::{MarkedPoint, marked_points};
 use crate::font::Fonts;
-use crate::kinds::{Region, pen};
+use crate::kinds::{Curve, Region, draw_curves, draw_points};
 use crate::labels::Labels;
 use crate::magnified::Magnified;
 use crate::panel_grid::Grid;
 use crate::plane::Plane;
-use crate::sheet::Spot;
-use crate::style::{SheetWidth, approximation};
+use crate::style::SheetWidth;
 
 /// Magnifications about resonances.
 ///
@@ -53,13 +50,6 @@ pub struct MagnifiedPanel {
     pub heading: Option<Heading>,
 }
 
-struct Curve {
-    panel: u32,
-    kind: Bifurcation,
-    approximate: bool,
-    points: Vec<(f64, f64)>,
-}
-
 /// Curves shorter than this on the sheet (points) stay without a label.
 const LABELLED_LENGTH: f64 = 24.0;
 /// Draws magnifications; returns the texts of SVG files.
@@ -86,24 +76,12 @@ pub(crate) fn compose(figure: &Magnifications<'_>, width: SheetWidth) -> Result<
     for MagnifiedPanel { shown, .. } in figure.panels {
         shown.window.checked(&format!("a panel of {}", figure.name))?;
     }
-    let content = Content {
-        curves: curves(figure.curves),
-        regions: Region::all(figure.regions),
-        markers: marked_points(figure.points),
-    };
     let sheets = Grid::sheets(width, figure.panels.len());
-    sheets.into_iter().map(|range| draw_sheet(figure, &content, range, width)).collect()
-}
-
-struct Content {
-    curves: Vec<Curve>,
-    regions: Vec<Region>,
-    markers: Vec<MarkedPoint>,
+    sheets.into_iter().map(|range| draw_sheet(figure, range, width)).collect()
 }
 
 fn draw_sheet(
     figure: &Magnifications<'_>,
-    content: &Content,
     panels: Range<usize>,
     width: SheetWidth,
 ) -> Result<Canvas, DrawingError> {
@@ -130,58 +108,34 @@ fn draw_sheet(
             plane: Some(plane),
             ..Panel::new(&canvas, shown.window, bounds)
         };
-        let own: Vec<&Curve> = content.curves.iter().filter(|curve| curve.panel == shown.panel).collect();
-        draw_panel(&panel, &own, content, &plane.grazing)?;
+        draw_panel(&panel, figure, shown.panel)?;
         panel.axes(&plane.across.title, if grid.is_titled(place) { &plane.up.title } else { "" })?;
         caption.draw(&canvas, &bounds, grid.heading_rise(), split)?;
     }
     Ok(canvas)
 }
 
-fn draw_panel(
-    panel: &Panel<'_>,
-    curves: &[&Curve],
-    content: &Content,
-    grazing: &str,
-) -> Result<(), DrawingError> {
+fn draw_panel(panel: &Panel<'_>, figure: &Magnifications<'_>, number: u32) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
-    for region in &content.regions {
+    for region in Region::all(figure.regions) {
         region.draw(panel);
     }
-    let mut drawn: Vec<(Bifurcation, Vec<Spot>)> = Vec::new();
-    for curve in curves {
-        let pen = pen(curve.kind);
-        let pen = if curve.approximate { approximation(pen) } else { pen };
-        for piece in panel.line(&curve.points, pen) {
-            if curve.approximate {
-                labels.placer.keep_off_nameless(&piece);
-            } else {
-                labels.placer.keep_off(&piece);
-                drawn.push((curve.kind, piece));
-            }
-        }
-    }
-    for marked in &content.markers {
-        if let Some(taken) = panel.marker(marked.point, marked.marker) {
-            labels.placer.block(taken.grown(0.5));
-        }
-    }
-    labels.name_curves(drawn, LABELLED_LENGTH, grazing)?;
+    let drawn = draw_curves(panel, &mut labels, curves(figure.curves, number));
+    draw_points(panel, &mut labels, figure.points);
+    labels.name_curves(drawn, LABELLED_LENGTH, &figure.plane.grazing)?;
     labels.draw()
 }
 
-fn curves(points: &[MagnifiedPoint]) -> Vec<Curve> {
+/// The curves of a panel.
+fn curves(points: &[MagnifiedPoint], panel: u32) -> Vec<Curve> {
     let place = |point: &MagnifiedPoint| (point.panel, point.kind, point.source, point.arc);
     let curve = |points: &[MagnifiedPoint]| Curve {
-        panel: points[0].panel,
         kind: points[0].kind,
         approximate: points[0].source == Source::Quadratic,
         points: points.iter().map(|point| (point.primary, point.secondary)).collect(),
     };
-    let mut curves: Vec<Curve> = points.chunk_by(|a, b| place(a) == place(b)).map(curve).collect();
-    // The wide grazing curve lies lowest, approximations on top of the curves they approximate.
-    curves.sort_by_key(|curve| (curve.kind != Bifurcation::NonImpactingGrazing, curve.approximate));
-    curves
+    let all = points.chunk_by(|a, b| place(a) == place(b));
+    all.filter(|points| points[0].panel == panel).map(curve).collect()
 }
 
 #[cfg(test)]

@@ -8,21 +8,14 @@ use askama::filters::Safe;
 use crate::html::{Html, escape};
 
 /// A formula that could not be understood.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{latex}: {reason}")]
 pub struct FormulaError {
     /// The LaTeX.
     pub latex: String,
     /// What is wrong with it.
     pub reason: String,
 }
-
-impl std::fmt::Display for FormulaError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {}", self.latex, self.reason)
-    }
-}
-
-impl std::error::Error for FormulaError {}
 
 /// The formula as MathML: displayed on lines of its own, or in a line of text.
 ///

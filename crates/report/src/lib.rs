@@ -39,7 +39,7 @@ pub use page::page;
 pub use table::TableOutput;
 
 /// All that the page shows.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Report<'a> {
     /// The figures, in the order of the paper.
     pub figures: Vec<Figure>,

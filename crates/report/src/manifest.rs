@@ -7,7 +7,7 @@ use askama::filters::Safe;
 use crate::html::{Html, escape};
 
 /// What was made, from what, and by what.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Manifest {
     /// The program and its version.
     pub program: String,

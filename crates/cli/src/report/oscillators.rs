@@ -5,7 +5,6 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use grazing_claims::source::Sources;
 use grazing_description::{Description, DescriptionError};
 use grazing_drawing::SheetWidth;
 use grazing_model::ImpactOscillator;
@@ -166,11 +165,6 @@ impl Material<'_> {
         let mut entry = self.entry();
         entry.files = outputs.iter().map(|file| file.path.clone()).collect();
         let report = Report {
-            figures: Vec::new(),
-            tables: Vec::new(),
-            published: Vec::new(),
-            claims: Vec::new(),
-            sources: Sources::default(),
             manifest: Manifest {
                 program: versions::program(),
                 rust: versions::rust(),
@@ -181,8 +175,7 @@ impl Material<'_> {
                 folder: Some(String::new()),
             },
             oscillators: vec![entry],
-            missing: Vec::new(),
-            root: None,
+            ..Report::default()
         };
         MadeFile { path: PathBuf::from(PAGE), content: grazing_report::page(&report).into_bytes() }
     }

@@ -190,21 +190,14 @@ pub(crate) fn oscillators_alone() -> Report<'static> {
     let files = ["diagram.svg", "data/points.csv"];
     let mut entry = oscillator("one", "Sample oscillator");
     entry.files = files.map(str::to_owned).to_vec();
-    let report = report();
     Report {
-        missing: Vec::new(),
-        figures: Vec::new(),
-        tables: Vec::new(),
-        published: Vec::new(),
-        claims: Vec::new(),
         oscillators: vec![entry],
         manifest: Manifest {
             outputs: files.map(|path| OutputFile::of(path, path.as_bytes())).to_vec(),
             folder: Some(String::new()),
-            ..report.manifest
+            ..report().manifest
         },
-        root: None,
-        ..report
+        ..Report::default()
     }
 }
 
