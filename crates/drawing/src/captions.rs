@@ -1,14 +1,13 @@
 //! What stands over a magnified panel: its letter, its resonance, and the coefficients.
 
 use crate::DrawingError;
-use crate::canvas::Canvas;
+use crate::canvas::{Anchor, Canvas};
 use crate::font::Fonts;
 use crate::magnified::panel_letter;
 use crate::markup::Label;
 use crate::panel_grid::{HEADING_LEADING, SUBHEADING_LEADING};
 use crate::sheet::Bounds;
 use crate::style::{BLACK, LABEL_SIZE, TICK_SIZE};
-use crate::svg_backend::Anchor;
 use crate::ticks::measured;
 
 /// The resonance about which a panel is.

@@ -9,7 +9,7 @@ use crate::font::Fonts;
 use crate::numbers::{Direction, Numbers};
 use crate::sheet::Bounds;
 use crate::style::SheetWidth;
-use crate::svg_backend::POINTS_PER_MM;
+use crate::svg::POINTS_PER_MM;
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 156.0;

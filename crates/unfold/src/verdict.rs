@@ -90,6 +90,15 @@ impl Coefficient {
         self.fit.as_ref().map_or(Estimate { value: f64::NAN, error: f64::NAN }, |fit| fit.coefficient)
     }
 
+    /// What is measured, and how many digits it has in common with the theorem's value, 0 to 15: the order of magnitude of their relative
+    /// difference. Nothing where they cannot be compared.
+    pub fn compared(&self) -> Option<(f64, u32)> {
+        let (theorem, measured) = (self.theorem.value, self.measured().value);
+        let difference = (theorem - measured).abs() / theorem.abs().max(measured.abs());
+        let digits = libm::floor(-libm::log10(difference.max(1e-15))).clamp(0.0, 15.0) as u32;
+        (!matches!(self.verdict(), Verdict::NotMeasurable(_))).then_some((measured, digits))
+    }
+
     /// Whether theorem and curve agree.
     pub fn verdict(&self) -> Verdict {
         let Self { stability, theorem, fit } = self;
