@@ -264,9 +264,9 @@ impl SmoothOscillator for Law {
         self.force_at(t, mu, eta)(x, y)
     }
 
-    fn force_at<S: Scalar>(&self, t: S, mu: S, eta: S) -> impl FnMut(S, S) -> S {
+    fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
         let [amplitude, frequency] = self.order([mu, eta]);
-        let forcing = amplitude * (frequency * t).apply(Function::Cos);
+        let forcing = S::from(amplitude * (frequency * t).apply(Function::Cos));
         let one = S::constant(1.0);
         let (damping, slope, stiffening) = (2.0 * self.damping, self.damping_slope, self.stiffening);
         move |x, y| {

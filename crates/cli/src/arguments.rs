@@ -178,7 +178,7 @@ pub struct Reproduce {
 }
 
 /// How wide figures are made, and how finely.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Args)]
 pub struct Size {
     /// Width of the figures: as in the paper, one column (86 mm) or two (178 mm) of a journal
     #[arg(long, value_name = "WIDTH", default_value = "paper")]

@@ -63,15 +63,3 @@ fn comment(title: &str) -> String {
 fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_figure_is_named_as_in_the_manuscript() {
-        assert_eq!(comment("Figure 2: a diagram"), "Figure 2 of manuscript: a diagram");
-        assert_eq!(comment("Coefficients"), "Coefficients");
-        assert_eq!(quoted("a \"b\" \\"), "\"a \\\"b\\\" \\\\\"");
-    }
-}

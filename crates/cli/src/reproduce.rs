@@ -28,7 +28,7 @@ const KNOWN: [&str; 1] = ["parameters.toml"];
 pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let start = Instant::now();
-    let edition = Edition::new(&arguments.format, &arguments.size);
+    let edition = Edition::new(&arguments.format, arguments.size);
     let (parameters, set) = (project::parameters(&arguments.parameters)?, &arguments.parameters.set);
     let output_folder = project::output_folder(arguments.output.as_deref(), &edition, !set.is_empty())?;
     let chosen: Vec<&Output> =
@@ -46,13 +46,14 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     }
     let display = Display::new();
     let study = Study::new(&parameters).with_progress(&display);
-    let Made { mut files, rows, made, missing } = make(&study, &chosen, &edition)?;
-    if made.is_empty() {
-        return tell_missing(&missing, &chosen, &made, &output_folder);
+    let mut made = Made::of(&study, &chosen, &edition)?;
+    if made.outputs.is_empty() {
+        return made.tell_missing(&chosen, &output_folder);
     }
+    let mut files = std::mem::take(&mut made.files);
     if edition.has(Format::Tex) && arguments.only.is_empty() {
-        let rows_of = |table: &str| rows.get(table).copied().unwrap_or(0);
-        let content = latex::snippet(&made, &edition, rows_of).into_bytes();
+        let rows_of = |table: &str| made.rows.get(table).copied().unwrap_or(0);
+        let content = latex::snippet(&made.outputs, &edition, rows_of).into_bytes();
         files.push(MadeFile { path: PathBuf::from(latex::SNIPPET), content });
     }
     if !set.is_empty() {
@@ -63,7 +64,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     }
     let mut places = vec![Place { folder: output_folder, files, complete: false }];
     if edition.is_default() && arguments.only.is_empty() {
-        places[0].complete = missing.is_empty();
+        places[0].complete = made.missing.is_empty();
         if arguments.output.is_none() && set.is_empty() {
             let manifest = MadeFile {
                 path: PathBuf::from(codecheck::FILE),
@@ -74,7 +75,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     }
     if arguments.check {
         if let Err(failure) = check(&places, arguments, &edition) {
-            tell_missing(&missing, &chosen, &made, &places[0].folder)?;
+            made.tell_missing(&chosen, &places[0].folder)?;
             return Err(failure);
         }
         let count = places.iter().map(|place| place.files.len()).sum();
@@ -86,58 +87,70 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         terminal::say(&verdict(&study));
     }
     terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
-    tell_missing(&missing, &chosen, &made, &places[0].folder)
+    made.tell_missing(&chosen, &places[0].folder)
 }
 
 /// What was made of the outputs that were asked for.
+#[derive(Default)]
 struct Made<'a> {
     files: Vec<MadeFile>,
     /// How many rows each table has.
     rows: BTreeMap<&'static str, usize>,
-    made: Vec<&'a Output>,
-    missing: Vec<Missing>,
+    outputs: Vec<&'a Output>,
+    /// Why outputs could not be made, or not wholly, with their names.
+    missing: Vec<(String, Vec<&'static str>)>,
 }
 
-impl Made<'_> {
+impl<'a> Made<'a> {
+    /// All outputs that can be made; the failure if the only one cannot.
+    fn of(study: &Study<'_>, chosen: &[&'a Output], edition: &Edition) -> Result<Self, Failure> {
+        let mut all = Self::default();
+        for output in chosen {
+            match output.files(study, edition) {
+                Ok((made, files)) => {
+                    made.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
+                    all.files.extend(files);
+                    all.rows.extend(made.tables.iter().map(|table| (table.name, table.rows.len())));
+                    for gap in made.gaps {
+                        all.add_missing(output.name, format!("it is written, but {gap}"));
+                    }
+                    all.outputs.push(output);
+                }
+                Err(failure) if chosen.len() == 1 => return Err(failure),
+                Err(failure) => all.add_missing(output.name, failure.reason),
+            }
+        }
+        Ok(all)
+    }
+
     fn add_missing(&mut self, output: &'static str, reason: String) {
-        match self.missing.iter_mut().find(|missing| missing.reason == reason) {
-            Some(missing) => missing.outputs.push(output),
-            None => self.missing.push(Missing { outputs: vec![output], reason }),
+        match self.missing.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, outputs)) => outputs.push(output),
+            None => self.missing.push((reason, vec![output])),
         }
     }
-}
 
-/// Outputs that could not be made, or not wholly, for one reason.
-struct Missing {
-    outputs: Vec<&'static str>,
-    reason: String,
-}
-
-/// Tells which outputs are missing and why.
-fn tell_missing(
-    missing: &[Missing],
-    chosen: &[&Output],
-    made: &[&Output],
-    folder: &Path,
-) -> Result<(), Failure> {
-    for Missing { outputs, reason } in missing {
-        terminal::note(&format!("error: {}: {reason}", outputs.join(", ")));
+    /// Tells which outputs are missing and why.
+    fn tell_missing(&self, chosen: &[&Output], folder: &Path) -> Result<(), Failure> {
+        for (reason, outputs) in &self.missing {
+            terminal::note(&format!("error: {}: {reason}", outputs.join(", ")));
+        }
+        let names: BTreeSet<&str> = self.missing.iter().flat_map(|(_, outputs)| outputs).copied().collect();
+        if names.is_empty() {
+            return Ok(());
+        }
+        let absent = chosen.iter().filter(|output| self.outputs.iter().all(|made| made.name != output.name));
+        let paths = absent.flat_map(|output| output.paths(&Edition::default()));
+        let left = paths.filter(|path| folder.join(path).exists()).count();
+        if left > 0 {
+            terminal::note(&format!(
+                "{} from earlier runs, of outputs that could not be made now, left in {}",
+                counted(left),
+                folder.display()
+            ));
+        }
+        Err(Failure::partly_made(names.len(), chosen.len()))
     }
-    let names: BTreeSet<&str> = missing.iter().flat_map(|missing| missing.outputs.iter().copied()).collect();
-    if names.is_empty() {
-        return Ok(());
-    }
-    let absent = chosen.iter().filter(|output| made.iter().all(|made| made.name != output.name));
-    let paths = absent.flat_map(|output| output.paths(&Edition::default()));
-    let left = paths.map(|path| folder.join(path)).filter(|path| path.exists()).count();
-    if left > 0 {
-        let left = counted(left);
-        terminal::note(&format!(
-            "{left} from earlier runs, of outputs that could not be made now, left in {}",
-            folder.display()
-        ));
-    }
-    Err(Failure::partly_made(names.len(), chosen.len()))
 }
 
 /// What was set, for the folder in which the files do not tell.
@@ -183,27 +196,6 @@ pub(crate) fn start_threads(jobs: u16) -> Result<(), Failure> {
         .num_threads(usize::from(jobs))
         .build_global()
         .map_err(|error| Failure::input(format!("{jobs} threads could not be started: {error}")))
-}
-
-/// All outputs that can be made; the failure if none can.
-fn make<'a>(study: &Study<'_>, chosen: &[&'a Output], edition: &Edition) -> Result<Made<'a>, Failure> {
-    let mut all = Made { files: Vec::new(), rows: BTreeMap::new(), made: Vec::new(), missing: Vec::new() };
-    for output in chosen {
-        match output.files(study, edition) {
-            Ok((made, files)) => {
-                made.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
-                all.files.extend(files);
-                all.rows.extend(made.tables.iter().map(|table| (table.name, table.rows.len())));
-                for gap in made.gaps {
-                    all.add_missing(output.name, format!("it is written, but {gap}"));
-                }
-                all.made.push(output);
-            }
-            Err(failure) if chosen.len() == 1 => return Err(failure),
-            Err(failure) => all.add_missing(output.name, failure.reason),
-        }
-    }
-    Ok(all)
 }
 
 /// A line that says whether the published values are met.

@@ -52,7 +52,7 @@ struct Task {
 /// # Errors
 /// Bad input, before anything is computed; what went wrong with a single file, or with how many of several.
 pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
-    let edition = Edition::new(&arguments.format, &arguments.size);
+    let edition = Edition::new(&arguments.format, arguments.size);
     let tasks = tasks(arguments)?;
     for task in &tasks {
         let figures = sheets::FILES.iter().flat_map(|file| edition.figure_paths(file));

@@ -201,12 +201,12 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
     let (_, missing) = part.output.split_once("\nNot finished\n").expect("something is missing");
     assert!(missing.lines().next().is_some_and(|line| !line.trim().is_empty()), "{missing}");
     assert!(listing(&folder.path().join("part")).contains(&"diagram.svg".to_owned()));
-    let grazing = "data/grazing.csv";
-    assert_eq!(
-        read(&folder.path().join("part"), grazing),
-        read(&folder.path().join("whole"), grazing),
-        "what is written is what a whole run writes"
-    );
+    let [written, all] = ["part", "whole"].map(|run| read(&folder.path().join(run), "data/grazing.csv"));
+    // The curve itself may be cut off.
+    assert!(written.lines().count() > 1);
+    for row in written.lines() {
+        assert!(all.lines().any(|other| other == row), "a whole run does not write {row}");
+    }
     let page = read(&folder.path().join("part"), "report.html");
     assert!(page.contains("not finished: "), "the page says so");
 }

@@ -188,14 +188,14 @@ fn implicit_map<O: ThirdOrder>(
     equations: &LoopEquations<O>,
     point: &Unknowns,
     pair: &LoopPair,
-) -> ImplicitMap<impl Fn(normal_form::Curve) -> [normal_form::Curve; 2]> {
+) -> ImplicitMap<impl Fn(normal_form::Germ) -> [normal_form::Germ; 2]> {
     let oscillator = equations.oscillator_at(point);
     let plane = point[unknown::PHASE];
     let turns = f64::from(equations.loops()) * core::f64::consts::TAU;
     ImplicitMap {
         point: Vector2::new(point[unknown::VELOCITY], plane),
         derivatives: [pair.round_trip.derivative(), pair.impact.derivative()],
-        along: move |[velocity, phase]: normal_form::Curve| {
+        along: move |[velocity, phase]: normal_form::Germ| {
             let recoil = oscillator.reset_series(velocity, phase);
             [
                 oscillator.to_phase_series(recoil, plane + turns),

@@ -35,8 +35,13 @@ impl SmoothOscillator for Duffing {
     }
 
     #[inline]
-    fn force_at<S: Scalar>(&self, t: S, amplitude: S, omega: S) -> impl FnMut(S, S) -> S {
-        let drive = amplitude * (omega * t).apply(Function::Cos) - S::constant(1.0);
+    fn force_at<T: Scalar, S: Scalar + From<T>>(
+        &self,
+        t: T,
+        amplitude: T,
+        omega: T,
+    ) -> impl FnMut(S, S) -> S {
+        let drive = S::from(amplitude * (omega * t).apply(Function::Cos) - T::constant(1.0));
         move |x, y| drive - y.scale(2.0 * self.zeta) - x - x.square() * x.scale(self.kappa)
     }
 

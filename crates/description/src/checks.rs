@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use grazing_model::smooth::{SmoothOscillator, Units};
 
 use crate::description::Description;
-use crate::error::{DescriptionError, Place, Point, rounded};
+use crate::error::{DescriptionError, Place, Values, rounded};
 use crate::validate::Places;
 
 /// Points along the range of either parameter, both ends included.
@@ -71,9 +71,9 @@ impl Sampler<'_> {
     }
 
     /// The parameters and more variables by name.
-    fn point(&self, [mu, eta]: [f64; 2], variables: &[(&str, f64)]) -> Point {
+    fn point(&self, [mu, eta]: [f64; 2], variables: &[(&str, f64)]) -> Values {
         let axes = [(self.description.primary().name(), mu), (self.description.secondary().name(), eta)];
-        Point(axes.iter().chain(variables).map(|&(name, value)| (name.to_owned(), value)).collect())
+        Values(axes.iter().chain(variables).map(|&(name, value)| (name.to_owned(), value)).collect())
     }
 
     fn frequency(&self, [mu, eta]: [f64; 2]) -> Checked {
@@ -157,7 +157,7 @@ impl Sampler<'_> {
         unit: f64,
         parameters: [f64; 2],
         function: impl Fn(f64, f64) -> f64,
-        wrong: impl Fn(f64, Point) -> Option<DescriptionError>,
+        wrong: impl Fn(f64, Values) -> Option<DescriptionError>,
     ) -> Checked {
         let place = || place.clone();
         for y in self.impact_velocities() {

@@ -214,7 +214,7 @@ impl SmoothOscillator for Description {
         self.0.force.evaluate(&[x, y, t, mu, eta])
     }
 
-    fn force_at<S: Scalar>(&self, t: S, mu: S, eta: S) -> impl FnMut(S, S) -> S {
+    fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
         let mut force = self.0.force.hold(&[t, mu, eta]);
         move |x, y| force(&[x, y])
     }

@@ -36,7 +36,7 @@ pub enum DescriptionError {
         /// Its value.
         value: f64,
         /// The values of the variables.
-        at: Point,
+        at: Values,
     },
     /// The frequency is not positive over the ranges.
     #[error(
@@ -49,7 +49,7 @@ pub enum DescriptionError {
         /// The frequency.
         value: f64,
         /// The values of the parameters.
-        at: Point,
+        at: Values,
     },
     /// The restitution is not positive over the ranges.
     #[error(
@@ -62,7 +62,7 @@ pub enum DescriptionError {
         /// The restitution.
         value: f64,
         /// The values of the variables.
-        at: Point,
+        at: Values,
     },
     /// Numbers of loops that were asked for instead of the file's are not right.
     #[error("{}: {}", loops.iter().map(u32::to_string).collect::<Vec<_>>().join(","), REQUIREMENTS.of("analysis.loops"))]
@@ -84,7 +84,7 @@ pub enum DescriptionError {
         /// The change over one period.
         change: f64,
         /// The values of the variables before it.
-        at: Point,
+        at: Values,
         /// The variable that grows by the period, t or z.
         variable: &'static str,
         /// The period: 2π/ω in t, 2π in z.
@@ -124,9 +124,9 @@ fn where_finite(key: &str) -> &'static str {
 
 /// Names with their values.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Point(pub Vec<(String, f64)>);
+pub struct Values(pub Vec<(String, f64)>);
 
-impl std::fmt::Display for Point {
+impl std::fmt::Display for Values {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         for (index, (name, value)) in self.0.iter().enumerate() {
             let comma = if index == 0 { "" } else { ", " };

@@ -55,18 +55,18 @@ struct Tape {
     /// The number of instructions that need no variable that moves; they come first.
     held: usize,
     /// The terms of all sums.
-    terms: Vec<(f64, Place)>,
-    /// The place of the result.
-    result: Place,
+    terms: Vec<(f64, Slot)>,
+    /// The slot of the result.
+    result: Slot,
 }
 
-/// The place of a value in the list: those of the variables come first, then one for each instruction.
-type Place = usize;
+/// The slot of a value in the list: those of the variables come first, then one for each instruction.
+type Slot = usize;
 
 /// What one instruction computes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Instruction {
-    Plain(Operation<Place>),
+    Plain(Operation<Slot>),
     /// A constant and values times numbers, which stand in the list of terms from `start` to before `end`.
     Sum {
         start: usize,
@@ -75,7 +75,7 @@ enum Instruction {
     },
 }
 
-/// An operation on operands that are given by number: of a node in the graph, of a value's place on the tape.
+/// An operation on operands that are given by number: of a node in the graph, of a value's slot on the tape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Operation<P> {
     Constant(f64),
@@ -94,7 +94,7 @@ enum Operation<P> {
 }
 
 impl<P: Copy> Operation<P> {
-    /// The operands from left to right; both places hold the same one where there is only one.
+    /// The operands from left to right; both slots hold the same one where there is only one.
     fn operands(&self) -> Option<(P, P)> {
         match *self {
             Operation::Constant(_) => None,
@@ -112,42 +112,52 @@ impl<P: Copy> Operation<P> {
     }
 
     /// The same operation on other operands.
-    fn on<Q>(&self, mut place: impl FnMut(P) -> Q) -> Operation<Q> {
+    fn on<Q>(&self, mut slot: impl FnMut(P) -> Q) -> Operation<Q> {
         match *self {
             Operation::Constant(value) => Operation::Constant(value),
-            Operation::Add(a, b) => Operation::Add(place(a), place(b)),
-            Operation::Shift(a, value) => Operation::Shift(place(a), value),
-            Operation::Subtract(a, b) => Operation::Subtract(place(a), place(b)),
-            Operation::Negate(a) => Operation::Negate(place(a)),
-            Operation::Multiply(a, b) => Operation::Multiply(place(a), place(b)),
-            Operation::Scale(a, value) => Operation::Scale(place(a), value),
-            Operation::Divide(a, b) => Operation::Divide(place(a), place(b)),
-            Operation::Square(a) => Operation::Square(place(a)),
-            Operation::Power(a, exponent) => Operation::Power(place(a), exponent),
-            Operation::Apply(function, a) => Operation::Apply(function, place(a)),
+            Operation::Add(a, b) => Operation::Add(slot(a), slot(b)),
+            Operation::Shift(a, value) => Operation::Shift(slot(a), value),
+            Operation::Subtract(a, b) => Operation::Subtract(slot(a), slot(b)),
+            Operation::Negate(a) => Operation::Negate(slot(a)),
+            Operation::Multiply(a, b) => Operation::Multiply(slot(a), slot(b)),
+            Operation::Scale(a, value) => Operation::Scale(slot(a), value),
+            Operation::Divide(a, b) => Operation::Divide(slot(a), slot(b)),
+            Operation::Square(a) => Operation::Square(slot(a)),
+            Operation::Power(a, exponent) => Operation::Power(slot(a), exponent),
+            Operation::Apply(function, a) => Operation::Apply(function, slot(a)),
         }
     }
 }
 
-impl Operation<Place> {
+impl Operation<Slot> {
+    /// Computes the result from the operands, which are in slots.
     #[inline(always)]
-    fn compute<'v, S: Scalar + 'v>(&self, get: impl Fn(Place) -> &'v S) -> S {
-        let get = |place: Place| *get(place);
+    fn compute<'v, S: Scalar + 'v>(&self, result: &mut S, get: impl Fn(Slot) -> &'v S) {
         match *self {
-            Operation::Constant(value) => S::constant(value),
-            Operation::Add(a, b) => get(a) + get(b),
-            Operation::Shift(a, value) => get(a) + S::constant(value),
-            Operation::Subtract(a, b) => get(a) - get(b),
-            Operation::Negate(a) => -get(a),
-            Operation::Multiply(a, b) => get(a) * get(b),
-            Operation::Scale(a, value) => get(a).scale(value),
-            Operation::Divide(a, b) => get(a) / get(b),
-            Operation::Square(a) => get(a).square(),
-            Operation::Power(a, 3) => get(a).square() * get(a),
-            Operation::Power(a, exponent) => get(a).power(exponent),
-            Operation::Apply(function, a) => get(a).apply(function),
+            Operation::Constant(value) => *result = S::constant(value),
+            Operation::Add(a, b) => into(result, get(a), get(b), |a, b| *a + *b),
+            Operation::Shift(a, value) => into(result, get(a), &value, |a, value| *a + S::constant(*value)),
+            Operation::Subtract(a, b) => into(result, get(a), get(b), |a, b| *a - *b),
+            Operation::Negate(a) => into(result, get(a), &(), |a, ()| -*a),
+            Operation::Multiply(a, b) => into(result, get(a), get(b), |a, b| *a * *b),
+            Operation::Scale(a, value) => into(result, get(a), &value, |a, value| a.scale(*value)),
+            Operation::Divide(a, b) => into(result, get(a), get(b), |a, b| *a / *b),
+            Operation::Square(a) => into(result, get(a), &(), |a, ()| a.square()),
+            Operation::Power(a, 3) => into(result, get(a), &(), |a, ()| a.square() * *a),
+            Operation::Power(a, exponent) => {
+                into(result, get(a), &exponent, |a, exponent| a.power(*exponent))
+            }
+            Operation::Apply(function, a) => {
+                into(result, get(a), &function, |a, function| a.apply(*function))
+            }
         }
     }
+}
+
+/// Writes a result to its slot. It is a call of its own so that the compiler knows the slots to differ, and copies nothing.
+#[inline(never)]
+fn into<S, T>(result: &mut S, a: &S, b: &T, compute: impl Fn(&S, &T) -> S) {
+    *result = compute(a, b);
 }
 
 impl Expression {
@@ -201,17 +211,28 @@ impl Expression {
         }
     }
 
-    /// The expression as a function of the variables that move, with these values of the others.
+    /// The expression as a function of the variables that move, with these values of the others, which may be of a simpler kind of number.
     ///
     /// # Panics
     /// With fewer values than there are variables that do not move.
-    pub(crate) fn hold<'a, S: Scalar>(&'a self, others: &[S]) -> impl FnMut(&[S]) -> S + use<'a, S> {
+    pub(crate) fn hold<'a, T: Scalar, S: Scalar + From<T>>(
+        &'a self,
+        others: &[T],
+    ) -> impl FnMut(&[S]) -> S + use<'a, T, S> {
         let tape = &*self.0;
-        let others = &others[..tape.variables.len() - tape.moving];
-        let mut known = Vec::with_capacity(others.len() + tape.instructions.len());
-        known.extend_from_slice(others);
-        known.resize(known.capacity(), S::constant(0.0));
-        tape.run(0..tape.held, &[], tape.moving, &mut known);
+        let count = tape.variables.len() - tape.moving;
+        let known = |held: &mut [T]| {
+            held[..count].copy_from_slice(&others[..count]);
+            tape.run(0..tape.held, &[], tape.moving, held);
+            let mut known = Vec::with_capacity(count + tape.instructions.len());
+            known.extend(held[..count + tape.held].iter().copied().map(S::from));
+            known.resize(known.capacity(), S::constant(0.0));
+            known
+        };
+        let mut known = match count + tape.held {
+            0..=8 => known(&mut [T::constant(0.0); 8]),
+            more => known(&mut vec![T::constant(0.0); more]),
+        };
         move |moving| {
             tape.run(tape.held..tape.instructions.len(), moving, tape.moving, &mut known);
             *value(tape.result, moving, tape.moving, &known)
@@ -219,12 +240,18 @@ impl Expression {
     }
 }
 
-/// The value at a place: of one of the first variables, so many as are `free`, or one that is known.
+/// Adds a number times a plain one.
+#[inline(never)]
+fn add<S: Scalar>(sum: &mut S, factor: f64, term: &S) {
+    *sum = sum.plus(factor, term);
+}
+
+/// The value at a slot: of one of the first variables, so many as are `free`, or one that is known.
 #[inline(always)]
-fn value<'v, S>(place: Place, variables: &'v [S], free: usize, known: &'v [S]) -> &'v S {
-    match place.checked_sub(free) {
+fn value<'v, S>(slot: Slot, variables: &'v [S], free: usize, known: &'v [S]) -> &'v S {
+    match slot.checked_sub(free) {
         Some(index) => &known[index],
-        None => &variables[place],
+        None => &variables[slot],
     }
 }
 
@@ -238,21 +265,24 @@ impl Tape {
     #[inline]
     fn run<S: Scalar>(&self, which: Range<usize>, variables: &[S], free: usize, known: &mut [S]) {
         let first = self.variables.len() - free;
-        for place in which {
-            let get = |place: Place| value(place, variables, free, known);
-            let result = match &self.instructions[place] {
-                Instruction::Plain(operation) => operation.compute(get),
+        for slot in which {
+            let (known, results) = known.split_at_mut(first + slot);
+            let get = |slot: Slot| value(slot, variables, free, known);
+            let result = &mut results[0];
+            match &self.instructions[slot] {
+                Instruction::Plain(operation) => operation.compute(result, get),
                 Instruction::Sum { start, end, constant } => {
                     // Factors of one and minus one change no bit, and no branch is faster than one that is guessed wrong.
-                    let [(factor, place), rest @ ..] = &self.terms[*start..*end] else {
+                    let [(factor, slot), rest @ ..] = &self.terms[*start..*end] else {
                         unreachable!("a sum has a term");
                     };
-                    let sum = get(*place).scale(*factor);
-                    rest.iter().fold(sum, |sum, &(factor, place)| sum.plus(factor, get(place)))
-                        + S::constant(*constant)
+                    into(result, get(*slot), factor, |value, factor| value.scale(*factor));
+                    for (factor, slot) in rest {
+                        add(result, *factor, get(*slot));
+                    }
+                    *result = *result + S::constant(*constant);
                 }
-            };
-            known[first + place] = result;
+            }
         }
     }
 }

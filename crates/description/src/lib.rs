@@ -46,5 +46,5 @@ mod names;
 mod validate;
 
 pub use description::{Axis, Description, Limits, Texts};
-pub use error::{DescriptionError, Place, Point};
+pub use error::{DescriptionError, Place, Values};
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK, Problem};

@@ -10,8 +10,8 @@ use rayon::prelude::*;
 
 use crate::curves::Net;
 pub use crate::curves::{CodimensionTwoPoint, DiagramCurve};
-use crate::free::non_impacting::{self, NonImpacting};
 use crate::grazing::GrazingCurve;
+use crate::non_impacting::regions::{self as non_impacting, NonImpacting};
 use crate::progress::Progress;
 use crate::regions::{self, Region};
 use crate::resonances::{self, Resonance, Unlocated};

@@ -1,7 +1,7 @@
 //! Why there is nothing to unfold.
 
 use crate::escape::Escape;
-use crate::free::Height;
+use crate::non_impacting::Height;
 
 /// The search for a grazing curve found none.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,7 +1,7 @@
 //! From an oscillator alone to its two-parameter diagram: nothing is known beforehand, neither a grazing orbit nor a resonance.
 //!
 //! ```text
-//! free           periodic motion without the wall, followed in the primary parameter until it touches the wall
+//! non_impacting  periodic motion without the wall, followed in the primary parameter until it touches the wall
 //!   └─ grazing   the curve of grazing bifurcations through that point, with all that the theorems need along it
 //!        └─ resonances   where a₁₂ (p = 1) or κ_p (p ≥ 2) vanishes on it: located, numbered, checked against the theorems
 //!             └─ diagram   SN, PD and GZ curves from every resonance, codimension-two points
@@ -67,9 +67,9 @@ pub mod diagram;
 mod error;
 pub mod escape;
 mod faces;
-pub mod free;
 pub mod grazing;
 pub mod magnification;
+pub mod non_impacting;
 pub mod progress;
 pub mod regions;
 pub mod resonances;

@@ -308,7 +308,7 @@ pub(crate) fn stretches<'a, O: ImpactOscillator>(
             [None, _] => good(a.solution),
             [_, None] => good(b.solution),
             // Two events in a row: what lies between is looked at.
-            _ => between(equations, a.solution, b.solution).is_some_and(|solution| good(&solution)),
+            _ => middle_of(equations, a.solution, b.solution).is_some_and(|solution| good(&solution)),
         }
     };
     let primary = |vertex: &Vertex<'_>| vertex.solution.parameters()[0];
@@ -323,7 +323,7 @@ pub(crate) fn stretches<'a, O: ImpactOscillator>(
 }
 
 /// The MPS with the mean impact velocity of two neighbours on a branch.
-fn between<O: ImpactOscillator>(
+fn middle_of<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     a: &MaximalPeriodicSolution,
     b: &MaximalPeriodicSolution,

@@ -138,7 +138,7 @@ impl<M: SmoothOscillator> SmoothOscillator for Stoppable<M> {
     }
 
     #[inline]
-    fn force_at<S: Scalar>(&self, t: S, mu: S, eta: S) -> impl FnMut(S, S) -> S {
+    fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
         self.stop.count();
         let mut force = self.model.force_at(t, mu, eta);
         move |x, y| if self.stop.is_asked() { S::constant(f64::NAN) } else { force(x, y) }

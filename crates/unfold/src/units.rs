@@ -7,7 +7,7 @@ use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 use grazing_theorems::{GrazingPoint, ResonantPoint, Unfolding};
 
 use crate::escape::Escape;
-use crate::free::Height;
+use crate::non_impacting::Height;
 use crate::sides::{self, Sides, Simulated};
 use crate::verdict::Coefficient;
 use crate::{Scope, UnfoldError, regions};

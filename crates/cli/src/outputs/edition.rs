@@ -38,21 +38,19 @@ impl Format {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edition {
     formats: Vec<Format>,
-    columns: Columns,
-    /// Dots per inch of PNG.
-    resolution: u16,
+    size: Size,
 }
 
 impl Default for Edition {
     /// SVG as wide as in the paper, which is what `figures/` holds.
     fn default() -> Edition {
-        Edition { formats: vec![Format::Svg], columns: Columns::Paper, resolution: 300 }
+        Edition { formats: vec![Format::Svg], size: Size { columns: Columns::Paper, dpi: 300 } }
     }
 }
 
 impl Edition {
     /// What the command line asks for.
-    pub fn new(formats: &[Format], size: &Size) -> Edition {
+    pub fn new(formats: &[Format], size: Size) -> Edition {
         let mut formats = formats.to_vec();
         if formats.contains(&Format::Tex) {
             // The snippet includes the figures as PDF.
@@ -60,12 +58,12 @@ impl Edition {
         }
         formats.sort_unstable();
         formats.dedup();
-        Edition { formats, columns: size.columns, resolution: size.dpi }
+        Edition { formats, size }
     }
 
     /// True if it is what `figures/` holds.
     pub fn is_default(&self) -> bool {
-        self.formats == [Format::Svg] && self.columns == Columns::Paper
+        self.formats == [Format::Svg] && self.size.columns == Columns::Paper
     }
 
     /// True if it has the format.
@@ -75,12 +73,12 @@ impl Edition {
 
     /// True if its figures are as wide as both columns of a journal.
     pub fn spans_columns(&self) -> bool {
-        self.columns == Columns::Two
+        self.size.columns == Columns::Two
     }
 
     /// How wide the figures are drawn.
     pub fn width(&self) -> SheetWidth {
-        match self.columns {
+        match self.size.columns {
             Columns::Paper => SheetWidth::Paper,
             Columns::One => SheetWidth::OneColumn,
             Columns::Two => SheetWidth::TwoColumns,
@@ -94,13 +92,11 @@ impl Edition {
             let names: Vec<&str> = self.formats.iter().map(|format| format.name()).collect();
             options.push_str(&format!(" --format {}", names.join(",")));
         }
-        match self.columns {
-            Columns::Paper => {}
-            Columns::One => options.push_str(" --columns one"),
-            Columns::Two => options.push_str(" --columns two"),
+        if self.size.columns != Columns::Paper {
+            options.push_str(if self.spans_columns() { " --columns two" } else { " --columns one" });
         }
-        if self.has(Format::Png) && self.resolution != Edition::default().resolution {
-            options.push_str(&format!(" --dpi {}", self.resolution));
+        if self.has(Format::Png) && self.size.dpi != Edition::default().size.dpi {
+            options.push_str(&format!(" --dpi {}", self.size.dpi));
         }
         options
     }
@@ -118,7 +114,7 @@ impl Edition {
             let content = match format {
                 Format::Svg => svg.clone().into_bytes(),
                 Format::Pdf => Figure::read(&svg)?.pdf()?,
-                Format::Png => Figure::read(&svg)?.png(f64::from(self.resolution))?,
+                Format::Png => Figure::read(&svg)?.png(f64::from(self.size.dpi))?,
                 Format::Tex => continue,
             };
             files.push(MadeFile { path, content });

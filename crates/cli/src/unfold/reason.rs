@@ -6,7 +6,7 @@ use grazing_description::{Axis, Description};
 use grazing_model::smooth::{SmoothOscillator, Units};
 use grazing_unfold::UnfoldError;
 use grazing_unfold::escape::Escape;
-use grazing_unfold::free::Height;
+use grazing_unfold::non_impacting::Height;
 use grazing_unfold::regions::{Region, RegionKind};
 use grazing_unfold::stop::Unfinished;
 use grazing_unfold::units::InUnits;

@@ -3,8 +3,8 @@
 use grazing_model::smooth::Taylor;
 use nalgebra::{Matrix2, Vector2};
 
-/// A curve in the plane with the parameter s.
-pub(super) type Curve = [Taylor; 2];
+/// A curve in the plane at a point of it: Taylor polynomials in its parameter s.
+pub(super) type Germ = [Taylor; 2];
 
 /// The map X ↦ X' with L(X') = R(X) near a point X₀ that it leaves fixed.
 pub(super) struct ImplicitMap<F> {
@@ -40,7 +40,7 @@ pub(super) struct Fold {
     pub(super) coefficient: f64,
 }
 
-impl<F: Fn(Curve) -> [Curve; 2]> ImplicitMap<F> {
+impl<F: Fn(Germ) -> [Germ; 2]> ImplicitMap<F> {
     /// The normal form where the multiplier is −1 and simple and the other one is not 1.
     pub(super) fn flip(&self) -> Flip {
         let [r, l] = self.derivatives;
@@ -94,7 +94,7 @@ mod tests {
     use super::*;
 
     /// A pair of maps, written once for plain points and curves; the derivatives are read off curves along the axes.
-    fn implicit<F: Fn(Curve) -> [Curve; 2]>(point: Vector2<f64>, along: F) -> ImplicitMap<F> {
+    fn implicit<F: Fn(Germ) -> [Germ; 2]>(point: Vector2<f64>, along: F) -> ImplicitMap<F> {
         let mut derivatives = [Matrix2::zeros(); 2];
         for axis in 0..2 {
             let curve = [0, 1].map(|i| Taylor::new([point[i], f64::from(u8::from(i == axis)), 0.0, 0.0]));
@@ -107,7 +107,7 @@ mod tests {
     }
 
     /// u ↦ r u (1 − u) beside v ↦ v/2 + u²: its period doubling at r = 3 has c = ¼ f''² = 9, as f''' = 0.
-    fn logistic(r: f64) -> impl Fn(Curve) -> Curve {
+    fn logistic(r: f64) -> impl Fn(Germ) -> Germ {
         move |[u, v]| [(u * (Taylor::constant(1.0) - u)).scale(r), v.scale(0.5) + u.square()]
     }
 
@@ -142,7 +142,7 @@ mod tests {
     }
 
     /// A change of coordinates that leaves no second or third derivative as it was.
-    fn bent([u, v]: Curve) -> Curve {
+    fn bent([u, v]: Germ) -> Germ {
         let w = v + u.square().scale(0.7) - u.scale(0.4);
         [u + (w - u).apply(Function::Sin).scale(0.3), w.apply(Function::Exp).scale(0.6) + u * w]
     }
@@ -153,7 +153,7 @@ mod tests {
         // U in coordinates X = bent(Y) + shift, so that Y = `at` is the fixed point; and L, R followed by another map.
         let moved = bent([0, 1].map(|i| Taylor::constant(at[i])));
         let shift = [0, 1].map(|i| Taylor::constant(LOGISTIC_FIXED[i]) - moved[i]);
-        let coordinates = |y: Curve| {
+        let coordinates = |y: Germ| {
             let [u, v] = bent(y);
             [u + shift[0], v + shift[1]]
         };

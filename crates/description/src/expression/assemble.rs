@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::graph::Node;
-use super::{Expression, Instruction, Operation, Place, Tape};
+use super::{Expression, Instruction, Operation, Slot, Tape};
 
 /// What is computed for one node, with the numbers of the nodes it is computed from.
 enum Plan {
@@ -33,35 +33,35 @@ pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: Vec<Node>
             Node::Operation(_) => plan.operands().iter().any(|&operand| moves[operand]),
         };
     }
-    // Nodes of which nothing is computed have no place.
-    let mut places: Vec<Place> = vec![Place::MAX; nodes.len()];
+    // Nodes of which nothing is computed have no slot.
+    let mut slots: Vec<Slot> = vec![Slot::MAX; nodes.len()];
     let mut tape = Tape { variables, moving, ..Tape::default() };
     for pass in [false, true] {
         for (index, (node, plan)) in nodes.iter().zip(&plans).enumerate() {
             if let Node::Variable(number) = node {
-                places[index] = *number;
-            } else if moves[index] == pass && tape.add(plan, &places) {
-                places[index] = tape.variables.len() + tape.instructions.len() - 1;
+                slots[index] = *number;
+            } else if moves[index] == pass && tape.add(plan, &slots) {
+                slots[index] = tape.variables.len() + tape.instructions.len() - 1;
             }
         }
         if !pass {
             tape.held = tape.instructions.len();
         }
     }
-    tape.result = *places.last().expect("an expression has at least one part");
+    tape.result = *slots.last().expect("an expression has at least one part");
     tape.nodes = nodes;
     Expression(Arc::new(tape))
 }
 
 impl Tape {
     /// Adds the instruction of a plan; false if there is none.
-    fn add(&mut self, plan: &Plan, places: &[Place]) -> bool {
+    fn add(&mut self, plan: &Plan, slots: &[Slot]) -> bool {
         self.instructions.push(match plan {
             Plan::Nothing => return false,
-            Plan::Plain(operation) => Instruction::Plain(operation.on(|operand| places[operand])),
+            Plan::Plain(operation) => Instruction::Plain(operation.on(|operand| slots[operand])),
             Plan::Sum(terms, constant) => {
                 let start = self.terms.len();
-                self.terms.extend(terms.iter().map(|&(factor, operand)| (factor, places[operand])));
+                self.terms.extend(terms.iter().map(|&(factor, operand)| (factor, slots[operand])));
                 Instruction::Sum { start, end: self.terms.len(), constant: *constant }
             }
         });

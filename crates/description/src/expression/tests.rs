@@ -118,7 +118,11 @@ fn plain<S: Scalar>(expression: &Expression, variables: &[S]) -> S {
     for node in &expression.0.nodes {
         values.push(match node {
             Node::Variable(number) => variables[*number],
-            Node::Operation(operation) => operation.compute(|place| &values[place]),
+            Node::Operation(operation) => {
+                let mut value = S::constant(0.0);
+                operation.compute(&mut value, |place| &values[place]);
+                value
+            }
         });
     }
     *values.last().expect("an expression has a part")

@@ -36,12 +36,13 @@ pub(super) struct Node {
 /// Size of the two highest coefficients on a step that is allowed: of the acceleration, relative to the motion's scale, and of
 /// h² F_x and h F_y. Gauss's points make the error at the end of a step a product of two neglected coefficients, of degree six and
 /// above: of the acceleration, or its derivative, and of the solution of the variational equations. Coefficients fall
-/// geometrically, so both are some 10⁻⁷ or less then, and each error is 10⁻¹³ or less (empirical; tests hold flows to 10⁻¹²).
-const TOLERANCE: f64 = 5e-6;
-/// A force that bends by little and within a short way, as drag that turns about at v = 0, has small coefficients that fall slowly: the
-/// neglected ones of twice the degree are as their squares over the spread of the slopes, not as their squares. They reach derivatives of
-/// second order first (empirical: with this factor those are as good as the others).
-const NARROW: f64 = 0.7;
+/// fast, so both are some 10⁻⁷ or less then, and each error is 10⁻¹³ or less (empirical; tests hold flows to 10⁻¹²).
+const TOLERANCE: f64 = 1e-5;
+/// Size that is allowed of a coefficient of degree twelve of h² F_x and h F_y, the first that is neglected by itself and not in a
+/// product, as far as the lower ones tell ([`tail`]). It matters where coefficients are small but fall slowly: the force bends by little and
+/// within a short way, as drag that turns about at v = 0, and derivatives of second order are the first to be wrong (empirical: with
+/// this size they are as good there as under forces that are smooth all along).
+const TAIL: f64 = 3e-14;
 /// The largest h r on a step, r being the fastest rate at which neighbouring motion turns or decays: where F_x and F_y are constant
 /// nothing else tells how fast the variational equations are. Their error is then that of Padé's approximation of the exponential
 /// function, (6!)²/(12! 13!) (h r)¹³: 2·10⁻¹⁴ here.
@@ -113,17 +114,27 @@ impl Factors {
     }
 }
 
-/// The two highest coefficients of a function in Legendre polynomials on a step, taken together.
-fn highest(values: &Stages) -> f64 {
-    let [a, b] = LEGENDRE.map(|weights| values.weighted(&weights));
-    a.abs() + 0.1 * b.abs()
+/// The coefficients of degrees five and four of a function in Legendre polynomials on a step, taken together, and those of degrees three
+/// and two.
+fn highest(values: &Stages) -> [f64; 2] {
+    let [a, b, c, d] = LEGENDRE.map(|weights| values.weighted(&weights).abs());
+    [a + 0.1 * b, c + 0.1 * d]
+}
+
+/// The coefficient of degree twelve, if coefficients go on falling as they do here.
+fn tail([high, low]: [f64; 2]) -> f64 {
+    // None of either is NaN, which counts as one.
+    let fall = (high / low).min(1.0);
+    high * fall * fall * fall * fall.sqrt()
 }
 
 /// What F_x and F_y say about a step.
 #[derive(Clone, Copy, Debug)]
 struct Slopes {
-    /// The two highest coefficients of h² F_x and h F_y, raised where these vary by little ([`NARROW`]).
-    roughness: f64,
+    /// The highest coefficients of h² F_x and h F_y.
+    highest: f64,
+    /// Their coefficients of degree twelve, as far as can be told.
+    tail: f64,
     /// By how much h² F_x and h F_y differ between stages.
     spread: f64,
     /// The fastest rate at which neighbouring motion turns or decays.
@@ -136,12 +147,12 @@ impl Slopes {
         let together = |size: fn(&Stages) -> f64| {
             size(&by_position) * length * length + size(&by_velocity) * length.abs()
         };
-        let spread = |values: &Stages| (*values - Stages::constant(values.0[0])).modulus();
-        let rate = fastest_rate(by_position.modulus(), by_velocity.modulus());
-        let (roughness, spread) = (together(highest), together(spread));
-        // A spread of nothing leaves a roughness of nothing.
-        let narrow = if spread > 0.0 { (NARROW / spread.sqrt()).max(1.0) } else { 1.0 };
-        Self { roughness: roughness * narrow, spread, rate }
+        Self {
+            highest: together(|values| highest(values)[0]),
+            tail: together(|values| tail(highest(values))),
+            spread: together(|values| (*values - Stages::constant(values.0[0])).modulus()),
+            rate: fastest_rate(by_position.modulus(), by_velocity.modulus()),
+        }
     }
 }
 
@@ -220,14 +231,13 @@ impl<M: SmoothOscillator> Integrated<M> {
     fn solve(&self, from: Pair<f64>, time: f64, guess: Step) -> Option<(Step, Slopes)> {
         let mut step = guess;
         let h = step.length;
-        let [mu, eta] = self.parameters;
-        let [mu, eta] = [Jet::<PLANAR, Stages>::constant(mu), Jet::constant(eta)];
-        let mut force = self.model.force_at(Jet::fixed(step.times(time)), mu, eta);
+        let [mu, eta] = self.parameters.map(Stages::constant);
+        let mut force = self.model.force_at(step.times(time), mu, eta);
         let mut kept = None;
         let mut before = 1.0;
         for _ in 0..ITERATIONS {
             let [x, y] = step.stages(from);
-            let force = force(Jet::variable(0, x), Jet::variable(1, y));
+            let force = force(Jet::<PLANAR, Stages>::variable(0, x), Jet::variable(1, y));
             let (factors, slopes) = kept.take().unwrap_or_else(|| {
                 let slopes = [force.first(0), force.first(1)];
                 let factors = Factors::new(&[slopes[0].scale(h * h), slopes[1].scale(h)]);
@@ -300,7 +310,11 @@ impl<M: SmoothOscillator> Integrated<M> {
                 continue;
             };
             let scale = step.scale(node.state, self.frequency);
-            let roughness = (relative(highest(&step.accelerations), scale) + slopes.roughness) / TOLERANCE;
+            // What is of order 12 in the step, as if it were of order 5.
+            let tail = (slopes.tail / TAIL).sqrt().sqrt();
+            let tail = tail * tail.sqrt() * tail.sqrt().sqrt();
+            let [highest, _] = highest(&step.accelerations);
+            let roughness = ((relative(highest, scale) + slopes.highest) / TOLERANCE).max(tail);
             let swing = slopes.rate * trial.abs() / SWING;
             // The highest coefficient is of order 5 in the step; 3/16 is a little less than 1/5, and takes roots alone.
             let eighth = roughness.sqrt().sqrt().sqrt();

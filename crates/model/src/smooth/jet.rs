@@ -135,6 +135,13 @@ impl<const LENGTH: usize, C: Coefficient> Div for Jet<LENGTH, C> {
     }
 }
 
+impl<const LENGTH: usize, C: Coefficient> From<C> for Jet<LENGTH, C> {
+    #[inline(always)]
+    fn from(value: C) -> Self {
+        Self::fixed(value)
+    }
+}
+
 impl<const LENGTH: usize, C: Coefficient> Scalar for Jet<LENGTH, C> {
     #[inline(always)]
     fn constant(value: f64) -> Self {

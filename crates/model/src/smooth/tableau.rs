@@ -140,25 +140,20 @@ pub(super) const POSITION_WEIGHTS: [f64; STAGES] = [
     0.0028924065498159377,
 ];
 
-/// The two highest coefficients of the acceleration in Legendre polynomials on the step, of degrees five and four.
-pub(super) const LEGENDRE: [[f64; STAGES]; 2] = [
-    [
-        -0.19383956497639704,
-        0.5841366366832269,
-        -0.8611509641779073,
-        0.8611509641779073,
-        -0.5841366366832269,
-        0.19383956497639704,
-    ],
-    [
-        0.3253490729764043,
-        -0.6952259288768108,
-        0.3698768559004065,
-        0.3698768559004065,
-        -0.6952259288768108,
-        0.3253490729764043,
-    ],
-];
+/// The coefficients of a function in Legendre polynomials on the step, of degrees five to two: (2n + 1) b P_n(2c − 1).
+pub(super) const LEGENDRE: [[f64; STAGES]; 4] = {
+    let mut rows = [[0.0; STAGES]; 4];
+    let mut stage = 0;
+    while stage < STAGES {
+        let (u, b) = (2.0 * NODES[stage] - 1.0, WEIGHTS[stage]);
+        rows[0][stage] = 11.0 * b * u * (15.0 + u * u * (63.0 * u * u - 70.0)) / 8.0;
+        rows[1][stage] = 9.0 * b * (3.0 + u * u * (35.0 * u * u - 30.0)) / 8.0;
+        rows[2][stage] = 7.0 * b * u * (5.0 * u * u - 3.0) / 2.0;
+        rows[3][stage] = 5.0 * b * (3.0 * u * u - 1.0) / 2.0;
+        stage += 1;
+    }
+    rows
+};
 
 /// The factors of Lagrange's polynomials on the stages: 1/((c_j − c_1) ⋯ (c_j − c_6)), without the factor that is zero.
 pub(super) const LAGRANGE: [f64; STAGES] = [
@@ -215,14 +210,22 @@ mod tests {
 
     #[test]
     fn highest_coefficients_are_those_of_legendre_polynomials() {
-        // P₅ and P₄ in u = 2c − 1, and what is orthogonal to them.
-        let fifth = NODES.map(|c| 2.0 * c - 1.0).map(|u| u * (15.0 + u * u * (63.0 * u * u - 70.0)) / 8.0);
-        let fourth = NODES.map(|c| 2.0 * c - 1.0).map(|u| (3.0 + u * u * (35.0 * u * u - 30.0)) / 8.0);
-        let product = |a: &[f64; STAGES], b: &[f64; STAGES]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        for (values, expected) in [(fifth, [1.0, 0.0]), (fourth, [0.0, 1.0])] {
-            for (weights, expected) in LEGENDRE.iter().zip(expected) {
+        // P_n in u = 2c − 1 by Bonnet's recursion, n = 0 to 5: each has the coefficient one of its own degree, and none of another.
+        let polynomials = NODES.map(|c| {
+            let u = 2.0 * c - 1.0;
+            let mut values = [1.0, u, 0.0, 0.0, 0.0, 0.0];
+            for n in 1..5 {
+                let k = n as f64;
+                values[n + 1] = ((2.0 * k + 1.0) * u * values[n] - k * values[n - 1]) / (k + 1.0);
+            }
+            values
+        });
+        for (weights, own) in LEGENDRE.iter().zip([5, 4, 3, 2]) {
+            for degree in 0..STAGES {
+                let coefficient: f64 = weights.iter().zip(&polynomials).map(|(w, p)| w * p[degree]).sum();
+                let expected = if degree == own { 1.0 } else { 0.0 };
                 // Weights up to five.
-                assert!((product(weights, &values) - expected).abs() < 10.0 * ROUNDING);
+                assert!((coefficient - expected).abs() < 10.0 * ROUNDING, "{own} {degree}");
             }
         }
     }

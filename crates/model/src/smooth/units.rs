@@ -179,7 +179,7 @@ impl<M: SmoothOscillator> SmoothOscillator for Dimensionless<M> {
     }
 
     #[inline]
-    fn force_at<S: Scalar>(&self, t: S, mu: S, eta: S) -> impl FnMut(S, S) -> S {
+    fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
         let [mu, eta] = self.own([mu, eta]);
         let t = if self.plain { t } else { t.scale(self.units.time) };
         let mut force = self.model.force_at(t, mu, eta);

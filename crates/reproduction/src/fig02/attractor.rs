@@ -24,32 +24,28 @@ pub(super) fn rows(
     bifurcations: &[BranchBifurcation],
     progress: &dyn Progress,
 ) -> Result<Vec<AttractorPoint>, StudyError> {
-    let mut rows = Vec::new();
     let first = |kind| bifurcations.iter().find(|b| b.kind == kind).map(|b| b.primary);
-    if let (Some(gz), Some(pd)) = (first(Bifurcation::Grazing), first(Bifurcation::PeriodDoubling)) {
-        let plan = &setting.figure.attractor;
-        let what = "long-time behaviour";
-        progress.begin(what, u64::from(plan.amplitudes));
-        let amplitude = |k: u32| gz + (pd - gz) * f64::from(k) / f64::from(plan.amplitudes - 1);
-        let samples: Vec<(f64, Vec<f64>)> = (0..plan.amplitudes)
-            .into_par_iter()
-            .map(|k| {
-                let oscillator = setting.oscillator(amplitude(k))?;
-                let mut random = Pcg64::new(u128::from(plan.seed), u128::from(k));
-                let mut visits = Vec::new();
-                for _ in 0..plan.orbits {
-                    visits.extend(long_time_visits(&oscillator, setting, &mut random));
-                }
-                progress.step(what);
-                Ok((amplitude(k), visits))
-            })
-            .collect::<Result<_, StudyError>>()?;
-        progress.end(what);
-        for (primary, visits) in samples {
-            rows.extend(visits.into_iter().map(|x| AttractorPoint { primary, x }));
+    let (Some(gz), Some(pd)) = (first(Bifurcation::Grazing), first(Bifurcation::PeriodDoubling)) else {
+        return Ok(Vec::new());
+    };
+    let plan = &setting.figure.attractor;
+    let what = "long-time behaviour";
+    progress.begin(what, u64::from(plan.amplitudes));
+    let sample = |k: u32| {
+        let primary = gz + (pd - gz) * f64::from(k) / f64::from(plan.amplitudes - 1);
+        let oscillator = setting.oscillator(primary)?;
+        let mut random = Pcg64::new(u128::from(plan.seed), u128::from(k));
+        let mut visits = Vec::new();
+        for _ in 0..plan.orbits {
+            visits.extend(long_time_visits(&oscillator, setting, &mut random));
         }
-    }
-    Ok(rows)
+        progress.step(what);
+        Ok(visits.into_iter().map(|x| AttractorPoint { primary, x }).collect())
+    };
+    let samples: Vec<Vec<_>> =
+        (0..plan.amplitudes).into_par_iter().map(sample).collect::<Result<_, StudyError>>()?;
+    progress.end(what);
+    Ok(samples.into_iter().flatten().collect())
 }
 
 /// A random point of Π: x uniform between the lower edge of the figure and the wall, the phase uniform.

@@ -7,7 +7,7 @@ use grazing_model::State;
 use super::Setting;
 use super::branches::{Branch, with_events};
 use crate::StudyError;
-use crate::parameters::{MOST_PORTRAITS, Place, Portrait};
+use crate::parameters::{MOST_PORTRAITS, Portrait};
 
 /// The part of a stretch, at either end, in which no portrait is put by itself: close to a bifurcation an orbit is hardly told
 /// from the one it is born with.
@@ -31,21 +31,21 @@ pub(super) fn all(setting: &Setting, branches: &[Branch]) -> Result<(Vec<Subject
     }
     let (mut subjects, mut notes) = (Vec::new(), Vec::new());
     for portrait in asked {
-        match (found(setting, branches, portrait), portrait.place) {
-            (Some(subject), Place::Near(wish)) if subject.amplitude != wish => {
-                let (loops, amplitude) = (subject.loops, subject.amplitude);
-                notes.push(format!(
-                    "{}: the portrait of p = {loops} is at {amplitude:.5}, where it exists",
-                    portrait.key
-                ));
+        let Portrait { loops, amplitude: wish, must, key, .. } = portrait;
+        match found(setting, branches, portrait) {
+            Some(subject) => {
+                if !must && wish.is_some_and(|wish| wish != subject.amplitude) {
+                    let amplitude = subject.amplitude;
+                    notes.push(format!(
+                        "{key}: the portrait of p = {loops} is at {amplitude:.5}, where it exists"
+                    ));
+                }
                 subjects.push(subject);
             }
-            (Some(subject), _) => subjects.push(subject),
-            (None, Place::At(_)) => return Err(missing(branches, portrait)),
-            (None, _) => {
-                let Portrait { key, loops, .. } = portrait;
-                notes.push(format!("{key}: no such portrait, as no {loops}-loop solution is stable and admissible at the amplitudes of Figure 2"));
-            }
+            None if *must => return Err(missing(branches, portrait)),
+            None => notes.push(format!(
+                "{key}: no such portrait, as no {loops}-loop solution is stable and admissible at the amplitudes of Figure 2"
+            )),
         }
     }
     // There is always a non-impacting solution.
@@ -64,19 +64,12 @@ fn chosen(setting: &Setting, branches: &[Branch]) -> Vec<Subject> {
 
 /// What the file asks for, if it exists.
 fn found(setting: &Setting, branches: &[Branch], portrait: &Portrait) -> Option<Subject> {
-    let wish = match portrait.place {
-        Place::At(amplitude) | Place::Near(amplitude) => Some(amplitude),
-        Place::Anywhere => None,
-    };
-    let loops = portrait.loops;
+    let Portrait { loops, amplitude: wish, must, .. } = *portrait;
     if loops == 0 {
         return Some(non_impacting(setting, wish));
     }
     let there = wish.and_then(|amplitude| at(branches, loops, amplitude));
-    match portrait.place {
-        Place::At(_) => there,
-        _ => there.or_else(|| nearest(branches, loops, wish)),
-    }
+    if must { there } else { there.or_else(|| nearest(branches, loops, wish)) }
 }
 
 /// The non-impacting solution or the attractor, at the amplitude or the nearest one in the figure.

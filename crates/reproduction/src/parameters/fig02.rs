@@ -57,21 +57,12 @@ pub struct Attractor {
 pub struct Portrait {
     /// The loops p of the maximal periodic solution, one of those of the figure; 0 is the non-impacting solution.
     pub loops: u32,
-    /// At which amplitude it is shown.
-    pub place: Place,
+    /// The forcing amplitude at which it is shown; if there is none, at any.
+    pub amplitude: Option<f64>,
+    /// Whether it is shown there or not at all; otherwise, if the solution is not there, at the nearest amplitude at which it is.
+    pub must: bool,
     /// The key of the file that says so, with line and value: the beginning of a message.
     pub key: String,
-}
-
-/// The forcing amplitude at which a portrait is shown.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Place {
-    /// This one, inside the amplitudes of the figure.
-    At(f64),
-    /// This one, or if the solution is not there, the nearest at which it is.
-    Near(f64),
-    /// Any.
-    Anywhere,
 }
 
 impl Figure2 {
@@ -158,15 +149,15 @@ impl Portrait {
             return Err(section.refusal("loops"));
         }
         let near: Option<f64> = section.optional("near")?;
-        let (name, place) = if section.has("amplitude") {
-            let amplitude = section.number("amplitude", |a| contains(across.amplitude, a))?;
-            ("amplitude", Place::At(amplitude))
+        let must = section.has("amplitude");
+        let (name, amplitude) = if must {
+            ("amplitude", Some(section.number("amplitude", |a| contains(across.amplitude, a))?))
         } else if near.is_some() {
-            ("near", Place::Near(across.factor * section.number("near", |a| a >= 0.0)?))
+            ("near", Some(across.factor * section.number("near", |a| a >= 0.0)?))
         } else {
-            ("loops", Place::Anywhere)
+            ("loops", None)
         };
-        Ok(Self { loops: shown, place, key: section.told(name) })
+        Ok(Self { loops: shown, amplitude, must, key: section.told(name) })
     }
 }
 

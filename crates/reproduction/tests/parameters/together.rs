@@ -1,8 +1,6 @@
 //! Values that must fit others of the file.
 
-use grazing_reproduction::parameters::{
-    ParameterError, Parameters, Place, contains, encloses, strictly_contains,
-};
+use grazing_reproduction::parameters::{ParameterError, Parameters, contains, encloses, strictly_contains};
 use grazing_source::Text;
 
 use crate::{DEFAULT, edited, errors, refusal, refused, set};
@@ -68,11 +66,12 @@ fn panels_are_about_resonances_that_the_window_holds() {
 fn a_portrait_is_strictly_where_its_amplitude_is_and_otherwise_where_it_can_be() {
     let place = |settings: &[&str]| {
         let parameters = set(settings).expect("it is TOML");
-        parameters.fig02.get().expect("it is right").portraits[1].place
+        let portrait = &parameters.fig02.get().expect("it is right").portraits[1];
+        (portrait.amplitude, portrait.must)
     };
-    let Place::Near(near) = place(&[]) else { panic!("the default file has wishes") };
-    assert_eq!(place(&["fig02.portraits[2].amplitude=0.3"]), Place::At(0.3));
-    assert_eq!(place(&["fig02.portraits[2].near=9.5"]), Place::Near(9.5));
+    let (Some(near), false) = place(&[]) else { panic!("the default file has wishes") };
+    assert_eq!(place(&["fig02.portraits[2].amplitude=0.3"]), (Some(0.3), true));
+    assert_eq!(place(&["fig02.portraits[2].near=9.5"]), (Some(9.5), false));
     assert!(near > 0.0);
     let parameters = set(&["fig02.portraits=[]"]).expect("it is TOML");
     assert!(parameters.fig02.get().expect("it is right").portraits.is_empty());

@@ -1,4 +1,4 @@
-//! The search for grazing of the free motion: what it finds, and what it says where there is none.
+//! The search for grazing of motion without the wall: what it finds, and what it says where there is none.
 
 use core::f64::consts::{PI, TAU};
 
@@ -6,8 +6,8 @@ use grazing_model::maps::global_map;
 use grazing_model::motion::{Motion, highest_maximum};
 use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, State};
 use grazing_theorems::spectrum::in_trapesium;
-use grazing_unfold::free::survey;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
+use grazing_unfold::non_impacting::periodic_motion;
 use grazing_unfold::{Scope, UnfoldError};
 
 use crate::specimens::{
@@ -188,7 +188,7 @@ fn a_closed_grazing_curve_is_followed_once_round() {
     assert_within(turned.abs(), TAU, 1e-9);
     // At each η between the folds there are two grazing orbits, and both are on it.
     for eta in [-0.2, 0.0, 0.1] {
-        let found = survey(curve.states[0].orbit.oscillator(), &scope, eta).grazing;
+        let found = periodic_motion(curve.states[0].orbit.oscillator(), &scope, eta).grazing;
         assert_eq!(found.len(), 2);
         assert!(found.iter().all(|orbit| curve.passes(orbit, &scope)));
     }
@@ -224,7 +224,7 @@ const BISTABLE: &str = "-0.08*v - (x + 1) - 0.8*(x + 1)^3 + mu*cos(eta*t)";
 fn grazing_on_the_upper_branch_of_a_bistable_oscillator_is_found_beyond_two_folds() {
     let scope = scope([0.0, 0.4], [1.2, 1.3], &[]);
     let oscillator = written(BISTABLE, "eta", &scope);
-    let found = survey(&oscillator, &scope, 1.25).grazing;
+    let found = periodic_motion(&oscillator, &scope, 1.25).grazing;
     let [orbit] = found.as_slice() else { panic!("{} orbits", found.len()) };
     // Harmonic balance, whose error is the third harmonic, some 0.8/4/8/1.25² of the amplitude.
     let balance = libm::hypot(1.0 - 1.25 * 1.25 + 0.75 * 0.8, 0.08 * 1.25);

@@ -15,9 +15,9 @@ use super::Height;
 use crate::Scope;
 
 /// An orbit: x and y at phase zero, and the shares of the ranges of μ and η.
-pub(crate) type Orbit = Vector4<f64>;
+pub(crate) type OrbitPoint = Vector4<f64>;
 
-/// Positions in an [`Orbit`].
+/// Positions in an [`OrbitPoint`].
 pub(super) const PRIMARY: usize = 2;
 pub(super) const SECONDARY: usize = 3;
 
@@ -29,15 +29,15 @@ const REST: f64 = 1e-9;
 const INSTANTS: u32 = 32;
 
 /// The equations of periodic orbits without impacts.
-pub(crate) struct FreeOrbits<'a, O> {
+pub(crate) struct PeriodicOrbits<'a, O> {
     pub(crate) oscillator: &'a O,
     pub(crate) scope: &'a Scope,
 }
 
 /// An orbit and what is to be known of it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct FreeOrbit {
-    pub(crate) orbit: Orbit,
+pub(crate) struct PeriodicOrbit {
+    pub(crate) orbit: OrbitPoint,
     pub(crate) height: Height,
     /// Time and position of the highest point, time counted from phase zero.
     pub(crate) highest: Maximum,
@@ -46,17 +46,17 @@ pub(crate) struct FreeOrbit {
 }
 
 /// A curve of orbits: the equations with one more condition, a share of η or a multiplier.
-pub(super) struct FreeCurve<'a, O> {
-    pub(super) orbits: &'a FreeOrbits<'a, O>,
+pub(super) struct PeriodicOrbitCurve<'a, O> {
+    pub(super) orbits: &'a PeriodicOrbits<'a, O>,
     /// [`Condition::Secondary`] of a share, or [`Condition::Multiplier`].
     pub(super) condition: Condition,
 }
 
-impl<O: ImpactOscillator> CurveEquations<4> for FreeCurve<'_, O> {
+impl<O: ImpactOscillator> CurveEquations<4> for PeriodicOrbitCurve<'_, O> {
     type Carried = ();
     type Failure = MapError;
 
-    fn evaluate(&self, orbit: &Orbit, (): &mut ()) -> Result<Linearisation<4>, MapError> {
+    fn evaluate(&self, orbit: &OrbitPoint, (): &mut ()) -> Result<Linearisation<4>, MapError> {
         let mut system = Linearisation { residual: Vector4::zeros(), jacobian: SMatrix::zeros() };
         let pair = match self.condition {
             Condition::Multiplier(multiplier) => {
@@ -71,7 +71,7 @@ impl<O: ImpactOscillator> CurveEquations<4> for FreeCurve<'_, O> {
                 system.jacobian[(2, SECONDARY)] = 1.0;
                 self.orbits.pair::<1>(orbit)?
             }
-            _ => unreachable!("curves of free orbits have a fixed share of eta or a fixed multiplier"),
+            _ => unreachable!("curves of periodic orbits have a fixed share of eta or a fixed multiplier"),
         };
         let (difference, derivative) = pair.difference();
         system.residual.fixed_rows_mut::<2>(0).copy_from(&difference);
@@ -80,17 +80,17 @@ impl<O: ImpactOscillator> CurveEquations<4> for FreeCurve<'_, O> {
     }
 }
 
-impl<O: ImpactOscillator> FreeOrbits<'_, O> {
-    pub(super) fn oscillator_at(&self, orbit: &Orbit) -> O {
+impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
+    pub(super) fn oscillator_at(&self, orbit: &OrbitPoint) -> O {
         self.scope.oscillator_at(self.oscillator, [orbit[PRIMARY], orbit[SECONDARY]])
     }
 
-    pub(super) fn parameters(&self, orbit: &Orbit) -> [f64; 2] {
+    pub(super) fn parameters(&self, orbit: &OrbitPoint) -> [f64; 2] {
         self.scope.parameters([orbit[PRIMARY], orbit[SECONDARY]])
     }
 
     /// The stroboscopic map beside the identity, parameters counted in shares: their difference vanishes on orbits.
-    fn pair<const ORDER: usize>(&self, orbit: &Orbit) -> Result<LoopPair, MapError> {
+    fn pair<const ORDER: usize>(&self, orbit: &OrbitPoint) -> Result<LoopPair, MapError> {
         let mut jet =
             stroboscopic_map::<O, ORDER>(&self.oscillator_at(orbit), AtPhase::new(orbit[0], orbit[1]));
         let size = jet.value.norm();
@@ -109,32 +109,33 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
     }
 
     /// The orbit near a state at shares of the ranges, which are held.
-    pub(super) fn at(&self, near: &Orbit) -> Option<Orbit> {
+    pub(super) fn at(&self, near: &OrbitPoint) -> Option<OrbitPoint> {
         self.within(f64::INFINITY, near)
     }
 
     /// The same, given up as soon as an iterate is farther from the state than `reach`.
-    pub(super) fn within(&self, reach: f64, near: &Orbit) -> Option<Orbit> {
+    pub(super) fn within(&self, reach: f64, near: &OrbitPoint) -> Option<OrbitPoint> {
         let start = Vector2::new(near[0], near[1]);
         let solution = newton::solve(start, 20, |state| {
             let size = state.norm();
             if (state - start).norm() > reach {
                 return Err(MapError::NoRest { near: TAU, velocity: size });
             }
-            let (residual, derivative) =
-                self.pair::<1>(&Orbit::new(state[0], state[1], near[PRIMARY], near[SECONDARY]))?.difference();
+            let (residual, derivative) = self
+                .pair::<1>(&OrbitPoint::new(state[0], state[1], near[PRIMARY], near[SECONDARY]))?
+                .difference();
             Ok::<_, MapError>(Linearisation {
                 residual,
                 jacobian: derivative.fixed_columns::<2>(0).into_owned(),
             })
         });
         let point = solution.ok()?.point;
-        Some(Orbit::new(point[0], point[1], near[PRIMARY], near[SECONDARY]))
+        Some(OrbitPoint::new(point[0], point[1], near[PRIMARY], near[SECONDARY]))
     }
 
     /// The orbit with a multiplier at the share of η of an orbit nearby.
-    pub(super) fn with_multiplier(&self, near: &Orbit, multiplier: Condition) -> Option<Orbit> {
-        let curve = FreeCurve { orbits: self, condition: multiplier };
+    pub(super) fn with_multiplier(&self, near: &OrbitPoint, multiplier: Condition) -> Option<OrbitPoint> {
+        let curve = PeriodicOrbitCurve { orbits: self, condition: multiplier };
         let solution = newton::solve(*near, 20, |orbit| {
             let mut system = curve.evaluate(orbit, &mut ())?;
             system.residual[3] = orbit[SECONDARY] - near[SECONDARY];
@@ -145,7 +146,7 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
     }
 
     /// What is to be known of an orbit.
-    pub(super) fn seen(&self, orbit: &Orbit) -> FreeOrbit {
+    pub(super) fn seen(&self, orbit: &OrbitPoint) -> PeriodicOrbit {
         let oscillator = self.oscillator_at(orbit);
         let motion = oscillator.motion(State { position: orbit[0], velocity: orbit[1], phase: 0.0 });
         let frequency = oscillator.forcing_frequency().value;
@@ -165,6 +166,12 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
             parameters: self.parameters(orbit),
             acceleration: motion.at(highest.time).acceleration,
         };
-        FreeOrbit { orbit: *orbit, height, highest, phase_of_highest: highest.time * frequency, multipliers }
+        PeriodicOrbit {
+            orbit: *orbit,
+            height,
+            highest,
+            phase_of_highest: highest.time * frequency,
+            multipliers,
+        }
     }
 }

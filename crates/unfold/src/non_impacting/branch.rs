@@ -7,14 +7,14 @@ use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
 
-use super::orbits::{FreeCurve, FreeOrbit, FreeOrbits, Orbit, PRIMARY, SECONDARY};
+use super::orbits::{OrbitPoint, PRIMARY, PeriodicOrbit, PeriodicOrbitCurve, PeriodicOrbits, SECONDARY};
 use crate::slices::near_chord;
 
 /// A branch through the range of μ.
 #[derive(Clone, Debug)]
 pub(crate) struct Branch {
     /// Its orbits in order, the bifurcations among them.
-    pub(crate) orbits: Vec<FreeOrbit>,
+    pub(crate) orbits: Vec<PeriodicOrbit>,
     pub(crate) bifurcations: Vec<Crossing>,
     /// It was followed to the edges of the range to both sides.
     pub(crate) whole: bool,
@@ -26,7 +26,7 @@ pub(crate) struct Crossing {
     /// [`Condition::SADDLE_NODE`], [`Condition::PERIOD_DOUBLING`] or [`Condition::InteriorGrazing`].
     pub(crate) condition: Condition,
     /// The orbit at a bifurcation that was located, or one nearby.
-    pub(crate) near: FreeOrbit,
+    pub(crate) near: PeriodicOrbit,
     /// The place of that orbit on the branch, if the bifurcation was located.
     pub(crate) place: Option<usize>,
 }
@@ -43,7 +43,7 @@ const VIOLENT: f64 = 1e4;
 /// by an eighth of the angle by which it turns, which is three times that of the step control at most.
 const ON_BRANCH: f64 = 0.15;
 
-impl FreeOrbit {
+impl PeriodicOrbit {
     /// Stable, and nowhere above the wall.
     pub(crate) fn good(&self) -> bool {
         in_trapesium(self.multipliers.trace, self.multipliers.determinant) && self.off_the_wall()
@@ -68,17 +68,17 @@ impl FreeOrbit {
 
 impl Branch {
     /// Whether an orbit lies on the branch.
-    pub(crate) fn passes(&self, orbit: &Orbit) -> bool {
-        let gap = |known: &FreeOrbit| known.orbit - orbit;
+    pub(crate) fn passes(&self, orbit: &OrbitPoint) -> bool {
+        let gap = |known: &PeriodicOrbit| known.orbit - orbit;
         let start = self.orbits.first().is_some_and(|first| gap(first).norm() < STEPS.first);
         start || self.orbits.windows(2).any(|pair| near_chord(&gap(&pair[0]), &gap(&pair[1]), ON_BRANCH))
     }
 }
 
-impl<O: ImpactOscillator> FreeOrbits<'_, O> {
+impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
     /// The branch through an orbit, at its η.
-    pub(crate) fn branch(&self, through: &Orbit) -> Option<Branch> {
-        let up = Orbit::new(0.0, 0.0, 1.0, 0.0);
+    pub(crate) fn branch(&self, through: &OrbitPoint) -> Option<Branch> {
+        let up = OrbitPoint::new(0.0, 0.0, 1.0, 0.0);
         let (mut orbits, begins) = self.follow(through, -up)?;
         orbits.reverse();
         let (after, ends) = self.follow(through, up)?;
@@ -98,8 +98,8 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
     }
 
     /// Orbits from one to the side of a direction, and whether they reach the edge of the range.
-    fn follow(&self, start: &Orbit, direction: Orbit) -> Option<(Vec<FreeOrbit>, bool)> {
-        let curve = FreeCurve { orbits: self, condition: Condition::Secondary(start[SECONDARY]) };
+    fn follow(&self, start: &OrbitPoint, direction: OrbitPoint) -> Option<(Vec<PeriodicOrbit>, bool)> {
+        let curve = PeriodicOrbitCurve { orbits: self, condition: Condition::Secondary(start[SECONDARY]) };
         let mut walker = Continuation::new(&curve, STEPS, *start, direction, ()).ok()?;
         let mut found = vec![self.seen(start)];
         for _ in 0..STEP_LIMIT {
@@ -123,8 +123,8 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
         Some((found, false))
     }
 
-    /// The grazing orbit near a free orbit.
-    pub(super) fn grazing(&self, near: &FreeOrbit) -> Option<GrazingOrbit<O>> {
+    /// The grazing orbit near a periodic orbit.
+    pub(super) fn grazing(&self, near: &PeriodicOrbit) -> Option<GrazingOrbit<O>> {
         GrazingOrbit::find(&self.oscillator_at(&near.orbit), near.phase_of_highest).ok()
     }
 }
@@ -133,10 +133,10 @@ impl Branch {
     /// Locates a bifurcation between the last orbit and the next, and puts it in its place.
     fn meet<O: ImpactOscillator>(
         &mut self,
-        orbits: &FreeOrbits<'_, O>,
+        orbits: &PeriodicOrbits<'_, O>,
         condition: Condition,
-        before: &FreeOrbit,
-        after: &FreeOrbit,
+        before: &PeriodicOrbit,
+        after: &PeriodicOrbit,
     ) {
         let (a, b) = (before.highest.position, after.highest.position);
         let weight = a / (a - b);

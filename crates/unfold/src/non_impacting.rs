@@ -6,8 +6,8 @@
 
 pub(crate) mod branch;
 mod curves;
-pub(crate) mod non_impacting;
 mod orbits;
+pub(crate) mod regions;
 
 use grazing_continuation::locate::Condition;
 use grazing_model::ImpactOscillator;
@@ -19,11 +19,11 @@ use nalgebra::Vector2;
 use crate::Scope;
 use crate::escape::Escape;
 use branch::{Branch, Crossing};
-use orbits::{FAR, FreeOrbits, Orbit};
+use orbits::{FAR, OrbitPoint, PeriodicOrbits};
 
-/// What was seen of free periodic motion at one η, and where it grazes.
+/// What was seen of periodic motion without the wall at one η, and where it grazes.
 #[derive(Clone, Debug)]
-pub struct Survey<O> {
+pub struct PeriodicMotion<O> {
     /// Grazing orbits, each touching the wall with its highest point.
     pub grazing: Vec<GrazingOrbit<O>>,
     /// The lowest and the highest of the highest points of all orbits, with the parameters; `None` without an orbit.
@@ -36,7 +36,7 @@ pub struct Survey<O> {
     pub(crate) branches: Vec<Branch>,
 }
 
-/// The highest point of a free periodic orbit.
+/// The highest point of a periodic orbit without the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Height {
     /// x.
@@ -65,9 +65,13 @@ const CARRIED_AWAY: f64 = 10.0;
 /// Grazing orbits closer than this are one: Newton's method leaves far less.
 const SAME: f64 = 1e-6;
 
-/// Looks for grazing of free periodic motion over the whole range of μ at η = `secondary`.
-pub fn survey<O: ImpactOscillator>(oscillator: &O, scope: &Scope, secondary: f64) -> Survey<O> {
-    let orbits = FreeOrbits { oscillator, scope };
+/// Looks for grazing of periodic motion without the wall over the whole range of μ at η = `secondary`.
+pub fn periodic_motion<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    secondary: f64,
+) -> PeriodicMotion<O> {
+    let orbits = PeriodicOrbits { oscillator, scope };
     let share_of_secondary = scope.shares([scope.window.primary[0], secondary])[1];
     let mut branches: Vec<Branch> = Vec::new();
     let (mut ran_away, mut carried_away) = (None, None);
@@ -94,14 +98,15 @@ pub fn survey<O: ImpactOscillator>(oscillator: &O, scope: &Scope, secondary: f64
     if branches.is_empty() {
         branches.extend(carried_away.and_then(|orbit| orbits.branch(&orbit)));
     }
-    let mut survey = Survey { grazing: Vec::new(), extremes: None, pushed: Vec::new(), ran_away, branches };
-    survey.look(&orbits);
-    survey
+    let mut motion =
+        PeriodicMotion { grazing: Vec::new(), extremes: None, pushed: Vec::new(), ran_away, branches };
+    motion.look(&orbits);
+    motion
 }
 
-impl<O: ImpactOscillator> FreeOrbits<'_, O> {
+impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
     /// The periodic orbit to which the motion from a state relaxes; `None` if it does not settle.
-    fn relaxed(&self, shares: [f64; 2], start: Vector2<f64>) -> Result<Option<Orbit>, Escape> {
+    fn relaxed(&self, shares: [f64; 2], start: Vector2<f64>) -> Result<Option<OrbitPoint>, Escape> {
         let oscillator = self.scope.oscillator_at(self.oscillator, shares);
         let period = oscillator.forcing_period();
         let mut state = start;
@@ -119,13 +124,13 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
                 break;
             }
         }
-        Ok(self.at(&Orbit::new(state[0], state[1], shares[0], shares[1])))
+        Ok(self.at(&OrbitPoint::new(state[0], state[1], shares[0], shares[1])))
     }
 }
 
-impl<O: ImpactOscillator> Survey<O> {
+impl<O: ImpactOscillator> PeriodicMotion<O> {
     /// Takes down what the branches show.
-    fn look(&mut self, orbits: &FreeOrbits<'_, O>) {
+    fn look(&mut self, orbits: &PeriodicOrbits<'_, O>) {
         let heights = self.branches.iter().flat_map(|branch| branch.orbits.iter().map(|orbit| orbit.height));
         for height in heights {
             let [lowest, highest] = self.extremes.get_or_insert([height, height]);

@@ -10,18 +10,18 @@ use grazing_continuation::mps::{EventTimes, MaximalPeriodicSolution, Unknowns};
 use grazing_model::ImpactOscillator;
 
 use super::branch::Crossing;
-use super::orbits::{FreeCurve, FreeOrbit, FreeOrbits, Orbit, PRIMARY, SECONDARY};
+use super::orbits::{OrbitPoint, PRIMARY, PeriodicOrbit, PeriodicOrbitCurve, PeriodicOrbits, SECONDARY};
 use crate::curves::DiagramCurve;
 
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;
 
-impl<O: ImpactOscillator> FreeOrbits<'_, O> {
+impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
     /// The curve of folds or period doublings through one that was located, to both sides.
     pub(crate) fn curve(&self, through: &Crossing) -> Option<DiagramCurve> {
         let condition = through.condition;
         let kind = Bifurcation::of(condition)?;
-        let up = Orbit::new(0.0, 0.0, 0.0, 1.0);
+        let up = OrbitPoint::new(0.0, 0.0, 0.0, 1.0);
         let (mut orbits, beginning) = self.follow_curve(condition, &through.near.orbit, -up)?;
         orbits.reverse();
         let (after, end) = self.follow_curve(condition, &through.near.orbit, up)?;
@@ -43,13 +43,14 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
     fn follow_curve(
         &self,
         condition: Condition,
-        start: &Orbit,
-        direction: Orbit,
-    ) -> Option<(Vec<FreeOrbit>, CurveEnd)> {
-        let curve = FreeCurve { orbits: self, condition };
+        start: &OrbitPoint,
+        direction: OrbitPoint,
+    ) -> Option<(Vec<PeriodicOrbit>, CurveEnd)> {
+        let curve = PeriodicOrbitCurve { orbits: self, condition };
         let mut walker = Continuation::new(&curve, StepControl::DRAWING, *start, direction, ()).ok()?;
         let mut found = vec![self.seen(start)];
-        let inside = |orbit: &Orbit| [PRIMARY, SECONDARY].iter().all(|k| (0.0..=1.0).contains(&orbit[*k]));
+        let inside =
+            |orbit: &OrbitPoint| [PRIMARY, SECONDARY].iter().all(|k| (0.0..=1.0).contains(&orbit[*k]));
         while found.len() < STEP_LIMIT {
             let before = walker.here().point;
             let after = match walker.advance() {
@@ -88,7 +89,7 @@ impl<O: ImpactOscillator> FreeOrbits<'_, O> {
     }
 
     /// An orbit without impacts in the place of an MPS: no impact velocity, and the phase of its highest point.
-    fn as_solution(&self, orbit: &FreeOrbit) -> MaximalPeriodicSolution {
+    fn as_solution(&self, orbit: &PeriodicOrbit) -> MaximalPeriodicSolution {
         let [primary, secondary] = self.parameters(&orbit.orbit);
         let phase = orbit.phase_of_highest - TAU * libm::floor(orbit.phase_of_highest / TAU);
         MaximalPeriodicSolution {

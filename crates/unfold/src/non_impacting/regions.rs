@@ -11,8 +11,8 @@ use nalgebra::{Vector2, Vector3};
 use rayon::prelude::*;
 
 use super::branch::{Branch, Crossing};
-use super::orbits::{FreeOrbits, Orbit, SECONDARY};
-use super::{Survey, survey};
+use super::orbits::{OrbitPoint, PeriodicOrbits, SECONDARY};
+use super::{PeriodicMotion, periodic_motion};
 use crate::curves::DiagramCurve;
 use crate::faces::Point;
 use crate::grazing::GrazingCurve;
@@ -43,8 +43,8 @@ const ON_CURVE: f64 = 0.03;
 /// Curves are drawn to this share of the ranges.
 const DRAWN: f64 = 1e-4;
 
-struct FreeSurvey<'a, O> {
-    orbits: FreeOrbits<'a, O>,
+struct NonImpactingSurvey<'a, O> {
+    orbits: PeriodicOrbits<'a, O>,
     grazing: Vec<GrazingCurve<O>>,
     curves: Vec<DiagramCurve>,
     slices: Vec<Slice<Branch>>,
@@ -63,53 +63,53 @@ pub(crate) fn find<O: ImpactOscillator>(
     let shares: Vec<f64> =
         (0..=SLICES / RELAXED_EVERY).map(|k| f64::from(k * RELAXED_EVERY) / f64::from(SLICES)).collect();
     progress.begin(what, shares.len() as u64);
-    let surveys: Vec<Survey<O>> = shares
+    let motions: Vec<PeriodicMotion<O>> = shares
         .par_iter()
         .map(|share| {
-            let survey = survey(oscillator, scope, scope.parameters([0.0, *share])[1]);
+            let motion = periodic_motion(oscillator, scope, scope.parameters([0.0, *share])[1]);
             progress.step(what);
-            survey
+            motion
         })
         .collect();
     progress.end(what);
-    if surveys.iter().all(|survey| survey.grazing.is_empty()) {
+    if motions.iter().all(|motion| motion.grazing.is_empty()) {
         let stopped = UnfoldError::Stopped { stage: what };
-        return Err(if progress.stopped() { stopped } else { explanation(&surveys) });
+        return Err(if progress.stopped() { stopped } else { explanation(&motions) });
     }
     let slices = shares
         .iter()
-        .zip(&surveys)
-        .map(|(share, survey)| Slice::new(scope.parameters([0.0, *share])[1], survey.branches.clone()));
-    let mut free = FreeSurvey {
-        orbits: FreeOrbits { oscillator, scope },
+        .zip(&motions)
+        .map(|(share, motion)| Slice::new(scope.parameters([0.0, *share])[1], motion.branches.clone()));
+    let mut survey = NonImpactingSurvey {
+        orbits: PeriodicOrbits { oscillator, scope },
         grazing: Vec::new(),
         curves: Vec::new(),
         slices: slices.collect(),
     };
     // From the middle outwards: a curve is told once, from where it is met first.
-    let mut order: Vec<usize> = (0..surveys.len()).collect();
-    order.sort_by_key(|k| k.abs_diff(surveys.len() / 2));
-    for orbit in order.into_iter().flat_map(|k| &surveys[k].grazing) {
-        free.add_grazing(orbit);
+    let mut order: Vec<usize> = (0..motions.len()).collect();
+    order.sort_by_key(|k| k.abs_diff(motions.len() / 2));
+    for orbit in order.into_iter().flat_map(|k| &motions[k].grazing) {
+        survey.add_grazing(orbit);
     }
     let between: Vec<f64> = (0..=SLICES)
         .filter(|k| k % RELAXED_EVERY != 0)
         .map(|k| scope.parameters([0.0, f64::from(k) / f64::from(SLICES)])[1])
         .collect();
-    let regions = decided(scope.window, &mut free, (&RegionKind::NonImpacting, 0), &between, progress);
-    let FreeSurvey { grazing, curves, .. } = free;
+    let regions = decided(scope.window, &mut survey, (&RegionKind::NonImpacting, 0), &between, progress);
+    let NonImpactingSurvey { grazing, curves, .. } = survey;
     let (regions, unfinished) = match progress.stopped() {
         true => (Vec::new(), vec![Unfinished::stage(what)]),
         false => (regions, Vec::new()),
     };
     match (grazing.is_empty(), unfinished.is_empty()) {
         (true, false) => Err(UnfoldError::Stopped { stage: what }),
-        (true, true) => Err(explanation(&surveys)),
+        (true, true) => Err(explanation(&motions)),
         (false, _) => Ok(NonImpacting { grazing, curves, regions, unfinished }),
     }
 }
 
-impl<O: ImpactOscillator> FreeSurvey<'_, O> {
+impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
     /// Adds the grazing curve through an orbit unless it is known.
     fn add_grazing(&mut self, orbit: &GrazingOrbit<O>) {
         let scope = self.orbits.scope;
@@ -130,7 +130,7 @@ impl<O: ImpactOscillator> FreeSurvey<'_, O> {
             let rest = (TAU - phase) / oscillator.forcing_frequency().value;
             let there = oscillator.motion(State::on_wall(0.0, phase)).at(rest);
             let shares = self.orbits.scope.shares([orbit.primary(), secondary]);
-            let near = Orbit::new(there.position, there.velocity, shares[0], shares[1]);
+            let near = OrbitPoint::new(there.position, there.velocity, shares[0], shares[1]);
             if let Some(start) = self.orbits.at(&near)
                 && !branches.iter().any(|branch| branch.passes(&start))
             {
@@ -235,7 +235,7 @@ impl Branch {
     }
 }
 
-impl<O: ImpactOscillator> Surveyor for FreeSurvey<'_, O> {
+impl<O: ImpactOscillator> Surveyor for NonImpactingSurvey<'_, O> {
     fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
         let found: Vec<_> = levels.par_iter().map(|level| self.beginning_at_grazing(*level)).collect();
         self.slices.extend(found);
@@ -299,18 +299,18 @@ impl<O: ImpactOscillator> Surveyor for FreeSurvey<'_, O> {
 }
 
 /// Why no survey has seen grazing.
-fn explanation<O>(surveys: &[Survey<O>]) -> UnfoldError {
-    if let Some(at) = surveys.iter().flat_map(|survey| &survey.pushed).next() {
+fn explanation<O>(motions: &[PeriodicMotion<O>]) -> UnfoldError {
+    if let Some(at) = motions.iter().flat_map(|motion| &motion.pushed).next() {
         return UnfoldError::Pushed { at: *at };
     }
     let extremes =
-        surveys.iter().filter_map(|survey| survey.extremes).reduce(|[low, high], [lower, higher]| {
+        motions.iter().filter_map(|motion| motion.extremes).reduce(|[low, high], [lower, higher]| {
             [
                 if lower.position < low.position { lower } else { low },
                 if higher.position > high.position { higher } else { high },
             ]
         });
-    let ran_away = surveys.iter().find_map(|survey| survey.ran_away);
+    let ran_away = motions.iter().find_map(|motion| motion.ran_away);
     match (extremes, ran_away) {
         (Some([lowest, highest]), _) => UnfoldError::NoGrazing { lowest, highest },
         (None, Some(escape)) => UnfoldError::RunsAway { escape },
