@@ -32,7 +32,7 @@ fn regions(place: &Place) -> Result<Vec<bool>, Failure> {
             continue;
         }
         let Some(near) = place.on_branch(y, eta) else { continue };
-        let solution = place.solution(near);
+        let solution = place.solution(&near);
         found.push(solution.stable() == (plus < 0.0 && minus > 0.0));
     }
     Ok(found)
