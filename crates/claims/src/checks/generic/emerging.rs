@@ -131,14 +131,6 @@ pub(crate) fn one_loop_side() -> CheckResult {
     ))
 }
 
-/// det K / β > 0 in the trapesium, by search.
-pub(crate) fn sign_of_det_k() -> CheckResult {
-    search(2, "the trapesium up to 10⁻⁶ from its slanted sides", "det K / β", |p, [x, y]| {
-        let delta = determinant(x);
-        geometric_sum_determinant(p, 0.999_999 * (2.0 * y - 1.0) * (delta + 1.0), delta)
-    })
-}
-
 /// A grazing point with τ > h_p, a₁₂ and α of either sign, and κ_p there.
 fn above_boundary(sampler: &mut Sampler, p: u32) -> (GrazingPoint, f64) {
     let delta = sampler.between(0.01, 0.99);
@@ -189,6 +181,11 @@ pub(crate) fn visits_on_the_side() -> CheckResult {
 }
 
 checks! {
+    /// det K / β > 0 in the trapesium, by search.
+    sign_of_det_k: search(2, "the trapesium up to 10⁻⁶ from its slanted sides", "det K / β", |p, [x, y]| {
+        let delta = determinant(x);
+        geometric_sum_determinant(p, 0.999_999 * (2.0 * y - 1.0) * (delta + 1.0), delta)
+    });
     /// eq:yStar1codim1proof.
     one_loop_velocity: zero_order(1..=1, 0);
     /// eq:zStar1codim1proof.

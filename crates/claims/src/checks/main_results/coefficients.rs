@@ -30,7 +30,7 @@ pub(super) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Place, Fa
 }
 
 /// s^± as limits of T − D − 1 and T + D + 1 on the branch at η = 0, with T and D of numerical orbits.
-fn stability(seed: u64, loops: &[u32]) -> Result<Smallest, Failure> {
+fn stability(seed: u64, loops: &[u32], over: &str) -> CheckResult {
     let mut sampler = Sampler::new(seed);
     let mut least = Smallest::default();
     for _ in 0..30 {
@@ -46,28 +46,12 @@ fn stability(seed: u64, loops: &[u32]) -> Result<Smallest, Failure> {
             }));
         }
     }
-    Ok(least)
-}
-
-/// eq:c1.
-pub(crate) fn stability_one_loop() -> CheckResult {
     // Slack for the term of second order at the smallest resolved velocities.
-    Ok(stability(61, &[1])?.order(
-        1.0,
-        0.3,
-        "resonances p = 1 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0",
-    ))
-}
-
-/// eq:cp.
-pub(crate) fn stability_many_loops() -> CheckResult {
-    let over = "resonances p = 2, 3, 4 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0";
-    // Slack as for one loop.
-    Ok(stability(62, &[2, 3, 4])?.order(1.0, 0.3, over))
+    Ok(least.order(1.0, 0.3, &format!("{over}; T ∓ (D + 1) on the branch as y → 0")))
 }
 
 /// c_SN and c_PD against the limits of μ/η² on continued curves.
-fn fitted(seed: u64, loops: &[u32]) -> Result<Deviations, Failure> {
+fn fitted(seed: u64, loops: &[u32], over: &str) -> CheckResult {
     let mut sampler = Sampler::new(seed);
     let mut largest = Deviations::default();
     for _ in 0..20 {
@@ -78,22 +62,21 @@ fn fitted(seed: u64, loops: &[u32]) -> Result<Deviations, Failure> {
             largest.compare(measured.value, stated, stated.abs().max(sn.abs()));
         }
     }
-    Ok(largest)
+    Ok(largest.outcome(FIT, &format!("c_SN and c_PD at {over}, against fits to continued curves")))
 }
 
 /// Accuracy of a fitted coefficient: what interpolation in the impact velocity leaves; empirical, some ten times the largest seen.
 const FIT: f64 = 1e-7;
 
-/// eq:coeffs1.
-pub(crate) fn curves_one_loop() -> CheckResult {
-    let over = "c_SN and c_PD at resonances p = 1 with ψ ≠ 0, against fits to continued curves";
-    Ok(fitted(63, &[1])?.outcome(FIT, over))
-}
-
-/// eq:coeffsp.
-pub(crate) fn curves_many_loops() -> CheckResult {
-    let over = "c_SN and c_PD at resonances p = 2, 3, 4 with ψ ≠ 0, against fits to continued curves";
-    Ok(fitted(64, &[2, 3, 4])?.outcome(FIT, over))
+checks! {
+    /// eq:c1.
+    stability_one_loop: stability(61, &[1], "resonances p = 1 with ψ ≠ 0");
+    /// eq:cp.
+    stability_many_loops: stability(62, &[2, 3, 4], "resonances p = 2, 3, 4 with ψ ≠ 0");
+    /// eq:coeffs1.
+    curves_one_loop: fitted(63, &[1], "resonances p = 1 with ψ ≠ 0");
+    /// eq:coeffsp.
+    curves_many_loops: fitted(64, &[2, 3, 4], "resonances p = 2, 3, 4 with ψ ≠ 0");
 }
 
 /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
