@@ -138,7 +138,7 @@ fn loop_index(share: f64, p: u32) -> f64 {
     1.0 + libm::floor(share * f64::from(p - 2) + 0.5)
 }
 
-/// eq:ujNumerator: the smallest margin over (1 − δ)², which is how it vanishes as δ → 1.
+/// eq:ujNumerator, which divided by p is δʲ < 1 + (j/p)(δᵖ − 1): the smallest margin over (1 − δ)², which is how it vanishes as δ → 1.
 pub(crate) fn numerator_of_u() -> CheckResult {
     search(
         2,
@@ -197,11 +197,5 @@ checks! {
         let (x, exponent) = (determinant(x), loop_index(y, p) / f64::from(p));
         let distance = 1.0 + exponent * (x - 1.0) - libm::pow(x, exponent);
         distance / ((1.0 - x) * (1.0 - x))
-    });
-    /// δʲ < 1 + (j/p)(δᵖ − 1).
-    power_below_tangent: search(2, "0 < δ < 1 and 0 < j < p", "difference over (1 − δ)²", |p, [x, y]| {
-        let (delta, j, p) = (determinant(x), loop_index(y, p), f64::from(p));
-        let difference = 1.0 + j / p * (libm::pow(delta, p) - 1.0) - libm::pow(delta, j);
-        difference / ((1.0 - delta) * (1.0 - delta))
     });
 }
