@@ -62,9 +62,14 @@ fn functions(folders: &[PathBuf]) -> Functions {
             functions.entry(name).or_default().push((file.clone(), words(body)));
         }
         for (start, _) in code.match_indices("\nchecks! {") {
-            let rows = block(&code[start..]).split_once('{').map_or("", |(_, rows)| rows);
-            for (name, measured) in rows.split(';').filter_map(|row| row.split_once(": ")) {
-                functions.entry(name.trim().to_owned()).or_default().push((file.clone(), words(measured)));
+            // A row begins with its name.
+            let mut name = String::new();
+            for line in block(&code[start..]).lines().skip(2) {
+                let row = line.strip_prefix("    ").and_then(|row| row.split_once(": "));
+                if let Some((new, _)) = row.filter(|(new, _)| words(new).contains(*new)) {
+                    name = new.to_owned();
+                }
+                functions.entry(name.clone()).or_default().push((file.clone(), words(line)));
             }
         }
     }

@@ -54,20 +54,6 @@ fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
     Ok(jet.hessians[0][(1, 1)])
 }
 
-/// eq:xi1proof3.
-pub(crate) fn resonant_second_derivative_of_one_loop() -> CheckResult {
-    at_resonances(&[1], ONE, 1e-14, |resonance| {
-        Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
-    })
-}
-
-/// eq:xipproof3.
-pub(crate) fn resonant_second_derivative_of_many_loops() -> CheckResult {
-    at_resonances(MORE_LOOPS, MANY, 1e-13, |resonance| {
-        Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
-    })
-}
-
 /// a₁₁ = a₂₂ = (−1)ⁿ E₁ and the values of sine and cosine at resonance.
 pub(crate) fn diagonal_at_resonance() -> CheckResult {
     at_resonances(&[1], ONE, CLOSED, |resonance| {
@@ -83,16 +69,6 @@ pub(crate) fn diagonal_at_resonance() -> CheckResult {
     })
 }
 
-/// sin and cos of 2πp ω₁/ω and of 2πω₁/ω at a resonance with p ≥ 2.
-pub(crate) fn angles_at_resonance() -> CheckResult {
-    at_resonances(MORE_LOOPS, MANY, CLOSED, |resonance| {
-        let (once, whole) =
-            (Turn::new(&resonance.grazing(), 1), Turn::new(&resonance.grazing(), resonance.loops()));
-        let (sine, cosine) = libm::sincos(PI / f64::from(resonance.loops()));
-        Ok(vec![(whole.sine, 0.0), (whole.cosine, -1.0), (once.sine, sine), (once.cosine, cosine)])
-    })
-}
-
 /// s^± by the general formula at the numerical A, φ, ψ, γ and ξ_p, by the first line of the proof, which a function of E, ε and ±1 gives,
 /// and in the end.
 fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> f64) -> CheckResult {
@@ -104,27 +80,6 @@ fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> 
         let pairs = [(1.0, general.plus, stated.plus), (-1.0, general.minus, stated.minus)];
         let compared = |(side, general, stated)| [(first_line(resonance, side), stated), (general, stated)];
         Ok(pairs.into_iter().flat_map(compared).collect())
-    })
-}
-
-/// eq:xi1proof4.
-pub(crate) fn stability_of_one_loop() -> CheckResult {
-    stability(&[1], ONE, |resonance, side| {
-        let (decay, sign) = (resonance.grazing().decay(1), parity(resonance));
-        let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
-        let alpha = 1.0 + epsilon;
-        (1.0 - side * sign * decay) * (sign * epsilon * epsilon * decay - side)
-            + alpha * alpha * decay * (decay - sign) / (1.0 - sign * decay)
-    })
-}
-
-/// eq:xipproof4.
-pub(crate) fn stability_of_many_loops() -> CheckResult {
-    stability(MORE_LOOPS, MANY, |resonance, side| {
-        let decay = resonance.grazing().decay(resonance.loops());
-        let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
-        let alpha = 1.0 + epsilon;
-        (1.0 + side * decay) * (-epsilon * epsilon * decay - side) + alpha * alpha * decay
     })
 }
 
@@ -144,15 +99,6 @@ fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> 
     Ok(sum / (60.0 * step))
 }
 
-/// eq:xi1proof5.
-pub(crate) fn slope_of_one_loop() -> CheckResult {
-    at_resonances(&[1], ONE, DIFFERENCES, |resonance| {
-        let measured = along_grazing(resonance, |a| a.m12)?;
-        let general = resonance.grazing().off_diagonal_derivative();
-        Ok(vec![(measured, resonance.unfolding().derivative), (measured, general)])
-    })
-}
-
 fn detuning(loops: u32) -> impl Fn(&nalgebra::Matrix2<f64>) -> f64 {
     move |a| a.trace() - 2.0 * a.determinant().sqrt() * libm::cos(PI / f64::from(loops))
 }
@@ -166,14 +112,6 @@ pub(crate) fn detuning_derivative() -> CheckResult {
     })
 }
 
-/// eq:xipproof5.
-pub(crate) fn slope_of_many_loops() -> CheckResult {
-    at_resonances(MORE_LOOPS, MANY, DIFFERENCES, |resonance| {
-        let measured = along_grazing(resonance, detuning(resonance.loops()))?;
-        Ok(vec![(measured, resonance.unfolding().derivative)])
-    })
-}
-
 /// The last steps of both proofs: the general coefficients at resonance are those of Propositions 3.2 and 3.3.
 pub(crate) fn coefficients() -> CheckResult {
     at_resonances(&[1, 2, 3, 4, 5, 6], "resonances with p = 1 to 6, E and ε at random", 1e-11, |resonance| {
@@ -184,4 +122,48 @@ pub(crate) fn coefficients() -> CheckResult {
             (point.period_doubling_coefficient() / resonance.period_doubling_coefficient(), 1.0),
         ])
     })
+}
+
+checks! {
+    /// eq:xi1proof3.
+    resonant_second_derivative_of_one_loop: at_resonances(&[1], ONE, 1e-14, |resonance| {
+        Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
+    });
+    /// eq:xipproof3.
+    resonant_second_derivative_of_many_loops: at_resonances(MORE_LOOPS, MANY, 1e-13, |resonance| {
+        Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
+    });
+    /// sin and cos of 2πp ω₁/ω and of 2πω₁/ω at a resonance with p ≥ 2.
+    angles_at_resonance: at_resonances(MORE_LOOPS, MANY, CLOSED, |resonance| {
+        let (once, whole) =
+            (Turn::new(&resonance.grazing(), 1), Turn::new(&resonance.grazing(), resonance.loops()));
+        let (sine, cosine) = libm::sincos(PI / f64::from(resonance.loops()));
+        Ok(vec![(whole.sine, 0.0), (whole.cosine, -1.0), (once.sine, sine), (once.cosine, cosine)])
+    });
+    /// eq:xi1proof4.
+    stability_of_one_loop: stability(&[1], ONE, |resonance, side| {
+        let (decay, sign) = (resonance.grazing().decay(1), parity(resonance));
+        let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
+        let alpha = 1.0 + epsilon;
+        (1.0 - side * sign * decay) * (sign * epsilon * epsilon * decay - side)
+            + alpha * alpha * decay * (decay - sign) / (1.0 - sign * decay)
+    });
+    /// eq:xipproof4.
+    stability_of_many_loops: stability(MORE_LOOPS, MANY, |resonance, side| {
+        let decay = resonance.grazing().decay(resonance.loops());
+        let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
+        let alpha = 1.0 + epsilon;
+        (1.0 + side * decay) * (-epsilon * epsilon * decay - side) + alpha * alpha * decay
+    });
+    /// eq:xi1proof5.
+    slope_of_one_loop: at_resonances(&[1], ONE, DIFFERENCES, |resonance| {
+        let measured = along_grazing(resonance, |a| a.m12)?;
+        let general = resonance.grazing().off_diagonal_derivative();
+        Ok(vec![(measured, resonance.unfolding().derivative), (measured, general)])
+    });
+    /// eq:xipproof5.
+    slope_of_many_loops: at_resonances(MORE_LOOPS, MANY, DIFFERENCES, |resonance| {
+        let measured = along_grazing(resonance, detuning(resonance.loops()))?;
+        Ok(vec![(measured, resonance.unfolding().derivative)])
+    });
 }

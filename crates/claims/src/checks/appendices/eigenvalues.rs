@@ -36,13 +36,6 @@ fn over_trapesium(seed: u64, deviation: impl Fn(i32, f64, f64, &Pair) -> f64) ->
     Ok(deviations.outcome(ROUNDING, POINTS))
 }
 
-/// eq:HpAgain.
-pub(crate) fn definition_of_h() -> CheckResult {
-    over_trapesium(1, |p, tau, delta, pair| {
-        (pair.h(p as u32) - admissibility_sum(p as u32, tau, delta)).norm() / pair.moduli().h(p as u32).re
-    })
-}
-
 /// Where λ₁ = 1, and where λ₁ = λ₂: the text before eq:Hp2.
 pub(crate) fn unit_and_double_eigenvalues() -> CheckResult {
     let (mut votes, mut print) = (Votes::default(), Votes::default());
@@ -72,17 +65,6 @@ pub(crate) fn unit_and_double_eigenvalues() -> CheckResult {
     }
     let over = "τ = ±2√δ, δ + 1 and between, for 63 determinants with exact roots";
     Ok(votes.outcome(over).against_print(print.measure()))
-}
-
-/// eq:Hp2.
-pub(crate) fn h_by_powers() -> CheckResult {
-    over_trapesium(2, |p, tau, delta, pair| {
-        let sum: Complex<f64> = (1..p).map(|j| -pair.difference_of_powers(-j)).sum();
-        let size: f64 = (1..p).map(|j| pair.size_of_powers(-j)).sum();
-        let product = pair.monomial(1, 1);
-        let expected = admissibility_sum(p as u32, tau, delta);
-        quotient_deviation(expected, product * sum, product.norm() * size, pair.first - pair.second)
-    })
 }
 
 /// The line between eq:Hp2 and eq:Hp3.
@@ -115,15 +97,6 @@ pub(crate) fn h_in_closed_form() -> CheckResult {
             product.norm() * pair.size_of_powers(1) + pair.size_of_powers(p) + pair.size_of_powers(p - 1);
         let denominator = pair.gap() * difference * pair.monomial(p - 2, p - 2);
         quotient_deviation(admissibility_sum(p as u32, tau, delta), numerator, size, denominator)
-    })
-}
-
-/// eq:Tp2.
-pub(crate) fn t_by_powers() -> CheckResult {
-    over_trapesium(5, |p, tau, delta, pair| {
-        let sum: Complex<f64> = (1..p).map(|j| pair.difference_of_powers(j)).sum();
-        let size: f64 = (1..p).map(|j| pair.size_of_powers(j)).sum();
-        quotient_deviation(lucas_partial_sum(p as u32, tau, delta), sum, size, pair.first - pair.second)
     })
 }
 
@@ -171,4 +144,25 @@ pub(crate) fn condition_of_quotient() -> CheckResult {
     let over =
         "τ = δ + 1 and near ±2√δ for 99 determinants, p = 2 to 15; the print at τ = ±2√δ, where it is 0/0";
     Ok(deviations.outcome(ROUNDING, over).against_print(print.measure(ROUNDING)))
+}
+
+checks! {
+    /// eq:HpAgain.
+    definition_of_h: over_trapesium(1, |p, tau, delta, pair| {
+        (pair.h(p as u32) - admissibility_sum(p as u32, tau, delta)).norm() / pair.moduli().h(p as u32).re
+    });
+    /// eq:Hp2.
+    h_by_powers: over_trapesium(2, |p, tau, delta, pair| {
+        let sum: Complex<f64> = (1..p).map(|j| -pair.difference_of_powers(-j)).sum();
+        let size: f64 = (1..p).map(|j| pair.size_of_powers(-j)).sum();
+        let product = pair.monomial(1, 1);
+        let expected = admissibility_sum(p as u32, tau, delta);
+        quotient_deviation(expected, product * sum, product.norm() * size, pair.first - pair.second)
+    });
+    /// eq:Tp2.
+    t_by_powers: over_trapesium(5, |p, tau, delta, pair| {
+        let sum: Complex<f64> = (1..p).map(|j| pair.difference_of_powers(j)).sum();
+        let size: f64 = (1..p).map(|j| pair.size_of_powers(j)).sum();
+        quotient_deviation(lucas_partial_sum(p as u32, tau, delta), sum, size, pair.first - pair.second)
+    });
 }

@@ -82,75 +82,10 @@ pub(crate) fn polar_coordinates() -> CheckResult {
     })
 }
 
-/// eq:lam1kminuslam2k, k of either sign.
-pub(crate) fn differences_of_powers() -> CheckResult {
-    over_polar(12, |polar| {
-        let pair = Pair::new(polar.tau, polar.delta);
-        [polar.p, -polar.p, 1, 0].into_iter().fold(0.0, |largest: f64, k| {
-            let expected = Complex::new(0.0, 2.0 * polar.r_to(k) * polar.sine(k));
-            largest.max((pair.difference_of_powers(k) - expected).norm() / polar.r_to(k))
-        })
-    })
-}
-
-/// eq:Hp4.
-pub(crate) fn h_as_sum_of_sines() -> CheckResult {
-    over_polar(13, |polar| {
-        let terms: Vec<f64> = (1..polar.p).map(|j| polar.r_to(1 - j) * polar.sine(j)).collect();
-        polar.deviation(polar.h(), &terms, polar.sine(1))
-    })
-}
-
-/// eq:Hp5.
-pub(crate) fn h_in_polar_form() -> CheckResult {
-    over_polar(14, |polar| {
-        let Polar { p, r, .. } = *polar;
-        let terms = [polar.r_to(p) * polar.sine(1), -r * polar.sine(p), polar.sine(p - 1)];
-        polar.deviation(polar.h(), &terms, polar.gap() * polar.r_to(p - 2) * polar.sine(1))
-    })
-}
-
-/// eq:Sp3.
-pub(crate) fn s_in_polar_form() -> CheckResult {
-    over_polar(15, |polar| {
-        // Near its zeros S_p is compared to r^(p−1).
-        let term = polar.r_to(polar.p - 1) * polar.sine(polar.p);
-        (term - polar.s(polar.p) * polar.sine(1)) / polar.r_to(polar.p - 1)
-    })
-}
-
-/// eq:Tp6.
-pub(crate) fn t_in_polar_form() -> CheckResult {
-    over_polar(16, |polar| {
-        let p = polar.p;
-        let terms = [polar.sine(1), -polar.r_to(p - 1) * polar.sine(p), polar.r_to(p) * polar.sine(p - 1)];
-        polar.deviation(polar.t(), &terms, polar.gap() * polar.sine(1))
-    })
-}
-
-/// eq:Tp4.
-pub(crate) fn t_as_sum_of_sines() -> CheckResult {
-    over_polar(17, |polar| {
-        let terms: Vec<f64> = (1..polar.p).map(|j| polar.r_to(j - 1) * polar.sine(j)).collect();
-        polar.deviation(polar.t(), &terms, polar.sine(1))
-    })
-}
-
 /// Ξ(θ) as it is defined after eq:Tp5.
 pub(super) fn xi(p: u32, theta: f64) -> f64 {
     let p = f64::from(p);
     libm::sin(theta) - libm::sin(p * theta) + libm::sin((p - 1.0) * theta)
-}
-
-/// eq:Tp5, with Ξ as it is defined.
-pub(crate) fn t_grouped() -> CheckResult {
-    over_polar(18, |polar| {
-        let Polar { p, r, theta, .. } = *polar;
-        let top = polar.r_to(p - 1);
-        let terms =
-            [top * xi(p as u32, theta), -top * (1.0 - r) * polar.sine(p - 1), (1.0 - top) * polar.sine(1)];
-        polar.deviation(polar.t(), &terms, polar.gap() * polar.sine(1))
-    })
 }
 
 /// The factorisation of Ξ, an identity for all angles.
@@ -185,4 +120,51 @@ pub(crate) fn zeros_of_s() -> CheckResult {
         }
     }
     Ok(votes.outcome("twenty determinants for each of p = 2 to 15, all m"))
+}
+
+checks! {
+    /// eq:lam1kminuslam2k, k of either sign.
+    differences_of_powers: over_polar(12, |polar| {
+        let pair = Pair::new(polar.tau, polar.delta);
+        [polar.p, -polar.p, 1, 0].into_iter().fold(0.0, |largest: f64, k| {
+            let expected = Complex::new(0.0, 2.0 * polar.r_to(k) * polar.sine(k));
+            largest.max((pair.difference_of_powers(k) - expected).norm() / polar.r_to(k))
+        })
+    });
+    /// eq:Hp4.
+    h_as_sum_of_sines: over_polar(13, |polar| {
+        let terms: Vec<f64> = (1..polar.p).map(|j| polar.r_to(1 - j) * polar.sine(j)).collect();
+        polar.deviation(polar.h(), &terms, polar.sine(1))
+    });
+    /// eq:Hp5.
+    h_in_polar_form: over_polar(14, |polar| {
+        let Polar { p, r, .. } = *polar;
+        let terms = [polar.r_to(p) * polar.sine(1), -r * polar.sine(p), polar.sine(p - 1)];
+        polar.deviation(polar.h(), &terms, polar.gap() * polar.r_to(p - 2) * polar.sine(1))
+    });
+    /// eq:Sp3.
+    s_in_polar_form: over_polar(15, |polar| {
+        // Near its zeros S_p is compared to r^(p−1).
+        let term = polar.r_to(polar.p - 1) * polar.sine(polar.p);
+        (term - polar.s(polar.p) * polar.sine(1)) / polar.r_to(polar.p - 1)
+    });
+    /// eq:Tp6.
+    t_in_polar_form: over_polar(16, |polar| {
+        let p = polar.p;
+        let terms = [polar.sine(1), -polar.r_to(p - 1) * polar.sine(p), polar.r_to(p) * polar.sine(p - 1)];
+        polar.deviation(polar.t(), &terms, polar.gap() * polar.sine(1))
+    });
+    /// eq:Tp4.
+    t_as_sum_of_sines: over_polar(17, |polar| {
+        let terms: Vec<f64> = (1..polar.p).map(|j| polar.r_to(j - 1) * polar.sine(j)).collect();
+        polar.deviation(polar.t(), &terms, polar.sine(1))
+    });
+    /// eq:Tp5, with Ξ as it is defined.
+    t_grouped: over_polar(18, |polar| {
+        let Polar { p, r, theta, .. } = *polar;
+        let top = polar.r_to(p - 1);
+        let terms =
+            [top * xi(p as u32, theta), -top * (1.0 - r) * polar.sine(p - 1), (1.0 - top) * polar.sine(1)];
+        polar.deviation(polar.t(), &terms, polar.gap() * polar.sine(1))
+    });
 }

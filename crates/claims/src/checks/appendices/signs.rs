@@ -48,23 +48,6 @@ fn scaled_h(p: u32, tau: f64, delta: f64) -> f64 {
     admissibility_sum(p, tau, delta) * libm::pow(delta, 0.5 * (f64::from(p) - 2.0))
 }
 
-/// H_p > 0 for τ ≥ 2√δ, with real eigenvalues.
-pub(crate) fn h_at_real_eigenvalues() -> CheckResult {
-    search(2, "2√δ ≤ τ ≤ δ + 1", "H_p", |p, [x, y]| {
-        let delta = determinant(x);
-        admissibility_sum(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta)
-    })
-}
-
-/// H_p > 0 for g_(p−1) ≤ τ < 2√δ.
-pub(crate) fn h_above_g_before() -> CheckResult {
-    search(3, "0 < θ ≤ π/(p − 1)", "r^(p−2) H_p", |p, [x, y]| {
-        let delta = determinant(x);
-        let lowest = resonance_boundary(f64::from(p - 1), delta);
-        scaled_h(p, along(y, lowest, 2.0 * delta.sqrt()), delta)
-    })
-}
-
 /// H_p at g_(p/2), p ≥ 3.
 pub(crate) fn h_at_g_half() -> CheckResult {
     let deviations = sampled(31, 1000, 3..=15, |sampler, p, deviations: &mut Deviations| {
@@ -75,14 +58,6 @@ pub(crate) fn h_at_g_half() -> CheckResult {
     });
     // Both are of order one; p roundings of τ, on which H_p depends p² times as strongly.
     Ok(deviations.outcome(1e-12, "determinants, p = 3 to 15"))
-}
-
-/// H_p at g_(p/2) is negative.
-pub(crate) fn h_negative_at_g_half() -> CheckResult {
-    search(3, "the determinant", "−r^(p−2) H_p", |p, [x, _]| {
-        let delta = determinant(x);
-        -scaled_h(p, resonance_boundary(0.5 * f64::from(p), delta), delta)
-    })
 }
 
 /// The largest zero of H_p lies between g_(p/2) and g_(p−1), and H_p changes its sign there.
@@ -96,25 +71,6 @@ pub(crate) fn bracket_of_h() -> CheckResult {
         }
         let ends = [0.5 * f64::from(p), f64::from(p - 1)].map(|q| resonance_boundary(q, delta));
         (h - ends[0]).min(ends[1] - h) / delta.sqrt()
-    })
-}
-
-/// S_p > 0 for τ ≥ 2√δ.
-pub(crate) fn s_at_real_eigenvalues() -> CheckResult {
-    search(2, "2√δ ≤ τ ≤ δ + 1", "S_p / r^(p−1)", |p, [x, y]| {
-        let delta = determinant(x);
-        let scale = libm::pow(delta, 0.5 * f64::from(p - 1));
-        lucas_sequence(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta) / scale
-    })
-}
-
-/// No zero g_(p/m) of S_p with m ≥ 2 lies above h_p.
-pub(crate) fn other_zeros_of_s() -> CheckResult {
-    search(3, "the determinant and all m ≥ 2", "(h_p − g_(p/m)) / √δ", |p, [x, y]| {
-        let delta = determinant(x);
-        let Ok(h) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
-        let m = 2.0 + libm::floor(y * f64::from(p - 3) + 0.5);
-        (h - resonance_boundary(f64::from(p) / m, delta)) / delta.sqrt()
     })
 }
 
@@ -143,22 +99,6 @@ pub(crate) fn t_two() -> CheckResult {
     }
     // Nothing is rounded.
     Ok(deviations.outcome(0.0, "points of the trapesium"))
-}
-
-/// T_p > 0 for τ ≥ 2√δ.
-pub(crate) fn t_at_real_eigenvalues() -> CheckResult {
-    search(2, "2√δ ≤ τ ≤ δ + 1", "T_p", |p, [x, y]| {
-        let delta = determinant(x);
-        lucas_partial_sum(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta)
-    })
-}
-
-/// Each term of eq:Tp4 is positive for 0 < θ < π/(p − 1).
-pub(crate) fn t_terms() -> CheckResult {
-    search(3, "0 < θ < π/(p − 1) up to 10⁻⁶ of its length from the ends", "sin jθ", |p, [x, _]| {
-        let theta = along(x, 1e-6, 1.0 - 1e-6) * PI / f64::from(p - 1);
-        (1..p).map(|j| libm::sin(f64::from(j) * theta)).fold(f64::INFINITY, f64::min)
-    })
 }
 
 /// Ξ ≥ 0 for θ ≤ 2π/p, with zeros at the ends only: of third order at 0 and simple at 2π/p.
@@ -198,7 +138,7 @@ fn loop_index(share: f64, p: u32) -> f64 {
     1.0 + libm::floor(share * f64::from(p - 2) + 0.5)
 }
 
-/// eq:ujNumerator: the smallest margin over (1 − δ)², which is how it vanishes as δ → 1.
+/// eq:ujNumerator, which divided by p is δʲ < 1 + (j/p)(δᵖ − 1): the smallest margin over (1 − δ)², which is how it vanishes as δ → 1.
 pub(crate) fn numerator_of_u() -> CheckResult {
     search(
         2,
@@ -212,20 +152,50 @@ pub(crate) fn numerator_of_u() -> CheckResult {
     )
 }
 
-/// The tangent of x^(j/p) at 1 lies above it.
-pub(crate) fn tangent_line() -> CheckResult {
-    search(2, "0 < x < 1 and 0 < j < p", "distance over (1 − x)²", |p, [x, y]| {
+checks! {
+    /// H_p > 0 for τ ≥ 2√δ, with real eigenvalues.
+    h_at_real_eigenvalues: search(2, "2√δ ≤ τ ≤ δ + 1", "H_p", |p, [x, y]| {
+        let delta = determinant(x);
+        admissibility_sum(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta)
+    });
+    /// H_p > 0 for g_(p−1) ≤ τ < 2√δ.
+    h_above_g_before: search(3, "0 < θ ≤ π/(p − 1)", "r^(p−2) H_p", |p, [x, y]| {
+        let delta = determinant(x);
+        let lowest = resonance_boundary(f64::from(p - 1), delta);
+        scaled_h(p, along(y, lowest, 2.0 * delta.sqrt()), delta)
+    });
+    /// H_p at g_(p/2) is negative.
+    h_negative_at_g_half: search(3, "the determinant", "−r^(p−2) H_p", |p, [x, _]| {
+        let delta = determinant(x);
+        -scaled_h(p, resonance_boundary(0.5 * f64::from(p), delta), delta)
+    });
+    /// S_p > 0 for τ ≥ 2√δ.
+    s_at_real_eigenvalues: search(2, "2√δ ≤ τ ≤ δ + 1", "S_p / r^(p−1)", |p, [x, y]| {
+        let delta = determinant(x);
+        let scale = libm::pow(delta, 0.5 * f64::from(p - 1));
+        lucas_sequence(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta) / scale
+    });
+    /// No zero g_(p/m) of S_p with m ≥ 2 lies above h_p.
+    other_zeros_of_s: search(3, "the determinant and all m ≥ 2", "(h_p − g_(p/m)) / √δ", |p, [x, y]| {
+        let delta = determinant(x);
+        let Ok(h) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
+        let m = 2.0 + libm::floor(y * f64::from(p - 3) + 0.5);
+        (h - resonance_boundary(f64::from(p) / m, delta)) / delta.sqrt()
+    });
+    /// T_p > 0 for τ ≥ 2√δ.
+    t_at_real_eigenvalues: search(2, "2√δ ≤ τ ≤ δ + 1", "T_p", |p, [x, y]| {
+        let delta = determinant(x);
+        lucas_partial_sum(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta)
+    });
+    /// Each term of eq:Tp4 is positive for 0 < θ < π/(p − 1).
+    t_terms: search(3, "0 < θ < π/(p − 1) up to 10⁻⁶ of its length from the ends", "sin jθ", |p, [x, _]| {
+        let theta = along(x, 1e-6, 1.0 - 1e-6) * PI / f64::from(p - 1);
+        (1..p).map(|j| libm::sin(f64::from(j) * theta)).fold(f64::INFINITY, f64::min)
+    });
+    /// The tangent of x^(j/p) at 1 lies above it.
+    tangent_line: search(2, "0 < x < 1 and 0 < j < p", "distance over (1 − x)²", |p, [x, y]| {
         let (x, exponent) = (determinant(x), loop_index(y, p) / f64::from(p));
         let distance = 1.0 + exponent * (x - 1.0) - libm::pow(x, exponent);
         distance / ((1.0 - x) * (1.0 - x))
-    })
-}
-
-/// δʲ < 1 + (j/p)(δᵖ − 1).
-pub(crate) fn power_below_tangent() -> CheckResult {
-    search(2, "0 < δ < 1 and 0 < j < p", "difference over (1 − δ)²", |p, [x, y]| {
-        let (delta, j, p) = (determinant(x), loop_index(y, p), f64::from(p));
-        let difference = 1.0 + j / p * (libm::pow(delta, p) - 1.0) - libm::pow(delta, j);
-        difference / ((1.0 - delta) * (1.0 - delta))
-    })
+    });
 }

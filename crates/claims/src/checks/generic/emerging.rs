@@ -131,18 +131,10 @@ pub(crate) fn one_loop_side() -> CheckResult {
     ))
 }
 
-/// det K / β > 0 in the trapesium, by search.
-pub(crate) fn sign_of_det_k() -> CheckResult {
-    search(2, "the trapesium up to 10⁻⁶ from its slanted sides", "det K / β", |p, [x, y]| {
-        let delta = determinant(x);
-        geometric_sum_determinant(p, 0.999_999 * (2.0 * y - 1.0) * (delta + 1.0), delta)
-    })
-}
-
-/// A grazing point with τ > h_p, a₁₂ and α of either sign, and κ_p there.
-fn above_boundary(sampler: &mut Sampler, p: u32) -> (GrazingPoint, f64) {
+/// A grazing point with τ > h_p; a₁₂ and α of either sign.
+fn above_boundary(sampler: &mut Sampler, p: u32) -> GrazingPoint {
     let delta = sampler.between(0.01, 0.99);
-    let lowest = admissibility_boundary(p, delta).expect("0 < δ < 1");
+    let lowest = admissibility_boundary(p, delta).expect("p ≥ 2 and 0 < δ < 1");
     let share = sampler.between(0.001, 0.999);
     let map = map_with(sampler, lowest + share * (delta + 1.0 - lowest), delta);
     let mut point = sampled_point(sampler, map);
@@ -150,45 +142,36 @@ fn above_boundary(sampler: &mut Sampler, p: u32) -> (GrazingPoint, f64) {
         // γψ/ω between 2 and 5, and so α < 0.
         point.psi = sampler.between(2.1, 5.0) * point.forcing_frequency / point.gamma;
     }
-    (point, detuning(p, point.map.trace(), point.map.determinant()))
+    point
 }
 
-/// det J ≠ 0 if τ ≠ g_p: it has the sign of α a₁₂ κ_p.
-pub(crate) fn regular_jacobian() -> CheckResult {
-    let votes = sampled(2, 2000, 2..=15, |sampler, p, votes: &mut Votes| {
-        let (point, kappa) = above_boundary(sampler, p);
-        votes.see(point.impact_jacobian_determinant(p) * point.alpha() * point.map.a.m12 * kappa > 0.0);
-    });
-    Ok(votes.outcome("grazing points with τ > h_p, p = 2 to 15"))
-}
-
-/// dy*/dμ has the sign of βκ_p if a₁₂α > 0, and the other sign where this hypothesis is violated.
+/// For τ > h_p and τ ≠ g_p: det J has the sign of α a₁₂ κ_p; dy*/dμ has the sign of βκ_p if a₁₂α > 0, and the other sign where this
+/// hypothesis is violated; and on the side of the sign of βκ_p all visits between the impacts lie below the wall: dx⁽ʲ⁾/dμ has the
+/// other sign.
 pub(crate) fn side() -> CheckResult {
-    let votes = sampled(3, 2000, 2..=15, |sampler, p, votes: &mut Votes| {
-        let (point, kappa) = above_boundary(sampler, p);
-        let slope = point.emerging_orbit(p).map_or(f64::NAN, |orbit| orbit.impact_velocity_slope);
-        let agrees = slope * point.map.transversality() * kappa > 0.0;
-        votes.see(!slope.is_nan() && agrees == (point.map.a.m12 * point.alpha() > 0.0));
-    });
-    Ok(votes.outcome("grazing points with τ > h_p, a₁₂α of either sign, p = 2 to 15"))
-}
-
-/// On the side of the sign of βκ_p all visits between the impacts lie below the wall: dx⁽ʲ⁾/dμ has the other sign.
-pub(crate) fn visits_on_the_side() -> CheckResult {
-    let votes = sampled(4, 2000, 2..=15, |sampler, p, votes: &mut Votes| {
-        let (point, kappa) = above_boundary(sampler, p);
+    let votes = sampled(2, 2000, 2..=15, |sampler, p, votes: &mut Votes| {
+        let point = above_boundary(sampler, p);
+        let kappa = detuning(p, point.map.trace(), point.map.determinant());
         let side = point.map.transversality() * kappa;
-        let below = point.emerging_orbit(p).is_ok_and(|orbit| {
-            // Positions shrink with the eigenvalues, down to the rounding of the terms that they are made of.
-            let rounding = 1e-12 * (1.0 + orbit.visit_slope(0).amax()) * (1.0 + point.map.a.amax());
-            (1..p).all(|j| orbit.visit_slope(j).x * side.signum() < rounding)
-        });
-        votes.see(below);
+        let factor = point.map.a.m12 * point.alpha();
+        votes.see(point.impact_jacobian_determinant(p) * factor * kappa > 0.0);
+        let orbit = point.emerging_orbit(p).expect("det J is not zero");
+        votes.see((orbit.impact_velocity_slope * side > 0.0) == (factor > 0.0));
+        let stated = GenericGrazing::check(&point, p).map(|theorem| theorem.side().signum() * side > 0.0);
+        votes.see(stated.unwrap_or(factor < 0.0));
+        // Positions shrink with the eigenvalues, down to the rounding of the terms that they are made of.
+        let rounding = 1e-12 * (1.0 + orbit.visit_slope(0).amax()) * (1.0 + point.map.a.amax());
+        votes.see((1..p).all(|j| orbit.visit_slope(j).x * side.signum() < rounding));
     });
-    Ok(votes.outcome("grazing points with τ > h_p, p = 2 to 15, all visits"))
+    Ok(votes.outcome("grazing points with τ > h_p, a₁₂α of either sign, p = 2 to 15, all visits"))
 }
 
 checks! {
+    /// det K / β > 0 in the trapesium, by search.
+    sign_of_det_k: search(2, "the trapesium up to 10⁻⁶ from its slanted sides", "det K / β", |p, [x, y]| {
+        let delta = determinant(x);
+        geometric_sum_determinant(p, 0.999_999 * (2.0 * y - 1.0) * (delta + 1.0), delta)
+    });
     /// eq:yStar1codim1proof.
     one_loop_velocity: zero_order(1..=1, 0);
     /// eq:zStar1codim1proof.

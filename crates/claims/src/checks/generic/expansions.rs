@@ -71,14 +71,6 @@ fn orbit_expansion(seed: u64, stated: f64, coordinate: usize) -> CheckResult {
     Ok(orders.order(stated, SLACK, "twelve oscillators, twelve directions in (y, z, μ, t)"))
 }
 
-/// The evolution time T.
-pub(crate) fn evolution_time() -> CheckResult {
-    smallest_order(8, 2.0, |point, oscillator, y, z| {
-        let time = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None).ok()?.time;
-        Some((time - y / point.gamma, ROUNDING))
-    })
-}
-
 /// (x̂, ẑ) or (x⁽⁰⁾, z⁽⁰⁾) minus its leading terms.
 fn virtual_remainder(
     point: &GrazingPoint,
@@ -131,16 +123,18 @@ fn reset_order(seed: u64, component: usize) -> CheckResult {
     })
 }
 
-/// The reset law's expansion: both remainders, divided by y, are of first order.
-pub(crate) fn reset_law() -> CheckResult {
-    smallest_order(16, 1.0, |point, oscillator, y, z| {
+checks! {
+    /// The evolution time T.
+    evolution_time: smallest_order(8, 2.0, |point, oscillator, y, z| {
+        let time = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None).ok()?.time;
+        Some((time - y / point.gamma, ROUNDING))
+    });
+    /// The reset law's expansion: both remainders, divided by y, are of first order.
+    reset_law: smallest_order(16, 1.0, |point, oscillator, y, z| {
         let remainder = reset_remainder(point, oscillator, y, z);
         // Where y = 0 the map is the identity.
         Some(if y == 0.0 { (remainder.norm(), ROUNDING) } else { (remainder.norm() / y, ROUNDING / y.abs()) })
-    })
-}
-
-checks! {
+    });
     /// x(t) in the proof of le:discMapComponents.
     position_of_orbit: orbit_expansion(5, 3.0, 0);
     /// y(t) in the proof of le:discMapComponents.

@@ -105,21 +105,12 @@ fn repeated(map: &LinearisedMap, p: u32) -> (LinearisedMap, f64) {
 /// Tens of roundings of numbers of the size by which deviations are divided; τ and δ are rounded too.
 const MATRIX_ROUNDING: f64 = 1e-14;
 
-/// eq:Ap: the printed form against repeated multiplication.
+/// eq:Ap and eq:b1pb2p: the printed forms against repeated application.
 pub(crate) fn powers() -> CheckResult {
     let deviations = sampled(5, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
         let map = sampled_map(sampler);
         let (expected, size) = repeated(&map, p);
         deviations.see((map.iterate(p).a - expected.a).amax() / size);
-    });
-    Ok(deviations.outcome(MATRIX_ROUNDING, "matrices with (τ, δ) in the trapesium, p = 1 to 15"))
-}
-
-/// eq:b1pb2p: the printed form against repeated application.
-pub(crate) fn parameter_terms() -> CheckResult {
-    let deviations = sampled(6, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
-        let map = sampled_map(sampler);
-        let (expected, size) = repeated(&map, p);
         deviations.see((map.iterate(p).b - expected.b).amax() / size);
     });
     Ok(deviations.outcome(MATRIX_ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 15"))

@@ -24,33 +24,6 @@ fn r_to(delta: f64, k: u32) -> f64 {
     libm::pow(delta, 0.5 * f64::from(k))
 }
 
-/// T_p > 0 and H_p > 0, and so u⁽¹⁾ < 0 and u⁽ᵖ⁻¹⁾ < 0, for τ > h_p.
-pub(crate) fn ends_are_negative() -> CheckResult {
-    search(
-        2,
-        "h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p",
-        "T_p and r^(p−2) H_p",
-        |p, point| {
-            let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
-            lucas_partial_sum(p, tau, delta).min(admissibility_sum(p, tau, delta) * r_to(delta, p - 2))
-        },
-    )
-}
-
-/// u⁽ʲ⁾ < 0 for all 0 < j < p and τ > h_p: the conclusion of the proof.
-pub(crate) fn all_are_negative() -> CheckResult {
-    search(
-        2,
-        "h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p",
-        "−r^(1−j) u⁽ʲ⁾",
-        |p, point| {
-            let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
-            let scaled = |j: u32| -scaled_visit_position(j, p, tau, delta) / r_to(delta, j - 1);
-            (1..p).map(scaled).fold(f64::INFINITY, f64::min)
-        },
-    )
-}
-
 /// The sum of a truncated geometric series.
 pub(crate) fn geometric_series() -> CheckResult {
     let mut sampler = Sampler::new(6);
@@ -147,7 +120,7 @@ fn cross_each_other([a, b]: [Vector2<f64>; 2], [c, d]: [Vector2<f64>; 2]) -> boo
     side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
 }
 
-/// The path is convex for h_p < τ < δ + 1, by search for the smallest of the numbers that decide it.
+/// The path is convex for h_p < τ < δ + 1, and all its u⁽ʲ⁾ are negative, 0 < j < p, by search for the smallest of the numbers that decide it.
 ///
 /// With e = p₁ − p₀ and c = e × Ae, a vertex n − 1 after the end of the edge at i lies on the side of δⁱ T_n c of it, one n before
 /// its start on that of δ^(i−1) H_(n+1) c, and u⁽ʲ⁾ tells the side of the edge that closes the polygon. So the polygon is convex, and its

@@ -42,28 +42,20 @@ fn compared(seed: u64, loops: &[u32], indices: &[u32]) -> Result<Deviations, Fai
 /// What jets leave: second derivatives up to 10³ rounded, relative to s^± that may be down to (1 − 0.95)².
 const JETS: f64 = 1e-12;
 
-/// pr:imp1: both parities of n.
-pub(crate) fn one_loop() -> CheckResult {
-    let over = "all five formulas at random ζ and ε, n = 1 to 7, against the numerical map";
-    Ok(compared(146, &[1], &[1, 2, 3, 4, 5, 6, 7])?.outcome(JETS, over))
+fn propositions(seed: u64, loops: &[u32], indices: &[u32], over: &str) -> CheckResult {
+    let over = format!("all five formulas at random ζ and ε, {over}, against the numerical map");
+    Ok(compared(seed, loops, indices)?.outcome(JETS, &over))
 }
 
-/// eq:impFormula1odd.
-pub(crate) fn one_loop_odd() -> CheckResult {
-    let over = "all five formulas at random ζ and ε, n = 1, 3, 5, against the numerical map";
-    Ok(compared(141, &[1], &[1, 3, 5])?.outcome(JETS, over))
-}
-
-/// eq:impFormula1even: E₁ with the other sign.
-pub(crate) fn one_loop_even() -> CheckResult {
-    let over = "all five formulas at random ζ and ε, n = 2, 4, 6, against the numerical map";
-    Ok(compared(142, &[1], &[2, 4, 6])?.outcome(JETS, over))
-}
-
-/// pr:impp: the proposition as it holds, for the s of p loops.
-pub(crate) fn many_loops() -> CheckResult {
-    let over = "all five formulas at random ζ and ε, p = 2 to 6, n = 1, 2, 3, against the numerical map";
-    Ok(compared(143, &[2, 3, 4, 5, 6], &[1, 2, 3])?.outcome(JETS, over))
+checks! {
+    /// pr:imp1: both parities of n.
+    one_loop: propositions(146, &[1], &[1, 2, 3, 4, 5, 6, 7], "n = 1 to 7");
+    /// eq:impFormula1odd.
+    one_loop_odd: propositions(141, &[1], &[1, 3, 5], "n = 1, 3, 5");
+    /// eq:impFormula1even: E₁ with the other sign.
+    one_loop_even: propositions(142, &[1], &[2, 4, 6], "n = 2, 4, 6");
+    /// pr:impp: the proposition as it holds, for the s of p loops.
+    many_loops: propositions(143, &[2, 3, 4, 5, 6], &[1, 2, 3], "p = 2 to 6, n = 1, 2, 3");
 }
 
 /// eq:impFormulap: with s_p^±; the print, which names s_1^±, fails for eq:c1 evaluated at the same resonance.

@@ -281,8 +281,8 @@ checks! {
     vivid_of_one_loop: orders(ONE, EVERYWHERE, vivid_orders);
     /// The same for p ≥ 2.
     vivid_of_many_loops: orders(MANY, EVERYWHERE, vivid_orders);
-    /// y Ψ^± = s₁^± y − α ω a₁₂' η + O(2).
+    /// y Ψ^± = s₁^± y − α ω a₁₂' η + O(2), and at η = 0 eq:c1.
     stability_of_one_loop: orders(ONE, EVERYWHERE, psi_orders);
-    /// y Ψ^± = s_p^± y − α ω f_p η + O(2).
+    /// y Ψ^± = s_p^± y − α ω f_p η + O(2), and at η = 0 eq:cp.
     stability_of_many_loops: orders(MANY, EVERYWHERE, psi_orders);
 }

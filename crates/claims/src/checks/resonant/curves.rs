@@ -67,7 +67,15 @@ fn coefficient_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     }))
 }
 
-/// The same with Υ⁺ for both curves.
+/// μ less the quadratic approximation on either curve, which is there on its side of η = 0 alone.
+fn quadratic_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+    Ok(along_curves(place, 3.0, PARAMETER, |curve, eta, near| {
+        let stated = curve.leading.parameter(eta).filter(|_| curve.leading.parameter(-eta).is_none());
+        Some(near.relative()[1] - stated.unwrap_or(f64::NAN))
+    }))
+}
+
+/// M(Υ^±, η) with Υ⁺ for both curves.
 fn printed_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     let fold = place.point().saddle_node_velocity_slope();
@@ -156,6 +164,10 @@ const SIDES: &str =
     "points of SN and PD curves for both signs of η: admissible for the stated one, y < 0 for the other";
 
 checks! {
+    /// eq:sn1 and eq:pd1.
+    quadratic_for_one_loop: orders(ONE, EVERYWHERE, quadratic_orders);
+    /// eq:snp and eq:pdp.
+    quadratic_for_many_loops: orders(MANY, EVERYWHERE, quadratic_orders);
     /// eq:Upsilon1.
     velocity_of_one_loop: orders(ONE, EVERYWHERE, velocity_orders);
     /// eq:Upsilonp.

@@ -50,27 +50,6 @@ fn slope_of(map: &VirtualMap, velocity: f64) -> Matrix2<f64> {
     Matrix2::new(2.0 * map.x_coefficient * velocity, 0.0, map.z_coefficient, 1.0)
 }
 
-/// eq:DPvirt.
-pub(crate) fn of_virtual_map() -> CheckResult {
-    orders(ANY, EVERYWHERE, |place| {
-        let grazing = place.point().grazing;
-        Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
-            Some(virtual_derivatives(&place.near(*offset)?)?[0] - slope_of(&grazing.virtual_map(), offset[0]))
-        }))
-    })
-}
-
-/// eq:DPvirtR.
-pub(crate) fn after_reset() -> CheckResult {
-    orders(ANY, EVERYWHERE, |place| {
-        let grazing = place.point().grazing;
-        Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
-            let leading = slope_of(&grazing.virtual_map_after_reset(), offset[0]);
-            Some(virtual_derivatives(&place.near(*offset)?)?[1] - leading)
-        }))
-    })
-}
-
 /// det D P_virt = y G₁ with G₁ = 1/γ at the resonance.
 pub(crate) fn determinant_quotient() -> CheckResult {
     orders(ANY, EVERYWHERE, |place| {
@@ -157,17 +136,6 @@ fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
         let leading = Matrix2::new(x, 0.0, -alpha_omega * symbols.power.m22, symbols.power.m22 * y);
         Some(pair.round_trip.derivative() * pair.impact.derivative().try_inverse()? * y - leading)
     }))
-}
-
-/// The other cure: with f_p at fixed z the expansions about z_graz,0 hold as printed.
-pub(crate) fn other_cure() -> CheckResult {
-    orders(ANY, EVERYWHERE, |place| {
-        let mut found = global_orders(place, Cure::PartialDerivative)?;
-        if place.loops() == 1 {
-            found.extend(product_orders(place, Cure::PartialDerivative)?);
-        }
-        Ok(found)
-    })
 }
 
 /// Central differences of sixth order of a function of one variable.
@@ -271,6 +239,29 @@ pub(crate) fn power_at_resonance() -> CheckResult {
 }
 
 checks! {
+    /// eq:DPvirt.
+    of_virtual_map: orders(ANY, EVERYWHERE, |place| {
+        let grazing = place.point().grazing;
+        Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
+            Some(virtual_derivatives(&place.near(*offset)?)?[0] - slope_of(&grazing.virtual_map(), offset[0]))
+        }))
+    });
+    /// eq:DPvirtR.
+    after_reset: orders(ANY, EVERYWHERE, |place| {
+        let grazing = place.point().grazing;
+        Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
+            let leading = slope_of(&grazing.virtual_map_after_reset(), offset[0]);
+            Some(virtual_derivatives(&place.near(*offset)?)?[1] - leading)
+        }))
+    });
+    /// The other cure: with f_p at fixed z the expansions about z_graz,0 hold as printed.
+    other_cure: orders(ANY, EVERYWHERE, |place| {
+        let mut found = global_orders(place, Cure::PartialDerivative)?;
+        if place.loops() == 1 {
+            found.extend(product_orders(place, Cure::PartialDerivative)?);
+        }
+        Ok(found)
+    });
     /// eq:yU, about z_graz,η; the print has z_graz,0.
     product: orders_against_print(ONE, |at| product_orders(at, Cure::Moving), |at| product_orders(at, Cure::AsPrinted));
     /// eq:DPglobal, about z_graz,η; the print has z_graz,0.

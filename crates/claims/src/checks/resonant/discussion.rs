@@ -47,7 +47,7 @@ pub(crate) fn periodicity_regions() -> CheckResult {
 fn attraction(place: &Place) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
     for near in super::simulation::admissible(place).iter().step_by(3) {
-        let solution = place.solution(&near);
+        let solution = place.solution(near);
         let (trace, determinant) = (solution.multipliers.trace, solution.multipliers.determinant);
         // Well inside the triangle of stability, so that two hundred impacts suffice.
         if trace.abs() > 0.9 * (1.0 + determinant) || determinant > 0.9 {
