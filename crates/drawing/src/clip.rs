@@ -1,6 +1,7 @@
 //! Clipping in data space: a curve leaves the window where it really crosses the frame, at its own slope.
 
 use crate::DrawingError;
+use crate::sheet::span;
 
 /// A rectangle of data space, shown by one panel.
 ///
@@ -86,9 +87,7 @@ pub(crate) fn hatching(rings: &[Vec<(f64, f64)>], distance: f64) -> Vec<[(f64, f
         .iter()
         .flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| [turned(a), turned(b)]))
         .collect();
-    let across = edges.iter().map(|[(u, _), _]| *u);
-    let [low, high] =
-        across.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], u| [low.min(u), high.max(u)]);
+    let [low, high] = span(edges.iter().map(|[(u, _), _]| *u));
     let step = distance * std::f64::consts::SQRT_2;
     let mut lines = Vec::new();
     // The first line lies inside: one through a corner would have no length.

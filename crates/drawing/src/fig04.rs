@@ -68,15 +68,6 @@ const NAME_GAP: f64 = 3.0;
 /// # Errors
 /// None for rows as the reproduction makes them.
 pub fn draw_fig04(figure: &Figure04<'_>, width: SheetWidth) -> Result<String, DrawingError> {
-    compose(figure, width)?.finish(
-        "fig04",
-        "The boundaries g_p and h_p in the trapesium",
-        "Trace across, determinant up. Solid: tau = g_p(delta), where the p-loop solution is in resonance. Dashed: tau = \
-         h_p(delta), beyond which it is known to be admissible. Star: the grazing bifurcation of Figure 2.",
-    )
-}
-
-pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
     let curves = curves(figure.curves);
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
@@ -110,7 +101,12 @@ pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas
         }
     }
     labels.draw()?;
-    Ok(canvas)
+    canvas.finish(
+        "fig04",
+        "The boundaries g_p and h_p in the trapesium",
+        "Trace across, determinant up. Solid: tau = g_p(delta), where the p-loop solution is in resonance. Dashed: tau = \
+         h_p(delta), beyond which it is known to be admissible. Star: the grazing bifurcation of Figure 2.",
+    )
 }
 
 /// Names the curves in a row above their upper ends.

@@ -66,7 +66,6 @@ pub use fig09::draw_fig09;
 pub use fig10::draw_fig10;
 pub use font::FONT_FILES;
 pub use magnifications::{Magnifications, MagnifiedPanel, draw_magnifications};
-pub use magnified::Magnified;
 pub use plane::{Axis, Plane};
 pub use scene::SpaceFigure;
 pub use style::SheetWidth;

@@ -8,10 +8,10 @@ use crate::DrawingError;
 use crate::axes::Panel;
 use crate::canvas::Canvas;
 use crate::captions::{Caption, Heading};
+use crate::clip::Window;
 use crate::font::Fonts;
 use crate::kinds::{Curve, Region, draw_curves, draw_points};
 use crate::labels::Labels;
-use crate::magnified::Magnified;
 use crate::panel_grid::Grid;
 use crate::plane::Plane;
 use crate::style::SheetWidth;
@@ -44,8 +44,10 @@ pub struct Magnifications<'a> {
 /// One panel of [`Magnifications`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MagnifiedPanel {
-    /// Its number and its window.
-    pub shown: Magnified,
+    /// Its number, from 1; the letter (a) stands for the first.
+    pub panel: u32,
+    /// What it shows, in units of the two parameters.
+    pub window: Window,
     /// What is written over it beside its letter.
     pub heading: Option<Heading>,
 }
@@ -73,8 +75,8 @@ pub fn draw_magnifications(
 }
 
 pub(crate) fn compose(figure: &Magnifications<'_>, width: SheetWidth) -> Result<Vec<Canvas>, DrawingError> {
-    for MagnifiedPanel { shown, .. } in figure.panels {
-        shown.window.checked(&format!("a panel of {}", figure.name))?;
+    for panel in figure.panels {
+        panel.window.checked(&format!("a panel of {}", figure.name))?;
     }
     let sheets = Grid::sheets(width, figure.panels.len());
     sheets.into_iter().map(|range| draw_sheet(figure, range, width)).collect()
@@ -87,9 +89,9 @@ fn draw_sheet(
 ) -> Result<Canvas, DrawingError> {
     let Magnifications { plane, panels: all, .. } = figure;
     let (panels, fonts) = (&all[panels], Fonts::load()?);
-    let windows: Vec<_> = panels.iter().map(|panel| panel.shown.window).collect();
+    let windows: Vec<_> = panels.iter().map(|panel| panel.window).collect();
     let captions: Vec<Caption> =
-        panels.iter().map(|panel| Caption::new(panel.shown.panel, panel.heading)).collect();
+        panels.iter().map(|panel| Caption::new(panel.panel, panel.heading)).collect();
     let mut grid = Grid::new(&fonts, width, all.len(), &windows, &plane.up.title)?;
     // All captions of a sheet are alike: if one needs two lines for its coefficients, each has two.
     let mut split = false;
@@ -100,7 +102,7 @@ fn draw_sheet(
         grid.add_heading_line();
     }
     let canvas = Canvas::new(grid.width_mm(), grid.height_mm())?;
-    for (place, (MagnifiedPanel { shown, .. }, caption)) in panels.iter().zip(captions).enumerate() {
+    for (place, (shown, caption)) in panels.iter().zip(captions).enumerate() {
         let bounds = grid.bounds(place);
         let panel = Panel {
             tables: &[figure.table],
@@ -172,7 +174,7 @@ mod tests {
             let texts: Vec<String> = found.iter().flat_map(Canvas::texts).collect();
             for panel in &sample.panels {
                 let heading = panel.heading.unwrap();
-                let letter = panel_letter(panel.shown.panel);
+                let letter = panel_letter(panel.panel);
                 let line = format!("{letter}  $p={}$, $n={}$", heading.p, heading.n.unwrap());
                 assert!(texts.contains(&line), "{line}: {texts:?}");
             }

@@ -8,15 +8,6 @@ use crate::labels::{Labels, Wanted};
 use crate::sheet::Bounds;
 use crate::style::{MAGNIFIED, MAGNIFIED_TEXT, SMALL_LABEL_SIZE, TRIANGLE_SIZE};
 
-/// A part of the diagram that a panel of another sheet magnifies.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Magnified {
-    /// Number of that panel, from 1; the letter (a) stands for the first.
-    pub panel: u32,
-    /// What is shown there, in units of the two parameters.
-    pub window: Window,
-}
-
 /// Rectangles smaller than this (points) would hide the triangle in them, and stay undrawn.
 const HIDDEN: f64 = TRIANGLE_SIZE;
 

@@ -7,7 +7,6 @@ use crate::captions::Heading;
 use crate::clip::Window;
 use crate::diagram::Diagram;
 use crate::magnifications::{Magnifications, MagnifiedPanel};
-use crate::magnified::Magnified;
 use crate::plane::Plane;
 
 /// Where a parameter of the samples goes: multiplied, then shifted.
@@ -32,7 +31,6 @@ pub(crate) struct SampleOscillator {
     pub(crate) magnified_curves: Vec<MagnifiedPoint>,
     pub(crate) window: Window,
     pub(crate) panels: Vec<MagnifiedPanel>,
-    pub(crate) magnified: Vec<Magnified>,
 }
 
 /// The frequency at which the made-up grazing curve has the amplitude.
@@ -183,7 +181,7 @@ impl SampleOscillator {
                     c_sn: -282.437 * curvature,
                     c_pd: if panel == 2 { f64::NAN } else { 12.153 * curvature },
                 };
-                MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }
+                MagnifiedPanel { panel, window, heading: Some(heading) }
             })
             .collect();
         SampleOscillator {
@@ -193,7 +191,6 @@ impl SampleOscillator {
             magnified_curves: magnified_rows(&all),
             curves: curve_rows(all),
             window: Window { x: across.range([0.0, 1.2]), y: up.range([0.3, 1.0]) },
-            magnified: panels.iter().map(|panel| panel.shown).collect(),
             panels,
         }
     }
@@ -209,7 +206,7 @@ impl SampleOscillator {
             points: &self.points,
             regions: &self.regions,
             window: self.window,
-            magnified: &self.magnified,
+            magnified: &self.panels,
             sections: &[],
         }
     }

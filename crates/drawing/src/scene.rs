@@ -11,7 +11,7 @@ use crate::canvas::Canvas;
 use crate::clip::Window;
 use crate::labels::{Labels, Wanted};
 use crate::passing::{Course, interrupted};
-use crate::sheet::{Bounds, Spot, along, length};
+use crate::sheet::{Bounds, Spot, along, length, span};
 use crate::style::{
     BLACK, CIRCLE, Colour, FACE_EDGE, FLOW, INCOMING_FACE, OPEN_SPOT, OUTGOING_FACE, PERIODIC_FLOW, Paint,
     Pen, RESET, RETURN, SECTION_FACE, SPACE_AXIS, SPOT, SPOT_RADIUS, SPOT_RIM, SheetWidth, TANGENCY,
@@ -157,9 +157,7 @@ impl Scene {
         // An empty cell anywhere leaves no window.
         let whole = places.iter().flatten().all(|coordinate| coordinate.is_finite());
         let range = |k: usize| {
-            let values = || places.iter().map(|place| place[k]);
-            let ends = [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)];
-            if whole { ends } else { [f64::NAN; 2] }
+            if whole { span(places.iter().map(|place| place[k])) } else { [f64::NAN; 2] }
         };
         let window = Window { x: range(0), y: range(1) }.checked(name)?;
         let width = width_mm * POINTS_PER_MM;

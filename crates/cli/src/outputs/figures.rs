@@ -2,9 +2,9 @@
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_drawing::{
-    Diagram, DrawingError, Figure02, Figure04, Figure05, Heading, Magnifications, Magnified, MagnifiedPanel,
-    Plane, Section, SheetWidth, SpaceFigure, Window, draw_diagram, draw_fig01, draw_fig02, draw_fig03,
-    draw_fig04, draw_fig05, draw_fig06, draw_fig09, draw_fig10, draw_magnifications,
+    Diagram, DrawingError, Figure02, Figure04, Figure05, Heading, Magnifications, MagnifiedPanel, Plane,
+    Section, SheetWidth, SpaceFigure, Window, draw_diagram, draw_fig01, draw_fig02, draw_fig03, draw_fig04,
+    draw_fig05, draw_fig06, draw_fig09, draw_fig10, draw_magnifications,
 };
 use grazing_reproduction::parameters::{Range, Rectangle};
 use grazing_reproduction::{Coefficients, Scene, ShownPanel, Study, StudyError};
@@ -77,8 +77,6 @@ pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         up: [section.frequency(); 2],
         label: "Fig. 2".to_owned(),
     });
-    let panels = panels(&study.panels().unwrap_or_default());
-    let magnified: Vec<Magnified> = panels.iter().map(|panel| panel.shown).collect();
     let diagram = Diagram {
         name: "fig07",
         title: "Two-parameter bifurcation diagram",
@@ -91,7 +89,7 @@ pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         points: &made.points,
         regions: &made.regions,
         window: plane(study.parameters().fig07()?.window()),
-        magnified: &magnified,
+        magnified: &panels(&study.panels().unwrap_or_default()),
         sections: section.as_slice(),
     };
     let gaps = study.gaps()?.iter().map(ToString::to_string).collect();
@@ -142,7 +140,7 @@ fn panels(shown: &[ShownPanel]) -> Vec<MagnifiedPanel> {
         let window = Window { x: shown.window.primary, y: shown.window.secondary };
         let Pair { saddle_node: c_sn, period_doubling: c_pd } = shown.coefficients;
         let heading = Heading { p: shown.loops, n: None, c_sn, c_pd };
-        MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }
+        MagnifiedPanel { panel, window, heading: Some(heading) }
     };
     (1..).zip(shown).map(panel).collect()
 }

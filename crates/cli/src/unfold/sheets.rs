@@ -3,8 +3,8 @@
 use grazing_continuation::bifurcation::Pair;
 use grazing_description::Description;
 use grazing_drawing::{
-    Diagram, DrawingError, Heading, Magnifications, Magnified, MagnifiedPanel, Plane, SheetWidth, Window,
-    draw_diagram, draw_magnifications,
+    Diagram, DrawingError, Heading, Magnifications, MagnifiedPanel, Plane, SheetWidth, Window, draw_diagram,
+    draw_magnifications,
 };
 use grazing_reproduction::unfolded::Rows;
 
@@ -39,7 +39,6 @@ pub(crate) fn figures(
     plane.across.column.clone_from(&unfolded.axes.names.primary);
     plane.up.column.clone_from(&unfolded.axes.names.secondary);
     let panels = panels(unfolded);
-    let magnified: Vec<Magnified> = panels.iter().map(|panel| panel.shown).collect();
     let axes = format!("{} across, {} up.", primary.name(), secondary.name());
     let diagram = Diagram {
         name: "diagram",
@@ -54,7 +53,7 @@ pub(crate) fn figures(
         points: &rows.points,
         regions: &rows.regions,
         window: Window { x: primary.range(), y: secondary.range() },
-        magnified: &magnified,
+        magnified: &panels,
         sections: &[],
     };
     let mut figures = vec![(FILES[0].to_owned(), draw_diagram(&diagram, width)?)];
@@ -89,7 +88,7 @@ fn panels(unfolded: &Analysis) -> Vec<MagnifiedPanel> {
                 at.coefficients.map(|coefficient| coefficient.theorem.value);
             let window = Window { x: at.window.primary, y: at.window.secondary };
             let heading = Heading { p: at.loops, n: Some(at.n), c_sn, c_pd };
-            MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }
+            MagnifiedPanel { panel, window, heading: Some(heading) }
         })
         .collect()
 }
