@@ -122,7 +122,7 @@ fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<Vec<Vec<Spot>>, 
     let mut guides = Vec::new();
     for (x, text) in &marks {
         let label = Label::plain(text);
-        let half = 0.5 * panel.canvas.measure(&label, SMALL_LABEL_SIZE)?.width;
+        let half = 0.5 * panel.canvas.fonts.measure(&label, SMALL_LABEL_SIZE)?.width;
         let middle = x.max(free_from + half);
         free_from = middle + half + 2.0;
         let (top, bottom) = (panel.bounds.top, panel.bounds.bottom);

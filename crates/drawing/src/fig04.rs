@@ -129,7 +129,7 @@ fn name_above(panel: &Panel<'_>, curves: &[Curve]) -> Result<(), DrawingError> {
     names.sort_by(|a, b| (a.end.0 + a.before).total_cmp(&(b.end.0 + b.before)));
     let mut boxes = Vec::new();
     for name in &names {
-        let extent = panel.canvas.measure(&Label::parse(&name.text)?, LABEL_SIZE)?;
+        let extent = panel.canvas.fonts.measure(&Label::parse(&name.text)?, LABEL_SIZE)?;
         boxes.push((name.end.0, extent.width));
     }
     for (name, x) in names.iter().zip(side_by_side(&boxes, NAME_GAP)) {

@@ -71,7 +71,7 @@ impl<'c> Labels<'c> {
         let (mut width, mut ascent, mut descent) = (0.0_f64, 0.0_f64, 0.0_f64);
         for source in sources {
             let label = Label::parse(source)?;
-            let extent = self.canvas.measure(&label, size)?;
+            let extent = self.canvas.fonts.measure(&label, size)?;
             width = width.max(extent.width);
             ascent = ascent.max(extent.ascent);
             descent = descent.max(extent.descent);

@@ -52,7 +52,6 @@ mod style;
 mod svg;
 mod ticks;
 
-pub use captions::Heading;
 pub use clip::Window;
 pub use diagram::{Diagram, Section, draw_diagram};
 pub use error::DrawingError;

@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
+use grazing_continuation::bifurcation::Pair;
 use grazing_results::plane::{MagnifiedPoint, RegionVertex, Source, SpecialPoint};
 
 use crate::DrawingError;
 use crate::axes::Panel;
 use crate::canvas::Canvas;
-use crate::captions::{Caption, Heading};
+use crate::captions::Caption;
 use crate::clip::Window;
 use crate::font::Fonts;
 use crate::kinds::{Curve, Region, draw_curves, draw_points};
@@ -48,8 +49,12 @@ pub struct MagnifiedPanel {
     pub panel: u32,
     /// What it shows, in units of the two parameters.
     pub window: Window,
-    /// What is written over it beside its letter.
-    pub heading: Option<Heading>,
+    /// Number of loops p of the resonance about which it is.
+    pub loops: u32,
+    /// The integer n of that, if it is to be written.
+    pub n: Option<u32>,
+    /// c_SN and c_PD, in units of the primary parameter over the square of the secondary one; NaN is left out.
+    pub coefficients: Pair<f64>,
 }
 
 /// Curves shorter than this on the sheet (points) stay without a label.
@@ -90,8 +95,7 @@ fn draw_sheet(
     let Magnifications { plane, panels: all, .. } = figure;
     let (panels, fonts) = (&all[panels], Fonts::load()?);
     let windows: Vec<_> = panels.iter().map(|panel| panel.window).collect();
-    let captions: Vec<Caption> =
-        panels.iter().map(|panel| Caption::new(panel.panel, panel.heading)).collect();
+    let captions: Vec<Caption> = panels.iter().map(Caption::new).collect();
     let mut grid = Grid::new(&fonts, width, all.len(), &windows, &plane.up.title)?;
     // All captions of a sheet are alike: if one needs two lines for its coefficients, each has two.
     let mut split = false;
@@ -173,9 +177,8 @@ mod tests {
             assert_eq!(found.len(), sheets);
             let texts: Vec<String> = found.iter().flat_map(Canvas::texts).collect();
             for panel in &sample.panels {
-                let heading = panel.heading.unwrap();
                 let letter = panel_letter(panel.panel);
-                let line = format!("{letter}  $p={}$, $n={}$", heading.p, heading.n.unwrap());
+                let line = format!("{letter}  $p={}$, $n={}$", panel.loops, panel.n.unwrap());
                 assert!(texts.contains(&line), "{line}: {texts:?}");
             }
         }
@@ -218,7 +221,8 @@ mod tests {
         for (panel, (c_sn, c_pd)) in
             sample.panels.iter_mut().zip([(-1.234_56e8, 9.876_54e-5), (f64::NAN, 0.5), (f64::NAN, f64::NAN)])
         {
-            panel.heading = Some(Heading { p: 12, n: Some(7), c_sn, c_pd });
+            panel.loops = 12;
+            panel.coefficients = Pair { saddle_node: c_sn, period_doubling: c_pd };
         }
         let sheets = compose(&sample.magnifications(), SheetWidth::Paper).unwrap();
         assert!(sheets[0].misplaced_texts().is_empty());
@@ -247,14 +251,13 @@ mod tests {
     }
 
     #[test]
-    fn panels_may_be_without_curves_regions_and_heading() {
+    fn panels_may_be_without_curves_and_regions() {
         let mut sample = sample(4);
         // The first 201 rows are the grazing curve in the first panel.
         sample.magnified_curves.truncate(201);
         sample.regions.clear();
-        sample.panels[1].heading = None;
         let texts = compose(&sample.magnifications(), SheetWidth::Paper).unwrap()[0].texts();
-        assert!(texts.contains(&"(b)".to_owned()));
+        assert!(texts.iter().any(|text| text.starts_with("(b)")));
         assert_eq!(texts.iter().filter(|text| text.contains("graz")).count(), 1);
     }
 }

@@ -81,13 +81,14 @@ pub(crate) fn draw_portraits(
         let panel = Panel {
             tables: &["fig02_portraits"],
             only: Some(("portrait", portrait.number)),
+            numbers_beside: column == 0,
             ..Panel::new(canvas, window, bounds)
         };
         wall(&panel);
         let pen =
             if portrait.attractor { ATTRACTOR_ORBIT } else { branch_pen(portrait.p, PERIODIC_ORBIT.width) };
         panel.line(&without_jumps(&portrait.orbit), pen);
-        panel.axes_with("$x$", if column == 0 { "$y$" } else { "" }, column == 0)?;
+        panel.axes("$x$", if column == 0 { "$y$" } else { "" })?;
         jump(&panel, &portrait.orbit);
         let kind = match (portrait.attractor, portrait.p) {
             (true, _) => "attractor".to_owned(),

@@ -1,9 +1,8 @@
 //! Made-up results for an oscillator of any kind: parameters of any name and magnitude, any number of resonances.
 
-use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionKind, RegionVertex, Source, SpecialPoint};
 
-use crate::captions::Heading;
 use crate::clip::Window;
 use crate::diagram::Diagram;
 use crate::magnifications::{Magnifications, MagnifiedPanel};
@@ -175,13 +174,9 @@ impl SampleOscillator {
                 let (x, y) = ([a - 0.3 * size, a + 0.4 * size], [-0.2, 0.25].map(|d| graz(a) + d * size));
                 let window = Window { x: across.range(x), y: up.range(y) };
                 let curvature = across.0 / (up.0 * up.0);
-                let heading = Heading {
-                    p,
-                    n: Some(n),
-                    c_sn: -282.437 * curvature,
-                    c_pd: if panel == 2 { f64::NAN } else { 12.153 * curvature },
-                };
-                MagnifiedPanel { panel, window, heading: Some(heading) }
+                let period_doubling = if panel == 2 { f64::NAN } else { 12.153 * curvature };
+                let coefficients = Pair { saddle_node: -282.437 * curvature, period_doubling };
+                MagnifiedPanel { panel, window, loops: p, n: Some(n), coefficients }
             })
             .collect();
         SampleOscillator {

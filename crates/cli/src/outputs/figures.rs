@@ -1,9 +1,8 @@
 //! From a study's frames to figures: one function a figure.
 
-use grazing_continuation::bifurcation::Pair;
 use grazing_drawing::{
-    Diagram, DrawingError, Figure02, Figure04, Figure05, Heading, Magnifications, MagnifiedPanel, Plane,
-    Section, SheetWidth, SpaceFigure, Window, draw_diagram, draw_fig01, draw_fig02, draw_fig03, draw_fig04,
+    Diagram, DrawingError, Figure02, Figure04, Figure05, Magnifications, MagnifiedPanel, Plane, Section,
+    SheetWidth, SpaceFigure, Window, draw_diagram, draw_fig01, draw_fig02, draw_fig03, draw_fig04,
     draw_fig05, draw_fig06, draw_fig09, draw_fig10, draw_magnifications,
 };
 use grazing_reproduction::parameters::{Range, Rectangle};
@@ -138,9 +137,8 @@ fn space(scene: &Scene) -> SpaceFigure<'_> {
 fn panels(shown: &[ShownPanel]) -> Vec<MagnifiedPanel> {
     let panel = |(panel, shown): (u32, &ShownPanel)| {
         let window = Window { x: shown.window.primary, y: shown.window.secondary };
-        let Pair { saddle_node: c_sn, period_doubling: c_pd } = shown.coefficients;
-        let heading = Heading { p: shown.loops, n: None, c_sn, c_pd };
-        MagnifiedPanel { panel, window, heading: Some(heading) }
+        let (loops, coefficients) = (shown.loops, shown.coefficients);
+        MagnifiedPanel { panel, window, loops, n: None, coefficients }
     };
     (1..).zip(shown).map(panel).collect()
 }

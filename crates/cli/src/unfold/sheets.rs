@@ -1,9 +1,8 @@
 //! The figures: a two-parameter diagram, and magnifications about its resonances.
 
-use grazing_continuation::bifurcation::Pair;
 use grazing_description::Description;
 use grazing_drawing::{
-    Diagram, DrawingError, Heading, Magnifications, MagnifiedPanel, Plane, SheetWidth, Window, draw_diagram,
+    Diagram, DrawingError, Magnifications, MagnifiedPanel, Plane, SheetWidth, Window, draw_diagram,
     draw_magnifications,
 };
 use grazing_reproduction::unfolded::Rows;
@@ -84,11 +83,9 @@ fn panels(unfolded: &Analysis) -> Vec<MagnifiedPanel> {
         .filter(|(_, at)| !at.magnified.is_empty() && wide(at.window.primary) && wide(at.window.secondary));
     shown
         .map(|(panel, at)| {
-            let Pair { saddle_node: c_sn, period_doubling: c_pd } =
-                at.coefficients.map(|coefficient| coefficient.theorem.value);
+            let coefficients = at.coefficients.map(|coefficient| coefficient.theorem.value);
             let window = Window { x: at.window.primary, y: at.window.secondary };
-            let heading = Heading { p: at.loops, n: Some(at.n), c_sn, c_pd };
-            MagnifiedPanel { panel, window, heading: Some(heading) }
+            MagnifiedPanel { panel, window, loops: at.loops, n: Some(at.n), coefficients }
         })
         .collect()
 }
