@@ -181,7 +181,10 @@ impl<'c> Panel<'c> {
     pub(crate) fn axes(&self, x_title: &str, y_title: &str) -> Result<(), DrawingError> {
         let (Bounds { left, top, right, bottom }, canvas) = (self.bounds, self.canvas);
         self.mark([x_title, y_title]);
-        self.frame();
+        canvas.line(
+            &[(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)],
+            FRAME,
+        );
         let x_numbers = Numbers::along(&canvas.fonts, self.window.x, right - left, Direction::Across)?;
         for minor in &x_numbers.minor {
             let (x, _) = self.spot((*minor, self.window.y[0]));
@@ -221,13 +224,6 @@ impl<'c> Panel<'c> {
             let beside = (edge, 0.5 * (top + bottom) + 0.25 * TITLE_SIZE);
             canvas.text(beside, y_title, TITLE_SIZE, Anchor::End, BLACK)
         }
-    }
-
-    /// The frame alone.
-    fn frame(&self) {
-        let Bounds { left, top, right, bottom } = self.bounds;
-        let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)];
-        self.canvas.line(&corners, FRAME);
     }
 }
 

@@ -26,6 +26,12 @@ impl Window {
         Ok(self)
     }
 
+    /// Its corners, the first one twice.
+    pub(crate) fn outline(&self) -> [(f64, f64); 5] {
+        let ([left, right], [low, high]) = (self.x, self.y);
+        [(left, low), (right, low), (right, high), (left, high), (left, low)]
+    }
+
     /// True if the point is in the window or on its frame; false for NaN.
     pub(crate) fn contains(&self, (x, y): (f64, f64)) -> bool {
         self.x[0] <= x && x <= self.x[1] && self.y[0] <= y && y <= self.y[1]

@@ -1,6 +1,5 @@
 //! Figure 5: the unfolding of a resonant grazing bifurcation.
 
-use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::plane::RegionKind;
 use grazing_results::sketches::{UnfoldingPoint, UnfoldingResonance, UnfoldingVertex};
 
@@ -8,7 +7,7 @@ use crate::DrawingError;
 use crate::axes::{Marker, Panel};
 use crate::canvas::Canvas;
 use crate::clip::Window;
-use crate::kinds::{Curve, draw_curves, text_colour};
+use crate::kinds::{Curve, draw_curves, label, text_colour};
 use crate::labels::{Labels, Wanted};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
@@ -98,8 +97,7 @@ pub fn draw_fig05(figure: &Figure05<'_>, width: SheetWidth) -> Result<String, Dr
         }
     }
     for (kind, piece) in &drawn {
-        let text = if *kind == Bifurcation::NonImpactingGrazing { "grazing" } else { kind.name() };
-        labels.add(text, LABEL_SIZE, text_colour(*kind), &Wanted::Beside(piece))?;
+        labels.add(label(*kind, "grazing"), LABEL_SIZE, text_colour(*kind), &Wanted::Beside(piece))?;
     }
     labels.draw()?;
     canvas.finish(
@@ -113,6 +111,8 @@ pub fn draw_fig05(figure: &Figure05<'_>, width: SheetWidth) -> Result<String, Dr
 
 #[cfg(test)]
 mod tests {
+    use grazing_continuation::bifurcation::Bifurcation;
+
     use super::*;
     use crate::samples::{integer, known, number, written};
     use crate::sheet::span;

@@ -58,7 +58,7 @@ pub use error::DrawingError;
 pub use fig01::draw_fig01;
 pub use fig02::{Figure02, draw_fig02};
 pub use fig03::draw_fig03;
-pub use fig04::{Figure04, draw_fig04};
+pub use fig04::draw_fig04;
 pub use fig05::{Figure05, draw_fig05};
 pub use fig06::draw_fig06;
 pub use fig09::draw_fig09;

@@ -31,9 +31,8 @@ pub(crate) fn rectangle(panel: &Panel<'_>, window: &Window, labels: &mut Labels<
     let [[left, right], [low, high]] = [window.x, window.y];
     let (a, b) = (panel.spot((left, high)), panel.spot((right, low)));
     let whole = Bounds { left: a.0, top: a.1, right: b.0, bottom: b.1 };
-    let corners = [(left, low), (right, low), (right, high), (left, high), (left, low)];
     if !is_hidden(&whole) {
-        for piece in panel.line(&corners, MAGNIFIED) {
+        for piece in panel.line(&window.outline(), MAGNIFIED) {
             labels.placer.keep_off(&piece);
         }
     }

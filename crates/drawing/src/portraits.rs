@@ -57,11 +57,6 @@ impl Portrait {
     }
 }
 
-/// Into how many rows the portraits are set: one, or on a narrow sheet rows of at most two.
-pub(crate) fn portrait_rows(portraits: &[Portrait], narrow: bool) -> usize {
-    if narrow { portraits.len().div_ceil(2) } else { 1 }
-}
-
 /// Draws the portraits in so many rows of a height in points, all at one scale.
 pub(crate) fn draw_portraits(
     canvas: &Canvas,

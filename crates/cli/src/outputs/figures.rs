@@ -1,9 +1,9 @@
 //! From a study's frames to figures: one function a figure.
 
 use grazing_drawing::{
-    Diagram, DrawingError, Figure02, Figure04, Figure05, Magnifications, MagnifiedPanel, Plane, Section,
-    SheetWidth, SpaceFigure, Window, draw_diagram, draw_fig01, draw_fig02, draw_fig03, draw_fig04,
-    draw_fig05, draw_fig06, draw_fig09, draw_fig10, draw_magnifications,
+    Diagram, DrawingError, Figure02, Figure05, Magnifications, MagnifiedPanel, Plane, Section, SheetWidth,
+    SpaceFigure, Window, draw_diagram, draw_fig01, draw_fig02, draw_fig03, draw_fig04, draw_fig05,
+    draw_fig06, draw_fig09, draw_fig10, draw_magnifications,
 };
 use grazing_reproduction::parameters::{Range, Rectangle};
 use grazing_reproduction::{Coefficients, Scene, ShownPanel, Study, StudyError};
@@ -46,8 +46,7 @@ pub(super) fn fig03(study: &Study<'_>, width: SheetWidth) -> MadeResult {
 
 pub(super) fn fig04(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig04()?;
-    let figure = Figure04 { curves: &made.curves, points: &made.points };
-    Ok(Made::figure(draw_fig04(&figure, width)?, made.tables()))
+    Ok(Made::figure(draw_fig04(&made.curves, &made.points, width)?, made.tables()))
 }
 
 pub(super) fn fig05(study: &Study<'_>, width: SheetWidth) -> MadeResult {
