@@ -27,6 +27,8 @@ pub(crate) struct Panel<'c> {
     pub(crate) only: Option<(&'static str, u32)>,
     /// The parameters that it shows, where the titles do not say which columns hold them.
     pub(crate) plane: Option<&'c Plane>,
+    /// Whether there are numbers beside it.
+    pub(crate) numbers_beside: bool,
 }
 
 /// Which of the paper's markers.
@@ -52,7 +54,7 @@ const LEAST_TITLE_SIZE: f64 = 6.5;
 impl<'c> Panel<'c> {
     /// A panel that does not say what it shows.
     pub(crate) fn new(canvas: &'c Canvas, window: Window, bounds: Bounds) -> Self {
-        Panel { canvas, window, bounds, tables: &[], only: None, plane: None }
+        Panel { canvas, window, bounds, tables: &[], only: None, plane: None, numbers_beside: true }
     }
 
     /// Where a data point lies on the sheet, in whole hundredths of a point: the rest of the way from the lower left
@@ -177,19 +179,12 @@ impl<'c> Panel<'c> {
 
     /// Frame, outward ticks, numbers and axis titles; an empty title is left out.
     pub(crate) fn axes(&self, x_title: &str, y_title: &str) -> Result<(), DrawingError> {
-        self.axes_with(x_title, y_title, true)
-    }
-
-    /// Like [`Panel::axes`], the numbers of the vertical axis only if asked for.
-    pub(crate) fn axes_with(
-        &self,
-        x_title: &str,
-        y_title: &str,
-        y_numbers_shown: bool,
-    ) -> Result<(), DrawingError> {
         let (Bounds { left, top, right, bottom }, canvas) = (self.bounds, self.canvas);
         self.mark([x_title, y_title]);
-        self.frame();
+        canvas.line(
+            &[(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)],
+            FRAME,
+        );
         let x_numbers = Numbers::along(&canvas.fonts, self.window.x, right - left, Direction::Across)?;
         for minor in &x_numbers.minor {
             let (x, _) = self.spot((*minor, self.window.y[0]));
@@ -206,11 +201,11 @@ impl<'c> Panel<'c> {
             let (_, y) = self.spot((self.window.x[0], *minor));
             canvas.line(&[(left, y), (left - MINOR_TICK_LENGTH, y)], TICK);
         }
-        let reach = if y_numbers_shown { y_numbers.width } else { 0.0 };
+        let reach = if self.numbers_beside { y_numbers.width } else { 0.0 };
         for tick in &y_numbers.ticks {
             let (_, y) = self.spot((self.window.x[0], tick.value));
             canvas.line(&[(left, y), (left - TICK_LENGTH, y)], TICK);
-            if y_numbers_shown {
+            if self.numbers_beside {
                 let spot = (left - TICK_LENGTH - TICK_GAP, y + 0.33 * TICK_SIZE);
                 canvas.text(spot, &tick.label, TICK_SIZE, Anchor::End, BLACK)?;
             }
@@ -221,7 +216,7 @@ impl<'c> Panel<'c> {
         canvas.text(below, x_title, size, Anchor::Middle, BLACK)?;
         let y_title = &y_numbers.title(y_title);
         let edge = left - TICK_LENGTH - 2.0 * TICK_GAP - reach - 1.0;
-        let extent = canvas.measure(&Label::parse(y_title)?, TITLE_SIZE)?;
+        let extent = canvas.fonts.measure(&Label::parse(y_title)?, TITLE_SIZE)?;
         if extent.width > WIDEST_LEVEL_TITLE {
             let size = title_size(canvas, y_title, bottom - top)?;
             canvas.text_upwards((edge - extent.descent, 0.5 * (top + bottom)), y_title, size, BLACK)
@@ -229,13 +224,6 @@ impl<'c> Panel<'c> {
             let beside = (edge, 0.5 * (top + bottom) + 0.25 * TITLE_SIZE);
             canvas.text(beside, y_title, TITLE_SIZE, Anchor::End, BLACK)
         }
-    }
-
-    /// The frame alone.
-    fn frame(&self) {
-        let Bounds { left, top, right, bottom } = self.bounds;
-        let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)];
-        self.canvas.line(&corners, FRAME);
     }
 }
 
@@ -247,7 +235,7 @@ fn column_of(title: &str) -> String {
 
 /// The size at which a title fits on an axis of so many points.
 fn title_size(canvas: &Canvas, title: &str, room: f64) -> Result<f64, DrawingError> {
-    let width = canvas.measure(&Label::parse(title)?, TITLE_SIZE)?.width;
+    let width = canvas.fonts.measure(&Label::parse(title)?, TITLE_SIZE)?.width;
     Ok(if width > room { (TITLE_SIZE * room / width).max(LEAST_TITLE_SIZE) } else { TITLE_SIZE })
 }
 

@@ -8,6 +8,7 @@ use crate::axes::Panel;
 use crate::cloud::draw_cloud;
 use crate::kinds::{label, pen, text_colour};
 use crate::labels::{Labels, Wanted};
+use crate::plane::Plane;
 use crate::sheet::{Bounds, Spot, length};
 use crate::style::{
     LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, SMALL_LABEL_SIZE, STABLE_WIDTH, THRESHOLD, UNSTABLE_WIDTH,
@@ -61,6 +62,7 @@ pub(crate) fn diagram(
             }
         }
     }
+    let grazing = Plane::of_the_paper().grazing;
     let mut named: Vec<(Bifurcation, u32)> = Vec::new();
     let visible: Vec<(Bifurcation, u32, (f64, f64))> = bifurcations
         .iter()
@@ -79,7 +81,7 @@ pub(crate) fn diagram(
         }
         named.push((kind, p));
         let wanted = Wanted::Around(panel.spot(point), POINT_RADIUS + 0.5);
-        labels.add(label(kind), LABEL_SIZE, text_colour(kind), &wanted)?;
+        labels.add(label(kind, &grazing), LABEL_SIZE, text_colour(kind), &wanted)?;
     }
     for (p, piece) in &longest {
         let text = if *p == 0 { "non-impacting".to_owned() } else { format!("$p={p}$") };

@@ -86,10 +86,6 @@ impl Canvas {
         ));
     }
 
-    pub(crate) fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {
-        self.fonts.measure(label, size)
-    }
-
     /// A label with its baseline at the spot.
     pub(crate) fn text(
         &self,
@@ -111,7 +107,7 @@ impl Canvas {
         anchor: Anchor,
         colour: Colour,
     ) -> Result<(), DrawingError> {
-        let Extent { width, ascent, descent } = self.measure(label, size)?;
+        let Extent { width, ascent, descent } = self.fonts.measure(label, size)?;
         let (left, anchor) = match anchor {
             Anchor::Start => (x, ""),
             Anchor::Middle => (x - 0.5 * width, " text-anchor=\"middle\""),
@@ -137,7 +133,7 @@ impl Canvas {
         colour: Colour,
     ) -> Result<(), DrawingError> {
         let label = Label::parse(source)?;
-        let Extent { width, ascent, descent } = self.measure(&label, size)?;
+        let Extent { width, ascent, descent } = self.fonts.measure(&label, size)?;
         let (top, bottom) = (y - 0.5 * width, y + 0.5 * width);
         let turn = format!(" text-anchor=\"middle\" transform=\"rotate(-90 {} {})\"", points(x), points(y));
         let taken = Bounds { left: x - ascent, top, right: x + descent, bottom };

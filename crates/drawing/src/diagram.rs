@@ -9,7 +9,8 @@ use crate::canvas::Canvas;
 use crate::clip::Window;
 use crate::kinds::{Curve, Region, draw_curves, draw_points};
 use crate::labels::{Labels, Wanted};
-use crate::magnified::{Magnified, letter, rectangle};
+use crate::magnifications::MagnifiedPanel;
+use crate::magnified::{letter, rectangle};
 use crate::plane::Plane;
 use crate::sheet::{Bounds, Spot, area};
 use crate::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth};
@@ -48,8 +49,8 @@ pub struct Diagram<'a> {
     pub regions: &'a [RegionVertex],
     /// What is shown of the plane.
     pub window: Window,
-    /// Rectangles that are drawn because another sheet magnifies them.
-    pub magnified: &'a [Magnified],
+    /// The panels of another sheet, whose windows are drawn.
+    pub magnified: &'a [MagnifiedPanel],
     /// Lines along which other diagrams run.
     pub sections: &'a [Section],
 }
@@ -279,7 +280,7 @@ mod tests {
     fn only_rectangles_that_are_seen_have_their_letters() {
         let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 4);
         let whole = sample.window;
-        sample.window.x[1] = sample.magnified[0].window.x[0] - 0.01;
+        sample.window.x[1] = sample.panels[0].window.x[0] - 0.01;
         let letters = texts(&sample).into_iter().filter(|text| text.starts_with('(')).collect::<Vec<_>>();
         assert_eq!(letters, ["(b)", "(c)", "(d)"]);
         sample.window = whole;
@@ -294,9 +295,9 @@ mod tests {
             crate::inspection::paths(&svg, "#f08200").len()
         };
         assert_eq!(rectangles(&sample), 3);
-        let Window { x: [left, _], y: [low, _] } = sample.magnified[1].window;
+        let Window { x: [left, _], y: [low, _] } = sample.panels[1].window;
         // A thousandth of the range is a third of a point.
-        sample.magnified[1].window = Window { x: [left, left + 0.001], y: [low, low + 0.001] };
+        sample.panels[1].window = Window { x: [left, left + 0.001], y: [low, low + 0.001] };
         assert_eq!(rectangles(&sample), 2);
         assert!(texts(&sample).contains(&"(b)".to_owned()));
     }
@@ -304,7 +305,7 @@ mod tests {
     #[test]
     fn an_empty_rectangle_is_an_error_that_names_the_diagram() {
         let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 2);
-        sample.magnified[1].window.y = [0.5, 0.5];
+        sample.panels[1].window.y = [0.5, 0.5];
         let error = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap_err();
         assert!(error.to_string().contains("a rectangle of diagram"), "{error}");
     }

@@ -10,7 +10,7 @@ use crate::clip::Window;
 use crate::labels::Labels;
 use crate::magnified::panel_letter;
 use crate::markup::Label;
-use crate::portraits::{Portrait, ROW, SINGLE_ROW, draw_portraits, portrait_rows};
+use crate::portraits::{Portrait, ROW, SINGLE_ROW, draw_portraits};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{BLACK, GUIDE, MAGNIFIER, MAGNIFIER_FRAME, SMALL_LABEL_SIZE, SheetWidth};
 use crate::svg::POINTS_PER_MM;
@@ -71,7 +71,8 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
 
     let width = width.mm(WIDTH_MM);
     let stacked = width < SIDE_BY_SIDE_MM;
-    let rows = portrait_rows(&portraits, stacked);
+    // On a narrow sheet portraits stand in rows of two.
+    let rows = if stacked { portraits.len().div_ceil(2) } else { 1 };
     let row = if rows == 1 { SINGLE_ROW } else { ROW };
     let portraits_end = rows as f64 * row;
     let height = portraits_end + if stacked { 2.0 * STACKED_HEIGHT + STACKED_GAP } else { DIAGRAM_HEIGHT };
@@ -90,13 +91,14 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
     let part = Panel { tables: &SHOWN, ..Panel::new(&canvas, magnification, part) };
 
     let guides = letters(&whole, &portraits)?;
-    whole.line(&outline(&magnification), MAGNIFIER);
-    part.line(&outline(&magnification), MAGNIFIER_FRAME);
+    let magnified = magnification.outline();
+    whole.line(&magnified, MAGNIFIER);
+    part.line(&magnified, MAGNIFIER_FRAME);
     for (panel, every_loop) in [(&whole, false), (&part, true)] {
         let mut labels = Labels::new(&canvas, panel.bounds);
         if !every_loop {
             guides.iter().for_each(|guide| labels.placer.keep_off_nameless(guide));
-            labels.placer.keep_off_nameless(&on_sheet(panel, &magnification));
+            labels.placer.keep_off_nameless(&magnified.map(|corner| panel.spot(corner)));
         }
         diagram(panel, labels, &branches, figure.bifurcations, &cloud, every_loop)?;
         panel.axes(r"$\mathcal{A}$", if every_loop && !stacked { "" } else { "$x$" })?;
@@ -122,7 +124,7 @@ fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<Vec<Vec<Spot>>, 
     let mut guides = Vec::new();
     for (x, text) in &marks {
         let label = Label::plain(text);
-        let half = 0.5 * panel.canvas.measure(&label, SMALL_LABEL_SIZE)?.width;
+        let half = 0.5 * panel.canvas.fonts.measure(&label, SMALL_LABEL_SIZE)?.width;
         let middle = x.max(free_from + half);
         free_from = middle + half + 2.0;
         let (top, bottom) = (panel.bounds.top, panel.bounds.bottom);
@@ -132,16 +134,6 @@ fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<Vec<Vec<Spot>>, 
         panel.canvas.text((middle, top - 6.0), text, SMALL_LABEL_SIZE, Anchor::Middle, BLACK)?;
     }
     Ok(guides)
-}
-
-/// A window's outline on the sheet.
-fn on_sheet(panel: &Panel<'_>, window: &Window) -> Vec<Spot> {
-    outline(window).iter().map(|&corner| panel.spot(corner)).collect()
-}
-
-fn outline(window: &Window) -> [(f64, f64); 5] {
-    let [[left, right], [low, high]] = [window.x, window.y];
-    [(left, low), (right, low), (right, high), (left, high), (left, low)]
 }
 
 #[cfg(test)]

@@ -27,14 +27,14 @@ pub fn draw_fig03(figure: &SpaceFigure<'_>, width: SheetWidth) -> Result<String,
 }
 
 fn names(scene: &Scene, labels: &mut Labels<'_>) -> Result<(), DrawingError> {
-    for mark in &scene.points {
+    for (spot, mark) in &scene.points {
         let name = match (mark.kind, mark.number) {
             (MarkKind::Graze, _) => r"$(0,0,z_{\mathrm{graz}})$",
             (MarkKind::Section, 0) => "$(x,0,z)$",
             (MarkKind::Section, 1) => "$(x',0,z')$",
             _ => continue,
         };
-        labels.add(name, LABEL_SIZE, BLACK, &Wanted::Around(mark.spot(), SPOT_RADIUS + 0.5))?;
+        labels.add(name, LABEL_SIZE, BLACK, &Wanted::Around(*spot, SPOT_RADIUS + 0.5))?;
     }
     for map in scene.longest(CurveKind::Global) {
         name_curve(labels, r"$P_{\mathrm{global}}$", LABEL_SIZE, RETURN_COLOUR, &map)?;

@@ -15,18 +15,6 @@ use crate::style::{
     SheetWidth, admissibility_pen, resonance_pen,
 };
 
-/// What Figure 4 shows.
-///
-/// Paper: Figure 4, fig:D.
-#[derive(Debug, Clone, Copy)]
-pub struct Figure04<'a> {
-    /// Points that follow each other with equal kind and p are one curve; the trapesium is a closed outline, every other curve ends on its
-    /// top side.
-    pub curves: &'a [BoundaryPoint],
-    /// The grazing bifurcation of Figure 2.
-    pub points: &'a [Star],
-}
-
 struct Curve {
     family: Boundary,
     p: u32,
@@ -63,21 +51,19 @@ const NAMES_ABOVE: f64 = 10.0;
 /// Least gap between two names, in points.
 const NAME_GAP: f64 = 3.0;
 
-/// Draws Figure 4.
+/// Draws Figure 4, fig:D of the paper.
+///
+/// Points that follow each other with equal kind and p are one curve; the trapesium is a closed outline, every other curve ends on its
+/// top side. Marked is the grazing bifurcation of Figure 2.
 ///
 /// # Errors
 /// None for rows as the reproduction makes them.
-pub fn draw_fig04(figure: &Figure04<'_>, width: SheetWidth) -> Result<String, DrawingError> {
-    compose(figure, width)?.finish(
-        "fig04",
-        "The boundaries g_p and h_p in the trapesium",
-        "Trace across, determinant up. Solid: tau = g_p(delta), where the p-loop solution is in resonance. Dashed: tau = \
-         h_p(delta), beyond which it is known to be admissible. Star: the grazing bifurcation of Figure 2.",
-    )
-}
-
-pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
-    let curves = curves(figure.curves);
+pub fn draw_fig04(
+    curves: &[BoundaryPoint],
+    points: &[Star],
+    width: SheetWidth,
+) -> Result<String, DrawingError> {
+    let curves = shown_curves(curves);
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let bounds = Bounds { left: 37.0, top: 23.0, right: canvas.width - 12.0, bottom: canvas.height - 30.0 };
@@ -94,7 +80,7 @@ pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas
     }
     panel.axes(r"$\tau$", r"$\delta$")?;
     name_above(&panel, &curves)?;
-    for point in figure.points.iter().map(|point| (point.tau, point.delta)) {
+    for point in points.iter().map(|point| (point.tau, point.delta)) {
         if let Some(taken) = panel.marker(point, Marker::Star) {
             labels.placer.block(taken);
             let reach = 0.5 * (taken.right - taken.left);
@@ -110,7 +96,12 @@ pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas
         }
     }
     labels.draw()?;
-    Ok(canvas)
+    canvas.finish(
+        "fig04",
+        "The boundaries g_p and h_p in the trapesium",
+        "Trace across, determinant up. Solid: tau = g_p(delta), where the p-loop solution is in resonance. Dashed: tau = \
+         h_p(delta), beyond which it is known to be admissible. Star: the grazing bifurcation of Figure 2.",
+    )
 }
 
 /// Names the curves in a row above their upper ends.
@@ -133,7 +124,7 @@ fn name_above(panel: &Panel<'_>, curves: &[Curve]) -> Result<(), DrawingError> {
     names.sort_by(|a, b| (a.end.0 + a.before).total_cmp(&(b.end.0 + b.before)));
     let mut boxes = Vec::new();
     for name in &names {
-        let extent = panel.canvas.measure(&Label::parse(&name.text)?, LABEL_SIZE)?;
+        let extent = panel.canvas.fonts.measure(&Label::parse(&name.text)?, LABEL_SIZE)?;
         boxes.push((name.end.0, extent.width));
     }
     for (name, x) in names.iter().zip(side_by_side(&boxes, NAME_GAP)) {
@@ -146,7 +137,7 @@ fn name_above(panel: &Panel<'_>, curves: &[Curve]) -> Result<(), DrawingError> {
     Ok(())
 }
 
-fn curves(points: &[BoundaryPoint]) -> Vec<Curve> {
+fn shown_curves(points: &[BoundaryPoint]) -> Vec<Curve> {
     let curve = |points: &[BoundaryPoint]| Curve {
         family: points[0].kind,
         p: points[0].loops,
@@ -170,9 +161,8 @@ mod tests {
         };
         let rows: Vec<BoundaryPoint> = written("fig04_curves").iter().map(point).collect();
         let star = Star { kind: "fig02", tau: -0.25, delta: 0.7 };
-        let figure = Figure04 { curves: &rows, points: &[star] };
-        let svg = draw_fig04(&figure, SheetWidth::Paper).unwrap();
-        let curves = curves(&rows);
+        let svg = draw_fig04(&rows, &[star], SheetWidth::Paper).unwrap();
+        let curves = shown_curves(&rows);
         for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
             let own = curves.iter().filter(|curve| curve.family == kind);
             assert_eq!(svg.matches(&format!(">{family}</tspan>")).count(), own.clone().count());

@@ -1,6 +1,5 @@
 //! Figure 5: the unfolding of a resonant grazing bifurcation.
 
-use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::plane::RegionKind;
 use grazing_results::sketches::{UnfoldingPoint, UnfoldingResonance, UnfoldingVertex};
 
@@ -8,7 +7,7 @@ use crate::DrawingError;
 use crate::axes::{Marker, Panel};
 use crate::canvas::Canvas;
 use crate::clip::Window;
-use crate::kinds::{Curve, draw_curves, text_colour};
+use crate::kinds::{Curve, draw_curves, label, text_colour};
 use crate::labels::{Labels, Wanted};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
@@ -57,16 +56,6 @@ const HEIGHT_MM: f64 = 58.0;
 /// # Errors
 /// [`DrawingError`] if the window is empty.
 pub fn draw_fig05(figure: &Figure05<'_>, width: SheetWidth) -> Result<String, DrawingError> {
-    compose(figure, width)?.finish(
-        "fig05",
-        "Unfolding of a resonant grazing bifurcation",
-        "Distance from grazing across, distance from resonance up. Half-parabolas of saddle-node (SN) and period-doubling \
-         (PD) bifurcations touch the line of grazing bifurcations in the resonance. Light grey: the non-impacting solution \
-         is stable; dark: a p-loop maximal periodic solution is.",
-    )
-}
-
-pub(crate) fn compose(figure: &Figure05<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
     let window = figure.window.checked("fig05")?;
     let curve = |points: &[UnfoldingPoint]| Curve {
         kind: points[0].kind,
@@ -108,17 +97,25 @@ pub(crate) fn compose(figure: &Figure05<'_>, width: SheetWidth) -> Result<Canvas
         }
     }
     for (kind, piece) in &drawn {
-        let text = if *kind == Bifurcation::NonImpactingGrazing { "grazing" } else { kind.name() };
-        labels.add(text, LABEL_SIZE, text_colour(*kind), &Wanted::Beside(piece))?;
+        labels.add(label(*kind, "grazing"), LABEL_SIZE, text_colour(*kind), &Wanted::Beside(piece))?;
     }
     labels.draw()?;
-    Ok(canvas)
+    canvas.finish(
+        "fig05",
+        "Unfolding of a resonant grazing bifurcation",
+        "Distance from grazing across, distance from resonance up. Half-parabolas of saddle-node (SN) and period-doubling \
+         (PD) bifurcations touch the line of grazing bifurcations in the resonance. Light grey: the non-impacting solution \
+         is stable; dark: a p-loop maximal periodic solution is.",
+    )
 }
 
 #[cfg(test)]
 mod tests {
+    use grazing_continuation::bifurcation::Bifurcation;
+
     use super::*;
     use crate::samples::{integer, known, number, written};
+    use crate::sheet::span;
 
     #[test]
     fn curves_and_regions_are_named_and_the_overlap_is_shaded_by_its_two_regions_alone() {
@@ -137,11 +134,8 @@ mod tests {
         };
         let curves: Vec<_> = written("fig05_curves").iter().map(point).collect();
         let regions: Vec<_> = written("fig05_regions").iter().map(vertex).collect();
-        let extent = |value: fn(&UnfoldingVertex) -> f64| {
-            let values = || regions.iter().map(value);
-            [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
-        };
-        let window = Window { x: extent(|vertex| vertex.mu), y: extent(|vertex| vertex.eta) };
+        let (x, y) = (span(regions.iter().map(|at| at.mu)), span(regions.iter().map(|at| at.eta)));
+        let window = Window { x, y };
         let figure = Figure05 { curves: &curves, points: &[], regions: &regions, window };
         let svg = draw_fig05(&figure, SheetWidth::Paper).unwrap();
         for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<", "-loop MPS<"]

@@ -5,7 +5,7 @@ use grazing_results::sketches::{Part, PartPoint};
 use crate::DrawingError;
 use crate::arrow::{arrow, double_arrow};
 use crate::canvas::{Anchor, Canvas};
-use crate::sheet::{Bounds, Spot};
+use crate::sheet::{Bounds, Spot, span};
 use crate::style::{
     AXIS, BLACK, BODY, BODY_OUTLINE, FORCE, LABEL_SIZE, PISTON, PROJECTION, SMALL_LABEL_SIZE, SheetWidth,
     TICK_SIZE, TITLE_SIZE, WALL, WALL_FACE, WALL_HATCHING, WIRE,
@@ -31,21 +31,17 @@ const ABOVE: f64 = 15.0;
 /// # Errors
 /// [`DrawingError`] if the parts have no extent.
 pub fn draw_fig06(parts: &[PartPoint], width: SheetWidth) -> Result<String, DrawingError> {
-    compose(parts, width)?.finish(
-        "fig06",
-        "The impact oscillator",
-        "A block on a spring and a dashpot, driven by a harmonic force; its face is at x, its equilibrium at x = -1, and a \
-         wall at x = 0 gives it back a share epsilon of its velocity.",
-    )
-}
-
-pub(crate) fn compose(parts: &[PartPoint], width: SheetWidth) -> Result<Canvas, DrawingError> {
     let (canvas, pieces) = on_sheet(parts, width.mm(WIDTH_MM))?;
     for piece in &pieces {
         draw(&canvas, piece);
     }
     label(&canvas, &pieces)?;
-    Ok(canvas)
+    canvas.finish(
+        "fig06",
+        "The impact oscillator",
+        "A block on a spring and a dashpot, driven by a harmonic force; its face is at x, its equilibrium at x = -1, and a \
+         wall at x = 0 gives it back a share epsilon of its velocity.",
+    )
 }
 
 fn draw(canvas: &Canvas, Piece { part, path }: &Piece) {
@@ -112,27 +108,16 @@ fn label(canvas: &Canvas, pieces: &[Piece]) -> Result<(), DrawingError> {
 
 /// The box around polylines; none if there are none.
 fn extent<'a>(paths: impl Iterator<Item = &'a Vec<Spot>>) -> Option<Bounds> {
-    let mut around: Option<Bounds> = None;
-    for &(x, y) in paths.flatten() {
-        let known = around.unwrap_or(Bounds { left: x, top: y, right: x, bottom: y });
-        around = Some(Bounds {
-            left: known.left.min(x),
-            top: known.top.min(y),
-            right: known.right.max(x),
-            bottom: known.bottom.max(y),
-        });
-    }
-    around
+    let spots: Vec<Spot> = paths.flatten().copied().collect();
+    let [left, right] = span(spots.iter().map(|spot| spot.0));
+    let [top, bottom] = span(spots.iter().map(|spot| spot.1));
+    (!spots.is_empty()).then_some(Bounds { left, top, right, bottom })
 }
 
 /// Lays the parts on a sheet of the given width, as high as they need, at one scale across and up.
 fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), DrawingError> {
-    let span = |value: fn(&PartPoint) -> f64| {
-        let low = parts.iter().map(value).fold(f64::INFINITY, f64::min);
-        [low, parts.iter().map(value).fold(f64::NEG_INFINITY, f64::max)]
-    };
-    let window =
-        crate::Window { x: span(|point| point.x), y: span(|point| point.height) }.checked("fig06")?;
+    let (x, y) = (span(parts.iter().map(|point| point.x)), span(parts.iter().map(|point| point.height)));
+    let window = crate::Window { x, y }.checked("fig06")?;
     let [[left, right], [low, high]] = [window.x, window.y];
     let millimetre = crate::svg::POINTS_PER_MM;
     let scale = (width_mm * millimetre - 2.0 * SIDE) / (right - left);

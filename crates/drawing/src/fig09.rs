@@ -29,7 +29,7 @@ pub fn draw_fig09(figure: &SpaceFigure<'_>, width: SheetWidth) -> Result<String,
 }
 
 fn names(scene: &Scene, labels: &mut Labels<'_>) -> Result<(), DrawingError> {
-    for mark in &scene.points {
+    for (spot, mark) in &scene.points {
         let name = match mark.kind {
             MarkKind::Impact => r"$(0,y_{\mathrm{imp}},z_{\mathrm{imp}})$".to_owned(),
             MarkKind::Recoil => r"$(0,y_{\mathrm{rec}},z_{\mathrm{rec}})$".to_owned(),
@@ -37,7 +37,7 @@ fn names(scene: &Scene, labels: &mut Labels<'_>) -> Result<(), DrawingError> {
             MarkKind::Section => format!("$(x^{{({0})}},0,z^{{({0})}})$", mark.number),
             MarkKind::Graze => continue,
         };
-        labels.add(&name, SMALL_LABEL_SIZE, BLACK, &Wanted::Around(mark.spot(), SPOT_RADIUS + 0.5))?;
+        labels.add(&name, SMALL_LABEL_SIZE, BLACK, &Wanted::Around(*spot, SPOT_RADIUS + 0.5))?;
     }
     let arrows = [
         (CurveKind::Reset, "$R$", RESET_COLOUR),

@@ -8,7 +8,7 @@ use crate::axes::{Marker, Panel};
 use crate::canvas::Canvas;
 use crate::clip::Window;
 use crate::labels::{Labels, Wanted};
-use crate::sheet::{Bounds, Spot, distance, inside};
+use crate::sheet::{Bounds, Spot, distance, inside, span};
 use crate::style::{
     BLACK, DISC_RADIUS, LABEL_SIZE, PATH, PATH_AREA, SMALL_LABEL_SIZE, SheetWidth, THRESHOLD,
 };
@@ -26,15 +26,6 @@ const POINTED_LENGTH: f64 = 14.0;
 /// # Errors
 /// [`DrawingError`] if the vertices span no area.
 pub fn draw_fig10(path: &[Visit], width: SheetWidth) -> Result<String, DrawingError> {
-    compose(path, width)?.finish(
-        "fig10",
-        "The path P",
-        "The scaled visits of an emerging maximal periodic solution to the Poincaré section, joined in order: a convex path \
-         that begins and ends on the w-axis and lies left of it between.",
-    )
-}
-
-pub(crate) fn compose(path: &[Visit], width: SheetWidth) -> Result<Canvas, DrawingError> {
     let vertices: Vec<(f64, f64)> = path.iter().map(|visit| (visit.u, visit.w)).collect();
     let window =
         Window { x: extent(&vertices, |v| v.0, MARGIN[0]), y: extent(&vertices, |v| v.1, MARGIN[1]) }
@@ -71,7 +62,12 @@ pub(crate) fn compose(path: &[Visit], width: SheetWidth) -> Result<Canvas, Drawi
     }
     labels.add(r"$\mathcal{P}$", LABEL_SIZE, PATH.colour, &Wanted::Within(&outline))?;
     labels.draw()?;
-    Ok(canvas)
+    canvas.finish(
+        "fig10",
+        "The path P",
+        "The scaled visits of an emerging maximal periodic solution to the Poincaré section, joined in order: a convex path \
+         that begins and ends on the w-axis and lies left of it between.",
+    )
 }
 
 /// A grid of spots, a point apart, inside a polygon.
@@ -85,8 +81,7 @@ fn inner_spots(outline: &[Spot]) -> impl Iterator<Item = Spot> {
 
 /// The range of a coordinate with its margin.
 fn extent(vertices: &[(f64, f64)], coordinate: impl Fn(&(f64, f64)) -> f64, share: f64) -> [f64; 2] {
-    let low = vertices.iter().map(&coordinate).fold(f64::INFINITY, f64::min);
-    let high = vertices.iter().map(&coordinate).fold(f64::NEG_INFINITY, f64::max);
+    let [low, high] = span(vertices.iter().map(coordinate));
     let margin = share * (high - low);
     [low - margin, high + margin]
 }
@@ -118,8 +113,7 @@ mod tests {
     #[test]
     fn vertices_are_named_outside_the_path() {
         let path = sample();
-        let canvas = compose(&path, SheetWidth::Paper).unwrap();
-        let svg = canvas.finish("fig10", "", "").unwrap();
+        let svg = draw_fig10(&path, SheetWidth::Paper).unwrap();
         let area =
             svg.lines().find(|line| line.contains("fill-opacity=\"0.1\"")).expect("the area is filled");
         let outline = coordinates(area);

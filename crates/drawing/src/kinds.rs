@@ -28,10 +28,10 @@ pub(crate) fn text_colour(bifurcation: Bifurcation) -> Colour {
     }
 }
 
-/// The label, in the markup of labels.
-pub(crate) fn label(bifurcation: Bifurcation) -> &'static str {
+/// The label, in the markup of labels; `grazing` names the grazing curve of the non-impacting solution.
+pub(crate) fn label(bifurcation: Bifurcation, grazing: &str) -> &str {
     match bifurcation {
-        Bifurcation::NonImpactingGrazing => r"$\mathcal{A}_{\mathrm{graz}}$",
+        Bifurcation::NonImpactingGrazing => grazing,
         other => other.name(),
     }
 }

@@ -4,7 +4,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 
 use crate::DrawingError;
 use crate::canvas::{Anchor, Canvas};
-use crate::kinds;
+use crate::kinds::{label, text_colour};
 use crate::markup::Label;
 use crate::placement::{Place, Placer};
 use crate::sheet::{Bounds, Spot, along, length, near};
@@ -71,7 +71,7 @@ impl<'c> Labels<'c> {
         let (mut width, mut ascent, mut descent) = (0.0_f64, 0.0_f64, 0.0_f64);
         for source in sources {
             let label = Label::parse(source)?;
-            let extent = self.canvas.measure(&label, size)?;
+            let extent = self.canvas.fonts.measure(&label, size)?;
             width = width.max(extent.width);
             ascent = ascent.max(extent.ascent);
             descent = descent.max(extent.descent);
@@ -110,12 +110,9 @@ impl<'c> Labels<'c> {
             if named.iter().any(again) {
                 continue;
             }
-            let (name, size) = if kind == Bifurcation::NonImpactingGrazing {
-                (grazing, LABEL_SIZE)
-            } else {
-                (kind.name(), SMALL_LABEL_SIZE)
-            };
-            self.add(name, size, kinds::text_colour(kind), &Wanted::Beside(&piece))?;
+            let large = kind == Bifurcation::NonImpactingGrazing;
+            let size = if large { LABEL_SIZE } else { SMALL_LABEL_SIZE };
+            self.add(label(kind, grazing), size, text_colour(kind), &Wanted::Beside(&piece))?;
             named.push((kind, piece));
         }
         Ok(())

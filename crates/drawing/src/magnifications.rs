@@ -2,16 +2,17 @@
 
 use std::ops::Range;
 
+use grazing_continuation::bifurcation::Pair;
 use grazing_results::plane::{MagnifiedPoint, RegionVertex, Source, SpecialPoint};
 
 use crate::DrawingError;
 use crate::axes::Panel;
 use crate::canvas::Canvas;
-use crate::captions::{Caption, Heading};
+use crate::captions::Caption;
+use crate::clip::Window;
 use crate::font::Fonts;
 use crate::kinds::{Curve, Region, draw_curves, draw_points};
 use crate::labels::Labels;
-use crate::magnified::Magnified;
 use crate::panel_grid::Grid;
 use crate::plane::Plane;
 use crate::style::SheetWidth;
@@ -44,10 +45,16 @@ pub struct Magnifications<'a> {
 /// One panel of [`Magnifications`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MagnifiedPanel {
-    /// Its number and its window.
-    pub shown: Magnified,
-    /// What is written over it beside its letter.
-    pub heading: Option<Heading>,
+    /// Its number, from 1; the letter (a) stands for the first.
+    pub panel: u32,
+    /// What it shows, in units of the two parameters.
+    pub window: Window,
+    /// Number of loops p of the resonance about which it is.
+    pub loops: u32,
+    /// The integer n of that, if it is to be written.
+    pub n: Option<u32>,
+    /// c_SN and c_PD, in units of the primary parameter over the square of the secondary one; NaN is left out.
+    pub coefficients: Pair<f64>,
 }
 
 /// Curves shorter than this on the sheet (points) stay without a label.
@@ -73,8 +80,8 @@ pub fn draw_magnifications(
 }
 
 pub(crate) fn compose(figure: &Magnifications<'_>, width: SheetWidth) -> Result<Vec<Canvas>, DrawingError> {
-    for MagnifiedPanel { shown, .. } in figure.panels {
-        shown.window.checked(&format!("a panel of {}", figure.name))?;
+    for panel in figure.panels {
+        panel.window.checked(&format!("a panel of {}", figure.name))?;
     }
     let sheets = Grid::sheets(width, figure.panels.len());
     sheets.into_iter().map(|range| draw_sheet(figure, range, width)).collect()
@@ -87,9 +94,8 @@ fn draw_sheet(
 ) -> Result<Canvas, DrawingError> {
     let Magnifications { plane, panels: all, .. } = figure;
     let (panels, fonts) = (&all[panels], Fonts::load()?);
-    let windows: Vec<_> = panels.iter().map(|panel| panel.shown.window).collect();
-    let captions: Vec<Caption> =
-        panels.iter().map(|panel| Caption::new(panel.shown.panel, panel.heading)).collect();
+    let windows: Vec<_> = panels.iter().map(|panel| panel.window).collect();
+    let captions: Vec<Caption> = panels.iter().map(Caption::new).collect();
     let mut grid = Grid::new(&fonts, width, all.len(), &windows, &plane.up.title)?;
     // All captions of a sheet are alike: if one needs two lines for its coefficients, each has two.
     let mut split = false;
@@ -99,8 +105,8 @@ fn draw_sheet(
     if split {
         grid.add_heading_line();
     }
-    let canvas = Canvas::new(grid.width_mm(), grid.height_mm())?;
-    for (place, (MagnifiedPanel { shown, .. }, caption)) in panels.iter().zip(captions).enumerate() {
+    let canvas = Canvas::new(grid.width_mm, grid.height_mm())?;
+    for (place, (shown, caption)) in panels.iter().zip(captions).enumerate() {
         let bounds = grid.bounds(place);
         let panel = Panel {
             tables: &[figure.table],
@@ -152,12 +158,14 @@ mod tests {
     }
 
     #[test]
-    fn no_two_labels_overlap_and_none_leaves_the_sheet_for_any_oscillator_at_any_width() {
+    fn no_two_labels_overlap_and_sheets_fit_a_page_for_any_oscillator_at_any_width() {
         for sample in oscillators() {
             for width in WIDTHS {
                 for sheet in compose(&sample.magnifications(), width).unwrap() {
                     let misplaced = sheet.misplaced_texts();
                     assert!(misplaced.is_empty(), "{:?} {width:?}: {misplaced:?}", sample.plane);
+                    // A4 less margins of 30 mm above and below, and 30 mm for the caption.
+                    assert!(sheet.height < (297.0 - 90.0) * crate::svg::POINTS_PER_MM);
                 }
             }
         }
@@ -171,9 +179,8 @@ mod tests {
             assert_eq!(found.len(), sheets);
             let texts: Vec<String> = found.iter().flat_map(Canvas::texts).collect();
             for panel in &sample.panels {
-                let heading = panel.heading.unwrap();
-                let letter = panel_letter(panel.shown.panel);
-                let line = format!("{letter}  $p={}$, $n={}$", heading.p, heading.n.unwrap());
+                let letter = panel_letter(panel.panel);
+                let line = format!("{letter}  $p={}$, $n={}$", panel.loops, panel.n.unwrap());
                 assert!(texts.contains(&line), "{line}: {texts:?}");
             }
         }
@@ -184,18 +191,6 @@ mod tests {
         let svgs = draw_magnifications(&sample(3).magnifications(), SheetWidth::Paper).unwrap();
         // Two approximations in each of three panels.
         assert_eq!(svgs[0].matches("stroke-dasharray=\"3.2 2\"").count(), 6);
-    }
-
-    #[test]
-    fn sheets_are_no_taller_than_a_page_with_its_caption() {
-        for sample in oscillators() {
-            for width in WIDTHS {
-                for sheet in compose(&sample.magnifications(), width).unwrap() {
-                    // A4 less margins of 30 mm above and below, and 30 mm for the caption.
-                    assert!(sheet.height < (297.0 - 90.0) * crate::svg::POINTS_PER_MM);
-                }
-            }
-        }
     }
 
     #[test]
@@ -216,7 +211,8 @@ mod tests {
         for (panel, (c_sn, c_pd)) in
             sample.panels.iter_mut().zip([(-1.234_56e8, 9.876_54e-5), (f64::NAN, 0.5), (f64::NAN, f64::NAN)])
         {
-            panel.heading = Some(Heading { p: 12, n: Some(7), c_sn, c_pd });
+            panel.loops = 12;
+            panel.coefficients = Pair { saddle_node: c_sn, period_doubling: c_pd };
         }
         let sheets = compose(&sample.magnifications(), SheetWidth::Paper).unwrap();
         assert!(sheets[0].misplaced_texts().is_empty());
@@ -245,14 +241,13 @@ mod tests {
     }
 
     #[test]
-    fn panels_may_be_without_curves_regions_and_heading() {
+    fn panels_may_be_without_curves_and_regions() {
         let mut sample = sample(4);
         // The first 201 rows are the grazing curve in the first panel.
         sample.magnified_curves.truncate(201);
         sample.regions.clear();
-        sample.panels[1].heading = None;
         let texts = compose(&sample.magnifications(), SheetWidth::Paper).unwrap()[0].texts();
-        assert!(texts.contains(&"(b)".to_owned()));
+        assert!(texts.iter().any(|text| text.starts_with("(b)")));
         assert_eq!(texts.iter().filter(|text| text.contains("graz")).count(), 1);
     }
 }

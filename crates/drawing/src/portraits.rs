@@ -57,11 +57,6 @@ impl Portrait {
     }
 }
 
-/// Into how many rows the portraits are set: one, or on a narrow sheet rows of at most two.
-pub(crate) fn portrait_rows(portraits: &[Portrait], narrow: bool) -> usize {
-    if narrow { portraits.len().div_ceil(2) } else { 1 }
-}
-
 /// Draws the portraits in so many rows of a height in points, all at one scale.
 pub(crate) fn draw_portraits(
     canvas: &Canvas,
@@ -81,13 +76,14 @@ pub(crate) fn draw_portraits(
         let panel = Panel {
             tables: &["fig02_portraits"],
             only: Some(("portrait", portrait.number)),
+            numbers_beside: column == 0,
             ..Panel::new(canvas, window, bounds)
         };
         wall(&panel);
         let pen =
             if portrait.attractor { ATTRACTOR_ORBIT } else { branch_pen(portrait.p, PERIODIC_ORBIT.width) };
         panel.line(&without_jumps(&portrait.orbit), pen);
-        panel.axes_with("$x$", if column == 0 { "$y$" } else { "" }, column == 0)?;
+        panel.axes("$x$", if column == 0 { "$y$" } else { "" })?;
         jump(&panel, &portrait.orbit);
         let kind = match (portrait.attractor, portrait.p) {
             (true, _) => "attractor".to_owned(),

@@ -1,13 +1,11 @@
 //! Made-up results for an oscillator of any kind: parameters of any name and magnitude, any number of resonances.
 
-use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionKind, RegionVertex, Source, SpecialPoint};
 
-use crate::captions::Heading;
 use crate::clip::Window;
 use crate::diagram::Diagram;
 use crate::magnifications::{Magnifications, MagnifiedPanel};
-use crate::magnified::Magnified;
 use crate::plane::Plane;
 
 /// Where a parameter of the samples goes: multiplied, then shifted.
@@ -32,7 +30,6 @@ pub(crate) struct SampleOscillator {
     pub(crate) magnified_curves: Vec<MagnifiedPoint>,
     pub(crate) window: Window,
     pub(crate) panels: Vec<MagnifiedPanel>,
-    pub(crate) magnified: Vec<Magnified>,
 }
 
 /// The frequency at which the made-up grazing curve has the amplitude.
@@ -177,13 +174,9 @@ impl SampleOscillator {
                 let (x, y) = ([a - 0.3 * size, a + 0.4 * size], [-0.2, 0.25].map(|d| graz(a) + d * size));
                 let window = Window { x: across.range(x), y: up.range(y) };
                 let curvature = across.0 / (up.0 * up.0);
-                let heading = Heading {
-                    p,
-                    n: Some(n),
-                    c_sn: -282.437 * curvature,
-                    c_pd: if panel == 2 { f64::NAN } else { 12.153 * curvature },
-                };
-                MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }
+                let period_doubling = if panel == 2 { f64::NAN } else { 12.153 * curvature };
+                let coefficients = Pair { saddle_node: -282.437 * curvature, period_doubling };
+                MagnifiedPanel { panel, window, loops: p, n: Some(n), coefficients }
             })
             .collect();
         SampleOscillator {
@@ -193,7 +186,6 @@ impl SampleOscillator {
             magnified_curves: magnified_rows(&all),
             curves: curve_rows(all),
             window: Window { x: across.range([0.0, 1.2]), y: up.range([0.3, 1.0]) },
-            magnified: panels.iter().map(|panel| panel.shown).collect(),
             panels,
         }
     }
@@ -209,7 +201,7 @@ impl SampleOscillator {
             points: &self.points,
             regions: &self.regions,
             window: self.window,
-            magnified: &self.magnified,
+            magnified: &self.panels,
             sections: &[],
         }
     }

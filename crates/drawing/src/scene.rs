@@ -3,7 +3,7 @@
 //! The rows hold the projected coordinates and the order of painting; here they are scaled to the sheet. Of two curves
 //! that cross on the sheet the farther one is interrupted.
 
-use grazing_results::space::{CurveKind, Mark, MarkKind, SurfaceKind, Vertex};
+use grazing_results::space::{CurveKind, Mark, SurfaceKind, Vertex};
 
 use crate::DrawingError;
 use crate::arrow::{arrow, head_on};
@@ -11,7 +11,7 @@ use crate::canvas::Canvas;
 use crate::clip::Window;
 use crate::labels::{Labels, Wanted};
 use crate::passing::{Course, interrupted};
-use crate::sheet::{Bounds, Spot, along, length};
+use crate::sheet::{Bounds, Spot, along, length, span};
 use crate::style::{
     BLACK, CIRCLE, Colour, FACE_EDGE, FLOW, INCOMING_FACE, OPEN_SPOT, OUTGOING_FACE, PERIODIC_FLOW, Paint,
     Pen, RESET, RETURN, SECTION_FACE, SPACE_AXIS, SPOT, SPOT_RADIUS, SPOT_RIM, SheetWidth, TANGENCY,
@@ -66,7 +66,7 @@ pub struct SpaceFigure<'a> {
     pub surfaces: &'a [Vertex<SurfaceKind>],
 }
 
-/// A curve or surface, or the part of one that lies in one layer; on the sheet once the scene has been fitted.
+/// A curve or surface, or the part of one that lies in one layer, on the sheet.
 pub(crate) struct Piece<K> {
     pub(crate) kind: K,
     pub(crate) number: u32,
@@ -78,22 +78,6 @@ pub(crate) struct Piece<K> {
 impl<K> Piece<K> {
     pub(crate) fn spots(&self) -> Vec<Spot> {
         self.course.iter().map(|&[x, y, _]| (x, y)).collect()
-    }
-}
-
-/// A point that is marked, on the sheet once the scene has been fitted.
-pub(crate) struct Spotted {
-    pub(crate) kind: MarkKind,
-    pub(crate) number: u32,
-    layer: u32,
-    at: [f64; 3],
-    /// Beyond the wall, where no orbit of the full system comes.
-    open: bool,
-}
-
-impl Spotted {
-    pub(crate) fn spot(&self) -> Spot {
-        (self.at[0], self.at[1])
     }
 }
 
@@ -117,8 +101,7 @@ impl SpaceSheet {
     }
 
     fn compose(&self, figure: &SpaceFigure<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
-        let mut scene = Scene::new(figure);
-        let canvas = scene.fit(self.name, width.mm(self.width_mm), &self.margin)?;
+        let (scene, canvas) = Scene::fit(figure, self.name, width.mm(self.width_mm), &self.margin)?;
         scene.paint(&canvas);
         let mut labels = scene.labels(&canvas)?;
         (self.names)(&scene, &mut labels)?;
@@ -127,63 +110,56 @@ impl SpaceSheet {
     }
 }
 
-/// Everything that a figure in phase space shows.
+/// Everything that a figure in phase space shows, on the sheet.
 pub(crate) struct Scene {
     pub(crate) curves: Vec<Piece<CurveKind>>,
     pub(crate) surfaces: Vec<Piece<SurfaceKind>>,
-    pub(crate) points: Vec<Spotted>,
+    /// Points that are marked.
+    pub(crate) points: Vec<(Spot, Mark)>,
 }
 
 impl Scene {
-    /// The scene in its own lengths.
-    fn new(figure: &SpaceFigure<'_>) -> Self {
-        let spotted = |mark: &Mark| Spotted {
-            kind: mark.kind,
-            number: mark.number,
-            layer: mark.layer,
-            at: [mark.across, mark.up, mark.depth],
-            open: mark.x > 0.0,
-        };
-        Scene {
-            curves: pieces(figure.curves),
-            surfaces: pieces(figure.surfaces),
-            points: figure.points.iter().map(spotted).collect(),
-        }
-    }
-
-    /// Scales the scene to a sheet of the width, whose height follows, and gives the empty sheet.
-    fn fit(&mut self, name: &'static str, width_mm: f64, margin: &Bounds) -> Result<Canvas, DrawingError> {
-        let places: Vec<[f64; 3]> = self.everything().map(|place| *place).collect();
+    /// The scene at the scale at which it fills a sheet of the width, whose height follows, and that sheet, empty.
+    fn fit(
+        figure: &SpaceFigure<'_>,
+        name: &'static str,
+        width_mm: f64,
+        margin: &Bounds,
+    ) -> Result<(Self, Canvas), DrawingError> {
+        let curves = figure.curves.iter().map(|vertex| vertex.place);
+        let surfaces = figure.surfaces.iter().map(|vertex| vertex.place);
+        let marks = figure.points.iter().map(|mark| [mark.across, mark.up, mark.depth]);
+        let places: Vec<[f64; 3]> = curves.chain(surfaces).chain(marks).collect();
         // An empty cell anywhere leaves no window.
         let whole = places.iter().flatten().all(|coordinate| coordinate.is_finite());
         let range = |k: usize| {
-            let values = || places.iter().map(|place| place[k]);
-            let ends = [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)];
-            if whole { ends } else { [f64::NAN; 2] }
+            if whole { span(places.iter().map(|place| place[k])) } else { [f64::NAN; 2] }
         };
         let window = Window { x: range(0), y: range(1) }.checked(name)?;
         let width = width_mm * POINTS_PER_MM;
         let scale = (width - margin.left - margin.right) / (window.x[1] - window.x[0]);
-        for [across, up, depth] in self.everything() {
-            *across = margin.left + scale * (*across - window.x[0]);
-            *up = margin.top + scale * (window.y[1] - *up);
-            *depth *= scale;
-        }
+        let on_sheet = |[across, up, depth]: [f64; 3]| {
+            let right = margin.left + scale * (across - window.x[0]);
+            [right, margin.top + scale * (window.y[1] - up), scale * depth]
+        };
+        let spotted = |mark: &Mark| {
+            let [right, down, _] = on_sheet([mark.across, mark.up, mark.depth]);
+            ((right, down), mark.clone())
+        };
         let height = margin.top + margin.bottom + scale * (window.y[1] - window.y[0]);
-        Canvas::new(width_mm, height / POINTS_PER_MM)
-    }
-
-    fn everything(&mut self) -> impl Iterator<Item = &mut [f64; 3]> {
-        let curves = self.curves.iter_mut().flat_map(|piece| &mut piece.course);
-        let surfaces = self.surfaces.iter_mut().flat_map(|piece| &mut piece.course);
-        curves.chain(surfaces).chain(self.points.iter_mut().map(|mark| &mut mark.at))
+        let scene = Scene {
+            curves: pieces(figure.curves, on_sheet),
+            surfaces: pieces(figure.surfaces, on_sheet),
+            points: figure.points.iter().map(spotted).collect(),
+        };
+        Ok((scene, Canvas::new(width_mm, height / POINTS_PER_MM)?))
     }
 
     /// Paints everything, layer by layer; in a layer faces, lines on them, curves from far to near, points.
     fn paint(&self, canvas: &Canvas) {
         let mut layers: Vec<u32> = self.curves.iter().map(|piece| piece.layer).collect();
         layers.extend(self.surfaces.iter().map(|piece| piece.layer));
-        layers.extend(self.points.iter().map(|mark| mark.layer));
+        layers.extend(self.points.iter().map(|(_, mark)| mark.layer));
         layers.sort_unstable();
         layers.dedup();
         let flowing: Vec<&Course> =
@@ -205,9 +181,10 @@ impl Scene {
             for index in curves {
                 self.curve(canvas, index, &flowing, headed.contains(&index));
             }
-            for mark in self.points.iter().filter(|mark| mark.layer == layer) {
-                let paint = if mark.open { OPEN_SPOT } else { SPOT };
-                canvas.disc(mark.spot(), SPOT_RADIUS, paint, Some(SPOT_RIM));
+            for (spot, mark) in self.points.iter().filter(|(_, mark)| mark.layer == layer) {
+                // Beyond the wall no orbit of the full system comes.
+                let paint = if mark.x > 0.0 { OPEN_SPOT } else { SPOT };
+                canvas.disc(*spot, SPOT_RADIUS, paint, Some(SPOT_RIM));
             }
         }
     }
@@ -301,9 +278,9 @@ impl Scene {
             }
             labels.placer.keep_off(&spots);
         }
-        for mark in &self.points {
+        for (spot, _) in &self.points {
             // A box inside the disc, so that a leader may reach the disc's rim from any side.
-            labels.placer.block(Bounds::about(mark.spot(), 1.6 * SPOT_RADIUS, 1.6 * SPOT_RADIUS));
+            labels.placer.block(Bounds::about(*spot, 1.6 * SPOT_RADIUS, 1.6 * SPOT_RADIUS));
         }
         for piece in &self.surfaces {
             if let (Some(name), true) = (axis(piece.kind), last_of(&self.surfaces, piece)) {
@@ -355,17 +332,19 @@ fn depth(course: &Course) -> f64 {
     course.iter().map(|point| point[2]).sum::<f64>() / course.len() as f64
 }
 
-fn pieces<K: Copy>(vertices: &[Vertex<K>]) -> Vec<Piece<K>> {
+fn pieces<K: Copy>(vertices: &[Vertex<K>], on_sheet: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<Piece<K>> {
     let pieces = vertices.chunk_by(|a, b| (a.number, a.piece) == (b.number, b.piece));
     let piece = |vertices: &[Vertex<K>]| {
         let Vertex { kind, number, layer, .. } = vertices[0];
-        Piece { kind, number, layer, course: vertices.iter().map(|vertex| vertex.place).collect() }
+        Piece { kind, number, layer, course: vertices.iter().map(|vertex| on_sheet(vertex.place)).collect() }
     };
     pieces.map(piece).collect()
 }
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
     use crate::samples::Scene as Sample;
     use crate::svg::fill;
@@ -413,8 +392,9 @@ mod tests {
     fn orbits_are_solid_and_only_the_reset_law_is_dashed() {
         let sample = Sample::of("fig01");
         let svg = fig01::SHEET.draw(&sample.figure(), SheetWidth::Paper).unwrap();
-        let resets = Scene::new(&sample.figure()).longest(CurveKind::Reset).len();
-        assert_eq!(svg.matches("stroke-dasharray").count(), resets);
+        let resets = sample.curves.iter().filter(|vertex| vertex.kind == CurveKind::Reset);
+        let resets: BTreeSet<u32> = resets.map(|vertex| vertex.number).collect();
+        assert_eq!(svg.matches("stroke-dasharray").count(), resets.len());
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Pieces of HTML: escaping, identifiers and numbers.
 
+use std::borrow::Borrow;
 use std::fmt::{self, Write};
 
 use askama::filters::{Escaper, Safe};
@@ -135,7 +136,12 @@ fn trimmed(mantissa: &str) -> &str {
 
 /// `1 file`, `2 files`.
 pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
+    format!("{count} {}", word(count, one, many))
+}
+
+/// The word for so many things.
+pub(crate) fn word<'a>(count: impl Borrow<usize>, one: &'a str, many: &'a str) -> &'a str {
+    if *count.borrow() == 1 { one } else { many }
 }
 
 #[cfg(test)]

@@ -83,6 +83,8 @@ pub(crate) fn simulation(simulated: &Simulated) -> (&'static str, &'static str) 
 /// How many of the coefficients came out how.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Tally {
+    /// Resonances.
+    pub(crate) resonances: usize,
     /// Coefficients.
     pub(crate) all: usize,
     /// Those that are measured as by the theorem, and those that are measured otherwise.
@@ -137,21 +139,8 @@ impl OscillatorEntry {
         found
     }
 
-    pub(crate) fn tally(&self) -> Tally {
-        let mut tally = Tally::default();
-        for (coefficient, simulated) in
-            self.unfolded().into_iter().flat_map(|(_, both)| both.map(|(_, at)| at))
-        {
-            tally.all += 1;
-            if let Some((_, digits)) = coefficient.compared() {
-                tally.digits = Some(tally.digits.map_or(digits, |least| least.min(digits)));
-            }
-            tally.agreeing += usize::from(coefficient.verdict() == Verdict::Agree);
-            tally.differing += usize::from(coefficient.verdict() == Verdict::Contradict);
-            tally.predicted += usize::from(matches!(simulated, Simulated::AsPredicted(_)));
-            tally.contradicted += usize::from(matches!(simulated, Simulated::Against(_)));
-        }
-        tally
+    fn tally(&self) -> Tally {
+        Tally::of_all(std::slice::from_ref(self))
     }
 
     /// The verdicts on agreement and simulation, where a theorem applies, and how much is lost.
@@ -173,6 +162,33 @@ impl OscillatorEntry {
 }
 
 impl Tally {
+    /// How they came out in all of these oscillators.
+    pub(crate) fn of_all(oscillators: &[OscillatorEntry]) -> Self {
+        let resonances = oscillators.iter().map(|oscillator| oscillator.resonances.len()).sum();
+        let mut tally = Tally { resonances, ..Tally::default() };
+        let unfolded = oscillators.iter().flat_map(OscillatorEntry::unfolded);
+        for (coefficient, simulated) in unfolded.flat_map(|(_, both)| both.map(|(_, known)| known)) {
+            tally.all += 1;
+            if let Some((_, digits)) = coefficient.compared() {
+                tally.digits = Some(tally.digits.map_or(digits, |least| least.min(digits)));
+            }
+            tally.agreeing += usize::from(coefficient.verdict() == Verdict::Agree);
+            tally.differing += usize::from(coefficient.verdict() == Verdict::Contradict);
+            tally.predicted += usize::from(matches!(simulated, Simulated::AsPredicted(_)));
+            tally.contradicted += usize::from(matches!(simulated, Simulated::Against(_)));
+        }
+        tally
+    }
+
+    /// The class of the colour for so many that came out well and so many that came out otherwise.
+    pub(crate) fn tone(&self, good: &usize, bad: &usize) -> &'static str {
+        match bad {
+            0 if *good == self.all => "passed",
+            0 => "neutral",
+            _ => "failed",
+        }
+    }
+
     /// The verdict on the agreement of theorem and curve, with the class of its colour.
     pub(crate) fn agreement(&self) -> (&'static str, String) {
         let Tally { all, agreeing, differing, digits, .. } = *self;

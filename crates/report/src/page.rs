@@ -4,11 +4,8 @@ use askama::Template;
 use askama::filters::Safe;
 use grazing_claims::audit::Verdict as Finding;
 
-use crate::figure::capitalised;
-use crate::formula::prose;
 use crate::html::{Html, escape, rendered};
-use crate::oscillator::Tally;
-use crate::{Counts, OscillatorEntry, Report, ledger};
+use crate::{Report, ledger};
 
 const STYLE: &[&str] = &[
     include_str!("../assets/base.css"),
@@ -44,26 +41,6 @@ struct Page<'a> {
     report: &'a Report<'a>,
 }
 
-/// A fact at the top of the page, with a link to the section about it.
-struct Card {
-    section: &'static str,
-    /// The class of its colour.
-    tone: &'static str,
-    figure: String,
-    words: String,
-}
-
-impl Card {
-    fn new(
-        section: &'static str,
-        tone: &'static str,
-        figure: impl ToString,
-        words: impl Into<String>,
-    ) -> Self {
-        Self { section, tone, figure: figure.to_string(), words: words.into() }
-    }
-}
-
 impl Page<'_> {
     /// Identifiers and titles of the sections that have something to show.
     fn sections(&self) -> Vec<(&'static str, &'static str)> {
@@ -88,94 +65,6 @@ impl Page<'_> {
             [oscillator] => oscillator.description.name(),
             _ => "Resonant grazing bifurcations",
         }
-    }
-
-    /// Whether everything came out, with the class of its colour.
-    fn judgement(&self) -> (&'static str, &'static str) {
-        let counts = self.report.counts();
-        if !self.report.missing.is_empty() {
-            ("failed", "Not everything could be made:")
-        } else if counts.met == self.report.published.len() && counts.failed == 0 {
-            ("passed", "Everything that was tested came out.")
-        } else {
-            ("failed", "Not everything came out: see what is marked as off or failed.")
-        }
-    }
-
-    fn cards(&self) -> Vec<Card> {
-        if self.report.is_of_the_paper() { self.cards_of_the_paper() } else { self.cards_of_oscillators() }
-    }
-
-    fn cards_of_the_paper(&self) -> Vec<Card> {
-        let Report { published, oscillators, manifest, .. } = self.report;
-        let Counts { met, passed, failed, unchecked, misprints } = self.report.counts();
-        let tone = |good: bool| if good { "passed" } else { "failed" };
-        let all = published.len();
-        let untested = match unchecked {
-            0 => String::new(),
-            _ => format!("; {unchecked} not tested, with the reason"),
-        };
-        let misprint = if misprints == 1 { "misprint" } else { "misprints" };
-        let mut cards = vec![
-            Card::new("published", tone(met == all), format!("{met} of {all}"), "published values met"),
-            Card::new(
-                "claims",
-                tone(failed == 0),
-                format!("{passed} of {}", passed + failed),
-                format!("tested claims hold{untested}"),
-            ),
-            Card::new("misprints", "neutral", misprints, misprint),
-            Card::new("manifest", "neutral", manifest.outputs.len(), "output files with their SHA-256"),
-        ];
-        if !oscillators.is_empty() {
-            let what = if oscillators.len() == 1 { "other oscillator" } else { "other oscillators" };
-            let words = format!("{what}, from text files");
-            cards.push(Card::new("oscillators", "neutral", oscillators.len(), words));
-        }
-        cards
-    }
-
-    fn cards_of_oscillators(&self) -> Vec<Card> {
-        let oscillators = &self.report.oscillators;
-        let tallies: Vec<_> = oscillators.iter().map(OscillatorEntry::tally).collect();
-        let sum = |count: fn(&Tally) -> usize| tallies.iter().map(count).sum::<usize>();
-        let all = sum(|tally| tally.all);
-        let found: usize = oscillators.iter().map(|oscillator| oscillator.resonances.len()).sum();
-        let what = if found == 1 { "resonant grazing bifurcation" } else { "resonant grazing bifurcations" };
-        let mut cards = vec![Card::new("oscillators", "neutral", found, what)];
-        let agreeing = (sum(|tally| tally.agreeing), sum(|tally| tally.differing));
-        let predicted = (sum(|tally| tally.predicted), sum(|tally| tally.contradicted));
-        for ((good, bad), words) in
-            [(agreeing, "coefficients measured as by the theorem"), (predicted, "simulations as predicted")]
-        {
-            let tone = match bad {
-                0 if good == all => "passed",
-                0 => "neutral",
-                _ => "failed",
-            };
-            if all > 0 {
-                cards.push(Card::new("oscillators", tone, format!("{good} of {all}"), words));
-            }
-        }
-        cards
-    }
-
-    /// Identifiers and titles of the figures, tables and oscillators.
-    fn contents(&self) -> Vec<(String, Html)> {
-        let Report { figures, tables, oscillators, .. } = self.report;
-        let figures = figures.iter().map(|figure| (figure.name.clone(), prose(&figure.title)));
-        let tables = tables.iter().map(|table| (table.name.clone(), prose(&table.title)));
-        let mut contents: Vec<_> = figures.chain(tables).collect();
-        for oscillator in oscillators {
-            let anchor = oscillator.anchor();
-            contents.push((anchor.clone(), Safe(escape(oscillator.description.name()))));
-            // The figures of many oscillators would be too long a list.
-            let shown = oscillator.figures.iter().filter(|_| oscillators.len() == 1);
-            contents.extend(
-                shown.map(|figure| (format!("{anchor}-{}", figure.name), prose(&capitalised(&figure.title)))),
-            );
-        }
-        contents
     }
 
     /// A label of the paper, as a link where the ledger has it.
