@@ -1,11 +1,5 @@
 //! All checks, by section of the paper.
 
-pub(crate) mod appendices;
-pub(crate) mod generic;
-pub(crate) mod main_results;
-pub(crate) mod oscillator;
-pub(crate) mod resonant;
-
 use crate::outcome::CheckResult;
 
 /// A check under the name that the ledger gives: section, module and function, as `resonant::stability::trace`, which
@@ -18,21 +12,75 @@ pub struct Check {
     pub run: fn() -> CheckResult,
 }
 
-/// The checks of all sections, in the order of the paper.
-pub fn all() -> impl Iterator<Item = &'static Check> {
-    [main_results::CHECKS, oscillator::CHECKS, generic::CHECKS, resonant::CHECKS, appendices::CHECKS]
-        .into_iter()
-        .flatten()
-}
+/// The checks that claims name, by name: `build.rs` makes the table of the ledger.
+pub const CHECKS: &[Check] = include!(concat!(env!("OUT_DIR"), "/checks.rs"));
 
-/// The checks of a section: `checks!("generic": maps::virtual_points, vivid::determinants)`.
+/// Checks as rows of a table: a name, and what is measured.
 macro_rules! checks {
-    ($section:literal: $($module:ident :: $function:ident),* $(,)?) => {
-        &[$($crate::checks::Check {
-            name: concat!($section, "::", stringify!($module), "::", stringify!($function)),
-            run: $module::$function,
-        }),*]
+    ($($(#[$doc:meta])* $name:ident: $measured:expr;)*) => {
+        $($(#[$doc])* pub(crate) fn $name() -> $crate::CheckResult { $measured })*
     };
 }
 
-pub(crate) use checks;
+/// Section 1, introduction, and section 2, main results.
+pub(crate) mod main_results {
+    pub(crate) mod auxiliary;
+    pub(crate) mod coefficients;
+    pub(crate) mod curves;
+    pub(crate) mod first_figures;
+    pub(crate) mod global_map;
+    pub(crate) mod grazing_point;
+    pub(crate) mod non_impacting;
+    pub(crate) mod resonant;
+    pub(crate) mod returns;
+    pub(crate) mod simulation;
+    pub(crate) mod system;
+    pub(crate) mod theorems;
+}
+
+/// Section 3: the harmonically forced linear oscillator.
+pub(crate) mod oscillator {
+    pub(crate) mod coefficients;
+    pub(crate) mod diagram;
+    pub(crate) mod grazing;
+    pub(crate) mod motion;
+    pub(crate) mod propositions;
+    pub(crate) mod resonances;
+}
+
+/// Section 4: calculations for generic grazing bifurcations.
+pub(crate) mod generic {
+    pub(crate) mod determinants;
+    pub(crate) mod emerging;
+    pub(crate) mod expansions;
+    pub(crate) mod iterates;
+    pub(crate) mod maps;
+    pub(crate) mod path;
+    pub(crate) mod polygon;
+    pub(crate) mod specimens;
+    pub(crate) mod vivid;
+}
+
+/// Section 5: calculations for resonant grazing bifurcations; section 6: discussion.
+pub(crate) mod resonant {
+    pub(crate) mod branch;
+    pub(crate) mod criticality;
+    pub(crate) mod curves;
+    pub(crate) mod derivatives;
+    pub(crate) mod discussion;
+    pub(crate) mod doubled;
+    pub(crate) mod places;
+    pub(crate) mod simulation;
+    pub(crate) mod stability;
+    pub(crate) mod visits;
+}
+
+/// Appendices A and B.
+pub(crate) mod appendices {
+    pub(crate) mod closed_forms;
+    pub(crate) mod eigenvalues;
+    pub(crate) mod oscillator;
+    pub(crate) mod polar;
+    pub(crate) mod printed_flow;
+    pub(crate) mod signs;
+}

@@ -12,7 +12,7 @@ const RESOLVED: f64 = 100.0;
 ///
 /// `remainder` gives, for a size, the remainder and its rounding, or `None` where the size is too large for it to exist.
 /// Infinite if the remainder is never resolved twice: then there is none to be seen.
-pub fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
+pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
     let mut resolved: Vec<f64> = Vec::new();
     for k in FIRST..FIRST + SIZES {
         match remainder(libm::ldexp(1.0, -k)) {
@@ -35,24 +35,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_order_of_a_power_with_a_higher_term_is_seen() {
-        let observed = order(|h| Some((h * h * h * (1.0 + h), 1e-16)));
-        assert!((observed - 3.0).abs() < 0.01, "{observed}");
+    fn the_order_of_a_power_is_seen_also_where_nothing_exists_at_first() {
+        let with_a_higher_term = order(|h| Some((h * h * h * (1.0 + h), 1e-16)));
+        assert!((with_a_higher_term - 3.0).abs() < 0.01, "{with_a_higher_term}");
+        let near_zero = order(|h| (h < 0.004).then_some((h * h, 1e-16)));
+        assert!((near_zero - 2.0).abs() < 1e-9);
     }
 
     #[test]
-    fn what_is_below_rounding_has_no_order() {
+    fn what_is_below_rounding_or_not_a_number_has_no_order() {
         assert_eq!(order(|_| Some((1e-17, 1e-16))), f64::INFINITY);
-    }
-
-    #[test]
-    fn what_is_not_a_number_has_none_either() {
         assert!(order(|h| Some((if h < 0.001 { f64::NAN } else { h }, 1e-16))).is_nan());
-    }
-
-    #[test]
-    fn sizes_at_which_nothing_exists_are_passed_over() {
-        let observed = order(|h| (h < 0.004).then_some((h * h, 1e-16)));
-        assert!((observed - 2.0).abs() < 1e-9);
     }
 }

@@ -5,22 +5,22 @@ use nalgebra::Complex;
 
 /// λ₁ and λ₂ of eq:eigs.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pair {
+pub(crate) struct Pair {
     /// λ₁.
-    pub first: Complex<f64>,
+    pub(crate) first: Complex<f64>,
     /// λ₂.
-    pub second: Complex<f64>,
+    pub(crate) second: Complex<f64>,
 }
 
 /// λᵏ by repeated multiplication, k of either sign.
-pub fn power(lambda: Complex<f64>, k: i32) -> Complex<f64> {
+pub(crate) fn power(lambda: Complex<f64>, k: i32) -> Complex<f64> {
     let product = (0..k.unsigned_abs()).fold(Complex::new(1.0, 0.0), |product, _| product * lambda);
     if k < 0 { product.finv() } else { product }
 }
 
 impl Pair {
     /// The eigenvalues of a matrix with trace τ and determinant δ.
-    pub fn new(tau: f64, delta: f64) -> Self {
+    pub(crate) fn new(tau: f64, delta: f64) -> Self {
         match Eigenvalues::from_trace_and_determinant(tau, delta) {
             Eigenvalues::Real { lambda_1, lambda_2 } => {
                 Self { first: Complex::new(lambda_1, 0.0), second: Complex::new(lambda_2, 0.0) }
@@ -34,68 +34,45 @@ impl Pair {
 
     /// |λ₁| and |λ₂|: sums over them majorise the same sums over the eigenvalues, and rounding errors are small compared
     /// to these.
-    pub fn moduli(&self) -> Self {
+    pub(crate) fn moduli(&self) -> Self {
         let real = |lambda: Complex<f64>| Complex::new(lambda.norm(), 0.0);
         Self { first: real(self.first), second: real(self.second) }
     }
 
     /// λ₁ᵃ λ₂ᵇ.
-    pub fn monomial(&self, a: i32, b: i32) -> Complex<f64> {
+    pub(crate) fn monomial(&self, a: i32, b: i32) -> Complex<f64> {
         power(self.first, a) * power(self.second, b)
     }
 
     /// λ₁ᵏ − λ₂ᵏ.
-    pub fn difference_of_powers(&self, k: i32) -> Complex<f64> {
+    pub(crate) fn difference_of_powers(&self, k: i32) -> Complex<f64> {
         power(self.first, k) - power(self.second, k)
     }
 
     /// |λ₁|ᵏ + |λ₂|ᵏ, the size of the terms of λ₁ᵏ ± λ₂ᵏ.
-    pub fn size_of_powers(&self, k: i32) -> f64 {
+    pub(crate) fn size_of_powers(&self, k: i32) -> f64 {
         let Self { first, second } = self.moduli();
         (power(first, k) + power(second, k)).re
     }
 
     /// S_j = Σₖ λ₁^(j−k) λ₂^(k−1), k = 1, …, j. Paper: eq:SpTp.
-    pub fn s(&self, j: i32) -> Complex<f64> {
+    pub(crate) fn s(&self, j: u32) -> Complex<f64> {
+        let j = j as i32;
         (1..=j).map(|k| self.monomial(j - k, k - 1)).sum()
     }
 
     /// T_p = Σ S_j, j = 1, …, p − 1. Paper: eq:SpTp.
-    pub fn t(&self, p: i32) -> Complex<f64> {
+    pub(crate) fn t(&self, p: u32) -> Complex<f64> {
         (1..p).map(|j| self.s(j)).sum()
     }
 
     /// H_p = Σⱼ Σₖ λ₁^(k−j) λ₂^(1−k), j = 1, …, p − 1, k = 1, …, j. Paper: eq:Hp.
-    pub fn h(&self, p: i32) -> Complex<f64> {
-        (1..p).flat_map(|j| (1..=j).map(move |k| self.monomial(k - j, 1 - k))).sum()
+    pub(crate) fn h(&self, p: u32) -> Complex<f64> {
+        (1..p as i32).flat_map(|j| (1..=j).map(move |k| self.monomial(k - j, 1 - k))).sum()
     }
 
     /// (1 − λ₁)(1 − λ₂).
-    pub fn gap(&self) -> Complex<f64> {
+    pub(crate) fn gap(&self) -> Complex<f64> {
         (-self.first + 1.0) * (-self.second + 1.0)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn short_sums_are_exact() {
-        let (tau, delta) = (0.75, 0.125);
-        let pair = Pair::new(tau, delta);
-        assert_eq!((pair.first.re, pair.second.re), (0.5, 0.25));
-        assert_eq!([0, 1, 2, 3].map(|j| pair.s(j).re), [0.0, 1.0, tau, tau * tau - delta]);
-        assert_eq!([1, 2, 3].map(|p| pair.t(p).re), [0.0, 1.0, 1.0 + tau]);
-        assert_eq!([1, 2, 3].map(|p| pair.h(p).re), [0.0, 1.0, 1.0 + tau / delta]);
-        assert_eq!(power(Complex::new(2.0, 0.0), -2).re, 0.25);
-    }
-
-    #[test]
-    fn complex_pairs_are_conjugate() {
-        let pair = Pair::new(0.5, 0.5);
-        assert_eq!(pair.first.conj(), pair.second);
-        assert!((pair.monomial(1, 1) - 0.5).norm() < 1e-16);
-        assert!(pair.first.im > 0.0);
     }
 }

@@ -1,55 +1,12 @@
 //! `expected/claims.toml`: what the paper states, label by label.
 
-use std::collections::BTreeSet;
 use std::fmt;
 
 use serde::Deserialize;
-use thiserror::Error;
 
-use crate::checks::{self, Check};
+use crate::checks::{CHECKS, Check};
 
 const FILE: &str = include_str!("../../../expected/claims.toml");
-
-/// What can be wrong with the ledger.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum LedgerError {
-    /// The file is not TOML, or a key is missing, unknown or of the wrong type.
-    #[error("expected/claims.toml:{line}: {reason}")]
-    Unreadable {
-        /// The line, from 1.
-        line: usize,
-        /// What the TOML reader says.
-        reason: String,
-    },
-    /// A label that stands there twice.
-    #[error("expected/claims.toml: {label} stands there twice")]
-    Twice {
-        /// The label.
-        label: String,
-    },
-    /// A claim with no test, or with several kinds of it.
-    #[error("expected/claims.toml: {label} needs exactly one of check, published and unchecked")]
-    Test {
-        /// The label.
-        label: String,
-    },
-    /// A misprint that is said to be the same as one that is not listed before it.
-    #[error("expected/claims.toml: {label}: the misprint of {other} is not listed before it")]
-    NoMisprint {
-        /// The label.
-        label: String,
-        /// The label of the other.
-        other: String,
-    },
-    /// A check that does not exist.
-    #[error("expected/claims.toml: {label}: there is no check {check} in grazing_claims::checks")]
-    NoCheck {
-        /// The label.
-        label: String,
-        /// The name of the check.
-        check: String,
-    },
-}
 
 /// What kind of statement a claim is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
@@ -209,14 +166,21 @@ impl Claim {
         self.check.as_deref()
     }
 
+    /// Whether exactly one way to test it is given.
+    pub fn has_one_test(&self) -> bool {
+        let given = [self.check.is_some(), !self.published.is_empty(), self.unchecked.is_some()];
+        given.iter().filter(|given| **given).count() == 1
+    }
+
     /// How it is tested.
     ///
     /// # Panics
-    /// Never for a claim of a [`Ledger`], which was validated.
+    /// Never for a claim of [`Ledger::of_the_paper`], of which the table of checks is made.
     pub fn test(&self) -> Test<'_> {
         match (&self.check, &self.unchecked) {
             (Some(name), _) => {
-                Test::Check(checks::all().find(|check| check.name == name).expect("the ledger was validated"))
+                let check = CHECKS.iter().find(|check| check.name == name);
+                Test::Check(check.expect("the table of checks is made of the ledger"))
             }
             (None, Some(reason)) => Test::Unchecked(reason),
             (None, None) => Test::Published(&self.published),
@@ -234,45 +198,11 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// The ledger of this project.
+    /// The ledger of this project, as it stood when this program was built.
     ///
-    /// # Errors
-    /// [`LedgerError`].
-    pub fn of_the_paper() -> Result<Self, LedgerError> {
-        Self::read(FILE)
-    }
-
-    /// The ledger in this text, validated.
-    ///
-    /// # Errors
-    /// [`LedgerError`].
-    pub fn read(text: &str) -> Result<Self, LedgerError> {
-        let ledger: Self = toml::from_str(text).map_err(|error| {
-            let start = error.span().map_or(0, |span| span.start);
-            let line = text.get(..start).map_or(1, |before| before.matches('\n').count() + 1);
-            LedgerError::Unreadable { line, reason: error.message().to_owned() }
-        })?;
-        let mut labels = BTreeSet::new();
-        for claim in &ledger.claims {
-            let label = claim.label.clone();
-            if !labels.insert(&claim.label) {
-                return Err(LedgerError::Twice { label });
-            }
-            let tests = [claim.check.is_some(), !claim.published.is_empty(), claim.unchecked.is_some()];
-            if tests.iter().filter(|given| **given).count() != 1 {
-                return Err(LedgerError::Test { label });
-            }
-            if let Some(other) = claim.misprint.as_ref().and_then(|misprint| misprint.same_as.as_ref())
-                && !labels.contains(other)
-            {
-                return Err(LedgerError::NoMisprint { label, other: other.clone() });
-            }
-            if let Some(check) = &claim.check
-                && !checks::all().any(|known| known.name == check)
-            {
-                return Err(LedgerError::NoCheck { label, check: check.clone() });
-            }
-        }
-        Ok(ledger)
+    /// # Panics
+    /// Never: the file is a part of the program, and a test reads it.
+    pub fn of_the_paper() -> Self {
+        toml::from_str(FILE).unwrap_or_else(|error| panic!("expected/claims.toml: {error}"))
     }
 }

@@ -12,14 +12,20 @@
 
 pub mod audit;
 pub mod checks;
-pub mod convergence;
-pub mod eigenvalues;
+mod convergence;
+mod eigenvalues;
 pub mod errata;
 pub mod ledger;
 pub mod outcome;
-pub mod printed;
-pub mod sampling;
+mod printed;
+mod sampling;
 pub mod source;
-pub mod specimen;
+mod specimen;
 pub mod sweep;
-pub mod tally;
+mod tally;
+
+use convergence::order;
+use outcome::{CheckResult, Failure, Measure, Outcome};
+use printed::{printed, printed_at_resonances};
+use sampling::{Sampler, sampled, smallest};
+use tally::{Deviations, Smallest, Votes};

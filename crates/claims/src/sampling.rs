@@ -1,19 +1,21 @@
 //! Seeded samples of domains, and adversarial search for the smallest value of a function.
 
+use core::ops::RangeInclusive;
+
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
 /// A seeded source of numbers: the same seed gives the same numbers on every machine.
-pub struct Sampler(Pcg64Mcg);
+pub(crate) struct Sampler(Pcg64Mcg);
 
 impl Sampler {
     /// The source with this seed.
-    pub fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Self(Pcg64Mcg::new(u128::from(seed)))
     }
 
     /// A number between the two, both possible up to rounding.
-    pub fn between(&mut self, lower: f64, upper: f64) -> f64 {
+    pub(crate) fn between(&mut self, lower: f64, upper: f64) -> f64 {
         // 53 random bits: every double of that grid in [0, 1) is as likely as any other.
         let share = (self.0.next_u64() >> 11) as f64 * libm::ldexp(1.0, -53);
         lower + (upper - lower) * share
@@ -23,23 +25,35 @@ impl Sampler {
     ///
     /// # Panics
     /// There is none: an error in the program.
-    pub fn one_of<T: Copy>(&mut self, items: &[T]) -> T {
+    pub(crate) fn one_of<T: Copy>(&mut self, items: &[T]) -> T {
         let index = (self.between(0.0, 1.0) * items.len() as f64) as usize;
         items[index.min(items.len() - 1)]
     }
 
     /// A pair (τ, δ) in the trapesium of eq:cT, up to a relative distance 10⁻⁶ from its slanted sides.
-    pub fn trapesium(&mut self) -> (f64, f64) {
+    pub(crate) fn trapesium(&mut self) -> (f64, f64) {
         let delta = self.between(0.001, 0.999);
         (self.between(-0.999_999, 0.999_999) * (delta + 1.0), delta)
     }
+}
+
+/// What so many samples add up to, each for the next number of loops in a range, round and round.
+pub(crate) fn sampled<T: Default>(
+    seed: u64,
+    samples: usize,
+    loops: RangeInclusive<u32>,
+    mut sample: impl FnMut(&mut Sampler, u32, &mut T),
+) -> T {
+    let (mut sampler, mut tally) = (Sampler::new(seed), T::default());
+    loops.cycle().take(samples).for_each(|p| sample(&mut sampler, p, &mut tally));
+    tally
 }
 
 /// The smallest value of a function on the unit cube that many local searches from seeded starts find, and where.
 ///
 /// Each search tries a step along every axis and every diagonal pair of it, moves on success, and halves its step when
 /// nothing helps, down to 10⁻⁶. Values that are not numbers are outside the domain.
-pub fn smallest<const N: usize>(
+pub(crate) fn smallest<const N: usize>(
     seed: u64,
     starts: usize,
     value: impl Fn([f64; N]) -> f64,
@@ -93,17 +107,6 @@ fn descend<const N: usize>(start: [f64; N], value: &impl Fn([f64; N]) -> f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_same_seed_gives_the_same_numbers_inside_the_range() {
-        let numbers = |seed| {
-            let mut sampler = Sampler::new(seed);
-            [(); 100].map(|()| sampler.between(-2.0, 3.0))
-        };
-        assert_eq!(numbers(1), numbers(1));
-        assert_ne!(numbers(1), numbers(2));
-        assert!(numbers(1).iter().all(|x| (-2.0..=3.0).contains(x)));
-    }
 
     #[test]
     fn the_bottom_of_a_slanted_valley_is_found() {

@@ -7,6 +7,7 @@
 
 mod motion;
 
+use crate::Sampler;
 use grazing_continuation::resonance::{LocatedResonance, ResonanceError};
 use grazing_model::flow_variable::{PRIMARY, SECONDARY};
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
@@ -17,29 +18,28 @@ use grazing_theorems::TheoryError;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use thiserror::Error;
 
-pub use self::motion::SpecimenMotion;
-use crate::sampling::Sampler;
+pub(crate) use self::motion::SpecimenMotion;
 
 /// A function of an impact's velocity and phase and of the parameters that never changes its sign:
 /// `size · exp(rates · (y, sin z, μ, η))`.
 ///
 /// All dimensionless. Its derivatives of all orders are other than zero, unless a rate is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Exponential {
+pub(crate) struct Exponential {
     /// The factor in front, with the sign.
-    pub size: f64,
+    pub(crate) size: f64,
     /// The coefficients of y, sin z, μ and η in the exponent.
-    pub rates: [f64; 4],
+    pub(crate) rates: [f64; 4],
 }
 
 impl Exponential {
     /// The same at all impacts.
-    pub const fn constant(size: f64) -> Self {
+    pub(crate) const fn constant(size: f64) -> Self {
         Self { size, rates: [0.0; 4] }
     }
 
     /// The value at (y, z; μ, η).
-    pub fn at<S: Scalar>(&self, [y, z, mu, eta]: [S; 4]) -> S {
+    pub(crate) fn at<S: Scalar>(&self, [y, z, mu, eta]: [S; 4]) -> S {
         let arguments = [y, z.apply(Function::Sin), mu, eta];
         let terms = arguments.into_iter().zip(self.rates).map(|(argument, rate)| argument.scale(rate));
         let exponent = terms.fold(S::constant(0.0), |sum, term| sum + term);
@@ -48,35 +48,35 @@ impl Exponential {
 }
 
 /// A reset law without pattern: every derivative of Φ and Ψ is other than zero, and α > 0.
-pub const RESTITUTION: Exponential = Exponential { size: 0.7, rates: [-0.4, 0.3, -0.2, 0.15] };
+pub(crate) const RESTITUTION: Exponential = Exponential { size: 0.7, rates: [-0.4, 0.3, -0.2, 0.15] };
 /// The Ψ that goes with [`RESTITUTION`].
-pub const DELAY: Exponential = Exponential { size: 0.25, rates: [0.5, -0.35, 0.2, 0.3] };
+pub(crate) const DELAY: Exponential = Exponential { size: 0.25, rates: [0.5, -0.35, 0.2, 0.3] };
 
 /// ü + 2ζ (1 + d u) u̇ + u + κ u³ = 𝒜 cos(ωt) with u = x + 1, a wall at x = 0 and the reset law R = (−y Φ, z + y Ψ).
 ///
 /// Paper: eq:F, eq:R. With d = κ = 0, Φ = ε and Ψ = 0 it is the oscillator of section 3.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Law {
+pub(crate) struct Law {
     /// The damping ratio ζ.
-    pub damping: f64,
+    pub(crate) damping: f64,
     /// d: how fast the damping grows with the position.
-    pub damping_slope: f64,
+    pub(crate) damping_slope: f64,
     /// κ, of the restoring force.
-    pub stiffening: f64,
+    pub(crate) stiffening: f64,
     /// Φ, of positive size, as a function of the impact and of (𝒜, ω).
-    pub restitution: Exponential,
+    pub(crate) restitution: Exponential,
     /// Ψ, likewise.
-    pub delay: Exponential,
+    pub(crate) delay: Exponential,
     /// μ is the forcing frequency ω and η the amplitude 𝒜, so that ω varies with μ; otherwise it is the other way about.
-    pub frequency_first: bool,
+    pub(crate) frequency_first: bool,
 }
 
 /// A specimen at grazing.
-pub type Grazing = GrazingOrbit<Specimen>;
+pub(crate) type Grazing = GrazingOrbit<Specimen>;
 
 /// A specimen could not be made.
 #[derive(Clone, Debug, PartialEq, Error)]
-pub enum SpecimenError {
+pub(crate) enum SpecimenError {
     /// The linear oscillator has no such resonance.
     #[error(transparent)]
     Theory(#[from] TheoryError),
@@ -94,7 +94,7 @@ const STEPS: u32 = 6;
 
 impl Law {
     /// The oscillator of section 3.
-    pub const fn linear(damping: f64, restitution: f64) -> Self {
+    pub(crate) const fn linear(damping: f64, restitution: f64) -> Self {
         Self {
             damping,
             damping_slope: 0.0,
@@ -106,12 +106,12 @@ impl Law {
     }
 
     /// The oscillator of section 3 with a reset law that varies.
-    pub const fn varying(damping: f64) -> Self {
+    pub(crate) const fn varying(damping: f64) -> Self {
         Self { restitution: RESTITUTION, delay: DELAY, ..Self::linear(damping, 1.0) }
     }
 
     /// The same with a force that is not linear: γ ≠ ω², and a₁₁ ≠ a₂₂ where a₁₂ = 0.
-    pub const fn nonlinear(damping: f64) -> Self {
+    pub(crate) const fn nonlinear(damping: f64) -> Self {
         Self {
             damping_slope: -0.9,
             stiffening: 0.4,
@@ -122,7 +122,7 @@ impl Law {
 
     /// A law without pattern: Φ between 0 and 1 and Ψ of either sign, for velocities y ≥ 0, amplitudes and frequencies up to 3;
     /// one in ten has a force that is not linear.
-    pub fn random(sampler: &mut Sampler, damping: f64) -> Self {
+    pub(crate) fn random(sampler: &mut Sampler, damping: f64) -> Self {
         let mut factor = |size: f64| Exponential {
             size,
             rates: [
@@ -148,7 +148,7 @@ impl Law {
     ///
     /// # Errors
     /// [`SpecimenError::Orbit`].
-    pub fn random_grazing(sampler: &mut Sampler) -> Result<Grazing, SpecimenError> {
+    pub(crate) fn random_grazing(sampler: &mut Sampler) -> Result<Grazing, SpecimenError> {
         let damping = sampler.between(0.01, 0.25);
         let law = Self::random(sampler, damping);
         // At lower frequencies springs that stiffen have superharmonic resonances, beside which other loops graze first.
@@ -160,14 +160,14 @@ impl Law {
     ///
     /// # Errors
     /// [`SpecimenError::Orbit`].
-    pub fn random_grazing_of_any_order(sampler: &mut Sampler) -> Result<Grazing, SpecimenError> {
+    pub(crate) fn random_grazing_of_any_order(sampler: &mut Sampler) -> Result<Grazing, SpecimenError> {
         let orbit = Self::random_grazing(sampler)?;
         let exchanged = sampler.one_of(&[true, false]);
         if exchanged { frequency_first(&orbit) } else { Ok(orbit) }
     }
 
     /// The same with the frequency as the primary parameter.
-    pub const fn frequency_first(self) -> Self {
+    pub(crate) const fn frequency_first(self) -> Self {
         Self { frequency_first: true, ..self }
     }
 
@@ -198,7 +198,7 @@ impl Law {
     ///
     /// # Errors
     /// [`SpecimenError::Orbit`].
-    pub fn grazing(self, frequency: f64) -> Result<Grazing, SpecimenError> {
+    pub(crate) fn grazing(self, frequency: f64) -> Result<Grazing, SpecimenError> {
         // The linear oscillator's response has amplitude 1 and its maximum at phase z.
         let (stiffness, loss) = (1.0 - frequency * frequency, 2.0 * self.damping * frequency);
         let (mut amplitude, mut phase) = (libm::hypot(stiffness, loss), libm::atan2(loss, stiffness));
@@ -215,7 +215,7 @@ impl Law {
     ///
     /// # Errors
     /// [`SpecimenError`].
-    pub fn resonance(
+    pub(crate) fn resonance(
         self,
         loops: u32,
         index: u32,
@@ -241,7 +241,7 @@ impl Law {
 }
 
 /// The ζ with which the linear oscillator has this E_p at its resonance (p, n).
-pub fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
+pub(crate) fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
     let p = f64::from(loops);
     let ratio = if loops == 1 { 0.5 * f64::from(index) } else { f64::from(index) + 0.5 / p };
     // E_p = e^{−2πpζ/ω} with ω₁/ω = ratio: ζ/ω₁ = −ln E_p/(2πp · ratio).
@@ -253,7 +253,7 @@ pub fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
 ///
 /// # Errors
 /// [`SpecimenError::Orbit`].
-pub fn frequency_first(orbit: &Grazing) -> Result<Grazing, SpecimenError> {
+pub(crate) fn frequency_first(orbit: &Grazing) -> Result<Grazing, SpecimenError> {
     let [amplitude, frequency] = orbit.oscillator().parameters();
     let law = orbit.oscillator().law().frequency_first();
     Ok(GrazingOrbit::at(Specimen::new(law, [frequency, amplitude]), orbit.phase())?)
@@ -292,7 +292,7 @@ impl SmoothOscillator for Law {
 
 /// An oscillator with a [`Law`] at parameters (μ, η).
 #[derive(Clone, Debug)]
-pub struct Specimen {
+pub(crate) struct Specimen {
     law: Integrated<Law>,
     /// The same motion in closed form, where the force is linear.
     linear: Option<LinearOscillator>,
@@ -300,7 +300,7 @@ pub struct Specimen {
 
 impl Specimen {
     /// The oscillator with this law.
-    pub fn new(law: Law, parameters: [f64; 2]) -> Self {
+    pub(crate) fn new(law: Law, parameters: [f64; 2]) -> Self {
         let [amplitude, frequency] = law.order(parameters);
         // Its coefficient of restitution plays no part.
         let linear = LinearOscillator::new(law.damping, 1.0, amplitude, frequency).ok();
@@ -308,12 +308,12 @@ impl Specimen {
     }
 
     /// The law.
-    pub fn law(&self) -> &Law {
+    pub(crate) fn law(&self) -> &Law {
         self.law.model()
     }
 
     /// Φ and Ψ at an impact.
-    pub fn factors(&self, velocity: f64, phase: f64) -> [f64; 2] {
+    pub(crate) fn factors(&self, velocity: f64, phase: f64) -> [f64; 2] {
         let ([mu, eta], law) = (self.parameters(), self.law());
         [law.restitution(velocity, phase, mu, eta), law.impact_duration(velocity, phase, mu, eta)]
     }

@@ -15,13 +15,71 @@ pub mod closed_form;
 pub mod generic;
 pub mod resonant;
 
-use std::collections::BTreeMap;
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::curve::{Curve, Route, Window};
+use grazing_theorems::Side;
 
-use core::fmt;
-
-pub use cases::{Extent, GenericCase, ResonantCase, generic_cases, resonant_cases};
+pub use cases::{Case, generic_cases, resonant_cases};
 pub use generic::{GenericRow, SweepError, generic_rows};
 pub use resonant::{ResonantRow, resonant_rows};
+
+/// For which sign of a parameter something exists.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Existence {
+    /// For this sign only.
+    On(Side),
+    /// For none.
+    Nowhere,
+    /// For both signs, or not the same at all values that were looked at.
+    Unclear,
+}
+
+impl Existence {
+    /// Of what is seen where the parameter is positive, and where it is negative.
+    pub(crate) fn of([positive, negative]: [bool; 2]) -> Self {
+        match (positive, negative) {
+            (true, false) => Self::On(Side::Positive),
+            (false, true) => Self::On(Side::Negative),
+            (false, false) => Self::Nowhere,
+            (true, true) => Self::Unclear,
+        }
+    }
+
+    /// Of admissible solutions along a curve on which one of the two parameters is on one side of its value at the start; clear if
+    /// there are so many points after the start and all are alike.
+    fn along(curve: &Curve, parameter: usize, start: f64, points: usize) -> Self {
+        let mut seen = curve.points.iter().skip(1).map(|point| {
+            let ahead = point.solution.parameters()[parameter] > start;
+            (if ahead { Side::Positive } else { Side::Negative }, point.solution.admissible())
+        });
+        match seen.next() {
+            Some(first) if curve.points.len() > points && seen.all(|point| point == first) => {
+                if first.1 {
+                    Self::On(first.0)
+                } else {
+                    Self::Nowhere
+                }
+            }
+            _ => Self::Unclear,
+        }
+    }
+}
+
+/// The first points of a curve, wherever it goes, in steps of one length.
+fn first_points(length: f64, shortest: f64, turn: f64) -> Route {
+    let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
+    let steps = StepControl { first: length, longest: length, shortest, turn, ..StepControl::DRAWING };
+    Route {
+        window: Window { primary: everywhere, secondary: everywhere },
+        control: steps,
+        step_limit: POINTS,
+        stop_at_events: false,
+        through_grazing: false,
+    }
+}
+
+/// Points of a curve that are looked at.
+const POINTS: usize = 5;
 
 /// What a case comes to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -79,22 +137,4 @@ impl Reason {
             Self::NoCurve => "no curve, s_p^+ or s_p^- is zero",
         }
     }
-}
-
-impl fmt::Display for Verdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Explained(reason) => write!(f, "{}: {}", self.name(), reason.name()),
-            Self::Agreement | Self::Unexplained => f.write_str(self.name()),
-        }
-    }
-}
-
-/// How often each verdict was reached, by theorem ("2.2" to "2.5").
-pub fn tally<'a>(rows: impl IntoIterator<Item = (&'a str, Verdict)>) -> BTreeMap<(&'a str, Verdict), usize> {
-    let mut counts = BTreeMap::new();
-    for key in rows {
-        *counts.entry(key).or_insert(0) += 1;
-    }
-    counts
 }

@@ -4,14 +4,14 @@ use crate::outcome::{Measure, Outcome};
 
 /// The largest deviation seen.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Deviations {
+pub(crate) struct Deviations {
     largest: f64,
     samples: usize,
 }
 
 impl Deviations {
     /// Takes the modulus of one deviation into account.
-    pub fn see(&mut self, deviation: f64) {
+    pub(crate) fn see(&mut self, deviation: f64) {
         let deviation = deviation.abs();
         if deviation.is_nan() || deviation > self.largest {
             self.largest = deviation;
@@ -19,35 +19,42 @@ impl Deviations {
         self.samples += 1;
     }
 
+    /// All of these taken into account.
+    pub(crate) fn of(deviations: impl IntoIterator<Item = f64>) -> Self {
+        let mut largest = Self::default();
+        deviations.into_iter().for_each(|deviation| largest.see(deviation));
+        largest
+    }
+
     /// Takes into account the distance of two numbers relative to the scale of the terms they were computed from.
-    pub fn compare(&mut self, computed: f64, expected: f64, scale: f64) {
+    pub(crate) fn compare(&mut self, computed: f64, expected: f64, scale: f64) {
         self.see((computed - expected) / scale);
     }
 
     /// Takes into account the distances of pairs (found, stated), relative to one plus the size of the stated number.
-    pub fn pairs(&mut self, pairs: impl IntoIterator<Item = (f64, f64)>) {
+    pub(crate) fn pairs(&mut self, pairs: impl IntoIterator<Item = (f64, f64)>) {
         pairs.into_iter().for_each(|(found, stated)| self.compare(found, stated, 1.0 + stated.abs()));
     }
 
     /// Takes a yes-or-no condition into account, without which no deviation counts as small.
-    pub fn require(&mut self, holds: bool) {
+    pub(crate) fn require(&mut self, holds: bool) {
         self.see(if holds { 0.0 } else { f64::INFINITY });
     }
 
     /// The largest deviation against a tolerance.
-    pub fn measure(&self, tolerance: f64) -> Measure {
+    pub(crate) fn measure(&self, tolerance: f64) -> Measure {
         Measure::Deviation { largest: self.largest, tolerance }
     }
 
     /// The outcome, with the number of deviations seen.
-    pub fn outcome(&self, tolerance: f64, over: &str) -> Outcome {
+    pub(crate) fn outcome(&self, tolerance: f64, over: &str) -> Outcome {
         Outcome::new(self.measure(tolerance), self.samples, over)
     }
 }
 
 /// The smallest of many numbers: margins of an inequality, or orders of a remainder.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Smallest {
+pub(crate) struct Smallest {
     value: f64,
     samples: usize,
 }
@@ -60,7 +67,7 @@ impl Default for Smallest {
 
 impl Smallest {
     /// Takes one number into account.
-    pub fn see(&mut self, value: f64) {
+    pub(crate) fn see(&mut self, value: f64) {
         if value.is_nan() || value < self.value {
             self.value = value;
         }
@@ -69,29 +76,29 @@ impl Smallest {
 
     /// Takes into account the order of a remainder that is there to be seen: if it never was, nothing was tested, and that
     /// counts against the statement.
-    pub fn see_resolved(&mut self, order: f64) {
+    pub(crate) fn see_resolved(&mut self, order: f64) {
         self.see(if order == f64::INFINITY { f64::NEG_INFINITY } else { order });
     }
 
     /// Takes a yes-or-no condition into account, without which no number counts as large.
-    pub fn require(&mut self, holds: bool) {
+    pub(crate) fn require(&mut self, holds: bool) {
         self.see(if holds { f64::INFINITY } else { f64::NEG_INFINITY });
     }
 
     /// The smallest number as a margin.
-    pub fn margin(&self, over: &str) -> Outcome {
+    pub(crate) fn margin(&self, over: &str) -> Outcome {
         Outcome::new(Measure::Margin { smallest: self.value }, self.samples, over)
     }
 
     /// The smallest number as an order.
-    pub fn order(&self, stated: f64, slack: f64, over: &str) -> Outcome {
+    pub(crate) fn order(&self, stated: f64, slack: f64, over: &str) -> Outcome {
         Outcome::new(Measure::Order { observed: self.value, stated, slack }, self.samples, over)
     }
 }
 
 /// How many cases agree with a statement.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Votes {
+pub(crate) struct Votes {
     agreeing: usize,
     cases: usize,
     silent: usize,
@@ -99,23 +106,30 @@ pub struct Votes {
 
 impl Votes {
     /// Takes one case into account.
-    pub fn see(&mut self, agrees: bool) {
+    pub(crate) fn see(&mut self, agrees: bool) {
         self.agreeing += usize::from(agrees);
         self.cases += 1;
     }
 
+    /// All of these taken into account.
+    pub(crate) fn of(cases: impl IntoIterator<Item = bool>) -> Self {
+        let mut votes = Self::default();
+        cases.into_iter().for_each(|agrees| votes.see(agrees));
+        votes
+    }
+
     /// Takes into account a case of which the statement says nothing: it neither agrees nor disagrees.
-    pub fn silent(&mut self) {
+    pub(crate) fn silent(&mut self) {
         self.silent += 1;
     }
 
     /// The count.
-    pub fn measure(&self) -> Measure {
+    pub(crate) fn measure(&self) -> Measure {
         Measure::Agreement { agreeing: self.agreeing, cases: self.cases }
     }
 
     /// The outcome.
-    pub fn outcome(&self, over: &str) -> Outcome {
+    pub(crate) fn outcome(&self, over: &str) -> Outcome {
         let over = match self.silent {
             0 => over.to_owned(),
             silent => format!("{over}; the statement is silent on {silent} more"),
@@ -128,50 +142,41 @@ impl Votes {
 mod tests {
     use super::*;
 
-    #[test]
-    fn what_is_not_a_number_stays() {
-        let mut deviations = Deviations::default();
+    fn deviations(values: &[f64], tolerance: f64) -> Outcome {
+        Deviations::of(values.iter().copied()).outcome(tolerance, "")
+    }
+
+    fn margin(values: &[f64]) -> Outcome {
         let mut smallest = Smallest::default();
-        for value in [1.0, f64::NAN, -2.0] {
-            deviations.see(value);
-            smallest.see(value);
-        }
-        assert!(!deviations.outcome(10.0, "").measure.holds());
-        assert!(!smallest.margin("").measure.holds());
+        values.iter().for_each(|value| smallest.see(*value));
+        smallest.margin("")
     }
 
     #[test]
-    fn the_extreme_is_kept() {
-        let mut deviations = Deviations::default();
-        let mut smallest = Smallest::default();
-        for value in [1.0, -3.0, 2.0] {
-            deviations.see(value);
-            smallest.see(value);
-        }
-        let outcome = deviations.outcome(3.0, "");
-        assert_eq!(outcome.measure, Measure::Deviation { largest: 3.0, tolerance: 3.0 });
-        assert_eq!(outcome.samples, 3);
-        assert_eq!(smallest.margin("").measure, Measure::Margin { smallest: -3.0 });
+    fn the_extreme_is_kept_and_what_is_not_a_number_stays() {
+        let outcome = deviations(&[1.0, -3.0, 2.0], 3.0);
+        assert_eq!(outcome, Outcome::new(Measure::Deviation { largest: 3.0, tolerance: 3.0 }, 3, ""));
+        assert_eq!(margin(&[1.0, -3.0, 2.0]).measure, Measure::Margin { smallest: -3.0 });
+        let spoiled = [1.0, f64::NAN, 2.0];
+        assert!(!deviations(&spoiled, 10.0).passes() && !margin(&spoiled).passes());
     }
 
     #[test]
     fn a_remainder_that_was_never_seen_and_a_broken_condition_count_against_the_statement() {
         let mut smallest = Smallest::default();
         smallest.see_resolved(2.0);
-        assert!(smallest.order(2.0, 0.1, "").measure.holds());
+        assert!(smallest.order(2.0, 0.1, "").passes());
         smallest.see_resolved(f64::INFINITY);
-        assert!(!smallest.order(2.0, 0.1, "").measure.holds());
+        assert!(!smallest.order(2.0, 0.1, "").passes());
         let (mut deviations, mut smallest) = (Deviations::default(), Smallest::default());
         deviations.require(false);
         smallest.require(false);
-        assert!(!deviations.measure(1.0).holds() && !smallest.margin("").measure.holds());
+        assert!(!deviations.measure(1.0).holds() && !smallest.margin("").passes());
     }
 
     #[test]
     fn votes_count_both_sides() {
-        let mut votes = Votes::default();
-        votes.see(true);
-        votes.see(false);
+        let mut votes = Votes::of([true, false]);
         votes.silent();
         assert_eq!(votes.measure(), Measure::Agreement { agreeing: 1, cases: 2 });
         assert!(votes.outcome("").over.contains("silent on 1 more"));

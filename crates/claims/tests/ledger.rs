@@ -2,8 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grazing_claims::checks;
-use grazing_claims::ledger::{Claim, Ledger};
+use grazing_claims::ledger::{Claim, Ledger, Test};
 
 /// The labels of the paper with their places.
 fn labels() -> BTreeMap<&'static str, &'static str> {
@@ -11,13 +10,9 @@ fn labels() -> BTreeMap<&'static str, &'static str> {
     lines.map(|line| line.split_once(' ').expect("a label and a place")).map(|(l, p)| (l, p.trim())).collect()
 }
 
-fn ledger() -> Ledger {
-    Ledger::of_the_paper().unwrap_or_else(|error| panic!("{error}"))
-}
-
 #[test]
 fn every_label_of_the_paper_stands_in_the_ledger_at_its_place() {
-    let (labels, ledger) = (labels(), ledger());
+    let (labels, ledger) = (labels(), Ledger::of_the_paper());
     assert!(labels.len() > 100);
     let listed: BTreeMap<&str, &Claim> =
         ledger.claims.iter().map(|claim| (claim.label.as_str(), claim)).collect();
@@ -33,9 +28,18 @@ fn every_label_of_the_paper_stands_in_the_ledger_at_its_place() {
 }
 
 #[test]
-fn every_check_is_asked_for_by_a_claim() {
-    let ledger = ledger();
-    let used: BTreeSet<&str> = ledger.claims.iter().filter_map(Claim::check_name).collect();
-    let idle: Vec<_> = checks::all().map(|check| check.name).filter(|name| !used.contains(name)).collect();
-    assert!(idle.is_empty(), "{idle:?}");
+fn every_claim_stands_there_once_and_is_tested_in_one_way() {
+    let ledger = Ledger::of_the_paper();
+    let mut before = BTreeSet::new();
+    for claim in &ledger.claims {
+        let label = &claim.label;
+        assert!(before.insert(label), "expected/claims.toml: {label} stands there twice");
+        assert!(claim.has_one_test(), "{label} needs exactly one of check, published and unchecked");
+        if let Test::Check(check) = claim.test() {
+            assert_eq!(check.name.split("::").count(), 3, "{}: section, module and function", check.name);
+        }
+        if let Some(other) = claim.misprint.as_ref().and_then(|misprint| misprint.same_as.as_ref()) {
+            assert!(before.contains(other), "{label}: the misprint of {other} is not listed before it");
+        }
+    }
 }

@@ -3,7 +3,6 @@
 use std::fmt::{self, Display};
 use std::path::Path;
 
-use grazing_claims::ledger::LedgerError;
 use grazing_description::DescriptionError;
 use grazing_reproduction::parameters::ParameterError;
 use grazing_reproduction::published::PublishedError;
@@ -97,12 +96,6 @@ impl From<DescriptionError> for Failure {
 
 impl From<PublishedError> for Failure {
     fn from(error: PublishedError) -> Self {
-        Self::incomplete(error.to_string())
-    }
-}
-
-impl From<LedgerError> for Failure {
-    fn from(error: LedgerError) -> Self {
         Self::incomplete(error.to_string())
     }
 }

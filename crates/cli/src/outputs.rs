@@ -1,7 +1,7 @@
 //! The registry of outputs: what can be made, and from what.
 
 pub mod edition;
-pub(crate) mod figures;
+mod figures;
 pub mod latex;
 
 use std::error::Error;

@@ -1,6 +1,5 @@
 //! `grazing report`: everything on one page.
 
-mod ledger;
 mod links;
 pub(crate) mod oscillators;
 mod versions;
@@ -9,10 +8,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_claims::ledger::Ledger;
-use grazing_report::{Figure, Manifest, OutputFile, PublishedEntry, State, TableOutput, page};
+use grazing_report::{Counts, Figure, Manifest, OutputFile, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_reproduction::published::Comparison;
 use grazing_source::Setting;
 
 use crate::arguments::Report;
@@ -41,7 +39,8 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     if let Some(jobs) = arguments.jobs {
         start_threads(jobs)?;
     }
-    let report = assemble(arguments, &parameter_file, &parameters, &sources, &folder)?;
+    let ledger = Ledger::of_the_paper();
+    let report = assemble(arguments, &ledger, &parameter_file, &parameters, &sources, &folder)?;
     let content = page(&report).into_bytes();
     let (missing, all) = (report.missing.len(), outputs::ALL.len() + sources.len());
     let size = content.len();
@@ -70,13 +69,14 @@ fn place(output: &Path) -> Result<(PathBuf, PathBuf), Failure> {
 }
 
 /// Everything that the page shows.
-fn assemble(
+fn assemble<'a>(
     arguments: &Report,
+    ledger: &'a Ledger,
     parameter_file: &Path,
     parameters: &Parameters,
     oscillators: &[Source],
     page_folder: &Path,
-) -> Result<grazing_report::Report, Failure> {
+) -> Result<grazing_report::Report<'a>, Failure> {
     let display = Display::new();
     let (mut shown, mut entries, mut missing) = (Vec::new(), Vec::new(), Vec::new());
     for source in oscillators {
@@ -117,14 +117,9 @@ fn assemble(
         missing.push(failure.to_string());
         Vec::new()
     });
-    let published: Vec<PublishedEntry> = published.into_iter().map(entry).collect();
-    let root = project::root();
-    let sources = root.as_deref().map(links::sources).unwrap_or_default();
-    let ledger = Ledger::of_the_paper()?;
     let all: Vec<_> = ledger.claims.iter().collect();
-    let findings = claims::findings(parameters, &all, &display)?;
-    let claims = findings.iter().map(|finding| ledger::entry(finding, &published, &sources)).collect();
-    let repository = root;
+    let claims = claims::findings(parameters, &all, &display)?;
+    let repository = project::root();
     let root = repository.as_deref().and_then(|root| links::relative(page_folder, root));
     let placed = shown.iter().zip(entries);
     let oscillators =
@@ -135,6 +130,7 @@ fn assemble(
         tables,
         published,
         claims,
+        sources: repository.as_deref().map(links::sources).unwrap_or_default(),
         oscillators,
         missing,
         manifest: Manifest {
@@ -164,26 +160,9 @@ fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-fn entry(comparison: Comparison<'_>) -> PublishedEntry {
-    let (computed, met) = (comparison.computed, comparison.is_met());
-    let value = comparison.published.clone();
-    PublishedEntry {
-        id: value.id,
-        quantity: value.quantity,
-        printed: value.printed,
-        computed,
-        met,
-        label: value.label,
-        place: value.place,
-    }
-}
-
 /// What the page says at its top, and where it is.
-fn summary(report: &grazing_report::Report, output: &Path, size: usize) -> String {
-    let met = report.published.iter().filter(|entry| entry.met).count();
-    let states: Vec<State> = report.claims.iter().map(|claim| claim.verdict.state()).collect();
-    let count = |state| states.iter().filter(|found| **found == state).count();
-    let misprints = report.claims.iter().filter(|claim| claim.misprint.is_some()).count();
+fn summary(report: &grazing_report::Report<'_>, output: &Path, size: usize) -> String {
+    let Counts { met, passed, failed, unchecked, misprints } = report.counts();
     format!(
         "{path}: {megabytes:.1} MB; open it in a browser, no network is needed.\n\
          {met} of {published} published values met; claims: {passed} passed, {failed} failed, {unchecked} unchecked; \
@@ -192,9 +171,6 @@ fn summary(report: &grazing_report::Report, output: &Path, size: usize) -> Strin
         path = output.display(),
         megabytes = size as f64 / 1e6,
         published = report.published.len(),
-        passed = count(State::Passed),
-        failed = count(State::Failed),
-        unchecked = count(State::Unchecked),
         figures = report.figures.len(),
         files = report.manifest.outputs.len(),
         oscillators = report.oscillators.len(),

@@ -63,7 +63,7 @@ fn columns_name_equations_that_the_paper_has() {
 
 #[test]
 fn the_readme_counts_the_claims() {
-    let ledger = Ledger::of_the_paper().unwrap_or_else(|error| panic!("{error}"));
+    let ledger = Ledger::of_the_paper();
     let readme = fs::read_to_string(repository().join("README.md")).expect("there is a README.md");
     let count = format!("{} claims", ledger.claims.len());
     assert!(readme.contains(&count), "README.md does not say `{count}`");

@@ -2,7 +2,7 @@
 
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
-use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side, Unfolding};
+use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side};
 
 use crate::curve::{Curve, CurveEnd, MpsCurve, Route};
 pub use crate::error::ResonanceError;
@@ -77,12 +77,7 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
     /// A hypothesis of Theorem 2.4 or 2.5 fails; all are listed with their values.
     pub fn checked(&self) -> Result<ResonantGrazingPoint<O>, HypothesesViolated> {
         let [_, secondary] = self.orbit.oscillator().parameters();
-        let tolerance = match self.point.unfolding {
-            Unfolding::OneLoop { off_diagonal_derivative: derivative }
-            | Unfolding::MultiLoop { detuning_derivative: derivative, .. } => {
-                AT_RESONANCE + OFF_RESONANCE * (secondary * derivative).abs()
-            }
-        };
+        let tolerance = AT_RESONANCE + OFF_RESONANCE * (secondary * self.point.unfolding.derivative).abs();
         let theorem = ResonantGrazing::check(&self.point, tolerance)?;
         let Self { equations, orbit, point } = self.clone();
         Ok(ResonantGrazingPoint { equations, orbit, theorem, point })

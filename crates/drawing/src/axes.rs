@@ -1,11 +1,9 @@
 //! A panel: a window of data space on a rectangle of the sheet, with its frame, ticks, numbers and axis titles.
 
-use plotters::coord::types::RangedCoordf64;
-use plotters::drawing::DrawingArea;
-use plotters::prelude::Cartesian2d;
+use std::fmt::Write;
 
 use crate::DrawingError;
-use crate::canvas::{Canvas, Element, Ink};
+use crate::canvas::{Anchor, Canvas};
 use crate::clip::{Window, clip_polygon, clip_polyline, hatching};
 use crate::font::Fonts;
 use crate::markup::Label;
@@ -16,19 +14,21 @@ use crate::style::{
     BLACK, DISC_RADIUS, FRAME, HATCHING, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, STAR_RADIUS,
     TICK, TICK_LENGTH, TICK_SIZE, TITLE_SIZE, TRIANGLE_SIZE,
 };
-use crate::svg_backend::{Anchor, PanelMark, SvgBackend};
-use crate::svg_text::UNITS;
+use crate::svg::{escape, in_hundredths, points};
 
 /// A window of data space laid over a rectangle of the sheet.
 pub(crate) struct Panel<'c> {
     pub(crate) canvas: &'c Canvas,
     pub(crate) window: Window,
     pub(crate) bounds: Bounds,
-    /// The tables whose rows it shows, and the column and number that its rows have, where others have other ones.
-    rows: (Vec<&'static str>, Option<(&'static str, u32)>),
-    /// The columns that hold what is across and up, where the titles do not say it.
-    columns: Option<[String; 2]>,
-    area: DrawingArea<SvgBackend, Cartesian2d<RangedCoordf64, RangedCoordf64>>,
+    /// The tables whose rows it shows, the most telling first; none if any with columns for the axes may be.
+    pub(crate) tables: &'c [&'static str],
+    /// The column and the number that tell its rows from those of other panels.
+    pub(crate) only: Option<(&'static str, u32)>,
+    /// The parameters that it shows, where the titles do not say which columns hold them.
+    pub(crate) plane: Option<&'c Plane>,
+    /// Whether there are numbers beside it.
+    pub(crate) numbers_beside: bool,
 }
 
 /// Which of the paper's markers.
@@ -52,189 +52,190 @@ const SHEET_GAP: f64 = 3.0;
 const LEAST_TITLE_SIZE: f64 = 6.5;
 
 impl<'c> Panel<'c> {
+    /// A panel that does not say what it shows.
     pub(crate) fn new(canvas: &'c Canvas, window: Window, bounds: Bounds) -> Self {
-        let units = |length: f64| (length * UNITS).round() as i32;
-        let coordinates: Cartesian2d<RangedCoordf64, RangedCoordf64> = Cartesian2d::new(
-            window.x[0]..window.x[1],
-            window.y[0]..window.y[1],
-            (units(bounds.left)..units(bounds.right), units(bounds.bottom)..units(bounds.top)),
-        );
-        let area = canvas.root().apply_coord_spec(coordinates);
-        Panel { canvas, window, bounds, rows: (Vec::new(), None), columns: None, area }
+        Panel { canvas, window, bounds, tables: &[], only: None, plane: None, numbers_beside: true }
     }
 
-    /// The same panel, marked as showing rows of these tables, the most telling first.
-    pub(crate) fn showing(self, tables: &[&'static str]) -> Self {
-        Panel { rows: (tables.to_vec(), self.rows.1), ..self }
+    /// Where a data point lies on the sheet, in whole hundredths of a point: the rest of the way from the lower left
+    /// corner is cut off.
+    pub(crate) fn spot(&self, (x, y): (f64, f64)) -> Spot {
+        let (left, top) = in_hundredths((self.bounds.left, self.bounds.top));
+        let (right, bottom) = in_hundredths((self.bounds.right, self.bounds.bottom));
+        let share = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
+        // What rounding leaves just below a whole number is that number.
+        let across = (f64::from(right - left) * share(x, self.window.x) + 1e-3).floor();
+        let up = (f64::from(bottom - top) * share(y, self.window.y) + 1e-3).floor();
+        ((f64::from(left) + across) / 100.0, (f64::from(bottom) - up) / 100.0)
     }
 
-    /// The same panel, marked as showing these parameters.
-    pub(crate) fn over(self, plane: &Plane) -> Self {
-        let columns = [&plane.across, &plane.up].map(|axis| axis.column.clone());
-        Panel { columns: Some(columns), ..self }
-    }
-
-    /// The same panel, marked as showing only rows with this number in this column.
-    pub(crate) fn only(self, column: &'static str, number: u32) -> Self {
-        Panel { rows: (self.rows.0, Some((column, number))), ..self }
-    }
-
-    /// Where a data point lies on the sheet.
-    pub(crate) fn spot(&self, point: (f64, f64)) -> Spot {
-        let (x, y) = self.area.map_coordinate(&point);
-        (f64::from(x) / UNITS, f64::from(y) / UNITS)
-    }
-
-    fn put(&self, points: Vec<(f64, f64)>, ink: Ink<'_>) -> Result<(), DrawingError> {
-        self.area.draw(&Element { points, ink }).map_err(|_| DrawingError::SurfaceInUse)
+    fn spots(&self, points: &[(f64, f64)]) -> Vec<Spot> {
+        points.iter().map(|&point| self.spot(point)).collect()
     }
 
     /// A polyline, clipped to the window; returns its pieces on the sheet.
-    pub(crate) fn line(&self, points: &[(f64, f64)], pen: Pen) -> Result<Vec<Vec<Spot>>, DrawingError> {
-        let mut drawn = Vec::new();
-        for piece in clip_polyline(&self.window, points) {
-            drawn.push(piece.iter().map(|&p| self.spot(p)).collect());
-            self.put(piece, Ink::Line(pen))?;
-        }
-        Ok(drawn)
+    pub(crate) fn line(&self, points: &[(f64, f64)], pen: Pen) -> Vec<Vec<Spot>> {
+        let pieces: Vec<_> =
+            clip_polyline(&self.window, points).iter().map(|piece| self.spots(piece)).collect();
+        pieces.iter().for_each(|piece| self.canvas.line(piece, pen));
+        pieces
     }
 
     /// A filled polygon, clipped to the window; returns its outline on the sheet, if any of it shows.
-    pub(crate) fn fill(&self, vertices: &[(f64, f64)], paint: Paint) -> Result<Vec<Spot>, DrawingError> {
+    pub(crate) fn fill(&self, vertices: &[(f64, f64)], paint: Paint) -> Vec<Spot> {
         let clipped = clip_polygon(&self.window, vertices);
         if clipped.len() < 3 {
-            return Ok(Vec::new());
+            return Vec::new();
         }
-        let outline = clipped.iter().map(|&p| self.spot(p)).collect();
-        self.put(clipped, Ink::Polygon(paint, None))?;
-        Ok(outline)
+        let outline = self.spots(&clipped);
+        self.canvas.polygon(&outline, paint, None);
+        outline
     }
 
     /// A filled area, clipped to the window, inside where its rings are crossed an odd number of times; returns its first ring on the
     /// sheet, if any of it shows.
-    pub(crate) fn area(&self, rings: &[Vec<(f64, f64)>], paint: Paint) -> Result<Vec<Spot>, DrawingError> {
-        let [border, holes @ ..] = rings else { return Ok(Vec::new()) };
-        if holes.is_empty() {
-            return self.fill(border, paint);
+    pub(crate) fn area(&self, rings: &[Vec<(f64, f64)>], paint: Paint) -> Vec<Spot> {
+        match rings {
+            [] => Vec::new(),
+            [border] => self.fill(border, paint),
+            _ => {
+                let mut rings = self.clipped(rings);
+                self.canvas.area(&rings, paint);
+                rings.swap_remove(0)
+            }
         }
-        let clipped: Vec<_> = rings.iter().map(|ring| clip_polygon(&self.window, ring)).collect();
-        let outline = clipped[0].iter().map(|&p| self.spot(p)).collect();
-        let lengths = clipped.iter().map(Vec::len).collect();
-        self.put(clipped.concat(), Ink::Area(paint, lengths))?;
-        Ok(outline)
     }
 
     /// Hatching of such an area.
-    pub(crate) fn hatch(&self, rings: &[Vec<(f64, f64)>], pen: Pen) -> Result<(), DrawingError> {
-        let rings: Vec<Vec<Spot>> = rings
-            .iter()
-            .map(|ring| clip_polygon(&self.window, ring).into_iter().map(|point| self.spot(point)).collect())
-            .collect();
-        for line in hatching(&rings, HATCHING) {
-            self.canvas.draw(&line, Ink::Line(pen))?;
+    pub(crate) fn hatch(&self, rings: &[Vec<(f64, f64)>], pen: Pen) {
+        for line in hatching(&self.clipped(rings), HATCHING) {
+            self.canvas.line(&line, pen);
         }
-        Ok(())
+    }
+
+    /// The parts of rings in the window, on the sheet.
+    fn clipped(&self, rings: &[Vec<(f64, f64)>]) -> Vec<Vec<Spot>> {
+        rings.iter().map(|ring| self.spots(&clip_polygon(&self.window, ring))).collect()
     }
 
     /// A marker, if its point is in the window; returns the box it takes.
-    pub(crate) fn marker(&self, point: (f64, f64), marker: Marker) -> Result<Option<Bounds>, DrawingError> {
+    pub(crate) fn marker(&self, point: (f64, f64), marker: Marker) -> Option<Bounds> {
         if !self.window.contains(point) {
-            return Ok(None);
+            return None;
         }
-        let (ink, size) = match marker {
-            Marker::Triangle => (Ink::Triangle(TRIANGLE_SIZE, MARKER, Some(MARKER_RIM)), TRIANGLE_SIZE),
-            Marker::Disc => (Ink::Disc(DISC_RADIUS, MARKER, Some(MARKER_RIM)), 2.0 * DISC_RADIUS),
+        let (canvas, centre) = (self.canvas, self.spot(point));
+        let size = match marker {
+            Marker::Triangle => {
+                canvas.polygon(&triangle(centre, TRIANGLE_SIZE), MARKER, Some(MARKER_RIM));
+                TRIANGLE_SIZE
+            }
+            Marker::Disc => {
+                canvas.disc(centre, DISC_RADIUS, MARKER, Some(MARKER_RIM));
+                2.0 * DISC_RADIUS
+            }
             Marker::Star => {
-                let centre = self.spot(point);
-                self.canvas.draw(&star(centre, STAR_RADIUS), Ink::Polygon(MARKER, Some(MARKER_RIM)))?;
-                return Ok(Some(Bounds::about(centre, 2.0 * STAR_RADIUS, 2.0 * STAR_RADIUS)));
+                canvas.polygon(&star(centre, STAR_RADIUS), MARKER, Some(MARKER_RIM));
+                2.0 * STAR_RADIUS
             }
         };
-        self.put(vec![point], ink)?;
-        Ok(Some(Bounds::about(self.spot(point), size, size)))
+        Some(Bounds::about(centre, size, size))
     }
 
-    /// Path data in units of bins from the panel's top left corner.
-    pub(crate) fn bins(&self, bin: f64, data: &str, paint: Paint) -> Result<(), DrawingError> {
-        self.canvas.draw(&[(self.bounds.left, self.bounds.top)], Ink::Bins(bin, data, paint))
+    /// An invisible rectangle of class `panel` by which programs read values off the sheet: `data-x` and `data-y` are the values at its
+    /// left and right, bottom and top edges; `data-columns` the columns that hold them, where the titles do not say it. An empty title is
+    /// that of the panel to the left.
+    fn mark(&self, titles: [&str; 2]) {
+        let Panel { window: Window { x, y }, bounds, .. } = self;
+        let mut attributes = String::new();
+        // Writing to a String cannot fail.
+        if !self.tables.is_empty() {
+            let _ = write!(attributes, " data-tables=\"{}\"", escape(&self.tables.join(" ")));
+        }
+        if let Some((column, number)) = self.only {
+            let _ = write!(attributes, " data-only=\"{} {number}\"", escape(column));
+        }
+        if let Some(Plane { across, up, .. }) = self.plane {
+            let said = |title: &str, column: &str| title.is_empty() || column_of(title) == column;
+            if !said(titles[0], &across.column) || !said(titles[1], &up.column) {
+                let columns = format!("{} {}", across.column, up.column);
+                let _ = write!(attributes, " data-columns=\"{}\"", escape(&columns));
+            }
+        }
+        self.canvas.put(format_args!(
+            "<rect class=\"panel\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" data-x=\"{} {}\" data-y=\"{} {}\" \
+             data-x-title=\"{}\" data-y-title=\"{}\"{attributes}/>",
+            points(bounds.left),
+            points(bounds.top),
+            points(bounds.right - bounds.left),
+            points(bounds.bottom - bounds.top),
+            x[0],
+            x[1],
+            y[0],
+            y[1],
+            escape(titles[0]),
+            escape(titles[1]),
+        ));
     }
 
     /// Frame, outward ticks, numbers and axis titles; an empty title is left out.
     pub(crate) fn axes(&self, x_title: &str, y_title: &str) -> Result<(), DrawingError> {
-        self.axes_with(x_title, y_title, true)
-    }
-
-    /// Like [`Panel::axes`], the numbers of the vertical axis only if asked for.
-    pub(crate) fn axes_with(
-        &self,
-        x_title: &str,
-        y_title: &str,
-        y_numbers_shown: bool,
-    ) -> Result<(), DrawingError> {
-        let Bounds { left, top, right, bottom } = self.bounds;
-        self.canvas.mark(&PanelMark {
-            window: &self.window,
-            bounds: &self.bounds,
-            titles: [x_title, y_title],
-            tables: &self.rows.0,
-            only: self.rows.1,
-            columns: self.columns.as_ref().map(|columns| columns.each_ref().map(String::as_str)),
-        });
-        self.frame()?;
-        let x_numbers = Numbers::along(self.canvas.fonts(), self.window.x, right - left, Direction::Across)?;
+        let (Bounds { left, top, right, bottom }, canvas) = (self.bounds, self.canvas);
+        self.mark([x_title, y_title]);
+        canvas.line(
+            &[(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)],
+            FRAME,
+        );
+        let x_numbers = Numbers::along(&canvas.fonts, self.window.x, right - left, Direction::Across)?;
         for minor in &x_numbers.minor {
-            let (x, _) = self.spot((minor.value, self.window.y[0]));
-            self.canvas.draw(&[(x, bottom), (x, bottom + MINOR_TICK_LENGTH)], Ink::Line(TICK))?;
+            let (x, _) = self.spot((*minor, self.window.y[0]));
+            canvas.line(&[(x, bottom), (x, bottom + MINOR_TICK_LENGTH)], TICK);
         }
         let baseline = bottom + TICK_LENGTH + TICK_GAP + 0.66 * TICK_SIZE;
         for tick in &x_numbers.ticks {
             let (x, _) = self.spot((tick.value, self.window.y[0]));
-            self.canvas.draw(&[(x, bottom), (x, bottom + TICK_LENGTH)], Ink::Line(TICK))?;
-            self.canvas.text((x, baseline), &tick.label, TICK_SIZE, Anchor::Middle, BLACK)?;
+            canvas.line(&[(x, bottom), (x, bottom + TICK_LENGTH)], TICK);
+            canvas.text((x, baseline), &tick.label, TICK_SIZE, Anchor::Middle, BLACK)?;
         }
-        let y_numbers = Numbers::along(self.canvas.fonts(), self.window.y, bottom - top, Direction::Up)?;
+        let y_numbers = Numbers::along(&canvas.fonts, self.window.y, bottom - top, Direction::Up)?;
         for minor in &y_numbers.minor {
-            let (_, y) = self.spot((self.window.x[0], minor.value));
-            self.canvas.draw(&[(left, y), (left - MINOR_TICK_LENGTH, y)], Ink::Line(TICK))?;
+            let (_, y) = self.spot((self.window.x[0], *minor));
+            canvas.line(&[(left, y), (left - MINOR_TICK_LENGTH, y)], TICK);
         }
-        let reach = if y_numbers_shown { y_numbers.width } else { 0.0 };
+        let reach = if self.numbers_beside { y_numbers.width } else { 0.0 };
         for tick in &y_numbers.ticks {
             let (_, y) = self.spot((self.window.x[0], tick.value));
-            self.canvas.draw(&[(left, y), (left - TICK_LENGTH, y)], Ink::Line(TICK))?;
-            if !y_numbers_shown {
-                continue;
+            canvas.line(&[(left, y), (left - TICK_LENGTH, y)], TICK);
+            if self.numbers_beside {
+                let spot = (left - TICK_LENGTH - TICK_GAP, y + 0.33 * TICK_SIZE);
+                canvas.text(spot, &tick.label, TICK_SIZE, Anchor::End, BLACK)?;
             }
-            let spot = (left - TICK_LENGTH - TICK_GAP, y + 0.33 * TICK_SIZE);
-            self.canvas.text(spot, &tick.label, TICK_SIZE, Anchor::End, BLACK)?;
         }
         let x_title = &x_numbers.title(x_title);
         let below = (0.5 * (left + right), baseline + 1.2 * TITLE_SIZE);
-        let size = title_size(self.canvas, x_title, right - left)?;
-        self.canvas.text(below, x_title, size, Anchor::Middle, BLACK)?;
+        let size = title_size(canvas, x_title, right - left)?;
+        canvas.text(below, x_title, size, Anchor::Middle, BLACK)?;
         let y_title = &y_numbers.title(y_title);
         let edge = left - TICK_LENGTH - 2.0 * TICK_GAP - reach - 1.0;
-        let extent = self.canvas.measure(&Label::parse(y_title)?, TITLE_SIZE)?;
+        let extent = canvas.fonts.measure(&Label::parse(y_title)?, TITLE_SIZE)?;
         if extent.width > WIDEST_LEVEL_TITLE {
-            let size = title_size(self.canvas, y_title, bottom - top)?;
-            self.canvas.text_upwards((edge - extent.descent, 0.5 * (top + bottom)), y_title, size, BLACK)?;
+            let size = title_size(canvas, y_title, bottom - top)?;
+            canvas.text_upwards((edge - extent.descent, 0.5 * (top + bottom)), y_title, size, BLACK)
         } else {
             let beside = (edge, 0.5 * (top + bottom) + 0.25 * TITLE_SIZE);
-            self.canvas.text(beside, y_title, TITLE_SIZE, Anchor::End, BLACK)?;
+            canvas.text(beside, y_title, TITLE_SIZE, Anchor::End, BLACK)
         }
-        Ok(())
     }
+}
 
-    /// The frame alone.
-    pub(crate) fn frame(&self) -> Result<(), DrawingError> {
-        let Bounds { left, top, right, bottom } = self.bounds;
-        let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)];
-        self.canvas.draw(&corners, Ink::Line(FRAME))
-    }
+/// The column that readers of the sheet take a title for: its letters, and that of the forcing amplitude.
+fn column_of(title: &str) -> String {
+    let letters = title.replace(r"\mathcal", "").replace(|c: char| !c.is_ascii_alphabetic() && c != '_', "");
+    if letters == "A" { "amplitude".to_owned() } else { letters }
 }
 
 /// The size at which a title fits on an axis of so many points.
 fn title_size(canvas: &Canvas, title: &str, room: f64) -> Result<f64, DrawingError> {
-    let width = canvas.measure(&Label::parse(title)?, TITLE_SIZE)?.width;
+    let width = canvas.fonts.measure(&Label::parse(title)?, TITLE_SIZE)?.width;
     Ok(if width > room { (TITLE_SIZE * room / width).max(LEAST_TITLE_SIZE) } else { TITLE_SIZE })
 }
 
@@ -283,4 +284,55 @@ fn star((x, y): Spot, radius: f64) -> Vec<Spot> {
         (x + reach * right, y - reach * up)
     };
     TURNS.iter().enumerate().map(corner).collect()
+}
+
+/// An upright triangle of equal sides with its centroid at the spot, up to the hundredths of the sheet.
+fn triangle((x, y): Spot, side: f64) -> [Spot; 3] {
+    // Heights 1/sqrt(3) above the centroid and 1/(2 sqrt(3)) below.
+    let [up, down, half] = [0.577_35, 0.288_68, 0.5].map(|share| (100.0 * share * side).round() / 100.0);
+    [(x, y - up), (x + half, y + down), (x - half, y + down)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is written about a panel with these titles that shows a plane of these columns.
+    fn marked(titles: [&str; 2], columns: [&'static str; 2]) -> String {
+        let canvas = Canvas::new(100.0, 100.0).unwrap();
+        let mut plane = Plane::of_parameters("x", "y");
+        plane.across.column = columns[0].into();
+        plane.up.column = columns[1].into();
+        let bounds = Bounds { left: 10.0, top: 20.0, right: 90.5, bottom: 80.0 };
+        let panel = Panel {
+            tables: &["points", "curves"],
+            only: Some(("panel", 2)),
+            plane: Some(&plane),
+            ..Panel::new(&canvas, Window { x: [-0.5, 1.25], y: [0.0, 3.0] }, bounds)
+        };
+        panel.mark(titles);
+        let svg = canvas.finish("test", "", "").unwrap();
+        svg.lines().find(|line| line.contains("panel")).unwrap().to_owned()
+    }
+
+    #[test]
+    fn a_mark_tells_the_window_and_its_place() {
+        assert_eq!(
+            marked([r"$\omega$", ""], ["omega", "A"]),
+            "<rect class=\"panel\" x=\"10\" y=\"20\" width=\"80.5\" height=\"60\" data-x=\"-0.5 1.25\" data-y=\"0 3\" \
+             data-x-title=\"$\\omega$\" data-y-title=\"\" data-tables=\"points curves\" data-only=\"panel 2\"/>"
+        );
+    }
+
+    #[test]
+    fn a_mark_names_its_columns_where_readers_would_take_the_titles_for_others() {
+        for (titles, columns, named) in [
+            ([r"$\mathcal{A}$", r"$\omega$"], ["amplitude", "omega"], false),
+            ([r"$\mathcal{A}$", ""], ["amplitude", "omega"], false),
+            (["$A$", r"$\omega$"], ["A", "omega"], true),
+            (["$F_{0}$", r"$\omega_{2}$"], ["F_0", "omega_2"], true),
+        ] {
+            assert_eq!(marked(titles, columns).contains("data-columns"), named, "{titles:?}");
+        }
+    }
 }

@@ -5,10 +5,10 @@ use grazing_results::branches::{BranchBifurcation, BranchPoint};
 
 use crate::DrawingError;
 use crate::axes::Panel;
-use crate::canvas::Ink;
 use crate::cloud::draw_cloud;
 use crate::kinds::{label, pen, text_colour};
 use crate::labels::{Labels, Wanted};
+use crate::plane::Plane;
 use crate::sheet::{Bounds, Spot, length};
 use crate::style::{
     LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, SMALL_LABEL_SIZE, STABLE_WIDTH, THRESHOLD, UNSTABLE_WIDTH,
@@ -46,14 +46,14 @@ pub(crate) fn diagram(
     cloud: &[(f64, f64)],
     every_loop: bool,
 ) -> Result<(), DrawingError> {
-    for level in panel.line(&[(panel.window.x[0], 0.0), (panel.window.x[1], 0.0)], THRESHOLD)? {
+    for level in panel.line(&[(panel.window.x[0], 0.0), (panel.window.x[1], 0.0)], THRESHOLD) {
         labels.placer.keep_off_nameless(&level);
     }
-    draw_cloud(panel, cloud)?;
+    draw_cloud(panel, cloud);
     labels.placer.avoid(cloud.iter().filter(|&&p| panel.window.contains(p)).map(|&p| panel.spot(p)));
     let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();
     for branch in branches {
-        for piece in branch_pieces(panel, branch)? {
+        for piece in branch_pieces(panel, branch) {
             labels.placer.keep_off(&piece);
             match longest.iter_mut().find(|(p, _)| *p == branch.p) {
                 Some((_, best)) if length(best) >= length(&piece) => {}
@@ -62,6 +62,7 @@ pub(crate) fn diagram(
             }
         }
     }
+    let grazing = Plane::of_the_paper().grazing;
     let mut named: Vec<(Bifurcation, u32)> = Vec::new();
     let visible: Vec<(Bifurcation, u32, (f64, f64))> = bifurcations
         .iter()
@@ -71,7 +72,7 @@ pub(crate) fn diagram(
     for &(kind, _, point) in &visible {
         let spot = panel.spot(point);
         let paint = Paint { colour: pen(kind).colour, opacity: 1.0 };
-        panel.canvas.draw(&[spot], Ink::Disc(POINT_RADIUS, paint, Some(POINT_RIM)))?;
+        panel.canvas.disc(spot, POINT_RADIUS, paint, Some(POINT_RIM));
         labels.placer.block(Bounds::about(spot, 2.0 * POINT_RADIUS, 2.0 * POINT_RADIUS));
     }
     for &(kind, p, point) in &visible {
@@ -80,7 +81,7 @@ pub(crate) fn diagram(
         }
         named.push((kind, p));
         let wanted = Wanted::Around(panel.spot(point), POINT_RADIUS + 0.5);
-        labels.add(label(kind), LABEL_SIZE, text_colour(kind), &wanted)?;
+        labels.add(label(kind, &grazing), LABEL_SIZE, text_colour(kind), &wanted)?;
     }
     for (p, piece) in &longest {
         let text = if *p == 0 { "non-impacting".to_owned() } else { format!("$p={p}$") };
@@ -90,17 +91,17 @@ pub(crate) fn diagram(
 }
 
 /// Draws a branch, thick where stable and thin where unstable, without gaps between; returns what was drawn.
-fn branch_pieces(panel: &Panel<'_>, branch: &Branch) -> Result<Vec<Vec<Spot>>, DrawingError> {
+fn branch_pieces(panel: &Panel<'_>, branch: &Branch) -> Vec<Vec<Spot>> {
     let mut pieces = Vec::new();
     let mut start = 0;
     for run in branch.stable.chunk_by(|a, b| a == b) {
         let width = if run[0] { STABLE_WIDTH } else { UNSTABLE_WIDTH };
         let end = start + run.len();
         let points = &branch.points[start..(end + 1).min(branch.points.len())];
-        pieces.extend(panel.line(points, branch_pen(branch.p, width))?);
+        pieces.extend(panel.line(points, branch_pen(branch.p, width)));
         start = end;
     }
-    Ok(pieces)
+    pieces
 }
 
 #[cfg(test)]
@@ -120,7 +121,7 @@ mod tests {
             points: vec![(0.0, 0.0), (1.0, 0.1), (2.0, 0.4), (3.0, 0.9)],
             stable: vec![false, false, true, true],
         };
-        let pieces = branch_pieces(&panel, &branch).unwrap();
+        let pieces = branch_pieces(&panel, &branch);
         assert_eq!(panel_points(&pieces), [3, 2]);
         assert_eq!(pieces[0].last(), pieces[1].first());
         let svg = canvas.finish("test", "", "").unwrap();

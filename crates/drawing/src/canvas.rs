@@ -1,94 +1,33 @@
-//! The sheet a figure is drawn on: plotters' drawing area over our backend, in points from the top left corner.
+//! The sheet a figure is drawn on, in points from the top left corner: SVG under way.
 
 use std::cell::RefCell;
-use std::rc::Rc;
-
-use plotters::coord::Shift;
-use plotters::drawing::DrawingArea;
-use plotters::element::{Drawable, PointCollection};
-use plotters_backend::{BackendCoord, DrawingErrorKind};
+use std::fmt::{Arguments, Write};
 
 use crate::DrawingError;
-use crate::font::{Extent, Fonts};
+use crate::font::{Extent, Fonts, TEXT_FAMILY, style_sheet};
 use crate::markup::Label;
 use crate::sheet::{Bounds, Spot};
+use crate::simplify::simplify;
 use crate::style::{Colour, Paint, Pen, SIZE_LIMIT, hat_pen};
-use crate::svg_backend::{Anchor, POINTS_PER_MM, PanelMark, SvgBackend};
-use crate::svg_text::UNITS;
+use crate::svg::{
+    Hundredths, POINTS_PER_MM, escape, fill, hex, in_hundredths, path_data, points, spans, stroke,
+};
 
-/// What an element puts on the sheet.
-pub(crate) enum Ink<'a> {
-    Line(Pen),
-    Polygon(Paint, Option<Pen>),
-    /// Rings of so many points each, inside where they are crossed an odd number of times.
-    Area(Paint, Vec<usize>),
-    Disc(f64, Paint, Option<Pen>),
-    Triangle(f64, Paint, Option<Pen>),
-    Label(&'a Label, f64, Anchor, Colour),
-    /// A label that reads upwards, centred.
-    Upwards(&'a Label, f64, Colour),
-    Bins(f64, &'a str, Paint),
-}
-
-/// An element for plotters: points in any coordinate system, and the ink that joins or marks them.
-pub(crate) struct Element<'a, C> {
-    pub(crate) points: Vec<C>,
-    pub(crate) ink: Ink<'a>,
-}
-
-impl<'a, C: 'a> PointCollection<'a, C> for &'a Element<'_, C> {
-    type Point = &'a C;
-    type IntoIter = std::slice::Iter<'a, C>;
-
-    fn point_iter(self) -> Self::IntoIter {
-        self.points.iter()
-    }
-}
-
-impl<C> Drawable<SvgBackend> for Element<'_, C> {
-    fn draw<I: Iterator<Item = BackendCoord>>(
-        &self,
-        mut positions: I,
-        backend: &mut SvgBackend,
-        _parent: (u32, u32),
-    ) -> Result<(), DrawingErrorKind<std::convert::Infallible>> {
-        match &self.ink {
-            Ink::Line(pen) => backend.line(positions, pen),
-            Ink::Polygon(paint, outline) => backend.polygon(positions, paint, outline.as_ref()),
-            Ink::Area(paint, lengths) => backend.area(positions, lengths, paint),
-            ink => {
-                let Some((x, y)) = positions.next() else {
-                    return Ok(());
-                };
-                match ink {
-                    Ink::Disc(radius, paint, rim) => backend.disc((x, y), *radius, paint, rim.as_ref()),
-                    Ink::Triangle(side, paint, rim) => {
-                        // Equilateral, its centroid on the point: heights 1/sqrt(3) above and 1/(2 sqrt(3)) below.
-                        let units = |length: f64| (length * UNITS).round() as i32;
-                        let (up, down) = (units(side * 0.577_35), units(side * 0.288_68));
-                        let half = units(side * 0.5);
-                        let corners = [(x, y - up), (x + half, y + down), (x - half, y + down)];
-                        backend.polygon(corners, paint, rim.as_ref())
-                    }
-                    Ink::Label(label, size, anchor, colour) => {
-                        backend.label((x, y), label, *size, *anchor, *colour)
-                    }
-                    Ink::Upwards(label, size, colour) => backend.label_upwards((x, y), label, *size, *colour),
-                    Ink::Bins(bin, data, paint) => backend.bins((x, y), *bin, data, paint),
-                    Ink::Line(_) | Ink::Polygon(..) | Ink::Area(..) => Ok(()),
-                }
-            }
-        }
-    }
+/// Horizontal anchor of a text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Anchor {
+    Start,
+    Middle,
+    End,
 }
 
 /// A sheet under way.
 pub(crate) struct Canvas {
-    backend: Rc<RefCell<SvgBackend>>,
-    root: DrawingArea<SvgBackend, Shift>,
-    fonts: Fonts,
+    pub(crate) fonts: Fonts,
     pub(crate) width: f64,
     pub(crate) height: f64,
+    /// The elements drawn so far.
+    body: RefCell<String>,
     /// Every label drawn so far and the box of its ink.
     texts: RefCell<Vec<(String, Bounds)>>,
 }
@@ -96,36 +35,58 @@ pub(crate) struct Canvas {
 impl Canvas {
     pub(crate) fn new(width_mm: f64, height_mm: f64) -> Result<Self, DrawingError> {
         let (width, height) = (width_mm * POINTS_PER_MM, height_mm * POINTS_PER_MM);
-        let backend = Rc::new(RefCell::new(SvgBackend::new(width, height)));
-        let root = DrawingArea::from(&backend);
-        Ok(Canvas { backend, root, fonts: Fonts::load()?, width, height, texts: RefCell::default() })
+        Ok(Canvas {
+            fonts: Fonts::load()?,
+            width,
+            height,
+            body: RefCell::default(),
+            texts: RefCell::default(),
+        })
     }
 
-    pub(crate) fn root(&self) -> &DrawingArea<SvgBackend, Shift> {
-        &self.root
+    /// Adds an element.
+    pub(crate) fn put(&self, element: Arguments<'_>) {
+        // Writing to a String cannot fail.
+        let _ = writeln!(self.body.borrow_mut(), "{element}");
     }
 
-    /// Draws in points of the sheet.
-    pub(crate) fn draw(&self, spots: &[Spot], ink: Ink<'_>) -> Result<(), DrawingError> {
-        let points =
-            spots.iter().map(|s| ((s.0 * UNITS).round() as i32, (s.1 * UNITS).round() as i32)).collect();
-        self.root.draw(&Element { points, ink }).map_err(|_| DrawingError::SurfaceInUse)
+    /// An open line; one shorter than print resolution is none.
+    pub(crate) fn line(&self, spots: &[Spot], pen: Pen) {
+        let data = path_data(&simplify(&all_in_hundredths(spots)), false);
+        if data.contains('L') {
+            self.put(format_args!("<path d=\"{data}\"{}/>", stroke(Some(pen))));
+        }
     }
 
-    /// Says for programs where a panel is and what it shows; puts no ink on the sheet.
-    pub(crate) fn mark(&self, mark: &PanelMark<'_>) {
-        self.backend.borrow_mut().mark(mark);
+    /// A filled and perhaps outlined polygon.
+    pub(crate) fn polygon(&self, corners: &[Spot], paint: Paint, outline: Option<Pen>) {
+        let data = path_data(&all_in_hundredths(corners), true);
+        self.put(format_args!("<path d=\"{data}\"{}{}/>", fill(paint), stroke(outline)));
     }
 
-    pub(crate) fn fonts(&self) -> &Fonts {
-        &self.fonts
+    /// A filled area, inside where its rings are crossed an odd number of times.
+    pub(crate) fn area(&self, rings: &[Vec<Spot>], paint: Paint) {
+        let data: String = rings.iter().map(|ring| path_data(&all_in_hundredths(ring), true)).collect();
+        self.put(format_args!("<path d=\"{data}\" fill-rule=\"evenodd\"{}/>", fill(paint)));
     }
 
-    pub(crate) fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {
-        self.fonts.measure(label, size)
+    /// A filled and perhaps outlined disc.
+    pub(crate) fn disc(&self, (x, y): Spot, radius: f64, paint: Paint, outline: Option<Pen>) {
+        let (x, y, r, fill, outline) = (points(x), points(y), points(radius), fill(paint), stroke(outline));
+        self.put(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{fill}{outline}/>"));
     }
 
-    /// A label with its baseline at the spot; returns the box of its ink.
+    /// Squares of a side on a grid that hangs on its top left corner; `data` is path data in units of the side.
+    pub(crate) fn bins(&self, (x, y): Spot, side: f64, data: &str, paint: Paint) {
+        let (x, y, side) = (points(x), points(y), points(side));
+        let (colour, opacity) = (hex(paint.colour), points(paint.opacity));
+        self.put(format_args!(
+            "<path transform=\"translate({x} {y}) scale({side})\" d=\"{data}\" stroke=\"{colour}\" stroke-opacity=\"{opacity}\" \
+             stroke-width=\"1\"/>"
+        ));
+    }
+
+    /// A label with its baseline at the spot.
     pub(crate) fn text(
         &self,
         spot: Spot,
@@ -133,72 +94,63 @@ impl Canvas {
         size: f64,
         anchor: Anchor,
         colour: Colour,
-    ) -> Result<Bounds, DrawingError> {
-        self.set(spot, &Label::parse(source)?, size, anchor, colour)
+    ) -> Result<(), DrawingError> {
+        self.label(spot, &Label::parse(source)?, size, anchor, colour)
     }
 
-    fn set(
+    /// A label that has been parsed with its baseline at the spot.
+    pub(crate) fn label(
         &self,
         (x, y): Spot,
         label: &Label,
         size: f64,
         anchor: Anchor,
         colour: Colour,
-    ) -> Result<Bounds, DrawingError> {
-        let extent = self.measure(label, size)?;
-        let left = match anchor {
-            Anchor::Start => x,
-            Anchor::Middle => x - 0.5 * extent.width,
-            Anchor::End => x - extent.width,
+    ) -> Result<(), DrawingError> {
+        let Extent { width, ascent, descent } = self.fonts.measure(label, size)?;
+        let (left, anchor) = match anchor {
+            Anchor::Start => (x, ""),
+            Anchor::Middle => (x - 0.5 * width, " text-anchor=\"middle\""),
+            Anchor::End => (x - width, " text-anchor=\"end\""),
         };
-        let (top, bottom) = (y - extent.ascent, y + extent.descent);
-        let taken = Bounds { left, top, right: left + extent.width, bottom };
         if label.runs.is_empty() {
-            return Ok(taken);
+            return Ok(());
         }
-        self.texts.borrow_mut().push((label.source.clone(), taken));
-        self.draw(&[(x, y)], Ink::Label(label, size, anchor, colour))?;
+        let taken = Bounds { left, top: y - ascent, right: left + width, bottom: y + descent };
+        self.set((x, y), label, size, anchor, colour, taken);
         for hat in self.fonts.hats(label, size)? {
-            self.draw(&hat.map(|(right, down)| (left + right, y + down)), Ink::Line(hat_pen(size, colour)))?;
+            self.line(&hat.map(|(right, down)| (left + right, y + down)), hat_pen(size, colour));
         }
-        Ok(taken)
+        Ok(())
     }
 
-    /// A label that reads upwards, the middle of its baseline at the spot; returns the box of its ink.
+    /// A label that reads upwards, the middle of its baseline at the spot.
     pub(crate) fn text_upwards(
         &self,
         (x, y): Spot,
         source: &str,
         size: f64,
         colour: Colour,
-    ) -> Result<Bounds, DrawingError> {
+    ) -> Result<(), DrawingError> {
         let label = Label::parse(source)?;
-        let Extent { width, ascent, descent } = self.measure(&label, size)?;
+        let Extent { width, ascent, descent } = self.fonts.measure(&label, size)?;
         let (top, bottom) = (y - 0.5 * width, y + 0.5 * width);
+        let turn = format!(" text-anchor=\"middle\" transform=\"rotate(-90 {} {})\"", points(x), points(y));
         let taken = Bounds { left: x - ascent, top, right: x + descent, bottom };
-        self.texts.borrow_mut().push((label.source.clone(), taken));
-        self.draw(&[(x, y)], Ink::Upwards(&label, size, colour))?;
+        self.set((x, y), &label, size, &turn, colour, taken);
         for hat in self.fonts.hats(&label, size)? {
-            self.draw(
-                &hat.map(|(right, down)| (x + down, bottom - right)),
-                Ink::Line(hat_pen(size, colour)),
-            )?;
+            self.line(&hat.map(|(right, down)| (x + down, bottom - right)), hat_pen(size, colour));
         }
-        Ok(taken)
+        Ok(())
     }
 
-    /// A label whose ink is centred in a box of its own extent.
-    pub(crate) fn text_in(
-        &self,
-        bounds: &Bounds,
-        label: &Label,
-        size: f64,
-        colour: Colour,
-    ) -> Result<Bounds, DrawingError> {
-        let extent = self.measure(label, size)?;
-        let (x, y) = bounds.centre();
-        let baseline = y + 0.5 * (extent.ascent - extent.descent);
-        self.set((x, baseline), label, size, Anchor::Middle, colour)
+    fn set(&self, (x, y): Spot, label: &Label, size: f64, attributes: &str, colour: Colour, taken: Bounds) {
+        self.texts.borrow_mut().push((label.source.clone(), taken));
+        let (x, y, colour, spans) = (points(x), points(y), hex(colour), spans(label, size));
+        let size = points(size);
+        self.put(format_args!(
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{attributes} fill=\"{colour}\">{spans}</text>"
+        ));
     }
 
     /// The labels as they were written, in the order of drawing.
@@ -219,17 +171,59 @@ impl Canvas {
         (0..texts.len()).filter(|&i| spoilt(i)).map(|i| texts[i].clone()).collect()
     }
 
-    /// The document, if it is light enough.
+    /// The document with its title, its description and the fonts, if it is light enough.
+    ///
+    /// White space is preserved because some viewers drop it at the ends of a tspan otherwise.
     pub(crate) fn finish(
         self,
         figure: &'static str,
         title: &str,
         description: &str,
     ) -> Result<String, DrawingError> {
-        let document = self.backend.borrow().finish(title, description);
+        let [width, height] = [self.width, self.height].map(|length| (length * 100.0).round() / 100.0);
+        let (w, h) = (points(width), points(height));
+        let document = format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+             <svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {w} {h}\" \
+             font-family=\"{TEXT_FAMILY}\" xml:space=\"preserve\" stroke-linejoin=\"round\" fill=\"none\" role=\"img\">\n\
+             <title>{}</title>\n<desc>{}</desc>\n<style>\n{}</style>\n\
+             <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{}</svg>\n",
+            points(width / POINTS_PER_MM),
+            points(height / POINTS_PER_MM),
+            escape(title),
+            escape(description),
+            style_sheet(),
+            self.body.into_inner(),
+        );
         if document.len() > SIZE_LIMIT {
             return Err(DrawingError::TooLarge { figure, bytes: document.len(), limit: SIZE_LIMIT });
         }
         Ok(document)
+    }
+}
+
+fn all_in_hundredths(spots: &[Spot]) -> Vec<Hundredths> {
+    spots.iter().map(|&spot| in_hundredths(spot)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::style::{BLACK, FRAME};
+
+    #[test]
+    fn a_line_that_shrinks_to_a_point_is_not_written() {
+        let canvas = Canvas::new(10.0, 10.0).unwrap();
+        canvas.line(&[(1.0, 2.0), (1.0, 2.0)], FRAME);
+        assert_eq!(*canvas.body.borrow(), "");
+    }
+
+    #[test]
+    fn a_title_may_read_upwards() {
+        let canvas = Canvas::new(100.0, 100.0).unwrap();
+        canvas.text_upwards((10.5, 50.0), "amplitude", 10.0, BLACK).unwrap();
+        let svg = canvas.finish("test", "", "").unwrap();
+        assert!(svg.contains("x=\"10.5\" y=\"50\"") && svg.contains("rotate(-90 10.5 50)"), "{svg}");
+        assert!(svg.contains("fill=\"none\""), "nothing is filled unless it says so");
     }
 }

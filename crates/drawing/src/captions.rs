@@ -1,28 +1,17 @@
 //! What stands over a magnified panel: its letter, its resonance, and the coefficients.
 
+use grazing_continuation::bifurcation::Bifurcation;
+
 use crate::DrawingError;
-use crate::canvas::Canvas;
+use crate::canvas::{Anchor, Canvas};
 use crate::font::Fonts;
+use crate::magnifications::MagnifiedPanel;
 use crate::magnified::panel_letter;
 use crate::markup::Label;
 use crate::panel_grid::{HEADING_LEADING, SUBHEADING_LEADING};
 use crate::sheet::Bounds;
 use crate::style::{BLACK, LABEL_SIZE, TICK_SIZE};
-use crate::svg_backend::Anchor;
 use crate::ticks::measured;
-
-/// The resonance about which a panel is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Heading {
-    /// Number of loops p.
-    pub p: u32,
-    /// The integer n of the resonance, if it is to be written.
-    pub n: Option<u32>,
-    /// The coefficient c_SN, in units of the primary parameter over the square of the secondary one; NaN is left out.
-    pub c_sn: f64,
-    /// The coefficient c_PD, likewise.
-    pub c_pd: f64,
-}
 
 /// Significant digits of coefficients.
 const DIGITS: usize = 4;
@@ -34,15 +23,15 @@ pub(crate) struct Caption {
 }
 
 impl Caption {
-    pub(crate) fn new(panel: u32, heading: Option<Heading>) -> Self {
-        let letter = panel_letter(panel);
-        let Some(Heading { p, n, c_sn, c_pd }) = heading else {
-            return Caption { first: letter, coefficients: Vec::new() };
-        };
+    pub(crate) fn new(panel: &MagnifiedPanel) -> Self {
+        let MagnifiedPanel { panel, loops, n, coefficients, .. } = panel;
         let n = n.map_or_else(String::new, |n| format!(", $n={n}$"));
-        let known = [("SN", c_sn), ("PD", c_pd)].into_iter().filter(|(_, value)| value.is_finite());
-        let written = |(kind, value)| format!(r"$c_{{\mathrm{{{kind},}}{p}}}={}$", measured(value, DIGITS));
-        Caption { first: format!("{letter}  $p={p}${n}"), coefficients: known.map(written).collect() }
+        let known = coefficients.named().into_iter().filter(|(_, value)| value.is_finite());
+        let written = |(kind, value): (Bifurcation, f64)| {
+            format!(r"$c_{{\mathrm{{{},}}{loops}}}={}$", kind.name(), measured(value, DIGITS))
+        };
+        let first = format!("{}  $p={loops}${n}", panel_letter(*panel));
+        Caption { first, coefficients: known.map(written).collect() }
     }
 
     /// The coefficients on one line.
@@ -55,17 +44,7 @@ impl Caption {
         Ok(fonts.measure(&Label::parse(&self.joined())?, TICK_SIZE)?.width <= room)
     }
 
-    /// The coefficients on one line or, if they are to be split, on a line each.
-    fn lines(self, split: bool) -> Vec<String> {
-        let joined = self.joined();
-        if split {
-            self.coefficients
-        } else {
-            Some(joined).into_iter().filter(|joined| !joined.is_empty()).collect()
-        }
-    }
-
-    /// Draws it, the baseline of the first line so many points above the panel.
+    /// Draws it, the baseline of the first line so many points above the panel, each coefficient on a line of its own if they are split.
     pub(crate) fn draw(
         self,
         canvas: &Canvas,
@@ -76,7 +55,8 @@ impl Caption {
         let mut baseline = bounds.top - rise;
         canvas.text((bounds.left, baseline), &self.first, LABEL_SIZE, Anchor::Start, BLACK)?;
         baseline += HEADING_LEADING;
-        for line in self.lines(split) {
+        let lines = if split { self.coefficients } else { vec![self.joined()] };
+        for line in lines {
             canvas.text((bounds.left, baseline), &line, TICK_SIZE, Anchor::Start, BLACK)?;
             baseline += SUBHEADING_LEADING;
         }

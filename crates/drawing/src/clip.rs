@@ -1,6 +1,7 @@
 //! Clipping in data space: a curve leaves the window where it really crosses the frame, at its own slope.
 
 use crate::DrawingError;
+use crate::sheet::span;
 
 /// A rectangle of data space, shown by one panel.
 ///
@@ -23,6 +24,12 @@ impl Window {
             }
         }
         Ok(self)
+    }
+
+    /// Its corners, the first one twice.
+    pub(crate) fn outline(&self) -> [(f64, f64); 5] {
+        let ([left, right], [low, high]) = (self.x, self.y);
+        [(left, low), (right, low), (right, high), (left, high), (left, low)]
     }
 
     /// True if the point is in the window or on its frame; false for NaN.
@@ -86,9 +93,7 @@ pub(crate) fn hatching(rings: &[Vec<(f64, f64)>], distance: f64) -> Vec<[(f64, f
         .iter()
         .flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| [turned(a), turned(b)]))
         .collect();
-    let across = edges.iter().map(|[(u, _), _]| *u);
-    let [low, high] =
-        across.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], u| [low.min(u), high.max(u)]);
+    let [low, high] = span(edges.iter().map(|[(u, _), _]| *u));
     let step = distance * std::f64::consts::SQRT_2;
     let mut lines = Vec::new();
     // The first line lies inside: one through a corner would have no length.
@@ -173,33 +178,25 @@ mod tests {
     }
 
     #[test]
-    fn a_curve_that_leaves_and_returns_falls_into_two_pieces() {
-        let pieces = clip_polyline(&UNIT, &[(0.1, 0.5), (0.2, 1.5), (0.8, 1.5), (0.9, 0.5)]);
-        assert_eq!(pieces.len(), 2);
-        assert!(pieces.iter().flatten().all(|&p| UNIT.contains(p)));
-        assert_eq!(pieces[0][0], (0.1, 0.5));
-        assert_eq!(pieces[1][1], (0.9, 0.5));
-    }
-
-    #[test]
-    fn a_segment_beside_a_corner_is_dropped() {
-        assert!(clip_polyline(&UNIT, &[(-0.2, 0.9), (0.2, 1.3)]).is_empty());
-    }
-
-    #[test]
-    fn a_point_that_is_not_a_number_splits_the_line() {
-        let nan = (f64::NAN, f64::NAN);
-        let pieces = clip_polyline(
-            &UNIT,
-            &[(0.1, 0.1), (0.2, 0.2), nan, (0.3, 0.3), (0.4, 0.4), (f64::INFINITY, 0.4)],
-        );
-        assert_eq!(pieces, vec![vec![(0.1, 0.1), (0.2, 0.2)], vec![(0.3, 0.3), (0.4, 0.4)]]);
-    }
-
-    #[test]
-    fn a_line_inside_is_kept_to_the_bit() {
-        let points = [(0.1, 0.2), (1.0, 0.3), (0.7, 0.0)];
-        assert_eq!(clip_polyline(&UNIT, &points), vec![points.to_vec()]);
+    fn a_line_falls_into_the_pieces_that_are_inside_and_numbers() {
+        let (nan, infinite) = ((f64::NAN, f64::NAN), (f64::INFINITY, 0.4));
+        for (line, pieces) in [
+            // Kept to the bit.
+            (vec![(0.1, 0.2), (1.0, 0.3), (0.7, 0.0)], vec![vec![(0.1, 0.2), (1.0, 0.3), (0.7, 0.0)]]),
+            // Leaves and returns at slopes of 8 and -8.
+            (
+                vec![(0.125, 0.5), (0.25, 1.5), (0.75, 1.5), (0.875, 0.5)],
+                vec![vec![(0.125, 0.5), (0.1875, 1.0)], vec![(0.8125, 1.0), (0.875, 0.5)]],
+            ),
+            // Passes beside a corner.
+            (vec![(-0.2, 0.9), (0.2, 1.3)], vec![]),
+            (
+                vec![(0.1, 0.1), (0.2, 0.2), nan, (0.3, 0.3), (0.4, 0.4), infinite],
+                vec![vec![(0.1, 0.1), (0.2, 0.2)], vec![(0.3, 0.3), (0.4, 0.4)]],
+            ),
+        ] {
+            assert_eq!(clip_polyline(&UNIT, &line), pieces);
+        }
     }
 
     fn area(polygon: &[(f64, f64)]) -> f64 {

@@ -3,12 +3,11 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use crate::DrawingError;
 use crate::axes::Panel;
 use crate::style::{CLOUD, CLOUD_BIN};
 
 /// Draws the points of the window as squares of [`CLOUD_BIN`] points, darker where several points share a bin.
-pub(crate) fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) -> Result<(), DrawingError> {
+pub(crate) fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
     let mut counts: BTreeMap<(i64, i64), u32> = BTreeMap::new();
     for &point in points.iter().filter(|&&p| panel.window.contains(p)) {
         let (x, y) = panel.spot(point);
@@ -24,10 +23,10 @@ pub(crate) fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) -> Result<(),
     for (level, paint) in CLOUD.iter().enumerate() {
         let bins: Vec<(i64, i64)> = counts.iter().filter(|c| shade(*c.1) == level).map(|c| *c.0).collect();
         if !bins.is_empty() {
-            panel.bins(CLOUD_BIN, &path_of_bins(&bins), *paint)?;
+            let corner = (panel.bounds.left, panel.bounds.top);
+            panel.canvas.bins(corner, CLOUD_BIN, &path_of_bins(&bins), *paint);
         }
     }
-    Ok(())
 }
 
 /// Path data that strokes each bin (row, column) by a horizontal line through its middle; bins must be sorted.

@@ -4,12 +4,13 @@ use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_results::plane::{CurvePoint, RegionKind, RegionVertex, SpecialPoint};
 
 use crate::DrawingError;
-use crate::axes::{Marker, Panel, overhang, room_beside};
+use crate::axes::{Panel, overhang, room_beside};
 use crate::canvas::Canvas;
 use crate::clip::Window;
-use crate::kinds::{Region, pen};
+use crate::kinds::{Curve, Region, draw_curves, draw_points};
 use crate::labels::{Labels, Wanted};
-use crate::magnified::{Magnified, letter, rectangle};
+use crate::magnifications::MagnifiedPanel;
+use crate::magnified::{letter, rectangle};
 use crate::plane::Plane;
 use crate::sheet::{Bounds, Spot, area};
 use crate::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth};
@@ -48,15 +49,10 @@ pub struct Diagram<'a> {
     pub regions: &'a [RegionVertex],
     /// What is shown of the plane.
     pub window: Window,
-    /// Rectangles that are drawn because another sheet magnifies them.
-    pub magnified: &'a [Magnified],
+    /// The panels of another sheet, whose windows are drawn.
+    pub magnified: &'a [MagnifiedPanel],
     /// Lines along which other diagrams run.
     pub sections: &'a [Section],
-}
-
-struct Curve {
-    kind: Bifurcation,
-    points: Vec<(f64, f64)>,
 }
 
 /// Width in the paper.
@@ -87,50 +83,39 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
         magnified.window.checked(&format!("a rectangle of {}", diagram.name))?;
     }
     let plane = diagram.plane;
-    let curves = shown_curves(diagram.curves);
-    let regions = Region::all(diagram.regions);
-    let markers = marked_points(diagram.points);
 
     let width = width.mm(WIDTH_MM);
     let canvas = Canvas::new(width, (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM))?;
     let bounds = bounds(&canvas, &window, plane)?;
-    let panel = Panel::new(&canvas, window, bounds).showing(&diagram.tables).over(plane);
+    let panel = Panel { tables: &diagram.tables, plane: Some(plane), ..Panel::new(&canvas, window, bounds) };
     let mut labels = Labels::new(&canvas, bounds);
 
     let mut shapes: Vec<(u32, Vec<Spot>)> = Vec::new();
-    for region in &regions {
-        let shape = region.draw(&panel)?;
+    for region in Region::all(diagram.regions) {
+        let shape = region.draw(&panel);
         if region.kind == RegionKind::Mps && !shape.is_empty() {
             shapes.push((region.p, shape));
         }
     }
-    let mut drawn: Vec<(Bifurcation, Vec<Spot>)> = Vec::new();
-    for curve in &curves {
-        for piece in panel.line(&curve.points, pen(curve.kind))? {
-            labels.placer.keep_off(&piece);
-            drawn.push((curve.kind, piece));
-        }
-    }
+    let drawn = draw_curves(&panel, &mut labels, shown_curves(diagram.curves));
     let mut section_ends: Vec<(Spot, &str)> = Vec::new();
     for section in diagram.sections {
         let [from, to] = [0, 1].map(|end| (section.across[end], section.up[end]));
-        for piece in panel.line(&[from, to], SECTION)? {
+        for piece in panel.line(&[from, to], SECTION) {
             labels.placer.keep_off(&piece);
             section_ends.extend(piece.last().map(|&end| (end, section.label.as_str())));
         }
     }
     let mut unnamed: Vec<(u32, Spot)> = Vec::new();
-    for marked in &markers {
-        if let Some(taken) = panel.marker(marked.point, marked.marker)? {
-            labels.placer.block(taken.grown(0.5));
-            if marked.marker == Marker::Triangle && !shapes.iter().any(|(p, _)| *p == marked.p) {
-                unnamed.push((marked.p, taken.centre()));
-            }
+    for (point, taken) in draw_points(&panel, &mut labels, diagram.points) {
+        let p = point.loops;
+        if point.kind == CodimensionTwo::Resonance && !shapes.iter().any(|(known, _)| *known == p) {
+            unnamed.push((p, taken.centre()));
         }
     }
     let mut boxes = Vec::new();
     for magnified in diagram.magnified {
-        let outline = rectangle(&panel, &magnified.window, &mut labels)?;
+        let outline = rectangle(&panel, &magnified.window, &mut labels);
         boxes.extend(outline.map(|outline| (magnified.panel, outline)));
     }
     panel.axes(&plane.across.title, &plane.up.title)?;
@@ -154,15 +139,14 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
     }
     labels.name_curves(drawn, LABELLED_LENGTH, &plane.grazing)?;
     labels.draw()?;
-    drop(panel);
     Ok(canvas)
 }
 
 /// Where the panel is: within the margins, wider ones if the numbers or the title need them.
 fn bounds(canvas: &Canvas, window: &Window, plane: &Plane) -> Result<Bounds, DrawingError> {
     let (top, bottom) = (MARGINS.top, canvas.height - MARGINS.bottom);
-    let left = room_beside(canvas.fonts(), window.y, bottom - top, &plane.up.title)?.max(MARGINS.left);
-    let beyond = overhang(canvas.fonts(), window.x, canvas.width - left - MARGINS.right)?;
+    let left = room_beside(&canvas.fonts, window.y, bottom - top, &plane.up.title)?.max(MARGINS.left);
+    let beyond = overhang(&canvas.fonts, window.x, canvas.width - left - MARGINS.right)?;
     let right = canvas.width - MARGINS.right.max(beyond + 2.0);
     Ok(Bounds { left, top, right, bottom })
 }
@@ -184,31 +168,9 @@ fn shown_curves(points: &[CurvePoint]) -> Vec<Curve> {
             let shown = point.admissible && (point.kind != Bifurcation::Grazing || stable);
             if shown { (point.primary, point.secondary) } else { (f64::NAN, f64::NAN) }
         });
-        Curve { kind: points[0].kind, points: spots.collect() }
+        Curve { kind: points[0].kind, approximate: false, points: spots.collect() }
     };
-    let mut curves: Vec<Curve> = points.chunk_by(|a, b| place(a) == place(b)).map(curve).collect();
-    // The wide grazing curve lies below the others.
-    curves.sort_by_key(|curve| curve.kind != Bifurcation::NonImpactingGrazing);
-    curves
-}
-
-/// A codimension-two point (across, up) and its marker.
-pub(crate) struct MarkedPoint {
-    pub(crate) point: (f64, f64),
-    pub(crate) marker: Marker,
-    pub(crate) p: u32,
-}
-
-/// Triangles for resonances, discs for all other points.
-pub(crate) fn marked_points(points: &[SpecialPoint]) -> Vec<MarkedPoint> {
-    let marked = |point: &SpecialPoint| {
-        let resonance = point.kind == CodimensionTwo::Resonance;
-        let marker = if resonance { Marker::Triangle } else { Marker::Disc };
-        MarkedPoint { point: (point.primary, point.secondary), marker, p: point.loops }
-    };
-    let mut points: Vec<_> = points.iter().map(marked).collect();
-    points.sort_by_key(|marked| marked.marker == Marker::Triangle);
-    points
+    points.chunk_by(|a, b| place(a) == place(b)).map(curve).collect()
 }
 
 #[cfg(test)]
@@ -236,11 +198,15 @@ mod tests {
     }
 
     #[test]
-    fn equal_input_gives_equal_bytes() {
-        for sample in oscillators() {
-            let svg = || draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
-            assert_eq!(svg(), svg());
-        }
+    fn inadmissible_rows_are_not_drawn() {
+        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
+        let count = |sample: &SampleOscillator| {
+            let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
+            crate::inspection::paths(&svg, "#1946be").len()
+        };
+        assert_eq!(count(&sample), 3, "saddle-node curves");
+        sample.curves.iter_mut().for_each(|point| point.admissible = false);
+        assert_eq!(count(&sample), 0);
     }
 
     #[test]
@@ -296,7 +262,7 @@ mod tests {
             (Bifurcation::NonImpactingGrazing, 0, 0, arc, points.collect())
         };
         let pieces: Vec<_> = [(0, 0.2), (1, 0.7)].map(fold).to_vec();
-        sample.curves = crate::samples::curve_rows(pieces);
+        sample.curves = crate::sample_oscillator::curve_rows(pieces);
         sample.regions.clear();
         let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
         let curves = crate::inspection::paths(&svg, "#78c86e");
@@ -314,7 +280,7 @@ mod tests {
     fn only_rectangles_that_are_seen_have_their_letters() {
         let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 4);
         let whole = sample.window;
-        sample.window.x[1] = sample.magnified[0].window.x[0] - 0.01;
+        sample.window.x[1] = sample.panels[0].window.x[0] - 0.01;
         let letters = texts(&sample).into_iter().filter(|text| text.starts_with('(')).collect::<Vec<_>>();
         assert_eq!(letters, ["(b)", "(c)", "(d)"]);
         sample.window = whole;
@@ -329,9 +295,9 @@ mod tests {
             crate::inspection::paths(&svg, "#f08200").len()
         };
         assert_eq!(rectangles(&sample), 3);
-        let Window { x: [left, _], y: [low, _] } = sample.magnified[1].window;
+        let Window { x: [left, _], y: [low, _] } = sample.panels[1].window;
         // A thousandth of the range is a third of a point.
-        sample.magnified[1].window = Window { x: [left, left + 0.001], y: [low, low + 0.001] };
+        sample.panels[1].window = Window { x: [left, left + 0.001], y: [low, low + 0.001] };
         assert_eq!(rectangles(&sample), 2);
         assert!(texts(&sample).contains(&"(b)".to_owned()));
     }
@@ -339,7 +305,7 @@ mod tests {
     #[test]
     fn an_empty_rectangle_is_an_error_that_names_the_diagram() {
         let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 2);
-        sample.magnified[1].window.y = [0.5, 0.5];
+        sample.panels[1].window.y = [0.5, 0.5];
         let error = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap_err();
         assert!(error.to_string().contains("a rectangle of diagram"), "{error}");
     }

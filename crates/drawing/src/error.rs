@@ -15,7 +15,7 @@ pub enum DrawingError {
         /// Its upper end.
         high: f64,
     },
-    /// A figure with a fixed number of panels was given another number of them.
+    /// A figure was given more panels than it has room for, or none.
     #[error("{figure} has {wanted}, but {found} were given")]
     PanelCount {
         /// The figure's name.
@@ -51,9 +51,6 @@ pub enum DrawingError {
         /// What the font reader said.
         reason: ttf_parser::FaceParsingError,
     },
-    /// The drawing surface was borrowed while something was being drawn on it.
-    #[error("the drawing surface is in use")]
-    SurfaceInUse,
     /// The finished figure is too heavy to open comfortably.
     #[error("{figure} came to {bytes} bytes; the limit is {limit}")]
     TooLarge {

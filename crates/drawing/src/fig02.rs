@@ -5,15 +5,15 @@ use grazing_results::branches::{AttractorPoint, BranchBifurcation, BranchPoint, 
 use crate::DrawingError;
 use crate::axes::Panel;
 use crate::branches::{Branch, diagram};
-use crate::canvas::{Canvas, Ink};
+use crate::canvas::{Anchor, Canvas};
 use crate::clip::Window;
 use crate::labels::Labels;
 use crate::magnified::panel_letter;
 use crate::markup::Label;
-use crate::portraits::{Portrait, ROW, SINGLE_ROW, draw_portraits, portrait_rows};
+use crate::portraits::{Portrait, ROW, SINGLE_ROW, draw_portraits};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{BLACK, GUIDE, MAGNIFIER, MAGNIFIER_FRAME, SMALL_LABEL_SIZE, SheetWidth};
-use crate::svg_backend::{Anchor, POINTS_PER_MM};
+use crate::svg::POINTS_PER_MM;
 
 /// What Figure 2 shows.
 ///
@@ -71,7 +71,8 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
 
     let width = width.mm(WIDTH_MM);
     let stacked = width < SIDE_BY_SIDE_MM;
-    let rows = portrait_rows(&portraits, stacked);
+    // On a narrow sheet portraits stand in rows of two.
+    let rows = if stacked { portraits.len().div_ceil(2) } else { 1 };
     let row = if rows == 1 { SINGLE_ROW } else { ROW };
     let portraits_end = rows as f64 * row;
     let height = portraits_end + if stacked { 2.0 * STACKED_HEIGHT + STACKED_GAP } else { DIAGRAM_HEIGHT };
@@ -86,16 +87,18 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
         let (split, bottom) = (0.59 * canvas.width, canvas.height - BELOW);
         (Bounds { left: 38.0, top, right: split, bottom }, Bounds { left: split + 44.0, top, right, bottom })
     };
-    let whole = Panel::new(&canvas, window, whole).showing(&SHOWN);
-    let part = Panel::new(&canvas, magnification, part).showing(&SHOWN);
+    let whole = Panel { tables: &SHOWN, ..Panel::new(&canvas, window, whole) };
+    let part = Panel { tables: &SHOWN, ..Panel::new(&canvas, magnification, part) };
 
     let guides = letters(&whole, &portraits)?;
-    magnifier(&whole, &part)?;
+    let magnified = magnification.outline();
+    whole.line(&magnified, MAGNIFIER);
+    part.line(&magnified, MAGNIFIER_FRAME);
     for (panel, every_loop) in [(&whole, false), (&part, true)] {
         let mut labels = Labels::new(&canvas, panel.bounds);
         if !every_loop {
             guides.iter().for_each(|guide| labels.placer.keep_off_nameless(guide));
-            labels.placer.keep_off_nameless(&on_sheet(panel, &magnification));
+            labels.placer.keep_off_nameless(&magnified.map(|corner| panel.spot(corner)));
         }
         diagram(panel, labels, &branches, figure.bifurcations, &cloud, every_loop)?;
         panel.axes(r"$\mathcal{A}$", if every_loop && !stacked { "" } else { "$x$" })?;
@@ -121,83 +124,38 @@ fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<Vec<Vec<Spot>>, 
     let mut guides = Vec::new();
     for (x, text) in &marks {
         let label = Label::plain(text);
-        let half = 0.5 * panel.canvas.measure(&label, SMALL_LABEL_SIZE)?.width;
+        let half = 0.5 * panel.canvas.fonts.measure(&label, SMALL_LABEL_SIZE)?.width;
         let middle = x.max(free_from + half);
         free_from = middle + half + 2.0;
         let (top, bottom) = (panel.bounds.top, panel.bounds.bottom);
         let guide = vec![(*x, bottom), (*x, top), (middle, top - 4.0)];
-        panel.canvas.draw(&guide, Ink::Line(GUIDE))?;
+        panel.canvas.line(&guide, GUIDE);
         guides.push(guide);
         panel.canvas.text((middle, top - 6.0), text, SMALL_LABEL_SIZE, Anchor::Middle, BLACK)?;
     }
     Ok(guides)
 }
 
-/// A window's outline on the sheet.
-fn on_sheet(panel: &Panel<'_>, window: &Window) -> Vec<Spot> {
-    outline(window).iter().map(|&corner| panel.spot(corner)).collect()
-}
-
-fn outline(window: &Window) -> [(f64, f64); 5] {
-    let [[left, right], [low, high]] = [window.x, window.y];
-    [(left, low), (right, low), (right, high), (left, high), (left, low)]
-}
-
-/// The magnified window in the whole diagram, and the magnification in a frame of the same colour.
-fn magnifier(whole: &Panel<'_>, part: &Panel<'_>) -> Result<(), DrawingError> {
-    let outline = outline(&part.window);
-    whole.line(&outline, MAGNIFIER)?;
-    part.line(&outline, MAGNIFIER_FRAME)?;
-    Ok(())
-}
-
 #[cfg(test)]
 mod tests {
+    use grazing_results::branches::PortraitKind;
+
     use super::*;
-    use crate::samples;
-
-    fn with_sample<T>(points: u32, test: impl Fn(&Figure02<'_>) -> T) -> T {
-        let (branches, bifurcations) = (samples::fig02_branches(), samples::fig02_bifurcations());
-        let (attractor, portraits) = (samples::fig02_attractor(points), samples::fig02_portraits());
-        test(&Figure02 {
-            branches: &branches,
-            bifurcations: &bifurcations,
-            attractor: &attractor,
-            portraits: &portraits,
-            window: Window { x: [0.7, 1.6], y: [-0.6, 1.0] },
-            magnification: Window { x: [0.9, 1.3], y: [-0.3, 0.4] },
-        })
-    }
-
-    #[test]
-    fn no_two_labels_overlap_and_none_leaves_the_sheet_however_wide_it_is() {
-        for width in [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns] {
-            let misplaced = with_sample(2_000, |figure| compose(figure, width).unwrap().misplaced_texts());
-            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
-        }
-    }
 
     #[test]
     fn diagram_and_magnification_stand_one_above_the_other_in_one_column() {
-        let size =
-            |width| with_sample(10, |figure| compose(figure, width).map(|sheet| (sheet.width, sheet.height)));
-        let (one, paper) = (size(SheetWidth::OneColumn).unwrap(), size(SheetWidth::Paper).unwrap());
+        let (kind, time) = (PortraitKind::Periodic, f64::NAN);
+        let point = |x, y| PortraitPoint { portrait: 1, loops: 0, primary: 0.8, kind, time, x, y };
+        let figure = Figure02 {
+            branches: &[],
+            bifurcations: &[],
+            attractor: &[],
+            portraits: &[point(-1.0, 0.5), point(-0.5, -0.5)],
+            window: Window { x: [0.7, 1.6], y: [-0.6, 1.0] },
+            magnification: Window { x: [0.9, 1.3], y: [-0.3, 0.4] },
+        };
+        let size = |width| compose(&figure, width).map(|sheet| (sheet.width, sheet.height)).unwrap();
+        let (one, paper) = (size(SheetWidth::OneColumn), size(SheetWidth::Paper));
         assert!(one.1 > 1.5 * one.0 && paper.0 > paper.1, "{one:?} {paper:?}");
-    }
-
-    #[test]
-    fn all_bifurcations_and_loops_are_labelled() {
-        let svg = with_sample(2_000, |figure| draw_fig02(figure, SheetWidth::Paper).unwrap());
-        for label in [">SN<", ">PD<", ">GZ<", ">graz</tspan>", "non-impacting", "attractor<", "(d)"] {
-            assert!(svg.contains(label), "{label}");
-        }
-    }
-
-    #[test]
-    fn sixty_thousand_points_stay_under_two_megabytes() {
-        let svg = with_sample(60_000, |figure| draw_fig02(figure, SheetWidth::Paper).unwrap());
-        assert!(svg.len() < 2_000_000, "{}", svg.len());
-        // One path a shade and panel at most.
-        assert!(svg.matches("scale(").count() <= 6);
     }
 }

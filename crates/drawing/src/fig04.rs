@@ -4,7 +4,7 @@ use grazing_results::sketches::{Boundary, BoundaryPoint, Star};
 
 use crate::DrawingError;
 use crate::axes::{Marker, Panel};
-use crate::canvas::{Canvas, Ink};
+use crate::canvas::{Anchor, Canvas};
 use crate::clip::Window;
 use crate::labels::{Labels, Wanted};
 use crate::markup::Label;
@@ -14,19 +14,6 @@ use crate::style::{
     BLACK, CURVE_LEADER, Colour, LABEL_SIZE, LIMIT, NON_IMPACTING_AREA, OUTLINE, Pen, SMALL_LABEL_SIZE,
     SheetWidth, admissibility_pen, resonance_pen,
 };
-use crate::svg_backend::Anchor;
-
-/// What Figure 4 shows.
-///
-/// Paper: Figure 4, fig:D.
-#[derive(Debug, Clone, Copy)]
-pub struct Figure04<'a> {
-    /// Points that follow each other with equal kind and p are one curve; the trapesium is a closed outline, every other curve ends on its
-    /// top side.
-    pub curves: &'a [BoundaryPoint],
-    /// The grazing bifurcation of Figure 2.
-    pub points: &'a [Star],
-}
 
 struct Curve {
     family: Boundary,
@@ -64,21 +51,19 @@ const NAMES_ABOVE: f64 = 10.0;
 /// Least gap between two names, in points.
 const NAME_GAP: f64 = 3.0;
 
-/// Draws Figure 4.
+/// Draws Figure 4, fig:D of the paper.
+///
+/// Points that follow each other with equal kind and p are one curve; the trapesium is a closed outline, every other curve ends on its
+/// top side. Marked is the grazing bifurcation of Figure 2.
 ///
 /// # Errors
 /// None for rows as the reproduction makes them.
-pub fn draw_fig04(figure: &Figure04<'_>, width: SheetWidth) -> Result<String, DrawingError> {
-    compose(figure, width)?.finish(
-        "fig04",
-        "The boundaries g_p and h_p in the trapesium",
-        "Trace across, determinant up. Solid: tau = g_p(delta), where the p-loop solution is in resonance. Dashed: tau = \
-         h_p(delta), beyond which it is known to be admissible. Star: the grazing bifurcation of Figure 2.",
-    )
-}
-
-pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
-    let curves = curves(figure.curves);
+pub fn draw_fig04(
+    curves: &[BoundaryPoint],
+    points: &[Star],
+    width: SheetWidth,
+) -> Result<String, DrawingError> {
+    let curves = shown_curves(curves);
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let bounds = Bounds { left: 37.0, top: 23.0, right: canvas.width - 12.0, bottom: canvas.height - 30.0 };
@@ -86,17 +71,17 @@ pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas
     let mut labels = Labels::new(&canvas, bounds);
 
     for curve in curves.iter().filter(|curve| curve.family == Boundary::Trapesium) {
-        panel.fill(&curve.points, NON_IMPACTING_AREA)?;
+        panel.fill(&curve.points, NON_IMPACTING_AREA);
     }
     for curve in &curves {
-        for piece in panel.line(&curve.points, curve.pen())? {
+        for piece in panel.line(&curve.points, curve.pen()) {
             labels.placer.keep_off(&piece);
         }
     }
     panel.axes(r"$\tau$", r"$\delta$")?;
     name_above(&panel, &curves)?;
-    for point in figure.points.iter().map(|point| (point.tau, point.delta)) {
-        if let Some(taken) = panel.marker(point, Marker::Star)? {
+    for point in points.iter().map(|point| (point.tau, point.delta)) {
+        if let Some(taken) = panel.marker(point, Marker::Star) {
             labels.placer.block(taken);
             let reach = 0.5 * (taken.right - taken.left);
             labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Wanted::Around(panel.spot(point), reach))?;
@@ -111,8 +96,12 @@ pub(crate) fn compose(figure: &Figure04<'_>, width: SheetWidth) -> Result<Canvas
         }
     }
     labels.draw()?;
-    drop(panel);
-    Ok(canvas)
+    canvas.finish(
+        "fig04",
+        "The boundaries g_p and h_p in the trapesium",
+        "Trace across, determinant up. Solid: tau = g_p(delta), where the p-loop solution is in resonance. Dashed: tau = \
+         h_p(delta), beyond which it is known to be admissible. Star: the grazing bifurcation of Figure 2.",
+    )
 }
 
 /// Names the curves in a row above their upper ends.
@@ -135,20 +124,20 @@ fn name_above(panel: &Panel<'_>, curves: &[Curve]) -> Result<(), DrawingError> {
     names.sort_by(|a, b| (a.end.0 + a.before).total_cmp(&(b.end.0 + b.before)));
     let mut boxes = Vec::new();
     for name in &names {
-        let extent = panel.canvas.measure(&Label::parse(&name.text)?, LABEL_SIZE)?;
+        let extent = panel.canvas.fonts.measure(&Label::parse(&name.text)?, LABEL_SIZE)?;
         boxes.push((name.end.0, extent.width));
     }
     for (name, x) in names.iter().zip(side_by_side(&boxes, NAME_GAP)) {
         let (end, top) = (name.end, panel.bounds.top);
         let colour: Colour = name.curve.pen().colour;
         let leader = [(end.0, end.1 - 0.6), (x, top - NAMES_ABOVE + 2.5)];
-        panel.canvas.draw(&leader, Ink::Line(CURVE_LEADER))?;
+        panel.canvas.line(&leader, CURVE_LEADER);
         panel.canvas.text((x, top - NAMES_ABOVE), &name.text, LABEL_SIZE, Anchor::Middle, colour)?;
     }
     Ok(())
 }
 
-fn curves(points: &[BoundaryPoint]) -> Vec<Curve> {
+fn shown_curves(points: &[BoundaryPoint]) -> Vec<Curve> {
     let curve = |points: &[BoundaryPoint]| Curve {
         family: points[0].kind,
         p: points[0].loops,
@@ -160,67 +149,31 @@ fn curves(points: &[BoundaryPoint]) -> Vec<Curve> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::inspection::{coordinates, off_the_sheet};
+    use crate::samples::{integer, known, number, written};
 
-    /// The outline, the limit, and for each p a solid and a dashed curve; some share their ends.
-    fn sample() -> (Vec<BoundaryPoint>, Vec<Star>) {
-        let mut rows = [(-1.0, 0.0), (1.0, 0.0), (2.0, 1.0), (-2.0, 1.0), (-1.0, 0.0)]
-            .map(|(tau, delta)| BoundaryPoint { kind: Boundary::Trapesium, loops: 0, tau, delta })
-            .to_vec();
-        let mut curve = |kind, loops, end: f64, bulge: f64| {
-            for k in 0..=100 {
-                let root = f64::from(k) / 100.0;
-                let tau = end * root + bulge * root * (1.0 - root);
-                rows.push(BoundaryPoint { kind, loops, tau, delta: root * root });
-            }
+    #[test]
+    fn every_curve_is_named_and_families_differ_without_colour() {
+        let point = |row: &Vec<String>| BoundaryPoint {
+            kind: known(&row[0], Boundary::ALL, Boundary::name),
+            loops: integer(&row[1]),
+            tau: number(&row[2]),
+            delta: number(&row[3]),
         };
-        curve(Boundary::Limit, 0, 2.0, 0.0);
-        for (p, g, h) in [(2, 0.0, -2.0), (3, 1.0, -1.0), (4, 1.4, 0.0), (5, 1.6, 0.6), (6, 1.7, 1.0)] {
-            curve(Boundary::Resonance, p, g, 0.0);
-            curve(Boundary::Admissibility, p, h, if p > 3 { 1.2 } else { 0.0 });
-        }
-        (rows, vec![Star { kind: "fig02", tau: -0.25, delta: 0.7 }])
-    }
-
-    fn with_sample<T>(test: impl Fn(&Figure04<'_>) -> T) -> T {
-        let (curves, points) = sample();
-        test(&Figure04 { curves: &curves, points: &points })
-    }
-
-    #[test]
-    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
-        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
-            let misplaced = with_sample(|figure| compose(figure, width).unwrap().misplaced_texts());
-            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
-        }
-    }
-
-    #[test]
-    fn every_curve_is_named_and_the_star_says_where_it_comes_from() {
-        let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
-        for p in 2..=6 {
-            for family in ["g", "h"] {
-                let name = format!(">{family}</tspan>");
-                assert_eq!(svg.matches(&name).count(), 5);
+        let rows: Vec<BoundaryPoint> = written("fig04_curves").iter().map(point).collect();
+        let star = Star { kind: "fig02", tau: -0.25, delta: 0.7 };
+        let svg = draw_fig04(&rows, &[star], SheetWidth::Paper).unwrap();
+        let curves = shown_curves(&rows);
+        for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
+            let own = curves.iter().filter(|curve| curve.family == kind);
+            assert_eq!(svg.matches(&format!(">{family}</tspan>")).count(), own.clone().count());
+            for Curve { p, .. } in own {
                 assert!(svg.contains(&format!(">{p}</tspan>")), "{p}");
             }
         }
         assert!(svg.contains(">Fig. 2<") && svg.contains('√'));
         // Both slanted sides: δ + 1 and −δ − 1, besides the axis titles and the limit.
         assert_eq!(svg.matches(">δ</tspan>").count(), 4);
-    }
-
-    #[test]
-    fn families_differ_without_colour() {
-        let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
-        assert_eq!(svg.matches("stroke-width=\"1.1\"").count(), 10);
-        assert_eq!(svg.matches("stroke-width=\"1.1\" stroke-dasharray").count(), 5);
-    }
-
-    #[test]
-    fn everything_is_on_the_sheet() {
-        let svg = with_sample(|figure| draw_fig04(figure, SheetWidth::Paper).unwrap());
-        assert!(coordinates(&svg).len() > 200);
-        assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
+        let families = svg.matches("stroke-width=\"1.1\"").count();
+        assert_eq!(2 * svg.matches("stroke-width=\"1.1\" stroke-dasharray").count(), families);
     }
 }

@@ -1,6 +1,5 @@
 //! Figure 5: the unfolding of a resonant grazing bifurcation.
 
-use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::plane::RegionKind;
 use grazing_results::sketches::{UnfoldingPoint, UnfoldingResonance, UnfoldingVertex};
 
@@ -8,7 +7,7 @@ use crate::DrawingError;
 use crate::axes::{Marker, Panel};
 use crate::canvas::Canvas;
 use crate::clip::Window;
-use crate::kinds::{pen, text_colour};
+use crate::kinds::{Curve, draw_curves, label, text_colour};
 use crate::labels::{Labels, Wanted};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
@@ -57,22 +56,13 @@ const HEIGHT_MM: f64 = 58.0;
 /// # Errors
 /// [`DrawingError`] if the window is empty.
 pub fn draw_fig05(figure: &Figure05<'_>, width: SheetWidth) -> Result<String, DrawingError> {
-    compose(figure, width)?.finish(
-        "fig05",
-        "Unfolding of a resonant grazing bifurcation",
-        "Distance from grazing across, distance from resonance up. Half-parabolas of saddle-node (SN) and period-doubling \
-         (PD) bifurcations touch the line of grazing bifurcations in the resonance. Light grey: the non-impacting solution \
-         is stable; dark: a p-loop maximal periodic solution is.",
-    )
-}
-
-pub(crate) fn compose(figure: &Figure05<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
     let window = figure.window.checked("fig05")?;
-    let curves: Vec<(Bifurcation, Vec<_>)> = figure
-        .curves
-        .chunk_by(|a, b| a.kind == b.kind)
-        .map(|points| (points[0].kind, points.iter().map(|point| (point.mu, point.eta)).collect()))
-        .collect();
+    let curve = |points: &[UnfoldingPoint]| Curve {
+        kind: points[0].kind,
+        approximate: false,
+        points: points.iter().map(|point| (point.mu, point.eta)).collect(),
+    };
+    let curves = figure.curves.chunk_by(|a, b| a.kind == b.kind).map(curve).collect();
     let regions: Vec<(RegionKind, Vec<_>)> = figure
         .regions
         .chunk_by(|a, b| a.region == b.region)
@@ -87,20 +77,14 @@ pub(crate) fn compose(figure: &Figure05<'_>, width: SheetWidth) -> Result<Canvas
     let mut shapes: Vec<(RegionKind, Vec<Spot>)> = Vec::new();
     for (kind, vertices) in &regions {
         let shape = match paint(*kind) {
-            Some(paint) => panel.fill(vertices, paint)?,
+            Some(paint) => panel.fill(vertices, paint),
             None => vertices.iter().map(|&vertex| panel.spot(vertex)).collect(),
         };
         shapes.push((*kind, shape));
     }
-    let mut drawn: Vec<(Bifurcation, Vec<Spot>)> = Vec::new();
-    for (kind, points) in &curves {
-        for piece in panel.line(points, pen(*kind))? {
-            labels.placer.keep_off(&piece);
-            drawn.push((*kind, piece));
-        }
-    }
+    let drawn = draw_curves(&panel, &mut labels, curves);
     for point in figure.points.iter().map(|point| (point.mu, point.eta)) {
-        if let Some(taken) = panel.marker(point, Marker::Triangle)? {
+        if let Some(taken) = panel.marker(point, Marker::Triangle) {
             labels.placer.block(taken.grown(0.5));
         }
     }
@@ -113,88 +97,52 @@ pub(crate) fn compose(figure: &Figure05<'_>, width: SheetWidth) -> Result<Canvas
         }
     }
     for (kind, piece) in &drawn {
-        let text = if *kind == Bifurcation::NonImpactingGrazing { "grazing" } else { kind.name() };
-        labels.add(text, LABEL_SIZE, text_colour(*kind), &Wanted::Beside(piece))?;
+        labels.add(label(*kind, "grazing"), LABEL_SIZE, text_colour(*kind), &Wanted::Beside(piece))?;
     }
     labels.draw()?;
-    drop(panel);
-    Ok(canvas)
+    canvas.finish(
+        "fig05",
+        "Unfolding of a resonant grazing bifurcation",
+        "Distance from grazing across, distance from resonance up. Half-parabolas of saddle-node (SN) and period-doubling \
+         (PD) bifurcations touch the line of grazing bifurcations in the resonance. Light grey: the non-impacting solution \
+         is stable; dark: a p-loop maximal periodic solution is.",
+    )
 }
 
 #[cfg(test)]
 mod tests {
-    use grazing_continuation::bifurcation::CodimensionTwo;
+    use grazing_continuation::bifurcation::Bifurcation;
 
     use super::*;
-    use crate::inspection::{coordinates, off_the_sheet};
-
-    fn with_sample<T>(test: impl Fn(&Figure05<'_>) -> T) -> T {
-        let parabola = |c: f64, side: f64| {
-            (0..=50).map(move |k| side * f64::from(k) / 50.0).map(move |eta| (c * eta * eta, eta))
-        };
-        let (sn, pd) = (|| parabola(-0.8, -1.0), || parabola(0.3, 1.0));
-        let curve = |kind: Bifurcation, points: Vec<(f64, f64)>| {
-            points.into_iter().map(move |(mu, eta)| UnfoldingPoint { kind, mu, eta })
-        };
-        let curves: Vec<_> = curve(Bifurcation::NonImpactingGrazing, vec![(0.0, -1.0), (0.0, 1.0)])
-            .chain(curve(Bifurcation::SaddleNode, sn().collect()))
-            .chain(curve(Bifurcation::PeriodDoubling, pd().collect()))
-            .collect();
-        let region = |region: u32, kind: RegionKind, vertices: Vec<(f64, f64)>| {
-            vertices.into_iter().map(move |(mu, eta)| UnfoldingVertex { region, kind, mu, eta })
-        };
-        let stable = sn().collect::<Vec<_>>().into_iter().rev().chain(pd());
-        let below = vec![(0.0, -1.0), (0.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)];
-        let regions: Vec<_> = region(1, RegionKind::NonImpacting, below)
-            .chain(region(2, RegionKind::Mps, stable.chain([(1.0, 1.0), (1.0, -1.0)]).collect()))
-            .chain(region(3, RegionKind::Both, sn().chain([(0.0, -1.0)]).collect()))
-            .collect();
-        let (kind, mu, eta) = (CodimensionTwo::Resonance, 0.0, 0.0);
-        test(&Figure05 {
-            curves: &curves,
-            points: &[UnfoldingResonance { kind, loops: 1, n: 1, mu, eta }],
-            regions: &regions,
-            window: Window { x: [-1.0, 1.0], y: [-1.0, 1.0] },
-        })
-    }
+    use crate::samples::{integer, known, number, written};
+    use crate::sheet::span;
 
     #[test]
-    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
-        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
-            let misplaced = with_sample(|figure| compose(figure, width).unwrap().misplaced_texts());
-            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
-        }
-    }
-
-    #[test]
-    fn curves_and_regions_are_named() {
-        let svg = with_sample(|figure| draw_fig05(figure, SheetWidth::Paper).unwrap());
-        for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<"] {
+    fn curves_and_regions_are_named_and_the_overlap_is_shaded_by_its_two_regions_alone() {
+        const KINDS: [Bifurcation; 3] =
+            [Bifurcation::NonImpactingGrazing, Bifurcation::SaddleNode, Bifurcation::PeriodDoubling];
+        let point = |row: &Vec<String>| UnfoldingPoint {
+            kind: known(&row[0], &KINDS, Bifurcation::name),
+            mu: number(&row[1]),
+            eta: number(&row[2]),
+        };
+        let vertex = |row: &Vec<String>| UnfoldingVertex {
+            region: integer(&row[0]),
+            kind: known(&row[1], RegionKind::ALL, RegionKind::name),
+            mu: number(&row[2]),
+            eta: number(&row[3]),
+        };
+        let curves: Vec<_> = written("fig05_curves").iter().map(point).collect();
+        let regions: Vec<_> = written("fig05_regions").iter().map(vertex).collect();
+        let (x, y) = (span(regions.iter().map(|at| at.mu)), span(regions.iter().map(|at| at.eta)));
+        let window = Window { x, y };
+        let figure = Figure05 { curves: &curves, points: &[], regions: &regions, window };
+        let svg = draw_fig05(&figure, SheetWidth::Paper).unwrap();
+        for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<", "-loop MPS<"]
+        {
             assert!(svg.contains(label), "{label}");
         }
-        assert!(svg.contains("-loop MPS<"));
-    }
-
-    #[test]
-    fn the_overlap_is_shaded_by_its_two_regions_and_not_once_more() {
-        let svg = with_sample(|figure| draw_fig05(figure, SheetWidth::Paper).unwrap());
         assert_eq!(svg.matches("fill=\"#e9e9e9\"").count(), 1);
         assert_eq!(svg.matches("fill-opacity=\"0.3\"").count(), 1);
-    }
-
-    #[test]
-    fn everything_is_on_the_sheet() {
-        let svg = with_sample(|figure| draw_fig05(figure, SheetWidth::Paper).unwrap());
-        assert!(coordinates(&svg).len() > 50);
-        assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
-    }
-
-    #[test]
-    fn a_reversed_window_is_an_error() {
-        with_sample(|figure| {
-            let window = Window { x: [1.0, -1.0], ..figure.window };
-            let error = draw_fig05(&Figure05 { window, ..*figure }, SheetWidth::Paper).unwrap_err();
-            assert!(matches!(error, DrawingError::Window { window, .. } if window == "fig05"));
-        });
     }
 }

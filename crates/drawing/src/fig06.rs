@@ -4,13 +4,12 @@ use grazing_results::sketches::{Part, PartPoint};
 
 use crate::DrawingError;
 use crate::arrow::{arrow, double_arrow};
-use crate::canvas::{Canvas, Ink};
-use crate::sheet::{Bounds, Spot};
+use crate::canvas::{Anchor, Canvas};
+use crate::sheet::{Bounds, Spot, span};
 use crate::style::{
     AXIS, BLACK, BODY, BODY_OUTLINE, FORCE, LABEL_SIZE, PISTON, PROJECTION, SMALL_LABEL_SIZE, SheetWidth,
     TICK_SIZE, TITLE_SIZE, WALL, WALL_FACE, WALL_HATCHING, WIRE,
 };
-use crate::svg_backend::Anchor;
 
 /// A polyline of a part, on the sheet.
 struct Piece {
@@ -32,7 +31,12 @@ const ABOVE: f64 = 15.0;
 /// # Errors
 /// [`DrawingError`] if the parts have no extent.
 pub fn draw_fig06(parts: &[PartPoint], width: SheetWidth) -> Result<String, DrawingError> {
-    compose(parts, width)?.finish(
+    let (canvas, pieces) = on_sheet(parts, width.mm(WIDTH_MM))?;
+    for piece in &pieces {
+        draw(&canvas, piece);
+    }
+    label(&canvas, &pieces)?;
+    canvas.finish(
         "fig06",
         "The impact oscillator",
         "A block on a spring and a dashpot, driven by a harmonic force; its face is at x, its equilibrium at x = -1, and a \
@@ -40,17 +44,8 @@ pub fn draw_fig06(parts: &[PartPoint], width: SheetWidth) -> Result<String, Draw
     )
 }
 
-pub(crate) fn compose(parts: &[PartPoint], width: SheetWidth) -> Result<Canvas, DrawingError> {
-    let (canvas, pieces) = on_sheet(parts, width.mm(WIDTH_MM))?;
-    for piece in &pieces {
-        draw(&canvas, piece)?;
-    }
-    label(&canvas, &pieces)?;
-    Ok(canvas)
-}
-
-fn draw(canvas: &Canvas, Piece { part, path }: &Piece) -> Result<(), DrawingError> {
-    let ends = path.first().copied().zip(path.last().copied());
+fn draw(canvas: &Canvas, Piece { part, path }: &Piece) {
+    let ends = [path[0], path[path.len() - 1]];
     let pen = match part {
         Part::AnchorHatching | Part::WallHatching => WALL_HATCHING,
         Part::Anchor | Part::Wall => WALL,
@@ -59,15 +54,13 @@ fn draw(canvas: &Canvas, Piece { part, path }: &Piece) -> Result<(), DrawingErro
         Part::Tick => AXIS,
         Part::Spring | Part::Rod | Part::Cylinder => WIRE,
         Part::Piston => PISTON,
-        Part::Wheel => return canvas.draw(path, Ink::Polygon(WALL_FACE, Some(AXIS))),
-        Part::Block => return canvas.draw(path, Ink::Polygon(BODY, Some(BODY_OUTLINE))),
-        Part::Axis => return ends.map_or(Ok(()), |(from, to)| arrow(canvas, &[from, to], 0.0, AXIS)),
-        Part::Force => return ends.map_or(Ok(()), |(from, to)| arrow(canvas, &[from, to], 0.0, FORCE)),
-        Part::Dimension => {
-            return ends.map_or(Ok(()), |(from, to)| double_arrow(canvas, [from, to], AXIS));
-        }
+        Part::Wheel => return canvas.polygon(path, WALL_FACE, Some(AXIS)),
+        Part::Block => return canvas.polygon(path, BODY, Some(BODY_OUTLINE)),
+        Part::Axis => return arrow(canvas, &ends, 0.0, AXIS),
+        Part::Force => return arrow(canvas, &ends, 0.0, FORCE),
+        Part::Dimension => return double_arrow(canvas, ends, AXIS),
     };
-    canvas.draw(path, Ink::Line(pen))
+    canvas.line(path, pen);
 }
 
 /// Names the parts.
@@ -115,29 +108,18 @@ fn label(canvas: &Canvas, pieces: &[Piece]) -> Result<(), DrawingError> {
 
 /// The box around polylines; none if there are none.
 fn extent<'a>(paths: impl Iterator<Item = &'a Vec<Spot>>) -> Option<Bounds> {
-    let mut around: Option<Bounds> = None;
-    for &(x, y) in paths.flatten() {
-        let known = around.unwrap_or(Bounds { left: x, top: y, right: x, bottom: y });
-        around = Some(Bounds {
-            left: known.left.min(x),
-            top: known.top.min(y),
-            right: known.right.max(x),
-            bottom: known.bottom.max(y),
-        });
-    }
-    around
+    let spots: Vec<Spot> = paths.flatten().copied().collect();
+    let [left, right] = span(spots.iter().map(|spot| spot.0));
+    let [top, bottom] = span(spots.iter().map(|spot| spot.1));
+    (!spots.is_empty()).then_some(Bounds { left, top, right, bottom })
 }
 
 /// Lays the parts on a sheet of the given width, as high as they need, at one scale across and up.
 fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), DrawingError> {
-    let span = |value: fn(&PartPoint) -> f64| {
-        let low = parts.iter().map(value).fold(f64::INFINITY, f64::min);
-        [low, parts.iter().map(value).fold(f64::NEG_INFINITY, f64::max)]
-    };
-    let window =
-        crate::Window { x: span(|point| point.x), y: span(|point| point.height) }.checked("fig06")?;
+    let (x, y) = (span(parts.iter().map(|point| point.x)), span(parts.iter().map(|point| point.height)));
+    let window = crate::Window { x, y }.checked("fig06")?;
     let [[left, right], [low, high]] = [window.x, window.y];
-    let millimetre = crate::svg_backend::POINTS_PER_MM;
+    let millimetre = crate::svg::POINTS_PER_MM;
     let scale = (width_mm * millimetre - 2.0 * SIDE) / (right - left);
     let sheet_height = (high - low) * scale + ABOVE + BELOW;
     let canvas = Canvas::new(width_mm, sheet_height / millimetre)?;
@@ -151,67 +133,32 @@ fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::inspection::{coordinates, off_the_sheet};
+    use crate::samples::{integer, known, number, written};
 
-    fn sample() -> Vec<PartPoint> {
-        let rectangle = |l: f64, r: f64, b: f64, t: f64| vec![(l, b), (r, b), (r, t), (l, t), (l, b)];
-        let pieces = vec![
-            (Part::AnchorHatching, 1, vec![(-4.2, 0.0), (-4.0, 0.2)]),
-            (Part::Anchor, 1, vec![(-4.0, 0.0), (-4.0, 1.4)]),
-            (Part::WallHatching, 1, vec![(0.0, 0.0), (0.2, 0.2)]),
-            (Part::Wall, 1, vec![(0.0, 0.0), (0.0, 1.4)]),
-            (Part::Floor, 1, vec![(-4.0, 0.0), (0.0, 0.0)]),
-            (Part::Guide, 1, vec![(-1.0, 0.6), (-1.0, -0.4)]),
-            (Part::Axis, 1, vec![(-2.4, -0.4), (0.4, -0.4)]),
-            (Part::Tick, 1, vec![(-1.5, -0.4), (-1.5, -0.33)]),
-            (Part::Tick, 2, vec![(-1.0, -0.4), (-1.0, -0.33)]),
-            (Part::Tick, 3, vec![(0.0, -0.4), (0.0, -0.33)]),
-            (Part::Spring, 1, vec![(-4.0, 0.9), (-3.3, 1.05), (-3.1, 0.75), (-2.4, 0.9)]),
-            (Part::Cylinder, 1, vec![(-2.7, 0.55), (-3.7, 0.55), (-3.7, 0.3), (-2.7, 0.3)]),
-            (Part::Rod, 1, vec![(-3.3, 0.42), (-2.4, 0.42)]),
-            (Part::Piston, 1, vec![(-3.3, 0.33), (-3.3, 0.51)]),
-            (Part::Wheel, 1, rectangle(-2.2, -2.1, 0.0, 0.1)),
-            (Part::Block, 1, rectangle(-2.4, -1.5, 0.1, 1.2)),
-            (Part::Force, 1, vec![(-1.5, 0.9), (-0.7, 0.9)]),
-            (Part::Dimension, 1, vec![(-1.0, 0.3), (0.0, 0.3)]),
-        ];
-        let rows = |(part, piece, points): (Part, u32, Vec<(f64, f64)>)| {
-            points.into_iter().map(move |(x, height)| PartPoint { part, piece, x, height })
+    #[test]
+    fn everything_is_named_and_lengths_keep_their_ratio_across_and_up() {
+        let point = |row: &Vec<String>| PartPoint {
+            part: known(&row[0], Part::ALL, Part::name),
+            piece: integer(&row[1]),
+            x: number(&row[2]),
+            height: number(&row[3]),
         };
-        pieces.into_iter().flat_map(rows).collect()
-    }
-
-    #[test]
-    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
-        let parts = sample();
-        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
-            let misplaced = compose(&parts, width).unwrap().misplaced_texts();
-            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
-        }
-    }
-
-    #[test]
-    fn lengths_keep_their_ratio_across_and_up() {
-        let parts = sample();
-        let (_, drawn) = on_sheet(&parts, 90.0).unwrap();
-        let block = drawn.iter().find(|piece| piece.part == Part::Block).unwrap();
-        let Bounds { left, top, right, bottom } = extent(std::iter::once(&block.path)).unwrap();
-        // 0.9 wide and 1.1 high; one rounding of each coordinate of some 100 points.
-        assert!(((right - left) / (bottom - top) - 0.9 / 1.1).abs() < 1e-12);
-    }
-
-    #[test]
-    fn everything_is_named_and_on_the_sheet() {
-        let parts = sample();
+        let parts: Vec<PartPoint> = written("fig06_parts").iter().map(point).collect();
         let svg = draw_fig06(&parts, SheetWidth::Paper).unwrap();
         for label in
             [">unit stiffness<", ">unit<", ">mass<", ">equilibrium<", "restitution ", "damping 2", ">−1<"]
         {
             assert!(svg.contains(label), "{label}");
         }
-        assert!(coordinates(&svg).len() > 50);
-        assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
-        // Heads of the axis, of the force and of both ends of the dimension; wheel and block.
-        assert_eq!(svg.matches("Z\"").count(), 6);
+        let (_, drawn) = on_sheet(&parts, 90.0).unwrap();
+        let sheet = drawn.iter().find(|piece| piece.part == Part::Block).unwrap();
+        let block: Vec<Spot> =
+            parts.iter().filter(|point| point.part == Part::Block).map(|at| (at.x, at.height)).collect();
+        let ratio = |path: &Vec<Spot>| {
+            let Bounds { left, top, right, bottom } = extent(std::iter::once(path)).unwrap();
+            (right - left) / (bottom - top)
+        };
+        // One rounding of each coordinate of some 100 points.
+        assert!((ratio(&sheet.path) - ratio(&block)).abs() < 1e-12);
     }
 }

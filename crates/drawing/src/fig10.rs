@@ -3,12 +3,12 @@
 use grazing_results::sketches::Visit;
 
 use crate::DrawingError;
-use crate::arrow::{arrowhead, head_length};
+use crate::arrow::head_on;
 use crate::axes::{Marker, Panel};
 use crate::canvas::Canvas;
 use crate::clip::Window;
 use crate::labels::{Labels, Wanted};
-use crate::sheet::{Bounds, Spot, along, distance, inside};
+use crate::sheet::{Bounds, Spot, distance, inside, span};
 use crate::style::{
     BLACK, DISC_RADIUS, LABEL_SIZE, PATH, PATH_AREA, SMALL_LABEL_SIZE, SheetWidth, THRESHOLD,
 };
@@ -26,15 +26,6 @@ const POINTED_LENGTH: f64 = 14.0;
 /// # Errors
 /// [`DrawingError`] if the vertices span no area.
 pub fn draw_fig10(path: &[Visit], width: SheetWidth) -> Result<String, DrawingError> {
-    compose(path, width)?.finish(
-        "fig10",
-        "The path P",
-        "The scaled visits of an emerging maximal periodic solution to the Poincaré section, joined in order: a convex path \
-         that begins and ends on the w-axis and lies left of it between.",
-    )
-}
-
-pub(crate) fn compose(path: &[Visit], width: SheetWidth) -> Result<Canvas, DrawingError> {
     let vertices: Vec<(f64, f64)> = path.iter().map(|visit| (visit.u, visit.w)).collect();
     let window =
         Window { x: extent(&vertices, |v| v.0, MARGIN[0]), y: extent(&vertices, |v| v.1, MARGIN[1]) }
@@ -45,23 +36,18 @@ pub(crate) fn compose(path: &[Visit], width: SheetWidth) -> Result<Canvas, Drawi
     let panel = Panel::new(&canvas, window, bounds);
     let mut labels = Labels::new(&canvas, bounds);
 
-    panel.fill(&vertices, PATH_AREA)?;
-    for axis in panel.line(&[(0.0, window.y[0]), (0.0, window.y[1])], THRESHOLD)? {
+    panel.fill(&vertices, PATH_AREA);
+    for axis in panel.line(&[(0.0, window.y[0]), (0.0, window.y[1])], THRESHOLD) {
         labels.placer.keep_off_nameless(&axis);
     }
-    for line in panel.line(&vertices, PATH)? {
+    for line in panel.line(&vertices, PATH) {
         labels.placer.keep_off(&line);
         for segment in line.windows(2).filter(|s| distance(s[0], s[1]) >= POINTED_LENGTH) {
-            // The head's middle on the segment's.
-            if let Some((middle, direction)) = along(segment, 0.5) {
-                let size = head_length(PATH);
-                let tip = (middle.0 + 0.5 * size * direction.0, middle.1 + 0.5 * size * direction.1);
-                arrowhead(&canvas, tip, direction, size, PATH.colour)?;
-            }
+            head_on(&canvas, segment, 0.5, PATH);
         }
     }
     for &vertex in &vertices {
-        if let Some(taken) = panel.marker(vertex, Marker::Disc)? {
+        if let Some(taken) = panel.marker(vertex, Marker::Disc) {
             labels.placer.block(taken);
         }
     }
@@ -76,8 +62,12 @@ pub(crate) fn compose(path: &[Visit], width: SheetWidth) -> Result<Canvas, Drawi
     }
     labels.add(r"$\mathcal{P}$", LABEL_SIZE, PATH.colour, &Wanted::Within(&outline))?;
     labels.draw()?;
-    drop(panel);
-    Ok(canvas)
+    canvas.finish(
+        "fig10",
+        "The path P",
+        "The scaled visits of an emerging maximal periodic solution to the Poincaré section, joined in order: a convex path \
+         that begins and ends on the w-axis and lies left of it between.",
+    )
 }
 
 /// A grid of spots, a point apart, inside a polygon.
@@ -91,8 +81,7 @@ fn inner_spots(outline: &[Spot]) -> impl Iterator<Item = Spot> {
 
 /// The range of a coordinate with its margin.
 fn extent(vertices: &[(f64, f64)], coordinate: impl Fn(&(f64, f64)) -> f64, share: f64) -> [f64; 2] {
-    let low = vertices.iter().map(&coordinate).fold(f64::INFINITY, f64::min);
-    let high = vertices.iter().map(&coordinate).fold(f64::NEG_INFINITY, f64::max);
+    let [low, high] = span(vertices.iter().map(coordinate));
     let margin = share * (high - low);
     [low - margin, high + margin]
 }
@@ -100,7 +89,7 @@ fn extent(vertices: &[(f64, f64)], coordinate: impl Fn(&(f64, f64)) -> f64, shar
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::inspection::{coordinates, off_the_sheet};
+    use crate::inspection::coordinates;
 
     fn path(places: &[(f64, f64)]) -> Vec<Visit> {
         (0..).zip(places).map(|(visit, &(u, w))| Visit { visit, u, w }).collect()
@@ -108,15 +97,6 @@ mod tests {
 
     fn sample() -> Vec<Visit> {
         path(&[(0.0, -3.7), (-2.5, -3.2), (-3.8, -1.2), (-3.5, 1.0), (-2.2, 2.1), (-0.8, 1.9), (0.0, 0.7)])
-    }
-
-    #[test]
-    fn no_two_labels_overlap_and_none_leaves_the_sheet() {
-        let path = sample();
-        for width in [SheetWidth::Paper, SheetWidth::OneColumn, SheetWidth::TwoColumns] {
-            let misplaced = compose(&path, width).unwrap().misplaced_texts();
-            assert!(misplaced.is_empty(), "{width:?}: {misplaced:?}");
-        }
     }
 
     #[test]
@@ -133,8 +113,7 @@ mod tests {
     #[test]
     fn vertices_are_named_outside_the_path() {
         let path = sample();
-        let canvas = compose(&path, SheetWidth::Paper).unwrap();
-        let svg = canvas.finish("fig10", "", "").unwrap();
+        let svg = draw_fig10(&path, SheetWidth::Paper).unwrap();
         let area =
             svg.lines().find(|line| line.contains("fill-opacity=\"0.1\"")).expect("the area is filled");
         let outline = coordinates(area);
@@ -142,14 +121,6 @@ mod tests {
             let middle = coordinates(&text.replace(" x=", " cx=").replace(" y=", " cy="))[0];
             assert!(!inside(&outline, middle), "{text}");
         }
-    }
-
-    #[test]
-    fn everything_is_on_the_sheet() {
-        let path = sample();
-        let svg = draw_fig10(&path, SheetWidth::Paper).unwrap();
-        assert!(coordinates(&svg).len() > 40);
-        assert!(off_the_sheet(&svg).is_empty(), "{:?}", off_the_sheet(&svg));
     }
 
     #[test]

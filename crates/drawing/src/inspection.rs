@@ -15,15 +15,6 @@ pub(crate) fn coordinates(svg: &str) -> Vec<(f64, f64)> {
     found
 }
 
-/// Coordinates that are not on the sheet, or not numbers: none, in a good figure.
-pub(crate) fn off_the_sheet(svg: &str) -> Vec<(f64, f64)> {
-    let size = attribute(svg, "viewBox").next().unwrap_or_default();
-    let size: Vec<f64> = size.split(' ').filter_map(|side| side.parse().ok()).collect();
-    let [_, _, width, height] = size[..] else { panic!("the viewBox has four numbers") };
-    let on_sheet = |&(x, y): &(f64, f64)| (0.0..=width).contains(&x) && (0.0..=height).contains(&y);
-    coordinates(svg).into_iter().filter(|spot| !on_sheet(spot)).collect()
-}
-
 /// The spots of each path that is drawn with this colour.
 pub(crate) fn paths(svg: &str, colour: &str) -> Vec<Vec<(f64, f64)>> {
     let stroke = format!("stroke=\"{colour}\"");

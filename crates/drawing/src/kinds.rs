@@ -1,13 +1,14 @@
-//! The bifurcations with the pen and the label each is drawn with, and the regions.
+//! What a parameter plane shows: bifurcation curves with the pen and the label of each kind, codimension-two points, regions.
 
-use grazing_continuation::bifurcation::Bifurcation;
-use grazing_results::plane::{RegionKind, RegionVertex};
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_results::plane::{RegionKind, RegionVertex, SpecialPoint};
 
-use crate::DrawingError;
-use crate::axes::Panel;
-use crate::sheet::Spot;
+use crate::axes::{Marker, Panel};
+use crate::labels::Labels;
+use crate::sheet::{Bounds, Spot};
 use crate::style::{
     Colour, GRAZ, MPS_AREA, MPS_GRAZING, NON_IMPACTING_AREA, PERIOD_DOUBLING, Pen, SADDLE_NODE, UNDECIDED,
+    approximation,
 };
 
 pub(crate) fn pen(bifurcation: Bifurcation) -> Pen {
@@ -27,12 +28,61 @@ pub(crate) fn text_colour(bifurcation: Bifurcation) -> Colour {
     }
 }
 
-/// The label, in the markup of labels.
-pub(crate) fn label(bifurcation: Bifurcation) -> &'static str {
+/// The label, in the markup of labels; `grazing` names the grazing curve of the non-impacting solution.
+pub(crate) fn label(bifurcation: Bifurcation, grazing: &str) -> &str {
     match bifurcation {
-        Bifurcation::NonImpactingGrazing => r"$\mathcal{A}_{\mathrm{graz}}$",
+        Bifurcation::NonImpactingGrazing => grazing,
         other => other.name(),
     }
+}
+
+/// A curve of the parameter plane; points are (across, up).
+pub(crate) struct Curve {
+    pub(crate) kind: Bifurcation,
+    /// Not the curve itself, but its quadratic approximation.
+    pub(crate) approximate: bool,
+    pub(crate) points: Vec<(f64, f64)>,
+}
+
+/// Draws curves, the wide grazing curve lowest, approximations on top of what they approximate; returns the pieces of the others, from which
+/// labels are kept off.
+pub(crate) fn draw_curves(
+    panel: &Panel<'_>,
+    labels: &mut Labels<'_>,
+    mut curves: Vec<Curve>,
+) -> Vec<(Bifurcation, Vec<Spot>)> {
+    curves.sort_by_key(|curve| (curve.kind != Bifurcation::NonImpactingGrazing, curve.approximate));
+    let mut drawn = Vec::new();
+    for Curve { kind, approximate, points } in &curves {
+        let pen = if *approximate { approximation(pen(*kind)) } else { pen(*kind) };
+        for piece in panel.line(points, pen) {
+            if *approximate {
+                labels.placer.keep_off_nameless(&piece);
+            } else {
+                labels.placer.keep_off(&piece);
+                drawn.push((*kind, piece));
+            }
+        }
+    }
+    drawn
+}
+
+/// Marks codimension-two points, resonances above the others; returns those that are seen, with the boxes that they take.
+pub(crate) fn draw_points<'a>(
+    panel: &Panel<'_>,
+    labels: &mut Labels<'_>,
+    points: &'a [SpecialPoint],
+) -> Vec<(&'a SpecialPoint, Bounds)> {
+    let mut drawn = Vec::new();
+    for (marker, resonances) in [(Marker::Disc, false), (Marker::Triangle, true)] {
+        for point in points.iter().filter(|point| (point.kind == CodimensionTwo::Resonance) == resonances) {
+            if let Some(taken) = panel.marker((point.primary, point.secondary), marker) {
+                labels.placer.block(taken.grown(0.5));
+                drawn.push((point, taken));
+            }
+        }
+    }
+    drawn
 }
 
 /// A region of the parameter plane; vertices are (across, up).
@@ -61,11 +111,14 @@ impl Region {
     }
 
     /// Fills or hatches the region; returns its border on the sheet, if any of it shows.
-    pub(crate) fn draw(&self, panel: &Panel<'_>) -> Result<Vec<Spot>, DrawingError> {
+    pub(crate) fn draw(&self, panel: &Panel<'_>) -> Vec<Spot> {
         match self.kind {
             RegionKind::NonImpacting => panel.area(&self.rings, NON_IMPACTING_AREA),
             RegionKind::Mps | RegionKind::Both => panel.area(&self.rings, MPS_AREA),
-            RegionKind::Undecided => panel.hatch(&self.rings, UNDECIDED).map(|()| Vec::new()),
+            RegionKind::Undecided => {
+                panel.hatch(&self.rings, UNDECIDED);
+                Vec::new()
+            }
         }
     }
 }

@@ -3,13 +3,12 @@
 use grazing_continuation::bifurcation::Bifurcation;
 
 use crate::DrawingError;
-use crate::canvas::{Canvas, Ink};
-use crate::kinds;
+use crate::canvas::{Anchor, Canvas};
+use crate::kinds::{label, text_colour};
 use crate::markup::Label;
 use crate::placement::{Place, Placer};
 use crate::sheet::{Bounds, Spot, along, length, near};
 use crate::style::{Colour, LABEL_SIZE, LEADER, SMALL_LABEL_SIZE};
-use crate::svg_backend::Anchor;
 
 /// Free space kept around a label's ink, in points.
 const PADDING: f64 = 1.2;
@@ -72,7 +71,7 @@ impl<'c> Labels<'c> {
         let (mut width, mut ascent, mut descent) = (0.0_f64, 0.0_f64, 0.0_f64);
         for source in sources {
             let label = Label::parse(source)?;
-            let extent = self.canvas.measure(&label, size)?;
+            let extent = self.canvas.fonts.measure(&label, size)?;
             width = width.max(extent.width);
             ascent = ascent.max(extent.ascent);
             descent = descent.max(extent.descent);
@@ -111,12 +110,9 @@ impl<'c> Labels<'c> {
             if named.iter().any(again) {
                 continue;
             }
-            let (name, size) = if kind == Bifurcation::NonImpactingGrazing {
-                (grazing, LABEL_SIZE)
-            } else {
-                (kind.name(), SMALL_LABEL_SIZE)
-            };
-            self.add(name, size, kinds::text_colour(kind), &Wanted::Beside(&piece))?;
+            let large = kind == Bifurcation::NonImpactingGrazing;
+            let size = if large { LABEL_SIZE } else { SMALL_LABEL_SIZE };
+            self.add(label(kind, grazing), size, text_colour(kind), &Wanted::Beside(&piece))?;
             named.push((kind, piece));
         }
         Ok(())
@@ -126,18 +122,14 @@ impl<'c> Labels<'c> {
     pub(crate) fn draw(self) -> Result<(), DrawingError> {
         for Placed { lines, reach: (ascent, descent), size, colour, place } in &self.placed {
             if let Some((from, to)) = place.leader {
-                self.canvas.draw(&[from, to], Ink::Line(LEADER))?;
-            }
-            if let [label] = lines.as_slice() {
-                self.canvas.text_in(&place.bounds, label, *size, *colour)?;
-                continue;
+                self.canvas.line(&[from, to], LEADER);
             }
             let (x, y) = place.bounds.centre();
             let middle = y + 0.5 * (ascent - descent);
             for (index, label) in lines.iter().enumerate() {
                 let line = index as f64 - 0.5 * (lines.len() as f64 - 1.0);
                 let baseline = middle + LEADING * size * line;
-                self.canvas.text((x, baseline), &label.source, *size, Anchor::Middle, *colour)?;
+                self.canvas.label((x, baseline), label, *size, Anchor::Middle, *colour)?;
             }
         }
         Ok(())

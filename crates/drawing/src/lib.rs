@@ -1,13 +1,13 @@
 //! The figures of the paper as SVG, drawn from rows.
 //!
 //! For the two parameters of any oscillator there are [`Diagram`] with [`draw_diagram`], and [`Magnifications`] with
-//! [`draw_magnifications`]. For the paper there is one function a figure: [`draw_fig01`], [`draw_fig02`], and so on;
-//! Figures 7 and 8 are two of the former. A function gets rows ([`grazing_results`]) and windows, and returns the text of an SVG file. This crate
+//! [`draw_magnifications`]; Figures 7 and 8 of the paper are two of them. For each of its other figures there is a
+//! function of its own: [`draw_fig01`], [`draw_fig02`], and so on. A function gets rows ([`grazing_results`]) and windows, and returns the text of an SVG file. This crate
 //! knows rows, windows and ink; it computes nothing about impacts, and equal input gives equal bytes.
 //!
-//! plotters maps data to the sheet and passes elements to a backend of our own, which writes lengths in points with two
-//! decimals. Curves and polygons are clipped before plotters sees them, because it clamps points to the frame, and are
-//! split at NaN. Text stays text, in fonts that are embedded in each file and measured when labels are placed.
+//! A panel maps data to the sheet, whose lengths are points, and the sheet writes SVG with two decimals. Curves and
+//! polygons are clipped in data space, so that they leave a window at their own slope, and are split at NaN. Text stays
+//! text, in fonts that are embedded in each file and measured when labels are placed.
 
 #[cfg(test)]
 mod inspection;
@@ -31,8 +31,6 @@ mod fig03;
 mod fig04;
 mod fig05;
 mod fig06;
-mod fig07;
-mod fig08;
 mod fig09;
 mod fig10;
 mod font;
@@ -51,27 +49,22 @@ mod scene;
 mod sheet;
 mod simplify;
 mod style;
-mod svg_backend;
-mod svg_text;
+mod svg;
 mod ticks;
 
-pub use captions::Heading;
 pub use clip::Window;
 pub use diagram::{Diagram, Section, draw_diagram};
 pub use error::DrawingError;
 pub use fig01::draw_fig01;
 pub use fig02::{Figure02, draw_fig02};
 pub use fig03::draw_fig03;
-pub use fig04::{Figure04, draw_fig04};
+pub use fig04::draw_fig04;
 pub use fig05::{Figure05, draw_fig05};
 pub use fig06::draw_fig06;
-pub use fig07::{Figure07, draw_fig07};
-pub use fig08::{Figure08, draw_fig08};
 pub use fig09::draw_fig09;
 pub use fig10::draw_fig10;
 pub use font::FONT_FILES;
 pub use magnifications::{Magnifications, MagnifiedPanel, draw_magnifications};
-pub use magnified::Magnified;
 pub use plane::{Axis, Plane};
 pub use scene::SpaceFigure;
 pub use style::SheetWidth;

@@ -2,22 +2,20 @@
 
 use std::ops::Range;
 
-use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::bifurcation::Pair;
 use grazing_results::plane::{MagnifiedPoint, RegionVertex, Source, SpecialPoint};
 
 use crate::DrawingError;
 use crate::axes::Panel;
 use crate::canvas::Canvas;
-use crate::captions::{Caption, Heading};
-use crate::diagram::{MarkedPoint, marked_points};
+use crate::captions::Caption;
+use crate::clip::Window;
 use crate::font::Fonts;
-use crate::kinds::{Region, pen};
+use crate::kinds::{Curve, Region, draw_curves, draw_points};
 use crate::labels::Labels;
-use crate::magnified::Magnified;
 use crate::panel_grid::Grid;
 use crate::plane::Plane;
-use crate::sheet::Spot;
-use crate::style::{SheetWidth, approximation};
+use crate::style::SheetWidth;
 
 /// Magnifications about resonances.
 ///
@@ -47,17 +45,16 @@ pub struct Magnifications<'a> {
 /// One panel of [`Magnifications`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MagnifiedPanel {
-    /// Its number and its window.
-    pub shown: Magnified,
-    /// What is written over it beside its letter.
-    pub heading: Option<Heading>,
-}
-
-struct Curve {
-    panel: u32,
-    kind: Bifurcation,
-    approximate: bool,
-    points: Vec<(f64, f64)>,
+    /// Its number, from 1; the letter (a) stands for the first.
+    pub panel: u32,
+    /// What it shows, in units of the two parameters.
+    pub window: Window,
+    /// Number of loops p of the resonance about which it is.
+    pub loops: u32,
+    /// The integer n of that, if it is to be written.
+    pub n: Option<u32>,
+    /// c_SN and c_PD, in units of the primary parameter over the square of the secondary one; NaN is left out.
+    pub coefficients: Pair<f64>,
 }
 
 /// Curves shorter than this on the sheet (points) stay without a label.
@@ -83,35 +80,22 @@ pub fn draw_magnifications(
 }
 
 pub(crate) fn compose(figure: &Magnifications<'_>, width: SheetWidth) -> Result<Vec<Canvas>, DrawingError> {
-    for MagnifiedPanel { shown, .. } in figure.panels {
-        shown.window.checked(&format!("a panel of {}", figure.name))?;
+    for panel in figure.panels {
+        panel.window.checked(&format!("a panel of {}", figure.name))?;
     }
-    let content = Content {
-        curves: curves(figure.curves),
-        regions: Region::all(figure.regions),
-        markers: marked_points(figure.points),
-    };
     let sheets = Grid::sheets(width, figure.panels.len());
-    sheets.into_iter().map(|range| draw_sheet(figure, &content, range, width)).collect()
-}
-
-struct Content {
-    curves: Vec<Curve>,
-    regions: Vec<Region>,
-    markers: Vec<MarkedPoint>,
+    sheets.into_iter().map(|range| draw_sheet(figure, range, width)).collect()
 }
 
 fn draw_sheet(
     figure: &Magnifications<'_>,
-    content: &Content,
     panels: Range<usize>,
     width: SheetWidth,
 ) -> Result<Canvas, DrawingError> {
     let Magnifications { plane, panels: all, .. } = figure;
     let (panels, fonts) = (&all[panels], Fonts::load()?);
-    let windows: Vec<_> = panels.iter().map(|panel| panel.shown.window).collect();
-    let captions: Vec<Caption> =
-        panels.iter().map(|panel| Caption::new(panel.shown.panel, panel.heading)).collect();
+    let windows: Vec<_> = panels.iter().map(|panel| panel.window).collect();
+    let captions: Vec<Caption> = panels.iter().map(Caption::new).collect();
     let mut grid = Grid::new(&fonts, width, all.len(), &windows, &plane.up.title)?;
     // All captions of a sheet are alike: if one needs two lines for its coefficients, each has two.
     let mut split = false;
@@ -121,65 +105,43 @@ fn draw_sheet(
     if split {
         grid.add_heading_line();
     }
-    let canvas = Canvas::new(grid.width_mm(), grid.height_mm())?;
-    for (place, (MagnifiedPanel { shown, .. }, caption)) in panels.iter().zip(captions).enumerate() {
+    let canvas = Canvas::new(grid.width_mm, grid.height_mm())?;
+    for (place, (shown, caption)) in panels.iter().zip(captions).enumerate() {
         let bounds = grid.bounds(place);
-        let panel = Panel::new(&canvas, shown.window, bounds)
-            .showing(&[figure.table])
-            .only("panel", shown.panel)
-            .over(plane);
-        let own: Vec<&Curve> = content.curves.iter().filter(|curve| curve.panel == shown.panel).collect();
-        draw_panel(&panel, &own, content, &plane.grazing)?;
+        let panel = Panel {
+            tables: &[figure.table],
+            only: Some(("panel", shown.panel)),
+            plane: Some(plane),
+            ..Panel::new(&canvas, shown.window, bounds)
+        };
+        draw_panel(&panel, figure, shown.panel)?;
         panel.axes(&plane.across.title, if grid.is_titled(place) { &plane.up.title } else { "" })?;
         caption.draw(&canvas, &bounds, grid.heading_rise(), split)?;
     }
     Ok(canvas)
 }
 
-fn draw_panel(
-    panel: &Panel<'_>,
-    curves: &[&Curve],
-    content: &Content,
-    grazing: &str,
-) -> Result<(), DrawingError> {
+fn draw_panel(panel: &Panel<'_>, figure: &Magnifications<'_>, number: u32) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
-    for region in &content.regions {
-        region.draw(panel)?;
+    for region in Region::all(figure.regions) {
+        region.draw(panel);
     }
-    let mut drawn: Vec<(Bifurcation, Vec<Spot>)> = Vec::new();
-    for curve in curves {
-        let pen = pen(curve.kind);
-        let pen = if curve.approximate { approximation(pen) } else { pen };
-        for piece in panel.line(&curve.points, pen)? {
-            if curve.approximate {
-                labels.placer.keep_off_nameless(&piece);
-            } else {
-                labels.placer.keep_off(&piece);
-                drawn.push((curve.kind, piece));
-            }
-        }
-    }
-    for marked in &content.markers {
-        if let Some(taken) = panel.marker(marked.point, marked.marker)? {
-            labels.placer.block(taken.grown(0.5));
-        }
-    }
-    labels.name_curves(drawn, LABELLED_LENGTH, grazing)?;
+    let drawn = draw_curves(panel, &mut labels, curves(figure.curves, number));
+    draw_points(panel, &mut labels, figure.points);
+    labels.name_curves(drawn, LABELLED_LENGTH, &figure.plane.grazing)?;
     labels.draw()
 }
 
-fn curves(points: &[MagnifiedPoint]) -> Vec<Curve> {
+/// The curves of a panel.
+fn curves(points: &[MagnifiedPoint], panel: u32) -> Vec<Curve> {
     let place = |point: &MagnifiedPoint| (point.panel, point.kind, point.source, point.arc);
     let curve = |points: &[MagnifiedPoint]| Curve {
-        panel: points[0].panel,
         kind: points[0].kind,
         approximate: points[0].source == Source::Quadratic,
         points: points.iter().map(|point| (point.primary, point.secondary)).collect(),
     };
-    let mut curves: Vec<Curve> = points.chunk_by(|a, b| place(a) == place(b)).map(curve).collect();
-    // The wide grazing curve lies lowest, approximations on top of the curves they approximate.
-    curves.sort_by_key(|curve| (curve.kind != Bifurcation::NonImpactingGrazing, curve.approximate));
-    curves
+    let all = points.chunk_by(|a, b| place(a) == place(b));
+    all.filter(|points| points[0].panel == panel).map(curve).collect()
 }
 
 #[cfg(test)]
@@ -196,22 +158,16 @@ mod tests {
     }
 
     #[test]
-    fn no_two_labels_overlap_and_none_leaves_the_sheet_for_any_oscillator_at_any_width() {
+    fn no_two_labels_overlap_and_sheets_fit_a_page_for_any_oscillator_at_any_width() {
         for sample in oscillators() {
             for width in WIDTHS {
                 for sheet in compose(&sample.magnifications(), width).unwrap() {
                     let misplaced = sheet.misplaced_texts();
                     assert!(misplaced.is_empty(), "{:?} {width:?}: {misplaced:?}", sample.plane);
+                    // A4 less margins of 30 mm above and below, and 30 mm for the caption.
+                    assert!(sheet.height < (297.0 - 90.0) * crate::svg::POINTS_PER_MM);
                 }
             }
-        }
-    }
-
-    #[test]
-    fn equal_input_gives_equal_bytes() {
-        for sample in oscillators() {
-            let svg = || draw_magnifications(&sample.magnifications(), SheetWidth::Paper).unwrap();
-            assert_eq!(svg(), svg());
         }
     }
 
@@ -223,24 +179,18 @@ mod tests {
             assert_eq!(found.len(), sheets);
             let texts: Vec<String> = found.iter().flat_map(Canvas::texts).collect();
             for panel in &sample.panels {
-                let heading = panel.heading.unwrap();
-                let letter = panel_letter(panel.shown.panel);
-                let line = format!("{letter}  $p={}$, $n={}$", heading.p, heading.n.unwrap());
+                let letter = panel_letter(panel.panel);
+                let line = format!("{letter}  $p={}$, $n={}$", panel.loops, panel.n.unwrap());
                 assert!(texts.contains(&line), "{line}: {texts:?}");
             }
         }
     }
 
     #[test]
-    fn sheets_are_no_taller_than_a_page_with_its_caption() {
-        for sample in oscillators() {
-            for width in WIDTHS {
-                for sheet in compose(&sample.magnifications(), width).unwrap() {
-                    // A4 less margins of 30 mm above and below, and 30 mm for the caption.
-                    assert!(sheet.height < (297.0 - 90.0) * crate::svg_backend::POINTS_PER_MM);
-                }
-            }
-        }
+    fn only_approximations_are_plainly_dashed() {
+        let svgs = draw_magnifications(&sample(3).magnifications(), SheetWidth::Paper).unwrap();
+        // Two approximations in each of three panels.
+        assert_eq!(svgs[0].matches("stroke-dasharray=\"3.2 2\"").count(), 6);
     }
 
     #[test]
@@ -261,7 +211,8 @@ mod tests {
         for (panel, (c_sn, c_pd)) in
             sample.panels.iter_mut().zip([(-1.234_56e8, 9.876_54e-5), (f64::NAN, 0.5), (f64::NAN, f64::NAN)])
         {
-            panel.heading = Some(Heading { p: 12, n: Some(7), c_sn, c_pd });
+            panel.loops = 12;
+            panel.coefficients = Pair { saddle_node: c_sn, period_doubling: c_pd };
         }
         let sheets = compose(&sample.magnifications(), SheetWidth::Paper).unwrap();
         assert!(sheets[0].misplaced_texts().is_empty());
@@ -290,14 +241,13 @@ mod tests {
     }
 
     #[test]
-    fn panels_may_be_without_curves_regions_and_heading() {
+    fn panels_may_be_without_curves_and_regions() {
         let mut sample = sample(4);
         // The first 201 rows are the grazing curve in the first panel.
         sample.magnified_curves.truncate(201);
         sample.regions.clear();
-        sample.panels[1].heading = None;
         let texts = compose(&sample.magnifications(), SheetWidth::Paper).unwrap()[0].texts();
-        assert!(texts.contains(&"(b)".to_owned()));
+        assert!(texts.iter().any(|text| text.starts_with("(b)")));
         assert_eq!(texts.iter().filter(|text| text.contains("graz")).count(), 1);
     }
 }

@@ -8,15 +8,6 @@ use crate::labels::{Labels, Wanted};
 use crate::sheet::Bounds;
 use crate::style::{MAGNIFIED, MAGNIFIED_TEXT, SMALL_LABEL_SIZE, TRIANGLE_SIZE};
 
-/// A part of the diagram that a panel of another sheet magnifies.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Magnified {
-    /// Number of that panel, from 1; the letter (a) stands for the first.
-    pub panel: u32,
-    /// What is shown there, in units of the two parameters.
-    pub window: Window,
-}
-
 /// Rectangles smaller than this (points) would hide the triangle in them, and stay undrawn.
 const HIDDEN: f64 = TRIANGLE_SIZE;
 
@@ -36,17 +27,12 @@ fn is_hidden(outline: &Bounds) -> bool {
 }
 
 /// Draws a rectangle, if it is not too small; returns where it is seen, if it is.
-pub(crate) fn rectangle(
-    panel: &Panel<'_>,
-    window: &Window,
-    labels: &mut Labels<'_>,
-) -> Result<Option<Bounds>, DrawingError> {
+pub(crate) fn rectangle(panel: &Panel<'_>, window: &Window, labels: &mut Labels<'_>) -> Option<Bounds> {
     let [[left, right], [low, high]] = [window.x, window.y];
     let (a, b) = (panel.spot((left, high)), panel.spot((right, low)));
     let whole = Bounds { left: a.0, top: a.1, right: b.0, bottom: b.1 };
-    let corners = [(left, low), (right, low), (right, high), (left, high), (left, low)];
     if !is_hidden(&whole) {
-        for piece in panel.line(&corners, MAGNIFIED)? {
+        for piece in panel.line(&window.outline(), MAGNIFIED) {
             labels.placer.keep_off(&piece);
         }
     }
@@ -57,7 +43,7 @@ pub(crate) fn rectangle(
         right: whole.right.min(frame.right),
         bottom: whole.bottom.min(frame.bottom),
     };
-    Ok((seen.left <= seen.right && seen.top <= seen.bottom).then_some(seen))
+    (seen.left <= seen.right && seen.top <= seen.bottom).then_some(seen)
 }
 
 /// Names a rectangle: around its middle or, a small one among many curves, at the first corner where there is room.

@@ -13,6 +13,8 @@
 //!
 //! Scripts do not nest, and a superscript after a subscript follows it instead of standing above it.
 
+use std::str::Chars;
+
 use grazing_results::GREEK;
 
 use crate::DrawingError;
@@ -63,8 +65,7 @@ const SIGNS: [(&str, char, Face); 8] = [
 
 struct Parser<'a> {
     source: &'a str,
-    characters: Vec<char>,
-    position: usize,
+    rest: Chars<'a>,
     runs: Vec<Run>,
 }
 
@@ -77,9 +78,8 @@ impl Label {
 
     /// Reads a label.
     pub(crate) fn parse(source: &str) -> Result<Self, DrawingError> {
-        let mut parser =
-            Parser { source, characters: source.chars().collect(), position: 0, runs: Vec::new() };
-        while let Some(character) = parser.next() {
+        let mut parser = Parser { source, rest: source.chars(), runs: Vec::new() };
+        while let Some(character) = parser.rest.next() {
             if character == '$' {
                 parser.mathematics('$', Level::Line)?;
             } else {
@@ -91,14 +91,8 @@ impl Label {
 }
 
 impl Parser<'_> {
-    fn next(&mut self) -> Option<char> {
-        let character = self.characters.get(self.position).copied();
-        self.position += 1;
-        character
-    }
-
     fn fail<T>(&self, reason: &'static str) -> Result<T, DrawingError> {
-        let position = self.position.min(self.characters.len());
+        let position = self.source.chars().count() - self.rest.clone().count();
         Err(DrawingError::Markup { label: self.source.to_owned(), reason, position })
     }
 
@@ -111,7 +105,7 @@ impl Parser<'_> {
 
     fn mathematics(&mut self, end: char, level: Level) -> Result<(), DrawingError> {
         loop {
-            match self.next() {
+            match self.rest.next() {
                 Some(character) if character == end => return Ok(()),
                 Some(character) => self.token(character, level)?,
                 None => {
@@ -139,7 +133,7 @@ impl Parser<'_> {
     }
 
     fn script(&mut self, level: Level) -> Result<(), DrawingError> {
-        match self.next() {
+        match self.rest.next() {
             Some('{') => self.mathematics('}', level),
             Some(character) => self.token(character, level),
             None => self.fail("nothing to raise or lower"),
@@ -147,24 +141,20 @@ impl Parser<'_> {
     }
 
     fn command(&mut self, level: Level) -> Result<(), DrawingError> {
-        let start = self.position;
-        while self.characters.get(self.position).is_some_and(char::is_ascii_alphabetic) {
-            self.position += 1;
-        }
-        let name: String = self.characters[start..self.position].iter().collect();
-        if let Some(&(_, character)) = GREEK.iter().find(|letter| letter.0 == name) {
-            let face = if character.is_uppercase() { Face::Upright } else { Face::Italic };
+        let text = self.rest.as_str();
+        let name = &text[..text.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(text.len())];
+        self.rest = text[name.len()..].chars();
+        let greek = GREEK.iter().find(|letter| letter.0 == name);
+        let greek = greek.map(|&(_, c)| (c, if c.is_uppercase() { Face::Upright } else { Face::Italic }));
+        let sign = SIGNS.iter().find(|sign| sign.0 == name).map(|&(_, c, face)| (c, face));
+        if let Some((character, face)) = greek.or(sign) {
             self.push(face, level, character);
             return Ok(());
         }
-        if let Some(&(_, character, face)) = SIGNS.iter().find(|sign| sign.0 == name) {
-            self.push(face, level, character);
-            return Ok(());
-        }
-        match name.as_str() {
-            "" if self.next() == Some(',') => self.push(Face::Upright, level, '\u{2009}'),
+        match name {
+            "" if self.rest.next() == Some(',') => self.push(Face::Upright, level, '\u{2009}'),
             "hat" => {
-                let group = [self.next(), self.next(), self.next()];
+                let group = [self.rest.next(), self.rest.next(), self.rest.next()];
                 let [Some('{'), Some(letter), Some('}')] = group else {
                     return self.fail("one letter in braces should follow");
                 };
@@ -172,11 +162,11 @@ impl Parser<'_> {
                 self.runs.push(Run { face: Face::Italic, level, text, hat: true });
             }
             "mathrm" | "mathcal" => {
-                if self.next() != Some('{') {
+                if self.rest.next() != Some('{') {
                     return self.fail("a group in braces should follow");
                 }
                 loop {
-                    match self.next() {
+                    match self.rest.next() {
                         Some('}') => return Ok(()),
                         None => return self.fail("`{` is not closed"),
                         Some(letter) if name == "mathrm" => self.push(Face::Upright, level, letter),

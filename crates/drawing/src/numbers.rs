@@ -7,7 +7,7 @@ use crate::DrawingError;
 use crate::font::Fonts;
 use crate::markup::Label;
 use crate::style::TICK_SIZE;
-use crate::ticks::{Step, Tick, decimal, scientific};
+use crate::ticks::{Step, decimal, scientific};
 
 /// Least distance between the numbers along an axis, in points.
 const NUMBER_GAP: f64 = 9.0;
@@ -33,11 +33,17 @@ struct Scale {
     power: i32,
 }
 
+/// A tick and the number at it.
+pub(crate) struct Tick {
+    pub(crate) value: f64,
+    pub(crate) label: String,
+}
+
 /// The numbers along an axis, with their ticks.
 pub(crate) struct Numbers {
     pub(crate) ticks: Vec<Tick>,
-    /// The smaller ticks, whose labels are not printed.
-    pub(crate) minor: Vec<Tick>,
+    /// The smaller ticks, which have no numbers.
+    pub(crate) minor: Vec<f64>,
     /// Width of the widest number, in points.
     pub(crate) width: f64,
     scale: Scale,
@@ -46,7 +52,9 @@ pub(crate) struct Numbers {
 impl Scale {
     /// The scale at which the multiples of a step print short.
     fn fit(step: Step, range: [f64; 2]) -> Self {
-        let [first, last] = step.units(range);
+        let mut multiples = step.multiples(range).map(|(units, _)| units);
+        let first = multiples.next().unwrap_or(0);
+        let last = multiples.last().unwrap_or(first);
         let digits = |units: i128| units.unsigned_abs().to_string().len() as i32;
         let largest = |offset: i128| (first - offset).abs().max((last - offset).abs());
         let offset = if digits(largest(0)) > MOST_DIGITS {
@@ -75,13 +83,8 @@ impl Scale {
     }
 
     fn ticks(self, step: Step, range: [f64; 2]) -> Vec<Tick> {
-        let mut ticks = step.multiples(range[0], range[1]);
-        if self != Scale::none(step) {
-            for (tick, units) in ticks.iter_mut().zip(step.all_units(range)) {
-                tick.label = decimal(units - self.offset, self.exponent + self.power);
-            }
-        }
-        ticks
+        let label = |units: i128| decimal(units - self.offset, self.exponent + self.power);
+        step.multiples(range).map(|(units, value)| Tick { value, label: label(units) }).collect()
     }
 }
 
@@ -134,7 +137,8 @@ impl Numbers {
                 Direction::Up => height + NUMBER_GAP + 6.0,
             };
             let fits = step.size() / length * room >= least;
-            let numbers = Numbers { ticks, minor: step.minor().multiples(range[0], range[1]), width, scale };
+            let minor = step.minor().multiples(range).map(|(_, value)| value).collect();
+            let numbers = Numbers { ticks, minor, width, scale };
             coarsest = Some((numbers, step, fits));
             if fits {
                 break;

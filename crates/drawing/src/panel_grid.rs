@@ -9,7 +9,7 @@ use crate::font::Fonts;
 use crate::numbers::{Direction, Numbers};
 use crate::sheet::Bounds;
 use crate::style::SheetWidth;
-use crate::svg_backend::POINTS_PER_MM;
+use crate::svg::POINTS_PER_MM;
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 156.0;
@@ -37,7 +37,7 @@ pub(crate) const SUBHEADING_LEADING: f64 = 9.5;
 
 /// The panels of one sheet.
 pub(crate) struct Grid {
-    width_mm: f64,
+    pub(crate) width_mm: f64,
     row_mm: f64,
     /// Left edges of the columns and the width of a panel, in points.
     lefts: Vec<f64>,
@@ -132,10 +132,6 @@ impl Grid {
         LAST_LINE_RISE + HEADING_LEADING + self.further
     }
 
-    pub(crate) fn width_mm(&self) -> f64 {
-        self.width_mm
-    }
-
     pub(crate) fn height_mm(&self) -> f64 {
         self.rows as f64 * (self.row_mm + self.further / POINTS_PER_MM)
     }
@@ -189,7 +185,7 @@ mod tests {
                 let sheet = Bounds {
                     left: 0.0,
                     top: 0.0,
-                    right: grid.width_mm() * POINTS_PER_MM,
+                    right: grid.width_mm * POINTS_PER_MM,
                     bottom: grid.height_mm() * POINTS_PER_MM,
                 };
                 let all: Vec<Bounds> = (0..panels).map(|place| grid.bounds(place)).collect();

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use crate::sheet::{Bounds, Spot, along, crosses, distance, inside, thinned};
+use crate::sheet::{Bounds, Spot, along, crosses, distance, inside, span, thinned};
 
 /// What is already on a panel, as far as labels must keep off it.
 pub(crate) struct Placer {
@@ -167,10 +167,10 @@ impl Placer {
     /// Inside a polygon, where the distance to everything else is greatest; `None` if the box fits nowhere.
     pub(crate) fn within(&mut self, polygon: &[Spot], width: f64, height: f64) -> Option<Place> {
         let polygon = thinned(polygon);
-        let left = polygon.iter().map(|p| p.0).fold(f64::INFINITY, f64::min).max(self.panel.left);
-        let right = polygon.iter().map(|p| p.0).fold(f64::NEG_INFINITY, f64::max).min(self.panel.right);
-        let top = polygon.iter().map(|p| p.1).fold(f64::INFINITY, f64::min).max(self.panel.top);
-        let bottom = polygon.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max).min(self.panel.bottom);
+        let [[left, right], [top, bottom]] =
+            [span(polygon.iter().map(|p| p.0)), span(polygon.iter().map(|p| p.1))];
+        let (left, right) = (left.max(self.panel.left), right.min(self.panel.right));
+        let (top, bottom) = (top.max(self.panel.top), bottom.min(self.panel.bottom));
         // About 900 trial places, at least a point apart.
         let pitch = (((right - left) * (bottom - top)).max(0.0) / 900.0).sqrt().max(1.0);
         let mut best: Option<(f64, Bounds)> = None;
@@ -204,15 +204,12 @@ impl Placer {
     pub(crate) fn deep_inside(&self, polygon: &[Spot]) -> Option<Spot> {
         const TRIALS: u32 = 40;
         let outline = thinned(polygon);
-        let range = |pick: fn(&Spot) -> f64| {
-            let least = outline.iter().map(pick).fold(f64::INFINITY, f64::min);
-            (least, outline.iter().map(pick).fold(f64::NEG_INFINITY, f64::max) - least)
-        };
-        let ((left, width), (top, height)) = (range(|p| p.0), range(|p| p.1));
-        let share = |i: u32| (f64::from(i) + 0.5) / f64::from(TRIALS);
+        let (across, down) = (span(outline.iter().map(|p| p.0)), span(outline.iter().map(|p| p.1)));
+        let at =
+            |[low, high]: [f64; 2], i: u32| low + (high - low) * ((f64::from(i) + 0.5) / f64::from(TRIALS));
         let mut best: Option<(f64, Spot)> = None;
         for (i, j) in (0..TRIALS).flat_map(|j| (0..TRIALS).map(move |i| (i, j))) {
-            let spot = (left + width * share(i), top + height * share(j));
+            let spot = (at(across, i), at(down, j));
             let around = Bounds::about(spot, 2.0, 2.0);
             if !inside(&outline, spot) || self.blocked.iter().any(|b| b.overlaps(&around)) {
                 continue;

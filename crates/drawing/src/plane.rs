@@ -23,6 +23,15 @@ pub struct Plane {
 }
 
 impl Plane {
+    /// The plane of the paper's oscillator: forcing amplitude across, forcing frequency up.
+    pub fn of_the_paper() -> Self {
+        Plane {
+            across: Axis { column: "amplitude".to_owned(), title: r"$\mathcal{A}$".to_owned() },
+            up: Axis { column: "omega".to_owned(), title: r"$\omega$".to_owned() },
+            grazing: r"$\mathcal{A}_{\mathrm{graz}}$".to_owned(),
+        }
+    }
+
     /// The plane of two parameters whose columns bear their names; titles are their [`symbol`]s, and the
     /// grazing curve is named after the primary parameter.
     ///

@@ -4,14 +4,13 @@ use grazing_results::branches::{PortraitKind, PortraitPoint};
 
 use crate::DrawingError;
 use crate::axes::Panel;
-use crate::canvas::{Canvas, Ink};
+use crate::canvas::{Anchor, Canvas};
 use crate::clip::Window;
 use crate::magnified::panel_letter;
 use crate::sheet::Bounds;
 use crate::style::{
     ATTRACTOR_ORBIT, BLACK, IMPACT, PERIODIC_ORBIT, TICK_SIZE, WALL, WALL_FACE, WALL_HATCHING, branch_pen,
 };
-use crate::svg_backend::Anchor;
 use crate::ticks::significant;
 
 /// One phase portrait.
@@ -58,11 +57,6 @@ impl Portrait {
     }
 }
 
-/// Into how many rows the portraits are set: one, or on a narrow sheet rows of at most two.
-pub(crate) fn portrait_rows(portraits: &[Portrait], narrow: bool) -> usize {
-    if narrow { portraits.len().div_ceil(2) } else { 1 }
-}
-
 /// Draws the portraits in so many rows of a height in points, all at one scale.
 pub(crate) fn draw_portraits(
     canvas: &Canvas,
@@ -79,15 +73,18 @@ pub(crate) fn draw_portraits(
         let top = height * row as f64 + ABOVE;
         let bottom = height * (row + 1) as f64 - BELOW;
         let bounds = Bounds { left, top, right: left + width - WALL_THICKNESS, bottom };
-        let panel = Panel::new(canvas, window, bounds)
-            .showing(&["fig02_portraits"])
-            .only("portrait", portrait.number);
-        wall(&panel)?;
+        let panel = Panel {
+            tables: &["fig02_portraits"],
+            only: Some(("portrait", portrait.number)),
+            numbers_beside: column == 0,
+            ..Panel::new(canvas, window, bounds)
+        };
+        wall(&panel);
         let pen =
             if portrait.attractor { ATTRACTOR_ORBIT } else { branch_pen(portrait.p, PERIODIC_ORBIT.width) };
-        panel.line(&without_jumps(&portrait.orbit), pen)?;
-        panel.axes_with("$x$", if column == 0 { "$y$" } else { "" }, column == 0)?;
-        jump(&panel, &portrait.orbit)?;
+        panel.line(&without_jumps(&portrait.orbit), pen);
+        panel.axes("$x$", if column == 0 { "$y$" } else { "" })?;
+        jump(&panel, &portrait.orbit);
         let kind = match (portrait.attractor, portrait.p) {
             (true, _) => "attractor".to_owned(),
             (false, 0) => "non-impacting".to_owned(),
@@ -127,7 +124,7 @@ fn without_jumps(orbit: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 /// The impacts as one dashed line up the wall, from the fastest arrival to the fastest recoil.
-fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)]) -> Result<(), DrawingError> {
+fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)]) {
     let finite: Vec<(f64, f64)> =
         orbit.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
     // A periodic orbit may be given from recoil to impact, so that the jump closes it.
@@ -138,28 +135,26 @@ fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)]) -> Result<(), DrawingError> {
     if arrival > recoil {
         let [from, to] = [panel.spot((0.0, arrival)), panel.spot((0.0, recoil))];
         let path = [(from.0 - 1.3, from.1), (to.0 - 1.3, to.1)];
-        panel.canvas.draw(&path, Ink::Line(IMPACT))?;
+        panel.canvas.line(&path, IMPACT);
     }
-    Ok(())
 }
 
 /// The wall: a hatched strip right of x = 0.
-fn wall(panel: &Panel<'_>) -> Result<(), DrawingError> {
+fn wall(panel: &Panel<'_>) {
     let Bounds { top, right: left, bottom, .. } = panel.bounds;
     let right = left + WALL_THICKNESS;
     let canvas = panel.canvas;
-    canvas
-        .draw(&[(left, top), (right, top), (right, bottom), (left, bottom)], Ink::Polygon(WALL_FACE, None))?;
+    canvas.polygon(&[(left, top), (right, top), (right, bottom), (left, bottom)], WALL_FACE, None);
     let strip = Window { x: [left, right], y: [top, bottom] };
     let mut start = top - WALL_THICKNESS;
     while start < bottom + WALL_THICKNESS {
         let stroke = [(left, start + WALL_THICKNESS), (right, start)];
         for piece in crate::clip::clip_polyline(&strip, &stroke) {
-            canvas.draw(&piece, Ink::Line(WALL_HATCHING))?;
+            canvas.line(&piece, WALL_HATCHING);
         }
         start += 3.5;
     }
-    canvas.draw(&[(left, top), (left, bottom)], Ink::Line(WALL))
+    canvas.line(&[(left, top), (left, bottom)], WALL);
 }
 
 #[cfg(test)]
@@ -181,7 +176,7 @@ mod tests {
         let bounds = Bounds { left: 10.0, top: 10.0, right: 90.0, bottom: 90.0 };
         let drawn = |orbit: &[(f64, f64)]| {
             let canvas = Canvas::new(40.0, 40.0).unwrap();
-            jump(&Panel::new(&canvas, window, bounds), orbit).unwrap();
+            jump(&Panel::new(&canvas, window, bounds), orbit);
             canvas.finish("test", "", "").unwrap().matches("stroke-dasharray").count()
         };
         assert_eq!(drawn(&[(0.0, -0.5), (-0.9, 0.0), (0.0, 0.6), (f64::NAN, f64::NAN)]), 1);

@@ -1,14 +1,12 @@
 //! Made-up results for an oscillator of any kind: parameters of any name and magnitude, any number of resonances.
 
-use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
+use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
+use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionKind, RegionVertex, Source, SpecialPoint};
 
-use crate::captions::Heading;
 use crate::clip::Window;
-use crate::diagram::{Diagram, Section};
+use crate::diagram::Diagram;
 use crate::magnifications::{Magnifications, MagnifiedPanel};
-use crate::magnified::Magnified;
 use crate::plane::Plane;
-use crate::samples::{Resonance, curve_rows, curves, graz, magnified_rows, point_rows, region_rows};
 
 /// Where a parameter of the samples goes: multiplied, then shifted.
 #[derive(Debug, Clone, Copy)]
@@ -32,8 +30,126 @@ pub(crate) struct SampleOscillator {
     pub(crate) magnified_curves: Vec<MagnifiedPoint>,
     pub(crate) window: Window,
     pub(crate) panels: Vec<MagnifiedPanel>,
-    pub(crate) magnified: Vec<Magnified>,
-    pub(crate) sections: Vec<Section>,
+}
+
+/// The frequency at which the made-up grazing curve has the amplitude.
+fn graz(amplitude: f64) -> f64 {
+    1.0 - 0.6 * amplitude * amplitude - 0.2 * amplitude
+}
+
+fn shares(count: u32) -> impl Iterator<Item = f64> {
+    (0..=count).map(move |i| f64::from(i) / f64::from(count))
+}
+
+/// A made-up resonance: p, n, the amplitude at which it lies on the grazing curve, and the size of its loop of curves.
+type Resonance = (u32, u32, f64, f64);
+
+/// Kind, p, n, arc and points of a made-up curve.
+type SampleCurve = (Bifurcation, u32, u32, u32, Vec<(f64, f64)>);
+
+/// The grazing curve and at each resonance a loop of SN, GZ, PD.
+fn curves(resonances: &[Resonance]) -> Vec<SampleCurve> {
+    let mut curves = vec![(
+        Bifurcation::NonImpactingGrazing,
+        0,
+        0,
+        0,
+        shares(200).map(|s| (1.3 * s, graz(1.3 * s))).collect(),
+    )];
+    for (&(p, n, amplitude, size), number) in resonances.iter().zip(1..) {
+        let omega = graz(amplitude);
+        let arc = |from: (f64, f64), to: (f64, f64), bulge: f64| {
+            let point = |s: f64| {
+                let bend = bulge * s * (1.0 - s) * size;
+                (from.0 + s * (to.0 - from.0) + bend, from.1 + s * (to.1 - from.1) - bend)
+            };
+            shares(100).map(point).collect::<Vec<_>>()
+        };
+        let (low, high) =
+            ((amplitude - 0.4 * size, omega - 0.3 * size), (amplitude + 0.5 * size, omega + 0.6 * size));
+        curves.push((Bifurcation::SaddleNode, p, n, 3 * number, arc((amplitude, omega), low, 0.2)));
+        curves.push((Bifurcation::PeriodDoubling, p, n, 3 * number + 1, arc((amplitude, omega), high, -1.0)));
+        curves.push((Bifurcation::Grazing, p, n, 3 * number + 2, arc(low, high, 1.0)));
+    }
+    curves
+}
+
+/// Rows of curves.
+pub(crate) fn curve_rows(curves: Vec<SampleCurve>) -> Vec<CurvePoint> {
+    let rows = |(kind, loops, n, arc, points): SampleCurve| {
+        points.into_iter().map(move |(primary, secondary)| CurvePoint {
+            kind,
+            loops,
+            n,
+            secondary,
+            primary,
+            impact_velocity: 0.1,
+            impact_phase: 0.0,
+            trace: 0.0,
+            determinant: 0.5,
+            max_interior_x: -0.1,
+            stable: true,
+            admissible: true,
+            arc,
+        })
+    };
+    curves.into_iter().flat_map(rows).collect()
+}
+
+/// The codimension-two points at the ends of such curves.
+fn point_rows(curves: &[SampleCurve]) -> Vec<SpecialPoint> {
+    let ends = curves.iter().filter_map(|(kind, loops, n, _, points)| {
+        let (kind, (primary, secondary)) = match kind {
+            Bifurcation::NonImpactingGrazing => return None,
+            Bifurcation::SaddleNode => (CodimensionTwo::Resonance, points[0]),
+            Bifurcation::PeriodDoubling => (CodimensionTwo::PeriodDoublingGrazing, points[100]),
+            Bifurcation::Grazing => (CodimensionTwo::SaddleNodeGrazing, points[0]),
+        };
+        Some(SpecialPoint { kind, loops: *loops, n: *n, secondary, primary })
+    });
+    ends.collect()
+}
+
+/// The regions that such curves bound; `corners` of the region without impacts lie beside its part of the grazing curve.
+fn region_rows(curves: &[SampleCurve], corners: [(f64, f64); 2]) -> Vec<RegionVertex> {
+    let vertex = |region, kind, loops, (primary, secondary)| {
+        let (n, ring, reason) = (0, 0, String::new());
+        RegionVertex { region, kind, loops, n, secondary, primary, ring, reason }
+    };
+    let below = curves[0].4.iter().copied().chain(corners);
+    let mut rows: Vec<_> = below.map(|spot| vertex(0, RegionKind::NonImpacting, 0, spot)).collect();
+    for (own, number) in curves[1..].chunks(3).zip(1..) {
+        let [sn, pd, gz] = own else { panic!("each resonance has three curves") };
+        let outline = sn.4.iter().chain(&gz.4).chain(pd.4.iter().rev());
+        rows.extend(outline.map(|&spot| vertex(number, RegionKind::Mps, sn.1, spot)));
+    }
+    rows
+}
+
+/// The same curves once for each resonance, in its panel, with straight lines for approximations.
+fn magnified_rows(curves: &[SampleCurve]) -> Vec<MagnifiedPoint> {
+    let mut rows = Vec::new();
+    for (own, panel) in curves[1..].chunks(3).zip(1..) {
+        let (loops, n) = (own[0].1, own[0].2);
+        for (kind, _, _, arc, points) in curves[..1].iter().chain(own) {
+            let row = |source, (primary, secondary)| MagnifiedPoint {
+                panel,
+                loops,
+                n,
+                kind: *kind,
+                source,
+                arc: *arc,
+                secondary,
+                primary,
+            };
+            rows.extend(points.iter().map(|&spot| row(Source::Continuation, spot)));
+            if matches!(kind, Bifurcation::SaddleNode | Bifurcation::PeriodDoubling) {
+                let straight = [points[0], points[30]].map(|q| (1.02 * q.0 - 0.02 * points[0].0, q.1));
+                rows.extend(straight.map(|spot| row(Source::Quadratic, spot)));
+            }
+        }
+    }
+    rows
 }
 
 /// So many resonances along the grazing curve, with p of 1 to 12 that recur.
@@ -58,13 +174,9 @@ impl SampleOscillator {
                 let (x, y) = ([a - 0.3 * size, a + 0.4 * size], [-0.2, 0.25].map(|d| graz(a) + d * size));
                 let window = Window { x: across.range(x), y: up.range(y) };
                 let curvature = across.0 / (up.0 * up.0);
-                let heading = Heading {
-                    p,
-                    n: Some(n),
-                    c_sn: -282.437 * curvature,
-                    c_pd: if panel == 2 { f64::NAN } else { 12.153 * curvature },
-                };
-                MagnifiedPanel { shown: Magnified { panel, window }, heading: Some(heading) }
+                let period_doubling = if panel == 2 { f64::NAN } else { 12.153 * curvature };
+                let coefficients = Pair { saddle_node: -282.437 * curvature, period_doubling };
+                MagnifiedPanel { panel, window, loops: p, n: Some(n), coefficients }
             })
             .collect();
         SampleOscillator {
@@ -74,9 +186,7 @@ impl SampleOscillator {
             magnified_curves: magnified_rows(&all),
             curves: curve_rows(all),
             window: Window { x: across.range([0.0, 1.2]), y: up.range([0.3, 1.0]) },
-            magnified: panels.iter().map(|panel| panel.shown).collect(),
             panels,
-            sections: Vec::new(),
         }
     }
 
@@ -91,8 +201,8 @@ impl SampleOscillator {
             points: &self.points,
             regions: &self.regions,
             window: self.window,
-            magnified: &self.magnified,
-            sections: &self.sections,
+            magnified: &self.panels,
+            sections: &[],
         }
     }
 

@@ -3,20 +3,21 @@
 //! The rows hold the projected coordinates and the order of painting; here they are scaled to the sheet. Of two curves
 //! that cross on the sheet the farther one is interrupted.
 
-use grazing_results::space::{CurveKind, Mark, MarkKind, SurfaceKind, Vertex};
+use grazing_results::space::{CurveKind, Mark, SurfaceKind, Vertex};
 
 use crate::DrawingError;
-use crate::arrow::{arrow, arrowhead, head_length};
-use crate::canvas::{Canvas, Ink};
+use crate::arrow::{arrow, head_on};
+use crate::canvas::Canvas;
 use crate::clip::Window;
 use crate::labels::{Labels, Wanted};
 use crate::passing::{Course, interrupted};
-use crate::sheet::{Bounds, Spot, along, length};
+use crate::sheet::{Bounds, Spot, along, length, span};
 use crate::style::{
     BLACK, CIRCLE, Colour, FACE_EDGE, FLOW, INCOMING_FACE, OPEN_SPOT, OUTGOING_FACE, PERIODIC_FLOW, Paint,
-    Pen, RESET, RETURN, SECTION_FACE, SPACE_AXIS, SPOT, SPOT_RADIUS, SPOT_RIM, TANGENCY, VIRTUAL_FLOW,
+    Pen, RESET, RETURN, SECTION_FACE, SPACE_AXIS, SPOT, SPOT_RADIUS, SPOT_RIM, SheetWidth, TANGENCY,
+    TITLE_SIZE, VIRTUAL_FLOW,
 };
-use crate::svg_backend::POINTS_PER_MM;
+use crate::svg::POINTS_PER_MM;
 
 /// How a curve is drawn.
 fn pen(kind: CurveKind) -> Pen {
@@ -65,7 +66,7 @@ pub struct SpaceFigure<'a> {
     pub surfaces: &'a [Vertex<SurfaceKind>],
 }
 
-/// A curve or surface, or the part of one that lies in one layer; on the sheet once the scene has been fitted.
+/// A curve or surface, or the part of one that lies in one layer, on the sheet.
 pub(crate) struct Piece<K> {
     pub(crate) kind: K,
     pub(crate) number: u32,
@@ -80,92 +81,85 @@ impl<K> Piece<K> {
     }
 }
 
-/// A point that is marked, on the sheet once the scene has been fitted.
-pub(crate) struct Spotted {
-    pub(crate) kind: MarkKind,
-    pub(crate) number: u32,
-    layer: u32,
-    at: [f64; 3],
-    /// Beyond the wall, where no orbit of the full system comes.
-    open: bool,
+/// What a figure in phase space is beside its rows.
+pub(crate) struct SpaceSheet {
+    pub(crate) name: &'static str,
+    pub(crate) title: &'static str,
+    pub(crate) description: &'static str,
+    /// Width in the paper.
+    pub(crate) width_mm: f64,
+    /// Room around the scene, in points from each edge of the sheet.
+    pub(crate) margin: Bounds,
+    /// Names what is shown.
+    pub(crate) names: fn(&Scene, &mut Labels<'_>) -> Result<(), DrawingError>,
 }
 
-impl Spotted {
-    pub(crate) fn spot(&self) -> Spot {
-        (self.at[0], self.at[1])
+impl SpaceSheet {
+    /// The text of an SVG file.
+    pub(crate) fn draw(&self, figure: &SpaceFigure<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+        self.compose(figure, width)?.finish(self.name, self.title, self.description)
+    }
+
+    fn compose(&self, figure: &SpaceFigure<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
+        let (scene, canvas) = Scene::fit(figure, self.name, width.mm(self.width_mm), &self.margin)?;
+        scene.paint(&canvas);
+        let mut labels = scene.labels(&canvas)?;
+        (self.names)(&scene, &mut labels)?;
+        labels.draw()?;
+        Ok(canvas)
     }
 }
 
-/// Room around a scene on its sheet, in points.
-pub(crate) struct Margin {
-    pub(crate) left: f64,
-    pub(crate) right: f64,
-    pub(crate) top: f64,
-    pub(crate) bottom: f64,
-}
-
-/// Everything that a figure in phase space shows.
+/// Everything that a figure in phase space shows, on the sheet.
 pub(crate) struct Scene {
     pub(crate) curves: Vec<Piece<CurveKind>>,
     pub(crate) surfaces: Vec<Piece<SurfaceKind>>,
-    pub(crate) points: Vec<Spotted>,
+    /// Points that are marked.
+    pub(crate) points: Vec<(Spot, Mark)>,
 }
 
 impl Scene {
-    /// The scene in its own lengths.
-    pub(crate) fn new(figure: &SpaceFigure<'_>) -> Self {
-        let spotted = |mark: &Mark| Spotted {
-            kind: mark.kind,
-            number: mark.number,
-            layer: mark.layer,
-            at: [mark.across, mark.up, mark.depth],
-            open: mark.x > 0.0,
-        };
-        Scene {
-            curves: pieces(figure.curves),
-            surfaces: pieces(figure.surfaces),
-            points: figure.points.iter().map(spotted).collect(),
-        }
-    }
-
-    /// Scales the scene to a sheet of the width, whose height follows, and gives the empty sheet.
-    pub(crate) fn fit(
-        &mut self,
+    /// The scene at the scale at which it fills a sheet of the width, whose height follows, and that sheet, empty.
+    fn fit(
+        figure: &SpaceFigure<'_>,
         name: &'static str,
         width_mm: f64,
-        margin: &Margin,
-    ) -> Result<Canvas, DrawingError> {
-        let places: Vec<[f64; 3]> = self.everything().map(|place| *place).collect();
+        margin: &Bounds,
+    ) -> Result<(Self, Canvas), DrawingError> {
+        let curves = figure.curves.iter().map(|vertex| vertex.place);
+        let surfaces = figure.surfaces.iter().map(|vertex| vertex.place);
+        let marks = figure.points.iter().map(|mark| [mark.across, mark.up, mark.depth]);
+        let places: Vec<[f64; 3]> = curves.chain(surfaces).chain(marks).collect();
         // An empty cell anywhere leaves no window.
         let whole = places.iter().flatten().all(|coordinate| coordinate.is_finite());
         let range = |k: usize| {
-            let values = || places.iter().map(|place| place[k]);
-            let ends = [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)];
-            if whole { ends } else { [f64::NAN; 2] }
+            if whole { span(places.iter().map(|place| place[k])) } else { [f64::NAN; 2] }
         };
         let window = Window { x: range(0), y: range(1) }.checked(name)?;
         let width = width_mm * POINTS_PER_MM;
         let scale = (width - margin.left - margin.right) / (window.x[1] - window.x[0]);
-        for [across, up, depth] in self.everything() {
-            *across = margin.left + scale * (*across - window.x[0]);
-            *up = margin.top + scale * (window.y[1] - *up);
-            *depth *= scale;
-        }
+        let on_sheet = |[across, up, depth]: [f64; 3]| {
+            let right = margin.left + scale * (across - window.x[0]);
+            [right, margin.top + scale * (window.y[1] - up), scale * depth]
+        };
+        let spotted = |mark: &Mark| {
+            let [right, down, _] = on_sheet([mark.across, mark.up, mark.depth]);
+            ((right, down), mark.clone())
+        };
         let height = margin.top + margin.bottom + scale * (window.y[1] - window.y[0]);
-        Canvas::new(width_mm, height / POINTS_PER_MM)
-    }
-
-    fn everything(&mut self) -> impl Iterator<Item = &mut [f64; 3]> {
-        let curves = self.curves.iter_mut().flat_map(|piece| &mut piece.course);
-        let surfaces = self.surfaces.iter_mut().flat_map(|piece| &mut piece.course);
-        curves.chain(surfaces).chain(self.points.iter_mut().map(|mark| &mut mark.at))
+        let scene = Scene {
+            curves: pieces(figure.curves, on_sheet),
+            surfaces: pieces(figure.surfaces, on_sheet),
+            points: figure.points.iter().map(spotted).collect(),
+        };
+        Ok((scene, Canvas::new(width_mm, height / POINTS_PER_MM)?))
     }
 
     /// Paints everything, layer by layer; in a layer faces, lines on them, curves from far to near, points.
-    pub(crate) fn paint(&self, canvas: &Canvas) -> Result<(), DrawingError> {
+    fn paint(&self, canvas: &Canvas) {
         let mut layers: Vec<u32> = self.curves.iter().map(|piece| piece.layer).collect();
         layers.extend(self.surfaces.iter().map(|piece| piece.layer));
-        layers.extend(self.points.iter().map(|mark| mark.layer));
+        layers.extend(self.points.iter().map(|(_, mark)| mark.layer));
         layers.sort_unstable();
         layers.dedup();
         let flowing: Vec<&Course> =
@@ -175,50 +169,44 @@ impl Scene {
             let here: Vec<_> = self.surfaces.iter().filter(|piece| piece.layer == layer).collect();
             for piece in &here {
                 if let Some(paint) = face(piece.kind) {
-                    canvas.draw(&piece.spots(), Ink::Polygon(paint, Some(FACE_EDGE)))?;
+                    canvas.polygon(&piece.spots(), paint, Some(FACE_EDGE));
                 }
             }
             for piece in &here {
-                self.line(canvas, piece)?;
+                self.line(canvas, piece);
             }
             let mut curves: Vec<usize> =
                 (0..self.curves.len()).filter(|&i| self.curves[i].layer == layer).collect();
             curves.sort_by(|&a, &b| depth(&self.curves[b].course).total_cmp(&depth(&self.curves[a].course)));
             for index in curves {
-                self.curve(canvas, index, &flowing, headed.contains(&index))?;
+                self.curve(canvas, index, &flowing, headed.contains(&index));
             }
-            for mark in self.points.iter().filter(|mark| mark.layer == layer) {
-                let paint = if mark.open { OPEN_SPOT } else { SPOT };
-                canvas.draw(&[mark.spot()], Ink::Disc(SPOT_RADIUS, paint, Some(SPOT_RIM)))?;
+            for (spot, mark) in self.points.iter().filter(|(_, mark)| mark.layer == layer) {
+                // Beyond the wall no orbit of the full system comes.
+                let paint = if mark.x > 0.0 { OPEN_SPOT } else { SPOT };
+                canvas.disc(*spot, SPOT_RADIUS, paint, Some(SPOT_RIM));
             }
         }
-        Ok(())
     }
 
     /// A line on a surface; an axis ends in a head where its last piece does.
-    fn line(&self, canvas: &Canvas, piece: &Piece<SurfaceKind>) -> Result<(), DrawingError> {
+    fn line(&self, canvas: &Canvas, piece: &Piece<SurfaceKind>) {
         match piece.kind {
-            SurfaceKind::Tangency => canvas.draw(&piece.spots(), Ink::Line(TANGENCY)),
-            SurfaceKind::Circle => canvas.draw(&piece.spots(), Ink::Line(CIRCLE)),
+            SurfaceKind::Tangency => canvas.line(&piece.spots(), TANGENCY),
+            SurfaceKind::Circle => canvas.line(&piece.spots(), CIRCLE),
             SurfaceKind::AxisX | SurfaceKind::AxisY | SurfaceKind::AxisZ
                 if last_of(&self.surfaces, piece) =>
             {
-                arrow(canvas, &piece.spots(), 0.0, SPACE_AXIS)
+                arrow(canvas, &piece.spots(), 0.0, SPACE_AXIS);
             }
             SurfaceKind::AxisX | SurfaceKind::AxisY | SurfaceKind::AxisZ => {
-                canvas.draw(&piece.spots(), Ink::Line(SPACE_AXIS))
+                canvas.line(&piece.spots(), SPACE_AXIS);
             }
-            SurfaceKind::Incoming | SurfaceKind::Outgoing | SurfaceKind::Section => Ok(()),
+            SurfaceKind::Incoming | SurfaceKind::Outgoing | SurfaceKind::Section => {}
         }
     }
 
-    fn curve(
-        &self,
-        canvas: &Canvas,
-        index: usize,
-        flowing: &[&Course],
-        headed: bool,
-    ) -> Result<(), DrawingError> {
+    fn curve(&self, canvas: &Canvas, index: usize, flowing: &[&Course], headed: bool) {
         let piece = &self.curves[index];
         let pen = pen(piece.kind);
         if !flows(piece.kind) {
@@ -226,25 +214,17 @@ impl Scene {
             return if last_of(&self.curves, piece) {
                 arrow(canvas, &spots, SPOT_RADIUS + 0.8, pen)
             } else {
-                canvas.draw(&spots, Ink::Line(pen))
+                canvas.line(&spots, pen)
             };
         }
         for part in interrupted(&piece.course, flowing) {
-            canvas.draw(&part, Ink::Line(pen))?;
+            canvas.line(&part, pen);
         }
         if headed {
             let spots = piece.spots();
-            let size = length(&spots);
-            let places: &[f64] = if size > TWO_HEADS { &[0.3, 0.72] } else { &[0.58] };
-            for share in places {
-                if let Some((middle, direction)) = along(&spots, *share) {
-                    let size = head_length(pen);
-                    let tip = (middle.0 + 0.5 * size * direction.0, middle.1 + 0.5 * size * direction.1);
-                    arrowhead(canvas, tip, direction, size, pen.colour)?;
-                }
-            }
+            let places: &[f64] = if length(&spots) > TWO_HEADS { &[0.3, 0.72] } else { &[0.58] };
+            places.iter().for_each(|share| head_on(canvas, &spots, *share, pen));
         }
-        Ok(())
     }
 
     /// Of each curve the longest piece, if it is long enough for a head that shows the direction of time, and every very
@@ -285,7 +265,7 @@ impl Scene {
     }
 
     /// Labels for this scene, kept off its curves, lines and points; the axes are named already.
-    pub(crate) fn labels<'c>(&self, canvas: &'c Canvas, axis_size: f64) -> Result<Labels<'c>, DrawingError> {
+    fn labels<'c>(&self, canvas: &'c Canvas) -> Result<Labels<'c>, DrawingError> {
         let sheet = Bounds { left: 0.0, top: 0.0, right: canvas.width, bottom: canvas.height };
         let mut labels = Labels::new(canvas, sheet.grown(-1.0));
         for piece in &self.curves {
@@ -298,15 +278,15 @@ impl Scene {
             }
             labels.placer.keep_off(&spots);
         }
-        for mark in &self.points {
+        for (spot, _) in &self.points {
             // A box inside the disc, so that a leader may reach the disc's rim from any side.
-            labels.placer.block(Bounds::about(mark.spot(), 1.6 * SPOT_RADIUS, 1.6 * SPOT_RADIUS));
+            labels.placer.block(Bounds::about(*spot, 1.6 * SPOT_RADIUS, 1.6 * SPOT_RADIUS));
         }
         for piece in &self.surfaces {
             if let (Some(name), true) = (axis(piece.kind), last_of(&self.surfaces, piece)) {
                 let spots = piece.spots();
                 if let Some(&tip) = spots.last() {
-                    labels.add(name, axis_size, BLACK, &Wanted::Around(tip, 2.0))?;
+                    labels.add(name, TITLE_SIZE, BLACK, &Wanted::Around(tip, 2.0))?;
                 }
             }
         }
@@ -352,11 +332,86 @@ fn depth(course: &Course) -> f64 {
     course.iter().map(|point| point[2]).sum::<f64>() / course.len() as f64
 }
 
-fn pieces<K: Copy>(vertices: &[Vertex<K>]) -> Vec<Piece<K>> {
+fn pieces<K: Copy>(vertices: &[Vertex<K>], on_sheet: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<Piece<K>> {
     let pieces = vertices.chunk_by(|a, b| (a.number, a.piece) == (b.number, b.piece));
     let piece = |vertices: &[Vertex<K>]| {
         let Vertex { kind, number, layer, .. } = vertices[0];
-        Piece { kind, number, layer, course: vertices.iter().map(|vertex| vertex.place).collect() }
+        Piece { kind, number, layer, course: vertices.iter().map(|vertex| on_sheet(vertex.place)).collect() }
     };
     pieces.map(piece).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::samples::Scene as Sample;
+    use crate::svg::fill;
+    use crate::{fig01, fig03, fig09};
+
+    #[test]
+    fn everything_is_named_at_every_width() {
+        let axes = ["$x$", "$y$", "$z$"];
+        let fig01 = ["$R$", "$R$", r"$\Sigma$", "incoming set", "outgoing set", "tangency set"];
+        let fig03 = [
+            r"$\Pi$",
+            r"$\Gamma$",
+            r"$P_{\mathrm{global}}$",
+            r"$(0,0,z_{\mathrm{graz}})$",
+            "$(x,0,z)$",
+            "$(x',0,z')$",
+            "$x=y=0$",
+        ];
+        let fig09 = [
+            "$R$",
+            r"$\Pi$",
+            r"$\Sigma$",
+            r"$P_{\mathrm{global}}$",
+            r"$P_{\mathrm{global}}$",
+            r"$(0,y_{\mathrm{imp}},z_{\mathrm{imp}})$",
+            r"$(0,y_{\mathrm{rec}},z_{\mathrm{rec}})$",
+            r"$(\hat{x},0,\hat{z})$",
+            "$(x^{(0)},0,z^{(0)})$",
+            "$(x^{(1)},0,z^{(1)})$",
+            "$(x^{(2)},0,z^{(2)})$",
+        ];
+        for (sheet, names) in [(fig01::SHEET, &fig01[..]), (fig03::SHEET, &fig03), (fig09::SHEET, &fig09)] {
+            let sample = Sample::of(sheet.name);
+            let mut wanted = [&axes[..], names].concat();
+            wanted.sort_unstable();
+            for width in [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns] {
+                let mut found = sheet.compose(&sample.figure(), width).unwrap().texts();
+                found.sort_unstable();
+                assert_eq!(found, wanted, "{} {width:?}", sheet.name);
+            }
+        }
+    }
+
+    #[test]
+    fn orbits_are_solid_and_only_the_reset_law_is_dashed() {
+        let sample = Sample::of("fig01");
+        let svg = fig01::SHEET.draw(&sample.figure(), SheetWidth::Paper).unwrap();
+        let resets = sample.curves.iter().filter(|vertex| vertex.kind == CurveKind::Reset);
+        let resets: BTreeSet<u32> = resets.map(|vertex| vertex.number).collect();
+        assert_eq!(svg.matches("stroke-dasharray").count(), resets.len());
+    }
+
+    #[test]
+    fn what_lies_beyond_the_wall_is_painted_before_the_wall() {
+        let svg = fig09::SHEET.draw(&Sample::of("fig09").figure(), SheetWidth::Paper).unwrap();
+        let wall = svg.rfind(&fill(INCOMING_FACE)).expect("the incoming set is painted");
+        let dashed = "stroke-dasharray=\"3 2\"";
+        assert!(svg.matches(dashed).count() >= 3, "three virtual parts");
+        assert!(svg.rfind(dashed).is_some_and(|last| last < wall));
+        assert!(svg.rfind(&fill(SECTION_FACE)).is_some_and(|front| wall < front));
+    }
+
+    #[test]
+    fn a_missing_coordinate_is_an_error() {
+        let mut sample = Sample::of("fig01");
+        sample.curves[3].place[1] = f64::NAN;
+        let error = fig01::SHEET.draw(&sample.figure(), SheetWidth::Paper).unwrap_err();
+        assert!(matches!(&error, DrawingError::Window { window, .. } if window == "fig01"), "{error}");
+    }
 }

@@ -48,6 +48,11 @@ impl Bounds {
     }
 }
 
+/// The least and the greatest number, as a range; the wrong way round if there is none.
+pub(crate) fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
+}
+
 /// Curves are thinned to segments of at least this length (points): labels need no finer picture of them.
 const GRAIN: f64 = 0.8;
 

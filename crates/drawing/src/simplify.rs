@@ -1,12 +1,12 @@
 //! Fewer points for the same picture: Douglas–Peucker on the sheet, below what print resolves.
 
-use plotters_backend::BackendCoord;
+use crate::svg::Hundredths;
 
-/// Greatest distance between a curve and its simplification, in backend units (1/100 point, 3.5 micrometres).
+/// Greatest distance between a curve and its simplification, in hundredths of a point, 3.5 micrometres each.
 const TOLERANCE: f64 = 1.0;
 
 /// Leaves out points that lie within [`TOLERANCE`] of the line through the ones kept; both ends stay.
-pub(crate) fn simplify(path: &[BackendCoord]) -> Vec<BackendCoord> {
+pub(crate) fn simplify(path: &[Hundredths]) -> Vec<Hundredths> {
     if path.len() < 3 {
         return path.to_vec();
     }
@@ -35,7 +35,7 @@ pub(crate) fn simplify(path: &[BackendCoord]) -> Vec<BackendCoord> {
 }
 
 /// Distance of a point from a segment.
-fn off_segment(point: BackendCoord, from: BackendCoord, to: BackendCoord) -> f64 {
+fn off_segment(point: Hundredths, from: Hundredths, to: Hundredths) -> f64 {
     let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
     let (px, py) = (f64::from(point.0 - from.0), f64::from(point.1 - from.1));
     let squared = dx * dx + dy * dy;
@@ -50,13 +50,13 @@ mod tests {
 
     #[test]
     fn a_straight_line_of_many_points_becomes_its_two_ends() {
-        let line: Vec<BackendCoord> = (0..=200).map(|i| (3 * i, 2 * i)).collect();
+        let line: Vec<Hundredths> = (0..=200).map(|i| (3 * i, 2 * i)).collect();
         assert_eq!(simplify(&line), [(0, 0), (600, 400)]);
     }
 
     #[test]
     fn no_point_moves_by_more_than_the_tolerance() {
-        let parabola: Vec<BackendCoord> = (0..=1000).map(|i| (i * 10, (i - 500) * (i - 500) / 50)).collect();
+        let parabola: Vec<Hundredths> = (0..=1000).map(|i| (i * 10, (i - 500) * (i - 500) / 50)).collect();
         let kept = simplify(&parabola);
         assert!(kept.len() < 150, "{}", kept.len());
         for &point in &parabola {

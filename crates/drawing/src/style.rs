@@ -16,7 +16,6 @@ pub(crate) struct Pen {
     pub(crate) width: f64,
     /// Lengths of ink and gap in turn; empty for a solid line.
     pub(crate) dashes: &'static [f64],
-    pub(crate) opacity: f64,
     /// Round instead of cut ends.
     pub(crate) round: bool,
 }
@@ -30,11 +29,11 @@ pub(crate) struct Paint {
 
 impl Pen {
     const fn solid(colour: Colour, width: f64) -> Self {
-        Pen { colour, width, dashes: &[], opacity: 1.0, round: false }
+        Pen { colour, width, dashes: &[], round: false }
     }
 
-    const fn dashed(colour: Colour, width: f64, dashes: &'static [f64]) -> Self {
-        Pen { colour, width, dashes, opacity: 1.0, round: false }
+    pub(crate) const fn dashed(colour: Colour, width: f64, dashes: &'static [f64]) -> Self {
+        Pen { colour, width, dashes, round: false }
     }
 }
 
@@ -118,7 +117,7 @@ pub(crate) const MAGNIFIED: Pen = Pen::solid(ORANGE, 1.0);
 /// Labels of those rectangles: darker than the rectangle, to be readable.
 pub(crate) const MAGNIFIED_TEXT: Colour = Colour(176, 84, 0);
 /// The line in the two-parameter diagram along which the one-parameter diagram runs.
-pub(crate) const SECTION: Pen = Pen { colour: BLACK, width: 1.5, dashes: &[], opacity: 1.0, round: true };
+pub(crate) const SECTION: Pen = Pen { round: true, ..Pen::solid(BLACK, 1.5) };
 
 pub(crate) const MARKER: Paint = Paint::opaque(BLACK);
 pub(crate) const MARKER_RIM: Pen = Pen::solid(WHITE, 0.5);
@@ -176,13 +175,12 @@ pub(crate) fn hat_pen(size: f64, colour: Colour) -> Pen {
 }
 
 /// Orbits in phase space.
-pub(crate) const FLOW: Pen = Pen { colour: FLOW_COLOUR, width: 1.1, dashes: &[], opacity: 1.0, round: true };
+pub(crate) const FLOW: Pen = Pen { round: true, ..Pen::solid(FLOW_COLOUR, 1.1) };
 pub(crate) const FLOW_COLOUR: Colour = Colour(20, 50, 140);
 /// Where an orbit goes on as if there were no wall.
 pub(crate) const VIRTUAL_FLOW: Pen = Pen::dashed(FLOW_COLOUR, 0.95, &[3.0, 2.0]);
 /// The grazing periodic solution.
-pub(crate) const PERIODIC_FLOW: Pen =
-    Pen { colour: BLACK, width: 1.5, dashes: &[], opacity: 1.0, round: true };
+pub(crate) const PERIODIC_FLOW: Pen = Pen { round: true, ..Pen::solid(BLACK, 1.5) };
 /// The reset law, from impact to recoil.
 pub(crate) const RESET: Pen = Pen::dashed(RESET_COLOUR, 1.0, &[1.6, 1.5]);
 pub(crate) const RESET_COLOUR: Colour = Colour(178, 34, 24);

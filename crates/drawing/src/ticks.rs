@@ -1,11 +1,4 @@
-//! Ticks at round numbers, both ends of the axis included when they are round, and numbers as they are printed.
-
-/// A tick and the number at it.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Tick {
-    pub(crate) value: f64,
-    pub(crate) label: String,
-}
+//! Round steps for ticks, both ends of the axis included when they are round, and numbers as they are printed.
 
 /// `mantissa` times ten to the power of `exponent`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,36 +20,17 @@ impl Step {
         self.exponent
     }
 
-    /// The number `index * step`, written exactly.
-    fn label(self, index: i128) -> String {
-        decimal(index * self.mantissa, self.exponent)
-    }
-
     /// The number `index * step` correctly rounded, by reading its decimal digits.
     fn value(self, index: i128) -> f64 {
         format!("{}e{}", index * self.mantissa, self.exponent).parse().unwrap_or(f64::NAN)
     }
 
-    /// Which multiples of the step lie from `low` to `high`, ends included up to a billionth of the step.
-    fn indices(self, [low, high]: [f64; 2]) -> std::ops::RangeInclusive<i128> {
+    /// The multiples of the step in a range, ends included up to a billionth of the step: in units of ten to the step's exponent, and as
+    /// numbers.
+    pub(crate) fn multiples(self, [low, high]: [f64; 2]) -> impl Iterator<Item = (i128, f64)> {
         let step = self.value(1);
-        (low / step - 1e-9).ceil() as i128..=(high / step + 1e-9).floor() as i128
-    }
-
-    /// The least and the greatest multiple of the step in a range, in units of ten to its exponent.
-    pub(crate) fn units(self, range: [f64; 2]) -> [i128; 2] {
-        let indices = self.indices(range);
-        [*indices.start(), *indices.end()].map(|index| index * self.mantissa)
-    }
-
-    /// All multiples of the step in a range, in units of ten to its exponent.
-    pub(crate) fn all_units(self, range: [f64; 2]) -> impl Iterator<Item = i128> {
-        self.indices(range).map(move |index| index * self.mantissa)
-    }
-
-    /// All multiples of the step from `low` to `high`.
-    pub(crate) fn multiples(self, low: f64, high: f64) -> Vec<Tick> {
-        self.indices([low, high]).map(|i| Tick { value: self.value(i), label: self.label(i) }).collect()
+        let indices = (low / step - 1e-9).ceil() as i128..=(high / step + 1e-9).floor() as i128;
+        indices.map(move |index| (index * self.mantissa, self.value(index)))
     }
 
     /// The step of the smaller ticks between: a fifth, or a quarter of two, which is a half of the unit.
@@ -137,20 +111,17 @@ mod tests {
     #[test]
     fn both_ends_carry_a_tick_though_they_are_not_exact_in_binary() {
         // 0.1 + 0.2 exceeds 0.3 by one rounding, and 1.3 / 0.1 falls short of 13.
-        let ticks = step(1, -1).multiples(0.1 + 0.2, 1.3);
-        assert_eq!(ticks.first().unwrap().label, "0.3");
-        assert_eq!(ticks.last().unwrap().label, "1.3");
-        assert_eq!(ticks.len(), 11);
-        assert_eq!(ticks[4].value, 0.7);
+        let ticks: Vec<_> = step(1, -1).multiples([0.1 + 0.2, 1.3]).collect();
+        assert_eq!((ticks.len(), ticks[0], ticks[4], ticks[10]), (11, (3, 0.3), (7, 0.7), (13, 1.3)));
     }
 
     #[test]
     fn numbers_are_written_exactly() {
-        assert_eq!(step(5, -2).label(7), "0.35");
-        assert_eq!(step(2, -1).label(0), "0");
-        assert_eq!(step(2, -1).label(-3), "−0.6");
-        assert_eq!(step(2, 3).label(4), "8000");
-        assert_eq!(step(1, -1).label(10), "1.0");
+        assert_eq!(decimal(35, -2), "0.35");
+        assert_eq!(decimal(0, -1), "0");
+        assert_eq!(decimal(-6, -1), "−0.6");
+        assert_eq!(decimal(8, 3), "8000");
+        assert_eq!(decimal(10, -1), "1.0");
     }
 
     #[test]

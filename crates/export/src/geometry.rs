@@ -1,6 +1,6 @@
 //! Where labels and lines come to lie, read from the finished figure and not from what was meant.
 
-use resvg::tiny_skia::{Point, Rect, Transform};
+use resvg::tiny_skia::{Rect, Transform};
 use resvg::usvg::{Group, Node, Tree};
 use ttf_parser::Face;
 
@@ -51,16 +51,10 @@ impl Bounds {
     }
 
     fn around(rectangle: Rect, transform: Transform) -> Bounds {
-        let (left, top, right, bottom) =
-            (rectangle.left(), rectangle.top(), rectangle.right(), rectangle.bottom());
-        let mut corners =
-            [(left, top), (right, top), (right, bottom), (left, bottom)].map(|(x, y)| Point::from_xy(x, y));
-        transform.map_points(&mut corners);
-        let spot = |point: Point| {
-            let (x, y) = (f64::from(point.x), f64::from(point.y));
-            Bounds { left: x, top: y, right: x, bottom: y }
-        };
-        corners.into_iter().map(spot).reduce(Bounds::joined).unwrap_or(spot(Point::zero()))
+        let [left, top, right, bottom] = rectangle.transform(transform).map_or([f64::NAN; 4], |turned| {
+            [turned.left(), turned.top(), turned.right(), turned.bottom()].map(f64::from)
+        });
+        Bounds { left, top, right, bottom }
     }
 }
 

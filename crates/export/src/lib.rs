@@ -12,7 +12,6 @@
 
 #![forbid(unsafe_code)]
 
-mod canonical;
 mod comparison;
 mod error;
 mod figure;

@@ -2,42 +2,44 @@
 
 use std::collections::BTreeMap;
 
+use askama::filters::Safe;
 use grazing_results::Table;
 
+use crate::Report;
 use crate::formula::shown;
-use crate::html::{escape, json_string, put};
+use crate::html::{Html, escape, json_string};
 
 /// A symbol as the page shows it; names in it may be of several words.
-fn formula(latex: &str) -> String {
+fn formula(latex: &str) -> Html {
     shown(&latex.replace(r"\mathrm{", r"\text{"), false)
 }
 
 /// The name of a parameter as a symbol.
-pub(crate) fn symbol(name: &str) -> String {
-    grazing_results::symbol(name).map_or_else(|| escape(name), |latex| formula(&latex))
+pub(crate) fn symbol(name: &str) -> Html {
+    grazing_results::symbol(name).map_or_else(|| Safe(escape(name)), |latex| formula(&latex))
 }
 
 /// The heading of a column: its symbol, or its name in words.
-pub(crate) fn heading(table: &Table, place: usize) -> String {
+pub(crate) fn heading(table: &Table, place: usize) -> Html {
     match table.symbols[place].as_str() {
-        "" => escape(&table.headers[place].replace('_', " ")),
+        "" => Safe(escape(&table.headers[place].replace('_', " "))),
         latex => formula(latex),
     }
 }
 
-/// The headings of all columns by their names, for the scripts.
-pub(crate) fn json<'a>(tables: impl Iterator<Item = &'a Table>) -> String {
-    let columns =
-        tables.flat_map(|table| table.headers.iter().enumerate().map(move |column| (table, column)));
-    let headings: BTreeMap<&str, String> =
+/// The headings of all columns that figures show by their names, for the scripts.
+pub(crate) fn json(report: &Report<'_>) -> String {
+    let columns = report
+        .all_figures()
+        .flat_map(|figure| &figure.tables)
+        .flat_map(|table| table.headers.iter().enumerate().map(move |column| (table, column)));
+    let headings: BTreeMap<&str, Html> =
         columns.map(|(table, (place, name))| (name.as_str(), heading(table, place))).collect();
-    let mut json = String::from("{");
-    for (index, (name, heading)) in headings.iter().enumerate() {
-        let comma = if index == 0 { "" } else { "," };
-        put!(json, "{comma}{}:{}", json_string(name), json_string(heading));
-    }
-    json.push('}');
-    json
+    let pairs: Vec<String> = headings
+        .iter()
+        .map(|(name, heading)| format!("{}:{}", json_string(name), json_string(&heading.0)))
+        .collect();
+    format!("{{{}}}", pairs.join(","))
 }
 
 #[cfg(test)]
@@ -52,8 +54,8 @@ mod tests {
             ("F_0", "<msub>"),
             ("forcing_amplitude", "forcing amplitude"),
         ] {
-            assert!(symbol(name).contains(shown), "{name}: {}", symbol(name));
+            assert!(symbol(name).0.contains(shown), "{name}: {}", symbol(name).0);
         }
-        assert_eq!(symbol("<b>"), "&lt;b&gt;");
+        assert_eq!(symbol("<b>").0, "&lt;b&gt;");
     }
 }

@@ -1,9 +1,12 @@
 //! Figures: SVG inside the page, with the numbers that are drawn.
 
+use askama::Template;
+use askama::filters::Safe;
 use grazing_results::Table;
 
-use crate::html::{escape, identifier, json_string, put};
-use crate::{OscillatorEntry, Report, data, ledger, prose, table};
+use crate::formula::prose;
+use crate::html::{Html, escape, json_string, rendered};
+use crate::{OscillatorEntry, Report, data, ledger, table};
 
 /// A figure with its data.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +34,13 @@ struct Parts {
     body: String,
 }
 
+impl Parts {
+    /// The width on the page where there is room, in units of the page's type.
+    fn rem(&self) -> String {
+        format!("{:.1}", self.width * SCALE)
+    }
+}
+
 /// How much larger than on paper figures are shown where there is room, in units of the page's type for a millimetre: all
 /// by the same factor, so that their labels are of one size.
 const SCALE: f64 = 0.34;
@@ -42,10 +52,9 @@ const WIDEST: f64 = 160.0;
 const FAMILIES: [(&str, &str); 2] = [("STIX Two Text", "Figure Text"), ("STIX Two Math", "Figure Signs")];
 
 /// The style sheets of all figures, each once: they hold the fonts.
-pub(crate) fn styles(report: &Report) -> String {
+pub(crate) fn styles(report: &Report<'_>) -> String {
     let mut styles: Vec<String> = Vec::new();
-    let of_oscillators = report.oscillators.iter().flat_map(|oscillator| &oscillator.figures);
-    for figure in report.figures.iter().chain(of_oscillators) {
+    for figure in report.all_figures() {
         // Each rule stands on a line of its own.
         for rule in parts(&figure.svg, &figure.name).style.lines() {
             if !rule.trim().is_empty() && !styles.iter().any(|known| known == rule) {
@@ -56,23 +65,24 @@ pub(crate) fn styles(report: &Report) -> String {
     styles.join("\n")
 }
 
-/// How figures are used.
-pub(crate) const USE: &str = "<p class=\"lead scripted\">Point at a figure to read values off it; the nearest computed point is shown \
-     with its row of the data. Click into a figure, or Tab to it, and the wheel or <kbd>+</kbd> <kbd>−</kbd> zoom, arrows move, \
-     <kbd>0</kbd> shows all, <kbd>n</kbd> and <kbd>p</kbd> step through the computed points.</p>\n";
-
-pub(crate) fn section(report: &Report) -> String {
-    let mut html = format!(
-        "<section id=\"figures\" aria-labelledby=\"figures-title\">\n<h2 id=\"figures-title\">Figures</h2>\n{USE}"
-    );
-    for figure in &report.figures {
-        html.push_str(&one(report, figure));
-    }
-    html.push_str("</section>\n");
-    html
+/// A figure on the page.
+#[derive(Template)]
+#[template(path = "figure.html")]
+struct Framed<'a> {
+    /// The identifier of the figure.
+    id: &'a str,
+    /// The name for those who do not see it.
+    label: &'a str,
+    heading: Html,
+    parts: Parts,
+    /// Lines of links with a word before them.
+    links: [(&'static str, Vec<Html>); 2],
+    /// The tables for the scripts.
+    data: String,
 }
 
-fn one(report: &Report, figure: &Figure) -> String {
+/// A figure of the paper.
+pub(crate) fn of_the_paper(report: &Report<'_>, figure: &Figure) -> Html {
     let heading = match figure.title.split_once(": ") {
         Some((number, rest)) => {
             format!("<span class=\"eyebrow\">{}</span> {}", escape(number), prose(&capitalised(rest)))
@@ -81,69 +91,32 @@ fn one(report: &Report, figure: &Figure) -> String {
     };
     let own = own_files(figure);
     let outputs = report.manifest.outputs.iter().filter(|file| own.contains(&file.path));
-    let files: Vec<String> = outputs.map(|file| report.manifest.link(&file.path)).collect();
-    let shown: Vec<&str> = report
-        .claims
-        .iter()
-        .filter(|claim| claim.figures.contains(&figure.name))
-        .map(|claim| claim.label.as_str())
-        .collect();
-    let mut links = linked("Files", &files);
-    if !shown.is_empty() {
-        links.push_str(&linked("Claims", &[ledger::links(&shown)]));
-    }
-    let frame =
-        Frame { id: &figure.name, label: &figure.title, heading: format!("<h3>{heading}</h3>"), links };
-    frame.around(figure)
+    let files = outputs.map(|file| report.manifest.link(&file.path)).collect();
+    let shown = report.claims.iter().filter(|finding| finding.claim.figures.contains(&figure.name));
+    let claims = shown.map(|finding| ledger::link(&finding.claim.label)).collect();
+    rendered(&Framed {
+        id: &figure.name,
+        label: &figure.title,
+        heading: Safe(format!("<h3>{heading}</h3>")),
+        parts: parts(&figure.svg, &figure.name),
+        links: [("Files", files), ("Claims", claims)],
+        data: data(figure),
+    })
 }
 
 /// A figure of an oscillator.
-pub(crate) fn of_oscillator(oscillator: &OscillatorEntry, figure: &Figure) -> String {
+pub(crate) fn of_oscillator(oscillator: &OscillatorEntry, figure: &Figure) -> Html {
     let own = own_files(figure);
+    let id = format!("{}-{}", oscillator.anchor(), figure.name);
     let files = oscillator.files.iter().filter(|path| own.contains(path));
-    let files: Vec<String> =
-        files.map(|path| format!("<a href=\"{0}\"><code>{0}</code></a>", escape(path))).collect();
-    let frame = Frame {
-        id: &format!("{}-{}", oscillator.anchor(), figure.name),
-        label: &format!("{}: {}", oscillator.name, figure.title),
-        heading: format!("<h4>{}</h4>", prose(&capitalised(&figure.title))),
-        links: linked("Files", &files),
-    };
-    frame.around(figure)
-}
-
-/// What surrounds a figure on the page.
-struct Frame<'a> {
-    /// The identifier of the figure.
-    id: &'a str,
-    /// The name for those who do not see it.
-    label: &'a str,
-    /// HTML.
-    heading: String,
-    links: String,
-}
-
-impl Frame<'_> {
-    fn around(&self, figure: &Figure) -> String {
-        let Parts { view_box, width, attributes, description, body, .. } = parts(&figure.svg, self.id);
-        let width = width * SCALE;
-        let (name, title, heading) = (escape(self.id), escape(self.label), &self.heading);
-        format!(
-            "<figure id=\"{name}\" class=\"figure\">\n{heading}\n<div class=\"workbench\">\n\
-             <div class=\"sheet\" tabindex=\"0\" role=\"group\" aria-roledescription=\"zoomable figure\" aria-label=\"{title}\" \
-             aria-describedby=\"{name}-caption\">\n\
-             <svg viewBox=\"{view_box}\" style=\"max-width:{width:.1}rem\" {attributes} role=\"img\" aria-label=\"{title}\">{body}</svg>\n</div>\n\
-             <div class=\"side\">\n<div class=\"tools scripted\" role=\"toolbar\" aria-label=\"Zoom of {title}\">\
-             <button type=\"button\" data-zoom=\"in\" aria-label=\"Zoom in\">+</button>\
-             <button type=\"button\" data-zoom=\"out\" aria-label=\"Zoom out\">−</button>\
-             <button type=\"button\" data-zoom=\"all\">Whole figure</button></div>\n\
-             <div class=\"readout scripted\" aria-live=\"off\"></div>\n</div>\n</div>\n\
-             <figcaption id=\"{name}-caption\"><p>{}</p>\n{}</figcaption>\n{}</figure>\n",
-            prose(&description),
-            self.links,
-            tables(figure, self.id),
-        )
-    }
+    rendered(&Framed {
+        label: &format!("{}: {}", oscillator.description.name(), figure.title),
+        heading: Safe(format!("<h4>{}</h4>", prose(&capitalised(&figure.title)))),
+        parts: parts(&figure.svg, &id),
+        links: [("Files", files.map(|path| OscillatorEntry::file_link(path)).collect()), ("", Vec::new())],
+        data: data(figure),
+        id: &id,
+    })
 }
 
 /// The paths that the figure's own files have among all.
@@ -152,29 +125,16 @@ fn own_files(figure: &Figure) -> Vec<String> {
     std::iter::once(format!("{}.svg", figure.name)).chain(tables).collect()
 }
 
-/// A line of links with a word before them; nothing if there are none.
-fn linked(word: &str, links: &[String]) -> String {
-    match links {
-        [] => String::new(),
-        _ => format!("<p class=\"links\"><span>{word}</span> {}</p>\n", links.join(" ")),
-    }
-}
-
 pub(crate) fn capitalised(text: &str) -> String {
     let mut characters = text.chars();
     characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
 /// The tables for the scripts.
-fn tables(figure: &Figure, id: &str) -> String {
-    let mut json = String::from("{");
-    for (index, table) in figure.tables.iter().enumerate() {
-        let comma = if index == 0 { "" } else { ",\n" };
-        put!(json, "{comma}{}:{}", json_string(table.name), json_string(&data::compact(table)));
-    }
-    json.push('}');
-    let id = identifier("data", id);
-    format!("<script type=\"application/json\" id=\"{}\">{json}</script>\n", escape(&id))
+fn data(figure: &Figure) -> String {
+    let table = |table: &Table| format!("{}:{}", json_string(table.name), json_string(&data::compact(table)));
+    let tables: Vec<String> = figure.tables.iter().map(table).collect();
+    format!("{{{}}}", tables.join(",\n"))
 }
 
 /// Takes an SVG file apart, and gives its identifiers and fonts names that no other part of the page has.
@@ -190,7 +150,7 @@ fn parts(svg: &str, name: &str) -> Parts {
     let mut attributes = String::new();
     for kept in ["font-family", "xml:space", "stroke-linejoin", "fill"] {
         if let Some(value) = attribute(head, kept) {
-            put!(attributes, "{kept}=\"{value}\" ");
+            attributes.push_str(&format!("{kept}=\"{value}\" "));
         }
     }
     for (family, own) in FAMILIES {

@@ -3,24 +3,19 @@
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
-use crate::html::escape;
+use askama::filters::Safe;
+
+use crate::html::{Html, escape};
 
 /// A formula that could not be understood.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{latex}: {reason}")]
 pub struct FormulaError {
     /// The LaTeX.
     pub latex: String,
     /// What is wrong with it.
     pub reason: String,
 }
-
-impl std::fmt::Display for FormulaError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {}", self.latex, self.reason)
-    }
-}
-
-impl std::error::Error for FormulaError {}
 
 /// The formula as MathML: displayed on lines of its own, or in a line of text.
 ///
@@ -51,21 +46,21 @@ pub fn mathml(latex: &str, displayed: bool) -> Result<String, FormulaError> {
 
 /// Words with formulas between dollars, as HTML; a formula that cannot be understood is shown as it stands. In the words,
 /// `_` after a single letter lowers what follows, and `^` raises it.
-pub fn prose(text: &str) -> String {
+pub(crate) fn prose(text: &str) -> Html {
     let mut html = String::new();
     for (index, piece) in text.split('$').enumerate() {
         if index % 2 == 0 {
             html.push_str(&scripts(&escape(piece)));
         } else {
-            html.push_str(&shown(piece, false));
+            html.push_str(&shown(piece, false).0);
         }
     }
-    html
+    Safe(html)
 }
 
 /// Words without formulas, as HTML, with sub- and superscripts as in [`prose`].
-pub(crate) fn words(text: &str) -> String {
-    scripts(&escape(text))
+pub(crate) fn words(text: &str) -> Html {
+    Safe(scripts(&escape(text)))
 }
 
 /// The escaped text with sub- and superscripts: `h_p`, `c_{SN,1}`, `s_p^+`. Names of several letters, as of functions, stay.
@@ -107,8 +102,8 @@ fn script(text: &str) -> (&str, &str) {
 }
 
 /// The formula, or its source where it cannot be understood.
-pub(crate) fn shown(latex: &str, displayed: bool) -> String {
-    mathml(latex, displayed).unwrap_or_else(|_| format!("<code>{}</code>", escape(latex)))
+pub(crate) fn shown(latex: &str, displayed: bool) -> Html {
+    Safe(mathml(latex, displayed).unwrap_or_else(|_| format!("<code>{}</code>", escape(latex))))
 }
 
 /// The same formula without what the converter does not know: third derivatives as dots, and dollars in `\text`.
@@ -154,17 +149,17 @@ mod tests {
     fn what_cannot_be_understood_is_an_error_and_is_shown_as_it_stands() {
         let error = mathml(r"\nosuchcommand{x}", false).unwrap_err();
         assert!(error.to_string().contains("nosuchcommand"), "{error}");
-        assert_eq!(prose(r"a < $\nosuchcommand$"), r"a &lt; <code>\nosuchcommand</code>");
+        assert_eq!(prose(r"a < $\nosuchcommand$").0, r"a &lt; <code>\nosuchcommand</code>");
     }
 
     #[test]
     fn words_have_sub_and_superscripts_and_names_of_functions_stay() {
         assert_eq!(
-            prose("h_p < g_{p,1} and s_p^+ = η^2"),
+            prose("h_p < g_{p,1} and s_p^+ = η^2").0,
             "h<sub>p</sub> &lt; g<sub>p,1</sub> and s<sub>p</sub><sup>+</sup> = η<sup>2</sup>"
         );
         for text in ["grazing_theorems::from_map", "a _ b", "f_", "2^"] {
-            assert_eq!(prose(text), text);
+            assert_eq!(prose(text).0, text);
         }
     }
 

@@ -1,31 +1,48 @@
-//! Pieces of HTML: escaping, identifiers, links and numbers.
+//! Pieces of HTML: escaping, identifiers and numbers.
 
-/// Appends formatted text to a string, which cannot fail.
-macro_rules! put {
-    ($page:expr, $($argument:tt)*) => {{
-        use std::fmt::Write as _;
-        let _ = write!($page, $($argument)*);
-    }};
+use std::borrow::Borrow;
+use std::fmt::{self, Write};
+
+use askama::filters::{Escaper, Safe};
+
+/// Text that is markup; what is of any other type is escaped when it comes into a template.
+pub(crate) type Html = Safe<String>;
+
+/// Replaces everything that HTML would read as markup, also inside quoted attributes.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Escape;
+
+impl Escaper for Escape {
+    fn write_escaped_str<W: Write>(&self, mut page: W, text: &str) -> fmt::Result {
+        for character in text.chars() {
+            match character {
+                '&' => page.write_str("&amp;")?,
+                '<' => page.write_str("&lt;")?,
+                '>' => page.write_str("&gt;")?,
+                '"' => page.write_str("&quot;")?,
+                '\'' => page.write_str("&#39;")?,
+                '\n' | '\r' | '\t' => page.write_char(character)?,
+                hidden if hidden.is_control() || directs(hidden) => {
+                    write!(page, "{}", hidden.escape_unicode())?
+                }
+                other => page.write_char(other)?,
+            }
+        }
+        Ok(())
+    }
 }
 
-pub(crate) use put;
-
-/// The text with everything replaced that HTML would read as markup, also inside quoted attributes.
+/// The text as [`Escape`] writes it.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            '\'' => escaped.push_str("&#39;"),
-            '\n' | '\r' | '\t' => escaped.push(character),
-            hidden if hidden.is_control() || directs(hidden) => escaped.extend(hidden.escape_unicode()),
-            other => escaped.push(other),
-        }
-    }
+    // Writing to a String cannot fail.
+    let _ = Escape.write_escaped_str(&mut escaped, text);
     escaped
+}
+
+/// The template's text; a template writes to a String, which cannot fail.
+pub(crate) fn rendered(template: &impl askama::Template) -> Html {
+    Safe(template.render().unwrap_or_default())
 }
 
 /// Whether the character changes the direction in which those after it, or around it, are written.
@@ -44,7 +61,7 @@ pub(crate) fn json_string(text: &str) -> String {
             '\n' => json.push_str("\\n"),
             // A script element ends at the first `</script`, whatever stands around it.
             '<' => json.push_str("\\u003c"),
-            control if control < ' ' => put!(json, "\\u{:04x}", u32::from(control)),
+            control if control < ' ' => json.push_str(&format!("\\u{:04x}", u32::from(control))),
             other => json.push(other),
         }
     }
@@ -60,7 +77,31 @@ pub(crate) fn identifier(prefix: &str, label: &str) -> String {
 }
 
 /// A number with so many significant digits, as a reader wants it: a true minus sign, powers of ten as powers.
-pub(crate) fn number(value: f64, digits: usize) -> String {
+pub(crate) fn number(value: &f64, digits: usize) -> Html {
+    Safe(rounded(*value, digits))
+}
+
+/// A cell of a table with such a number, which scripts can sort by.
+pub(crate) fn cell(value: &f64, digits: usize) -> Html {
+    Safe(format!("<td class=\"number\" data-value=\"{value:e}\">{}</td>", rounded(*value, digits)))
+}
+
+/// Pieces with spaces between.
+pub(crate) fn joined(pieces: &[Html]) -> Html {
+    Safe(pieces.iter().map(|piece| piece.0.as_str()).collect::<Vec<_>>().join(" "))
+}
+
+/// A number as scripts sort by it.
+pub(crate) fn sortable(value: &f64) -> String {
+    format!("{value:e}")
+}
+
+/// A number with all its digits.
+pub(crate) fn plain(value: &f64) -> String {
+    value.to_string().replace('-', "−")
+}
+
+fn rounded(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
@@ -95,7 +136,12 @@ fn trimmed(mantissa: &str) -> &str {
 
 /// `1 file`, `2 files`.
 pub(crate) fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
+    format!("{count} {}", word(count, one, many))
+}
+
+/// The word for so many things.
+pub(crate) fn word<'a>(count: impl Borrow<usize>, one: &'a str, many: &'a str) -> &'a str {
+    if *count.borrow() == 1 { one } else { many }
 }
 
 #[cfg(test)]
@@ -111,12 +157,12 @@ mod tests {
 
     #[test]
     fn numbers_read_as_in_print() {
-        assert_eq!(number(-567.944_528, 6), "−567.945");
-        assert_eq!(number(0.0, 3), "0");
-        assert_eq!(number(3.14e-15, 2), "3.1 × 10<sup>−15</sup>");
-        assert_eq!(number(1e-12, 2), "10<sup>−12</sup>");
-        assert_eq!(number(-1e7, 2), "−10<sup>7</sup>");
-        assert_eq!(number(0.012_345, 3), "0.0123");
-        assert_eq!(number(f64::INFINITY, 3), "∞");
+        assert_eq!(rounded(-567.944_528, 6), "−567.945");
+        assert_eq!(rounded(0.0, 3), "0");
+        assert_eq!(rounded(3.14e-15, 2), "3.1 × 10<sup>−15</sup>");
+        assert_eq!(rounded(1e-12, 2), "10<sup>−12</sup>");
+        assert_eq!(rounded(-1e7, 2), "−10<sup>7</sup>");
+        assert_eq!(rounded(0.012_345, 3), "0.0123");
+        assert_eq!(rounded(f64::INFINITY, 3), "∞");
     }
 }

@@ -2,54 +2,41 @@
 
 use std::collections::BTreeMap;
 
-use crate::formula::{prose, shown};
-use crate::html::{counted, escape, identifier, put};
-use crate::{ClaimEntry, Report, Source, Verdict};
+use askama::filters::Safe;
+use grazing_claims::audit::{Finding, Verdict};
+use grazing_claims::ledger::{Claim, Misprint};
+use grazing_claims::outcome::Measure;
+use grazing_claims::source::Place;
+
+use crate::Report;
+use crate::html::{Html, escape, identifier, number};
+
+/// How a claim came out.
+pub(crate) fn state(verdict: &Verdict) -> &'static str {
+    match verdict {
+        Verdict::Unchecked(_) => "unchecked",
+        verdict if verdict.fails() => "failed",
+        _ => "passed",
+    }
+}
 
 /// The part of the paper that a claim stands in: its place up to the first comma.
 pub(crate) fn part(place: &str) -> &str {
     place.split([',', ';']).next().unwrap_or(place).trim()
 }
 
-/// Links to claims.
-pub(crate) fn links(labels: &[&str]) -> String {
-    let link = |label: &&str| {
-        format!("<a href=\"#{}\"><code>{}</code></a>", escape(&identifier("claim", label)), escape(label))
-    };
-    labels.iter().map(link).collect::<Vec<_>>().join(" ")
+/// A link to a claim.
+pub(crate) fn link(label: &str) -> Html {
+    let id = escape(&identifier("claim", label));
+    Safe(format!("<a href=\"#{id}\"><code>{}</code></a>", escape(label)))
 }
 
-pub(crate) fn section(report: &Report) -> String {
-    let claims = &report.claims;
-    let mut html = String::from(
-        "<section id=\"claims\" aria-labelledby=\"claims-title\">\n<h2 id=\"claims-title\">Claims</h2>\n\
-         <p class=\"lead\">Every numbered equation, lemma, proposition and theorem of the paper and every number in its text and \
-         captions, with the function that holds it and the computation that tests it.</p>\n",
-    );
-    if claims.is_empty() {
-        html.push_str("<p>The ledger is empty.</p>\n</section>\n");
-        return html;
-    }
-    html.push_str("<form class=\"filters scripted\" id=\"claim-filters\" aria-label=\"Filter claims\">\n");
-    let kinds = distinct(claims.iter().map(|claim| claim.kind.as_str()));
-    let parts = distinct(claims.iter().map(|claim| part(&claim.place)));
-    html.push_str(&select("kind", "Kind", &kinds));
-    html.push_str(&select("part", "Section", &parts));
-    html.push_str(&select("state", "Verdict", &["passed", "failed", "unchecked", "misprint"]));
-    put!(
-        html,
-        "<label>Label or words <input type=\"search\" name=\"text\" placeholder=\"eq:gp\"></label>\n\
-         <button type=\"reset\">All</button> <output aria-live=\"polite\">{}</output>\n</form>\n",
-        counted(claims.len(), "claim", "claims")
-    );
-    html.push_str("<ol class=\"claims\">\n");
-    for claim in claims {
-        html.push_str(&one(report, claim));
-    }
-    html.push_str("</ol>\n");
-    html.push_str(&by_file(report));
-    html.push_str("</section>\n");
-    html
+/// By what the claims can be filtered: name, title and values.
+pub(crate) fn filters<'a>(report: &'a Report<'_>) -> [(&'static str, &'static str, Vec<&'a str>); 3] {
+    let kinds = distinct(report.claims.iter().map(|finding| finding.claim.kind.name()));
+    let parts = distinct(report.claims.iter().map(|finding| part(&finding.claim.place)));
+    let states = vec!["passed", "failed", "unchecked", "misprint"];
+    [("kind", "Kind", kinds), ("part", "Section", parts), ("state", "Verdict", states)]
 }
 
 /// The words in the order in which they first occur.
@@ -63,144 +50,78 @@ fn distinct<'a>(words: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
     distinct
 }
 
-fn select(name: &str, title: &str, options: &[&str]) -> String {
-    let mut html = format!("<label>{title} <select name=\"{name}\"><option value=\"\">all</option>");
-    for option in options {
-        put!(html, "<option>{}</option>", escape(option));
-    }
-    html.push_str("</select></label>\n");
-    html
-}
-
-fn one(report: &Report, claim: &ClaimEntry) -> String {
-    let state = claim.verdict.state();
-    let label = escape(&claim.label);
-    let misprint = if claim.misprint.is_some() { " data-misprint" } else { "" };
-    let mut html = format!(
-        "<li class=\"claim {0}\" id=\"{1}\" data-kind=\"{2}\" data-part=\"{3}\" data-state=\"{0}\"{misprint}>\n\
-         <div class=\"what\"><h3><a href=\"#{1}\"><code>{label}</code></a></h3>\n<p class=\"place\">{4} · {2}</p></div>\n<div class=\"statement\"><p>{5}</p>\n",
-        state.word(),
-        escape(&identifier("claim", &claim.label)),
-        escape(&claim.kind),
-        escape(part(&claim.place)),
-        escape(&claim.place),
-        prose(&claim.says),
-    );
-    if let Some(formula) = &claim.formula {
-        put!(
-            html,
-            "<div class=\"formula\" tabindex=\"0\" role=\"group\" aria-label=\"formula of {label}\">{}</div>\n",
-            shown(formula, true)
-        );
-    }
-    html.push_str(&references(report, claim));
-    put!(html, "</div>\n<div class=\"outcome\"><p><span class=\"verdict {0}\">{0}</span>", state.word());
-    if claim.misprint.is_some() {
-        put!(
-            html,
-            " <a class=\"verdict misprint\" href=\"#{}\">misprint</a>",
-            escape(&identifier("misprint", &claim.label))
-        );
-    }
-    put!(html, "</p>\n{}</div>\n</li>\n", outcome(&claim.verdict));
-    html
-}
-
-fn outcome(verdict: &Verdict) -> String {
-    match verdict {
-        Verdict::Checked { measured, print, samples, over, .. } => {
-            let mut html = format!("<p>{}</p>\n", measured.html());
-            if let Some(print) = print {
-                put!(html, "<p>as printed: {}</p>\n", print.html());
-            }
-            put!(html, "<p class=\"samples\">{samples} {}</p>\n", prose(over));
-            html
+/// A measurement with what it is held against.
+pub(crate) fn measured(measure: &Measure) -> Html {
+    Safe(match *measure {
+        Measure::Deviation { largest, tolerance } => {
+            format!("largest deviation <b>{}</b>, tolerance {}", number(&largest, 2), number(&tolerance, 2))
         }
-        Verdict::Failed { error } => format!("<p>{}</p>\n", escape(error)),
-        Verdict::Published { values } => {
-            let mut html = String::from("<ul class=\"values\">\n");
-            for value in values {
-                put!(
-                    html,
-                    "<li><a href=\"#{}\">{}</a>: printed {}, computed <b>{}</b></li>\n",
-                    escape(&identifier("value", &value.id)),
-                    crate::published::symbols(&value.quantity),
-                    escape(&value.printed.replace('-', "−")),
-                    value.computed.map_or_else(|| "nothing".to_owned(), crate::published::computed),
-                );
-            }
-            html.push_str("</ul>\n");
-            html
+        Measure::Order { observed, stated, slack } => format!(
+            "order <b>{}</b> seen, {} stated (slack {})",
+            number(&observed, 3),
+            number(&stated, 1),
+            number(&slack, 1)
+        ),
+        Measure::Margin { smallest } => {
+            format!("smallest margin <b>{}</b>, to be positive", number(&smallest, 2))
         }
-        Verdict::Unchecked { reason } => format!("<p class=\"samples\">{}</p>\n", prose(reason)),
-    }
+        Measure::Agreement { agreeing, cases } => format!("<b>{agreeing}</b> of {cases} cases agree"),
+    })
 }
 
-/// Links to source files and figures.
-fn references(report: &Report, claim: &ClaimEntry) -> String {
-    let mut lines = Vec::new();
-    if !claim.holds.is_empty() {
-        let held: Vec<String> = claim.holds.iter().map(|source| source_link(report, source)).collect();
-        lines.push(format!("<span>Held by</span> {}", held.join(" ")));
-    }
-    if let Some(check) = &claim.check {
-        lines.push(format!("<span>Tested by</span> {}", source_link(report, check)));
-    }
-    if !claim.figures.is_empty() {
-        let figures: Vec<String> = claim.figures.iter().map(|name| figure_link(report, name)).collect();
-        lines.push(format!("<span>Seen in</span> {}", figures.join(" ")));
-    }
-    lines.iter().map(|line| format!("<p class=\"links\">{line}</p>\n")).collect()
+/// Links to source files and figures, with a word before each kind.
+pub(crate) fn references(report: &Report<'_>, claim: &Claim) -> [(&'static str, Vec<Html>); 3] {
+    let sources = &report.sources;
+    let held = claim.holds.iter().map(|name| source_link(report, name, sources.item(name))).collect();
+    let tested = claim.check_name().map(|name| source_link(report, name, sources.check(name)));
+    let seen = claim.figures.iter().map(|name| figure_link(report, name)).collect();
+    [("Held by", held), ("Tested by", tested.into_iter().collect()), ("Seen in", seen)]
 }
 
-fn figure_link(report: &Report, name: &str) -> String {
-    match report.figures.iter().find(|figure| figure.name == name) {
+fn figure_link(report: &Report<'_>, name: &str) -> Html {
+    Safe(match report.figures.iter().find(|figure| figure.name == name) {
         Some(figure) => {
             let short = figure.title.split(':').next().unwrap_or(name);
             format!("<a href=\"#{}\">{}</a>", escape(name), escape(short))
         }
         None => escape(name),
-    }
+    })
 }
 
-/// The item's name without the crate, as a link to its file where that is known.
-fn source_link(report: &Report, source: &Source) -> String {
-    let name = format!("<code>{}</code>", escape(&source.name).replace("::", "::<wbr>"));
-    match (&source.file, &report.root) {
-        (Some((file, line)), Some(root)) => {
-            format!("<a href=\"{}{}\" title=\"{1}, line {line}\">{name}</a>", escape(root), escape(file))
-        }
-        (Some((file, line)), None) => format!("<span title=\"{}, line {line}\">{name}</span>", escape(file)),
-        (None, _) => name,
-    }
+/// The item's name as a link to its file where that is known.
+fn source_link(report: &Report<'_>, name: &str, place: Option<Place>) -> Html {
+    let name = format!("<code>{}</code>", escape(name).replace("::", "::<wbr>"));
+    let Some(Place { file, line }) = place else { return Safe(name) };
+    let file = escape(&file);
+    Safe(match &report.root {
+        Some(root) => format!("<a href=\"{}{file}\" title=\"{file}, line {line}\">{name}</a>", escape(root)),
+        None => format!("<span title=\"{file}, line {line}\">{name}</span>"),
+    })
 }
 
-/// From source files back to claims.
-fn by_file(report: &Report) -> String {
-    let mut files: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    for claim in &report.claims {
-        for (file, _) in claim.holds.iter().chain(&claim.check).filter_map(|source| source.file.as_ref()) {
-            let labels = files.entry(file).or_default();
+/// From source files back to the labels of claims.
+pub(crate) fn by_file<'a>(report: &'a Report<'_>) -> BTreeMap<String, Vec<&'a str>> {
+    let mut files: BTreeMap<String, Vec<&str>> = BTreeMap::new();
+    for Finding { claim, .. } in &report.claims {
+        let held = claim.holds.iter().filter_map(|name| report.sources.item(name));
+        let tested = claim.check_name().and_then(|name| report.sources.check(name));
+        for place in held.chain(tested) {
+            let labels = files.entry(place.file).or_default();
             if labels.last() != Some(&claim.label.as_str()) {
                 labels.push(&claim.label);
             }
         }
     }
-    if files.is_empty() {
-        return String::new();
-    }
-    let mut html = String::from(
-        "<details class=\"files\" id=\"files\"><summary>From source files to claims</summary>\n<dl>\n",
-    );
-    for (file, labels) in files {
-        let link = match &report.root {
-            Some(root) => format!("<a href=\"{}{}\">{1}</a>", escape(root), escape(file)),
-            None => escape(file),
-        };
-        put!(html, "<dt>{link}</dt><dd>{}</dd>\n", links(&labels));
-    }
-    html.push_str("</dl></details>\n");
-    html
+    files
+}
+
+/// The misprints with what was found of their claims; those that no computation decides come last.
+pub(crate) fn misprints<'a>(report: &'a Report<'_>) -> Vec<(&'a Finding<'a>, &'a Misprint)> {
+    let listed = report.claims.iter();
+    let mut listed: Vec<_> =
+        listed.filter_map(|finding| Some((finding, finding.claim.misprint.as_ref()?))).collect();
+    listed.sort_by_key(|(_, misprint)| misprint.measured() == Some(false));
+    listed
 }
 
 #[cfg(test)]
@@ -211,5 +132,21 @@ mod tests {
     fn a_place_begins_with_its_part() {
         assert_eq!(part("section 2.4, eq. (15)"), "section 2.4");
         assert_eq!(part("caption of Figure 8"), "caption of Figure 8");
+    }
+
+    #[test]
+    fn measurements_stand_beside_what_they_are_held_against() {
+        for (measure, told) in [
+            (
+                Measure::Deviation { largest: 3.14e-15, tolerance: 1e-12 },
+                "largest deviation <b>3.1 × 10<sup>−15</sup></b>, tolerance 10<sup>−12</sup>",
+            ),
+            (
+                Measure::Order { observed: f64::INFINITY, stated: 2.0, slack: 0.3 },
+                "order <b>∞</b> seen, 2 stated (slack 0.3)",
+            ),
+        ] {
+            assert_eq!(measured(&measure).0, told);
+        }
     }
 }

@@ -1,14 +1,13 @@
 //! The report: one HTML page that shows what was computed, to be read beside the paper.
 //!
-//! [`Report`] holds figures, tables, verdicts and a manifest as plain data, and [`page`] makes the page of it: one text
-//! without a reference to anything outside it but links to follow. Equal reports give equal bytes; there is no date in
-//! them. The page has a style sheet and a few scripts of its own, in `assets/`: zoom and values under the pointer in
-//! `figures.js`, sorting and filtering in `tables.js`, the filters of the ledger in `claims.js`, light and dark in
-//! `theme.js`. Without scripts it is a document like any other.
+//! [`Report`] holds figures, tables, verdicts and a manifest, and [`page`] makes the page of it: one text without a
+//! reference to anything outside it but links to follow. Equal reports give equal bytes; there is no date in them. The
+//! page is put together from `templates/`, a file for each of its sections. It has a style sheet and a few scripts of its
+//! own, in `assets/`: zoom and values under the pointer in `figures.js`, sorting and filtering in `tables.js`, the filters
+//! of the ledger in `claims.js`, light and dark in `theme.js`. Without scripts it is a document like any other.
 //!
 //! This crate computes nothing and does no input or output.
 
-mod claim;
 mod columns;
 mod data;
 mod figure;
@@ -16,12 +15,9 @@ mod formula;
 mod html;
 mod ledger;
 mod manifest;
-mod misprints;
 mod oscillator;
-mod oscillators;
 mod page;
 mod published;
-mod summary;
 mod table;
 
 // The sample serves the tests in this crate and those beside it.
@@ -31,27 +27,31 @@ extern crate self as grazing_report;
 #[path = "../tests/sample/mod.rs"]
 mod sample;
 
-pub use claim::{ClaimEntry, Measured, MisprintEntry, Source, State, Verdict};
+use grazing_claims::audit::{Finding, Verdict};
+use grazing_claims::source::Sources;
+use grazing_reproduction::published::Comparison;
+
 pub use figure::Figure;
-pub use formula::{FormulaError, mathml, prose};
+pub use formula::{FormulaError, mathml};
 pub use manifest::{Manifest, OutputFile};
-pub use oscillator::{CoefficientEntry, Finding, Judgement, OscillatorEntry, ResonanceEntry};
+pub use oscillator::{Known, OscillatorEntry, ResonanceEntry};
 pub use page::page;
-pub use published::PublishedEntry;
 pub use table::TableOutput;
 
 /// All that the page shows.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Report {
+#[derive(Debug, Clone, Default)]
+pub struct Report<'a> {
     /// The figures, in the order of the paper.
     pub figures: Vec<Figure>,
     /// The outputs that are tables only.
     pub tables: Vec<TableOutput>,
     /// The numbers that the paper prints, with the computed ones.
-    pub published: Vec<PublishedEntry>,
-    /// The ledger of claims, in the order of the paper.
-    pub claims: Vec<ClaimEntry>,
-    /// Oscillators from text files. A page can be about them alone: parts of which there is nothing are left out.
+    pub published: Vec<Comparison<'a>>,
+    /// The claims with what came of testing them, in the order of the paper.
+    pub claims: Vec<Finding<'a>>,
+    /// The source files to which claims lead.
+    pub sources: Sources,
+    /// Oscillators from text files, each with an identifier of its own.
     pub oscillators: Vec<OscillatorEntry>,
     /// What of all this could not be made, or not wholly, and why.
     pub missing: Vec<String>,
@@ -62,12 +62,46 @@ pub struct Report {
     pub root: Option<String>,
 }
 
-impl Report {
+/// How much of the paper came out how.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Counts {
+    /// Published values that are met.
+    pub met: usize,
+    /// Claims that hold.
+    pub passed: usize,
+    /// Claims that do not, or whose check broke down.
+    pub failed: usize,
+    /// Claims that are not tested by a computation.
+    pub unchecked: usize,
+    /// Misprints.
+    pub misprints: usize,
+}
+
+impl Report<'_> {
+    /// How much of the paper came out how.
+    pub fn counts(&self) -> Counts {
+        let count = |is: fn(&Finding<'_>) -> bool| self.claims.iter().filter(|finding| is(finding)).count();
+        let failed = count(|finding| finding.verdict.fails());
+        let unchecked = count(|finding| matches!(finding.verdict, Verdict::Unchecked(_)));
+        Counts {
+            met: self.published.iter().filter(|comparison| comparison.is_met()).count(),
+            passed: self.claims.len() - failed - unchecked,
+            failed,
+            unchecked,
+            misprints: count(|finding| finding.claim.misprint.is_some()),
+        }
+    }
+
     /// Whether anything of the paper is shown.
     fn is_of_the_paper(&self) -> bool {
         !(self.figures.is_empty()
             && self.tables.is_empty()
             && self.published.is_empty()
             && self.claims.is_empty())
+    }
+
+    /// The figures of the paper and of all oscillators.
+    fn all_figures(&self) -> impl Iterator<Item = &Figure> {
+        self.figures.iter().chain(self.oscillators.iter().flat_map(|oscillator| &oscillator.figures))
     }
 }

@@ -1,39 +1,28 @@
 //! Oscillators from text files: what they are, and what the theorems, the curves and simulation say of them.
 
-use crate::html::identifier;
+use askama::filters::Safe;
+use grazing_continuation::bifurcation::{Bifurcation, Pair};
+use grazing_description::Description;
 use grazing_results::Table;
+use grazing_unfold::sides::Simulated;
+use grazing_unfold::verdict::{Coefficient, Verdict};
 
 use crate::Figure;
+use crate::html::{Html, counted, escape, identifier};
 
 /// An oscillator with all that was found out about it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct OscillatorEntry {
     /// A short name that no other oscillator on the page has, as `duffing`; part of addresses.
     pub id: String,
-    /// What it is called.
-    pub name: String,
     /// The file it comes from, as it is to be named on the page.
     pub file: String,
     /// The path from the page to that file, if it is to be linked.
     pub link: Option<String>,
     /// Where it comes from: the paragraphs of the file's leading comment.
     pub about: Vec<String>,
-    /// The force F(x, v, t), as the file has it.
-    pub force: String,
-    /// The forcing frequency, as the file has it.
-    pub frequency: String,
-    /// Φ(y, z) of the reset law, as the file has it.
-    pub restitution: String,
-    /// Ψ(y, z) of the reset law, as the file has it.
-    pub duration: String,
-    /// The constants with their values.
-    pub constants: Vec<(String, f64)>,
-    /// The primary parameter μ with its range.
-    pub primary: (String, [f64; 2]),
-    /// The secondary parameter η with its range.
-    pub secondary: (String, [f64; 2]),
-    /// The numbers of loops that were analysed.
-    pub loops: Vec<u32>,
+    /// What stands in the file.
+    pub description: Description,
     /// The figures; their names and those of their tables need be unique in this oscillator only.
     pub figures: Vec<Figure>,
     /// The tables that are shown as such.
@@ -50,8 +39,11 @@ pub struct OscillatorEntry {
     pub files: Vec<String>,
 }
 
-/// A resonant grazing bifurcation.
-#[derive(Debug, Clone, PartialEq)]
+/// What is known of an SN or PD curve: its coefficient, and the motion beside it.
+pub type Known = (Coefficient, Simulated);
+
+/// A resonant grazing bifurcation, in the oscillator's own units.
+#[derive(Debug, Clone)]
 pub struct ResonanceEntry {
     /// Number of loops p.
     pub loops: u32,
@@ -61,46 +53,38 @@ pub struct ResonanceEntry {
     pub primary: f64,
     /// The secondary parameter.
     pub secondary: f64,
-    /// What is known of it.
-    pub finding: Finding,
+    /// What is known of its curves; where the theorem does not apply the hypotheses that fail, with the values of their quantities.
+    pub finding: Result<Pair<Known>, Vec<(String, f64)>>,
 }
 
-/// What is known of a resonant grazing bifurcation.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Finding {
-    /// A theorem applies; c_SN and c_PD.
-    Unfolded(Box<[CoefficientEntry; 2]>),
-    /// The theorem does not apply: the hypotheses that fail, with the values of their quantities.
-    Silent(Vec<(String, f64)>),
+/// Significant digits of coefficients, of parameters and of other values.
+pub(crate) const COEFFICIENT: usize = 9;
+pub(crate) const PARAMETER: usize = 7;
+pub(crate) const VALUE: usize = 4;
+
+/// The class of a verdict's colour, and the verdict on what a theorem predicts of the curves.
+pub(crate) fn agreement(coefficient: &Coefficient) -> (&'static str, &'static str) {
+    match coefficient.verdict() {
+        Verdict::Agree => ("passed", "agrees"),
+        Verdict::Contradict => ("failed", "contradicts"),
+        Verdict::NotMeasurable(_) => ("unchecked", "not measurable"),
+    }
 }
 
-/// What came of comparing something with the theorem.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Judgement {
-    /// It is as the theorem says.
-    For,
-    /// It is otherwise, with the details.
-    Against(String),
-    /// That cannot be told, for a reason.
-    Open(String),
-}
-
-/// A coefficient, c_SN or c_PD.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CoefficientEntry {
-    /// By the theorem.
-    pub theorem: f64,
-    /// Measured on the continued curve, with the number of digits that agree; nothing where it could not be.
-    pub measured: Option<(f64, u32)>,
-    /// Whether both agree within their errors.
-    pub agreement: Judgement,
-    /// Whether the simulated system does what the theorem predicts.
-    pub simulation: Judgement,
+/// The same of a simulation.
+pub(crate) fn simulation(simulated: &Simulated) -> (&'static str, &'static str) {
+    match simulated {
+        Simulated::AsPredicted(_) => ("passed", "as predicted"),
+        Simulated::Against(_) => ("failed", "otherwise"),
+        Simulated::Undecided(_) => ("unchecked", "undecided"),
+    }
 }
 
 /// How many of the coefficients came out how.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Tally {
+    /// Resonances.
+    pub(crate) resonances: usize,
     /// Coefficients.
     pub(crate) all: usize,
     /// Those that are measured as by the theorem, and those that are measured otherwise.
@@ -119,39 +103,92 @@ impl OscillatorEntry {
         identifier("oscillator", &self.id)
     }
 
-    pub(crate) fn tally(&self) -> Tally {
-        let mut tally = Tally::default();
-        for coefficient in self.resonances.iter().flat_map(ResonanceEntry::coefficients) {
-            tally.all += 1;
-            if let Some((_, digits)) = coefficient.measured {
-                tally.digits = Some(tally.digits.map_or(digits, |least| least.min(digits)));
-            }
-            match coefficient.agreement {
-                Judgement::For => tally.agreeing += 1,
-                Judgement::Against(_) => tally.differing += 1,
-                Judgement::Open(_) => {}
-            }
-            match coefficient.simulation {
-                Judgement::For => tally.predicted += 1,
-                Judgement::Against(_) => tally.contradicted += 1,
-                Judgement::Open(_) => {}
-            }
-        }
-        tally
+    /// A link to one of its files.
+    pub(crate) fn file_link(path: &str) -> Html {
+        Safe(format!("<a href=\"{0}\"><code>{0}</code></a>", escape(path)))
     }
-}
 
-impl ResonanceEntry {
-    /// c_SN and c_PD, if a theorem gives them.
-    pub(crate) fn coefficients(&self) -> &[CoefficientEntry] {
-        match &self.finding {
-            Finding::Unfolded(coefficients) => coefficients.as_slice(),
-            Finding::Silent(_) => &[],
+    /// The resonances at which a theorem holds, with what is known of the SN and the PD curve.
+    pub(crate) fn unfolded(&self) -> Vec<(&ResonanceEntry, [(Bifurcation, &Known); 2])> {
+        let all = self.resonances.iter();
+        all.filter_map(|resonance| Some((resonance, resonance.finding.as_ref().ok()?.as_ref().named())))
+            .collect()
+    }
+
+    /// The resonances at which none does, with the hypotheses that fail.
+    pub(crate) fn silent(&self) -> Vec<(&ResonanceEntry, &[(String, f64)])> {
+        let all = self.resonances.iter();
+        all.filter_map(|resonance| Some((resonance, resonance.finding.as_ref().err()?.as_slice()))).collect()
+    }
+
+    /// Where coefficients were not measured or simulation is not as predicted: resonance, what it is about, and the reason.
+    pub(crate) fn not_borne_out(&self) -> Vec<(&ResonanceEntry, String, String)> {
+        let mut found = Vec::new();
+        for (resonance, curves) in self.unfolded() {
+            for (curve, (coefficient, simulated)) in curves {
+                for (what, (tone, word), reason) in [
+                    ("coefficient", agreement(coefficient), coefficient.verdict().reason()),
+                    ("simulation", simulation(simulated), simulated.reason()),
+                ] {
+                    if tone != "passed" {
+                        found.push((resonance, format!("{}, {what} {word}", curve.name()), reason));
+                    }
+                }
+            }
         }
+        found
+    }
+
+    fn tally(&self) -> Tally {
+        Tally::of_all(std::slice::from_ref(self))
+    }
+
+    /// The verdicts on agreement and simulation, where a theorem applies, and how much is lost.
+    pub(crate) fn verdicts(&self) -> Html {
+        let tally = self.tally();
+        let mut told = match tally.all {
+            0 => vec![("unchecked", "no theorem applies".to_owned())],
+            _ => vec![tally.agreement(), tally.simulation()],
+        };
+        if !self.lost.is_empty() {
+            told.push(("misprint", format!("{} not unfolded", self.lost.len())));
+        }
+        if !self.undecided.is_empty() {
+            told.push(("misprint", counted(self.undecided.len(), "region undecided", "regions undecided")));
+        }
+        let told = told.iter().map(|(tone, words)| format!("<span class=\"verdict {tone}\">{words}</span>"));
+        Safe(told.collect::<Vec<_>>().join(" "))
     }
 }
 
 impl Tally {
+    /// How they came out in all of these oscillators.
+    pub(crate) fn of_all(oscillators: &[OscillatorEntry]) -> Self {
+        let resonances = oscillators.iter().map(|oscillator| oscillator.resonances.len()).sum();
+        let mut tally = Tally { resonances, ..Tally::default() };
+        let unfolded = oscillators.iter().flat_map(OscillatorEntry::unfolded);
+        for (coefficient, simulated) in unfolded.flat_map(|(_, both)| both.map(|(_, known)| known)) {
+            tally.all += 1;
+            if let Some((_, digits)) = coefficient.compared() {
+                tally.digits = Some(tally.digits.map_or(digits, |least| least.min(digits)));
+            }
+            tally.agreeing += usize::from(coefficient.verdict() == Verdict::Agree);
+            tally.differing += usize::from(coefficient.verdict() == Verdict::Contradict);
+            tally.predicted += usize::from(matches!(simulated, Simulated::AsPredicted(_)));
+            tally.contradicted += usize::from(matches!(simulated, Simulated::Against(_)));
+        }
+        tally
+    }
+
+    /// The class of the colour for so many that came out well and so many that came out otherwise.
+    pub(crate) fn tone(&self, good: &usize, bad: &usize) -> &'static str {
+        match bad {
+            0 if *good == self.all => "passed",
+            0 => "neutral",
+            _ => "failed",
+        }
+    }
+
     /// The verdict on the agreement of theorem and curve, with the class of its colour.
     pub(crate) fn agreement(&self) -> (&'static str, String) {
         let Tally { all, agreeing, differing, digits, .. } = *self;
@@ -186,36 +223,33 @@ impl Tally {
 
 #[cfg(test)]
 mod tests {
+    use grazing_unfold::sides::Doubt;
+
     use super::*;
+    use crate::sample::{MEASURED, NOT_MEASURED, SIDES, coefficient};
 
-    fn resonance(agreement: [Judgement; 2], simulation: [Judgement; 2]) -> ResonanceEntry {
-        let entry = |(agreement, simulation): (Judgement, Judgement)| {
-            let measured = (agreement == Judgement::For).then_some((1.0, 7));
-            CoefficientEntry { theorem: 1.0, measured, agreement, simulation }
-        };
-        let mut both = agreement.into_iter().zip(simulation).map(entry);
-        let finding = Finding::Unfolded(Box::new([(); 2].map(|()| both.next().expect("there are two"))));
-        ResonanceEntry { loops: 1, n: 1, primary: 0.0, secondary: 0.0, finding }
-    }
+    const PREDICTED: Simulated = Simulated::AsPredicted(SIDES);
 
-    fn tally(resonances: Vec<ResonanceEntry>) -> Tally {
+    /// What comes of a resonance at which all is well with the SN curve.
+    fn tally((value, error): (f64, f64), simulated: Simulated) -> Tally {
         let mut entry = crate::sample::oscillator("a", "a");
-        entry.resonances = resonances;
+        let good = coefficient(MEASURED.0, MEASURED.1);
+        let (saddle_node, period_doubling) = ((good, PREDICTED), (coefficient(value, error), simulated));
+        entry.resonances[0].finding = Ok(Pair { saddle_node, period_doubling });
         entry.tally()
     }
 
     #[test]
     fn a_verdict_is_good_only_if_every_coefficient_agrees_and_every_simulation_is_as_predicted() {
-        use Judgement::{Against, For, Open};
-        let all_good = tally(vec![resonance([For, For], [For, For])]);
+        let all_good = tally(MEASURED, PREDICTED);
         assert_eq!(
             all_good.agreement(),
             ("passed", "theorem and curves agree to 7 digits or more".to_owned())
         );
         assert_eq!(all_good.simulation(), ("passed", "simulation as predicted at 2 of 2".to_owned()));
-        for (second, tone) in [(Open(String::new()), "misprint"), (Against(String::new()), "failed")] {
-            assert_eq!(tally(vec![resonance([For, second.clone()], [For, For])]).agreement().0, tone);
-            assert_eq!(tally(vec![resonance([For, For], [For, second])]).simulation().0, tone);
-        }
+        assert_eq!(tally(NOT_MEASURED, PREDICTED).agreement().0, "misprint");
+        assert_eq!(tally((-13.0, 1e-5), PREDICTED).agreement().0, "failed");
+        assert_eq!(tally(MEASURED, Simulated::Undecided(Doubt::NotMeasured)).simulation().0, "misprint");
+        assert_eq!(tally(MEASURED, Simulated::Against(SIDES)).simulation().0, "failed");
     }
 }

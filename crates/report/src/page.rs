@@ -1,9 +1,11 @@
 //! The page as a whole.
 
-use grazing_results::Table;
+use askama::Template;
+use askama::filters::Safe;
+use grazing_claims::audit::Verdict as Finding;
 
-use crate::html::{escape, put};
-use crate::{Report, columns, figure, ledger, manifest, misprints, oscillators, published, summary, table};
+use crate::html::{Html, escape, rendered};
+use crate::{Report, ledger};
 
 const STYLE: &[&str] = &[
     include_str!("../assets/base.css"),
@@ -27,73 +29,52 @@ const SCRIPTS: &[&str] = &[
 const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; font-src data:";
 
-/// A part of the page.
-struct Section {
-    id: &'static str,
-    /// Its name in the bar.
-    title: &'static str,
-    html: fn(&Report) -> String,
-}
-
-/// The parts that have something to show.
-fn sections(report: &Report) -> Vec<Section> {
-    let ledger = !report.claims.is_empty();
-    let oscillators = if report.oscillators.len() == 1 { "Oscillator" } else { "Oscillators" };
-    [
-        (true, "summary", "Summary", summary::section as fn(&Report) -> String),
-        (!report.published.is_empty(), "published", "Values", published::section),
-        (!report.figures.is_empty(), "figures", "Figures", figure::section),
-        (!report.tables.is_empty(), "tables", "Tables", table::section),
-        (ledger, "claims", "Claims", ledger::section),
-        (ledger, "misprints", "Misprints", misprints::section),
-        (!report.oscillators.is_empty(), "oscillators", oscillators, oscillators::section),
-        (true, "manifest", "Manifest", manifest::section),
-    ]
-    .into_iter()
-    .filter(|(there, ..)| *there)
-    .map(|(_, id, title, html)| Section { id, title, html })
-    .collect()
-}
-
 /// The page: one HTML text that needs nothing else.
-pub fn page(report: &Report) -> String {
-    let mut html = format!(
-        "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <meta name=\"color-scheme\" content=\"light dark\">\n\
-         <title>{}</title>\n<style>\n{}\n{}</style>\n<script>\n{THEME}</script>\n</head>\n<body>\n",
-        escape(POLICY),
-        escape(summary::title(report)),
-        figure::styles(report),
-        STYLE.concat(),
-    );
-    html.push_str("<a class=\"skip\" href=\"#content\">Skip to the content</a>\n<header class=\"bar\">\n<nav aria-label=\"Sections\"><ul>\n");
-    let sections = sections(report);
-    for Section { id, title, .. } in &sections {
-        put!(html, "<li><a href=\"#{id}\">{title}</a></li>\n");
-    }
-    html.push_str(
-        "</ul></nav>\n<button type=\"button\" id=\"theme\" class=\"scripted\">Theme</button>\n</header>\n<main id=\"content\" tabindex=\"-1\">\n",
-    );
-    for section in sections {
-        html.push_str(&(section.html)(report));
-    }
-    put!(
-        html,
-        "</main>\n<footer><p>{}. Licence: MIT or Apache-2.0; embedded fonts: SIL Open Font License.</p></footer>\n\
-         <script type=\"application/json\" id=\"columns\">{}</script>\n<script>\n{}</script>\n</body>\n</html>\n",
-        escape(&report.manifest.program),
-        columns::json(drawn(report)),
-        SCRIPTS.concat(),
-    );
-    html
+pub fn page(report: &Report<'_>) -> String {
+    // Templates leave out the end of their last line.
+    rendered(&Page { report }).0 + "\n"
 }
 
-/// The tables of all figures.
-fn drawn(report: &Report) -> impl Iterator<Item = &Table> {
-    let of_oscillators = report.oscillators.iter().flat_map(|oscillator| &oscillator.figures);
-    report.figures.iter().chain(of_oscillators).flat_map(|figure| &figure.tables)
+#[derive(Template)]
+#[template(path = "page.html")]
+struct Page<'a> {
+    report: &'a Report<'a>,
+}
+
+impl Page<'_> {
+    /// Identifiers and titles of the sections that have something to show.
+    fn sections(&self) -> Vec<(&'static str, &'static str)> {
+        let Report { figures, tables, published, claims, oscillators, .. } = self.report;
+        let sections = [
+            (true, "summary", "Summary"),
+            (!published.is_empty(), "published", "Values"),
+            (!figures.is_empty(), "figures", "Figures"),
+            (!tables.is_empty(), "tables", "Tables"),
+            (!claims.is_empty(), "claims", "Claims"),
+            (!claims.is_empty(), "misprints", "Misprints"),
+            (oscillators.len() == 1, "oscillators", "Oscillator"),
+            (oscillators.len() > 1, "oscillators", "Oscillators"),
+            (true, "manifest", "Manifest"),
+        ];
+        sections.into_iter().filter(|(there, ..)| *there).map(|(_, id, title)| (id, title)).collect()
+    }
+
+    fn title(&self) -> &str {
+        match self.report.oscillators.as_slice() {
+            _ if self.report.is_of_the_paper() => "Resonant grazing bifurcations, reproduced",
+            [oscillator] => oscillator.description.name(),
+            _ => "Resonant grazing bifurcations",
+        }
+    }
+
+    /// A label of the paper, as a link where the ledger has it.
+    fn label(&self, label: &str) -> Html {
+        if self.report.claims.iter().any(|finding| finding.claim.label == label) {
+            ledger::link(label)
+        } else {
+            Safe(format!("<code>{}</code>", escape(label)))
+        }
+    }
 }
 
 #[cfg(test)]
@@ -153,21 +134,22 @@ mod tests {
         }
     }
 
-    #[test]
-    fn every_internal_link_and_reference_has_a_target() {
-        let html = markup(&page(&sample::report()));
-        let ids: BTreeSet<&str> = values(&html, "id").into_iter().collect();
-        let mut links = 0;
-        for target in values(&html, "href").iter().filter_map(|href| href.strip_prefix('#')) {
-            assert!(ids.contains(target), "#{target} leads nowhere");
-            links += 1;
-        }
-        assert!(links > 20, "{links}");
+    /// Every link within the page and every reference has a target; how many links there are.
+    fn internal_links(markup: &str) -> usize {
+        let ids: BTreeSet<&str> = values(markup, "id").into_iter().collect();
         for attribute in ["aria-labelledby", "aria-describedby", "data-filters"] {
-            for id in values(&html, attribute) {
+            for id in values(markup, attribute) {
                 assert!(ids.contains(id), "{attribute} {id} leads nowhere");
             }
         }
+        let links = values(markup, "href").into_iter().filter_map(|href| href.strip_prefix('#'));
+        links.inspect(|target| assert!(ids.contains(target), "#{target} leads nowhere")).count()
+    }
+
+    #[test]
+    fn every_internal_link_and_reference_has_a_target() {
+        let links = internal_links(&markup(&page(&sample::report())));
+        assert!(links > 20, "{links}");
     }
 
     #[test]
@@ -216,16 +198,7 @@ mod tests {
         }
         assert!(html.contains("<title>Sample oscillator</title>"));
         assert!(markup.contains("href=\"data/points.csv\""), "its own files are linked");
-        for attribute in ["href", "aria-labelledby", "aria-describedby", "data-filters"] {
-            let ids: BTreeSet<&str> = values(&markup, "id").into_iter().collect();
-            let targets = values(&markup, attribute).into_iter();
-            for target in targets.filter_map(|value| match attribute {
-                "href" => value.strip_prefix('#'),
-                _ => Some(value),
-            }) {
-                assert!(ids.contains(target), "{attribute} {target} leads nowhere");
-            }
-        }
+        internal_links(&markup);
     }
 
     #[test]

@@ -1,10 +1,12 @@
 //! Outputs that are tables only.
 
-use grazing_results::{Cell, Table};
+use askama::Template;
+use askama::filters::Safe;
+use grazing_results::{Cell, Column, Table};
 
 use crate::columns::heading;
-use crate::html::{counted, escape, number, put};
-use crate::{OscillatorEntry, Report, prose};
+use crate::html::{Html, escape, number, rendered};
+use crate::{OscillatorEntry, Report};
 
 /// The path of a table's file among the outputs.
 pub(crate) fn path(table: &Table) -> String {
@@ -29,91 +31,49 @@ const LONG: usize = 40;
 /// The column that says how a case came out.
 const VERDICT: &str = "verdict";
 
-pub(crate) fn section(report: &Report) -> String {
-    let mut html = String::from(
-        "<section id=\"tables\" aria-labelledby=\"tables-title\">\n<h2 id=\"tables-title\">Tables</h2>\n\
-         <p class=\"lead scripted\">A click on a heading sorts. Numbers are shown with seven significant digits; the files have all.</p>\n",
-    );
-    for output in &report.tables {
-        put!(html, "<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n", escape(&output.name));
-        put!(html, "<h3 id=\"{}-title\">{}</h3>\n", escape(&output.name), prose(&output.title));
-        for table in &output.tables {
-            html.push_str(&one(report, table));
-        }
-        html.push_str("</section>\n");
-    }
-    html.push_str("</section>\n");
-    html
+/// A table that can be folded away.
+#[derive(Template)]
+#[template(path = "table.html")]
+struct Folded<'a> {
+    table: &'a Table,
+    /// A name that no other table on the page has.
+    id: String,
+    open: bool,
+    /// A link to its file, if it is written.
+    link: Option<Html>,
 }
 
-fn one(report: &Report, table: &Table) -> String {
+/// A table of the paper; short ones are open.
+pub(crate) fn of_the_paper(report: &Report<'_>, table: &Table) -> Html {
     let path = path(table);
     let written = report.manifest.outputs.iter().any(|file| file.path == path);
     let link = written.then(|| report.manifest.link(&path));
-    // Short ones are open.
-    let open = table.rows.len() <= LONG;
-    folded(table, table.name, open, link)
+    rendered(&Folded { table, id: table.name.to_owned(), open: table.rows.len() <= LONG, link })
 }
 
 /// A table of an oscillator.
-pub(crate) fn of_oscillator(oscillator: &OscillatorEntry, table: &Table) -> String {
+pub(crate) fn of_oscillator(oscillator: &OscillatorEntry, table: &Table) -> Html {
     let path = path(table);
-    let written = oscillator.files.contains(&path);
-    let link = written.then(|| format!("<a href=\"{0}\"><code>{0}</code></a>", escape(&path)));
-    folded(table, &format!("{}-{}", oscillator.anchor(), table.name), false, link)
+    let link = oscillator.files.contains(&path).then(|| OscillatorEntry::file_link(&path));
+    rendered(&Folded { table, id: format!("{}-{}", oscillator.anchor(), table.name), open: false, link })
 }
 
-/// A table that can be folded away, with a name that no other on the page has.
-fn folded(table: &Table, id: &str, open: bool, link: Option<String>) -> String {
-    let (name, id) = (escape(table.name), escape(id));
-    let open = if open { " open" } else { "" };
-    let mut html = format!(
-        "<details class=\"table\"{open}>\n<summary><code>{name}</code> <span>{}</span>{}</summary>\n",
-        counted(table.rows.len(), "row", "rows"),
-        verdicts(table),
-    );
-    put!(
-        html,
-        "<p class=\"scripted filter\"><label>Filter <input type=\"search\" data-filters=\"table-{id}\" \
-         placeholder=\"text of a row\"></label> <output>{}</output></p>\n",
-        counted(table.rows.len(), "row", "rows"),
-    );
-    put!(
-        html,
-        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{name}\">\n<table class=\"sortable data\" id=\"table-{id}\"><thead><tr>"
-    );
-    for (place, column) in table.columns.iter().enumerate() {
-        let numeric =
-            table.rows.first().is_some_and(|row| matches!(row[place], Cell::Integer(_) | Cell::Number(_)));
-        let class = if numeric { " class=\"number\"" } else { "" };
-        put!(
-            html,
-            "<th scope=\"col\"{class} title=\"{}\">{}</th>",
-            escape(column.meaning()),
-            heading(table, place)
-        );
-    }
-    html.push_str("</tr></thead>\n<tbody>\n");
-    for row in &table.rows {
-        html.push_str("<tr>");
-        for (cell, column) in row.iter().zip(table.columns) {
-            html.push_str(&shown(cell, column.name == VERDICT));
-        }
-        html.push_str("</tr>\n");
-    }
-    html.push_str("</tbody></table>\n</div>\n");
-    if let Some(link) = link {
-        put!(html, "<p class=\"links\"><span>File</span> {link}</p>\n");
-    }
-    html.push_str("</details>\n");
-    html
+/// For each column whether it holds numbers, its meaning and its heading.
+fn headings(table: &Table) -> Vec<(bool, &'static str, Html)> {
+    let numeric =
+        |cell: usize| table.rows.first().map(|row| matches!(row[cell], Cell::Integer(_) | Cell::Number(_)));
+    let columns = table.columns.iter().enumerate();
+    let heading = |(place, column): (usize, &Column)| {
+        (numeric(place).unwrap_or(false), column.meaning(), heading(table, place))
+    };
+    columns.map(heading).collect()
 }
 
-fn shown(cell: &Cell, verdict: bool) -> String {
-    match cell {
+fn shown(cell: &Cell, column: &Column) -> Html {
+    Safe(match cell {
         Cell::Number(_) => match cell.number() {
             Some(value) => {
-                let shown = number(value, DIGITS);
+                let shown = number(&value, DIGITS).0;
                 // What a script cannot read as a number is given for sorting.
                 let sort =
                     if shown.contains('<') { format!(" data-value=\"{value:e}\"") } else { String::new() };
@@ -123,20 +83,17 @@ fn shown(cell: &Cell, verdict: bool) -> String {
         },
         Cell::Integer(value) => format!("<td class=\"number\">{value}</td>"),
         Cell::Flag(value) => format!("<td>{value}</td>"),
-        Cell::Text(words) if verdict => {
+        Cell::Text(words) if column.name == VERDICT => {
             format!("<td><span class=\"verdict {}\">{}</span></td>", tone(words), escape(words))
         }
         Cell::Text(words) => format!("<td>{}</td>", escape(&words.replace('_', " "))),
-    }
+    })
 }
 
 /// How often each verdict occurs, the most frequent first.
-fn verdicts(table: &Table) -> String {
-    let Some(cells) = table.column(VERDICT) else {
-        return String::new();
-    };
+fn verdicts(table: &Table) -> Vec<(&str, usize)> {
     let mut counts: Vec<(&str, usize)> = Vec::new();
-    for cell in cells {
+    for cell in table.column(VERDICT).into_iter().flatten() {
         let Cell::Text(word) = cell else { continue };
         match counts.iter_mut().find(|(known, _)| known == word) {
             Some((_, count)) => *count += 1,
@@ -144,11 +101,7 @@ fn verdicts(table: &Table) -> String {
         }
     }
     counts.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(b.0)));
-    let mut html = String::new();
-    for (word, count) in counts {
-        put!(html, " <span class=\"verdict {}\">{count} {}</span>", tone(word), escape(word));
-    }
-    html
+    counts
 }
 
 /// The colour of a verdict: agreement, disagreement, or neither.
@@ -165,8 +118,8 @@ fn tone(verdict: &str) -> &'static str {
 
 #[cfg(test)]
 mod tests {
+    use grazing_results::Names;
     use grazing_results::columns::{self, LOOPS};
-    use grazing_results::{Column, Names};
 
     use super::*;
 
@@ -175,18 +128,20 @@ mod tests {
         const COLUMNS: &[Column] = &[LOOPS, columns::VERDICT];
         let rows = [(1, "agreement"), (2, "unexplained"), (3, "agreement"), (4, "explained")];
         let rows = rows.map(|(p, word)| vec![Cell::from(p), Cell::from(word)]);
-        let html = verdicts(&Table::of_cells("sample", COLUMNS, &Names::of_the_paper(), rows.into()));
-        let at = |text: &str| html.find(text).unwrap_or_else(|| panic!("{text} is missing in {html}"));
-        assert!(at("passed\">2 agreement") < at("unchecked\">1 explained"));
-        assert!(at("unchecked\">1 explained") < at("failed\">1 unexplained"));
+        let table = Table::of_cells("sample", COLUMNS, &Names::of_the_paper(), rows.into());
+        assert_eq!(verdicts(&table), [("agreement", 2), ("explained", 1), ("unexplained", 1)]);
+        assert_eq!(["agreement", "explained", "unexplained"].map(tone), ["passed", "unchecked", "failed"]);
     }
 
     #[test]
     fn numbers_are_rounded_for_the_eye_and_can_be_sorted() {
-        let number = |value: f64| shown(&Cell::Number(value), false);
-        assert_eq!(number(-5.679_445_287_380_571e2), "<td class=\"number\">−567.9445</td>");
-        assert_eq!(number(1.5e-9), "<td class=\"number\" data-value=\"1.5e-9\">1.5 × 10<sup>−9</sup></td>");
-        assert_eq!(number(f64::NAN), "<td class=\"number\"></td>");
-        assert_eq!(shown(&Cell::from("a<b"), false), "<td>a&lt;b</td>");
+        for (cell, html) in [
+            (Cell::Number(-5.679_445_287_380_571e2), "<td class=\"number\">−567.9445</td>"),
+            (Cell::Number(1.5e-9), "<td class=\"number\" data-value=\"1.5e-9\">1.5 × 10<sup>−9</sup></td>"),
+            (Cell::Number(f64::NAN), "<td class=\"number\"></td>"),
+            (Cell::from("a<b"), "<td>a&lt;b</td>"),
+        ] {
+            assert_eq!(shown(&cell, &LOOPS).0, html);
+        }
     }
 }

@@ -1,9 +1,8 @@
 //! Theorems 2.2 to 2.5 in action: the tables of what they predict and what is seen.
 
-use grazing_claims::sweep::generic::Existence;
 use grazing_claims::sweep::resonant::CurveRow;
 use grazing_claims::sweep::{
-    Extent, GenericRow, ResonantRow, generic_cases, generic_rows, resonant_cases, resonant_rows,
+    Existence, GenericRow, ResonantRow, generic_cases, generic_rows, resonant_cases, resonant_rows,
 };
 use grazing_results::{row, tables};
 use grazing_theorems::Side;
@@ -36,7 +35,7 @@ impl Study<'_> {
     /// # Errors
     /// A case could not be worked out.
     pub fn theorems_in_action(&self) -> Result<TheoremsInAction, StudyError> {
-        let (generic, resonant) = (generic_cases(Extent::Whole)?, resonant_cases(Extent::Whole)?);
+        let (generic, resonant) = (generic_cases()?, resonant_cases()?);
         let what = "theorems 2.2 to 2.5";
         self.progress.begin(what, (generic.len() + resonant.len()) as u64);
         let step = || self.progress.step(what);
@@ -128,7 +127,7 @@ row! { Resonant, |this| {
     ALPHA = r.point.grazing.alpha(),
     BETA = map.transversality(),
     A12_ALPHA = (map.a.m12 * r.point.grazing.alpha()),
-    UNFOLDING = r.point.unfolding.derivative(),
+    UNFOLDING = r.point.unfolding.derivative,
     S_PLUS = stability.plus,
     S_MINUS = stability.minus,
     SN_PREDICTED = predicted(sn.predicted, OF_ETA),

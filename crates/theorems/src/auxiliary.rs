@@ -13,7 +13,6 @@ use core::f64::consts::PI;
 /// `p`: dimensionless, at least 1, not necessarily an integer. `delta`: dimensionless, not negative.
 /// The cosine is written as `sin(pi (p - 2) / (2 p))`, which is exactly zero at `p = 2`.
 /// NaN when `delta < 0`.
-#[must_use]
 pub fn resonance_boundary(p: f64, delta: f64) -> f64 {
     2.0 * delta.sqrt() * libm::sin(0.5 * PI * (p - 2.0) / p)
 }
@@ -24,7 +23,6 @@ pub fn resonance_boundary(p: f64, delta: f64) -> f64 {
 ///
 /// `p`: number of loops, at least 1 (the paper uses it for `p >= 2`). `tau`, `delta`: dimensionless,
 /// `delta >= 0`.
-#[must_use]
 pub fn detuning(p: u32, tau: f64, delta: f64) -> f64 {
     tau - resonance_boundary(f64::from(p), delta)
 }
@@ -37,7 +35,6 @@ pub fn detuning(p: u32, tau: f64, delta: f64) -> f64 {
 ///
 /// Evaluated by `S_{j+1} = tau S_j - delta S_{j-1}` with `S_0 = 0`, `S_1 = 1`. `tau`, `delta`: dimensionless,
 /// any.
-#[must_use]
 pub fn lucas_sequence(j: u32, tau: f64, delta: f64) -> f64 {
     let (mut current, mut next) = (0.0, 1.0);
     for _ in 0..j {
@@ -52,7 +49,6 @@ pub fn lucas_sequence(j: u32, tau: f64, delta: f64) -> f64 {
 /// and (12) to (14), `eq:Tp2`, `eq:Tp3`, `eq:Tp6`, `eq:Tp4`, `eq:Tp5`.
 ///
 /// `tau`, `delta`: dimensionless, any. `T_0 = T_1 = 0`.
-#[must_use]
 pub fn lucas_partial_sum(p: u32, tau: f64, delta: f64) -> f64 {
     let (mut current, mut next, mut sum) = (0.0, 1.0, 0.0);
     for _ in 1..p {
@@ -75,7 +71,6 @@ pub fn lucas_partial_sum(p: u32, tau: f64, delta: f64) -> f64 {
 /// `tau`, `delta`: dimensionless.
 /// `H_0 = H_1 = 0` and `H_2 = 1`. Infinite or NaN when `delta = 0` and `p >= 3`; it grows like
 /// `delta^{-(p-2)/2}` at least, so it overflows when `delta` is tiny and `p` is large.
-#[must_use]
 pub fn admissibility_sum(p: u32, tau: f64, delta: f64) -> f64 {
     if p < 2 {
         return 0.0;
@@ -96,7 +91,6 @@ pub fn admissibility_sum(p: u32, tau: f64, delta: f64) -> f64 {
 /// Evaluated without the quotient: the sum of the powers is `T_p A + (1 - delta T_{p-1}) I`, so that the
 /// value is `u^2 + tau u T_p + delta T_p^2` with `u = 1 - delta T_{p-1}`; this holds for eigenvalue 1 too.
 /// `tau`, `delta`: dimensionless, any. Zero for `p = 0`, positive in the trapesium for `p >= 1`.
-#[must_use]
 pub fn geometric_sum_determinant(p: u32, tau: f64, delta: f64) -> f64 {
     if p == 0 {
         return 0.0;
@@ -115,7 +109,6 @@ pub fn geometric_sum_determinant(p: u32, tau: f64, delta: f64) -> f64 {
 ///
 /// `j` from 0 to `p`; zero at both ends. `tau`, `delta`: dimensionless, any. Negative for all `0 < j < p`
 /// when `(tau, delta)` lies in the trapesium and `tau > h_p(delta)` (step 3 of the proof of theorem 2.3).
-#[must_use]
 pub fn scaled_visit_position(j: u32, p: u32, tau: f64, delta: f64) -> f64 {
     lucas_sequence(p, tau, delta) * lucas_partial_sum(j, tau, delta)
         - lucas_sequence(j, tau, delta) * lucas_partial_sum(p, tau, delta)
@@ -126,7 +119,6 @@ pub fn scaled_visit_position(j: u32, p: u32, tau: f64, delta: f64) -> f64 {
 /// `delta^{p/2}`; for the linear oscillator this is `E_p`, section 3, eq. (14), `eq:Ep`.
 ///
 /// `delta`: dimensionless, not negative; NaN otherwise (for odd `p`).
-#[must_use]
 pub fn modulus_power(p: u32, delta: f64) -> f64 {
     libm::pow(delta, 0.5 * f64::from(p))
 }

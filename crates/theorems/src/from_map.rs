@@ -180,15 +180,10 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     /// An iterate of P_global is not defined.
     pub fn resonant_point(&self, loops: u32) -> Result<ResonantPoint, MapError> {
         let [_, derivative] = self.detuning(loops, &self.derivative_of_map());
-        let unfolding = if loops == 1 {
-            Unfolding::OneLoop { off_diagonal_derivative: derivative }
-        } else {
-            Unfolding::MultiLoop { loops, detuning_derivative: derivative }
-        };
         Ok(ResonantPoint {
             grazing: self.grazing_point(),
             second_phase_derivative: self.second_phase_derivative(loops)?,
-            unfolding,
+            unfolding: Unfolding { loops, derivative },
         })
     }
 }

@@ -22,7 +22,6 @@ impl Side {
     }
 
     /// 1 or -1.
-    #[must_use]
     pub fn signum(self) -> f64 {
         match self {
             Self::Negative => -1.0,
@@ -84,19 +83,16 @@ impl GenericGrazing {
     }
 
     /// Which theorem it is.
-    #[must_use]
     pub fn theorem(&self) -> Theorem {
         self.theorem
     }
 
     /// The number of loops, p.
-    #[must_use]
     pub fn loops(&self) -> u32 {
         self.loops
     }
 
     /// The hypotheses with their values; all of them hold.
-    #[must_use]
     pub fn hypotheses(&self) -> &[Hypothesis] {
         &self.hypotheses
     }
@@ -104,7 +100,6 @@ impl GenericGrazing {
     /// The sign of `mu` for which the maximal periodic solution exists: that of `a12 beta` if `p = 1`, that
     /// of
     /// `beta kappa_p` if `p >= 2`.
-    #[must_use]
     pub fn side(&self) -> Side {
         self.side
     }

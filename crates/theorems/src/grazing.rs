@@ -41,7 +41,6 @@ pub struct VirtualMap {
 impl VirtualMap {
     /// The point `(x, z)` on `Pi`, to leading order, that belongs to the velocity `y` and the phase `z`
     /// (radians, any origin) on `Sigma`.
-    #[must_use]
     pub fn apply(&self, y: f64, z: f64) -> Vector2<f64> {
         Vector2::new(self.x_coefficient * y * y, z + self.z_coefficient * y)
     }
@@ -61,7 +60,6 @@ pub struct VividLinearisation {
 
 impl VividLinearisation {
     /// The matrix `K` of derivatives in `(z_imp, mu)`. Paper: section 4, eq. (14), `eq:Jac1Jac2`.
-    #[must_use]
     pub fn by_phase_and_parameter(&self) -> Matrix2<f64> {
         Matrix2::from_columns(&[self.by_impact.column(1).into_owned(), self.by_parameter])
     }
@@ -71,7 +69,6 @@ impl GrazingPoint {
     /// The factor of the square-root term of the discontinuity map.
     ///
     /// `alpha = 1 + phi - gamma psi / omega`. Paper: section 2, eq. (17), `eq:alpha`. Dimensionless.
-    #[must_use]
     pub fn alpha(&self) -> f64 {
         1.0 + self.phi - self.gamma * self.psi / self.forcing_frequency
     }
@@ -79,7 +76,6 @@ impl GrazingPoint {
     /// The map `P_virt` from an impact to the virtual maximum beyond the wall, to leading order.
     ///
     /// `x_hat = y^2 / (2 gamma)`, `z_hat = z + omega y / gamma`. Paper: section 4, eq. (3), `eq:xHatzHat`.
-    #[must_use]
     pub fn virtual_map(&self) -> VirtualMap {
         VirtualMap { x_coefficient: 0.5 / self.gamma, z_coefficient: self.forcing_frequency / self.gamma }
     }
@@ -88,7 +84,6 @@ impl GrazingPoint {
     ///
     /// `x^(0) = phi^2 y^2 / (2 gamma)`, `z^(0) = z + omega (1 - alpha) y / gamma`. Paper: section 4, eq. (4),
     /// `eq:x0z0`.
-    #[must_use]
     pub fn virtual_map_after_reset(&self) -> VirtualMap {
         VirtualMap {
             x_coefficient: 0.5 * self.phi * self.phi / self.gamma,
@@ -103,7 +98,6 @@ impl GrazingPoint {
     ///
     /// `x_hat`: position on `Pi` beyond the wall, not negative (NaN otherwise: the square root is the point
     /// of it); `z_hat`: phase, radians, any origin. Returns `(x^(0), z^(0))`.
-    #[must_use]
     pub fn discontinuity_map(&self, x_hat: f64, z_hat: f64) -> Vector2<f64> {
         let square_root = (2.0 * x_hat / self.gamma).sqrt();
         Vector2::new(self.phi * self.phi * x_hat, z_hat - self.alpha() * self.forcing_frequency * square_root)
@@ -113,7 +107,6 @@ impl GrazingPoint {
     ///
     /// `V = A^p (x^(0), z^(0)) + b_p mu - (x_hat, z_hat)`. Paper: section 4, eq. (13), (17) and (18), `eq:V`,
     /// `eq:V1`, `eq:V2`.
-    #[must_use]
     pub fn vivid_linearisation(&self, p: u32) -> VividLinearisation {
         let LinearisedMap { a, b } = self.map.iterate(p);
         let shift = self.forcing_frequency / self.gamma;
@@ -133,7 +126,6 @@ impl GrazingPoint {
     ///
     /// `det(J) = alpha a12 omega S_p / gamma`. Paper: section 4, eq. (15), `eq:detJac1detJac2`. It vanishes
     /// at a resonance.
-    #[must_use]
     pub fn impact_jacobian_determinant(&self, p: u32) -> f64 {
         let s_p = lucas_sequence(p, self.map.trace(), self.map.determinant());
         self.alpha() * self.map.a.m12 * self.forcing_frequency * s_p / self.gamma
@@ -145,7 +137,6 @@ impl GrazingPoint {
     /// `eq:detJac1detJac2`.
     ///
     /// By eq. (10), `eq:Ap`, this is the transversality coefficient of the `p`-th iterate.
-    #[must_use]
     pub fn parameter_jacobian_determinant(&self, p: u32) -> f64 {
         self.map.iterate(p).transversality()
     }
@@ -154,7 +145,6 @@ impl GrazingPoint {
     ///
     /// `det(K) = beta (1 - lambda_1^p) (1 - lambda_2^p) / ((1 - lambda_1) (1 - lambda_2))`. Paper: section 4,
     /// eq. (16), `eq:detJac2`; here also valid for `tau = delta + 1`.
-    #[must_use]
     pub fn parameter_jacobian_determinant_factored(&self, p: u32) -> f64 {
         self.map.transversality() * geometric_sum_determinant(p, self.map.trace(), self.map.determinant())
     }
@@ -208,7 +198,6 @@ pub struct EmergingOrbit {
 
 impl EmergingOrbit {
     /// The number of loops, p.
-    #[must_use]
     pub fn loops(&self) -> u32 {
         self.loops
     }
@@ -222,7 +211,6 @@ impl EmergingOrbit {
     ///
     /// `j` from 0 (just after the impact) to `p` (just before the next one); positions at both ends are of
     /// second order.
-    #[must_use]
     pub fn visit_slope(&self, j: u32) -> Vector2<f64> {
         let last = self.map.iterate(self.loops);
         let start = Vector2::new(0.0, -last.b.x / last.a.m12);

@@ -138,7 +138,6 @@ impl Hypothesis {
     }
 
     /// The same with the quantity counted in other units, of which one of the present ones is `unit`.
-    #[must_use]
     pub fn in_units_of(&self, unit: f64) -> Self {
         let condition = match self.condition {
             Condition::Zero { tolerance } => Condition::Zero { tolerance: tolerance * unit },
@@ -148,7 +147,6 @@ impl Hypothesis {
     }
 
     /// What the theorem asks, as "a12 alpha > 0".
-    #[must_use]
     pub fn statement(&self) -> String {
         let quantity = self.quantity;
         match self.condition {
@@ -160,7 +158,6 @@ impl Hypothesis {
     }
 
     /// Whether the value is as the theorem asks; NaN never is.
-    #[must_use]
     pub fn holds(&self) -> bool {
         self.value.is_finite()
             && match self.condition {

@@ -51,13 +51,11 @@ impl LinearOscillator {
     }
 
     /// The damping ratio, zeta, dimensionless.
-    #[must_use]
     pub fn damping_ratio(&self) -> f64 {
         self.zeta
     }
 
     /// The coefficient of restitution, epsilon, dimensionless.
-    #[must_use]
     pub fn coefficient_of_restitution(&self) -> f64 {
         self.epsilon
     }
@@ -65,7 +63,6 @@ impl LinearOscillator {
     /// The damped natural frequency.
     ///
     /// `omega_1 = sqrt(1 - zeta^2)`. Paper: section 3.1. Radians per unit of (non-dimensional) time.
-    #[must_use]
     pub fn damped_natural_frequency(&self) -> f64 {
         ((1.0 - self.zeta) * (1.0 + self.zeta)).sqrt()
     }

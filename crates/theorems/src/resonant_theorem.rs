@@ -28,7 +28,6 @@ impl BifurcationCurve {
     /// Paper: section 2, eq. (22), (23), (26) and (27), `eq:sn1`, `eq:pd1`, `eq:snp`, `eq:pdp`, without their
     /// `O(eta^3)`.
     /// `eta = 0`, the resonance itself, belongs to the curve.
-    #[must_use]
     pub fn parameter(&self, eta: f64) -> Option<f64> {
         (eta * self.eta_side.signum() >= 0.0).then_some(self.coefficient * eta * eta)
     }
@@ -73,23 +72,22 @@ impl ResonantGrazing {
         let map = &point.grazing.map;
         let stability = point.stability_coefficients();
         let resonance = Condition::Zero { tolerance: resonance_tolerance };
-        let (theorem, at_resonance, unfolded) = match point.unfolding {
-            Unfolding::OneLoop { off_diagonal_derivative } => (
+        let Unfolding { loops, derivative } = point.unfolding;
+        let (theorem, at_resonance, unfolded) = if loops == 1 {
+            (
                 Theorem::ResonantOneLoop,
                 Hypothesis::new(Quantity::OffDiagonal, map.a.m12, resonance),
-                Hypothesis::non_zero(Quantity::OffDiagonalDerivative, off_diagonal_derivative),
-            ),
-            Unfolding::MultiLoop { loops, detuning_derivative } => (
+                Hypothesis::non_zero(Quantity::OffDiagonalDerivative, derivative),
+            )
+        } else {
+            let detuning = detuning(loops, map.trace(), map.determinant());
+            (
                 Theorem::ResonantMultiLoop,
-                Hypothesis::new(
-                    Quantity::Detuning,
-                    detuning(loops, map.trace(), map.determinant()),
-                    resonance,
-                ),
-                Hypothesis::non_zero(Quantity::DetuningDerivative, detuning_derivative),
-            ),
+                Hypothesis::new(Quantity::Detuning, detuning, resonance),
+                Hypothesis::non_zero(Quantity::DetuningDerivative, derivative),
+            )
         };
-        let mut hypotheses = common_hypotheses(&point.grazing, theorem, point.loops());
+        let mut hypotheses = common_hypotheses(&point.grazing, theorem, loops);
         hypotheses.extend([
             Hypothesis::non_zero(Quantity::Transversality, map.transversality()),
             at_resonance,
@@ -108,7 +106,7 @@ impl ResonantGrazing {
             };
         Ok(Self {
             theorem,
-            loops: point.loops(),
+            loops,
             hypotheses,
             branch,
             saddle_node: curve(
@@ -125,38 +123,32 @@ impl ResonantGrazing {
     }
 
     /// Which theorem it is.
-    #[must_use]
     pub fn theorem(&self) -> Theorem {
         self.theorem
     }
 
     /// The number of loops, p.
-    #[must_use]
     pub fn loops(&self) -> u32 {
         self.loops
     }
 
     /// The hypotheses with their values; all of them hold.
-    #[must_use]
     pub fn hypotheses(&self) -> &[Hypothesis] {
         &self.hypotheses
     }
 
     /// The branch of maximal periodic solutions near the resonance, to leading order.
-    #[must_use]
     pub fn branch(&self) -> BranchExpansion {
         self.branch
     }
 
     /// The curve of saddle-node bifurcations: `sgn(eta) = sgn(a12' s_1^+)` or `sgn(kappa_p' s_p^+)`.
-    #[must_use]
     pub fn saddle_node(&self) -> BifurcationCurve {
         self.saddle_node
     }
 
     /// The curve where a stability multiplier is -1, in generic situations of period-doubling bifurcations:
     /// `sgn(eta) = sgn(a12' s_1^-)` or `sgn(kappa_p' s_p^-)`.
-    #[must_use]
     pub fn period_doubling(&self) -> BifurcationCurve {
         self.period_doubling
     }

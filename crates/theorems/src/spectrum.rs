@@ -23,7 +23,6 @@ impl LinearisedMap {
     /// The trace of `A`.
     ///
     /// `tau = a11 + a22`. Paper: section 2, eq. (9). Dimensionless.
-    #[must_use]
     pub fn trace(&self) -> f64 {
         self.a.trace()
     }
@@ -31,7 +30,6 @@ impl LinearisedMap {
     /// The determinant of `A`.
     ///
     /// `delta = a11 a22 - a12 a21`. Paper: section 2, eq. (9). Dimensionless.
-    #[must_use]
     pub fn determinant(&self) -> f64 {
         self.a.determinant()
     }
@@ -42,7 +40,6 @@ impl LinearisedMap {
     ///
     /// The discriminant is taken as `(a11 - a22)^2 + 4 a12 a21`, which keeps its digits near a double
     /// eigenvalue.
-    #[must_use]
     pub fn eigenvalues(&self) -> Eigenvalues {
         let difference = self.a.m11 - self.a.m22;
         let discriminant = difference * difference + 4.0 * self.a.m12 * self.a.m21;
@@ -53,7 +50,6 @@ impl LinearisedMap {
     /// periodic solution crosses the wall at a non-zero rate.
     ///
     /// `beta = (1 - a22) b1 + a12 b2`. Paper: section 2, eq. (12), `eq:beta`. Position per unit of mu.
-    #[must_use]
     pub fn transversality(&self) -> f64 {
         (1.0 - self.a.m22) * self.b.x + self.a.m12 * self.b.y
     }
@@ -62,7 +58,6 @@ impl LinearisedMap {
     ///
     /// `det(I - A) = delta - tau + 1`, the denominator of eq. (11) of section 2, `eq:xStarzStarDeriv`.
     /// Dimensionless; positive when `(tau, delta)` lies in the trapesium.
-    #[must_use]
     pub fn characteristic_polynomial_at_one(&self) -> f64 {
         (1.0 - self.a.m11) * (1.0 - self.a.m22) - self.a.m12 * self.a.m21
     }
@@ -95,7 +90,6 @@ impl LinearisedMap {
     /// `b_p = S_p b + T_p (beta, a21 b1 + (1 - a11) b2)`.
     ///
     /// Paper: section 4, eq. (10) and (11), `eq:Ap`, `eq:b1pb2p`. `p = 0` gives the identity.
-    #[must_use]
     pub fn iterate(&self, p: u32) -> Self {
         let (tau, delta) = (self.trace(), self.determinant());
         let (s_p, s_next) = (lucas_sequence(p, tau, delta), lucas_sequence(p + 1, tau, delta));
@@ -142,7 +136,6 @@ impl Eigenvalues {
     /// `lambda_{1,2} = (tau +- sqrt(tau^2 - 4 delta)) / 2`. Paper: section 2, eq. (13), `eq:eigs`.
     ///
     /// `tau`, `delta`: dimensionless. With `tau^2 = 4 delta` both real eigenvalues are `tau / 2`.
-    #[must_use]
     pub fn from_trace_and_determinant(tau: f64, delta: f64) -> Self {
         Self::from_discriminant(tau, delta, tau * tau - 4.0 * delta)
     }
@@ -163,7 +156,6 @@ impl Eigenvalues {
     }
 
     /// The larger modulus of the two eigenvalues.
-    #[must_use]
     pub fn spectral_radius(&self) -> f64 {
         match *self {
             Self::Real { lambda_1, lambda_2 } => lambda_1.abs().max(lambda_2.abs()),
@@ -178,7 +170,6 @@ impl Eigenvalues {
 /// `T = { 0 < delta < 1, |tau| < delta + 1 }`. Paper: section 2, eq. (14), `eq:cT`.
 ///
 /// `tau`, `delta`: dimensionless. The boundary does not belong to the trapesium; with NaN the answer is no.
-#[must_use]
 pub fn in_trapesium(tau: f64, delta: f64) -> bool {
     0.0 < delta && delta < 1.0 && tau.abs() < delta + 1.0
 }

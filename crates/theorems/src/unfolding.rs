@@ -11,39 +11,12 @@ use crate::grazing::GrazingPoint;
 /// The derivatives are total ones along the curve of grazing bifurcations: the grazing phase `z_graz` varies
 /// with `eta` and is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Unfolding {
-    /// `p = 1`, where `a12 = 0`.
-    OneLoop {
-        /// `a12' = d a12 / d eta`; section 2.6, before eq. (21).
-        off_diagonal_derivative: f64,
-    },
-    /// `p >= 2`, where `kappa_p = tau - g_p(delta) = 0`.
-    MultiLoop {
-        /// The number of loops, p, at least 2.
-        loops: u32,
-        /// `kappa_p' = d kappa_p / d eta`; section 2.6, before eq. (25).
-        detuning_derivative: f64,
-    },
-}
-
-impl Unfolding {
+pub struct Unfolding {
     /// The number of loops, p.
-    #[must_use]
-    pub fn loops(&self) -> u32 {
-        match *self {
-            Self::OneLoop { .. } => 1,
-            Self::MultiLoop { loops, .. } => loops,
-        }
-    }
-
-    /// `a12'` or `kappa_p'`, whichever unfolds the resonance.
-    #[must_use]
-    pub fn derivative(&self) -> f64 {
-        match *self {
-            Self::OneLoop { off_diagonal_derivative } => off_diagonal_derivative,
-            Self::MultiLoop { detuning_derivative, .. } => detuning_derivative,
-        }
-    }
+    pub loops: u32,
+    /// For `p = 1`, where `a12 = 0`: `a12' = d a12 / d eta`; section 2.6, before eq. (21).
+    /// For `p >= 2`, where `kappa_p = tau - g_p(delta) = 0`: `kappa_p' = d kappa_p / d eta`; section 2.6, before eq. (25).
+    pub derivative: f64,
 }
 
 /// A resonant grazing bifurcation and what is needed to unfold it.
@@ -90,7 +63,6 @@ pub struct BranchExpansion {
 
 impl BranchExpansion {
     /// The value of mu on the branch, to second order: `mu = k_2 y^2 + k_3 eta y`.
-    #[must_use]
     pub fn parameter(&self, impact_velocity: f64, eta: f64) -> f64 {
         (self.k_2 * impact_velocity + self.k_3 * eta) * impact_velocity
     }
@@ -98,9 +70,8 @@ impl BranchExpansion {
 
 impl ResonantPoint {
     /// The number of loops, p.
-    #[must_use]
     pub fn loops(&self) -> u32 {
-        self.unfolding.loops()
+        self.unfolding.loops
     }
 
     /// The derivative in `eta` of the (1, 2) entry of `A^p`.
@@ -111,18 +82,16 @@ impl ResonantPoint {
     /// This is the total derivative along the grazing curve. The paper introduces `f_p` as the partial
     /// derivative `d^2 P_global,1^p / (d z d eta)` at fixed `z`, which differs from it by
     /// `xi_p d z_graz / d eta`; eq. (8) and all that follows from it hold for the total one.
-    #[must_use]
     pub fn off_diagonal_slope(&self) -> f64 {
-        match self.unfolding {
-            Unfolding::OneLoop { off_diagonal_derivative } => off_diagonal_derivative,
-            Unfolding::MultiLoop { loops, detuning_derivative } => {
-                let map = &self.grazing.map;
-                let p = f64::from(loops);
-                let sine = libm::sin(PI / p);
-                let power = libm::pow(map.determinant(), 0.5 * p - 1.0);
-                map.a.m12 * p * power * detuning_derivative / (2.0 * sine * sine)
-            }
+        let Unfolding { loops, derivative } = self.unfolding;
+        if loops == 1 {
+            return derivative;
         }
+        let map = &self.grazing.map;
+        let p = f64::from(loops);
+        let sine = libm::sin(PI / p);
+        let power = libm::pow(map.determinant(), 0.5 * p - 1.0);
+        map.a.m12 * p * power * derivative / (2.0 * sine * sine)
     }
 
     /// The coefficients of the impact velocity in the conditions for stability multipliers 1 and -1.
@@ -132,28 +101,23 @@ impl ResonantPoint {
     ///           + alpha^2 omega^2 xi_p / ((1 + delta^{p/2}) gamma)`.
     ///
     /// Paper: section 2, eq. (20) and (24), `eq:c1`, `eq:cp`.
-    #[must_use]
     pub fn stability_coefficients(&self) -> StabilityCoefficients {
         let GrazingPoint { map, forcing_frequency, gamma, phi, .. } = self.grazing;
         let alpha_omega = self.grazing.alpha() * forcing_frequency;
         let curvature = alpha_omega * alpha_omega * self.second_phase_derivative / gamma;
-        match self.unfolding {
-            Unfolding::OneLoop { .. } => {
-                let (a11, a22) = (map.a.m11, map.a.m22);
-                let common = curvature / (1.0 - a22);
-                StabilityCoefficients {
-                    plus: (1.0 - a22) * (a11 * phi * phi - 1.0) + common,
-                    minus: (1.0 + a22) * (a11 * phi * phi + 1.0) + common,
-                }
-            }
-            Unfolding::MultiLoop { loops, .. } => {
-                let power = modulus_power(loops, map.determinant());
-                let common = curvature / (1.0 + power);
-                StabilityCoefficients {
-                    plus: (1.0 + power) * (-power * phi * phi - 1.0) + common,
-                    minus: (1.0 - power) * (-power * phi * phi + 1.0) + common,
-                }
-            }
+        if self.loops() == 1 {
+            let (a11, a22) = (map.a.m11, map.a.m22);
+            let common = curvature / (1.0 - a22);
+            return StabilityCoefficients {
+                plus: (1.0 - a22) * (a11 * phi * phi - 1.0) + common,
+                minus: (1.0 + a22) * (a11 * phi * phi + 1.0) + common,
+            };
+        }
+        let power = modulus_power(self.loops(), map.determinant());
+        let common = curvature / (1.0 + power);
+        StabilityCoefficients {
+            plus: (1.0 + power) * (-power * phi * phi - 1.0) + common,
+            minus: (1.0 - power) * (-power * phi * phi + 1.0) + common,
         }
     }
 
@@ -164,18 +128,15 @@ impl ResonantPoint {
     ///           (delta - tau + 1) / (2 beta gamma s_p^+)`.
     ///
     /// Paper: section 2, eq. (21) and (25), `eq:coeffs1`, `eq:coeffsp`.
-    #[must_use]
     pub fn saddle_node_coefficient(&self) -> f64 {
         let GrazingPoint { map, forcing_frequency, gamma, .. } = self.grazing;
         let slope = self.grazing.alpha() * forcing_frequency * self.off_diagonal_slope();
         let denominator = 2.0 * map.transversality() * gamma * self.stability_coefficients().plus;
-        match self.unfolding {
-            Unfolding::OneLoop { .. } => slope * slope / denominator,
-            Unfolding::MultiLoop { loops, .. } => {
-                let scaled = slope / (1.0 + modulus_power(loops, map.determinant()));
-                scaled * scaled * map.characteristic_polynomial_at_one() / denominator
-            }
+        if self.loops() == 1 {
+            return slope * slope / denominator;
         }
+        let scaled = slope / (1.0 + modulus_power(self.loops(), map.determinant()));
+        scaled * scaled * map.characteristic_polynomial_at_one() / denominator
     }
 
     /// The quadratic coefficient of the curve where a stability multiplier is -1,
@@ -183,7 +144,6 @@ impl ResonantPoint {
     ///
     /// `c_PD,p = (s_p^+ / s_p^-) (2 - s_p^+ / s_p^-) c_SN,p`. Paper: section 2, eq. (21) and (25),
     /// `eq:coeffs1`, `eq:coeffsp`.
-    #[must_use]
     pub fn period_doubling_coefficient(&self) -> f64 {
         let StabilityCoefficients { plus, minus } = self.stability_coefficients();
         let ratio = plus / minus;
@@ -200,14 +160,13 @@ impl ResonantPoint {
     /// `k_3 = alpha omega f_p / ((1 + delta^{p/2}) beta gamma T_p)`.
     ///
     /// Paper: section 5, eq. (17) and (21), `eq:k1231`, `eq:k123p`.
-    #[must_use]
     pub fn branch_expansion(&self) -> BranchExpansion {
         let GrazingPoint { map, forcing_frequency, gamma, .. } = self.grazing;
         let alpha = self.grazing.alpha();
         // The (2, 2) entry of A^p, and the determinant det(K).
-        let (entry, determinant) = match self.unfolding {
-            Unfolding::OneLoop { .. } => (map.a.m22, (1.0 - map.a.m22) * map.b.x),
-            Unfolding::MultiLoop { loops, .. } => {
+        let (entry, determinant) = match self.loops() {
+            1 => (map.a.m22, (1.0 - map.a.m22) * map.b.x),
+            loops => {
                 let power = modulus_power(loops, map.determinant());
                 let t_p = lucas_partial_sum(loops, map.trace(), map.determinant());
                 (-power, (1.0 + power) * map.transversality() * t_p)
@@ -224,7 +183,6 @@ impl ResonantPoint {
     ///
     /// `d Upsilon^+ / d eta (0) = alpha omega f_p / s_p^+`. Paper: section 5, eq. (19) and (22),
     /// `eq:Upsilon1`, `eq:Upsilonp`.
-    #[must_use]
     pub fn saddle_node_velocity_slope(&self) -> f64 {
         self.velocity_slope(self.stability_coefficients().plus)
     }
@@ -233,7 +191,6 @@ impl ResonantPoint {
     ///
     /// `d Upsilon^- / d eta (0) = alpha omega f_p / s_p^-`. Paper: section 5, eq. (19) and (22),
     /// `eq:Upsilon1`, `eq:Upsilonp`.
-    #[must_use]
     pub fn period_doubling_velocity_slope(&self) -> f64 {
         self.velocity_slope(self.stability_coefficients().minus)
     }

@@ -58,18 +58,13 @@ impl InUnits for GrazingPoint {
 /// All that follows by formulas is in the oscillator's own units then.
 impl InUnits for ResonantPoint {
     fn in_units(&self, units: &Units) -> Self {
-        let unfolding = match self.unfolding {
-            Unfolding::OneLoop { off_diagonal_derivative } => Unfolding::OneLoop {
-                off_diagonal_derivative: off_diagonal_derivative * units.length / units.secondary,
-            },
-            Unfolding::MultiLoop { loops, detuning_derivative } => {
-                Unfolding::MultiLoop { loops, detuning_derivative: detuning_derivative / units.secondary }
-            }
-        };
+        let Unfolding { loops, derivative } = self.unfolding;
+        // a₁₂ is a length, κ_p a number.
+        let derivative = if loops == 1 { derivative * units.length } else { derivative } / units.secondary;
         Self {
             grazing: self.grazing.in_units(units),
             second_phase_derivative: self.second_phase_derivative * units.length,
-            unfolding,
+            unfolding: Unfolding { loops, derivative },
         }
     }
 }

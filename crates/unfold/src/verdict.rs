@@ -6,9 +6,9 @@ use grazing_continuation::locate::Condition;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::maps::global_iterate;
 use grazing_model::{AtRest, ImpactOscillator};
+use grazing_theorems::ResonantPoint;
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
-use grazing_theorems::{ResonantPoint, Unfolding};
 use nalgebra::Matrix2;
 
 /// A quadratic coefficient by Theorem 2.4 or 2.5, and measured.
@@ -88,6 +88,15 @@ impl Coefficient {
     /// What is measured on the curve; no numbers where nothing is.
     pub fn measured(&self) -> Estimate {
         self.fit.as_ref().map_or(Estimate { value: f64::NAN, error: f64::NAN }, |fit| fit.coefficient)
+    }
+
+    /// What is measured, and how many digits it has in common with the theorem's value, 0 to 15: the order of magnitude of their relative
+    /// difference. Nothing where they cannot be compared.
+    pub fn compared(&self) -> Option<(f64, u32)> {
+        let (theorem, measured) = (self.theorem.value, self.measured().value);
+        let difference = (theorem - measured).abs() / theorem.abs().max(measured.abs());
+        let digits = libm::floor(-libm::log10(difference.max(1e-15))).clamp(0.0, 15.0) as u32;
+        (!matches!(self.verdict(), Verdict::NotMeasurable(_))).then_some((measured, digits))
     }
 
     /// Whether theorem and curve agree.
@@ -171,11 +180,9 @@ fn theorem_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [f64;
     moved(&|point| {
         point.second_phase_derivative += curvature + DIFFERENCES * known.second_phase_derivative.abs();
     });
-    moved(&|point| match &mut point.unfolding {
-        Unfolding::OneLoop { off_diagonal_derivative: slope }
-        | Unfolding::MultiLoop { detuning_derivative: slope, .. } => {
-            *slope += unfolding + DIFFERENCES * rate.max(slope.abs());
-        }
+    moved(&|point| {
+        let slope = &mut point.unfolding.derivative;
+        *slope += unfolding + DIFFERENCES * rate.max(slope.abs());
     });
     errors
 }
@@ -204,16 +211,15 @@ fn second_derivative_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>
         GrazingOrbit::find(&beside, orbit.phase() + orbit.phase_slope() * eta)
             .map_or(f64::NAN, |orbit| orbit.detuning(loops, &Matrix2::zeros())[0])
     };
-    let stated = match known.unfolding {
-        Unfolding::OneLoop { off_diagonal_derivative } => off_diagonal_derivative,
-        Unfolding::MultiLoop { detuning_derivative, .. } => detuning_derivative,
-    };
     let turn = known.grazing.map.a.norm() / orbit.derivative_of_map().norm();
     let closest = |function: &dyn Fn(f64) -> f64, scale: f64, stated: f64| {
         let differences = WIDTHS.map(|width| (derivative(function, width * scale) - stated).abs());
         ELSEWHERE * differences.into_iter().fold(f64::INFINITY, f64::min)
     };
-    [closest(&slope, 1.0, known.second_phase_derivative), closest(&detuning, turn, stated)]
+    [
+        closest(&slope, 1.0, known.second_phase_derivative),
+        closest(&detuning, turn, known.unfolding.derivative),
+    ]
 }
 
 /// The derivative at zero by central differences, extrapolated twice.

@@ -7,11 +7,11 @@ use grazing_model::smooth::IntegratedMotion;
 use super::Law;
 
 /// The motion of a [`Specimen`](super::Specimen).
-pub type SpecimenMotion = Either<LinearMotion, IntegratedMotion<Law>>;
+pub(crate) type SpecimenMotion = Either<LinearMotion, IntegratedMotion<Law>>;
 
 /// One of two, both of which do the same.
 #[derive(Clone, Copy, Debug)]
-pub enum Either<L, I> {
+pub(crate) enum Either<L, I> {
     /// In closed form.
     Linear(L),
     /// Integrated.

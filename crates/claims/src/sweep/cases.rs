@@ -2,44 +2,20 @@
 
 use grazing_theorems::{LinearOscillator, TheoryError};
 
-/// How many cases are looked at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Extent {
-    /// All of them.
-    Whole,
-    /// Every ninth, for a quick look.
-    Reduced,
-}
-
-/// A linear oscillator on its curve of grazing bifurcations.
+/// A linear oscillator on its curve of grazing bifurcations, at a resonance or away from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GenericCase {
+pub struct Case {
     /// Damping ratio ζ.
     pub zeta: f64,
     /// Coefficient of restitution ε.
     pub epsilon: f64,
     /// Number of loops p of the MPS.
     pub loops: u32,
-    /// The integer n of the nearest resonance: ω₁/ω is near n/2 for p = 1, in (n, n + 1) for p ≥ 2.
+    /// The integer n of the resonance, or of the nearest one: ω₁/ω is near n/2 for p = 1, in (n, n + 1) for p ≥ 2.
     pub n: u32,
-    /// Forcing frequency ω.
-    pub omega: f64,
-}
-
-/// A resonance of a linear oscillator.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ResonantCase {
-    /// Damping ratio ζ.
-    pub zeta: f64,
-    /// Coefficient of restitution ε.
-    pub epsilon: f64,
-    /// Number of loops p of the MPS.
-    pub loops: u32,
-    /// The integer n.
-    pub n: u32,
-    /// ω₁/ω = n − 1/(2p) instead of n + 1/(2p): a₁₂ α < 0.
+    /// A resonance with ω₁/ω = n − 1/(2p) instead of n + 1/(2p): a₁₂ α < 0.
     pub negative: bool,
-    /// ω*.
+    /// Forcing frequency ω.
     pub omega: f64,
 }
 
@@ -103,7 +79,7 @@ const SHIFTS: [f64; 8] = [-0.22, -0.12, -0.05, -0.02, 0.02, 0.05, 0.12, 0.22];
 ///
 /// # Errors
 /// A parameter of the lists outside its domain: an error in the program.
-pub fn generic_cases(extent: Extent) -> Result<Vec<GenericCase>, TheoryError> {
+pub fn generic_cases() -> Result<Vec<Case>, TheoryError> {
     let mut cases = Vec::new();
     let mut turn = 0;
     for zeta in ZETA {
@@ -121,20 +97,20 @@ pub fn generic_cases(extent: Extent) -> Result<Vec<GenericCase>, TheoryError> {
                     let epsilon = RESTITUTION[turn % RESTITUTION.len()].value(decay);
                     turn += 1;
                     if let Some(epsilon) = epsilon {
-                        cases.push(GenericCase { zeta, epsilon, loops, n, omega });
+                        cases.push(Case { zeta, epsilon, loops, n, negative: false, omega });
                     }
                 }
             }
         }
     }
-    Ok(thinned(cases, extent))
+    Ok(cases)
 }
 
 /// Resonances for theorems 2.4 and 2.5, those with ω₁/ω = n − 1/(2p) and those with ε = 1/E_p included.
 ///
 /// # Errors
 /// A parameter of the lists outside its domain: an error in the program.
-pub fn resonant_cases(extent: Extent) -> Result<Vec<ResonantCase>, TheoryError> {
+pub fn resonant_cases() -> Result<Vec<Case>, TheoryError> {
     let mut cases = Vec::new();
     let mut turn = 0;
     for zeta in ZETA {
@@ -144,7 +120,7 @@ pub fn resonant_cases(extent: Extent) -> Result<Vec<ResonantCase>, TheoryError> 
                 let mut add = |omega: f64, restitution: Restitution, negative: bool| {
                     let decay = free.grazing(omega)?.decay(loops);
                     if let Some(epsilon) = restitution.value(decay) {
-                        cases.push(ResonantCase { zeta, epsilon, loops, n, negative, omega });
+                        cases.push(Case { zeta, epsilon, loops, n, negative, omega });
                     }
                     Ok::<(), TheoryError>(())
                 };
@@ -164,17 +140,10 @@ pub fn resonant_cases(extent: Extent) -> Result<Vec<ResonantCase>, TheoryError> 
             }
         }
     }
-    Ok(thinned(cases, extent))
+    Ok(cases)
 }
 
 /// With strong damping the resonances with p ≥ 2 are clear only at high frequencies, n = 0.
 fn first_n(zeta: f64, loops: u32) -> u32 {
     u32::from(loops == 1 || zeta < 0.2)
-}
-
-fn thinned<T: Copy>(cases: Vec<T>, extent: Extent) -> Vec<T> {
-    match extent {
-        Extent::Whole => cases,
-        Extent::Reduced => cases.into_iter().step_by(9).collect(),
-    }
 }

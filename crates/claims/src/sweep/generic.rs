@@ -1,11 +1,13 @@
 //! Theorems 2.2 and 2.3: on which side of grazing the MPS comes into being, and that it is unstable.
 
-use grazing_continuation::arclength::{Stall, StepControl};
-use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
+use grazing_continuation::arclength::Stall;
+use grazing_continuation::curve::{Curve, MpsCurve};
+use grazing_continuation::fit::FitError;
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
+use grazing_continuation::resonance::ResonanceError;
 use grazing_model::maps::MapError;
-use grazing_model::{LinearOscillator, OscillatorError};
+use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 use grazing_theorems::{GenericGrazing, GrazingPoint, HypothesesViolated, Side, TheoryError};
@@ -13,7 +15,7 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use super::closed_form::LoopSolutions;
-use super::{GenericCase, Reason, Verdict};
+use super::{Case, Existence, POINTS, Reason, Verdict, first_points};
 use grazing_unfold::simulation::{Seen, Suspect};
 
 /// A case could not be worked out.
@@ -22,9 +24,6 @@ pub enum SweepError {
     /// A parameter outside the domain of the theory.
     #[error(transparent)]
     Theory(#[from] TheoryError),
-    /// A parameter outside the domain of the oscillator.
-    #[error(transparent)]
-    Oscillator(#[from] OscillatorError),
     /// The grazing orbit was not found.
     #[error(transparent)]
     Orbit(#[from] GrazingOrbitError),
@@ -34,27 +33,19 @@ pub enum SweepError {
     /// The branch cannot be started at the grazing point.
     #[error("the branch of MPSs cannot be started: {0}")]
     Branch(Stall<MapError>),
-    /// A bifurcation curve cannot be started at the resonance, or its coefficient cannot be measured.
+    /// A bifurcation curve cannot be started at the resonance.
     #[error("the curves of the resonance cannot be followed: {0}")]
-    Curves(String),
-}
-
-/// On which side of grazing something exists.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Existence {
-    /// For this sign of μ only.
-    On(Side),
-    /// For no μ.
-    Nowhere,
-    /// For both signs of μ, or not the same at all sizes of μ that were looked at.
-    Unclear,
+    Curves(#[from] ResonanceError),
+    /// The coefficient of a bifurcation curve cannot be measured.
+    #[error("the curves of the resonance cannot be followed: {0}")]
+    Fit(#[from] FitError),
 }
 
 /// What theorem 2.2 or 2.3 says about a case, and what is seen.
 #[derive(Debug, Clone)]
 pub struct GenericRow {
     /// The case.
-    pub case: GenericCase,
+    pub case: Case,
     /// What the theorem knows about the grazing point, from derivatives of the numerical P_global.
     pub point: GrazingPoint,
     /// All hypotheses with their values.
@@ -81,8 +72,8 @@ pub struct GenericRow {
 ///
 /// # Errors
 /// [`SweepError`] for the first case that could not be worked out.
-pub fn generic_rows(cases: &[GenericCase], step: impl Fn() + Sync) -> Result<Vec<GenericRow>, SweepError> {
-    let work = |case: &GenericCase| GenericRow::of(*case).inspect(|_| step());
+pub fn generic_rows(cases: &[Case], step: impl Fn() + Sync) -> Result<Vec<GenericRow>, SweepError> {
+    let work = |case: &Case| GenericRow::of(*case).inspect(|_| step());
     cases.par_iter().map(work).collect()
 }
 
@@ -95,10 +86,10 @@ impl GenericRow {
     ///
     /// # Errors
     /// [`SweepError`].
-    pub fn of(case: GenericCase) -> Result<Self, SweepError> {
-        let GenericCase { zeta, epsilon, loops, omega, .. } = case;
+    pub fn of(case: Case) -> Result<Self, SweepError> {
+        let Case { zeta, epsilon, loops, omega, .. } = case;
         let closed = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
-        let start = LinearOscillator::new(zeta, epsilon, closed.amplitude(), omega)?;
+        let start = closed.model();
         let orbit = GrazingOrbit::find(&start, closed.phase())?;
         let point = orbit.grazing_point();
         let (predicted, hypotheses) = match GenericGrazing::check(&point, loops) {
@@ -116,7 +107,7 @@ impl GenericRow {
             hypotheses,
             predicted,
             first_order: first_order(&point, loops)?,
-            continued: continued(&curve, orbit.primary()),
+            continued: Existence::along(&curve, 0, orbit.primary(), POINTS),
             simulated,
             unstable: [curve.points.iter().skip(1).all(|point| !point.solution.stable()), repels],
             slopes: [
@@ -192,52 +183,18 @@ fn first_order(point: &GrazingPoint, loops: u32) -> Result<Existence, SweepError
         sign * emerging.impact_velocity_slope > 0.0
             && (1..loops).all(|j| sign * emerging.visit_slope(j)[0] < 0.0)
     };
-    Ok(match (positive(1.0), positive(-1.0)) {
-        (true, _) => Existence::On(Side::Positive),
-        (_, true) => Existence::On(Side::Negative),
-        _ => Existence::Nowhere,
-    })
+    Ok(Existence::of([1.0, -1.0].map(positive)))
 }
-
-/// Points of a branch that are looked at.
-const POINTS: usize = 5;
 
 /// The first points of the branch with y > 0.
 fn branch(oscillator: &LinearOscillator, phase: f64, loops: u32, length: f64) -> Result<Curve, SweepError> {
     let equations = LoopEquations::new(*oscillator, loops, Formulation::Vivid);
     let (amplitude, omega) = (oscillator.amplitude(), oscillator.frequency());
     let curve = MpsCurve { equations, condition: Condition::Secondary(omega) };
-    let control = StepControl {
-        first: length,
-        longest: length,
-        shortest: 1e-3 * length,
-        turn: core::f64::consts::PI,
-        ..StepControl::DRAWING
-    };
-    let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
-    let route = Route {
-        window: Window { primary: everywhere, secondary: everywhere },
-        control,
-        step_limit: POINTS,
-        stop_at_events: false,
-        through_grazing: false,
-    };
+    let route = first_points(length, 1e-3 * length, core::f64::consts::PI);
     let start = Unknowns::new(0.0, phase, amplitude, omega);
     let direction = Unknowns::new(1.0, 0.0, 0.0, 0.0);
     curve.follow(start, direction, EventTimes::default(), &route).map_err(SweepError::Branch)
-}
-
-fn continued(curve: &Curve, grazing: f64) -> Existence {
-    let seen = |point: &grazing_continuation::curve::CurvePoint| {
-        let side = if point.solution.parameters()[0] > grazing { Side::Positive } else { Side::Negative };
-        (side, point.solution.admissible())
-    };
-    let mut points = curve.points.iter().skip(1).map(seen);
-    let Some(first) = points.next() else { return Existence::Unclear };
-    if points.clone().count() + 1 < POINTS || points.any(|point| point != first) {
-        return Existence::Unclear;
-    }
-    if first.1 { Existence::On(first.0) } else { Existence::Nowhere }
 }
 
 /// dy/dμ and dz/dμ at grazing, extrapolated from the points of the branch.
@@ -288,13 +245,7 @@ fn simulate(
                 .filter(|solution| solution.velocity.abs() < 10.0 * velocity * size)
                 .collect();
             let [solution] = near[..] else { return None };
-            let at = LinearOscillator::new(
-                oscillator.damping_ratio(),
-                oscillator.restitution(),
-                solution.amplitude,
-                oscillator.frequency(),
-            );
-            let at = at.ok()?;
+            let at = oscillator.with_parameters([solution.amplitude, oscillator.frequency()]);
             let suspect =
                 Suspect { oscillator: &at, loops, velocity: solution.velocity, phase: solution.phase };
             let seen = suspect.follow();
@@ -310,10 +261,8 @@ fn simulate(
         let [first, rest @ ..] = at_sizes;
         rest.iter().all(|other| *other == first).then_some(first).flatten()
     };
-    let existence = match (found(Side::Negative), found(Side::Positive)) {
-        (Some(false), Some(true)) => Existence::On(Side::Positive),
-        (Some(true), Some(false)) => Existence::On(Side::Negative),
-        (Some(false), Some(false)) => Existence::Nowhere,
+    let existence = match [Side::Positive, Side::Negative].map(&mut found) {
+        [Some(positive), Some(negative)] => Existence::of([positive, negative]),
         _ => Existence::Unclear,
     };
     (existence, repels)
@@ -323,14 +272,10 @@ fn simulate(
 mod tests {
     use super::*;
 
-    fn row() -> GenericRow {
-        let case = GenericCase { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, omega: 0.83 };
-        GenericRow::of(case).expect("the case can be worked out")
-    }
-
     #[test]
     fn each_thing_that_is_seen_is_needed_for_an_agreement() {
-        let good = row();
+        let case = Case { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, negative: false, omega: 0.83 };
+        let good = GenericRow::of(case).expect("the case can be worked out");
         assert_eq!(good.verdict, Verdict::Agreement);
         let Some(side) = good.predicted else { panic!("the theorem applies") };
         let other = if side == Side::Positive { Side::Negative } else { Side::Positive };
@@ -347,12 +292,5 @@ mod tests {
         for row in spoiled {
             assert_eq!(row.judge(), Verdict::Unexplained, "{row:?}");
         }
-    }
-
-    #[test]
-    fn the_polynomial_through_points_of_a_cubic_has_its_value_at_zero() {
-        let cubic = |x: f64| 2.0 + x * (1.0 - x * (3.0 - x));
-        let at = [0.1, 0.25, -0.2, 0.4];
-        assert!((to_zero(&at, at.map(cubic).to_vec()) - 2.0).abs() < 1e-14);
     }
 }

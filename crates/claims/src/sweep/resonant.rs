@@ -2,12 +2,11 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, Route, Window};
+use grazing_continuation::curve::Curve;
 use grazing_continuation::fit::{Estimate, quadratic_coefficient};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::LinearOscillator;
+use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
@@ -15,8 +14,8 @@ use grazing_theorems::{HypothesesViolated, Resonance, ResonantGrazing, ResonantP
 use rayon::prelude::*;
 
 use super::closed_form::{LoopSolution, LoopSolutions};
-use super::generic::{Existence, SweepError, to_zero, worst};
-use super::{Reason, ResonantCase, Verdict};
+use super::generic::{SweepError, to_zero, worst};
+use super::{Case, Existence, Reason, Verdict, first_points};
 use grazing_unfold::simulation::{Seen, Suspect};
 
 /// A bifurcation curve as predicted and as seen.
@@ -48,7 +47,7 @@ pub struct CurveRow {
 #[derive(Debug, Clone)]
 pub struct ResonantRow {
     /// The case.
-    pub case: ResonantCase,
+    pub case: Case,
     /// What the theorem knows about the resonance, from derivatives of the numerical P_global.
     pub point: ResonantPoint,
     /// 𝒜_graz at the resonance.
@@ -71,8 +70,8 @@ pub struct ResonantRow {
 ///
 /// # Errors
 /// [`SweepError`] for the first case that could not be worked out.
-pub fn resonant_rows(cases: &[ResonantCase], step: impl Fn() + Sync) -> Result<Vec<ResonantRow>, SweepError> {
-    let work = |case: &ResonantCase| ResonantRow::of(*case).inspect(|_| step());
+pub fn resonant_rows(cases: &[Case], step: impl Fn() + Sync) -> Result<Vec<ResonantRow>, SweepError> {
+    let work = |case: &Case| ResonantRow::of(*case).inspect(|_| step());
     cases.par_iter().map(work).collect()
 }
 
@@ -91,35 +90,32 @@ impl ResonantRow {
     ///
     /// # Errors
     /// [`SweepError`].
-    pub fn of(case: ResonantCase) -> Result<Self, SweepError> {
-        let ResonantCase { zeta, epsilon, loops, n, negative, omega } = case;
+    pub fn of(case: Case) -> Result<Self, SweepError> {
+        let Case { zeta, epsilon, loops, n, negative, omega } = case;
         let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
         let state = theory.grazing(omega)?;
-        let start = LinearOscillator::new(zeta, epsilon, state.amplitude(), omega)?;
+        let start = state.model();
         let orbit = GrazingOrbit::find(&start, state.phase())?;
         let point = orbit.resonant_point(loops)?;
         let closed = if negative { None } else { Some(theory.resonance(loops, n)?) };
         let (theorem, hypotheses) = asked(&point);
         let located = match theorem {
-            Some(_) => Some(
-                ResonantGrazingPoint::find(&start, loops, state.phase())
-                    .map_err(|error| SweepError::Curves(error.to_string()))?,
-            ),
+            Some(_) => Some(ResonantGrazingPoint::find(&start, loops, state.phase())?),
             None => None,
         };
-        let unfolded = located.as_ref().map(|located| followed(located, omega)).transpose()?;
-        let scene = Scene { case, point: &point, start };
-        let saddle_node = scene.curve(
-            Kind::SaddleNode,
+        let followed = located.as_ref().map(|located| followed(located, omega)).transpose()?;
+        let continued = |k: usize| located.as_ref().zip(followed.as_ref().map(|curves| &curves[k]));
+        let stability = point.stability_coefficients();
+        let scene = |multiplier, stability| Scene { case, point: &point, start, multiplier, stability };
+        let saddle_node = scene(1.0, stability.plus).curve(
             theorem.as_ref().map(ResonantGrazing::saddle_node),
-            closed.as_ref(),
-            located.as_ref().zip(unfolded.as_ref().map(|curves| &curves[0])),
+            closed.as_ref().map(Resonance::saddle_node_coefficient),
+            continued(0),
         )?;
-        let period_doubling = scene.curve(
-            Kind::PeriodDoubling,
+        let period_doubling = scene(-1.0, stability.minus).curve(
             theorem.as_ref().map(ResonantGrazing::period_doubling),
-            closed.as_ref(),
-            located.as_ref().zip(unfolded.as_ref().map(|curves| &curves[1])),
+            closed.as_ref().map(Resonance::period_doubling_coefficient),
+            continued(1),
         )?;
         let mut row = Self {
             case,
@@ -210,44 +206,19 @@ fn asked(point: &ResonantPoint) -> (Option<ResonantGrazing>, Vec<Hypothesis>) {
 /// The first points of both curves.
 fn followed(located: &ResonantGrazingPoint<LinearOscillator>, omega: f64) -> Result<[Curve; 2], SweepError> {
     let length = 1e-3 * omega.min(1.0);
-    let everywhere = [f64::NEG_INFINITY, f64::INFINITY];
-    let route = Route {
-        window: Window { primary: everywhere, secondary: everywhere },
-        control: StepControl {
-            first: length,
-            longest: length,
-            shortest: 1e-4 * length,
-            turn: 0.1,
-            ..StepControl::DRAWING
-        },
-        step_limit: 5,
-        stop_at_events: false,
-        through_grazing: false,
-    };
-    let unfolded = located.unfold(&route).map_err(|error| SweepError::Curves(error.to_string()))?;
+    let unfolded = located.unfold(&first_points(length, 1e-4 * length, 0.1))?;
     Ok([unfolded.saddle_node, unfolded.period_doubling])
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    SaddleNode,
-    PeriodDoubling,
-}
-
-impl Kind {
-    fn multiplier(self) -> f64 {
-        match self {
-            Self::SaddleNode => 1.0,
-            Self::PeriodDoubling => -1.0,
-        }
-    }
-}
-
-/// A resonance to be looked at.
+/// A curve of a resonance, to be looked at.
 struct Scene<'a> {
-    case: ResonantCase,
+    case: Case,
     point: &'a ResonantPoint,
     start: LinearOscillator,
+    /// 1 on the saddle-node curve, −1 on the other.
+    multiplier: f64,
+    /// s_p⁺ or s_p⁻.
+    stability: f64,
 }
 
 /// How far from the curve the MPSs lie that are simulated, in units of the impact velocity on it.
@@ -256,103 +227,76 @@ const ASIDE: f64 = 0.5;
 impl Scene<'_> {
     fn curve(
         &self,
-        kind: Kind,
         theorem: Option<BifurcationCurve>,
-        closed: Option<&Resonance>,
+        closed: Option<f64>,
         continued: Option<(&ResonantGrazingPoint<LinearOscillator>, &Curve)>,
     ) -> Result<CurveRow, SweepError> {
-        let condition = Condition::Multiplier(kind.multiplier());
-        let fit = continued.map(|(located, _)| quadratic_coefficient(located, condition)).transpose();
-        let velocity = self.small_velocity(kind);
-        let eta = self.small_eta(kind, velocity);
-        let seen = [1.0, -1.0].map(|sign| self.beside(kind, sign * eta));
-        let simulated = match seen.map(|seen| seen.mps) {
-            [true, false] => Existence::On(Side::Positive),
-            [false, true] => Existence::On(Side::Negative),
-            [false, false] => Existence::Nowhere,
-            [true, true] => Existence::Unclear,
-        };
-        let there = seen.into_iter().find(|seen| seen.mps);
+        let condition = Condition::Multiplier(self.multiplier);
+        let fit = continued.map(|(located, _)| quadratic_coefficient(located, condition)).transpose()?;
+        let eta = self.small_eta();
+        let seen = [1.0, -1.0].map(|sign| self.beside(sign * eta));
+        let there = seen.into_iter().flatten().next();
         Ok(CurveRow {
             predicted: theorem.map(|curve| curve.eta_side),
-            continued: continued.map(|(_, curve)| sign_of_eta(curve, self.case.omega)),
-            simulated,
+            continued: continued.map(|(_, curve)| Existence::along(curve, 1, self.case.omega, 1)),
+            simulated: Existence::of(seen.map(|seen| seen.is_some())),
             crossed: there.is_some_and(|seen| seen.crossed),
             stability_changes: there.and_then(|seen| seen.stability_changes),
             theorem: theorem.map_or(f64::NAN, |curve| curve.coefficient),
-            proposition: closed.map_or(f64::NAN, |resonance| match kind {
-                Kind::SaddleNode => resonance.saddle_node_coefficient(),
-                Kind::PeriodDoubling => resonance.period_doubling_coefficient(),
-            }),
-            fit: fit.map_err(|error| SweepError::Curves(error.to_string()))?,
-            quadratic_equation: self.limit(kind, eta),
+            proposition: closed.unwrap_or(f64::NAN),
+            fit,
+            quadratic_equation: self.limit(eta),
         })
     }
 
     fn solutions(&self, eta: f64) -> LoopSolutions {
-        let ResonantCase { zeta, epsilon, loops, omega, .. } = self.case;
+        let Case { zeta, epsilon, loops, omega, .. } = self.case;
         LoopSolutions::new(zeta, epsilon, omega + eta, loops)
     }
 
-    fn bifurcation(&self, kind: Kind, eta: f64) -> LoopSolution {
-        match kind {
-            Kind::SaddleNode => self.solutions(eta).saddle_node(),
-            Kind::PeriodDoubling => self.solutions(eta).period_doubling(),
-        }
-    }
-
-    /// s_p⁺ or s_p⁻.
-    fn stability_coefficient(&self, kind: Kind) -> f64 {
-        let stability = self.point.stability_coefficients();
-        match kind {
-            Kind::SaddleNode => stability.plus,
-            Kind::PeriodDoubling => stability.minus,
-        }
+    fn bifurcation(&self, eta: f64) -> LoopSolution {
+        let solutions = self.solutions(eta);
+        if self.multiplier > 0.0 { solutions.saddle_node() } else { solutions.period_doubling() }
     }
 
     /// An impact velocity that is small against the frequency over 1 + ε, by which an impact shifts the phase, and smaller where
     /// s_p^± is small, beside which terms of higher order have to be small.
-    fn small_velocity(&self, kind: Kind) -> f64 {
-        let ResonantCase { epsilon, omega, .. } = self.case;
-        let root = self.stability_coefficient(kind).abs().sqrt().min(1.0);
+    fn small_velocity(&self) -> f64 {
+        let Case { epsilon, omega, .. } = self.case;
+        let root = self.stability.abs().sqrt().min(1.0);
         // Where it is zero nothing is to be waited for.
         let root = if root < 1e-5 { 1.0 } else { root };
         0.03 * root * (omega / (1.0 + epsilon)).min(1.0)
     }
 
-    /// The η > 0 at which the bifurcation has about the given |y|, if that is small against the change of frequency by which the
+    /// The η > 0 at which the bifurcation has about this small |y|, if that is small against the change of frequency by which the
     /// free oscillation over p periods turns by a radian, and against 𝒜_graz, the distance from the pole of the response.
-    fn small_eta(&self, kind: Kind, velocity: f64) -> f64 {
-        let coefficient = self.stability_coefficient(kind);
+    fn small_eta(&self) -> f64 {
         let factor = self.point.grazing.alpha() * self.point.grazing.forcing_frequency;
-        let slope = factor * self.point.off_diagonal_slope() / coefficient.abs().max(1e-4);
+        let slope = factor * self.point.off_diagonal_slope() / self.stability.abs().max(1e-4);
         let turn = self.case.omega * self.case.omega / (TAU * f64::from(self.case.loops));
-        (velocity / slope.abs()).min(3e-3 * turn).min(0.01 * self.start.amplitude())
+        (self.small_velocity() / slope.abs()).min(3e-3 * turn).min(0.01 * self.start.amplitude())
     }
 
     /// The limit of μ/η² on the curve as η goes to zero.
-    fn limit(&self, kind: Kind, eta: f64) -> f64 {
+    fn limit(&self, eta: f64) -> f64 {
         let at: Vec<f64> = [1.0, -1.0, 0.5, -0.5, 0.25, -0.25].iter().map(|size| size * eta).collect();
-        let ratios = at.iter().map(|eta| self.bifurcation(kind, *eta).mu / (eta * eta)).collect();
+        let ratios = at.iter().map(|eta| self.bifurcation(*eta).mu / (eta * eta)).collect();
         to_zero(&at, ratios)
     }
 
-    /// What is seen on both sides of the bifurcation at one η.
-    fn beside(&self, kind: Kind, eta: f64) -> Beside {
-        let nothing = Beside { mps: false, crossed: false, stability_changes: None };
+    /// What is seen on both sides of the bifurcation at one η, if there are MPSs.
+    fn beside(&self, eta: f64) -> Option<Beside> {
         let solutions = self.solutions(eta);
-        let middle = self.bifurcation(kind, eta);
+        let middle = self.bifurcation(eta);
         // A bifurcation whose impact velocity does not go to zero with η does not come out of the resonance.
-        let nearer = self.bifurcation(kind, 0.25 * eta);
+        let nearer = self.bifurcation(0.25 * eta);
         if nearer.velocity.abs() > 0.5 * middle.velocity.abs() {
-            return nothing;
+            return None;
         }
         let oscillators = [1.0 - ASIDE, 1.0 + ASIDE].map(|size| {
             let solution = solutions.with_velocity(size * middle.velocity);
-            let omega = self.case.omega + eta;
-            let oscillator =
-                LinearOscillator::new(self.case.zeta, self.case.epsilon, solution.amplitude, omega);
-            (oscillator.unwrap_or(self.start), solution)
+            (self.start.with_parameters([solution.amplitude, self.case.omega + eta]), solution)
         });
         let suspects = [0, 1].map(|k| {
             let (oscillator, solution) = &oscillators[k];
@@ -360,38 +304,25 @@ impl Scene<'_> {
             Suspect { oscillator, loops: self.case.loops, velocity, phase }
         });
         if suspects.iter().any(|suspect| suspect.follow() != Seen::Returns) {
-            return nothing;
+            return None;
         }
-        let sign = kind.multiplier();
         let side = suspects.map(|suspect| {
-            suspect.multipliers().map(|[trace, determinant]| 1.0 - sign * trace + determinant > 0.0)
+            suspect
+                .multipliers()
+                .map(|[trace, determinant]| 1.0 - self.multiplier * trace + determinant > 0.0)
         });
         let crossed = matches!(side, [Some(a), Some(b)] if a != b);
         // With |D| ≥ 1 all orbits beside it leave.
         let stability_changes = (solutions.determinant() < 1.0)
             .then(|| matches!(suspects.map(|suspect| suspect.attracts()), [Some(a), Some(b)] if a != b));
-        Beside { mps: true, crossed, stability_changes }
+        Some(Beside { crossed, stability_changes })
     }
 }
 
 #[derive(Clone, Copy)]
 struct Beside {
-    mps: bool,
     crossed: bool,
     stability_changes: Option<bool>,
-}
-
-/// The sign of η on a curve, if it is the same at all points and all are admissible.
-fn sign_of_eta(curve: &Curve, omega: f64) -> Existence {
-    let mut points = curve.points.iter().skip(1).map(|point| {
-        let side = if point.solution.parameters()[1] > omega { Side::Positive } else { Side::Negative };
-        (side, point.solution.admissible())
-    });
-    let Some(first) = points.next() else { return Existence::Unclear };
-    if points.any(|point| point != first) {
-        return Existence::Unclear;
-    }
-    if first.1 { Existence::On(first.0) } else { Existence::Nowhere }
 }
 
 #[cfg(test)]
@@ -402,7 +333,7 @@ mod tests {
     fn each_thing_that_is_seen_is_needed_for_an_agreement() {
         let theory = grazing_theorems::LinearOscillator::new(0.03, 0.8).expect("valid");
         let omega = theory.resonance(2, 1).expect("there is one").forcing_frequency();
-        let case = ResonantCase { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, negative: false, omega };
+        let case = Case { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, negative: false, omega };
         let row = ResonantRow::of(case).expect("the case can be worked out");
         assert_eq!(row.verdict, Verdict::Agreement);
         for good in row.curves {

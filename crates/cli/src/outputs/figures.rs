@@ -1,11 +1,10 @@
 //! From a study's frames to figures: one function a figure.
 
-use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::curve;
 use grazing_drawing::{
-    Figure02, Figure04, Figure05, Figure07, Figure08, Heading, Magnified, MagnifiedPanel, Section,
-    SheetWidth, SpaceFigure, Window, draw_fig01, draw_fig02, draw_fig03, draw_fig04, draw_fig05, draw_fig06,
-    draw_fig07, draw_fig08, draw_fig09, draw_fig10,
+    Diagram, DrawingError, Figure02, Figure05, Magnifications, MagnifiedPanel, Plane, Section, SheetWidth,
+    SpaceFigure, Window, draw_diagram, draw_fig01, draw_fig02, draw_fig03, draw_fig04, draw_fig05,
+    draw_fig06, draw_fig09, draw_fig10, draw_magnifications,
 };
 use grazing_reproduction::{Coefficients, Scene, ShownPanel, Study, StudyError};
 use grazing_results::Names;
@@ -48,8 +47,7 @@ pub(super) fn fig03(study: &Study<'_>, width: SheetWidth) -> MadeResult {
 
 pub(super) fn fig04(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let made = study.fig04()?;
-    let figure = Figure04 { curves: &made.curves, points: &made.points };
-    Ok(Made::figure(draw_fig04(&figure, width)?, made.tables(&Names::of_the_paper())))
+    Ok(Made::figure(draw_fig04(&made.curves, &made.points, width)?, made.tables(&Names::of_the_paper())))
 }
 
 pub(super) fn fig05(study: &Study<'_>, width: SheetWidth) -> MadeResult {
@@ -77,29 +75,44 @@ pub(super) fn fig07(study: &Study<'_>, width: SheetWidth) -> MadeResult {
         up: [section.frequency; 2],
         label: "Fig. 2".to_owned(),
     });
-    let panels = panels(&study.panels().unwrap_or_default());
-    let magnified: Vec<Magnified> = panels.iter().map(|panel| panel.shown).collect();
-    let figure = Figure07 {
+    let diagram = Diagram {
+        name: "fig07",
+        title: "Two-parameter bifurcation diagram",
+        description: "Forcing amplitude across, forcing frequency up. Grazing curve of the non-impacting solution; \
+             saddle-node, period-doubling and grazing bifurcations of maximal periodic solutions; regions of stability \
+             in grey.",
+        plane: &Plane::of_the_paper(),
+        tables: ["fig07_points", "fig07_curves"],
         curves: &made.curves,
         points: &made.points,
         regions: &made.regions,
         window: plane(&study.parameters.fig07.get()?.window),
-        magnified: &magnified,
+        magnified: &panels(&study.panels().unwrap_or_default()),
         sections: section.as_slice(),
     };
     let gaps = study.gaps()?.iter().map(ToString::to_string).collect();
-    Ok(Made { gaps, ..Made::figure(draw_fig07(&figure, width)?, made.tables(&Names::of_the_paper())) })
+    Ok(Made { gaps, ..Made::figure(draw_diagram(&diagram, width)?, made.tables(&Names::of_the_paper())) })
 }
 
 pub(super) fn fig08(study: &Study<'_>, width: SheetWidth) -> MadeResult {
     let (made, whole) = (study.fig08()?, study.fig07()?);
-    let figure = Figure08 {
+    let magnifications = Magnifications {
+        name: "fig08",
+        title: "Magnifications about three resonant grazing bifurcations",
+        description: "Forcing amplitude across, forcing frequency up. Dashed: the quadratic approximations to the \
+             saddle-node and period-doubling curves.",
+        plane: &Plane::of_the_paper(),
+        table: "fig08_curves",
         curves: &made.curves,
         points: &whole.points,
         regions: &whole.regions,
         panels: &panels(&made.panels),
     };
-    let figure = draw_fig08(&figure, width)?;
+    // As many panels as there can be stand on one sheet.
+    let found = made.panels.len();
+    let wanted = "one to three panels";
+    let figure = draw_magnifications(&magnifications, width)?.pop().filter(|_| found <= 3);
+    let figure = figure.ok_or(DrawingError::PanelCount { figure: "fig08", wanted, found })?;
     Ok(Made { notes: made.notes.clone(), ..Made::figure(figure, made.tables(&Names::of_the_paper())) })
 }
 
@@ -120,22 +133,11 @@ fn space(scene: &Scene) -> SpaceFigure<'_> {
 
 /// The panels of Figure 8, numbered from 1.
 fn panels(shown: &[ShownPanel]) -> Vec<MagnifiedPanel> {
-    let numbered = (1..).zip(shown);
-    numbered
-        .map(|(number, shown)| panel(number, shown.loops, None, &shown.window, shown.coefficients))
-        .collect()
-}
-
-/// A panel about the resonance of p and perhaps n, with its coefficients.
-pub(crate) fn panel(
-    panel: u32,
-    p: u32,
-    n: Option<u32>,
-    window: &curve::Window,
-    Pair { saddle_node: c_sn, period_doubling: c_pd }: Pair<f64>,
-) -> MagnifiedPanel {
-    let shown = Magnified { panel, window: plane(window) };
-    MagnifiedPanel { shown, heading: Some(Heading { p, n, c_sn, c_pd }) }
+    let panel = |(panel, shown): (u32, &ShownPanel)| {
+        let ShownPanel { loops, window, coefficients } = *shown;
+        MagnifiedPanel { panel, window: plane(&window), loops, n: None, coefficients }
+    };
+    (1..).zip(shown).map(panel).collect()
 }
 
 /// Amplitudes across and frequencies up.

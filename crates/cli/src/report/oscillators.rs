@@ -5,24 +5,18 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use grazing_description::{Axis, Description, DescriptionError};
+use grazing_description::{Description, DescriptionError};
 use grazing_drawing::SheetWidth;
 use grazing_model::ImpactOscillator;
-use grazing_report::{
-    CoefficientEntry, Figure, Finding, Judgement, Manifest, OscillatorEntry, OutputFile, Report,
-    ResonanceEntry,
-};
+use grazing_report::{Figure, Manifest, OscillatorEntry, OutputFile, Report, ResonanceEntry};
 use grazing_results::{Cell, Table, columns};
-use grazing_unfold::sides::Simulated;
 use grazing_unfold::units::InUnits;
-use grazing_unfold::verdict::{Coefficient, Verdict};
 
 use super::{file_name, links, versions};
 use crate::failure::Failure;
 use crate::folder::MadeFile;
 use crate::outputs::computation;
 use crate::project;
-use crate::unfold::numbers::agreement;
 use crate::unfold::reason::{self, place, unfinished};
 use crate::unfold::{self, Analysis, sheets};
 
@@ -133,22 +127,12 @@ pub(crate) fn distinguish(entries: &mut [OscillatorEntry]) {
 impl Material<'_> {
     /// The oscillator as a page shows it.
     pub(crate) fn entry(&self) -> OscillatorEntry {
-        let texts = self.description.texts();
-        let axis = |axis: &Axis| (axis.name().to_owned(), axis.range());
         OscillatorEntry {
             id: self.file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
-            name: self.description.name().to_owned(),
             file: file_name(self.file),
             link: None,
             about: leading_comment(self.text),
-            force: texts.force.clone(),
-            frequency: texts.frequency.clone(),
-            restitution: texts.restitution.clone(),
-            duration: texts.duration.clone(),
-            constants: self.description.constants().map(|(name, value)| (name.to_owned(), value)).collect(),
-            primary: axis(self.description.primary()),
-            secondary: axis(self.description.secondary()),
-            loops: self.description.loops().to_vec(),
+            description: self.description.clone(),
             figures: self.figures(),
             tables: SHOWN.iter().filter_map(|name| self.table(name)).collect(),
             resonances: resonances(self.unfolded),
@@ -165,10 +149,6 @@ impl Material<'_> {
         let mut entry = self.entry();
         entry.files = outputs.iter().map(|file| file.path.clone()).collect();
         let report = Report {
-            figures: Vec::new(),
-            tables: Vec::new(),
-            published: Vec::new(),
-            claims: Vec::new(),
             manifest: Manifest {
                 program: versions::program(),
                 rust: versions::rust(),
@@ -179,8 +159,7 @@ impl Material<'_> {
                 folder: Some(String::new()),
             },
             oscillators: vec![entry],
-            missing: Vec::new(),
-            root: None,
+            ..Report::default()
         };
         MadeFile { path: PathBuf::from(PAGE), content: grazing_report::page(&report).into_bytes() }
     }
@@ -255,14 +234,11 @@ fn resonances(unfolded: &Analysis) -> Vec<ResonanceEntry> {
         let finding = match &resonance.theorem {
             Ok(_) => {
                 let Some(at) = measured.next() else { continue };
-                let both = at.coefficients.as_ref().zip(at.sides.as_ref());
-                Finding::Unfolded(Box::new(both.map(coefficient).into_array()))
+                Ok(at.coefficients.zip(at.sides))
             }
             Err(violated) => {
                 let failing = violated.violated();
-                Finding::Silent(
-                    failing.map(|failing| (failing.statement(), failing.in_units(units).value)).collect(),
-                )
+                Err(failing.map(|failing| (failing.statement(), failing.in_units(units).value)).collect())
             }
         };
         entries.push(ResonanceEntry { loops: resonance.loops, n: resonance.n, primary, secondary, finding });
@@ -298,27 +274,6 @@ fn undecided(description: &Description, unfolded: &Analysis) -> Vec<(u32, String
         .collect()
 }
 
-/// c_SN or c_PD.
-fn coefficient((coefficient, simulated): (&Coefficient, &Simulated)) -> CoefficientEntry {
-    let theorem = coefficient.theorem.value;
-    let verdict = coefficient.verdict();
-    let measured = match (verdict, &coefficient.fit) {
-        (Verdict::NotMeasurable(_), _) | (_, Err(_)) => None,
-        (_, Ok(fit)) => Some((fit.coefficient.value, agreement(theorem, fit.coefficient.value))),
-    };
-    let agreement = match verdict {
-        Verdict::Agree => Judgement::For,
-        Verdict::NotMeasurable(_) => Judgement::Open(verdict.reason()),
-        Verdict::Contradict => Judgement::Against(verdict.reason()),
-    };
-    let simulation = match simulated {
-        Simulated::AsPredicted(_) => Judgement::For,
-        Simulated::Against(_) => Judgement::Against(simulated.reason()),
-        Simulated::Undecided(_) => Judgement::Open(simulated.reason()),
-    };
-    CoefficientEntry { theorem, measured, agreement, simulation }
-}
-
 #[cfg(test)]
 mod tests {
     use grazing_results::{Column, Names};
@@ -348,18 +303,10 @@ mod tests {
         let source = Source::read(Path::new("../../examples/duffing.toml")).expect("it is right");
         let entry = |id: &str| OscillatorEntry {
             id: id.to_owned(),
-            name: source.description.name().to_owned(),
             file: String::new(),
             link: None,
             about: Vec::new(),
-            force: String::new(),
-            frequency: String::new(),
-            restitution: String::new(),
-            duration: String::new(),
-            constants: Vec::new(),
-            primary: (String::new(), [0.0, 1.0]),
-            secondary: (String::new(), [0.0, 1.0]),
-            loops: vec![1],
+            description: source.description.clone(),
             figures: Vec::new(),
             tables: Vec::new(),
             resonances: Vec::new(),

@@ -55,10 +55,8 @@ fn quantities<O: ImpactOscillator>(resonance: &Resonance<O>, units: &Units) -> S
     let (a, b) = (grazing.map.a, grazing.map.b);
     let number = |value| brief(value, DIGITS);
     let stability = point.stability_coefficients();
-    let (slope, derivative) = match point.unfolding {
-        Unfolding::OneLoop { off_diagonal_derivative } => ("a12'", off_diagonal_derivative),
-        Unfolding::MultiLoop { detuning_derivative, .. } => ("kappa_p'", detuning_derivative),
-    };
+    let Unfolding { loops, derivative } = point.unfolding;
+    let slope = if loops == 1 { "a12'" } else { "kappa_p'" };
     let listed: Vec<String> = [
         ("tau", grazing.map.trace()),
         ("delta", grazing.map.determinant()),

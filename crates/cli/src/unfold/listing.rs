@@ -17,7 +17,7 @@ use grazing_unfold::verdict::Verdict;
 
 use super::Analysis;
 use super::layout::{KEPT, aligned, headed, wrapped};
-use super::numbers::{agreement, brief, fixed, range, significant};
+use super::numbers::{brief, fixed, range, significant};
 use super::reason::place;
 pub(super) use gaps::incomplete;
 use gaps::{missing, odd_ends, undecided, unfinished};
@@ -226,12 +226,9 @@ pub(super) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
 fn coefficient(kind: Bifurcation, at: &AtResonance) -> Vec<String> {
     let (coefficient, simulated) = at.beside(kind);
     let theorem = coefficient.theorem.value;
-    let (measured, digits) = match (coefficient.verdict(), &coefficient.fit) {
-        (Verdict::Agree | Verdict::Contradict, Ok(fit)) => {
-            let value = fit.coefficient.value;
-            (significant(value, COEFFICIENT), agreement(theorem, value).to_string())
-        }
-        (verdict, _) => (verdict.name().to_owned(), "-".to_owned()),
+    let (measured, digits) = match coefficient.compared() {
+        Some((value, digits)) => (significant(value, COEFFICIENT), digits.to_string()),
+        None => (coefficient.verdict().name().to_owned(), "-".to_owned()),
     };
     vec![
         at.loops.to_string(),

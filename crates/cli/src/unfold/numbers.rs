@@ -38,12 +38,6 @@ pub(super) fn range([low, high]: [f64; 2]) -> String {
     format!("{} to {}", brief(low, 6), brief(high, 6))
 }
 
-/// How many digits two values have in common, 0 to 15: the order of magnitude of their relative difference.
-pub(crate) fn agreement(value: f64, other: f64) -> u32 {
-    let difference = (value - other).abs() / value.abs().max(other.abs());
-    libm::floor(-libm::log10(difference.max(1e-15))).clamp(0.0, 15.0) as u32
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -68,13 +62,5 @@ mod tests {
         ] {
             assert_eq!(significant(value, 5), text);
         }
-    }
-
-    #[test]
-    fn agreement_counts_digits() {
-        assert_eq!(agreement(1.0, 1.0), 15);
-        assert_eq!(agreement(1.0, 1.000_02), 4);
-        assert_eq!(agreement(-2.0, 2.0), 0);
-        assert_eq!(agreement(3.0, 3.000_02), 5);
     }
 }

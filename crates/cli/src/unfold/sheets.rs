@@ -2,13 +2,12 @@
 
 use grazing_description::Description;
 use grazing_drawing::{
-    Diagram, DrawingError, Magnifications, Magnified, MagnifiedPanel, Plane, SheetWidth, Window,
-    draw_diagram, draw_magnifications,
+    Diagram, DrawingError, Magnifications, MagnifiedPanel, Plane, SheetWidth, Window, draw_diagram,
+    draw_magnifications,
 };
-use grazing_reproduction::unfolded::{AtResonance, Rows};
+use grazing_reproduction::unfolded::Rows;
 
 use super::Analysis;
-use crate::outputs::figures::panel;
 
 /// The files of the figures, if all magnifications find room on one sheet.
 pub(super) const FILES: [&str; 2] = ["diagram.svg", "magnifications.svg"];
@@ -39,7 +38,6 @@ pub(crate) fn figures(
     plane.across.column.clone_from(&unfolded.axes.names.primary);
     plane.up.column.clone_from(&unfolded.axes.names.secondary);
     let panels = panels(unfolded);
-    let magnified: Vec<Magnified> = panels.iter().map(|panel| panel.shown).collect();
     let axes = format!("{} across, {} up.", primary.name(), secondary.name());
     let diagram = Diagram {
         name: "diagram",
@@ -54,7 +52,7 @@ pub(crate) fn figures(
         points: &rows.points,
         regions: &rows.regions,
         window: Window { x: primary.range(), y: secondary.range() },
-        magnified: &magnified,
+        magnified: &panels,
         sections: &[],
     };
     let mut figures = vec![(FILES[0].to_owned(), draw_diagram(&diagram, width)?)];
@@ -83,6 +81,11 @@ fn panels(unfolded: &Analysis) -> Vec<MagnifiedPanel> {
     let numbered = (1..).zip(&unfolded.resonances);
     let shown = numbered
         .filter(|(_, at)| !at.magnified.is_empty() && wide(at.window.primary) && wide(at.window.secondary));
-    let coefficients = |at: &AtResonance| at.coefficients.map(|coefficient| coefficient.theorem.value);
-    shown.map(|(number, at)| panel(number, at.loops, Some(at.n), &at.window, coefficients(at))).collect()
+    shown
+        .map(|(panel, at)| {
+            let coefficients = at.coefficients.map(|coefficient| coefficient.theorem.value);
+            let window = Window { x: at.window.primary, y: at.window.secondary };
+            MagnifiedPanel { panel, window, loops: at.loops, n: Some(at.n), coefficients }
+        })
+        .collect()
 }

@@ -1,6 +1,6 @@
 //! The criticality of the period doublings that leave a resonance, in closed form.
 
-use grazing_theorems::{ResonantPoint, Unfolding};
+use grazing_theorems::ResonantPoint;
 
 /// The limit of y² c towards a resonance along its curve of period doublings, with s counted in the impact velocity, q_y = 1.
 ///
@@ -23,11 +23,9 @@ use grazing_theorems::{ResonantPoint, Unfolding};
 /// fixed point with the multiplier −1 is the result. Domain: 0 < δᵖφ² < 1.
 pub fn coefficient_at_resonance(point: &ResonantPoint) -> f64 {
     let grazing = &point.grazing;
-    let [a, d] = match point.unfolding {
-        Unfolding::OneLoop { .. } => [grazing.map.a.m11, grazing.map.a.m22],
-        Unfolding::MultiLoop { loops, .. } => {
-            [-libm::pow(grazing.map.determinant(), 0.5 * f64::from(loops)); 2]
-        }
+    let [a, d] = match point.loops() {
+        1 => [grazing.map.a.m11, grazing.map.a.m22],
+        loops => [-libm::pow(grazing.map.determinant(), 0.5 * f64::from(loops)); 2],
     };
     let reset = a * grazing.phi * grazing.phi;
     let turn = grazing.alpha() * grazing.forcing_frequency / (1.0 + d);

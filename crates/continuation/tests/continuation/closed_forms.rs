@@ -79,7 +79,7 @@ fn derivative_that_unfolds_the_resonance() {
     compare(|resonance, orbit| {
         let numerical = orbit.resonant_point(resonance.loops()).unwrap();
         // It contains dz_graz/dω: same bound.
-        assert_close(numerical.unfolding.derivative(), resonance.unfolding().derivative(), 100.0 * ROUNDING);
+        assert_close(numerical.unfolding.derivative, resonance.unfolding().derivative, 100.0 * ROUNDING);
     });
 }
 
@@ -109,7 +109,7 @@ fn all_coefficients_agree_to_nine_digits_on_the_oscillator_of_the_figures() {
         let numerical = orbit.resonant_point(resonance.loops()).unwrap();
         let (stability, closed) = (numerical.stability_coefficients(), resonance.stability_coefficients());
         agree(numerical.second_phase_derivative, resonance.second_phase_derivative());
-        agree(numerical.unfolding.derivative(), resonance.unfolding().derivative());
+        agree(numerical.unfolding.derivative, resonance.unfolding().derivative);
         agree(stability.plus, closed.plus);
         agree(stability.minus, closed.minus);
         agree(numerical.saddle_node_coefficient(), resonance.saddle_node_coefficient());

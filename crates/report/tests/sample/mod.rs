@@ -1,39 +1,75 @@
 //! A small report with everything in it, for the tests.
 
-use grazing_continuation::bifurcation::CodimensionTwo;
-use grazing_report::{
-    ClaimEntry, CoefficientEntry, Figure, Finding, Judgement, Manifest, Measured, MisprintEntry,
-    OscillatorEntry, OutputFile, PublishedEntry, Report, ResonanceEntry, Source, TableOutput, Verdict,
-};
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+use grazing_claims::audit::{Finding, PrintedNumber, Verdict};
+use grazing_claims::ledger::Ledger;
+use grazing_claims::outcome::{Measure, Outcome};
+use grazing_claims::source::Sources;
+use grazing_continuation::bifurcation::{CodimensionTwo, Pair};
+use grazing_continuation::fit::{Estimate, Measurement};
+use grazing_description::Description;
+use grazing_report::{Figure, Manifest, OscillatorEntry, OutputFile, Report, ResonanceEntry, TableOutput};
+use grazing_reproduction::published::Published;
 use grazing_results::plane::SpecialPoint;
 use grazing_results::{Column, Names, Table, columns};
+use grazing_unfold::sides::{Doubt, Sides, Simulated};
+use grazing_unfold::simulation::Seen;
+use grazing_unfold::verdict::Coefficient;
 
 /// Text that would be markup if it were not escaped.
 pub(crate) const HOSTILE: &str = "<img src=\"x\" onerror='alert(1)'>&";
 
-/// A claim that passed its check.
-fn claim(label: &str) -> ClaimEntry {
-    ClaimEntry {
-        label: label.to_owned(),
-        place: "section 2.4, eq. (15)".to_owned(),
-        kind: "identity".to_owned(),
-        says: format!("What {label} says."),
-        formula: Some(r"g_p(\delta) = 2 \sqrt{\delta} \cos \left( \frac{\pi}{p} \right)".to_owned()),
-        holds: vec![Source {
-            name: "grazing_theorems::auxiliary::resonance_boundary".to_owned(),
-            file: Some(("crates/theorems/src/auxiliary.rs".to_owned(), 12)),
-        }],
-        check: Some(Source { name: "main_results::auxiliary::boundary".to_owned(), file: None }),
-        figures: vec!["fig98".to_owned(), "fig05".to_owned()],
-        verdict: Verdict::Checked {
-            passed: true,
-            measured: Measured::Deviation { largest: 2e-15, tolerance: 1e-12 },
-            print: None,
-            samples: 400,
-            over: "points of the trapesium".to_owned(),
-        },
-        misprint: None,
-    }
+/// The claims: two that hold, numbers, one with text of others in every place, and one that is not checked.
+static LEDGER: LazyLock<Ledger> = LazyLock::new(|| {
+    let claim = |label: &str, kind: &str, place: &str, test: &str| {
+        format!(
+            "[[claim]]\nlabel = '{label}'\nplace = {place}\nkind = '{kind}'\nsays = 'What {label} says.'\n\
+             holds = ['grazing_theorems::auxiliary::resonance_boundary']\nfigures = ['fig98', 'fig05']\n{test}\n"
+        )
+    };
+    let hostile = format!("'''{HOSTILE}'''");
+    let (check, place) = ("check = 'main_results::auxiliary::bounds'", "'section 2.4, eq. (15)'");
+    let formula = r"formula = 'g_p(\delta) = 2 \sqrt{\delta} \cos \left( \frac{\pi}{p} \right)'";
+    let broken = format!("formula = '''\\nosuchcommand{{{HOSTILE}}}'''");
+    let misprint = format!(
+        "[claim.misprint]\nprinted = '$x = 1$'\ncorrected = '$x = 2$'\nreason = {hostile}\ndecided = 'a count'\n"
+    );
+    let text = [
+        claim("eq:holds", "identity", place, &format!("{check}\n{formula}")),
+        claim("eq:misprinted", "theorem", "'appendix B'", &format!("{check}\n{formula}\n{misprint}")),
+        claim("fig:number", "number", place, "published = ['a']"),
+        claim("sub:2/hostile", "identity", &hostile, &format!("{check}\n{broken}")),
+        claim("eq:unchecked", "identity", place, &format!("unchecked = {hostile}")),
+    ];
+    let text = text.concat().replace("'What sub:2/hostile says.'", &hostile);
+    toml::from_str(&text).expect("the sample is right")
+});
+
+static PUBLISHED: LazyLock<Published> = LazyLock::new(|| {
+    let value = |id: &str| {
+        format!(
+            "[[value]]\nid = '{id}'\nquantity = 'tau of Figure 98'\nlabel = 'eq:holds'\nwhere = 'caption'\n\
+             value = '0.5'\nrounding = 'significant'\n"
+        )
+    };
+    Published::parse(&(value("a") + &value("b"))).expect("the sample is right")
+});
+
+fn findings() -> Vec<Finding<'static>> {
+    let held = Measure::Deviation { largest: 2e-15, tolerance: 1e-12 };
+    let cases = |agreeing| Measure::Agreement { agreeing, cases: 12 };
+    let [id, quantity, printed] = ["a", "tau of Figure 98", "0.5"].map(str::to_owned);
+    let verdicts = [
+        Verdict::Measured(Outcome::new(held, 400, "points of the trapesium")),
+        Verdict::Measured(Outcome::new(cases(12), 12, "cases").against_print(cases(0))),
+        Verdict::Numbers(vec![PrintedNumber { id, quantity, printed, computed: Some(0.501), met: true }]),
+        Verdict::Broken(HOSTILE.to_owned()),
+        Verdict::Unchecked(HOSTILE.to_owned()),
+    ];
+    let found = LEDGER.claims.iter().zip(verdicts);
+    found.map(|(claim, verdict)| Finding { claim, verdict, time: Default::default() }).collect()
 }
 
 fn figure(name: &str, title: &str) -> Figure {
@@ -75,30 +111,35 @@ fn sweep() -> Table {
     Table::of_cells("sweep", COLUMNS, &Names::of_the_paper(), rows.into())
 }
 
-fn published(id: &str, met: bool) -> PublishedEntry {
-    PublishedEntry {
-        id: id.to_owned(),
-        quantity: "tau of Figure 98".to_owned(),
-        printed: "0.5".to_owned(),
-        computed: met.then_some(0.501),
-        met,
-        label: "eq:holds".to_owned(),
-        place: "caption".to_owned(),
-    }
+/// A coefficient that is measured with a value and an error.
+pub(crate) const fn coefficient(value: f64, error: f64) -> Coefficient {
+    let coefficient = Estimate { value, error };
+    let fit = Measurement { coefficient, eta: [1.0, 0.0], mu: [1.0, 0.0], velocity: 0.1 };
+    Coefficient { stability: 1.0, theorem: Estimate { value: -12.5, error: 1e-9 }, fit: Ok(fit) }
 }
 
-/// An oscillator, with text of others in every place.
+/// Agrees to seven digits.
+pub(crate) const MEASURED: (f64, f64) = (-12.500_001, 1e-5);
+/// Has a larger error than can be compared.
+pub(crate) const NOT_MEASURED: (f64, f64) = (-12.5, 1.0);
+
+/// What simulation sees.
+pub(crate) const SIDES: Sides = Sides {
+    velocity: 0.1,
+    predicted: [true, false],
+    seen: [Seen::Returns; 2],
+    attracts: [Some(true), Some(false)],
+    gone_beyond: None,
+};
+
+/// An oscillator, with text of others where there can be such.
 pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
     let hostile = || HOSTILE.to_owned();
-    let coefficient = |measured, judgement: Judgement| CoefficientEntry {
-        theorem: -12.5,
-        measured,
-        agreement: judgement.clone(),
-        simulation: judgement,
-    };
-    let resonance = |n, finding| ResonanceEntry { loops: 2, n, primary: 0.5, secondary: 0.75, finding };
-    let unfolded =
-        [coefficient(Some((-12.500_001, 7)), Judgement::For), coefficient(None, Judgement::Open(hostile()))];
+    let description = format!(
+        "name = '''{name}'''\n[parameters]\nkappa = -0.1\nzeta = 0.02\n[primary]\nname = 'F_0'\nrange = [0.0, 4.0]\n\
+         [secondary]\nname = 'A'\nrange = [-1.0, 1.0]\n[motion]\nforce = 'F_0*cos(t) + A - x - kappa*x^3 - zeta*v - 1'\n\
+         frequency = '1'\n[impact]\nrestitution = '0.9'\nduration = '0'\n[analysis]\nloops = [1, 2]\n"
+    );
     let mut drawn = figure("diagram", "two-parameter bifurcation diagram");
     // The panel says which columns it shows, as titles of parameters do not.
     drawn.svg = drawn.svg.replace("data-x=", "data-columns=\"F_0 A\" data-tables=\"points\" data-x=");
@@ -118,25 +159,25 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
         vec![p.into(), 1_u32.into(), secondary.into(), primary.into(), c_sn.into()]
     };
     let coefficients = vec![row(2, 0.75, 0.5, -12.5), row(3, 0.7, 0.6, 25.0)];
+    let resonance = |n, finding| ResonanceEntry { loops: 2, n, primary: 0.5, secondary: 0.75, finding };
+    let unfolded = Pair {
+        saddle_node: (coefficient(MEASURED.0, MEASURED.1), Simulated::AsPredicted(SIDES)),
+        period_doubling: (
+            coefficient(NOT_MEASURED.0, NOT_MEASURED.1),
+            Simulated::Undecided(Doubt::NotMeasured),
+        ),
+    };
     OscillatorEntry {
         id: id.to_owned(),
-        name: name.to_owned(),
         file: hostile(),
         link: Some("../examples/sample.toml".to_owned()),
         about: vec![hostile(), "x + kappa x^3 of $\\nobody$".to_owned()],
-        force: hostile(),
-        frequency: hostile(),
-        restitution: hostile(),
-        duration: hostile(),
-        constants: vec![("zeta".to_owned(), 0.02), ("kappa".to_owned(), -0.1)],
-        primary: ("F_0".to_owned(), [0.0, 4.0]),
-        secondary: ("A".to_owned(), [-1.0, 1.0]),
-        loops: vec![1, 2],
+        description: Description::parse(&description, "sample.toml").expect("the sample is right"),
         figures: vec![drawn],
         tables: vec![Table::of_cells("coefficients", COLUMNS, &names, coefficients)],
         resonances: vec![
-            resonance(1, Finding::Unfolded(Box::new(unfolded))),
-            resonance(2, Finding::Silent(vec![("a12 alpha > 0".to_owned(), -0.25)])),
+            resonance(1, Ok(unfolded)),
+            resonance(2, Err(vec![("a12 alpha > 0".to_owned(), -0.25)])),
         ],
         lost: vec![hostile()],
         undecided: vec![(2, hostile())],
@@ -145,75 +186,36 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
 }
 
 /// A report about an oscillator alone, with its files beside the page.
-pub(crate) fn oscillators_alone() -> Report {
+pub(crate) fn oscillators_alone() -> Report<'static> {
     let files = ["diagram.svg", "data/points.csv"];
     let mut entry = oscillator("one", "Sample oscillator");
     entry.files = files.map(str::to_owned).to_vec();
-    let report = report();
     Report {
-        missing: Vec::new(),
-        figures: Vec::new(),
-        tables: Vec::new(),
-        published: Vec::new(),
-        claims: Vec::new(),
         oscillators: vec![entry],
         manifest: Manifest {
             outputs: files.map(|path| OutputFile::of(path, path.as_bytes())).to_vec(),
             folder: Some(String::new()),
-            ..report.manifest
+            ..report().manifest
         },
-        root: None,
+        ..Report::default()
     }
 }
 
 /// The report.
-pub(crate) fn report() -> Report {
-    let hostile = || HOSTILE.to_owned();
-    let misprint = MisprintEntry {
-        printed: "$x = 1$".to_owned(),
-        corrected: "$x = 2$".to_owned(),
-        reason: hostile(),
-        decided: "a count".to_owned(),
-        typographic: false,
-    };
-    let claims = vec![
-        claim("eq:holds"),
-        ClaimEntry {
-            kind: "theorem".to_owned(),
-            place: "appendix B".to_owned(),
-            verdict: Verdict::Checked {
-                passed: true,
-                measured: Measured::Agreement { agreeing: 12, cases: 12 },
-                print: Some(Measured::Agreement { agreeing: 0, cases: 12 }),
-                samples: 12,
-                over: "cases".to_owned(),
-            },
-            misprint: Some(misprint),
-            ..claim("eq:misprinted")
-        },
-        ClaimEntry {
-            kind: "number".to_owned(),
-            formula: None,
-            verdict: Verdict::Published { values: vec![published("a", true)] },
-            ..claim("fig:number")
-        },
-        ClaimEntry {
-            says: hostile(),
-            place: hostile(),
-            formula: Some(format!(r"\nosuchcommand{{{HOSTILE}}}")),
-            holds: vec![Source { name: hostile(), file: Some((hostile(), 1)) }],
-            verdict: Verdict::Failed { error: hostile() },
-            ..claim("sub:2/hostile")
-        },
-        ClaimEntry { verdict: Verdict::Unchecked { reason: hostile() }, ..claim("eq:unchecked") },
-    ];
+pub(crate) fn report() -> Report<'static> {
+    let source = ("crates/theorems/src/auxiliary.rs", "pub fn resonance_boundary() {}\n");
     let file = |path: &str| OutputFile::of(path, path.as_bytes());
     Report {
-        missing: vec![hostile()],
+        missing: vec![HOSTILE.to_owned()],
         figures: vec![figure("fig98", "Figure 98: a line"), figure("fig99", "Figure 99: another line")],
-        tables: vec![TableOutput { name: "sweep".to_owned(), title: hostile(), tables: vec![sweep()] }],
-        published: vec![published("a", true), published("b", false)],
-        claims,
+        tables: vec![TableOutput {
+            name: "sweep".to_owned(),
+            title: HOSTILE.to_owned(),
+            tables: vec![sweep()],
+        }],
+        published: PUBLISHED.compare(&BTreeMap::from([("a".to_owned(), 0.501)])),
+        claims: findings(),
+        sources: Sources::new([(source.0.to_owned(), source.1.to_owned())]),
         oscillators: vec![oscillator("one", "Sample oscillator"), oscillator("two", HOSTILE)],
         manifest: Manifest {
             program: "grazing 0.1.0".to_owned(),

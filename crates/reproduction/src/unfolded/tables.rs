@@ -112,10 +112,8 @@ pub(super) fn grazing_loops<O>(unfolded: &Unfolded<O>) -> Vec<Along> {
 
 /// a₁₂' and κ_p', whichever belongs to p; the other is NaN.
 fn slopes(point: &ResonantPoint) -> [f64; 2] {
-    match point.unfolding {
-        Unfolding::OneLoop { off_diagonal_derivative } => [off_diagonal_derivative, f64::NAN],
-        Unfolding::MultiLoop { detuning_derivative, .. } => [f64::NAN, detuning_derivative],
-    }
+    let Unfolding { loops, derivative } = point.unfolding;
+    if loops == 1 { [derivative, f64::NAN] } else { [f64::NAN, derivative] }
 }
 
 row! { AtResonance, |row| {

@@ -28,13 +28,11 @@ impl GrazingState {
     }
 
     /// The oscillator.
-    #[must_use]
     pub fn oscillator(&self) -> LinearOscillator {
         self.oscillator
     }
 
     /// The forcing frequency, omega, radians per unit of time.
-    #[must_use]
     pub fn forcing_frequency(&self) -> f64 {
         self.omega
     }
@@ -42,7 +40,6 @@ impl GrazingState {
     /// The forcing amplitude at which the non-impacting periodic solution grazes the wall.
     ///
     /// `A_graz = sqrt((1 - omega^2)^2 + 4 zeta^2 omega^2)`. Paper: section 3, eq. (5), `eq:Agraz`.
-    #[must_use]
     pub fn amplitude(&self) -> f64 {
         libm::hypot(self.stiffness_deficit(), 2.0 * self.oscillator.zeta * self.omega)
     }
@@ -54,7 +51,6 @@ impl GrazingState {
     ///
     /// # Panics
     /// The forcing amplitude is infinite, as it is beyond `omega = 1e154`.
-    #[must_use]
     pub fn model(&self) -> grazing_model::LinearOscillator {
         let LinearOscillator { zeta, epsilon } = self.oscillator;
         let oscillator = grazing_model::LinearOscillator::new(zeta, epsilon, self.amplitude(), self.omega);
@@ -64,7 +60,6 @@ impl GrazingState {
     /// The slope of the grazing curve in the `(omega, A)` plane.
     ///
     /// `d A_graz / d omega = 2 omega (omega^2 - 1 + 2 zeta^2) / A_graz`, from section 3, eq. (5), `eq:Agraz`.
-    #[must_use]
     pub fn amplitude_derivative(&self) -> f64 {
         let zeta = self.oscillator.zeta;
         2.0 * self.omega * (2.0 * zeta * zeta - self.stiffness_deficit()) / self.amplitude()
@@ -74,7 +69,6 @@ impl GrazingState {
     ///
     /// `sin(z_graz) = 2 zeta omega / A_graz`, `cos(z_graz) = (1 - omega^2) / A_graz`. Paper: section 3, eq.
     /// (6).
-    #[must_use]
     pub fn phase(&self) -> f64 {
         libm::atan2(2.0 * self.oscillator.zeta * self.omega, self.stiffness_deficit())
     }
@@ -82,7 +76,6 @@ impl GrazingState {
     /// How fast the grazing phase varies along the grazing curve.
     ///
     /// `d z_graz / d omega = 2 zeta (1 + omega^2) / A_graz^2`, from section 3, eq. (6).
-    #[must_use]
     pub fn phase_derivative(&self) -> f64 {
         let amplitude = self.amplitude();
         2.0 * self.oscillator.zeta * (1.0 + self.omega * self.omega) / (amplitude * amplitude)
@@ -91,13 +84,11 @@ impl GrazingState {
     /// The decay over `p` forcing periods.
     ///
     /// `E_p = exp(-2 pi p zeta / omega) = delta^{p/2}`. Paper: section 3, eq. (14), `eq:Ep`.
-    #[must_use]
     pub fn decay(&self, p: u32) -> f64 {
         libm::exp(-self.decay_exponent(p))
     }
 
     /// `1 - E_p` without cancellation. Paper: section 3, eq. (14), `eq:Ep`.
-    #[must_use]
     pub fn decay_complement(&self, p: u32) -> f64 {
         -libm::expm1(-self.decay_exponent(p))
     }
@@ -108,7 +99,6 @@ impl GrazingState {
     ///           -sin / (omega_1 omega), cos - (zeta/omega_1) sin]`
     /// with the argument `2 pi omega_1 / omega`, and `b = (1 - a11, -a21) / A_graz`.
     /// Paper: section 3, eq. (9) and (10), `eq:oscA`, `eq:oscb` (proposition 3.1, `pr:oscAb`).
-    #[must_use]
     pub fn linearised_map(&self) -> LinearisedMap {
         let omega_1 = self.oscillator.damped_natural_frequency();
         let (sine, cosine) = self.free_rotation(1);
@@ -126,7 +116,6 @@ impl GrazingState {
     ///
     /// `tau = 2 exp(-2 pi zeta / omega) cos(2 pi omega_1 / omega)`. Paper: section 3, eq. (11),
     /// `eq:osctaudelta`.
-    #[must_use]
     pub fn trace(&self) -> f64 {
         2.0 * self.decay(1) * self.free_rotation(1).1
     }
@@ -134,7 +123,6 @@ impl GrazingState {
     /// The determinant of `A`.
     ///
     /// `delta = exp(-4 pi zeta / omega)`. Paper: section 3, eq. (11), `eq:osctaudelta`.
-    #[must_use]
     pub fn determinant(&self) -> f64 {
         self.decay(2)
     }
@@ -142,7 +130,6 @@ impl GrazingState {
     /// The transversality coefficient.
     ///
     /// `beta = (delta - tau + 1) / A_graz`. Paper: section 3.3, after eq. (11), `eq:osctaudelta`. Positive.
-    #[must_use]
     pub fn transversality(&self) -> f64 {
         (self.determinant() - self.trace() + 1.0) / self.amplitude()
     }
@@ -151,7 +138,6 @@ impl GrazingState {
     ///
     /// `phi = epsilon`, `psi = 0`, `gamma = omega^2`, so that `alpha = 1 + epsilon`. Paper: section 3, eq.
     /// (7) and (8), `eq:oscphipsigamma`, `eq:oscalpha`.
-    #[must_use]
     pub fn grazing_point(&self) -> GrazingPoint {
         GrazingPoint {
             map: self.linearised_map(),
@@ -166,7 +152,6 @@ impl GrazingState {
     ///
     /// `xi_p = E_p^2 (cos - (zeta/omega_1) sin)^2 - E_p (cos - (3 zeta/omega_1) sin)` with the argument
     /// `2 pi p omega_1 / omega`. Paper: section B, eq. (6) and (10), `eq:xi1proof2`, `eq:xipproof2`.
-    #[must_use]
     pub fn second_phase_derivative(&self, p: u32) -> f64 {
         let decay = self.decay(p);
         let (sine, cosine) = self.free_rotation(p);
@@ -180,7 +165,6 @@ impl GrazingState {
     /// `d a12 / d omega = (E_1 / omega_1) ((1 + 2 pi zeta / omega) sin - (2 pi omega_1 / omega) cos)` with
     /// the argument `2 pi omega_1 / omega`, from section 3, eq. (9), `eq:oscA`. At a resonance with `p = 1`
     /// this is `a12'`.
-    #[must_use]
     pub fn off_diagonal_derivative(&self) -> f64 {
         let omega_1 = self.oscillator.damped_natural_frequency();
         let (sine, cosine) = self.free_rotation(1);
@@ -191,7 +175,6 @@ impl GrazingState {
     /// The signed distance of the trace from the resonance, `kappa_p = tau - g_p(delta)`. `p >= 1`.
     ///
     /// Paper: section 2.5, before theorem 2.3.
-    #[must_use]
     pub fn detuning(&self, p: u32) -> f64 {
         detuning(p, self.trace(), self.determinant())
     }
@@ -201,7 +184,6 @@ impl GrazingState {
     /// `d kappa_p / d omega = (4 pi / omega^2) E_1 (zeta cos + omega_1 sin - zeta cos(pi / p))` with the
     /// argument `2 pi omega_1 / omega`. Paper: section B, before eq. (13), `eq:xipproof5`. At a resonance
     /// with this `p` it is `kappa_p'`.
-    #[must_use]
     pub fn detuning_derivative(&self, p: u32) -> f64 {
         let LinearOscillator { zeta, .. } = self.oscillator;
         let (sine, cosine) = self.free_rotation(1);

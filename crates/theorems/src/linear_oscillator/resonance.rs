@@ -44,13 +44,11 @@ impl Resonance {
     }
 
     /// The number of loops, p.
-    #[must_use]
     pub fn loops(&self) -> u32 {
         self.loops
     }
 
     /// The index, n.
-    #[must_use]
     pub fn index(&self) -> u32 {
         self.index
     }
@@ -59,13 +57,11 @@ impl Resonance {
     ///
     /// `2 omega_1 / n` for `p = 1`, `omega_1 / (n + 1 / (2 p))` for `p >= 2`. Paper: section 3, eq. (12) and
     /// (13), `eq:resonance1`, `eq:resonancep`.
-    #[must_use]
     pub fn forcing_frequency(&self) -> f64 {
         self.grazing.forcing_frequency()
     }
 
     /// The grazing bifurcation at the frequency of the resonance.
-    #[must_use]
     pub fn grazing(&self) -> GrazingState {
         self.grazing
     }
@@ -74,7 +70,6 @@ impl Resonance {
     ///
     /// 0 for `p = 1`; `exp(-2 pi zeta / omega) sin(pi / p) / (n + 1 / (2 p))` for `p >= 2`. Paper: section
     /// 3.4, after eq. (13).
-    #[must_use]
     pub fn off_diagonal(&self) -> f64 {
         if self.loops == 1 {
             return 0.0;
@@ -87,7 +82,6 @@ impl Resonance {
     ///
     /// `xi_1 = E_1 (E_1 - (-1)^n)`, `xi_p = E_p (E_p + 1)` for `p >= 2`. Paper: section B, eq. (7) and (11),
     /// `eq:xi1proof3`, `eq:xipproof3`.
-    #[must_use]
     pub fn second_phase_derivative(&self) -> f64 {
         let decay = self.grazing.decay(self.loops);
         match self.rotation() {
@@ -102,24 +96,20 @@ impl Resonance {
     /// `n`,
     /// `kappa_p' = (4 pi omega_1 / omega^2) exp(-2 pi zeta / omega) sin(pi / p)` for `p >= 2`.
     /// Paper: section 3, eq. (15) to (17), `eq:impFormula1odd`, `eq:impFormula1even`, `eq:impFormulap`.
-    #[must_use]
     pub fn unfolding(&self) -> Unfolding {
         let omega = self.forcing_frequency();
         let decay = self.grazing.decay(1);
-        if self.loops == 1 {
+        let derivative = if self.loops == 1 {
             let magnitude = 2.0 * PI * decay / omega;
-            let off_diagonal_derivative = match self.rotation() {
+            match self.rotation() {
                 Rotation::HalfTurns => magnitude,
                 Rotation::WholeTurns => -magnitude,
-            };
-            return Unfolding::OneLoop { off_diagonal_derivative };
-        }
-        let omega_1 = self.grazing.oscillator().damped_natural_frequency();
-        let sine = libm::sin(PI / f64::from(self.loops));
-        Unfolding::MultiLoop {
-            loops: self.loops,
-            detuning_derivative: 4.0 * PI * omega_1 / (omega * omega) * decay * sine,
-        }
+            }
+        } else {
+            let omega_1 = self.grazing.oscillator().damped_natural_frequency();
+            4.0 * PI * omega_1 / (omega * omega) * decay * libm::sin(PI / f64::from(self.loops))
+        };
+        Unfolding { loops: self.loops, derivative }
     }
 
     /// The coefficients of the impact velocity in the conditions for stability multipliers 1 and -1.
@@ -128,7 +118,6 @@ impl Resonance {
     /// replaced by `-E_1`.
     /// Paper: section 3, eq. (15) to (17), `eq:impFormula1odd`, `eq:impFormula1even`, `eq:impFormulap` (which
     /// prints `s_1` for `s_p`).
-    #[must_use]
     pub fn stability_coefficients(&self) -> StabilityCoefficients {
         let (lessened, raised) = (self.one_minus_rebound(), 1.0 + self.rebound());
         match self.rotation() {
@@ -147,7 +136,6 @@ impl Resonance {
     /// `p = 1` and even `n` the denominator is `(1 + epsilon E_1) (1 - E_1)`.
     /// Paper: section 3, eq. (15) to (17), `eq:impFormula1odd`, `eq:impFormula1even`, `eq:impFormulap`.
     /// Negative.
-    #[must_use]
     pub fn saddle_node_coefficient(&self) -> f64 {
         let omega = self.forcing_frequency();
         let p = f64::from(self.loops);
@@ -167,7 +155,6 @@ impl Resonance {
     /// replaced by `-E_1` in the fraction.
     /// Paper: section 3, eq. (15) to (17), `eq:impFormula1odd`, `eq:impFormula1even`, `eq:impFormulap`.
     /// Positive.
-    #[must_use]
     pub fn period_doubling_coefficient(&self) -> f64 {
         let (lessened, raised) = (self.one_minus_rebound(), 1.0 + self.rebound());
         let (numerator, denominator) = match self.rotation() {
@@ -181,7 +168,6 @@ impl Resonance {
     /// What the general formulas need: `A`, `b`, `phi`, `psi`, `gamma` of section 3, the second derivative
     /// `xi_p` in its general form (section B, eq. (6) and (10)), and the derivative that unfolds the
     /// resonance.
-    #[must_use]
     pub fn resonant_point(&self) -> ResonantPoint {
         ResonantPoint {
             grazing: self.grazing.grazing_point(),

@@ -125,7 +125,7 @@ fn second_derivatives_keep_their_digits_where_drag_bends_within_a_tenth_of_the_v
         (frequency, 0.999_436_721_828_780_7, 1e-12),
         (amplitude, 0.045_626_017_855_751_53, 1e-12),
         (known.second_phase_derivative, -0.111_258_411_176_442_38, 1e-9),
-        (known.unfolding.derivative(), -5.239_699_489_759_759, 1e-9),
+        (known.unfolding.derivative, -5.239_699_489_759_759, 1e-9),
         (theorem.saddle_node().coefficient, -43.087_811_891_694_38, 1e-9),
         // s_1⁻ = 0.07 loses a digit, twice.
         (theorem.period_doubling().coefficient, 83_141.691_238_812_34, 1e-8),

@@ -7,11 +7,9 @@ use grazing_model::maps::{global_iterate, global_map};
 use grazing_theorems::Resonance;
 use grazing_theorems::from_map::GrazingOrbit;
 
-use super::printed_flow::{CLOSED, DIFFERENCES, Turn, model};
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
+use super::printed_flow::{CLOSED, DIFFERENCES, Turn};
 use crate::specimen::damping_for_decay;
-use crate::tally::Deviations;
+use crate::{CheckResult, Deviations, Failure, Sampler};
 
 /// Resonances with p loops, E_p and ε at random.
 fn resonances(loops: &[u32], count: usize) -> Result<Vec<Resonance>, grazing_theorems::TheoryError> {
@@ -52,30 +50,15 @@ fn parity(resonance: &Resonance) -> f64 {
 /// ξ_p of the iterated map at a resonance.
 fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
     let grazing = resonance.grazing();
-    let jet =
-        global_iterate::<_, 2>(&model(&grazing)?, resonance.loops(), AtRest::new(0.0, grazing.phase()))?;
+    let jet = global_iterate::<_, 2>(&grazing.model(), resonance.loops(), AtRest::new(0.0, grazing.phase()))?;
     Ok(jet.hessians[0][(1, 1)])
 }
 
-/// eq:xi1proof3.
-pub(super) fn resonant_second_derivative_of_one_loop() -> CheckResult {
-    at_resonances(&[1], ONE, 1e-14, |resonance| {
-        Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
-    })
-}
-
-/// eq:xipproof3.
-pub(super) fn resonant_second_derivative_of_many_loops() -> CheckResult {
-    at_resonances(MORE_LOOPS, MANY, 1e-13, |resonance| {
-        Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
-    })
-}
-
 /// a₁₁ = a₂₂ = (−1)ⁿ E₁ and the values of sine and cosine at resonance.
-pub(super) fn diagonal_at_resonance() -> CheckResult {
+pub(crate) fn diagonal_at_resonance() -> CheckResult {
     at_resonances(&[1], ONE, CLOSED, |resonance| {
         let grazing = resonance.grazing();
-        let jet = global_map::<_, 1>(&model(&grazing)?, AtRest::new(0.0, grazing.phase()), None)?.jet;
+        let jet = global_map::<_, 1>(&grazing.model(), AtRest::new(0.0, grazing.phase()), None)?.jet;
         let stated = parity(resonance) * grazing.decay(1);
         let turn = Turn::new(&grazing, 1);
         let angles = [(turn.sine, 0.0), (turn.cosine, parity(resonance))];
@@ -86,22 +69,12 @@ pub(super) fn diagonal_at_resonance() -> CheckResult {
     })
 }
 
-/// sin and cos of 2πp ω₁/ω and of 2πω₁/ω at a resonance with p ≥ 2.
-pub(super) fn angles_at_resonance() -> CheckResult {
-    at_resonances(MORE_LOOPS, MANY, CLOSED, |resonance| {
-        let (once, whole) =
-            (Turn::new(&resonance.grazing(), 1), Turn::new(&resonance.grazing(), resonance.loops()));
-        let (sine, cosine) = libm::sincos(PI / f64::from(resonance.loops()));
-        Ok(vec![(whole.sine, 0.0), (whole.cosine, -1.0), (once.sine, sine), (once.cosine, cosine)])
-    })
-}
-
 /// s^± by the general formula at the numerical A, φ, ψ, γ and ξ_p, by the first line of the proof, which a function of E, ε and ±1 gives,
 /// and in the end.
 fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> f64) -> CheckResult {
     at_resonances(loops, over, 1e-12, |resonance| {
         let grazing = resonance.grazing();
-        let orbit = GrazingOrbit::find(&model(&grazing)?, grazing.phase())?;
+        let orbit = GrazingOrbit::find(&grazing.model(), grazing.phase())?;
         let general = orbit.resonant_point(resonance.loops())?.stability_coefficients();
         let stated = resonance.stability_coefficients();
         let pairs = [(1.0, general.plus, stated.plus), (-1.0, general.minus, stated.minus)];
@@ -110,33 +83,12 @@ fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> 
     })
 }
 
-/// eq:xi1proof4.
-pub(super) fn stability_of_one_loop() -> CheckResult {
-    stability(&[1], ONE, |resonance, side| {
-        let (decay, sign) = (resonance.grazing().decay(1), parity(resonance));
-        let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
-        let alpha = 1.0 + epsilon;
-        (1.0 - side * sign * decay) * (sign * epsilon * epsilon * decay - side)
-            + alpha * alpha * decay * (decay - sign) / (1.0 - sign * decay)
-    })
-}
-
-/// eq:xipproof4.
-pub(super) fn stability_of_many_loops() -> CheckResult {
-    stability(MORE_LOOPS, MANY, |resonance, side| {
-        let decay = resonance.grazing().decay(resonance.loops());
-        let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
-        let alpha = 1.0 + epsilon;
-        (1.0 + side * decay) * (-epsilon * epsilon * decay - side) + alpha * alpha * decay
-    })
-}
-
 /// The derivative in ω of an entry or combination of entries of A along the grazing curve, by differences of P_global.
 fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> f64) -> Result<f64, Failure> {
     let theory = resonance.grazing().oscillator();
     let at = |h: f64| -> Result<f64, Failure> {
         let state = theory.grazing(resonance.forcing_frequency() + h)?;
-        Ok(of(&global_map::<_, 1>(&model(&state)?, AtRest::new(0.0, state.phase()), None)?.jet.derivative()))
+        Ok(of(&global_map::<_, 1>(&state.model(), AtRest::new(0.0, state.phase()), None)?.jet.derivative()))
     };
     // Angles 2πω₁/ω change fast at low ω: the step shrinks with ω².
     let step = 2e-3 * resonance.forcing_frequency() * resonance.forcing_frequency();
@@ -147,21 +99,12 @@ fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> 
     Ok(sum / (60.0 * step))
 }
 
-/// eq:xi1proof5.
-pub(super) fn slope_of_one_loop() -> CheckResult {
-    at_resonances(&[1], ONE, DIFFERENCES, |resonance| {
-        let measured = along_grazing(resonance, |a| a.m12)?;
-        let general = resonance.grazing().off_diagonal_derivative();
-        Ok(vec![(measured, resonance.unfolding().derivative()), (measured, general)])
-    })
-}
-
 fn detuning(loops: u32) -> impl Fn(&nalgebra::Matrix2<f64>) -> f64 {
     move |a| a.trace() - 2.0 * a.determinant().sqrt() * libm::cos(PI / f64::from(loops))
 }
 
 /// The display of κ_p', at resonances of other numbers of loops than p too.
-pub(super) fn detuning_derivative() -> CheckResult {
+pub(crate) fn detuning_derivative() -> CheckResult {
     at_resonances(&[1, 2, 3, 4, 5, 6], "grazing states, p = 2 to 5", DIFFERENCES, |resonance| {
         let pair =
             |p: u32| Ok((along_grazing(resonance, detuning(p))?, resonance.grazing().detuning_derivative(p)));
@@ -169,16 +112,8 @@ pub(super) fn detuning_derivative() -> CheckResult {
     })
 }
 
-/// eq:xipproof5.
-pub(super) fn slope_of_many_loops() -> CheckResult {
-    at_resonances(MORE_LOOPS, MANY, DIFFERENCES, |resonance| {
-        let measured = along_grazing(resonance, detuning(resonance.loops()))?;
-        Ok(vec![(measured, resonance.unfolding().derivative())])
-    })
-}
-
 /// The last steps of both proofs: the general coefficients at resonance are those of Propositions 3.2 and 3.3.
-pub(super) fn coefficients() -> CheckResult {
+pub(crate) fn coefficients() -> CheckResult {
     at_resonances(&[1, 2, 3, 4, 5, 6], "resonances with p = 1 to 6, E and ε at random", 1e-11, |resonance| {
         let point = resonance.resonant_point();
         // Divided by the stated number: the coefficients have sizes of all orders, and c_PD loses digits where s⁻ is small.
@@ -187,4 +122,48 @@ pub(super) fn coefficients() -> CheckResult {
             (point.period_doubling_coefficient() / resonance.period_doubling_coefficient(), 1.0),
         ])
     })
+}
+
+checks! {
+    /// eq:xi1proof3.
+    resonant_second_derivative_of_one_loop: at_resonances(&[1], ONE, 1e-14, |resonance| {
+        Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
+    });
+    /// eq:xipproof3.
+    resonant_second_derivative_of_many_loops: at_resonances(MORE_LOOPS, MANY, 1e-13, |resonance| {
+        Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])
+    });
+    /// sin and cos of 2πp ω₁/ω and of 2πω₁/ω at a resonance with p ≥ 2.
+    angles_at_resonance: at_resonances(MORE_LOOPS, MANY, CLOSED, |resonance| {
+        let (once, whole) =
+            (Turn::new(&resonance.grazing(), 1), Turn::new(&resonance.grazing(), resonance.loops()));
+        let (sine, cosine) = libm::sincos(PI / f64::from(resonance.loops()));
+        Ok(vec![(whole.sine, 0.0), (whole.cosine, -1.0), (once.sine, sine), (once.cosine, cosine)])
+    });
+    /// eq:xi1proof4.
+    stability_of_one_loop: stability(&[1], ONE, |resonance, side| {
+        let (decay, sign) = (resonance.grazing().decay(1), parity(resonance));
+        let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
+        let alpha = 1.0 + epsilon;
+        (1.0 - side * sign * decay) * (sign * epsilon * epsilon * decay - side)
+            + alpha * alpha * decay * (decay - sign) / (1.0 - sign * decay)
+    });
+    /// eq:xipproof4.
+    stability_of_many_loops: stability(MORE_LOOPS, MANY, |resonance, side| {
+        let decay = resonance.grazing().decay(resonance.loops());
+        let epsilon = resonance.grazing().oscillator().coefficient_of_restitution();
+        let alpha = 1.0 + epsilon;
+        (1.0 + side * decay) * (-epsilon * epsilon * decay - side) + alpha * alpha * decay
+    });
+    /// eq:xi1proof5.
+    slope_of_one_loop: at_resonances(&[1], ONE, DIFFERENCES, |resonance| {
+        let measured = along_grazing(resonance, |a| a.m12)?;
+        let general = resonance.grazing().off_diagonal_derivative();
+        Ok(vec![(measured, resonance.unfolding().derivative), (measured, general)])
+    });
+    /// eq:xipproof5.
+    slope_of_many_loops: at_resonances(MORE_LOOPS, MANY, DIFFERENCES, |resonance| {
+        let measured = along_grazing(resonance, detuning(resonance.loops()))?;
+        Ok(vec![(measured, resonance.unfolding().derivative)])
+    });
 }

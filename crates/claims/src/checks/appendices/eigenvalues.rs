@@ -4,9 +4,7 @@ use grazing_theorems::auxiliary::{admissibility_sum, lucas_partial_sum, lucas_se
 use nalgebra::Complex;
 
 use crate::eigenvalues::{Pair, power};
-use crate::outcome::{CheckResult, Outcome};
-use crate::sampling::Sampler;
-use crate::tally::{Deviations, Votes};
+use crate::{CheckResult, Deviations, Sampler, Votes};
 
 /// Each of the two routes makes some p² roundings of the terms by which deviations are divided, p up to 15.
 const ROUNDING: f64 = 1e-13;
@@ -20,7 +18,7 @@ fn quotient_deviation(sum: f64, numerator: Complex<f64>, size: f64, denominator:
 }
 
 /// The largest deviation over sampled points with distinct eigenvalues.
-fn over_trapesium(seed: u64, deviation: impl Fn(i32, f64, f64, &Pair) -> f64) -> Outcome {
+fn over_trapesium(seed: u64, deviation: impl Fn(i32, f64, f64, &Pair) -> f64) -> CheckResult {
     let mut sampler = Sampler::new(seed);
     let mut deviations = Deviations::default();
     for index in 0..3000 {
@@ -35,14 +33,7 @@ fn over_trapesium(seed: u64, deviation: impl Fn(i32, f64, f64, &Pair) -> f64) ->
             deviations.see(deviation(p, tau, delta, &Pair::new(tau, delta)));
         }
     }
-    deviations.outcome(ROUNDING, POINTS)
-}
-
-/// eq:HpAgain.
-pub(crate) fn definition_of_h() -> CheckResult {
-    Ok(over_trapesium(1, |p, tau, delta, pair| {
-        (pair.h(p) - admissibility_sum(p as u32, tau, delta)).norm() / pair.moduli().h(p).re
-    }))
+    Ok(deviations.outcome(ROUNDING, POINTS))
 }
 
 /// Where λ₁ = 1, and where λ₁ = λ₂: the text before eq:Hp2.
@@ -76,20 +67,9 @@ pub(crate) fn unit_and_double_eigenvalues() -> CheckResult {
     Ok(votes.outcome(over).against_print(print.measure()))
 }
 
-/// eq:Hp2.
-pub(crate) fn h_by_powers() -> CheckResult {
-    Ok(over_trapesium(2, |p, tau, delta, pair| {
-        let sum: Complex<f64> = (1..p).map(|j| -pair.difference_of_powers(-j)).sum();
-        let size: f64 = (1..p).map(|j| pair.size_of_powers(-j)).sum();
-        let product = pair.monomial(1, 1);
-        let expected = admissibility_sum(p as u32, tau, delta);
-        quotient_deviation(expected, product * sum, product.norm() * size, pair.first - pair.second)
-    }))
-}
-
 /// The line between eq:Hp2 and eq:Hp3.
 pub(crate) fn h_by_geometric_series() -> CheckResult {
-    Ok(over_trapesium(3, |p, tau, delta, pair| {
+    over_trapesium(3, |p, tau, delta, pair| {
         let series = |lambda: Complex<f64>| {
             let top = power(lambda, p - 1);
             (top - 1.0) / (top * (lambda - 1.0))
@@ -103,12 +83,12 @@ pub(crate) fn h_by_geometric_series() -> CheckResult {
         let size = product.norm() * (size(pair.second) + size(pair.first));
         let expected = admissibility_sum(p as u32, tau, delta);
         quotient_deviation(expected, numerator, size, pair.first - pair.second)
-    }))
+    })
 }
 
 /// eq:Hp3.
 pub(crate) fn h_in_closed_form() -> CheckResult {
-    Ok(over_trapesium(4, |p, tau, delta, pair| {
+    over_trapesium(4, |p, tau, delta, pair| {
         let difference = pair.first - pair.second;
         let product = pair.monomial(p - 1, p - 1);
         let numerator =
@@ -117,21 +97,12 @@ pub(crate) fn h_in_closed_form() -> CheckResult {
             product.norm() * pair.size_of_powers(1) + pair.size_of_powers(p) + pair.size_of_powers(p - 1);
         let denominator = pair.gap() * difference * pair.monomial(p - 2, p - 2);
         quotient_deviation(admissibility_sum(p as u32, tau, delta), numerator, size, denominator)
-    }))
-}
-
-/// eq:Tp2.
-pub(crate) fn t_by_powers() -> CheckResult {
-    Ok(over_trapesium(5, |p, tau, delta, pair| {
-        let sum: Complex<f64> = (1..p).map(|j| pair.difference_of_powers(j)).sum();
-        let size: f64 = (1..p).map(|j| pair.size_of_powers(j)).sum();
-        quotient_deviation(lucas_partial_sum(p as u32, tau, delta), sum, size, pair.first - pair.second)
-    }))
+    })
 }
 
 /// eq:Tp3.
 pub(crate) fn t_in_closed_form() -> CheckResult {
-    Ok(over_trapesium(6, |p, tau, delta, pair| {
+    over_trapesium(6, |p, tau, delta, pair| {
         let difference = pair.first - pair.second;
         let product = pair.monomial(1, 1);
         let numerator =
@@ -140,7 +111,7 @@ pub(crate) fn t_in_closed_form() -> CheckResult {
             pair.size_of_powers(1) + pair.size_of_powers(p) + product.norm() * pair.size_of_powers(p - 1);
         let expected = lucas_partial_sum(p as u32, tau, delta);
         quotient_deviation(expected, numerator, size, pair.gap() * difference)
-    }))
+    })
 }
 
 /// S_p against the quotient of eq:Sp2.
@@ -152,7 +123,7 @@ fn deviation_of_s(p: i32, tau: f64, delta: f64, pair: &Pair) -> f64 {
 
 /// eq:Sp2.
 pub(crate) fn s_as_quotient() -> CheckResult {
-    Ok(over_trapesium(7, deviation_of_s))
+    over_trapesium(7, deviation_of_s)
 }
 
 /// The condition of eq:Sp2 is λ₁ ≠ λ₂: the quotient is right at τ = δ + 1, and has no value at τ = ±2√δ, where the condition
@@ -173,4 +144,25 @@ pub(crate) fn condition_of_quotient() -> CheckResult {
     let over =
         "τ = δ + 1 and near ±2√δ for 99 determinants, p = 2 to 15; the print at τ = ±2√δ, where it is 0/0";
     Ok(deviations.outcome(ROUNDING, over).against_print(print.measure(ROUNDING)))
+}
+
+checks! {
+    /// eq:HpAgain.
+    definition_of_h: over_trapesium(1, |p, tau, delta, pair| {
+        (pair.h(p as u32) - admissibility_sum(p as u32, tau, delta)).norm() / pair.moduli().h(p as u32).re
+    });
+    /// eq:Hp2.
+    h_by_powers: over_trapesium(2, |p, tau, delta, pair| {
+        let sum: Complex<f64> = (1..p).map(|j| -pair.difference_of_powers(-j)).sum();
+        let size: f64 = (1..p).map(|j| pair.size_of_powers(-j)).sum();
+        let product = pair.monomial(1, 1);
+        let expected = admissibility_sum(p as u32, tau, delta);
+        quotient_deviation(expected, product * sum, product.norm() * size, pair.first - pair.second)
+    });
+    /// eq:Tp2.
+    t_by_powers: over_trapesium(5, |p, tau, delta, pair| {
+        let sum: Complex<f64> = (1..p).map(|j| pair.difference_of_powers(j)).sum();
+        let size: f64 = (1..p).map(|j| pair.size_of_powers(j)).sum();
+        quotient_deviation(lucas_partial_sum(p as u32, tau, delta), sum, size, pair.first - pair.second)
+    });
 }

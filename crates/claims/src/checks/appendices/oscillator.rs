@@ -5,21 +5,18 @@ use core::f64::consts::TAU;
 use grazing_model::AtRest;
 use grazing_model::maps::{global_iterate, global_map};
 
-use super::printed_flow::{DIFFERENCES, Derivatives, Printed, STATES, STEP, Turn, first, model, states};
-use crate::convergence::order;
-use crate::outcome::{CheckResult, Measure, Outcome};
-use crate::sampling::Sampler;
-use crate::tally::Deviations;
+use super::printed_flow::{DIFFERENCES, Derivatives, Printed, STATES, STEP, Turn, first, states};
+use crate::{CheckResult, Deviations, Measure, Outcome, Sampler, order};
 
 /// eq:Abproof1: P_global ends where the printed flow from (x, 0) at z/ω comes to rest.
-pub(super) fn return_by_printed_flow() -> CheckResult {
+pub(crate) fn return_by_printed_flow() -> CheckResult {
     let mut sampler = Sampler::new(13);
     let mut largest = Deviations::default();
     for state in states(400)? {
         let mut at = || 0.02 * sampler.between(-1.0, 1.0);
         let (x, z, amplitude) = (at(), state.phase() + at(), state.amplitude() * (1.0 + at()));
         let oscillator = grazing_model::ImpactOscillator::with_parameters(
-            &model(&state)?,
+            &state.model(),
             [amplitude, state.forcing_frequency()],
         );
         let Ok(landing) = global_map::<_, 1>(&oscillator, AtRest::new(x, z), None) else { continue };
@@ -34,7 +31,7 @@ pub(super) fn return_by_printed_flow() -> CheckResult {
 }
 
 /// eq:Abproof2: both lines, as the order of what the linear terms leave of φ and φ̇ at the return.
-pub(super) fn first_order_terms() -> CheckResult {
+pub(crate) fn first_order_terms() -> CheckResult {
     let mut sampler = Sampler::new(14);
     let mut worst = f64::INFINITY;
     let all = states(60)?;
@@ -76,14 +73,14 @@ pub(super) fn first_order_terms() -> CheckResult {
 }
 
 /// eq:Abproof3 with derivatives of the printed flow by differences, against the derivatives of P_global.
-pub(super) fn entries_by_derivatives() -> CheckResult {
+pub(crate) fn entries_by_derivatives() -> CheckResult {
     let all = states(300)?;
     let mut largest = Deviations::default();
     for state in &all {
         let derivatives = Derivatives::new(state, 1);
         let omega = state.forcing_frequency();
         let (velocity, acceleration) = (derivatives.velocity(), derivatives.acceleration());
-        let jet = global_map::<_, 1>(&model(state)?, AtRest::new(0.0, state.phase()), None)?.jet;
+        let jet = global_map::<_, 1>(&state.model(), AtRest::new(0.0, state.phase()), None)?.jet;
         let entry = |variable: usize| {
             let (position, rate) = (derivatives.mixed(0, variable), derivatives.mixed(1, variable));
             [position - velocity / acceleration * rate, -omega / acceleration * rate]
@@ -98,7 +95,7 @@ pub(super) fn entries_by_derivatives() -> CheckResult {
 }
 
 /// eq:Abproof4: all eight derivatives of φ at grazing.
-pub(super) fn derivatives_at_grazing() -> CheckResult {
+pub(crate) fn derivatives_at_grazing() -> CheckResult {
     let all = states(300)?;
     let mut largest = Deviations::default();
     for state in &all {
@@ -122,7 +119,7 @@ pub(super) fn derivatives_at_grazing() -> CheckResult {
 }
 
 /// The display of ξ₁ by derivatives of φ, differences against the second derivative of P_global.
-pub(super) fn second_derivative_by_flow() -> CheckResult {
+pub(crate) fn second_derivative_by_flow() -> CheckResult {
     let all = states(200)?;
     let mut largest = Deviations::default();
     for state in &all {
@@ -136,14 +133,14 @@ pub(super) fn second_derivative_by_flow() -> CheckResult {
             + derivatives.twice_in_start(0)
             - slip * derivatives.twice_in_start(1))
             / (omega * omega);
-        let jet = global_map::<_, 2>(&model(state)?, AtRest::new(0.0, state.phase()), None)?.jet;
+        let jet = global_map::<_, 2>(&state.model(), AtRest::new(0.0, state.phase()), None)?.jet;
         largest.pairs([(xi, jet.hessians[0][(1, 1)])]);
     }
     Ok(largest.outcome(DIFFERENCES, STATES))
 }
 
 /// eq:d2phidt02.
-pub(super) fn second_derivative_in_start() -> CheckResult {
+pub(crate) fn second_derivative_in_start() -> CheckResult {
     let all = states(300)?;
     let mut largest = Deviations::default();
     for state in &all {
@@ -161,7 +158,7 @@ fn xi(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
     let mut largest = Deviations::default();
     for state in &all {
         for p in loops.clone() {
-            let jet = global_iterate::<_, 2>(&model(state)?, p, AtRest::new(0.0, state.phase()))?;
+            let jet = global_iterate::<_, 2>(&state.model(), p, AtRest::new(0.0, state.phase()))?;
             largest.pairs([(jet.hessians[0][(1, 1)], state.second_phase_derivative(p))]);
         }
     }
@@ -169,12 +166,9 @@ fn xi(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
     Ok(largest.outcome(1e-13, STATES))
 }
 
-/// eq:xi1proof2.
-pub(super) fn second_derivative_of_one_loop() -> CheckResult {
-    xi(1..=1)
-}
-
-/// eq:xipproof2, off resonance too.
-pub(super) fn second_derivative_of_many_loops() -> CheckResult {
-    xi(2..=5)
+checks! {
+    /// eq:xi1proof2.
+    second_derivative_of_one_loop: xi(1..=1);
+    /// eq:xipproof2, off resonance too.
+    second_derivative_of_many_loops: xi(2..=5);
 }

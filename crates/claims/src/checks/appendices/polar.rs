@@ -6,9 +6,7 @@ use grazing_theorems::auxiliary::{admissibility_sum, lucas_partial_sum, lucas_se
 use nalgebra::Complex;
 
 use crate::eigenvalues::Pair;
-use crate::outcome::{CheckResult, Outcome};
-use crate::sampling::Sampler;
-use crate::tally::{Deviations, Votes};
+use crate::{CheckResult, Deviations, Sampler, Votes, sampled};
 
 /// A point with complex eigenvalues, r = √δ and θ in (0, π).
 struct Polar {
@@ -58,7 +56,7 @@ impl Polar {
 /// up to p/sin θ times as strongly.
 const POLAR_ROUNDING: f64 = 1e-12;
 
-fn over_polar(seed: u64, deviation: impl Fn(&Polar) -> f64) -> Outcome {
+fn over_polar(seed: u64, deviation: impl Fn(&Polar) -> f64) -> CheckResult {
     let mut sampler = Sampler::new(seed);
     let mut deviations = Deviations::default();
     for index in 0..3000 {
@@ -68,12 +66,12 @@ fn over_polar(seed: u64, deviation: impl Fn(&Polar) -> f64) -> Outcome {
         let tau = 2.0 * r * libm::cos(theta);
         deviations.see(deviation(&Polar { p: 2 + index % 14, r, theta, tau, delta }));
     }
-    deviations.outcome(POLAR_ROUNDING, "complex eigenvalues, 0.01 < θ < π − 0.01, p = 2 to 15")
+    Ok(deviations.outcome(POLAR_ROUNDING, "complex eigenvalues, 0.01 < θ < π − 0.01, p = 2 to 15"))
 }
 
 /// eq:polarCoords.
 pub(crate) fn polar_coordinates() -> CheckResult {
-    Ok(over_polar(11, |polar| {
+    over_polar(11, |polar| {
         let pair = Pair::new(polar.tau, polar.delta);
         let modulus = polar.delta.sqrt();
         // The arccosine loses digits where its argument is near ±1, as 1/sin θ.
@@ -81,61 +79,7 @@ pub(crate) fn polar_coordinates() -> CheckResult {
         let first = Complex::new(modulus * libm::cos(theta), modulus * libm::sin(theta));
         let angle = (theta - polar.theta).abs() * libm::sin(polar.theta);
         (first - pair.first).norm().max((first.conj() - pair.second).norm()).max(angle)
-    }))
-}
-
-/// eq:lam1kminuslam2k, k of either sign.
-pub(crate) fn differences_of_powers() -> CheckResult {
-    Ok(over_polar(12, |polar| {
-        let pair = Pair::new(polar.tau, polar.delta);
-        [polar.p, -polar.p, 1, 0].into_iter().fold(0.0, |largest: f64, k| {
-            let expected = Complex::new(0.0, 2.0 * polar.r_to(k) * polar.sine(k));
-            largest.max((pair.difference_of_powers(k) - expected).norm() / polar.r_to(k))
-        })
-    }))
-}
-
-/// eq:Hp4.
-pub(crate) fn h_as_sum_of_sines() -> CheckResult {
-    Ok(over_polar(13, |polar| {
-        let terms: Vec<f64> = (1..polar.p).map(|j| polar.r_to(1 - j) * polar.sine(j)).collect();
-        polar.deviation(polar.h(), &terms, polar.sine(1))
-    }))
-}
-
-/// eq:Hp5.
-pub(crate) fn h_in_polar_form() -> CheckResult {
-    Ok(over_polar(14, |polar| {
-        let Polar { p, r, .. } = *polar;
-        let terms = [polar.r_to(p) * polar.sine(1), -r * polar.sine(p), polar.sine(p - 1)];
-        polar.deviation(polar.h(), &terms, polar.gap() * polar.r_to(p - 2) * polar.sine(1))
-    }))
-}
-
-/// eq:Sp3.
-pub(crate) fn s_in_polar_form() -> CheckResult {
-    Ok(over_polar(15, |polar| {
-        // Near its zeros S_p is compared to r^(p−1).
-        let term = polar.r_to(polar.p - 1) * polar.sine(polar.p);
-        (term - polar.s(polar.p) * polar.sine(1)) / polar.r_to(polar.p - 1)
-    }))
-}
-
-/// eq:Tp6.
-pub(crate) fn t_in_polar_form() -> CheckResult {
-    Ok(over_polar(16, |polar| {
-        let p = polar.p;
-        let terms = [polar.sine(1), -polar.r_to(p - 1) * polar.sine(p), polar.r_to(p) * polar.sine(p - 1)];
-        polar.deviation(polar.t(), &terms, polar.gap() * polar.sine(1))
-    }))
-}
-
-/// eq:Tp4.
-pub(crate) fn t_as_sum_of_sines() -> CheckResult {
-    Ok(over_polar(17, |polar| {
-        let terms: Vec<f64> = (1..polar.p).map(|j| polar.r_to(j - 1) * polar.sine(j)).collect();
-        polar.deviation(polar.t(), &terms, polar.sine(1))
-    }))
+    })
 }
 
 /// Ξ(θ) as it is defined after eq:Tp5.
@@ -144,27 +88,13 @@ pub(super) fn xi(p: u32, theta: f64) -> f64 {
     libm::sin(theta) - libm::sin(p * theta) + libm::sin((p - 1.0) * theta)
 }
 
-/// eq:Tp5, with Ξ as it is defined.
-pub(crate) fn t_grouped() -> CheckResult {
-    Ok(over_polar(18, |polar| {
-        let Polar { p, r, theta, .. } = *polar;
-        let top = polar.r_to(p - 1);
-        let terms =
-            [top * xi(p as u32, theta), -top * (1.0 - r) * polar.sine(p - 1), (1.0 - top) * polar.sine(1)];
-        polar.deviation(polar.t(), &terms, polar.gap() * polar.sine(1))
-    }))
-}
-
 /// The factorisation of Ξ, an identity for all angles.
 pub(crate) fn factored_xi() -> CheckResult {
-    let mut sampler = Sampler::new(19);
-    let mut deviations = Deviations::default();
-    for index in 0..3000 {
-        let p = 1 + index % 20;
+    let deviations = sampled(19, 3000, 1..=20, |sampler, p, deviations: &mut Deviations| {
         let theta = sampler.between(-7.0, 7.0);
         let half = |k: u32| libm::sin(0.5 * f64::from(k) * theta);
         deviations.see(xi(p, theta) - 4.0 * half(1) * half(p - 1) * half(p));
-    }
+    });
     // Three sines of angles up to 140, each off by 10⁻¹⁴.
     Ok(deviations.outcome(1e-13, "angles between −7 and 7, p = 1 to 20"))
 }
@@ -190,4 +120,51 @@ pub(crate) fn zeros_of_s() -> CheckResult {
         }
     }
     Ok(votes.outcome("twenty determinants for each of p = 2 to 15, all m"))
+}
+
+checks! {
+    /// eq:lam1kminuslam2k, k of either sign.
+    differences_of_powers: over_polar(12, |polar| {
+        let pair = Pair::new(polar.tau, polar.delta);
+        [polar.p, -polar.p, 1, 0].into_iter().fold(0.0, |largest: f64, k| {
+            let expected = Complex::new(0.0, 2.0 * polar.r_to(k) * polar.sine(k));
+            largest.max((pair.difference_of_powers(k) - expected).norm() / polar.r_to(k))
+        })
+    });
+    /// eq:Hp4.
+    h_as_sum_of_sines: over_polar(13, |polar| {
+        let terms: Vec<f64> = (1..polar.p).map(|j| polar.r_to(1 - j) * polar.sine(j)).collect();
+        polar.deviation(polar.h(), &terms, polar.sine(1))
+    });
+    /// eq:Hp5.
+    h_in_polar_form: over_polar(14, |polar| {
+        let Polar { p, r, .. } = *polar;
+        let terms = [polar.r_to(p) * polar.sine(1), -r * polar.sine(p), polar.sine(p - 1)];
+        polar.deviation(polar.h(), &terms, polar.gap() * polar.r_to(p - 2) * polar.sine(1))
+    });
+    /// eq:Sp3.
+    s_in_polar_form: over_polar(15, |polar| {
+        // Near its zeros S_p is compared to r^(p−1).
+        let term = polar.r_to(polar.p - 1) * polar.sine(polar.p);
+        (term - polar.s(polar.p) * polar.sine(1)) / polar.r_to(polar.p - 1)
+    });
+    /// eq:Tp6.
+    t_in_polar_form: over_polar(16, |polar| {
+        let p = polar.p;
+        let terms = [polar.sine(1), -polar.r_to(p - 1) * polar.sine(p), polar.r_to(p) * polar.sine(p - 1)];
+        polar.deviation(polar.t(), &terms, polar.gap() * polar.sine(1))
+    });
+    /// eq:Tp4.
+    t_as_sum_of_sines: over_polar(17, |polar| {
+        let terms: Vec<f64> = (1..polar.p).map(|j| polar.r_to(j - 1) * polar.sine(j)).collect();
+        polar.deviation(polar.t(), &terms, polar.sine(1))
+    });
+    /// eq:Tp5, with Ξ as it is defined.
+    t_grouped: over_polar(18, |polar| {
+        let Polar { p, r, theta, .. } = *polar;
+        let top = polar.r_to(p - 1);
+        let terms =
+            [top * xi(p as u32, theta), -top * (1.0 - r) * polar.sine(p - 1), (1.0 - top) * polar.sine(1)];
+        polar.deviation(polar.t(), &terms, polar.gap() * polar.sine(1))
+    });
 }

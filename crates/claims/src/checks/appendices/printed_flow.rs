@@ -2,21 +2,25 @@
 
 use core::f64::consts::TAU;
 
+use crate::Sampler;
 use grazing_model::LinearOscillator;
 use grazing_theorems::GrazingState;
 
-use crate::sampling::Sampler;
-
 /// eq:flow and eq:phip, coded from the print.
 #[derive(Clone, Copy)]
-pub(super) struct Printed {
-    pub(super) zeta: f64,
-    pub(super) omega: f64,
+pub(crate) struct Printed {
+    pub(crate) zeta: f64,
+    pub(crate) omega: f64,
 }
 
 impl Printed {
+    /// That of an oscillator.
+    pub(crate) fn of(oscillator: &LinearOscillator) -> Self {
+        Self { zeta: oscillator.damping_ratio(), omega: oscillator.frequency() }
+    }
+
     /// φ_p and its derivative in t.
-    pub(super) fn periodic(&self, time: f64, amplitude: f64) -> [f64; 2] {
+    pub(crate) fn periodic(&self, time: f64, amplitude: f64) -> [f64; 2] {
         let Self { zeta, omega } = *self;
         let stiffness = 1.0 - omega * omega;
         let factor = amplitude / (stiffness * stiffness + 4.0 * zeta * zeta * omega * omega);
@@ -28,7 +32,7 @@ impl Printed {
     }
 
     /// φ(t; x₀, y₀, t₀; 𝒜).
-    pub(super) fn flow(&self, time: f64, [x, y]: [f64; 2], start: f64, amplitude: f64) -> f64 {
+    pub(crate) fn flow(&self, time: f64, [x, y]: [f64; 2], start: f64, amplitude: f64) -> f64 {
         let zeta = self.zeta;
         let natural = (1.0 - zeta * zeta).sqrt();
         let (sine, cosine) = libm::sincos(natural * (time - start));
@@ -40,7 +44,7 @@ impl Printed {
 }
 
 /// Derivatives of φ at grazing after p periods, by central differences of sixth order in t, x, t₀ and 𝒜.
-pub(super) struct Derivatives {
+pub(crate) struct Derivatives {
     printed: Printed,
     end: f64,
     start: f64,
@@ -49,20 +53,20 @@ pub(super) struct Derivatives {
 
 /// Step of the differences in time: 10⁻² of the shorter of the two time scales leaves an error of 10⁻¹³ and, for second and
 /// third derivatives, rounding of 10⁻¹⁶ over its square or cube.
-pub(super) const STEP: f64 = 2e-2;
+pub(crate) const STEP: f64 = 2e-2;
 
-pub(super) fn first(step: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn first(step: f64, f: impl Fn(f64) -> f64) -> f64 {
     let pair = |k: f64| f(k * step) - f(-k * step);
     (45.0 * pair(1.0) - 9.0 * pair(2.0) + pair(3.0)) / (60.0 * step)
 }
 
-pub(super) fn second(step: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn second(step: f64, f: impl Fn(f64) -> f64) -> f64 {
     let pair = |k: f64| f(k * step) + f(-k * step);
     (270.0 * pair(1.0) - 27.0 * pair(2.0) + 2.0 * pair(3.0) - 490.0 * f(0.0)) / (180.0 * step * step)
 }
 
 impl Derivatives {
-    pub(super) fn new(state: &GrazingState, loops: u32) -> Self {
+    pub(crate) fn new(state: &GrazingState, loops: u32) -> Self {
         let omega = state.forcing_frequency();
         let start = state.phase() / omega;
         Self {
@@ -74,16 +78,16 @@ impl Derivatives {
     }
 
     /// φ displaced in (t, x, t₀, 𝒜).
-    pub(super) fn at(&self, [time, x, start, amplitude]: [f64; 4]) -> f64 {
+    pub(crate) fn at(&self, [time, x, start, amplitude]: [f64; 4]) -> f64 {
         self.printed.flow(self.end + time, [x, 0.0], self.start + start, self.amplitude + amplitude)
     }
 
-    pub(super) fn step(&self) -> f64 {
+    pub(crate) fn step(&self) -> f64 {
         STEP / self.printed.omega.max(1.0)
     }
 
     /// ∂ⁿφ/∂tⁿ displaced in (x, t₀, 𝒜), n ≤ 3.
-    pub(super) fn in_time(&self, n: u32, [x, start, amplitude]: [f64; 3]) -> f64 {
+    pub(crate) fn in_time(&self, n: u32, [x, start, amplitude]: [f64; 3]) -> f64 {
         let f = |time: f64| self.at([time, x, start, amplitude]);
         let step = self.step();
         match n {
@@ -95,17 +99,17 @@ impl Derivatives {
     }
 
     /// φ̇.
-    pub(super) fn velocity(&self) -> f64 {
+    pub(crate) fn velocity(&self) -> f64 {
         self.in_time(1, [0.0; 3])
     }
 
     /// φ̈.
-    pub(super) fn acceleration(&self) -> f64 {
+    pub(crate) fn acceleration(&self) -> f64 {
         self.in_time(2, [0.0; 3])
     }
 
     /// The derivative in x, t₀ or 𝒜 (`variable` 0, 1, 2) of ∂ⁿφ/∂tⁿ.
-    pub(super) fn mixed(&self, n: u32, variable: usize) -> f64 {
+    pub(crate) fn mixed(&self, n: u32, variable: usize) -> f64 {
         first(self.step(), |h| {
             let mut moved = [0.0; 3];
             moved[variable] = h;
@@ -114,13 +118,13 @@ impl Derivatives {
     }
 
     /// ∂²/∂t₀² of ∂ⁿφ/∂tⁿ.
-    pub(super) fn twice_in_start(&self, n: u32) -> f64 {
+    pub(crate) fn twice_in_start(&self, n: u32) -> f64 {
         second(self.step(), |h| self.in_time(n, [0.0, h, 0.0]))
     }
 }
 
 /// The oscillator at grazing, ζ, ε and ω at random.
-pub(super) fn states(count: usize) -> Result<Vec<GrazingState>, grazing_theorems::TheoryError> {
+pub(crate) fn states(count: usize) -> Result<Vec<GrazingState>, grazing_theorems::TheoryError> {
     let mut sampler = Sampler::new(11);
     let mut one = || {
         let theory =
@@ -130,31 +134,25 @@ pub(super) fn states(count: usize) -> Result<Vec<GrazingState>, grazing_theorems
     (0..count).map(|_| one()).collect()
 }
 
-pub(super) fn model(state: &GrazingState) -> Result<LinearOscillator, grazing_model::OscillatorError> {
-    let theory = state.oscillator();
-    let (zeta, epsilon) = (theory.damping_ratio(), theory.coefficient_of_restitution());
-    LinearOscillator::new(zeta, epsilon, state.amplitude(), state.forcing_frequency())
-}
-
 /// What the differences of sixth order explain: 10⁻¹² for first and second derivatives, and some ten times that for nested ones.
-pub(super) const DIFFERENCES: f64 = 1e-10;
+pub(crate) const DIFFERENCES: f64 = 1e-10;
 
 /// Closed forms with the same rounding: angles of up to 2πp ω₁/ω ≈ 80 are rounded to 10⁻¹⁴.
-pub(super) const CLOSED: f64 = 1e-12;
+pub(crate) const CLOSED: f64 = 1e-12;
 
-pub(super) const STATES: &str = "grazing states with ζ in (0.01, 0.9) and ω in (0.3, 3)";
+pub(crate) const STATES: &str = "grazing states with ζ in (0.01, 0.9) and ω in (0.3, 3)";
 
 /// e^{−2πpζ/ω}, cos and sin of 2πp ω₁/ω, ζ/ω₁, ω₁.
-pub(super) struct Turn {
-    pub(super) decay: f64,
-    pub(super) cosine: f64,
-    pub(super) sine: f64,
-    pub(super) skew: f64,
-    pub(super) natural: f64,
+pub(crate) struct Turn {
+    pub(crate) decay: f64,
+    pub(crate) cosine: f64,
+    pub(crate) sine: f64,
+    pub(crate) skew: f64,
+    pub(crate) natural: f64,
 }
 
 impl Turn {
-    pub(super) fn new(state: &GrazingState, loops: u32) -> Self {
+    pub(crate) fn new(state: &GrazingState, loops: u32) -> Self {
         let zeta = state.oscillator().damping_ratio();
         let natural = (1.0 - zeta * zeta).sqrt();
         let turns = TAU * f64::from(loops) / state.forcing_frequency();
@@ -163,7 +161,7 @@ impl Turn {
     }
 
     /// a₂₂ of the p-th iterate.
-    pub(super) fn entry(&self) -> f64 {
+    pub(crate) fn entry(&self) -> f64 {
         self.decay * (self.cosine - self.skew * self.sine)
     }
 }

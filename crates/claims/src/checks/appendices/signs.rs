@@ -8,15 +8,19 @@ use grazing_theorems::auxiliary::{
 };
 
 use super::polar::xi;
-use crate::outcome::{CheckResult, Outcome};
-use crate::sampling::{Sampler, smallest};
-use crate::tally::{Deviations, Smallest};
+use crate::{CheckResult, Deviations, Sampler, Smallest, sampled, smallest};
 
 /// Local searches for each number of loops.
 const STARTS: usize = 6;
 
-/// The smallest value that searches over the unit square find, for each number of loops from `lowest` to 15.
-pub(crate) fn search(lowest: u32, over: &str, value: impl Fn(u32, [f64; 2]) -> f64) -> Outcome {
+/// The smallest value that searches over the unit square find, for each number of loops from `lowest` to 15; where they look and what
+/// for, in words.
+pub(crate) fn search(
+    lowest: u32,
+    place: &str,
+    what: &str,
+    value: impl Fn(u32, [f64; 2]) -> f64,
+) -> CheckResult {
     let mut margins = Smallest::default();
     for p in lowest..=15 {
         for start in 0..STARTS {
@@ -26,7 +30,7 @@ pub(crate) fn search(lowest: u32, over: &str, value: impl Fn(u32, [f64; 2]) -> f
             margins.see(if found == f64::INFINITY { f64::NAN } else { found });
         }
     }
-    margins.margin(over)
+    Ok(margins.margin(&format!("searches over {place}, p = {lowest} to 15: the smallest {what}")))
 }
 
 /// A determinant between 10⁻³ and 1 − 10⁻³ from a share between 0 and 1.
@@ -44,55 +48,21 @@ fn scaled_h(p: u32, tau: f64, delta: f64) -> f64 {
     admissibility_sum(p, tau, delta) * libm::pow(delta, 0.5 * (f64::from(p) - 2.0))
 }
 
-/// H_p > 0 for τ ≥ 2√δ, with real eigenvalues.
-pub(crate) fn h_at_real_eigenvalues() -> CheckResult {
-    Ok(search(2, "searches over 2√δ ≤ τ ≤ δ + 1, p = 2 to 15: the smallest H_p", |p, [x, y]| {
-        let delta = determinant(x);
-        admissibility_sum(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta)
-    }))
-}
-
-/// H_p > 0 for g_(p−1) ≤ τ < 2√δ.
-pub(crate) fn h_above_g_before() -> CheckResult {
-    Ok(search(
-        3,
-        "searches over 0 < θ ≤ π/(p − 1), p = 3 to 15: the smallest r^(p−2) H_p",
-        |p, [x, y]| {
-            let delta = determinant(x);
-            let lowest = resonance_boundary(f64::from(p - 1), delta);
-            scaled_h(p, along(y, lowest, 2.0 * delta.sqrt()), delta)
-        },
-    ))
-}
-
 /// H_p at g_(p/2), p ≥ 3.
 pub(crate) fn h_at_g_half() -> CheckResult {
-    let mut sampler = Sampler::new(31);
-    let mut deviations = Deviations::default();
-    for index in 0..1000 {
-        let p = 3 + index % 13;
+    let deviations = sampled(31, 1000, 3..=15, |sampler, p, deviations: &mut Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let tau = resonance_boundary(0.5 * f64::from(p), delta);
         let expected = (modulus_power(p, delta) - 1.0) / (delta - tau + 1.0);
         deviations.see(scaled_h(p, tau, delta) - expected);
-    }
+    });
     // Both are of order one; p roundings of τ, on which H_p depends p² times as strongly.
     Ok(deviations.outcome(1e-12, "determinants, p = 3 to 15"))
 }
 
-/// H_p at g_(p/2) is negative.
-pub(crate) fn h_negative_at_g_half() -> CheckResult {
-    Ok(search(3, "searches over the determinant, p = 3 to 15: the smallest −r^(p−2) H_p", |p, [x, _]| {
-        let delta = determinant(x);
-        -scaled_h(p, resonance_boundary(0.5 * f64::from(p), delta), delta)
-    }))
-}
-
 /// The largest zero of H_p lies between g_(p/2) and g_(p−1), and H_p changes its sign there.
 pub(crate) fn bracket_of_h() -> CheckResult {
-    let over =
-        "searches over the determinant, p = 3 to 15: the smallest distance of h_p from either end over √δ";
-    Ok(search(3, over, |p, [x, _]| {
+    search(3, "the determinant", "distance of h_p from either end over √δ", |p, [x, _]| {
         let delta = determinant(x);
         let Ok(h) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
         let step = 1e-6 * delta.sqrt();
@@ -101,45 +71,19 @@ pub(crate) fn bracket_of_h() -> CheckResult {
         }
         let ends = [0.5 * f64::from(p), f64::from(p - 1)].map(|q| resonance_boundary(q, delta));
         (h - ends[0]).min(ends[1] - h) / delta.sqrt()
-    }))
-}
-
-/// S_p > 0 for τ ≥ 2√δ.
-pub(crate) fn s_at_real_eigenvalues() -> CheckResult {
-    Ok(search(
-        2,
-        "searches over 2√δ ≤ τ ≤ δ + 1, p = 2 to 15: the smallest S_p / r^(p−1)",
-        |p, [x, y]| {
-            let delta = determinant(x);
-            let scale = libm::pow(delta, 0.5 * f64::from(p - 1));
-            lucas_sequence(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta) / scale
-        },
-    ))
-}
-
-/// No zero g_(p/m) of S_p with m ≥ 2 lies above h_p.
-pub(crate) fn other_zeros_of_s() -> CheckResult {
-    let over = "searches over the determinant and all m ≥ 2, p = 3 to 15: the smallest (h_p − g_(p/m)) / √δ";
-    Ok(search(3, over, |p, [x, y]| {
-        let delta = determinant(x);
-        let Ok(h) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
-        let m = 2.0 + libm::floor(y * f64::from(p - 3) + 0.5);
-        (h - resonance_boundary(f64::from(p) / m, delta)) / delta.sqrt()
-    }))
+    })
 }
 
 /// T_p at τ = g_p: the end of the proof of le:SpTp(b), where the print has δ{p/2} for a power.
 pub(crate) fn t_at_resonance() -> CheckResult {
-    let mut sampler = Sampler::new(32);
-    let (mut deviations, mut print) = (Deviations::default(), Deviations::default());
-    for index in 0..1000 {
-        let p = 2 + index % 14;
-        let delta = sampler.between(0.001, 0.999);
-        let tau = resonance_boundary(f64::from(p), delta);
-        let (t, gap) = (lucas_partial_sum(p, tau, delta), delta - tau + 1.0);
-        deviations.see(t * gap - (1.0 + modulus_power(p, delta)));
-        print.see(t * gap - (1.0 + delta * 0.5 * f64::from(p)));
-    }
+    let (deviations, print) =
+        sampled(32, 1000, 2..=15, |sampler, p, (deviations, print): &mut (Deviations, Deviations)| {
+            let delta = sampler.between(0.001, 0.999);
+            let tau = resonance_boundary(f64::from(p), delta);
+            let (t, gap) = (lucas_partial_sum(p, tau, delta), delta - tau + 1.0);
+            deviations.see(t * gap - (1.0 + modulus_power(p, delta)));
+            print.see(t * gap - (1.0 + delta * 0.5 * f64::from(p)));
+        });
     // T_p depends on the rounding of τ at most p² times as strongly.
     let tolerance = 1e-13;
     Ok(deviations.outcome(tolerance, "determinants, p = 2 to 15").against_print(print.measure(tolerance)))
@@ -157,52 +101,36 @@ pub(crate) fn t_two() -> CheckResult {
     Ok(deviations.outcome(0.0, "points of the trapesium"))
 }
 
-/// T_p > 0 for τ ≥ 2√δ.
-pub(crate) fn t_at_real_eigenvalues() -> CheckResult {
-    Ok(search(2, "searches over 2√δ ≤ τ ≤ δ + 1, p = 2 to 15: the smallest T_p", |p, [x, y]| {
-        let delta = determinant(x);
-        lucas_partial_sum(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta)
-    }))
-}
-
-/// Each term of eq:Tp4 is positive for 0 < θ < π/(p − 1).
-pub(crate) fn t_terms() -> CheckResult {
-    let over = "searches over 0 < θ < π/(p − 1) up to 10⁻⁶ of its length from the ends, p = 3 to 15: the smallest sin jθ";
-    Ok(search(3, over, |p, [x, _]| {
-        let theta = along(x, 1e-6, 1.0 - 1e-6) * PI / f64::from(p - 1);
-        (1..p).map(|j| libm::sin(f64::from(j) * theta)).fold(f64::INFINITY, f64::min)
-    }))
-}
-
 /// Ξ ≥ 0 for θ ≤ 2π/p, with zeros at the ends only: of third order at 0 and simple at 2π/p.
 pub(crate) fn xi_not_negative() -> CheckResult {
-    let over = "searches over 0 < θ < 2π/p up to 10⁻³ of its length from the ends, p = 3 to 15: the smallest Ξ / (θ³ (2π/p − θ))";
-    Ok(search(3, over, |p, [x, _]| {
-        let end = 2.0 * PI / f64::from(p);
-        let theta = along(x, 1e-3, 1.0 - 1e-3) * end;
-        xi(p, theta) / (theta * theta * theta * (end - theta))
-    }))
+    search(
+        3,
+        "0 < θ < 2π/p up to 10⁻³ of its length from the ends",
+        "Ξ / (θ³ (2π/p − θ))",
+        |p, [x, _]| {
+            let end = 2.0 * PI / f64::from(p);
+            let theta = along(x, 1e-3, 1.0 - 1e-3) * end;
+            xi(p, theta) / (theta * theta * theta * (end - theta))
+        },
+    )
 }
 
 /// −sin((p − 1)θ) ≥ 0 for π/(p − 1) ≤ θ ≤ 2π/p, with a zero, a simple one, at the lower end only.
 pub(crate) fn second_term_not_negative() -> CheckResult {
-    let over =
-        "searches over π/(p − 1) < θ ≤ 2π/p, p = 3 to 15: the smallest −sin((p − 1)θ) / ((p − 1)θ − π)";
-    Ok(search(3, over, |p, [x, _]| {
+    search(3, "π/(p − 1) < θ ≤ 2π/p", "−sin((p − 1)θ) / ((p − 1)θ − π)", |p, [x, _]| {
         let (p, from_end) = (f64::from(p), along(x, 1e-6, 1.0));
         let beyond = from_end * PI * (1.0 - 2.0 / p);
         libm::sin(beyond) / beyond
-    }))
+    })
 }
 
 /// (1 − r^(p−1)) sin θ > 0 for π/(p − 1) ≤ θ ≤ 2π/p.
 pub(crate) fn third_term_positive() -> CheckResult {
-    let over = "searches over π/(p − 1) ≤ θ ≤ 2π/p and the determinant, p = 3 to 15: the smallest (1 − r^(p−1)) sin θ";
-    Ok(search(3, over, |p, [x, y]| {
+    search(3, "π/(p − 1) ≤ θ ≤ 2π/p and the determinant", "(1 − r^(p−1)) sin θ", |p, [x, y]| {
         let (delta, loops) = (determinant(x), f64::from(p));
         let theta = along(y, PI / (loops - 1.0), 2.0 * PI / loops);
         (1.0 - modulus_power(p - 1, delta)) * libm::sin(theta)
-    }))
+    })
 }
 
 /// A j between 1 and p − 1 from a share between 0 and 1.
@@ -210,32 +138,64 @@ fn loop_index(share: f64, p: u32) -> f64 {
     1.0 + libm::floor(share * f64::from(p - 2) + 0.5)
 }
 
-/// eq:ujNumerator: the smallest margin over (1 − δ)², which is how it vanishes as δ → 1.
+/// eq:ujNumerator, which divided by p is δʲ < 1 + (j/p)(δᵖ − 1): the smallest margin over (1 − δ)², which is how it vanishes as δ → 1.
 pub(crate) fn numerator_of_u() -> CheckResult {
-    let over = "searches over 0 < δ < 1 and 0 < j < p, p = 2 to 15: the smallest −(j (1 − δᵖ) − p (1 − δʲ)) / (1 − δ)²";
-    Ok(search(2, over, |p, [x, y]| {
-        let (delta, j, p) = (determinant(x), loop_index(y, p), f64::from(p));
-        let numerator = j * (1.0 - libm::pow(delta, p)) - p * (1.0 - libm::pow(delta, j));
-        -numerator / ((1.0 - delta) * (1.0 - delta))
-    }))
+    search(
+        2,
+        "0 < δ < 1 and 0 < j < p",
+        "−(j (1 − δᵖ) − p (1 − δʲ)) / (1 − δ)²",
+        |p, [x, y]| {
+            let (delta, j, p) = (determinant(x), loop_index(y, p), f64::from(p));
+            let numerator = j * (1.0 - libm::pow(delta, p)) - p * (1.0 - libm::pow(delta, j));
+            -numerator / ((1.0 - delta) * (1.0 - delta))
+        },
+    )
 }
 
-/// The tangent of x^(j/p) at 1 lies above it.
-pub(crate) fn tangent_line() -> CheckResult {
-    let over = "searches over 0 < x < 1 and 0 < j < p, p = 2 to 15: the smallest distance over (1 − x)²";
-    Ok(search(2, over, |p, [x, y]| {
+checks! {
+    /// H_p > 0 for τ ≥ 2√δ, with real eigenvalues.
+    h_at_real_eigenvalues: search(2, "2√δ ≤ τ ≤ δ + 1", "H_p", |p, [x, y]| {
+        let delta = determinant(x);
+        admissibility_sum(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta)
+    });
+    /// H_p > 0 for g_(p−1) ≤ τ < 2√δ.
+    h_above_g_before: search(3, "0 < θ ≤ π/(p − 1)", "r^(p−2) H_p", |p, [x, y]| {
+        let delta = determinant(x);
+        let lowest = resonance_boundary(f64::from(p - 1), delta);
+        scaled_h(p, along(y, lowest, 2.0 * delta.sqrt()), delta)
+    });
+    /// H_p at g_(p/2) is negative.
+    h_negative_at_g_half: search(3, "the determinant", "−r^(p−2) H_p", |p, [x, _]| {
+        let delta = determinant(x);
+        -scaled_h(p, resonance_boundary(0.5 * f64::from(p), delta), delta)
+    });
+    /// S_p > 0 for τ ≥ 2√δ.
+    s_at_real_eigenvalues: search(2, "2√δ ≤ τ ≤ δ + 1", "S_p / r^(p−1)", |p, [x, y]| {
+        let delta = determinant(x);
+        let scale = libm::pow(delta, 0.5 * f64::from(p - 1));
+        lucas_sequence(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta) / scale
+    });
+    /// No zero g_(p/m) of S_p with m ≥ 2 lies above h_p.
+    other_zeros_of_s: search(3, "the determinant and all m ≥ 2", "(h_p − g_(p/m)) / √δ", |p, [x, y]| {
+        let delta = determinant(x);
+        let Ok(h) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
+        let m = 2.0 + libm::floor(y * f64::from(p - 3) + 0.5);
+        (h - resonance_boundary(f64::from(p) / m, delta)) / delta.sqrt()
+    });
+    /// T_p > 0 for τ ≥ 2√δ.
+    t_at_real_eigenvalues: search(2, "2√δ ≤ τ ≤ δ + 1", "T_p", |p, [x, y]| {
+        let delta = determinant(x);
+        lucas_partial_sum(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta)
+    });
+    /// Each term of eq:Tp4 is positive for 0 < θ < π/(p − 1).
+    t_terms: search(3, "0 < θ < π/(p − 1) up to 10⁻⁶ of its length from the ends", "sin jθ", |p, [x, _]| {
+        let theta = along(x, 1e-6, 1.0 - 1e-6) * PI / f64::from(p - 1);
+        (1..p).map(|j| libm::sin(f64::from(j) * theta)).fold(f64::INFINITY, f64::min)
+    });
+    /// The tangent of x^(j/p) at 1 lies above it.
+    tangent_line: search(2, "0 < x < 1 and 0 < j < p", "distance over (1 − x)²", |p, [x, y]| {
         let (x, exponent) = (determinant(x), loop_index(y, p) / f64::from(p));
         let distance = 1.0 + exponent * (x - 1.0) - libm::pow(x, exponent);
         distance / ((1.0 - x) * (1.0 - x))
-    }))
-}
-
-/// δʲ < 1 + (j/p)(δᵖ − 1).
-pub(crate) fn power_below_tangent() -> CheckResult {
-    let over = "searches over 0 < δ < 1 and 0 < j < p, p = 2 to 15: the smallest difference over (1 − δ)²";
-    Ok(search(2, over, |p, [x, y]| {
-        let (delta, j, p) = (determinant(x), loop_index(y, p), f64::from(p));
-        let difference = 1.0 + j / p * (libm::pow(delta, p) - 1.0) - libm::pow(delta, j);
-        difference / ((1.0 - delta) * (1.0 - delta))
-    }))
+    });
 }

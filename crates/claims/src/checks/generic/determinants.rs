@@ -6,9 +6,7 @@ use nalgebra::Matrix2;
 use super::specimens::{sampled_map, sampled_point, specimens};
 use super::vivid::derivatives;
 use crate::eigenvalues::{Pair, power};
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
-use crate::tally::Deviations;
+use crate::{CheckResult, Deviations, sampled};
 
 /// J and K.
 fn matrices_of(point: &GrazingPoint, p: u32) -> (Matrix2<f64>, Matrix2<f64>) {
@@ -16,26 +14,8 @@ fn matrices_of(point: &GrazingPoint, p: u32) -> (Matrix2<f64>, Matrix2<f64>) {
     (vivid.by_impact, vivid.by_phase_and_parameter())
 }
 
-/// The matrices of the proof of le:dets against the derivatives of the maps of oscillators.
-pub(crate) fn matrices() -> CheckResult {
-    let mut deviations = Deviations::default();
-    for grazing in specimens()? {
-        for p in 1..=8 {
-            let [by_velocity, by_phase, by_parameter] = derivatives(&grazing, p)?;
-            let (j, k) = matrices_of(&grazing.grazing_point(), p);
-            let numerical = [
-                Matrix2::from_columns(&[by_velocity, by_phase]) - j,
-                Matrix2::from_columns(&[by_phase, by_parameter]) - k,
-            ];
-            let size = 1.0 + j.amax() + k.amax();
-            numerical.iter().for_each(|difference| deviations.see(difference.amax() / size));
-        }
-    }
-    // Derivatives at event times that are off by rounding, p times, magnified by second derivatives of order ten.
-    Ok(deviations.outcome(1e-13, "twelve oscillators, p = 1 to 8"))
-}
-
-/// le:dets: det J and det K of oscillators against eq:detJac1detJac2 and eq:detJac2.
+/// le:dets: the matrices of the proof, and det J and det K of eq:detJac1detJac2 and eq:detJac2, against the derivatives of the maps
+/// of oscillators.
 pub(crate) fn determinants_of_oscillators() -> CheckResult {
     let mut deviations = Deviations::default();
     for grazing in specimens()? {
@@ -44,14 +24,18 @@ pub(crate) fn determinants_of_oscillators() -> CheckResult {
             let [by_velocity, by_phase, by_parameter] = derivatives(&grazing, p)?;
             let j = Matrix2::from_columns(&[by_velocity, by_phase]);
             let k = Matrix2::from_columns(&[by_phase, by_parameter]);
+            let (j_stated, k_stated) = matrices_of(&point, p);
+            let size = 1.0 + j_stated.amax() + k_stated.amax();
+            deviations.see((j - j_stated).amax() / size);
+            deviations.see((k - k_stated).amax() / size);
             let [first, second, third] = stated(&point, p);
             deviations.see((j.determinant() - first) / (1.0 + j.amax() * j.amax()));
             deviations.see((k.determinant() - second) / (1.0 + k.amax() * k.amax()));
             deviations.see((k.determinant() - third) / (1.0 + k.amax() * k.amax()));
         }
     }
-    // As for the matrices, and the products cancel.
-    Ok(deviations.outcome(1e-13, "three formulas on twelve oscillators, p = 1 to 8"))
+    // Derivatives at event times that are off by rounding, p times, magnified by second derivatives of order ten.
+    Ok(deviations.outcome(1e-13, "matrices and three formulas on twelve oscillators, p = 1 to 8"))
 }
 
 /// det J, det K and det K in factors.
@@ -76,31 +60,28 @@ fn determinant_size(matrix: &Matrix2<f64>, point: &GrazingPoint) -> f64 {
     (1.0 + matrix.amax()) * (1.0 + matrix.amax()) * entries * entries
 }
 
-/// eq:detJac1detJac2: the determinants of the printed matrices.
+/// eq:detJac1detJac2: the determinants of the printed matrices; for p = 1 det K is β.
 pub(crate) fn determinants() -> CheckResult {
-    let mut sampler = Sampler::new(4);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = 1 + index % 12;
-        let map = sampled_map(&mut sampler);
-        let point = sampled_point(&mut sampler, map);
+    let deviations = sampled(4, 2000, 1..=12, |sampler, p, deviations: &mut Deviations| {
+        let map = sampled_map(sampler);
+        let point = sampled_point(sampler, map);
         let (j, k) = matrices_of(&point, p);
         let [first, second, _] = stated(&point, p);
         deviations.see((j.determinant() - first) / determinant_size(&j, &point));
         deviations.see((k.determinant() - second) / determinant_size(&k, &point));
-    }
+        if p == 1 {
+            deviations.see((k.determinant() - map.transversality()) / determinant_size(&k, &point));
+        }
+    });
     // Tens of roundings of the numbers by which deviations are divided.
     Ok(deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"))
 }
 
 /// eq:detJac2: det K in factors, also near τ = δ + 1 and near double eigenvalues.
 pub(crate) fn factored_determinant() -> CheckResult {
-    let mut sampler = Sampler::new(5);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = 1 + index % 12;
-        let map = sampled_map(&mut sampler);
-        let point = sampled_point(&mut sampler, map);
+    let deviations = sampled(5, 2000, 1..=12, |sampler, p, deviations: &mut Deviations| {
+        let map = sampled_map(sampler);
+        let point = sampled_point(sampler, map);
         let (_, k) = matrices_of(&point, p);
         let printed = factored_by_eigenvalues(&point, p as i32);
         let [_, _, factored] = stated(&point, p);
@@ -108,22 +89,6 @@ pub(crate) fn factored_determinant() -> CheckResult {
         // The quotient has the rounding of 1 − λ₁ in its denominator.
         let gap = Pair::new(point.map.a.trace(), point.map.a.determinant()).gap().norm().min(1.0);
         deviations.see((k.determinant() - printed) * gap / determinant_size(&k, &point));
-    }
+    });
     Ok(deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"))
-}
-
-/// det J = α a₁₂ ω / γ and det K = β for p = 1.
-pub(crate) fn one_loop_determinants() -> CheckResult {
-    let mut sampler = Sampler::new(6);
-    let mut deviations = Deviations::default();
-    for _ in 0..2000 {
-        let map = sampled_map(&mut sampler);
-        let point = sampled_point(&mut sampler, map);
-        let (j, k) = matrices_of(&point, 1);
-        let first = point.impact_jacobian_determinant(1);
-        deviations.see((j.determinant() - first) / determinant_size(&j, &point));
-        deviations.see((k.determinant() - map.transversality()) / determinant_size(&k, &point));
-    }
-    // As for any p.
-    Ok(deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium"))
 }

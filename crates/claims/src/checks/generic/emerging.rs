@@ -1,21 +1,20 @@
 //! Section 4.4, step 1 of the proofs of theorems 2.2 and 2.3: the zero of V and its points on Π.
 
 use grazing_continuation::mps::EventTimes;
-use grazing_model::maps::{global_iterate, virtual_map};
-use grazing_model::{AtRest, ImpactOscillator, OnWall};
+use grazing_model::AtRest;
+use grazing_model::maps::global_iterate;
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::auxiliary::{detuning, geometric_sum_determinant};
 use grazing_theorems::grazing::{EmergingOrbit, VirtualMap};
 use grazing_theorems::{GenericGrazing, GrazingPoint};
 use nalgebra::{Matrix2, Vector2};
 
+use super::maps::{impact_and_recoil, virtual_point};
 use super::specimens::{delayed, map_with, sampled_point, specimens, uniform_order};
 use super::vivid::{derivatives, equations, scale, zero, zero_from};
 use crate::checks::appendices::signs::{determinant, search};
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
 use crate::specimen::Grazing;
-use crate::tally::{Smallest, Votes};
+use crate::{CheckResult, Sampler, Smallest, Votes, sampled};
 
 /// The smallest order over oscillators and numbers of loops of a remainder at the zero of V for μ and for −μ.
 fn smallest_order(
@@ -42,44 +41,24 @@ fn smallest_order(
     Ok(orders.order(stated, 0.1, "the zero of V by Newton's method on twelve oscillators, μ of both signs"))
 }
 
-fn velocity_order(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
+/// y and z of the zero of V change with μ as they do to first order.
+fn zero_order(loops: core::ops::RangeInclusive<u32>, component: usize) -> CheckResult {
     smallest_order(loops, 2.0, |grazing, emerging, mu| {
-        Some(zero(grazing, emerging.loops(), mu)?[0] - emerging.impact_velocity_slope * mu)
+        let zero = zero(grazing, emerging.loops(), mu)?;
+        let first_order = [
+            zero[0] - emerging.impact_velocity_slope * mu,
+            zero[1] - grazing.phase() - emerging.impact_phase_slope * mu,
+        ];
+        Some(first_order[component])
     })
-}
-
-fn phase_order(loops: core::ops::RangeInclusive<u32>) -> CheckResult {
-    smallest_order(loops, 2.0, |grazing, emerging, mu| {
-        Some(zero(grazing, emerging.loops(), mu)?[1] - grazing.phase() - emerging.impact_phase_slope * mu)
-    })
-}
-
-/// eq:yStar1codim1proof.
-pub(crate) fn one_loop_velocity() -> CheckResult {
-    velocity_order(1..=1)
-}
-
-/// eq:zStar1codim1proof.
-pub(crate) fn one_loop_phase() -> CheckResult {
-    phase_order(1..=1)
-}
-
-/// eq:yStarpcodim1proof.
-pub(crate) fn velocity() -> CheckResult {
-    velocity_order(2..=4)
-}
-
-/// eq:zStarpcodim1proof.
-pub(crate) fn phase() -> CheckResult {
-    phase_order(2..=4)
 }
 
 /// The points (x⁽⁰⁾, z⁽⁰⁾) and (x⁽ᵖ⁾, z⁽ᵖ⁾) of the zero of V, the last by p returns.
 fn ends(grazing: &Grazing, p: u32, mu: f64) -> Option<[Vector2<f64>; 2]> {
     let point = zero(grazing, p, mu)?;
     let oscillator = equations(grazing, p).oscillator_at(&point);
-    let recoil = oscillator.reset::<1>(OnWall::new(point[0], point[1])).value;
-    let first = virtual_map::<_, 1>(&oscillator, OnWall::new(recoil[0], recoil[1]), None).ok()?.jet.value;
+    let [_, recoil] = impact_and_recoil(&oscillator, point[0], point[1]);
+    let first = virtual_point(&oscillator, recoil).ok()?;
     let last = global_iterate::<_, 1>(&oscillator, p, AtRest::new(first[0], first[1])).ok()?.value;
     Some([first, last])
 }
@@ -99,26 +78,6 @@ fn end_phase_order(index: usize) -> CheckResult {
         let slope = emerging.visit_slope([0, p][index]).y;
         Some(ends(grazing, p, mu)?[index][1] - grazing.phase() - slope * mu)
     })
-}
-
-/// eq:x0codim1proof.
-pub(crate) fn first_position() -> CheckResult {
-    position_order(0, GrazingPoint::virtual_map_after_reset)
-}
-
-/// eq:z0codim1proof.
-pub(crate) fn first_phase() -> CheckResult {
-    end_phase_order(0)
-}
-
-/// eq:xpcodim1proof.
-pub(crate) fn last_position() -> CheckResult {
-    position_order(1, GrazingPoint::virtual_map)
-}
-
-/// eq:zpcodim1proof.
-pub(crate) fn last_phase() -> CheckResult {
-    end_phase_order(1)
 }
 
 /// The solution of V = 0 for (y, z) is unique near grazing: Newton's method finds the same from all starts.
@@ -172,23 +131,10 @@ pub(crate) fn one_loop_side() -> CheckResult {
     ))
 }
 
-/// det K / β > 0 in the trapesium, by search.
-pub(crate) fn sign_of_det_k() -> CheckResult {
-    let over =
-        "searches over the trapesium up to 10⁻⁶ from its slanted sides, p = 2 to 15: the smallest det K / β";
-    Ok(search(2, over, |p, [x, y]| {
-        let delta = determinant(x);
-        geometric_sum_determinant(p, 0.999_999 * (2.0 * y - 1.0) * (delta + 1.0), delta)
-    }))
-}
-
 /// A grazing point with τ > h_p; a₁₂ and α of either sign.
-pub(super) fn above_boundary(
-    sampler: &mut Sampler,
-    p: u32,
-) -> Result<GrazingPoint, grazing_theorems::TheoryError> {
+fn above_boundary(sampler: &mut Sampler, p: u32) -> GrazingPoint {
     let delta = sampler.between(0.01, 0.99);
-    let lowest = admissibility_boundary(p, delta)?;
+    let lowest = admissibility_boundary(p, delta).expect("p ≥ 2 and 0 < δ < 1");
     let share = sampler.between(0.001, 0.999);
     let map = map_with(sampler, lowest + share * (delta + 1.0 - lowest), delta);
     let mut point = sampled_point(sampler, map);
@@ -196,50 +142,50 @@ pub(super) fn above_boundary(
         // γψ/ω between 2 and 5, and so α < 0.
         point.psi = sampler.between(2.1, 5.0) * point.forcing_frequency / point.gamma;
     }
-    Ok(point)
+    point
 }
 
-/// det J ≠ 0 if τ ≠ g_p: it has the sign of α a₁₂ κ_p.
-pub(crate) fn regular_jacobian() -> CheckResult {
-    let mut sampler = Sampler::new(2);
-    let mut votes = Votes::default();
-    for index in 0..2000 {
-        let p = 2 + index % 14;
-        let point = above_boundary(&mut sampler, p)?;
-        let kappa = detuning(p, point.map.trace(), point.map.determinant());
-        votes.see(point.impact_jacobian_determinant(p) * point.alpha() * point.map.a.m12 * kappa > 0.0);
-    }
-    Ok(votes.outcome("grazing points with τ > h_p, p = 2 to 15"))
-}
-
-/// dy*/dμ has the sign of βκ_p if a₁₂α > 0, and the other sign where this hypothesis is violated.
+/// For τ > h_p and τ ≠ g_p: det J has the sign of α a₁₂ κ_p; dy*/dμ has the sign of βκ_p if a₁₂α > 0, and the other sign where this
+/// hypothesis is violated; and on the side of the sign of βκ_p all visits between the impacts lie below the wall: dx⁽ʲ⁾/dμ has the
+/// other sign.
 pub(crate) fn side() -> CheckResult {
-    let mut sampler = Sampler::new(3);
-    let mut votes = Votes::default();
-    for index in 0..2000 {
-        let p = 2 + index % 14;
-        let point = above_boundary(&mut sampler, p)?;
-        let kappa = detuning(p, point.map.trace(), point.map.determinant());
-        let orbit = point.emerging_orbit(p)?;
-        let agrees = orbit.impact_velocity_slope * point.map.transversality() * kappa > 0.0;
-        votes.see(agrees == (point.map.a.m12 * point.alpha() > 0.0));
-    }
-    Ok(votes.outcome("grazing points with τ > h_p, a₁₂α of either sign, p = 2 to 15"))
-}
-
-/// On the side of the sign of βκ_p all visits between the impacts lie below the wall: dx⁽ʲ⁾/dμ has the other sign.
-pub(crate) fn visits_on_the_side() -> CheckResult {
-    let mut sampler = Sampler::new(4);
-    let mut votes = Votes::default();
-    for index in 0..2000 {
-        let p = 2 + index % 14;
-        let point = above_boundary(&mut sampler, p)?;
+    let votes = sampled(2, 2000, 2..=15, |sampler, p, votes: &mut Votes| {
+        let point = above_boundary(sampler, p);
         let kappa = detuning(p, point.map.trace(), point.map.determinant());
         let side = point.map.transversality() * kappa;
-        let orbit = point.emerging_orbit(p)?;
+        let factor = point.map.a.m12 * point.alpha();
+        votes.see(point.impact_jacobian_determinant(p) * factor * kappa > 0.0);
+        let orbit = point.emerging_orbit(p).expect("det J is not zero");
+        votes.see((orbit.impact_velocity_slope * side > 0.0) == (factor > 0.0));
+        let stated = GenericGrazing::check(&point, p).map(|theorem| theorem.side().signum() * side > 0.0);
+        votes.see(stated.unwrap_or(factor < 0.0));
         // Positions shrink with the eigenvalues, down to the rounding of the terms that they are made of.
         let rounding = 1e-12 * (1.0 + orbit.visit_slope(0).amax()) * (1.0 + point.map.a.amax());
         votes.see((1..p).all(|j| orbit.visit_slope(j).x * side.signum() < rounding));
-    }
-    Ok(votes.outcome("grazing points with τ > h_p, p = 2 to 15, all visits"))
+    });
+    Ok(votes.outcome("grazing points with τ > h_p, a₁₂α of either sign, p = 2 to 15, all visits"))
+}
+
+checks! {
+    /// det K / β > 0 in the trapesium, by search.
+    sign_of_det_k: search(2, "the trapesium up to 10⁻⁶ from its slanted sides", "det K / β", |p, [x, y]| {
+        let delta = determinant(x);
+        geometric_sum_determinant(p, 0.999_999 * (2.0 * y - 1.0) * (delta + 1.0), delta)
+    });
+    /// eq:yStar1codim1proof.
+    one_loop_velocity: zero_order(1..=1, 0);
+    /// eq:zStar1codim1proof.
+    one_loop_phase: zero_order(1..=1, 1);
+    /// eq:yStarpcodim1proof.
+    velocity: zero_order(2..=4, 0);
+    /// eq:zStarpcodim1proof.
+    phase: zero_order(2..=4, 1);
+    /// eq:x0codim1proof.
+    first_position: position_order(0, GrazingPoint::virtual_map_after_reset);
+    /// eq:z0codim1proof.
+    first_phase: end_phase_order(0);
+    /// eq:xpcodim1proof.
+    last_position: position_order(1, GrazingPoint::virtual_map);
+    /// eq:zpcodim1proof.
+    last_phase: end_phase_order(1);
 }

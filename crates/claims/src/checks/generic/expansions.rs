@@ -6,12 +6,10 @@ use grazing_model::{ImpactOscillator, OnWall, State};
 use grazing_theorems::GrazingPoint;
 use nalgebra::Vector2;
 
-use super::maps::{ROUNDING, SLACK, near_grazing};
+use super::maps::{ROUNDING, SLACK, impact_and_recoil, near_grazing, virtual_point};
 use super::specimens::{delayed, directions, specimens, uniform_order};
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
 use crate::specimen::Specimen;
-use crate::tally::{Smallest, Votes};
+use crate::{CheckResult, Sampler, Smallest, Votes};
 
 const SPECIMENS: &str = "twelve oscillators, Ψ = 0 or not, μ the amplitude or the frequency; nine directions in (y, z, μ) at once";
 
@@ -52,15 +50,8 @@ pub(crate) fn vector_field() -> CheckResult {
     Ok(orders.order(1.0, SLACK, "twelve oscillators, ten directions in (x, y, z, μ)"))
 }
 
-/// Which of x, y and z of the orbit through an impact point.
-#[derive(Clone, Copy)]
-enum Coordinate {
-    Position,
-    Velocity,
-    Phase,
-}
-
-fn orbit_expansion(seed: u64, stated: f64, coordinate: Coordinate) -> CheckResult {
+/// x, y or z of the orbit through an impact point.
+fn orbit_expansion(seed: u64, stated: f64, coordinate: usize) -> CheckResult {
     let mut sampler = Sampler::new(seed);
     let mut orders = Smallest::default();
     for grazing in specimens()? {
@@ -69,39 +60,15 @@ fn orbit_expansion(seed: u64, stated: f64, coordinate: Coordinate) -> CheckResul
             let (oscillator, y, z) = near_grazing(&grazing, [dy, dz, dmu], h);
             let t = h * dt;
             let there = oscillator.motion(State::on_wall(y, z)).at(t);
-            let phase = oscillator.forcing_frequency().value * t;
-            let remainder = match coordinate {
-                Coordinate::Position => there.position - (y * t - 0.5 * gamma * t * t),
-                Coordinate::Velocity => there.velocity - (y - gamma * t),
-                Coordinate::Phase => phase - forcing_frequency * t,
-            };
-            Some((remainder, ROUNDING))
+            let remainders = [
+                there.position - (y * t - 0.5 * gamma * t * t),
+                there.velocity - (y - gamma * t),
+                oscillator.forcing_frequency().value * t - forcing_frequency * t,
+            ];
+            Some((remainders[coordinate], ROUNDING))
         }));
     }
     Ok(orders.order(stated, SLACK, "twelve oscillators, twelve directions in (y, z, μ, t)"))
-}
-
-/// x(t) in the proof of le:discMapComponents.
-pub(crate) fn position_of_orbit() -> CheckResult {
-    orbit_expansion(5, 3.0, Coordinate::Position)
-}
-
-/// y(t) in the proof of le:discMapComponents.
-pub(crate) fn velocity_of_orbit() -> CheckResult {
-    orbit_expansion(6, 2.0, Coordinate::Velocity)
-}
-
-/// z(t) in the proof of le:discMapComponents.
-pub(crate) fn phase_of_orbit() -> CheckResult {
-    orbit_expansion(7, 2.0, Coordinate::Phase)
-}
-
-/// The evolution time T.
-pub(crate) fn evolution_time() -> CheckResult {
-    smallest_order(8, 2.0, |point, oscillator, y, z| {
-        let time = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None).ok()?.time;
-        Some((time - y / point.gamma, ROUNDING))
-    })
 }
 
 /// (x̂, ẑ) or (x⁽⁰⁾, z⁽⁰⁾) minus its leading terms.
@@ -112,42 +79,15 @@ fn virtual_remainder(
     z: f64,
     reset: bool,
 ) -> Option<Vector2<f64>> {
-    let (from, leading) = if reset {
-        (oscillator.reset::<1>(OnWall::new(y, z)).value, point.virtual_map_after_reset())
-    } else {
-        (Vector2::new(y, z), point.virtual_map())
-    };
-    Some(
-        virtual_map::<_, 1>(oscillator, OnWall::new(from[0], from[1]), None).ok()?.jet.value
-            - leading.apply(y, z),
-    )
+    let [impact, recoil] = impact_and_recoil(oscillator, y, z);
+    let (from, leading) =
+        if reset { (recoil, point.virtual_map_after_reset()) } else { (impact, point.virtual_map()) };
+    Some(virtual_point(oscillator, from).ok()? - leading.apply(y, z))
 }
 
-/// eq:xHatzHat, first line.
-pub(crate) fn position_beyond_the_wall() -> CheckResult {
-    smallest_order(9, 3.0, |point, oscillator, y, z| {
-        Some((virtual_remainder(point, oscillator, y, z, false)?[0], ROUNDING))
-    })
-}
-
-/// eq:xHatzHat, second line.
-pub(crate) fn phase_beyond_the_wall() -> CheckResult {
-    smallest_order(10, 2.0, |point, oscillator, y, z| {
-        Some((virtual_remainder(point, oscillator, y, z, false)?[1], ROUNDING))
-    })
-}
-
-/// eq:x0z0, first line.
-pub(crate) fn position_before_the_recoil() -> CheckResult {
-    smallest_order(11, 3.0, |point, oscillator, y, z| {
-        Some((virtual_remainder(point, oscillator, y, z, true)?[0], ROUNDING))
-    })
-}
-
-/// eq:x0z0, second line.
-pub(crate) fn phase_before_the_recoil() -> CheckResult {
-    smallest_order(12, 2.0, |point, oscillator, y, z| {
-        Some((virtual_remainder(point, oscillator, y, z, true)?[1], ROUNDING))
+fn virtual_order(seed: u64, stated: f64, component: usize, reset: bool) -> CheckResult {
+    smallest_order(seed, stated, |point, oscillator, y, z| {
+        Some((virtual_remainder(point, oscillator, y, z, reset)?[component], ROUNDING))
     })
 }
 
@@ -177,25 +117,40 @@ fn reset_remainder(point: &GrazingPoint, oscillator: &Specimen, y: f64, z: f64) 
     oscillator.reset::<1>(OnWall::new(y, z)).value - Vector2::new(-point.phi * y, z + point.psi * y)
 }
 
-/// y_rec and the first line of the reset law's expansion.
-pub(crate) fn recoil_velocity() -> CheckResult {
-    smallest_order(14, 2.0, |point, oscillator, y, z| {
-        Some((reset_remainder(point, oscillator, y, z)[0], ROUNDING))
+fn reset_order(seed: u64, component: usize) -> CheckResult {
+    smallest_order(seed, 2.0, |point, oscillator, y, z| {
+        Some((reset_remainder(point, oscillator, y, z)[component], ROUNDING))
     })
 }
 
-/// z_rec and the second line of the reset law's expansion.
-pub(crate) fn recoil_phase() -> CheckResult {
-    smallest_order(15, 2.0, |point, oscillator, y, z| {
-        Some((reset_remainder(point, oscillator, y, z)[1], ROUNDING))
-    })
-}
-
-/// The reset law's expansion: both remainders, divided by y, are of first order.
-pub(crate) fn reset_law() -> CheckResult {
-    smallest_order(16, 1.0, |point, oscillator, y, z| {
+checks! {
+    /// The evolution time T.
+    evolution_time: smallest_order(8, 2.0, |point, oscillator, y, z| {
+        let time = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None).ok()?.time;
+        Some((time - y / point.gamma, ROUNDING))
+    });
+    /// The reset law's expansion: both remainders, divided by y, are of first order.
+    reset_law: smallest_order(16, 1.0, |point, oscillator, y, z| {
         let remainder = reset_remainder(point, oscillator, y, z);
         // Where y = 0 the map is the identity.
         Some(if y == 0.0 { (remainder.norm(), ROUNDING) } else { (remainder.norm() / y, ROUNDING / y.abs()) })
-    })
+    });
+    /// x(t) in the proof of le:discMapComponents.
+    position_of_orbit: orbit_expansion(5, 3.0, 0);
+    /// y(t) in the proof of le:discMapComponents.
+    velocity_of_orbit: orbit_expansion(6, 2.0, 1);
+    /// z(t) in the proof of le:discMapComponents.
+    phase_of_orbit: orbit_expansion(7, 2.0, 2);
+    /// eq:xHatzHat, first line.
+    position_beyond_the_wall: virtual_order(9, 3.0, 0, false);
+    /// eq:xHatzHat, second line.
+    phase_beyond_the_wall: virtual_order(10, 2.0, 1, false);
+    /// eq:x0z0, first line.
+    position_before_the_recoil: virtual_order(11, 3.0, 0, true);
+    /// eq:x0z0, second line.
+    phase_before_the_recoil: virtual_order(12, 2.0, 1, true);
+    /// y_rec and the first line of the reset law's expansion.
+    recoil_velocity: reset_order(14, 0);
+    /// z_rec and the second line of the reset law's expansion.
+    recoil_phase: reset_order(15, 1);
 }

@@ -12,63 +12,51 @@ use nalgebra::{Matrix2, Vector2};
 use super::specimens::{directions, sampled_map, specimens, uniform_order};
 use crate::checks::appendices::signs::{along, determinant, search};
 use crate::eigenvalues::Pair;
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
-use crate::tally::{Deviations, Smallest, Votes};
+use crate::{CheckResult, Deviations, Sampler, Smallest, Votes, sampled};
 
 /// Each of the two routes makes some p² roundings of the terms by which deviations are divided, p up to 15.
 const ROUNDING: f64 = 1e-13;
 
 /// eq:SpTp: the printed double sums against the recurrence.
 pub(crate) fn sums_of_eigenvalues() -> CheckResult {
-    let mut sampler = Sampler::new(1);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = 1 + index % 15;
+    let deviations = sampled(1, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
         let size = pair.moduli();
-        deviations.see((pair.s(p) - lucas_sequence(p as u32, tau, delta)).norm() / size.s(p).re);
+        deviations.see((pair.s(p) - lucas_sequence(p, tau, delta)).norm() / size.s(p).re);
         if p > 1 {
-            deviations.see((pair.t(p) - lucas_partial_sum(p as u32, tau, delta)).norm() / size.t(p).re);
+            deviations.see((pair.t(p) - lucas_partial_sum(p, tau, delta)).norm() / size.t(p).re);
         }
-    }
+    });
     Ok(deviations.outcome(ROUNDING, "S_p and T_p at points of the trapesium, p = 1 to 15"))
 }
 
 /// H_p is the sum of the S_j / δ^(j−1).
 pub(crate) fn h_as_sum_of_s() -> CheckResult {
-    let mut sampler = Sampler::new(2);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = 2 + index % 14;
+    let deviations = sampled(2, 2000, 2..=15, |sampler, p, deviations: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
         let sum: f64 =
-            (1..p).map(|j| lucas_sequence(j as u32, tau, delta) / libm::pow(delta, f64::from(j - 1))).sum();
+            (1..p).map(|j| lucas_sequence(j, tau, delta) / libm::pow(delta, f64::from(j - 1))).sum();
         deviations.see((pair.h(p) - sum).norm() / pair.moduli().h(p).re);
-        deviations.see((admissibility_sum(p as u32, tau, delta) - sum) / pair.moduli().h(p).re);
-    }
+        deviations.see((admissibility_sum(p, tau, delta) - sum) / pair.moduli().h(p).re);
+    });
     Ok(deviations.outcome(ROUNDING, "points of the trapesium, p = 2 to 15"))
 }
 
 /// eq:Hp9, multiplied by δ^(p−2) so that small δ does no harm.
 pub(crate) fn difference_of_products() -> CheckResult {
-    let mut sampler = Sampler::new(3);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = 1 + index % 15;
+    let deviations = sampled(3, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         let raised = libm::pow(delta, f64::from(p) - 2.0);
         let size = Pair::new(tau, delta).moduli();
         let terms = (size.s(p - 1) * size.t(p) + size.s(p) * size.t(p - 1) + size.h(p) * raised).re;
-        let at = p as u32;
-        let (s, s_before) = (lucas_sequence(at, tau, delta), lucas_sequence(at - 1, tau, delta));
-        let (t, t_before) = (lucas_partial_sum(at, tau, delta), lucas_partial_sum(at - 1, tau, delta));
-        let difference = s_before * t - s * t_before - raised * admissibility_sum(at, tau, delta);
+        let (s, s_before) = (lucas_sequence(p, tau, delta), lucas_sequence(p - 1, tau, delta));
+        let (t, t_before) = (lucas_partial_sum(p, tau, delta), lucas_partial_sum(p - 1, tau, delta));
+        let difference = s_before * t - s * t_before - raised * admissibility_sum(p, tau, delta);
         // For p = 1 all terms vanish.
         deviations.see(if terms > 0.0 { difference / terms } else { difference });
-    }
+    });
     Ok(deviations.outcome(ROUNDING, "points of the trapesium, p = 1 to 15"))
 }
 
@@ -117,29 +105,14 @@ fn repeated(map: &LinearisedMap, p: u32) -> (LinearisedMap, f64) {
 /// Tens of roundings of numbers of the size by which deviations are divided; τ and δ are rounded too.
 const MATRIX_ROUNDING: f64 = 1e-14;
 
-/// eq:Ap: the printed form against repeated multiplication.
+/// eq:Ap and eq:b1pb2p: the printed forms against repeated application.
 pub(crate) fn powers() -> CheckResult {
-    let mut sampler = Sampler::new(5);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = 1 + index % 15;
-        let map = sampled_map(&mut sampler);
+    let deviations = sampled(5, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
+        let map = sampled_map(sampler);
         let (expected, size) = repeated(&map, p);
         deviations.see((map.iterate(p).a - expected.a).amax() / size);
-    }
-    Ok(deviations.outcome(MATRIX_ROUNDING, "matrices with (τ, δ) in the trapesium, p = 1 to 15"))
-}
-
-/// eq:b1pb2p: the printed form against repeated application.
-pub(crate) fn parameter_terms() -> CheckResult {
-    let mut sampler = Sampler::new(6);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = 1 + index % 15;
-        let map = sampled_map(&mut sampler);
-        let (expected, size) = repeated(&map, p);
         deviations.see((map.iterate(p).b - expected.b).amax() / size);
-    }
+    });
     Ok(deviations.outcome(MATRIX_ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 15"))
 }
 
@@ -160,8 +133,7 @@ pub(crate) fn induction() -> CheckResult {
 
 /// le:SpTp(a) by search: S_p / (τ − g_p) > 0 for h_p < τ ≤ δ + 1, also at τ = g_p.
 pub(crate) fn sign_of_s() -> CheckResult {
-    let over = "searches over h_p < τ ≤ δ + 1, p = 2 to 15: the smallest r^(2−p) S_p / (τ − g_p)";
-    Ok(search(2, over, |p, [x, y]| {
+    search(2, "h_p < τ ≤ δ + 1", "r^(2−p) S_p / (τ − g_p)", |p, [x, y]| {
         let delta = determinant(x);
         let Ok(lowest) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
         let tau = along(along(y, 1e-9, 1.0), lowest, delta + 1.0);
@@ -170,33 +142,29 @@ pub(crate) fn sign_of_s() -> CheckResult {
         let distance = if kappa.abs() < 1e-8 { 1e-8_f64.copysign(kappa) } else { kappa };
         let s = lucas_sequence(p, tau - kappa + distance, delta);
         s / distance * libm::pow(delta, 0.5 * (2.0 - f64::from(p)))
-    }))
+    })
 }
 
 /// le:SpTp(b).
 pub(crate) fn values_at_resonance() -> CheckResult {
-    let mut sampler = Sampler::new(8);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = 2 + index % 23;
+    let deviations = sampled(8, 2000, 2..=24, |sampler, p, deviations: &mut Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let tau = resonance_boundary(f64::from(p), delta);
         let modulus = modulus_power(p, delta);
         deviations.see((lucas_sequence(p + 1, tau, delta) + modulus) / modulus);
         deviations.see(lucas_partial_sum(p, tau, delta) * (delta - tau + 1.0) - 1.0 - modulus);
-    }
+    });
     // S_(p+1) and T_p depend on the rounding of τ at most p² times as strongly.
     Ok(deviations.outcome(1e-12, "determinants, p = 2 to 24"))
 }
 
 /// le:SpTp(c) by search.
 pub(crate) fn sign_of_t() -> CheckResult {
-    let over = "searches over g_(p/2) ≤ τ ≤ δ + 1, p = 2 to 15: the smallest T_p";
-    Ok(search(2, over, |p, [x, y]| {
+    search(2, "g_(p/2) ≤ τ ≤ δ + 1", "T_p", |p, [x, y]| {
         let delta = determinant(x);
         let lowest = resonance_boundary(0.5 * f64::from(p), delta);
         lucas_partial_sum(p, along(y, lowest, delta + 1.0), delta)
-    }))
+    })
 }
 
 /// le:SpTp: all three parts where their hypotheses hold, and each seen to fail where its hypothesis does not.

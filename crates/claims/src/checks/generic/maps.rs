@@ -1,15 +1,12 @@
 //! Section 4.1: the points of an impact on Σ and Π, and the discontinuity map.
 
-use grazing_model::maps::{discontinuity_map, virtual_map};
+use grazing_model::maps::{MapError, discontinuity_map, virtual_map, virtual_preimage};
 use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
 use nalgebra::{Vector2, Vector3};
 
 use super::specimens::{delayed, directions, specimens, uniform_order};
-use crate::convergence::order;
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
 use crate::specimen::{Grazing, Specimen};
-use crate::tally::{Deviations, Smallest, Votes};
+use crate::{CheckResult, Deviations, Sampler, Smallest, Votes, order};
 
 /// How far below the stated order the observed one may lie: where remainders are resolved last, sizes are below 10⁻³, and the
 /// next term is of that relative size, times a coefficient of order ten at most.
@@ -23,6 +20,20 @@ pub(super) fn near_grazing(grazing: &Grazing, [dy, dz, dmu]: [f64; 3], h: f64) -
     let [primary, secondary] = grazing.oscillator().parameters();
     let oscillator = grazing.oscillator().with_parameters([primary + h * dmu, secondary]);
     (oscillator, h * dy, grazing.phase() + h * dz)
+}
+
+/// An impact and where it goes.
+pub(super) fn impact_and_recoil<O: ImpactOscillator>(oscillator: &O, y: f64, z: f64) -> [OnWall; 2] {
+    let impact = OnWall::new(y, z);
+    [impact, oscillator.reset::<1>(impact).image()]
+}
+
+/// The image of a point of Σ under P_virt.
+pub(super) fn virtual_point<O: ImpactOscillator>(
+    oscillator: &O,
+    from: OnWall,
+) -> Result<Vector2<f64>, MapError> {
+    Ok(virtual_map::<_, 1>(oscillator, from, None)?.jet.value)
 }
 
 /// The label `eq:`: the recoil is on the outgoing set.
@@ -70,9 +81,9 @@ pub(crate) fn virtual_points() -> CheckResult {
             // Every twentieth point lies on the tangency set; impacts of negative velocity belong to the extension.
             let y = if index % 20 == 0 { 0.0 } else { sampler.between(-0.05, 0.2) };
             let z = grazing.phase() + sampler.between(-0.1, 0.1);
-            let recoil = oscillator.reset::<1>(OnWall::new(y, z)).value;
-            for (y, z) in [(y, z), (recoil[0], recoil[1])] {
-                let landing = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None)?;
+            for from in impact_and_recoil(oscillator, y, z) {
+                let landing = virtual_map::<_, 1>(oscillator, from, None)?;
+                let [y, z] = from.coordinates().into();
                 // For y = 0 the time is zero to the rounding of the velocity.
                 if y * landing.time < 0.0 || (y == 0.0 && landing.time.abs() > 1e-15) {
                     return Err(format!("y = {y} takes the time {}", landing.time).into());
@@ -96,7 +107,7 @@ pub(crate) fn transversality() -> CheckResult {
         for _ in 0..100 {
             let y = sampler.between(-0.05, 0.05);
             let z = grazing.phase() + sampler.between(-0.05, 0.05);
-            let image = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None)?.jet.value;
+            let image = virtual_point(oscillator, OnWall::new(y, z))?;
             margins.see(-oscillator.acceleration(State::at_rest(image[0], image[1])));
         }
     }
@@ -112,10 +123,9 @@ pub(crate) fn points_are_virtual() -> CheckResult {
         for _ in 0..100 {
             let y = libm::pow(10.0, sampler.between(-5.0, -0.7));
             let z = grazing.phase() + sampler.between(-0.1, 0.1);
-            let recoil = oscillator.reset::<1>(OnWall::new(y, z)).value;
-            for (y, z) in [(y, z), (recoil[0], recoil[1])] {
-                let x = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None)?.jet.value[0];
-                margins.see(x / (y * y));
+            for from in impact_and_recoil(oscillator, y, z) {
+                let y = from.coordinates()[0];
+                margins.see(virtual_point(oscillator, from)?[0] / (y * y));
             }
         }
     }
@@ -170,17 +180,14 @@ pub(crate) fn two_inverses() -> CheckResult {
         for _ in 0..50 {
             let x = libm::pow(10.0, sampler.between(-6.0, -2.5));
             let target = Vector2::new(x, grazing.phase() + sampler.between(-0.05, 0.05));
-            let incoming =
-                grazing_model::maps::virtual_preimage(oscillator, AtRest::new(target[0], target[1]))?
-                    .coordinates();
+            let incoming = virtual_preimage(oscillator, AtRest::new(target[0], target[1]))?.coordinates();
             let outgoing = outgoing_preimage(oscillator, target, grazing.grazing_point().gamma)
                 .ok_or("no preimage on the outgoing set")?;
             if incoming[0] <= 0.0 || outgoing[0] >= 0.0 {
                 return Err(format!("not on either side: {incoming} and {outgoing}").into());
             }
             for preimage in [incoming, outgoing] {
-                let image =
-                    virtual_map::<_, 1>(oscillator, OnWall::new(preimage[0], preimage[1]), None)?.jet.value;
+                let image = virtual_point(oscillator, OnWall::new(preimage[0], preimage[1]))?;
                 deviations.see((image - target).amax());
             }
         }
@@ -199,14 +206,11 @@ pub(crate) fn discontinuity() -> CheckResult {
         for _ in 0..100 {
             let y = libm::pow(10.0, sampler.between(-4.0, -1.0));
             let z = grazing.phase() + sampler.between(-0.1, 0.1);
-            let recoil = oscillator.reset::<1>(OnWall::new(y, z)).value;
-            let hat = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None)?.jet.value;
-            let start = virtual_map::<_, 1>(oscillator, OnWall::new(recoil[0], recoil[1]), None)?.jet.value;
+            let [impact, recoil] = impact_and_recoil(oscillator, y, z);
+            let (hat, start) = (virtual_point(oscillator, impact)?, virtual_point(oscillator, recoil)?);
+            let image = discontinuity_map::<_, 1>(oscillator, AtRest::new(hat[0], hat[1]))?.value;
             // A rounding of x̂, 10⁻¹⁶, changes the phase by that over y.
-            deviations.see(
-                (discontinuity_map::<_, 1>(oscillator, AtRest::new(hat[0], hat[1]))?.value - start).amax()
-                    * y,
-            );
+            deviations.see((image - start).amax() * y);
         }
     }
     Ok(deviations.outcome(
@@ -242,16 +246,6 @@ fn leading_order(seed: u64, component: usize, stated: f64) -> CheckResult {
     Ok(orders.order(stated, SLACK, "fifteen oscillators, α of either sign; nine directions in (√x̂, ẑ, μ)"))
 }
 
-/// The display after eq:Pdisc, first line: the coefficient of x̂ is φ².
-pub(crate) fn leading_position() -> CheckResult {
-    leading_order(19, 0, 3.0)
-}
-
-/// The display after eq:Pdisc, second line: the square root.
-pub(crate) fn leading_phase() -> CheckResult {
-    leading_order(20, 1, 2.0)
-}
-
 /// The sign of the square-root term is opposite to that of α.
 pub(crate) fn sign_of_square_root() -> CheckResult {
     let mut votes = Votes::default();
@@ -264,4 +258,11 @@ pub(crate) fn sign_of_square_root() -> CheckResult {
         }
     }
     Ok(votes.outcome("fifteen oscillators, twelve with α > 0 and three with α < 0, x̂ = 10⁻⁶ to 10⁻⁴"))
+}
+
+checks! {
+    /// The display after eq:Pdisc, first line: the coefficient of x̂ is φ².
+    leading_position: leading_order(19, 0, 3.0);
+    /// The display after eq:Pdisc, second line: the square root.
+    leading_phase: leading_order(20, 1, 2.0);
 }

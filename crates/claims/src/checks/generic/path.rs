@@ -3,17 +3,17 @@
 use grazing_continuation::mps::EventTimes;
 use grazing_model::maps::{global_map, virtual_map};
 use grazing_model::{AtRest, ImpactOscillator, OnWall};
-use grazing_theorems::auxiliary::{admissibility_sum, lucas_sequence, scaled_visit_position};
+use grazing_theorems::auxiliary::{
+    admissibility_sum, lucas_partial_sum, lucas_sequence, scaled_visit_position,
+};
 use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
 
 use super::specimens::{sampled_map, specimens};
 use super::vivid::{derivatives, equations, scale, zero};
 use crate::eigenvalues::Pair;
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
 use crate::specimen::Grazing;
-use crate::tally::Deviations;
+use crate::{CheckResult, Deviations, Failure, Sampler, sampled};
 
 /// Tens of roundings of numbers of the size by which deviations are divided.
 const ROUNDING: f64 = 1e-14;
@@ -155,11 +155,8 @@ pub(crate) fn positions_of_oscillators() -> CheckResult {
 
 /// eq:ujcodim1proof from eq:affineMapj.
 pub(crate) fn positions() -> CheckResult {
-    let mut sampler = Sampler::new(3);
-    let mut deviations = Deviations::default();
-    for index in 0..3000 {
-        let p = 1 + index % 12;
-        let map = sampled_map(&mut sampler);
+    let deviations = sampled(3, 3000, 1..=12, |sampler, p, deviations: &mut Deviations| {
+        let map = sampled_map(sampler);
         let (tau, delta, beta) = (map.trace(), map.determinant(), map.transversality());
         let (s, last) = (lucas_sequence(p, tau, delta), map.iterate(p).b);
         let entries = (1.0 + map.a.amax()) * (1.0 + map.a.amax());
@@ -171,40 +168,36 @@ pub(crate) fn positions() -> CheckResult {
             let expected = beta * scaled_visit_position(j, p, tau, delta);
             deviations.see((terms[0] + terms[1] - expected) / size);
         }
-    }
+    });
     Ok(deviations.outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 12, j = 0 to p"))
 }
 
 /// eq:u1codim1proof.
 pub(crate) fn first_position() -> CheckResult {
-    let mut sampler = Sampler::new(4);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = 2 + index % 14;
+    let deviations = sampled(4, 2000, 2..=15, |sampler, p, deviations: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
         let size = pair.moduli().t(p).re;
-        deviations.see((pair.t(p) + scaled_visit_position(1, p as u32, tau, delta)).norm() / size);
-    }
+        let first = scaled_visit_position(1, p, tau, delta);
+        let by_recurrence = (first + lucas_partial_sum(p, tau, delta)).abs();
+        deviations.see((pair.t(p) + first).norm().max(by_recurrence) / size);
+    });
     // As for eq:SpTp.
     Ok(deviations.outcome(1e-14, "points of the trapesium, p = 2 to 15"))
 }
 
 /// eq:upm1codim1proof.
 pub(crate) fn last_position() -> CheckResult {
-    let mut sampler = Sampler::new(5);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = 2 + index % 14;
+    let deviations = sampled(5, 2000, 2..=15, |sampler, p, deviations: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
         let raised = libm::pow(delta, f64::from(p - 2));
         let size = pair.moduli();
         let terms = (size.s(p - 1) * size.t(p) + size.s(p) * size.t(p - 1) + size.h(p) * raised).re;
-        let last = scaled_visit_position(p as u32 - 1, p as u32, tau, delta);
+        let last = scaled_visit_position(p - 1, p, tau, delta);
         deviations.see((pair.h(p) * raised + last).norm() / terms);
-        deviations.see((admissibility_sum(p as u32, tau, delta) * raised + last) / terms);
-    }
+        deviations.see((admissibility_sum(p, tau, delta) * raised + last) / terms);
+    });
     // As for eq:Hp9.
     Ok(deviations.outcome(1e-14, "points of the trapesium, p = 2 to 15"))
 }

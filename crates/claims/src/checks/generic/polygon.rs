@@ -10,9 +10,7 @@ use nalgebra::{Matrix2, Vector2};
 use super::specimens::map_with;
 use crate::checks::appendices::signs::{along, determinant, search};
 use crate::eigenvalues::Pair;
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
-use crate::tally::{Deviations, Votes};
+use crate::{CheckResult, Deviations, Sampler, Votes, sampled};
 
 /// τ above h_p by a share of the way to δ + 1, both in (0, 1).
 fn above(p: u32, [x, y]: [f64; 2]) -> Option<(f64, f64)> {
@@ -24,25 +22,6 @@ fn above(p: u32, [x, y]: [f64; 2]) -> Option<(f64, f64)> {
 /// r to the power of an integer, r = √δ.
 fn r_to(delta: f64, k: u32) -> f64 {
     libm::pow(delta, 0.5 * f64::from(k))
-}
-
-/// T_p > 0 and H_p > 0, and so u⁽¹⁾ < 0 and u⁽ᵖ⁻¹⁾ < 0, for τ > h_p.
-pub(crate) fn ends_are_negative() -> CheckResult {
-    let over = "searches over h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p, p = 2 to 15: the smallest T_p and r^(p−2) H_p";
-    Ok(search(2, over, |p, point| {
-        let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
-        lucas_partial_sum(p, tau, delta).min(admissibility_sum(p, tau, delta) * r_to(delta, p - 2))
-    }))
-}
-
-/// u⁽ʲ⁾ < 0 for all 0 < j < p and τ > h_p: the conclusion of the proof.
-pub(crate) fn all_are_negative() -> CheckResult {
-    let over = "searches over h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p, p = 2 to 15: the smallest −r^(1−j) u⁽ʲ⁾";
-    Ok(search(2, over, |p, point| {
-        let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
-        let scaled = |j: u32| -scaled_visit_position(j, p, tau, delta) / r_to(delta, j - 1);
-        (1..p).map(scaled).fold(f64::INFINITY, f64::min)
-    }))
 }
 
 /// The sum of a truncated geometric series.
@@ -62,10 +41,7 @@ pub(crate) fn geometric_series() -> CheckResult {
 
 /// S_j at τ = δ + 1.
 pub(crate) fn sums_at_unit_eigenvalue() -> CheckResult {
-    let mut sampler = Sampler::new(7);
-    let mut deviations = Deviations::default();
-    for index in 0..1000 {
-        let p = 2 + index % 14;
+    let deviations = sampled(7, 1000, 2..=15, |sampler, p, deviations: &mut Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let pair = Pair::new(delta + 1.0, delta);
         deviations.see((pair.first - 1.0).norm() * (1.0 - delta));
@@ -76,17 +52,14 @@ pub(crate) fn sums_at_unit_eigenvalue() -> CheckResult {
         deviations.see((s - (1.0 - top)) / f64::from(p));
         let t = lucas_partial_sum(p, delta + 1.0, delta) * (1.0 - delta) * (1.0 - delta);
         deviations.see((t - (f64::from(p) * (1.0 - delta) - (1.0 - top))) / f64::from(p * p));
-    }
+    });
     // δ + 1 is rounded, which changes an eigenvalue by that over 1 − δ.
     Ok(deviations.outcome(1e-14, "λ₁, λ₂, S_p and T_p for determinants from 0.001 to 0.999, p = 2 to 15"))
 }
 
 /// eq:ujeig1.
 pub(crate) fn positions_at_unit_eigenvalue() -> CheckResult {
-    let mut sampler = Sampler::new(8);
-    let mut deviations = Deviations::default();
-    for index in 0..1000 {
-        let p = 2 + index % 14;
+    let deviations = sampled(8, 1000, 2..=15, |sampler, p, deviations: &mut Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let raised = |k: u32| libm::pow(delta, f64::from(k));
         for j in 1..p {
@@ -96,7 +69,7 @@ pub(crate) fn positions_at_unit_eigenvalue() -> CheckResult {
             let size = 1.0 + f64::from(p * p * p) * (1.0 - delta) * (1.0 - delta);
             deviations.see((u * (1.0 - delta) * (1.0 - delta) - expected) / size);
         }
-    }
+    });
     Ok(deviations.outcome(1e-14, "determinants from 0.001 to 0.999, p = 2 to 15, all j"))
 }
 
@@ -147,24 +120,27 @@ fn cross_each_other([a, b]: [Vector2<f64>; 2], [c, d]: [Vector2<f64>; 2]) -> boo
     side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
 }
 
-/// The path is convex for h_p < τ < δ + 1, by search for the smallest of the numbers that decide it.
+/// The path is convex for h_p < τ < δ + 1, and all its u⁽ʲ⁾ are negative, 0 < j < p, by search for the smallest of the numbers that decide it.
 ///
 /// With e = p₁ − p₀ and c = e × Ae, a vertex n − 1 after the end of the edge at i lies on the side of δⁱ T_n c of it, one n before
 /// its start on that of δ^(i−1) H_(n+1) c, and u⁽ʲ⁾ tells the side of the edge that closes the polygon. So the polygon is convex, and its
 /// vertices in order, exactly if T_n > 0 and H_n > 0 for n = 2, …, p and u⁽ʲ⁾ < 0 for 0 < j < p.
 pub(crate) fn convex() -> CheckResult {
-    let over = "searches over h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p, p = 2 to 15: the smallest T_n, r^(n−2) H_n and \
-                −r^(1−j) u⁽ʲ⁾, n ≤ p, j < p";
-    Ok(search(2, over, |p, point| {
-        let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
-        (2..=p)
-            .map(|n| {
-                let h = admissibility_sum(n, tau, delta) * r_to(delta, n - 2);
-                let u = -scaled_visit_position(n - 1, p, tau, delta) / r_to(delta, n - 2);
-                lucas_partial_sum(n, tau, delta).min(h).min(u)
-            })
-            .fold(f64::INFINITY, f64::min)
-    }))
+    search(
+        2,
+        "h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p",
+        "T_n, r^(n−2) H_n and −r^(1−j) u⁽ʲ⁾, n ≤ p, j < p",
+        |p, point| {
+            let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
+            (2..=p)
+                .map(|n| {
+                    let h = admissibility_sum(n, tau, delta) * r_to(delta, n - 2);
+                    let u = -scaled_visit_position(n - 1, p, tau, delta) / r_to(delta, n - 2);
+                    lucas_partial_sum(n, tau, delta).min(h).min(u)
+                })
+                .fold(f64::INFINITY, f64::min)
+        },
+    )
 }
 
 /// The path seen as a polygon: convex, in order and without intersections for τ > h_p, and not convex for smaller τ (p ≥ 3),
@@ -219,13 +195,10 @@ pub(crate) fn first_zero() -> CheckResult {
 
 /// u⁽ʲ⁾ depends on the map through τ and δ alone, so that it may be followed in τ at fixed δ.
 pub(crate) fn invariance() -> CheckResult {
-    let mut sampler = Sampler::new(11);
-    let mut deviations = Deviations::default();
-    for index in 0..1000 {
-        let p = 2 + index % 7;
+    let deviations = sampled(11, 1000, 2..=8, |sampler, p, deviations: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         let expected: Vec<f64> = path(p, tau, delta).iter().map(|point| point.x).collect();
-        let map = map_with(&mut sampler, tau, delta);
+        let map = map_with(sampler, tau, delta);
         let (s, beta) = (lucas_sequence(p, tau, delta), map.transversality());
         let mut here = Vector2::new(0.0, -map.iterate(p).b.x / map.a.m12);
         // Multiplied by β, which may be small.
@@ -234,7 +207,7 @@ pub(crate) fn invariance() -> CheckResult {
             deviations.see((here.x - beta * position) / (size * (1.0 + position.abs())));
             here = map.a * here + map.b * s;
         }
-    }
+    });
     // The balanced map divides by a₁₂, at least a tenth of r ≥ 0.03.
     Ok(deviations.outcome(1e-14, "pairs of maps with the same τ and δ, p = 2 to 8"))
 }
@@ -260,16 +233,5 @@ mod tests {
                 assert!((cross(edge(i), vertex - vertices[i]) - factor * unit).abs() < 1e-14, "{i} {k}");
             }
         }
-    }
-
-    #[test]
-    fn a_square_is_convex_in_order_only() {
-        let [a, b, c, d] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(x, y)| Vector2::new(x, y));
-        // The diagonal is seen at 45 degrees, to a rounding.
-        for square in [[a, b, c, d], [d, c, b, a]] {
-            assert!((convexity(&square) - libm::sqrt(0.5)).abs() < 1e-15);
-        }
-        assert!(convexity(&[a, c, b, d]) < 0.0);
-        assert!(cross_each_other([a, c], [b, d]) && !cross_each_other([a, b], [c, d]));
     }
 }

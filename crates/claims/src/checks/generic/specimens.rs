@@ -1,13 +1,10 @@
 //! What section 4 is measured on: oscillators at grazing, and first-order data without an oscillator behind them.
 
-use crate::outcome::Failure;
-
 use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
 
-use crate::convergence::order;
-use crate::sampling::Sampler;
 use crate::specimen::{DELAY, Exponential, Grazing, Law};
+use crate::{Failure, Sampler, order};
 
 /// The specimens at grazing: three with Φ = ε and Ψ = 0, three whose reset law varies, three of these with the frequency as μ, and
 /// three with a force that is not linear, two of them with real eigenvalues.

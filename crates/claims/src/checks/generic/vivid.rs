@@ -6,17 +6,15 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::maps::{discontinuity_map, global_iterate, global_map, virtual_map};
 use grazing_model::motion::local_maxima;
-use grazing_model::{AtRest, ImpactOscillator, OnWall, State};
+use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
 use grazing_theorems::GenericGrazing;
 use nalgebra::{Matrix2, Vector2};
 
-use super::maps::integrated;
+use super::maps::{impact_and_recoil, integrated, virtual_point};
 use super::specimens::{delayed, directions, specimens, uniform_order};
 use crate::checks::main_results::simulation::returns;
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
 use crate::specimen::{Grazing, Specimen};
-use crate::tally::{Deviations, Smallest, Votes};
+use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes};
 
 /// The equations of p-loop MPSs of a specimen.
 pub(super) fn equations(grazing: &Grazing, p: u32) -> LoopEquations<Specimen> {
@@ -115,7 +113,7 @@ pub(crate) fn fixed_points() -> CheckResult {
     let mut deviations = Deviations::default();
     for (grazing, p, point) in admissible()? {
         let oscillator = equations(&grazing, p).oscillator_at(&point);
-        let hat = virtual_map::<_, 1>(&oscillator, OnWall::new(point[0], point[1]), None)?.jet.value;
+        let hat = virtual_point(&oscillator, OnWall::new(point[0], point[1]))?;
         let start = discontinuity_map::<_, 1>(&oscillator, AtRest::new(hat[0], hat[1]))?.value;
         let end = global_iterate::<_, 1>(&oscillator, p, AtRest::new(start[0], start[1]))?.value;
         // The square root magnifies the rounding of x̂ by 1/y.
@@ -140,12 +138,13 @@ pub(crate) fn composition() -> CheckResult {
             let equations = equations(&grazing, p);
             let oscillator = equations.oscillator_at(&point);
             let (vivid, _) = equations.pair::<1>(&point, &mut EventTimes::default())?.difference();
-            let impact = virtual_map::<_, 1>(&oscillator, OnWall::new(point[0], point[1]), None)?;
-            let from = State::on_wall(point[0], point[1]);
-            let hat = integrated(&oscillator, from, impact.time, 64);
-            let recoil = oscillator.reset::<1>(OnWall::new(point[0], point[1])).value;
-            let back = virtual_map::<_, 1>(&oscillator, OnWall::new(recoil[0], recoil[1]), None)?;
-            let mut visit = integrated(&oscillator, State::on_wall(recoil[0], recoil[1]), back.time, 64);
+            let mut ends = Vec::new();
+            for from in impact_and_recoil(&oscillator, point[0], point[1]) {
+                let [y, z] = from.coordinates().into();
+                let time = virtual_map::<_, 1>(&oscillator, from, None)?.time;
+                ends.push(integrated(&oscillator, State::on_wall(y, z), time, 64));
+            }
+            let (hat, mut visit) = (ends[0], ends[1]);
             deviations.see(hat[1].abs().max(visit[1].abs()));
             for _ in 0..p {
                 // Only the return time is taken from the map; that it ends on Π, y = 0, is seen.
@@ -260,12 +259,9 @@ fn expansion(seed: u64, component: usize) -> CheckResult {
     Ok(orders.order(2.0, 0.1, "twelve oscillators, p = 1 to 4, seven directions in (y, z, μ) at once"))
 }
 
-/// eq:V1.
-pub(crate) fn first_component() -> CheckResult {
-    expansion(2, 0)
-}
-
-/// eq:V2.
-pub(crate) fn second_component() -> CheckResult {
-    expansion(3, 1)
+checks! {
+    /// eq:V1.
+    first_component: expansion(2, 0);
+    /// eq:V2.
+    second_component: expansion(3, 1);
 }

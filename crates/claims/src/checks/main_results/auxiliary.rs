@@ -12,17 +12,15 @@ use grazing_theorems::{GenericGrazing, Side};
 use nalgebra::Matrix2;
 
 use super::theorems::general::side_of_orbit;
-use crate::convergence::order;
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
-use crate::printed::printed;
-use crate::sampling::{Sampler, smallest};
 use crate::specimen::{Exponential, Law, damping_for_decay};
-use crate::sweep::generic::Existence;
-use crate::tally::{Deviations, Smallest, Votes};
+use crate::sweep::Existence;
+use crate::{
+    CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Smallest, Votes, order, printed, smallest,
+};
 
 /// eq:gp: at τ = g_p(δ) the (1, 2) entry of Aᵖ vanishes, also for p between integers in the sense of S_p(τ) = 0 at the
 /// integer; for larger τ it has the sign of a₁₂.
-pub(super) fn resonance_boundary_is_a_zero() -> CheckResult {
+pub(crate) fn resonance_boundary_is_a_zero() -> CheckResult {
     let mut sampler = Sampler::new(31);
     let mut largest = Deviations::default();
     for _ in 0..3000 {
@@ -52,7 +50,7 @@ fn scaled_sum(p: u32, tau: f64, delta: f64) -> f64 {
 }
 
 /// h_p: H_p vanishes there and is positive above, found by search of the smallest quotient H_p/(τ − h_p).
-pub(super) fn admissibility_boundary_is_the_largest_zero() -> CheckResult {
+pub(crate) fn admissibility_boundary_is_the_largest_zero() -> CheckResult {
     let mut least = f64::INFINITY;
     const STARTS: usize = 5;
     for p in 3..=20 {
@@ -85,7 +83,7 @@ pub(super) fn admissibility_boundary_is_the_largest_zero() -> CheckResult {
 ///
 /// Both margins shrink at an end of the interval, the lower one like 1 − √δ, the upper one like √δ, beyond the common
 /// factor 2√δ: they are measured against that.
-pub(super) fn bounds() -> CheckResult {
+pub(crate) fn bounds() -> CheckResult {
     let mut least = f64::INFINITY;
     const STARTS: usize = 5;
     for p in 3..=30 {
@@ -112,7 +110,7 @@ pub(super) fn bounds() -> CheckResult {
 }
 
 /// As p → ∞ both families tend to 2√δ, with second order in 1/p.
-pub(super) fn limit() -> CheckResult {
+pub(crate) fn limit() -> CheckResult {
     let mut sampler = Sampler::new(35);
     let mut least = Smallest::default();
     for _ in 0..10 {
@@ -140,9 +138,9 @@ pub(super) fn limit() -> CheckResult {
 
 /// Figure 2's (τ, δ), marked by a star in Figure 4: g₂ < τ, and h_p < τ < g_p for p = 3, 4, 5 and no other p; by
 /// theorem 2.3 two loops then emerge to the right and three to five to the left.
-pub(super) fn star() -> CheckResult {
-    let oscillator = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
-    let grazing = oscillator.grazing(printed("fig02_frequency")?)?;
+pub(crate) fn star() -> CheckResult {
+    let oscillator = grazing_theorems::LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
+    let grazing = oscillator.grazing(printed("fig02_frequency"))?;
     let (tau, delta) = (grazing.trace(), grazing.determinant());
     let mut cases = Votes::default();
     cases.see(tau > resonance_boundary(2.0, delta));
@@ -150,7 +148,7 @@ pub(super) fn star() -> CheckResult {
         let inside = admissibility_boundary(p, delta)? < tau && tau < resonance_boundary(f64::from(p), delta);
         cases.see(inside == (3..=5).contains(&p));
     }
-    let orbit = Law::linear(printed("zeta")?, printed("epsilon")?).grazing(printed("fig02_frequency")?)?;
+    let orbit = Law::linear(printed("zeta"), printed("epsilon")).grazing(printed("fig02_frequency"))?;
     for p in 1..=5 {
         let side = GenericGrazing::check(&orbit.grazing_point(), p)?.side();
         cases.see((side == Side::Positive) == (p <= 2));
@@ -162,7 +160,7 @@ pub(super) fn star() -> CheckResult {
 /// p-loop MPSs with τ < h_p(δ) exist near δ = 1 for p = 5 and from p = 7 on, and not for p = 3, 4 and 6: by the signs of
 /// all u⁽ʲ⁾ over a grid of the trapesium, and for those that exist in a simulated oscillator. They exist for p = 2 too, where
 /// h₂ = −2√δ and u⁽¹⁾ = −1; that takes real eigenvalues, which the linear oscillator does not have.
-pub(super) fn beyond_the_boundary() -> CheckResult {
+pub(crate) fn beyond_the_boundary() -> CheckResult {
     let (mut cases, mut printed) = (Votes::default(), Votes::default());
     printed.see(!two_loops_below_the_boundary()?);
     cases.see(two_loops_below_the_boundary()?);
@@ -201,7 +199,7 @@ fn two_loops_below_the_boundary() -> Result<bool, Failure> {
     let resonance = law.resonance(1, 1, false)?;
     let [_, omega] = resonance.orbit().oscillator().parameters();
     // To that side on which a₁₂ > 0.
-    let off = libm::copysign(1e-3, resonance.resonant_point().unfolding.derivative());
+    let off = libm::copysign(1e-3, resonance.resonant_point().unfolding.derivative);
     let orbit = law.grazing(omega * (1.0 + off))?;
     let point = orbit.grazing_point();
     let (tau, delta) = (point.map.trace(), point.map.determinant());

@@ -1,4 +1,4 @@
-//! Section 2.6: s_p^±, c_SN and c_PD of oscillators with ψ ≠ 0, against multipliers and continued curves.
+//! Section 2.6: c_SN and c_PD of oscillators with ψ ≠ 0, against continued curves.
 
 use core::f64::consts::PI;
 
@@ -8,11 +8,8 @@ use grazing_theorems::LinearisedMap;
 
 use super::returns::derivative as difference;
 use crate::checks::resonant::places::{Bifurcation, Place};
-use crate::convergence::order;
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
 use crate::specimen::Law;
-use crate::tally::{Deviations, Smallest};
+use crate::{CheckResult, Deviations, Failure, Sampler};
 
 /// A resonance with one of these numbers of loops at which s^± are not within a twentieth of zero, nor the impact
 /// velocity along either curve within a fifth of η: then the curves are seen at small velocities.
@@ -32,45 +29,8 @@ pub(super) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Place, Fa
     }
 }
 
-/// s^± as limits of T − D − 1 and T + D + 1 on the branch at η = 0, with T and D of numerical orbits.
-fn stability(seed: u64, loops: &[u32]) -> Result<Smallest, Failure> {
-    let mut sampler = Sampler::new(seed);
-    let mut least = Smallest::default();
-    for _ in 0..30 {
-        let place = resonant(&mut sampler, loops)?;
-        let stated = place.point().stability_coefficients();
-        for (stated, sign) in [(stated.plus, 1.0), (stated.minus, -1.0)] {
-            least.see_resolved(order(|velocity| {
-                let found = place.on_branch(velocity, 0.0)?;
-                let multipliers = place.resonance.equations().solution(&found.unknowns).0.multipliers;
-                let limit = multipliers.trace - sign * (multipliers.determinant + 1.0);
-                // Numerator and denominator of T vanish with y: rounding over y, of terms of order ten.
-                Some((limit - stated, 1e-14 / velocity))
-            }));
-        }
-    }
-    Ok(least)
-}
-
-/// eq:c1.
-pub(super) fn stability_one_loop() -> CheckResult {
-    // Slack for the term of second order at the smallest resolved velocities.
-    Ok(stability(61, &[1])?.order(
-        1.0,
-        0.3,
-        "resonances p = 1 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0",
-    ))
-}
-
-/// eq:cp.
-pub(super) fn stability_many_loops() -> CheckResult {
-    let over = "resonances p = 2, 3, 4 with ψ ≠ 0; T ∓ (D + 1) on the branch as y → 0";
-    // Slack as for one loop.
-    Ok(stability(62, &[2, 3, 4])?.order(1.0, 0.3, over))
-}
-
 /// c_SN and c_PD against the limits of μ/η² on continued curves.
-fn fitted(seed: u64, loops: &[u32]) -> Result<Deviations, Failure> {
+fn fitted(seed: u64, loops: &[u32], over: &str) -> CheckResult {
     let mut sampler = Sampler::new(seed);
     let mut largest = Deviations::default();
     for _ in 0..20 {
@@ -81,26 +41,21 @@ fn fitted(seed: u64, loops: &[u32]) -> Result<Deviations, Failure> {
             largest.compare(measured.value, stated, stated.abs().max(sn.abs()));
         }
     }
-    Ok(largest)
+    Ok(largest.outcome(FIT, &format!("c_SN and c_PD at {over}, against fits to continued curves")))
 }
 
 /// Accuracy of a fitted coefficient: what interpolation in the impact velocity leaves; empirical, some ten times the largest seen.
 const FIT: f64 = 1e-7;
 
-/// eq:coeffs1.
-pub(super) fn curves_one_loop() -> CheckResult {
-    let over = "c_SN and c_PD at resonances p = 1 with ψ ≠ 0, against fits to continued curves";
-    Ok(fitted(63, &[1])?.outcome(FIT, over))
-}
-
-/// eq:coeffsp.
-pub(super) fn curves_many_loops() -> CheckResult {
-    let over = "c_SN and c_PD at resonances p = 2, 3, 4 with ψ ≠ 0, against fits to continued curves";
-    Ok(fitted(64, &[2, 3, 4])?.outcome(FIT, over))
+checks! {
+    /// eq:coeffs1.
+    curves_one_loop: fitted(63, &[1], "resonances p = 1 with ψ ≠ 0");
+    /// eq:coeffsp.
+    curves_many_loops: fitted(64, &[2, 3, 4], "resonances p = 2, 3, 4 with ψ ≠ 0");
 }
 
 /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
-pub(super) fn unfolding_derivatives() -> CheckResult {
+pub(crate) fn unfolding_derivatives() -> CheckResult {
     let mut sampler = Sampler::new(65);
     let mut largest = Deviations::default();
     for _ in 0..30 {
@@ -112,7 +67,7 @@ pub(super) fn unfolding_derivatives() -> CheckResult {
             let cosine = libm::cos(PI / f64::from(loops));
             Ok([if loops == 1 { a.m12 } else { a.trace() - 2.0 * a.determinant().sqrt() * cosine }])
         })?;
-        let stated = place.point().unfolding.derivative();
+        let stated = place.point().unfolding.derivative;
         largest.compare(measured, stated, stated.abs().max(1.0));
     }
     // Rounding 10⁻¹⁴ over the step 10⁻⁴.

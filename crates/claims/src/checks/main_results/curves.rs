@@ -4,59 +4,10 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, unknown};
 
 use super::coefficients::resonant;
-use crate::convergence::order;
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
-use crate::tally::{Smallest, Votes};
-
-/// The order of μ − cη² along the SN (`curve` 0) or PD (1) curve as the impact velocity, to which η is proportional, tends to zero.
-fn remainder(seed: u64, loops: &[u32], curve: usize) -> CheckResult {
-    let mut sampler = Sampler::new(seed);
-    let mut least = Smallest::default();
-    for _ in 0..20 {
-        let place = resonant(&mut sampler, loops)?;
-        let curve = &place.curves()[curve];
-        least.see_resolved(order(|velocity| {
-            let eta = velocity / curve.leading.impact_velocity_slope;
-            // Farther off, the leading terms are no good start.
-            if eta.abs() > 0.01 {
-                return None;
-            }
-            let [_, mu] = place.on_curve(curve, eta)?.relative();
-            // No curve on the other side of η = 0: a value that makes the order fail.
-            let Some(stated) = curve.leading.parameter(eta) else {
-                return Some((1.0, 1e-16));
-            };
-            // 𝒜 and ω are numbers of order one; that of ω counts 2cη-fold. Newton's method leaves a few roundings.
-            Some((mu - stated, 2e-15 * (1.0 + (curve.leading.coefficient * eta).abs())))
-        }));
-    }
-    // Slack for the next order at the smallest resolved velocities.
-    Ok(least.order(3.0, 0.3, "resonances of random oscillators with ψ ≠ 0, points of the continued curve"))
-}
-
-/// eq:sn1.
-pub(super) fn saddle_node_one_loop() -> CheckResult {
-    remainder(71, &[1], 0)
-}
-
-/// eq:pd1.
-pub(super) fn period_doubling_one_loop() -> CheckResult {
-    remainder(72, &[1], 1)
-}
-
-/// eq:snp.
-pub(super) fn saddle_node_many_loops() -> CheckResult {
-    remainder(73, &[2, 3, 4], 0)
-}
-
-/// eq:pdp.
-pub(super) fn period_doubling_many_loops() -> CheckResult {
-    remainder(74, &[2, 3, 4], 1)
-}
+use crate::{CheckResult, Sampler, Votes};
 
 /// Across the SN curve two MPSs on one side of μ become none, and across the PD curve a multiplier passes through −1.
-pub(super) fn crossing() -> CheckResult {
+pub(crate) fn crossing() -> CheckResult {
     let mut sampler = Sampler::new(75);
     let mut cases = Votes::default();
     for _ in 0..30 {

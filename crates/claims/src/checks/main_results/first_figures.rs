@@ -8,19 +8,14 @@ use grazing_model::maps::discontinuity_map;
 use grazing_model::{AtRest, LinearOscillator};
 
 use super::simulation::{attracts, returns};
-use crate::convergence::order;
-use crate::outcome::{CheckResult, Failure};
-use crate::printed::printed;
-use crate::sampling::Sampler;
 use crate::specimen::Law;
-use crate::tally::{Smallest, Votes};
+use crate::{CheckResult, Failure, Sampler, Smallest, Votes, order, printed};
 
 /// The branch of p-loop MPSs that leaves the grazing bifurcation of Figure 2, with its equations and 𝒜_graz.
 fn branch(loops: u32) -> Result<(LoopEquations<LinearOscillator>, Curve, f64), Failure> {
-    let (zeta, epsilon, omega) = (printed("zeta")?, printed("epsilon")?, printed("fig02_frequency")?);
+    let (zeta, epsilon, omega) = (printed("zeta"), printed("epsilon"), printed("fig02_frequency"));
     let grazing = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
-    let oscillator = LinearOscillator::new(zeta, epsilon, grazing.amplitude(), omega)?;
-    let equations = LoopEquations::new(oscillator, loops, Formulation::Vivid);
+    let equations = LoopEquations::new(grazing.model(), loops, Formulation::Vivid);
     let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
     let amplitude = grazing.amplitude();
     let route = Route {
@@ -43,7 +38,7 @@ fn first(curve: &Curve) -> impl Iterator<Item = &MaximalPeriodicSolution> {
 
 /// MPSs with p = 1 and 2 emanate to the right, those with p = 3 to the left; all are unstable there, by multipliers and in
 /// simulation.
-pub(super) fn emanating_solutions() -> CheckResult {
+pub(crate) fn emanating_solutions() -> CheckResult {
     let mut cases = Votes::default();
     for loops in 1..=3 {
         let (equations, curve, amplitude) = branch(loops)?;
@@ -58,7 +53,7 @@ pub(super) fn emanating_solutions() -> CheckResult {
 }
 
 /// Two loops gain stability at a PD, three at an SN and lose it at a GZ; between GZ and PD no MPS with p ≤ 3 is stable.
-pub(super) fn stability_gained() -> CheckResult {
+pub(crate) fn stability_gained() -> CheckResult {
     let mut cases = Votes::default();
     let mut located = Vec::new();
     for (loops, gained) in [(2, Condition::PERIOD_DOUBLING), (3, Condition::SADDLE_NODE)] {
@@ -93,7 +88,7 @@ pub(super) fn stability_gained() -> CheckResult {
 }
 
 /// The Jacobian of P_disc grows like x̂^(−1/2): its entry times √x̂ tends to −αω/√(2γ).
-pub(super) fn singular_jacobian() -> CheckResult {
+pub(crate) fn singular_jacobian() -> CheckResult {
     let mut sampler = Sampler::new(83);
     let mut least = Smallest::default();
     for _ in 0..100 {

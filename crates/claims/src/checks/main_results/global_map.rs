@@ -5,15 +5,12 @@ use grazing_model::{ImpactOscillator, State};
 use nalgebra::Vector2;
 
 use super::returns::{derivative as difference, returned};
-use crate::convergence::order;
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
 use crate::specimen::Law;
-use crate::tally::{Deviations, Smallest, Votes};
+use crate::{CheckResult, Deviations, Sampler, Smallest, Votes, order};
 
 /// ass:grazing: the orbit from (0, 0, z_graz) is periodic, touches the wall once per period and lies below it otherwise,
 /// and F < 0 where it touches; at another amplitude there is no such orbit.
-pub(super) fn grazing_orbit() -> CheckResult {
+pub(crate) fn grazing_orbit() -> CheckResult {
     let mut sampler = Sampler::new(11);
     let mut cases = Votes::default();
     for _ in 0..100 {
@@ -45,7 +42,7 @@ pub(super) fn grazing_orbit() -> CheckResult {
 }
 
 /// eq:Pglobal: what the linear part leaves over is of second order.
-pub(super) fn expansion() -> CheckResult {
+pub(crate) fn expansion() -> CheckResult {
     let mut sampler = Sampler::new(12);
     let mut least = Smallest::default();
     for _ in 0..60 {
@@ -78,7 +75,7 @@ pub(super) fn expansion() -> CheckResult {
 }
 
 /// eq:A: ∂(x', z')/∂(x, z) by hand-written derivatives against differences of event locations.
-pub(super) fn derivative() -> CheckResult {
+pub(crate) fn derivative() -> CheckResult {
     let mut sampler = Sampler::new(13);
     let mut largest = Deviations::default();
     for _ in 0..60 {
@@ -100,7 +97,7 @@ pub(super) fn derivative() -> CheckResult {
 }
 
 /// eq:b: ∂P_global/∂μ likewise, with the amplitude or the frequency as μ.
-pub(super) fn parameter_derivative() -> CheckResult {
+pub(crate) fn parameter_derivative() -> CheckResult {
     let mut sampler = Sampler::new(14);
     let mut largest = Deviations::default();
     for _ in 0..60 {

@@ -9,14 +9,11 @@ use grazing_theorems::auxiliary::detuning;
 use nalgebra::Matrix2;
 
 use super::returns::derivative as difference;
-use crate::convergence::order;
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
 use crate::specimen::Law;
-use crate::tally::{Deviations, Smallest, Votes};
+use crate::{CheckResult, Deviations, Sampler, Smallest, Votes, order};
 
 /// eq:alpha: z⁽⁰⁾ − ẑ = −α ω√(2x̂/γ) + O(x̂) along P_disc of an oscillator with ψ ≠ 0.
-pub(super) fn square_root_factor() -> CheckResult {
+pub(crate) fn square_root_factor() -> CheckResult {
     let mut sampler = Sampler::new(41);
     let mut least = Smallest::default();
     for _ in 0..60 {
@@ -36,7 +33,7 @@ pub(super) fn square_root_factor() -> CheckResult {
 }
 
 /// eq:phipsigamma: φ and ψ by differences of the reset law at zero velocity, γ by the second difference of Γ; γ > 0.
-pub(super) fn constants() -> CheckResult {
+pub(crate) fn constants() -> CheckResult {
     let mut sampler = Sampler::new(42);
     let mut largest = Deviations::default();
     for _ in 0..100 {
@@ -56,7 +53,7 @@ pub(super) fn constants() -> CheckResult {
 }
 
 /// κ_p: its sign is that of the (1, 2) entry of Aᵖ over a₁₂ for τ > h_p, and it vanishes with that entry.
-pub(super) fn detuning_has_the_sign_of_the_entry() -> CheckResult {
+pub(crate) fn detuning_has_the_sign_of_the_entry() -> CheckResult {
     let mut sampler = Sampler::new(43);
     let mut cases = Votes::default();
     for _ in 0..3000 {

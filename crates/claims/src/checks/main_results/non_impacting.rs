@@ -8,15 +8,12 @@ use grazing_theorems::spectrum::{Eigenvalues, in_trapesium};
 use nalgebra::{Matrix2, Vector2};
 
 use super::returns::derivative as difference;
-use crate::convergence::order;
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
 use crate::specimen::{Grazing, Law, frequency_first};
-use crate::tally::{Deviations, Smallest, Votes};
+use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes, order};
 
 /// τ and δ are trace and determinant of the flow over one period in (x, y), the wall ignored: P_global has the multipliers
 /// of Γ.
-pub(super) fn trace_and_determinant() -> CheckResult {
+pub(crate) fn trace_and_determinant() -> CheckResult {
     let mut sampler = Sampler::new(21);
     let mut largest = Deviations::default();
     for _ in 0..500 {
@@ -65,7 +62,7 @@ fn nonlinear_orbit(sampler: &mut Sampler) -> Result<Grazing, Failure> {
 }
 
 /// eq:xStarzStar: the fixed point of P_global to first order.
-pub(super) fn fixed_point_expansion() -> CheckResult {
+pub(crate) fn fixed_point_expansion() -> CheckResult {
     let mut sampler = Sampler::new(22);
     let mut least = Smallest::default();
     for _ in 0..100 {
@@ -83,7 +80,7 @@ pub(super) fn fixed_point_expansion() -> CheckResult {
 }
 
 /// eq:xStarzStarDeriv: dx*/dμ by differences of numerical fixed points.
-pub(super) fn position_slope() -> CheckResult {
+pub(crate) fn position_slope() -> CheckResult {
     let mut sampler = Sampler::new(23);
     let mut largest = Deviations::default();
     for _ in 0..100 {
@@ -99,7 +96,7 @@ pub(super) fn position_slope() -> CheckResult {
 }
 
 /// eq:beta: β is det(I − A) times dx*/dμ by Cramer's rule, and its sign is the one with which x* crosses the wall.
-pub(super) fn transversality() -> CheckResult {
+pub(crate) fn transversality() -> CheckResult {
     let mut sampler = Sampler::new(24);
     let mut largest = Deviations::default();
     for _ in 0..500 {
@@ -125,7 +122,7 @@ pub(super) fn transversality() -> CheckResult {
 }
 
 /// eq:eigs: the two numbers are the eigenvalues, a real pair in order or a conjugate pair.
-pub(super) fn eigenvalues() -> CheckResult {
+pub(crate) fn eigenvalues() -> CheckResult {
     let mut sampler = Sampler::new(25);
     let mut largest = Deviations::default();
     for _ in 0..2000 {
@@ -161,7 +158,7 @@ pub(super) fn eigenvalues() -> CheckResult {
 }
 
 /// eq:cT: with δ > 0, powers of A tend to zero if and only if (τ, δ) lies in the trapesium.
-pub(super) fn trapesium() -> CheckResult {
+pub(crate) fn trapesium() -> CheckResult {
     let mut sampler = Sampler::new(26);
     let mut cases = Votes::default();
     for k in 0..2000 {
@@ -192,7 +189,7 @@ pub(super) fn trapesium() -> CheckResult {
 }
 
 /// For small μ with βμ < 0 orbits of the hybrid system that start near the non-impacting solution approach it.
-pub(super) fn stability() -> CheckResult {
+pub(crate) fn stability() -> CheckResult {
     let mut sampler = Sampler::new(27);
     let mut cases = Votes::default();
     for _ in 0..60 {

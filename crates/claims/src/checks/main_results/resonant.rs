@@ -7,14 +7,12 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::coefficients::resonant;
 use super::returns::{iterated, second_derivative};
-use crate::outcome::CheckResult;
-use crate::sampling::Sampler;
 use crate::specimen::Law;
-use crate::tally::{Deviations, Votes};
+use crate::{CheckResult, Deviations, Sampler, Votes};
 
 /// ass:grazing2: along a range of η there is a grazing orbit, touching at F < 0, whose phase and μ move continuously, with
 /// the slopes that are used along the grazing curve.
-pub(super) fn grazing_orbits() -> CheckResult {
+pub(crate) fn grazing_orbits() -> CheckResult {
     let mut sampler = Sampler::new(51);
     let mut cases = Votes::default();
     for _ in 0..40 {
@@ -41,7 +39,7 @@ pub(super) fn grazing_orbits() -> CheckResult {
 }
 
 /// eq:xi: by second differences of iterated event location.
-pub(super) fn second_phase_derivative() -> CheckResult {
+pub(crate) fn second_phase_derivative() -> CheckResult {
     let mut sampler = Sampler::new(52);
     let mut largest = Deviations::default();
     for _ in 0..60 {
@@ -59,7 +57,7 @@ pub(super) fn second_phase_derivative() -> CheckResult {
 
 /// fig:E: in the case c_SN < 0 < c_PD and β > 0, the non-impacting solution exists for μ < 0 and is stable, and the curves
 /// lie on opposite sides of the grazing curve, each on its side of η = 0.
-pub(super) fn sketch() -> CheckResult {
+pub(crate) fn sketch() -> CheckResult {
     let mut sampler = Sampler::new(53);
     let mut cases = Votes::default();
     while cases_below(&cases, 60) {
@@ -86,11 +84,11 @@ pub(super) fn sketch() -> CheckResult {
 }
 
 fn cases_below(cases: &Votes, limit: usize) -> bool {
-    matches!(cases.measure(), crate::outcome::Measure::Agreement { cases, .. } if cases < limit)
+    matches!(cases.measure(), crate::Measure::Agreement { cases, .. } if cases < limit)
 }
 
 /// Remark 2.1: with a₁₂ = 0, β = (1 − a₂₂) b₁, so β ≠ 0 is a₂₂ ≠ 1 and b₁ ≠ 0.
-pub(super) fn remark() -> CheckResult {
+pub(crate) fn remark() -> CheckResult {
     let mut sampler = Sampler::new(54);
     let mut largest = Deviations::default();
     for k in 0..1000 {

@@ -1,8 +1,8 @@
 //! P_global without Newton's method or jets: the maxima of x in a free motion, found by the search of `motion`.
 
-use crate::outcome::Failure;
 use core::f64::consts::TAU;
 
+use crate::Failure;
 use grazing_model::motion::local_maxima;
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::Vector2;

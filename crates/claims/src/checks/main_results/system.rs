@@ -6,11 +6,8 @@ use grazing_model::motion::{Motion, first_crossing, highest_maximum};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, OnWall, State};
 
-use crate::convergence::order;
-use crate::outcome::{CheckResult, Measure, Outcome};
-use crate::sampling::{Sampler, smallest};
 use crate::specimen::Law;
-use crate::tally::{Deviations, Smallest, Votes};
+use crate::{CheckResult, Deviations, Measure, Outcome, Sampler, Smallest, Votes, order, smallest};
 
 /// A state on the free side of the wall, without pattern.
 fn state(sampler: &mut Sampler) -> State {
@@ -22,7 +19,7 @@ fn state(sampler: &mut Sampler) -> State {
 }
 
 /// eq:F: the acceleration against second differences of the position along the flow.
-pub(super) fn equation_of_motion() -> CheckResult {
+pub(crate) fn equation_of_motion() -> CheckResult {
     let mut sampler = Sampler::new(1);
     let mut least = Smallest::default();
     for _ in 0..60 {
@@ -42,7 +39,7 @@ pub(super) fn equation_of_motion() -> CheckResult {
 }
 
 /// eq:f: all three components of the vector field against first differences along the flow, parameters of both kinds.
-pub(super) fn vector_field() -> CheckResult {
+pub(crate) fn vector_field() -> CheckResult {
     let mut sampler = Sampler::new(2);
     let mut least = Smallest::default();
     for _ in 0..60 {
@@ -76,7 +73,7 @@ pub(super) fn vector_field() -> CheckResult {
 }
 
 /// eq:z: along orbits with impacts the phase lies in [0, 2π) and differs from ωt by the delays of the impacts alone.
-pub(super) fn phase() -> CheckResult {
+pub(crate) fn phase() -> CheckResult {
     let mut sampler = Sampler::new(3);
     let mut largest = Deviations::default();
     for _ in 0..40 {
@@ -104,7 +101,7 @@ pub(super) fn phase() -> CheckResult {
 }
 
 /// Σ_graz: where F < 0 at (0, 0, z), and only there, the orbit through the point stays on the free side around it.
-pub(super) fn grazing_set() -> CheckResult {
+pub(crate) fn grazing_set() -> CheckResult {
     let mut sampler = Sampler::new(4);
     let mut cases = Votes::default();
     for _ in 0..300 {
@@ -127,7 +124,7 @@ pub(super) fn grazing_set() -> CheckResult {
 }
 
 /// eq:R: the incoming set goes to the outgoing set, the tangency set to itself, and the law has the form with Φ and Ψ.
-pub(super) fn reset_form() -> CheckResult {
+pub(crate) fn reset_form() -> CheckResult {
     let mut sampler = Sampler::new(5);
     let mut least = f64::INFINITY;
     const LAWS: usize = 40;
@@ -156,7 +153,7 @@ pub(super) fn reset_form() -> CheckResult {
 }
 
 /// eq:resetLaw: simulated orbits stay in x ≤ 0, arrive at the wall with y > 0, and go on from R(y, z).
-pub(super) fn reset_law() -> CheckResult {
+pub(crate) fn reset_law() -> CheckResult {
     let mut sampler = Sampler::new(6);
     let mut largest = Deviations::default();
     for _ in 0..40 {

@@ -13,15 +13,13 @@ use grazing_theorems::{GenericGrazing, HypothesesViolated, ResonantGrazing, Side
 
 use self::general::{side_of_curve, side_of_orbit};
 use crate::checks::generic::specimens::specimens;
-use crate::outcome::{CheckResult, Failure};
 use crate::specimen::{DELAY, Exponential, Grazing, Law, damping_for_decay};
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
-use crate::sweep::generic::Existence;
 use crate::sweep::resonant::FIT_TOLERANCE;
 use crate::sweep::{
-    Extent, GenericRow, ResonantRow, Verdict, generic_cases, generic_rows, resonant_cases, resonant_rows,
+    Existence, GenericRow, ResonantRow, Verdict, generic_cases, generic_rows, resonant_cases, resonant_rows,
 };
-use crate::tally::Votes;
+use crate::{CheckResult, Failure, Votes};
 use grazing_unfold::simulation::{Seen, Suspect};
 
 /// An oscillator for what is seen to fail.
@@ -29,7 +27,7 @@ const ZETA: f64 = 0.03;
 const EPSILON: f64 = 0.8;
 
 /// th:codim11.
-pub(super) fn generic_grazing_one_loop() -> CheckResult {
+pub(crate) fn generic_grazing_one_loop() -> CheckResult {
     let mut count = Votes::default();
     generic_sweep(&mut count, |loops| loops == 1)?;
     general_sweep(&mut count, |loops| loops == 1)?;
@@ -58,7 +56,7 @@ pub(super) fn generic_grazing_one_loop() -> CheckResult {
 }
 
 /// th:codim1p.
-pub(super) fn generic_grazing_p_loops() -> CheckResult {
+pub(crate) fn generic_grazing_p_loops() -> CheckResult {
     let mut count = Votes::default();
     generic_sweep(&mut count, |loops| loops > 1)?;
     general_sweep(&mut count, |loops| loops > 1)?;
@@ -92,7 +90,7 @@ pub(super) fn generic_grazing_p_loops() -> CheckResult {
 }
 
 /// th:codim21.
-pub(super) fn resonant_grazing_one_loop() -> CheckResult {
+pub(crate) fn resonant_grazing_one_loop() -> CheckResult {
     let mut count = Votes::default();
     resonant_sweep(&mut count, |loops| loops == 1)?;
     general_resonances(&mut count, &[(1, 2), (1, 3)])?;
@@ -118,7 +116,7 @@ pub(super) fn resonant_grazing_one_loop() -> CheckResult {
 }
 
 /// th:codim2p.
-pub(super) fn resonant_grazing_p_loops() -> CheckResult {
+pub(crate) fn resonant_grazing_p_loops() -> CheckResult {
     let mut count = Votes::default();
     resonant_sweep(&mut count, |loops| loops > 1)?;
     general_resonances(&mut count, &[(2, 1), (3, 1)])?;
@@ -222,7 +220,7 @@ fn general_resonances(count: &mut Votes, cases: &[(u32, u32)]) -> Result<(), Fai
 }
 
 fn generic_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
-    let mut cases = generic_cases(Extent::Whole)?;
+    let mut cases = generic_cases()?;
     cases.retain(|case| wanted(case.loops));
     let rows: Vec<GenericRow> = generic_rows(&cases, || ())?;
     rows.iter().for_each(|row| judged(count, row.verdict));
@@ -230,7 +228,7 @@ fn generic_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), 
 }
 
 fn resonant_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
-    let mut cases = resonant_cases(Extent::Whole)?;
+    let mut cases = resonant_cases()?;
     cases.retain(|case| wanted(case.loops));
     let rows: Vec<ResonantRow> = resonant_rows(&cases, || ())?;
     rows.iter().for_each(|row| judged(count, row.verdict));
@@ -300,7 +298,7 @@ fn no_curve_away_from_resonance(loops: u32, omega: f64) -> bool {
 fn stated_sides(orbit: &Grazing, loops: u32) -> Result<[Side; 2], Failure> {
     let point = orbit.resonant_point(loops)?;
     let stability = point.stability_coefficients();
-    Ok([stability.plus, stability.minus].map(|s| side(point.unfolding.derivative() * s)))
+    Ok([stability.plus, stability.minus].map(|s| side(point.unfolding.derivative * s)))
 }
 
 /// Both curves are seen for the stated sign of η, and the continued ones have the stated coefficients.

@@ -2,21 +2,19 @@
 
 use core::f64::consts::PI;
 
+use crate::{
+    CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Smallest, Votes, order, printed, smallest,
+};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
 use grazing_theorems::auxiliary::modulus_power;
+use grazing_theorems::unfolding::StabilityCoefficients;
 use grazing_theorems::{Resonance, ResonantGrazing};
 
-use crate::convergence::order;
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
-use crate::printed::printed;
-use crate::sampling::{Sampler, smallest};
-use crate::tally::{Deviations, Smallest, Votes};
-
 /// eq:Ep and E_p = δ^{p/2}: the decay of the free motion over p periods.
-pub(super) fn decay() -> CheckResult {
+pub(crate) fn decay() -> CheckResult {
     let mut sampler = Sampler::new(131);
     let mut largest = Deviations::default();
     for _ in 0..1000 {
@@ -33,11 +31,18 @@ pub(super) fn decay() -> CheckResult {
     Ok(largest.outcome(1e-13, "random damping ratios, frequencies and p"))
 }
 
+/// The least of −s⁺, s⁻, −c_SN and c_PD, each over what it vanishes with; `rebound` is εE_p.
+fn least_of_four(stability: StabilityCoefficients, [sn, pd]: [f64; 2], rebound: f64, size: f64) -> f64 {
+    let square = (1.0 - rebound) * (1.0 - rebound);
+    let by_square = [-stability.plus, stability.minus].map(|value| value / square);
+    by_square[0].min(by_square[1]).min(-sn / size).min(pd / (size * square.min(1.0)))
+}
+
 /// c_SN < 0, c_PD > 0, s⁺ < 0 < s⁻ wherever εE_p ≠ 1, by adversarial search over ζ and ε for each p and n.
 ///
 /// For ε ≤ 1 the product εE_p stays below 1; for ε above 1 the general formulas are evaluated. All four are measured against
 /// the factors that vanish with 1 − εE_p, E_p and 𝒜_graz.
-pub(super) fn signs() -> CheckResult {
+pub(crate) fn signs() -> CheckResult {
     let mut least = f64::INFINITY;
     const STARTS: usize = 6;
     for (p, n) in INDICES {
@@ -49,13 +54,9 @@ pub(super) fn signs() -> CheckResult {
                 return f64::NAN;
             };
             let decay = resonance.grazing().decay(p);
-            let stability = resonance.stability_coefficients();
-            let square = (1.0 - epsilon * decay) * (1.0 - epsilon * decay);
+            let coefficients = [resonance.saddle_node_coefficient(), resonance.period_doubling_coefficient()];
             let size = resonance.grazing().amplitude() * decay * decay;
-            let by_square = [-stability.plus, stability.minus].map(|value| value / square);
-            let sn = -resonance.saddle_node_coefficient() / size;
-            let pd = resonance.period_doubling_coefficient() / (size * square.min(1.0));
-            by_square[0].min(by_square[1]).min(sn).min(pd)
+            least_of_four(resonance.stability_coefficients(), coefficients, epsilon * decay, size)
         });
         least = least.min(margin);
         // ε beyond 1, on both sides of 1/E_p, by the general formulas of section 2.6 with φ = ε.
@@ -72,13 +73,9 @@ pub(super) fn signs() -> CheckResult {
             };
             let mut point = resonance.resonant_point();
             point.grazing.phi = rebound / resonance.grazing().decay(p);
-            let stability = point.stability_coefficients();
-            let square = (1.0 - rebound) * (1.0 - rebound);
+            let coefficients = [point.saddle_node_coefficient(), point.period_doubling_coefficient()];
             let size = resonance.grazing().amplitude();
-            let by_square = [-stability.plus, stability.minus].map(|value| value / square);
-            let sn = -point.saddle_node_coefficient() / size;
-            let pd = point.period_doubling_coefficient() / (size * square.min(1.0));
-            by_square[0].min(by_square[1]).min(sn).min(pd)
+            least_of_four(point.stability_coefficients(), coefficients, rebound, size)
         });
         least = least.min(margin);
     }
@@ -99,18 +96,12 @@ fn located(sampler: &mut Sampler) -> Result<(Resonance, ResonantGrazingPoint<Lin
 }
 
 fn numerically(resonance: &Resonance) -> Result<ResonantGrazingPoint<LinearOscillator>, Failure> {
-    let (theory, grazing) = (resonance.grazing().oscillator(), resonance.grazing());
-    let oscillator = LinearOscillator::new(
-        theory.damping_ratio(),
-        theory.coefficient_of_restitution(),
-        grazing.amplitude(),
-        grazing.forcing_frequency(),
-    )?;
-    Ok(ResonantGrazingPoint::find(&oscillator, resonance.loops(), grazing.phase())?)
+    let grazing = resonance.grazing();
+    Ok(ResonantGrazingPoint::find(&grazing.model(), resonance.loops(), grazing.phase())?)
 }
 
 /// The continued SN and PD curves start with η of different signs and μ of different signs: the former as theorems 2.4 and 2.5 say.
-pub(super) fn opposite_sides() -> CheckResult {
+pub(crate) fn opposite_sides() -> CheckResult {
     let mut sampler = Sampler::new(133);
     let mut cases = Votes::default();
     for _ in 0..60 {
@@ -141,8 +132,8 @@ pub(super) fn opposite_sides() -> CheckResult {
 
 /// At the three resonances of Figure 8: the dashed curve, (μ, η) = (𝒜 − 𝒜_graz, ω − ω*) inverted with the closed forms of
 /// the coefficients, is off the continued curve by third order in η.
-pub(super) fn quadratic_approximation() -> CheckResult {
-    let theory = grazing_theorems::LinearOscillator::new(printed("zeta")?, printed("epsilon")?)?;
+pub(crate) fn quadratic_approximation() -> CheckResult {
+    let theory = grazing_theorems::LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
     let mut least = Smallest::default();
     for (p, n) in [(1, 3), (2, 1), (3, 2)] {
         let resonance = theory.resonance(p, n)?;

@@ -8,34 +8,31 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::orbit::{Orbit, OrbitEnd};
-use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_model::{ImpactOscillator, State};
+use grazing_theorems::LinearOscillator;
 
 use crate::checks::main_results::simulation::attracts;
-use crate::outcome::CheckResult;
-use crate::printed::printed;
-use crate::sampling::Sampler;
-use crate::tally::Votes;
+use crate::{CheckResult, Sampler, Votes, printed};
 
 /// Frequencies from below the lowest resonance that Figure 7 labels to above the highest.
 const FREQUENCIES: [f64; 2] = [0.36, 0.95];
 
 /// Left of the grazing curve orbits that start near φ_p approach it in the full system; right of it φ_p is no solution.
-pub(super) fn non_impacting_region() -> CheckResult {
-    let (zeta, epsilon) = (printed("zeta")?, printed("epsilon")?);
-    let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
+pub(crate) fn non_impacting_region() -> CheckResult {
+    let theory = LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
     let mut sampler = Sampler::new(151);
     let mut cases = Votes::default();
     for _ in 0..60 {
         let omega = sampler.between(FREQUENCIES[0], FREQUENCIES[1]);
         let grazing = theory.grazing(omega)?;
         let share = sampler.between(0.1, 0.999);
-        let oscillator = LinearOscillator::new(zeta, epsilon, share * grazing.amplitude(), omega)?;
+        let oscillator = grazing.model().with_parameters([share * grazing.amplitude(), omega]);
         let phase = sampler.between(0.0, TAU);
         let start = oscillator.non_impacting_solution(phase);
         // Off by a tenth of the distance to the wall, towards it or not, in a norm that never grows.
         let off = 0.1 * (1.0 - share) * sampler.between(-1.0, 1.0);
         let from = State { position: start.position + off, ..start };
-        let periods = libm::ceil(5.0 / zeta / oscillator.forcing_period());
+        let periods = libm::ceil(5.0 / theory.damping_ratio() / oscillator.forcing_period());
         let end = Orbit::new(&oscillator, from, periods * oscillator.forcing_period(), 5).finish();
         cases.see(match end {
             OrbitEnd::TimeIsUp(end) => {
@@ -51,9 +48,8 @@ pub(super) fn non_impacting_region() -> CheckResult {
 
 /// At each resonance of Figure 7 an SN and a PD curve leave, a GZ curve of the MPS closes the region, and the MPS is stable on
 /// one side of SN and PD and unstable on the other, in simulation too.
-pub(super) fn boundaries() -> CheckResult {
-    let (zeta, epsilon) = (printed("zeta")?, printed("epsilon")?);
-    let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
+pub(crate) fn boundaries() -> CheckResult {
+    let theory = LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
     let mut cases = Votes::default();
     let route = Route {
         window: Window { primary: [0.0, 1.4], secondary: [0.3, 1.1] },
@@ -64,9 +60,7 @@ pub(super) fn boundaries() -> CheckResult {
     };
     for resonance in theory.resonances(&[1, 2, 3], FREQUENCIES[0], FREQUENCIES[1])? {
         let grazing = resonance.grazing();
-        let oscillator =
-            LinearOscillator::new(zeta, epsilon, grazing.amplitude(), grazing.forcing_frequency())?;
-        let located = ResonantGrazingPoint::find(&oscillator, resonance.loops(), grazing.phase())?;
+        let located = ResonantGrazingPoint::find(&grazing.model(), resonance.loops(), grazing.phase())?;
         let unfolded = located.unfold(&route)?;
         for curve in [&unfolded.saddle_node, &unfolded.period_doubling] {
             // Each curve ends at the grazing bifurcation of the MPS, or runs on to another resonance on the grazing curve.

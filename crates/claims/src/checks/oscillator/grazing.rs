@@ -9,16 +9,14 @@ use grazing_theorems::{GrazingPoint, GrazingState};
 use nalgebra::Vector2;
 
 use crate::checks::main_results::returns::{derivative, returned};
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
-use crate::tally::Deviations;
+use crate::{CheckResult, Deviations, Failure, Sampler};
 
 /// The closed form at random parameters, and the numerical grazing orbit found from a start beside it.
 fn both(sampler: &mut Sampler) -> Result<(GrazingState, GrazingOrbit<LinearOscillator>), Failure> {
     let (zeta, epsilon) = (sampler.between(0.005, 0.3), sampler.between(0.05, 1.0));
     let omega = sampler.between(0.3, 2.5);
     let closed = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
-    let near = LinearOscillator::new(zeta, epsilon, closed.amplitude() * 1.001, omega)?;
+    let near = closed.model().with_parameters([closed.amplitude() * 1.001, omega]);
     let orbit = GrazingOrbit::find(&near, closed.phase() + 1e-3)?;
     Ok((closed, orbit))
 }
@@ -38,7 +36,7 @@ fn compared(
 }
 
 /// F, Φ and Ψ of the linear oscillator, and that it is a member of the general class with them.
-pub(super) fn general_form() -> CheckResult {
+pub(crate) fn general_form() -> CheckResult {
     let mut sampler = Sampler::new(111);
     let mut largest = Deviations::default();
     for _ in 0..1000 {
@@ -63,7 +61,7 @@ pub(super) fn general_form() -> CheckResult {
 }
 
 /// eq:oscphipsigamma: φ, ψ, γ read off the reset law and the numerical grazing orbit.
-pub(super) fn constants() -> CheckResult {
+pub(crate) fn constants() -> CheckResult {
     let largest = compared(112, |closed, orbit, largest| {
         let omega = closed.forcing_frequency();
         let GrazingPoint { phi, psi, gamma, .. } = orbit.grazing_point();
@@ -82,7 +80,7 @@ pub(super) fn constants() -> CheckResult {
 }
 
 /// eq:oscalpha.
-pub(super) fn square_root_factor() -> CheckResult {
+pub(crate) fn square_root_factor() -> CheckResult {
     let largest = compared(113, |closed, orbit, largest| {
         let epsilon = closed.oscillator().coefficient_of_restitution();
         largest.compare(orbit.grazing_point().alpha(), 1.0 + epsilon, 1.0);
@@ -94,7 +92,7 @@ pub(super) fn square_root_factor() -> CheckResult {
 }
 
 /// eq:oscA: the closed form against jets of the numerical map and against differences of event locations.
-pub(super) fn first_derivatives() -> CheckResult {
+pub(crate) fn first_derivatives() -> CheckResult {
     let largest = compared(114, |closed, orbit, largest| {
         let (jets, stated) = (orbit.grazing_point().map.a, closed.linearised_map().a);
         largest.see((jets - stated).amax());
@@ -118,7 +116,7 @@ pub(super) fn first_derivatives() -> CheckResult {
 const DIFFERENCES: f64 = 1e-4;
 
 /// eq:oscb, likewise; μ = 𝒜 − 𝒜_graz(ω) at fixed ω.
-pub(super) fn parameter_derivatives() -> CheckResult {
+pub(crate) fn parameter_derivatives() -> CheckResult {
     let largest = compared(115, |closed, orbit, largest| {
         let (jets, stated, amplitude) =
             (orbit.grazing_point().map.b, closed.linearised_map().b, closed.amplitude());
@@ -138,15 +136,14 @@ pub(super) fn parameter_derivatives() -> CheckResult {
 
 /// pr:oscAb: A and b of the numerical map as the proposition gives them, strongly damped oscillators and high frequencies
 /// included.
-pub(super) fn both_derivatives() -> CheckResult {
+pub(crate) fn both_derivatives() -> CheckResult {
     let mut sampler = Sampler::new(118);
     let mut largest = Deviations::default();
     for _ in 0..1000 {
         let zeta = sampler.between(0.002, 0.8);
         let omega = sampler.between(0.25, 5.0);
         let closed = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
-        let oscillator = LinearOscillator::new(zeta, 0.7, closed.amplitude(), omega)?;
-        let map = global_map::<_, 1>(&oscillator, AtRest::new(0.0, closed.phase()), None)?.jet;
+        let map = global_map::<_, 1>(&closed.model(), AtRest::new(0.0, closed.phase()), None)?.jet;
         let stated = closed.linearised_map();
         let scale = stated.a.amax().max(1.0);
         largest.see((map.derivative() - stated.a).amax() / scale);
@@ -158,7 +155,7 @@ pub(super) fn both_derivatives() -> CheckResult {
 }
 
 /// eq:osctaudelta: trace and determinant of the numerical A.
-pub(super) fn trace_and_determinant() -> CheckResult {
+pub(crate) fn trace_and_determinant() -> CheckResult {
     let largest = compared(116, |closed, orbit, largest| {
         let map = orbit.grazing_point().map;
         largest.compare(map.trace(), closed.trace(), 1.0);
@@ -170,7 +167,7 @@ pub(super) fn trace_and_determinant() -> CheckResult {
 }
 
 /// The display after eq:osctaudelta: β = (δ − τ + 1)/𝒜_graz.
-pub(super) fn transversality() -> CheckResult {
+pub(crate) fn transversality() -> CheckResult {
     let largest = compared(117, |closed, orbit, largest| {
         let map = orbit.grazing_point().map;
         largest.compare(map.transversality(), closed.transversality(), 1.0 / closed.amplitude());

@@ -2,15 +2,12 @@
 
 use core::f64::consts::TAU;
 
+use crate::checks::appendices::printed_flow::Printed;
+use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, order};
 use grazing_model::motion::highest_maximum;
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use nalgebra::Matrix2;
-
-use crate::convergence::order;
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
-use crate::tally::{Deviations, Smallest};
 
 /// An oscillator with parameters from their whole domains, frequencies around the natural one.
 fn oscillator(sampler: &mut Sampler) -> Result<LinearOscillator, Failure> {
@@ -32,26 +29,7 @@ fn state(sampler: &mut Sampler) -> State {
 
 /// φ_p and its derivative as printed in eq:phip.
 fn printed_periodic(oscillator: &LinearOscillator, time: f64) -> [f64; 2] {
-    let (zeta, omega, amplitude) =
-        (oscillator.damping_ratio(), oscillator.frequency(), oscillator.amplitude());
-    let stiffness = 1.0 - omega * omega;
-    let gain = amplitude / (stiffness * stiffness + 4.0 * zeta * zeta * omega * omega);
-    let (sin, cos) = libm::sincos(omega * time);
-    [
-        gain * (stiffness * cos + 2.0 * zeta * omega * sin) - 1.0,
-        gain * omega * (2.0 * zeta * omega * cos - stiffness * sin),
-    ]
-}
-
-/// φ as printed in eq:flow.
-fn printed_flow(oscillator: &LinearOscillator, [x0, y0, t0]: [f64; 3], time: f64) -> f64 {
-    let (zeta, omega_1) = (oscillator.damping_ratio(), oscillator.natural_frequency());
-    let [start, start_rate] = printed_periodic(oscillator, t0);
-    let elapsed = time - t0;
-    let (sin, cos) = libm::sincos(omega_1 * elapsed);
-    libm::exp(-zeta * elapsed)
-        * ((cos + zeta / omega_1 * sin) * (x0 - start) + sin / omega_1 * (y0 - start_rate))
-        + printed_periodic(oscillator, time)[0]
+    Printed::of(oscillator).periodic(time, oscillator.amplitude())
 }
 
 /// ẍ + 2ζẋ + x + 1 − 𝒜 cos ωt by central differences of a motion x(t), and its rounding.
@@ -68,7 +46,7 @@ fn defect(oscillator: &LinearOscillator, x: impl Fn(f64) -> f64, time: f64, h: f
 }
 
 /// eq:oscf: the model's flow has no defect.
-pub(super) fn equation_of_motion() -> CheckResult {
+pub(crate) fn equation_of_motion() -> CheckResult {
     let mut sampler = Sampler::new(101);
     let mut least = Smallest::default();
     for _ in 0..300 {
@@ -84,7 +62,7 @@ pub(super) fn equation_of_motion() -> CheckResult {
 }
 
 /// eq:oscResetLaw: at every impact of simulated orbits y becomes −εy, and neither x nor z changes.
-pub(super) fn reset_law() -> CheckResult {
+pub(crate) fn reset_law() -> CheckResult {
     let mut sampler = Sampler::new(102);
     let mut largest = Deviations::default();
     for _ in 0..60 {
@@ -109,7 +87,7 @@ pub(super) fn reset_law() -> CheckResult {
 }
 
 /// ω₁ and −ζ ± iω₁: trace and determinant of the matrix of the free oscillator.
-pub(super) fn damped_frequency() -> CheckResult {
+pub(crate) fn damped_frequency() -> CheckResult {
     let mut sampler = Sampler::new(103);
     let mut largest = Deviations::default();
     for _ in 0..500 {
@@ -122,7 +100,7 @@ pub(super) fn damped_frequency() -> CheckResult {
         let theory = grazing_theorems::LinearOscillator::new(zeta, oscillator.restitution())?;
         largest.compare(theory.damped_natural_frequency(), omega_1, 1.0);
         // Free motion returns to its direction after 2π/ω₁, shrunk by e^{−2πζ/ω₁}.
-        let still = LinearOscillator::new(zeta, oscillator.restitution(), 0.0, oscillator.frequency())?;
+        let still = oscillator.with_parameters([0.0, oscillator.frequency()]);
         let from = state(&mut sampler);
         let end = still.flow::<1>(from, TAU / omega_1).value;
         let shrunk = libm::exp(-TAU * zeta / omega_1);
@@ -134,15 +112,15 @@ pub(super) fn damped_frequency() -> CheckResult {
 }
 
 /// eq:flow: the print satisfies the initial condition and the equation, and is the model's flow.
-pub(super) fn flow() -> CheckResult {
+pub(crate) fn flow() -> CheckResult {
     let mut sampler = Sampler::new(104);
     let mut least = Smallest::default();
     for _ in 0..300 {
         let oscillator = oscillator(&mut sampler)?;
         let from = state(&mut sampler);
         let start = from.phase / oscillator.frequency();
-        let initial = [from.position, from.velocity, start];
-        let x = |t: f64| printed_flow(&oscillator, initial, t);
+        let printed = Printed::of(&oscillator);
+        let x = |t: f64| printed.flow(t, [from.position, from.velocity], start, oscillator.amplitude());
         let time = start + sampler.between(0.0, 10.0);
         least.see_resolved(order(|h| Some(defect(&oscillator, x, time, h))));
         // Initial position and velocity, the latter by a central difference of second order.
@@ -160,7 +138,7 @@ pub(super) fn flow() -> CheckResult {
 }
 
 /// eq:phip: the print satisfies the equation, has period 2π/ω, and is the model's periodic solution.
-pub(super) fn periodic_solution() -> CheckResult {
+pub(crate) fn periodic_solution() -> CheckResult {
     let mut sampler = Sampler::new(105);
     let mut least = Smallest::default();
     for _ in 0..300 {
@@ -187,7 +165,7 @@ pub(super) fn periodic_solution() -> CheckResult {
 }
 
 /// As t → ∞ solutions converge to φ_p: distances shrink like e^{−ζt}.
-pub(super) fn attraction() -> CheckResult {
+pub(crate) fn attraction() -> CheckResult {
     let mut sampler = Sampler::new(106);
     let mut largest = Deviations::default();
     for _ in 0..300 {
@@ -209,7 +187,7 @@ pub(super) fn attraction() -> CheckResult {
 }
 
 /// eq:Agraz: at the printed amplitude the highest maximum of φ_p, found by search, is the wall; beside it is not.
-pub(super) fn grazing_amplitude() -> CheckResult {
+pub(crate) fn grazing_amplitude() -> CheckResult {
     let mut sampler = Sampler::new(107);
     let mut largest = Deviations::default();
     for _ in 0..500 {
@@ -241,13 +219,13 @@ fn sampler_phase(omega: f64) -> f64 {
 }
 
 /// The display after eq:Agraz: z_graz is the phase of that maximum.
-pub(super) fn grazing_phase() -> CheckResult {
+pub(crate) fn grazing_phase() -> CheckResult {
     let mut sampler = Sampler::new(108);
     let mut largest = Deviations::default();
     for _ in 0..500 {
         let (zeta, omega) = (sampler.between(0.005, 0.9), sampler.between(0.2, 3.0));
         let theory = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
-        let oscillator = LinearOscillator::new(zeta, 0.7, theory.amplitude(), omega)?;
+        let oscillator = theory.model();
         let start = sampler_phase(omega);
         let from = oscillator.non_impacting_solution(start);
         let top = highest_maximum(&oscillator.motion(from), 1.01 * oscillator.forcing_period())

@@ -1,30 +1,20 @@
 //! Propositions 3.2 and 3.3 against the general theorem fed from the numerical map, over random parameters.
 
-use grazing_model::LinearOscillator;
+use crate::{CheckResult, Deviations, Failure, Sampler};
 use grazing_theorems::from_map::GrazingOrbit;
-use grazing_theorems::{Resonance, ResonantPoint, Unfolding};
-
-use crate::outcome::{CheckResult, Failure};
-use crate::sampling::Sampler;
-use crate::tally::Deviations;
+use grazing_theorems::{LinearOscillator, Resonance, ResonantPoint, Unfolding};
 
 /// The general theory with A, b, ξ_p and their derivatives along the grazing curve from the numerical P_global.
 fn numerical(resonance: &Resonance) -> Result<ResonantPoint, Failure> {
-    let (theory, grazing) = (resonance.grazing().oscillator(), resonance.grazing());
-    let oscillator = LinearOscillator::new(
-        theory.damping_ratio(),
-        theory.coefficient_of_restitution(),
-        grazing.amplitude(),
-        grazing.forcing_frequency(),
-    )?;
-    Ok(GrazingOrbit::find(&oscillator, grazing.phase())?.resonant_point(resonance.loops())?)
+    let grazing = resonance.grazing();
+    Ok(GrazingOrbit::find(&grazing.model(), grazing.phase())?.resonant_point(resonance.loops())?)
 }
 
 /// A resonance of an oscillator with random ζ and ε.
 fn random(sampler: &mut Sampler, loops: &[u32], indices: &[u32]) -> Result<Resonance, Failure> {
     let (p, n) = (sampler.one_of(loops), sampler.one_of(indices));
     let (zeta, epsilon) = (sampler.between(0.005, 0.08), sampler.between(0.05, 0.95));
-    Ok(grazing_theorems::LinearOscillator::new(zeta, epsilon)?.resonance(p, n)?)
+    Ok(LinearOscillator::new(zeta, epsilon)?.resonance(p, n)?)
 }
 
 /// Holds the propositions' derivative, s⁺, s⁻, c_SN and c_PD against the numerical theory over random ζ, ε and these indices.
@@ -36,11 +26,11 @@ fn compared(seed: u64, loops: &[u32], indices: &[u32]) -> Result<Deviations, Fai
         let point = numerical(&resonance)?;
         let (measured, stated) = (point.stability_coefficients(), resonance.stability_coefficients());
         let (derivative, sn, pd) = (
-            resonance.unfolding().derivative(),
+            resonance.unfolding().derivative,
             resonance.saddle_node_coefficient(),
             resonance.period_doubling_coefficient(),
         );
-        largest.compare(point.unfolding.derivative(), derivative, derivative.abs().max(1.0));
+        largest.compare(point.unfolding.derivative, derivative, derivative.abs().max(1.0));
         largest.compare(measured.plus, stated.plus, stated.plus.abs().max(1.0));
         largest.compare(measured.minus, stated.minus, stated.minus.abs().max(1.0));
         largest.compare(point.saddle_node_coefficient(), sn, sn.abs());
@@ -52,32 +42,24 @@ fn compared(seed: u64, loops: &[u32], indices: &[u32]) -> Result<Deviations, Fai
 /// What jets leave: second derivatives up to 10³ rounded, relative to s^± that may be down to (1 − 0.95)².
 const JETS: f64 = 1e-12;
 
-/// pr:imp1: both parities of n.
-pub(super) fn one_loop() -> CheckResult {
-    let over = "all five formulas at random ζ and ε, n = 1 to 7, against the numerical map";
-    Ok(compared(146, &[1], &[1, 2, 3, 4, 5, 6, 7])?.outcome(JETS, over))
+fn propositions(seed: u64, loops: &[u32], indices: &[u32], over: &str) -> CheckResult {
+    let over = format!("all five formulas at random ζ and ε, {over}, against the numerical map");
+    Ok(compared(seed, loops, indices)?.outcome(JETS, &over))
 }
 
-/// eq:impFormula1odd.
-pub(super) fn one_loop_odd() -> CheckResult {
-    let over = "all five formulas at random ζ and ε, n = 1, 3, 5, against the numerical map";
-    Ok(compared(141, &[1], &[1, 3, 5])?.outcome(JETS, over))
-}
-
-/// eq:impFormula1even: E₁ with the other sign.
-pub(super) fn one_loop_even() -> CheckResult {
-    let over = "all five formulas at random ζ and ε, n = 2, 4, 6, against the numerical map";
-    Ok(compared(142, &[1], &[2, 4, 6])?.outcome(JETS, over))
-}
-
-/// pr:impp: the proposition as it holds, for the s of p loops.
-pub(super) fn many_loops() -> CheckResult {
-    let over = "all five formulas at random ζ and ε, p = 2 to 6, n = 1, 2, 3, against the numerical map";
-    Ok(compared(143, &[2, 3, 4, 5, 6], &[1, 2, 3])?.outcome(JETS, over))
+checks! {
+    /// pr:imp1: both parities of n.
+    one_loop: propositions(146, &[1], &[1, 2, 3, 4, 5, 6, 7], "n = 1 to 7");
+    /// eq:impFormula1odd.
+    one_loop_odd: propositions(141, &[1], &[1, 3, 5], "n = 1, 3, 5");
+    /// eq:impFormula1even: E₁ with the other sign.
+    one_loop_even: propositions(142, &[1], &[2, 4, 6], "n = 2, 4, 6");
+    /// pr:impp: the proposition as it holds, for the s of p loops.
+    many_loops: propositions(143, &[2, 3, 4, 5, 6], &[1, 2, 3], "p = 2 to 6, n = 1, 2, 3");
 }
 
 /// eq:impFormulap: with s_p^±; the print, which names s_1^±, fails for eq:c1 evaluated at the same resonance.
-pub(super) fn many_loops_misprint() -> CheckResult {
+pub(crate) fn many_loops_misprint() -> CheckResult {
     let largest = compared(144, &[2, 3, 4, 5, 6], &[1, 2, 3])?;
     let mut sampler = Sampler::new(145);
     let mut named = Deviations::default();
@@ -87,7 +69,7 @@ pub(super) fn many_loops_misprint() -> CheckResult {
         let point = resonance.resonant_point();
         let one_loop = ResonantPoint {
             second_phase_derivative: resonance.grazing().second_phase_derivative(1),
-            unfolding: Unfolding::OneLoop { off_diagonal_derivative: f64::NAN },
+            unfolding: Unfolding { loops: 1, derivative: f64::NAN },
             ..point
         };
         let measured = one_loop.stability_coefficients();

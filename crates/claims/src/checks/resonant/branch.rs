@@ -7,10 +7,10 @@ use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, 
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{
-    EVERYWHERE, Loops, Observed, Place, Symbols, deviation, directions, order, orders, remembered, scaled,
+    ANY, EVERYWHERE, MANY, ONE, Observed, Place, Symbols, deviation, directions, order, orders, remembered,
+    scaled,
 };
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
-use crate::sampling::{Sampler, smallest};
+use crate::{CheckResult, Failure, Measure, Outcome, Sampler, smallest};
 
 /// Ratios of y and η in which points run into the resonance.
 const RATIOS: [[f64; 2]; 4] = [[1.0, 0.0], [1.0, 0.3], [1.0, -0.3], [-1.0, 0.2]];
@@ -25,9 +25,9 @@ const PARAMETER: f64 = 1e-15;
 const MAP: f64 = 1e-15;
 
 /// At the resonance det J = 0 and det K is what eq:detJac2 says.
-pub(super) fn jacobians() -> CheckResult {
+pub(crate) fn jacobians() -> CheckResult {
     // Sums of products of some tens of roundings.
-    deviation(Loops::Any, 1e-13, "derivatives of V at located resonances", |place| {
+    deviation(ANY, 1e-13, "derivatives of V at located resonances", |place| {
         let start = place.resonance.unknowns();
         let pair = place.resonance.equations().pair::<1>(&start, &mut EventTimes::default())?;
         let derivative = pair.difference().1;
@@ -40,7 +40,7 @@ pub(super) fn jacobians() -> CheckResult {
 }
 
 /// det K/β > 0 at resonance, so that K is non-singular: adversarial search over δ and p.
-pub(super) fn second_jacobian_is_regular() -> CheckResult {
+pub(crate) fn second_jacobian_is_regular() -> CheckResult {
     let mut found = f64::INFINITY;
     let loops = 2..=12_u32;
     for p in loops.clone() {
@@ -59,9 +59,9 @@ pub(super) fn second_jacobian_is_regular() -> CheckResult {
 }
 
 /// Z(0, η) = z_graz,η and M(0, η) = 0.
-pub(super) fn at_zero_velocity() -> CheckResult {
+pub(crate) fn at_zero_velocity() -> CheckResult {
     // Both are located to some 10⁻¹⁴; K has entries down to 0.1.
-    deviation(Loops::Any, 1e-13, "zeros of V with y = 0 for η up to 0.03 around resonances", |place| {
+    deviation(ANY, 1e-13, "zeros of V with y = 0 for η up to 0.03 around resonances", |place| {
         let mut found = Vec::new();
         for eta in [-0.03, -0.01, 0.005, 0.02] {
             if let Some(near) = place.on_branch(0.0, eta) {
@@ -74,7 +74,7 @@ pub(super) fn at_zero_velocity() -> CheckResult {
 
 /// Orders of Z − z_graz,η − k₁ y and of M − k₂ y² − k₃ η y.
 fn branch_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    let branch = place.resonance.theorem().branch();
+    let branch = place.point().branch_expansion();
     let mut found = Vec::new();
     for [y, eta] in RATIOS {
         let remainder = remembered(|size| {
@@ -89,8 +89,8 @@ fn branch_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 }
 
 /// eq:ZM: Z − z_graz,η is of first order, M of second.
-pub(super) fn form() -> CheckResult {
-    orders(Loops::Any, EVERYWHERE, |place| {
+pub(crate) fn form() -> CheckResult {
+    orders(ANY, EVERYWHERE, |place| {
         let mut found = Vec::new();
         for [y, eta] in RATIOS {
             let relative = remembered(|size| Some(place.on_branch(y * size, eta * size)?.relative()));
@@ -99,16 +99,6 @@ pub(super) fn form() -> CheckResult {
         }
         Ok(found)
     })
-}
-
-/// eq:k1231 in eq:ZM.
-pub(super) fn coefficients_of_one_loop() -> CheckResult {
-    orders(Loops::One, EVERYWHERE, branch_orders)
-}
-
-/// eq:k123p in eq:ZM.
-pub(super) fn coefficients_of_many_loops() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, branch_orders)
 }
 
 /// The coefficients of μ in x⁽ᵖ⁾ and z⁽ᵖ⁾ at resonance: b for p = 1, T_p (β, a₂₁ b₁ + (1 − a₁₁) b₂) for p ≥ 2.
@@ -170,16 +160,6 @@ fn return_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     Ok(found)
 }
 
-/// eq:codim21proof1.
-pub(super) fn return_of_one_loop() -> CheckResult {
-    orders(Loops::One, EVERYWHERE, return_orders)
-}
-
-/// eq:codim21proofp.
-pub(super) fn return_of_many_loops() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, return_orders)
-}
-
 impl Symbols {
     /// X₁, X₂, X₃ for any k₁, k₂, k₃; `by_parameter` is b₁ or T_p β.
     fn x(&self, [k_1, k_2, k_3]: [f64; 3], by_parameter: f64) -> [f64; 3] {
@@ -207,8 +187,7 @@ fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
         let remainder = remembered(|size| {
             let (y, eta) = (y * size, eta * size);
             let near = place.near([y, k[0] * y, k[1] * y * y + k[2] * eta * y, eta])?;
-            let pair =
-                place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default()).ok()?;
+            let pair = place.pair(&near).ok()?;
             let v = pair.difference().0;
             Some([v[0] - x[1] * y * y - x[2] * eta * y, v[1] - x[0] * y])
         });
@@ -218,20 +197,10 @@ fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     Ok(found)
 }
 
-/// The display of V(y, Z, M, η) with X₁, X₂, X₃, p = 1.
-pub(super) fn vivid_of_one_loop() -> CheckResult {
-    orders(Loops::One, EVERYWHERE, vivid_orders)
-}
-
-/// The same for p ≥ 2.
-pub(super) fn vivid_of_many_loops() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, vivid_orders)
-}
-
 /// X₁ = X₂ = X₃ = 0 has the solution eq:k1231 or eq:k123p.
-pub(super) fn solution() -> CheckResult {
+pub(crate) fn solution() -> CheckResult {
     // A dozen roundings, and a₁₂ or κ_p of up to 10⁻¹³ at the located resonance.
-    deviation(Loops::Any, 1e-14, "resonances with p up to 5", |place| {
+    deviation(ANY, 1e-14, "resonances with p up to 5", |place| {
         let branch = place.point().branch_expansion();
         let symbols = place.symbols()?;
         let by_parameter = parameter_column(place).x;
@@ -251,13 +220,13 @@ fn psi(multipliers: &grazing_continuation::mps::Multipliers) -> [f64; 2] {
 /// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻.
 ///
 /// Ψ^± against det(U ∓ I), which vanishes where U has the eigenvalue ±1.
-pub(super) fn multiplier_conditions() -> CheckResult {
+pub(crate) fn multiplier_conditions() -> CheckResult {
     // Determinants of matrices with entries of size 1/y, relative to their squares.
-    deviation(Loops::Any, 1e-14, "MPSs on branches near resonances", |place| {
+    deviation(ANY, 1e-14, "MPSs on branches near resonances", |place| {
         let mut found = Vec::new();
         for (y, eta) in [(0.1, 0.0), (0.03, 0.01), (0.05, -0.01), (0.02, -0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };
-            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default())?;
+            let pair = place.pair(&near)?;
             let inverse = pair.impact.derivative().try_inverse().ok_or("D P_virt is singular")?;
             let u = pair.round_trip.derivative() * inverse;
             let [plus, minus] = psi(&pair.multipliers());
@@ -282,8 +251,7 @@ fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     for [y, eta] in RATIOS {
         let conditions = remembered(|size| {
             let near = place.on_branch(y * size, eta * size)?;
-            let pair =
-                place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default()).ok()?;
+            let pair = place.pair(&near).ok()?;
             Some(psi(&pair.multipliers()))
         });
         for (index, coefficient) in [stability.plus, stability.minus].into_iter().enumerate() {
@@ -300,12 +268,21 @@ fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     Ok(found)
 }
 
-/// y Ψ^± = s₁^± y − α ω a₁₂' η + O(2).
-pub(super) fn stability_of_one_loop() -> CheckResult {
-    orders(Loops::One, EVERYWHERE, psi_orders)
-}
-
-/// y Ψ^± = s_p^± y − α ω f_p η + O(2).
-pub(super) fn stability_of_many_loops() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, psi_orders)
+checks! {
+    /// eq:k1231 in eq:ZM.
+    coefficients_of_one_loop: orders(ONE, EVERYWHERE, branch_orders);
+    /// eq:k123p in eq:ZM.
+    coefficients_of_many_loops: orders(MANY, EVERYWHERE, branch_orders);
+    /// eq:codim21proof1.
+    return_of_one_loop: orders(ONE, EVERYWHERE, return_orders);
+    /// eq:codim21proofp.
+    return_of_many_loops: orders(MANY, EVERYWHERE, return_orders);
+    /// The display of V(y, Z, M, η) with X₁, X₂, X₃, p = 1.
+    vivid_of_one_loop: orders(ONE, EVERYWHERE, vivid_orders);
+    /// The same for p ≥ 2.
+    vivid_of_many_loops: orders(MANY, EVERYWHERE, vivid_orders);
+    /// y Ψ^± = s₁^± y − α ω a₁₂' η + O(2), and at η = 0 eq:c1.
+    stability_of_one_loop: orders(ONE, EVERYWHERE, psi_orders);
+    /// y Ψ^± = s_p^± y − α ω f_p η + O(2), and at η = 0 eq:cp.
+    stability_of_many_loops: orders(MANY, EVERYWHERE, psi_orders);
 }

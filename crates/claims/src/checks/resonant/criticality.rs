@@ -6,9 +6,9 @@ use grazing_model::ImpactOscillator;
 
 use super::discussion::{ROUTE, of_figure_7};
 use super::doubled::DoubledEquations;
-use super::places::{Loops, Observed, Place, agreement, lowest, order, orders, remembered};
+use super::places::{ANY, Observed, Place, lowest, order, orders, remembered};
 use super::simulation::next_impact;
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
+use crate::{CheckResult, Failure, Outcome, Votes};
 
 /// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
 fn flips(place: &Place, count: usize) -> Result<Vec<Unknowns>, Failure> {
@@ -61,8 +61,8 @@ fn criticality(place: &Place, flip: &Unknowns, simulate: bool) -> Result<Critica
 ///
 /// y² c of the normal form, along the PD curve and as y falls to 0, less the closed form at the resonance; c counted in the impact
 /// velocity.
-pub(super) fn criterion_at_resonance() -> CheckResult {
-    orders(Loops::Any, "PD curves running into resonances with p up to 5", |place| {
+pub(crate) fn criterion_at_resonance() -> CheckResult {
+    orders(ANY, "PD curves running into resonances with p up to 5", |place| {
         let limit = coefficient_at_resonance(place.point());
         let curve = &place.curves()[1];
         let observed = order(|y| {
@@ -81,12 +81,12 @@ pub(super) fn criterion_at_resonance() -> CheckResult {
 
 /// The period doublings of Figure 7. Printed: all create an unstable solution. Found: close to the resonances those with p = 1
 /// and even n do and the others create a stable one, on which simulated orbits end.
-pub(super) fn criticality_of_figure_7() -> CheckResult {
+pub(crate) fn criticality_of_figure_7() -> CheckResult {
     let (mut cases, mut printed) = (Vec::new(), Vec::new());
     for place in of_figure_7()? {
         let subcritical = coefficient_at_resonance(place.point()) < 0.0;
         // As the correction of the misprint says: p = 1 with even n alone.
-        let even = place.loops() == 1 && place.point().unfolding.derivative() < 0.0;
+        let even = place.loops() == 1 && place.point().unfolding.derivative < 0.0;
         cases.push(subcritical == even);
         for flip in flips(&place, 25)? {
             printed.push(criticality(&place, &flip, false)?.unstable);
@@ -103,8 +103,7 @@ pub(super) fn criticality_of_figure_7() -> CheckResult {
         }
     }
     let over = "points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along";
-    let agreeing = printed.iter().filter(|unstable| **unstable).count();
-    Ok(agreement(&cases, over).against_print(Measure::Agreement { agreeing, cases: printed.len() }))
+    Ok(Votes::of(cases).outcome(over).against_print(Votes::of(printed).measure()))
 }
 
 /// The order in η of μ at the grazing member of the period-doubled family, and of its first impact velocity.
@@ -130,7 +129,7 @@ fn doubled_grazing_orders(place: &Place) -> Vec<Observed> {
 }
 
 /// The period-doubled solutions end at grazing bifurcations of their own, on curves that end at the resonance.
-pub(super) fn doubled_solutions_graze() -> CheckResult {
+pub(crate) fn doubled_solutions_graze() -> CheckResult {
     let mut orders = Vec::new();
     for place in of_figure_7()? {
         orders.extend(doubled_grazing_orders(&place));

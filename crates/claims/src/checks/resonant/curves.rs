@@ -1,10 +1,10 @@
 //! The bifurcation curves near a resonance: eq:Upsilon1, eq:Upsilonp and what follows from them.
 
 use super::places::{
-    Bifurcation, EVERYWHERE, Loops, Near, Observed, Place, deviation, everywhere, lowest, order, orders,
-    remembered,
+    ANY, Bifurcation, EVERYWHERE, MANY, Near, ONE, Observed, Place, agreement, deviation, order, orders,
+    orders_against_print, remembered,
 };
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
+use crate::{CheckResult, Failure};
 
 /// Rounding of located velocities, phases and positions: on the curves they come from quotients of derivatives.
 pub(super) const PHASE: f64 = 1e-13;
@@ -59,16 +59,6 @@ fn velocity_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     }))
 }
 
-/// eq:Upsilon1.
-pub(super) fn velocity_of_one_loop() -> CheckResult {
-    orders(Loops::One, EVERYWHERE, velocity_orders)
-}
-
-/// eq:Upsilonp.
-pub(super) fn velocity_of_many_loops() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, velocity_orders)
-}
-
 /// μ less c_SN η² on the SN and c_PD η² on the PD curve, as M(Υ⁺, η) and M(Υ⁻, η) give them.
 fn coefficient_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
@@ -77,7 +67,15 @@ fn coefficient_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     }))
 }
 
-/// The same with Υ⁺ for both curves.
+/// μ less the quadratic approximation on either curve, which is there on its side of η = 0 alone.
+fn quadratic_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+    Ok(along_curves(place, 3.0, PARAMETER, |curve, eta, near| {
+        let stated = curve.leading.parameter(eta).filter(|_| curve.leading.parameter(-eta).is_none());
+        Some(near.relative()[1] - stated.unwrap_or(f64::NAN))
+    }))
+}
+
+/// M(Υ^±, η) with Υ⁺ for both curves.
 fn printed_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     let fold = place.point().saddle_node_velocity_slope();
@@ -86,27 +84,12 @@ fn printed_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     }))
 }
 
-fn coefficients(which: Loops) -> CheckResult {
-    let printed = lowest(&everywhere(which, printed_orders)?);
-    Ok(orders(which, EVERYWHERE, coefficient_orders)?.against_print(printed))
-}
-
-/// g_SN = M(Υ⁺, η) and g_PD = M(Υ⁻, η), p = 1; the print has Υ⁺ in both.
-pub(super) fn functions_of_one_loop() -> CheckResult {
-    coefficients(Loops::One)
-}
-
-/// The same for p ≥ 2.
-pub(super) fn functions_of_many_loops() -> CheckResult {
-    coefficients(Loops::Many)
-}
-
 /// eq:coeffs1 and eq:coeffsp follow from k₂, k₃, Υ^±, T_p and f_p.
 ///
 /// c_SN and c_PD from k₂, k₃ and Υ^±, against eq:coeffs1 and eq:coeffsp.
-pub(super) fn simplification() -> CheckResult {
+pub(crate) fn simplification() -> CheckResult {
     // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
-    deviation(Loops::Any, 1e-13, "resonances with p up to 5", |place| {
+    deviation(ANY, 1e-13, "resonances with p up to 5", |place| {
         let branch = place.point().branch_expansion();
         let gap = |curve: &Bifurcation| {
             let slope = curve.leading.impact_velocity_slope;
@@ -120,48 +103,43 @@ pub(super) fn simplification() -> CheckResult {
 /// Two zeros of V separate from the SN curve like the square root of the change of μ.
 ///
 /// The exponent with which the two zeros of V separate behind the fold, less 1/2.
-pub(super) fn square_root() -> CheckResult {
+pub(crate) fn square_root() -> CheckResult {
     // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
-    deviation(
-        Loops::Any,
-        1e-4,
-        "exponents on either fold: zeros of V at two distances from SN curves",
-        |place| {
-            let mut found = Vec::new();
-            let [fold, _] = place.curves();
-            let k_2 = place.point().branch_expansion().k_2;
-            for velocity in [0.01, 0.03] {
-                let Some(at) = place.on_curve(&fold, eta_at(&fold, velocity)) else { continue };
-                let eta = eta_at(&fold, velocity);
-                let [_, mu_fold] = at.relative();
-                let separated = |change: f64| {
-                    // The branch as a graph over y: its two points at the same μ, by the secant method from the parabola.
-                    let zero = |side: f64| {
-                        let mu = |y: f64| Some(place.on_branch(y, eta)?.relative()[1] - mu_fold - change);
-                        let half = (change / k_2).sqrt() * side;
-                        let (mut a, mut b) = (at.unknowns[0] + half, at.unknowns[0] + 1.01 * half);
-                        let (mut at_a, mut at_b) = (mu(a)?, mu(b)?);
-                        for _ in 0..8 {
-                            if at_b == at_a {
-                                break;
-                            }
-                            let next = b - at_b * (b - a) / (at_b - at_a);
-                            (a, at_a, b) = (b, at_b, next);
-                            at_b = mu(b)?;
+    deviation(ANY, 1e-4, "exponents on either fold: zeros of V at two distances from SN curves", |place| {
+        let mut found = Vec::new();
+        let [fold, _] = place.curves();
+        let k_2 = place.point().branch_expansion().k_2;
+        for velocity in [0.01, 0.03] {
+            let Some(at) = place.on_curve(&fold, eta_at(&fold, velocity)) else { continue };
+            let eta = eta_at(&fold, velocity);
+            let [_, mu_fold] = at.relative();
+            let separated = |change: f64| {
+                // The branch as a graph over y: its two points at the same μ, by the secant method from the parabola.
+                let zero = |side: f64| {
+                    let mu = |y: f64| Some(place.on_branch(y, eta)?.relative()[1] - mu_fold - change);
+                    let half = (change / k_2).sqrt() * side;
+                    let (mut a, mut b) = (at.unknowns[0] + half, at.unknowns[0] + 1.01 * half);
+                    let (mut at_a, mut at_b) = (mu(a)?, mu(b)?);
+                    for _ in 0..8 {
+                        if at_b == at_a {
+                            break;
                         }
-                        Some(b)
-                    };
-                    Some(zero(1.0)? - zero(-1.0)?)
+                        let next = b - at_b * (b - a) / (at_b - at_a);
+                        (a, at_a, b) = (b, at_b, next);
+                        at_b = mu(b)?;
+                    }
+                    Some(b)
                 };
-                // Distances from the fold of a 32nd and a 64th of y: next terms of the relative size of their squares.
-                let change = k_2 * at.unknowns[0] * at.unknowns[0] / 1024.0;
-                let (wide, narrow) =
-                    separated(change).zip(separated(change / 4.0)).ok_or("no zeros beyond a fold")?;
-                found.push((libm::log2(wide / narrow) / 2.0 - 0.5).abs());
-            }
-            Ok(found)
-        },
-    )
+                Some(zero(1.0)? - zero(-1.0)?)
+            };
+            // Distances from the fold of a 32nd and a 64th of y: next terms of the relative size of their squares.
+            let change = k_2 * at.unknowns[0] * at.unknowns[0] / 1024.0;
+            let (wide, narrow) =
+                separated(change).zip(separated(change / 4.0)).ok_or("no zeros beyond a fold")?;
+            found.push((libm::log2(wide / narrow) / 2.0 - 0.5).abs());
+        }
+        Ok(found)
+    })
 }
 
 /// Whether an MPS on the curves is admissible for the stated sign of η, and has y < 0 for the other.
@@ -175,28 +153,31 @@ fn sides(place: &Place) -> Result<Vec<bool>, Failure> {
                 // The leading terms reach less far where s^- is small.
                 continue;
             };
-            let (solution, _) = place.resonance.equations().solution(&right.unknowns);
+            let solution = place.solution(&right);
             found.push(solution.admissible() && wrong.unknowns[0] < 0.0);
         }
     }
     Ok(found)
 }
 
-fn admissible(which: Loops) -> CheckResult {
-    let cases = everywhere(which, sides)?;
-    let agreeing = cases.iter().filter(|agrees| **agrees).count();
-    let measure = Measure::Agreement { agreeing, cases: cases.len() };
-    let over =
-        "points of SN and PD curves for both signs of η: admissible for the stated one, y < 0 for the other";
-    Ok(Outcome::new(measure, cases.len(), over))
-}
+const SIDES: &str =
+    "points of SN and PD curves for both signs of η: admissible for the stated one, y < 0 for the other";
 
-/// With sgn η = sgn(a₁₂' s₁^±) the one-loop MPS is admissible on the curves.
-pub(super) fn admissible_with_one_loop() -> CheckResult {
-    admissible(Loops::One)
-}
-
-/// With sgn η = sgn(κ_p' s_p^±) the p-loop MPS is admissible on the curves.
-pub(super) fn admissible_with_many_loops() -> CheckResult {
-    admissible(Loops::Many)
+checks! {
+    /// eq:sn1 and eq:pd1.
+    quadratic_for_one_loop: orders(ONE, EVERYWHERE, quadratic_orders);
+    /// eq:snp and eq:pdp.
+    quadratic_for_many_loops: orders(MANY, EVERYWHERE, quadratic_orders);
+    /// eq:Upsilon1.
+    velocity_of_one_loop: orders(ONE, EVERYWHERE, velocity_orders);
+    /// eq:Upsilonp.
+    velocity_of_many_loops: orders(MANY, EVERYWHERE, velocity_orders);
+    /// g_SN = M(Υ⁺, η) and g_PD = M(Υ⁻, η), p = 1; the print has Υ⁺ in both.
+    functions_of_one_loop: orders_against_print(ONE, coefficient_orders, printed_orders);
+    /// The same for p ≥ 2.
+    functions_of_many_loops: orders_against_print(MANY, coefficient_orders, printed_orders);
+    /// With sgn η = sgn(a₁₂' s₁^±) the one-loop MPS is admissible on the curves.
+    admissible_with_one_loop: agreement(ONE, SIDES, sides);
+    /// With sgn η = sgn(κ_p' s_p^±) the p-loop MPS is admissible on the curves.
+    admissible_with_many_loops: agreement(MANY, SIDES, sides);
 }

@@ -1,6 +1,5 @@
 //! The derivatives that the proofs of Lemmas 5.1 and 5.2 multiply: eq:DPvirt to eq:DPglobalp.
 
-use grazing_continuation::mps::EventTimes;
 use grazing_model::maps::{global_iterate, global_map, virtual_map};
 use grazing_model::{AtRest, ImpactOscillator, OnWall};
 use grazing_theorems::auxiliary::{detuning, lucas_sequence, modulus_power};
@@ -8,10 +7,10 @@ use grazing_theorems::grazing::VirtualMap;
 use nalgebra::Matrix2;
 
 use super::places::{
-    EVERYWHERE, Loops, Near, Observed, Offset, Place, deviation, directions, everywhere, largest, lowest,
-    order, orders, remembered, scaled,
+    ANY, EVERYWHERE, MANY, Near, ONE, Observed, Offset, Place, deviation, directions, everywhere, order,
+    orders, orders_against_print, remembered, scaled,
 };
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
+use crate::{CheckResult, Deviations, Failure};
 
 /// Rounding of the entries of D P_virt and D(P_virt ∘ R), numbers of order one.
 const VIRTUAL: f64 = 1e-15;
@@ -51,30 +50,9 @@ fn slope_of(map: &VirtualMap, velocity: f64) -> Matrix2<f64> {
     Matrix2::new(2.0 * map.x_coefficient * velocity, 0.0, map.z_coefficient, 1.0)
 }
 
-/// eq:DPvirt.
-pub(super) fn of_virtual_map() -> CheckResult {
-    orders(Loops::Any, EVERYWHERE, |place| {
-        let grazing = place.point().grazing;
-        Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
-            Some(virtual_derivatives(&place.near(*offset)?)?[0] - slope_of(&grazing.virtual_map(), offset[0]))
-        }))
-    })
-}
-
-/// eq:DPvirtR.
-pub(super) fn after_reset() -> CheckResult {
-    orders(Loops::Any, EVERYWHERE, |place| {
-        let grazing = place.point().grazing;
-        Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
-            let leading = slope_of(&grazing.virtual_map_after_reset(), offset[0]);
-            Some(virtual_derivatives(&place.near(*offset)?)?[1] - leading)
-        }))
-    })
-}
-
 /// det D P_virt = y G₁ with G₁ = 1/γ at the resonance.
-pub(super) fn determinant_quotient() -> CheckResult {
-    orders(Loops::Any, EVERYWHERE, |place| {
+pub(crate) fn determinant_quotient() -> CheckResult {
+    orders(ANY, EVERYWHERE, |place| {
         let gamma = place.symbols()?.gamma;
         let one = |direction: &Offset| {
             let observed = order(|size| {
@@ -90,8 +68,8 @@ pub(super) fn determinant_quotient() -> CheckResult {
 }
 
 /// eq:DPdisc, and that y D P_disc extends through y = 0: y has either sign.
-pub(super) fn of_discontinuity_map() -> CheckResult {
-    orders(Loops::Any, EVERYWHERE, |place| {
+pub(crate) fn of_discontinuity_map() -> CheckResult {
+    orders(ANY, EVERYWHERE, |place| {
         let symbols = place.symbols()?;
         // y (D P_virt)⁻¹ is y/det ≈ γ times the adjugate: rounding as that of the factors.
         Ok(entries([2.0, 3.0, 1.0, 2.0], 3.0 * VIRTUAL, |offset| {
@@ -143,27 +121,12 @@ fn global_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
     }))
 }
 
-fn global(which: Loops) -> CheckResult {
-    let printed = lowest(&everywhere(which, |place| global_orders(place, Cure::AsPrinted))?);
-    Ok(orders(which, EVERYWHERE, |place| global_orders(place, Cure::Moving))?.against_print(printed))
-}
-
-/// eq:DPglobal, about z_graz,η; the print has z_graz,0.
-pub(super) fn of_global_map() -> CheckResult {
-    global(Loops::One)
-}
-
-/// eq:DPglobalp, about z_graz,η; the print has z_graz,0.
-pub(super) fn of_iterated_global_map() -> CheckResult {
-    global(Loops::Many)
-}
-
 /// y U less eq:yU.
 fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([2.0, 2.0, 1.0, 2.0], GLOBAL, |offset| {
         let near = place.near(*offset)?;
-        let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default()).ok()?;
+        let pair = place.pair(&near).ok()?;
         let [y, _, mu, eta] = *offset;
         let [from, f] = cure.phase_and_slope(place, &near, symbols.f);
         let alpha_omega = symbols.alpha * symbols.omega;
@@ -173,24 +136,6 @@ fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
         let leading = Matrix2::new(x, 0.0, -alpha_omega * symbols.power.m22, symbols.power.m22 * y);
         Some(pair.round_trip.derivative() * pair.impact.derivative().try_inverse()? * y - leading)
     }))
-}
-
-/// eq:yU, about z_graz,η; the print has z_graz,0.
-pub(super) fn product() -> CheckResult {
-    let printed = lowest(&everywhere(Loops::One, |place| product_orders(place, Cure::AsPrinted))?);
-    let outcome = orders(Loops::One, EVERYWHERE, |place| product_orders(place, Cure::Moving))?;
-    Ok(outcome.against_print(printed))
-}
-
-/// The other cure: with f_p at fixed z the expansions about z_graz,0 hold as printed.
-pub(super) fn other_cure() -> CheckResult {
-    orders(Loops::Any, EVERYWHERE, |place| {
-        let mut found = global_orders(place, Cure::PartialDerivative)?;
-        if place.loops() == 1 {
-            found.extend(product_orders(place, Cure::PartialDerivative)?);
-        }
-        Ok(found)
-    })
 }
 
 /// Central differences of sixth order of a function of one variable.
@@ -239,20 +184,20 @@ fn second_derivative_gaps(place: &Place) -> Result<Vec<[f64; 2]>, Failure> {
     let found = differences(place).ok_or("P_global is not defined around a resonance")?;
     let gap = |a: f64, b: f64| (a - b).abs() / (1.0 + b.abs());
     let rest = [gap(found.xi, symbols.xi), gap(found.d, symbols.d), gap(found.e, symbols.e)];
-    let with = |f: f64| largest(&[rest[0], rest[1], rest[2], gap(f, symbols.f)]);
+    let with = |f: f64| rest.into_iter().fold(gap(f, symbols.f), |a, b| if a >= b { a } else { b });
     Ok(vec![[with(found.f_followed), with(found.f_fixed)]])
 }
 
 /// The display of d_p, e_p, f_p with ξ_p: that f_p is the f_p of eq:fp, and a₁₂' for p = 1, asks for the derivative along the
 /// grazing curve; at fixed z, as printed, it is not.
-pub(super) fn second_derivatives() -> CheckResult {
-    let gaps = everywhere(Loops::Any, second_derivative_gaps)?;
-    let largest = |index: usize| largest(&gaps.iter().map(|gap| gap[index]).collect::<Vec<_>>());
+pub(crate) fn second_derivatives() -> CheckResult {
+    let gaps = everywhere(ANY, second_derivative_gaps)?;
+    let [followed, fixed] = [0, 1].map(|index| Deviations::of(gaps.iter().map(|gap| gap[index])));
     // Nested differences: errors of sixth order grow with the derivatives in ω, some 10² for each order at large p n; rounding
     // is 10⁻¹⁵ over the square of the step.
-    let measure = |index| Measure::Deviation { largest: largest(index), tolerance: 1e-6 };
+    let tolerance = 1e-6;
     let over = "ξ, d, e, f by differences of P_global^p at resonances with p up to 5";
-    Ok(Outcome::new(measure(0), gaps.len(), over).against_print(measure(1)))
+    Ok(followed.outcome(tolerance, over).against_print(fixed.measure(tolerance)))
 }
 
 /// a₁₂' or a₁₂ ∂S_p/∂η by differences along the grazing curve, against eq:fp or a₁₂'.
@@ -270,27 +215,13 @@ fn slope_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
     Ok(vec![(found - stated).abs() / stated.abs()])
 }
 
-fn slopes(which: Loops, over: &str) -> CheckResult {
-    let gaps = everywhere(which, slope_gaps)?;
-    let largest = largest(&gaps);
-    // Differences of sixth order with a step of 10⁻³: rounding 10⁻¹⁵/10⁻³, and 10⁻¹⁸ times sixth derivatives of up to 10¹⁰.
-    Ok(Outcome::new(Measure::Deviation { largest, tolerance: 1e-7 }, gaps.len(), over))
-}
-
-/// f₁ = a₁₂', along the grazing curve.
-pub(super) fn slope_of_one_loop() -> CheckResult {
-    slopes(Loops::One, "the grazing curve around resonances with p = 1")
-}
-
-/// eq:fp, from f_p = a₁₂ ∂S_p/∂η.
-pub(super) fn slope_of_many_loops() -> CheckResult {
-    slopes(Loops::Many, "the grazing curve around resonances with p = 2 to 5")
-}
+/// Differences of sixth order with a step of 10⁻³: rounding 10⁻¹⁵/10⁻³, and 10⁻¹⁸ times sixth derivatives of up to 10¹⁰.
+const SLOPES: f64 = 1e-7;
 
 /// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
-pub(super) fn power_at_resonance() -> CheckResult {
+pub(crate) fn power_at_resonance() -> CheckResult {
     // Roundings of up to five factors.
-    deviation(Loops::Many, 1e-13, "located resonances with p = 2 to 5", |place| {
+    deviation(MANY, 1e-13, "located resonances with p = 2 to 5", |place| {
         let map = place.point().grazing.map;
         let (loops, tau, delta) = (place.loops(), map.trace(), map.determinant());
         let orbit = place.resonance.orbit();
@@ -305,4 +236,40 @@ pub(super) fn power_at_resonance() -> CheckResult {
         let rest = power + Matrix2::identity() * modulus;
         Ok(sums.iter().chain(rest.iter()).map(|gap| gap.abs()).collect())
     })
+}
+
+checks! {
+    /// eq:DPvirt.
+    of_virtual_map: orders(ANY, EVERYWHERE, |place| {
+        let grazing = place.point().grazing;
+        Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
+            Some(virtual_derivatives(&place.near(*offset)?)?[0] - slope_of(&grazing.virtual_map(), offset[0]))
+        }))
+    });
+    /// eq:DPvirtR.
+    after_reset: orders(ANY, EVERYWHERE, |place| {
+        let grazing = place.point().grazing;
+        Ok(entries([2.0, 2.0, 1.0, 1.0], VIRTUAL, |offset| {
+            let leading = slope_of(&grazing.virtual_map_after_reset(), offset[0]);
+            Some(virtual_derivatives(&place.near(*offset)?)?[1] - leading)
+        }))
+    });
+    /// The other cure: with f_p at fixed z the expansions about z_graz,0 hold as printed.
+    other_cure: orders(ANY, EVERYWHERE, |place| {
+        let mut found = global_orders(place, Cure::PartialDerivative)?;
+        if place.loops() == 1 {
+            found.extend(product_orders(place, Cure::PartialDerivative)?);
+        }
+        Ok(found)
+    });
+    /// eq:yU, about z_graz,η; the print has z_graz,0.
+    product: orders_against_print(ONE, |at| product_orders(at, Cure::Moving), |at| product_orders(at, Cure::AsPrinted));
+    /// eq:DPglobal, about z_graz,η; the print has z_graz,0.
+    of_global_map: orders_against_print(ONE, |at| global_orders(at, Cure::Moving), |at| global_orders(at, Cure::AsPrinted));
+    /// eq:DPglobalp, about z_graz,η; the print has z_graz,0.
+    of_iterated_global_map: orders_against_print(MANY, |at| global_orders(at, Cure::Moving), |at| global_orders(at, Cure::AsPrinted));
+    /// f₁ = a₁₂', along the grazing curve.
+    slope_of_one_loop: deviation(ONE, SLOPES, "the grazing curve around resonances with p = 1", slope_gaps);
+    /// eq:fp, from f_p = a₁₂ ∂S_p/∂η.
+    slope_of_many_loops: deviation(MANY, SLOPES, "the grazing curve around resonances with p = 2 to 5", slope_gaps);
 }

@@ -9,11 +9,10 @@ use grazing_model::{AtRest, ImpactOscillator, OnWall, State};
 use nalgebra::Vector2;
 
 use super::derivatives::slope;
-use super::places::{Loops, Observed, Place, agreement, deviation, everywhere, lowest, order};
+use super::places::{ANY, Observed, Place, agreement, deviation, lowest, order};
 use super::simulation::next_impact;
-use crate::outcome::{CheckResult, Failure, Outcome};
-use crate::printed::printed;
 use crate::specimen::{Law, damping_for_decay};
+use crate::{CheckResult, Failure, Outcome, Votes, printed};
 
 /// Near a resonance an MPS is stable between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0 of the (η, y) plane, and nowhere else.
 fn regions(place: &Place) -> Result<Vec<bool>, Failure> {
@@ -33,25 +32,22 @@ fn regions(place: &Place) -> Result<Vec<bool>, Failure> {
             continue;
         }
         let Some(near) = place.on_branch(y, eta) else { continue };
-        let (solution, _) = place.resonance.equations().solution(&near.unknowns);
+        let solution = place.solution(&near);
         found.push(solution.stable() == (plus < 0.0 && minus > 0.0));
     }
     Ok(found)
 }
 
 /// Periodicity regions lie between the SN and the PD curve.
-pub(super) fn periodicity_regions() -> CheckResult {
-    Ok(agreement(
-        &everywhere(Loops::Any, regions)?,
-        "MPSs around resonances, stable between SN and PD curves alone",
-    ))
+pub(crate) fn periodicity_regions() -> CheckResult {
+    agreement(ANY, "MPSs around resonances, stable between SN and PD curves alone", regions)
 }
 
 /// Stable MPSs attract in direct simulation.
 fn attraction(place: &Place) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
     for near in super::simulation::admissible(place).iter().step_by(3) {
-        let (solution, _) = place.resonance.equations().solution(&near.unknowns);
+        let solution = place.solution(near);
         let (trace, determinant) = (solution.multipliers.trace, solution.multipliers.determinant);
         // Well inside the triangle of stability, so that two hundred impacts suffice.
         if trace.abs() > 0.9 * (1.0 + determinant) || determinant > 0.9 {
@@ -73,15 +69,12 @@ fn attraction(place: &Place) -> Result<Vec<bool>, Failure> {
 }
 
 /// The response can be periodic near resonant grazing: stable MPSs attract.
-pub(super) fn periodic_response() -> CheckResult {
-    Ok(agreement(
-        &everywhere(Loops::Any, attraction)?,
-        "perturbed stable MPSs near resonances, simulated for 200 impacts",
-    ))
+pub(crate) fn periodic_response() -> CheckResult {
+    agreement(ANY, "perturbed stable MPSs near resonances, simulated for 200 impacts", attraction)
 }
 
 /// The sign of a₁₂' by the parity of n, from differences of P_global, and the side on which the SN curve leaves.
-pub(super) fn direction_by_parity() -> CheckResult {
+pub(crate) fn direction_by_parity() -> CheckResult {
     let mut cases = Vec::new();
     for n in 1..=12_u32 {
         for decay in [0.2, 0.5, 0.8] {
@@ -104,63 +97,58 @@ pub(super) fn direction_by_parity() -> CheckResult {
             }
         }
     }
-    Ok(agreement(&cases, "the sign of a₁₂' and the sides of SN and PD curves, n = 1 to 12"))
+    Ok(Votes::of(cases).outcome("the sign of a₁₂' and the sides of SN and PD curves, n = 1 to 12"))
 }
 
 /// The quantities of the theorems by finite differences of P_global.
 ///
 /// All that the theorems need by differences of values of P_global alone, against from_map's derivatives.
-pub(super) fn finite_differences() -> CheckResult {
+pub(crate) fn finite_differences() -> CheckResult {
     // Nested differences of sixth order: rounding 10⁻¹⁵ over both steps is 10⁻⁹, and sixth derivatives in ω reach 10¹².
-    deviation(
-        Loops::Any,
-        1e-8,
-        "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone",
-        |place| {
-            let orbit = place.resonance.orbit();
-            let point = place.point();
-            let [primary, secondary] = orbit.oscillator().parameters();
-            let value = |loops: u32, x: f64, z: f64, mu: f64, eta: f64| {
-                let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary + eta]);
-                Some(global_iterate::<_, 1>(&oscillator, loops, AtRest::new(x, z)).ok()?.value)
+    deviation(ANY, 1e-8, "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone", |place| {
+        let orbit = place.resonance.orbit();
+        let point = place.point();
+        let [primary, secondary] = orbit.oscillator().parameters();
+        let value = |loops: u32, x: f64, z: f64, mu: f64, eta: f64| {
+            let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary + eta]);
+            Some(global_iterate::<_, 1>(&oscillator, loops, AtRest::new(x, z)).ok()?.value)
+        };
+        let phase = orbit.phase();
+        let step = 2e-3;
+        let entry = |i: usize, x: f64, z: f64, mu: f64| {
+            slope(step, |h| Some(value(1, x * h, phase + z * h, mu * h, 0.0)?[i]))
+        };
+        let all = || {
+            let mut gaps = Vec::new();
+            for i in 0..2 {
+                let row = [entry(i, 1.0, 0.0, 0.0)?, entry(i, 0.0, 1.0, 0.0)?, entry(i, 0.0, 0.0, 1.0)?];
+                let map = point.grazing.map;
+                let stated = [map.a[(i, 0)], map.a[(i, 1)], map.b[i]];
+                gaps.extend(row.iter().zip(stated).map(|(a, b)| (a - b).abs() / (1.0 + b.abs())));
+            }
+            let by_phase = |loops: u32, from: f64, eta: f64, mu: f64| {
+                slope(step, |h| Some(value(loops, 0.0, from + h, mu, eta)?[0]))
             };
-            let phase = orbit.phase();
-            let step = 2e-3;
-            let entry = |i: usize, x: f64, z: f64, mu: f64| {
-                slope(step, |h| Some(value(1, x * h, phase + z * h, mu * h, 0.0)?[i]))
-            };
-            let all = || {
-                let mut gaps = Vec::new();
-                for i in 0..2 {
-                    let row = [entry(i, 1.0, 0.0, 0.0)?, entry(i, 0.0, 1.0, 0.0)?, entry(i, 0.0, 0.0, 1.0)?];
-                    let map = point.grazing.map;
-                    let stated = [map.a[(i, 0)], map.a[(i, 1)], map.b[i]];
-                    gaps.extend(row.iter().zip(stated).map(|(a, b)| (a - b).abs() / (1.0 + b.abs())));
-                }
-                let by_phase = |loops: u32, from: f64, eta: f64, mu: f64| {
-                    slope(step, |h| Some(value(loops, 0.0, from + h, mu, eta)?[0]))
-                };
-                let xi = slope(step, |h| by_phase(place.loops(), phase + h, 0.0, 0.0))?;
-                gaps.push(
-                    (xi - point.second_phase_derivative).abs() / (1.0 + point.second_phase_derivative.abs()),
-                );
-                // Along the grazing curve: the orbits are found by Newton's method, the derivative by differences.
-                let by_eta = slope(5e-4, |eta| {
-                    let there = place.grazing(eta)?;
-                    by_phase(place.loops(), there.phase(), eta, there.primary() - primary)
-                })?;
-                let stated = point.off_diagonal_slope();
-                gaps.push((by_eta - stated).abs() / (1.0 + stated.abs()));
-                Some(gaps)
-            };
-            all().ok_or_else(|| "P_global is not defined around a resonance".into())
-        },
-    )
+            let xi = slope(step, |h| by_phase(place.loops(), phase + h, 0.0, 0.0))?;
+            gaps.push(
+                (xi - point.second_phase_derivative).abs() / (1.0 + point.second_phase_derivative.abs()),
+            );
+            // Along the grazing curve: the orbits are found by Newton's method, the derivative by differences.
+            let by_eta = slope(5e-4, |eta| {
+                let there = place.grazing(eta)?;
+                by_phase(place.loops(), there.phase(), eta, there.primary() - primary)
+            })?;
+            let stated = point.off_diagonal_slope();
+            gaps.push((by_eta - stated).abs() / (1.0 + stated.abs()));
+            Some(gaps)
+        };
+        all().ok_or_else(|| "P_global is not defined around a resonance".into())
+    })
 }
 
 /// The resonances of Figure 7: p = 1 with n = 3, 4, 5, p = 2 and 3 with n = 1, 2.
 pub(super) fn of_figure_7() -> Result<Vec<Place>, Failure> {
-    let law = Law::linear(printed("zeta")?, printed("epsilon")?);
+    let law = Law::linear(printed("zeta"), printed("epsilon"));
     let indices = [(1, 3), (1, 4), (1, 5), (2, 1), (2, 2), (3, 1), (3, 2)];
     indices.iter().map(|&(p, n)| Place::find(law, p, n)).collect()
 }
@@ -211,7 +199,7 @@ fn return_through_impact(place: &Place, solution: &MaximalPeriodicSolution) -> O
 }
 
 /// Impacts elsewhere leave P_global smooth, as seen at MPSs that graze between their impacts.
-pub(super) fn impacts_elsewhere() -> CheckResult {
+pub(crate) fn impacts_elsewhere() -> CheckResult {
     let mut orders = Vec::new();
     for place in of_figure_7()? {
         for curve in place.resonance.unfold(&ROUTE)?.grazing {

@@ -1,13 +1,14 @@
 //! Resonances to measure at, and points near them.
 
+use core::ops::RangeInclusive;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Unknowns, unknown};
+use grazing_continuation::mps::{EventTimes, LoopPair, MaximalPeriodicSolution, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
-use grazing_model::maps::global_iterate;
+use grazing_model::maps::{MapError, global_iterate};
 use grazing_model::{AtRest, ImpactOscillator};
 use grazing_theorems::auxiliary::modulus_power;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
@@ -15,58 +16,57 @@ use grazing_theorems::{GrazingPoint, ResonantPoint};
 use nalgebra::{Matrix2, Vector2};
 
 use crate::convergence;
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
-use crate::sampling::Sampler;
 use crate::specimen::{Grazing, Law, Specimen, damping_for_decay};
+use crate::{CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Votes};
 
 /// A resonant grazing point of one oscillator.
-pub(in crate::checks) struct Place {
-    pub(in crate::checks) resonance: ResonantGrazingPoint<Specimen>,
+pub(crate) struct Place {
+    pub(crate) resonance: ResonantGrazingPoint<Specimen>,
 }
 
 /// Coordinates of a point near a resonance: y, z − z_graz,η, μ, η.
-pub(in crate::checks) type Offset = [f64; 4];
+pub(crate) type Offset = [f64; 4];
 
 /// A point near a resonance, with the grazing orbit at its η.
 #[derive(Clone)]
-pub(in crate::checks) struct Near {
-    pub(in crate::checks) unknowns: Unknowns,
-    pub(in crate::checks) orbit: Grazing,
+pub(crate) struct Near {
+    pub(crate) unknowns: Unknowns,
+    pub(crate) orbit: Grazing,
 }
 
 /// The numbers of section 5 at a resonance, in the paper's symbols.
-pub(in crate::checks) struct Symbols {
-    pub(in crate::checks) alpha: f64,
-    pub(in crate::checks) omega: f64,
-    pub(in crate::checks) gamma: f64,
-    pub(in crate::checks) phi: f64,
+pub(crate) struct Symbols {
+    pub(crate) alpha: f64,
+    pub(crate) omega: f64,
+    pub(crate) gamma: f64,
+    pub(crate) phi: f64,
     /// A^p at the resonance as section 5 writes it: A for p = 1, −δ^{p/2} I for p ≥ 2 (the upper right entry is zero).
-    pub(in crate::checks) power: Matrix2<f64>,
+    pub(crate) power: Matrix2<f64>,
     /// ξ_p.
-    pub(in crate::checks) xi: f64,
+    pub(crate) xi: f64,
     /// d_p.
-    pub(in crate::checks) d: f64,
+    pub(crate) d: f64,
     /// e_p.
-    pub(in crate::checks) e: f64,
+    pub(crate) e: f64,
     /// f_p along the grazing curve: a₁₂' and eq:fp.
-    pub(in crate::checks) f: f64,
+    pub(crate) f: f64,
 }
 
 impl Place {
     /// The resonance of an oscillator with this law that the one (p, n) of the linear oscillator becomes.
-    pub(in crate::checks) fn find(law: Law, loops: u32, index: u32) -> Result<Self, Failure> {
+    pub(crate) fn find(law: Law, loops: u32, index: u32) -> Result<Self, Failure> {
         Ok(Self { resonance: law.resonance(loops, index, false)?.checked()? })
     }
 
-    pub(in crate::checks) fn loops(&self) -> u32 {
+    pub(crate) fn loops(&self) -> u32 {
         self.resonance.loops()
     }
 
-    pub(in crate::checks) fn point(&self) -> &ResonantPoint {
+    pub(crate) fn point(&self) -> &ResonantPoint {
         self.resonance.resonant_point()
     }
 
-    pub(in crate::checks) fn symbols(&self) -> Result<Symbols, Failure> {
+    pub(crate) fn symbols(&self) -> Result<Symbols, Failure> {
         let point = self.point();
         let GrazingPoint { map, forcing_frequency: omega, gamma, phi, .. } = point.grazing;
         let orbit = self.resonance.orbit();
@@ -90,7 +90,7 @@ impl Place {
     }
 
     /// The grazing orbit at a distance η from the resonance.
-    pub(in crate::checks) fn grazing(&self, eta: f64) -> Option<Grazing> {
+    pub(crate) fn grazing(&self, eta: f64) -> Option<Grazing> {
         let orbit = self.resonance.orbit();
         let [primary, secondary] = orbit.oscillator().parameters();
         let parameters = [primary + orbit.primary_slope() * eta, secondary + eta];
@@ -99,26 +99,26 @@ impl Place {
     }
 
     /// The point at an offset from the resonance.
-    pub(in crate::checks) fn near(&self, [y, z, mu, eta]: Offset) -> Option<Near> {
+    pub(crate) fn near(&self, [y, z, mu, eta]: Offset) -> Option<Near> {
         let orbit = self.grazing(eta)?;
         let [primary, secondary] = orbit.oscillator().parameters();
         Some(Near { unknowns: Unknowns::new(y, orbit.phase() + z, primary + mu, secondary), orbit })
     }
 
     /// z_graz at the resonance itself.
-    pub(in crate::checks) fn fixed_phase(&self) -> f64 {
+    pub(crate) fn fixed_phase(&self) -> f64 {
         self.resonance.orbit().phase()
     }
 
     /// The zero of the VIVID function with impact velocity y at η: (z, μ) = (Z, M)(y, η) of eq:ZM.
-    pub(in crate::checks) fn on_branch(&self, y: f64, eta: f64) -> Option<Near> {
+    pub(crate) fn on_branch(&self, y: f64, eta: f64) -> Option<Near> {
         let branch = self.resonance.theorem().branch();
         let near = self.near([y, branch.k_1 * y, branch.parameter(y, eta), eta])?;
         self.located([Condition::ImpactVelocity(y), Condition::Secondary(near.unknowns[3])], near)
     }
 
     /// The point of a bifurcation curve at η, from its leading terms.
-    pub(in crate::checks) fn on_curve(&self, curve: &Bifurcation, eta: f64) -> Option<Near> {
+    pub(crate) fn on_curve(&self, curve: &Bifurcation, eta: f64) -> Option<Near> {
         let leading = &curve.leading;
         let near = self.near([
             leading.impact_velocity_slope * eta,
@@ -129,6 +129,16 @@ impl Place {
         self.located([curve.condition, Condition::Secondary(near.unknowns[3])], near)
     }
 
+    /// The two ways from the impact of a point to one surface, to first order.
+    pub(crate) fn pair(&self, near: &Near) -> Result<LoopPair, MapError> {
+        self.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default())
+    }
+
+    /// The MPS at a point.
+    pub(crate) fn solution(&self, near: &Near) -> MaximalPeriodicSolution {
+        self.resonance.equations().solution(&near.unknowns).0
+    }
+
     fn located(&self, conditions: [Condition; 2], near: Near) -> Option<Near> {
         let unknowns =
             locate(self.resonance.equations(), conditions, near.unknowns, &mut EventTimes::default()).ok()?;
@@ -136,7 +146,7 @@ impl Place {
     }
 
     /// The saddle-node and the period-doubling curve.
-    pub(in crate::checks) fn curves(&self) -> [Bifurcation; 2] {
+    pub(crate) fn curves(&self) -> [Bifurcation; 2] {
         let theorem = self.resonance.theorem();
         let stability = self.point().stability_coefficients();
         [
@@ -155,16 +165,16 @@ impl Place {
 }
 
 /// A bifurcation curve of the theorem.
-pub(in crate::checks) struct Bifurcation {
-    pub(in crate::checks) condition: Condition,
-    pub(in crate::checks) leading: BifurcationCurve,
+pub(crate) struct Bifurcation {
+    pub(crate) condition: Condition,
+    pub(crate) leading: BifurcationCurve,
     /// s_p^+ or s_p^-.
-    pub(in crate::checks) stability: f64,
+    pub(crate) stability: f64,
 }
 
 impl Near {
     /// (z − z_graz,η, μ).
-    pub(in crate::checks) fn relative(&self) -> [f64; 2] {
+    pub(crate) fn relative(&self) -> [f64; 2] {
         [
             self.unknowns[unknown::PHASE] - self.orbit.phase(),
             self.unknowns[unknown::PRIMARY] - self.orbit.primary(),
@@ -172,35 +182,26 @@ impl Near {
     }
 
     /// The oscillator at the point's parameters.
-    pub(in crate::checks) fn oscillator(&self) -> Specimen {
+    pub(crate) fn oscillator(&self) -> Specimen {
         self.orbit
             .oscillator()
             .with_parameters([self.unknowns[unknown::PRIMARY], self.unknowns[unknown::SECONDARY]])
     }
 
     /// The impact (y, z).
-    pub(in crate::checks) fn impact(&self) -> Vector2<f64> {
+    pub(crate) fn impact(&self) -> Vector2<f64> {
         self.unknowns.fixed_rows::<2>(0).into_owned()
     }
 }
 
 /// Which numbers of loops.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(in crate::checks) enum Loops {
-    One,
-    Many,
-    Any,
-}
-
-impl Loops {
-    fn includes(self, loops: u32) -> bool {
-        match self {
-            Self::One => loops == 1,
-            Self::Many => loops > 1,
-            Self::Any => true,
-        }
-    }
-}
+pub(crate) type Loops = RangeInclusive<u32>;
+/// One loop.
+pub(crate) const ONE: Loops = 1..=1;
+/// Two loops and more.
+pub(crate) const MANY: Loops = 2..=5;
+/// All that there are resonances of in [`everywhere`].
+pub(crate) const ANY: Loops = 1..=5;
 
 /// The resonances at which everything is measured: of the linear oscillator, of one with a reset law that varies, and of one with a
 /// force that is not linear.
@@ -210,7 +211,7 @@ static PLACES: LazyLock<Result<Vec<Place>, String>> =
 fn places() -> Result<Vec<Place>, Failure> {
     let mut sampler = Sampler::new(5);
     let mut found = Vec::new();
-    let indices = (1..=5_u32).flat_map(|loops| (1..=if loops == 1 { 4 } else { 2 }).map(move |n| (loops, n)));
+    let indices = ANY.flat_map(|loops| (1..=if loops == 1 { 4 } else { 2 }).map(move |n| (loops, n)));
     for (loops, n) in indices {
         // Smaller E_p make the leading terms so small that they drown in rounding.
         let damping = damping_for_decay(loops, n, sampler.between(0.15, 0.8));
@@ -225,13 +226,13 @@ fn places() -> Result<Vec<Place>, Failure> {
 }
 
 /// What a function finds at all resonances with these numbers of loops.
-pub(in crate::checks) fn everywhere<T>(
+pub(crate) fn everywhere<T>(
     which: Loops,
     measure: impl Fn(&Place) -> Result<Vec<T>, Failure>,
 ) -> Result<Vec<T>, Failure> {
     let mut found = Vec::new();
     for place in PLACES.as_ref().map_err(String::as_str)? {
-        if which.includes(place.loops()) {
+        if which.contains(&place.loops()) {
             found.extend(measure(place)?);
         }
     }
@@ -239,7 +240,7 @@ pub(in crate::checks) fn everywhere<T>(
 }
 
 /// The orders that a function finds everywhere, as an outcome.
-pub(in crate::checks) fn orders(
+pub(crate) fn orders(
     which: Loops,
     over: &str,
     measure: impl Fn(&Place) -> Result<Vec<Observed>, Failure>,
@@ -248,39 +249,51 @@ pub(in crate::checks) fn orders(
     Ok(Outcome::new(lowest(&orders), orders.len(), over))
 }
 
+/// The same for what is corrected and for what is printed.
+pub(crate) fn orders_against_print(
+    which: Loops,
+    corrected: impl Fn(&Place) -> Result<Vec<Observed>, Failure>,
+    printed: impl Fn(&Place) -> Result<Vec<Observed>, Failure>,
+) -> CheckResult {
+    let printed = lowest(&everywhere(which.clone(), printed)?);
+    Ok(orders(which, EVERYWHERE, corrected)?.against_print(printed))
+}
+
 /// The largest of the deviations that a function finds everywhere, as an outcome.
-pub(in crate::checks) fn deviation(
+pub(crate) fn deviation(
     which: Loops,
     tolerance: f64,
     over: &str,
     measure: impl Fn(&Place) -> Result<Vec<f64>, Failure>,
 ) -> CheckResult {
-    let gaps = everywhere(which, measure)?;
-    Ok(Outcome::new(Measure::Deviation { largest: largest(&gaps), tolerance }, gaps.len(), over))
+    Ok(Deviations::of(everywhere(which, measure)?).outcome(tolerance, over))
 }
 
-/// The cases that agree, as an outcome.
-pub(in crate::checks) fn agreement(cases: &[bool], over: &str) -> Outcome {
-    let agreeing = cases.iter().filter(|agrees| **agrees).count();
-    Outcome::new(Measure::Agreement { agreeing, cases: cases.len() }, cases.len(), over)
+/// The cases that agree among those that a function finds everywhere, as an outcome.
+pub(crate) fn agreement(
+    which: Loops,
+    over: &str,
+    measure: impl Fn(&Place) -> Result<Vec<bool>, Failure>,
+) -> CheckResult {
+    Ok(Votes::of(everywhere(which, measure)?).outcome(over))
 }
 
 /// The words for the samples of [`everywhere`] where they are remainders.
-pub(in crate::checks) const EVERYWHERE: &str =
+pub(crate) const EVERYWHERE: &str =
     "remainders at resonances with p up to 5 of oscillators with linear and other forces and reset laws";
 
 /// How far the order may lie below the stated one: what the next term does at the sizes where the remainder still stands a
 /// hundredfold above its rounding.
-pub(in crate::checks) const SLACK: f64 = 0.3;
+pub(crate) const SLACK: f64 = 0.3;
 
 /// The same function, which computes each value once: several remainders are taken from one solution.
-pub(in crate::checks) fn remembered<T: Clone>(f: impl Fn(f64) -> Option<T>) -> impl Fn(f64) -> Option<T> {
+pub(crate) fn remembered<T: Clone>(f: impl Fn(f64) -> Option<T>) -> impl Fn(f64) -> Option<T> {
     let known: RefCell<BTreeMap<u64, Option<T>>> = RefCell::default();
     move |size| known.borrow_mut().entry(size.to_bits()).or_insert_with(|| f(size)).clone()
 }
 
 /// The observed order of a remainder that exists down to the smallest size that was looked at; not a number if it does not.
-pub(in crate::checks) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
+pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
     let mut exists = false;
     let observed = convergence::order(|size| {
         let found = remainder(size);
@@ -291,10 +304,10 @@ pub(in crate::checks) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f6
 }
 
 /// An observed order and the stated one.
-pub(in crate::checks) type Observed = (f64, f64);
+pub(crate) type Observed = (f64, f64);
 
 /// The order that lies lowest in comparison with the stated one; where none lies too low, among the highest stated ones.
-pub(in crate::checks) fn lowest(orders: &[Observed]) -> Measure {
+pub(crate) fn lowest(orders: &[Observed]) -> Measure {
     let measure = |(observed, stated): Observed| Measure::Order { observed, stated, slack: SLACK };
     let lower = |a: Observed, b: Observed| if b.0 - b.1 < a.0 - a.1 || b.0.is_nan() { b } else { a };
     let highest = orders.iter().fold(f64::NEG_INFINITY, |highest, order| highest.max(order.1));
@@ -304,13 +317,8 @@ pub(in crate::checks) fn lowest(orders: &[Observed]) -> Measure {
     measure(told.unwrap_or((f64::NAN, f64::NAN)))
 }
 
-/// The largest of some deviations, or what is not a number among them.
-pub(in crate::checks) fn largest(gaps: &[f64]) -> f64 {
-    gaps.iter().copied().fold(0.0, |a: f64, b| if a.is_nan() || b <= a { a } else { b })
-}
-
 /// Directions (y, z, μ, η) in which points approach a resonance, y of either sign and never small.
-pub(in crate::checks) fn directions(count: usize) -> Vec<Offset> {
+pub(crate) fn directions(count: usize) -> Vec<Offset> {
     let mut sampler = Sampler::new(7);
     let mut one = || {
         let y = sampler.between(0.4, 1.0) * sampler.one_of(&[1.0, -1.0]);
@@ -320,6 +328,6 @@ pub(in crate::checks) fn directions(count: usize) -> Vec<Offset> {
 }
 
 /// The direction times a size.
-pub(in crate::checks) fn scaled(direction: &Offset, size: f64) -> Offset {
+pub(crate) fn scaled(direction: &Offset, size: f64) -> Offset {
     direction.map(|share| share * size)
 }

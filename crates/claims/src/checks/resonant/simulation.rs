@@ -6,8 +6,8 @@ use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::{Matrix2, Vector2};
 
-use super::places::{Loops, Near, Place, deviation};
-use crate::outcome::CheckResult;
+use super::places::{ANY, Near, Place, deviation};
+use crate::CheckResult;
 
 /// The next impact (y, z) after an impact, its phase counted near that of the first; `None` if it comes at another time than
 /// p periods later.
@@ -49,7 +49,7 @@ pub(super) fn admissible(place: &Place) -> Vec<Near> {
     for y in [0.02, 0.05, 0.1] {
         for eta in [-0.004, -0.001, 0.0, 0.001, 0.004] {
             let Some(near) = place.on_branch(y, eta) else { continue };
-            let (solution, _) = place.resonance.equations().solution(&near.unknowns);
+            let solution = place.solution(&near);
             if solution.admissible() && solution.ceiling() < -1e-3 * y {
                 found.push(near);
             }
@@ -59,12 +59,12 @@ pub(super) fn admissible(place: &Place) -> Vec<Near> {
 }
 
 /// eq:U: its eigenvalues are the multipliers of the MPS, seen as the growth of perturbations from impact to impact.
-pub(super) fn multipliers() -> CheckResult {
+pub(crate) fn multipliers() -> CheckResult {
     // Differences: rounding of 10⁻¹⁵ over steps down to 2·10⁻⁵, products of two of them for the determinant.
-    deviation(Loops::Any, 1e-7, "admissible MPSs near resonances, followed from impact to impact", |place| {
+    deviation(ANY, 1e-7, "admissible MPSs near resonances, followed from impact to impact", |place| {
         let mut found = Vec::new();
         for near in admissible(place) {
-            let (solution, _) = place.resonance.equations().solution(&near.unknowns);
+            let solution = place.solution(&near);
             let simulated = impact_derivative(&near.oscillator(), place.loops(), near.impact())
                 .ok_or("an admissible MPS does not return in simulation")?;
             let scale = 1.0 + solution.multipliers.trace.abs();

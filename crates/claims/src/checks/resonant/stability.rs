@@ -1,20 +1,14 @@
 //! The multipliers of an MPS near a resonance: eq:U to eq:fp, Lemmas 5.1 and 5.2.
 
-use grazing_continuation::mps::{EventTimes, Multipliers};
+use grazing_continuation::mps::Multipliers;
 use grazing_model::AtRest;
 use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{
-    EVERYWHERE, Loops, Near, Observed, Offset, Place, Symbols, agreement, deviation, directions, everywhere,
-    lowest, order, orders, scaled,
+    ANY, EVERYWHERE, MANY, ONE, Observed, Offset, Place, Symbols, deviation, directions, everywhere, order,
+    orders, orders_against_print, scaled,
 };
-use crate::outcome::{CheckResult, Failure};
-
-/// T and D at a point, from the derivatives of the two sides of V.
-fn multipliers(place: &Place, near: &Near) -> Option<Multipliers> {
-    let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut EventTimes::default()).ok()?;
-    Some(pair.multipliers())
-}
+use crate::{CheckResult, Failure, Votes};
 
 /// Rounding of y T and y D: P_global and its derivatives are exact to some 10⁻¹⁵ times their size, and so are these.
 const ROUNDING: f64 = 1e-14;
@@ -46,7 +40,7 @@ fn trace_orders(place: &Place, origin: Origin) -> Result<Vec<Observed>, Failure>
         let observed = order(|size| {
             let mut offset = scaled(direction, size);
             let near = place.near(offset)?;
-            let found = offset[0] * multipliers(place, &near)?.trace;
+            let found = offset[0] * place.pair(&near).ok()?.multipliers().trace;
             if origin == Origin::Fixed {
                 offset[1] = near.unknowns[1] - place.fixed_phase();
             }
@@ -57,29 +51,6 @@ fn trace_orders(place: &Place, origin: Origin) -> Result<Vec<Observed>, Failure>
     Ok(directions(4).iter().map(one).collect())
 }
 
-fn trace_about_moving(place: &Place) -> Result<Vec<Observed>, Failure> {
-    trace_orders(place, Origin::Moving)
-}
-
-fn trace_about_fixed(place: &Place) -> Result<Vec<Observed>, Failure> {
-    trace_orders(place, Origin::Fixed)
-}
-
-fn trace(which: Loops) -> CheckResult {
-    let printed = lowest(&everywhere(which, trace_about_fixed)?);
-    Ok(orders(which, EVERYWHERE, trace_about_moving)?.against_print(printed))
-}
-
-/// eq:yT1, about z_graz,η; the print has z_graz,0.
-pub(super) fn trace_of_one_loop() -> CheckResult {
-    trace(Loops::One)
-}
-
-/// eq:yTp, about z_graz,η; the print has z_graz,0.
-pub(super) fn trace_of_many_loops() -> CheckResult {
-    trace(Loops::Many)
-}
-
 fn determinant_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let grazing = place.point().grazing;
     let power = libm::pow(grazing.map.determinant(), f64::from(place.loops()));
@@ -87,22 +58,12 @@ fn determinant_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let one = |direction: &Offset| {
         let observed = order(|size| {
             let offset = scaled(direction, size);
-            let found = offset[0] * multipliers(place, &place.near(offset)?)?.determinant;
+            let found = offset[0] * place.pair(&place.near(offset)?).ok()?.multipliers().determinant;
             Some((found - slope * offset[0], ROUNDING))
         });
         (observed, 2.0)
     };
     Ok(directions(4).iter().map(one).collect())
-}
-
-/// eq:yD1.
-pub(super) fn determinant_of_one_loop() -> CheckResult {
-    orders(Loops::One, EVERYWHERE, determinant_orders)
-}
-
-/// eq:yDp.
-pub(super) fn determinant_of_many_loops() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, determinant_orders)
 }
 
 /// y T and y D at y = 0 extrapolated from four points on either side: they differ by O(h⁴) if the functions are smooth, and at
@@ -114,7 +75,7 @@ fn seam_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
             let extrapolated = |side: f64| {
                 let at = |k: f64| {
                     let offset = [side * k * size, 0.002, -0.001, 0.003];
-                    Some(offset[0] * pick(multipliers(place, &place.near(offset)?)?))
+                    Some(offset[0] * pick(place.pair(&place.near(offset)?).ok()?.multipliers()))
                 };
                 Some(4.0 * at(1.0)? - 6.0 * at(2.0)? + 4.0 * at(3.0)? - at(4.0)?)
             };
@@ -123,16 +84,6 @@ fn seam_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
         (observed, 3.0)
     };
     Ok(vec![part(|both| both.trace), part(|both| both.determinant)])
-}
-
-/// Lemma 5.1: y T and y D have a smooth extension through y = 0, p = 1.
-pub(super) fn extension_for_one_loop() -> CheckResult {
-    orders(Loops::One, "extrapolations to y = 0 from both sides at resonances with p = 1", seam_orders)
-}
-
-/// Lemma 5.2: the same for p ≥ 2.
-pub(super) fn extension_for_many_loops() -> CheckResult {
-    orders(Loops::Many, "extrapolations to y = 0 from both sides at resonances with p = 2 to 5", seam_orders)
 }
 
 /// Values of η beside a resonance.
@@ -154,7 +105,7 @@ fn divergence_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
         // A limit of zero would be no divergence.
         let observed = order(|size| {
             let near = place.near([size, 0.0, 0.0, eta])?;
-            Some((size * multipliers(place, &near)?.trace - limit, ROUNDING * (1.0 + limit.abs())))
+            Some((size * place.pair(&near).ok()?.multipliers().trace - limit, ROUNDING * (1.0 + limit.abs())))
         });
         (if limit.abs() < 1e-6 { f64::NAN } else { observed }, 1.0)
     };
@@ -162,28 +113,24 @@ fn divergence_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 }
 
 /// T → ±∞ as y → 0, with the sign of −α a₁₂ S_p.
-pub(super) fn divergence() -> CheckResult {
+pub(crate) fn divergence() -> CheckResult {
     let over = "η to either side of resonances: y T less its limit, which is other than zero; for the print, where it is positive";
-    let positive = agreement(
-        &everywhere(Loops::Any, |place| Ok(limits(place)?.iter().map(|limit| *limit > 0.0).collect()))?,
-        over,
-    );
-    Ok(orders(Loops::Any, over, divergence_orders)?.against_print(positive.measure))
+    let positive = everywhere(ANY, |place| Ok(limits(place)?.iter().map(|limit| *limit > 0.0).collect()))?;
+    Ok(orders(ANY, over, divergence_orders)?.against_print(Votes::of(positive).measure()))
 }
 
 /// eq:TD: trace and determinant of U as it is defined.
 ///
 /// U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against the quotient of the
 /// derivatives of the two sides of V.
-pub(super) fn trace_and_determinant() -> CheckResult {
+pub(crate) fn trace_and_determinant() -> CheckResult {
     // P_virt⁻¹ takes the root of x̂ ≈ y²/2γ, which is rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y, and in T.
-    deviation(Loops::Any, 1e-10, "MPSs on branches near resonances", |place| {
+    deviation(ANY, 1e-10, "MPSs on branches near resonances", |place| {
         let mut found = Vec::new();
         for (y, eta) in [(0.05, 0.0), (0.02, 0.01), (0.1, -0.01), (0.03, 0.02)] {
             let Some(near) = place.on_branch(y, eta) else { continue };
             let oscillator = near.oscillator();
-            let mut times = EventTimes::default();
-            let pair = place.resonance.equations().pair::<1>(&near.unknowns, &mut times)?;
+            let pair = place.pair(&near)?;
             let virtual_point = pair.impact.value;
             let disc =
                 discontinuity_map::<_, 1>(&oscillator, AtRest::new(virtual_point[0], virtual_point[1]))?;
@@ -195,4 +142,19 @@ pub(super) fn trace_and_determinant() -> CheckResult {
         }
         Ok(found)
     })
+}
+
+checks! {
+    /// eq:yT1, about z_graz,η; the print has z_graz,0.
+    trace_of_one_loop: orders_against_print(ONE, |at| trace_orders(at, Origin::Moving), |at| trace_orders(at, Origin::Fixed));
+    /// eq:yTp, about z_graz,η; the print has z_graz,0.
+    trace_of_many_loops: orders_against_print(MANY, |at| trace_orders(at, Origin::Moving), |at| trace_orders(at, Origin::Fixed));
+    /// eq:yD1.
+    determinant_of_one_loop: orders(ONE, EVERYWHERE, determinant_orders);
+    /// eq:yDp.
+    determinant_of_many_loops: orders(MANY, EVERYWHERE, determinant_orders);
+    /// Lemma 5.1: y T and y D have a smooth extension through y = 0, p = 1.
+    extension_for_one_loop: orders(ONE, "extrapolations to y = 0 from both sides at resonances with p = 1", seam_orders);
+    /// Lemma 5.2: the same for p ≥ 2.
+    extension_for_many_loops: orders(MANY, "extrapolations to y = 0 from both sides at resonances with p = 2 to 5", seam_orders);
 }

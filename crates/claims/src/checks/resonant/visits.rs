@@ -8,13 +8,12 @@ use grazing_theorems::auxiliary::{lucas_sequence, resonance_boundary};
 use nalgebra::Vector2;
 
 use super::curves::{PHASE, all_along_curves, along_curves, eta_at};
-use super::places::{Bifurcation, EVERYWHERE, Loops, Near, Place, agreement, everywhere, orders};
-use crate::outcome::{CheckResult, Failure, Measure, Outcome};
-use crate::sampling::smallest;
+use super::places::{Bifurcation, EVERYWHERE, MANY, Near, Place, agreement, orders};
+use crate::{CheckResult, Failure, Measure, Outcome, smallest};
 
 /// eq:admp7.
-pub(super) fn phase() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, |place| {
+pub(crate) fn phase() -> CheckResult {
+    orders(MANY, EVERYWHERE, |place| {
         Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
             Some(near.relative()[0] - curve.leading.impact_phase_slope * eta)
         }))
@@ -31,10 +30,8 @@ fn recoil(near: &Near) -> Option<Vector2<f64>> {
 }
 
 /// eq:admp8a.
-pub(super) fn position_after_recoil() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, |place| {
-        Ok(along_curves(place, 2.0, PHASE, |_, _, near| Some(recoil(near)?[0])))
-    })
+pub(crate) fn position_after_recoil() -> CheckResult {
+    orders(MANY, EVERYWHERE, |place| Ok(along_curves(place, 2.0, PHASE, |_, _, near| Some(recoil(near)?[0]))))
 }
 
 impl Place {
@@ -52,8 +49,8 @@ impl Place {
 }
 
 /// eq:admp8b, both forms.
-pub(super) fn phase_after_recoil() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, |place| {
+pub(crate) fn phase_after_recoil() -> CheckResult {
+    orders(MANY, EVERYWHERE, |place| {
         let [fold, flip] = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
         let (fold, flip) = (fold?, flip?);
         Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
@@ -71,8 +68,8 @@ fn visits(place: &Place, near: &Near) -> Option<Vec<Vector2<f64>>> {
 }
 
 /// eq:admp9.
-pub(super) fn visits_by_powers() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, |place| {
+pub(crate) fn visits_by_powers() -> CheckResult {
+    orders(MANY, EVERYWHERE, |place| {
         let map = place.point().grazing.map;
         Ok(all_along_curves(place, 2.0, PHASE, |_, _, near| {
             let start = recoil(near)?;
@@ -86,8 +83,8 @@ pub(super) fn visits_by_powers() -> CheckResult {
 }
 
 /// eq:admp10.
-pub(super) fn positions_of_visits() -> CheckResult {
-    orders(Loops::Many, EVERYWHERE, |place| {
+pub(crate) fn positions_of_visits() -> CheckResult {
+    orders(MANY, EVERYWHERE, |place| {
         let recoil = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
         let [fold, flip] = recoil;
         let (fold, flip) = (fold?[1], flip?[1]);
@@ -107,7 +104,7 @@ pub(super) fn positions_of_visits() -> CheckResult {
 
 fn visit_signs(place: &Place) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
-    let unfolding = place.point().unfolding.derivative();
+    let unfolding = place.point().unfolding.derivative;
     for curve in place.curves() {
         for size in [1e-3, -1e-3, 1e-4, -1e-4] {
             let eta = eta_at(&curve, size);
@@ -126,15 +123,12 @@ fn visit_signs(place: &Place) -> Result<Vec<bool>, Failure> {
 }
 
 /// eq:admp11, and x⁽ᵖ⁾ > 0.
-pub(super) fn signs_of_visits() -> CheckResult {
-    Ok(agreement(
-        &everywhere(Loops::Many, visit_signs)?,
-        "all loops of MPSs on SN and PD curves, η of either sign",
-    ))
+pub(crate) fn signs_of_visits() -> CheckResult {
+    agreement(MANY, "all loops of MPSs on SN and PD curves, η of either sign", visit_signs)
 }
 
 /// S_j > 0 for 0 < j < p at resonance, in units of δ^{(j−1)/2}: adversarial search over δ, p and j.
-pub(super) fn sums_are_positive() -> CheckResult {
+pub(crate) fn sums_are_positive() -> CheckResult {
     let mut found = f64::INFINITY;
     let mut searches = 0;
     for p in 2..=12_u32 {

@@ -1,13 +1,14 @@
 //! What is seen of any oscillator of the class at grazing, without closed forms.
 
-use crate::outcome::Failure;
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::Side;
 use grazing_theorems::from_map::GrazingOrbit;
 
-use crate::sweep::generic::{Existence, small_velocity};
+use crate::Failure;
+use crate::sweep::Existence;
+use crate::sweep::generic::small_velocity;
 use grazing_unfold::simulation::{Seen, Suspect};
 
 fn follow<O: ImpactOscillator>(oscillator: &O, loops: u32, point: &Unknowns) -> Seen {
@@ -18,7 +19,7 @@ fn follow<O: ImpactOscillator>(oscillator: &O, loops: u32, point: &Unknowns) -> 
 ///
 /// # Errors
 /// Newton's method failed.
-pub(in crate::checks::main_results) fn side_of_orbit<O: ImpactOscillator>(
+pub(crate) fn side_of_orbit<O: ImpactOscillator>(
     orbit: &GrazingOrbit<O>,
     loops: u32,
 ) -> Result<Existence, Failure> {
@@ -43,12 +44,7 @@ pub(in crate::checks::main_results) fn side_of_orbit<O: ImpactOscillator>(
         let zero = locate(&equations, conditions, start, &mut EventTimes::default())?;
         *found = follow(&equations.oscillator_at(&zero), loops, &zero) == Seen::Returns;
     }
-    Ok(match found {
-        [true, false] => Existence::On(Side::Positive),
-        [false, true] => Existence::On(Side::Negative),
-        [false, false] => Existence::Nowhere,
-        [true, true] => Existence::Unclear,
-    })
+    Ok(Existence::of(found))
 }
 
 /// The sign of η for which simulation sees the bifurcation near a resonance: an MPS to either side of it, at the same η, with the

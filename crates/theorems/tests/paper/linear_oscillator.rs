@@ -1,91 +1,14 @@
-//! The resonances of the oscillator: where they are, and propositions 3.2 and 3.3 against the general
-//! formulas.
+//! The linear oscillator: which resonances lie in a window, and parameters outside of their domains; its closed forms are checked by the
+//! ledger of claims.
 
 use proptest::prelude::*;
 
-use grazing_theorems::generic_theorem::Side;
-use grazing_theorems::hypothesis::Quantity;
-use grazing_theorems::{
-    GenericGrazing, LinearOscillator, Resonance, ResonantGrazing, TheoryError, Unfolding,
-};
+use grazing_theorems::{LinearOscillator, TheoryError};
 
-use super::{assert_close, assert_within, deterministic};
-
-/// Rounding errors of the general formulas at a resonance, relative to the closed forms. The angle
-/// `2 pi omega_1 / omega` (up to 40) and the cancellation in `s_1^-` (down to 0.003) set the largest, some
-/// 1e-12.
-const AGREEMENT: f64 = 1e-10;
-
-fn resonances() -> impl Strategy<Value = Resonance> {
-    // Stronger damping at these p and n makes E_p^2 underflow.
-    (0.01..0.6_f64, 0.05..=1.0_f64, 1_u32..=6, 0_u32..=6).prop_map(|(zeta, epsilon, p, n)| {
-        let oscillator = LinearOscillator::new(zeta, epsilon).expect("valid");
-        oscillator.resonance(p, if p == 1 { n.max(1) } else { n }).expect("valid")
-    })
-}
+use super::{assert_close, deterministic};
 
 proptest! {
     #![proptest_config(deterministic(1024))]
-
-    #[test]
-    fn propositions_3_2_and_3_3_agree_with_the_general_formulas(resonance in resonances()) {
-        let point = resonance.resonant_point();
-        let (closed, general) = (resonance.stability_coefficients(), point.stability_coefficients());
-        assert_close(general.plus, closed.plus, AGREEMENT);
-        assert_close(general.minus, closed.minus, AGREEMENT);
-        assert_close(point.saddle_node_coefficient(), resonance.saddle_node_coefficient(), AGREEMENT);
-        assert_close(point.period_doubling_coefficient(), resonance.period_doubling_coefficient(), AGREEMENT);
-    }
-
-    #[test]
-    fn quantities_at_the_resonance_agree_with_their_general_forms(resonance in resonances()) {
-        let grazing = resonance.grazing();
-        let decay = grazing.decay(1);
-        assert_close(
-            grazing.second_phase_derivative(resonance.loops()),
-            resonance.second_phase_derivative(),
-            AGREEMENT,
-        );
-        // In proportion to E_1; the angle is rounded to 1e-14.
-        assert_within(grazing.linearised_map().a.m12, resonance.off_diagonal(), 1e-13 * decay);
-        match resonance.unfolding() {
-            Unfolding::OneLoop { off_diagonal_derivative } => {
-                assert_close(grazing.off_diagonal_derivative(), off_diagonal_derivative, AGREEMENT);
-            }
-            Unfolding::MultiLoop { loops, detuning_derivative } => {
-                assert_close(grazing.detuning_derivative(loops), detuning_derivative, AGREEMENT);
-                assert_within(grazing.detuning(loops), 0.0, 1e-13 * decay);
-            }
-        }
-    }
-
-    #[test]
-    fn saddle_node_and_period_doubling_leave_on_different_sides(resonance in resonances()) {
-        let point = resonance.resonant_point();
-        let theorem = ResonantGrazing::check(&point, 1e-12).expect("the hypotheses hold");
-        prop_assert!(theorem.saddle_node().coefficient < 0.0);
-        prop_assert!(theorem.period_doubling().coefficient > 0.0);
-        let even = resonance.loops() == 1 && resonance.index() % 2 == 0;
-        let expected = if even { (Side::Positive, Side::Negative) } else { (Side::Negative, Side::Positive) };
-        prop_assert_eq!((theorem.saddle_node().eta_side, theorem.period_doubling().eta_side), expected);
-    }
-
-    #[test]
-    fn minus_sign_in_the_resonance_condition_gives_virtual_solutions(
-        zeta in 0.01..0.6_f64,
-        p in 2_u32..7,
-        n in 1_u32..7,
-    ) {
-        let oscillator = LinearOscillator::new(zeta, 0.85).expect("valid");
-        let omega = oscillator.virtual_resonance_frequency(p, n).expect("valid");
-        let grazing = oscillator.grazing(omega).expect("valid");
-        assert_within(grazing.detuning(p), 0.0, 1e-13 * grazing.decay(1));
-        // Next to it, the only hypothesis that fails is a12 alpha > 0.
-        let beside = oscillator.grazing(1.001 * omega).expect("valid").grazing_point();
-        let violated = GenericGrazing::check(&beside, p).expect_err("a12 is negative");
-        let names: Vec<Quantity> = violated.violated().map(|hypothesis| hypothesis.quantity).collect();
-        prop_assert_eq!(names, [Quantity::OffDiagonalTimesSquareRootFactor]);
-    }
 
     #[test]
     fn window_holds_exactly_the_resonances_that_lie_in_it(
@@ -193,4 +116,29 @@ fn elastic_impacts_without_much_damping_keep_their_digits() {
         -libm::pow(grazing.decay_complement(2), 2.0),
         1e-14,
     );
+}
+
+#[test]
+fn frequencies_that_are_not_positive_are_refused() {
+    let oscillator = LinearOscillator::new(0.1, 1.0).expect("valid");
+    for omega in [0.0, -1.0, f64::INFINITY] {
+        assert_eq!(oscillator.grazing(omega), Err(TheoryError::ForcingFrequency { omega }));
+    }
+    assert!(oscillator.grazing(f64::NAN).is_err());
+}
+
+#[test]
+fn parameters_outside_their_intervals_are_refused() {
+    for zeta in [0.0, 1.0, -0.1, f64::INFINITY] {
+        assert_eq!(LinearOscillator::new(zeta, 0.5), Err(TheoryError::DampingRatio { zeta }));
+    }
+    for epsilon in [0.0, -0.5, f64::INFINITY] {
+        let expected = TheoryError::CoefficientOfRestitution { epsilon };
+        assert_eq!(LinearOscillator::new(0.5, epsilon), Err(expected));
+    }
+    assert!(LinearOscillator::new(f64::NAN, 0.5).is_err());
+    assert!(LinearOscillator::new(0.5, f64::NAN).is_err());
+    let lively = LinearOscillator::new(0.6, 1.5).expect("the theorems ask for a positive phi only");
+    assert_eq!((lively.damping_ratio(), lively.coefficient_of_restitution()), (0.6, 1.5));
+    assert_close(lively.damped_natural_frequency(), 0.8, 1e-16);
 }

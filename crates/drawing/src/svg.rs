@@ -1,15 +1,24 @@
-//! Numbers and text as they stand in an SVG file.
+//! Numbers, pens, paths and text as they stand in an SVG file.
 
 use std::fmt::Write;
 
 use crate::font::{SCRIPT_SIZE, SIGN_FAMILY, SUBSCRIPT_DROP, SUPERSCRIPT_RISE};
 use crate::markup::{Face, Label, Level};
+use crate::sheet::Spot;
+use crate::style::{Colour, Paint, Pen};
 
-/// Backend units in a point (1/72 inch).
-pub(crate) const UNITS: f64 = 100.0;
+/// Points in a millimetre.
+pub(crate) const POINTS_PER_MM: f64 = 72.0 / 25.4;
+
+/// A spot of the sheet in hundredths of a point, to which files are written.
+pub(crate) type Hundredths = (i32, i32);
+
+pub(crate) fn in_hundredths((x, y): Spot) -> Hundredths {
+    ((x * 100.0).round() as i32, (y * 100.0).round() as i32)
+}
 
 /// Hundredths as a decimal number, without needless zeros.
-pub(crate) fn hundredths(value: i32) -> String {
+fn hundredths(value: i32) -> String {
     let (sign, size) = (if value < 0 { "-" } else { "" }, value.unsigned_abs());
     let (whole, rest) = (size / 100, size % 100);
     match (rest, rest % 10) {
@@ -21,7 +30,52 @@ pub(crate) fn hundredths(value: i32) -> String {
 
 /// A length in points, rounded to hundredths.
 pub(crate) fn points(value: f64) -> String {
-    hundredths((value * UNITS).round() as i32)
+    hundredths((value * 100.0).round() as i32)
+}
+
+pub(crate) fn hex(Colour(red, green, blue): Colour) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// The attributes that fill an area.
+pub(crate) fn fill(paint: Paint) -> String {
+    let mut attributes = format!(" fill=\"{}\"", hex(paint.colour));
+    if paint.opacity < 1.0 {
+        let _ = write!(attributes, " fill-opacity=\"{}\"", points(paint.opacity));
+    }
+    attributes
+}
+
+/// The attributes that draw a line; none without a pen.
+pub(crate) fn stroke(pen: Option<Pen>) -> String {
+    let Some(pen) = pen else { return String::new() };
+    let mut attributes = format!(" stroke=\"{}\" stroke-width=\"{}\"", hex(pen.colour), points(pen.width));
+    if !pen.dashes.is_empty() {
+        let dashes: Vec<String> = pen.dashes.iter().map(|&d| points(d)).collect();
+        let _ = write!(attributes, " stroke-dasharray=\"{}\"", dashes.join(" "));
+    }
+    if pen.round {
+        attributes.push_str(" stroke-linecap=\"round\"");
+    }
+    attributes
+}
+
+/// Path data through the spots; spots that fall together in the file are written once.
+pub(crate) fn path_data(path: &[Hundredths], closed: bool) -> String {
+    let mut data = String::new();
+    let mut previous = None;
+    for &(x, y) in path {
+        if previous == Some((x, y)) {
+            continue;
+        }
+        let command = if previous.is_none() { "M" } else { "L" };
+        let _ = write!(data, "{command}{},{}", hundredths(x), hundredths(y));
+        previous = Some((x, y));
+    }
+    if closed && !data.is_empty() {
+        data.push('Z');
+    }
+    data
 }
 
 /// Text with the five characters escaped that XML reserves, without control characters, which it forbids, and with marks that
@@ -93,6 +147,27 @@ mod tests {
             [0, 7, 10, 100, 12_345, -5, -50, -1_200].into_iter().map(hundredths).collect();
         assert_eq!(printed, ["0", "0.07", "0.1", "1", "123.45", "-0.05", "-0.5", "-12"]);
         assert_eq!(points(1.0 / 3.0), "0.33");
+    }
+
+    #[test]
+    fn text_is_escaped_once() {
+        assert_eq!(escape("a<b & \"c\">'d'\u{7}"), "a&lt;b &amp; &quot;c&quot;&gt;&#39;d&#39; ");
+        assert_eq!(
+            spans(&Label::parse("$x$ < 1 & y").unwrap(), 8.0),
+            "<tspan font-style=\"italic\">x</tspan> &lt; 1 &amp; y"
+        );
+    }
+
+    #[test]
+    fn points_that_coincide_in_print_are_written_once() {
+        assert_eq!(path_data(&[(0, 0), (0, 0), (150, -25), (150, -25)], false), "M0,0L1.5,-0.25");
+        assert_eq!(path_data(&[(0, 0), (100, 0), (0, 100)], true), "M0,0L1,0L0,1Z");
+    }
+
+    #[test]
+    fn dashes_are_real_ones() {
+        let pen = Pen::dashed(Colour(1, 2, 255), 1.25, &[4.0, 1.5]);
+        assert_eq!(stroke(Some(pen)), " stroke=\"#0102ff\" stroke-width=\"1.25\" stroke-dasharray=\"4 1.5\"");
     }
 
     #[test]
