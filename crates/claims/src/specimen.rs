@@ -7,16 +7,14 @@
 
 mod motion;
 
-use crate::Sampler;
-use grazing_continuation::resonance::{LocatedResonance, ResonanceError};
+use crate::{Failure, Sampler};
+use grazing_continuation::resonance::LocatedResonance;
 use grazing_model::flow_variable::{PRIMARY, SECONDARY};
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
 use grazing_model::{
     FlowJet, ImpactOscillator, LinearOscillator, MapJet, OnWall, ParameterJet, State, ThirdOrder,
 };
-use grazing_theorems::TheoryError;
-use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
-use thiserror::Error;
+use grazing_theorems::from_map::GrazingOrbit;
 
 pub(crate) use self::motion::SpecimenMotion;
 
@@ -73,20 +71,6 @@ pub(crate) struct Law {
 
 /// A specimen at grazing.
 pub(crate) type Grazing = GrazingOrbit<Specimen>;
-
-/// A specimen could not be made.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub(crate) enum SpecimenError {
-    /// The linear oscillator has no such resonance.
-    #[error(transparent)]
-    Theory(#[from] TheoryError),
-    /// Its grazing orbit was not found.
-    #[error(transparent)]
-    Orbit(#[from] GrazingOrbitError),
-    /// Its resonance was not found.
-    #[error(transparent)]
-    Resonance(#[from] ResonanceError),
-}
 
 /// The grazing orbit of the linear oscillator is followed in so many steps as d and κ grow: Newton's method converges from each to
 /// the next for d up to 0.9 and κ up to 0.4 (empirical).
@@ -145,10 +129,7 @@ impl Law {
     }
 
     /// An oscillator with a law without pattern at grazing.
-    ///
-    /// # Errors
-    /// [`SpecimenError::Orbit`].
-    pub(crate) fn random_grazing(sampler: &mut Sampler) -> Result<Grazing, SpecimenError> {
+    pub(crate) fn random_grazing(sampler: &mut Sampler) -> Result<Grazing, Failure> {
         let damping = sampler.between(0.01, 0.25);
         let law = Self::random(sampler, damping);
         // At lower frequencies springs that stiffen have superharmonic resonances, beside which other loops graze first.
@@ -157,10 +138,7 @@ impl Law {
     }
 
     /// The same; half of them have the frequency as the primary parameter.
-    ///
-    /// # Errors
-    /// [`SpecimenError::Orbit`].
-    pub(crate) fn random_grazing_of_any_order(sampler: &mut Sampler) -> Result<Grazing, SpecimenError> {
+    pub(crate) fn random_grazing_of_any_order(sampler: &mut Sampler) -> Result<Grazing, Failure> {
         let orbit = Self::random_grazing(sampler)?;
         let exchanged = sampler.one_of(&[true, false]);
         if exchanged { frequency_first(&orbit) } else { Ok(orbit) }
@@ -195,10 +173,7 @@ impl Law {
     }
 
     /// The oscillator at its grazing orbit at the forcing frequency ω.
-    ///
-    /// # Errors
-    /// [`SpecimenError::Orbit`].
-    pub(crate) fn grazing(self, frequency: f64) -> Result<Grazing, SpecimenError> {
+    pub(crate) fn grazing(self, frequency: f64) -> Result<Grazing, Failure> {
         // The linear oscillator's response has amplitude 1 and its maximum at phase z.
         let (stiffness, loss) = (1.0 - frequency * frequency, 2.0 * self.damping * frequency);
         let (mut amplitude, mut phase) = (libm::hypot(stiffness, loss), libm::atan2(loss, stiffness));
@@ -212,15 +187,12 @@ impl Law {
 
     /// The oscillator at the resonance that the one (p, n) of the linear oscillator becomes, with ω₁/ω = n − 1/(2p) instead of
     /// n + 1/(2p) where it is `negative`.
-    ///
-    /// # Errors
-    /// [`SpecimenError`].
     pub(crate) fn resonance(
         self,
         loops: u32,
         index: u32,
         negative: bool,
-    ) -> Result<LocatedResonance<Specimen>, SpecimenError> {
+    ) -> Result<LocatedResonance<Specimen>, Failure> {
         let theory = grazing_theorems::LinearOscillator::new(self.damping, 1.0)?;
         let frequency = if negative {
             theory.virtual_resonance_frequency(loops, index)?
@@ -250,10 +222,7 @@ pub(crate) fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
 }
 
 /// The grazing orbit with the frequency as its primary parameter instead of the amplitude.
-///
-/// # Errors
-/// [`SpecimenError::Orbit`].
-pub(crate) fn frequency_first(orbit: &Grazing) -> Result<Grazing, SpecimenError> {
+pub(crate) fn frequency_first(orbit: &Grazing) -> Result<Grazing, Failure> {
     let [amplitude, frequency] = orbit.oscillator().parameters();
     let law = orbit.oscillator().law().frequency_first();
     Ok(GrazingOrbit::at(Specimen::new(law, [frequency, amplitude]), orbit.phase())?)

@@ -28,73 +28,60 @@ impl fmt::Display for Theorem {
     }
 }
 
-/// A quantity about which a theorem makes a hypothesis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Quantity {
-    /// The number of loops, `p`.
-    Loops,
-    /// The forcing frequency, `omega`.
-    ForcingFrequency,
-    /// The deceleration at grazing, `gamma`: the grazing point belongs to the grazing set.
-    Deceleration,
-    /// The coefficient of restitution at zero impact velocity, `phi`.
-    Restitution,
-    /// The determinant, `delta`: the lower side of the trapesium.
-    Determinant,
-    /// `1 - delta`: the upper side of the trapesium.
-    Contraction,
-    /// `delta + 1 - |tau|`: the slanted sides of the trapesium.
-    StabilityMargin,
-    /// The factor of the square-root term, `alpha`.
-    SquareRootFactor,
-    /// `a12 alpha`.
-    OffDiagonalTimesSquareRootFactor,
-    /// `tau - h_p(delta)`.
-    AdmissibilityMargin,
-    /// `a12 beta`.
-    OffDiagonalTimesTransversality,
-    /// `beta kappa_p`.
-    TransversalityTimesDetuning,
-    /// The transversality coefficient, `beta`.
-    Transversality,
-    /// `a12`.
-    OffDiagonal,
-    /// `a12'`.
-    OffDiagonalDerivative,
-    /// `kappa_p`.
-    Detuning,
-    /// `kappa_p'`.
-    DetuningDerivative,
-    /// `s_p^+`.
-    SaddleNodeStability,
-    /// `s_p^-`.
-    PeriodDoublingStability,
+/// The quantities, each with its symbol.
+macro_rules! quantities {
+    ($($(#[$doc:meta])* $name:ident = $symbol:literal;)*) => {
+        /// A quantity about which a theorem makes a hypothesis; shown as its symbol.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum Quantity { $($(#[$doc])* $name,)* }
+
+        impl fmt::Display for Quantity {
+            fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+                formatter.write_str(match self { $(Self::$name => $symbol,)* })
+            }
+        }
+    };
 }
 
-impl fmt::Display for Quantity {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
-            Self::Loops => "p",
-            Self::ForcingFrequency => "omega",
-            Self::Deceleration => "gamma",
-            Self::Restitution => "phi",
-            Self::Determinant => "delta",
-            Self::Contraction => "1 - delta",
-            Self::StabilityMargin => "delta + 1 - |tau|",
-            Self::SquareRootFactor => "alpha",
-            Self::OffDiagonalTimesSquareRootFactor => "a12 alpha",
-            Self::AdmissibilityMargin => "tau - h_p(delta)",
-            Self::OffDiagonalTimesTransversality => "a12 beta",
-            Self::TransversalityTimesDetuning => "beta kappa_p",
-            Self::Transversality => "beta",
-            Self::OffDiagonal => "a12",
-            Self::OffDiagonalDerivative => "a12'",
-            Self::Detuning => "kappa_p",
-            Self::DetuningDerivative => "kappa_p'",
-            Self::SaddleNodeStability => "s_p^+",
-            Self::PeriodDoublingStability => "s_p^-",
-        })
-    }
+quantities! {
+    /// The number of loops, `p`.
+    Loops = "p";
+    /// The forcing frequency, `omega`.
+    ForcingFrequency = "omega";
+    /// The deceleration at grazing, `gamma`: the grazing point belongs to the grazing set.
+    Deceleration = "gamma";
+    /// The coefficient of restitution at zero impact velocity, `phi`.
+    Restitution = "phi";
+    /// The determinant, `delta`: the lower side of the trapesium.
+    Determinant = "delta";
+    /// `1 - delta`: the upper side of the trapesium.
+    Contraction = "1 - delta";
+    /// `delta + 1 - |tau|`: the slanted sides of the trapesium.
+    StabilityMargin = "delta + 1 - |tau|";
+    /// The factor of the square-root term, `alpha`.
+    SquareRootFactor = "alpha";
+    /// `a12 alpha`.
+    OffDiagonalTimesSquareRootFactor = "a12 alpha";
+    /// `tau - h_p(delta)`.
+    AdmissibilityMargin = "tau - h_p(delta)";
+    /// `a12 beta`.
+    OffDiagonalTimesTransversality = "a12 beta";
+    /// `beta kappa_p`.
+    TransversalityTimesDetuning = "beta kappa_p";
+    /// The transversality coefficient, `beta`.
+    Transversality = "beta";
+    /// `a12`.
+    OffDiagonal = "a12";
+    /// `a12'`.
+    OffDiagonalDerivative = "a12'";
+    /// `kappa_p`.
+    Detuning = "kappa_p";
+    /// `kappa_p'`.
+    DetuningDerivative = "kappa_p'";
+    /// `s_p^+`.
+    SaddleNodeStability = "s_p^+";
+    /// `s_p^-`.
+    PeriodDoublingStability = "s_p^-";
 }
 
 /// What a theorem asks of a quantity.

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 
 use crate::continued::{along, good, near};
 use crate::random::Random;
-use crate::regions::{BORDER, distance};
+use crate::regions::{BORDER, distance, doubts};
 use crate::simulation::{Settled, settled};
 
 /// What regions, continuation and simulation do not agree on.
@@ -142,12 +142,7 @@ pub fn compare<O: ImpactOscillator>(diagram: &Diagram<O>, lattice: usize, states
             (0..states).filter_map(|_| settled(&here, &mut random)).collect()
         })
         .collect();
-    let mut outcome = Outcome::default();
-    for region in &diagram.regions {
-        if let RegionKind::Undecided(doubt) = &region.kind {
-            outcome.doubts.push(format!("p = {}: {doubt}", region.loops));
-        }
-    }
+    let mut outcome = Outcome { doubts: doubts(diagram), ..Outcome::default() };
     let (mut shaded, mut hatched) = (vec![false; points.len()], vec![false; points.len()]);
     for &loops in loops {
         let all: Vec<Shown> = points.par_iter().map(|point| shown(diagram, loops, *point)).collect();

@@ -42,6 +42,15 @@ pub fn distance(region: &Region, [x, y]: [f64; 2]) -> f64 {
     least
 }
 
+/// Why regions of a diagram are hatched.
+pub fn doubts<O>(diagram: &Diagram<O>) -> Vec<String> {
+    let doubt = |region: &Region| match &region.kind {
+        RegionKind::Undecided(doubt) => Some(format!("p = {}: {doubt}", region.loops)),
+        _ => None,
+    };
+    diagram.regions.iter().filter_map(doubt).collect()
+}
+
 /// Whether a stable, admissible MPS is there all around a point, or nowhere around it; `None` close to a border.
 fn exact(zeta: f64, epsilon: f64, [amplitude, omega]: [f64; 2], loops: u32) -> Option<bool> {
     let at = |a: f64, w: f64| {
@@ -75,11 +84,7 @@ pub fn compare(
             return outcome;
         }
     };
-    for region in &diagram.regions {
-        if let RegionKind::Undecided(doubt) = &region.kind {
-            outcome.doubts.push(format!("p = {}: {doubt}", region.loops));
-        }
-    }
+    outcome.doubts = doubts(&diagram);
     let mut hatched = 0;
     for _ in 0..points {
         let [primary, secondary] = [window.primary, window.secondary];

@@ -8,6 +8,7 @@ use grazing_theorems::Resonance;
 use grazing_theorems::from_map::GrazingOrbit;
 
 use super::printed_flow::{CLOSED, DIFFERENCES, Turn};
+use crate::checks::resonant::derivatives::slope;
 use crate::specimen::damping_for_decay;
 use crate::{CheckResult, Deviations, Failure, Sampler};
 
@@ -86,17 +87,14 @@ fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> 
 /// The derivative in ω of an entry or combination of entries of A along the grazing curve, by differences of P_global.
 fn along_grazing(resonance: &Resonance, of: impl Fn(&nalgebra::Matrix2<f64>) -> f64) -> Result<f64, Failure> {
     let theory = resonance.grazing().oscillator();
-    let at = |h: f64| -> Result<f64, Failure> {
-        let state = theory.grazing(resonance.forcing_frequency() + h)?;
-        Ok(of(&global_map::<_, 1>(&state.model(), AtRest::new(0.0, state.phase()), None)?.jet.derivative()))
-    };
     // Angles 2πω₁/ω change fast at low ω: the step shrinks with ω².
     let step = 2e-3 * resonance.forcing_frequency() * resonance.forcing_frequency();
-    let mut sum = 0.0;
-    for (k, weight) in [(1.0, 45.0), (2.0, -9.0), (3.0, 1.0)] {
-        sum += weight * (at(k * step)? - at(-k * step)?);
-    }
-    Ok(sum / (60.0 * step))
+    let measured = slope(step, |h| {
+        let state = theory.grazing(resonance.forcing_frequency() + h).ok()?;
+        let landing = global_map::<_, 1>(&state.model(), AtRest::new(0.0, state.phase()), None).ok()?;
+        Some(of(&landing.jet.derivative()))
+    });
+    Ok(measured.ok_or("P_global is not defined beside a resonance")?)
 }
 
 fn detuning(loops: u32) -> impl Fn(&nalgebra::Matrix2<f64>) -> f64 {

@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use crate::Sampler;
+use crate::checks::resonant::derivatives::slope;
 use grazing_model::LinearOscillator;
 use grazing_theorems::GrazingState;
 
@@ -56,8 +57,7 @@ pub(crate) struct Derivatives {
 pub(crate) const STEP: f64 = 2e-2;
 
 pub(crate) fn first(step: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let pair = |k: f64| f(k * step) - f(-k * step);
-    (45.0 * pair(1.0) - 9.0 * pair(2.0) + pair(3.0)) / (60.0 * step)
+    slope(step, |h| Some(f(h))).unwrap_or(f64::NAN)
 }
 
 pub(crate) fn second(step: f64, f: impl Fn(f64) -> f64) -> f64 {

@@ -25,14 +25,14 @@ pub(crate) fn specimens() -> Result<Vec<Grazing>, Failure> {
         (Law::nonlinear(0.1).frequency_first(), 1.35),
         (Law::nonlinear(0.15).frequency_first(), 1.25),
     ];
-    all.into_iter().map(|(law, frequency)| Ok(law.grazing(frequency)?)).collect()
+    all.into_iter().map(|(law, frequency)| law.grazing(frequency)).collect()
 }
 
 /// Specimens with Ψ so large that α < 0.
 pub(crate) fn delayed() -> Result<Vec<Grazing>, Failure> {
     let delay = Exponential { size: 6.0, ..DELAY };
     let all = [(Law::varying(0.05), 0.8), (Law::varying(0.12), 1.4), (Law::nonlinear(0.05), 0.95)];
-    all.into_iter().map(|(law, frequency)| Ok(Law { delay, ..law }.grazing(frequency)?)).collect()
+    all.into_iter().map(|(law, frequency)| Law { delay, ..law }.grazing(frequency)).collect()
 }
 
 /// First-order data of a global map with (τ, δ) in the trapesium and entries of order one; a₁₂ of either sign.

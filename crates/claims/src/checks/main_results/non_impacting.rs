@@ -56,7 +56,7 @@ fn nonlinear_orbit(sampler: &mut Sampler) -> Result<Grazing, Failure> {
         // At the fold grazing is not transversal, and Newton's method for the grazing orbit is singular; where A has the eigenvalue 1
         // the fixed point turns back.
         if orbit.primary_slope().abs() > 0.1 && map.determinant() - map.trace() + 1.0 > 0.2 {
-            return Ok(frequency_first(&orbit)?);
+            return frequency_first(&orbit);
         }
     }
 }

@@ -190,7 +190,7 @@ fn beside_the_boundary(p: u32, margin: f64) -> Result<Grazing, Failure> {
         let above = grazing.trace() - admissibility_boundary(p, grazing.determinant())? > margin;
         if above { near = middle } else { far = middle }
     }
-    Ok(Law::varying(ZETA).grazing(omega(near))?)
+    Law::varying(ZETA).grazing(omega(near))
 }
 
 /// What theorem 2.2 or 2.3 says of these oscillators, and what simulation sees.
@@ -253,7 +253,7 @@ fn delayed(ratio: f64, alpha: f64) -> Result<Grazing, Failure> {
     let with = |size: f64| Law { delay: Exponential { size, ..DELAY }, ..Law::varying(ZETA) }.grazing(omega);
     let unit = with(1.0)?.grazing_point();
     let wanted = (1.0 + unit.phi - alpha) * unit.forcing_frequency / unit.gamma;
-    Ok(with(wanted / unit.psi)?)
+    with(wanted / unit.psi)
 }
 
 fn seen(solution: &LoopSolution, loops: u32, omega: f64) -> Option<(Seen, Option<bool>)> {

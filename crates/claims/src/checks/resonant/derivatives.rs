@@ -139,7 +139,7 @@ fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
 }
 
 /// Central differences of sixth order of a function of one variable.
-pub(super) fn slope(step: f64, f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+pub(crate) fn slope(step: f64, f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let pair = |k: f64| Some(f(k * step)? - f(-k * step)?);
     Some((45.0 * pair(1.0)? - 9.0 * pair(2.0)? + pair(3.0)?) / (60.0 * step))
 }

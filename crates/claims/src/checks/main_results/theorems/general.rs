@@ -16,9 +16,6 @@ fn follow<O: ImpactOscillator>(oscillator: &O, loops: u32, point: &Unknowns) -> 
 }
 
 /// On which side of a generic grazing bifurcation simulation sees the MPS that the VIVID function has a zero for.
-///
-/// # Errors
-/// Newton's method failed.
 pub(crate) fn side_of_orbit<O: ImpactOscillator>(
     orbit: &GrazingOrbit<O>,
     loops: u32,
@@ -49,9 +46,6 @@ pub(crate) fn side_of_orbit<O: ImpactOscillator>(
 
 /// The sign of η for which simulation sees the bifurcation near a resonance: an MPS to either side of it, at the same η, with the
 /// multiplier crossed in between.
-///
-/// # Errors
-/// Newton's method failed.
 pub(super) fn side_of_curve<O: ImpactOscillator>(
     orbit: &GrazingOrbit<O>,
     loops: u32,
