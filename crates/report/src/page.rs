@@ -2,8 +2,8 @@
 
 use askama::Template;
 use askama::filters::Safe;
-use grazing_claims::audit::Verdict as Finding;
-use grazing_reproduction::published::Verdict;
+use grazing_claims::audit;
+use grazing_reproduction::published;
 
 use crate::html::{Html, escape, rendered};
 use crate::{Report, ledger};
