@@ -63,45 +63,45 @@ fn draw(canvas: &Canvas, Piece { part, path }: &Piece) {
     canvas.line(path, pen);
 }
 
+/// A name, its size, and where on its part it starts, is centred or ends.
+type Name = (Part, &'static str, f64, Anchor, fn(&Bounds) -> Spot);
+
+const NAMES: [Name; 7] = [
+    (Part::Spring, "unit stiffness", SMALL_LABEL_SIZE, Anchor::Middle, |at| (at.centre().0, at.top - 4.5)),
+    (Part::Cylinder, r"damping $2\zeta$", SMALL_LABEL_SIZE, Anchor::Middle, |at| {
+        (at.centre().0, at.bottom + 9.5)
+    }),
+    (Part::Block, "unit", SMALL_LABEL_SIZE, Anchor::Middle, |at| (at.centre().0, at.centre().1 - 1.5)),
+    (Part::Block, "mass", SMALL_LABEL_SIZE, Anchor::Middle, |at| (at.centre().0, at.centre().1 + 8.0)),
+    (Part::Force, r"$\mathcal{A}\,\mathrm{cos}(\omega t)$", LABEL_SIZE, Anchor::Start, |at| {
+        (at.left + 2.0, at.top - 5.0)
+    }),
+    (Part::Dimension, "1", LABEL_SIZE, Anchor::Middle, |at| (at.centre().0, at.top - 3.5)),
+    (Part::Wall, r"restitution $\epsilon$", SMALL_LABEL_SIZE, Anchor::End, |at| {
+        (at.right + 11.0, at.top - 5.0)
+    }),
+];
+
 /// Names the parts.
 fn label(canvas: &Canvas, pieces: &[Piece]) -> Result<(), DrawingError> {
-    let say =
-        |spot: Spot, text: &str, size: f64, anchor: Anchor| canvas.text(spot, text, size, anchor, BLACK);
     let whole =
         |part: Part| extent(pieces.iter().filter(|piece| piece.part == part).map(|piece| &piece.path));
-    if let Some(spring) = whole(Part::Spring) {
-        let spot = (spring.centre().0, spring.top - 4.5);
-        say(spot, "unit stiffness", SMALL_LABEL_SIZE, Anchor::Middle)?;
+    for (part, text, size, anchor, spot) in NAMES {
+        let colour = if part == Part::Force { FORCE.colour } else { BLACK };
+        if let Some(bounds) = whole(part) {
+            canvas.text(spot(&bounds), text, size, anchor, colour)?;
+        }
     }
-    if let Some(cylinder) = whole(Part::Cylinder) {
-        let spot = (cylinder.centre().0, cylinder.bottom + 9.5);
-        say(spot, r"damping $2\zeta$", SMALL_LABEL_SIZE, Anchor::Middle)?;
-    }
-    if let Some(block) = whole(Part::Block) {
-        let (x, y) = block.centre();
-        say((x, y - 1.5), "unit", SMALL_LABEL_SIZE, Anchor::Middle)?;
-        say((x, y + 8.0), "mass", SMALL_LABEL_SIZE, Anchor::Middle)?;
-    }
-    if let Some(force) = whole(Part::Force) {
-        let text = r"$\mathcal{A}\,\mathrm{cos}(\omega t)$";
-        canvas.text((force.left + 2.0, force.top - 5.0), text, LABEL_SIZE, Anchor::Start, FORCE.colour)?;
-    }
-    if let Some(gap) = whole(Part::Dimension) {
-        say((gap.centre().0, gap.top - 3.5), "1", LABEL_SIZE, Anchor::Middle)?;
-    }
-    if let Some(wall) = whole(Part::Wall) {
-        let spot = (wall.right + 11.0, wall.top - 5.0);
-        say(spot, r"restitution $\epsilon$", SMALL_LABEL_SIZE, Anchor::End)?;
-    }
+    let below = |spot: Spot, text: &str, size: f64| canvas.text(spot, text, size, Anchor::Middle, BLACK);
     let ticks: Vec<&Piece> = pieces.iter().filter(|piece| piece.part == Part::Tick).collect();
     for (tick, text) in ticks.iter().zip([r"$x(t)$", "$-1$", "$0$"]) {
         if let Some(&(x, y)) = tick.path.first() {
-            say((x, y + 9.5), text, SMALL_LABEL_SIZE, Anchor::Middle)?;
+            below((x, y + 9.5), text, SMALL_LABEL_SIZE)?;
         }
     }
     if let (Some(tick), Some(axis)) = (ticks.get(1).and_then(|tick| tick.path.first()), whole(Part::Axis)) {
-        say((tick.0, tick.1 + 18.5), "equilibrium", TICK_SIZE, Anchor::Middle)?;
-        say((axis.right - 1.0, axis.bottom + 9.5), "$x$", TITLE_SIZE, Anchor::Middle)?;
+        below((tick.0, tick.1 + 18.5), "equilibrium", TICK_SIZE)?;
+        below((axis.right - 1.0, axis.bottom + 9.5), "$x$", TITLE_SIZE)?;
     }
     Ok(())
 }

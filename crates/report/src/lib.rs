@@ -51,7 +51,8 @@ pub struct Report<'a> {
     pub claims: Vec<Finding<'a>>,
     /// The source files to which claims lead.
     pub sources: Sources,
-    /// Oscillators from text files, each with an identifier of its own.
+    /// Oscillators from text files, each with an identifier of its own. A page can be about them alone: parts of which there is nothing are
+    /// left out.
     pub oscillators: Vec<OscillatorEntry>,
     /// What of all this could not be made, or not wholly, and why.
     pub missing: Vec<String>,

@@ -240,6 +240,14 @@ mod tests {
     }
 
     #[test]
+    fn digits_that_agree_are_counted() {
+        for (value, digits) in [(-12.5, 15), (-12.500_25, 4), (-12.6, 2), (12.5, 0)] {
+            assert_eq!(coefficient(value, 1e-9).compared(), Some((value, digits)));
+        }
+        assert_eq!(coefficient(NOT_MEASURED.0, NOT_MEASURED.1).compared(), None);
+    }
+
+    #[test]
     fn a_verdict_is_good_only_if_every_coefficient_agrees_and_every_simulation_is_as_predicted() {
         let all_good = tally(MEASURED, PREDICTED);
         assert_eq!(

@@ -2,7 +2,7 @@
 
 use askama::Template;
 use askama::filters::Safe;
-use grazing_claims::audit::Verdict as Finding;
+use grazing_claims::audit;
 
 use crate::html::{Html, escape, rendered};
 use crate::{Report, ledger};
