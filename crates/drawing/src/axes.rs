@@ -2,6 +2,10 @@
 
 use std::fmt::Write;
 
+use plotters::coord::CoordTranslate;
+use plotters::coord::cartesian::Cartesian2d;
+use plotters::coord::types::RangedCoordf64;
+
 use crate::DrawingError;
 use crate::canvas::{Anchor, Canvas};
 use crate::clip::{Window, clip_polygon, clip_polyline, hatching};
@@ -59,14 +63,14 @@ impl<'c> Panel<'c> {
 
     /// Where a data point lies on the sheet, in whole hundredths of a point: the rest of the way from the lower left
     /// corner is cut off.
-    pub(crate) fn spot(&self, (x, y): (f64, f64)) -> Spot {
+    pub(crate) fn spot(&self, point: (f64, f64)) -> Spot {
         let (left, top) = in_hundredths((self.bounds.left, self.bounds.top));
         let (right, bottom) = in_hundredths((self.bounds.right, self.bounds.bottom));
-        let share = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
-        // What rounding leaves just below a whole number is that number.
-        let across = (f64::from(right - left) * share(x, self.window.x) + 1e-3).floor();
-        let up = (f64::from(bottom - top) * share(y, self.window.y) + 1e-3).floor();
-        ((f64::from(left) + across) / 100.0, (f64::from(bottom) - up) / 100.0)
+        let Window { x: [first, last], y: [low, high] } = self.window;
+        let axes: Cartesian2d<RangedCoordf64, RangedCoordf64> =
+            Cartesian2d::new(first..last, low..high, (left..right, bottom..top));
+        let (x, y) = axes.translate(&point);
+        (f64::from(x) / 100.0, f64::from(y) / 100.0)
     }
 
     fn spots(&self, points: &[(f64, f64)]) -> Vec<Spot> {
@@ -161,7 +165,7 @@ impl<'c> Panel<'c> {
                 let _ = write!(attributes, " data-columns=\"{}\"", escape(&columns));
             }
         }
-        self.canvas.put(format_args!(
+        self.canvas.note(&format!(
             "<rect class=\"panel\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" data-x=\"{} {}\" data-y=\"{} {}\" \
              data-x-title=\"{}\" data-y-title=\"{}\"{attributes}/>",
             points(bounds.left),

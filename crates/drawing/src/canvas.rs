@@ -1,16 +1,20 @@
-//! The sheet a figure is drawn on, in points from the top left corner: SVG under way.
+//! The sheet a figure is drawn on, in points from the top left corner: plotters' drawing area over a backend that is SVG under way.
 
 use std::cell::RefCell;
-use std::fmt::{Arguments, Write};
+use std::rc::Rc;
+
+use plotters::coord::Shift;
+use plotters::drawing::DrawingArea;
 
 use crate::DrawingError;
+use crate::backend::{Element, SvgBackend};
 use crate::font::{Extent, Fonts, TEXT_FAMILY, style_sheet};
 use crate::markup::Label;
 use crate::sheet::{Bounds, Spot};
 use crate::simplify::simplify;
 use crate::style::{Colour, Paint, Pen, SIZE_LIMIT, hat_pen};
 use crate::svg::{
-    Hundredths, POINTS_PER_MM, escape, fill, hex, in_hundredths, path_data, points, spans, stroke,
+    Hundredths, POINTS_PER_MM, escape, fill, hex, hundredths, in_hundredths, path_data, points, spans, stroke,
 };
 
 /// Horizontal anchor of a text.
@@ -26,8 +30,8 @@ pub(crate) struct Canvas {
     pub(crate) fonts: Fonts,
     pub(crate) width: f64,
     pub(crate) height: f64,
-    /// The elements drawn so far.
-    body: RefCell<String>,
+    backend: Rc<RefCell<SvgBackend>>,
+    root: DrawingArea<SvgBackend, Shift>,
     /// Every label drawn so far and the box of its ink.
     texts: RefCell<Vec<(String, Bounds)>>,
 }
@@ -35,55 +39,72 @@ pub(crate) struct Canvas {
 impl Canvas {
     pub(crate) fn new(width_mm: f64, height_mm: f64) -> Result<Self, DrawingError> {
         let (width, height) = (width_mm * POINTS_PER_MM, height_mm * POINTS_PER_MM);
-        Ok(Canvas {
-            fonts: Fonts::load()?,
-            width,
-            height,
-            body: RefCell::default(),
-            texts: RefCell::default(),
-        })
+        let size = in_hundredths((width, height));
+        let backend = Rc::new(RefCell::new(SvgBackend::new(size)));
+        let root = DrawingArea::from(&backend);
+        Ok(Canvas { backend, root, fonts: Fonts::load()?, width, height, texts: RefCell::default() })
     }
 
-    /// Adds an element.
-    pub(crate) fn put(&self, element: Arguments<'_>) {
-        // Writing to a String cannot fail.
-        let _ = writeln!(self.body.borrow_mut(), "{element}");
+    /// Draws an element: its spots, and what is written of them.
+    fn draw(&self, spots: &[Spot], write: impl Fn(&[Hundredths]) -> String) {
+        let points: Vec<Hundredths> = spots.iter().map(|&spot| in_hundredths(spot)).collect();
+        let drawn = self.root.draw(&Element { points, write });
+        drawn.expect("the backend cannot fail, and nobody else draws meanwhile");
+    }
+
+    /// Adds what puts no ink on the sheet.
+    pub(crate) fn note(&self, element: &str) {
+        self.backend.borrow_mut().write(element);
     }
 
     /// An open line; one shorter than print resolution is none.
     pub(crate) fn line(&self, spots: &[Spot], pen: Pen) {
-        let data = path_data(&simplify(&all_in_hundredths(spots)), false);
-        if data.contains('L') {
-            self.put(format_args!("<path d=\"{data}\"{}/>", stroke(Some(pen))));
-        }
+        self.draw(spots, |path| match path_data(&simplify(path), false) {
+            data if data.contains('L') => format!("<path d=\"{data}\"{}/>", stroke(Some(pen))),
+            _ => String::new(),
+        });
     }
 
     /// A filled and perhaps outlined polygon.
     pub(crate) fn polygon(&self, corners: &[Spot], paint: Paint, outline: Option<Pen>) {
-        let data = path_data(&all_in_hundredths(corners), true);
-        self.put(format_args!("<path d=\"{data}\"{}{}/>", fill(paint), stroke(outline)));
+        self.draw(corners, |path| {
+            format!("<path d=\"{}\"{}{}/>", path_data(path, true), fill(paint), stroke(outline))
+        });
     }
 
     /// A filled area, inside where its rings are crossed an odd number of times.
     pub(crate) fn area(&self, rings: &[Vec<Spot>], paint: Paint) {
-        let data: String = rings.iter().map(|ring| path_data(&all_in_hundredths(ring), true)).collect();
-        self.put(format_args!("<path d=\"{data}\" fill-rule=\"evenodd\"{}/>", fill(paint)));
+        self.draw(&rings.concat(), |mut path| {
+            let mut data = String::new();
+            for ring in rings {
+                let (here, rest) = path.split_at(ring.len());
+                data.push_str(&path_data(here, true));
+                path = rest;
+            }
+            format!("<path d=\"{data}\" fill-rule=\"evenodd\"{}/>", fill(paint))
+        });
+    }
+
+    /// Draws an element that hangs on one spot, whose coordinates `write` is given.
+    fn draw_at(&self, spot: Spot, write: impl Fn(String, String) -> String) {
+        self.draw(&[spot], |path| path.iter().map(|&(x, y)| write(hundredths(x), hundredths(y))).collect());
     }
 
     /// A filled and perhaps outlined disc.
-    pub(crate) fn disc(&self, (x, y): Spot, radius: f64, paint: Paint, outline: Option<Pen>) {
-        let (x, y, r, fill, outline) = (points(x), points(y), points(radius), fill(paint), stroke(outline));
-        self.put(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{fill}{outline}/>"));
+    pub(crate) fn disc(&self, centre: Spot, radius: f64, paint: Paint, outline: Option<Pen>) {
+        let (r, fill, outline) = (points(radius), fill(paint), stroke(outline));
+        self.draw_at(centre, |x, y| format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{fill}{outline}/>"));
     }
 
     /// Squares of a side on a grid that hangs on its top left corner; `data` is path data in units of the side.
-    pub(crate) fn bins(&self, (x, y): Spot, side: f64, data: &str, paint: Paint) {
-        let (x, y, side) = (points(x), points(y), points(side));
-        let (colour, opacity) = (hex(paint.colour), points(paint.opacity));
-        self.put(format_args!(
-            "<path transform=\"translate({x} {y}) scale({side})\" d=\"{data}\" stroke=\"{colour}\" stroke-opacity=\"{opacity}\" \
-             stroke-width=\"1\"/>"
-        ));
+    pub(crate) fn bins(&self, corner: Spot, side: f64, data: &str, paint: Paint) {
+        let (side, colour, opacity) = (points(side), hex(paint.colour), points(paint.opacity));
+        self.draw_at(corner, |x, y| {
+            format!(
+                "<path transform=\"translate({x} {y}) scale({side})\" d=\"{data}\" stroke=\"{colour}\" \
+                 stroke-opacity=\"{opacity}\" stroke-width=\"1\"/>"
+            )
+        });
     }
 
     /// A label with its baseline at the spot.
@@ -144,13 +165,14 @@ impl Canvas {
         Ok(())
     }
 
-    fn set(&self, (x, y): Spot, label: &Label, size: f64, attributes: &str, colour: Colour, taken: Bounds) {
+    fn set(&self, spot: Spot, label: &Label, size: f64, attributes: &str, colour: Colour, taken: Bounds) {
         self.texts.borrow_mut().push((label.source.clone(), taken));
-        let (x, y, colour, spans) = (points(x), points(y), hex(colour), spans(label, size));
-        let size = points(size);
-        self.put(format_args!(
-            "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{attributes} fill=\"{colour}\">{spans}</text>"
-        ));
+        let (colour, spans, size) = (hex(colour), spans(label, size), points(size));
+        self.draw_at(spot, |x, y| {
+            format!(
+                "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{attributes} fill=\"{colour}\">{spans}</text>"
+            )
+        });
     }
 
     /// The labels as they were written, in the order of drawing.
@@ -193,17 +215,13 @@ impl Canvas {
             escape(title),
             escape(description),
             style_sheet(),
-            self.body.into_inner(),
+            self.backend.borrow().body(),
         );
         if document.len() > SIZE_LIMIT {
             return Err(DrawingError::TooLarge { figure, bytes: document.len(), limit: SIZE_LIMIT });
         }
         Ok(document)
     }
-}
-
-fn all_in_hundredths(spots: &[Spot]) -> Vec<Hundredths> {
-    spots.iter().map(|&spot| in_hundredths(spot)).collect()
 }
 
 #[cfg(test)]
@@ -215,7 +233,7 @@ mod tests {
     fn a_line_that_shrinks_to_a_point_is_not_written() {
         let canvas = Canvas::new(10.0, 10.0).unwrap();
         canvas.line(&[(1.0, 2.0), (1.0, 2.0)], FRAME);
-        assert_eq!(*canvas.body.borrow(), "");
+        assert_eq!(canvas.backend.borrow().body(), "");
     }
 
     #[test]

@@ -5,7 +5,7 @@
 //! function of its own: [`draw_fig01`], [`draw_fig02`], and so on. A function gets rows ([`grazing_results`]) and windows, and returns the text of an SVG file. This crate
 //! knows rows, windows and ink; it computes nothing about impacts, and equal input gives equal bytes.
 //!
-//! A panel maps data to the sheet, whose lengths are points, and the sheet writes SVG with two decimals. Curves and
+//! plotters maps data to the sheet, whose lengths are points, and draws on a backend of ours, which writes SVG with two decimals. Curves and
 //! polygons are clipped in data space, so that they leave a window at their own slope, and are split at NaN. Text stays
 //! text, in fonts that are embedded in each file and measured when labels are placed.
 
@@ -18,6 +18,7 @@ mod samples;
 
 mod arrow;
 mod axes;
+mod backend;
 mod branches;
 mod canvas;
 mod captions;

@@ -18,7 +18,7 @@ pub(crate) fn in_hundredths((x, y): Spot) -> Hundredths {
 }
 
 /// Hundredths as a decimal number, without needless zeros.
-fn hundredths(value: i32) -> String {
+pub(crate) fn hundredths(value: i32) -> String {
     let (sign, size) = (if value < 0 { "-" } else { "" }, value.unsigned_abs());
     let (whole, rest) = (size / 100, size % 100);
     match (rest, rest % 10) {
