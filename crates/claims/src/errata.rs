@@ -11,7 +11,8 @@ const HEAD: &str = "\
 
 Where the print of *Resonant grazing bifurcations revisited* (D.J.W. Simpson and I. Ghosh, arXiv 2602.22797) and the mathematics differ.
 Made by `cargo xtask claims --write-errata` from `expected/claims.toml`. Where there is something to measure, a check computes both forms:
-the printed one has to fail and the corrected one to hold. None of them touches a theorem of the paper.
+the printed one has to fail and the corrected one to hold. None of them touches Theorems 2.2 to 2.5; the first is in Proposition 3.3, the third in
+Lemmas 5.1 and 5.2.
 ";
 
 /// The kinds in the order of the page, with their headings.

@@ -124,7 +124,7 @@ fn cross_each_other([a, b]: [Vector2<f64>; 2], [c, d]: [Vector2<f64>; 2]) -> boo
 ///
 /// With e = p₁ − p₀ and c = e × Ae, a vertex n − 1 after the end of the edge at i lies on the side of δⁱ T_n c of it, one n before
 /// its start on that of δ^(i−1) H_(n+1) c, and u⁽ʲ⁾ tells the side of the edge that closes the polygon. So the polygon is convex, and its
-/// vertices in order, exactly if T_n > 0 and H_n > 0 for n = 2, …, p and u⁽ʲ⁾ < 0 for 0 < j < p.
+/// vertices in order, if T_n > 0 and H_n > 0 for n = 2, …, p, and then u⁽ʲ⁾ < 0 for 0 < j < p.
 pub(crate) fn convex() -> CheckResult {
     search(
         2,

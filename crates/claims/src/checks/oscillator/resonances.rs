@@ -247,6 +247,34 @@ pub(crate) fn virtual_solutions() -> CheckResult {
     Ok(cases.outcome("random oscillators beside n ± 1/(2p): hypotheses, admissibility, simulation"))
 }
 
+/// Nordmark's conjecture: beside ω₁/ω = n ± 1/(2p), to both sides of g_p, the zero of the VIVID function with y > 0 is an MPS if a₁₂α > 0, and
+/// virtual if not.
+pub(crate) fn conjecture() -> CheckResult {
+    let mut sampler = Sampler::new(125);
+    let (mut cases, mut printed) = (Votes::default(), Votes::default());
+    for _ in 0..40 {
+        let theory =
+            grazing_theorems::LinearOscillator::new(sampler.between(0.005, 0.05), sampler.between(0.5, 1.0))?;
+        let (p, n) = (sampler.one_of(&[2, 3, 4]), sampler.one_of(&[1, 2]));
+        let beside = sampler.between(0.002, 0.01);
+        for frequency in
+            [theory.resonance(p, n)?.forcing_frequency(), theory.virtual_resonance_frequency(p, n)?]
+        {
+            for off in [1.0 - beside, 1.0 + beside] {
+                let grazing = theory.grazing(frequency * off)?;
+                let point = grazing.grazing_point();
+                let side = point.emerging_orbit(p)?.impact_velocity_slope.signum();
+                let (_, solution) = near_grazing(&grazing, p, side)?;
+                let seen = solution.impact_velocity() > 0.0 && solution.admissible();
+                cases.see(seen == (point.map.a.m12 * point.alpha() > 0.0));
+                printed.see(seen);
+            }
+        }
+    }
+    let over = "random oscillators to both sides of g_p, p = 2 to 4, with either sign of a₁₂α";
+    Ok(cases.outcome(over).against_print(printed.measure()))
+}
+
 /// At p = 2, n = 1 the hypotheses of theorem 2.5 hold, and close to that frequency there is a stable two-loop MPS shortly
 /// after grazing that attracts orbits of the hybrid system.
 pub(crate) fn stable_two_loops() -> CheckResult {

@@ -12,7 +12,7 @@ use super::derivatives::slope;
 use super::places::{ANY, Observed, Place, agreement, deviation, lowest, order};
 use super::simulation::next_impact;
 use crate::specimen::{Law, damping_for_decay};
-use crate::{CheckResult, Failure, Outcome, Votes, printed};
+use crate::{CheckResult, Deviations, Failure, Outcome, Votes, printed};
 
 /// Near a resonance an MPS is stable between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0 of the (η, y) plane, and nowhere else.
 fn regions(place: &Place) -> Result<Vec<bool>, Failure> {
@@ -41,6 +41,54 @@ fn regions(place: &Place) -> Result<Vec<bool>, Failure> {
 /// Periodicity regions lie between the SN and the PD curve.
 pub(crate) fn periodicity_regions() -> CheckResult {
     agreement(ANY, "MPSs around resonances, stable between SN and PD curves alone", regions)
+}
+
+/// Between the curves an MPS is stable if φ²δᵖ < 1, and its determinant is larger than 1 if φ²δᵖ > 1.
+pub(crate) fn stabilisation() -> CheckResult {
+    let (mut votes, mut printed) = (Votes::default(), Votes::default());
+    for (loops, n) in [(1, 2), (1, 3), (2, 1), (3, 1)] {
+        for decay in [0.4, 0.6, 0.8] {
+            // φ²δᵖ = (ε E_p)², well below 1 or above.
+            for size in [0.3, 0.8, 1.2, 1.6] {
+                let law = Law::linear(damping_for_decay(loops, n, decay), size / decay);
+                let place = Place::find(law, loops, n)?;
+                let point = place.point();
+                let stability = point.stability_coefficients();
+                let by_eta =
+                    point.grazing.alpha() * point.grazing.forcing_frequency * point.off_diagonal_slope();
+                // In the middle between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0, at a velocity that makes the next terms some per cent.
+                let y = 1e-4;
+                let eta = 0.5 * (stability.plus + stability.minus) * y / by_eta;
+                let near = place.on_branch(y, eta).ok_or("no MPS between the curves")?;
+                let solution = place.solution(&near);
+                votes.see(solution.stable() == (size < 1.0));
+                votes.see((solution.multipliers.determinant > 1.0) == (size > 1.0));
+                printed.see(solution.stable());
+            }
+        }
+    }
+    let over = "MPSs between SN and PD at resonances with p up to 3, restitutions to both sides of 1/E_p";
+    Ok(votes.outcome(over).against_print(printed.measure()))
+}
+
+/// n ω* is twice the damped natural frequency at all resonances with p = 1 of a linear oscillator, and not the same number at
+/// those of one with a nonlinear force.
+pub(crate) fn rational_multiples() -> CheckResult {
+    let spread = |law: Law| -> Result<f64, Failure> {
+        let products =
+            (2..=4_u32).map(|n| Ok(f64::from(n) * Place::find(law, 1, n)?.point().grazing.forcing_frequency));
+        let products = products.collect::<Result<Vec<f64>, Failure>>()?;
+        let [low, high] = [f64::min, f64::max]
+            .map(|choose| products.iter().copied().reduce(choose).expect("there are three"));
+        Ok((high - low) / high)
+    };
+    let damping = damping_for_decay(1, 3, 0.6);
+    let (mut linear, mut printed) = (Deviations::default(), Deviations::default());
+    linear.see(spread(Law::linear(damping, 0.8))?);
+    printed.see(spread(Law::nonlinear(damping))?);
+    // Resonances are located to some roundings.
+    let over = "n = 2 to 4 of a linear oscillator; the print of one with a nonlinear force";
+    Ok(linear.outcome(1e-14, over).against_print(printed.measure(1e-14)))
 }
 
 /// Stable MPSs attract in direct simulation.
