@@ -3,9 +3,9 @@
 use grazing_model::ImpactOscillator;
 
 use crate::curve::{Curve, Event, MpsCurve, Route};
-use crate::error::ResonanceError;
 use crate::locate::{Condition, same_point};
 use crate::mps::{LoopEquations, MaximalPeriodicSolution, Unknowns};
+use crate::resonance::ResonanceError;
 
 impl<O: ImpactOscillator> LoopEquations<O> {
     /// Follows the other curve of a codimension-two point at which one curve ends: GZ to the side where the MPS is stable, SN and PD
@@ -37,11 +37,6 @@ impl<O: ImpactOscillator> LoopEquations<O> {
                 Err(stall) => reason = stall.to_string(),
             }
         }
-        let curve = match condition {
-            Condition::InteriorGrazing => "interior grazing",
-            Condition::Multiplier(multiplier) if multiplier > 0.0 => "saddle-node",
-            _ => "period-doubling",
-        };
-        Err(ResonanceError::NotStarted { curve, reason })
+        Err(ResonanceError::not_started(condition, reason))
     }
 }

@@ -22,7 +22,6 @@ mod branching;
 pub mod criticality;
 pub mod curve;
 pub mod cusp;
-mod error;
 pub mod fit;
 mod follow;
 pub mod locate;

@@ -1,25 +1,53 @@
 //! Resonant grazing points: located numerically, and the curves that leave them.
 
+use core::ops::Deref;
+
 use grazing_model::ImpactOscillator;
-use grazing_theorems::from_map::GrazingOrbit;
+use grazing_model::maps::MapError;
+use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
 use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side, Unfolding};
 
 use crate::curve::{Curve, CurveEnd, MpsCurve, Route};
-pub use crate::error::ResonanceError;
 pub use crate::locate::same_point;
-use crate::locate::{Condition, locate};
+use crate::locate::{Condition, LocateFailure, locate};
 use crate::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use crate::tolerances::{AT_RESONANCE, OFF_RESONANCE};
 
-/// A resonant grazing point of p-loop MPSs: where det J = 0 on the curve of grazing bifurcations.
-///
-/// Paper: Theorems 2.4 and 2.5.
-#[derive(Clone, Debug)]
-pub struct ResonantGrazingPoint<O> {
-    equations: LoopEquations<O>,
-    orbit: GrazingOrbit<O>,
-    theorem: ResonantGrazing,
-    point: ResonantPoint,
+/// A resonant grazing point could not be analysed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ResonanceError {
+    /// Newton's method for det J = 0 on the grazing curve failed.
+    #[error("the resonance was not located: {0}")]
+    NotLocated(LocateFailure),
+    /// The grazing orbit was not found.
+    #[error(transparent)]
+    GrazingOrbit(#[from] GrazingOrbitError),
+    /// P_global is not smooth there.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// A theorem's hypothesis does not hold.
+    #[error(transparent)]
+    Hypotheses(#[from] HypothesesViolated),
+    /// The theory gives a direction in which the numerical equations have no curve.
+    #[error("the {curve} curve cannot be started: {reason}")]
+    NotStarted {
+        /// Which curve.
+        curve: &'static str,
+        /// Why not.
+        reason: String,
+    },
+}
+
+impl ResonanceError {
+    /// The curve with a condition cannot be started.
+    pub(crate) fn not_started(condition: Condition, reason: String) -> Self {
+        let curve = match condition {
+            Condition::InteriorGrazing => "interior grazing",
+            Condition::Multiplier(multiplier) if multiplier > 0.0 => "saddle-node",
+            _ => "period-doubling",
+        };
+        Self::NotStarted { curve, reason }
+    }
 }
 
 /// A resonant grazing point that has been located, whether or not a theorem applies there.
@@ -71,6 +99,17 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         &self.point
     }
 
+    /// The equations of the p-loop MPSs.
+    pub fn equations(&self) -> &LoopEquations<O> {
+        &self.equations
+    }
+
+    /// (0, z_graz, μ_graz, η*) as unknowns.
+    pub fn unknowns(&self) -> Unknowns {
+        let [primary, secondary] = self.orbit.oscillator().parameters();
+        Unknowns::new(0.0, self.orbit.phase(), primary, secondary)
+    }
+
     /// The resonance with the theorem that holds there.
     ///
     /// # Errors
@@ -83,9 +122,25 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
                 AT_RESONANCE + OFF_RESONANCE * (secondary * derivative).abs()
             }
         };
-        let theorem = ResonantGrazing::check(&self.point, tolerance)?;
-        let Self { equations, orbit, point } = self.clone();
-        Ok(ResonantGrazingPoint { equations, orbit, theorem, point })
+        Ok(ResonantGrazingPoint {
+            theorem: ResonantGrazing::check(&self.point, tolerance)?,
+            located: self.clone(),
+        })
+    }
+}
+
+/// A located resonance at which Theorem 2.4 or 2.5 holds.
+#[derive(Clone, Debug)]
+pub struct ResonantGrazingPoint<O> {
+    located: LocatedResonance<O>,
+    theorem: ResonantGrazing,
+}
+
+impl<O> Deref for ResonantGrazingPoint<O> {
+    type Target = LocatedResonance<O>;
+
+    fn deref(&self) -> &LocatedResonance<O> {
+        &self.located
     }
 }
 
@@ -98,35 +153,9 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
         Ok(LocatedResonance::find(oscillator, loops, near)?.checked()?)
     }
 
-    /// The number of loops p.
-    pub fn loops(&self) -> u32 {
-        self.equations.loops()
-    }
-
-    /// The grazing orbit at the resonance.
-    pub fn orbit(&self) -> &GrazingOrbit<O> {
-        &self.orbit
-    }
-
     /// The theorem that holds there, with its coefficients.
     pub fn theorem(&self) -> &ResonantGrazing {
         &self.theorem
-    }
-
-    /// What the theorem was fed with.
-    pub fn resonant_point(&self) -> &ResonantPoint {
-        &self.point
-    }
-
-    /// The equations of the p-loop MPSs.
-    pub fn equations(&self) -> &LoopEquations<O> {
-        &self.equations
-    }
-
-    /// (0, z_graz, μ_graz, η*) as unknowns.
-    pub fn unknowns(&self) -> Unknowns {
-        let [primary, secondary] = self.orbit.oscillator().parameters();
-        Unknowns::new(0.0, self.orbit.phase(), primary, secondary)
     }
 
     /// The direction in which theory lets the SN (`multiplier` 1) or PD (−1) curve leave with y > 0.
@@ -155,10 +184,9 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
     /// Follows the SN or PD curve from the resonance.
     fn leave(&self, condition: Condition, route: &Route) -> Result<Curve, ResonanceError> {
         let curve = MpsCurve { equations: self.equations.clone(), condition };
-        let name = if condition == Condition::SADDLE_NODE { "saddle-node" } else { "period-doubling" };
         curve
             .follow(self.unknowns(), self.direction(condition), EventTimes::default(), route)
-            .map_err(|stall| ResonanceError::NotStarted { curve: name, reason: stall.to_string() })
+            .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()))
     }
 
     /// All curves that bound the stable region of the MPS at this resonance: SN and PD from the resonance, and GZ from the

@@ -71,7 +71,7 @@ const STEP_LIMIT: usize = 20_000;
 
 /// The route through a window to the first event.
 pub fn route(window: Window, control: StepControl) -> Route {
-    Route { window, control, step_limit: STEP_LIMIT, stop_at_events: true, through_grazing: false }
+    Route { window, control, step_limit: STEP_LIMIT, stop_at_events: true }
 }
 
 impl<O: ImpactOscillator> Diagram<O> {

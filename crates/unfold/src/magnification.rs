@@ -65,7 +65,7 @@ pub fn magnify<O: ImpactOscillator>(
     };
     for other in diagram.curves.iter().filter(|curve| !shown(curve)) {
         let points = other.curve.parameters();
-        if points.iter().any(|point| inside(window, *point)) {
+        if points.iter().any(|point| window.contains(*point)) {
             list.push(continued(other.kind, points));
         }
     }
@@ -81,9 +81,11 @@ pub fn magnify<O: ImpactOscillator>(
     Ok(list)
 }
 
-fn inside(window: Window, [primary, secondary]: [f64; 2]) -> bool {
-    let within = |[low, high]: [f64; 2], value: f64| low <= value && value <= high;
-    within(window.primary, primary) && within(window.secondary, secondary)
+/// The grazing orbit at a value of η, from one nearby.
+fn grazing_at<O: ImpactOscillator>(near: &GrazingOrbit<O>, secondary: f64) -> Option<GrazingOrbit<O>> {
+    let step = secondary - near.oscillator().parameters()[1];
+    let start = near.oscillator().with_parameters([near.primary() + near.primary_slope() * step, secondary]);
+    GrazingOrbit::find(&start, near.phase() + near.phase_slope() * step).ok()
 }
 
 /// The part of a grazing curve with η in the window, with points close enough for it.
@@ -121,14 +123,11 @@ fn quadratic<O: ImpactOscillator>(
     let mut near = point.orbit().clone();
     for k in 0..=SAMPLES {
         let secondary = origin + (edge - origin) * f64::from(k) / f64::from(SAMPLES);
-        let step = secondary - near.oscillator().parameters()[1];
-        let start =
-            near.oscillator().with_parameters([near.primary() + near.primary_slope() * step, secondary]);
-        let Ok(orbit) = GrazingOrbit::find(&start, near.phase() + near.phase_slope() * step) else { break };
+        let Some(orbit) = grazing_at(&near, secondary) else { break };
         near = orbit;
         let Some(mu) = curve.parameter(secondary - origin) else { continue };
         points.push([near.primary() + mu, secondary]);
-        if !inside(window, [near.primary() + mu, secondary]) {
+        if !window.contains([near.primary() + mu, secondary]) {
             break;
         }
     }
@@ -147,7 +146,7 @@ pub fn window_about<O: ImpactOscillator>(
 ) -> Window {
     let whole = diagram.scope.window;
     let [_, origin] = point.orbit().oscillator().parameters();
-    let mut reach = 0.25 * (whole.secondary[1] - whole.secondary[0]);
+    let mut reach = 0.25 * whole.widths()[1];
     for (other, at) in diagram.unfolding() {
         let gap = (at.orbit().oscillator().parameters()[1] - origin).abs();
         if other.loops == resonance.loops && gap > 0.0 {
@@ -172,7 +171,7 @@ pub fn window_about<O: ImpactOscillator>(
     let mut extent = [f64::INFINITY, f64::NEG_INFINITY];
     let curves = own.iter().map(|curve| curve.curve.parameters());
     let grazing = diagram.grazing.iter().map(|curve| close_to(curve, shown));
-    for [primary, _] in curves.chain(grazing).flatten().filter(|at| inside(shown, *at)) {
+    for [primary, _] in curves.chain(grazing).flatten().filter(|at| shown.contains(*at)) {
         extent = [extent[0].min(primary), extent[1].max(primary)];
     }
     let margin = 0.05 * (extent[1] - extent[0]);
@@ -196,10 +195,7 @@ fn faithful<O: ImpactOscillator>(
     let mut near = point.orbit().clone();
     for [primary, secondary] in curve.iter().skip(1) {
         let eta = secondary - origin;
-        let step = secondary - near.oscillator().parameters()[1];
-        let start =
-            near.oscillator().with_parameters([near.primary() + near.primary_slope() * step, *secondary]);
-        let Ok(orbit) = GrazingOrbit::find(&start, near.phase() + near.phase_slope() * step) else { break };
+        let Some(orbit) = grazing_at(&near, *secondary) else { break };
         near = orbit;
         let difference = primary - near.primary() - coefficient * eta * eta;
         if difference.abs() > 0.2 * (coefficient * eta * eta).abs() {

@@ -72,7 +72,7 @@ pub fn periodic_motion<O: ImpactOscillator>(
     secondary: f64,
 ) -> PeriodicMotion<O> {
     let orbits = PeriodicOrbits { oscillator, scope };
-    let share_of_secondary = scope.shares([scope.window.primary[0], secondary])[1];
+    let share_of_secondary = scope.window.shares([scope.window.primary[0], secondary])[1];
     let mut branches: Vec<Branch> = Vec::new();
     let (mut ran_away, mut carried_away) = (None, None);
     for share in SHARES {
@@ -146,7 +146,8 @@ impl<O: ImpactOscillator> PeriodicMotion<O> {
                 match orbits.grazing(near) {
                     Some(orbit) => {
                         let same = |other: &GrazingOrbit<O>| {
-                            (other.primary() - orbit.primary()).abs() <= SAME * orbits.scope.widths()[0]
+                            (other.primary() - orbit.primary()).abs()
+                                <= SAME * orbits.scope.window.widths()[0]
                                 && libm::cos(other.phase() - orbit.phase()) > 1.0 - SAME
                         };
                         let [left, right] = orbits.scope.window.primary;

@@ -258,7 +258,7 @@ struct Judge {
 
 impl Judge {
     fn length(&self, [from, to]: [f64; 2]) -> f64 {
-        (to - from) / (self.window.primary[1] - self.window.primary[0])
+        (to - from) / self.window.widths()[0]
     }
 
     fn longest(&self, face: &Face, secondary: f64) -> f64 {
@@ -281,8 +281,8 @@ impl Judge {
 
     /// Whether there is a slice so close to a value of η that another one would tell nothing.
     fn is_near(&self, secondary: f64) -> bool {
-        let [low, high] = self.window.secondary;
-        self.sights.iter().any(|sight| (sight.secondary - secondary).abs() < NEAREST * (high - low))
+        let nearest = NEAREST * self.window.widths()[1];
+        self.sights.iter().any(|sight| (sight.secondary - secondary).abs() < nearest)
     }
 
     /// Values of η half the way between neighbouring slices one of which is in trouble in a face and the other is not: what is
@@ -310,7 +310,7 @@ impl Judge {
         };
         let loose =
             ends.iter().filter(|end| inside(**end) && ends.iter().filter(|other| other == end).count() == 1);
-        let height = self.window.secondary[1] - self.window.secondary[0];
+        let height = self.window.widths()[1];
         let levels = loose.flat_map(|end| BESIDE.map(|share| end[1] + share * height));
         levels
             .filter(|level| self.window.secondary[0] < *level && *level < self.window.secondary[1])
@@ -424,8 +424,8 @@ impl Judge {
 
     /// Less than can be seen or drawn: where the chords of two curves that touch cross each other.
     fn speck(&self, face: &Face) -> bool {
-        let ([left, right], [low, high]) = (self.window.primary, self.window.secondary);
-        faces::area(face) < SPECK * (right - left) * (high - low)
+        let [width, height] = self.window.widths();
+        faces::area(face) < SPECK * width * height
     }
 
     /// The first saddle-node curve on the border of a region, or else the first curve.
@@ -451,8 +451,8 @@ const MEET: f64 = 1e-7;
 
 /// The distance of two points in shares of the ranges.
 fn gap(window: Window, a: Point, b: Point) -> f64 {
-    let share = |i: usize, [low, high]: [f64; 2]| ((a[i] - b[i]) / (high - low)).abs();
-    share(0, window.primary).max(share(1, window.secondary))
+    let [width, height] = window.widths();
+    ((a[0] - b[0]) / width).abs().max(((a[1] - b[1]) / height).abs())
 }
 
 /// The lines with ends that meet made equal.

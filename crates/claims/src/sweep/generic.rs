@@ -220,7 +220,6 @@ fn branch(oscillator: &LinearOscillator, phase: f64, loops: u32, length: f64) ->
         control,
         step_limit: POINTS,
         stop_at_events: false,
-        through_grazing: false,
     };
     let start = Unknowns::new(0.0, phase, amplitude, omega);
     let direction = Unknowns::new(1.0, 0.0, 0.0, 0.0);

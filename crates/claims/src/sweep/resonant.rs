@@ -222,7 +222,6 @@ fn followed(located: &ResonantGrazingPoint<LinearOscillator>, omega: f64) -> Res
         },
         step_limit: 5,
         stop_at_events: false,
-        through_grazing: false,
     };
     let unfolded = located.unfold(&route).map_err(|error| SweepError::Curves(error.to_string()))?;
     Ok([unfolded.saddle_node, unfolded.period_doubling])

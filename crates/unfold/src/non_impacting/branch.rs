@@ -146,7 +146,7 @@ impl Branch {
             between.orbit[PRIMARY] =
                 before.orbit[PRIMARY] + (after.orbit[PRIMARY] - before.orbit[PRIMARY]) * weight;
             let place = orbits.grazing(&between).and_then(|grazing| {
-                let share = orbits.scope.shares([grazing.primary(), 0.0])[0];
+                let share = orbits.scope.window.shares([grazing.primary(), 0.0])[0];
                 let mut orbit = before.orbit + (after.orbit - before.orbit) * weight;
                 orbit[PRIMARY] = share;
                 orbits.at(&orbit)

@@ -86,7 +86,7 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
     }
 
     pub(super) fn parameters(&self, orbit: &OrbitPoint) -> [f64; 2] {
-        self.scope.parameters([orbit[PRIMARY], orbit[SECONDARY]])
+        self.scope.window.parameters([orbit[PRIMARY], orbit[SECONDARY]])
     }
 
     /// The stroboscopic map beside the identity, parameters counted in shares: their difference vanishes on orbits.
@@ -97,7 +97,7 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
         if !size.is_finite() || size > FAR {
             return Err(MapError::NoRest { near: TAU, velocity: size });
         }
-        let widths = self.scope.widths();
+        let widths = self.scope.window.widths();
         for (variable, width) in [PRIMARY, SECONDARY].into_iter().zip(widths) {
             jet.jacobian.column_mut(variable).scale_mut(width);
             for hessian in &mut jet.hessians {

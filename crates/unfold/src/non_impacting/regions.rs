@@ -66,7 +66,7 @@ pub(crate) fn find<O: ImpactOscillator>(
     let motions: Vec<PeriodicMotion<O>> = shares
         .par_iter()
         .map(|share| {
-            let motion = periodic_motion(oscillator, scope, scope.parameters([0.0, *share])[1]);
+            let motion = periodic_motion(oscillator, scope, scope.window.parameters([0.0, *share])[1]);
             progress.step(what);
             motion
         })
@@ -76,10 +76,9 @@ pub(crate) fn find<O: ImpactOscillator>(
         let stopped = UnfoldError::Stopped { stage: what };
         return Err(if progress.stopped() { stopped } else { explanation(&motions) });
     }
-    let slices = shares
-        .iter()
-        .zip(&motions)
-        .map(|(share, motion)| Slice::new(scope.parameters([0.0, *share])[1], motion.branches.clone()));
+    let slices = shares.iter().zip(&motions).map(|(share, motion)| {
+        Slice::new(scope.window.parameters([0.0, *share])[1], motion.branches.clone())
+    });
     let mut survey = NonImpactingSurvey {
         orbits: PeriodicOrbits { oscillator, scope },
         grazing: Vec::new(),
@@ -94,7 +93,7 @@ pub(crate) fn find<O: ImpactOscillator>(
     }
     let between: Vec<f64> = (0..=SLICES)
         .filter(|k| k % RELAXED_EVERY != 0)
-        .map(|k| scope.parameters([0.0, f64::from(k) / f64::from(SLICES)])[1])
+        .map(|k| scope.window.parameters([0.0, f64::from(k) / f64::from(SLICES)])[1])
         .collect();
     let regions = decided(scope.window, &mut survey, (&RegionKind::NonImpacting, 0), &between, progress);
     let NonImpactingSurvey { grazing, curves, .. } = survey;
@@ -129,7 +128,7 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
             let phase = orbit.phase() - TAU * libm::floor(orbit.phase() / TAU);
             let rest = (TAU - phase) / oscillator.forcing_frequency().value;
             let there = oscillator.motion(State::on_wall(0.0, phase)).at(rest);
-            let shares = self.orbits.scope.shares([orbit.primary(), secondary]);
+            let shares = self.orbits.scope.window.shares([orbit.primary(), secondary]);
             let near = OrbitPoint::new(there.position, there.velocity, shares[0], shares[1]);
             if let Some(start) = self.orbits.at(&near)
                 && !branches.iter().any(|branch| branch.passes(&start))
@@ -142,7 +141,7 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
 
     fn carry(&self, from: &Slice<Branch>, to: &mut Slice<Branch>) -> bool {
         let before = to.branches.len();
-        let share = self.orbits.scope.shares([0.0, to.secondary])[1];
+        let share = self.orbits.scope.window.shares([0.0, to.secondary])[1];
         for branch in &from.branches {
             let every = (branch.orbits.len() / CARRIED).max(1);
             for known in branch.orbits.iter().skip(every / 2).step_by(every) {
@@ -186,7 +185,12 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
     /// would be nothing but slivers.
     fn covers(&self, known: &DiagramCurve, other: &DiagramCurve) -> bool {
         let places = |curve: &DiagramCurve| -> Vec<Vector2<f64>> {
-            curve.curve.parameters().iter().map(|at| Vector2::from(self.orbits.scope.shares(*at))).collect()
+            curve
+                .curve
+                .parameters()
+                .iter()
+                .map(|at| Vector2::from(self.orbits.scope.window.shares(*at)))
+                .collect()
         };
         let [line, points] = [known, other].map(places);
         let near = |point: &Vector2<f64>| {
@@ -201,7 +205,7 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
     fn known(&self, bifurcation: &Crossing) -> bool {
         let scope = self.orbits.scope;
         let place = |parameters: [f64; 2], height: f64| {
-            let [primary, secondary] = scope.shares(parameters);
+            let [primary, secondary] = scope.window.shares(parameters);
             Vector3::new(primary, secondary, height)
         };
         let here = place(bifurcation.near.height.parameters, bifurcation.near.highest.position);
