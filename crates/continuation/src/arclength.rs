@@ -231,7 +231,7 @@ pub type Tangent<const N: usize> = (SVector<f64, N>, SVector<f64, N>);
 
 /// What a curve is followed with from end to end.
 #[derive(Clone, Copy, Debug)]
-pub struct Walk<'a, C> {
+pub struct Walk<'a, const N: usize, C> {
     /// The curve's equations.
     pub equations: &'a C,
     /// Control of the step length.
@@ -245,7 +245,13 @@ pub struct Walk<'a, C> {
 /// A closed curve has more points than this: its tangent turns once round, by a few degrees from point to point.
 pub(crate) const FEWEST_OF_A_LOOP: usize = 10;
 
-impl<C> Walk<'_, C> {
+/// The points of a curve in order, and how it ends.
+type Walked<const N: usize, E, T> = Result<(Vec<Tangent<N>>, T), Stall<E>>;
+
+impl<const N: usize, C: CurveEquations<N, Carried: Default>> Walk<'_, N, C>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
     /// The points from `start` to both sides, in the order of `direction`, and how they end before the first and after the last.
     ///
     /// `leaves` is told the last point and the next with its tangent. Where the curve leaves the window between the two it gives the point on
@@ -253,16 +259,12 @@ impl<C> Walk<'_, C> {
     ///
     /// # Errors
     /// The curve cannot be started.
-    pub fn both_ways<const N: usize>(
+    pub fn both_ways(
         &self,
         start: SVector<f64, N>,
         direction: SVector<f64, N>,
         leaves: impl Fn(&SVector<f64, N>, &Tangent<N>) -> Option<Tangent<N>>,
-    ) -> Result<(Vec<Tangent<N>>, [WalkEnd<C::Failure>; 2]), Stall<C::Failure>>
-    where
-        C: CurveEquations<N, Carried: Default>,
-        Const<N>: DimMin<Const<N>, Output = Const<N>>,
-    {
+    ) -> Walked<N, C::Failure, [WalkEnd<C::Failure>; 2]> {
         let (mut after, last) = self.one_way(start, direction, &leaves)?;
         if matches!(last, WalkEnd::Closed) {
             return Ok((after, [last, last]));
@@ -276,16 +278,12 @@ impl<C> Walk<'_, C> {
         Ok((points, [first, last]))
     }
 
-    fn one_way<const N: usize>(
+    fn one_way(
         &self,
         start: SVector<f64, N>,
         direction: SVector<f64, N>,
         leaves: impl Fn(&SVector<f64, N>, &Tangent<N>) -> Option<Tangent<N>>,
-    ) -> Result<(Vec<Tangent<N>>, WalkEnd<C::Failure>), Stall<C::Failure>>
-    where
-        C: CurveEquations<N, Carried: Default>,
-        Const<N>: DimMin<Const<N>, Output = Const<N>>,
-    {
+    ) -> Walked<N, C::Failure, WalkEnd<C::Failure>> {
         let carried = C::Carried::default();
         let mut walker = Continuation::new(self.equations, self.control, start, direction, carried)?;
         let first = (start, walker.here().tangent);

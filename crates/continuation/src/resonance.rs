@@ -5,8 +5,10 @@ use core::ops::Deref;
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
+use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side, Unfolding};
 
+use crate::bifurcation::Pair;
 use crate::curve::{Curve, CurveEnd, MpsCurve, Route};
 pub use crate::locate::same_point;
 use crate::locate::{Condition, LocateFailure, locate};
@@ -158,6 +160,12 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
         &self.theorem
     }
 
+    /// The leading terms of the SN and the PD curve, by the theorem.
+    pub fn leading(&self) -> Pair<BifurcationCurve> {
+        let theorem = &self.theorem;
+        Pair { saddle_node: theorem.saddle_node(), period_doubling: theorem.period_doubling() }
+    }
+
     /// The direction in which theory lets the SN (`multiplier` 1) or PD (−1) curve leave with y > 0.
     ///
     /// (y, z, primary, η) grow like (Υ', z_graz' + k₁Υ', primary_graz', 1) η, with the sign of η that makes y positive.
@@ -230,4 +238,11 @@ pub struct UnfoldedResonance {
     pub grazing: Vec<Curve>,
     /// Why there is no GZ curve from a codimension-two point where there should be one.
     pub missing: Vec<ResonanceError>,
+}
+
+impl UnfoldedResonance {
+    /// All of them, the SN curve first and then the PD curve.
+    pub fn curves(&self) -> impl Iterator<Item = &Curve> {
+        [&self.saddle_node, &self.period_doubling].into_iter().chain(&self.grazing)
+    }
 }

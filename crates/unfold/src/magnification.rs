@@ -2,7 +2,7 @@
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::Window;
+use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, same_point};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
@@ -49,12 +49,11 @@ pub fn magnify<O: ImpactOscillator>(
     list.retain(|polyline| polyline.points.len() > 1);
 
     let unfolded = point.unfold(&route(window, MAGNIFIED))?;
-    list.push(continued(Bifurcation::SaddleNode, unfolded.saddle_node.parameters()));
-    list.push(continued(Bifurcation::PeriodDoubling, unfolded.period_doubling.parameters()));
-    list.extend(unfolded.grazing.iter().map(|curve| continued(Bifurcation::Grazing, curve.parameters())));
+    let own = |curve: &Curve| Some(continued(Bifurcation::of(curve.condition)?, curve.parameters()));
+    list.extend(unfolded.curves().filter_map(own));
     // The resonance's own curves are there already; one of them may begin outside and come in again.
-    let own = [&unfolded.saddle_node, &unfolded.period_doubling].into_iter().chain(&unfolded.grazing);
-    let starts: Vec<_> = own.map(|curve| (curve.condition, curve.points[0].solution.unknowns)).collect();
+    let start = |curve: &Curve| (curve.condition, curve.points[0].solution.unknowns);
+    let starts: Vec<_> = unfolded.curves().map(start).collect();
     let shown = |curve: &DiagramCurve| {
         let begins = |end| {
             starts
@@ -70,11 +69,7 @@ pub fn magnify<O: ImpactOscillator>(
         }
     }
 
-    let theorem = point.theorem();
-    for (kind, curve) in [
-        (Bifurcation::SaddleNode, theorem.saddle_node()),
-        (Bifurcation::PeriodDoubling, theorem.period_doubling()),
-    ] {
+    for (kind, curve) in point.leading().named() {
         let points = quadratic(point, curve, window);
         list.push(Polyline { kind, quadratic: true, points });
     }
@@ -185,11 +180,7 @@ fn faithful<O: ImpactOscillator>(
     kind: Bifurcation,
     curve: &[[f64; 2]],
 ) -> f64 {
-    let theorem = point.theorem();
-    let coefficient = match kind {
-        Bifurcation::PeriodDoubling => theorem.period_doubling().coefficient,
-        _ => theorem.saddle_node().coefficient,
-    };
+    let [BifurcationCurve { coefficient, .. }, _] = point.leading().starting_with(kind);
     let [_, origin] = point.orbit().oscillator().parameters();
     let mut reached = 0.0;
     let mut near = point.orbit().clone();
