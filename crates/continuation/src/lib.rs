@@ -18,7 +18,6 @@
 
 pub mod arclength;
 pub mod bifurcation;
-mod branching;
 pub mod criticality;
 pub mod curve;
 pub mod cusp;

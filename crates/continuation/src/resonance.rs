@@ -1,4 +1,4 @@
-//! Resonant grazing points: located numerically, and the curves that leave them.
+//! Resonant grazing points: located numerically, and the curves that leave them and the codimension-two points at which these end.
 
 use core::ops::Deref;
 
@@ -9,10 +9,10 @@ use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side, Unfolding};
 
 use crate::bifurcation::Pair;
-use crate::curve::{Curve, CurveEnd, MpsCurve, Route};
+use crate::curve::{Curve, CurveEnd, Event, MpsCurve, Route};
 pub use crate::locate::same_point;
 use crate::locate::{Condition, LocateFailure, locate};
-use crate::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
+use crate::mps::{EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown};
 use crate::tolerances::{AT_RESONANCE, OFF_RESONANCE};
 
 /// A resonant grazing point could not be analysed.
@@ -224,6 +224,37 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
             }
         }
         Ok(UnfoldedResonance { saddle_node, period_doubling, grazing, missing })
+    }
+}
+
+impl<O: ImpactOscillator> LoopEquations<O> {
+    /// Follows the other curve of a codimension-two point at which one curve ends: GZ to the side where the MPS is stable, SN and PD
+    /// to the side where it is admissible.
+    ///
+    /// # Errors
+    /// There is no such side, or the curve cannot be started.
+    pub fn branch_off(&self, point: &Event, route: &Route) -> Result<Curve, ResonanceError> {
+        let condition = point.condition;
+        let bounds = |solution: &MaximalPeriodicSolution| {
+            !solution.touches() && (condition != Condition::InteriorGrazing || solution.stable())
+        };
+        // A curve to the inadmissible side of a point at which two maxima touch the wall ends there at once.
+        let onwards = |solution: &MaximalPeriodicSolution| {
+            bounds(solution) && !same_point(&solution.unknowns, &point.solution.unknowns)
+        };
+        let mut reason = "it bounds no region of stable solutions to either side".to_owned();
+        for sign in [1.0, -1.0] {
+            let curve = MpsCurve { equations: self.clone(), condition };
+            let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
+            match curve.follow(point.solution.unknowns, direction, point.times.clone(), route) {
+                Ok(curve) if curve.points.get(1).is_some_and(|next| onwards(&next.solution)) => {
+                    return Ok(curve);
+                }
+                Ok(_) => {}
+                Err(stall) => reason = stall.to_string(),
+            }
+        }
+        Err(ResonanceError::not_started(condition, reason))
     }
 }
 

@@ -212,7 +212,7 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
         .map(|net| {
             let loops = net.loops();
             let mut survey = Survey::new(net, route(window, StepControl::DRAWING), &grazing);
-            let regions = decided(window, &mut survey, (&RegionKind::Mps, loops), &levels, progress);
+            let regions = decided(window, &mut survey, loops, &levels, progress);
             progress.step(what);
             regions
         })
@@ -221,11 +221,11 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
     regions.into_iter().flatten().collect()
 }
 
-/// The regions of solutions of some kind and number of loops, from slices at some values of η and wherever else they are needed.
+/// The regions of solutions with some number of loops, 0 without impacts, from slices at some values of η and wherever else they are needed.
 pub(crate) fn decided(
     window: Window,
     survey: &mut dyn Surveyor,
-    (kind, loops): (&RegionKind, u32),
+    loops: u32,
     levels: &[f64],
     progress: &dyn Progress,
 ) -> Vec<Region> {
@@ -247,7 +247,7 @@ pub(crate) fn decided(
         judge.sights = survey.sights();
     }
     let lines = joined(window, survey.lines());
-    judge.regions(&lines, survey.curves(), kind, loops)
+    judge.regions(&lines, survey.curves(), loops)
 }
 
 /// What decides faces.
@@ -396,13 +396,8 @@ impl Judge {
     }
 
     /// The regions into which lines cut the window.
-    fn regions(
-        &self,
-        lines: &[Vec<Point>],
-        curves: &[DiagramCurve],
-        kind: &RegionKind,
-        loops: u32,
-    ) -> Vec<Region> {
+    fn regions(&self, lines: &[Vec<Point>], curves: &[DiagramCurve], loops: u32) -> Vec<Region> {
+        let kind = if loops == 0 { RegionKind::NonImpacting } else { RegionKind::Mps };
         let faces = faces::cut(self.window, lines).into_iter();
         let judged: Vec<Judged> = faces.flat_map(|face| self.parted(self.judge(face))).collect();
         let faces: Vec<&Face> = judged.iter().filter(|j| j.verdict == Ok(true)).map(|j| &j.face).collect();

@@ -17,7 +17,7 @@ use crate::curves::DiagramCurve;
 use crate::faces::Point;
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
-use crate::regions::{Doubt, Region, RegionKind, SLICES, Sight, Surveyor, decided};
+use crate::regions::{Doubt, Region, SLICES, Sight, Surveyor, decided};
 use crate::slices::{CARRIED_OFF, MOST_BRANCHES, Slice, near_chord, spread};
 use crate::stop::Unfinished;
 use crate::{Scope, UnfoldError};
@@ -95,7 +95,7 @@ pub(crate) fn find<O: ImpactOscillator>(
         .filter(|k| k % RELAXED_EVERY != 0)
         .map(|k| scope.window.parameters([0.0, f64::from(k) / f64::from(SLICES)])[1])
         .collect();
-    let regions = decided(scope.window, &mut survey, (&RegionKind::NonImpacting, 0), &between, progress);
+    let regions = decided(scope.window, &mut survey, 0, &between, progress);
     let NonImpactingSurvey { grazing, curves, .. } = survey;
     let (regions, unfinished) = match progress.stopped() {
         true => (Vec::new(), vec![Unfinished::stage(what)]),
@@ -307,16 +307,12 @@ fn explanation<O>(motions: &[PeriodicMotion<O>]) -> UnfoldError {
     if let Some(at) = motions.iter().flat_map(|motion| &motion.pushed).next() {
         return UnfoldError::Pushed { at: *at };
     }
-    let extremes =
-        motions.iter().filter_map(|motion| motion.extremes).reduce(|[low, high], [lower, higher]| {
-            [
-                if lower.position < low.position { lower } else { low },
-                if higher.position > high.position { higher } else { high },
-            ]
-        });
-    let ran_away = motions.iter().find_map(|motion| motion.ran_away);
-    match (extremes, ran_away) {
-        (Some([lowest, highest]), _) => UnfoldError::NoGrazing { lowest, highest },
+    let orbits = motions.iter().flat_map(|motion| &motion.branches).flat_map(|branch| &branch.orbits);
+    let heights = orbits.map(|orbit| orbit.height);
+    let lowest = heights.clone().reduce(|a, b| if b.position < a.position { b } else { a });
+    let highest = heights.reduce(|a, b| if b.position > a.position { b } else { a });
+    match (lowest.zip(highest), motions.iter().find_map(|motion| motion.ran_away)) {
+        (Some((lowest, highest)), _) => UnfoldError::NoGrazing { lowest, highest },
         (None, Some(escape)) => UnfoldError::RunsAway { escape },
         (None, None) => UnfoldError::NoOrbit,
     }
