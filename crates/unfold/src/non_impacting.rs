@@ -83,10 +83,8 @@ pub fn periodic_motion<O: ImpactOscillator>(
                 Ok(Some(orbit)) if orbit[0].abs() > CARRIED_AWAY => {
                     carried_away = carried_away.or(Some(orbit))
                 }
-                Ok(Some(orbit)) if !branches.iter().any(|branch| branch.passes(&orbit)) => {
-                    branches.extend(orbits.branch(&orbit));
-                }
-                Ok(_) => {}
+                Ok(Some(orbit)) => orbits.add_branch(&mut branches, &orbit),
+                Ok(None) => {}
                 Err(escape) => {
                     ran_away.get_or_insert(escape);
                 }

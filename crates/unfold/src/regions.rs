@@ -168,7 +168,7 @@ const TRIALS: u32 = 15;
 /// A face's slice is good enough if its chord has this share of the longest one.
 const LONG_ENOUGH: f64 = 0.25;
 /// Slices of the whole window to begin with.
-pub(crate) const SLICES: u32 = 16;
+const SLICES: u32 = 16;
 /// How often slices are added where they are needed.
 const ROUNDS: usize = 8;
 /// Slices are no closer than this share of the range of η.
@@ -188,6 +188,11 @@ pub(crate) trait Surveyor {
     fn sights(&self) -> Vec<Sight>;
 }
 
+/// The values of η at which slices are laid to begin with.
+pub(crate) fn levels(window: Window) -> Vec<f64> {
+    (0..=SLICES).map(|k| window.parameters([0.0, f64::from(k) / f64::from(SLICES)])[1]).collect()
+}
+
 /// The stage in which regions of MPSs are decided.
 pub(crate) const STAGE: &str = "regions";
 
@@ -203,9 +208,7 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
         let orbits = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary));
         orbits.map(|orbit| [orbit.phase(), orbit.primary()]).collect()
     };
-    let [low, high] = window.secondary;
-    let levels: Vec<f64> =
-        (0..=SLICES).map(|k| low + (high - low) * f64::from(k) / f64::from(SLICES)).collect();
+    let levels = levels(window);
     progress.begin(what, nets.len() as u64);
     let regions: Vec<Vec<Region>> = nets
         .par_iter_mut()

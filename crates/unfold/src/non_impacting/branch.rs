@@ -76,6 +76,13 @@ impl Branch {
 }
 
 impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
+    /// Adds the branch through an orbit, unless it is known.
+    pub(crate) fn add_branch(&self, branches: &mut Vec<Branch>, through: &OrbitPoint) {
+        if !branches.iter().any(|branch| branch.passes(through)) {
+            branches.extend(self.branch(through));
+        }
+    }
+
     /// The branch through an orbit, at its η.
     pub(crate) fn branch(&self, through: &OrbitPoint) -> Option<Branch> {
         let up = OrbitPoint::new(0.0, 0.0, 1.0, 0.0);
