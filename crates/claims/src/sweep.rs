@@ -74,7 +74,6 @@ fn first_points(length: f64, shortest: f64, turn: f64) -> Route {
         control: steps,
         step_limit: POINTS,
         stop_at_events: false,
-        through_grazing: false,
     }
 }
 

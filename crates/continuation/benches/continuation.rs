@@ -49,7 +49,6 @@ fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events: bool) -> R
         control: StepControl::DRAWING,
         step_limit: 20_000,
         stop_at_events,
-        through_grazing: false,
     }
 }
 

@@ -8,8 +8,10 @@
 //! └ tᵀ    ┘      └ tᵀ(u − u₀) − s   ┘
 //! ```
 //!
-//! It stays regular at folds. The engine knows nothing of what the curve means: events, ends and diagnostics are the
-//! caller's, who advances it point by point.
+//! It stays regular at folds. The engine knows nothing of what the curve means: events and diagnostics are the
+//! caller's, who advances it point by point, or has it followed from end to end ([`Walk`]).
+
+use core::f64::consts::TAU;
 
 use nalgebra::{Const, DimMin, LU, SVector};
 
@@ -209,6 +211,129 @@ where
         let angle = libm::acos(tangent.dot(along).clamp(-1.0, 1.0));
         Ok((Station { point: solution.point, tangent, carried }, angle))
     }
+}
+
+/// How a curve ends that is followed through a window.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum WalkEnd<E> {
+    /// It leaves the window.
+    LeftWindow,
+    /// It is closed: the last point is the first.
+    Closed,
+    /// No further point was found.
+    Stalled(Stall<E>),
+    /// The limit of points was reached.
+    StepLimit,
+}
+
+/// A point of a curve and the unit tangent there.
+pub type Tangent<const N: usize> = (SVector<f64, N>, SVector<f64, N>);
+
+/// What a curve is followed with from end to end.
+#[derive(Clone, Copy, Debug)]
+pub struct Walk<'a, const N: usize, C> {
+    /// The curve's equations.
+    pub equations: &'a C,
+    /// Control of the step length.
+    pub control: StepControl,
+    /// A curve of this many points goes nowhere.
+    pub step_limit: usize,
+    /// The unknown that is an angle, if there is one: the same up to whole turns.
+    pub angle: Option<usize>,
+}
+
+/// A closed curve has more points than this: its tangent turns once round, by a few degrees from point to point.
+pub(crate) const FEWEST_OF_A_LOOP: usize = 10;
+
+/// The points of a curve in order, and how it ends.
+type Walked<const N: usize, E, T> = Result<(Vec<Tangent<N>>, T), Stall<E>>;
+
+impl<const N: usize, C: CurveEquations<N, Carried: Default>> Walk<'_, N, C>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    /// The points from `start` to both sides, in the order of `direction`, and how they end before the first and after the last.
+    ///
+    /// `leaves` is told the last point and the next with its tangent. Where the curve leaves the window between the two it gives the point on
+    /// the edge.
+    ///
+    /// # Errors
+    /// The curve cannot be started.
+    pub fn both_ways(
+        &self,
+        start: SVector<f64, N>,
+        direction: SVector<f64, N>,
+        leaves: impl Fn(&SVector<f64, N>, &Tangent<N>) -> Option<Tangent<N>>,
+    ) -> Walked<N, C::Failure, [WalkEnd<C::Failure>; 2]> {
+        let (mut after, last) = self.one_way(start, direction, &leaves)?;
+        if matches!(last, WalkEnd::Closed) {
+            return Ok((after, [last, last]));
+        }
+        let (mut points, first) = self.one_way(start, -direction, &leaves)?;
+        // The start stands in both; tangents point onwards.
+        points.reverse();
+        points.pop();
+        points.iter_mut().for_each(|(_, tangent)| *tangent = -*tangent);
+        points.append(&mut after);
+        Ok((points, [first, last]))
+    }
+
+    fn one_way(
+        &self,
+        start: SVector<f64, N>,
+        direction: SVector<f64, N>,
+        leaves: impl Fn(&SVector<f64, N>, &Tangent<N>) -> Option<Tangent<N>>,
+    ) -> Walked<N, C::Failure, WalkEnd<C::Failure>> {
+        let carried = C::Carried::default();
+        let mut walker = Continuation::new(self.equations, self.control, start, direction, carried)?;
+        let first = (start, walker.here().tangent);
+        let mut points = vec![first];
+        while points.len() < self.step_limit {
+            let before = walker.here().point;
+            let next = match walker.advance() {
+                Ok(station) => (station.point, station.tangent),
+                Err(stall) => return Ok((points, WalkEnd::Stalled(stall))),
+            };
+            if let Some(edge) = leaves(&before, &next) {
+                points.push(edge);
+                return Ok((points, WalkEnd::LeftWindow));
+            }
+            if points.len() > FEWEST_OF_A_LOOP
+                && let Some(back) = back_at(first, [&before, &next.0], self.control.turn, self.angle)
+            {
+                points.push((back, first.1));
+                return Ok((points, WalkEnd::Closed));
+            }
+            points.push(next);
+        }
+        Ok((points, WalkEnd::StepLimit))
+    }
+}
+
+/// The start of a curve, if the curve comes back to it between two of its points; with the unknown that is an angle as far on as it is
+/// then. `onwards` is where the curve went from the start.
+pub(crate) fn back_at<const N: usize>(
+    (start, onwards): Tangent<N>,
+    [before, after]: [&SVector<f64, N>; 2],
+    turn: f64,
+    angle: Option<usize>,
+) -> Option<SVector<f64, N>> {
+    let gap = |point: &SVector<f64, N>| {
+        let mut gap = point - start;
+        if let Some(angle) = angle {
+            gap[angle] = libm::remainder(gap[angle], TAU);
+        }
+        gap
+    };
+    let [past, now] = [gap(before), gap(after)];
+    let near = past.norm().max(now.norm()) <= (after - before).norm() * (1.0 + turn);
+    (near && past.dot(&onwards) < 0.0 && now.dot(&onwards) >= 0.0).then(|| {
+        let mut back = start;
+        if let Some(angle) = angle {
+            back[angle] = after[angle] - now[angle];
+        }
+        back
+    })
 }
 
 /// The unit null vector of the first N − 1 rows of a matrix, at an acute angle with its last row; from the matrix's factors.

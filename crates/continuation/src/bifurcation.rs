@@ -90,6 +90,12 @@ impl Pair<Bifurcation> {
         Self { saddle_node: Bifurcation::SaddleNode, period_doubling: Bifurcation::PeriodDoubling };
 }
 
+impl Pair<Condition> {
+    /// What holds on the two curves.
+    pub const CONDITIONS: Self =
+        Self { saddle_node: Condition::SADDLE_NODE, period_doubling: Condition::PERIOD_DOUBLING };
+}
+
 impl<T> Pair<T> {
     /// Both, changed.
     pub fn map<U>(self, mut change: impl FnMut(T) -> U) -> Pair<U> {
@@ -111,7 +117,16 @@ impl<T> Pair<T> {
 
     /// First that of the SN curve.
     pub fn into_array(self) -> [T; 2] {
-        [self.saddle_node, self.period_doubling]
+        self.starting_with(Bifurcation::SaddleNode)
+    }
+
+    /// That of one curve first, that of the other after it.
+    pub fn starting_with(self, kind: Bifurcation) -> [T; 2] {
+        let Self { saddle_node, period_doubling } = self;
+        match kind {
+            Bifurcation::PeriodDoubling => [period_doubling, saddle_node],
+            _ => [saddle_node, period_doubling],
+        }
     }
 
     /// Each with its bifurcation, that of the SN curve first.

@@ -31,7 +31,7 @@ mod normal_form;
 
 pub use at_resonance::coefficient_at_resonance;
 
-use grazing_model::ThirdOrder;
+use grazing_model::{MapJet, ThirdOrder};
 use nalgebra::{Matrix2, Vector2, Vector4};
 
 use crate::mps::{LoopEquations, LoopPair, Unknowns, unknown};
@@ -120,8 +120,8 @@ pub fn period_doubling<O: ThirdOrder>(
     let multiplier_slopes = Vector2::from_fn(|k, _| {
         // The MPS moves by v with the parameter, (DR − DL) v = L' − R', and with both ℓᵀ(DR + DL) q, which is λ'.
         let parameter = unknown::PRIMARY + k;
-        let moved =
-            solved(&difference, column(&pair.impact, parameter) - column(&pair.round_trip, parameter));
+        let column = |jet: &MapJet| jet.jacobian.column(parameter).into_owned();
+        let moved = solved(&difference, column(&pair.impact) - column(&pair.round_trip));
         let mut along = Vector4::new(moved[0], moved[1], 0.0, 0.0);
         along[parameter] = 1.0;
         let turned = derivative_along(&pair.round_trip, &along) + derivative_along(&pair.impact, &along);
@@ -149,8 +149,8 @@ pub fn saddle_node<O: ThirdOrder>(
     let pair = bifurcation(equations, point, 1.0)?;
     let fold = implicit_map(equations, point, &pair).fold();
     let parameter_slopes = Vector2::from_fn(|k, _| {
-        let parameter = unknown::PRIMARY + k;
-        fold.covector.dot(&(column(&pair.round_trip, parameter) - column(&pair.impact, parameter)))
+        let column = |jet: &MapJet| jet.jacobian.column(unknown::PRIMARY + k).into_owned();
+        fold.covector.dot(&(column(&pair.round_trip) - column(&pair.impact)))
     });
     Ok(SaddleNode { direction: fold.direction, coefficient: fold.coefficient, parameter_slopes })
 }
@@ -205,12 +205,7 @@ fn implicit_map<O: ThirdOrder>(
     }
 }
 
-/// The derivative of a map in one of its four variables.
-fn column(jet: &grazing_model::MapJet, variable: usize) -> Vector2<f64> {
-    jet.jacobian.column(variable).into_owned()
-}
-
 /// The derivative, in the direction `along` of (y, z, μ, η), of a map's derivative in the coordinates.
-fn derivative_along(jet: &grazing_model::MapJet, along: &Vector4<f64>) -> Matrix2<f64> {
+fn derivative_along(jet: &MapJet, along: &Vector4<f64>) -> Matrix2<f64> {
     Matrix2::from_fn(|i, j| jet.hessians[i].row(j).dot(&along.transpose()))
 }

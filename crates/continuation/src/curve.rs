@@ -3,9 +3,9 @@
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
 
-use crate::arclength::{CurveEquations, Stall, StepControl};
+use crate::arclength::{CurveEquations, Stall, StepControl, WalkEnd};
 use crate::locate::{Condition, LocateFailure, conditioned};
-use crate::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown};
+use crate::mps::{EventTimes, LoopEquations, MaximalPeriodicSolution, Unknowns};
 use crate::newton::Linearisation;
 
 /// The equations of a curve of MPSs.
@@ -45,10 +45,27 @@ pub struct Window {
 }
 
 impl Window {
-    /// The point lies inside or on the edge.
-    pub fn contains(&self, point: &Unknowns) -> bool {
+    /// A point (μ, η) lies inside or on the edge.
+    pub fn contains(&self, [primary, secondary]: [f64; 2]) -> bool {
         let within = |[low, high]: [f64; 2], value: f64| low <= value && value <= high;
-        within(self.primary, point[unknown::PRIMARY]) && within(self.secondary, point[unknown::SECONDARY])
+        within(self.primary, primary) && within(self.secondary, secondary)
+    }
+
+    /// The widths of the ranges of μ and η.
+    pub fn widths(&self) -> [f64; 2] {
+        [self.primary, self.secondary].map(|[low, high]| high - low)
+    }
+
+    /// The parameters (μ, η) at shares of their ranges: 0 at the lower end, 1 at the upper one.
+    pub fn parameters(&self, shares: [f64; 2]) -> [f64; 2] {
+        let at = |[low, high]: [f64; 2], share: f64| low + (high - low) * share;
+        [at(self.primary, shares[0]), at(self.secondary, shares[1])]
+    }
+
+    /// The shares of their ranges at which parameters (μ, η) lie.
+    pub fn shares(&self, [primary, secondary]: [f64; 2]) -> [f64; 2] {
+        let share = |[low, high]: [f64; 2], value: f64| (value - low) / (high - low);
+        [share(self.primary, primary), share(self.secondary, secondary)]
     }
 }
 
@@ -61,10 +78,8 @@ pub struct Route {
     pub control: StepControl,
     /// The curve ends after this many steps.
     pub step_limit: usize,
-    /// The curve ends at the first event; otherwise events are listed and passed.
+    /// The curve ends at the first event; otherwise events are listed and passed. At y = 0 it ends in any case.
     pub stop_at_events: bool,
-    /// The curve goes on to virtual orbits with y < 0; otherwise it ends at y = 0.
-    pub through_grazing: bool,
 }
 
 /// Something happens to the MPS at a point of the curve besides the curve's own condition.
@@ -102,6 +117,17 @@ pub enum CurveEnd {
     Stalled(Stall<MapError>),
     /// The step limit was reached.
     StepLimit,
+}
+
+impl From<WalkEnd<MapError>> for CurveEnd {
+    fn from(end: WalkEnd<MapError>) -> Self {
+        match end {
+            WalkEnd::LeftWindow => Self::LeftWindow,
+            WalkEnd::Closed => Self::Closed,
+            WalkEnd::Stalled(stall) => Self::Stalled(stall),
+            WalkEnd::StepLimit => Self::StepLimit,
+        }
+    }
 }
 
 /// A point of a curve.

@@ -1,16 +1,15 @@
 //! Following a curve of MPSs point by point: events, changes of formulation, ends.
 
-use core::f64::consts::TAU;
 use core::ops::ControlFlow;
 
 use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
 
-use crate::arclength::{Continuation, Stall, Station, StepControl};
+use crate::arclength::{Continuation, FEWEST_OF_A_LOOP, Stall, Station, StepControl, back_at};
 use crate::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
 use crate::locate::{Condition, LocateFailure, locate, locate_grazing_end};
 use crate::mps::{
-    EventTimes, Formulation, MaximalPeriodicSolution, Multipliers, Stability, Unknowns, unknown,
+    EventTimes, Formulation, MaximalPeriodicSolution, Multipliers, Stability, Unknowns, parameters, unknown,
 };
 use crate::tolerances::{FARTHEST_EVENT, HALVINGS, NO_VELOCITY, ON_TWO_CURVES, TOUCHES_TOO};
 
@@ -91,25 +90,14 @@ struct Follower<'a> {
     signs: Option<Signs>,
 }
 
-/// Signs of the functions that vanish at events.
-#[derive(Clone, Copy, PartialEq)]
-struct Signs {
-    saddle_node: bool,
-    period_doubling: bool,
-    /// Unknown where that was not looked at.
-    inadmissible: Option<bool>,
-}
+/// What can happen to the MPS along a curve.
+const EVENTS: [Condition; 3] =
+    [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING, Condition::InteriorGrazing];
+/// The place of admissibility in [`Signs`].
+const INADMISSIBLE: usize = 2;
 
-impl Signs {
-    /// The one that changes where the condition is met.
-    fn of(&self, condition: Condition) -> Option<bool> {
-        match condition {
-            Condition::InteriorGrazing => self.inadmissible,
-            Condition::Multiplier(multiplier) if multiplier < 0.0 => Some(self.period_doubling),
-            _ => Some(self.saddle_node),
-        }
-    }
-}
+/// Signs of the functions that vanish at the [`EVENTS`]; unknown where that was not looked at.
+type Signs = [Option<bool>; 3];
 
 impl Follower<'_> {
     /// Goes on until the curve ends (`None`) or no further point is found in this formulation.
@@ -146,14 +134,13 @@ impl Follower<'_> {
         after: MpsStation,
     ) -> ControlFlow<CurveEnd> {
         let velocity = after.point[unknown::VELOCITY];
-        let vanishes = velocity <= NO_VELOCITY && !self.route.through_grazing;
-        if vanishes && velocity < before.point[unknown::VELOCITY] {
+        if velocity <= NO_VELOCITY && velocity < before.point[unknown::VELOCITY] {
             return ControlFlow::Break(self.end_at_grazing(equations, before, &after));
         }
         let (solution, now) = self.seen(equations, &after);
         if let Some(mut past) = self.signs {
-            if past.inadmissible.is_none() && now.inadmissible.is_some() {
-                past.inadmissible = Some(equations.equations.solution(&before.point).0.touches());
+            if past[INADMISSIBLE].is_none() && now[INADMISSIBLE].is_some() {
+                past[INADMISSIBLE] = Some(equations.equations.solution(&before.point).0.touches());
             }
             if self.matters(past, now, &solution) {
                 self.locate_events(equations, past, now, before, &after, &solution)?;
@@ -164,7 +151,7 @@ impl Follower<'_> {
             self.curve.points.push(start);
             return ControlFlow::Break(CurveEnd::Closed);
         }
-        if !self.route.window.contains(&after.point) {
+        if !self.route.window.contains(parameters(&after.point)) {
             self.end_on_the_edge(equations, before, after);
             return ControlFlow::Break(CurveEnd::LeftWindow);
         }
@@ -184,8 +171,9 @@ impl Follower<'_> {
                 let before = self.curve.points.last().is_some_and(|point| point.solution.stable());
                 let with_maxima = before || stability.multipliers.stable();
                 let solution = equations.equations.sketch(&station.point, stability.multipliers, with_maxima);
-                let inadmissible = with_maxima.then(|| solution.touches());
-                (solution, Signs { inadmissible, ..signs(equations.condition, &stability, &solution) })
+                let mut signs = signs(equations.condition, &stability, &solution);
+                signs[INADMISSIBLE] = signs[INADMISSIBLE].filter(|_| with_maxima);
+                (solution, signs)
             }
             None => {
                 let (solution, pair) = equations.equations.solution(&station.point);
@@ -209,21 +197,16 @@ impl Follower<'_> {
     /// The first point, if the curve passes it between two of its points; with the phase as far on as it is then.
     fn back_at_the_start(&self, before: &MpsStation, after: &MpsStation) -> Option<CurvePoint> {
         let [first, second, ..] = self.curve.points.as_slice() else { return None };
-        let onwards = second.solution.unknowns - first.solution.unknowns;
-        let gap = |point: &Unknowns| {
-            let mut gap = point - first.solution.unknowns;
-            gap[unknown::PHASE] = libm::remainder(gap[unknown::PHASE], TAU);
-            gap
-        };
-        let [past, now] = [gap(&before.point), gap(&after.point)];
-        let step = (after.point - before.point).norm() * (1.0 + self.route.control.turn);
-        let passes =
-            past.norm().max(now.norm()) <= step && past.dot(&onwards) < 0.0 && now.dot(&onwards) >= 0.0;
-        (self.curve.points.len() > FEWEST_OF_A_LOOP && passes).then(|| {
-            let mut point = first.clone();
-            point.solution.unknowns[unknown::PHASE] = after.point[unknown::PHASE] - now[unknown::PHASE];
-            point
-        })
+        if self.curve.points.len() <= FEWEST_OF_A_LOOP {
+            return None;
+        }
+        let start = first.solution.unknowns;
+        let onwards = second.solution.unknowns - start;
+        let way = [&before.point, &after.point];
+        let back = back_at((start, onwards), way, self.route.control.turn, Some(unknown::PHASE))?;
+        let mut point = first.clone();
+        point.solution.unknowns = back;
+        Some(point)
     }
 
     /// Locates all events between two points and lists them in the order of the curve.
@@ -238,10 +221,11 @@ impl Follower<'_> {
     ) -> ControlFlow<CurveEnd> {
         let index = self.curve.points.len();
         let mut located = Vec::new();
-        for condition in changes(past, now) {
+        for event in changes(past, now) {
+            let condition = EVENTS[event];
             let found = locate_event(equations, condition, before, after, beyond);
             match found.or_else(|failure| {
-                self.located_closer(equations, condition, past, [before, after]).ok_or(failure)
+                self.located_closer(equations, event, past[event], [before, after]).ok_or(failure)
             }) {
                 Ok((solution, times)) => located.push(Event { condition, solution, index, times }),
                 Err(failure) => {
@@ -265,8 +249,8 @@ impl Follower<'_> {
     fn located_closer<O: ImpactOscillator>(
         &self,
         equations: &MpsCurve<O>,
-        condition: Condition,
-        past: Signs,
+        event: usize,
+        past: Option<bool>,
         [before, after]: [&MpsStation; 2],
     ) -> Option<(MaximalPeriodicSolution, EventTimes)> {
         let (mut before, mut after) = (before.clone(), after.clone());
@@ -281,12 +265,12 @@ impl Follower<'_> {
             let mut walker = Continuation::new(equations, control, point, tangent, times).ok()?;
             let middle = walker.advance().ok()?.clone();
             let (solution, pair) = equations.equations.solution(&middle.point);
-            if signs(equations.condition, &pair.stability(), &solution).of(condition) == past.of(condition) {
+            if signs(equations.condition, &pair.stability(), &solution)[event] == past {
                 before = middle;
                 continue;
             }
             after = middle;
-            if let Ok(found) = locate_event(equations, condition, &before, &after, &solution) {
+            if let Ok(found) = locate_event(equations, EVENTS[event], &before, &after, &solution) {
                 return Some(found);
             }
         }
@@ -350,15 +334,12 @@ impl Follower<'_> {
             let conditions = [equations.condition, condition];
             let mut point = locate(&equations.equations, conditions, near, &mut times).ok()?;
             point[coordinate] = edge;
-            window.contains(&point).then_some(point)
+            window.contains(parameters(&point)).then_some(point)
         });
         let (solution, _) = equations.equations.solution(&crossing.unwrap_or(outside));
         self.curve.points.push(CurvePoint { solution, times });
     }
 }
-
-/// A closed curve has more points than this: its tangent turns once round, by a few degrees from point to point.
-const FEWEST_OF_A_LOOP: usize = 10;
 
 /// The first point; at y = 0 its multipliers are limits along the tangent.
 fn starting_point<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStation) -> CurvePoint {
@@ -386,22 +367,14 @@ fn starting_signs<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStati
 
 /// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only grazing can happen there.
 fn signs(along: Condition, stability: &Stability, solution: &MaximalPeriodicSolution) -> Signs {
-    let watches = !matches!(along, Condition::Multiplier(_));
-    Signs {
-        saddle_node: watches && stability.saddle_node > 0.0,
-        period_doubling: watches && stability.period_doubling > 0.0,
-        inadmissible: Some(solution.touches()),
-    }
+    let watched = |value: f64| (!matches!(along, Condition::Multiplier(_))).then_some(value > 0.0);
+    [watched(stability.saddle_node), watched(stability.period_doubling), Some(solution.touches())]
 }
 
-fn changes(past: Signs, now: Signs) -> impl Iterator<Item = Condition> {
-    let both_known = past.inadmissible.is_some() && now.inadmissible.is_some();
-    let list = [
-        (past.saddle_node != now.saddle_node, Condition::SADDLE_NODE),
-        (past.period_doubling != now.period_doubling, Condition::PERIOD_DOUBLING),
-        (both_known && past.inadmissible != now.inadmissible, Condition::InteriorGrazing),
-    ];
-    list.into_iter().filter_map(|(changed, condition)| changed.then_some(condition))
+/// The places in [`EVENTS`] of those between which signs differ.
+fn changes(past: Signs, now: Signs) -> impl Iterator<Item = usize> {
+    let differ = |a: Option<bool>, b: Option<bool>| a.is_some_and(|a| b.is_some_and(|b| a != b));
+    (0..EVENTS.len()).filter(move |event| differ(past[*event], now[*event]))
 }
 
 /// Locates an event between two points of the curve; `beyond` is the MPS at the second.

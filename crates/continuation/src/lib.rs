@@ -18,11 +18,9 @@
 
 pub mod arclength;
 pub mod bifurcation;
-mod branching;
 pub mod criticality;
 pub mod curve;
 pub mod cusp;
-mod error;
 pub mod fit;
 mod follow;
 pub mod locate;

@@ -46,8 +46,8 @@ impl Condition {
         };
         Ok(match self {
             Self::Multiplier(multiplier) => pair.characteristic(multiplier),
-            Self::InteriorGrazing => equations.interior_maximum(point, times)?,
-            Self::SecondInteriorGrazing => equations.second_interior_maximum(point, times)?,
+            Self::InteriorGrazing => equations.maximum_near(point, &mut times.grazing_time)?,
+            Self::SecondInteriorGrazing => equations.maximum_near(point, &mut times.second_grazing_time)?,
             Self::ImpactVelocity(value) => coordinate(unknown::VELOCITY, value),
             Self::Primary(value) => coordinate(unknown::PRIMARY, value),
             Self::Secondary(value) => coordinate(unknown::SECONDARY, value),
@@ -199,7 +199,7 @@ pub fn locate_grazing_end<O: ImpactOscillator>(
         grazing_orbit(equations, point, times)?;
         let undefined = |cause| NewtonFailure::Undefined { iteration: 0, cause };
         let pair = equations.pair::<1>(point, times).map_err(undefined)?;
-        let (_, slopes) = equations.interior_maximum(point, times).map_err(undefined)?;
+        let (_, slopes) = equations.maximum_near(point, &mut times.grazing_time).map_err(undefined)?;
         let derivative: SMatrix<f64, 2, 4> = pair.difference().1;
         let mut matrix = Matrix3::zeros();
         matrix.fixed_view_mut::<2, 3>(0, 0).copy_from(&derivative.fixed_columns::<3>(0));

@@ -28,6 +28,11 @@ pub mod unknown {
     pub const SECONDARY: usize = 3;
 }
 
+/// The primary and the secondary parameter (μ, η) of a point.
+pub fn parameters(point: &Unknowns) -> [f64; 2] {
+    [point[unknown::PRIMARY], point[unknown::SECONDARY]]
+}
+
 /// The impact of a point.
 fn impact(point: &Unknowns) -> OnWall {
     OnWall::new(point[unknown::VELOCITY], point[unknown::PHASE])
@@ -104,7 +109,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     /// The oscillator at the parameters of a point.
     pub fn oscillator_at(&self, point: &Unknowns) -> O {
-        self.oscillator.with_parameters([point[unknown::PRIMARY], point[unknown::SECONDARY]])
+        self.oscillator.with_parameters(parameters(point))
     }
 
     /// The state just after the impact, (0, y_rec, z_rec).
@@ -190,32 +195,16 @@ impl<O: ImpactOscillator> LoopEquations<O> {
             .collect()
     }
 
-    /// The value of x at the interior maximum whose time is carried, with its first derivatives in the unknowns.
+    /// The value of x at the maximum near a time after the recoil, with its first derivatives in the unknowns; the time becomes that of
+    /// the maximum.
     ///
     /// # Errors
     /// The maximum has disappeared.
-    pub fn interior_maximum(
+    pub(crate) fn maximum_near(
         &self,
         point: &Unknowns,
-        times: &mut EventTimes,
+        time: &mut f64,
     ) -> Result<(f64, Vector4<f64>), MapError> {
-        self.maximum_at(point, &mut times.grazing_time)
-    }
-
-    /// The same for the second maximum whose time is carried.
-    ///
-    /// # Errors
-    /// The maximum has disappeared.
-    pub(crate) fn second_interior_maximum(
-        &self,
-        point: &Unknowns,
-        times: &mut EventTimes,
-    ) -> Result<(f64, Vector4<f64>), MapError> {
-        self.maximum_at(point, &mut times.second_grazing_time)
-    }
-
-    /// The value of x at the maximum near a time after the recoil, with its first derivatives in the unknowns.
-    fn maximum_at(&self, point: &Unknowns, time: &mut f64) -> Result<(f64, Vector4<f64>), MapError> {
         let oscillator = self.oscillator_at(point);
         let reset = oscillator.reset::<1>(impact(point));
         let landing = maps::virtual_map::<O, 1>(&oscillator, reset.image(), Some(*time))?;
@@ -313,15 +302,10 @@ impl LoopPair {
 
     /// Trace and determinant of U = D(P_global^p ∘ P_disc). Paper: eq:U, eq:TD.
     pub fn multipliers(&self) -> Multipliers {
-        let (numerators, denominator) = self.unscaled_multipliers();
-        Multipliers { trace: numerators[0] / denominator, determinant: numerators[1] / denominator }
-    }
-
-    /// (trace, determinant) of U times det D impact, and det D impact, which vanishes like y.
-    fn unscaled_multipliers(&self) -> ([f64; 2], f64) {
         let (l, r) = (self.round_trip.derivative(), self.impact.derivative());
-        let adjugate = Matrix2::new(r[(1, 1)], -r[(0, 1)], -r[(1, 0)], r[(0, 0)]);
-        ([(l * adjugate).trace(), l.determinant()], r.determinant())
+        // Both vanish like y.
+        let (numerators, denominator) = ([(l * adjugate(r)).trace(), l.determinant()], r.determinant());
+        Multipliers { trace: numerators[0] / denominator, determinant: numerators[1] / denominator }
     }
 
     /// Limits of trace and determinant at a point with y = 0, approached along a curve with the given tangent.
@@ -334,13 +318,16 @@ impl LoopPair {
         };
         let (l, r) = (self.round_trip.derivative(), self.impact.derivative());
         let (dl, dr) = (along(&self.round_trip), along(&self.impact));
-        let adjugate = |m: Matrix2<f64>| Matrix2::new(m[(1, 1)], -m[(0, 1)], -m[(1, 0)], m[(0, 0)]);
         let denominator = (dr * adjugate(r)).trace();
         Multipliers {
             trace: (dl * adjugate(r) + l * adjugate(dr)).trace() / denominator,
             determinant: (dl * adjugate(l)).trace() / denominator,
         }
     }
+}
+
+fn adjugate(m: Matrix2<f64>) -> Matrix2<f64> {
+    Matrix2::new(m[(1, 1)], -m[(0, 1)], -m[(1, 0)], m[(0, 0)])
 }
 
 /// Trace T and determinant D of the matrix U whose eigenvalues are the stability multipliers (eq:U, eq:TD).
@@ -394,7 +381,7 @@ impl MaximalPeriodicSolution {
 
     /// The primary and the secondary parameter (μ, η).
     pub fn parameters(&self) -> [f64; 2] {
-        [self.unknowns[unknown::PRIMARY], self.unknowns[unknown::SECONDARY]]
+        parameters(&self.unknowns)
     }
 
     /// The highest interior maximum of x, or −∞ if x has no interior maximum.

@@ -77,7 +77,7 @@ where
 ///
 /// # Errors
 /// As [`solve`].
-pub(crate) fn solve_within<const N: usize, E>(
+pub fn solve_within<const N: usize, E>(
     reach: f64,
     tolerance: f64,
     start: SVector<f64, N>,

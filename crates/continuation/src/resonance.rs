@@ -1,25 +1,55 @@
-//! Resonant grazing points: located numerically, and the curves that leave them.
+//! Resonant grazing points: located numerically, and the curves that leave them and the codimension-two points at which these end.
+
+use core::ops::Deref;
 
 use grazing_model::ImpactOscillator;
-use grazing_theorems::from_map::GrazingOrbit;
+use grazing_model::maps::MapError;
+use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
+use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side};
 
-use crate::curve::{Curve, CurveEnd, MpsCurve, Route};
-pub use crate::error::ResonanceError;
+use crate::bifurcation::Pair;
+use crate::curve::{Curve, CurveEnd, Event, MpsCurve, Route};
 pub use crate::locate::same_point;
-use crate::locate::{Condition, locate};
-use crate::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
+use crate::locate::{Condition, LocateFailure, locate};
+use crate::mps::{EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown};
 use crate::tolerances::{AT_RESONANCE, OFF_RESONANCE};
 
-/// A resonant grazing point of p-loop MPSs: where det J = 0 on the curve of grazing bifurcations.
-///
-/// Paper: Theorems 2.4 and 2.5.
-#[derive(Clone, Debug)]
-pub struct ResonantGrazingPoint<O> {
-    equations: LoopEquations<O>,
-    orbit: GrazingOrbit<O>,
-    theorem: ResonantGrazing,
-    point: ResonantPoint,
+/// A resonant grazing point could not be analysed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ResonanceError {
+    /// Newton's method for det J = 0 on the grazing curve failed.
+    #[error("the resonance was not located: {0}")]
+    NotLocated(LocateFailure),
+    /// The grazing orbit was not found.
+    #[error(transparent)]
+    GrazingOrbit(#[from] GrazingOrbitError),
+    /// P_global is not smooth there.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// A theorem's hypothesis does not hold.
+    #[error(transparent)]
+    Hypotheses(#[from] HypothesesViolated),
+    /// The theory gives a direction in which the numerical equations have no curve.
+    #[error("the {curve} curve cannot be started: {reason}")]
+    NotStarted {
+        /// Which curve.
+        curve: &'static str,
+        /// Why not.
+        reason: String,
+    },
+}
+
+impl ResonanceError {
+    /// The curve with a condition cannot be started.
+    pub(crate) fn not_started(condition: Condition, reason: String) -> Self {
+        let curve = match condition {
+            Condition::InteriorGrazing => "interior grazing",
+            Condition::Multiplier(multiplier) if multiplier > 0.0 => "saddle-node",
+            _ => "period-doubling",
+        };
+        Self::NotStarted { curve, reason }
+    }
 }
 
 /// A resonant grazing point that has been located, whether or not a theorem applies there.
@@ -71,6 +101,17 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
         &self.point
     }
 
+    /// The equations of the p-loop MPSs.
+    pub fn equations(&self) -> &LoopEquations<O> {
+        &self.equations
+    }
+
+    /// (0, z_graz, μ_graz, η*) as unknowns.
+    pub fn unknowns(&self) -> Unknowns {
+        let [primary, secondary] = self.orbit.oscillator().parameters();
+        Unknowns::new(0.0, self.orbit.phase(), primary, secondary)
+    }
+
     /// The resonance with the theorem that holds there.
     ///
     /// # Errors
@@ -78,9 +119,25 @@ impl<O: ImpactOscillator> LocatedResonance<O> {
     pub fn checked(&self) -> Result<ResonantGrazingPoint<O>, HypothesesViolated> {
         let [_, secondary] = self.orbit.oscillator().parameters();
         let tolerance = AT_RESONANCE + OFF_RESONANCE * (secondary * self.point.unfolding.derivative).abs();
-        let theorem = ResonantGrazing::check(&self.point, tolerance)?;
-        let Self { equations, orbit, point } = self.clone();
-        Ok(ResonantGrazingPoint { equations, orbit, theorem, point })
+        Ok(ResonantGrazingPoint {
+            theorem: ResonantGrazing::check(&self.point, tolerance)?,
+            located: self.clone(),
+        })
+    }
+}
+
+/// A located resonance at which Theorem 2.4 or 2.5 holds.
+#[derive(Clone, Debug)]
+pub struct ResonantGrazingPoint<O> {
+    located: LocatedResonance<O>,
+    theorem: ResonantGrazing,
+}
+
+impl<O> Deref for ResonantGrazingPoint<O> {
+    type Target = LocatedResonance<O>;
+
+    fn deref(&self) -> &LocatedResonance<O> {
+        &self.located
     }
 }
 
@@ -93,35 +150,15 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
         Ok(LocatedResonance::find(oscillator, loops, near)?.checked()?)
     }
 
-    /// The number of loops p.
-    pub fn loops(&self) -> u32 {
-        self.equations.loops()
-    }
-
-    /// The grazing orbit at the resonance.
-    pub fn orbit(&self) -> &GrazingOrbit<O> {
-        &self.orbit
-    }
-
     /// The theorem that holds there, with its coefficients.
     pub fn theorem(&self) -> &ResonantGrazing {
         &self.theorem
     }
 
-    /// What the theorem was fed with.
-    pub fn resonant_point(&self) -> &ResonantPoint {
-        &self.point
-    }
-
-    /// The equations of the p-loop MPSs.
-    pub fn equations(&self) -> &LoopEquations<O> {
-        &self.equations
-    }
-
-    /// (0, z_graz, μ_graz, η*) as unknowns.
-    pub fn unknowns(&self) -> Unknowns {
-        let [primary, secondary] = self.orbit.oscillator().parameters();
-        Unknowns::new(0.0, self.orbit.phase(), primary, secondary)
+    /// The leading terms of the SN and the PD curve, by the theorem.
+    pub fn leading(&self) -> Pair<BifurcationCurve> {
+        let theorem = &self.theorem;
+        Pair { saddle_node: theorem.saddle_node(), period_doubling: theorem.period_doubling() }
     }
 
     /// The direction in which theory lets the SN (`multiplier` 1) or PD (−1) curve leave with y > 0.
@@ -150,10 +187,9 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
     /// Follows the SN or PD curve from the resonance.
     fn leave(&self, condition: Condition, route: &Route) -> Result<Curve, ResonanceError> {
         let curve = MpsCurve { equations: self.equations.clone(), condition };
-        let name = if condition == Condition::SADDLE_NODE { "saddle-node" } else { "period-doubling" };
         curve
             .follow(self.unknowns(), self.direction(condition), EventTimes::default(), route)
-            .map_err(|stall| ResonanceError::NotStarted { curve: name, reason: stall.to_string() })
+            .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()))
     }
 
     /// All curves that bound the stable region of the MPS at this resonance: SN and PD from the resonance, and GZ from the
@@ -186,6 +222,37 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
     }
 }
 
+impl<O: ImpactOscillator> LoopEquations<O> {
+    /// Follows the other curve of a codimension-two point at which one curve ends: GZ to the side where the MPS is stable, SN and PD
+    /// to the side where it is admissible.
+    ///
+    /// # Errors
+    /// There is no such side, or the curve cannot be started.
+    pub fn branch_off(&self, point: &Event, route: &Route) -> Result<Curve, ResonanceError> {
+        let condition = point.condition;
+        let bounds = |solution: &MaximalPeriodicSolution| {
+            !solution.touches() && (condition != Condition::InteriorGrazing || solution.stable())
+        };
+        // A curve to the inadmissible side of a point at which two maxima touch the wall ends there at once.
+        let onwards = |solution: &MaximalPeriodicSolution| {
+            bounds(solution) && !same_point(&solution.unknowns, &point.solution.unknowns)
+        };
+        let mut reason = "it bounds no region of stable solutions to either side".to_owned();
+        for sign in [1.0, -1.0] {
+            let curve = MpsCurve { equations: self.clone(), condition };
+            let direction = Unknowns::new(sign, 0.0, 0.0, 0.0);
+            match curve.follow(point.solution.unknowns, direction, point.times.clone(), route) {
+                Ok(curve) if curve.points.get(1).is_some_and(|next| onwards(&next.solution)) => {
+                    return Ok(curve);
+                }
+                Ok(_) => {}
+                Err(stall) => reason = stall.to_string(),
+            }
+        }
+        Err(ResonanceError::not_started(condition, reason))
+    }
+}
+
 /// The curves at one resonance.
 #[derive(Clone, Debug)]
 pub struct UnfoldedResonance {
@@ -197,4 +264,11 @@ pub struct UnfoldedResonance {
     pub grazing: Vec<Curve>,
     /// Why there is no GZ curve from a codimension-two point where there should be one.
     pub missing: Vec<ResonanceError>,
+}
+
+impl UnfoldedResonance {
+    /// All of them, the SN curve first and then the PD curve.
+    pub fn curves(&self) -> impl Iterator<Item = &Curve> {
+        [&self.saddle_node, &self.period_doubling].into_iter().chain(&self.grazing)
+    }
 }

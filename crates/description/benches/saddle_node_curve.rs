@@ -99,7 +99,6 @@ fn route() -> Route {
         control: StepControl::DRAWING,
         step_limit: 20_000,
         stop_at_events: true,
-        through_grazing: false,
     }
 }
 

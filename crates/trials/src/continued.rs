@@ -6,7 +6,7 @@ use grazing_continuation::arclength::{Continuation, StepControl};
 use grazing_continuation::curve::{MpsCurve, Window};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown,
+    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, parameters, unknown,
 };
 use grazing_model::ImpactOscillator;
 use grazing_unfold::Diagram;
@@ -113,7 +113,7 @@ fn followed<O: ImpactOscillator>(
     };
     while let Ok(station) = walker.advance() {
         points.push(station.point);
-        let gone = !window.contains(&station.point) || station.point[unknown::VELOCITY] <= 0.0;
+        let gone = !window.contains(parameters(&station.point)) || station.point[unknown::VELOCITY] <= 0.0;
         let closed = points.len() > 10 && lies_on(&points[points.len() - 2..], &start);
         if gone || closed || points.len() > MOST_POINTS {
             break;

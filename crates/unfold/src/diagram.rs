@@ -2,7 +2,7 @@
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::{Route, Window};
+use grazing_continuation::curve::{Curve, Route, Window};
 use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, UnfoldedResonance};
 use grazing_model::ImpactOscillator;
@@ -71,7 +71,7 @@ const STEP_LIMIT: usize = 20_000;
 
 /// The route through a window to the first event.
 pub fn route(window: Window, control: StepControl) -> Route {
-    Route { window, control, step_limit: STEP_LIMIT, stop_at_events: true, through_grazing: false }
+    Route { window, control, step_limit: STEP_LIMIT, stop_at_events: true }
 }
 
 impl<O: ImpactOscillator> Diagram<O> {
@@ -212,12 +212,14 @@ impl<O: ImpactOscillator> Diagram<O> {
 
 /// The curves of a resonance in the order in which they are listed.
 fn listed<O>(index: usize, resonance: &Resonance<O>, unfolded: UnfoldedResonance) -> Followed {
-    let of_kind = |kind, curve| DiagramCurve { kind, loops: resonance.loops, n: resonance.n, curve };
-    let own = [
-        of_kind(Bifurcation::SaddleNode, unfolded.saddle_node),
-        of_kind(Bifurcation::PeriodDoubling, unfolded.period_doubling),
-    ];
-    let grazing = unfolded.grazing.into_iter().map(|curve| of_kind(Bifurcation::Grazing, curve));
-    let curves = own.into_iter().chain(grazing).collect();
-    Followed { resonance: index, curves, missing: unfolded.missing }
+    let (loops, n) = (resonance.loops, resonance.n);
+    let curve = |curve: &Curve| {
+        let kind = Bifurcation::of(curve.condition)?;
+        Some(DiagramCurve { kind, loops, n, curve: curve.clone() })
+    };
+    Followed {
+        resonance: index,
+        curves: unfolded.curves().filter_map(curve).collect(),
+        missing: unfolded.missing,
+    }
 }

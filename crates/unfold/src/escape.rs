@@ -68,33 +68,13 @@ impl Escape {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
-
-    /// ẍ = −√(x + 2) − 1: there is nothing in x < −2.
-    #[derive(Clone)]
-    struct Edge;
-
-    impl SmoothOscillator for Edge {
-        fn force<S: Scalar>(&self, x: S, _: S, _: S, _: S, _: S) -> S {
-            -(x + S::constant(2.0)).apply(Function::Sqrt) - S::constant(1.0)
-        }
-
-        fn forcing_frequency<S: Scalar>(&self, _: S, _: S) -> S {
-            S::constant(1.0)
-        }
-
-        fn restitution<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
-            S::constant(1.0)
-        }
-
-        fn impact_duration<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
-            S::constant(0.0)
-        }
-    }
+    use grazing_model::smooth::Integrated;
 
     #[test]
     fn the_place_is_that_beyond_which_the_force_has_no_value() {
-        let escape = Escape::of(&Integrated::new(Edge, [0.0, 1.0]), [-1.0, 0.0]);
+        // There is nothing in x < −2.
+        let edge = crate::specimens::unforced("-sqrt(x + 2) - 1");
+        let escape = Escape::of(&Integrated::new(edge, [0.0, 1.0]), [-1.0, 0.0]);
         // The integration ends with a step of a billionth, next to the place.
         assert!((escape.position + 2.0).abs() < 1e-2, "{escape:?}");
         assert!(escape.velocity < 0.0 && escape.force.is_nan(), "{escape:?}");

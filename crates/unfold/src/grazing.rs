@@ -5,7 +5,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::arclength::{Continuation, CurveEquations, Stall, StepControl};
+use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangent, Walk, WalkEnd};
 use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_continuation::newton::{self, Linearisation};
 use grazing_model::maps::{MapError, global_map};
@@ -30,18 +30,9 @@ pub struct GrazingState<O> {
     pub admissible: bool,
 }
 
-/// How a grazing curve ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum GrazingEnd {
-    /// It leaves the ranges of the parameters.
-    LeftWindow,
-    /// It is closed: the last point is the first.
-    Closed,
-    /// No further point was found, as where the deceleration at the wall vanishes.
-    Stalled(Stall<MapError>),
-    /// The step limit was reached.
-    StepLimit,
-}
+/// How a grazing curve ends: where it leaves the ranges of the parameters, closes, or goes no further, as where the deceleration at the wall
+/// vanishes.
+pub type GrazingEnd = WalkEnd<MapError>;
 
 /// A connected piece of the curve of grazing bifurcations.
 #[derive(Clone, Debug)]
@@ -71,18 +62,12 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
     pub fn through(orbit: &GrazingOrbit<O>, scope: &Scope) -> Result<Self, Stall<MapError>> {
         let equations = GrazingEquations { oscillator: orbit.oscillator(), scope };
         let start = scope.place(orbit);
-        let onwards = Vector3::new(0.0, 0.0, 1.0);
-        let (mut points, last) = equations.follow(start, onwards)?;
-        let mut ends = [last, last];
-        if last != GrazingEnd::Closed {
-            let (mut back, first) = equations.follow(start, -onwards)?;
-            // The start stands in both; tangents point onwards.
-            back.reverse();
-            back.pop();
-            back.iter_mut().for_each(|(_, tangent)| *tangent = -*tangent);
-            back.append(&mut points);
-            (points, ends[0]) = (back, first);
-        }
+        let walk = Walk { equations: &equations, control: STEPS, step_limit: STEP_LIMIT, angle: Some(0) };
+        let leaves = |before: &Vector3<f64>, (after, tangent): &Tangent<3>| {
+            let edge = equations.on_the_edge(before, after)?;
+            Some((edge, equations.tangent(&edge, tangent).unwrap_or(*tangent)))
+        };
+        let (mut points, mut ends) = walk.both_ways(start, Vector3::z(), leaves)?;
         if let [(first, _), .., (last, _)] = points.as_slice()
             && first[2] > last[2]
         {
@@ -152,8 +137,6 @@ struct GrazingEquations<'a, O> {
     scope: &'a Scope,
 }
 
-type Points = Vec<(Vector3<f64>, Vector3<f64>)>;
-
 impl<O: ImpactOscillator> CurveEquations<3> for GrazingEquations<'_, O> {
     /// The return time of P_global.
     type Carried = Option<f64>;
@@ -163,7 +146,7 @@ impl<O: ImpactOscillator> CurveEquations<3> for GrazingEquations<'_, O> {
         let oscillator = self.oscillator_at(point);
         let landing = global_map::<O, 1>(&oscillator, AtRest::new(0.0, point[0]), *time)?;
         *time = Some(landing.time);
-        let [primary, secondary] = self.scope.widths();
+        let [primary, secondary] = self.scope.window.widths();
         let jacobian = landing.jet.jacobian;
         let mut system = Linearisation { residual: Vector3::zeros(), jacobian: Matrix3::zeros() };
         for i in 0..2 {
@@ -176,27 +159,6 @@ impl<O: ImpactOscillator> CurveEquations<3> for GrazingEquations<'_, O> {
         system.jacobian[(1, 0)] -= 1.0;
         Ok(system)
     }
-}
-
-/// The start of a curve, if the curve comes back to it between two of its points; with the phase as far on as it is then.
-fn back_at(
-    (start, tangent): (Vector3<f64>, Vector3<f64>),
-    before: &Vector3<f64>,
-    after: &Vector3<f64>,
-) -> Option<(Vector3<f64>, Vector3<f64>)> {
-    let gap = |point: &Vector3<f64>| {
-        let mut gap = point - start;
-        gap[0] = libm::remainder(gap[0], TAU);
-        gap
-    };
-    let [past, now] = [gap(before), gap(after)];
-    let near = past.norm().max(now.norm()) <= (after - before).norm() * (1.0 + STEPS.turn);
-    if !near || past.dot(&tangent) >= 0.0 || now.dot(&tangent) < 0.0 {
-        return None;
-    }
-    let mut back = start;
-    back[0] = after[0] - now[0];
-    Some((back, tangent))
 }
 
 impl<O: ImpactOscillator> GrazingState<O> {
@@ -222,36 +184,6 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
         self.scope.oscillator_at(self.oscillator, [point[1], point[2]])
     }
 
-    /// Points with tangents from `start` to the side of `direction`, and how they end.
-    fn follow(
-        &self,
-        start: Vector3<f64>,
-        direction: Vector3<f64>,
-    ) -> Result<(Points, GrazingEnd), Stall<MapError>> {
-        let mut walker = Continuation::new(self, STEPS, start, direction, None)?;
-        let mut points = vec![(start, walker.here().tangent)];
-        while points.len() < STEP_LIMIT {
-            let station = match walker.advance() {
-                Ok(station) => station,
-                Err(stall) => return Ok((points, GrazingEnd::Stalled(stall))),
-            };
-            let (point, tangent) = (station.point, station.tangent);
-            let (before, _) = points[points.len() - 1];
-            if let Some(edge) = self.on_the_edge(&before, &point) {
-                points.push((edge, self.tangent(&edge, &tangent).unwrap_or(tangent)));
-                return Ok((points, GrazingEnd::LeftWindow));
-            }
-            if points.len() > 10
-                && let Some(back) = back_at(points[0], &before, &point)
-            {
-                points.push(back);
-                return Ok((points, GrazingEnd::Closed));
-            }
-            points.push((point, tangent));
-        }
-        Ok((points, GrazingEnd::StepLimit))
-    }
-
     /// The unit tangent at a point of the curve, to the side of `onwards`.
     fn tangent(&self, point: &Vector3<f64>, onwards: &Vector3<f64>) -> Option<Vector3<f64>> {
         let jacobian = self.evaluate(point, &mut None).ok()?.jacobian;
@@ -274,20 +206,35 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
             Some((way, share, edge))
         });
         let (way, share, edge) = crossed.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let mut time = None;
-        let located = newton::solve(inside + (outside - inside) * way, 20, |point| {
-            let mut system = self.evaluate(point, &mut time)?;
-            system.residual[2] = point[share] - edge;
-            system.jacobian[(2, share)] = 1.0;
-            Ok::<_, MapError>(system)
-        });
-        let mut point = located.map_or(*outside, |solution| solution.point);
+        let mut across = Vector3::zeros();
+        across[share] = 1.0;
+        let near = inside + (outside - inside) * way;
+        let mut on_the_edge = near;
+        on_the_edge[share] = edge;
+        let mut point = self.located(near, &across, &on_the_edge).unwrap_or(*outside);
         point[share] = edge;
         Some(point)
     }
 
+    /// The point of the curve near another in the plane across a direction that goes through a third.
+    fn located(
+        &self,
+        near: Vector3<f64>,
+        across: &Vector3<f64>,
+        through: &Vector3<f64>,
+    ) -> Option<Vector3<f64>> {
+        let mut time = None;
+        let located = newton::solve(near, 20, |point| {
+            let mut system = self.evaluate(point, &mut time)?;
+            system.residual[2] = across.dot(&(point - through));
+            system.jacobian.set_row(2, &across.transpose());
+            Ok::<_, MapError>(system)
+        });
+        Some(located.ok()?.point)
+    }
+
     /// All that is known at the points, and at more between them where A turns far from one to the next.
-    fn states(&self, points: &Points) -> Vec<GrazingState<O>> {
+    fn states(&self, points: &[Tangent<3>]) -> Vec<GrazingState<O>> {
         let mut states: Vec<GrazingState<O>> = Vec::with_capacity(points.len());
         for (point, tangent) in points {
             let Some(state) = self.state(point, tangent) else { continue };
@@ -318,14 +265,7 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
     /// The point of the curve half the way on from a point.
     fn middle(&self, from: &GrazingState<O>, gap: &Vector3<f64>) -> Option<GrazingState<O>> {
         let half = self.scope.place(&from.orbit) + gap * 0.5;
-        let mut time = None;
-        let located = newton::solve(half, 20, |point| {
-            let mut system = self.evaluate(point, &mut time)?;
-            system.residual[2] = gap.dot(&(point - half));
-            system.jacobian.set_row(2, &gap.transpose());
-            Ok::<_, MapError>(system)
-        });
-        let point = located.ok()?.point;
+        let point = self.located(half, gap, &half)?;
         if (point - half).norm() > 0.5 * gap.norm() {
             return None;
         }
@@ -339,7 +279,7 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
         let map = orbit.grazing_point().map;
         let motion = oscillator.motion(State::on_wall(0.0, point[0]));
         let ceiling = highest_maximum(&motion, oscillator.forcing_period());
-        let [primary, secondary] = self.scope.widths();
+        let [primary, secondary] = self.scope.window.widths();
         Some(GrazingState {
             tangent: Vector3::new(tangent[0], tangent[1] * primary, tangent[2] * secondary),
             stable: in_trapesium(map.trace(), map.determinant()),

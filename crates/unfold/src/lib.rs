@@ -77,6 +77,8 @@ mod scope;
 pub mod sides;
 pub mod simulation;
 mod slices;
+#[cfg(test)]
+mod specimens;
 pub mod stop;
 mod survey;
 pub mod units;

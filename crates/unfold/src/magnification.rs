@@ -2,7 +2,7 @@
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::Window;
+use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, same_point};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
@@ -49,12 +49,11 @@ pub fn magnify<O: ImpactOscillator>(
     list.retain(|polyline| polyline.points.len() > 1);
 
     let unfolded = point.unfold(&route(window, MAGNIFIED))?;
-    list.push(continued(Bifurcation::SaddleNode, unfolded.saddle_node.parameters()));
-    list.push(continued(Bifurcation::PeriodDoubling, unfolded.period_doubling.parameters()));
-    list.extend(unfolded.grazing.iter().map(|curve| continued(Bifurcation::Grazing, curve.parameters())));
+    let own = |curve: &Curve| Some(continued(Bifurcation::of(curve.condition)?, curve.parameters()));
+    list.extend(unfolded.curves().filter_map(own));
     // The resonance's own curves are there already; one of them may begin outside and come in again.
-    let own = [&unfolded.saddle_node, &unfolded.period_doubling].into_iter().chain(&unfolded.grazing);
-    let starts: Vec<_> = own.map(|curve| (curve.condition, curve.points[0].solution.unknowns)).collect();
+    let start = |curve: &Curve| (curve.condition, curve.points[0].solution.unknowns);
+    let starts: Vec<_> = unfolded.curves().map(start).collect();
     let shown = |curve: &DiagramCurve| {
         let begins = |end| {
             starts
@@ -65,25 +64,23 @@ pub fn magnify<O: ImpactOscillator>(
     };
     for other in diagram.curves.iter().filter(|curve| !shown(curve)) {
         let points = other.curve.parameters();
-        if points.iter().any(|point| inside(window, *point)) {
+        if points.iter().any(|point| window.contains(*point)) {
             list.push(continued(other.kind, points));
         }
     }
 
-    let theorem = point.theorem();
-    for (kind, curve) in [
-        (Bifurcation::SaddleNode, theorem.saddle_node()),
-        (Bifurcation::PeriodDoubling, theorem.period_doubling()),
-    ] {
+    for (kind, curve) in point.leading().named() {
         let points = quadratic(point, curve, window);
         list.push(Polyline { kind, quadratic: true, points });
     }
     Ok(list)
 }
 
-fn inside(window: Window, [primary, secondary]: [f64; 2]) -> bool {
-    let within = |[low, high]: [f64; 2], value: f64| low <= value && value <= high;
-    within(window.primary, primary) && within(window.secondary, secondary)
+/// The grazing orbit at a value of η, from one nearby.
+fn grazing_at<O: ImpactOscillator>(near: &GrazingOrbit<O>, secondary: f64) -> Option<GrazingOrbit<O>> {
+    let step = secondary - near.oscillator().parameters()[1];
+    let start = near.oscillator().with_parameters([near.primary() + near.primary_slope() * step, secondary]);
+    GrazingOrbit::find(&start, near.phase() + near.phase_slope() * step).ok()
 }
 
 /// The part of a grazing curve with η in the window, with points close enough for it.
@@ -121,14 +118,11 @@ fn quadratic<O: ImpactOscillator>(
     let mut near = point.orbit().clone();
     for k in 0..=SAMPLES {
         let secondary = origin + (edge - origin) * f64::from(k) / f64::from(SAMPLES);
-        let step = secondary - near.oscillator().parameters()[1];
-        let start =
-            near.oscillator().with_parameters([near.primary() + near.primary_slope() * step, secondary]);
-        let Ok(orbit) = GrazingOrbit::find(&start, near.phase() + near.phase_slope() * step) else { break };
+        let Some(orbit) = grazing_at(&near, secondary) else { break };
         near = orbit;
         let Some(mu) = curve.parameter(secondary - origin) else { continue };
         points.push([near.primary() + mu, secondary]);
-        if !inside(window, [near.primary() + mu, secondary]) {
+        if !window.contains([near.primary() + mu, secondary]) {
             break;
         }
     }
@@ -147,7 +141,7 @@ pub fn window_about<O: ImpactOscillator>(
 ) -> Window {
     let whole = diagram.scope.window;
     let [_, origin] = point.orbit().oscillator().parameters();
-    let mut reach = 0.25 * (whole.secondary[1] - whole.secondary[0]);
+    let mut reach = 0.25 * whole.widths()[1];
     for (other, at) in diagram.unfolding() {
         let gap = (at.orbit().oscillator().parameters()[1] - origin).abs();
         if other.loops == resonance.loops && gap > 0.0 {
@@ -172,7 +166,7 @@ pub fn window_about<O: ImpactOscillator>(
     let mut extent = [f64::INFINITY, f64::NEG_INFINITY];
     let curves = own.iter().map(|curve| curve.curve.parameters());
     let grazing = diagram.grazing.iter().map(|curve| close_to(curve, shown));
-    for [primary, _] in curves.chain(grazing).flatten().filter(|at| inside(shown, *at)) {
+    for [primary, _] in curves.chain(grazing).flatten().filter(|at| shown.contains(*at)) {
         extent = [extent[0].min(primary), extent[1].max(primary)];
     }
     let margin = 0.05 * (extent[1] - extent[0]);
@@ -186,20 +180,13 @@ fn faithful<O: ImpactOscillator>(
     kind: Bifurcation,
     curve: &[[f64; 2]],
 ) -> f64 {
-    let theorem = point.theorem();
-    let coefficient = match kind {
-        Bifurcation::PeriodDoubling => theorem.period_doubling().coefficient,
-        _ => theorem.saddle_node().coefficient,
-    };
+    let [BifurcationCurve { coefficient, .. }, _] = point.leading().starting_with(kind);
     let [_, origin] = point.orbit().oscillator().parameters();
     let mut reached = 0.0;
     let mut near = point.orbit().clone();
     for [primary, secondary] in curve.iter().skip(1) {
         let eta = secondary - origin;
-        let step = secondary - near.oscillator().parameters()[1];
-        let start =
-            near.oscillator().with_parameters([near.primary() + near.primary_slope() * step, *secondary]);
-        let Ok(orbit) = GrazingOrbit::find(&start, near.phase() + near.phase_slope() * step) else { break };
+        let Some(orbit) = grazing_at(&near, *secondary) else { break };
         near = orbit;
         let difference = primary - near.primary() - coefficient * eta * eta;
         if difference.abs() > 0.2 * (coefficient * eta * eta).abs() {

@@ -26,8 +26,6 @@ use orbits::{FAR, OrbitPoint, PeriodicOrbits};
 pub struct PeriodicMotion<O> {
     /// Grazing orbits, each touching the wall with its highest point.
     pub grazing: Vec<GrazingOrbit<O>>,
-    /// The lowest and the highest of the highest points of all orbits, with the parameters; `None` without an orbit.
-    pub extremes: Option<[Height; 2]>,
     /// Orbits that touch the wall without being turned back, with F ≥ 0 there.
     pub pushed: Vec<Height>,
     /// How motion from one of the starts ran away.
@@ -72,7 +70,7 @@ pub fn periodic_motion<O: ImpactOscillator>(
     secondary: f64,
 ) -> PeriodicMotion<O> {
     let orbits = PeriodicOrbits { oscillator, scope };
-    let share_of_secondary = scope.shares([scope.window.primary[0], secondary])[1];
+    let share_of_secondary = scope.window.shares([scope.window.primary[0], secondary])[1];
     let mut branches: Vec<Branch> = Vec::new();
     let (mut ran_away, mut carried_away) = (None, None);
     for share in SHARES {
@@ -85,10 +83,8 @@ pub fn periodic_motion<O: ImpactOscillator>(
                 Ok(Some(orbit)) if orbit[0].abs() > CARRIED_AWAY => {
                     carried_away = carried_away.or(Some(orbit))
                 }
-                Ok(Some(orbit)) if !branches.iter().any(|branch| branch.passes(&orbit)) => {
-                    branches.extend(orbits.branch(&orbit));
-                }
-                Ok(_) => {}
+                Ok(Some(orbit)) => orbits.add_branch(&mut branches, &orbit),
+                Ok(None) => {}
                 Err(escape) => {
                     ran_away.get_or_insert(escape);
                 }
@@ -98,9 +94,8 @@ pub fn periodic_motion<O: ImpactOscillator>(
     if branches.is_empty() {
         branches.extend(carried_away.and_then(|orbit| orbits.branch(&orbit)));
     }
-    let mut motion =
-        PeriodicMotion { grazing: Vec::new(), extremes: None, pushed: Vec::new(), ran_away, branches };
-    motion.look(&orbits);
+    let mut motion = PeriodicMotion { grazing: Vec::new(), pushed: Vec::new(), ran_away, branches };
+    motion.look_for_grazing(&orbits);
     motion
 }
 
@@ -129,24 +124,15 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
 }
 
 impl<O: ImpactOscillator> PeriodicMotion<O> {
-    /// Takes down what the branches show.
-    fn look(&mut self, orbits: &PeriodicOrbits<'_, O>) {
-        let heights = self.branches.iter().flat_map(|branch| branch.orbits.iter().map(|orbit| orbit.height));
-        for height in heights {
-            let [lowest, highest] = self.extremes.get_or_insert([height, height]);
-            if height.position < lowest.position {
-                *lowest = height;
-            }
-            if height.position > highest.position {
-                *highest = height;
-            }
-        }
+    /// Takes down where the branches come to the wall.
+    fn look_for_grazing(&mut self, orbits: &PeriodicOrbits<'_, O>) {
         for bifurcation in self.branches.iter().flat_map(|branch| &branch.bifurcations) {
             if let Crossing { condition: Condition::InteriorGrazing, near, .. } = bifurcation {
                 match orbits.grazing(near) {
                     Some(orbit) => {
                         let same = |other: &GrazingOrbit<O>| {
-                            (other.primary() - orbit.primary()).abs() <= SAME * orbits.scope.widths()[0]
+                            (other.primary() - orbit.primary()).abs()
+                                <= SAME * orbits.scope.window.widths()[0]
                                 && libm::cos(other.phase() - orbit.phase()) > 1.0 - SAME
                         };
                         let [left, right] = orbits.scope.window.primary;

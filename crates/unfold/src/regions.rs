@@ -168,7 +168,7 @@ const TRIALS: u32 = 15;
 /// A face's slice is good enough if its chord has this share of the longest one.
 const LONG_ENOUGH: f64 = 0.25;
 /// Slices of the whole window to begin with.
-pub(crate) const SLICES: u32 = 16;
+const SLICES: u32 = 16;
 /// How often slices are added where they are needed.
 const ROUNDS: usize = 8;
 /// Slices are no closer than this share of the range of η.
@@ -188,6 +188,11 @@ pub(crate) trait Surveyor {
     fn sights(&self) -> Vec<Sight>;
 }
 
+/// The values of η at which slices are laid to begin with.
+pub(crate) fn levels(window: Window) -> Vec<f64> {
+    (0..=SLICES).map(|k| window.parameters([0.0, f64::from(k) / f64::from(SLICES)])[1]).collect()
+}
+
 /// The stage in which regions of MPSs are decided.
 pub(crate) const STAGE: &str = "regions";
 
@@ -203,16 +208,14 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
         let orbits = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary));
         orbits.map(|orbit| [orbit.phase(), orbit.primary()]).collect()
     };
-    let [low, high] = window.secondary;
-    let levels: Vec<f64> =
-        (0..=SLICES).map(|k| low + (high - low) * f64::from(k) / f64::from(SLICES)).collect();
+    let levels = levels(window);
     progress.begin(what, nets.len() as u64);
     let regions: Vec<Vec<Region>> = nets
         .par_iter_mut()
         .map(|net| {
             let loops = net.loops();
             let mut survey = Survey::new(net, route(window, StepControl::DRAWING), &grazing);
-            let regions = decided(window, &mut survey, (&RegionKind::Mps, loops), &levels, progress);
+            let regions = decided(window, &mut survey, loops, &levels, progress);
             progress.step(what);
             regions
         })
@@ -221,11 +224,11 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
     regions.into_iter().flatten().collect()
 }
 
-/// The regions of solutions of some kind and number of loops, from slices at some values of η and wherever else they are needed.
+/// The regions of solutions with some number of loops, 0 without impacts, from slices at some values of η and wherever else they are needed.
 pub(crate) fn decided(
     window: Window,
     survey: &mut dyn Surveyor,
-    (kind, loops): (&RegionKind, u32),
+    loops: u32,
     levels: &[f64],
     progress: &dyn Progress,
 ) -> Vec<Region> {
@@ -247,7 +250,7 @@ pub(crate) fn decided(
         judge.sights = survey.sights();
     }
     let lines = joined(window, survey.lines());
-    judge.regions(&lines, survey.curves(), kind, loops)
+    judge.regions(&lines, survey.curves(), loops)
 }
 
 /// What decides faces.
@@ -258,7 +261,7 @@ struct Judge {
 
 impl Judge {
     fn length(&self, [from, to]: [f64; 2]) -> f64 {
-        (to - from) / (self.window.primary[1] - self.window.primary[0])
+        (to - from) / self.window.widths()[0]
     }
 
     fn longest(&self, face: &Face, secondary: f64) -> f64 {
@@ -281,8 +284,8 @@ impl Judge {
 
     /// Whether there is a slice so close to a value of η that another one would tell nothing.
     fn is_near(&self, secondary: f64) -> bool {
-        let [low, high] = self.window.secondary;
-        self.sights.iter().any(|sight| (sight.secondary - secondary).abs() < NEAREST * (high - low))
+        let nearest = NEAREST * self.window.widths()[1];
+        self.sights.iter().any(|sight| (sight.secondary - secondary).abs() < nearest)
     }
 
     /// Values of η half the way between neighbouring slices one of which is in trouble in a face and the other is not: what is
@@ -310,7 +313,7 @@ impl Judge {
         };
         let loose =
             ends.iter().filter(|end| inside(**end) && ends.iter().filter(|other| other == end).count() == 1);
-        let height = self.window.secondary[1] - self.window.secondary[0];
+        let height = self.window.widths()[1];
         let levels = loose.flat_map(|end| BESIDE.map(|share| end[1] + share * height));
         levels
             .filter(|level| self.window.secondary[0] < *level && *level < self.window.secondary[1])
@@ -396,13 +399,8 @@ impl Judge {
     }
 
     /// The regions into which lines cut the window.
-    fn regions(
-        &self,
-        lines: &[Vec<Point>],
-        curves: &[DiagramCurve],
-        kind: &RegionKind,
-        loops: u32,
-    ) -> Vec<Region> {
+    fn regions(&self, lines: &[Vec<Point>], curves: &[DiagramCurve], loops: u32) -> Vec<Region> {
+        let kind = if loops == 0 { RegionKind::NonImpacting } else { RegionKind::Mps };
         let faces = faces::cut(self.window, lines).into_iter();
         let judged: Vec<Judged> = faces.flat_map(|face| self.parted(self.judge(face))).collect();
         let faces: Vec<&Face> = judged.iter().filter(|j| j.verdict == Ok(true)).map(|j| &j.face).collect();
@@ -424,8 +422,8 @@ impl Judge {
 
     /// Less than can be seen or drawn: where the chords of two curves that touch cross each other.
     fn speck(&self, face: &Face) -> bool {
-        let ([left, right], [low, high]) = (self.window.primary, self.window.secondary);
-        faces::area(face) < SPECK * (right - left) * (high - low)
+        let [width, height] = self.window.widths();
+        faces::area(face) < SPECK * width * height
     }
 
     /// The first saddle-node curve on the border of a region, or else the first curve.
@@ -451,8 +449,8 @@ const MEET: f64 = 1e-7;
 
 /// The distance of two points in shares of the ranges.
 fn gap(window: Window, a: Point, b: Point) -> f64 {
-    let share = |i: usize, [low, high]: [f64; 2]| ((a[i] - b[i]) / (high - low)).abs();
-    share(0, window.primary).max(share(1, window.secondary))
+    let [width, height] = window.widths();
+    ((a[0] - b[0]) / width).abs().max(((a[1] - b[1]) / height).abs())
 }
 
 /// The lines with ends that meet made equal.

@@ -129,11 +129,7 @@ pub fn simulate<O: ImpactOscillator>(
     kind: Bifurcation,
     coefficients: &Pair<Coefficient>,
 ) -> Simulated {
-    let Pair { saddle_node, period_doubling } = coefficients;
-    let measured = match kind {
-        Bifurcation::PeriodDoubling => [&period_doubling.fit, &saddle_node.fit],
-        _ => [&saddle_node.fit, &period_doubling.fit],
-    };
+    let measured = coefficients.as_ref().map(|coefficient| &coefficient.fit).starting_with(kind);
     let [Ok(own), Ok(other)] = measured else { return Simulated::Undecided(Doubt::NotMeasured) };
     let grazing = &point.resonant_point().grazing;
     let scale = grazing.gamma / grazing.forcing_frequency;
@@ -220,10 +216,7 @@ impl Sides {
         kind: Bifurcation,
         velocity: f64,
     ) -> Result<Self, LocateFailure> {
-        let (own, other) = match kind {
-            Bifurcation::PeriodDoubling => (Condition::PERIOD_DOUBLING, Condition::SADDLE_NODE),
-            _ => (Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING),
-        };
+        let [own, other] = Pair::CONDITIONS.starting_with(kind);
         let slope = |condition| {
             let direction = point.direction(condition);
             direction[unknown::VELOCITY] / direction[unknown::SECONDARY]

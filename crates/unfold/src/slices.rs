@@ -10,7 +10,8 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route, Window};
 use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Multipliers, Unknowns, unknown,
+    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Multipliers, Unknowns, parameters,
+    unknown,
 };
 use grazing_model::ImpactOscillator;
 use nalgebra::SVector;
@@ -156,27 +157,20 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
     /// Adds the branches of a slice to which curves that cross it lead, and says whether there are any.
     pub(crate) fn through_curves(&self, slice: &mut Slice<Curve>, curves: &[DiagramCurve]) -> bool {
         let before = slice.branches.len();
-        let here = Condition::Secondary(slice.secondary);
+        let secondary = slice.secondary;
+        let here = Condition::Secondary(secondary);
         let new = core::mem::replace(&mut slice.curves, curves.len());
-        let pairs = curves[new..].iter().flat_map(|curve| {
-            let condition = curve.curve.condition;
-            curve.curve.points.windows(2).map(move |pair| (condition, pair))
-        });
-        for (condition, pair) in pairs {
-            let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
-            let [from, to] = [a, b].map(|point| point[unknown::SECONDARY] - slice.secondary);
-            if from * to > 0.0 || from == to {
-                continue;
-            }
-            let near = a + (b - a) * (from / (from - to));
+        let known = curves[new..].iter().map(|curve| &curve.curve);
+        for (condition, near, mut times) in
+            known.flat_map(|curve| crossings(curve, unknown::SECONDARY, secondary))
+        {
             if slice.branches.iter().any(|branch| passes(branch, &near)) {
                 continue;
             }
-            let mut times = pair[0].times.clone();
             let found = locate_within(CARRIED_OFF, &self.equations, [condition, here], near, &mut times);
             if let Ok(through) = found
                 && through[unknown::VELOCITY] > 0.0
-                && self.window.contains(&through)
+                && self.window.contains(parameters(&through))
             {
                 self.add(slice, through, &times, true);
             }
@@ -188,10 +182,8 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
 
     /// The MPS with the impact velocity and the η of `near`, if it lies in the window and nearby.
     fn at(&self, near: Unknowns, times: &mut EventTimes) -> Option<Unknowns> {
-        let [velocity, _, _, secondary] = near.into();
-        let conditions = [Condition::Secondary(secondary), Condition::ImpactVelocity(velocity)];
-        let found = locate_within(CARRIED_OFF, &self.equations, conditions, near, times).ok()?;
-        self.window.contains(&found).then_some(found)
+        let found = locate_within(CARRIED_OFF, &self.equations, beside(&near), near, times).ok()?;
+        self.window.contains(parameters(&found)).then_some(found)
     }
 
     /// Follows the branch through an MPS, to greater velocities or to both sides, unless it is known.
@@ -215,13 +207,7 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
 
     fn branch(&self, condition: Condition, window: Window) -> (MpsCurve<O>, Route) {
         let curve = MpsCurve { equations: self.equations.clone(), condition };
-        let route = Route {
-            window,
-            control: STEPS,
-            step_limit: STEP_LIMIT,
-            stop_at_events: false,
-            through_grazing: false,
-        };
+        let route = Route { window, control: STEPS, step_limit: STEP_LIMIT, stop_at_events: false };
         (curve, route)
     }
 
@@ -230,20 +216,12 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         let window = Window { primary: [f64::NEG_INFINITY, f64::INFINITY], ..self.window };
         let (curve, route) = self.branch(Condition::Primary(primary), window);
         let mut branches: Vec<Curve> = Vec::new();
-        let pairs =
-            slices.iter().flat_map(|slice| slice.branches.iter().flat_map(|branch| branch.points.windows(2)));
-        for pair in pairs {
-            let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
-            let [from, to] = [a, b].map(|point| point[unknown::PRIMARY] - primary);
-            if from * to > 0.0 || from == to {
-                continue;
-            }
-            let near = a + (b - a) * (from / (from - to));
+        let known = slices.iter().flat_map(|slice| &slice.branches);
+        for (_, near, mut times) in known.flat_map(|branch| crossings(branch, unknown::PRIMARY, primary)) {
             if branches.iter().any(|branch| passes(branch, &near)) {
                 continue;
             }
             let conditions = [Condition::Primary(primary), Condition::Secondary(near[unknown::SECONDARY])];
-            let mut times = pair[0].times.clone();
             let Ok(through) = locate(&self.equations, conditions, near, &mut times) else { continue };
             if through[unknown::VELOCITY] > 0.0 && !branches.iter().any(|branch| passes(branch, &through)) {
                 let upwards = Unknowns::new(0.0, 0.0, 0.0, 1.0);
@@ -252,6 +230,25 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         }
         branches
     }
+}
+
+/// The conditions that hold the η and the impact velocity of a point.
+fn beside(point: &Unknowns) -> [Condition; 2] {
+    [Condition::Secondary(point[unknown::SECONDARY]), Condition::ImpactVelocity(point[unknown::VELOCITY])]
+}
+
+/// Where the chords of a curve take a value of one of the unknowns: the curve's condition, the point and the event times nearby.
+pub(crate) fn crossings(
+    curve: &Curve,
+    unknown: usize,
+    value: f64,
+) -> impl Iterator<Item = (Condition, Unknowns, EventTimes)> {
+    curve.points.windows(2).filter_map(move |pair| {
+        let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
+        let [from, to] = [a, b].map(|point| point[unknown] - value);
+        let crosses = from * to <= 0.0 && from != to;
+        crosses.then(|| (curve.condition, a + (b - a) * (from / (from - to)), pair[0].times.clone()))
+    })
 }
 
 /// Whether an MPS lies on a branch.
@@ -329,10 +326,8 @@ fn middle_of<O: ImpactOscillator>(
     b: &MaximalPeriodicSolution,
 ) -> Option<MaximalPeriodicSolution> {
     let middle = (a.unknowns + b.unknowns) * 0.5;
-    let [velocity, _, _, secondary] = middle.into();
-    let conditions = [Condition::Secondary(secondary), Condition::ImpactVelocity(velocity)];
     let equations = equations.with_formulation(Formulation::FixedPhase);
-    let found = locate(&equations, conditions, middle, &mut EventTimes::default()).ok()?;
+    let found = locate(&equations, beside(&middle), middle, &mut EventTimes::default()).ok()?;
     Some(equations.solution(&found).0)
 }
 

@@ -160,40 +160,25 @@ impl<M: SmoothOscillator> SmoothOscillator for Stoppable<M> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use grazing_description::Description;
     use grazing_model::motion::Motion;
     use grazing_model::smooth::Integrated;
     use grazing_model::{ImpactOscillator, State};
 
-    /// ẍ = −x − 1.
-    #[derive(Clone, Debug)]
-    struct Spring;
-
-    impl SmoothOscillator for Spring {
-        fn force<S: Scalar>(&self, x: S, _: S, _: S, _: S, _: S) -> S {
-            -x - S::constant(1.0)
-        }
-
-        fn forcing_frequency<S: Scalar>(&self, _: S, _: S) -> S {
-            S::constant(1.0)
-        }
-
-        fn restitution<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
-            S::constant(1.0)
-        }
-
-        fn impact_duration<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
-            S::constant(0.0)
-        }
+    /// ẍ = −x − 1, to be ended by a mark.
+    fn spring(stop: &Stop) -> Integrated<Stoppable<Description>> {
+        let spring = crate::specimens::unforced("-x - 1");
+        Integrated::new(Stoppable::new(spring, stop.clone()), [0.0, 1.0])
     }
 
-    fn position_after(oscillator: &Integrated<Stoppable<Spring>>, time: f64) -> f64 {
+    fn position_after(oscillator: &Integrated<Stoppable<Description>>, time: f64) -> f64 {
         oscillator.motion(State::on_wall(0.0, 0.0)).at(time).position
     }
 
     #[test]
     fn nothing_moves_once_an_end_is_asked_for_until_the_wish_is_withdrawn() {
         let stop = Stop::default();
-        let oscillator = Integrated::new(Stoppable::new(Spring, stop.clone()), [0.0, 1.0]);
+        let oscillator = spring(&stop);
         let before = position_after(&oscillator, 2.0);
         // x = cos t − 1, to the integration's tolerance.
         assert!((before - (libm::cos(2.0) - 1.0)).abs() < 1e-12, "{before}");
@@ -206,7 +191,7 @@ mod tests {
     #[test]
     fn steps_are_counted_and_their_limit_asks_for_the_end_once() {
         let stop = Stop::after(10 * LOT);
-        let oscillator = Integrated::new(Stoppable::new(Spring, stop.clone()), [0.0, 1.0]);
+        let oscillator = spring(&stop);
         let mut motions = 0;
         while !stop.is_asked() {
             assert!(!stop.is_used_up());
@@ -225,7 +210,7 @@ mod tests {
     #[test]
     fn an_end_that_is_withdrawn_before_the_steps_are_used_up_lifts_their_limit() {
         let stop = Stop::after(2 * LOT);
-        let oscillator = Integrated::new(Stoppable::new(Spring, stop.clone()), [0.0, 1.0]);
+        let oscillator = spring(&stop);
         stop.withdraw();
         for _ in 0..100 {
             position_after(&oscillator, 6.0);

@@ -4,11 +4,11 @@ use grazing_continuation::curve::Window;
 use grazing_continuation::fit::{Estimate, FitError, Measurement};
 use grazing_model::smooth::Units;
 use grazing_theorems::hypothesis::{Hypothesis, Quantity};
-use grazing_theorems::{GrazingPoint, ResonantPoint, Unfolding};
+use grazing_theorems::{GrazingPoint, ResonantPoint};
 
 use crate::escape::Escape;
 use crate::non_impacting::Height;
-use crate::sides::{self, Sides, Simulated};
+use crate::sides::{self, Simulated};
 use crate::verdict::Coefficient;
 use crate::{Scope, UnfoldError, regions};
 
@@ -58,14 +58,13 @@ impl InUnits for GrazingPoint {
 /// All that follows by formulas is in the oscillator's own units then.
 impl InUnits for ResonantPoint {
     fn in_units(&self, units: &Units) -> Self {
-        let Unfolding { loops, derivative } = self.unfolding;
+        let mut own = *self;
+        own.grazing = self.grazing.in_units(units);
+        own.second_phase_derivative *= units.length;
         // a₁₂ is a length, κ_p a number.
-        let derivative = if loops == 1 { derivative * units.length } else { derivative } / units.secondary;
-        Self {
-            grazing: self.grazing.in_units(units),
-            second_phase_derivative: self.second_phase_derivative * units.length,
-            unfolding: Unfolding { loops, derivative },
-        }
+        let length = if own.unfolding.loops == 1 { units.length } else { 1.0 };
+        own.unfolding.derivative *= length / units.secondary;
+        own
     }
 }
 
@@ -98,57 +97,44 @@ impl InUnits for Hypothesis {
 impl InUnits for Coefficient {
     fn in_units(&self, units: &Units) -> Self {
         let Units { primary, secondary, .. } = *units;
-        let (unit, velocity) = (primary / (secondary * secondary), units.velocity());
-        let estimate =
-            |estimate: Estimate| Estimate { value: estimate.value * unit, error: estimate.error * unit };
-        let fit = |fit: Measurement| {
-            let [eta, mu] = [secondary / velocity, primary / (velocity * velocity)];
-            Measurement {
-                coefficient: estimate(fit.coefficient),
-                eta: [fit.eta[0] * eta, fit.eta[1] * eta / velocity],
-                mu: [fit.mu[0] * mu, fit.mu[1] * mu / velocity],
-                velocity: fit.velocity * velocity,
-            }
+        let (unit, unit_of_velocity) = (primary / (secondary * secondary), units.velocity());
+        let mut own = *self;
+        let estimate = |estimate: &mut Estimate| {
+            estimate.value *= unit;
+            estimate.error *= unit;
         };
-        let failure = |error| match error {
-            FitError::NoPoint { velocity: at, failure } => {
-                FitError::NoPoint { velocity: at * velocity, failure }
+        estimate(&mut own.theorem);
+        match &mut own.fit {
+            Ok(Measurement { coefficient, eta, mu, velocity }) => {
+                estimate(coefficient);
+                let slopes = [secondary / unit_of_velocity, primary / (unit_of_velocity * unit_of_velocity)];
+                for (terms, slope) in [eta, mu].into_iter().zip(slopes) {
+                    *terms = [terms[0] * slope, terms[1] * slope / unit_of_velocity];
+                }
+                *velocity *= unit_of_velocity;
             }
-            other => other,
-        };
-        Self {
-            stability: self.stability,
-            theorem: estimate(self.theorem),
-            fit: self.fit.map(fit).map_err(failure),
+            Err(FitError::NoPoint { velocity, .. }) => *velocity *= unit_of_velocity,
+            Err(FitError::GrazingOrbit(_)) => {}
         }
+        own
     }
 }
 
 impl InUnits for Simulated {
     fn in_units(&self, units: &Units) -> Self {
-        let unit = units.velocity();
-        match *self {
-            Self::AsPredicted(sides) => Self::AsPredicted(Sides { velocity: sides.velocity * unit, ..sides }),
-            Self::Against(sides) => Self::Against(Sides { velocity: sides.velocity * unit, ..sides }),
-            Self::Undecided(doubt) => Self::Undecided(doubt.in_units(units)),
-        }
-    }
-}
-
-impl InUnits for sides::Doubt {
-    fn in_units(&self, units: &Units) -> Self {
-        let unit = units.velocity();
-        match *self {
-            Self::TooSlow { leading, least } => {
-                Self::TooSlow { leading: leading * unit, least: least * unit }
-            }
-            Self::NoSolution { velocity, failure } => Self::NoSolution { velocity: velocity * unit, failure },
-            Self::SlowConvergence { velocity, returns } => {
-                Self::SlowConvergence { velocity: velocity * unit, returns }
-            }
-            Self::OnlyHere { velocity } => Self::OnlyHere { velocity: velocity * unit },
-            Self::NotMeasured => Self::NotMeasured,
-        }
+        let mut own = *self;
+        let velocities = match &mut own {
+            Self::AsPredicted(sides) | Self::Against(sides) => vec![&mut sides.velocity],
+            Self::Undecided(doubt) => match doubt {
+                sides::Doubt::TooSlow { leading, least } => vec![leading, least],
+                sides::Doubt::NoSolution { velocity, .. }
+                | sides::Doubt::SlowConvergence { velocity, .. }
+                | sides::Doubt::OnlyHere { velocity } => vec![velocity],
+                sides::Doubt::NotMeasured => Vec::new(),
+            },
+        };
+        velocities.into_iter().for_each(|velocity| *velocity *= units.velocity());
+        own
     }
 }
 

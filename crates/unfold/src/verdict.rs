@@ -2,13 +2,11 @@
 
 use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::fit::{Estimate, FitError, Measurement, measure};
-use grazing_continuation::locate::Condition;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::maps::global_iterate;
 use grazing_model::{AtRest, ImpactOscillator};
 use grazing_theorems::ResonantPoint;
 use grazing_theorems::from_map::GrazingOrbit;
-use grazing_theorems::resonant_theorem::BifurcationCurve;
 use nalgebra::Matrix2;
 
 /// A quadratic coefficient by Theorem 2.4 or 2.5, and measured.
@@ -129,22 +127,14 @@ impl Coefficient {
 
 /// c_SN and c_PD at a resonance.
 pub fn coefficients<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> Pair<Coefficient> {
-    let [saddle_node, period_doubling] = theorem_errors(point);
-    let (theorem, stability) = (point.theorem(), point.resonant_point().stability_coefficients());
-    let coefficient = |curve: BifurcationCurve, stability, condition, error| Coefficient {
+    let stability = point.resonant_point().stability_coefficients();
+    let stability = Pair { saddle_node: stability.plus, period_doubling: stability.minus };
+    let known = point.leading().zip(stability).zip(theorem_errors(point)).zip(Pair::CONDITIONS);
+    known.map(|(((curve, stability), error), condition)| Coefficient {
         stability,
         theorem: Estimate { value: curve.coefficient, error },
         fit: measure(point, condition),
-    };
-    Pair {
-        saddle_node: coefficient(theorem.saddle_node(), stability.plus, Condition::SADDLE_NODE, saddle_node),
-        period_doubling: coefficient(
-            theorem.period_doubling(),
-            stability.minus,
-            Condition::PERIOD_DOUBLING,
-            period_doubling,
-        ),
-    }
+    })
 }
 
 /// Relative errors that first derivatives of the flow, and differences of them, have at best (empirical: integrated motion is right
@@ -153,7 +143,7 @@ const FIRST_DERIVATIVES: f64 = 1e-12;
 const DIFFERENCES: f64 = 1e-10;
 
 /// How far c_SN and c_PD move when what they are computed from moves by its error, one quantity after the other.
-fn theorem_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [f64; 2] {
+fn theorem_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> Pair<f64> {
     let known = point.resonant_point();
     let values =
         |point: &ResonantPoint| [point.saddle_node_coefficient(), point.period_doubling_coefficient()];
@@ -184,7 +174,8 @@ fn theorem_errors<O: ImpactOscillator>(point: &ResonantGrazingPoint<O>) -> [f64;
         let slope = &mut point.unfolding.derivative;
         *slope += unfolding + DIFFERENCES * rate.max(slope.abs());
     });
-    errors
+    let [saddle_node, period_doubling] = errors;
+    Pair { saddle_node, period_doubling }
 }
 
 /// Differences are taken over these parts of a radian, and of the way in η on which P_global becomes another map: wide ones lose least to

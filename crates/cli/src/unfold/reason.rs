@@ -57,7 +57,7 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
              it instead of being turned back; F must be negative where the wall is touched: check the signs in motion.force (motion takes \
              place in x < 0), or leave these parameters out of the ranges",
             at(height.parameters),
-            brief(height.acceleration, 4)
+            brief(if height.acceleration < TURNED * units.acceleration() { 0.0 } else { height.acceleration }, 4)
         ),
         UnfoldError::Pushed { at: height } => format!(
             "no grazing was located: at {} periodic motion comes to the wall (x = {}, F = {}), but no regular grazing orbit was \

@@ -16,33 +16,22 @@ pub(super) struct ImplicitMap<F> {
     pub(super) along: F,
 }
 
-/// The map at a multiplier −1: R(X(s)) = L(X(−s + c s³)) up to third order, X(s) = X₀ + q s + h s² + ….
+/// The map at a multiplier λ = ±1, along X(s) = X₀ + q s + h s² + ….
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Flip {
+pub(super) struct NormalForm {
     /// q, of length one.
     pub(super) direction: Vector2<f64>,
-    /// h.
+    /// h; zero where it does not matter.
     pub(super) bend: Vector2<f64>,
-    /// ℓ with ℓᵀ(DR + DL) = 0 and ℓᵀ DL q = 1; DLᵀℓ is the adjoint eigenvector p.
+    /// ℓ with ℓᵀ(DR − λ DL) = 0 and ℓᵀ DL q = 1; DLᵀℓ is the adjoint eigenvector p.
     pub(super) covector: Vector2<f64>,
-    /// c.
-    pub(super) coefficient: f64,
-}
-
-/// The map at a multiplier 1: R(X(s)) = L(X(s + a s²)) up to second order, X(s) = X₀ + q s + ….
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Fold {
-    /// q, of length one.
-    pub(super) direction: Vector2<f64>,
-    /// ℓ with ℓᵀ(DR − DL) = 0 and ℓᵀ DL q = 1.
-    pub(super) covector: Vector2<f64>,
-    /// a.
+    /// a at the multiplier 1, c at −1.
     pub(super) coefficient: f64,
 }
 
 impl<F: Fn(Germ) -> [Germ; 2]> ImplicitMap<F> {
-    /// The normal form where the multiplier is −1 and simple and the other one is not 1.
-    pub(super) fn flip(&self) -> Flip {
+    /// R(X(s)) = L(X(−s + c s³)) up to third order, where the multiplier is −1 and simple and the other one is not 1.
+    pub(super) fn flip(&self) -> NormalForm {
         let [r, l] = self.derivatives;
         let [direction, covector] = self.null_vectors(-1.0);
         // s²: DR h + R₂ = DL h + L₂, where R₂ and L₂ are the coefficients along the straight line.
@@ -50,15 +39,16 @@ impl<F: Fn(Germ) -> [Germ; 2]> ImplicitMap<F> {
         let bend = solved(&(r - l), l2 - r2);
         // s³: DR k + R₃ = c DL q − DL k − L₃ for the third coefficient k of X(s), of which ℓ takes out c.
         let [r3, l3] = self.coefficients(3, [direction, bend]);
-        Flip { direction, bend, covector, coefficient: covector.dot(&(r3 + l3)) }
+        NormalForm { direction, bend, covector, coefficient: covector.dot(&(r3 + l3)) }
     }
 
-    /// The normal form where the multiplier is 1 and simple.
-    pub(super) fn fold(&self) -> Fold {
+    /// R(X(s)) = L(X(s + a s²)) up to second order, where the multiplier is 1 and simple.
+    pub(super) fn fold(&self) -> NormalForm {
         let [direction, covector] = self.null_vectors(1.0);
         // s²: DR h + R₂ = a DL q + DL h + L₂ for the second coefficient h of X(s), of which ℓ takes out a.
-        let [r2, l2] = self.coefficients(2, [direction, Vector2::zeros()]);
-        Fold { direction, covector, coefficient: covector.dot(&(r2 - l2)) }
+        let bend = Vector2::zeros();
+        let [r2, l2] = self.coefficients(2, [direction, bend]);
+        NormalForm { direction, bend, covector, coefficient: covector.dot(&(r2 - l2)) }
     }
 
     /// q with (DR − λ DL) q = 0 and ℓ with ℓᵀ(DR − λ DL) = 0, normalised.

@@ -4,5 +4,4 @@ mod doubled;
 mod invariance;
 mod period_doublings;
 mod saddle_nodes;
-mod simulation;
 mod specimens;

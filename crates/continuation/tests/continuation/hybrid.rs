@@ -103,20 +103,6 @@ pub(crate) fn simulated_multipliers(
     Some(Multipliers { trace: derivative.trace(), determinant: derivative.determinant() })
 }
 
-/// Whether the simulated orbit from 10⁻⁷ off an MPS comes a hundred times nearer, or leaves: goes a hundred times farther, or
-/// does not have one impact in p periods.
-pub(crate) fn attracts(oscillator: &LinearOscillator, solution: &MaximalPeriodicSolution) -> bool {
-    let mut displacement = Vector2::new(0.6e-7, -0.8e-7);
-    for _ in 0..10_000 {
-        match strobe(oscillator, solution, displacement) {
-            Some(next) if next.norm() < 1e-9 => return true,
-            Some(next) if next.norm() < 1e-5 => displacement = next,
-            _ => return false,
-        }
-    }
-    panic!("undecided after 10 000 returns: {displacement}");
-}
-
 /// The map from impact to impact over p loops with the wall ignored in between, as (y, z) relative to the MPS.
 fn unhindered_return(
     oscillator: &LinearOscillator,

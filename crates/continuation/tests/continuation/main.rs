@@ -1,4 +1,4 @@
-//! Tests of the continuation: the engine, the equations, the paper's expansions, and whole curves against simulation.
+//! Tests of the continuation: the engine, the equations, and whole curves against closed forms and simulation; what the paper states of them is the ledger's.
 //!
 //! Property tests run with a fixed seed and keep no files, so that every run draws the same cases.
 
@@ -6,14 +6,10 @@ mod arclength;
 mod closed_forms;
 mod criticality;
 mod formulations;
-mod generic_grazing;
 mod hybrid;
 mod integrated;
 mod located_resonances;
 mod newton;
 mod one_parameter_branches;
-mod resonant_branches;
 mod specimens;
-mod stability_expansions;
 mod two_parameter_curves;
-mod vivid_function;

@@ -1,25 +1,16 @@
 //! One-parameter branches: through grazing, through folds, with their events, and where VIVID ends.
 
-use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
+use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, MpsCurve};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::LinearOscillator;
 
-use crate::hybrid::{
-    assert_returns, assert_returns_unhindered, attracts, impacts_early, simulated_multipliers,
-};
+use crate::hybrid::{assert_returns, assert_returns_unhindered, impacts_early, simulated_multipliers};
 use crate::specimens::{EPSILON, OMEGA, ZETA, assert_vanishes, assert_within, at_grazing, branch, route};
 
 fn amplitude_branch(loops: u32, amplitudes: [f64; 2]) -> (LoopEquations<LinearOscillator>, Curve) {
     let route = route(amplitudes, [0.1, 2.0], false);
     branch([ZETA, EPSILON, OMEGA], loops, Formulation::Vivid, 1.0, &route)
-}
-
-fn event(curve: &Curve, condition: Condition) -> &Event {
-    let mut events = curve.events.iter().filter(|event| event.condition == condition);
-    let event = events.next().unwrap();
-    assert!(events.next().is_none(), "{condition:?} was expected once");
-    event
 }
 
 #[test]
@@ -45,25 +36,13 @@ fn branches_cross_the_grazing_bifurcation_smoothly() {
 }
 
 #[test]
-fn branches_go_on_to_virtual_solutions_if_asked() {
+fn branches_that_come_back_to_grazing_end_on_the_grazing_orbit() {
     for loops in 1..=3 {
-        let route = Route { through_grazing: true, ..route([0.2, 0.4], [0.1, 2.0], false) };
-        let specimen = [ZETA, EPSILON, OMEGA];
-        let (equations, real) = branch(specimen, loops, Formulation::Vivid, 1.0, &route);
-        // From a point with an impact back towards grazing, and on.
+        let (equations, real) = amplitude_branch(loops, [0.2, 0.4]);
         let CurvePoint { solution, times } = &real.points[8];
         let down = Unknowns::new(-1.0, 0.0, 0.0, 0.0);
         let back = MpsCurve { equations, condition: Condition::Secondary(OMEGA) };
-        let curve = back.clone().follow(solution.unknowns, down, times.clone(), &route).unwrap();
-        assert!(matches!(curve.end, CurveEnd::LeftWindow), "{:?}", curve.end);
-        let velocities: Vec<f64> =
-            curve.points.iter().map(|point| point.solution.impact_velocity()).collect();
-        let crossing = velocities.iter().position(|y| *y < 0.0).expect("the branch passes through y = 0");
-        // Through grazing the velocity falls from point to point; behind it the solutions are virtual.
-        assert!(velocities[..crossing + 3].windows(2).all(|pair| pair[1] < pair[0]), "{velocities:?}");
-        assert!(curve.points[crossing..crossing + 3].iter().all(|point| !point.solution.admissible()));
-        // Without being asked the same branch ends at y = 0, on the grazing orbit.
-        let route = Route { through_grazing: false, ..route };
+        let route = route([0.2, 0.4], [0.1, 2.0], false);
         let curve = back.follow(solution.unknowns, down, times.clone(), &route).unwrap();
         assert!(matches!(curve.end, CurveEnd::Grazing), "{:?}", curve.end);
         let end = curve.points.last().unwrap().solution.unknowns;
@@ -114,57 +93,6 @@ fn no_admissible_orbit_is_called_inadmissible() {
         }
     }
     assert!(checked > 50, "{checked}");
-}
-
-/// The MPSs of a branch a little before and a little after an event.
-fn around<'a>(curve: &'a Curve, event: &Event) -> [&'a CurvePoint; 2] {
-    let distance = |point: &CurvePoint| (point.solution.unknowns - event.solution.unknowns).norm();
-    let before = curve.points[..event.index].iter().rev().find(|point| distance(point) > 0.01);
-    let after = curve.points[event.index..].iter().find(|point| distance(point) > 0.01);
-    [before.unwrap(), after.unwrap()]
-}
-
-/// Whether the MPS of a point attracts simulated orbits.
-fn attracting(equations: &LoopEquations<LinearOscillator>, CurvePoint { solution, .. }: &CurvePoint) -> bool {
-    attracts(&equations.oscillator_at(&solution.unknowns), solution)
-}
-
-#[test]
-fn three_loop_orbit_gains_stability_at_a_fold_left_of_grazing() {
-    let (equations, curve) = amplitude_branch(3, [0.2, 0.4]);
-    let fold = event(&curve, Condition::SADDLE_NODE);
-    let (grazing, _) = at_grazing(ZETA, EPSILON, OMEGA);
-    assert!(fold.solution.unknowns[2] < grazing.amplitude());
-    assert!(fold.solution.admissible());
-    // It is the least amplitude on the branch, to rounding and the square of the distance to the next point.
-    let least = curve.points.iter().map(|point| point.solution.unknowns[2]).fold(f64::INFINITY, f64::min);
-    assert!(least >= fold.solution.unknowns[2] - 1e-14);
-    let [before, after] = around(&curve, fold);
-    assert!(!before.solution.stable() && !attracting(&equations, before));
-    assert!(after.solution.stable() && attracting(&equations, after));
-}
-
-#[test]
-fn two_loop_orbit_gains_stability_at_a_period_doubling_right_of_grazing() {
-    let (equations, curve) = amplitude_branch(2, [0.2, 0.4]);
-    let doubling = event(&curve, Condition::PERIOD_DOUBLING);
-    let (grazing, _) = at_grazing(ZETA, EPSILON, OMEGA);
-    assert!(doubling.solution.unknowns[2] > grazing.amplitude());
-    assert!(doubling.solution.admissible());
-    let [before, after] = around(&curve, doubling);
-    assert!(!before.solution.stable() && !attracting(&equations, before));
-    assert!(after.solution.stable() && attracting(&equations, after));
-}
-
-#[test]
-fn three_loop_orbit_is_destroyed_at_a_grazing_bifurcation() {
-    let (equations, curve) = amplitude_branch(3, [0.2, 0.4]);
-    let graze = event(&curve, Condition::InteriorGrazing);
-    assert_within(graze.solution.ceiling(), 0.0, 1e-13);
-    let [before, after] = around(&curve, graze);
-    assert!(before.solution.admissible() && attracting(&equations, before));
-    // Beyond, the continued solution is none of the hybrid system: an extra impact comes within the first period.
-    assert!(!after.solution.admissible() && !attracting(&equations, after));
 }
 
 #[test]

@@ -117,7 +117,6 @@ pub(crate) fn route(amplitudes: [f64; 2], frequencies: [f64; 2], stop_at_events:
         control: StepControl::DRAWING,
         step_limit: 5_000,
         stop_at_events,
-        through_grazing: false,
     }
 }
 

@@ -40,7 +40,7 @@ fn unfolded() -> &'static [Unfolded] {
 
 impl Unfolded {
     fn all(&self) -> impl Iterator<Item = &Curve> {
-        [&self.curves.saddle_node, &self.curves.period_doubling].into_iter().chain(&self.curves.grazing)
+        self.curves.curves()
     }
 
     fn name(&self) -> (u32, u32) {

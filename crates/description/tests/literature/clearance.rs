@@ -71,7 +71,6 @@ fn branch(omega: f64, n: u32, formulation: Formulation) -> Curve {
         control: StepControl::DRAWING,
         step_limit: 2_000,
         stop_at_events: false,
-        through_grazing: false,
     };
     let start = Unknowns::new(0.0, orbit.phase(), orbit.primary(), omega);
     curve

@@ -76,6 +76,13 @@ impl Branch {
 }
 
 impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
+    /// Adds the branch through an orbit, unless it is known.
+    pub(crate) fn add_branch(&self, branches: &mut Vec<Branch>, through: &OrbitPoint) {
+        if !branches.iter().any(|branch| branch.passes(through)) {
+            branches.extend(self.branch(through));
+        }
+    }
+
     /// The branch through an orbit, at its η.
     pub(crate) fn branch(&self, through: &OrbitPoint) -> Option<Branch> {
         let up = OrbitPoint::new(0.0, 0.0, 1.0, 0.0);
@@ -138,41 +145,29 @@ impl Branch {
         before: &PeriodicOrbit,
         after: &PeriodicOrbit,
     ) {
-        let (a, b) = (before.highest.position, after.highest.position);
-        let weight = a / (a - b);
         let (near, located) = if condition == Condition::InteriorGrazing {
-            let nearest = if weight < 0.5 { before } else { after };
-            let mut between = *nearest;
-            between.orbit[PRIMARY] =
-                before.orbit[PRIMARY] + (after.orbit[PRIMARY] - before.orbit[PRIMARY]) * weight;
-            let place = orbits.grazing(&between).and_then(|grazing| {
-                let share = orbits.scope.shares([grazing.primary(), 0.0])[0];
-                let mut orbit = before.orbit + (after.orbit - before.orbit) * weight;
-                orbit[PRIMARY] = share;
-                orbits.at(&orbit)
+            let (a, b) = (before.highest.position, after.highest.position);
+            let weight = a / (a - b);
+            let mut between = before.orbit + (after.orbit - before.orbit) * weight;
+            let mut near = *if weight < 0.5 { before } else { after };
+            near.orbit[PRIMARY] = between[PRIMARY];
+            let located = orbits.grazing(&near).and_then(|grazing| {
+                between[PRIMARY] = orbits.scope.window.shares([grazing.primary(), 0.0])[0];
+                let mut seen = orbits.seen(&orbits.at(&between)?);
+                seen.highest.position = 0.0;
+                Some(seen)
             });
-            (between, place)
+            (near, located)
         } else {
             let middle = (before.orbit + after.orbit) * 0.5;
             let step = (after.orbit - before.orbit).norm();
-            let found = orbits
-                .with_multiplier(&middle, condition)
-                .filter(|found| (found - middle).norm() < 2.0 * step);
-            (*before, found)
+            let found = orbits.with_multiplier(&middle, condition);
+            let found = found.filter(|found| (found - middle).norm() < 2.0 * step);
+            let located = found.map(|orbit| orbits.seen(&orbit));
+            (located.unwrap_or(*before), located)
         };
-        let place = located.map(|orbit| {
-            let mut seen = orbits.seen(&orbit);
-            if condition == Condition::InteriorGrazing {
-                seen.highest.position = 0.0;
-            }
-            self.orbits.push(seen);
-            self.orbits.len() - 1
-        });
-        let near = if condition == Condition::InteriorGrazing {
-            near
-        } else {
-            place.map_or(near, |at| self.orbits[at])
-        };
+        let place = located.map(|_| self.orbits.len());
+        self.orbits.extend(located);
         self.bifurcations.push(Crossing { condition, near, place });
     }
 }

@@ -2,10 +2,9 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::arclength::{Continuation, Stall, StepControl};
+use grazing_continuation::arclength::{StepControl, Tangent, Walk};
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint};
-use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, MaximalPeriodicSolution, Unknowns};
 use grazing_model::ImpactOscillator;
 
@@ -21,71 +20,24 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
     pub(crate) fn curve(&self, through: &Crossing) -> Option<DiagramCurve> {
         let condition = through.condition;
         let kind = Bifurcation::of(condition)?;
-        let up = OrbitPoint::new(0.0, 0.0, 0.0, 1.0);
-        let (mut orbits, beginning) = self.follow_curve(condition, &through.near.orbit, -up)?;
-        orbits.reverse();
-        let (after, end) = self.follow_curve(condition, &through.near.orbit, up)?;
-        orbits.extend(after.into_iter().skip(1));
-        let points = orbits
-            .iter()
-            .map(|orbit| CurvePoint { solution: self.as_solution(orbit), times: EventTimes::default() });
+        let equations = PeriodicOrbitCurve { orbits: self, condition };
+        let control = StepControl::DRAWING;
+        let walk = Walk { equations: &equations, control, step_limit: STEP_LIMIT, angle: None };
+        let (points, ends) = walk.both_ways(through.near.orbit, OrbitPoint::w(), on_the_edge).ok()?;
+        let point = |(orbit, _): &Tangent<4>| CurvePoint {
+            solution: self.as_solution(&self.seen(orbit)),
+            times: EventTimes::default(),
+        };
+        let [beginning, end] = ends.map(CurveEnd::from);
         let curve = Curve {
             condition,
-            points: points.collect(),
+            points: points.iter().map(point).collect(),
             events: Vec::new(),
             end,
             beginning: Some(beginning),
             vivid_ended: None,
         };
         Some(DiagramCurve { kind, loops: 0, n: 0, curve })
-    }
-
-    fn follow_curve(
-        &self,
-        condition: Condition,
-        start: &OrbitPoint,
-        direction: OrbitPoint,
-    ) -> Option<(Vec<PeriodicOrbit>, CurveEnd)> {
-        let curve = PeriodicOrbitCurve { orbits: self, condition };
-        let mut walker = Continuation::new(&curve, StepControl::DRAWING, *start, direction, ()).ok()?;
-        let mut found = vec![self.seen(start)];
-        let inside =
-            |orbit: &OrbitPoint| [PRIMARY, SECONDARY].iter().all(|k| (0.0..=1.0).contains(&orbit[*k]));
-        while found.len() < STEP_LIMIT {
-            let before = walker.here().point;
-            let after = match walker.advance() {
-                Ok(station) => station.point,
-                Err(Stall { step, failure }) => {
-                    return Some((found, CurveEnd::Stalled(Stall { step, failure })));
-                }
-            };
-            found.push(self.seen(&after));
-            if !inside(&after) {
-                // To the edge along the chord: regions end there, and nothing else depends on it.
-                let way = [PRIMARY, SECONDARY].map(|k| {
-                    let edge = after[k].clamp(0.0, 1.0);
-                    if edge == after[k] { 1.0 } else { (edge - before[k]) / (after[k] - before[k]) }
-                });
-                let mut edge = before + (after - before) * way[0].min(way[1]);
-                for k in [PRIMARY, SECONDARY] {
-                    edge[k] = edge[k].clamp(0.0, 1.0);
-                }
-                found.pop();
-                found.push(self.seen(&edge));
-                return Some((found, CurveEnd::LeftWindow));
-            }
-            let [past, now] = [before - start, after - start];
-            let first = found[1].orbit - start;
-            let passes = past.norm().max(now.norm()) < 2.0 * (after - before).norm()
-                && past.dot(&first) < 0.0
-                && now.dot(&first) >= 0.0;
-            if found.len() > 10 && passes {
-                found.pop();
-                found.push(self.seen(start));
-                return Some((found, CurveEnd::Closed));
-            }
-        }
-        Some((found, CurveEnd::StepLimit))
     }
 
     /// An orbit without impacts in the place of an MPS: no impact velocity, and the phase of its highest point.
@@ -99,4 +51,21 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
             highest_interior_maximum: Some(orbit.highest),
         }
     }
+}
+
+/// The point on the edge of the ranges, along the chord: regions end there, and nothing else depends on it.
+fn on_the_edge(before: &OrbitPoint, (after, tangent): &Tangent<4>) -> Option<Tangent<4>> {
+    let parameters = [PRIMARY, SECONDARY];
+    if parameters.iter().all(|k| (0.0..=1.0).contains(&after[*k])) {
+        return None;
+    }
+    let way = parameters.map(|k| {
+        let edge = after[k].clamp(0.0, 1.0);
+        if edge == after[k] { 1.0 } else { (edge - before[k]) / (after[k] - before[k]) }
+    });
+    let mut edge = before + (after - before) * way[0].min(way[1]);
+    for k in parameters {
+        edge[k] = edge[k].clamp(0.0, 1.0);
+    }
+    Some((edge, *tangent))
 }

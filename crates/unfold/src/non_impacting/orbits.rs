@@ -6,6 +6,7 @@ use grazing_continuation::arclength::CurveEquations;
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{LoopPair, Multipliers};
 use grazing_continuation::newton::{self, Linearisation};
+use grazing_continuation::tolerances;
 use grazing_model::maps::{MapError, stroboscopic_map};
 use grazing_model::motion::{Maximum, Motion, highest_maximum};
 use grazing_model::{AtPhase, ImpactOscillator, MapJet, State};
@@ -86,7 +87,7 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
     }
 
     pub(super) fn parameters(&self, orbit: &OrbitPoint) -> [f64; 2] {
-        self.scope.parameters([orbit[PRIMARY], orbit[SECONDARY]])
+        self.scope.window.parameters([orbit[PRIMARY], orbit[SECONDARY]])
     }
 
     /// The stroboscopic map beside the identity, parameters counted in shares: their difference vanishes on orbits.
@@ -97,7 +98,7 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
         if !size.is_finite() || size > FAR {
             return Err(MapError::NoRest { near: TAU, velocity: size });
         }
-        let widths = self.scope.widths();
+        let widths = self.scope.window.widths();
         for (variable, width) in [PRIMARY, SECONDARY].into_iter().zip(widths) {
             jet.jacobian.column_mut(variable).scale_mut(width);
             for hessian in &mut jet.hessians {
@@ -116,11 +117,7 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
     /// The same, given up as soon as an iterate is farther from the state than `reach`.
     pub(super) fn within(&self, reach: f64, near: &OrbitPoint) -> Option<OrbitPoint> {
         let start = Vector2::new(near[0], near[1]);
-        let solution = newton::solve(start, 20, |state| {
-            let size = state.norm();
-            if (state - start).norm() > reach {
-                return Err(MapError::NoRest { near: TAU, velocity: size });
-            }
+        let solution = newton::solve_within(reach, tolerances::STEP, start, 20, |state| {
             let (residual, derivative) = self
                 .pair::<1>(&OrbitPoint::new(state[0], state[1], near[PRIMARY], near[SECONDARY]))?
                 .difference();

@@ -17,7 +17,7 @@ use crate::curves::DiagramCurve;
 use crate::faces::Point;
 use crate::grazing::GrazingCurve;
 use crate::progress::Progress;
-use crate::regions::{Doubt, Region, RegionKind, SLICES, Sight, Surveyor, decided};
+use crate::regions::{self, Doubt, Region, Sight, Surveyor, decided};
 use crate::slices::{CARRIED_OFF, MOST_BRANCHES, Slice, near_chord, spread};
 use crate::stop::Unfinished;
 use crate::{Scope, UnfoldError};
@@ -33,7 +33,7 @@ pub(crate) struct NonImpacting<O> {
 }
 
 /// Every so many of the slices motion is left to relax from rest, which finds branches to which grazing does not lead.
-const RELAXED_EVERY: u32 = 2;
+const RELAXED_EVERY: usize = 2;
 /// Orbits of a branch that are carried to a neighbouring slice.
 const CARRIED: usize = 8;
 /// A fold or period doubling this close to the chord between two points of a curve, as a share of its length, lies on the curve, which
@@ -60,26 +60,27 @@ pub(crate) fn find<O: ImpactOscillator>(
     progress: &dyn Progress,
 ) -> Result<NonImpacting<O>, UnfoldError> {
     let what = "motion without impacts";
-    let shares: Vec<f64> =
-        (0..=SLICES / RELAXED_EVERY).map(|k| f64::from(k * RELAXED_EVERY) / f64::from(SLICES)).collect();
-    progress.begin(what, shares.len() as u64);
-    let motions: Vec<PeriodicMotion<O>> = shares
+    let levels = regions::levels(scope.window).into_iter().enumerate();
+    let (relaxed, between): (Vec<_>, Vec<_>) = levels.partition(|(k, _)| k % RELAXED_EVERY == 0);
+    progress.begin(what, relaxed.len() as u64);
+    let motions: Vec<PeriodicMotion<O>> = relaxed
         .par_iter()
-        .map(|share| {
-            let motion = periodic_motion(oscillator, scope, scope.parameters([0.0, *share])[1]);
+        .map(|(_, secondary)| {
+            let motion = periodic_motion(oscillator, scope, *secondary);
             progress.step(what);
             motion
         })
         .collect();
     progress.end(what);
+    let nothing = || match progress.stopped() {
+        true => UnfoldError::Stopped { stage: what },
+        false => explanation(&motions),
+    };
     if motions.iter().all(|motion| motion.grazing.is_empty()) {
-        let stopped = UnfoldError::Stopped { stage: what };
-        return Err(if progress.stopped() { stopped } else { explanation(&motions) });
+        return Err(nothing());
     }
-    let slices = shares
-        .iter()
-        .zip(&motions)
-        .map(|(share, motion)| Slice::new(scope.parameters([0.0, *share])[1], motion.branches.clone()));
+    let slices = relaxed.iter().zip(&motions);
+    let slices = slices.map(|((_, secondary), motion)| Slice::new(*secondary, motion.branches.clone()));
     let mut survey = NonImpactingSurvey {
         orbits: PeriodicOrbits { oscillator, scope },
         grazing: Vec::new(),
@@ -92,21 +93,17 @@ pub(crate) fn find<O: ImpactOscillator>(
     for orbit in order.into_iter().flat_map(|k| &motions[k].grazing) {
         survey.add_grazing(orbit);
     }
-    let between: Vec<f64> = (0..=SLICES)
-        .filter(|k| k % RELAXED_EVERY != 0)
-        .map(|k| scope.parameters([0.0, f64::from(k) / f64::from(SLICES)])[1])
-        .collect();
-    let regions = decided(scope.window, &mut survey, (&RegionKind::NonImpacting, 0), &between, progress);
+    let between: Vec<f64> = between.into_iter().map(|(_, secondary)| secondary).collect();
+    let regions = decided(scope.window, &mut survey, 0, &between, progress);
     let NonImpactingSurvey { grazing, curves, .. } = survey;
+    if grazing.is_empty() {
+        return Err(nothing());
+    }
     let (regions, unfinished) = match progress.stopped() {
         true => (Vec::new(), vec![Unfinished::stage(what)]),
         false => (regions, Vec::new()),
     };
-    match (grazing.is_empty(), unfinished.is_empty()) {
-        (true, false) => Err(UnfoldError::Stopped { stage: what }),
-        (true, true) => Err(explanation(&motions)),
-        (false, _) => Ok(NonImpacting { grazing, curves, regions, unfinished }),
-    }
+    Ok(NonImpacting { grazing, curves, regions, unfinished })
 }
 
 impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
@@ -129,12 +126,10 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
             let phase = orbit.phase() - TAU * libm::floor(orbit.phase() / TAU);
             let rest = (TAU - phase) / oscillator.forcing_frequency().value;
             let there = oscillator.motion(State::on_wall(0.0, phase)).at(rest);
-            let shares = self.orbits.scope.shares([orbit.primary(), secondary]);
+            let shares = self.orbits.scope.window.shares([orbit.primary(), secondary]);
             let near = OrbitPoint::new(there.position, there.velocity, shares[0], shares[1]);
-            if let Some(start) = self.orbits.at(&near)
-                && !branches.iter().any(|branch| branch.passes(&start))
-            {
-                branches.extend(self.orbits.branch(&start));
+            if let Some(start) = self.orbits.at(&near) {
+                self.orbits.add_branch(&mut branches, &start);
             }
         }
         Slice::new(secondary, branches)
@@ -142,7 +137,7 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
 
     fn carry(&self, from: &Slice<Branch>, to: &mut Slice<Branch>) -> bool {
         let before = to.branches.len();
-        let share = self.orbits.scope.shares([0.0, to.secondary])[1];
+        let share = self.orbits.scope.window.shares([0.0, to.secondary])[1];
         for branch in &from.branches {
             let every = (branch.orbits.len() / CARRIED).max(1);
             for known in branch.orbits.iter().skip(every / 2).step_by(every) {
@@ -150,9 +145,8 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
                 near[SECONDARY] = share;
                 if to.branches.len() < MOST_BRANCHES
                     && let Some(start) = self.orbits.within(CARRIED_OFF, &near)
-                    && !to.branches.iter().any(|branch| branch.passes(&start))
                 {
-                    to.branches.extend(self.orbits.branch(&start));
+                    self.orbits.add_branch(&mut to.branches, &start);
                 }
             }
         }
@@ -186,7 +180,12 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
     /// would be nothing but slivers.
     fn covers(&self, known: &DiagramCurve, other: &DiagramCurve) -> bool {
         let places = |curve: &DiagramCurve| -> Vec<Vector2<f64>> {
-            curve.curve.parameters().iter().map(|at| Vector2::from(self.orbits.scope.shares(*at))).collect()
+            curve
+                .curve
+                .parameters()
+                .iter()
+                .map(|at| Vector2::from(self.orbits.scope.window.shares(*at)))
+                .collect()
         };
         let [line, points] = [known, other].map(places);
         let near = |point: &Vector2<f64>| {
@@ -201,7 +200,7 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
     fn known(&self, bifurcation: &Crossing) -> bool {
         let scope = self.orbits.scope;
         let place = |parameters: [f64; 2], height: f64| {
-            let [primary, secondary] = scope.shares(parameters);
+            let [primary, secondary] = scope.window.shares(parameters);
             Vector3::new(primary, secondary, height)
         };
         let here = place(bifurcation.near.height.parameters, bifurcation.near.highest.position);
@@ -303,16 +302,12 @@ fn explanation<O>(motions: &[PeriodicMotion<O>]) -> UnfoldError {
     if let Some(at) = motions.iter().flat_map(|motion| &motion.pushed).next() {
         return UnfoldError::Pushed { at: *at };
     }
-    let extremes =
-        motions.iter().filter_map(|motion| motion.extremes).reduce(|[low, high], [lower, higher]| {
-            [
-                if lower.position < low.position { lower } else { low },
-                if higher.position > high.position { higher } else { high },
-            ]
-        });
-    let ran_away = motions.iter().find_map(|motion| motion.ran_away);
-    match (extremes, ran_away) {
-        (Some([lowest, highest]), _) => UnfoldError::NoGrazing { lowest, highest },
+    let orbits = motions.iter().flat_map(|motion| &motion.branches).flat_map(|branch| &branch.orbits);
+    let heights = orbits.map(|orbit| orbit.height);
+    let lowest = heights.clone().reduce(|a, b| if b.position < a.position { b } else { a });
+    let highest = heights.reduce(|a, b| if b.position > a.position { b } else { a });
+    match (lowest.zip(highest), motions.iter().find_map(|motion| motion.ran_away)) {
+        (Some((lowest, highest)), _) => UnfoldError::NoGrazing { lowest, highest },
         (None, Some(escape)) => UnfoldError::RunsAway { escape },
         (None, None) => UnfoldError::NoOrbit,
     }

@@ -6,22 +6,18 @@ use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Integrated;
 use grazing_theorems::hypothesis::Quantity;
-use grazing_unfold::progress::Silent;
-use grazing_unfold::resonances::{Resonance, on_curve};
+use grazing_unfold::resonances::Resonance;
 use grazing_unfold::sides::{Simulated, simulate};
 use grazing_unfold::verdict::{Verdict, coefficients};
 use insta::{Settings, assert_snapshot};
 use rayon::prelude::*;
 
-use crate::specimens::{example, file, grazing_curves};
+use crate::specimens::{self, example, file};
 
 /// All resonances of an example.
 fn resonances(name: &str) -> Vec<Resonance<Integrated<Description>>> {
     let (oscillator, scope) = example(name);
-    let curves = grazing_curves(&oscillator, &scope).unwrap_or_else(|error| panic!("{name}: {error}"));
-    assert_eq!(curves.len(), 1, "{name}");
-    let (found, lost) = on_curve(&curves[0], &scope, &Silent);
-    assert!(lost.is_empty(), "{name}: {lost:?}");
+    let found = specimens::resonances(&oscillator, &scope);
     for resonance in &found {
         // Where a theorem fails it is for the reason of Proposition 3.3: solutions on the other side of ω₁/ω = n are virtual.
         if let Err(violated) = &resonance.theorem {
@@ -69,9 +65,7 @@ fn assert_unfolds(snapshot: &str) {
         write!(text, "p = {}, n = {}: eta {eta:.7e}, mu {mu:.7e}", resonance.loops, resonance.n).unwrap();
         match &resonance.theorem {
             Ok(point) => {
-                let theorem = point.theorem();
-                let [sn, pd] =
-                    [theorem.saddle_node(), theorem.period_doubling()].map(|curve| curve.coefficient);
+                let [sn, pd] = point.leading().map(|curve| curve.coefficient).into_array();
                 writeln!(text, ", c_SN {sn:.7e}, c_PD {pd:.7e}").unwrap();
             }
             Err(violated) => {
@@ -115,8 +109,7 @@ fn theory_holds_at_the_resonances_with_quadratic_damping() {
 fn second_derivatives_keep_their_digits_where_drag_bends_within_a_tenth_of_the_velocity() {
     let (oscillator, mut scope) = example("quadratic-damping.toml");
     (scope.window.secondary, scope.loops) = ([0.95, 1.05], vec![1]);
-    let curves = grazing_curves(&oscillator, &scope).unwrap();
-    let (found, _) = on_curve(&curves[0], &scope, &Silent);
+    let found = specimens::resonances(&oscillator, &scope);
     let [Ok(point)] = [&found[0].theorem] else { panic!("the theorem holds at n = 2") };
     let (known, theorem) = (point.resonant_point(), point.theorem());
     let [amplitude, frequency] = point.orbit().oscillator().parameters();

@@ -2,12 +2,11 @@
 
 use grazing_model::ImpactOscillator;
 use grazing_theorems::LinearOscillator as Theory;
-use grazing_unfold::progress::Silent;
-use grazing_unfold::resonances::on_curve;
 use grazing_unfold::verdict::{Verdict, coefficients};
 
 use crate::specimens::{
-    DAMPED, EPSILON, ZETA, assert_within, closed_form, example, grazing_curves, scope, written,
+    DAMPED, EPSILON, ZETA, assert_closed_form, assert_within, closed_form, example, resonances, scope,
+    written,
 };
 
 /// Forcing frequency and n of all resonances of a p in a range, and whether a theorem holds there: eq:resonance1, eq:resonancep.
@@ -30,10 +29,7 @@ fn expected(loops: u32, [lowest, highest]: [f64; 2]) -> Vec<(f64, u32, bool)> {
 
 fn assert_all_found(secondary: [f64; 2], loops: &[u32]) {
     let scope = scope([0.0, 20.0], secondary, loops);
-    let curves = grazing_curves(&closed_form(), &scope).unwrap();
-    let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
-    let (found, lost) = on_curve(curve, &scope, &Silent);
-    assert!(lost.is_empty(), "{lost:?}");
+    let found = resonances(&closed_form(), &scope);
     let mut listed = found.iter();
     for &loops in &scope.loops {
         for (frequency, n, holds) in expected(loops, secondary) {
@@ -66,32 +62,7 @@ fn all_resonances_at_high_frequencies_are_found_once_with_their_n() {
 fn assert_integrated(secondary: [f64; 2], loops: &[u32]) {
     let (oscillator, mut scope) = example("paper.toml");
     (scope.window.secondary, scope.loops) = (secondary, loops.to_vec());
-    let curves = grazing_curves(&oscillator, &scope).unwrap();
-    let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
-    let (found, lost) = on_curve(curve, &scope, &Silent);
-    assert!(lost.is_empty(), "{lost:?}");
-    let theory = Theory::new(ZETA, EPSILON).unwrap();
-    let known = theory.resonances(loops, secondary[0], secondary[1]).unwrap();
-    let unfolding = found.iter().filter(|resonance| resonance.theorem.is_ok()).count();
-    assert!(known.len() > 1 && unfolding == known.len(), "{unfolding} of {}", known.len());
-    for known in known {
-        let (p, n) = (known.loops(), known.index());
-        let resonance = found.iter().find(|found| found.loops == p && found.n == n && found.theorem.is_ok());
-        let Some(Ok(point)) = resonance.map(|found| &found.theorem) else {
-            panic!("p = {p}, n = {n} is missing");
-        };
-        let [amplitude, frequency] = point.orbit().oscillator().parameters();
-        let theorem = point.theorem();
-        for (computed, exact) in [
-            (frequency, known.forcing_frequency()),
-            (amplitude, known.grazing().amplitude()),
-            (theorem.saddle_node().coefficient, known.saddle_node_coefficient()),
-            (theorem.period_doubling().coefficient, known.period_doubling_coefficient()),
-        ] {
-            // Integration leaves 1e-11 over sixty turns of neighbouring motion.
-            assert!((computed / exact - 1.0).abs() < 1e-9, "p = {p}, n = {n}: {computed:e} {exact:e}");
-        }
-    }
+    assert_closed_form(&resonances(&oscillator, &scope), secondary, loops, |computed| computed);
 }
 
 #[test]
@@ -109,9 +80,7 @@ fn resonances_under_slow_forcing_have_the_coefficients_of_the_closed_form() {
 fn resonances_in_the_stiffness_lie_where_the_free_frequency_is_in_step() {
     let scope = scope([0.0, 1.5], [0.8, 2.0], &[1, 2]);
     let oscillator = written("-2*zeta*v - eta*x - 1 + mu*cos(0.8*t)", "0.8", &scope);
-    let curves = grazing_curves(&oscillator, &scope).unwrap();
-    let (found, lost) = on_curve(&curves[0], &scope, &Silent);
-    assert!(lost.is_empty(), "{lost:?}");
+    let found = resonances(&oscillator, &scope);
     // ω₁ = 0.8 n/2 for p = 1 and 0.8 (n ± 1/4) for p = 2, where ω₁² = η − ζ²: eq:resonance1, eq:resonancep.
     let wanted = [(1, 3, 1.5, true), (2, 1, 1.25, true), (2, 2, 1.75, false)];
     assert_eq!(found.len(), wanted.len());

@@ -11,7 +11,8 @@ use grazing_unfold::non_impacting::periodic_motion;
 use grazing_unfold::{Scope, UnfoldError};
 
 use crate::specimens::{
-    DAMPED, EPSILON, ZETA, assert_within, closed_form, grazing_at, grazing_curves, scope, written,
+    DAMPED, EPSILON, ZETA, assert_within, closed_form, grazing_at, grazing_curve, grazing_curves, scope,
+    written,
 };
 
 /// Integration and Newton's method leave some 10⁻¹² each.
@@ -49,9 +50,8 @@ fn linear(amplitude: &str, phase: &str) -> String {
 fn the_grazing_curve_of_the_linear_oscillator_is_that_of_the_closed_form() {
     // From rest (no amplitude) to the pole of the response and beyond.
     let scope = scope([0.0, 9.0], [0.2, 3.0], &[]);
-    let curves = grazing_curves(&closed_form(), &scope).unwrap();
-    let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
-    assert_grazes(curve, &scope);
+    let curve = grazing_curve(&closed_form(), &scope);
+    assert_grazes(&curve, &scope);
     assert_eq!(curve.ends, [GrazingEnd::LeftWindow; 2]);
     let parameters: Vec<_> = curve.parameters().collect();
     assert_eq!([parameters[0][1], parameters[parameters.len() - 1][1]], scope.window.secondary);
@@ -85,9 +85,8 @@ fn a_grazing_curve_is_found_once_though_its_phase_turns_at_one_frequency() {
 #[test]
 fn a_grazing_curve_that_leaves_through_the_side_ends_on_the_edge() {
     let scope = scope([0.3, 0.6], [0.2, 1.0], &[]);
-    let curves = grazing_curves(&closed_form(), &scope).unwrap();
-    let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
-    assert_grazes(curve, &scope);
+    let curve = grazing_curve(&closed_form(), &scope);
+    assert_grazes(&curve, &scope);
     assert_eq!(curve.ends, [GrazingEnd::LeftWindow; 2]);
     let parameters: Vec<_> = curve.parameters().collect();
     for (at, edge) in [(parameters[0], 0.6), (parameters[parameters.len() - 1], 0.3)] {
@@ -124,10 +123,8 @@ fn amplitudes_of_both_signs_have_a_piece_of_grazing_curve_each() {
 fn the_frequency_may_depend_on_both_parameters() {
     let scope = scope([0.1, 0.7], [0.55, 0.8], &[]);
     let frequency = "eta + 0.1*mu";
-    let curves =
-        grazing_curves(&written(&linear("mu", "(eta + 0.1*mu)*t"), frequency, &scope), &scope).unwrap();
-    let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
-    assert_grazes(curve, &scope);
+    let curve = grazing_curve(&written(&linear("mu", "(eta + 0.1*mu)*t"), frequency, &scope), &scope);
+    assert_grazes(&curve, &scope);
     assert_eq!(curve.ends, [GrazingEnd::LeftWindow; 2]);
     for [mu, eta] in curve.parameters() {
         assert_within(mu, grazing_at(DAMPED, eta + 0.1 * mu).amplitude(), EXACT);
@@ -138,9 +135,8 @@ fn the_frequency_may_depend_on_both_parameters() {
 fn the_secondary_parameter_may_be_the_stiffness() {
     let scope = scope([0.0, 1.5], [0.8, 2.0], &[]);
     let force = "-2*zeta*v - eta*x - 1 + mu*cos(0.8*t)";
-    let curves = grazing_curves(&written(force, "0.8", &scope), &scope).unwrap();
-    let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
-    assert_grazes(curve, &scope);
+    let curve = grazing_curve(&written(force, "0.8", &scope), &scope);
+    assert_grazes(&curve, &scope);
     for [mu, stiffness] in curve.parameters() {
         // The response to the forcing is as great as the distance of the wall from rest.
         let response = libm::hypot(stiffness - 0.64, 2.0 * DAMPED * 0.8);
@@ -149,10 +145,10 @@ fn the_secondary_parameter_may_be_the_stiffness() {
 }
 
 /// A linear oscillator whose forcing is as strong as at grazing on the circle of radius 0.3 about (0, 0), stronger inside.
-fn circle(scope: &Scope) -> Vec<GrazingCurve<impl ImpactOscillator>> {
+fn circle(scope: &Scope) -> GrazingCurve<impl ImpactOscillator> {
     let strongest = grazing_at(DAMPED, 0.7).amplitude() + 0.09;
     let force = linear(&format!("{strongest:?} - mu^2 - eta^2"), "0.7*t");
-    grazing_curves(&written(&force, "0.7", scope), scope).unwrap()
+    grazing_curve(&written(&force, "0.7", scope), scope)
 }
 
 #[track_caller]
@@ -171,10 +167,9 @@ fn assert_on_circle<O: ImpactOscillator>(curve: &GrazingCurve<O>) {
 #[test]
 fn a_closed_grazing_curve_is_followed_once_round() {
     let scope = scope([-0.5, 0.6], [-0.45, 0.5], &[]);
-    let curves = circle(&scope);
-    let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
-    assert_grazes(curve, &scope);
-    assert_on_circle(curve);
+    let curve = circle(&scope);
+    assert_grazes(&curve, &scope);
+    assert_on_circle(&curve);
     assert_eq!(curve.ends, [GrazingEnd::Closed; 2]);
     let parameters: Vec<_> = curve.parameters().collect();
     assert_eq!(parameters[0], parameters[parameters.len() - 1]);
@@ -201,10 +196,9 @@ fn folds_of_the_grazing_curve_in_either_parameter_are_passed() {
         [([-0.5, 0.0], [-0.5, 0.5], 0), ([0.0, 0.5], [-0.5, 0.5], 0), ([-0.5, 0.5], [0.0, 0.5], 1)]
     {
         let scope = scope(primary, secondary, &[]);
-        let curves = circle(&scope);
-        let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
-        assert_grazes(curve, &scope);
-        assert_on_circle(curve);
+        let curve = circle(&scope);
+        assert_grazes(&curve, &scope);
+        assert_on_circle(&curve);
         assert_eq!(curve.ends, [GrazingEnd::LeftWindow; 2]);
         let reached = curve.parameters().map(|at| at[axis].abs()).fold(0.0, f64::max);
         // Half a step from the fold at most: 0.005 in units of the ranges, squared over the diameter.
@@ -240,9 +234,8 @@ fn grazing_on_the_upper_branch_of_a_bistable_oscillator_is_found_beyond_two_fold
 #[test]
 fn a_grazing_curve_loses_its_stability_where_the_free_motion_folds() {
     let scope = scope([0.0, 0.4], [1.2, 1.4], &[]);
-    let curves = grazing_curves(&written(BISTABLE, "eta", &scope), &scope).unwrap();
-    let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
-    assert_grazes(curve, &scope);
+    let curve = grazing_curve(&written(BISTABLE, "eta", &scope), &scope);
+    assert_grazes(&curve, &scope);
     let stable: Vec<_> = curve.states.iter().map(|state| state.stable).collect();
     let changes: Vec<_> = (1..stable.len()).filter(|k| stable[*k] != stable[k - 1]).collect();
     let [change] = changes.as_slice() else { panic!("{} changes", changes.len()) };

@@ -9,6 +9,7 @@ use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::GrazingState;
 use grazing_unfold::grazing::GrazingCurve;
 use grazing_unfold::progress::Silent;
+use grazing_unfold::resonances::{Resonance, on_curve};
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 
 /// The damping ratio and the coefficient of restitution of the paper's figures.
@@ -72,6 +73,57 @@ pub(crate) fn grazing_curves<O: ImpactOscillator>(
 ) -> Result<Vec<GrazingCurve<O>>, UnfoldError> {
     let only_grazing = Scope { loops: Vec::new(), ..scope.clone() };
     Diagram::compute(oscillator, &only_grazing, &Silent).map(|diagram| diagram.grazing)
+}
+
+/// The grazing curve, which is in one piece.
+#[track_caller]
+pub(crate) fn grazing_curve<O: ImpactOscillator>(oscillator: &O, scope: &Scope) -> GrazingCurve<O> {
+    let mut curves = grazing_curves(oscillator, scope).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(curves.len(), 1);
+    curves.remove(0)
+}
+
+/// The resonances on the grazing curve, of which all are located.
+#[track_caller]
+pub(crate) fn resonances<O: ImpactOscillator>(oscillator: &O, scope: &Scope) -> Vec<Resonance<O>> {
+    let (found, lost) = on_curve(&grazing_curve(oscillator, scope), scope, &Silent);
+    assert!(lost.is_empty(), "{lost:?}");
+    found
+}
+
+/// Every resonance that the closed form knows in a range is among those found, with what the closed form says of it to nine digits:
+/// ω*, 𝒜_graz, c_SN and c_PD, which `scaled` takes to its units.
+///
+/// Integration leaves 1e-11 over sixty turns of neighbouring motion.
+#[track_caller]
+pub(crate) fn assert_closed_form<O: ImpactOscillator>(
+    found: &[Resonance<O>],
+    [lowest, highest]: [f64; 2],
+    loops: &[u32],
+    scaled: impl Fn([f64; 4]) -> [f64; 4],
+) {
+    let theory = grazing_theorems::LinearOscillator::new(ZETA, EPSILON).unwrap();
+    let known = theory.resonances(loops, lowest, highest).unwrap();
+    let unfolding = found.iter().filter(|resonance| resonance.theorem.is_ok()).count();
+    assert!(known.len() > 1 && unfolding == known.len(), "{unfolding} of {}", known.len());
+    for known in known {
+        let (p, n) = (known.loops(), known.index());
+        let resonance = found.iter().find(|found| found.loops == p && found.n == n && found.theorem.is_ok());
+        let Some(Ok(point)) = resonance.map(|found| &found.theorem) else {
+            panic!("p = {p}, n = {n} is missing");
+        };
+        let [amplitude, frequency] = point.orbit().oscillator().parameters();
+        let [c_sn, c_pd] = point.leading().map(|curve| curve.coefficient).into_array();
+        let exact = [
+            known.forcing_frequency(),
+            known.grazing().amplitude(),
+            known.saddle_node_coefficient(),
+            known.period_doubling_coefficient(),
+        ];
+        for (computed, exact) in scaled([frequency, amplitude, c_sn, c_pd]).into_iter().zip(exact) {
+            assert!((computed / exact - 1.0).abs() < 1e-9, "p = {p}, n = {n}: {computed:e} {exact:e}");
+        }
+    }
 }
 
 /// Fails unless the numbers differ by at most `bound`.

@@ -2,14 +2,10 @@
 
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
-use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated};
-use grazing_theorems::LinearOscillator as Theory;
 use grazing_unfold::Scope;
-use grazing_unfold::progress::Silent;
-use grazing_unfold::resonances::on_curve;
 
-use crate::specimens::{EPSILON, ZETA, grazing_curves};
+use crate::specimens::{self, EPSILON, ZETA, resonances};
 
 /// The linear oscillator at rest at x = −`length`, its free motion slowed down by `time`.
 fn stretched(length: f64, time: f64, frequencies: [f64; 2]) -> Description {
@@ -34,36 +30,18 @@ fn assert_closed_form([length, time]: [f64; 2], frequencies: [f64; 2], loops: &[
         Window { primary: description.primary().range(), secondary: description.secondary().range() };
     let scope = Scope { window, loops: loops.to_vec(), start: None }.without_dimensions(&units);
     let oscillator = Integrated::new(Dimensionless::new(description, units), [0.0, 1.0]);
-    let curves = grazing_curves(&oscillator, &scope).unwrap();
-    let [curve] = curves.as_slice() else { panic!("{} pieces", curves.len()) };
-    let (found, lost) = on_curve(curve, &scope, &Silent);
-    assert!(lost.is_empty(), "{lost:?}");
-    let known =
-        Theory::new(ZETA, EPSILON).unwrap().resonances(loops, frequencies[0], frequencies[1]).unwrap();
-    assert!(known.len() > 1);
-    for known in known {
-        let (p, n) = (known.loops(), known.index());
-        let resonance = found.iter().find(|found| found.loops == p && found.n == n && found.theorem.is_ok());
-        let Some(Ok(point)) = resonance.map(|found| &found.theorem) else {
-            panic!("p = {p}, n = {n} is missing");
-        };
-        let [amplitude, frequency] = units.parameters(point.orbit().oscillator().parameters());
-        let theorem = point.theorem();
-        let coefficient = units.primary / (units.secondary * units.secondary);
-        for (computed, exact) in [
-            (frequency * time, known.forcing_frequency()),
-            (amplitude * time * time / length, known.grazing().amplitude()),
-            // A has the unit length/time², omega the unit 1/time.
-            (theorem.saddle_node().coefficient * coefficient / length, known.saddle_node_coefficient()),
-            (
-                theorem.period_doubling().coefficient * coefficient / length,
-                known.period_doubling_coefficient(),
-            ),
-        ] {
-            // As in the units in which the oscillator is of the order of one.
-            assert!((computed / exact - 1.0).abs() < 1e-9, "p = {p}, n = {n}: {computed:e} {exact:e}");
-        }
-    }
+    // A has the unit length/time², omega the unit 1/time; digits are those in the units in which the oscillator is of the order of one.
+    let coefficient = units.primary / (units.secondary * units.secondary) / length;
+    specimens::assert_closed_form(
+        &resonances(&oscillator, &scope),
+        frequencies,
+        loops,
+        |[omega, amplitude, c_sn, c_pd]| {
+            let [amplitude, frequency] = units.parameters([amplitude, omega]);
+            let force = length / (time * time);
+            [frequency * time, amplitude / force, c_sn * coefficient, c_pd * coefficient]
+        },
+    );
 }
 
 #[test]

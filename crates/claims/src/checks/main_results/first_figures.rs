@@ -24,7 +24,6 @@ fn branch(loops: u32) -> Result<(LoopEquations<LinearOscillator>, Curve, f64), F
         control: StepControl::DRAWING,
         step_limit: 5_000,
         stop_at_events: false,
-        through_grazing: false,
     };
     let start = Unknowns::new(0.0, grazing.phase(), amplitude, omega);
     let curve = curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), &route)?;

@@ -270,5 +270,4 @@ pub(super) const ROUTE: Route = Route {
     control: StepControl::DRAWING,
     step_limit: 3_000,
     stop_at_events: true,
-    through_grazing: false,
 };

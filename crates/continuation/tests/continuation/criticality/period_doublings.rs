@@ -1,18 +1,12 @@
 //! Period doublings against the doubled orbits, and towards resonances.
 
-use grazing_continuation::criticality::{
-    codimension_two::generalised_period_doublings, coefficient_at_resonance, period_doubling,
-};
-use grazing_continuation::locate::Condition;
+use grazing_continuation::criticality::{codimension_two::generalised_period_doublings, period_doubling};
 use grazing_continuation::mps::{LoopEquations, Unknowns, unknown};
-use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::ThirdOrder;
 
 use super::doubled::doubled;
-use super::specimens::{BY_EXTRAPOLATION, at_velocity, curves, extrapolated, spread};
-use crate::specimens::{
-    DUFFING, EPSILON, ZETA, assert_vanishes, assert_within, duffing, located, resonances,
-};
+use super::specimens::{BY_EXTRAPOLATION, curves, extrapolated, spread};
+use crate::specimens::{DUFFING, EPSILON, ZETA, assert_within, duffing, located, resonances};
 
 /// c from the doubled orbits, twice: from the parameter at which they are, and from their stability.
 ///
@@ -56,37 +50,6 @@ fn coefficient_is_that_of_the_doubled_orbits_of_a_duffing_oscillator_with_a_vary
             let difference = difference_from_doubled_orbits(resonance.equations(), &flip);
             assert_within(difference, 0.0, BY_EXTRAPOLATION);
         }
-    }
-}
-
-/// y² c at points of a resonance's PD curve tends to the closed form in proportion to y. Returns that.
-fn assert_limit<O: ThirdOrder>(resonance: &ResonantGrazingPoint<O>) -> f64 {
-    let limit = coefficient_at_resonance(resonance.resonant_point());
-    // Digits of c are lost in proportion to 1/y.
-    assert_vanishes(1.0, 1e-8, |y| {
-        if y < 6e-5 {
-            return None;
-        }
-        let flip = at_velocity(resonance, Condition::PERIOD_DOUBLING, y);
-        let normal_form = period_doubling(resonance.equations(), &flip).unwrap();
-        assert_eq!(normal_form.supercritical(), limit > 0.0);
-        // From s along q to s in the impact velocity.
-        let q_y = normal_form.direction[0];
-        Some(y * y * normal_form.coefficient / (q_y * q_y * limit) - 1.0)
-    });
-    limit
-}
-
-#[test]
-fn coefficient_tends_to_its_closed_form_at_a_resonance() {
-    for closed_form in resonances(ZETA, EPSILON, &[1, 2, 3], [0.35, 1.02]) {
-        let limit = assert_limit(&located(&closed_form));
-        // What section 6 has otherwise, and ERRATA.md.
-        let even = closed_form.loops() == 1 && closed_form.index() % 2 == 0;
-        assert_eq!(limit < 0.0, even, "{closed_form:?}");
-    }
-    for (loops, place) in DUFFING {
-        assert!(assert_limit(&duffing(loops, place)) > 0.0);
     }
 }
 
