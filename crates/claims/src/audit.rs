@@ -25,7 +25,7 @@ pub struct PrintedNumber {
 
 /// What came of testing a claim.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Verdict {
+pub enum ClaimVerdict {
     /// A check measured it.
     Measured(Outcome),
     /// The check could not be carried out; the reason.
@@ -36,7 +36,7 @@ pub enum Verdict {
     Unchecked(String),
 }
 
-impl Verdict {
+impl ClaimVerdict {
     /// Whether it counts as a failure.
     pub fn fails(&self) -> bool {
         match self {
@@ -54,7 +54,7 @@ pub struct Finding<'a> {
     /// The claim.
     pub claim: &'a Claim,
     /// What came of testing it.
-    pub verdict: Verdict,
+    pub verdict: ClaimVerdict,
     /// How long its check took; claims with the same check share one run.
     pub time: Duration,
 }
@@ -80,8 +80,8 @@ pub fn audit<'a>(
         .map(|(name, run)| {
             let start = Instant::now();
             let verdict = match run() {
-                Ok(outcome) => Verdict::Measured(outcome),
-                Err(error) => Verdict::Broken(error.to_string()),
+                Ok(outcome) => ClaimVerdict::Measured(outcome),
+                Err(error) => ClaimVerdict::Broken(error.to_string()),
             };
             done();
             (*name, (verdict, start.elapsed()))
@@ -90,11 +90,12 @@ pub fn audit<'a>(
     let find = |claim: &'a Claim| {
         let (verdict, time) = match claim.test() {
             Test::Check(check) => measured[check.name].clone(),
-            Test::Unchecked(reason) => (Verdict::Unchecked(reason.to_owned()), Duration::ZERO),
+            Test::Unchecked(reason) => (ClaimVerdict::Unchecked(reason.to_owned()), Duration::ZERO),
             Test::Published(ids) => {
                 let numbers: Option<Vec<_>> = ids.iter().map(|id| number(id)).collect();
-                let unknown = || Verdict::Broken(format!("{ids:?} is not all in expected/published.toml"));
-                (numbers.map_or_else(unknown, Verdict::Numbers), Duration::ZERO)
+                let unknown =
+                    || ClaimVerdict::Broken(format!("{ids:?} is not all in expected/published.toml"));
+                (numbers.map_or_else(unknown, ClaimVerdict::Numbers), Duration::ZERO)
             }
         };
         Finding { claim, verdict, time }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::audit::{Finding, Verdict};
+use crate::audit::{ClaimVerdict, Finding};
 use crate::ledger::{Misprint, MisprintKind};
 use crate::outcome::{Measure, Outcome};
 
@@ -58,7 +58,7 @@ fn entry(
     let _ = writeln!(entry, "Corrected: {}\n", misprint.corrected.trim());
     let _ = writeln!(entry, "{}\n", misprint.reason.trim());
     let _ = writeln!(entry, "Decided by: {}", misprint.decided.trim());
-    if let Verdict::Measured(Outcome { measure, print: Some(print), over, samples }) = &finding.verdict {
+    if let ClaimVerdict::Measured(Outcome { measure, print: Some(print), over, samples }) = &finding.verdict {
         let _ = writeln!(entry, "\n| | measured | held against |\n|---|---|---|");
         for (form, measure) in [("as printed", print), ("corrected", measure)] {
             let (measured, against) = told(measure);
@@ -74,7 +74,7 @@ fn entry(
     }
     for (finding, misprint) in others {
         let [printed, corrected, against] = match &finding.verdict {
-            Verdict::Measured(Outcome { measure, print: Some(print), .. }) => {
+            ClaimVerdict::Measured(Outcome { measure, print: Some(print), .. }) => {
                 let (corrected, against) = told(measure);
                 [told(print).0, corrected, against]
             }

@@ -5,7 +5,7 @@
 //! curves, from the grazing point and decides admissibility over the whole orbit. *Simulation* takes every periodic
 //! solution that can be an MPS from a quadratic equation ([`closed_form`]), starts the hybrid system at its impact and sees
 //! what comes of it ([`simulation`](grazing_unfold::simulation)). [`generic`] holds what theorems 2.2 and 2.3 come to, [`resonant`] theorems 2.4 and 2.5,
-//! [`cases`] the lists, and [`Verdict`] what is made of it all.
+//! [`cases`] the lists, and [`CaseVerdict`] what is made of it all.
 //!
 //! Where a hypothesis fails the theorem is silent. What is seen there has to have a [`Reason`], which is checked as well: the
 //! first-order terms of section 4 tell which loop meets the wall, or that none does.
@@ -82,7 +82,7 @@ const POINTS: usize = 5;
 
 /// What a case comes to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Verdict {
+pub enum CaseVerdict {
     /// The hypotheses hold, and all that the theorem concludes is seen.
     Agreement,
     /// A hypothesis fails, and what is seen is what the reason lets one expect.
@@ -106,7 +106,7 @@ pub enum Reason {
     NoCurve,
 }
 
-impl Verdict {
+impl CaseVerdict {
     /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {

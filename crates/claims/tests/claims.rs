@@ -5,14 +5,14 @@
 
 use std::process::ExitCode;
 
-use grazing_claims::audit::{Finding, Verdict, audit};
+use grazing_claims::audit::{ClaimVerdict, Finding, audit};
 use grazing_claims::ledger::{Claim, Ledger, Test};
 
 /// What is wrong with a claim, if anything is: its check fails, or a misprint that has values was not decided by it.
 fn wrong(finding: &Finding<'_>) -> Option<String> {
     let has_print = finding.claim.misprint.as_ref().map_or(Some(false), |misprint| misprint.measured());
     let decided = matches!(&finding.verdict,
-        Verdict::Measured(outcome) if has_print.is_none_or(|has_print| outcome.print.is_some() == has_print));
+        ClaimVerdict::Measured(outcome) if has_print.is_none_or(|has_print| outcome.print.is_some() == has_print));
     (finding.verdict.fails() || !decided).then(|| format!("{:?}", finding.verdict))
 }
 

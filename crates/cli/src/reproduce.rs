@@ -62,7 +62,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     if arguments.only.is_empty() {
         files.push(data_page::of_the_paper(chosen.iter().flat_map(|output| output.tables).copied()));
     }
-    let mut places = vec![Place { folder: output_folder, files, complete: false }];
+    let mut places = vec![MadeFolder { folder: output_folder, files, complete: false }];
     if edition.is_default() && arguments.only.is_empty() {
         places[0].complete = made.missing.is_empty();
         if arguments.output.is_none() && set.is_empty() {
@@ -70,7 +70,11 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
                 path: PathBuf::from(codecheck::FILE),
                 content: codecheck::manifest().into_bytes(),
             };
-            places.push(Place { folder: project::root_folder()?, files: vec![manifest], complete: false });
+            places.push(MadeFolder {
+                folder: project::root_folder()?,
+                files: vec![manifest],
+                complete: false,
+            });
         }
     }
     if arguments.check {
@@ -164,7 +168,7 @@ fn settings(parameters: &ParameterFile) -> MadeFile {
 }
 
 /// Files that were made, and where they belong.
-struct Place {
+struct MadeFolder {
     folder: PathBuf,
     files: Vec<MadeFile>,
     /// Whether nothing else belongs there.
@@ -172,9 +176,9 @@ struct Place {
 }
 
 /// Writes all files and draws the figures that changed; returns what there is to tell.
-fn write(places: &[Place]) -> Result<String, Failure> {
+fn write(places: &[MadeFolder]) -> Result<String, Failure> {
     let mut told = Vec::new();
-    for Place { folder, files, .. } in places {
+    for MadeFolder { folder, files, .. } in places {
         let changed = visual::changed(folder, files);
         let changes = folder::write(folder, files)?;
         told.extend(files.iter().map(|file| folder.join(&file.path).display().to_string()).zip(changes));
@@ -212,7 +216,7 @@ fn verdict(study: &Study<'_>) -> String {
     }
 }
 
-fn check(places: &[Place], arguments: &Reproduce, edition: &Edition) -> Result<(), Failure> {
+fn check(places: &[MadeFolder], arguments: &Reproduce, edition: &Edition) -> Result<(), Failure> {
     let mut differences = Vec::new();
     for place in places {
         differences.extend(folder::differences(&place.folder, &place.files, &KNOWN, place.complete)?);

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use grazing_model::smooth::{SmoothOscillator, Units};
 
 use crate::description::Description;
-use crate::error::{DescriptionError, Place, rounded};
+use crate::error::{DescriptionError, KeyPlace, rounded};
 use crate::validate::Places;
 
 /// Points along the range of either parameter, both ends included.
@@ -147,7 +147,7 @@ impl Sampler<'_> {
     /// Checks a function of the reset law, which is of the order of `unit`: finite, 2π-periodic in z, and not `refused` for a reason.
     fn reset(
         &self,
-        place: &Place,
+        place: &KeyPlace,
         unit: f64,
         parameters: [f64; 2],
         function: impl Fn(f64, f64) -> f64,
@@ -173,11 +173,11 @@ impl Sampler<'_> {
     }
 }
 
-fn wrong(place: &Place, problem: String) -> DescriptionError {
+fn wrong(place: &KeyPlace, problem: String) -> DescriptionError {
     DescriptionError::Value { place: place.clone(), problem }
 }
 
-fn not_finite(place: &Place, value: f64, at: &str) -> DescriptionError {
+fn not_finite(place: &KeyPlace, value: f64, at: &str) -> DescriptionError {
     let domain = match place.key.as_str() {
         "motion.force" => {
             "at the wall and close to it in x < 0, where motion takes place, over the ranges of both parameters"
@@ -188,7 +188,12 @@ fn not_finite(place: &Place, value: f64, at: &str) -> DescriptionError {
 }
 
 /// The error of a value that changes over one period of t or z.
-fn not_periodic(place: &Place, change: f64, at: &str, (variable, period): (&str, f64)) -> DescriptionError {
+fn not_periodic(
+    place: &KeyPlace,
+    change: f64,
+    at: &str,
+    (variable, period): (&str, f64),
+) -> DescriptionError {
     let entry = match variable {
         "t" => {
             "cos(omega*t) or sin(omega*t), where omega is the frequency of motion.frequency, or with multiples of omega"

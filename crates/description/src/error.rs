@@ -18,7 +18,7 @@ pub enum DescriptionError {
     #[error("{place}: {problem}\n{excerpt}")]
     Expression {
         /// Where it stands.
-        place: Place,
+        place: KeyPlace,
         /// What is wrong, and what would be right.
         problem: String,
         /// The line of the expression with a mark under what is wrong.
@@ -28,7 +28,7 @@ pub enum DescriptionError {
     #[error("{place}: {problem}")]
     Value {
         /// Where it stands.
-        place: Place,
+        place: KeyPlace,
         /// What is wrong and where in the ranges, and what would be right.
         problem: String,
     },
@@ -42,21 +42,21 @@ pub enum DescriptionError {
 
 /// A key with its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
+pub struct KeyPlace {
     /// File and line.
     at: String,
     pub(crate) key: String,
 }
 
-impl std::fmt::Display for Place {
+impl std::fmt::Display for KeyPlace {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(formatter, "{}: {}", self.at, self.key)
     }
 }
 
-impl Place {
-    pub(crate) fn new(section: &Section<'_>, name: &str) -> Place {
-        Place { at: section.place(name), key: section.key(name) }
+impl KeyPlace {
+    pub(crate) fn new(section: &Section<'_>, name: &str) -> KeyPlace {
+        KeyPlace { at: section.place(name), key: section.key(name) }
     }
 }
 
@@ -75,7 +75,7 @@ impl DescriptionError {
         text: &str,
         error: &ExpressionError,
     ) -> DescriptionError {
-        let mut place = Place::new(section, name);
+        let mut place = KeyPlace::new(section, name);
         // With escapes in it, the text's lines are not those of the file.
         if let Some(start) = section.raw(name).find(text) {
             place.at = section.place_within(name, start + error.span.start);

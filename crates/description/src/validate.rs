@@ -5,7 +5,7 @@ use std::sync::Arc;
 use grazing_source::{Section, SourceError};
 
 use crate::description::{Axis, Content, Description, Limits, Texts};
-use crate::error::{DescriptionError, Place};
+use crate::error::{DescriptionError, KeyPlace};
 use crate::expression::Expression;
 use crate::file::MOST_LOOPS;
 use crate::names;
@@ -15,10 +15,10 @@ const MOST_CONSTANTS: usize = 1000;
 
 /// Where the four expressions stand.
 pub(crate) struct Places {
-    pub(crate) force: Place,
-    pub(crate) frequency: Place,
-    pub(crate) restitution: Place,
-    pub(crate) duration: Place,
+    pub(crate) force: KeyPlace,
+    pub(crate) frequency: KeyPlace,
+    pub(crate) restitution: KeyPlace,
+    pub(crate) duration: KeyPlace,
 }
 
 /// The keys of the four expressions with the variables that each may use beside the parameters, and how many of them, the
@@ -50,7 +50,7 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
         for (used, place) in used.iter_mut().zip(variables.len() - 2..) {
             *used |= uses.contains(&place);
         }
-        Ok::<_, DescriptionError>((expression, text, Place::new(section, name)))
+        Ok::<_, DescriptionError>((expression, text, KeyPlace::new(section, name)))
     };
     let (motion, impact) = (file.table("motion")?, file.table("impact")?);
     let (force, force_text, force_place) = expression(&motion, FORCE)?;

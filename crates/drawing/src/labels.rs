@@ -6,7 +6,7 @@ use crate::DrawingError;
 use crate::canvas::{Anchor, Canvas};
 use crate::kinds::{label, text_colour};
 use crate::markup::Label;
-use crate::placement::{Place, Placer};
+use crate::placement::{LabelPlace, Placer};
 use crate::sheet::{Bounds, Spot, along, length, near};
 use crate::style::{Colour, LABEL_SIZE, LEADER, SMALL_LABEL_SIZE};
 
@@ -37,7 +37,7 @@ struct Placed {
     reach: (f64, f64),
     size: f64,
     colour: Colour,
-    place: Place,
+    place: LabelPlace,
 }
 
 /// From one baseline to the next, in units of the font size.

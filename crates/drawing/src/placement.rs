@@ -16,7 +16,7 @@ pub(crate) struct Placer {
 
 /// A place for a label.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct LabelPlace {
     pub(crate) bounds: Bounds,
     /// A line towards what the label speaks of, if that lies far off.
     pub(crate) leader: Option<(Spot, Spot)>,
@@ -65,7 +65,7 @@ impl Placer {
         Some(self.segments.iter().chain(&self.nameless).filter(|s| crosses(bounds, **s)).count())
     }
 
-    fn take(&mut self, place: Option<Place>) -> Option<Place> {
+    fn take(&mut self, place: Option<LabelPlace>) -> Option<LabelPlace> {
         if let Some(found) = place {
             self.blocked.push(found.bounds.grown(1.0));
             if let Some((from, to)) = found.leader {
@@ -76,7 +76,7 @@ impl Placer {
     }
 
     /// Beside a curve, near its middle or as near as there is room, on whichever side is free.
-    pub(crate) fn beside_curve(&mut self, curve: &[Spot], width: f64, height: f64) -> Option<Place> {
+    pub(crate) fn beside_curve(&mut self, curve: &[Spot], width: f64, height: f64) -> Option<LabelPlace> {
         const FRACTIONS: [f64; 15] =
             [0.5, 0.44, 0.56, 0.38, 0.62, 0.32, 0.68, 0.26, 0.74, 0.2, 0.8, 0.14, 0.86, 0.08, 0.92];
         let spots: Vec<(Spot, Spot)> = FRACTIONS.iter().filter_map(|&f| along(curve, f)).collect();
@@ -86,7 +86,7 @@ impl Placer {
             // The box's half-width seen along the normal brings its nearest corner or edge to the gap.
             let reach = 0.5 * (width * normal.0.abs() + height * normal.1.abs()) + gap;
             let bounds = Bounds::about((at.0 + normal.0 * reach, at.1 + normal.1 * reach), width, height);
-            Place { bounds, leader: None }
+            LabelPlace { bounds, leader: None }
         };
         // First where the label is clearly nearer to its own curve than to any other, then where it is just nearer.
         let rounds = [(1.5, 2.0), (2.5, 2.0), (4.0, 2.0), (1.5, -0.3), (2.5, -0.3), (4.0, -0.3), (6.0, -0.3)];
@@ -117,7 +117,7 @@ impl Placer {
     }
 
     /// Around a spot: close by if there is room, else farther off with a leader.
-    pub(crate) fn around(&mut self, at: Spot, clearance: f64, width: f64, height: f64) -> Option<Place> {
+    pub(crate) fn around(&mut self, at: Spot, clearance: f64, width: f64, height: f64) -> Option<LabelPlace> {
         // Unit vectors to the right, then by 22.5 degrees to either side in turn: cos and sin of 0, 22.5, 45, 67.5, 90.
         const TURNS: [Spot; 5] = [
             (1.0, 0.0),
@@ -128,7 +128,7 @@ impl Placer {
         ];
         let directions = TURNS.iter().flat_map(|&(c, s)| [(c, -s), (-c, -s), (c, s), (-c, s)]);
         let directions: Vec<Spot> = directions.collect();
-        let mut best: Option<(f64, Place)> = None;
+        let mut best: Option<(f64, LabelPlace)> = None;
         for gap in [0.0, 2.0, 5.0, 9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0] {
             for &(right, down) in &directions {
                 let reach = clearance + gap;
@@ -144,7 +144,7 @@ impl Placer {
                 // A curve crossed by the leader is as bad as 15 points of distance (by eye).
                 let cost = gap + 15.0 * crossed as f64 + 0.5 * self.dusty(&bounds) as f64;
                 if best.is_none_or(|(cheapest, _)| cost < cheapest) {
-                    best = Some((cost, Place { bounds, leader }));
+                    best = Some((cost, LabelPlace { bounds, leader }));
                 }
             }
         }
@@ -165,7 +165,7 @@ impl Placer {
     }
 
     /// Inside a polygon, where the distance to everything else is greatest; `None` if the box fits nowhere.
-    pub(crate) fn within(&mut self, polygon: &[Spot], width: f64, height: f64) -> Option<Place> {
+    pub(crate) fn within(&mut self, polygon: &[Spot], width: f64, height: f64) -> Option<LabelPlace> {
         let polygon = thinned(polygon);
         let [[left, right], [top, bottom]] =
             [span(polygon.iter().map(|p| p.0)), span(polygon.iter().map(|p| p.1))];
@@ -195,7 +195,7 @@ impl Placer {
             }
             y += pitch;
         }
-        let place = best.map(|(_, bounds)| Place { bounds, leader: None });
+        let place = best.map(|(_, bounds)| LabelPlace { bounds, leader: None });
         self.take(place)
     }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use askama::filters::Safe;
-use grazing_claims::audit::{Finding, Verdict};
+use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::ledger::{Claim, Misprint};
 use grazing_claims::outcome::Measure;
 use grazing_claims::source::Place;
@@ -12,9 +12,9 @@ use crate::Report;
 use crate::html::{Html, escape, identifier, number};
 
 /// How a claim came out.
-pub(crate) fn state(verdict: &Verdict) -> &'static str {
+pub(crate) fn state(verdict: &ClaimVerdict) -> &'static str {
     match verdict {
-        Verdict::Unchecked(_) => "unchecked",
+        ClaimVerdict::Unchecked(_) => "unchecked",
         verdict if verdict.fails() => "failed",
         _ => "passed",
     }

@@ -27,7 +27,7 @@ extern crate self as grazing_report;
 #[path = "../tests/sample/mod.rs"]
 mod sample;
 
-use grazing_claims::audit::{Finding, Verdict};
+use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::source::Sources;
 use grazing_reproduction::published::Comparison;
 
@@ -83,7 +83,7 @@ impl Report<'_> {
     pub fn counts(&self) -> Counts {
         let count = |is: fn(&Finding<'_>) -> bool| self.claims.iter().filter(|finding| is(finding)).count();
         let failed = count(|finding| finding.verdict.fails());
-        let unchecked = count(|finding| matches!(finding.verdict, Verdict::Unchecked(_)));
+        let unchecked = count(|finding| matches!(finding.verdict, ClaimVerdict::Unchecked(_)));
         Counts {
             met: self.published.iter().filter(|comparison| comparison.is_met()).count(),
             passed: self.claims.len() - failed - unchecked,

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use super::closed_form::LoopSolutions;
-use super::{Case, Existence, POINTS, Reason, Verdict, first_points};
+use super::{Case, CaseVerdict, Existence, POINTS, Reason, first_points};
 use grazing_unfold::simulation::{Seen, Suspect};
 
 /// A case could not be worked out.
@@ -63,7 +63,7 @@ pub struct GenericRow {
     /// dy/dμ and dz/dμ by section 4 from derivatives of the numerical P_global, by closed form, and along the branch.
     pub slopes: [[f64; 2]; 3],
     /// What it comes to.
-    pub verdict: Verdict,
+    pub verdict: CaseVerdict,
 }
 
 /// What the theorems say and what is seen, case by case in the order of the list.
@@ -112,7 +112,7 @@ impl GenericRow {
                 solutions.slopes(),
                 followed_slopes(&curve, orbit.primary(), orbit.phase()),
             ],
-            verdict: Verdict::Unexplained,
+            verdict: CaseVerdict::Unexplained,
         };
         row.verdict = row.judge();
         Ok(row)
@@ -136,22 +136,22 @@ impl GenericRow {
         worst(others.iter().map(off))
     }
 
-    fn judge(&self) -> Verdict {
+    fn judge(&self) -> CaseVerdict {
         let same = self.continued == self.simulated && self.simulated == self.first_order;
         let close = self.slope_difference() < SLOPE_TOLERANCE;
         if !(same && close) {
-            return Verdict::Unexplained;
+            return CaseVerdict::Unexplained;
         }
         let positive = self.point.map.a.m12 * self.point.alpha() > 0.0;
         match (self.predicted, self.simulated) {
             (Some(side), Existence::On(seen)) if side == seen && self.unstable == [true; 2] => {
-                Verdict::Agreement
+                CaseVerdict::Agreement
             }
-            (None, Existence::Nowhere) if positive => Verdict::Explained(Reason::InteriorLoop),
-            (None, Existence::Nowhere) => Verdict::Explained(Reason::VirtualOrbit),
-            (None, Existence::On(_)) if positive => Verdict::Explained(Reason::OrbitBelowTheBoundary),
-            (None, Existence::On(_)) => Verdict::Explained(Reason::OrbitWithNegativeFactor),
-            _ => Verdict::Unexplained,
+            (None, Existence::Nowhere) if positive => CaseVerdict::Explained(Reason::InteriorLoop),
+            (None, Existence::Nowhere) => CaseVerdict::Explained(Reason::VirtualOrbit),
+            (None, Existence::On(_)) if positive => CaseVerdict::Explained(Reason::OrbitBelowTheBoundary),
+            (None, Existence::On(_)) => CaseVerdict::Explained(Reason::OrbitWithNegativeFactor),
+            _ => CaseVerdict::Unexplained,
         }
     }
 }
@@ -273,7 +273,7 @@ mod tests {
     fn each_thing_that_is_seen_is_needed_for_an_agreement() {
         let case = Case { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, negative: false, omega: 0.83 };
         let good = GenericRow::of(case).expect("the case can be worked out");
-        assert_eq!(good.verdict, Verdict::Agreement);
+        assert_eq!(good.verdict, CaseVerdict::Agreement);
         let Some(side) = good.predicted else { panic!("the theorem applies") };
         let other = if side == Side::Positive { Side::Negative } else { Side::Positive };
         let spoiled = [
@@ -287,7 +287,7 @@ mod tests {
             GenericRow { slopes: [[1.0, 1.0], [f64::NAN, 1.0], [1.0, 1.0]], ..good },
         ];
         for row in spoiled {
-            assert_eq!(row.judge(), Verdict::Unexplained, "{row:?}");
+            assert_eq!(row.judge(), CaseVerdict::Unexplained, "{row:?}");
         }
     }
 }

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 
 use super::closed_form::{LoopSolution, LoopSolutions};
 use super::generic::{SweepError, to_zero, worst};
-use super::{Case, Existence, Reason, Verdict, first_points};
+use super::{Case, CaseVerdict, Existence, Reason, first_points};
 use grazing_unfold::simulation::{Seen, Suspect};
 
 /// A bifurcation curve as predicted and as seen.
@@ -61,7 +61,7 @@ pub struct ResonantRow {
     /// Saddle-node curve, and curve of multiplier −1.
     pub curves: [CurveRow; 2],
     /// What it comes to.
-    pub verdict: Verdict,
+    pub verdict: CaseVerdict,
 }
 
 /// What the theorems say and what is seen, case by case in the order of the list.
@@ -122,7 +122,7 @@ impl ResonantRow {
             hypotheses,
             holds: theorem.is_some(),
             curves: [saddle_node, period_doubling],
-            verdict: Verdict::Unexplained,
+            verdict: CaseVerdict::Unexplained,
         };
         row.verdict = row.judge();
         Ok(row)
@@ -143,22 +143,26 @@ impl ResonantRow {
         self.case.epsilon * self.decay
     }
 
-    fn judge(&self) -> Verdict {
+    fn judge(&self) -> CaseVerdict {
         if self.holds {
             let agrees = self.curves.iter().all(CurveRow::agrees);
-            return if agrees { Verdict::Agreement } else { Verdict::Unexplained };
+            return if agrees { CaseVerdict::Agreement } else { CaseVerdict::Unexplained };
         }
         let stability = self.point.stability_coefficients();
         let vanishes = [stability.plus, stability.minus].map(|s| s.abs() <= ROUNDING);
         let nowhere = |curve: &CurveRow| curve.simulated == Existence::Nowhere;
         if self.case.negative {
             let none = self.curves.iter().all(nowhere);
-            return if none { Verdict::Explained(Reason::VirtualOrbit) } else { Verdict::Unexplained };
+            return if none {
+                CaseVerdict::Explained(Reason::VirtualOrbit)
+            } else {
+                CaseVerdict::Unexplained
+            };
         }
         // The one whose coefficient vanishes is not there; the other one is.
         let explained = vanishes[0] != vanishes[1]
             && self.curves.iter().zip(vanishes).all(|(curve, vanishes)| nowhere(curve) == vanishes);
-        if explained { Verdict::Explained(Reason::NoCurve) } else { Verdict::Unexplained }
+        if explained { CaseVerdict::Explained(Reason::NoCurve) } else { CaseVerdict::Unexplained }
     }
 }
 
@@ -332,7 +336,7 @@ mod tests {
         let omega = theory.resonance(2, 1).expect("there is one").forcing_frequency();
         let case = Case { zeta: 0.03, epsilon: 0.8, loops: 2, n: 1, negative: false, omega };
         let row = ResonantRow::of(case).expect("the case can be worked out");
-        assert_eq!(row.verdict, Verdict::Agreement);
+        assert_eq!(row.verdict, CaseVerdict::Agreement);
         for good in row.curves {
             assert!(good.agrees());
             let Some(side) = good.predicted else { panic!("the theorem applies") };

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use grazing_claims::audit::{Finding, Verdict};
+use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::errata::told;
 
 /// Width of the longest label that keeps the table in line.
@@ -32,9 +32,9 @@ pub(super) fn table(findings: &[Finding<'_>], explain: bool, coloured: bool) -> 
     text
 }
 
-fn words(verdict: &Verdict) -> (&'static str, String, String) {
+fn words(verdict: &ClaimVerdict) -> (&'static str, String, String) {
     match verdict {
-        Verdict::Measured(outcome) => {
+        ClaimVerdict::Measured(outcome) => {
             let (measured, against) = told(&outcome.measure);
             let word = match (outcome.passes(), outcome.print.is_some()) {
                 (true, false) => "holds",
@@ -43,8 +43,8 @@ fn words(verdict: &Verdict) -> (&'static str, String, String) {
             };
             (word, measured, against)
         }
-        Verdict::Broken(_) => ("BROKEN", "could not be computed".to_owned(), String::new()),
-        Verdict::Numbers(numbers) => {
+        ClaimVerdict::Broken(_) => ("BROKEN", "could not be computed".to_owned(), String::new()),
+        ClaimVerdict::Numbers(numbers) => {
             let computed = numbers.iter().map(|number| match number.computed {
                 Some(computed) => format!("{computed:.6}"),
                 None => "not computed".to_owned(),
@@ -54,7 +54,7 @@ fn words(verdict: &Verdict) -> (&'static str, String, String) {
             let word = if verdict.fails() { "FAILS" } else { "holds" };
             (word, list(computed.collect()), list(printed.collect()))
         }
-        Verdict::Unchecked(_) => ("unchecked", String::new(), String::new()),
+        ClaimVerdict::Unchecked(_) => ("unchecked", String::new(), String::new()),
     }
 }
 
@@ -64,16 +64,16 @@ fn explained(finding: &Finding<'_>) -> String {
     let mut lines = vec![format!("{}: {}", claim.place, claim.says)];
     lines.extend(claim.formula.iter().map(|formula| formula.trim().to_owned()));
     match &finding.verdict {
-        Verdict::Measured(outcome) => {
+        ClaimVerdict::Measured(outcome) => {
             lines.push(format!("looked at: {} samples: {}", outcome.samples, outcome.over));
             lines.extend(outcome.print.iter().map(|print| {
                 let (measured, against) = told(print);
                 format!("as printed: {measured}, held against {against}")
             }));
         }
-        Verdict::Broken(reason) => lines.push(format!("broken: {reason}")),
-        Verdict::Unchecked(reason) => lines.push(format!("unchecked: {reason}")),
-        Verdict::Numbers(_) => {}
+        ClaimVerdict::Broken(reason) => lines.push(format!("broken: {reason}")),
+        ClaimVerdict::Unchecked(reason) => lines.push(format!("unchecked: {reason}")),
+        ClaimVerdict::Numbers(_) => {}
     }
     if let Some(misprint) = &claim.misprint {
         lines.push(format!("printed: {}", misprint.printed.trim()));
@@ -89,11 +89,11 @@ fn explained(finding: &Finding<'_>) -> String {
     lines.iter().map(|line| format!("          {line}\n")).collect()
 }
 
-fn paint(verdict: &Verdict, word: &str) -> String {
+fn paint(verdict: &ClaimVerdict, word: &str) -> String {
     let colour = match verdict {
         verdict if verdict.fails() => "1;31",
-        Verdict::Unchecked(_) => "2",
-        Verdict::Measured(outcome) if outcome.print.is_some() => "33",
+        ClaimVerdict::Unchecked(_) => "2",
+        ClaimVerdict::Measured(outcome) if outcome.print.is_some() => "33",
         _ => "32",
     };
     format!("\x1b[{colour}m{word}\x1b[0m")
@@ -103,7 +103,7 @@ fn paint(verdict: &Verdict, word: &str) -> String {
 pub(super) fn summary(findings: &[Finding<'_>]) -> String {
     let count = |is: fn(&Finding<'_>) -> bool| findings.iter().filter(|finding| is(finding)).count();
     let failing = count(|finding| finding.verdict.fails());
-    let unchecked = count(|finding| matches!(finding.verdict, Verdict::Unchecked(_)));
+    let unchecked = count(|finding| matches!(finding.verdict, ClaimVerdict::Unchecked(_)));
     let misprints = count(|finding| finding.claim.misprint.is_some());
     let holding = findings.len() - failing - unchecked;
     format!(

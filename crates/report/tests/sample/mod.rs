@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use grazing_claims::audit::{Finding, PrintedNumber, Verdict};
+use grazing_claims::audit::{ClaimVerdict, Finding, PrintedNumber};
 use grazing_claims::ledger::Ledger;
 use grazing_claims::outcome::{Measure, Outcome};
 use grazing_claims::source::Sources;
@@ -62,11 +62,17 @@ fn findings() -> Vec<Finding<'static>> {
     let cases = |agreeing| Measure::Agreement { agreeing, cases: 12 };
     let [id, quantity, printed] = ["a", "tau of Figure 98", "0.5"].map(str::to_owned);
     let verdicts = [
-        Verdict::Measured(Outcome::new(held, 400, "points of the trapesium")),
-        Verdict::Measured(Outcome::new(cases(12), 12, "cases").against_print(cases(0))),
-        Verdict::Numbers(vec![PrintedNumber { id, quantity, printed, computed: Some(0.501), met: true }]),
-        Verdict::Broken(HOSTILE.to_owned()),
-        Verdict::Unchecked(HOSTILE.to_owned()),
+        ClaimVerdict::Measured(Outcome::new(held, 400, "points of the trapesium")),
+        ClaimVerdict::Measured(Outcome::new(cases(12), 12, "cases").against_print(cases(0))),
+        ClaimVerdict::Numbers(vec![PrintedNumber {
+            id,
+            quantity,
+            printed,
+            computed: Some(0.501),
+            met: true,
+        }]),
+        ClaimVerdict::Broken(HOSTILE.to_owned()),
+        ClaimVerdict::Unchecked(HOSTILE.to_owned()),
     ];
     let found = LEDGER.claims.iter().zip(verdicts);
     found.map(|(claim, verdict)| Finding { claim, verdict, time: Default::default() }).collect()

@@ -17,7 +17,8 @@ use crate::specimen::{DELAY, Exponential, Grazing, Law, damping_for_decay};
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
 use crate::sweep::resonant::FIT_TOLERANCE;
 use crate::sweep::{
-    Existence, GenericRow, ResonantRow, Verdict, generic_cases, generic_rows, resonant_cases, resonant_rows,
+    CaseVerdict, Existence, GenericRow, ResonantRow, generic_cases, generic_rows, resonant_cases,
+    resonant_rows,
 };
 use crate::{CheckResult, Failure, Votes};
 use grazing_unfold::simulation::{Seen, Suspect};
@@ -145,11 +146,11 @@ pub(crate) fn resonant_grazing_p_loops() -> CheckResult {
 }
 
 /// Where a hypothesis fails the theorem is silent, as long as what is seen there has its reason.
-fn judged(count: &mut Votes, verdict: Verdict) {
+fn judged(count: &mut Votes, verdict: CaseVerdict) {
     match verdict {
-        Verdict::Agreement => count.see(true),
-        Verdict::Explained(_) => count.silent(),
-        Verdict::Unexplained => count.see(false),
+        CaseVerdict::Agreement => count.see(true),
+        CaseVerdict::Explained(_) => count.silent(),
+        CaseVerdict::Unexplained => count.see(false),
     }
 }
 
