@@ -209,6 +209,9 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
     }
     let page = read(&folder.path().join("part"), "report.html");
     assert!(page.contains("not finished: "), "the page says so");
+    // What was not decided in time is not left white.
+    let regions = read(&folder.path().join("part"), "data/regions.csv");
+    assert!(missing.contains("regions") && regions.contains(",undecided,3,"), "{regions}");
 }
 
 #[cfg(unix)]

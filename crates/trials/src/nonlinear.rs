@@ -106,7 +106,7 @@ impl Progress for Limited {
     }
 }
 
-/// The diagram of an oscillator, counted in units of its own; `unfinished` if that takes very long.
+/// The diagram of an oscillator, counted in units of its own; regions that take very long are undecided.
 ///
 /// # Errors
 /// There is nothing to unfold.

@@ -141,12 +141,15 @@ impl<O: ImpactOscillator> Diagram<O> {
         let route = route(self.scope.window, StepControl::DRAWING);
         nets.iter_mut().for_each(|net| net.grow(&route));
         let of_mps = regions::of_mps(&self, &mut nets, progress);
-        if progress.stopped() {
-            // What was under way when the end was asked for is worth nothing.
-            nets = known;
+        if of_mps.contains(&None) {
             self.unfinished.push(Unfinished::stage(regions::STAGE));
-        } else {
-            self.regions.extend(of_mps);
+        }
+        for ((net, known), regions) in nets.iter_mut().zip(known).zip(of_mps) {
+            self.regions.extend(regions.unwrap_or_else(|| {
+                // What was under way when the end was asked for is worth nothing.
+                *net = known;
+                vec![Region::not_finished(self.scope.window, net.loops())]
+            }));
         }
         // First all that come from resonances, as they are told while others are being followed.
         let (mut first, mut then) = (Vec::new(), Vec::new());

@@ -59,6 +59,8 @@ pub enum Doubt {
     ManyBranches,
     /// No slice was made.
     Unseen,
+    /// An end was asked for before it was decided.
+    NotFinished,
 }
 
 impl fmt::Display for Doubt {
@@ -73,6 +75,7 @@ impl fmt::Display for Doubt {
             Self::Broken(end) => write!(f, "a branch of solutions could not be followed to its end: {end}"),
             Self::ManyBranches => write!(f, "there are {MOST_BRANCHES} branches of solutions or more"),
             Self::Unseen => write!(f, "no slice was made"),
+            Self::NotFinished => write!(f, "not finished"),
         }
     }
 }
@@ -91,6 +94,13 @@ pub struct Region {
 }
 
 impl Region {
+    /// The whole window, where nothing was decided in time.
+    pub(crate) fn not_finished(window: Window, loops: u32) -> Self {
+        let ([left, right], [low, high]) = (window.primary, window.secondary);
+        let border = vec![[left, low], [right, low], [right, high], [left, high]];
+        Self { kind: RegionKind::Undecided(Doubt::NotFinished), loops, n: 0, rings: vec![border] }
+    }
+
     /// The least and the greatest (μ, η).
     pub fn extent(&self) -> [[f64; 2]; 2] {
         let beyond = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
@@ -196,12 +206,13 @@ pub(crate) fn levels(window: Window) -> Vec<f64> {
 /// The stage in which regions of MPSs are decided.
 pub(crate) const STAGE: &str = "regions";
 
-/// The regions of the MPSs of all p of a diagram; curves that are found to be missing on the way are added.
+/// The regions of the MPSs of each p of a diagram, none where an end was asked for meanwhile; curves that are found to be missing on the way
+/// are added.
 pub(crate) fn of_mps<O: ImpactOscillator>(
     diagram: &Diagram<O>,
     nets: &mut [Net<O>],
     progress: &dyn Progress,
-) -> Vec<Region> {
+) -> Vec<Option<Vec<Region>>> {
     let window = diagram.scope.window;
     let what = STAGE;
     let grazing = |secondary: f64| -> Vec<[f64; 2]> {
@@ -210,18 +221,16 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
     };
     let levels = levels(window);
     progress.begin(what, nets.len() as u64);
-    let regions: Vec<Vec<Region>> = nets
-        .par_iter_mut()
-        .map(|net| {
-            let loops = net.loops();
-            let mut survey = Survey::new(net, route(window, StepControl::DRAWING), &grazing);
-            let regions = decided(window, &mut survey, loops, &levels, progress);
-            progress.step(what);
-            regions
-        })
-        .collect();
+    let regions = nets.par_iter_mut().map(|net| {
+        let loops = net.loops();
+        let mut survey = Survey::new(net, route(window, StepControl::DRAWING), &grazing);
+        let regions = decided(window, &mut survey, loops, &levels, progress);
+        progress.step(what);
+        (!progress.stopped()).then_some(regions)
+    });
+    let regions = regions.collect();
     progress.end(what);
-    regions.into_iter().flatten().collect()
+    regions
 }
 
 /// The regions of solutions with some number of loops, 0 without impacts, from slices at some values of η and wherever else they are needed.

@@ -100,7 +100,7 @@ pub(crate) fn find<O: ImpactOscillator>(
         return Err(nothing());
     }
     let (regions, unfinished) = match progress.stopped() {
-        true => (Vec::new(), vec![Unfinished::stage(what)]),
+        true => (vec![Region::not_finished(scope.window, 0)], vec![Unfinished::stage(what)]),
         false => (regions, Vec::new()),
     };
     Ok(NonImpacting { grazing, curves, regions, unfinished })
