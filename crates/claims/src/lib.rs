@@ -6,7 +6,7 @@
 //! under adversarial search, the cases in which a theorem's conclusion is seen in the hybrid system. Where print and
 //! mathematics differ, the check holds the print too, and passes only if the print fails.
 //!
-//! Expansions and theorems are measured on the paper's oscillator and on one whose reset law varies ([`specimen`]).
+//! Expansions and theorems are measured on the paper's oscillator and on others, with nonlinear forces and reset laws that vary (`specimen`).
 //!
 //! Nothing here reads files or prints; sampling is seeded, so every run measures the same.
 
