@@ -5,6 +5,7 @@
 //! once.
 
 use std::fs;
+use std::io;
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -63,9 +64,7 @@ pub(crate) fn listen() {
     // Where there can be no handler, Ctrl-C does what it always did.
     let _ = ctrlc::set_handler(|| {
         if INTERRUPTIONS.fetch_add(1, Ordering::Relaxed) > 0 {
-            folder::remove_own_temporaries();
-            terminal::note("error: interrupted twice by Ctrl-C: ended at once, nothing more is written");
-            process::exit(ENDED);
+            leave("error: interrupted twice by Ctrl-C: ended at once, nothing more is written");
         }
         terminal::note("interrupted: writing what is finished; press Ctrl-C again to end at once");
     });
@@ -74,10 +73,17 @@ pub(crate) fn listen() {
 /// Lets Ctrl-C end the program at once, without leaving unfinished files behind.
 pub(crate) fn leave_nothing_behind() {
     let _ = ctrlc::set_handler(|| {
-        folder::remove_own_temporaries();
-        terminal::note("error: interrupted by Ctrl-C: what was not written yet is not written");
-        process::exit(ENDED);
+        leave("error: interrupted by Ctrl-C: what was not written yet is not written");
     });
+}
+
+/// Ends the program with last words, without leaving unfinished files behind.
+fn leave(words: &str) -> ! {
+    folder::remove_own_temporaries();
+    // Other threads that tell of their progress wait for this, and so say nothing more.
+    let _silence = io::stderr().lock();
+    terminal::note(words);
+    process::exit(ENDED)
 }
 
 /// Whether Ctrl-C was pressed.

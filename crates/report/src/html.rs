@@ -40,9 +40,9 @@ pub(crate) fn escape(text: &str) -> String {
     escaped
 }
 
-/// The template's text; a template writes to a String, which cannot fail.
+/// The template's text.
 pub(crate) fn rendered(template: &impl askama::Template) -> Html {
-    Safe(template.render().unwrap_or_default())
+    Safe(template.render().expect("a template writes to a String, which cannot fail"))
 }
 
 /// Whether the character changes the direction in which those after it, or around it, are written.
