@@ -1,4 +1,4 @@
-//! Section 2.6: c_SN and c_PD of oscillators with ψ ≠ 0, against continued curves.
+//! Section 2.6: s_p^±, c_SN and c_PD of oscillators with ψ ≠ 0, against multipliers and continued curves.
 
 use core::f64::consts::PI;
 
@@ -8,8 +8,9 @@ use grazing_theorems::LinearisedMap;
 
 use super::returns::derivative as difference;
 use crate::checks::resonant::places::{Bifurcation, Place};
+use crate::convergence::order;
 use crate::specimen::Law;
-use crate::{CheckResult, Deviations, Failure, Sampler};
+use crate::{CheckResult, Deviations, Failure, Sampler, Smallest};
 
 /// A resonance with one of these numbers of loops at which s^± are not within a twentieth of zero, nor the impact
 /// velocity along either curve within a fifth of η: then the curves are seen at small velocities.
@@ -27,6 +28,26 @@ pub(super) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Place, Fa
             return Ok(place);
         }
     }
+}
+
+/// s^± as limits of T − D − 1 and T + D + 1 on the branch at η = 0, with T and D of numerical orbits.
+fn stability(seed: u64, loops: &[u32], over: &str) -> CheckResult {
+    let mut sampler = Sampler::new(seed);
+    let mut least = Smallest::default();
+    for _ in 0..30 {
+        let place = resonant(&mut sampler, loops)?;
+        let stated = place.point().stability_coefficients();
+        for (stated, sign) in [(stated.plus, 1.0), (stated.minus, -1.0)] {
+            least.see_resolved(order(|velocity| {
+                let multipliers = place.solution(&place.on_branch(velocity, 0.0)?).multipliers;
+                let limit = multipliers.trace - sign * (multipliers.determinant + 1.0);
+                // Numerator and denominator of T vanish with y: rounding over y, of terms of order ten.
+                Some((limit - stated, 1e-14 / velocity))
+            }));
+        }
+    }
+    // Slack for the term of second order at the smallest resolved velocities.
+    Ok(least.order(1.0, 0.3, &format!("{over}; T ∓ (D + 1) on the branch as y → 0")))
 }
 
 /// c_SN and c_PD against the limits of μ/η² on continued curves.
@@ -48,6 +69,10 @@ fn fitted(seed: u64, loops: &[u32], over: &str) -> CheckResult {
 const FIT: f64 = 1e-7;
 
 checks! {
+    /// eq:c1.
+    stability_one_loop: stability(61, &[1], "resonances p = 1 with ψ ≠ 0");
+    /// eq:cp.
+    stability_many_loops: stability(62, &[2, 3, 4], "resonances p = 2, 3, 4 with ψ ≠ 0");
     /// eq:coeffs1.
     curves_one_loop: fitted(63, &[1], "resonances p = 1 with ψ ≠ 0");
     /// eq:coeffsp.
