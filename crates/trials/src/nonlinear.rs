@@ -22,7 +22,7 @@ use crate::simulation::{Settled, settled};
 /// What regions, continuation and simulation do not agree on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Disagreement {
-    /// Motion settles on a p-loop solution and nothing is shaded.
+    /// Motion settles on a p-loop solution, or on one without impacts, and nothing is shaded.
     SeenUnshaded,
     /// Continuation leads to a stable, admissible MPS and nothing is shaded.
     FoundUnshaded,
@@ -144,6 +144,12 @@ pub fn compare<O: ImpactOscillator>(diagram: &Diagram<O>, lattice: usize, states
         .collect();
     let mut outcome = Outcome { doubts: doubts(diagram), ..Outcome::default() };
     let (mut shaded, mut hatched) = (vec![false; points.len()], vec![false; points.len()]);
+    for (&point, here) in points.iter().zip(&seen) {
+        let stays_off = here.iter().any(|settled| settled.loops == 0);
+        if stays_off && shown(diagram, 0, point) == Shown::White {
+            outcome.wrong.push((0, point, Disagreement::SeenUnshaded));
+        }
+    }
     for &loops in loops {
         let all: Vec<Shown> = points.par_iter().map(|point| shown(diagram, loops, *point)).collect();
         let found = solutions(diagram, loops, &points, &seen, lattice);

@@ -7,14 +7,14 @@ use grazing_model::{ImpactOscillator, State};
 
 use crate::random::Random;
 
-/// A p-loop solution on which motion has settled.
+/// A p-loop solution on which motion has settled, or one without impacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settled {
-    /// The number of loops p.
+    /// The number of loops p; 0 without impacts.
     pub loops: u32,
-    /// Velocity of its impact.
+    /// Velocity of its impact; without impacts at phase zero.
     pub velocity: f64,
-    /// Phase of its impact.
+    /// Phase of its impact; zero without impacts.
     pub phase: f64,
 }
 
@@ -30,7 +30,7 @@ const SLOWEST: f64 = 1e-3;
 /// No motion that settles has more impacts in a spell.
 const MOST_IMPACTS: usize = 10_000;
 
-/// The p-loop solution on which motion from a random state settles, if it does.
+/// The p-loop solution on which motion from a random state settles, or the one of the forcing's period without impacts, if it does.
 pub fn settled(oscillator: &impl ImpactOscillator, random: &mut Random) -> Option<Settled> {
     let period = oscillator.forcing_period();
     let mut from = State {
@@ -51,14 +51,34 @@ pub fn settled(oscillator: &impl ImpactOscillator, random: &mut Random) -> Optio
                 }
             }
         }
-        // Motion that sticks has no p-loop solution, and after a spell without impacts there will be none.
-        from = match orbit.end() {
-            Some(OrbitEnd::TimeIsUp(state)) if !impacts.is_empty() => state,
-            _ => return None,
-        };
+        // Motion that sticks has no p-loop solution.
+        let Some(OrbitEnd::TimeIsUp(state)) = orbit.end() else { return None };
+        if impacts.is_empty()
+            && let Some(found) = without_impacts(oscillator, state)
+        {
+            return Some(found);
+        }
+        from = state;
     }
     // At least three times round.
     (impacts.len() > 3).then(|| repeated(&impacts, period, SAME)).flatten()
+}
+
+/// The solution without impacts on which motion has settled, if a forcing period brings it back to where it is.
+fn without_impacts(oscillator: &impl ImpactOscillator, from: State) -> Option<Settled> {
+    let turned = from.phase - TAU * libm::floor(from.phase / TAU);
+    let to_phase_zero = (TAU - turned) / oscillator.forcing_frequency().value;
+    let after = |state: State, time: f64| {
+        let mut orbit = Orbit::new(oscillator, state, time, 1);
+        match (orbit.next()?.end, orbit.impacts()) {
+            (FlightEnd::TimeIsUp(state), 0) => Some(state),
+            _ => None,
+        }
+    };
+    let start = after(from, to_phase_zero)?;
+    let end = after(start, oscillator.forcing_period())?;
+    let gap = libm::hypot(end.position - start.position, end.velocity - start.velocity);
+    (gap < SAME).then_some(Settled { loops: 0, velocity: start.velocity, phase: 0.0 })
 }
 
 /// The p-loop solution whose impacts these are, if they are all the same but for a difference.

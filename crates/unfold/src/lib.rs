@@ -74,6 +74,7 @@ pub mod progress;
 pub mod regions;
 pub mod resonances;
 mod scope;
+mod search;
 pub mod sides;
 pub mod simulation;
 mod slices;

@@ -16,6 +16,7 @@ use crate::curves::{DiagramCurve, Net};
 use crate::diagram::{Diagram, route};
 use crate::faces::{self, Face, Point, chords, extent};
 use crate::progress::Progress;
+use crate::search;
 use crate::slices::{MOST_BRANCHES, Slice};
 use crate::survey::Survey;
 
@@ -151,7 +152,7 @@ impl Sight {
     }
 
     /// The share of an interval in which there are good solutions.
-    fn share(&self, [from, to]: [f64; 2]) -> f64 {
+    pub(crate) fn share(&self, [from, to]: [f64; 2]) -> f64 {
         let common = self.good.iter().map(|[low, high]| (high.min(to) - low.max(from)).max(0.0));
         common.sum::<f64>() / (to - from)
     }
@@ -171,12 +172,16 @@ const SHORT: f64 = 2e-3;
 const THIN: f64 = 5e-4;
 /// Along a chord of a face there are good solutions on none or all of it, give or take what the curves' chords leave.
 const PURE: f64 = 0.1;
+/// However long a chord, no more than this share of the window may differ from the rest of it.
+const STRETCH: f64 = 5e-3;
 /// Faces with less than this share of the window's area are left out: curves are drawn to 10⁻⁴ of the ranges.
 const SPECK: f64 = 1e-7;
 /// Values of η in a face at which the longest chord is looked for.
 const TRIALS: u32 = 15;
 /// A face's slice is good enough if its chord has this share of the longest one.
 const LONG_ENOUGH: f64 = 0.25;
+/// Solutions are looked for up to this impact velocity at least: motion is of order one where the wall's distance from rest is.
+const USUAL_VELOCITY: f64 = 2.0;
 /// Slices of the whole window to begin with.
 const SLICES: u32 = 16;
 /// How often slices are added where they are needed.
@@ -220,10 +225,15 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
         orbits.map(|orbit| [orbit.phase(), orbit.primary()]).collect()
     };
     let levels = levels(window);
+    let points = nets.iter().flat_map(|net| &net.curves).flat_map(|curve| &curve.curve.points);
+    let fastest = points.map(|point| point.solution.impact_velocity()).fold(USUAL_VELOCITY, f64::max);
+    let (oscillator, loops) = (diagram.grazing[0].states[0].orbit.oscillator(), &diagram.scope.loops);
     progress.begin(what, nets.len() as u64);
+    let found = search::on_slices(oscillator, loops, window, &levels, fastest, progress);
     let regions = nets.par_iter_mut().map(|net| {
         let loops = net.loops();
-        let mut survey = Survey::new(net, route(window, StepControl::DRAWING), &grazing);
+        let found = found.iter().filter(|(p, _)| *p == loops).map(|(_, solution)| *solution).collect();
+        let mut survey = Survey::new(net, route(window, StepControl::DRAWING), &grazing, found);
         let regions = decided(window, &mut survey, loops, &levels, progress);
         progress.step(what);
         (!progress.stopped()).then_some(regions)
@@ -340,7 +350,8 @@ impl Judge {
                 let within = |primary: f64| chord[0] < primary && primary < chord[1];
                 let told = sight.doubts.iter().find(|(primary, _)| within(*primary)).map(|(_, doubt)| doubt);
                 let told = told.or(sight.everywhere.as_ref());
-                let mixed = PURE < share && share < 1.0 - PURE && length > SHORT;
+                let lesser = share.min(1.0 - share);
+                let mixed = lesser > PURE && length > SHORT || lesser * length > STRETCH;
                 // Where there are good solutions all along, nothing that cannot be told of others matters.
                 let told = told.filter(|_| share < 1.0 - PURE);
                 if let Some(reason) = told {

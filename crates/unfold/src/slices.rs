@@ -180,6 +180,13 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         fresh
     }
 
+    /// Adds the branch through an MPS on a slice, unless it is known.
+    pub(crate) fn through(&self, slice: &mut Slice<Curve>, solution: Unknowns) {
+        let before = slice.branches.len();
+        self.add(slice, solution, &EventTimes::default(), true);
+        slice.carried &= slice.branches.len() == before;
+    }
+
     /// The MPS with the impact velocity and the η of `near`, if it lies in the window and nearby.
     fn at(&self, near: Unknowns, times: &mut EventTimes) -> Option<Unknowns> {
         let found = locate_within(CARRIED_OFF, &self.equations, beside(&near), near, times).ok()?;

@@ -23,6 +23,8 @@ pub(crate) struct Survey<'a, O> {
     slices: Vec<Slice<Curve>>,
     /// Slices of constant μ have been looked at.
     crossed: bool,
+    /// MPSs on the slices to begin with to which nothing may lead.
+    found: Vec<Unknowns>,
 }
 
 /// Slices of constant μ divide the range of μ into so many parts; the first and the last are the window's edges.
@@ -37,9 +39,34 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
         net: &'a mut Net<O>,
         route: Route,
         grazing: &'a (dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
+        found: Vec<Unknowns>,
     ) -> Self {
         let slicer = Slicer::new(&net.equations, route.window, grazing);
-        Self { net, slicer, route, slices: Vec::new(), crossed: false }
+        Self { net, slicer, route, slices: Vec::new(), crossed: false, found }
+    }
+
+    /// Takes branches to all slices and starts the curves that are missing, until neither is left.
+    fn complete(&mut self, progress: &dyn Progress) {
+        loop {
+            spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
+            self.explain(progress);
+            let curves = &self.net.curves;
+            let fresh: Vec<bool> =
+                self.slices.par_iter_mut().map(|slice| self.slicer.through_curves(slice, curves)).collect();
+            if progress.stopped() {
+                break;
+            }
+            if !fresh.contains(&true) {
+                if self.found.is_empty() {
+                    break;
+                }
+                // Only now that all are known to which something leads.
+                for solution in core::mem::take(&mut self.found) {
+                    let at = |slice: &&mut Slice<Curve>| slice.secondary == solution[unknown::SECONDARY];
+                    self.slices.iter_mut().filter(at).for_each(|slice| self.slicer.through(slice, solution));
+                }
+            }
+        }
     }
 
     /// Starts a curve at every bifurcation that lies on none.
@@ -81,16 +108,7 @@ impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
     fn look_at(&mut self, levels: &[f64], progress: &dyn Progress) {
         let found: Vec<_> = levels.par_iter().map(|level| self.slicer.beginning_at_grazing(*level)).collect();
         self.slices.extend(found);
-        loop {
-            spread(&mut self.slices, progress, |from, to| self.slicer.carry(from, to));
-            self.explain(progress);
-            let curves = &self.net.curves;
-            let fresh: Vec<bool> =
-                self.slices.par_iter_mut().map(|slice| self.slicer.through_curves(slice, curves)).collect();
-            if progress.stopped() || !fresh.contains(&true) {
-                break;
-            }
-        }
+        self.complete(progress);
     }
 
     fn lines(&self) -> Vec<Vec<Point>> {
@@ -166,5 +184,38 @@ fn start<O: ImpactOscillator>(net: &mut Net<O>, event: &Event, route: &Route) {
     if let Ok(curve) = curve.follow_both_ways(event.solution.unknowns, upwards, &event.times, route) {
         net.add(DiagramCurve { kind, loops: net.loops(), n: 0, curve });
         net.grow(route);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use grazing_continuation::arclength::StepControl;
+    use grazing_continuation::curve::Window;
+    use grazing_continuation::mps::LoopEquations;
+    use grazing_description::Description;
+    use grazing_model::smooth::Integrated;
+
+    use super::*;
+    use crate::diagram::route;
+    use crate::progress::Silent;
+    use crate::search;
+
+    #[test]
+    fn a_sheet_of_solutions_between_two_points_of_the_edge_is_found() {
+        // Two wells: inside this window nothing leads from grazing to these MPSs.
+        let text = grazing_trials::oscillators::description(1, 2);
+        let model = Description::parse(&text, "two wells").expect("what is made at random is right");
+        let window = Window { primary: [0.7, 0.7616], secondary: [0.4483, 0.4917] };
+        let oscillator = Integrated::new(model, [0.7, 0.4483]);
+        let levels = [0.48, 0.4917];
+        let found = search::on_slices(&oscillator, &[1], window, &levels, 2.0, &Silent);
+        let found = found.into_iter().map(|(_, solution)| solution).collect();
+        let mut net = Net::new(LoopEquations::new(oscillator, 1, Formulation::Vivid));
+        let mut survey = Survey::new(&mut net, route(window, StepControl::DRAWING), &|_| Vec::new(), found);
+        survey.look_at(&levels, &Silent);
+        assert_eq!(survey.lines().len(), 3);
+        // Simulation settles on a solution with one loop here.
+        let good = |sight: &Sight| sight.share([0.73, 0.736]) == 1.0;
+        assert!(survey.sights().iter().all(good), "{:?}", survey.sights());
     }
 }

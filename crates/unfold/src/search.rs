@@ -1,0 +1,147 @@
+//! p-loop MPSs looked for on the whole wall, at some pairs of parameters.
+//!
+//! Slices know branches that begin at grazing, on a neighbouring slice or on a known curve. A sheet of MPSs that is joined to none of these
+//! inside the window, as one between two points of its edge, or one that begins where motion of twice the forcing's period grazes, is found by solving
+//! for it.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::curve::Window;
+use grazing_continuation::locate::{Condition, locate_within};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
+use grazing_model::motion::Motion;
+use grazing_model::{ImpactOscillator, OnWall, State};
+use nalgebra::Vector2;
+use rayon::prelude::*;
+
+use crate::progress::Progress;
+
+/// Cells of the lattice of impacts along y and z.
+const CELLS: [usize; 2] = [20, 30];
+/// Newton's method does not leave the neighbouring cells, counted in diagonals of a cell.
+const REACH: f64 = 1.5;
+/// Zeros closer than this are one.
+const SAME: f64 = 1e-6;
+/// Both edges of the window are looked at on every so many slices.
+const EDGES_EVERY: usize = 2;
+/// The golden ratio: its multiples are spread evenly, whole numbers left out.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// Admissible MPSs of some numbers of loops p with impact velocities up to some value, each with its p: on every slice at one place, on every other
+/// one at both ends.
+pub(crate) fn on_slices<O: ImpactOscillator>(
+    oscillator: &O,
+    loops: &[u32],
+    window: Window,
+    slices: &[f64],
+    fastest: f64,
+    progress: &dyn Progress,
+) -> Vec<(u32, Unknowns)> {
+    let places = slices.iter().enumerate().flat_map(|(k, &secondary)| {
+        let turns = GOLDEN * (k as f64 + 1.0);
+        let ends = if k % EDGES_EVERY == 0 { &[0.0, 1.0][..] } else { &[] };
+        let shares = ends.iter().copied().chain([turns - libm::floor(turns)]);
+        shares.map(move |share| [window.parameters([share, 0.0])[0], secondary])
+    });
+    let places: Vec<[f64; 2]> = places.collect();
+    let found = places.par_iter().map(|parameters| {
+        if progress.stopped() {
+            Vec::new()
+        } else {
+            at(oscillator.with_parameters(*parameters), loops, fastest)
+        }
+    });
+    found.collect::<Vec<_>>().concat()
+}
+
+/// The admissible MPSs of an oscillator, as far as a lattice of impacts tells them apart.
+///
+/// By how much motion that begins with an impact misses it p forcing periods later, the wall ignored meanwhile, is (x, ẋ − y). Where both change sign
+/// between the impacts at a cell's corners there may be a zero inside.
+fn at<O: ImpactOscillator>(oscillator: O, loops: &[u32], fastest: f64) -> Vec<(u32, Unknowns)> {
+    let [primary, secondary] = oscillator.parameters();
+    let here = [Condition::Primary(primary), Condition::Secondary(secondary)];
+    let cell = Vector2::new(fastest, TAU).component_div(&Vector2::from(CELLS.map(|cells| cells as f64)));
+    let corner = |i: usize, k: usize| Vector2::new(cell[0] * i as f64, cell[1] * k as f64);
+    let misses: Vec<Vec<Vec<Vector2<f64>>>> = (0..=CELLS[0])
+        .map(|i| (0..=CELLS[1]).map(|k| misses(&oscillator, loops, corner(i, k))).collect())
+        .collect();
+    let mut found: Vec<(u32, Unknowns)> = Vec::new();
+    for (index, &loops) in loops.iter().enumerate() {
+        let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
+        for (i, k) in (0..CELLS[0]).flat_map(|i| (0..CELLS[1]).map(move |k| (i, k))) {
+            let corners = [(i, k), (i, k + 1), (i + 1, k), (i + 1, k + 1)].map(|(i, k)| misses[i][k][index]);
+            let changes = |component: usize| {
+                let positive = corners.iter().filter(|miss| miss[component] > 0.0).count();
+                0 < positive && positive < corners.len()
+            };
+            let inside = |zero: &Unknowns| {
+                let place = (zero.fixed_rows::<2>(0) - corner(i, k)).component_div(&cell);
+                place.iter().all(|share| (0.0..=1.0).contains(share))
+            };
+            let known = || found.iter().any(|(other, zero)| *other == loops && inside(zero));
+            if !(changes(0) && changes(1)) || known() {
+                continue;
+            }
+            let middle = corner(i, k) + 0.5 * cell;
+            let middle = Unknowns::new(middle[0], middle[1], primary, secondary);
+            let reach = REACH * cell.norm();
+            let zero = locate_within(reach, &equations, here, middle, &mut EventTimes::default());
+            let new = zero.ok().filter(|zero| {
+                !found.iter().any(|(other, at)| *other == loops && same(at, zero))
+                    && equations.solution(zero).0.admissible()
+            });
+            found.extend(new.map(|zero| (loops, zero)));
+        }
+    }
+    found
+}
+
+/// Whether two MPSs at the same parameters are one.
+fn same(a: &Unknowns, b: &Unknowns) -> bool {
+    let gap = a - b;
+    libm::hypot(gap[unknown::VELOCITY], libm::remainder(gap[unknown::PHASE], TAU)) < SAME
+}
+
+/// By how much motion that begins with an impact (y, z) misses it some numbers of forcing periods later.
+fn misses<O: ImpactOscillator>(oscillator: &O, loops: &[u32], impact: Vector2<f64>) -> Vec<Vector2<f64>> {
+    let [velocity, phase] = impact.into();
+    let recoil = oscillator.reset::<1>(OnWall::new(velocity, phase)).value;
+    let lag = (recoil[1] - phase) / oscillator.forcing_frequency().value;
+    let motion = oscillator.motion(State::on_wall(recoil[0], recoil[1]));
+    let after = |loops: &u32| {
+        let end = motion.at(f64::from(*loops) * oscillator.forcing_period() - lag);
+        Vector2::new(end.position, end.velocity - velocity)
+    };
+    loops.iter().map(after).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use grazing_model::LinearOscillator;
+
+    use super::*;
+    use crate::progress::Silent;
+    use crate::simulation::{Seen, Suspect};
+
+    #[test]
+    fn solutions_that_are_found_are_those_to_which_simulation_comes_back() {
+        let oscillator = LinearOscillator::new(0.05, 0.9, 0.5, 0.9).expect("it is in the domain");
+        let window = Window { primary: [0.3, 1.2], secondary: [0.6, 1.0] };
+        let slices = [0.65, 0.75, 0.85, 0.95];
+        let found = on_slices(&oscillator, &[1, 2], window, &slices, 2.0, &Silent);
+        for (loops, zero) in &found {
+            let here = oscillator.with_parameters([zero[2], zero[3]]);
+            let suspect = Suspect { oscillator: &here, loops: *loops, velocity: zero[0], phase: zero[1] };
+            assert_eq!(suspect.follow(), Seen::Returns, "{loops}: {zero}");
+        }
+        let of = |p: u32| found.iter().filter(|(loops, _)| *loops == p).count();
+        assert!(of(1) >= slices.len() && of(2) >= 1, "{found:?}");
+        let known = |k: usize| {
+            found[..k].iter().any(|(p, at)| {
+                *p == found[k].0 && at[3] == found[k].1[3] && at[2] == found[k].1[2] && same(at, &found[k].1)
+            })
+        };
+        assert!(!(1..found.len()).any(known));
+    }
+}
