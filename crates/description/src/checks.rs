@@ -1,4 +1,4 @@
-//! Checks at samples of the ranges: what the theorems assume of F, ω, Φ and Ψ.
+//! Checks at samples of the ranges: what the theorems assume of F, ω, Φ and Ψ, and that the wall moves with the forcing.
 //!
 //! A sample proves nothing, but a wrong sign, a pole in the range or a forgotten factor shows at almost every point.
 
@@ -33,6 +33,9 @@ pub(crate) fn samples(description: &Description, places: &Places) -> Result<Vec<
     let parameters = sampler.parameters();
     for &parameters in &parameters {
         sampler.frequency(parameters)?;
+    }
+    for &parameters in &parameters {
+        sampler.wall(parameters)?;
     }
     for &parameters in &parameters {
         sampler.force(parameters)?;
@@ -95,6 +98,23 @@ impl Sampler<'_> {
         Ok(())
     }
 
+    fn wall(&self, [mu, eta]: [f64; 2]) -> Checked {
+        let place = &self.places.wall;
+        let period = TAU / self.description.forcing_frequency(mu, eta);
+        for t in SHARES.map(|share| share * period) {
+            let position = |t| self.description.wall().outside([0.0, 0.0], t, [mu, eta])[0];
+            let at = || self.point([mu, eta], &[("t", t)]);
+            let (value, after) = (position(t), position(t + period));
+            if !value.is_finite() {
+                return Err(not_finite(place, value, &at()));
+            }
+            if (after - value).abs() > ROUNDING * (self.units.length + value.abs()) {
+                return Err(not_periodic(place, after - value, &at(), ("t", period)));
+            }
+        }
+        Ok(())
+    }
+
     fn force(&self, [mu, eta]: [f64; 2]) -> Checked {
         let place = &self.places.force;
         let period = TAU / self.description.forcing_frequency(mu, eta);
@@ -103,7 +123,10 @@ impl Sampler<'_> {
             for v in VELOCITIES.map(|v| v * self.units.velocity()) {
                 for t in SHARES.map(|share| share * period) {
                     let force = |t| self.description.force(x, v, t, mu, eta);
-                    let at = || self.point([mu, eta], &[("x", x), ("v", v), ("t", t)]);
+                    let at = || {
+                        let [x, v] = self.description.wall().outside([x, v], t, [mu, eta]);
+                        self.point([mu, eta], &[("x", x), ("v", v), ("t", t)])
+                    };
                     let (value, after) = (force(t), force(t + period));
                     if !value.is_finite() && x >= -near {
                         return Err(not_finite(place, value, &at()));
@@ -180,7 +203,7 @@ fn wrong(place: &KeyPlace, problem: String) -> DescriptionError {
 fn not_finite(place: &KeyPlace, value: f64, at: &str) -> DescriptionError {
     let domain = match place.key.as_str() {
         "motion.force" => {
-            "at the wall and close to it in x < 0, where motion takes place, over the ranges of both parameters"
+            "at the wall and close to it where motion takes place, over the ranges of both parameters"
         }
         _ => "over the ranges of both parameters",
     };

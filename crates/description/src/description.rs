@@ -23,7 +23,9 @@ pub(crate) struct Content {
     pub(crate) constants: Vec<(String, f64)>,
     pub(crate) primary: Axis,
     pub(crate) secondary: Axis,
+    /// Seen from the wall.
     pub(crate) force: Expression,
+    pub(crate) wall: Wall,
     pub(crate) frequency: Expression,
     pub(crate) restitution: Expression,
     pub(crate) duration: Expression,
@@ -51,11 +53,68 @@ impl Limits {
     pub const USUAL: Self = Self { time: 600.0, memory: 2000.0, steps: 1e10 };
 }
 
-/// The four expressions as the file has them, for whoever wants to see what was read.
+/// The wall, and how its coordinates, in which the oscillator is one of the paper, lead to those of the file.
+///
+/// With the wall at W(t), u = x − W for motion below it and W − x for motion above it: u ≤ 0, and impacts have the relative velocity u̇ > 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wall {
+    pub(crate) side: Side,
+    /// x and v, expressions in u, u̇, t, μ, η.
+    pub(crate) outside: [Expression; 2],
+}
+
+/// The side of the wall on which the motion is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Less than the position of the wall, as in the paper.
+    Below,
+    /// Greater than the position of the wall.
+    Above,
+}
+
+impl Side {
+    /// `below` or `above`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Below => "below",
+            Self::Above => "above",
+        }
+    }
+
+    /// s = ±1 in u = s(x − W).
+    pub(crate) const fn sign(self) -> f64 {
+        match self {
+            Self::Below => 1.0,
+            Self::Above => -1.0,
+        }
+    }
+}
+
+impl Wall {
+    /// The side of the wall on which the motion is.
+    pub fn side(&self) -> Side {
+        self.side
+    }
+
+    /// Position x and velocity v, as the file has them, of motion that is at u with u̇ seen from the wall.
+    pub fn outside(&self, [u, velocity]: [f64; 2], time: f64, [mu, eta]: [f64; 2]) -> [f64; 2] {
+        self.outside.each_ref().map(|coordinate| coordinate.evaluate(&[u, velocity, time, mu, eta]))
+    }
+
+    /// u and u̇ of motion with position x and velocity v.
+    pub fn inside(&self, [x, v]: [f64; 2], time: f64, parameters: [f64; 2]) -> [f64; 2] {
+        let [position, velocity] = self.outside([0.0, 0.0], time, parameters);
+        [self.side.sign() * (x - position), self.side.sign() * (v - velocity)]
+    }
+}
+
+/// The expressions as the file has them, for whoever wants to see what was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Texts {
     /// The force F.
     pub force: String,
+    /// The position of the wall.
+    pub wall: String,
     /// The forcing frequency ω.
     pub frequency: String,
     /// The restitution Φ.
@@ -144,7 +203,12 @@ impl Description {
         &self.0.secondary
     }
 
-    /// The force F, an expression in x, v, t, μ, η.
+    /// The wall.
+    pub fn wall(&self) -> &Wall {
+        &self.0.wall
+    }
+
+    /// The force seen from the [`Wall`], an expression in u, u̇, t, μ, η.
     pub fn force_expression(&self) -> &Expression {
         &self.0.force
     }
@@ -169,7 +233,8 @@ impl Description {
         &self.0.texts
     }
 
-    /// Position and velocity at time zero from which the non-impacting motion is looked for, if the file gives them.
+    /// u and u̇ at time zero from which the non-impacting motion is looked for, if the file gives position and velocity; seen from the wall where it is
+    /// in the middle of the ranges.
     pub fn start(&self) -> Option<[f64; 2]> {
         self.0.start
     }

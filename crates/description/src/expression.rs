@@ -18,6 +18,7 @@
 //! that move stand first, so that [`Expression::hold`] can run them once for many values of those.
 
 mod assemble;
+mod derivative;
 mod function;
 mod graph;
 mod parse;
@@ -190,6 +191,18 @@ impl Expression {
         constants: &[(&str, f64)],
     ) -> Result<(Expression, Vec<usize>), ExpressionError> {
         parse::expression(text, variables, moving, constants)
+    }
+
+    /// A force seen from a wall: ü of u = s(x − W) in the variables of the force, which stand for u, u̇, t, μ, η then, and x and v in the same;
+    /// s = `sign`.
+    pub(crate) fn from_the_wall(
+        force: &str,
+        wall: &str,
+        sign: f64,
+        variables: &[&str; 5],
+        constants: &[(&str, f64)],
+    ) -> Result<[Expression; 3], ExpressionError> {
+        parse::from_the_wall(force, wall, sign, variables, constants)
     }
 
     /// The names of the variables, in the order of their values.

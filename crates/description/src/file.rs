@@ -31,6 +31,18 @@ const KEYS: &[(&str, &str)] = &[
         "motion.frequency",
         "the forcing frequency must be an expression in the parameters, written in quotation marks, as \"omega\"",
     ),
+    (
+        "wall",
+        "the table [wall] holds the position of the wall and the side on which the motion is; without it the wall is at x = 0",
+    ),
+    (
+        "wall.position",
+        "the position of the wall must be an expression in t and the parameters, written in quotation marks, as \"0.0015\" or \"a*cos(omega*t)\"",
+    ),
+    (
+        "wall.side",
+        "the side of the wall on which the motion is must be \"below\" (less than its position) or \"above\" (greater); it may be left out and is \"below\" then",
+    ),
     ("impact", "the table [impact] holds restitution and duration"),
     (
         "impact.restitution",

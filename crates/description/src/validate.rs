@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use grazing_source::{Section, SourceError};
 
-use crate::description::{Axis, Content, Description, Limits, Texts};
+use crate::description::{Axis, Content, Description, Limits, Side, Texts, Wall};
 use crate::error::{DescriptionError, KeyPlace};
 use crate::expression::Expression;
 use crate::file::MOST_LOOPS;
@@ -13,17 +13,20 @@ use crate::names;
 /// More constants than this nobody names; every name in an expression is looked for among them.
 const MOST_CONSTANTS: usize = 1000;
 
-/// Where the four expressions stand.
+/// Where the expressions stand.
 pub(crate) struct Places {
     pub(crate) force: KeyPlace,
+    /// That of the force if there is no wall in the file.
+    pub(crate) wall: KeyPlace,
     pub(crate) frequency: KeyPlace,
     pub(crate) restitution: KeyPlace,
     pub(crate) duration: KeyPlace,
 }
 
-/// The keys of the four expressions with the variables that each may use beside the parameters, and how many of them, the
+/// The keys of the expressions with the variables that each may use beside the parameters, and how many of them, the
 /// first ones, move while the others are held.
 const FORCE: (&str, &[&str], usize) = ("force", &["x", "v", "t"], 2);
+const POSITION: (&str, &[&str], usize) = ("position", &["t"], 0);
 const FREQUENCY: (&str, &[&str], usize) = ("frequency", &[], 0);
 const RESTITUTION: (&str, &[&str], usize) = ("restitution", &["y", "z"], 2);
 const DURATION: (&str, &[&str], usize) = ("duration", &["y", "z"], 2);
@@ -53,37 +56,55 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
         Ok::<_, DescriptionError>((expression, text, KeyPlace::new(section, name)))
     };
     let (motion, impact) = (file.table("motion")?, file.table("impact")?);
-    let (force, force_text, force_place) = expression(&motion, FORCE)?;
+    let wall = file.has("wall").then(|| file.table("wall")).transpose()?;
+    let (side, wall_text, wall_place) = match &wall {
+        Some(section) => {
+            let (_, text, place) = expression(section, POSITION)?;
+            (side(section)?, text, place)
+        }
+        None => (Side::Below, "0".to_owned(), KeyPlace::new(&motion, FORCE.0)),
+    };
+    let (_, force_text, force_place) = expression(&motion, FORCE)?;
     let (frequency, frequency_text, frequency_place) = expression(&motion, FREQUENCY)?;
+    let names = ["x", "v", "t", primary.name.as_str(), secondary.name.as_str()];
+    let values: Vec<_> = constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+    let [force, x, v] = Expression::from_the_wall(&force_text, &wall_text, side.sign(), &names, &values)
+        .map_err(|error| DescriptionError::Value { place: wall_place.clone(), problem: error.problem })?;
     let (restitution, restitution_text, restitution_place) = expression(&impact, RESTITUTION)?;
     let (duration, duration_text, duration_place) = expression(&impact, DURATION)?;
     for (used, (axis, name)) in used.into_iter().zip(axes.iter().zip([&primary.name, &secondary.name])) {
         if !used {
             let allowed = format!(
-                "the name {name} appears in none of the four expressions, so nothing depends on this parameter: use it in one, \
+                "the name {name} appears in none of the expressions, so nothing depends on this parameter: use it in one, \
                  or name the parameter that is meant"
             );
             return Err(axis.forbid("name", allowed).into());
         }
     }
     let analysis = file.table("analysis")?;
+    let wall = Wall { side, outside: [x, v] };
+    let start = analysis.has("start").then(|| analysis.numbers("start", |_| true)).transpose()?;
+    let middle = [&primary, &secondary].map(|axis| axis.range[0] + 0.5 * (axis.range[1] - axis.range[0]));
+    let start = start.map(|start| wall.inside(start, 0.0, middle));
     let content = Content {
         name,
         constants,
         primary,
         secondary,
         force,
+        wall,
         frequency,
         restitution,
         duration,
         texts: Texts {
             force: force_text,
+            wall: wall_text,
             frequency: frequency_text,
             restitution: restitution_text,
             duration: duration_text,
         },
         loops: analysis.counts("loops", 1..=MOST_LOOPS)?,
-        start: analysis.has("start").then(|| analysis.numbers("start", |_| true)).transpose()?,
+        start,
         limits: Limits {
             time: limit(&analysis, "time_limit", Limits::USUAL.time)?,
             memory: limit(&analysis, "memory_limit", Limits::USUAL.memory)?,
@@ -93,11 +114,20 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
     };
     let places = Places {
         force: force_place,
+        wall: wall_place,
         frequency: frequency_place,
         restitution: restitution_place,
         duration: duration_place,
     };
     Ok((Description(Arc::new(content)), places))
+}
+
+fn side(wall: &Section<'_>) -> Result<Side, SourceError> {
+    match wall.optional::<String>("side")?.as_deref() {
+        None | Some("below") => Ok(Side::Below),
+        Some("above") => Ok(Side::Above),
+        Some(_) => Err(wall.refusal("side")),
+    }
 }
 
 /// The constants in the order of the alphabet.

@@ -53,6 +53,11 @@ impl Graph {
         self.term(Node::Variable(number))
     }
 
+    /// A node that has been made.
+    pub(super) fn node(&self, index: usize) -> Node {
+        self.nodes.borrow()[index]
+    }
+
     fn term(&self, node: Node) -> Term<'_> {
         let mut nodes = self.nodes.borrow_mut();
         let index = *self.numbers.borrow_mut().entry(node.key()).or_insert_with(|| {
@@ -264,16 +269,13 @@ impl Number for Term<'_> {
     fn negate(self) -> Result<Self, ErrorKind> {
         Ok(match self {
             Term::Number(value) => Term::Number(-value),
-            Term::Node(graph, a) => {
-                let node = graph.nodes.borrow()[a];
-                match node {
-                    Node::Operation(Operation::Negate(inner)) => Term::Node(graph, inner),
-                    Node::Operation(Operation::Scale(inner, factor)) => {
-                        graph.operation(Operation::Scale(inner, -factor))
-                    }
-                    _ => graph.operation(Operation::Negate(a)),
+            Term::Node(graph, a) => match graph.node(a) {
+                Node::Operation(Operation::Negate(inner)) => Term::Node(graph, inner),
+                Node::Operation(Operation::Scale(inner, factor)) => {
+                    graph.operation(Operation::Scale(inner, -factor))
                 }
-            }
+                _ => graph.operation(Operation::Negate(a)),
+            },
         })
     }
 

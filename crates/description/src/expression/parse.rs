@@ -5,9 +5,9 @@ use std::f64::consts;
 use std::ops::Range;
 
 use grazing_source::{nearest, shortened, suggestion};
-use nanoexpr::{Context, ErrorKind, Evaluator};
+use nanoexpr::{Context, ErrorKind, Evaluator, Number};
 
-use super::graph::{Graph, Node, Term, parts};
+use super::graph::{Graph, Term, parts};
 use super::{Expression, ExpressionError, assemble, function};
 use crate::names;
 
@@ -25,20 +25,19 @@ const NUMBERS: [(&str, f64); 2] = [("pi", consts::PI), ("e", consts::E)];
 
 /// What the names in a text mean.
 struct Names<'g, 'n> {
-    graph: &'g Graph,
-    variables: &'n [&'n str],
+    variables: &'n [(&'n str, Term<'g>)],
     constants: &'n [(&'n str, f64)],
     uses: RefCell<Vec<usize>>,
 }
 
 impl<'g> Context<Term<'g>> for Names<'g, '_> {
     fn variable(&self, name: &str) -> Option<Term<'g>> {
-        if let Some(number) = self.variables.iter().position(|known| *known == name) {
+        if let Some(number) = self.variables.iter().position(|(known, _)| *known == name) {
             let mut uses = self.uses.borrow_mut();
             if !uses.contains(&number) {
                 uses.push(number);
             }
-            return Some(self.graph.variable(number));
+            return Some(self.variables[number].1);
         }
         let mut numbers = self.constants.iter().chain(&NUMBERS);
         numbers.find(|(known, _)| *known == name).map(|(_, value)| Term::Number(*value))
@@ -52,7 +51,7 @@ impl<'g> Context<Term<'g>> for Names<'g, '_> {
 impl Names<'_, '_> {
     fn known(&self) -> Vec<&str> {
         let numbers = self.constants.iter().chain(&NUMBERS).map(|(name, _)| *name);
-        self.variables.iter().copied().chain(numbers).collect()
+        self.variables.iter().map(|(name, _)| *name).chain(numbers).collect()
     }
 
     /// What is wrong at a place of the text, and what would be right.
@@ -160,29 +159,77 @@ pub(super) fn expression(
     moving: usize,
     constants: &[(&str, f64)],
 ) -> Result<(Expression, Vec<usize>), ExpressionError> {
-    let (nodes, uses) = nodes(text, variables, constants)?;
-    let variables = variables.iter().map(|&name| name.to_owned()).collect();
-    Ok((assemble::expression(variables, moving, &nodes), uses))
+    let graph = Graph::default();
+    let (term, uses) = term(text, &numbered(&graph, variables), constants)?;
+    Ok((assembled(term, variables, moving), uses))
 }
 
-/// The parts of the expression, each after those it is made of, and the numbers of the variables that its text names.
-pub(super) fn nodes(
+/// Variables that mean themselves.
+pub(super) fn numbered<'g, 'n>(graph: &'g Graph, variables: &[&'n str]) -> Vec<(&'n str, Term<'g>)> {
+    variables.iter().enumerate().map(|(number, name)| (*name, graph.variable(number))).collect()
+}
+
+pub(super) fn assembled(term: Term<'_>, variables: &[&str], moving: usize) -> Expression {
+    let variables = variables.iter().map(|&name| name.to_owned()).collect();
+    assemble::expression(variables, moving, &parts(term))
+}
+
+/// What a text gives if its variables are these terms, and the numbers of those that it names.
+pub(super) fn term<'g>(
     text: &str,
-    variables: &[&str],
+    variables: &[(&str, Term<'g>)],
     constants: &[(&str, f64)],
-) -> Result<(Vec<Node>, Vec<usize>), ExpressionError> {
+) -> Result<(Term<'g>, Vec<usize>), ExpressionError> {
     if text.len() > MOST_BYTES {
         let problem = format!(
             "the expression has more than {MOST_BYTES} bytes: shorten it, as by constants in [parameters] for parts that do not vary"
         );
         return Err(ExpressionError { problem, span: 0..0 });
     }
-    let graph = Graph::default();
-    let names = Names { graph: &graph, variables, constants, uses: RefCell::default() };
+    let names = Names { variables, constants, uses: RefCell::default() };
     let term: Term<'_> =
         Evaluator::<_, 4>::new(&names).max_depth(MOST_DEPTH).evaluate(text).map_err(|error| {
             let span = error.span.start..error.span.end;
             ExpressionError { problem: names.problem(text, error.kind, span.clone()), span }
         })?;
-    Ok((parts(term), names.uses.into_inner()))
+    Ok((term, names.uses.into_inner()))
 }
+
+/// A force seen from the wall: the acceleration of u = s(x − W(t)) as an expression in u, u̇, t, μ, η, and x and v as others.
+///
+/// W is the position of the wall, s = 1 for motion below it and −1 for motion above it: ü = s(F(W + su, Ẇ + su̇, t) − Ẅ).
+///
+/// # Errors
+/// The first thing that is not right in one of the texts; if that is none by itself, the two together have numbers that are too large.
+pub(super) fn from_the_wall(
+    force: &str,
+    wall: &str,
+    sign: f64,
+    variables: &[&str; 5],
+    constants: &[(&str, f64)],
+) -> Result<[Expression; 3], ExpressionError> {
+    let too_large = |_| ExpressionError {
+        problem:
+            "with the motion of the wall in wall.position there is a number too large to be computed with"
+                .to_owned(),
+        span: 0..0,
+    };
+    let graph = Graph::default();
+    let own = numbered(&graph, variables);
+    let [gap, speed] = [own[0].1, own[1].1];
+    let (position, _) = term(wall, &own[2..], constants)?;
+    let velocity = graph.derivative(position, TIME).map_err(too_large)?;
+    let acceleration = graph.derivative(velocity, TIME).map_err(too_large)?;
+    let x = gap.multiply(Term::Number(sign)).and_then(|gap| gap.add(position)).map_err(too_large)?;
+    let v = speed.multiply(Term::Number(sign)).and_then(|speed| speed.add(velocity)).map_err(too_large)?;
+    let outside = [&[(variables[0], x), (variables[1], v)], &own[2..]].concat();
+    let (force, _) = term(force, &outside, constants)?;
+    let seen = force
+        .subtract(acceleration)
+        .and_then(|force| force.multiply(Term::Number(sign)))
+        .map_err(too_large)?;
+    Ok([seen, x, v].map(|term| assembled(term, variables, 2)))
+}
+
+/// The number of the time among the variables of a force.
+const TIME: usize = 2;

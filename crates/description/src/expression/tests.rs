@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use grazing_model::smooth::{Function, Scalar};
 use proptest::prelude::*;
 
-use super::graph::Node;
+use super::graph::{Graph, Node, parts};
 use super::{Expression, parse};
 
 /// A number with one derivative.
@@ -70,9 +70,19 @@ impl Scalar for Dual {
         Dual(value, 0.0)
     }
 
-    /// Not the derivative, but the same for the same argument: enough to compare.
     fn apply(self, function: Function) -> Self {
-        Dual(self.0.apply(function), self.1)
+        let Dual(at, slope) = self;
+        let factor = match function {
+            Function::Sin => libm::cos(at),
+            Function::Cos => -libm::sin(at),
+            Function::Tan => 1.0 / (libm::cos(at) * libm::cos(at)),
+            Function::Tanh => 1.0 / (libm::cosh(at) * libm::cosh(at)),
+            Function::Atan => 1.0 / (1.0 + at * at),
+            Function::Exp => libm::exp(at),
+            Function::Ln => 1.0 / at,
+            Function::Sqrt => 0.5 / libm::sqrt(at),
+        };
+        Dual(at.apply(function), factor * slope)
     }
 }
 
@@ -101,7 +111,11 @@ fn polynomial() -> impl Strategy<Value = String> {
 
 /// The same with functions and quotients.
 fn formula() -> impl Strategy<Value = String> {
-    (polynomial(), polynomial(), prop::sample::select(&["sin", "cos", "exp", "atan", "sqrt"][..]))
+    (
+        polynomial(),
+        polynomial(),
+        prop::sample::select(&["sin", "cos", "tan", "tanh", "exp", "atan", "ln", "sqrt"][..]),
+    )
         .prop_map(|(a, b, name)| format!("({a})*{name}({b}) - ({b})/(1 + t^2) + {name}(2*t)*x - {name}(v)"))
 }
 
@@ -114,7 +128,10 @@ fn read(text: &str, moving: usize) -> Option<Expression> {
 
 /// The value node by node.
 fn plain<S: Scalar>(text: &str, variables: &[S]) -> S {
-    let (nodes, _) = parse::nodes(text, &NAMES, &[]).expect("the expression was read");
+    let graph = Graph::default();
+    let (term, _) =
+        parse::term(text, &parse::numbered(&graph, &NAMES), &[]).expect("the expression was read");
+    let nodes = parts(term);
     let mut values: Vec<S> = Vec::new();
     for node in &nodes {
         values.push(match node {
@@ -184,6 +201,22 @@ proptest! {
         }
         if exact(c.0) && exact(c.1) {
             prop_assert_eq!(expression.evaluate(&ranges), c, "{}", text);
+        }
+    }
+
+    #[test]
+    fn derivatives_are_those_of_automatic_differentiation(text in formula()) {
+        let graph = Graph::default();
+        let Ok((term, _)) = parse::term(&text, &parse::numbered(&graph, &NAMES), &[]) else { return Ok(()) };
+        for variable in 0..3 {
+            let Ok(slope) = graph.derivative(term, variable) else { return Ok(()) };
+            let [value, slope] = [term, slope].map(|term| parse::assembled(term, &NAMES, 3));
+            let at = [0.7, 0.4, 1.9];
+            let mut duals = at.map(|number| Dual(number, 0.0));
+            duals[variable].1 = 1.0;
+            let (Dual(size, wanted), found) = (value.evaluate(&duals), slope.evaluate(&at));
+            let gap = (found - wanted).abs();
+            prop_assert!(!(size + wanted).is_finite() || gap <= 1e-9 * (1.0 + size.abs() + wanted.abs()), "{}: {} {}", text, found, wanted);
         }
     }
 }

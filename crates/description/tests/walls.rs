@@ -1,0 +1,71 @@
+//! Walls that stand elsewhere, on the other side, or move: the same oscillator written in other coordinates.
+
+use grazing_description::{Description, Side};
+use grazing_model::smooth::SmoothOscillator;
+
+/// A description with this motion, whose parameters are `B` and `omega` and whose only constants are `zeta` and `d`.
+fn described(force: &str, wall: &str) -> Result<Description, String> {
+    let text = format!(
+        "name = \"Test\"\n[parameters]\nzeta = 0.02\nd = 0.3\n[primary]\nname = \"B\"\nrange = [0.1, 1.5]\n[secondary]\nname = \"omega\"\n\
+         range = [0.4, 1.1]\n[motion]\nforce = \"{force}\"\nfrequency = \"omega\"\n{wall}\n[impact]\nrestitution = \"0.9\"\n\
+         duration = \"0\"\n[analysis]\nloops = [1]\nstart = [0.5, -0.25]\n"
+    );
+    Description::parse(&text, "test.toml").map_err(|error| error.to_string())
+}
+
+/// The greatest difference of the forces of two descriptions, as seen from their walls.
+fn difference(a: &Description, b: &Description) -> f64 {
+    let places = [[-1.3, 0.4, 0.9, 0.7, 0.8], [-0.01, -2.0, 5.3, 1.4, 0.45], [-3.0, 0.0, -1.2, 0.2, 1.05]];
+    let force = |of: &Description, [u, v, t, mu, eta]: [f64; 5]| of.force(u, v, t, mu, eta);
+    places.map(|place| (force(a, place) - force(b, place)).abs()).into_iter().fold(0.0, f64::max)
+}
+
+/// The paper's oscillator, its amplitude being B omega^2.
+const RESTING: &str = "-2*zeta*v - x - 1 + B*omega^2*cos(omega*t)";
+
+#[test]
+fn an_oscillator_whose_base_moves_with_its_wall_is_that_of_the_paper_with_the_force_of_inertia() {
+    let paper = described(RESTING, "").unwrap();
+    let moving = "[wall]\nposition = \"B*cos(omega*t)\"";
+    let base = described("-2*zeta*(v + B*omega*sin(omega*t)) - (x - B*cos(omega*t)) - 1", moving).unwrap();
+    assert!(difference(&paper, &base) < 1e-14);
+    // Coordinates lead there and back.
+    let (from, time, parameters) = ([-0.7, 0.2], 1.7, [0.9, 0.6]);
+    let outside = base.wall().outside(from, time, parameters);
+    assert!((outside[0] - (-0.7 + 0.9 * libm::cos(0.6 * 1.7))).abs() < 1e-15);
+    let back = base.wall().inside(outside, time, parameters);
+    assert!((back[0] - from[0]).abs() + (back[1] - from[1]).abs() < 1e-15);
+    // The start is seen from the wall in the middle of the ranges.
+    let [u, v] = base.start().unwrap();
+    assert!((u + 0.3).abs() < 1e-15 && v == -0.25, "{u} {v}");
+}
+
+#[test]
+fn above_the_wall_is_below_it_upside_down() {
+    let paper = described(RESTING, "").unwrap();
+    let above =
+        described("-2*zeta*v - x + 1 - B*omega^2*cos(omega*t)", "[wall]\nposition = \"0\"\nside = \"above\"")
+            .unwrap();
+    assert_eq!(above.wall().side(), Side::Above);
+    assert_eq!(difference(&paper, &above), 0.0);
+    assert_eq!(above.start(), Some([-0.5, 0.25]));
+    let shifted =
+        described("-2*zeta*v - (x - d) - 1 + B*omega^2*cos(omega*t)", "[wall]\nposition = \"d\"").unwrap();
+    assert!(difference(&paper, &shifted) < 1e-15);
+}
+
+#[test]
+fn what_is_wrong_with_a_wall_is_told_with_its_key() {
+    let told = |wall: &str| described(RESTING, wall).unwrap_err();
+    for (wall, words) in [
+        ("[wall]\nside = \"above\"", ["wall.position", "missing"]),
+        ("[wall]\nposition = \"0\"\nside = \"left\"", ["wall.side", "\"below\""]),
+        ("[wall]\nposition = \"cos(0.5*omega*t)\"", ["wall.position", "not periodic"]),
+        ("[wall]\nposition = \"x\"", ["wall.position", "cannot be used here"]),
+        ("[wall]\nposition = \"ln(B - 0.1)\"", ["wall.position", "must be a finite number"]),
+        ("[wall]\nposition = 0.1", ["wall.position", "in quotation marks"]),
+    ] {
+        let message = told(wall);
+        assert!(words.iter().all(|word| message.contains(word)), "{wall}: {message}");
+    }
+}
