@@ -1,6 +1,7 @@
 //! A one-parameter bifurcation diagram: branches, attractor and bifurcations on one panel of Figure 2.
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::Names;
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
 
 use crate::DrawingError;
@@ -8,7 +9,6 @@ use crate::axes::Panel;
 use crate::cloud::draw_cloud;
 use crate::kinds::{label, pen, text_colour};
 use crate::labels::{Labels, Wanted};
-use crate::plane::Plane;
 use crate::sheet::{Bounds, Spot, length};
 use crate::style::{
     LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, SMALL_LABEL_SIZE, STABLE_WIDTH, THRESHOLD, UNSTABLE_WIDTH,
@@ -46,11 +46,11 @@ pub(crate) fn diagram(
     cloud: &[(f64, f64)],
     every_loop: bool,
 ) -> Result<(), DrawingError> {
-    for level in panel.line(&[(panel.window.x[0], 0.0), (panel.window.x[1], 0.0)], THRESHOLD) {
+    for level in panel.line(&[(panel.frame.x[0], 0.0), (panel.frame.x[1], 0.0)], THRESHOLD) {
         labels.placer.keep_off_nameless(&level);
     }
     draw_cloud(panel, cloud);
-    labels.placer.avoid(cloud.iter().filter(|&&p| panel.window.contains(p)).map(|&p| panel.spot(p)));
+    labels.placer.avoid(cloud.iter().filter(|&&p| panel.frame.contains(p)).map(|&p| panel.spot(p)));
     let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();
     for branch in branches {
         for piece in branch_pieces(panel, branch) {
@@ -62,12 +62,12 @@ pub(crate) fn diagram(
             }
         }
     }
-    let grazing = Plane::of_the_paper().grazing;
+    let grazing = Names::of_the_paper().grazing_title();
     let mut named: Vec<(Bifurcation, u32)> = Vec::new();
     let visible: Vec<(Bifurcation, u32, (f64, f64))> = bifurcations
         .iter()
         .map(|found| (found.kind, found.loops, (found.primary, found.x)))
-        .filter(|(_, _, point)| panel.window.contains(*point))
+        .filter(|(_, _, point)| panel.frame.contains(*point))
         .collect();
     for &(kind, _, point) in &visible {
         let spot = panel.spot(point);
@@ -107,15 +107,16 @@ fn branch_pieces(panel: &Panel<'_>, branch: &Branch) -> Vec<Vec<Spot>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use grazing_results::Frame;
+
     use crate::canvas::Canvas;
-    use crate::clip::Window;
 
     #[test]
     fn stability_shows_in_the_width_and_leaves_no_gap() {
         let panel_points = |points: &[Vec<Spot>]| points.iter().map(Vec::len).collect::<Vec<_>>();
         let canvas = Canvas::new(100.0, 100.0).unwrap();
         let bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
-        let panel = Panel::new(&canvas, Window { x: [0.0, 3.0], y: [-1.0, 1.0] }, bounds);
+        let panel = Panel::new(&canvas, Frame { x: [0.0, 3.0], y: [-1.0, 1.0] }, bounds);
         let branch = Branch {
             p: 2,
             points: vec![(0.0, 0.0), (1.0, 0.1), (2.0, 0.4), (3.0, 0.9)],

@@ -218,7 +218,8 @@ impl Canvas {
             self.backend.borrow().body(),
         );
         if document.len() > SIZE_LIMIT {
-            return Err(DrawingError::TooLarge { figure, bytes: document.len(), limit: SIZE_LIMIT });
+            let bytes = document.len();
+            return Err(DrawingError(format!("{figure} came to {bytes} bytes; the limit is {SIZE_LIMIT}")));
         }
         Ok(document)
     }

@@ -1,11 +1,11 @@
 //! What stands over a magnified panel: its letter, its resonance, and the coefficients.
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::plane::MagnifiedPanel;
 
 use crate::DrawingError;
 use crate::canvas::{Anchor, Canvas};
 use crate::font::Fonts;
-use crate::magnifications::MagnifiedPanel;
 use crate::magnified::panel_letter;
 use crate::markup::Label;
 use crate::panel_grid::{HEADING_LEADING, SUBHEADING_LEADING};

@@ -1,11 +1,11 @@
 //! Figure 4: the boundaries g_p and h_p in the trapesium.
 
-use grazing_results::sketches::{Boundary, BoundaryPoint, Star};
+use grazing_results::Frame;
+use grazing_results::sketches::{Boundary, BoundaryPoint, Figure4};
 
 use crate::DrawingError;
 use crate::axes::{Marker, Panel};
 use crate::canvas::{Anchor, Canvas};
-use crate::clip::Window;
 use crate::labels::{Labels, Wanted};
 use crate::markup::Label;
 use crate::placement::side_by_side;
@@ -45,29 +45,22 @@ impl Curve {
 const WIDTH_MM: f64 = 120.0;
 const HEIGHT_MM: f64 = 74.0;
 /// The trapesium with a little room at its sharp corners.
-const WINDOW: Window = Window { x: [-2.12, 2.12], y: [0.0, 1.0] };
+const SHOWN: Frame = Frame { x: [-2.12, 2.12], y: [0.0, 1.0] };
 /// Room above the panel: leaders, and the names of the curves.
 const NAMES_ABOVE: f64 = 10.0;
 /// Least gap between two names, in points.
 const NAME_GAP: f64 = 3.0;
 
-/// Draws Figure 4, fig:D of the paper.
-///
-/// Points that follow each other with equal kind and p are one curve; the trapesium is a closed outline, every other curve ends on its
-/// top side. Marked is the grazing bifurcation of Figure 2.
+/// Draws Figure 4. Paper: fig:D.
 ///
 /// # Errors
 /// None for rows as the reproduction makes them.
-pub fn draw_fig04(
-    curves: &[BoundaryPoint],
-    points: &[Star],
-    width: SheetWidth,
-) -> Result<String, DrawingError> {
-    let curves = shown_curves(curves);
+pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<String, DrawingError> {
+    let curves = shown_curves(&figure.curves);
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let bounds = Bounds { left: 37.0, top: 23.0, right: canvas.width - 12.0, bottom: canvas.height - 30.0 };
-    let panel = Panel::new(&canvas, WINDOW, bounds);
+    let panel = Panel::new(&canvas, SHOWN, bounds);
     let mut labels = Labels::new(&canvas, bounds);
 
     for curve in curves.iter().filter(|curve| curve.family == Boundary::Trapesium) {
@@ -80,7 +73,7 @@ pub fn draw_fig04(
     }
     panel.axes(r"$\tau$", r"$\delta$")?;
     name_above(&panel, &curves)?;
-    for point in points.iter().map(|point| (point.tau, point.delta)) {
+    for point in figure.points.iter().map(|point| (point.tau, point.delta)) {
         if let Some(taken) = panel.marker(point, Marker::Star) {
             labels.placer.block(taken);
             let reach = 0.5 * (taken.right - taken.left);
@@ -115,7 +108,7 @@ fn name_above(panel: &Panel<'_>, curves: &[Curve]) -> Result<(), DrawingError> {
     }
     let mut names: Vec<Name<'_>> = Vec::new();
     for curve in curves.iter().filter(|curve| curve.family != Boundary::Trapesium) {
-        let Some(&end) = curve.points.last().filter(|&&end| panel.window.contains(end)) else {
+        let Some(&end) = curve.points.last().filter(|&&end| panel.frame.contains(end)) else {
             continue;
         };
         let before = curve.points[curve.points.len() * 19 / 20];
@@ -149,20 +142,13 @@ fn shown_curves(points: &[BoundaryPoint]) -> Vec<Curve> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::samples::{integer, known, number, written};
+    use crate::samples::study;
 
     #[test]
     fn every_curve_is_named_and_families_differ_without_colour() {
-        let point = |row: &Vec<String>| BoundaryPoint {
-            kind: known(&row[0], Boundary::ALL, Boundary::name),
-            loops: integer(&row[1]),
-            tau: number(&row[2]),
-            delta: number(&row[3]),
-        };
-        let rows: Vec<BoundaryPoint> = written("fig04_curves").iter().map(point).collect();
-        let star = Star { kind: "fig02", tau: -0.25, delta: 0.7 };
-        let svg = draw_fig04(&rows, &[star], SheetWidth::Paper).unwrap();
-        let curves = shown_curves(&rows);
+        let figure = study().fig04().unwrap();
+        let svg = draw_fig04(&figure, SheetWidth::Paper).unwrap();
+        let curves = shown_curves(&figure.curves);
         for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
             let own = curves.iter().filter(|curve| curve.family == kind);
             assert_eq!(svg.matches(&format!(">{family}</tspan>")).count(), own.clone().count());

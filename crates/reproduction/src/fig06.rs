@@ -6,8 +6,7 @@
 
 mod shapes;
 
-use grazing_results::sketches::{Part, PartPoint};
-use grazing_results::tables;
+use grazing_results::sketches::{Figure6, Part, PartPoint};
 
 use crate::diagram::forced;
 use crate::{Study, StudyError};
@@ -38,14 +37,6 @@ mod lengths {
     pub(super) const AXIS_HEIGHT: f64 = -0.34;
     pub(super) const TICK: f64 = 0.07;
     pub(super) const AXIS_BEYOND_WALL: f64 = 0.42;
-}
-
-tables! {
-    /// What Figure 6 shows.
-    Figure6 {
-        /// The parts of the drawing as polylines of (x, height); outlines end where they begin.
-        parts: PartPoint = "fig06_parts", "a point of the drawing",
-    }
 }
 
 impl Study<'_> {

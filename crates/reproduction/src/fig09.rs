@@ -1,11 +1,11 @@
 //! Figure 9 (fig:Bb): an impact and the points on Σ and Π that it defines, for p loops.
 
-use grazing_model::maps::{global_map, virtual_map};
+use grazing_model::maps::{MapError, global_map, virtual_map};
 use grazing_model::motion::{Motion, first_rest};
 use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, OnWall, State};
-use grazing_results::space::{CurveKind, Mark, MarkKind, SurfaceKind};
+use grazing_results::space::{CurveKind, Mark, MarkKind, Scene, SurfaceKind};
 
-use crate::space::{Drawn, Scene, Space, axes, line, outline, trajectory};
+use crate::space::{Drawn, Space, axes, line, outline, trajectory};
 use crate::{Study, StudyError, parameters};
 
 /// The points of Figure 9, phases near z_graz.
@@ -22,7 +22,7 @@ struct Marks {
 
 impl Marks {
     fn compute(oscillator: &LinearOscillator, impact: State, loops: u32) -> Result<Self, StudyError> {
-        let failed = |source| StudyError::Map { figure: 9, source };
+        let failed = |reason: MapError| StudyError::Failed(format!("figure 9: {reason}"));
         let reset = oscillator.reset::<1>(OnWall::new(impact.velocity, impact.phase)).value;
         let recoil = State::on_wall(reset[0], reset[1]);
         let virtual_point = |from: State| {
@@ -59,7 +59,8 @@ impl Study<'_> {
         let marks = Marks::compute(&oscillator, State::on_wall(velocity, origin + phase), shown.loops)?;
         let space = Space::new(&shown.view, None);
         let curves = curves(&space, &oscillator, &marks, shown.position[0]);
-        Ok(Scene::new(Scene::FIG09, curves, points(&space, &marks), surfaces(&space, shown, origin)))
+        let surfaces = surfaces(&space, shown, origin).vertices;
+        Ok(Scene { plans: Scene::FIG09, curves: curves.vertices, points: points(&space, &marks), surfaces })
     }
 }
 
