@@ -5,7 +5,6 @@ use std::path::Path;
 
 use grazing_description::DescriptionError;
 use grazing_reproduction::parameters::ParameterError;
-use grazing_reproduction::published::PublishedError;
 
 /// A failure, with what is printed for it: one line, and where an expression is wrong the expression with a mark.
 #[derive(Debug)]
@@ -91,11 +90,5 @@ impl From<ParameterError> for Failure {
 impl From<DescriptionError> for Failure {
     fn from(error: DescriptionError) -> Self {
         Self::input(error.to_string())
-    }
-}
-
-impl From<PublishedError> for Failure {
-    fn from(error: PublishedError) -> Self {
-        Self::incomplete(error.to_string())
     }
 }

@@ -22,7 +22,7 @@ use crate::outputs::{self, Made};
 use crate::progress::Display;
 use crate::reproduce::start_threads;
 use crate::{claims, project, terminal};
-use oscillators::Source;
+use oscillators::OscillatorFile;
 
 /// Computes everything and writes the page.
 ///
@@ -35,7 +35,7 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     let parameters = project::parameters(&arguments.parameters)?;
     outputs::refuse_malformed(outputs::ALL.iter(), &parameters)?;
     let (folder, name) = place(&arguments.output)?;
-    let sources = Source::all(project::root().as_deref(), &arguments.oscillators)?;
+    let sources = OscillatorFile::all(project::root().as_deref(), &arguments.oscillators)?;
     if let Some(jobs) = arguments.jobs {
         start_threads(jobs)?;
     }
@@ -74,7 +74,7 @@ fn assemble<'a>(
     ledger: &'a Ledger,
     parameter_file: &Path,
     parameters: &Parameters,
-    oscillators: &[Source],
+    oscillators: &[OscillatorFile],
     page_folder: &Path,
 ) -> Result<grazing_report::Report<'a>, Failure> {
     let display = Display::new();

@@ -13,6 +13,7 @@ use grazing_results::tables;
 use grazing_theorems::ResonantPoint;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
+use grazing_unfold::resonances::Resonance;
 use grazing_unfold::sides::{Simulated, simulate};
 use grazing_unfold::stop::{Stop, Stoppable, Unfinished};
 use grazing_unfold::units::InUnits;
@@ -60,11 +61,26 @@ pub struct AtResonance {
     pub magnified: Vec<Polyline>,
 }
 
-impl AtResonance {
-    /// What is known of the SN or the PD curve: its coefficient, and the motion beside it.
-    pub fn beside(&self, kind: Bifurcation) -> (&Coefficient, &Simulated) {
-        let both = self.coefficients.as_ref().zip(self.sides.as_ref());
-        if kind == Bifurcation::PeriodDoubling { both.period_doubling } else { both.saddle_node }
+/// What is known of an SN or PD curve: its coefficient, and the motion beside it.
+pub type Known = (Coefficient, Simulated);
+
+/// A resonant grazing bifurcation with what came of it, in the oscillator's own units.
+#[derive(Clone, Debug)]
+pub struct ResonanceEntry {
+    /// Number of loops p.
+    pub loops: u32,
+    /// The integer n.
+    pub n: u32,
+    /// Primary and secondary parameter.
+    pub parameters: [f64; 2],
+    /// What is known of its curves; where the theorem does not apply the hypotheses that fail, with the values of their quantities.
+    pub finding: Result<Pair<Known>, Vec<(String, f64)>>,
+}
+
+impl ResonanceEntry {
+    /// What is known of the SN and the PD curve, if the theorem applies.
+    pub fn curves(&self) -> Option<[(Bifurcation, &Known); 2]> {
+        Some(self.finding.as_ref().ok()?.as_ref().named())
     }
 }
 
@@ -162,6 +178,25 @@ impl<O: ImpactOscillator> Unfolded<O> {
             diagram.unfinished.push(Unfinished::stage(ALONG));
         }
         Ok(Self { axes, diagram, resonances, along })
+    }
+
+    /// All resonances, in the order in which they were found.
+    pub fn entries(&self) -> Vec<ResonanceEntry> {
+        let units = &self.axes.units;
+        // Those with a theorem are measured in the order of the list.
+        let mut measured = self.resonances.iter();
+        let entry = |resonance: &Resonance<O>| {
+            let finding = match &resonance.theorem {
+                Ok(_) => measured.next().map(|at| Ok(at.coefficients.zip(at.sides)))?,
+                Err(violated) => {
+                    let failing = violated.violated();
+                    Err(failing.map(|failing| (failing.statement(), failing.in_units(units).value)).collect())
+                }
+            };
+            let parameters = units.parameters(resonance.located.orbit().oscillator().parameters());
+            Some(ResonanceEntry { loops: resonance.loops, n: resonance.n, parameters, finding })
+        };
+        self.diagram.resonances.iter().filter_map(entry).collect()
     }
 
     /// Everything as rows.
