@@ -4,11 +4,11 @@ use core::f64::consts::TAU;
 
 use grazing_model::motion::highest_maximum;
 use grazing_model::orbit::{FlightEnd, Orbit};
-use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
+use grazing_model::{ImpactOscillator, LinearOscillator, State};
 use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
 
 use crate::parameters::Arrival;
-use crate::space::{Drawn, Space, axes, line, outline, trajectory};
+use crate::space::{Drawn, Space, axes, line, outline, recoil, trajectory};
 use crate::{Study, StudyError};
 
 /// Positions x that the axis of x reaches; nothing else depends on it.
@@ -99,8 +99,7 @@ fn fly(
         if impacts.is_empty() && missed > SAME {
             return Err(unreachable_arrival(arrival));
         }
-        let reset = oscillator.reset::<1>(OnWall::new(impact.velocity, impact.phase)).value;
-        let recoil = State::on_wall(reset[0], reset[1]);
+        let recoil = recoil(oscillator, impact);
         curves.curve(CurveKind::Reset, &line(impact, recoil));
         impacts.push((impact, recoil));
     }

@@ -6,7 +6,7 @@
 //! are split where they pass from one side to another.
 
 use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
 use grazing_results::space::{Mark, MarkKind, SurfaceKind, Vertex};
 
 use crate::parameters::View;
@@ -88,6 +88,12 @@ impl Space {
         let State { position: x, velocity: y, phase: z } = state;
         Mark { kind, number, layer: self.layer_before(state), x, y, z, across, up, depth }
     }
+}
+
+/// Where the reset law leads from an impact.
+pub(crate) fn recoil(oscillator: &LinearOscillator, impact: State) -> State {
+    let reset = oscillator.reset::<1>(OnWall::new(impact.velocity, impact.phase)).value;
+    State::on_wall(reset[0], reset[1])
 }
 
 /// The motion from a state between two times of either sign, sampled, the wall ignored.

@@ -7,7 +7,7 @@ use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
-use grazing_model::smooth::{Dimensionless, Integrated};
+use grazing_model::smooth::{Dimensionless, Integrated, Units};
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
 use grazing_results::tables;
 use grazing_theorems::ResonantPoint;
@@ -36,7 +36,7 @@ pub struct Unfolded<O> {
     pub diagram: Diagram<O>,
     /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`]; in the oscillator's own units.
     pub resonances: Vec<AtResonance>,
-    /// What depends on p along the grazing curves, for one p after the other; without dimensions.
+    /// What depends on p along the grazing curves, for one p after the other; in the oscillator's own units.
     along: Vec<Along>,
 }
 
@@ -173,7 +173,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
         progress.end(what);
         let (resonances, unfinished): (Vec<_>, Vec<_>) = resonances.into_iter().unzip();
         diagram.unfinished.extend(unfinished.into_iter().flatten());
-        let along = along(&diagram, progress);
+        let along = along(&diagram, &units, progress);
         if progress.stopped() {
             diagram.unfinished.push(Unfinished::stage(ALONG));
         }
@@ -204,7 +204,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
         let magnified = self.resonances.iter().map(|at| (at.loops, at.n, at.magnified.as_slice()));
         Rows {
             grazing: tables::grazing(self),
-            grazing_loops: tables::grazing_loops(self),
+            grazing_loops: self.along.clone(),
             curves: plane::curves(&self.axes, &self.diagram),
             points: plane::points(&self.axes, &self.diagram),
             regions: plane::regions(&self.axes, &self.diagram.regions),
@@ -244,7 +244,7 @@ tables! {
 const ALONG: &str = "quantities along the grazing curve";
 
 /// What depends on p at each point of the grazing curves; nothing if an end was asked for.
-fn along<O: ImpactOscillator>(diagram: &Diagram<O>, progress: &dyn Progress) -> Vec<Along> {
+fn along<O: ImpactOscillator>(diagram: &Diagram<O>, units: &Units, progress: &dyn Progress) -> Vec<Along> {
     let states = (0..)
         .zip(&diagram.grazing)
         .flat_map(|(arc, curve)| curve.states.iter().map(move |state| (arc, state)));
@@ -254,8 +254,9 @@ fn along<O: ImpactOscillator>(diagram: &Diagram<O>, progress: &dyn Progress) -> 
     for &loops in &diagram.scope.loops {
         // Where an iterate of P_global has no maximum near Π there is nothing to tell.
         let found = states.par_iter().filter_map(|(arc, state)| {
-            let parameters = state.orbit.oscillator().parameters();
-            Some(Along { arc: *arc, parameters, point: state.orbit.resonant_point(loops).ok()? })
+            let parameters = units.parameters(state.orbit.oscillator().parameters());
+            let point = state.orbit.resonant_point(loops).ok()?.in_units(units);
+            Some(Along { arc: *arc, parameters, point })
         });
         all.extend(found.collect::<Vec<_>>());
         progress.step(ALONG);
