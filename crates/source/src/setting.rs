@@ -13,43 +13,30 @@ pub struct Setting {
     value: String,
 }
 
-/// What was written is no setting.
+/// What was written is no setting, and why not.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum SettingError {
-    /// There is no key with a value.
-    #[error("write KEY=VALUE, as oscillator.zeta=0.05 or analysis.loops=[1,2]")]
-    NoAssignment,
-    /// The key has an empty part or a member number that is none.
-    #[error(
-        "{key} is no key: parts are joined by dots, members of lists counted from 1, as fig08.panels[2].n"
-    )]
-    Key {
-        /// What stands there.
-        key: String,
-    },
-    /// The value is no TOML.
-    #[error(
-        "{value} is not a value: write a number, true, a list [1, 2], or text \"in quotation marks\", with apostrophes about the whole so that the shell leaves the quotation marks: 'name=\"my oscillator\"'"
-    )]
-    Value {
-        /// What stands there.
-        value: String,
-    },
-}
+#[error("{0}")]
+pub struct SettingError(String);
 
 impl FromStr for Setting {
     type Err = SettingError;
 
     fn from_str(written: &str) -> Result<Setting, SettingError> {
-        let (key, value) = written.split_once('=').ok_or(SettingError::NoAssignment)?;
+        let (key, value) = written.split_once('=').ok_or_else(|| {
+            SettingError("write KEY=VALUE, as oscillator.zeta=0.05 or analysis.loops=[1,2]".to_owned())
+        })?;
         let (key, value) = (key.trim().to_owned(), value.trim().to_owned());
         if steps(&key).is_none() {
-            return Err(SettingError::Key { key });
+            return Err(SettingError(format!(
+                "{key} is no key: parts are joined by dots, members of lists counted from 1, as fig08.panels[2].n"
+            )));
         }
         // A line end could bring in keys that nobody asks about.
         let single = padded(&value, ASSIGNED.len());
         if value.contains(['\n', '\r']) || parsed(&single).is_none() {
-            return Err(SettingError::Value { value });
+            return Err(SettingError(format!(
+                "{value} is not a value: write a number, true, a list [1, 2], or text \"in quotation marks\", with apostrophes about the whole so that the shell leaves the quotation marks: 'name=\"my oscillator\"'"
+            )));
         }
         Ok(Setting { key, value })
     }
