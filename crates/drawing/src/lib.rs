@@ -59,5 +59,6 @@ pub use fig06::draw_fig06;
 pub use fig10::draw_fig10;
 pub use font::FONT_FILES;
 pub use magnifications::{Magnifications, draw_fig08, draw_magnifications};
+pub use sheet::Bounds;
 pub use space::{draw_fig01, draw_fig03, draw_fig09};
 pub use style::SheetWidth;

@@ -81,7 +81,7 @@ fn labels_have_ink_within_their_boxes_and_scripts_their_rise_and_fall() {
     let texts = figure.texts();
     let words: Vec<&str> = texts.iter().map(|text| text.text.as_str()).collect();
     assert_eq!(words, ["cSN = 12", "𝒜"]);
-    let has_ink = |b: &grazing_export::Bounds| {
+    let has_ink = |b: &grazing_drawing::Bounds| {
         let steps = |from: f64, to: f64| (0..=40).map(move |i| from + (to - from) * f64::from(i) / 40.0);
         steps(b.left, b.right).any(|x| steps(b.top, b.bottom).any(|y| picture.at(x, y)[0] < 128))
     };
