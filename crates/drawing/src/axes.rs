@@ -1,4 +1,4 @@
-//! A panel: a frame of data space on a rectangle of the sheet, with its frame, ticks, numbers and axis titles.
+//! A panel: a rectangle of data space on one of the sheet, with border, ticks, numbers and axis titles.
 
 use std::fmt::Write;
 
@@ -21,7 +21,7 @@ use crate::style::{
 };
 use crate::svg::{escape, in_hundredths, points};
 
-/// A frame of data space laid over a rectangle of the sheet.
+/// A rectangle of data space laid over one of the sheet.
 pub(crate) struct Panel<'c> {
     pub(crate) canvas: &'c Canvas,
     pub(crate) frame: Frame,
@@ -182,7 +182,7 @@ impl<'c> Panel<'c> {
         ));
     }
 
-    /// Frame, outward ticks, numbers and axis titles; an empty title is left out.
+    /// Border, outward ticks, numbers and axis titles; an empty title is left out.
     pub(crate) fn axes(&self, x_title: &str, y_title: &str) -> Result<(), DrawingError> {
         let (Bounds { left, top, right, bottom }, canvas) = (self.bounds, self.canvas);
         self.mark([x_title, y_title]);
@@ -222,13 +222,13 @@ impl<'c> Panel<'c> {
         let y_title = &y_numbers.title(y_title);
         let edge = left - TICK_LENGTH - 2.0 * TICK_GAP - reach - 1.0;
         let extent = canvas.fonts.measure(&Label::parse(y_title)?, TITLE_SIZE)?;
-        if extent.width > WIDEST_LEVEL_TITLE {
-            let size = title_size(canvas, y_title, bottom - top)?;
-            canvas.text_upwards((edge - extent.descent, 0.5 * (top + bottom)), y_title, size, BLACK)
+        let middle = 0.5 * (top + bottom);
+        let (spot, size, anchor) = if extent.width > WIDEST_LEVEL_TITLE {
+            ((edge - extent.descent, middle), title_size(canvas, y_title, bottom - top)?, Anchor::Upwards)
         } else {
-            let beside = (edge, 0.5 * (top + bottom) + 0.25 * TITLE_SIZE);
-            canvas.text(beside, y_title, TITLE_SIZE, Anchor::End, BLACK)
-        }
+            ((edge, middle + 0.25 * TITLE_SIZE), TITLE_SIZE, Anchor::End)
+        };
+        canvas.text(spot, y_title, size, anchor, BLACK)
     }
 }
 

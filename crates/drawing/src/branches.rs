@@ -15,20 +15,20 @@ use crate::style::{
     branch_pen,
 };
 
-/// A branch of Figure 2: one loop of a solution as the amplitude changes.
-pub(crate) struct Branch {
+/// A strand of a branch of Figure 2: one loop of a solution as the amplitude changes.
+pub(crate) struct Strand {
     p: u32,
     points: Vec<(f64, f64)>,
     stable: Vec<bool>,
 }
 
-impl Branch {
-    /// Branches from their points: those that follow each other with equal p and branch are one; inadmissible ones become gaps.
+impl Strand {
+    /// Strands from their points: those that follow each other with equal p and branch are one; inadmissible ones become gaps.
     pub(crate) fn all(points: &[BranchPoint]) -> Vec<Self> {
         let place = |point: &BranchPoint| {
             if point.admissible { (point.primary, point.x) } else { (f64::NAN, f64::NAN) }
         };
-        let branch = |points: &[BranchPoint]| Branch {
+        let branch = |points: &[BranchPoint]| Strand {
             p: points[0].loops,
             points: points.iter().map(place).collect(),
             stable: points.iter().map(|point| point.stable).collect(),
@@ -41,7 +41,7 @@ impl Branch {
 pub(crate) fn diagram(
     panel: &Panel<'_>,
     mut labels: Labels<'_>,
-    branches: &[Branch],
+    branches: &[Strand],
     bifurcations: &[BranchBifurcation],
     cloud: &[(f64, f64)],
     every_loop: bool,
@@ -91,7 +91,7 @@ pub(crate) fn diagram(
 }
 
 /// Draws a branch, thick where stable and thin where unstable, without gaps between; returns what was drawn.
-fn branch_pieces(panel: &Panel<'_>, branch: &Branch) -> Vec<Vec<Spot>> {
+fn branch_pieces(panel: &Panel<'_>, branch: &Strand) -> Vec<Vec<Spot>> {
     let mut pieces = Vec::new();
     let mut start = 0;
     for run in branch.stable.chunk_by(|a, b| a == b) {
@@ -117,7 +117,7 @@ mod tests {
         let canvas = Canvas::new(100.0, 100.0).unwrap();
         let bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
         let panel = Panel::new(&canvas, Frame { x: [0.0, 3.0], y: [-1.0, 1.0] }, bounds);
-        let branch = Branch {
+        let branch = Strand {
             p: 2,
             points: vec![(0.0, 0.0), (1.0, 0.1), (2.0, 0.4), (3.0, 0.9)],
             stable: vec![false, false, true, true],

@@ -127,6 +127,7 @@ pub(crate) fn clip_polygon(frame: &Frame, vertices: &[(f64, f64)]) -> Vec<(f64, 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sheet::area;
 
     #[test]
     fn hatching_lies_inside_and_spares_holes() {
@@ -177,11 +178,6 @@ mod tests {
         ] {
             assert_eq!(clip_polyline(&UNIT, &line), pieces);
         }
-    }
-
-    fn area(polygon: &[(f64, f64)]) -> f64 {
-        let next = polygon.iter().cycle().skip(1);
-        0.5 * polygon.iter().zip(next).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<f64>()
     }
 
     #[test]

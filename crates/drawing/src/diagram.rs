@@ -8,7 +8,7 @@ use crate::DrawingError;
 use crate::axes::{Panel, overhang, room_beside};
 use crate::canvas::Canvas;
 use crate::clip::checked;
-use crate::kinds::{Curve, Region, draw_curves, draw_points};
+use crate::kinds::{Area, Trace, draw_curves, draw_points};
 use crate::labels::{Labels, Wanted};
 use crate::magnified::{letter, rectangle};
 use crate::sheet::{Bounds, Spot, area};
@@ -56,9 +56,6 @@ const LABELLED_LENGTH: f64 = 42.0;
 pub(crate) const OFF_TRIANGLE: f64 = 5.4;
 
 /// Draws Figure 7. Paper: fig:G.
-///
-/// # Errors
-/// [`DrawingError`] if a frame is empty.
 pub fn draw_fig07(figure: &Figure7, width: SheetWidth) -> Result<String, DrawingError> {
     let diagram = Diagram {
         name: "fig07",
@@ -79,9 +76,6 @@ pub fn draw_fig07(figure: &Figure7, width: SheetWidth) -> Result<String, Drawing
 }
 
 /// Draws a two-parameter bifurcation diagram; returns the text of an SVG file.
-///
-/// # Errors
-/// [`DrawingError`] if a frame is empty.
 pub fn draw_diagram(diagram: &Diagram<'_>, width: SheetWidth) -> Result<String, DrawingError> {
     compose(diagram, width)?.finish(diagram.name, diagram.title, diagram.description)
 }
@@ -101,7 +95,7 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
     let mut labels = Labels::new(&canvas, bounds);
 
     let mut shapes: Vec<(u32, Vec<Spot>)> = Vec::new();
-    for region in Region::all(diagram.regions) {
+    for region in Area::all(diagram.regions) {
         let shape = region.draw(&panel);
         if region.kind == RegionKind::Mps && !shape.is_empty() {
             shapes.push((region.p, shape));
@@ -167,7 +161,7 @@ fn by_area(shapes: &[(u32, Vec<Spot>)]) -> Vec<(u32, &[Spot])> {
     sorted
 }
 
-fn shown_curves(points: &[CurvePoint]) -> Vec<Curve> {
+fn shown_curves(points: &[CurvePoint]) -> Vec<Trace> {
     let place = |point: &CurvePoint| (point.kind, point.loops, point.n, point.arc);
     let curve = |points: &[CurvePoint]| {
         let last = points.len() - 1;
@@ -177,7 +171,7 @@ fn shown_curves(points: &[CurvePoint]) -> Vec<Curve> {
             let shown = point.admissible && (point.kind != Bifurcation::Grazing || stable);
             if shown { (point.primary, point.secondary) } else { (f64::NAN, f64::NAN) }
         });
-        Curve { kind: points[0].kind, approximate: false, points: spots.collect() }
+        Trace { kind: points[0].kind, approximate: false, points: spots.collect() }
     };
     points.chunk_by(|a, b| place(a) == place(b)).map(curve).collect()
 }

@@ -4,7 +4,7 @@ use grazing_results::branches::Figure2;
 
 use crate::DrawingError;
 use crate::axes::Panel;
-use crate::branches::{Branch, diagram};
+use crate::branches::{Strand, diagram};
 use crate::canvas::{Anchor, Canvas};
 use crate::clip::checked;
 use crate::labels::Labels;
@@ -46,7 +46,7 @@ pub fn draw_fig02(figure: &Figure2, width: SheetWidth) -> Result<String, Drawing
 pub(crate) fn compose(figure: &Figure2, width: SheetWidth) -> Result<Canvas, DrawingError> {
     let frame = checked(figure.frame, "fig02")?;
     let magnification = checked(figure.magnified, "the magnification of fig02")?;
-    let branches = Branch::all(&figure.branches);
+    let branches = Strand::all(&figure.branches);
     let cloud: Vec<(f64, f64)> = figure.attractor.iter().map(|point| (point.primary, point.x)).collect();
     let portraits = Portrait::all(&figure.portraits)?;
 

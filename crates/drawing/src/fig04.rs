@@ -15,13 +15,13 @@ use crate::style::{
     SheetWidth, admissibility_pen, resonance_pen,
 };
 
-struct Curve {
+struct BoundaryCurve {
     family: Boundary,
     p: u32,
     points: Vec<(f64, f64)>,
 }
 
-impl Curve {
+impl BoundaryCurve {
     fn pen(&self) -> Pen {
         match self.family {
             Boundary::Trapesium => OUTLINE,
@@ -52,9 +52,6 @@ const NAMES_ABOVE: f64 = 10.0;
 const NAME_GAP: f64 = 3.0;
 
 /// Draws Figure 4. Paper: fig:D.
-///
-/// # Errors
-/// None for rows as the reproduction makes them.
 pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<String, DrawingError> {
     let curves = shown_curves(&figure.curves);
 
@@ -98,13 +95,13 @@ pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<String, Drawing
 }
 
 /// Names the curves in a row above their upper ends.
-fn name_above(panel: &Panel<'_>, curves: &[Curve]) -> Result<(), DrawingError> {
+fn name_above(panel: &Panel<'_>, curves: &[BoundaryCurve]) -> Result<(), DrawingError> {
     struct Name<'a> {
         text: String,
         end: Spot,
         /// Where the curve comes from, for curves that end in one point.
         before: f64,
-        curve: &'a Curve,
+        curve: &'a BoundaryCurve,
     }
     let mut names: Vec<Name<'_>> = Vec::new();
     for curve in curves.iter().filter(|curve| curve.family != Boundary::Trapesium) {
@@ -130,8 +127,8 @@ fn name_above(panel: &Panel<'_>, curves: &[Curve]) -> Result<(), DrawingError> {
     Ok(())
 }
 
-fn shown_curves(points: &[BoundaryPoint]) -> Vec<Curve> {
-    let curve = |points: &[BoundaryPoint]| Curve {
+fn shown_curves(points: &[BoundaryPoint]) -> Vec<BoundaryCurve> {
+    let curve = |points: &[BoundaryPoint]| BoundaryCurve {
         family: points[0].kind,
         p: points[0].loops,
         points: points.iter().map(|point| (point.tau, point.delta)).collect(),
@@ -152,7 +149,7 @@ mod tests {
         for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
             let own = curves.iter().filter(|curve| curve.family == kind);
             assert_eq!(svg.matches(&format!(">{family}</tspan>")).count(), own.clone().count());
-            for Curve { p, .. } in own {
+            for BoundaryCurve { p, .. } in own {
                 assert!(svg.contains(&format!(">{p}</tspan>")), "{p}");
             }
         }

@@ -7,7 +7,7 @@ use crate::DrawingError;
 use crate::axes::{Marker, Panel};
 use crate::canvas::Canvas;
 use crate::clip::checked;
-use crate::kinds::{Curve, draw_curves, label, text_colour};
+use crate::kinds::{Trace, draw_curves, label, text_colour};
 use crate::labels::{Labels, Wanted};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
@@ -37,12 +37,9 @@ const WIDTH_MM: f64 = 64.0;
 const HEIGHT_MM: f64 = 58.0;
 
 /// Draws Figure 5. Paper: fig:E.
-///
-/// # Errors
-/// [`DrawingError`] if the frame is empty.
 pub fn draw_fig05(figure: &Figure5, width: SheetWidth) -> Result<String, DrawingError> {
     let frame = checked(figure.frame, "fig05")?;
-    let curve = |points: &[UnfoldingPoint]| Curve {
+    let curve = |points: &[UnfoldingPoint]| Trace {
         kind: points[0].kind,
         approximate: false,
         points: points.iter().map(|point| (point.mu, point.eta)).collect(),

@@ -27,9 +27,6 @@ const BELOW: f64 = 22.0;
 const ABOVE: f64 = 15.0;
 
 /// Draws Figure 6. Paper: fig:F.
-///
-/// # Errors
-/// [`DrawingError`] if the parts have no extent.
 pub fn draw_fig06(figure: &Figure6, width: SheetWidth) -> Result<String, DrawingError> {
     let (canvas, pieces) = on_sheet(&figure.parts, width.mm(WIDTH_MM))?;
     for piece in &pieces {

@@ -23,9 +23,6 @@ const MARGIN: [f64; 2] = [0.42, 0.14];
 const POINTED_LENGTH: f64 = 14.0;
 
 /// Draws Figure 10. Paper: fig:I.
-///
-/// # Errors
-/// [`DrawingError`] if the vertices span no area.
 pub fn draw_fig10(figure: &Figure10, width: SheetWidth) -> Result<String, DrawingError> {
     let vertices: Vec<(f64, f64)> = figure.path.iter().map(|visit| (visit.u, visit.w)).collect();
     let frame = Frame { x: extent(&vertices, |v| v.0, MARGIN[0]), y: extent(&vertices, |v| v.1, MARGIN[1]) };

@@ -11,7 +11,7 @@ use crate::canvas::Canvas;
 use crate::captions::Caption;
 use crate::clip::checked;
 use crate::font::Fonts;
-use crate::kinds::{Curve, Region, draw_curves, draw_points};
+use crate::kinds::{Area, Trace, draw_curves, draw_points};
 use crate::labels::Labels;
 use crate::panel_grid::Grid;
 use crate::style::SheetWidth;
@@ -69,9 +69,6 @@ pub fn draw_fig08(figure: &Figure8, width: SheetWidth) -> Result<String, Drawing
 ///
 /// Panels stand three in a row, on narrow sheets one above the other, three rows on a sheet: as many sheets are drawn as
 /// there have to be, all with about as many panels, none if there is no panel.
-///
-/// # Errors
-/// [`DrawingError`] if a frame is empty.
 pub fn draw_magnifications(
     figure: &Magnifications<'_>,
     width: SheetWidth,
@@ -130,7 +127,7 @@ fn draw_sheet(
 
 fn draw_panel(panel: &Panel<'_>, figure: &Magnifications<'_>, number: u32) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
-    for region in Region::all(figure.regions) {
+    for region in Area::all(figure.regions) {
         region.draw(panel);
     }
     let drawn = draw_curves(panel, &mut labels, curves(figure.curves, number));
@@ -140,9 +137,9 @@ fn draw_panel(panel: &Panel<'_>, figure: &Magnifications<'_>, number: u32) -> Re
 }
 
 /// The curves of a panel.
-fn curves(points: &[MagnifiedPoint], panel: u32) -> Vec<Curve> {
+fn curves(points: &[MagnifiedPoint], panel: u32) -> Vec<Trace> {
     let place = |point: &MagnifiedPoint| (point.panel, point.kind, point.source, point.arc);
-    let curve = |points: &[MagnifiedPoint]| Curve {
+    let curve = |points: &[MagnifiedPoint]| Trace {
         kind: points[0].kind,
         approximate: points[0].source == Source::Quadratic,
         points: points.iter().map(|point| (point.primary, point.secondary)).collect(),

@@ -73,25 +73,16 @@ pub(crate) const FIG09: SpaceSheet = SpaceSheet {
 };
 
 /// Draws Figure 1. Paper: fig:Bc.
-///
-/// # Errors
-/// [`DrawingError`] if a coordinate is not finite.
 pub fn draw_fig01(scene: &Scene, width: SheetWidth) -> Result<String, DrawingError> {
     FIG01.draw(scene, width)
 }
 
 /// Draws Figure 3. Paper: fig:Ba.
-///
-/// # Errors
-/// [`DrawingError`] if a coordinate is not finite.
 pub fn draw_fig03(scene: &Scene, width: SheetWidth) -> Result<String, DrawingError> {
     FIG03.draw(scene, width)
 }
 
 /// Draws Figure 9. Paper: fig:Bb.
-///
-/// # Errors
-/// [`DrawingError`] if a coordinate is not finite.
 pub fn draw_fig09(scene: &Scene, width: SheetWidth) -> Result<String, DrawingError> {
     FIG09.draw(scene, width)
 }
