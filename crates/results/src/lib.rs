@@ -24,7 +24,7 @@ pub mod sketches;
 pub mod space;
 mod table;
 
-pub use cell::Cell;
+pub use cell::{Cell, brief};
 pub use columns::Column;
 pub use frame::Frame;
 pub use names::{GREEK, Names, directs, symbol};

@@ -9,13 +9,14 @@ use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_reproduction::unfolded::{Known, ResonanceEntry};
+use grazing_results::brief;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::verdict::Verdict;
 
 use super::Analysis;
 use super::layout::{KEPT, aligned, headed, wrapped};
-use super::numbers::{brief, fixed, range, significant};
+use super::numbers::{fixed, range, significant};
 use super::reason::place;
 pub(super) use gaps::incomplete;
 use gaps::{missing, odd_ends, undecided, unfinished};
@@ -171,16 +172,16 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
 }
 
 /// An SN or PD curve with what is known of it, and the resonance that it leaves.
-type Curve<'a> = (&'a ResonanceEntry, Bifurcation, &'a Known);
+type CurveAt<'a> = (&'a ResonanceEntry, Bifurcation, &'a Known);
 
 /// The curves of all resonances at which a theorem applies.
-fn curves(entries: &[ResonanceEntry]) -> impl Iterator<Item = Curve<'_>> {
+fn curves(entries: &[ResonanceEntry]) -> impl Iterator<Item = CurveAt<'_>> {
     let unfolded = entries.iter().filter_map(|at| Some((at, at.curves()?)));
     unfolded.flat_map(|(at, curves)| curves.map(|(kind, known)| (at, kind, known)))
 }
 
 /// Why a coefficient was not measured or simulation is not as predicted; nothing if all is well.
-fn reasons(secondary: &str, (at, kind, (coefficient, simulated)): Curve<'_>) -> String {
+fn reasons(secondary: &str, (at, kind, (coefficient, simulated)): CurveAt<'_>) -> String {
     let verdict = coefficient.verdict();
     let mark = format!(
         "  p = {}, n = {}, {secondary} = {}, {}:  ",
@@ -224,7 +225,7 @@ pub(super) fn contradictions(entries: &[ResonanceEntry]) -> Vec<String> {
 }
 
 /// A row: one coefficient by the theorem, measured, and whether simulation agrees.
-fn coefficient((at, kind, (coefficient, simulated)): Curve<'_>) -> Vec<String> {
+fn coefficient((at, kind, (coefficient, simulated)): CurveAt<'_>) -> Vec<String> {
     let theorem = coefficient.theorem.value;
     let (measured, digits) = match coefficient.compared() {
         Some((value, digits)) => (significant(value, COEFFICIENT), digits.to_string()),

@@ -4,14 +4,13 @@ use std::f64::consts::TAU;
 
 use grazing_description::{Axis, Description};
 use grazing_model::smooth::{SmoothOscillator, Units};
+use grazing_results::brief;
 use grazing_unfold::escape::Escape;
 use grazing_unfold::non_impacting::Height;
 use grazing_unfold::regions::{Region, RegionKind};
 use grazing_unfold::stop::Unfinished;
 use grazing_unfold::units::InUnits;
 use grazing_unfold::{Diagram, UnfoldError};
-
-use super::numbers::brief;
 
 /// What was seen instead of grazing, and the remedy.
 pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
