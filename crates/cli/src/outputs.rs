@@ -215,7 +215,7 @@ impl Output {
         edition: &Edition,
     ) -> Result<(Made, Vec<MadeFile>), Failure> {
         (self.check)(&study.parameters)?;
-        let mut made = (self.make)(study, edition.width()).map_err(|error| self.failure(&*error))?;
+        let mut made = (self.make)(study, edition.size.columns).map_err(|error| self.failure(&*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
         let registered: Vec<&'static str> = self.tables.iter().map(|table| table.name).collect();
         if names != registered {

@@ -134,9 +134,6 @@ fn assemble<'a>(
         oscillators,
         missing,
         manifest: Manifest {
-            program: versions::program(),
-            rust: versions::rust(),
-            libraries: versions::libraries(),
             parameter_file: if default { project::PARAMETERS.to_owned() } else { file_name(parameter_file) },
             parameters: noted(
                 &grazing_source::read_file(parameter_file).map_err(ParameterError::from)?,
@@ -145,6 +142,7 @@ fn assemble<'a>(
             outputs: made,
             // Other parameters give other files than those that stand in the repository.
             folder: root.as_ref().filter(|_| default).map(|root| format!("{root}{}/", project::FIGURES)),
+            ..versions::manifest()
         },
         root,
     })

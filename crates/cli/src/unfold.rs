@@ -209,7 +209,7 @@ impl Task {
 
     /// Figures, tables and the page that shows them.
     fn files(&self, unfolded: &Analysis, edition: &Edition) -> Result<Vec<MadeFile>, Failure> {
-        let material = Material::new(&self.of, unfolded, edition.width())?;
+        let material = Material::new(&self.of, unfolded, edition.size.columns)?;
         let mut files = Vec::new();
         for (name, svg) in &material.figures {
             let made = edition.figure_files(name, svg.clone());

@@ -152,13 +152,11 @@ impl<'a> Material<'a> {
         let entry = self.entry();
         let report = Report {
             manifest: Manifest {
-                program: versions::program(),
-                rust: versions::rust(),
-                libraries: versions::libraries(),
                 parameter_file: entry.file.clone(),
                 parameters: self.of.text.clone(),
                 outputs,
                 folder: Some(String::new()),
+                ..versions::manifest()
             },
             oscillators: vec![entry],
             ..Report::default()
