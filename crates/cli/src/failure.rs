@@ -17,7 +17,8 @@ pub struct Failure {
 }
 
 impl Failure {
-    fn new(code: u8, reason: impl Into<String>) -> Self {
+    /// With this exit code.
+    pub(crate) fn new(code: u8, reason: impl Into<String>) -> Self {
         Self { code, output: None, reason: reason.into() }
     }
 
@@ -56,11 +57,6 @@ impl Failure {
         Self::incomplete(format!(
             "{missing} of {all} outputs could not be made, or not wholly, as told above; everything else is written"
         ))
-    }
-
-    /// Not all of several files, of which the first that failed did so with this exit code.
-    pub(crate) fn of_files(failing: usize, all: usize, code: u8) -> Self {
-        Self::new(code, format!("{failing} of {all} files failed, as told above"))
     }
 
     /// The exit code: 1 a check failed, 2 bad input, 3 the computation failed, 4 a file could not be read or written.

@@ -36,6 +36,8 @@ pub(crate) struct Made {
     pub(crate) gaps: Vec<String>,
 }
 
+type MadeResult = Result<Made, Box<dyn Error>>;
+
 /// One output: a figure with its data, or a table.
 pub struct Output {
     /// The name on the command line.
@@ -50,13 +52,13 @@ pub struct Output {
     check: fn(&Parameters) -> Result<(), ParameterError>,
     /// The keys to change where it cannot be computed.
     keys: &'static str,
-    make: fn(&Study<'_>, SheetWidth) -> Result<Made, Box<dyn Error>>,
+    make: fn(&Study<'_>, SheetWidth) -> MadeResult,
 }
 
 /// A figure of the paper: the parameters of its name, the function of a study of that name, and one that draws what it makes; with the lists
 /// of what is to be told of it.
 macro_rules! figure {
-    ($name:ident, $draw:ident, $title:literal, $tables:expr, $keys:literal, [$($told:ident),*]) => {
+    ($name:ident, $draw:ident, $title:literal, $tables:expr, $keys:literal $(, $told:ident)*) => {
         Output {
             name: stringify!($name),
             title: $title,
@@ -101,8 +103,7 @@ pub const ALL: &[Output] = &[
         draw_fig01,
         "Figure 1: phase space, impacting surface and reset law",
         &Scene::FIG01,
-        "fig01.orbits, fig01.amplitude or fig01.frequency",
-        []
+        "fig01.orbits, fig01.amplitude or fig01.frequency"
     ),
     figure!(
         fig02,
@@ -110,39 +111,35 @@ pub const ALL: &[Output] = &[
         "Figure 2: one-parameter bifurcation diagram with phase portraits",
         Figure2::TABLES,
         "fig02.frequency, fig02.near or fig02.loops",
-        [notes]
+        notes
     ),
     figure!(
         fig03,
         draw_fig03,
         "Figure 3: the return map near a grazing periodic solution",
         &Scene::FIG03,
-        "fig03.start or fig03.frequency",
-        []
+        "fig03.start or fig03.frequency"
     ),
     figure!(
         fig04,
         draw_fig04,
         "Figure 4: the boundaries g_p and h_p in the trapesium",
         Figure4::TABLES,
-        "fig04.loops",
-        []
+        "fig04.loops"
     ),
     figure!(
         fig05,
         draw_fig05,
         "Figure 5: unfolding of a resonant grazing bifurcation",
         Figure5::TABLES,
-        "fig05.loops or fig05.n",
-        []
+        "fig05.loops or fig05.n"
     ),
     figure!(
         fig06,
         draw_fig06,
         "Figure 6: the impact oscillator",
         Figure6::TABLES,
-        "fig06.frequency or fig06.amplitude",
-        []
+        "fig06.frequency or fig06.amplitude"
     ),
     figure!(
         fig07,
@@ -150,7 +147,7 @@ pub const ALL: &[Output] = &[
         "Figure 7: two-parameter bifurcation diagram",
         Figure7::TABLES,
         "fig07.frequency, fig07.amplitude or fig07.loops",
-        [gaps]
+        gaps
     ),
     figure!(
         fig08,
@@ -158,23 +155,21 @@ pub const ALL: &[Output] = &[
         "Figure 8: three magnifications of Figure 7 with quadratic approximations",
         Figure8::TABLES,
         "fig08.panels, fig07.frequency or fig07.amplitude",
-        [notes]
+        notes
     ),
     figure!(
         fig09,
         draw_fig09,
         "Figure 9: points on the impacting surface and on the section",
         &Scene::FIG09,
-        "fig09.impact, fig09.amplitude or fig09.frequency",
-        []
+        "fig09.impact, fig09.amplitude or fig09.frequency"
     ),
     figure!(
         fig10,
         draw_fig10,
         "Figure 10: the path of visits in the proof of Theorem 2.3",
         Figure10::TABLES,
-        "fig10.frequency or fig10.loops",
-        []
+        "fig10.frequency or fig10.loops"
     ),
     Output {
         name: "theorems",

@@ -89,7 +89,7 @@ fn assemble<'a>(
             Err(failure) => missing.push(failure.to_string()),
         }
     }
-    oscillators::distinguish(&mut entries);
+    oscillators::distinguish(entries.iter_mut().map(|entry| &mut entry.id));
     let study = Study::new(parameters).with_progress(&display);
     let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
     for output in outputs::ALL {

@@ -192,9 +192,6 @@ fn is_chosen(output: &Output, only: &[String]) -> bool {
 }
 
 /// Sets the number of threads.
-///
-/// # Errors
-/// They could not be started.
 pub(crate) fn start_threads(jobs: u16) -> Result<(), Failure> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(jobs))

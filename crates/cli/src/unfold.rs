@@ -81,7 +81,10 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
         }
     }
     match code {
-        Some(code) => Err(Failure::of_files(failing, tasks.len(), code)),
+        // As the first that failed.
+        Some(code) => {
+            Err(Failure::new(code, format!("{failing} of {} files failed, as told above", tasks.len())))
+        }
         None => Ok(()),
     }
 }

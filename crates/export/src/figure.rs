@@ -25,7 +25,7 @@ impl Figure {
     /// Reads an SVG.
     ///
     /// # Errors
-    /// [`ExportError::Unreadable`]; [`ExportError::Glyph`] if a label cannot be set in the figures' fonts.
+    /// It is no SVG that can be drawn, or a label cannot be set in the figures' fonts.
     pub fn read(svg: &str) -> Result<Figure, ExportError> {
         let options = Options { dpi: UNITS_PER_INCH, fontdb: fonts(), ..Options::default() };
         let parsing = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };

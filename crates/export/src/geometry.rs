@@ -136,5 +136,10 @@ pub(crate) fn ensure_glyphs(tree: &Tree) -> Result<(), ExportError> {
             }
         }
     });
-    lacking.map_or(Ok(()), |label| Err(ExportError::Glyph { label }))
+    match lacking {
+        None => Ok(()),
+        Some(label) => {
+            Err(ExportError(format!("label `{label}` needs a character that the embedded fonts do not have")))
+        }
+    }
 }

@@ -14,9 +14,6 @@ const CORNERS: [[f64; 2]; 4] = [[-1.0, 0.0], [1.0, 0.0], [2.0, 1.0], [-2.0, 1.0]
 
 impl Study<'_> {
     /// Figure 4.
-    ///
-    /// # Errors
-    /// A section of the parameter file is not right.
     pub fn fig04(&self) -> Result<Figure4, StudyError> {
         let mut curves = Vec::new();
         for [tau, delta] in CORNERS.into_iter().chain([CORNERS[0]]) {

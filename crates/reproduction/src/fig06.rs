@@ -41,9 +41,6 @@ mod lengths {
 
 impl Study<'_> {
     /// Figure 6.
-    ///
-    /// # Errors
-    /// A section of the parameter file is not right.
     pub fn fig06(&self) -> Result<Figure6, StudyError> {
         let (shown, theory) = (self.parameters.fig06.get()?, self.parameters.oscillator.get()?);
         let oscillator = forced(theory, shown.amplitude, shown.frequency)?;

@@ -99,24 +99,21 @@ impl OscillatorFile {
     }
 }
 
-/// Gives every entry an identifier of its own: files in different folders can have the same name.
-pub(crate) fn distinguish(entries: &mut [OscillatorEntry]) {
+/// Makes identifiers differ from each other: files in different folders can have the same name.
+pub(crate) fn distinguish<'a>(identifiers: impl IntoIterator<Item = &'a mut String>) {
     let mut taken = BTreeSet::new();
-    for entry in entries {
-        let stem = entry.id.clone();
+    for identifier in identifiers {
+        let stem = identifier.clone();
         let mut number = 1;
-        while !taken.insert(entry.id.clone()) {
+        while !taken.insert(identifier.clone()) {
             number += 1;
-            entry.id = format!("{stem}-{number}");
+            *identifier = format!("{stem}-{number}");
         }
     }
 }
 
 impl<'a> Material<'a> {
     /// Makes tables and figures.
-    ///
-    /// # Errors
-    /// A figure could not be drawn.
     pub(crate) fn new(
         of: &'a OscillatorFile,
         unfolded: &'a Analysis,
@@ -266,22 +263,8 @@ mod tests {
 
     #[test]
     fn files_of_the_same_name_have_addresses_of_their_own() {
-        let source =
-            OscillatorFile::read(Path::new("../../examples/duffing.toml"), &[]).expect("it is right");
-        let entry = |id: &str| OscillatorEntry {
-            id: id.to_owned(),
-            file: String::new(),
-            link: None,
-            about: Vec::new(),
-            description: source.description.clone(),
-            figures: Vec::new(),
-            tables: Vec::new(),
-            resonances: Vec::new(),
-            lost: Vec::new(),
-            undecided: Vec::new(),
-        };
-        let mut entries = ["a", "b", "a", "a"].map(entry);
-        distinguish(&mut entries);
-        assert_eq!(entries.map(|entry| entry.id), ["a", "b", "a-2", "a-3"]);
+        let mut identifiers = ["a", "b", "a", "a"].map(str::to_owned);
+        distinguish(&mut identifiers);
+        assert_eq!(identifiers, ["a", "b", "a-2", "a-3"]);
     }
 }
