@@ -21,7 +21,6 @@ mod axes;
 mod backend;
 mod branches;
 mod canvas;
-mod captions;
 mod clip;
 mod cloud;
 mod diagram;

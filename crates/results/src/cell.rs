@@ -56,9 +56,6 @@ macro_rules! words {
         pub enum $name { $($(#[$about])* $variant,)+ }
 
         impl $name {
-            /// All of them.
-            pub const ALL: &'static [Self] = &[$(Self::$variant,)+];
-
             /// The word in tables.
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $word,)+ }
