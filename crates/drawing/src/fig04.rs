@@ -11,8 +11,8 @@ use crate::markup::Label;
 use crate::placement::side_by_side;
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
-    BLACK, CURVE_LEADER, Colour, LABEL_SIZE, LIMIT, NON_IMPACTING_AREA, OUTLINE, Pen, SMALL_LABEL_SIZE,
-    SheetWidth, admissibility_pen, resonance_pen,
+    BLACK, CURVE_LEADER, LABEL_SIZE, LIMIT, NON_IMPACTING_AREA, OUTLINE, Pen, SMALL_LABEL_SIZE, SheetWidth,
+    admissibility_pen, resonance_pen,
 };
 
 struct BoundaryCurve {
@@ -96,33 +96,26 @@ pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<String, Drawing
 
 /// Names the curves in a row above their upper ends.
 fn name_above(panel: &Panel<'_>, curves: &[BoundaryCurve]) -> Result<(), DrawingError> {
-    struct Name<'a> {
-        text: String,
-        end: Spot,
-        /// Where the curve comes from, for curves that end in one point.
-        before: f64,
-        curve: &'a BoundaryCurve,
-    }
-    let mut names: Vec<Name<'_>> = Vec::new();
+    let mut ends: Vec<(Spot, f64, &BoundaryCurve)> = Vec::new();
     for curve in curves.iter().filter(|curve| curve.family != Boundary::Trapesium) {
-        let Some(&end) = curve.points.last().filter(|&&end| panel.frame.contains(end)) else {
-            continue;
-        };
-        let before = curve.points[curve.points.len() * 19 / 20];
-        names.push(Name { text: curve.label(), end: panel.spot(end), before: panel.spot(before).0, curve });
+        if let Some(&end) = curve.points.last().filter(|&&end| panel.frame.contains(end)) {
+            // Of curves that end in one point, where they come from tells which is to the left.
+            let before = curve.points[curve.points.len() * 19 / 20];
+            ends.push((panel.spot(end), panel.spot(before).0, curve));
+        }
     }
-    names.sort_by(|a, b| (a.end.0 + a.before).total_cmp(&(b.end.0 + b.before)));
+    ends.sort_by(|a, b| (a.0.0 + a.1).total_cmp(&(b.0.0 + b.1)));
     let mut boxes = Vec::new();
-    for name in &names {
-        let extent = panel.canvas.fonts.measure(&Label::parse(&name.text)?, LABEL_SIZE)?;
-        boxes.push((name.end.0, extent.width));
+    for (end, _, curve) in &ends {
+        let extent = panel.canvas.fonts.measure(&Label::parse(&curve.label())?, LABEL_SIZE)?;
+        boxes.push((end.0, extent.width));
     }
-    for (name, x) in names.iter().zip(side_by_side(&boxes, NAME_GAP)) {
-        let (end, top) = (name.end, panel.bounds.top);
-        let colour: Colour = name.curve.pen().colour;
+    for ((end, _, curve), x) in ends.iter().zip(side_by_side(&boxes, NAME_GAP)) {
+        let top = panel.bounds.top;
         let leader = [(end.0, end.1 - 0.6), (x, top - NAMES_ABOVE + 2.5)];
         panel.canvas.line(&leader, CURVE_LEADER);
-        panel.canvas.text((x, top - NAMES_ABOVE), &name.text, LABEL_SIZE, Anchor::Middle, colour)?;
+        let spot = (x, top - NAMES_ABOVE);
+        panel.canvas.text(spot, &curve.label(), LABEL_SIZE, Anchor::Middle, curve.pen().colour)?;
     }
     Ok(())
 }
