@@ -78,11 +78,12 @@ fn assemble<'a>(
     page_folder: &Path,
 ) -> Result<grazing_report::Report<'a>, Failure> {
     let display = Display::new();
-    let (mut shown, mut entries, mut missing) = (Vec::new(), Vec::new(), Vec::new());
+    let repository = project::root();
+    let root = repository.as_deref().and_then(|root| links::relative(page_folder, root));
+    let (mut entries, mut missing) = (Vec::new(), Vec::new());
     for source in oscillators {
-        match source.entry() {
+        match source.entry(repository.as_deref(), root.as_deref()) {
             Ok((entry, met)) => {
-                shown.push(source);
                 entries.push(entry);
                 missing.extend(met.map(|met| met.to_string()));
             }
@@ -93,17 +94,16 @@ fn assemble<'a>(
     let study = Study::new(parameters).with_progress(&display);
     let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
     for output in outputs::ALL {
-        let (files, svg, shown) = match output.files(&study, &Edition::default()) {
-            Ok((Made { svg, tables: shown, notes, gaps }, files)) => {
-                notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
-                missing.extend(gaps.iter().map(|gap| format!("{}: it is shown, but {gap}", output.name)));
-                (files, svg, shown)
-            }
-            Err(failure) => {
-                missing.push(format!("{}: {}", output.name, failure.reason));
-                continue;
-            }
-        };
+        let (Made { svg, tables: shown, notes, gaps }, files) =
+            match output.files(&study, &Edition::default()) {
+                Ok(made) => made,
+                Err(failure) => {
+                    missing.push(format!("{}: {}", output.name, failure.reason));
+                    continue;
+                }
+            };
+        notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
+        missing.extend(gaps.iter().map(|gap| format!("{}: it is shown, but {gap}", output.name)));
         made.extend(files.iter().map(|file| OutputFile::of(file.path.display().to_string(), &file.content)));
         let (name, title) = (output.name.to_owned(), output.title.to_owned());
         match svg {
@@ -119,11 +119,6 @@ fn assemble<'a>(
     });
     let all: Vec<_> = ledger.claims.iter().collect();
     let claims = claims::findings(parameters, &all, &display)?;
-    let repository = project::root();
-    let root = repository.as_deref().and_then(|root| links::relative(page_folder, root));
-    let placed = shown.iter().zip(entries);
-    let oscillators =
-        placed.map(|(source, entry)| source.placed(entry, repository.as_deref(), root.as_deref())).collect();
     let default = arguments.parameters.file.is_none() && arguments.parameters.set.is_empty();
     Ok(grazing_report::Report {
         figures,
@@ -131,7 +126,7 @@ fn assemble<'a>(
         published,
         claims,
         sources: repository.as_deref().map(links::sources).unwrap_or_default(),
-        oscillators,
+        oscillators: entries,
         missing,
         manifest: Manifest {
             parameter_file: if default { project::PARAMETERS.to_owned() } else { file_name(parameter_file) },

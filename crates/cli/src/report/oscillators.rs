@@ -59,7 +59,7 @@ impl OscillatorFile {
     /// # Errors
     /// One cannot be read, or something in it is not right.
     pub(crate) fn all(root: Option<&Path>, given: &[PathBuf]) -> Result<Vec<Self>, Failure> {
-        let folder = root.map(|root| root.join(project::EXAMPLES)).filter(|folder| folder.is_dir());
+        let folder = root.map(|root| root.join(project::EXAMPLES));
         let entries = folder.and_then(|folder| fs::read_dir(folder).ok()).into_iter().flatten().flatten();
         let is_shown = |path: &PathBuf| {
             path.extension().is_some_and(|extension| extension == "toml")
@@ -71,31 +71,26 @@ impl OscillatorFile {
         files.iter().map(|file| Self::read(file, &[])).collect()
     }
 
-    /// Unfolds the oscillator, up to its limits; what was met, if one was.
+    /// Unfolds the oscillator, up to its limits; what was met, if one was. A file of the repository's examples is named as such, and linked
+    /// by way of the link to the root.
     ///
     /// # Errors
     /// There is nothing to unfold, or a figure or table could not be made.
-    pub(crate) fn entry(&self) -> Result<(OscillatorEntry, Option<Failure>), Failure> {
+    pub(crate) fn entry(
+        &self,
+        root: Option<&Path>,
+        link: Option<&str>,
+    ) -> Result<(OscillatorEntry, Option<Failure>), Failure> {
         // Finished curves are not kept: the page is made quickly.
         let (unfolded, met) = unfold::analyse(self, self.description.limits(), &|_| ())?;
         let outcome = "what was not finished is named on the page";
         let met = met.map(|met| unfold::ended(&self.file, met, outcome));
-        Ok((Material::new(self, &unfolded, SheetWidth::Paper)?.entry(), met))
-    }
-
-    /// Names the entry as the page is to name its file, and links that where it is part of the repository.
-    pub(crate) fn placed(
-        &self,
-        mut entry: OscillatorEntry,
-        root: Option<&Path>,
-        link: Option<&str>,
-    ) -> OscillatorEntry {
-        let examples = root.map(|root| root.join(project::EXAMPLES));
-        if examples.is_some() && self.file.parent() == examples.as_deref() {
+        let mut entry = Material::new(self, &unfolded, SheetWidth::Paper)?.entry();
+        if root.is_some_and(|root| self.file.parent() == Some(&root.join(project::EXAMPLES))) {
             entry.file = format!("{}/{}", project::EXAMPLES, entry.file);
             entry.link = link.map(|link| format!("{link}{}", entry.file));
         }
-        entry
+        Ok((entry, met))
     }
 }
 
