@@ -6,6 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use grazing_claims::ledger::ClaimKind;
+use grazing_drawing::SheetWidth;
 use grazing_source::Setting;
 
 use crate::outputs;
@@ -181,22 +182,11 @@ pub struct Reproduce {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Args)]
 pub struct Size {
     /// Width of the figures: as in the paper, one column (86 mm) or two (178 mm) of a journal
-    #[arg(long, value_name = "WIDTH", default_value = "paper")]
-    pub columns: Columns,
+    #[arg(long, value_name = "WIDTH", default_value = "paper", value_parser = widths())]
+    pub columns: SheetWidth,
     /// Dots per inch of PNG
     #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u16).range(50..=1200))]
     pub dpi: u16,
-}
-
-/// How wide figures are made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Columns {
-    /// As in the paper.
-    Paper,
-    /// One column of a journal with two.
-    One,
-    /// Both columns.
-    Two,
 }
 
 /// The arguments of `grazing compare`.
@@ -302,6 +292,21 @@ fn positive(text: &str) -> Result<f64, String> {
         Ok(value) if f64::is_finite(value) && value > 0.0 => Ok(value),
         _ => Err("it must be a positive number".to_owned()),
     }
+}
+
+/// How wide figures are made.
+fn widths() -> impl TypedValueParser<Value = SheetWidth> {
+    let width = |name, help| PossibleValue::new(name).help(help);
+    PossibleValuesParser::new([
+        width("paper", "As in the paper"),
+        width("one", "One column of a journal with two"),
+        width("two", "Both columns"),
+    ])
+    .map(|name| match name.as_str() {
+        "one" => SheetWidth::OneColumn,
+        "two" => SheetWidth::TwoColumns,
+        _ => SheetWidth::Paper,
+    })
 }
 
 /// Formats of figures: all but LaTeX.

@@ -88,23 +88,11 @@ fn is_chosen(claim: &Claim, arguments: &Claims) -> bool {
 
 /// Whether a label is what was wanted: the same, or fitting a pattern with `*`.
 fn matches(wanted: &str, label: &str) -> bool {
-    let mut parts = wanted.split('*');
-    let first = parts.next().unwrap_or_default();
-    let Some(mut rest) = label.strip_prefix(first) else {
-        return false;
+    let Some((start, rest)) = wanted.split_once('*') else {
+        return wanted == label;
     };
-    let mut last = None;
-    for part in parts {
-        let Some(at) = rest.find(part) else {
-            return false;
-        };
-        rest = &rest[at + part.len()..];
-        last = Some(part);
-    }
-    match last {
-        None => rest.is_empty(),
-        Some(end) => rest.is_empty() || label.ends_with(end),
-    }
+    let ends = |after: &str| after.char_indices().any(|(at, _)| matches(rest, &after[at..]));
+    label.strip_prefix(start).is_some_and(|after| ends(after) || matches(rest, ""))
 }
 
 /// Writes `ERRATA.md`, or holds the one that is there against the ledger.

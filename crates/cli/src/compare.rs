@@ -32,12 +32,9 @@ pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
 }
 
 /// What the paper prints, with what the study gives.
-///
-/// # Errors
-/// The values could not be computed.
 pub(crate) fn published(study: &Study<'_>) -> Result<Vec<Comparison<'static>>, Failure> {
     let computed = study.published_values().map_err(|error| computation("published values", &error))?;
-    Ok(Published::printed()?.compare(&computed))
+    Ok(Published::printed().compare(&computed))
 }
 
 /// The comparisons as a table with aligned columns, one line each.

@@ -5,7 +5,6 @@ use std::path::Path;
 
 use grazing_description::DescriptionError;
 use grazing_reproduction::parameters::ParameterError;
-use grazing_reproduction::published::PublishedError;
 
 /// A failure, with what is printed for it: one line, and where an expression is wrong the expression with a mark.
 #[derive(Debug)]
@@ -18,7 +17,8 @@ pub struct Failure {
 }
 
 impl Failure {
-    fn new(code: u8, reason: impl Into<String>) -> Self {
+    /// With this exit code.
+    pub(crate) fn new(code: u8, reason: impl Into<String>) -> Self {
         Self { code, output: None, reason: reason.into() }
     }
 
@@ -59,11 +59,6 @@ impl Failure {
         ))
     }
 
-    /// Not all of several files, of which the first that failed did so with this exit code.
-    pub(crate) fn of_files(failing: usize, all: usize, code: u8) -> Self {
-        Self::new(code, format!("{failing} of {all} files failed, as told above"))
-    }
-
     /// The exit code: 1 a check failed, 2 bad input, 3 the computation failed, 4 a file could not be read or written.
     pub fn exit_code(&self) -> u8 {
         self.code
@@ -91,11 +86,5 @@ impl From<ParameterError> for Failure {
 impl From<DescriptionError> for Failure {
     fn from(error: DescriptionError) -> Self {
         Self::input(error.to_string())
-    }
-}
-
-impl From<PublishedError> for Failure {
-    fn from(error: PublishedError) -> Self {
-        Self::incomplete(error.to_string())
     }
 }

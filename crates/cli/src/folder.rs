@@ -10,7 +10,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-pub use difference::{Difference, Kind};
+pub use difference::Differences;
 pub use place::name_for;
 pub(crate) use place::{regular, to_write};
 pub use temporaries::remove_own_temporaries;
@@ -98,48 +98,38 @@ pub fn write(folder: &Path, files: &[MadeFile]) -> Result<Vec<Change>, Failure> 
     staged.into_iter().map(finish).collect()
 }
 
-/// How the folder differs from the files: missing ones, other contents, and, if the files are `complete`, files in the
+/// Adds how the folder differs from the files: missing ones, other contents, and, if the files are `complete`, files in the
 /// folder that the code does not make; `known` are those that belong there all the same.
 ///
 /// # Errors
 /// The folder or a file in it cannot be read.
-pub fn differences(
+pub fn compare(
     folder: &Path,
     files: &[MadeFile],
     known: &[&str],
     complete: bool,
-) -> Result<Vec<Difference>, Failure> {
-    let mut found = Vec::new();
+    found: &mut Differences,
+) -> Result<(), Failure> {
     for file in files {
         let path = folder.join(&file.path);
-        match regular(&path).and_then(|_| fs::read(&path)) {
-            Ok(content) if content == file.content => {}
-            Ok(content) => {
-                let what = difference::of_content(&path, &content, &file.content);
-                found.push(Difference { path, kind: Kind::Content, what });
-            }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                found.push(Difference { path, kind: Kind::Missing, what: "missing".to_owned() });
-            }
+        let what = match regular(&path).and_then(|_| fs::read(&path)) {
+            Ok(content) if content == file.content => continue,
+            Ok(content) => difference::of_content(&path, &content, &file.content),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => "missing".to_owned(),
             Err(error) => return Err(Failure::file(&path, &error)),
-        }
-    }
-    if complete {
-        let expected = |path: &Path| {
-            files.iter().any(|file| file.path == path) || known.iter().any(|known| Path::new(known) == path)
         };
-        for path in listed(folder)? {
-            if !expected(&path) {
-                let what = "not made by the code; remove it if it is left over from an earlier version or an interrupted run";
-                found.push(Difference {
-                    path: folder.join(path),
-                    kind: Kind::Unexpected,
-                    what: what.to_owned(),
-                });
-            }
+        found.differing.push(format!("{}: {what}", path.display()));
+    }
+    let expected = |path: &Path| {
+        files.iter().any(|file| file.path == path) || known.iter().any(|known| Path::new(known) == path)
+    };
+    for path in if complete { listed(folder)? } else { Vec::new() } {
+        if !expected(&path) {
+            let what = "not made by the code; remove it if it is left over from an earlier version or an interrupted run";
+            found.unexpected.push(format!("{}: {what}", folder.join(path).display()));
         }
     }
-    Ok(found)
+    Ok(())
 }
 
 /// The paths of everything in the folder and its subfolder for data, in order; hidden files only if we began them.

@@ -41,21 +41,14 @@ pub(crate) enum Met {
 
 impl std::fmt::Display for Met {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Met::Time(seconds) => write!(
-                formatter,
-                "the time limit of {seconds} s was reached (raise it by time_limit in [analysis] or --time-limit)"
-            ),
-            Met::Memory(megabytes) => write!(
-                formatter,
-                "the memory limit of {megabytes} MB was reached (raise it by memory_limit in [analysis] or --memory-limit)"
-            ),
-            Met::Steps(steps) => write!(
-                formatter,
-                "the limit of {steps} steps of integration was reached (raise it by step_limit in [analysis] or --step-limit)"
-            ),
-            Met::Interruption => write!(formatter, "interrupted by Ctrl-C"),
-        }
+        let (limit, key) = match self {
+            Met::Time(seconds) => (format!("time limit of {seconds} s"), "time"),
+            Met::Memory(megabytes) => (format!("memory limit of {megabytes} MB"), "memory"),
+            Met::Steps(steps) => (format!("limit of {steps} steps of integration"), "step"),
+            Met::Interruption => return formatter.write_str("interrupted by Ctrl-C"),
+        };
+        let remedy = format!("raise it by {key}_limit in [analysis] or --{key}-limit");
+        write!(formatter, "the {limit} was reached ({remedy})")
     }
 }
 

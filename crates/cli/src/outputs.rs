@@ -1,18 +1,21 @@
 //! The registry of outputs: what can be made, and from what.
 
 pub mod edition;
-mod figures;
 pub mod latex;
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use grazing_drawing::SheetWidth;
-use grazing_reproduction::parameters::{ParameterError, Parameters};
-use grazing_reproduction::{
-    CoefficientTable, Figure2, Figure4, Figure5, Figure6, Figure7, Figure8, Figure10, Scene, Study,
-    StudyError, TheoremsInAction,
+use grazing_drawing::{
+    SheetWidth, draw_fig01, draw_fig02, draw_fig03, draw_fig04, draw_fig05, draw_fig06, draw_fig07,
+    draw_fig08, draw_fig09, draw_fig10,
 };
+use grazing_reproduction::parameters::{ParameterError, Parameters};
+use grazing_reproduction::{CoefficientTable, Coefficients, Study, StudyError, TheoremsInAction};
+use grazing_results::branches::Figure2;
+use grazing_results::plane::{Figure7, Figure8};
+use grazing_results::sketches::{Figure4, Figure5, Figure6, Figure10};
+use grazing_results::space::Scene;
 use grazing_results::{Names, Plan, Table};
 
 use crate::failure::Failure;
@@ -21,6 +24,7 @@ use crate::tables;
 use edition::{Edition, Format};
 
 /// An output when it is made.
+#[derive(Default)]
 pub(crate) struct Made {
     /// The figure as SVG, if it is one.
     pub(crate) svg: Option<String>,
@@ -30,16 +34,6 @@ pub(crate) struct Made {
     pub(crate) notes: Vec<String>,
     /// What it lacks, so that it is not what was asked for; in the end with the keys to change.
     pub(crate) gaps: Vec<String>,
-}
-
-impl Made {
-    fn figure(svg: String, tables: Vec<Table>) -> Made {
-        Made { svg: Some(svg), ..Made::tables(tables) }
-    }
-
-    fn tables(tables: Vec<Table>) -> Made {
-        Made { svg: None, tables, notes: Vec::new(), gaps: Vec::new() }
-    }
 }
 
 type MadeResult = Result<Made, Box<dyn Error>>;
@@ -61,6 +55,30 @@ pub struct Output {
     make: fn(&Study<'_>, SheetWidth) -> MadeResult,
 }
 
+/// A figure of the paper: the parameters of its name, the function of a study of that name, and one that draws what it makes; with the lists
+/// of what is to be told of it.
+macro_rules! figure {
+    ($name:ident, $draw:ident, $title:literal, $tables:expr, $keys:literal $(, $told:ident)*) => {
+        Output {
+            name: stringify!($name),
+            title: $title,
+            figure: Some(concat!(stringify!($name), ".svg")),
+            tables: $tables,
+            check: |parameters| parameters.$name.get().map(drop),
+            keys: $keys,
+            make: |study, width| {
+                let made = study.$name()?;
+                Ok(Made {
+                    svg: Some($draw(&made, width)?),
+                    tables: made.tables(&Names::of_the_paper()),
+                    $($told: made.$told,)*
+                    ..Made::default()
+                })
+            },
+        }
+    };
+}
+
 /// All outputs, in the order in which they are made.
 pub const ALL: &[Output] = &[
     Output {
@@ -70,98 +88,89 @@ pub const ALL: &[Output] = &[
         tables: CoefficientTable::TABLES,
         check: |parameters| parameters.fig07.get().map(drop),
         keys: "fig07.frequency, fig07.amplitude or fig07.loops",
-        make: figures::coefficients,
+        make: |study, _| {
+            let made = study.coefficients()?;
+            Ok(Made {
+                tables: made.tables(&Names::of_the_paper()),
+                notes: made.rows.iter().flat_map(Coefficients::doubts).collect(),
+                gaps: study.unlocated()?,
+                ..Made::default()
+            })
+        },
     },
-    Output {
-        name: "fig01",
-        title: "Figure 1: phase space, impacting surface and reset law",
-        figure: Some("fig01.svg"),
-        tables: &Scene::FIG01,
-        check: |parameters| parameters.fig01.get().map(drop),
-        keys: "fig01.orbits, fig01.amplitude or fig01.frequency",
-        make: figures::fig01,
-    },
-    Output {
-        name: "fig02",
-        title: "Figure 2: one-parameter bifurcation diagram with phase portraits",
-        figure: Some("fig02.svg"),
-        tables: Figure2::TABLES,
-        check: |parameters| parameters.fig02.get().map(drop),
-        keys: "fig02.frequency, fig02.near or fig02.loops",
-        make: figures::fig02,
-    },
-    Output {
-        name: "fig03",
-        title: "Figure 3: the return map near a grazing periodic solution",
-        figure: Some("fig03.svg"),
-        tables: &Scene::FIG03,
-        check: |parameters| parameters.fig03.get().map(drop),
-        keys: "fig03.start or fig03.frequency",
-        make: figures::fig03,
-    },
-    Output {
-        name: "fig04",
-        title: "Figure 4: the boundaries g_p and h_p in the trapesium",
-        figure: Some("fig04.svg"),
-        tables: Figure4::TABLES,
-        check: |parameters| parameters.fig04.get().map(drop),
-        keys: "fig04.loops",
-        make: figures::fig04,
-    },
-    Output {
-        name: "fig05",
-        title: "Figure 5: unfolding of a resonant grazing bifurcation",
-        figure: Some("fig05.svg"),
-        tables: Figure5::TABLES,
-        check: |parameters| parameters.fig05.get().map(drop),
-        keys: "fig05.loops or fig05.n",
-        make: figures::fig05,
-    },
-    Output {
-        name: "fig06",
-        title: "Figure 6: the impact oscillator",
-        figure: Some("fig06.svg"),
-        tables: Figure6::TABLES,
-        check: |parameters| parameters.fig06.get().map(drop),
-        keys: "fig06.frequency or fig06.amplitude",
-        make: figures::fig06,
-    },
-    Output {
-        name: "fig07",
-        title: "Figure 7: two-parameter bifurcation diagram",
-        figure: Some("fig07.svg"),
-        tables: Figure7::TABLES,
-        check: |parameters| parameters.fig07.get().map(drop),
-        keys: "fig07.frequency, fig07.amplitude or fig07.loops",
-        make: figures::fig07,
-    },
-    Output {
-        name: "fig08",
-        title: "Figure 8: three magnifications of Figure 7 with quadratic approximations",
-        figure: Some("fig08.svg"),
-        tables: Figure8::TABLES,
-        check: |parameters| parameters.fig08.get().map(drop),
-        keys: "fig08.panels, fig07.frequency or fig07.amplitude",
-        make: figures::fig08,
-    },
-    Output {
-        name: "fig09",
-        title: "Figure 9: points on the impacting surface and on the section",
-        figure: Some("fig09.svg"),
-        tables: &Scene::FIG09,
-        check: |parameters| parameters.fig09.get().map(drop),
-        keys: "fig09.impact, fig09.amplitude or fig09.frequency",
-        make: figures::fig09,
-    },
-    Output {
-        name: "fig10",
-        title: "Figure 10: the path of visits in the proof of Theorem 2.3",
-        figure: Some("fig10.svg"),
-        tables: Figure10::TABLES,
-        check: |parameters| parameters.fig10.get().map(drop),
-        keys: "fig10.frequency or fig10.loops",
-        make: figures::fig10,
-    },
+    figure!(
+        fig01,
+        draw_fig01,
+        "Figure 1: phase space, impacting surface and reset law",
+        &Scene::FIG01,
+        "fig01.orbits, fig01.amplitude or fig01.frequency"
+    ),
+    figure!(
+        fig02,
+        draw_fig02,
+        "Figure 2: one-parameter bifurcation diagram with phase portraits",
+        Figure2::TABLES,
+        "fig02.frequency, fig02.near or fig02.loops",
+        notes
+    ),
+    figure!(
+        fig03,
+        draw_fig03,
+        "Figure 3: the return map near a grazing periodic solution",
+        &Scene::FIG03,
+        "fig03.start or fig03.frequency"
+    ),
+    figure!(
+        fig04,
+        draw_fig04,
+        "Figure 4: the boundaries g_p and h_p in the trapesium",
+        Figure4::TABLES,
+        "fig04.loops"
+    ),
+    figure!(
+        fig05,
+        draw_fig05,
+        "Figure 5: unfolding of a resonant grazing bifurcation",
+        Figure5::TABLES,
+        "fig05.loops or fig05.n"
+    ),
+    figure!(
+        fig06,
+        draw_fig06,
+        "Figure 6: the impact oscillator",
+        Figure6::TABLES,
+        "fig06.frequency or fig06.amplitude"
+    ),
+    figure!(
+        fig07,
+        draw_fig07,
+        "Figure 7: two-parameter bifurcation diagram",
+        Figure7::TABLES,
+        "fig07.frequency, fig07.amplitude or fig07.loops",
+        gaps
+    ),
+    figure!(
+        fig08,
+        draw_fig08,
+        "Figure 8: three magnifications of Figure 7 with quadratic approximations",
+        Figure8::TABLES,
+        "fig08.panels, fig07.frequency or fig07.amplitude",
+        notes
+    ),
+    figure!(
+        fig09,
+        draw_fig09,
+        "Figure 9: points on the impacting surface and on the section",
+        &Scene::FIG09,
+        "fig09.impact, fig09.amplitude or fig09.frequency"
+    ),
+    figure!(
+        fig10,
+        draw_fig10,
+        "Figure 10: the path of visits in the proof of Theorem 2.3",
+        Figure10::TABLES,
+        "fig10.frequency or fig10.loops"
+    ),
     Output {
         name: "theorems",
         title: "Theorems 2.2 to 2.5 against continuation and simulation",
@@ -170,7 +179,10 @@ pub const ALL: &[Output] = &[
         check: |_| Ok(()),
         // It depends on no parameter.
         keys: "nothing",
-        make: |study, _| Ok(Made::tables(study.theorems_in_action()?.tables(&Names::of_the_paper()))),
+        make: |study, _| {
+            let tables = study.theorems_in_action()?.tables(&Names::of_the_paper());
+            Ok(Made { tables, ..Made::default() })
+        },
     },
 ];
 
@@ -198,7 +210,7 @@ impl Output {
         edition: &Edition,
     ) -> Result<(Made, Vec<MadeFile>), Failure> {
         (self.check)(&study.parameters)?;
-        let mut made = (self.make)(study, edition.width()).map_err(|error| self.failure(&*error))?;
+        let mut made = (self.make)(study, edition.size.columns).map_err(|error| self.failure(&*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
         let registered: Vec<&'static str> = self.tables.iter().map(|table| table.name).collect();
         if names != registered {
@@ -228,7 +240,7 @@ impl Output {
     /// The failure to compute it, with the keys to change unless it names one itself.
     fn failure(&self, error: &(dyn Error + 'static)) -> Failure {
         let mut failure = computation(self.name, error);
-        if !matches!(error.downcast_ref(), Some(StudyError::NoPortrait { .. } | StudyError::Parameters(_))) {
+        if !matches!(error.downcast_ref(), Some(StudyError::NoPortrait(_) | StudyError::Parameters(_))) {
             failure.reason.push_str(&format!("; change {}", self.keys));
         }
         failure

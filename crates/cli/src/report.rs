@@ -22,7 +22,7 @@ use crate::outputs::{self, Made};
 use crate::progress::Display;
 use crate::reproduce::start_threads;
 use crate::{claims, project, terminal};
-use oscillators::Source;
+use oscillators::OscillatorFile;
 
 /// Computes everything and writes the page.
 ///
@@ -35,7 +35,7 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     let parameters = project::parameters(&arguments.parameters)?;
     outputs::refuse_malformed(outputs::ALL.iter(), &parameters)?;
     let (folder, name) = place(&arguments.output)?;
-    let sources = Source::all(project::root().as_deref(), &arguments.oscillators)?;
+    let sources = OscillatorFile::all(project::root().as_deref(), &arguments.oscillators)?;
     if let Some(jobs) = arguments.jobs {
         start_threads(jobs)?;
     }
@@ -74,36 +74,36 @@ fn assemble<'a>(
     ledger: &'a Ledger,
     parameter_file: &Path,
     parameters: &Parameters,
-    oscillators: &[Source],
+    oscillators: &[OscillatorFile],
     page_folder: &Path,
 ) -> Result<grazing_report::Report<'a>, Failure> {
     let display = Display::new();
-    let (mut shown, mut entries, mut missing) = (Vec::new(), Vec::new(), Vec::new());
+    let repository = project::root();
+    let root = repository.as_deref().and_then(|root| links::relative(page_folder, root));
+    let (mut entries, mut missing) = (Vec::new(), Vec::new());
     for source in oscillators {
-        match source.entry() {
+        match source.entry(repository.as_deref(), root.as_deref()) {
             Ok((entry, met)) => {
-                shown.push(source);
                 entries.push(entry);
                 missing.extend(met.map(|met| met.to_string()));
             }
             Err(failure) => missing.push(failure.to_string()),
         }
     }
-    oscillators::distinguish(&mut entries);
+    oscillators::distinguish(entries.iter_mut().map(|entry| &mut entry.id));
     let study = Study::new(parameters).with_progress(&display);
     let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
     for output in outputs::ALL {
-        let (files, svg, shown) = match output.files(&study, &Edition::default()) {
-            Ok((Made { svg, tables: shown, notes, gaps }, files)) => {
-                notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
-                missing.extend(gaps.iter().map(|gap| format!("{}: it is shown, but {gap}", output.name)));
-                (files, svg, shown)
-            }
-            Err(failure) => {
-                missing.push(format!("{}: {}", output.name, failure.reason));
-                continue;
-            }
-        };
+        let (Made { svg, tables: shown, notes, gaps }, files) =
+            match output.files(&study, &Edition::default()) {
+                Ok(made) => made,
+                Err(failure) => {
+                    missing.push(format!("{}: {}", output.name, failure.reason));
+                    continue;
+                }
+            };
+        notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
+        missing.extend(gaps.iter().map(|gap| format!("{}: it is shown, but {gap}", output.name)));
         made.extend(files.iter().map(|file| OutputFile::of(file.path.display().to_string(), &file.content)));
         let (name, title) = (output.name.to_owned(), output.title.to_owned());
         match svg {
@@ -119,11 +119,6 @@ fn assemble<'a>(
     });
     let all: Vec<_> = ledger.claims.iter().collect();
     let claims = claims::findings(parameters, &all, &display)?;
-    let repository = project::root();
-    let root = repository.as_deref().and_then(|root| links::relative(page_folder, root));
-    let placed = shown.iter().zip(entries);
-    let oscillators =
-        placed.map(|(source, entry)| source.placed(entry, repository.as_deref(), root.as_deref())).collect();
     let default = arguments.parameters.file.is_none() && arguments.parameters.set.is_empty();
     Ok(grazing_report::Report {
         figures,
@@ -131,12 +126,9 @@ fn assemble<'a>(
         published,
         claims,
         sources: repository.as_deref().map(links::sources).unwrap_or_default(),
-        oscillators,
+        oscillators: entries,
         missing,
         manifest: Manifest {
-            program: versions::program(),
-            rust: versions::rust(),
-            libraries: versions::libraries(),
             parameter_file: if default { project::PARAMETERS.to_owned() } else { file_name(parameter_file) },
             parameters: noted(
                 &grazing_source::read_file(parameter_file).map_err(ParameterError::from)?,
@@ -145,6 +137,7 @@ fn assemble<'a>(
             outputs: made,
             // Other parameters give other files than those that stand in the repository.
             folder: root.as_ref().filter(|_| default).map(|root| format!("{root}{}/", project::FIGURES)),
+            ..versions::manifest()
         },
         root,
     })

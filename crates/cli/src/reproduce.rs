@@ -10,7 +10,7 @@ use grazing_reproduction::Study;
 use crate::arguments::{ParameterFile, Reproduce};
 use crate::compare::published;
 use crate::failure::Failure;
-use crate::folder::{self, Change, Kind, MadeFile};
+use crate::folder::{self, Change, Differences, MadeFile};
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::{self, Output, latex};
 use crate::progress::Display;
@@ -46,7 +46,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     }
     let display = Display::new();
     let study = Study::new(&parameters).with_progress(&display);
-    let mut made = Made::of(&study, &chosen, &edition)?;
+    let mut made = Outcome::of(&study, &chosen, &edition)?;
     if made.outputs.is_empty() {
         return made.tell_missing(&chosen, &output_folder);
     }
@@ -96,7 +96,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
 
 /// What was made of the outputs that were asked for.
 #[derive(Default)]
-struct Made<'a> {
+struct Outcome<'a> {
     files: Vec<MadeFile>,
     /// How many rows each table has.
     rows: BTreeMap<&'static str, usize>,
@@ -105,7 +105,7 @@ struct Made<'a> {
     missing: Vec<(String, Vec<&'static str>)>,
 }
 
-impl<'a> Made<'a> {
+impl<'a> Outcome<'a> {
     /// All outputs that can be made; the failure if the only one cannot.
     fn of(study: &Study<'_>, chosen: &[&'a Output], edition: &Edition) -> Result<Self, Failure> {
         let mut all = Self::default();
@@ -192,9 +192,6 @@ fn is_chosen(output: &Output, only: &[String]) -> bool {
 }
 
 /// Sets the number of threads.
-///
-/// # Errors
-/// They could not be started.
 pub(crate) fn start_threads(jobs: u16) -> Result<(), Failure> {
     rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(jobs))
@@ -217,27 +214,25 @@ fn verdict(study: &Study<'_>) -> String {
 }
 
 fn check(places: &[MadeFolder], arguments: &Reproduce, edition: &Edition) -> Result<(), Failure> {
-    let mut differences = Vec::new();
+    let mut found = Differences::default();
     for place in places {
-        differences.extend(folder::differences(&place.folder, &place.files, &KNOWN, place.complete)?);
+        folder::compare(&place.folder, &place.files, &KNOWN, place.complete, &mut found)?;
     }
-    if differences.is_empty() {
+    let Differences { differing, unexpected } = found;
+    if differing.is_empty() && unexpected.is_empty() {
         return Ok(());
     }
-    for difference in &differences {
-        terminal::note(&difference.to_string());
-    }
+    differing.iter().chain(&unexpected).for_each(|difference| terminal::note(difference));
     for place in places {
         visual::show(&place.folder, &visual::changed(&place.folder, &place.files));
     }
-    let unexpected = differences.iter().filter(|difference| difference.kind == Kind::Unexpected).count();
     let mut remedies = Vec::new();
-    if differences.len() > unexpected {
+    if !differing.is_empty() {
         let mend = mending_command(arguments, edition);
-        remedies.push(format!("mend {} with `{mend}`", counted(differences.len() - unexpected)));
+        remedies.push(format!("mend {} with `{mend}`", counted(differing.len())));
     }
-    if unexpected > 0 {
-        remedies.push(format!("remove {} that it does not make", counted(unexpected)));
+    if !unexpected.is_empty() {
+        remedies.push(format!("remove {} that it does not make", counted(unexpected.len())));
     }
     let folder = places[0].folder.display();
     Err(Failure::check(format!("{folder} is not what the code makes: {}", remedies.join(", "))))

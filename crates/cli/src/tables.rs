@@ -8,9 +8,6 @@ const DECIMALS: usize = 16;
 
 /// The table as CSV: a header, `.` decimals, computed numbers with 17 significant digits, `-0.0` as `0.0`, and an empty
 /// cell for what is missing or not a finite number.
-///
-/// # Errors
-/// Whatever the tables library finds wrong.
 pub fn csv(table: &Table) -> PolarsResult<Vec<u8>> {
     let column = |(place, name): (usize, &String)| {
         let values: Vec<AnyValue<'_>> = table.rows.iter().map(|row| value(&row[place])).collect();

@@ -5,6 +5,8 @@ use std::env;
 use std::io::{self, IsTerminal, Write};
 use std::sync::{Mutex, PoisonError};
 
+use grazing_results::directs;
+
 use crate::failure::Failure;
 
 /// Why the output stream could not be written, the first time that it could not.
@@ -54,11 +56,6 @@ pub fn shown(text: &str) -> Cow<'_, str> {
         }
     }
     Cow::Owned(shown)
-}
-
-/// Whether the character changes the direction in which those after it, or around it, are written.
-fn directs(character: char) -> bool {
-    matches!(character, '\u{200e}' | '\u{200f}' | '\u{61c}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// Writes what the command line's reader has to say, and gives its exit code.

@@ -12,7 +12,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use grazing_description::{Description, DescriptionError, Limits};
+use grazing_description::Limits;
 use grazing_reproduction::StudyError;
 use grazing_reproduction::unfolded::{Described, Keep, Rows, Unfolded};
 use grazing_source::Setting;
@@ -25,8 +25,7 @@ use crate::limits::{self, Met, Watch};
 use crate::outputs::edition::Edition;
 use crate::outputs::{computation, table_path};
 use crate::progress::Display;
-use crate::report::noted;
-use crate::report::oscillators::{Material, PAGE};
+use crate::report::oscillators::{Material, OscillatorFile, PAGE};
 use crate::reproduce::{start_threads, summary};
 use crate::{data_page, tables, terminal};
 use keeper::Keeper;
@@ -39,10 +38,7 @@ pub(crate) type Analysis = Unfolded<Described>;
 
 /// A file that is to be unfolded.
 struct Task {
-    file: PathBuf,
-    /// What stands in the file.
-    text: String,
-    description: Description,
+    of: OscillatorFile,
     folder: PathBuf,
     limits: Limits,
 }
@@ -70,7 +66,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
             terminal::say("\n");
         }
         if limits::is_interrupted() {
-            terminal::note(&format!("{}: not begun", task.file.display()));
+            terminal::note(&format!("{}: not begun", task.of.file.display()));
             failing += 1;
             continue;
         }
@@ -85,7 +81,10 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
         }
     }
     match code {
-        Some(code) => Err(Failure::of_files(failing, tasks.len(), code)),
+        // As the first that failed.
+        Some(code) => {
+            Err(Failure::new(code, format!("{failing} of {} files failed, as told above", tasks.len())))
+        }
         None => Ok(()),
     }
 }
@@ -95,9 +94,10 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     let mut tasks: Vec<Task> = Vec::new();
     for file in &arguments.files {
         let settings = settings(&arguments.set);
-        let mut description = Description::from_file_with(file, &settings)?;
+        let mut of = OscillatorFile::read(file, &settings)?;
         if let Some(loops) = &arguments.loops {
-            description = description
+            of.description = of
+                .description
                 .with_loops(loops)
                 .map_err(|reason| Failure::input(format!("--loops {reason}")))?;
         }
@@ -110,19 +110,18 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
         if let Some(other) = tasks.iter().find(|other| other.folder == folder) {
             return Err(Failure::input(format!(
                 "{} and {} would both go to {}: unfold them one by one, with --output DIR",
-                other.file.display(),
+                other.of.file.display(),
                 file.display(),
                 folder.display()
             )));
         }
-        let text = noted(&grazing_source::read_file(file).map_err(DescriptionError::from)?, &settings);
-        let file_limits = description.limits();
+        let file_limits = of.description.limits();
         let limits = Limits {
             time: arguments.time_limit.unwrap_or(file_limits.time),
             memory: arguments.memory_limit.unwrap_or(file_limits.memory),
             steps: arguments.step_limit.unwrap_or(file_limits.steps),
         };
-        tasks.push(Task { file: file.clone(), text, description, folder, limits });
+        tasks.push(Task { of, folder, limits });
     }
     Ok(tasks)
 }
@@ -141,21 +140,21 @@ fn settings(set: &[Setting]) -> Vec<Setting> {
 /// # Errors
 /// There is nothing to unfold.
 pub(crate) fn analyse(
-    description: &Description,
-    file: &Path,
+    of: &OscillatorFile,
     limits: Limits,
     keep: Keep<'_>,
 ) -> Result<(Analysis, Option<Met>), Failure> {
     let watch = Watch::begin(limits);
     let display = Display::counting(watch.stop());
-    let unfolded = Unfolded::described(description, &display, &watch.stop(), keep)
-        .map_err(|error| failure(description, file, &error, watch.met()))?;
+    let unfolded = Unfolded::described(&of.description, &display, &watch.stop(), keep)
+        .map_err(|error| failure(of, &error, watch.met()))?;
     let met = watch.met().filter(|_| !unfolded.diagram.unfinished.is_empty());
     Ok((unfolded, met))
 }
 
 /// The failure that tells, with the file's names of the parameters, why there is nothing to unfold, or what has ended the search.
-fn failure(description: &Description, file: &Path, error: &StudyError, met: Option<Met>) -> Failure {
+fn failure(of: &OscillatorFile, error: &StudyError, met: Option<Met>) -> Failure {
+    let OscillatorFile { file, description, .. } = of;
     match (error, met) {
         (StudyError::Unfold(UnfoldError::Stopped { stage }), Some(met)) => {
             let outcome = "nothing is written, for nothing was found up to then, in the stage";
@@ -177,26 +176,26 @@ impl Task {
     /// Computes, writes and tells everything.
     fn run(&self, edition: &Edition, explain: bool) -> Result<(), Failure> {
         let start = Instant::now();
-        terminal::say(&listing::oscillator(&self.description, &self.file));
+        let OscillatorFile { file, description, .. } = &self.of;
+        terminal::say(&listing::oscillator(description, file));
         let keeper = Keeper::new(&self.folder);
-        let (unfolded, met) =
-            analyse(&self.description, &self.file, self.limits, &|table| keeper.keep(table))?;
+        let (unfolded, met) = analyse(&self.of, self.limits, &|table| keeper.keep(table))?;
         let files = self.files(&unfolded, edition)?;
         let changes = folder::write(&self.folder, &files)?;
         self.remove_other_sheets(&files, edition)?;
         keeper.clear()?;
-        terminal::say(&listing::results(&self.description, &unfolded));
+        terminal::say(&listing::results(description, &unfolded));
         if explain {
-            terminal::say(&explanation::all(&self.description, &unfolded));
+            terminal::say(&explanation::all(description, &unfolded));
         }
         let names = files.iter().map(|file| self.folder.join(&file.path).display().to_string());
         terminal::say(&format!("\n{}", summary(&names.zip(changes).collect::<Vec<_>>())));
         terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
         if let Some(met) = met {
             let outcome = "what was not finished is named above; everything else is written";
-            return Err(ended(&self.file, met, outcome));
+            return Err(ended(file, met, outcome));
         }
-        let (file, contradictions) = (self.file.display(), listing::contradictions(&unfolded.resonances));
+        let (file, contradictions) = (file.display(), listing::contradictions(&unfolded.entries()));
         if !contradictions.is_empty() {
             let what = contradictions.join("; ");
             return Err(Failure::check(format!(
@@ -213,21 +212,17 @@ impl Task {
 
     /// Figures, tables and the page that shows them.
     fn files(&self, unfolded: &Analysis, edition: &Edition) -> Result<Vec<MadeFile>, Failure> {
+        let material = Material::new(&self.of, unfolded, edition.size.columns)?;
         let mut files = Vec::new();
-        let rows = unfolded.rows();
-        let drawn = sheets::figures(&self.description, unfolded, &rows, edition.width())
-            .map_err(|error| computation("figures", &error))?;
-        let tables = &rows.tables(&unfolded.axes.names);
-        for (name, svg) in drawn.clone() {
-            files.extend(edition.figure_files(&name, svg).map_err(|error| computation("figures", &error))?);
+        for (name, svg) in &material.figures {
+            let made = edition.figure_files(name, svg.clone());
+            files.extend(made.map_err(|error| computation("figures", &error))?);
         }
-        for table in tables {
+        for table in &material.tables {
             let content = tables::csv(table).map_err(|error| computation("tables", &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
         }
         files.push(data_page::of_an_oscillator(Rows::TABLES.iter().copied(), &unfolded.axes.names));
-        let Self { file, text, description, .. } = self;
-        let material = Material { file, text, description, unfolded, figures: &drawn, tables };
         files.push(material.page(&files));
         Ok(files)
     }

@@ -21,7 +21,7 @@ fn invented() -> Published {
              value = \"{value}\"\nrounding = \"{rounding}\"\n"
         ));
     }
-    Published::parse(&text).expect("a valid list")
+    toml::from_str(&text).expect("a valid list")
 }
 
 #[test]
@@ -42,7 +42,7 @@ fn the_table_is_aligned_and_tells_every_verdict() {
 fn every_published_value_is_met_by_the_default_parameters() {
     let outcome = grazing(&repository(), &["compare"]);
     assert_eq!(outcome.code, Some(0), "{}{}", outcome.output, outcome.messages);
-    let rows = Published::printed().expect("expected/published.toml is valid").values.len();
+    let rows = Published::printed().values.len();
     assert_eq!(
         outcome.output.lines().filter(|line| line.contains("  met  ")).count(),
         rows,

@@ -8,6 +8,7 @@ use std::path::Path;
 
 use grazing_cli::outputs;
 use grazing_cli::outputs::edition::Edition;
+use grazing_drawing::Bounds;
 use grazing_export::{Figure, Text};
 use program::{empty_folder, grazing, repository, snapshots};
 use sha2::{Digest, Sha256};
@@ -40,12 +41,13 @@ fn figures(folder: &Path) -> BTreeMap<&'static str, Figure> {
 /// What is wrong with a figure for print; empty for a good one.
 fn faults(figure: &Figure) -> Vec<String> {
     let mut faults = Vec::new();
-    let (texts, sheet) = (figure.texts(), figure.size());
+    let (texts, (right, bottom)) = (figure.texts(), figure.size());
+    let sheet = Bounds { left: 0.0, top: 0.0, right, bottom }.grown(HAIR);
     for text in &texts {
         let name = &text.text;
         match text.bounds() {
             None => faults.push(format!("`{name}` shows nothing")),
-            Some(bounds) if !bounds.lies_in(sheet, HAIR) => faults.push(format!("`{name}` leaves the sheet")),
+            Some(bounds) if !sheet.holds(&bounds) => faults.push(format!("`{name}` leaves the sheet")),
             Some(_) => {}
         }
         if text.size < SMALLEST || text.smallest < SMALLEST_SCRIPT {
@@ -58,8 +60,10 @@ fn faults(figure: &Figure) -> Vec<String> {
         }
     }
     for shape in figure.shapes() {
-        let outside = !shape.clipped && !shape.bounds.lies_in(sheet, HAIR);
-        if outside || !shape.bounds.is_finite() {
+        // What is not a number lies nowhere.
+        let Bounds { left, top, right, bottom } = shape.bounds;
+        let finite = [left, top, right, bottom].iter().all(|edge| edge.is_finite());
+        if !(finite && (shape.clipped || sheet.holds(&shape.bounds))) {
             faults.push(format!("a shape leaves the sheet: {:?}", shape.bounds));
         }
         if let Some(width) = shape.stroke.filter(|width| *width < THINNEST - 1e-3) {

@@ -1,4 +1,4 @@
-//! A panel: a window of data space on a rectangle of the sheet, with its frame, ticks, numbers and axis titles.
+//! A panel: a rectangle of data space on one of the sheet, with border, ticks, numbers and axis titles.
 
 use std::fmt::Write;
 
@@ -6,13 +6,14 @@ use plotters::coord::CoordTranslate;
 use plotters::coord::cartesian::Cartesian2d;
 use plotters::coord::types::RangedCoordf64;
 
+use grazing_results::{Frame, Names};
+
 use crate::DrawingError;
 use crate::canvas::{Anchor, Canvas};
-use crate::clip::{Window, clip_polygon, clip_polyline, hatching};
+use crate::clip::{clip_polygon, clip_polyline, hatching};
 use crate::font::Fonts;
 use crate::markup::Label;
 use crate::numbers::{Direction, Numbers};
-use crate::plane::Plane;
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
     BLACK, DISC_RADIUS, FRAME, HATCHING, MARKER, MARKER_RIM, MINOR_TICK_LENGTH, Paint, Pen, STAR_RADIUS,
@@ -20,17 +21,17 @@ use crate::style::{
 };
 use crate::svg::{escape, in_hundredths, points};
 
-/// A window of data space laid over a rectangle of the sheet.
+/// A rectangle of data space laid over one of the sheet.
 pub(crate) struct Panel<'c> {
     pub(crate) canvas: &'c Canvas,
-    pub(crate) window: Window,
+    pub(crate) frame: Frame,
     pub(crate) bounds: Bounds,
     /// The tables whose rows it shows, the most telling first; none if any with columns for the axes may be.
     pub(crate) tables: &'c [&'static str],
     /// The column and the number that tell its rows from those of other panels.
     pub(crate) only: Option<(&'static str, u32)>,
-    /// The parameters that it shows, where the titles do not say which columns hold them.
-    pub(crate) plane: Option<&'c Plane>,
+    /// The names of the two parameters, where the titles do not say which columns hold them.
+    pub(crate) names: Option<&'c Names>,
     /// Whether there are numbers beside it.
     pub(crate) numbers_beside: bool,
 }
@@ -57,8 +58,8 @@ const LEAST_TITLE_SIZE: f64 = 6.5;
 
 impl<'c> Panel<'c> {
     /// A panel that does not say what it shows.
-    pub(crate) fn new(canvas: &'c Canvas, window: Window, bounds: Bounds) -> Self {
-        Panel { canvas, window, bounds, tables: &[], only: None, plane: None, numbers_beside: true }
+    pub(crate) fn new(canvas: &'c Canvas, frame: Frame, bounds: Bounds) -> Self {
+        Panel { canvas, frame, bounds, tables: &[], only: None, names: None, numbers_beside: true }
     }
 
     /// Where a data point lies on the sheet, in whole hundredths of a point: the rest of the way from the lower left
@@ -66,7 +67,7 @@ impl<'c> Panel<'c> {
     pub(crate) fn spot(&self, point: (f64, f64)) -> Spot {
         let (left, top) = in_hundredths((self.bounds.left, self.bounds.top));
         let (right, bottom) = in_hundredths((self.bounds.right, self.bounds.bottom));
-        let Window { x: [first, last], y: [low, high] } = self.window;
+        let Frame { x: [first, last], y: [low, high] } = self.frame;
         let axes: Cartesian2d<RangedCoordf64, RangedCoordf64> =
             Cartesian2d::new(first..last, low..high, (left..right, bottom..top));
         let (x, y) = axes.translate(&point);
@@ -77,17 +78,17 @@ impl<'c> Panel<'c> {
         points.iter().map(|&point| self.spot(point)).collect()
     }
 
-    /// A polyline, clipped to the window; returns its pieces on the sheet.
+    /// A polyline, clipped to the frame; returns its pieces on the sheet.
     pub(crate) fn line(&self, points: &[(f64, f64)], pen: Pen) -> Vec<Vec<Spot>> {
         let pieces: Vec<_> =
-            clip_polyline(&self.window, points).iter().map(|piece| self.spots(piece)).collect();
+            clip_polyline(&self.frame, points).iter().map(|piece| self.spots(piece)).collect();
         pieces.iter().for_each(|piece| self.canvas.line(piece, pen));
         pieces
     }
 
-    /// A filled polygon, clipped to the window; returns its outline on the sheet, if any of it shows.
+    /// A filled polygon, clipped to the frame; returns its outline on the sheet, if any of it shows.
     pub(crate) fn fill(&self, vertices: &[(f64, f64)], paint: Paint) -> Vec<Spot> {
-        let clipped = clip_polygon(&self.window, vertices);
+        let clipped = clip_polygon(&self.frame, vertices);
         if clipped.len() < 3 {
             return Vec::new();
         }
@@ -96,7 +97,7 @@ impl<'c> Panel<'c> {
         outline
     }
 
-    /// A filled area, clipped to the window, inside where its rings are crossed an odd number of times; returns its first ring on the
+    /// A filled area, clipped to the frame, inside where its rings are crossed an odd number of times; returns its first ring on the
     /// sheet, if any of it shows.
     pub(crate) fn area(&self, rings: &[Vec<(f64, f64)>], paint: Paint) -> Vec<Spot> {
         match rings {
@@ -117,14 +118,14 @@ impl<'c> Panel<'c> {
         }
     }
 
-    /// The parts of rings in the window, on the sheet.
+    /// The parts of rings in the frame, on the sheet.
     fn clipped(&self, rings: &[Vec<(f64, f64)>]) -> Vec<Vec<Spot>> {
-        rings.iter().map(|ring| self.spots(&clip_polygon(&self.window, ring))).collect()
+        rings.iter().map(|ring| self.spots(&clip_polygon(&self.frame, ring))).collect()
     }
 
-    /// A marker, if its point is in the window; returns the box it takes.
+    /// A marker, if its point is in the frame; returns the box it takes.
     pub(crate) fn marker(&self, point: (f64, f64), marker: Marker) -> Option<Bounds> {
-        if !self.window.contains(point) {
+        if !self.frame.contains(point) {
             return None;
         }
         let (canvas, centre) = (self.canvas, self.spot(point));
@@ -149,7 +150,7 @@ impl<'c> Panel<'c> {
     /// left and right, bottom and top edges; `data-columns` the columns that hold them, where the titles do not say it. An empty title is
     /// that of the panel to the left.
     fn mark(&self, titles: [&str; 2]) {
-        let Panel { window: Window { x, y }, bounds, .. } = self;
+        let Panel { frame: Frame { x, y }, bounds, .. } = self;
         let mut attributes = String::new();
         // Writing to a String cannot fail.
         if !self.tables.is_empty() {
@@ -158,10 +159,10 @@ impl<'c> Panel<'c> {
         if let Some((column, number)) = self.only {
             let _ = write!(attributes, " data-only=\"{} {number}\"", escape(column));
         }
-        if let Some(Plane { across, up, .. }) = self.plane {
+        if let Some(Names { primary, secondary, .. }) = self.names {
             let said = |title: &str, column: &str| title.is_empty() || column_of(title) == column;
-            if !said(titles[0], &across.column) || !said(titles[1], &up.column) {
-                let columns = format!("{} {}", across.column, up.column);
+            if !said(titles[0], primary) || !said(titles[1], secondary) {
+                let columns = format!("{primary} {secondary}");
                 let _ = write!(attributes, " data-columns=\"{}\"", escape(&columns));
             }
         }
@@ -181,7 +182,7 @@ impl<'c> Panel<'c> {
         ));
     }
 
-    /// Frame, outward ticks, numbers and axis titles; an empty title is left out.
+    /// Border, outward ticks, numbers and axis titles; an empty title is left out.
     pub(crate) fn axes(&self, x_title: &str, y_title: &str) -> Result<(), DrawingError> {
         let (Bounds { left, top, right, bottom }, canvas) = (self.bounds, self.canvas);
         self.mark([x_title, y_title]);
@@ -189,25 +190,25 @@ impl<'c> Panel<'c> {
             &[(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)],
             FRAME,
         );
-        let x_numbers = Numbers::along(&canvas.fonts, self.window.x, right - left, Direction::Across)?;
+        let x_numbers = Numbers::along(&canvas.fonts, self.frame.x, right - left, Direction::Across)?;
         for minor in &x_numbers.minor {
-            let (x, _) = self.spot((*minor, self.window.y[0]));
+            let (x, _) = self.spot((*minor, self.frame.y[0]));
             canvas.line(&[(x, bottom), (x, bottom + MINOR_TICK_LENGTH)], TICK);
         }
         let baseline = bottom + TICK_LENGTH + TICK_GAP + 0.66 * TICK_SIZE;
         for tick in &x_numbers.ticks {
-            let (x, _) = self.spot((tick.value, self.window.y[0]));
+            let (x, _) = self.spot((tick.value, self.frame.y[0]));
             canvas.line(&[(x, bottom), (x, bottom + TICK_LENGTH)], TICK);
             canvas.text((x, baseline), &tick.label, TICK_SIZE, Anchor::Middle, BLACK)?;
         }
-        let y_numbers = Numbers::along(&canvas.fonts, self.window.y, bottom - top, Direction::Up)?;
+        let y_numbers = Numbers::along(&canvas.fonts, self.frame.y, bottom - top, Direction::Up)?;
         for minor in &y_numbers.minor {
-            let (_, y) = self.spot((self.window.x[0], *minor));
+            let (_, y) = self.spot((self.frame.x[0], *minor));
             canvas.line(&[(left, y), (left - MINOR_TICK_LENGTH, y)], TICK);
         }
         let reach = if self.numbers_beside { y_numbers.width } else { 0.0 };
         for tick in &y_numbers.ticks {
-            let (_, y) = self.spot((self.window.x[0], tick.value));
+            let (_, y) = self.spot((self.frame.x[0], tick.value));
             canvas.line(&[(left, y), (left - TICK_LENGTH, y)], TICK);
             if self.numbers_beside {
                 let spot = (left - TICK_LENGTH - TICK_GAP, y + 0.33 * TICK_SIZE);
@@ -221,13 +222,13 @@ impl<'c> Panel<'c> {
         let y_title = &y_numbers.title(y_title);
         let edge = left - TICK_LENGTH - 2.0 * TICK_GAP - reach - 1.0;
         let extent = canvas.fonts.measure(&Label::parse(y_title)?, TITLE_SIZE)?;
-        if extent.width > WIDEST_LEVEL_TITLE {
-            let size = title_size(canvas, y_title, bottom - top)?;
-            canvas.text_upwards((edge - extent.descent, 0.5 * (top + bottom)), y_title, size, BLACK)
+        let middle = 0.5 * (top + bottom);
+        let (spot, size, anchor) = if extent.width > WIDEST_LEVEL_TITLE {
+            ((edge - extent.descent, middle), title_size(canvas, y_title, bottom - top)?, Anchor::Upwards)
         } else {
-            let beside = (edge, 0.5 * (top + bottom) + 0.25 * TITLE_SIZE);
-            canvas.text(beside, y_title, TITLE_SIZE, Anchor::End, BLACK)
-        }
+            ((edge, middle + 0.25 * TITLE_SIZE), TITLE_SIZE, Anchor::End)
+        };
+        canvas.text(spot, y_title, size, anchor, BLACK)
     }
 }
 
@@ -304,15 +305,13 @@ mod tests {
     /// What is written about a panel with these titles that shows a plane of these columns.
     fn marked(titles: [&str; 2], columns: [&'static str; 2]) -> String {
         let canvas = Canvas::new(100.0, 100.0).unwrap();
-        let mut plane = Plane::of_parameters("x", "y");
-        plane.across.column = columns[0].into();
-        plane.up.column = columns[1].into();
+        let names = Names::new(columns[0], columns[1]);
         let bounds = Bounds { left: 10.0, top: 20.0, right: 90.5, bottom: 80.0 };
         let panel = Panel {
             tables: &["points", "curves"],
             only: Some(("panel", 2)),
-            plane: Some(&plane),
-            ..Panel::new(&canvas, Window { x: [-0.5, 1.25], y: [0.0, 3.0] }, bounds)
+            names: Some(&names),
+            ..Panel::new(&canvas, Frame { x: [-0.5, 1.25], y: [0.0, 3.0] }, bounds)
         };
         panel.mark(titles);
         let svg = canvas.finish("test", "", "").unwrap();
@@ -320,7 +319,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mark_tells_the_window_and_its_place() {
+    fn a_mark_tells_the_frame_and_its_place() {
         assert_eq!(
             marked([r"$\omega$", ""], ["omega", "A"]),
             "<rect class=\"panel\" x=\"10\" y=\"20\" width=\"80.5\" height=\"60\" data-x=\"-0.5 1.25\" data-y=\"0 3\" \
@@ -337,6 +336,19 @@ mod tests {
             (["$F_{0}$", r"$\omega_{2}$"], ["F_0", "omega_2"], true),
         ] {
             assert_eq!(marked(titles, columns).contains("data-columns"), named, "{titles:?}");
+        }
+    }
+
+    #[test]
+    fn no_name_makes_a_title_that_is_not_markup() {
+        let alphabet = ["a", "omega", "mass", "_", "0", "12", "$", "{", "\\", "ω", " "];
+        for first in alphabet {
+            for second in alphabet {
+                for third in alphabet {
+                    let [title, _] = Names::new(&format!("{first}{second}{third}"), "omega").titles();
+                    assert!(Label::parse(&title).is_ok(), "{title}");
+                }
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! A one-parameter bifurcation diagram: branches, attractor and bifurcations on one panel of Figure 2.
 
 use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::Names;
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
 
 use crate::DrawingError;
@@ -8,27 +9,26 @@ use crate::axes::Panel;
 use crate::cloud::draw_cloud;
 use crate::kinds::{label, pen, text_colour};
 use crate::labels::{Labels, Wanted};
-use crate::plane::Plane;
 use crate::sheet::{Bounds, Spot, length};
 use crate::style::{
     LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, SMALL_LABEL_SIZE, STABLE_WIDTH, THRESHOLD, UNSTABLE_WIDTH,
     branch_pen,
 };
 
-/// A branch of Figure 2: one loop of a solution as the amplitude changes.
-pub(crate) struct Branch {
+/// A strand of a branch of Figure 2: one loop of a solution as the amplitude changes.
+pub(crate) struct Strand {
     p: u32,
     points: Vec<(f64, f64)>,
     stable: Vec<bool>,
 }
 
-impl Branch {
-    /// Branches from their points: those that follow each other with equal p and branch are one; inadmissible ones become gaps.
+impl Strand {
+    /// Strands from their points: those that follow each other with equal p and branch are one; inadmissible ones become gaps.
     pub(crate) fn all(points: &[BranchPoint]) -> Vec<Self> {
         let place = |point: &BranchPoint| {
             if point.admissible { (point.primary, point.x) } else { (f64::NAN, f64::NAN) }
         };
-        let branch = |points: &[BranchPoint]| Branch {
+        let branch = |points: &[BranchPoint]| Strand {
             p: points[0].loops,
             points: points.iter().map(place).collect(),
             stable: points.iter().map(|point| point.stable).collect(),
@@ -41,16 +41,16 @@ impl Branch {
 pub(crate) fn diagram(
     panel: &Panel<'_>,
     mut labels: Labels<'_>,
-    branches: &[Branch],
+    branches: &[Strand],
     bifurcations: &[BranchBifurcation],
     cloud: &[(f64, f64)],
     every_loop: bool,
 ) -> Result<(), DrawingError> {
-    for level in panel.line(&[(panel.window.x[0], 0.0), (panel.window.x[1], 0.0)], THRESHOLD) {
+    for level in panel.line(&[(panel.frame.x[0], 0.0), (panel.frame.x[1], 0.0)], THRESHOLD) {
         labels.placer.keep_off_nameless(&level);
     }
     draw_cloud(panel, cloud);
-    labels.placer.avoid(cloud.iter().filter(|&&p| panel.window.contains(p)).map(|&p| panel.spot(p)));
+    labels.placer.avoid(cloud.iter().filter(|&&p| panel.frame.contains(p)).map(|&p| panel.spot(p)));
     let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();
     for branch in branches {
         for piece in branch_pieces(panel, branch) {
@@ -62,12 +62,12 @@ pub(crate) fn diagram(
             }
         }
     }
-    let grazing = Plane::of_the_paper().grazing;
+    let grazing = Names::of_the_paper().grazing_title();
     let mut named: Vec<(Bifurcation, u32)> = Vec::new();
     let visible: Vec<(Bifurcation, u32, (f64, f64))> = bifurcations
         .iter()
         .map(|found| (found.kind, found.loops, (found.primary, found.x)))
-        .filter(|(_, _, point)| panel.window.contains(*point))
+        .filter(|(_, _, point)| panel.frame.contains(*point))
         .collect();
     for &(kind, _, point) in &visible {
         let spot = panel.spot(point);
@@ -91,7 +91,7 @@ pub(crate) fn diagram(
 }
 
 /// Draws a branch, thick where stable and thin where unstable, without gaps between; returns what was drawn.
-fn branch_pieces(panel: &Panel<'_>, branch: &Branch) -> Vec<Vec<Spot>> {
+fn branch_pieces(panel: &Panel<'_>, branch: &Strand) -> Vec<Vec<Spot>> {
     let mut pieces = Vec::new();
     let mut start = 0;
     for run in branch.stable.chunk_by(|a, b| a == b) {
@@ -107,16 +107,17 @@ fn branch_pieces(panel: &Panel<'_>, branch: &Branch) -> Vec<Vec<Spot>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use grazing_results::Frame;
+
     use crate::canvas::Canvas;
-    use crate::clip::Window;
 
     #[test]
     fn stability_shows_in_the_width_and_leaves_no_gap() {
         let panel_points = |points: &[Vec<Spot>]| points.iter().map(Vec::len).collect::<Vec<_>>();
         let canvas = Canvas::new(100.0, 100.0).unwrap();
         let bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
-        let panel = Panel::new(&canvas, Window { x: [0.0, 3.0], y: [-1.0, 1.0] }, bounds);
-        let branch = Branch {
+        let panel = Panel::new(&canvas, Frame { x: [0.0, 3.0], y: [-1.0, 1.0] }, bounds);
+        let branch = Strand {
             p: 2,
             points: vec![(0.0, 0.0), (1.0, 0.1), (2.0, 0.4), (3.0, 0.9)],
             stable: vec![false, false, true, true],

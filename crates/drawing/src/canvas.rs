@@ -17,12 +17,14 @@ use crate::svg::{
     Hundredths, POINTS_PER_MM, escape, fill, hex, hundredths, in_hundredths, path_data, points, spans, stroke,
 };
 
-/// Horizontal anchor of a text.
+/// Which point of its baseline a text is placed by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Anchor {
     Start,
     Middle,
     End,
+    /// Its middle, and the text reads upwards.
+    Upwards,
 }
 
 /// A sheet under way.
@@ -129,38 +131,29 @@ impl Canvas {
         colour: Colour,
     ) -> Result<(), DrawingError> {
         let Extent { width, ascent, descent } = self.fonts.measure(label, size)?;
-        let (left, anchor) = match anchor {
-            Anchor::Start => (x, ""),
-            Anchor::Middle => (x - 0.5 * width, " text-anchor=\"middle\""),
-            Anchor::End => (x - width, " text-anchor=\"end\""),
-        };
         if label.runs.is_empty() {
             return Ok(());
         }
-        let taken = Bounds { left, top: y - ascent, right: left + width, bottom: y + descent };
-        self.set((x, y), label, size, anchor, colour, taken);
+        let (start, attributes) = match anchor {
+            Anchor::Start => (0.0, String::new()),
+            Anchor::Middle => (-0.5 * width, " text-anchor=\"middle\"".to_owned()),
+            Anchor::End => (-width, " text-anchor=\"end\"".to_owned()),
+            Anchor::Upwards => {
+                let turn = format!("transform=\"rotate(-90 {} {})\"", points(x), points(y));
+                (-0.5 * width, format!(" text-anchor=\"middle\" {turn}"))
+            }
+        };
+        // So far along the baseline from where the label starts, and so far below it.
+        let place = |along: f64, below: f64| match anchor {
+            Anchor::Upwards => (x + below, y - (start + along)),
+            _ => (x + (start + along), y + below),
+        };
+        let (a, b) = (place(0.0, -ascent), place(width, descent));
+        let taken =
+            Bounds { left: a.0.min(b.0), top: a.1.min(b.1), right: a.0.max(b.0), bottom: a.1.max(b.1) };
+        self.set((x, y), label, size, &attributes, colour, taken);
         for hat in self.fonts.hats(label, size)? {
-            self.line(&hat.map(|(right, down)| (left + right, y + down)), hat_pen(size, colour));
-        }
-        Ok(())
-    }
-
-    /// A label that reads upwards, the middle of its baseline at the spot.
-    pub(crate) fn text_upwards(
-        &self,
-        (x, y): Spot,
-        source: &str,
-        size: f64,
-        colour: Colour,
-    ) -> Result<(), DrawingError> {
-        let label = Label::parse(source)?;
-        let Extent { width, ascent, descent } = self.fonts.measure(&label, size)?;
-        let (top, bottom) = (y - 0.5 * width, y + 0.5 * width);
-        let turn = format!(" text-anchor=\"middle\" transform=\"rotate(-90 {} {})\"", points(x), points(y));
-        let taken = Bounds { left: x - ascent, top, right: x + descent, bottom };
-        self.set((x, y), &label, size, &turn, colour, taken);
-        for hat in self.fonts.hats(&label, size)? {
-            self.line(&hat.map(|(right, down)| (x + down, bottom - right)), hat_pen(size, colour));
+            self.line(&hat.map(|(right, down)| place(right, down)), hat_pen(size, colour));
         }
         Ok(())
     }
@@ -218,7 +211,8 @@ impl Canvas {
             self.backend.borrow().body(),
         );
         if document.len() > SIZE_LIMIT {
-            return Err(DrawingError::TooLarge { figure, bytes: document.len(), limit: SIZE_LIMIT });
+            let bytes = document.len();
+            return Err(DrawingError(format!("{figure} came to {bytes} bytes; the limit is {SIZE_LIMIT}")));
         }
         Ok(document)
     }
@@ -239,7 +233,7 @@ mod tests {
     #[test]
     fn a_title_may_read_upwards() {
         let canvas = Canvas::new(100.0, 100.0).unwrap();
-        canvas.text_upwards((10.5, 50.0), "amplitude", 10.0, BLACK).unwrap();
+        canvas.text((10.5, 50.0), "amplitude", 10.0, Anchor::Upwards, BLACK).unwrap();
         let svg = canvas.finish("test", "", "").unwrap();
         assert!(svg.contains("x=\"10.5\" y=\"50\"") && svg.contains("rotate(-90 10.5 50)"), "{svg}");
         assert!(svg.contains("fill=\"none\""), "nothing is filled unless it says so");

@@ -1,41 +1,21 @@
-//! Clipping in data space: a curve leaves the window where it really crosses the frame, at its own slope.
+//! Clipping in data space: a curve leaves the frame where it really crosses it, at its own slope.
+
+use grazing_results::Frame;
 
 use crate::DrawingError;
 use crate::sheet::span;
 
-/// A rectangle of data space, shown by one panel.
-///
-/// Both coordinates are in the units of the data (dimensionless throughout the paper).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Window {
-    /// Lower and upper end of the horizontal axis.
-    pub x: [f64; 2],
-    /// Lower and upper end of the vertical axis.
-    pub y: [f64; 2],
-}
-
-impl Window {
-    /// Checks that both ranges are finite and increasing.
-    pub(crate) fn checked(self, name: &str) -> Result<Self, DrawingError> {
-        for (axis, [low, high]) in [("horizontal", self.x), ("vertical", self.y)] {
-            // Written so that NaN fails too, and a range wider than numbers go.
-            if !(low < high && (high - low).is_finite()) {
-                return Err(DrawingError::Window { window: name.to_owned(), axis, low, high });
-            }
+/// The frame, if both its ranges are finite and increasing; `name` is what an error calls it.
+pub(crate) fn checked(frame: Frame, name: &str) -> Result<Frame, DrawingError> {
+    for (axis, [low, high]) in [("horizontal", frame.x), ("vertical", frame.y)] {
+        // Written so that NaN fails too, and a range wider than numbers go.
+        if !(low < high && (high - low).is_finite()) {
+            return Err(DrawingError(format!(
+                "{axis} range of {name} must be finite and increasing, but it is {low} to {high}"
+            )));
         }
-        Ok(self)
     }
-
-    /// Its corners, the first one twice.
-    pub(crate) fn outline(&self) -> [(f64, f64); 5] {
-        let ([left, right], [low, high]) = (self.x, self.y);
-        [(left, low), (right, low), (right, high), (left, high), (left, low)]
-    }
-
-    /// True if the point is in the window or on its frame; false for NaN.
-    pub(crate) fn contains(&self, (x, y): (f64, f64)) -> bool {
-        self.x[0] <= x && x <= self.x[1] && self.y[0] <= y && y <= self.y[1]
-    }
+    Ok(frame)
 }
 
 /// Liang–Barsky: where the segment from `a` to `b` enters and leaves a rectangle, as fractions of its length.
@@ -56,20 +36,20 @@ pub(crate) fn fractions_inside(x: [f64; 2], y: [f64; 2], a: (f64, f64), b: (f64,
     (enter <= leave).then_some((enter, leave))
 }
 
-/// The part of a segment inside the window, if any; an end inside is kept to the bit, so that neighbours join.
-fn clip_segment(window: &Window, a: (f64, f64), b: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
-    let (enter, leave) = fractions_inside(window.x, window.y, a, b)?;
+/// The part of a segment inside the frame, if any; an end inside is kept to the bit, so that neighbours join.
+fn clip_segment(frame: &Frame, a: (f64, f64), b: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
+    let (enter, leave) = fractions_inside(frame.x, frame.y, a, b)?;
     let at = |t: f64| (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1));
     Some((if enter == 0.0 { a } else { at(enter) }, if leave == 1.0 { b } else { at(leave) }))
 }
 
-/// The pieces of a polyline inside the window; split at the frame and at points that are not finite.
-pub(crate) fn clip_polyline(window: &Window, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
+/// The pieces of a polyline inside the frame; split at its edge and at points that are not finite.
+pub(crate) fn clip_polyline(frame: &Frame, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
     let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
     let mut current: Vec<(f64, f64)> = Vec::new();
     for pair in points.windows(2) {
         let finite = pair.iter().all(|p| p.0.is_finite() && p.1.is_finite());
-        let Some((from, to)) = (if finite { clip_segment(window, pair[0], pair[1]) } else { None }) else {
+        let Some((from, to)) = (if finite { clip_segment(frame, pair[0], pair[1]) } else { None }) else {
             pieces.push(std::mem::take(&mut current));
             continue;
         };
@@ -111,22 +91,22 @@ pub(crate) fn hatching(rings: &[Vec<(f64, f64)>], distance: f64) -> Vec<[(f64, f
     lines
 }
 
-/// Sutherland–Hodgman: the polygon's part inside the window, as vertices in order (empty if there is none).
+/// Sutherland–Hodgman: the polygon's part inside the frame, as vertices in order (empty if there is none).
 ///
-/// A part that falls into several pieces comes back joined along the frame, which is right for filling but not for
+/// A part that falls into several pieces comes back joined along the edge, which is right for filling but not for
 /// outlines. Vertices that are not finite are left out.
-pub(crate) fn clip_polygon(window: &Window, vertices: &[(f64, f64)]) -> Vec<(f64, f64)> {
+pub(crate) fn clip_polygon(frame: &Frame, vertices: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut kept: Vec<(f64, f64)> =
         vertices.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
-    type Side = fn(&Window, (f64, f64)) -> f64;
+    type Side = fn(&Frame, (f64, f64)) -> f64;
     let sides: [Side; 4] =
-        [|w, p| p.0 - w.x[0], |w, p| w.x[1] - p.0, |w, p| p.1 - w.y[0], |w, p| w.y[1] - p.1];
+        [|f, p| p.0 - f.x[0], |f, p| f.x[1] - p.0, |f, p| p.1 - f.y[0], |f, p| f.y[1] - p.1];
     for inside in sides {
         let Some(&last) = kept.last() else { break };
         let mut previous = last;
         let mut next = Vec::with_capacity(kept.len() + 4);
         for &vertex in &kept {
-            let (before, after) = (inside(window, previous), inside(window, vertex));
+            let (before, after) = (inside(frame, previous), inside(frame, vertex));
             if (before < 0.0) != (after < 0.0) {
                 let t = before / (before - after);
                 next.push((
@@ -147,6 +127,7 @@ pub(crate) fn clip_polygon(window: &Window, vertices: &[(f64, f64)]) -> Vec<(f64
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sheet::area;
 
     #[test]
     fn hatching_lies_inside_and_spares_holes() {
@@ -165,10 +146,10 @@ mod tests {
         }
     }
 
-    const UNIT: Window = Window { x: [0.0, 1.0], y: [0.0, 1.0] };
+    const UNIT: Frame = Frame { x: [0.0, 1.0], y: [0.0, 1.0] };
 
     #[test]
-    fn a_line_leaves_the_window_at_its_own_slope() {
+    fn a_line_leaves_the_frame_at_its_own_slope() {
         // Slope 3 through (0.5, 0.5): it crosses y = 0 and y = 1 at x = 1/3 and 2/3, one rounding away.
         let pieces = clip_polyline(&UNIT, &[(-0.5, -2.5), (1.5, 3.5)]);
         assert_eq!(pieces.len(), 1);
@@ -199,13 +180,8 @@ mod tests {
         }
     }
 
-    fn area(polygon: &[(f64, f64)]) -> f64 {
-        let next = polygon.iter().cycle().skip(1);
-        0.5 * polygon.iter().zip(next).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<f64>()
-    }
-
     #[test]
-    fn a_polygon_is_cut_along_the_frame() {
+    fn a_polygon_is_cut_along_the_edge() {
         // A diamond of half-diagonal 0.75 about the centre loses four corner triangles of height 0.25: its area
         // falls from 1.125 to 1.125 - 4 * 0.0625.
         let diamond = [(0.5, -0.25), (1.25, 0.5), (0.5, 1.25), (-0.25, 0.5)];
@@ -215,20 +191,20 @@ mod tests {
     }
 
     #[test]
-    fn a_polygon_around_the_window_becomes_the_window_and_one_beside_it_nothing() {
+    fn a_polygon_around_the_frame_becomes_the_frame_and_one_beside_it_nothing() {
         let around = [(-1.0, -1.0), (3.0, -1.0), (3.0, 2.0), (-1.0, 2.0)];
         assert!((area(&clip_polygon(&UNIT, &around)) - 1.0).abs() < 1e-15);
         assert!(clip_polygon(&UNIT, &[(2.0, 0.0), (3.0, 0.0), (3.0, 1.0)]).is_empty());
     }
 
     #[test]
-    fn a_reversed_or_infinite_window_is_refused() {
-        let reversed = Window { x: [1.0, 0.0], y: [0.0, 1.0] }.checked("the panel").unwrap_err();
+    fn a_reversed_or_infinite_frame_is_refused() {
+        let reversed = checked(Frame { x: [1.0, 0.0], y: [0.0, 1.0] }, "the panel").unwrap_err();
         assert_eq!(
             reversed.to_string(),
             "horizontal range of the panel must be finite and increasing, but it is 1 to 0"
         );
-        assert!(Window { x: [0.0, 1.0], y: [0.0, f64::NAN] }.checked("the panel").is_err());
-        assert!(Window { x: [-1e308, 1e308], y: [0.0, 1.0] }.checked("the panel").is_err());
+        assert!(checked(Frame { x: [0.0, 1.0], y: [0.0, f64::NAN] }, "the panel").is_err());
+        assert!(checked(Frame { x: [-1e308, 1e308], y: [0.0, 1.0] }, "the panel").is_err());
     }
 }

@@ -6,10 +6,10 @@ use std::fmt::Write;
 use crate::axes::Panel;
 use crate::style::{CLOUD, CLOUD_BIN};
 
-/// Draws the points of the window as squares of [`CLOUD_BIN`] points, darker where several points share a bin.
+/// Draws the points of the frame as squares of [`CLOUD_BIN`] points, darker where several points share a bin.
 pub(crate) fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
     let mut counts: BTreeMap<(i64, i64), u32> = BTreeMap::new();
-    for &point in points.iter().filter(|&&p| panel.window.contains(p)) {
+    for &point in points.iter().filter(|&&p| panel.frame.contains(p)) {
         let (x, y) = panel.spot(point);
         let column = ((x - panel.bounds.left) / CLOUD_BIN).floor() as i64;
         let row = ((y - panel.bounds.top) / CLOUD_BIN).floor() as i64;

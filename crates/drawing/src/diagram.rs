@@ -1,34 +1,20 @@
 //! A two-parameter bifurcation diagram, like Figure 7.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
-use grazing_results::plane::{CurvePoint, RegionKind, RegionVertex, SpecialPoint};
+use grazing_results::plane::{CurvePoint, Figure7, MagnifiedPanel, RegionKind, RegionVertex, SpecialPoint};
+use grazing_results::{Frame, Names};
 
 use crate::DrawingError;
 use crate::axes::{Panel, overhang, room_beside};
 use crate::canvas::Canvas;
-use crate::clip::Window;
-use crate::kinds::{Curve, Region, draw_curves, draw_points};
+use crate::clip::checked;
+use crate::kinds::{Area, Trace, draw_curves, draw_points};
 use crate::labels::{Labels, Wanted};
-use crate::magnifications::MagnifiedPanel;
 use crate::magnified::{letter, rectangle};
-use crate::plane::Plane;
 use crate::sheet::{Bounds, Spot, area};
 use crate::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth};
 
-/// A line along which another diagram runs.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Section {
-    /// Its two ends across, in units of the primary parameter.
-    pub across: [f64; 2],
-    /// Its two ends up, in units of the secondary parameter.
-    pub up: [f64; 2],
-    /// What is written at its second end, in the markup of labels.
-    pub label: String,
-}
-
-/// A two-parameter bifurcation diagram.
-///
-/// Paper: Figure 7, fig:G, is one.
+/// A two-parameter bifurcation diagram; Figure 7 is one.
 #[derive(Debug, Clone, Copy)]
 pub struct Diagram<'a> {
     /// The name of the file without its ending, by which errors call the diagram.
@@ -37,8 +23,8 @@ pub struct Diagram<'a> {
     pub title: &'a str,
     /// The description of the SVG, likewise.
     pub description: &'a str,
-    /// The two parameters.
-    pub plane: &'a Plane,
+    /// The names of the two parameters.
+    pub names: &'a Names,
     /// The names of the tables of points and of curves, which the SVG names.
     pub tables: [&'static str; 2],
     /// Points that follow each other with equal kind, p, n and arc are one curve; inadmissible ones are not drawn, nor are unstable ones of GZ.
@@ -48,11 +34,11 @@ pub struct Diagram<'a> {
     /// Vertices of regions. Resonances of a p without a region have p written beside them.
     pub regions: &'a [RegionVertex],
     /// What is shown of the plane.
-    pub window: Window,
-    /// The panels of another sheet, whose windows are drawn.
+    pub frame: Frame,
+    /// The panels of another sheet, whose frames are drawn.
     pub magnified: &'a [MagnifiedPanel],
-    /// Lines along which other diagrams run.
-    pub sections: &'a [Section],
+    /// The primary parameters and the secondary one of Figure 2, if it runs in this plane.
+    pub section: Option<([f64; 2], f64)>,
 }
 
 /// Width in the paper.
@@ -69,41 +55,58 @@ const LABELLED_LENGTH: f64 = 42.0;
 /// Free space from a resonance to its label, in points: the triangle and its rim, seen along the diagonal.
 pub(crate) const OFF_TRIANGLE: f64 = 5.4;
 
+/// Draws Figure 7. Paper: fig:G.
+pub fn draw_fig07(figure: &Figure7, width: SheetWidth) -> Result<String, DrawingError> {
+    let diagram = Diagram {
+        name: "fig07",
+        title: "Two-parameter bifurcation diagram",
+        description: "Forcing amplitude across, forcing frequency up. Grazing curve of the non-impacting solution; \
+             saddle-node, period-doubling and grazing bifurcations of maximal periodic solutions; regions of stability \
+             in grey.",
+        names: &Names::of_the_paper(),
+        tables: ["fig07_points", "fig07_curves"],
+        curves: &figure.curves,
+        points: &figure.points,
+        regions: &figure.regions,
+        frame: figure.frame,
+        magnified: &figure.magnified,
+        section: figure.section,
+    };
+    draw_diagram(&diagram, width)
+}
+
 /// Draws a two-parameter bifurcation diagram; returns the text of an SVG file.
-///
-/// # Errors
-/// [`DrawingError`] if a window is empty.
 pub fn draw_diagram(diagram: &Diagram<'_>, width: SheetWidth) -> Result<String, DrawingError> {
     compose(diagram, width)?.finish(diagram.name, diagram.title, diagram.description)
 }
 
 pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
-    let window = diagram.window.checked(diagram.name)?;
+    let frame = checked(diagram.frame, diagram.name)?;
     for magnified in diagram.magnified {
-        magnified.window.checked(&format!("a rectangle of {}", diagram.name))?;
+        checked(magnified.frame, &format!("a rectangle of {}", diagram.name))?;
     }
-    let plane = diagram.plane;
+    let [across, up] = &diagram.names.titles();
 
     let width = width.mm(WIDTH_MM);
     let canvas = Canvas::new(width, (HEIGHT_SHARE * width).clamp(LEAST_HEIGHT_MM, MOST_HEIGHT_MM))?;
-    let bounds = bounds(&canvas, &window, plane)?;
-    let panel = Panel { tables: &diagram.tables, plane: Some(plane), ..Panel::new(&canvas, window, bounds) };
+    let bounds = bounds(&canvas, &frame, up)?;
+    let panel =
+        Panel { tables: &diagram.tables, names: Some(diagram.names), ..Panel::new(&canvas, frame, bounds) };
     let mut labels = Labels::new(&canvas, bounds);
 
     let mut shapes: Vec<(u32, Vec<Spot>)> = Vec::new();
-    for region in Region::all(diagram.regions) {
+    for region in Area::all(diagram.regions) {
         let shape = region.draw(&panel);
         if region.kind == RegionKind::Mps && !shape.is_empty() {
             shapes.push((region.p, shape));
         }
     }
     let drawn = draw_curves(&panel, &mut labels, shown_curves(diagram.curves));
-    let mut section_ends: Vec<(Spot, &str)> = Vec::new();
-    for section in diagram.sections {
-        let [from, to] = [0, 1].map(|end| (section.across[end], section.up[end]));
-        for piece in panel.line(&[from, to], SECTION) {
+    let mut section_end = None;
+    if let Some(([from, to], up)) = diagram.section {
+        for piece in panel.line(&[(from, up), (to, up)], SECTION) {
             labels.placer.keep_off(&piece);
-            section_ends.extend(piece.last().map(|&end| (end, section.label.as_str())));
+            section_end = piece.last().copied();
         }
     }
     let mut unnamed: Vec<(u32, Spot)> = Vec::new();
@@ -115,16 +118,16 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
     }
     let mut boxes = Vec::new();
     for magnified in diagram.magnified {
-        let outline = rectangle(&panel, &magnified.window, &mut labels);
+        let outline = rectangle(&panel, &magnified.frame, &mut labels);
         boxes.extend(outline.map(|outline| (magnified.panel, outline)));
     }
-    panel.axes(&plane.across.title, &plane.up.title)?;
+    panel.axes(across, up)?;
 
     for (number, outline) in &boxes {
         letter(&mut labels, *number, outline)?;
     }
-    for (end, label) in &section_ends {
-        labels.add(label, SMALL_LABEL_SIZE, BLACK, &Wanted::Around(*end, 2.5))?;
+    if let Some(end) = section_end {
+        labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Wanted::Around(end, 2.5))?;
     }
     for (p, shape) in by_area(&shapes) {
         let text = format!("$p={p}$");
@@ -137,16 +140,16 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
     for (p, spot) in &unnamed {
         labels.add(&format!("$p={p}$"), SMALL_LABEL_SIZE, BLACK, &Wanted::Around(*spot, OFF_TRIANGLE))?;
     }
-    labels.name_curves(drawn, LABELLED_LENGTH, &plane.grazing)?;
+    labels.name_curves(drawn, LABELLED_LENGTH, &diagram.names.grazing_title())?;
     labels.draw()?;
     Ok(canvas)
 }
 
 /// Where the panel is: within the margins, wider ones if the numbers or the title need them.
-fn bounds(canvas: &Canvas, window: &Window, plane: &Plane) -> Result<Bounds, DrawingError> {
+fn bounds(canvas: &Canvas, frame: &Frame, up: &str) -> Result<Bounds, DrawingError> {
     let (top, bottom) = (MARGINS.top, canvas.height - MARGINS.bottom);
-    let left = room_beside(&canvas.fonts, window.y, bottom - top, &plane.up.title)?.max(MARGINS.left);
-    let beyond = overhang(&canvas.fonts, window.x, canvas.width - left - MARGINS.right)?;
+    let left = room_beside(&canvas.fonts, frame.y, bottom - top, up)?.max(MARGINS.left);
+    let beyond = overhang(&canvas.fonts, frame.x, canvas.width - left - MARGINS.right)?;
     let right = canvas.width - MARGINS.right.max(beyond + 2.0);
     Ok(Bounds { left, top, right, bottom })
 }
@@ -158,7 +161,7 @@ fn by_area(shapes: &[(u32, Vec<Spot>)]) -> Vec<(u32, &[Spot])> {
     sorted
 }
 
-fn shown_curves(points: &[CurvePoint]) -> Vec<Curve> {
+fn shown_curves(points: &[CurvePoint]) -> Vec<Trace> {
     let place = |point: &CurvePoint| (point.kind, point.loops, point.n, point.arc);
     let curve = |points: &[CurvePoint]| {
         let last = points.len() - 1;
@@ -168,7 +171,7 @@ fn shown_curves(points: &[CurvePoint]) -> Vec<Curve> {
             let shown = point.admissible && (point.kind != Bifurcation::Grazing || stable);
             if shown { (point.primary, point.secondary) } else { (f64::NAN, f64::NAN) }
         });
-        Curve { kind: points[0].kind, approximate: false, points: spots.collect() }
+        Trace { kind: points[0].kind, approximate: false, points: spots.collect() }
     };
     points.chunk_by(|a, b| place(a) == place(b)).map(curve).collect()
 }
@@ -192,7 +195,7 @@ mod tests {
         for sample in oscillators() {
             for width in WIDTHS {
                 let misplaced = compose(&sample.diagram(), width).unwrap().misplaced_texts();
-                assert!(misplaced.is_empty(), "{:?} {width:?}: {misplaced:?}", sample.plane);
+                assert!(misplaced.is_empty(), "{:?} {width:?}: {misplaced:?}", sample.names);
             }
         }
     }
@@ -279,11 +282,11 @@ mod tests {
     #[test]
     fn only_rectangles_that_are_seen_have_their_letters() {
         let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 4);
-        let whole = sample.window;
-        sample.window.x[1] = sample.panels[0].window.x[0] - 0.01;
+        let whole = sample.frame;
+        sample.frame.x[1] = sample.panels[0].frame.x[0] - 0.01;
         let letters = texts(&sample).into_iter().filter(|text| text.starts_with('(')).collect::<Vec<_>>();
         assert_eq!(letters, ["(b)", "(c)", "(d)"]);
-        sample.window = whole;
+        sample.frame = whole;
         assert!(texts(&sample).contains(&"(a)".to_owned()));
     }
 
@@ -295,9 +298,9 @@ mod tests {
             crate::inspection::paths(&svg, "#f08200").len()
         };
         assert_eq!(rectangles(&sample), 3);
-        let Window { x: [left, _], y: [low, _] } = sample.panels[1].window;
+        let Frame { x: [left, _], y: [low, _] } = sample.panels[1].frame;
         // A thousandth of the range is a third of a point.
-        sample.panels[1].window = Window { x: [left, left + 0.001], y: [low, low + 0.001] };
+        sample.panels[1].frame = Frame { x: [left, left + 0.001], y: [low, low + 0.001] };
         assert_eq!(rectangles(&sample), 2);
         assert!(texts(&sample).contains(&"(b)".to_owned()));
     }
@@ -305,7 +308,7 @@ mod tests {
     #[test]
     fn an_empty_rectangle_is_an_error_that_names_the_diagram() {
         let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 2);
-        sample.panels[1].window.y = [0.5, 0.5];
+        sample.panels[1].frame.y = [0.5, 0.5];
         let error = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap_err();
         assert!(error.to_string().contains("a rectangle of diagram"), "{error}");
     }

@@ -1,12 +1,12 @@
 //! Figure 2: the one-parameter bifurcation diagram, a magnification of it, and phase portraits above.
 
-use grazing_results::branches::{AttractorPoint, BranchBifurcation, BranchPoint, PortraitPoint};
+use grazing_results::branches::Figure2;
 
 use crate::DrawingError;
 use crate::axes::Panel;
-use crate::branches::{Branch, diagram};
+use crate::branches::{Strand, diagram};
 use crate::canvas::{Anchor, Canvas};
-use crate::clip::Window;
+use crate::clip::checked;
 use crate::labels::Labels;
 use crate::magnified::panel_letter;
 use crate::markup::Label;
@@ -14,25 +14,6 @@ use crate::portraits::{Portrait, ROW, SINGLE_ROW, draw_portraits};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{BLACK, GUIDE, MAGNIFIER, MAGNIFIER_FRAME, SMALL_LABEL_SIZE, SheetWidth};
 use crate::svg::POINTS_PER_MM;
-
-/// What Figure 2 shows.
-///
-/// Paper: Figure 2, fig:Z.
-#[derive(Debug, Clone, Copy)]
-pub struct Figure02<'a> {
-    /// Points that follow each other with equal p and branch are one curve; inadmissible ones are not drawn.
-    pub branches: &'a [BranchPoint],
-    /// One for each loop.
-    pub bifurcations: &'a [BranchBifurcation],
-    /// Points of forward orbits.
-    pub attractor: &'a [AttractorPoint],
-    /// Orbits in order of time; a point that is NaN breaks the line.
-    pub portraits: &'a [PortraitPoint],
-    /// Amplitudes (horizontal) and values of x (vertical) of the whole diagram.
-    pub window: Window,
-    /// The same of the magnification.
-    pub magnification: Window,
-}
 
 /// Width in the paper.
 const WIDTH_MM: f64 = 156.0;
@@ -49,11 +30,11 @@ const BELOW: f64 = 31.0;
 /// The tables of the diagram.
 const SHOWN: [&str; 3] = ["fig02_bifurcations", "fig02_branches", "fig02_attractor"];
 
-/// Draws Figure 2.
+/// Draws Figure 2. Paper: fig:Z.
 ///
 /// # Errors
-/// [`DrawingError`] if a window is empty, or there is no portrait or more than six.
-pub fn draw_fig02(figure: &Figure02<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+/// [`DrawingError`] if a frame is empty, or there is no portrait or more than six.
+pub fn draw_fig02(figure: &Figure2, width: SheetWidth) -> Result<String, DrawingError> {
     compose(figure, width)?.finish(
         "fig02",
         "One-parameter bifurcation diagram with phase portraits",
@@ -62,12 +43,12 @@ pub fn draw_fig02(figure: &Figure02<'_>, width: SheetWidth) -> Result<String, Dr
     )
 }
 
-pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
-    let window = figure.window.checked("fig02")?;
-    let magnification = figure.magnification.checked("the magnification of fig02")?;
-    let branches = Branch::all(figure.branches);
+pub(crate) fn compose(figure: &Figure2, width: SheetWidth) -> Result<Canvas, DrawingError> {
+    let frame = checked(figure.frame, "fig02")?;
+    let magnification = checked(figure.magnified, "the magnification of fig02")?;
+    let branches = Strand::all(&figure.branches);
     let cloud: Vec<(f64, f64)> = figure.attractor.iter().map(|point| (point.primary, point.x)).collect();
-    let portraits = Portrait::all(figure.portraits)?;
+    let portraits = Portrait::all(&figure.portraits)?;
 
     let width = width.mm(WIDTH_MM);
     let stacked = width < SIDE_BY_SIDE_MM;
@@ -87,7 +68,7 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
         let (split, bottom) = (0.59 * canvas.width, canvas.height - BELOW);
         (Bounds { left: 38.0, top, right: split, bottom }, Bounds { left: split + 44.0, top, right, bottom })
     };
-    let whole = Panel { tables: &SHOWN, ..Panel::new(&canvas, window, whole) };
+    let whole = Panel { tables: &SHOWN, ..Panel::new(&canvas, frame, whole) };
     let part = Panel { tables: &SHOWN, ..Panel::new(&canvas, magnification, part) };
 
     let guides = letters(&whole, &portraits)?;
@@ -100,7 +81,7 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
             guides.iter().for_each(|guide| labels.placer.keep_off_nameless(guide));
             labels.placer.keep_off_nameless(&magnified.map(|corner| panel.spot(corner)));
         }
-        diagram(panel, labels, &branches, figure.bifurcations, &cloud, every_loop)?;
+        diagram(panel, labels, &branches, &figure.bifurcations, &cloud, every_loop)?;
         panel.axes(r"$\mathcal{A}$", if every_loop && !stacked { "" } else { "$x$" })?;
     }
     Ok(canvas)
@@ -110,7 +91,7 @@ pub(crate) fn compose(figure: &Figure02<'_>, width: SheetWidth) -> Result<Canvas
 fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<Vec<Vec<Spot>>, DrawingError> {
     let mut marks: Vec<(f64, String)> = Vec::new();
     for portrait in portraits {
-        let (x, _) = panel.spot((portrait.amplitude, panel.window.y[0]));
+        let (x, _) = panel.spot((portrait.amplitude, panel.frame.y[0]));
         if x < panel.bounds.left || x > panel.bounds.right {
             continue;
         }
@@ -138,7 +119,8 @@ fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<Vec<Vec<Spot>>, 
 
 #[cfg(test)]
 mod tests {
-    use grazing_results::branches::PortraitKind;
+    use grazing_results::Frame;
+    use grazing_results::branches::{PortraitKind, PortraitPoint};
 
     use super::*;
 
@@ -146,13 +128,14 @@ mod tests {
     fn diagram_and_magnification_stand_one_above_the_other_in_one_column() {
         let (kind, time) = (PortraitKind::Periodic, f64::NAN);
         let point = |x, y| PortraitPoint { portrait: 1, loops: 0, primary: 0.8, kind, time, x, y };
-        let figure = Figure02 {
-            branches: &[],
-            bifurcations: &[],
-            attractor: &[],
-            portraits: &[point(-1.0, 0.5), point(-0.5, -0.5)],
-            window: Window { x: [0.7, 1.6], y: [-0.6, 1.0] },
-            magnification: Window { x: [0.9, 1.3], y: [-0.3, 0.4] },
+        let figure = Figure2 {
+            branches: Vec::new(),
+            bifurcations: Vec::new(),
+            attractor: Vec::new(),
+            portraits: vec![point(-1.0, 0.5), point(-0.5, -0.5)],
+            frame: Frame { x: [0.7, 1.6], y: [-0.6, 1.0] },
+            magnified: Frame { x: [0.9, 1.3], y: [-0.3, 0.4] },
+            notes: Vec::new(),
         };
         let size = |width| compose(&figure, width).map(|sheet| (sheet.width, sheet.height)).unwrap();
         let (one, paper) = (size(SheetWidth::OneColumn), size(SheetWidth::Paper));

@@ -1,27 +1,27 @@
 //! Figure 4: the boundaries g_p and h_p in the trapesium.
 
-use grazing_results::sketches::{Boundary, BoundaryPoint, Star};
+use grazing_results::Frame;
+use grazing_results::sketches::{Boundary, BoundaryPoint, Figure4};
 
 use crate::DrawingError;
 use crate::axes::{Marker, Panel};
 use crate::canvas::{Anchor, Canvas};
-use crate::clip::Window;
 use crate::labels::{Labels, Wanted};
 use crate::markup::Label;
 use crate::placement::side_by_side;
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
-    BLACK, CURVE_LEADER, Colour, LABEL_SIZE, LIMIT, NON_IMPACTING_AREA, OUTLINE, Pen, SMALL_LABEL_SIZE,
-    SheetWidth, admissibility_pen, resonance_pen,
+    BLACK, CURVE_LEADER, LABEL_SIZE, LIMIT, NON_IMPACTING_AREA, OUTLINE, Pen, SMALL_LABEL_SIZE, SheetWidth,
+    admissibility_pen, resonance_pen,
 };
 
-struct Curve {
+struct BoundaryCurve {
     family: Boundary,
     p: u32,
     points: Vec<(f64, f64)>,
 }
 
-impl Curve {
+impl BoundaryCurve {
     fn pen(&self) -> Pen {
         match self.family {
             Boundary::Trapesium => OUTLINE,
@@ -45,29 +45,19 @@ impl Curve {
 const WIDTH_MM: f64 = 120.0;
 const HEIGHT_MM: f64 = 74.0;
 /// The trapesium with a little room at its sharp corners.
-const WINDOW: Window = Window { x: [-2.12, 2.12], y: [0.0, 1.0] };
+const SHOWN: Frame = Frame { x: [-2.12, 2.12], y: [0.0, 1.0] };
 /// Room above the panel: leaders, and the names of the curves.
 const NAMES_ABOVE: f64 = 10.0;
 /// Least gap between two names, in points.
 const NAME_GAP: f64 = 3.0;
 
-/// Draws Figure 4, fig:D of the paper.
-///
-/// Points that follow each other with equal kind and p are one curve; the trapesium is a closed outline, every other curve ends on its
-/// top side. Marked is the grazing bifurcation of Figure 2.
-///
-/// # Errors
-/// None for rows as the reproduction makes them.
-pub fn draw_fig04(
-    curves: &[BoundaryPoint],
-    points: &[Star],
-    width: SheetWidth,
-) -> Result<String, DrawingError> {
-    let curves = shown_curves(curves);
+/// Draws Figure 4. Paper: fig:D.
+pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<String, DrawingError> {
+    let curves = shown_curves(&figure.curves);
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let bounds = Bounds { left: 37.0, top: 23.0, right: canvas.width - 12.0, bottom: canvas.height - 30.0 };
-    let panel = Panel::new(&canvas, WINDOW, bounds);
+    let panel = Panel::new(&canvas, SHOWN, bounds);
     let mut labels = Labels::new(&canvas, bounds);
 
     for curve in curves.iter().filter(|curve| curve.family == Boundary::Trapesium) {
@@ -80,7 +70,7 @@ pub fn draw_fig04(
     }
     panel.axes(r"$\tau$", r"$\delta$")?;
     name_above(&panel, &curves)?;
-    for point in points.iter().map(|point| (point.tau, point.delta)) {
+    for point in figure.points.iter().map(|point| (point.tau, point.delta)) {
         if let Some(taken) = panel.marker(point, Marker::Star) {
             labels.placer.block(taken);
             let reach = 0.5 * (taken.right - taken.left);
@@ -105,40 +95,33 @@ pub fn draw_fig04(
 }
 
 /// Names the curves in a row above their upper ends.
-fn name_above(panel: &Panel<'_>, curves: &[Curve]) -> Result<(), DrawingError> {
-    struct Name<'a> {
-        text: String,
-        end: Spot,
-        /// Where the curve comes from, for curves that end in one point.
-        before: f64,
-        curve: &'a Curve,
-    }
-    let mut names: Vec<Name<'_>> = Vec::new();
+fn name_above(panel: &Panel<'_>, curves: &[BoundaryCurve]) -> Result<(), DrawingError> {
+    let mut ends: Vec<(Spot, f64, &BoundaryCurve)> = Vec::new();
     for curve in curves.iter().filter(|curve| curve.family != Boundary::Trapesium) {
-        let Some(&end) = curve.points.last().filter(|&&end| panel.window.contains(end)) else {
-            continue;
-        };
-        let before = curve.points[curve.points.len() * 19 / 20];
-        names.push(Name { text: curve.label(), end: panel.spot(end), before: panel.spot(before).0, curve });
+        if let Some(&end) = curve.points.last().filter(|&&end| panel.frame.contains(end)) {
+            // Of curves that end in one point, where they come from tells which is to the left.
+            let before = curve.points[curve.points.len() * 19 / 20];
+            ends.push((panel.spot(end), panel.spot(before).0, curve));
+        }
     }
-    names.sort_by(|a, b| (a.end.0 + a.before).total_cmp(&(b.end.0 + b.before)));
+    ends.sort_by(|a, b| (a.0.0 + a.1).total_cmp(&(b.0.0 + b.1)));
     let mut boxes = Vec::new();
-    for name in &names {
-        let extent = panel.canvas.fonts.measure(&Label::parse(&name.text)?, LABEL_SIZE)?;
-        boxes.push((name.end.0, extent.width));
+    for (end, _, curve) in &ends {
+        let extent = panel.canvas.fonts.measure(&Label::parse(&curve.label())?, LABEL_SIZE)?;
+        boxes.push((end.0, extent.width));
     }
-    for (name, x) in names.iter().zip(side_by_side(&boxes, NAME_GAP)) {
-        let (end, top) = (name.end, panel.bounds.top);
-        let colour: Colour = name.curve.pen().colour;
+    for ((end, _, curve), x) in ends.iter().zip(side_by_side(&boxes, NAME_GAP)) {
+        let top = panel.bounds.top;
         let leader = [(end.0, end.1 - 0.6), (x, top - NAMES_ABOVE + 2.5)];
         panel.canvas.line(&leader, CURVE_LEADER);
-        panel.canvas.text((x, top - NAMES_ABOVE), &name.text, LABEL_SIZE, Anchor::Middle, colour)?;
+        let spot = (x, top - NAMES_ABOVE);
+        panel.canvas.text(spot, &curve.label(), LABEL_SIZE, Anchor::Middle, curve.pen().colour)?;
     }
     Ok(())
 }
 
-fn shown_curves(points: &[BoundaryPoint]) -> Vec<Curve> {
-    let curve = |points: &[BoundaryPoint]| Curve {
+fn shown_curves(points: &[BoundaryPoint]) -> Vec<BoundaryCurve> {
+    let curve = |points: &[BoundaryPoint]| BoundaryCurve {
         family: points[0].kind,
         p: points[0].loops,
         points: points.iter().map(|point| (point.tau, point.delta)).collect(),
@@ -149,24 +132,17 @@ fn shown_curves(points: &[BoundaryPoint]) -> Vec<Curve> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::samples::{integer, known, number, written};
+    use crate::samples::study;
 
     #[test]
     fn every_curve_is_named_and_families_differ_without_colour() {
-        let point = |row: &Vec<String>| BoundaryPoint {
-            kind: known(&row[0], Boundary::ALL, Boundary::name),
-            loops: integer(&row[1]),
-            tau: number(&row[2]),
-            delta: number(&row[3]),
-        };
-        let rows: Vec<BoundaryPoint> = written("fig04_curves").iter().map(point).collect();
-        let star = Star { kind: "fig02", tau: -0.25, delta: 0.7 };
-        let svg = draw_fig04(&rows, &[star], SheetWidth::Paper).unwrap();
-        let curves = shown_curves(&rows);
+        let figure = study().fig04().unwrap();
+        let svg = draw_fig04(&figure, SheetWidth::Paper).unwrap();
+        let curves = shown_curves(&figure.curves);
         for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
             let own = curves.iter().filter(|curve| curve.family == kind);
             assert_eq!(svg.matches(&format!(">{family}</tspan>")).count(), own.clone().count());
-            for Curve { p, .. } in own {
+            for BoundaryCurve { p, .. } in own {
                 assert!(svg.contains(&format!(">{p}</tspan>")), "{p}");
             }
         }

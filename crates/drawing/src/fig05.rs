@@ -1,33 +1,18 @@
 //! Figure 5: the unfolding of a resonant grazing bifurcation.
 
 use grazing_results::plane::RegionKind;
-use grazing_results::sketches::{UnfoldingPoint, UnfoldingResonance, UnfoldingVertex};
+use grazing_results::sketches::{Figure5, UnfoldingPoint};
 
 use crate::DrawingError;
 use crate::axes::{Marker, Panel};
 use crate::canvas::Canvas;
-use crate::clip::Window;
-use crate::kinds::{Curve, draw_curves, label, text_colour};
+use crate::clip::checked;
+use crate::kinds::{Trace, draw_curves, label, text_colour};
 use crate::labels::{Labels, Wanted};
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
     BLACK, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, Paint, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE,
 };
-
-/// What Figure 5 shows.
-///
-/// Paper: Figure 5, fig:E.
-#[derive(Debug, Clone, Copy)]
-pub struct Figure05<'a> {
-    /// Points that follow each other with equal kind are one curve.
-    pub curves: &'a [UnfoldingPoint],
-    /// The resonance.
-    pub points: &'a [UnfoldingResonance],
-    /// Vertices of polygons; that of both is where the other two overlap.
-    pub regions: &'a [UnfoldingVertex],
-    /// Values of mu (horizontal) and eta (vertical) shown.
-    pub window: Window,
-}
 
 /// The overlap gets its shade from the two areas that make it up.
 fn paint(kind: RegionKind) -> Option<Paint> {
@@ -51,13 +36,10 @@ fn words(kind: RegionKind) -> &'static [&'static str] {
 const WIDTH_MM: f64 = 64.0;
 const HEIGHT_MM: f64 = 58.0;
 
-/// Draws Figure 5.
-///
-/// # Errors
-/// [`DrawingError`] if the window is empty.
-pub fn draw_fig05(figure: &Figure05<'_>, width: SheetWidth) -> Result<String, DrawingError> {
-    let window = figure.window.checked("fig05")?;
-    let curve = |points: &[UnfoldingPoint]| Curve {
+/// Draws Figure 5. Paper: fig:E.
+pub fn draw_fig05(figure: &Figure5, width: SheetWidth) -> Result<String, DrawingError> {
+    let frame = checked(figure.frame, "fig05")?;
+    let curve = |points: &[UnfoldingPoint]| Trace {
         kind: points[0].kind,
         approximate: false,
         points: points.iter().map(|point| (point.mu, point.eta)).collect(),
@@ -71,7 +53,7 @@ pub fn draw_fig05(figure: &Figure05<'_>, width: SheetWidth) -> Result<String, Dr
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let bounds = Bounds { left: 45.0, top: 6.0, right: canvas.width - 7.0, bottom: canvas.height - 29.0 };
-    let panel = Panel::new(&canvas, window, bounds);
+    let panel = Panel::new(&canvas, frame, bounds);
     let mut labels = Labels::new(&canvas, bounds);
 
     let mut shapes: Vec<(RegionKind, Vec<Spot>)> = Vec::new();
@@ -111,33 +93,12 @@ pub fn draw_fig05(figure: &Figure05<'_>, width: SheetWidth) -> Result<String, Dr
 
 #[cfg(test)]
 mod tests {
-    use grazing_continuation::bifurcation::Bifurcation;
-
     use super::*;
-    use crate::samples::{integer, known, number, written};
-    use crate::sheet::span;
+    use crate::samples::study;
 
     #[test]
     fn curves_and_regions_are_named_and_the_overlap_is_shaded_by_its_two_regions_alone() {
-        const KINDS: [Bifurcation; 3] =
-            [Bifurcation::NonImpactingGrazing, Bifurcation::SaddleNode, Bifurcation::PeriodDoubling];
-        let point = |row: &Vec<String>| UnfoldingPoint {
-            kind: known(&row[0], &KINDS, Bifurcation::name),
-            mu: number(&row[1]),
-            eta: number(&row[2]),
-        };
-        let vertex = |row: &Vec<String>| UnfoldingVertex {
-            region: integer(&row[0]),
-            kind: known(&row[1], RegionKind::ALL, RegionKind::name),
-            mu: number(&row[2]),
-            eta: number(&row[3]),
-        };
-        let curves: Vec<_> = written("fig05_curves").iter().map(point).collect();
-        let regions: Vec<_> = written("fig05_regions").iter().map(vertex).collect();
-        let (x, y) = (span(regions.iter().map(|at| at.mu)), span(regions.iter().map(|at| at.eta)));
-        let window = Window { x, y };
-        let figure = Figure05 { curves: &curves, points: &[], regions: &regions, window };
-        let svg = draw_fig05(&figure, SheetWidth::Paper).unwrap();
+        let svg = draw_fig05(&study().fig05().unwrap(), SheetWidth::Paper).unwrap();
         for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<", "-loop MPS<"]
         {
             assert!(svg.contains(label), "{label}");

@@ -1,10 +1,12 @@
 //! Figure 6: the oscillator as a mechanical schematic.
 
-use grazing_results::sketches::{Part, PartPoint};
+use grazing_results::Frame;
+use grazing_results::sketches::{Figure6, Part, PartPoint};
 
 use crate::DrawingError;
 use crate::arrow::{arrow, double_arrow};
 use crate::canvas::{Anchor, Canvas};
+use crate::clip::checked;
 use crate::sheet::{Bounds, Spot, span};
 use crate::style::{
     AXIS, BLACK, BODY, BODY_OUTLINE, FORCE, LABEL_SIZE, PISTON, PROJECTION, SMALL_LABEL_SIZE, SheetWidth,
@@ -25,13 +27,8 @@ const BELOW: f64 = 22.0;
 const ABOVE: f64 = 15.0;
 
 /// Draws Figure 6. Paper: fig:F.
-///
-/// Points that follow each other with equal part and piece are one polyline. The ticks are those of the face, the equilibrium and the wall.
-///
-/// # Errors
-/// [`DrawingError`] if the parts have no extent.
-pub fn draw_fig06(parts: &[PartPoint], width: SheetWidth) -> Result<String, DrawingError> {
-    let (canvas, pieces) = on_sheet(parts, width.mm(WIDTH_MM))?;
+pub fn draw_fig06(figure: &Figure6, width: SheetWidth) -> Result<String, DrawingError> {
+    let (canvas, pieces) = on_sheet(&figure.parts, width.mm(WIDTH_MM))?;
     for piece in &pieces {
         draw(&canvas, piece);
     }
@@ -117,8 +114,8 @@ fn extent<'a>(paths: impl Iterator<Item = &'a Vec<Spot>>) -> Option<Bounds> {
 /// Lays the parts on a sheet of the given width, as high as they need, at one scale across and up.
 fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), DrawingError> {
     let (x, y) = (span(parts.iter().map(|point| point.x)), span(parts.iter().map(|point| point.height)));
-    let window = crate::Window { x, y }.checked("fig06")?;
-    let [[left, right], [low, high]] = [window.x, window.y];
+    let frame = checked(Frame { x, y }, "fig06")?;
+    let [[left, right], [low, high]] = [frame.x, frame.y];
     let millimetre = crate::svg::POINTS_PER_MM;
     let scale = (width_mm * millimetre - 2.0 * SIDE) / (right - left);
     let sheet_height = (high - low) * scale + ABOVE + BELOW;
@@ -133,27 +130,21 @@ fn on_sheet(parts: &[PartPoint], width_mm: f64) -> Result<(Canvas, Vec<Piece>), 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::samples::{integer, known, number, written};
+    use crate::samples::study;
 
     #[test]
     fn everything_is_named_and_lengths_keep_their_ratio_across_and_up() {
-        let point = |row: &Vec<String>| PartPoint {
-            part: known(&row[0], Part::ALL, Part::name),
-            piece: integer(&row[1]),
-            x: number(&row[2]),
-            height: number(&row[3]),
-        };
-        let parts: Vec<PartPoint> = written("fig06_parts").iter().map(point).collect();
-        let svg = draw_fig06(&parts, SheetWidth::Paper).unwrap();
+        let figure = study().fig06().unwrap();
+        let svg = draw_fig06(&figure, SheetWidth::Paper).unwrap();
         for label in
             [">unit stiffness<", ">unit<", ">mass<", ">equilibrium<", "restitution ", "damping 2", ">−1<"]
         {
             assert!(svg.contains(label), "{label}");
         }
-        let (_, drawn) = on_sheet(&parts, 90.0).unwrap();
+        let (_, drawn) = on_sheet(&figure.parts, 90.0).unwrap();
         let sheet = drawn.iter().find(|piece| piece.part == Part::Block).unwrap();
-        let block: Vec<Spot> =
-            parts.iter().filter(|point| point.part == Part::Block).map(|at| (at.x, at.height)).collect();
+        let block = figure.parts.iter().filter(|point| point.part == Part::Block);
+        let block: Vec<Spot> = block.map(|at| (at.x, at.height)).collect();
         let ratio = |path: &Vec<Spot>| {
             let Bounds { left, top, right, bottom } = extent(std::iter::once(path)).unwrap();
             (right - left) / (bottom - top)

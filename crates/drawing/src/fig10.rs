@@ -1,12 +1,13 @@
 //! Figure 10: the path of the proof of Theorem 2.3.
 
-use grazing_results::sketches::Visit;
+use grazing_results::Frame;
+use grazing_results::sketches::{Figure10, Visit};
 
 use crate::DrawingError;
 use crate::arrow::head_on;
 use crate::axes::{Marker, Panel};
 use crate::canvas::Canvas;
-use crate::clip::Window;
+use crate::clip::checked;
 use crate::labels::{Labels, Wanted};
 use crate::sheet::{Bounds, Spot, distance, inside, span};
 use crate::style::{
@@ -21,23 +22,19 @@ const MARGIN: [f64; 2] = [0.42, 0.14];
 /// Segments shorter than this (points) carry no arrowhead.
 const POINTED_LENGTH: f64 = 14.0;
 
-/// Draws Figure 10, the vertices of the path in order. Paper: fig:I.
-///
-/// # Errors
-/// [`DrawingError`] if the vertices span no area.
-pub fn draw_fig10(path: &[Visit], width: SheetWidth) -> Result<String, DrawingError> {
-    let vertices: Vec<(f64, f64)> = path.iter().map(|visit| (visit.u, visit.w)).collect();
-    let window =
-        Window { x: extent(&vertices, |v| v.0, MARGIN[0]), y: extent(&vertices, |v| v.1, MARGIN[1]) }
-            .checked("fig10")?;
+/// Draws Figure 10. Paper: fig:I.
+pub fn draw_fig10(figure: &Figure10, width: SheetWidth) -> Result<String, DrawingError> {
+    let vertices: Vec<(f64, f64)> = figure.path.iter().map(|visit| (visit.u, visit.w)).collect();
+    let frame = Frame { x: extent(&vertices, |v| v.0, MARGIN[0]), y: extent(&vertices, |v| v.1, MARGIN[1]) };
+    let frame = checked(frame, "fig10")?;
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let bounds = Bounds { left: 37.0, top: 6.0, right: canvas.width - 6.0, bottom: canvas.height - 30.0 };
-    let panel = Panel::new(&canvas, window, bounds);
+    let panel = Panel::new(&canvas, frame, bounds);
     let mut labels = Labels::new(&canvas, bounds);
 
     panel.fill(&vertices, PATH_AREA);
-    for axis in panel.line(&[(0.0, window.y[0]), (0.0, window.y[1])], THRESHOLD) {
+    for axis in panel.line(&[(0.0, frame.y[0]), (0.0, frame.y[1])], THRESHOLD) {
         labels.placer.keep_off_nameless(&axis);
     }
     for line in panel.line(&vertices, PATH) {
@@ -55,7 +52,7 @@ pub fn draw_fig10(path: &[Visit], width: SheetWidth) -> Result<String, DrawingEr
     // Labels of vertices stand outside as far as they can.
     let outline: Vec<_> = vertices.iter().map(|&vertex| panel.spot(vertex)).collect();
     labels.placer.avoid(inner_spots(&outline));
-    for (Visit { visit, .. }, &vertex) in path.iter().zip(&vertices) {
+    for (Visit { visit, .. }, &vertex) in figure.path.iter().zip(&vertices) {
         let text = format!(r"$(u^{{({visit})}},\,w^{{({visit})}})$");
         let wanted = Wanted::Around(panel.spot(vertex), DISC_RADIUS + 1.0);
         labels.add(&text, SMALL_LABEL_SIZE, BLACK, &wanted)?;
@@ -91,11 +88,12 @@ mod tests {
     use super::*;
     use crate::inspection::coordinates;
 
-    fn path(places: &[(f64, f64)]) -> Vec<Visit> {
-        (0..).zip(places).map(|(visit, &(u, w))| Visit { visit, u, w }).collect()
+    fn path(places: &[(f64, f64)]) -> Figure10 {
+        let path = (0..).zip(places).map(|(visit, &(u, w))| Visit { visit, u, w }).collect();
+        Figure10 { path }
     }
 
-    fn sample() -> Vec<Visit> {
+    fn sample() -> Figure10 {
         path(&[(0.0, -3.7), (-2.5, -3.2), (-3.8, -1.2), (-3.5, 1.0), (-2.2, 2.1), (-0.8, 1.9), (0.0, 0.7)])
     }
 
@@ -127,6 +125,6 @@ mod tests {
     fn a_path_without_width_is_an_error() {
         let path = path(&[(0.0, 0.0), (0.0, 1.0)]);
         let error = draw_fig10(&path, SheetWidth::Paper).unwrap_err();
-        assert!(matches!(error, DrawingError::Window { window, .. } if window == "fig10"));
+        assert!(error.to_string().contains("range of fig10"), "{error}");
     }
 }

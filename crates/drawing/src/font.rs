@@ -69,7 +69,7 @@ impl Fonts {
     pub(crate) fn load() -> Result<Self, DrawingError> {
         let parse = |i: usize| {
             let (font, bytes) = FONT_FILES[i];
-            Metrics::parse(bytes, 0).map_err(|reason| DrawingError::Font { font, reason })
+            Metrics::parse(bytes, 0).map_err(|reason| DrawingError(format!("embedded font {font}: {reason}")))
         };
         Ok(Fonts { faces: [parse(0)?, parse(1)?, parse(2)?], glyphs: RefCell::default() })
     }
@@ -91,7 +91,7 @@ impl Fonts {
     /// Measures a label set at `size` points.
     ///
     /// # Errors
-    /// [`DrawingError::Glyph`] if a character is in none of our fonts.
+    /// A character is in none of our fonts.
     pub(crate) fn measure(&self, label: &Label, size: f64) -> Result<Extent, DrawingError> {
         let mut extent = Extent { width: 0.0, ascent: 0.0, descent: 0.0 };
         for run in &label.runs {
@@ -107,9 +107,7 @@ impl Fonts {
             };
             let em = scale / f64::from(self.faces[index].units_per_em());
             for character in run.text.chars() {
-                let glyph = self
-                    .glyph(index, character)
-                    .ok_or_else(|| DrawingError::Glyph { label: label.source.clone(), character })?;
+                let glyph = self.glyph(index, character).ok_or_else(|| lacking(&label.source, character))?;
                 extent.width += em * f64::from(glyph.advance);
                 if let Some((low, high)) = glyph.ink {
                     extent.ascent = extent.ascent.max(rise + em * f64::from(high));
@@ -123,6 +121,12 @@ impl Fonts {
         }
         Ok(extent)
     }
+}
+
+fn lacking(label: &str, character: char) -> DrawingError {
+    DrawingError(format!(
+        "label `{label}` needs the character `{character}`, which the embedded fonts do not have"
+    ))
 }
 
 /// A circumflex as three spots, to the right of the label's start and below its baseline.

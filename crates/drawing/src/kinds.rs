@@ -37,7 +37,7 @@ pub(crate) fn label(bifurcation: Bifurcation, grazing: &str) -> &str {
 }
 
 /// A curve of the parameter plane; points are (across, up).
-pub(crate) struct Curve {
+pub(crate) struct Trace {
     pub(crate) kind: Bifurcation,
     /// Not the curve itself, but its quadratic approximation.
     pub(crate) approximate: bool,
@@ -49,11 +49,11 @@ pub(crate) struct Curve {
 pub(crate) fn draw_curves(
     panel: &Panel<'_>,
     labels: &mut Labels<'_>,
-    mut curves: Vec<Curve>,
+    mut curves: Vec<Trace>,
 ) -> Vec<(Bifurcation, Vec<Spot>)> {
     curves.sort_by_key(|curve| (curve.kind != Bifurcation::NonImpactingGrazing, curve.approximate));
     let mut drawn = Vec::new();
-    for Curve { kind, approximate, points } in &curves {
+    for Trace { kind, approximate, points } in &curves {
         let pen = if *approximate { approximation(pen(*kind)) } else { pen(*kind) };
         for piece in panel.line(points, pen) {
             if *approximate {
@@ -86,17 +86,17 @@ pub(crate) fn draw_points<'a>(
 }
 
 /// A region of the parameter plane; vertices are (across, up).
-pub(crate) struct Region {
+pub(crate) struct Area {
     pub(crate) p: u32,
     pub(crate) kind: RegionKind,
     /// Its border and those of its holes.
     pub(crate) rings: Vec<Vec<(f64, f64)>>,
 }
 
-impl Region {
+impl Area {
     /// Regions from their vertices: those of one number are one region, those of one ring of it, in order, one polygon.
     pub(crate) fn all(vertices: &[RegionVertex]) -> Vec<Self> {
-        let region = |vertices: &[RegionVertex]| Region {
+        let region = |vertices: &[RegionVertex]| Area {
             p: vertices[0].loops,
             kind: vertices[0].kind,
             rings: vertices

@@ -2,24 +2,25 @@
 
 use std::ops::Range;
 
-use grazing_continuation::bifurcation::Pair;
-use grazing_results::plane::{MagnifiedPoint, RegionVertex, Source, SpecialPoint};
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_results::Names;
+use grazing_results::plane::{Figure8, MagnifiedPanel, MagnifiedPoint, RegionVertex, Source, SpecialPoint};
 
 use crate::DrawingError;
 use crate::axes::Panel;
-use crate::canvas::Canvas;
-use crate::captions::Caption;
-use crate::clip::Window;
+use crate::canvas::{Anchor, Canvas};
+use crate::clip::checked;
 use crate::font::Fonts;
-use crate::kinds::{Curve, Region, draw_curves, draw_points};
+use crate::kinds::{Area, Trace, draw_curves, draw_points};
 use crate::labels::Labels;
-use crate::panel_grid::Grid;
-use crate::plane::Plane;
-use crate::style::SheetWidth;
+use crate::magnified::panel_letter;
+use crate::markup::Label;
+use crate::panel_grid::{Grid, HEADING_LEADING, SUBHEADING_LEADING};
+use crate::sheet::Bounds;
+use crate::style::{BLACK, LABEL_SIZE, SheetWidth, TICK_SIZE};
+use crate::ticks::measured;
 
-/// Magnifications about resonances.
-///
-/// Paper: Figure 8, fig:Y, is one sheet of them.
+/// Magnifications about resonances; Figure 8 is one sheet of them.
 #[derive(Debug, Clone, Copy)]
 pub struct Magnifications<'a> {
     /// The name of the file without its ending, by which errors call the sheets.
@@ -28,8 +29,8 @@ pub struct Magnifications<'a> {
     pub title: &'a str,
     /// The description of the SVG, likewise.
     pub description: &'a str,
-    /// The two parameters.
-    pub plane: &'a Plane,
+    /// The names of the two parameters.
+    pub names: &'a Names,
     /// The name of the table of curves, which the SVG names.
     pub table: &'static str,
     /// Points that follow each other with equal panel, kind, source and arc are one curve.
@@ -42,30 +43,36 @@ pub struct Magnifications<'a> {
     pub panels: &'a [MagnifiedPanel],
 }
 
-/// One panel of [`Magnifications`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MagnifiedPanel {
-    /// Its number, from 1; the letter (a) stands for the first.
-    pub panel: u32,
-    /// What it shows, in units of the two parameters.
-    pub window: Window,
-    /// Number of loops p of the resonance about which it is.
-    pub loops: u32,
-    /// The integer n of that, if it is to be written.
-    pub n: Option<u32>,
-    /// c_SN and c_PD, in units of the primary parameter over the square of the secondary one; NaN is left out.
-    pub coefficients: Pair<f64>,
-}
-
 /// Curves shorter than this on the sheet (points) stay without a label.
 const LABELLED_LENGTH: f64 = 24.0;
+
+/// Draws Figure 8. Paper: fig:Y.
+///
+/// # Errors
+/// [`DrawingError`] if a frame is empty, or there is no panel or more than three.
+pub fn draw_fig08(figure: &Figure8, width: SheetWidth) -> Result<String, DrawingError> {
+    let magnifications = Magnifications {
+        name: "fig08",
+        title: "Magnifications about three resonant grazing bifurcations",
+        description: "Forcing amplitude across, forcing frequency up. Dashed: the quadratic approximations to the \
+             saddle-node and period-doubling curves.",
+        names: &Names::of_the_paper(),
+        table: "fig08_curves",
+        curves: &figure.curves,
+        points: &figure.points,
+        regions: &figure.regions,
+        panels: &figure.panels,
+    };
+    // As many panels as there can be stand on one sheet.
+    let found = figure.panels.len();
+    let sheet = draw_magnifications(&magnifications, width)?.pop().filter(|_| found <= 3);
+    sheet.ok_or_else(|| DrawingError(format!("fig08 has one to three panels, but {found} were given")))
+}
+
 /// Draws magnifications; returns the texts of SVG files.
 ///
 /// Panels stand three in a row, on narrow sheets one above the other, three rows on a sheet: as many sheets are drawn as
 /// there have to be, all with about as many panels, none if there is no panel.
-///
-/// # Errors
-/// [`DrawingError`] if a window is empty.
 pub fn draw_magnifications(
     figure: &Magnifications<'_>,
     width: SheetWidth,
@@ -81,7 +88,7 @@ pub fn draw_magnifications(
 
 pub(crate) fn compose(figure: &Magnifications<'_>, width: SheetWidth) -> Result<Vec<Canvas>, DrawingError> {
     for panel in figure.panels {
-        panel.window.checked(&format!("a panel of {}", figure.name))?;
+        checked(panel.frame, &format!("a panel of {}", figure.name))?;
     }
     let sheets = Grid::sheets(width, figure.panels.len());
     sheets.into_iter().map(|range| draw_sheet(figure, range, width)).collect()
@@ -92,11 +99,12 @@ fn draw_sheet(
     panels: Range<usize>,
     width: SheetWidth,
 ) -> Result<Canvas, DrawingError> {
-    let Magnifications { plane, panels: all, .. } = figure;
+    let Magnifications { names, panels: all, .. } = figure;
+    let [across, up] = &names.titles();
     let (panels, fonts) = (&all[panels], Fonts::load()?);
-    let windows: Vec<_> = panels.iter().map(|panel| panel.window).collect();
+    let frames: Vec<_> = panels.iter().map(|panel| panel.frame).collect();
     let captions: Vec<Caption> = panels.iter().map(Caption::new).collect();
-    let mut grid = Grid::new(&fonts, width, all.len(), &windows, &plane.up.title)?;
+    let mut grid = Grid::new(&fonts, width, all.len(), &frames, up)?;
     // All captions of a sheet are alike: if one needs two lines for its coefficients, each has two.
     let mut split = false;
     for (place, caption) in captions.iter().enumerate() {
@@ -111,11 +119,11 @@ fn draw_sheet(
         let panel = Panel {
             tables: &[figure.table],
             only: Some(("panel", shown.panel)),
-            plane: Some(plane),
-            ..Panel::new(&canvas, shown.window, bounds)
+            names: Some(names),
+            ..Panel::new(&canvas, shown.frame, bounds)
         };
         draw_panel(&panel, figure, shown.panel)?;
-        panel.axes(&plane.across.title, if grid.is_titled(place) { &plane.up.title } else { "" })?;
+        panel.axes(across, if grid.is_titled(place) { up } else { "" })?;
         caption.draw(&canvas, &bounds, grid.heading_rise(), split)?;
     }
     Ok(canvas)
@@ -123,19 +131,19 @@ fn draw_sheet(
 
 fn draw_panel(panel: &Panel<'_>, figure: &Magnifications<'_>, number: u32) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
-    for region in Region::all(figure.regions) {
+    for region in Area::all(figure.regions) {
         region.draw(panel);
     }
     let drawn = draw_curves(panel, &mut labels, curves(figure.curves, number));
     draw_points(panel, &mut labels, figure.points);
-    labels.name_curves(drawn, LABELLED_LENGTH, &figure.plane.grazing)?;
+    labels.name_curves(drawn, LABELLED_LENGTH, &figure.names.grazing_title())?;
     labels.draw()
 }
 
 /// The curves of a panel.
-fn curves(points: &[MagnifiedPoint], panel: u32) -> Vec<Curve> {
+fn curves(points: &[MagnifiedPoint], panel: u32) -> Vec<Trace> {
     let place = |point: &MagnifiedPoint| (point.panel, point.kind, point.source, point.arc);
-    let curve = |points: &[MagnifiedPoint]| Curve {
+    let curve = |points: &[MagnifiedPoint]| Trace {
         kind: points[0].kind,
         approximate: points[0].source == Source::Quadratic,
         points: points.iter().map(|point| (point.primary, point.secondary)).collect(),
@@ -144,10 +152,56 @@ fn curves(points: &[MagnifiedPoint], panel: u32) -> Vec<Curve> {
     all.filter(|points| points[0].panel == panel).map(curve).collect()
 }
 
+/// Significant digits of coefficients.
+const DIGITS: usize = 4;
+
+/// What is written over a panel: its letter, p and n on the first line, and the coefficients.
+struct Caption {
+    first: String,
+    coefficients: Vec<String>,
+}
+
+impl Caption {
+    fn new(panel: &MagnifiedPanel) -> Self {
+        let MagnifiedPanel { panel, loops, n, coefficients, .. } = panel;
+        let n = n.map_or_else(String::new, |n| format!(", $n={n}$"));
+        let known = coefficients.named().into_iter().filter(|(_, value)| value.is_finite());
+        let written = |(kind, value): (Bifurcation, f64)| {
+            format!(r"$c_{{\mathrm{{{},}}{loops}}}={}$", kind.name(), measured(value, DIGITS))
+        };
+        let first = format!("{}  $p={loops}${n}", panel_letter(*panel));
+        Caption { first, coefficients: known.map(written).collect() }
+    }
+
+    /// The coefficients on one line.
+    fn joined(&self) -> String {
+        self.coefficients.join(",  ")
+    }
+
+    /// Whether the coefficients fit on one line of so many points.
+    fn fits(&self, fonts: &Fonts, room: f64) -> Result<bool, DrawingError> {
+        Ok(fonts.measure(&Label::parse(&self.joined())?, TICK_SIZE)?.width <= room)
+    }
+
+    /// Draws it, the baseline of the first line so many points above the panel, each coefficient on a line of its own if they are split.
+    fn draw(self, canvas: &Canvas, bounds: &Bounds, rise: f64, split: bool) -> Result<(), DrawingError> {
+        let mut baseline = bounds.top - rise;
+        canvas.text((bounds.left, baseline), &self.first, LABEL_SIZE, Anchor::Start, BLACK)?;
+        baseline += HEADING_LEADING;
+        let lines = if split { self.coefficients } else { vec![self.joined()] };
+        for line in lines {
+            canvas.text((bounds.left, baseline), &line, TICK_SIZE, Anchor::Start, BLACK)?;
+            baseline += SUBHEADING_LEADING;
+        }
+        Ok(())
+    }
+}
+
 #[cfg(test)]
 mod tests {
+    use grazing_continuation::bifurcation::Pair;
+
     use super::*;
-    use crate::magnified::panel_letter;
     use crate::sample_oscillator::{Affine, SampleOscillator, oscillators};
 
     const WIDTHS: [SheetWidth; 3] = [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns];
@@ -163,7 +217,7 @@ mod tests {
             for width in WIDTHS {
                 for sheet in compose(&sample.magnifications(), width).unwrap() {
                     let misplaced = sheet.misplaced_texts();
-                    assert!(misplaced.is_empty(), "{:?} {width:?}: {misplaced:?}", sample.plane);
+                    assert!(misplaced.is_empty(), "{:?} {width:?}: {misplaced:?}", sample.names);
                     // A4 less margins of 30 mm above and below, and 30 mm for the caption.
                     assert!(sheet.height < (297.0 - 90.0) * crate::svg::POINTS_PER_MM);
                 }

@@ -1,8 +1,9 @@
 //! The rectangles of a diagram that panels of another sheet magnify, and the letters of both.
 
+use grazing_results::Frame;
+
 use crate::DrawingError;
 use crate::axes::Panel;
-use crate::clip::Window;
 use crate::diagram::OFF_TRIANGLE;
 use crate::labels::{Labels, Wanted};
 use crate::sheet::Bounds;
@@ -27,12 +28,12 @@ fn is_hidden(outline: &Bounds) -> bool {
 }
 
 /// Draws a rectangle, if it is not too small; returns where it is seen, if it is.
-pub(crate) fn rectangle(panel: &Panel<'_>, window: &Window, labels: &mut Labels<'_>) -> Option<Bounds> {
-    let [[left, right], [low, high]] = [window.x, window.y];
+pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_>) -> Option<Bounds> {
+    let [[left, right], [low, high]] = [frame.x, frame.y];
     let (a, b) = (panel.spot((left, high)), panel.spot((right, low)));
     let whole = Bounds { left: a.0, top: a.1, right: b.0, bottom: b.1 };
     if !is_hidden(&whole) {
-        for piece in panel.line(&window.outline(), MAGNIFIED) {
+        for piece in panel.line(&frame.outline(), MAGNIFIED) {
             labels.placer.keep_off(&piece);
         }
     }

@@ -92,7 +92,7 @@ impl Numbers {
     /// The numbers along an axis that is `room` points long.
     ///
     /// # Errors
-    /// [`DrawingError::Glyph`] if the fonts lack a digit.
+    /// The fonts lack a digit.
     pub(crate) fn along(
         fonts: &Fonts,
         range: [f64; 2],

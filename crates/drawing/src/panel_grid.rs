@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
+use grazing_results::Frame;
+
 use crate::DrawingError;
 use crate::axes::{overhang, room_beside};
-use crate::clip::Window;
 use crate::font::Fonts;
 use crate::numbers::{Direction, Numbers};
 use crate::sheet::Bounds;
@@ -71,34 +72,34 @@ impl Grid {
         (0..panels).step_by(each).map(|first| first..(first + each).min(panels)).collect()
     }
 
-    /// The grid of a sheet that shows these windows, `panels` being the number of panels on all sheets.
+    /// The grid of a sheet that shows these frames, `panels` being the number of panels on all sheets.
     pub(crate) fn new(
         fonts: &Fonts,
         width: SheetWidth,
         panels: usize,
-        windows: &[Window],
+        frames: &[Frame],
         title: &str,
     ) -> Result<Self, DrawingError> {
         let width_mm = width.mm(WIDTH_MM);
         let (columns, row_mm) = row(width_mm, panels);
         let height = row_mm * POINTS_PER_MM - TOP - BOTTOM;
         let mut all_titled = false;
-        for window in windows {
-            all_titled |= !Numbers::along(fonts, window.y, height, Direction::Up)?.are_plain();
+        for frame in frames {
+            all_titled |= !Numbers::along(fonts, frame.y, height, Direction::Up)?.are_plain();
         }
         let mut rooms: Vec<f64> = vec![LEFT; columns];
         rooms[0] = FIRST_LEFT;
-        for (place, window) in windows.iter().enumerate() {
+        for (place, frame) in frames.iter().enumerate() {
             let column = place % columns;
             let title = if column == 0 || all_titled { title } else { "" };
-            let needed = room_beside(fonts, window.y, height, title)? + if column == 0 { 0.0 } else { GAP };
+            let needed = room_beside(fonts, frame.y, height, title)? + if column == 0 { 0.0 } else { GAP };
             rooms[column] = rooms[column].max(needed);
         }
         let beside: f64 = rooms.iter().sum();
         let panel = |right: f64| (width_mm * POINTS_PER_MM - beside - right) / columns as f64;
         let mut right = RIGHT;
-        for window in windows.iter().skip(columns - 1).step_by(columns) {
-            right = right.max(overhang(fonts, window.x, panel(RIGHT))? + 1.0);
+        for frame in frames.iter().skip(columns - 1).step_by(columns) {
+            right = right.max(overhang(fonts, frame.x, panel(RIGHT))? + 1.0);
         }
         let width = panel(right);
         let before = |column: usize| rooms[..=column].iter().sum::<f64>() + width * column as f64;
@@ -107,7 +108,7 @@ impl Grid {
             row_mm,
             lefts: (0..columns).map(before).collect(),
             width,
-            rows: windows.len().div_ceil(columns),
+            rows: frames.len().div_ceil(columns),
             further: 0.0,
             all_titled,
         })
@@ -177,10 +178,10 @@ mod tests {
     #[test]
     fn panels_of_a_sheet_are_equal_and_apart_and_on_it() {
         let fonts = Fonts::load().unwrap();
-        let window = Window { x: [0.123_456, 0.123_466], y: [0.5, 0.6] };
+        let frame = Frame { x: [0.123_456, 0.123_466], y: [0.5, 0.6] };
         for panels in 1..=9 {
             for width in [SheetWidth::Paper, SheetWidth::TwoColumns] {
-                let mut grid = Grid::new(&fonts, width, panels, &vec![window; panels], "amplitude").unwrap();
+                let mut grid = Grid::new(&fonts, width, panels, &vec![frame; panels], "amplitude").unwrap();
                 grid.add_heading_line();
                 let sheet = Bounds {
                     left: 0.0,

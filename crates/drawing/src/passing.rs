@@ -53,7 +53,8 @@ fn passed(far: &[[f64; 3]], near: &[[f64; 3]]) -> Option<(f64, f64)> {
 
 /// The parts of a curve outside intervals of its length.
 fn without(course: &Course, gaps: &[[f64; 2]]) -> Vec<Vec<Spot>> {
-    let mut parts: Vec<Vec<Spot>> = vec![Vec::new()];
+    let mut parts: Vec<Vec<Spot>> = Vec::new();
+    let mut goes_on = false;
     let mut start = 0.0;
     for pair in course.windows(2) {
         let (a, b) = (spot(&pair[0]), spot(&pair[1]));
@@ -63,27 +64,21 @@ fn without(course: &Course, gaps: &[[f64; 2]]) -> Vec<Vec<Spot>> {
         let mut cuts = vec![0.0, step];
         cuts.extend(gaps.iter().flatten().map(|end| end - start).filter(|cut| 0.0 < *cut && *cut < step));
         cuts.sort_by(f64::total_cmp);
+        let at = |length: f64| {
+            let share = if step > 0.0 { length / step } else { 0.0 };
+            (a.0 + share * (b.0 - a.0), a.1 + share * (b.1 - a.1))
+        };
         for ends in cuts.windows(2) {
-            if inside(start + 0.5 * (ends[0] + ends[1])) {
-                if parts.last().is_some_and(|part| !part.is_empty()) {
-                    parts.push(Vec::new());
-                }
-                continue;
+            let seen = !inside(start + 0.5 * (ends[0] + ends[1]));
+            match parts.last_mut().filter(|_| goes_on) {
+                Some(part) if seen => part.push(at(ends[1])),
+                None if seen => parts.push(vec![at(ends[0]), at(ends[1])]),
+                _ => {}
             }
-            let at = |length: f64| {
-                let share = if step > 0.0 { length / step } else { 0.0 };
-                (a.0 + share * (b.0 - a.0), a.1 + share * (b.1 - a.1))
-            };
-            if let Some(part) = parts.last_mut() {
-                if part.is_empty() {
-                    part.push(at(ends[0]));
-                }
-                part.push(at(ends[1]));
-            }
+            goes_on = seen;
         }
         start += step;
     }
-    parts.retain(|part| part.len() > 1);
     parts
 }
 

@@ -1,11 +1,12 @@
 //! The phase portraits above Figure 2: orbits in the (x, y) plane, and the wall.
 
+use grazing_results::Frame;
 use grazing_results::branches::{PortraitKind, PortraitPoint};
 
 use crate::DrawingError;
 use crate::axes::Panel;
 use crate::canvas::{Anchor, Canvas};
-use crate::clip::Window;
+use crate::clip::{checked, clip_polyline};
 use crate::magnified::panel_letter;
 use crate::sheet::Bounds;
 use crate::style::{
@@ -47,11 +48,9 @@ impl Portrait {
         let portraits: Vec<_> = points.chunk_by(|a, b| a.portrait == b.portrait).map(portrait).collect();
         if portraits.is_empty() || portraits.len() > MOST {
             let found = portraits.len();
-            return Err(DrawingError::PanelCount {
-                figure: "fig02",
-                wanted: "one to six phase portraits",
-                found,
-            });
+            return Err(DrawingError(format!(
+                "fig02 has one to six phase portraits, but {found} were given"
+            )));
         }
         Ok(portraits)
     }
@@ -63,7 +62,7 @@ pub(crate) fn draw_portraits(
     portraits: &[Portrait],
     (rows, height): (usize, f64),
 ) -> Result<(), DrawingError> {
-    let window = common_window(portraits).checked("the phase portraits of fig02")?;
+    let frame = checked(common_frame(portraits), "the phase portraits of fig02")?;
     let columns = portraits.len().div_ceil(rows.max(1)).max(1);
     let count = columns as f64;
     let width = (canvas.width - LEFT - 6.0 - GAP * (count - 1.0)) / count;
@@ -77,7 +76,7 @@ pub(crate) fn draw_portraits(
             tables: &["fig02_portraits"],
             only: Some(("portrait", portrait.number)),
             numbers_beside: column == 0,
-            ..Panel::new(canvas, window, bounds)
+            ..Panel::new(canvas, frame, bounds)
         };
         wall(&panel);
         let pen =
@@ -98,11 +97,11 @@ pub(crate) fn draw_portraits(
 }
 
 /// The extent of all orbits, ending at the wall and symmetric in y, with a little room.
-fn common_window(portraits: &[Portrait]) -> Window {
+fn common_frame(portraits: &[Portrait]) -> Frame {
     let points = || portraits.iter().flat_map(|p| &p.orbit).filter(|p| p.0.is_finite() && p.1.is_finite());
     let least = points().map(|p| p.0).fold(0.0, f64::min);
     let fastest = points().map(|p| p.1.abs()).fold(0.0, f64::max);
-    Window { x: [1.06 * least, 0.0], y: [-1.1 * fastest, 1.1 * fastest] }
+    Frame { x: [1.06 * least, 0.0], y: [-1.1 * fastest, 1.1 * fastest] }
 }
 
 /// True if the step is an impact: at the wall, from moving towards it to moving away.
@@ -145,11 +144,11 @@ fn wall(panel: &Panel<'_>) {
     let right = left + WALL_THICKNESS;
     let canvas = panel.canvas;
     canvas.polygon(&[(left, top), (right, top), (right, bottom), (left, bottom)], WALL_FACE, None);
-    let strip = Window { x: [left, right], y: [top, bottom] };
+    let strip = Frame { x: [left, right], y: [top, bottom] };
     let mut start = top - WALL_THICKNESS;
     while start < bottom + WALL_THICKNESS {
         let stroke = [(left, start + WALL_THICKNESS), (right, start)];
-        for piece in crate::clip::clip_polyline(&strip, &stroke) {
+        for piece in clip_polyline(&strip, &stroke) {
             canvas.line(&piece, WALL_HATCHING);
         }
         start += 3.5;
@@ -172,11 +171,11 @@ mod tests {
 
     #[test]
     fn the_jump_that_closes_a_periodic_orbit_is_drawn_dashed_and_a_graze_leaves_none() {
-        let window = Window { x: [-1.0, 0.0], y: [-1.0, 1.0] };
+        let frame = Frame { x: [-1.0, 0.0], y: [-1.0, 1.0] };
         let bounds = Bounds { left: 10.0, top: 10.0, right: 90.0, bottom: 90.0 };
         let drawn = |orbit: &[(f64, f64)]| {
             let canvas = Canvas::new(40.0, 40.0).unwrap();
-            jump(&Panel::new(&canvas, window, bounds), orbit);
+            jump(&Panel::new(&canvas, frame, bounds), orbit);
             canvas.finish("test", "", "").unwrap().matches("stroke-dasharray").count()
         };
         assert_eq!(drawn(&[(0.0, -0.5), (-0.9, 0.0), (0.0, 0.6), (f64::NAN, f64::NAN)]), 1);
@@ -184,11 +183,11 @@ mod tests {
     }
 
     #[test]
-    fn the_window_ends_at_the_wall_and_holds_every_orbit() {
+    fn the_frame_ends_at_the_wall_and_holds_every_orbit() {
         let portrait = |orbit| Portrait { number: 1, amplitude: 1.0, p: 0, attractor: false, orbit };
-        let window =
-            common_window(&[portrait(vec![(-2.0, 0.3), (f64::NAN, 9.0)]), portrait(vec![(-1.0, -0.7)])]);
-        assert_eq!(window.x[1], 0.0);
-        assert!(window.x[0] < -2.0 && window.y[0] < -0.7 && window.y[1] == -window.y[0]);
+        let frame =
+            common_frame(&[portrait(vec![(-2.0, 0.3), (f64::NAN, 9.0)]), portrait(vec![(-1.0, -0.7)])]);
+        assert_eq!(frame.x[1], 0.0);
+        assert!(frame.x[0] < -2.0 && frame.y[0] < -0.7 && frame.y[1] == -frame.y[0]);
     }
 }

@@ -1,12 +1,13 @@
 //! Made-up results for an oscillator of any kind: parameters of any name and magnitude, any number of resonances.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
-use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionKind, RegionVertex, Source, SpecialPoint};
+use grazing_results::plane::{
+    CurvePoint, MagnifiedPanel, MagnifiedPoint, RegionKind, RegionVertex, Source, SpecialPoint,
+};
+use grazing_results::{Frame, Names};
 
-use crate::clip::Window;
 use crate::diagram::Diagram;
-use crate::magnifications::{Magnifications, MagnifiedPanel};
-use crate::plane::Plane;
+use crate::magnifications::Magnifications;
 
 /// Where a parameter of the samples goes: multiplied, then shifted.
 #[derive(Debug, Clone, Copy)]
@@ -23,12 +24,12 @@ impl Affine {
 }
 
 pub(crate) struct SampleOscillator {
-    pub(crate) plane: Plane,
+    pub(crate) names: Names,
     pub(crate) curves: Vec<CurvePoint>,
     pub(crate) points: Vec<SpecialPoint>,
     pub(crate) regions: Vec<RegionVertex>,
     pub(crate) magnified_curves: Vec<MagnifiedPoint>,
-    pub(crate) window: Window,
+    pub(crate) frame: Frame,
     pub(crate) panels: Vec<MagnifiedPanel>,
 }
 
@@ -172,20 +173,20 @@ impl SampleOscillator {
             .zip(1..)
             .map(|(&(p, n, a, size), panel)| {
                 let (x, y) = ([a - 0.3 * size, a + 0.4 * size], [-0.2, 0.25].map(|d| graz(a) + d * size));
-                let window = Window { x: across.range(x), y: up.range(y) };
+                let frame = Frame { x: across.range(x), y: up.range(y) };
                 let curvature = across.0 / (up.0 * up.0);
                 let period_doubling = if panel == 2 { f64::NAN } else { 12.153 * curvature };
                 let coefficients = Pair { saddle_node: -282.437 * curvature, period_doubling };
-                MagnifiedPanel { panel, window, loops: p, n: Some(n), coefficients }
+                MagnifiedPanel { panel, frame, loops: p, n: Some(n), coefficients }
             })
             .collect();
         SampleOscillator {
-            plane: Plane::of_parameters(names[0], names[1]),
+            names: Names::new(names[0], names[1]),
             points: point_rows(&all),
             regions: region_rows(&all, corners),
             magnified_curves: magnified_rows(&all),
             curves: curve_rows(all),
-            window: Window { x: across.range([0.0, 1.2]), y: up.range([0.3, 1.0]) },
+            frame: Frame { x: across.range([0.0, 1.2]), y: up.range([0.3, 1.0]) },
             panels,
         }
     }
@@ -195,14 +196,14 @@ impl SampleOscillator {
             name: "diagram",
             title: "Two-parameter bifurcation diagram",
             description: "A made-up oscillator.",
-            plane: &self.plane,
+            names: &self.names,
             tables: ["points", "curves"],
             curves: &self.curves,
             points: &self.points,
             regions: &self.regions,
-            window: self.window,
+            frame: self.frame,
             magnified: &self.panels,
-            sections: &[],
+            section: None,
         }
     }
 
@@ -211,7 +212,7 @@ impl SampleOscillator {
             name: "magnifications",
             title: "Magnifications",
             description: "A made-up oscillator.",
-            plane: &self.plane,
+            names: &self.names,
             table: "magnified_curves",
             curves: &self.magnified_curves,
             points: &self.points,

@@ -3,12 +3,13 @@
 //! The rows hold the projected coordinates and the order of painting; here they are scaled to the sheet. Of two curves
 //! that cross on the sheet the farther one is interrupted.
 
-use grazing_results::space::{CurveKind, Mark, SurfaceKind, Vertex};
+use grazing_results::Frame;
+use grazing_results::space::{CurveKind, Mark, Scene, SurfaceKind, Vertex};
 
 use crate::DrawingError;
 use crate::arrow::{arrow, head_on};
 use crate::canvas::Canvas;
-use crate::clip::Window;
+use crate::clip::checked;
 use crate::labels::{Labels, Wanted};
 use crate::passing::{Course, interrupted};
 use crate::sheet::{Bounds, Spot, along, length, span};
@@ -55,28 +56,17 @@ fn axis(kind: SurfaceKind) -> Option<&'static str> {
     }
 }
 
-/// What a figure in phase space shows: Figures 1, 3 and 9.
-#[derive(Debug, Clone, Copy)]
-pub struct SpaceFigure<'a> {
-    /// Vertices that follow each other with equal number and piece are one polyline.
-    pub curves: &'a [Vertex<CurveKind>],
-    /// Points that are marked.
-    pub points: &'a [Mark],
-    /// Closed outlines of faces, and lines on them.
-    pub surfaces: &'a [Vertex<SurfaceKind>],
-}
-
 /// A curve or surface, or the part of one that lies in one layer, on the sheet.
-pub(crate) struct Piece<K> {
-    pub(crate) kind: K,
-    pub(crate) number: u32,
+struct Piece<K> {
+    kind: K,
+    number: u32,
     layer: u32,
     /// To the right, downwards and away from the viewer.
     course: Course,
 }
 
 impl<K> Piece<K> {
-    pub(crate) fn spots(&self) -> Vec<Spot> {
+    fn spots(&self) -> Vec<Spot> {
         self.course.iter().map(|&[x, y, _]| (x, y)).collect()
     }
 }
@@ -90,38 +80,75 @@ pub(crate) struct SpaceSheet {
     pub(crate) width_mm: f64,
     /// Room around the scene, in points from each edge of the sheet.
     pub(crate) margin: Bounds,
-    /// Names what is shown.
-    pub(crate) names: fn(&Scene, &mut Labels<'_>) -> Result<(), DrawingError>,
+    /// The names of points and their size.
+    pub(crate) mark: fn(&Mark) -> Option<String>,
+    pub(crate) mark_size: f64,
+    /// What else is named, in the order in which places are looked for; each name with its size and its colour.
+    pub(crate) names: &'static [(Named, &'static str, f64, Colour)],
+}
+
+/// What has a name.
+pub(crate) enum Named {
+    /// Every curve of a kind.
+    Curves(CurveKind),
+    /// The first surface of a kind, which has its name on it.
+    Face(SurfaceKind),
+    /// The first line of a kind on a surface.
+    Line(SurfaceKind),
 }
 
 impl SpaceSheet {
     /// The text of an SVG file.
-    pub(crate) fn draw(&self, figure: &SpaceFigure<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+    pub(crate) fn draw(&self, figure: &Scene, width: SheetWidth) -> Result<String, DrawingError> {
         self.compose(figure, width)?.finish(self.name, self.title, self.description)
     }
 
-    fn compose(&self, figure: &SpaceFigure<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
-        let (scene, canvas) = Scene::fit(figure, self.name, width.mm(self.width_mm), &self.margin)?;
-        scene.paint(&canvas);
-        let mut labels = scene.labels(&canvas)?;
-        (self.names)(&scene, &mut labels)?;
+    fn compose(&self, figure: &Scene, width: SheetWidth) -> Result<Canvas, DrawingError> {
+        let (shown, canvas) = OnSheet::fit(figure, self.name, width.mm(self.width_mm), &self.margin)?;
+        shown.paint(&canvas);
+        let mut labels = shown.labels(&canvas)?;
+        for (spot, mark) in &shown.points {
+            if let Some(name) = (self.mark)(mark) {
+                labels.add(&name, self.mark_size, BLACK, &Wanted::Around(*spot, SPOT_RADIUS + 0.5))?;
+            }
+        }
+        for &(ref named, text, size, colour) in self.names {
+            let first = |kind| shown.surfaces.iter().find(|piece| piece.kind == kind).map(Piece::spots);
+            match *named {
+                Named::Curves(kind) => {
+                    for curve in shown.longest(kind) {
+                        name_curve(&mut labels, text, size, colour, &curve)?;
+                    }
+                }
+                Named::Face(kind) => {
+                    if let Some(outline) = first(kind) {
+                        labels.add(text, size, colour, &Wanted::Within(&outline))?;
+                    }
+                }
+                Named::Line(kind) => {
+                    if let Some(line) = first(kind) {
+                        name_curve(&mut labels, text, size, colour, &line)?;
+                    }
+                }
+            }
+        }
         labels.draw()?;
         Ok(canvas)
     }
 }
 
 /// Everything that a figure in phase space shows, on the sheet.
-pub(crate) struct Scene {
-    pub(crate) curves: Vec<Piece<CurveKind>>,
-    pub(crate) surfaces: Vec<Piece<SurfaceKind>>,
+struct OnSheet {
+    curves: Vec<Piece<CurveKind>>,
+    surfaces: Vec<Piece<SurfaceKind>>,
     /// Points that are marked.
-    pub(crate) points: Vec<(Spot, Mark)>,
+    points: Vec<(Spot, Mark)>,
 }
 
-impl Scene {
+impl OnSheet {
     /// The scene at the scale at which it fills a sheet of the width, whose height follows, and that sheet, empty.
     fn fit(
-        figure: &SpaceFigure<'_>,
+        figure: &Scene,
         name: &'static str,
         width_mm: f64,
         margin: &Bounds,
@@ -130,26 +157,26 @@ impl Scene {
         let surfaces = figure.surfaces.iter().map(|vertex| vertex.place);
         let marks = figure.points.iter().map(|mark| [mark.across, mark.up, mark.depth]);
         let places: Vec<[f64; 3]> = curves.chain(surfaces).chain(marks).collect();
-        // An empty cell anywhere leaves no window.
+        // An empty cell anywhere leaves no frame.
         let whole = places.iter().flatten().all(|coordinate| coordinate.is_finite());
         let range = |k: usize| {
             if whole { span(places.iter().map(|place| place[k])) } else { [f64::NAN; 2] }
         };
-        let window = Window { x: range(0), y: range(1) }.checked(name)?;
+        let frame = checked(Frame { x: range(0), y: range(1) }, name)?;
         let width = width_mm * POINTS_PER_MM;
-        let scale = (width - margin.left - margin.right) / (window.x[1] - window.x[0]);
+        let scale = (width - margin.left - margin.right) / (frame.x[1] - frame.x[0]);
         let on_sheet = |[across, up, depth]: [f64; 3]| {
-            let right = margin.left + scale * (across - window.x[0]);
-            [right, margin.top + scale * (window.y[1] - up), scale * depth]
+            let right = margin.left + scale * (across - frame.x[0]);
+            [right, margin.top + scale * (frame.y[1] - up), scale * depth]
         };
         let spotted = |mark: &Mark| {
             let [right, down, _] = on_sheet([mark.across, mark.up, mark.depth]);
             ((right, down), mark.clone())
         };
-        let height = margin.top + margin.bottom + scale * (window.y[1] - window.y[0]);
-        let scene = Scene {
-            curves: pieces(figure.curves, on_sheet),
-            surfaces: pieces(figure.surfaces, on_sheet),
+        let height = margin.top + margin.bottom + scale * (frame.y[1] - frame.y[0]);
+        let scene = OnSheet {
+            curves: pieces(&figure.curves, on_sheet),
+            surfaces: pieces(&figure.surfaces, on_sheet),
             points: figure.points.iter().map(spotted).collect(),
         };
         Ok((scene, Canvas::new(width_mm, height / POINTS_PER_MM)?))
@@ -251,7 +278,7 @@ impl Scene {
     }
 
     /// Of each curve of a kind, in order, its longest piece on the sheet.
-    pub(crate) fn longest(&self, kind: CurveKind) -> Vec<Vec<Spot>> {
+    fn longest(&self, kind: CurveKind) -> Vec<Vec<Spot>> {
         let mut found: Vec<(u32, Vec<Spot>)> = Vec::new();
         for piece in self.curves.iter().filter(|piece| piece.kind == kind) {
             let spots = piece.spots();
@@ -295,7 +322,7 @@ impl Scene {
 }
 
 /// Names a curve beside it or, where there is no room, farther off with a line to its middle.
-pub(crate) fn name_curve(
+fn name_curve(
     labels: &mut Labels<'_>,
     source: &str,
     size: f64,
@@ -346,52 +373,30 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::samples::Scene as Sample;
+    use crate::samples::study;
+    use crate::space::{FIG01, FIG03, FIG09};
     use crate::svg::fill;
-    use crate::{fig01, fig03, fig09};
 
     #[test]
     fn everything_is_named_at_every_width() {
-        let axes = ["$x$", "$y$", "$z$"];
-        let fig01 = ["$R$", "$R$", r"$\Sigma$", "incoming set", "outgoing set", "tangency set"];
-        let fig03 = [
-            r"$\Pi$",
-            r"$\Gamma$",
-            r"$P_{\mathrm{global}}$",
-            r"$(0,0,z_{\mathrm{graz}})$",
-            "$(x,0,z)$",
-            "$(x',0,z')$",
-            "$x=y=0$",
-        ];
-        let fig09 = [
-            "$R$",
-            r"$\Pi$",
-            r"$\Sigma$",
-            r"$P_{\mathrm{global}}$",
-            r"$P_{\mathrm{global}}$",
-            r"$(0,y_{\mathrm{imp}},z_{\mathrm{imp}})$",
-            r"$(0,y_{\mathrm{rec}},z_{\mathrm{rec}})$",
-            r"$(\hat{x},0,\hat{z})$",
-            "$(x^{(0)},0,z^{(0)})$",
-            "$(x^{(1)},0,z^{(1)})$",
-            "$(x^{(2)},0,z^{(2)})$",
-        ];
-        for (sheet, names) in [(fig01::SHEET, &fig01[..]), (fig03::SHEET, &fig03), (fig09::SHEET, &fig09)] {
-            let sample = Sample::of(sheet.name);
-            let mut wanted = [&axes[..], names].concat();
-            wanted.sort_unstable();
+        let study = study();
+        for (sheet, scene) in [(FIG01, study.fig01()), (FIG03, study.fig03()), (FIG09, study.fig09())] {
+            let scene = scene.unwrap();
+            let marks = scene.points.iter().filter_map(sheet.mark);
+            let names = sheet.names.iter().map(|(_, name, ..)| (*name).to_owned());
+            let axes = ["$x$", "$y$", "$z$"].map(str::to_owned);
+            let wanted: BTreeSet<String> = marks.chain(names).chain(axes).collect();
             for width in [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns] {
-                let mut found = sheet.compose(&sample.figure(), width).unwrap().texts();
-                found.sort_unstable();
-                assert_eq!(found, wanted, "{} {width:?}", sheet.name);
+                let found = sheet.compose(&scene, width).unwrap().texts();
+                assert_eq!(BTreeSet::from_iter(found), wanted, "{} {width:?}", sheet.name);
             }
         }
     }
 
     #[test]
     fn orbits_are_solid_and_only_the_reset_law_is_dashed() {
-        let sample = Sample::of("fig01");
-        let svg = fig01::SHEET.draw(&sample.figure(), SheetWidth::Paper).unwrap();
+        let sample = study().fig01().unwrap();
+        let svg = FIG01.draw(&sample, SheetWidth::Paper).unwrap();
         let resets = sample.curves.iter().filter(|vertex| vertex.kind == CurveKind::Reset);
         let resets: BTreeSet<u32> = resets.map(|vertex| vertex.number).collect();
         assert_eq!(svg.matches("stroke-dasharray").count(), resets.len());
@@ -399,7 +404,7 @@ mod tests {
 
     #[test]
     fn what_lies_beyond_the_wall_is_painted_before_the_wall() {
-        let svg = fig09::SHEET.draw(&Sample::of("fig09").figure(), SheetWidth::Paper).unwrap();
+        let svg = FIG09.draw(&study().fig09().unwrap(), SheetWidth::Paper).unwrap();
         let wall = svg.rfind(&fill(INCOMING_FACE)).expect("the incoming set is painted");
         let dashed = "stroke-dasharray=\"3 2\"";
         assert!(svg.matches(dashed).count() >= 3, "three virtual parts");
@@ -409,9 +414,9 @@ mod tests {
 
     #[test]
     fn a_missing_coordinate_is_an_error() {
-        let mut sample = Sample::of("fig01");
+        let mut sample = study().fig01().unwrap();
         sample.curves[3].place[1] = f64::NAN;
-        let error = fig01::SHEET.draw(&sample.figure(), SheetWidth::Paper).unwrap_err();
-        assert!(matches!(&error, DrawingError::Window { window, .. } if window == "fig01"), "{error}");
+        let error = FIG01.draw(&sample, SheetWidth::Paper).unwrap_err();
+        assert!(error.to_string().contains("range of fig01"), "{error}");
     }
 }

@@ -5,13 +5,17 @@ use crate::clip::fractions_inside;
 /// A point of the sheet, in points to the right and downwards.
 pub(crate) type Spot = (f64, f64);
 
-/// A rectangle of the sheet, in points.
+/// A rectangle of the sheet, in points to the right and downwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Bounds {
-    pub(crate) left: f64,
-    pub(crate) top: f64,
-    pub(crate) right: f64,
-    pub(crate) bottom: f64,
+pub struct Bounds {
+    /// The least horizontal coordinate.
+    pub left: f64,
+    /// The least vertical coordinate.
+    pub top: f64,
+    /// The greatest horizontal coordinate.
+    pub right: f64,
+    /// The greatest vertical coordinate.
+    pub bottom: f64,
 }
 
 impl Bounds {
@@ -19,18 +23,31 @@ impl Bounds {
         (0.5 * (self.left + self.right), 0.5 * (self.top + self.bottom))
     }
 
-    pub(crate) fn grown(&self, by: f64) -> Bounds {
+    /// So much larger on every side.
+    pub fn grown(&self, by: f64) -> Bounds {
         Bounds { left: self.left - by, top: self.top - by, right: self.right + by, bottom: self.bottom + by }
     }
 
-    pub(crate) fn overlaps(&self, other: &Bounds) -> bool {
+    /// The smallest rectangle that holds both.
+    pub fn joined(self, other: Bounds) -> Bounds {
+        Bounds {
+            left: self.left.min(other.left),
+            top: self.top.min(other.top),
+            right: self.right.max(other.right),
+            bottom: self.bottom.max(other.bottom),
+        }
+    }
+
+    /// True if both share more than a border.
+    pub fn overlaps(&self, other: &Bounds) -> bool {
         self.left < other.right
             && other.left < self.right
             && self.top < other.bottom
             && other.top < self.bottom
     }
 
-    pub(crate) fn holds(&self, inner: &Bounds) -> bool {
+    /// True if it holds all of the other.
+    pub fn holds(&self, inner: &Bounds) -> bool {
         self.left <= inner.left
             && inner.right <= self.right
             && self.top <= inner.top

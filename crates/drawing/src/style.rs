@@ -161,7 +161,7 @@ pub(crate) const WALL_HATCHING: Pen = Pen::solid(GREY, 0.45);
 pub(crate) const THRESHOLD: Pen = Pen::solid(Colour(170, 170, 170), 0.4);
 /// Thin lines from a portrait's letter into the diagram.
 pub(crate) const GUIDE: Pen = Pen::dashed(GREY, 0.45, &[0.8, 1.6]);
-/// The window that is magnified.
+/// The frame that is magnified.
 pub(crate) const MAGNIFIER: Pen = Pen::solid(ORANGE, 0.8);
 /// Frame of the magnification: a rim around the black one.
 pub(crate) const MAGNIFIER_FRAME: Pen = Pen::solid(ORANGE, 1.9);

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use grazing_results::directs;
+
 use crate::font::{SCRIPT_SIZE, SIGN_FAMILY, SUBSCRIPT_DROP, SUPERSCRIPT_RISE};
 use crate::markup::{Face, Label, Level};
 use crate::sheet::Spot;
@@ -95,11 +97,6 @@ pub(crate) fn escape(text: &str) -> String {
         }
     }
     escaped
-}
-
-/// Whether the character changes the direction in which those after it, or around it, are written.
-fn directs(character: char) -> bool {
-    matches!(character, '\u{200e}' | '\u{200f}' | '\u{61c}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// The runs of a label as text and tspans; scripts by `dy`, which every viewer knows.

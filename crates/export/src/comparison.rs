@@ -2,7 +2,7 @@
 
 use resvg::tiny_skia::{Color, Pixmap, PixmapPaint, PremultipliedColorU8, Transform};
 
-use crate::raster::encode;
+use crate::raster::{blank, encode};
 use crate::{ExportError, Figure};
 
 /// Enough to read the labels.
@@ -14,7 +14,7 @@ const MARGIN: u32 = 40;
 /// where ink is gone or paler and in blue where it is new or darker.
 ///
 /// # Errors
-/// [`ExportError`] of the pictures.
+/// One of the pictures cannot be drawn.
 pub fn comparison(before: &Figure, after: &Figure) -> Result<Vec<u8>, ExportError> {
     let (before, after) = (before.pixels(RESOLUTION)?, after.pixels(RESOLUTION)?);
     let difference = difference(&before, &after)?;
@@ -36,10 +36,6 @@ fn draw(sheet: &mut Pixmap, picture: &Pixmap, left: u32, top: u32) {
     let (left, top) = (i32::try_from(left).unwrap_or(0), i32::try_from(top).unwrap_or(0));
     let (paint, transform) = (PixmapPaint::default(), Transform::identity());
     sheet.draw_pixmap(left, top, picture.as_ref(), &paint, transform, None);
-}
-
-fn blank(width: u32, height: u32) -> Result<Pixmap, ExportError> {
-    Pixmap::new(width, height).ok_or(ExportError::Pixels { width, height })
 }
 
 /// A word in the figures' font.

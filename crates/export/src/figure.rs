@@ -4,12 +4,16 @@ use std::sync::{Arc, OnceLock};
 
 use grazing_drawing::FONT_FILES;
 use resvg::usvg::fontdb::Database;
+use resvg::usvg::roxmltree::{Document, ParsingOptions};
 use resvg::usvg::{Options, Tree};
 
 use crate::{ExportError, geometry};
 
 /// User units to an inch: with 72 of them a unit is a point, as in the figures' view boxes.
 const UNITS_PER_INCH: f32 = 72.0;
+
+/// The name space of the elements.
+const SVG: &str = "http://www.w3.org/2000/svg";
 
 /// A figure that was read.
 pub struct Figure {
@@ -21,10 +25,14 @@ impl Figure {
     /// Reads an SVG.
     ///
     /// # Errors
-    /// [`ExportError::Unreadable`]; [`ExportError::Glyph`] if a label cannot be set in the figures' fonts.
+    /// It is no SVG that can be drawn, or a label cannot be set in the figures' fonts.
     pub fn read(svg: &str) -> Result<Figure, ExportError> {
         let options = Options { dpi: UNITS_PER_INCH, fontdb: fonts(), ..Options::default() };
-        let figure = Figure { tree: Tree::from_str(svg, &options)?, title: title(svg) };
+        let parsing = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+        let document = Document::parse_with_options(svg, parsing).map_err(resvg::usvg::Error::from)?;
+        let title = document.descendants().find(|node| node.has_tag_name((SVG, "title")));
+        let title = title.and_then(|node| node.text()).unwrap_or_default().to_owned();
+        let figure = Figure { tree: Tree::from_xmltree(&document, &options)?, title };
         geometry::ensure_glyphs(&figure.tree)?;
         Ok(figure)
     }
@@ -53,24 +61,18 @@ fn fonts() -> Arc<Database> {
     FONTS.get_or_init(load).clone()
 }
 
-/// The text of the first title element, as our figures write it: without markup, with the five XML entities.
-fn title(svg: &str) -> String {
-    let Some((_, rest)) = svg.split_once("<title>") else {
-        return String::new();
-    };
-    let text = rest.split_once("</title>").map_or("", |(text, _)| text);
-    let entities = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&#39;", "'"), ("&amp;", "&")];
-    entities.into_iter().fold(text.to_owned(), |text, (entity, character)| text.replace(entity, character))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn a_title_is_read_with_its_entities_and_may_be_missing() {
-        assert_eq!(title("<svg><title>a &lt; b &amp;amp; c</title></svg>"), "a < b &amp; c");
-        assert_eq!(title("<svg></svg>"), "");
+        let title = |content: &str| {
+            let svg = format!("<svg xmlns=\"{SVG}\" width=\"9\" height=\"9\">{content}</svg>");
+            Figure::read(&svg).expect("an SVG").title().to_owned()
+        };
+        assert_eq!(title("<title>a &lt; b &amp;amp; c</title>"), "a < b &amp; c");
+        assert_eq!(title(""), "");
     }
 
     #[test]

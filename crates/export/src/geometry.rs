@@ -1,61 +1,17 @@
 //! Where labels and lines come to lie, read from the finished figure and not from what was meant.
 
+use grazing_drawing::Bounds;
 use resvg::tiny_skia::{Rect, Transform};
 use resvg::usvg::{Group, Node, Tree};
 use ttf_parser::Face;
 
 use crate::{ExportError, Figure};
 
-/// A rectangle of the sheet, in points to the right and downwards.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bounds {
-    /// The least horizontal coordinate.
-    pub left: f64,
-    /// The least vertical coordinate.
-    pub top: f64,
-    /// The greatest horizontal coordinate.
-    pub right: f64,
-    /// The greatest vertical coordinate.
-    pub bottom: f64,
-}
-
-impl Bounds {
-    /// True if all four numbers are finite.
-    pub fn is_finite(&self) -> bool {
-        [self.left, self.top, self.right, self.bottom].iter().all(|number| number.is_finite())
-    }
-
-    /// True if it lies in a sheet of this size or leaves it by no more than `slack` points.
-    pub fn lies_in(&self, (width, height): (f64, f64), slack: f64) -> bool {
-        self.left >= -slack
-            && self.top >= -slack
-            && self.right <= width + slack
-            && self.bottom <= height + slack
-    }
-
-    /// True if both share more than a strip of `slack` points.
-    pub fn overlaps(&self, other: &Bounds, slack: f64) -> bool {
-        self.left + slack < other.right
-            && other.left + slack < self.right
-            && self.top + slack < other.bottom
-            && other.top + slack < self.bottom
-    }
-
-    fn joined(self, other: Bounds) -> Bounds {
-        Bounds {
-            left: self.left.min(other.left),
-            top: self.top.min(other.top),
-            right: self.right.max(other.right),
-            bottom: self.bottom.max(other.bottom),
-        }
-    }
-
-    fn around(rectangle: Rect, transform: Transform) -> Bounds {
-        let [left, top, right, bottom] = rectangle.transform(transform).map_or([f64::NAN; 4], |turned| {
-            [turned.left(), turned.top(), turned.right(), turned.bottom()].map(f64::from)
-        });
-        Bounds { left, top, right, bottom }
-    }
+fn around(rectangle: Rect, transform: Transform) -> Bounds {
+    let [left, top, right, bottom] = rectangle.transform(transform).map_or([f64::NAN; 4], |turned| {
+        [turned.left(), turned.top(), turned.right(), turned.bottom()].map(f64::from)
+    });
+    Bounds { left, top, right, bottom }
 }
 
 /// A label as it is set.
@@ -79,12 +35,8 @@ impl Text {
 
     /// True if ink of one label lies over ink of the other by more than `slack` points, character by character.
     pub fn overlaps(&self, other: &Text, slack: f64) -> bool {
-        let apart = match (self.bounds(), other.bounds()) {
-            (Some(own), Some(foreign)) => !own.overlaps(&foreign, slack),
-            _ => true,
-        };
-        !apart
-            && self.glyphs.iter().any(|own| other.glyphs.iter().any(|foreign| own.overlaps(foreign, slack)))
+        let over = |own: &Bounds, foreign: &Bounds| own.grown(-slack).overlaps(foreign);
+        self.glyphs.iter().any(|own| other.glyphs.iter().any(|foreign| over(own, foreign)))
     }
 }
 
@@ -124,7 +76,7 @@ impl Figure {
                 let mut points = path.data().points().to_vec();
                 transform.map_points(&mut points);
                 shapes.push(Shape {
-                    bounds: Bounds::around(path.stroke_bounding_box(), transform),
+                    bounds: around(path.stroke_bounding_box(), transform),
                     stroke: path.stroke().map(|stroke| scale * f64::from(stroke.width().get())),
                     points: points.iter().map(|point| (f64::from(point.x), f64::from(point.y))).collect(),
                     clipped,
@@ -158,7 +110,7 @@ fn read_text(tree: &Tree, text: &resvg::usvg::Text) -> Text {
             corners.and_then(|[left, low, right, high]| Rect::from_ltrb(left, low, right, high))
         {
             let transform = text.abs_transform().pre_concat(glyph.outline_transform());
-            glyphs.push(Bounds::around(rectangle, transform));
+            glyphs.push(around(rectangle, transform));
         }
     }
     Text {
@@ -184,5 +136,10 @@ pub(crate) fn ensure_glyphs(tree: &Tree) -> Result<(), ExportError> {
             }
         }
     });
-    lacking.map_or(Ok(()), |label| Err(ExportError::Glyph { label }))
+    match lacking {
+        None => Ok(()),
+        Some(label) => {
+            Err(ExportError(format!("label `{label}` needs a character that the embedded fonts do not have")))
+        }
+    }
 }

@@ -22,4 +22,4 @@ mod raster;
 pub use comparison::comparison;
 pub use error::ExportError;
 pub use figure::Figure;
-pub use geometry::{Bounds, Shape, Text};
+pub use geometry::{Shape, Text};

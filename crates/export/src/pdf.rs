@@ -19,11 +19,11 @@ impl Figure {
     /// used are embedded. The title is that of the SVG; there is no date, so equal figures give equal bytes.
     ///
     /// # Errors
-    /// [`ExportError::Pdf`], [`ExportError::Layout`].
+    /// The PDF could not be written, or is not laid out as expected.
     pub fn pdf(&self) -> Result<Vec<u8>, ExportError> {
         let options = ConversionOptions { compress: true, embed_text: true, ..ConversionOptions::default() };
         let pdf = to_pdf(&self.tree, options, PageOptions::default())
-            .map_err(|error| ExportError::Pdf(error.to_string()))?;
+            .map_err(|error| ExportError(format!("no PDF could be written: {error}")))?;
         ordered(&pdf, self.title())
     }
 }
@@ -49,7 +49,7 @@ fn ordered(pdf: &[u8], title: &str) -> Result<Vec<u8>, ExportError> {
     let mut order = vec![root];
     let mut next = 0;
     while let Some(number) = order.get(next).copied() {
-        let object = objects.get(&number).ok_or(ExportError::Layout("a reference leads nowhere"))?;
+        let object = objects.get(&number).ok_or_else(|| layout("a reference leads nowhere"))?;
         for_each_reference(&object.dictionary, |referred| {
             if !order.contains(&referred) {
                 order.push(referred);
@@ -89,8 +89,8 @@ fn objects(pdf: &[u8]) -> Result<BTreeMap<usize, Object>, ExportError> {
         .split_whitespace()
         .next()
         .and_then(|number| number.parse().ok())
-        .ok_or(ExportError::Layout("no place of the table"))?;
-    let table = pdf.get(start..).map(String::from_utf8_lossy).ok_or(ExportError::Layout("no table"))?;
+        .ok_or_else(|| layout("no place of the table"))?;
+    let table = pdf.get(start..).map(String::from_utf8_lossy).ok_or_else(|| layout("no table"))?;
     let mut places: Vec<usize> = table
         .lines()
         .take_while(|line| !line.starts_with("trailer"))
@@ -101,14 +101,14 @@ fn objects(pdf: &[u8]) -> Result<BTreeMap<usize, Object>, ExportError> {
     places.sort_unstable();
     let mut objects = BTreeMap::new();
     for pair in places.windows(2) {
-        let bytes = pdf.get(pair[0]..pair[1]).ok_or(ExportError::Layout("an object beyond the end"))?;
-        let body = find(bytes, b" 0 obj\n").ok_or(ExportError::Layout("an object without its number"))?;
+        let bytes = pdf.get(pair[0]..pair[1]).ok_or_else(|| layout("an object beyond the end"))?;
+        let body = find(bytes, b" 0 obj\n").ok_or_else(|| layout("an object without its number"))?;
         let number = String::from_utf8_lossy(&bytes[..body]).trim().parse();
-        let number = number.map_err(|_| ExportError::Layout("an object without its number"))?;
+        let number = number.map_err(|_| layout("an object without its number"))?;
         let body = &bytes[body + b" 0 obj\n".len()..];
         let end = find(body, b"stream\n")
             .or_else(|| find(body, b"endobj"))
-            .ok_or(ExportError::Layout("an object without its end"))?;
+            .ok_or_else(|| layout("an object without its end"))?;
         let dictionary = sorted(&String::from_utf8_lossy(&body[..end]));
         let is_page = dictionary.contains("\n  /Type /Page\n");
         let dictionary = if is_page { without_group(&dictionary) } else { dictionary };
@@ -166,6 +166,10 @@ fn text_string(text: &str) -> String {
     string
 }
 
+fn layout(wrong: &str) -> ExportError {
+    ExportError(format!("the PDF cannot be put in order: {wrong}"))
+}
+
 fn find(bytes: &[u8], wanted: &[u8]) -> Option<usize> {
     bytes.windows(wanted.len()).position(|window| window == wanted)
 }
@@ -175,13 +179,13 @@ fn text_after<'a>(pdf: &'a [u8], word: &[u8]) -> Result<&'a str, ExportError> {
     let start = pdf.windows(word.len()).rposition(|window| window == word);
     start
         .and_then(|start| std::str::from_utf8(&pdf[start + word.len()..]).ok())
-        .ok_or(ExportError::Layout("no trailer"))
+        .ok_or_else(|| layout("no trailer"))
 }
 
 fn reference_after(text: &str, key: &str) -> Result<usize, ExportError> {
     text.split_once(key)
         .and_then(|(_, rest)| rest.split_whitespace().next()?.parse().ok())
-        .ok_or(ExportError::Layout("no catalogue or no information"))
+        .ok_or_else(|| layout("no catalogue or no information"))
 }
 
 #[cfg(test)]

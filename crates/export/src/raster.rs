@@ -13,7 +13,7 @@ impl Figure {
     /// The figure as a PNG with `resolution` dots per inch, which the PNG says of itself, so that it keeps its size.
     ///
     /// # Errors
-    /// [`ExportError::Pixels`] if there would be no pixel or more than memory holds; [`ExportError::Png`].
+    /// There would be no pixel or more than memory holds, or the PNG could not be written.
     pub fn png(&self, resolution: f64) -> Result<Vec<u8>, ExportError> {
         encode(&self.pixels(resolution)?, resolution)
     }
@@ -23,11 +23,17 @@ impl Figure {
         let scale = resolution / POINTS_PER_INCH;
         let (width, height) = self.size();
         let (width, height) = ((scale * width).round() as u32, (scale * height).round() as u32);
-        let mut pixels = Pixmap::new(width, height).ok_or(ExportError::Pixels { width, height })?;
+        let mut pixels = blank(width, height)?;
         pixels.fill(Color::WHITE);
         resvg::render(&self.tree, Transform::from_scale(scale as f32, scale as f32), &mut pixels.as_mut());
         Ok(pixels)
     }
+}
+
+/// So many pixels.
+pub(crate) fn blank(width: u32, height: u32) -> Result<Pixmap, ExportError> {
+    let told = || ExportError(format!("a picture of {width} by {height} pixels cannot be drawn"));
+    Pixmap::new(width, height).ok_or_else(told)
 }
 
 /// Pixels as PNG, without transparency: the sheet is white.

@@ -1,6 +1,6 @@
 //! Tables as the page's scripts read them.
 
-use grazing_results::{Cell, Table};
+use grazing_results::{Cell, Table, brief};
 
 /// Significant digits of numbers on the page: more than a screen can show at any zoom.
 const DIGITS: usize = 9;
@@ -32,17 +32,7 @@ fn written(cell: &Cell) -> String {
         Cell::Text(words) => words.replace(SEPARATOR, "/"),
         Cell::Integer(value) => value.to_string(),
         Cell::Flag(value) => value.to_string(),
-        Cell::Number(_) => cell.number().map_or_else(String::new, rounded),
-    }
-}
-
-/// The number with fewer digits.
-fn rounded(number: f64) -> String {
-    let rounded: f64 = format!("{number:.*e}", DIGITS - 1).parse().unwrap_or(number);
-    if rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs()) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
+        Cell::Number(_) => cell.number().map_or_else(String::new, |number| brief(number, DIGITS)),
     }
 }
 
@@ -65,14 +55,10 @@ mod tests {
         let table = table(&[
             ("SN", 1, 0.349_999_999_999),
             ("SN", 1, 0.35),
+            ("SN", 1, -5.679_445_287_380_571e2),
             ("PD", 1, f64::NAN),
             ("P|D", 1, -1.25e-17),
         ]);
-        assert_eq!(compact(&table), "kind|p|x\nSN|1|0.35\n=|1|=\nPD|1|\nP/D|1|-1.25e-17");
-    }
-
-    #[test]
-    fn nine_digits_survive() {
-        assert_eq!(rounded(-5.679_445_287_380_571e2), "-567.944529");
+        assert_eq!(compact(&table), "kind|p|x\nSN|1|0.35\n=|1|=\n=|1|-567.944529\nPD|1|\nP/D|1|-1.25e-17");
     }
 }

@@ -89,9 +89,6 @@ pub(crate) fn of_the_paper(report: &Report<'_>, figure: &Figure) -> Html {
         }
         None => escape(&figure.title),
     };
-    let own = own_files(figure);
-    let outputs = report.manifest.outputs.iter().filter(|file| own.contains(&file.path));
-    let files = outputs.map(|file| report.manifest.link(&file.path)).collect();
     let shown = report.claims.iter().filter(|finding| finding.claim.figures.contains(&figure.name));
     let claims = shown.map(|finding| ledger::link(&finding.claim.label)).collect();
     rendered(&Framed {
@@ -99,21 +96,19 @@ pub(crate) fn of_the_paper(report: &Report<'_>, figure: &Figure) -> Html {
         label: &figure.title,
         heading: Safe(format!("<h3>{heading}</h3>")),
         parts: parts(&figure.svg, &figure.name),
-        links: [("Files", files), ("Claims", claims)],
+        links: [("Files", report.links(&own_files(figure), false)), ("Claims", claims)],
         data: data(figure),
     })
 }
 
 /// A figure of an oscillator.
-pub(crate) fn of_oscillator(oscillator: &OscillatorEntry, figure: &Figure) -> Html {
-    let own = own_files(figure);
+pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, figure: &Figure) -> Html {
     let id = format!("{}-{}", oscillator.anchor(), figure.name);
-    let files = oscillator.files.iter().filter(|path| own.contains(path));
     rendered(&Framed {
         label: &format!("{}: {}", oscillator.description.name(), figure.title),
         heading: Safe(format!("<h4>{}</h4>", prose(&capitalised(&figure.title)))),
         parts: parts(&figure.svg, &id),
-        links: [("Files", files.map(|path| OscillatorEntry::file_link(path)).collect()), ("", Vec::new())],
+        links: [("Files", report.links(&own_files(figure), true)), ("", Vec::new())],
         data: data(figure),
         id: &id,
     })

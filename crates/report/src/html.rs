@@ -4,6 +4,7 @@ use std::borrow::Borrow;
 use std::fmt::{self, Write};
 
 use askama::filters::{Escaper, Safe};
+use grazing_results::directs;
 
 /// Text that is markup; what is of any other type is escaped when it comes into a template.
 pub(crate) type Html = Safe<String>;
@@ -43,11 +44,6 @@ pub(crate) fn escape(text: &str) -> String {
 /// The template's text.
 pub(crate) fn rendered(template: &impl askama::Template) -> Html {
     Safe(template.render().expect("a template writes to a String, which cannot fail"))
-}
-
-/// Whether the character changes the direction in which those after it, or around it, are written.
-fn directs(character: char) -> bool {
-    matches!(character, '\u{200e}' | '\u{200f}' | '\u{61c}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// The text as a string of JSON that can stand inside a script element.

@@ -31,10 +31,12 @@ use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::source::Sources;
 use grazing_reproduction::published::Comparison;
 
+use html::Html;
+
 pub use figure::Figure;
 pub use formula::{FormulaError, mathml};
 pub use manifest::{Manifest, OutputFile};
-pub use oscillator::{Known, OscillatorEntry, ResonanceEntry};
+pub use oscillator::OscillatorEntry;
 pub use page::page;
 pub use table::TableOutput;
 
@@ -99,6 +101,13 @@ impl Report<'_> {
             && self.tables.is_empty()
             && self.published.is_empty()
             && self.claims.is_empty())
+    }
+
+    /// Links to those of the files with these paths that were written: of an oscillator only where its files are all that there are.
+    fn links(&self, paths: &[String], of_oscillator: bool) -> Vec<Html> {
+        let listed = self.manifest.outputs.iter().filter(|file| paths.contains(&file.path));
+        let there = listed.filter(|_| !(of_oscillator && self.is_of_the_paper()));
+        there.map(|file| self.manifest.link(&file.path)).collect()
     }
 
     /// The figures of the paper and of all oscillators.

@@ -1,14 +1,15 @@
 //! Oscillators from text files: what they are, and what the theorems, the curves and simulation say of them.
 
 use askama::filters::Safe;
-use grazing_continuation::bifurcation::{Bifurcation, Pair};
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::Description;
+use grazing_reproduction::unfolded::{Known, ResonanceEntry};
 use grazing_results::Table;
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::verdict::{Coefficient, Verdict};
 
 use crate::Figure;
-use crate::html::{Html, counted, escape, identifier};
+use crate::html::{Html, counted, identifier};
 
 /// An oscillator with all that was found out about it.
 #[derive(Debug, Clone)]
@@ -34,27 +35,6 @@ pub struct OscillatorEntry {
     pub lost: Vec<String>,
     /// Where it is not decided whether solutions are stable, with the numbers of their loops, and why not: what is hatched in the figures.
     pub undecided: Vec<(u32, String)>,
-    /// The files that were written, as paths from the page's folder: `diagram.svg`, `data/points.csv`. None of them need
-    /// be there; those that are get links.
-    pub files: Vec<String>,
-}
-
-/// What is known of an SN or PD curve: its coefficient, and the motion beside it.
-pub type Known = (Coefficient, Simulated);
-
-/// A resonant grazing bifurcation, in the oscillator's own units.
-#[derive(Debug, Clone)]
-pub struct ResonanceEntry {
-    /// Number of loops p.
-    pub loops: u32,
-    /// The integer n.
-    pub n: u32,
-    /// The primary parameter.
-    pub primary: f64,
-    /// The secondary parameter.
-    pub secondary: f64,
-    /// What is known of its curves; where the theorem does not apply the hypotheses that fail, with the values of their quantities.
-    pub finding: Result<Pair<Known>, Vec<(String, f64)>>,
 }
 
 /// Significant digits of coefficients, of parameters and of other values.
@@ -103,16 +83,9 @@ impl OscillatorEntry {
         identifier("oscillator", &self.id)
     }
 
-    /// A link to one of its files.
-    pub(crate) fn file_link(path: &str) -> Html {
-        Safe(format!("<a href=\"{0}\"><code>{0}</code></a>", escape(path)))
-    }
-
     /// The resonances at which a theorem holds, with what is known of the SN and the PD curve.
     pub(crate) fn unfolded(&self) -> Vec<(&ResonanceEntry, [(Bifurcation, &Known); 2])> {
-        let all = self.resonances.iter();
-        all.filter_map(|resonance| Some((resonance, resonance.finding.as_ref().ok()?.as_ref().named())))
-            .collect()
+        self.resonances.iter().filter_map(|resonance| Some((resonance, resonance.curves()?))).collect()
     }
 
     /// The resonances at which none does, with the hypotheses that fail.
@@ -223,6 +196,7 @@ impl Tally {
 
 #[cfg(test)]
 mod tests {
+    use grazing_continuation::bifurcation::Pair;
     use grazing_unfold::sides::Doubt;
 
     use super::*;

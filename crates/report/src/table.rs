@@ -45,16 +45,13 @@ struct Folded<'a> {
 
 /// A table of the paper; short ones are open.
 pub(crate) fn of_the_paper(report: &Report<'_>, table: &Table) -> Html {
-    let path = path(table);
-    let written = report.manifest.outputs.iter().any(|file| file.path == path);
-    let link = written.then(|| report.manifest.link(&path));
+    let link = report.links(&[path(table)], false).pop();
     rendered(&Folded { table, id: table.name.to_owned(), open: table.rows.len() <= LONG, link })
 }
 
 /// A table of an oscillator.
-pub(crate) fn of_oscillator(oscillator: &OscillatorEntry, table: &Table) -> Html {
-    let path = path(table);
-    let link = oscillator.files.contains(&path).then(|| OscillatorEntry::file_link(&path));
+pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, table: &Table) -> Html {
+    let link = report.links(&[path(table)], true).pop();
     rendered(&Folded { table, id: format!("{}-{}", oscillator.anchor(), table.name), open: false, link })
 }
 

@@ -2,8 +2,10 @@
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Route, Window};
+use grazing_continuation::resonance::ResonanceError;
 use grazing_model::LinearOscillator;
-use grazing_unfold::diagram::route;
+use grazing_unfold::diagram::{NotUnfolded, route};
+use grazing_unfold::resonances::Unlocated;
 use grazing_unfold::{Diagram, Scope};
 
 use crate::{Study, StudyError};
@@ -21,22 +23,27 @@ impl Study<'_> {
         self.diagram.get_or_init(compute).as_ref().map_err(Clone::clone)
     }
 
-    /// What Figure 7 and the table of coefficients lack: resonances that could not be located, and curves that could not be followed.
+    /// What Figure 7 and the table of coefficients lack: resonances that could not be located, in sentences.
     ///
     /// # Errors
     /// As [`fig07`](Self::fig07).
-    pub fn gaps(&self) -> Result<Vec<StudyError>, StudyError> {
-        let diagram = self.diagram()?;
-        let unlocated = diagram.unlocated.iter().map(|lost| StudyError::Unlocated {
-            loops: lost.loops,
-            near: lost.near,
-            source: lost.reason.clone(),
-        });
-        let failed = diagram.not_unfolded.iter();
-        Ok(unlocated
-            .chain(failed.map(|failed| StudyError::resonance(failed.loops, failed.n, failed.reason.clone())))
-            .collect())
+    pub fn unlocated(&self) -> Result<Vec<String>, StudyError> {
+        let told = |lost: &Unlocated| {
+            format!("the resonance of p = {} near {:?} is missing: {}", lost.loops, lost.near, lost.reason)
+        };
+        Ok(self.diagram()?.unlocated.iter().map(told).collect())
     }
+
+    /// What only Figure 7 lacks: curves that could not be followed, in sentences.
+    pub(crate) fn not_followed(&self) -> Result<Vec<String>, StudyError> {
+        let told = |lost: &NotUnfolded| not_followed(lost.loops, lost.n, &lost.reason);
+        Ok(self.diagram()?.not_unfolded.iter().map(told).collect())
+    }
+}
+
+/// That a curve of a resonance is missing.
+pub(crate) fn not_followed(loops: u32, n: u32, reason: &ResonanceError) -> String {
+    format!("resonance p = {loops}, n = {n}: a curve is missing: {reason}")
 }
 
 /// The oscillator of theory with its forcing.

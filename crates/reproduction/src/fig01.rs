@@ -4,11 +4,11 @@ use core::f64::consts::TAU;
 
 use grazing_model::motion::highest_maximum;
 use grazing_model::orbit::{FlightEnd, Orbit};
-use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
-use grazing_results::space::{CurveKind, MarkKind, SurfaceKind};
+use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
 
 use crate::parameters::Arrival;
-use crate::space::{Drawn, Scene, Space, axes, line, outline, trajectory};
+use crate::space::{Drawn, Space, axes, line, outline, recoil, trajectory};
 use crate::{Study, StudyError};
 
 /// Positions x that the axis of x reaches; nothing else depends on it.
@@ -42,7 +42,8 @@ impl Study<'_> {
                 }
             }
         }
-        Ok(Scene::new(Scene::FIG01, curves, points, surfaces(&space, shown.velocity)))
+        let surfaces = surfaces(&space, shown.velocity).vertices;
+        Ok(Scene { plans: Scene::FIG01, curves: curves.vertices, points, surfaces })
     }
 }
 
@@ -98,8 +99,7 @@ fn fly(
         if impacts.is_empty() && missed > SAME {
             return Err(unreachable_arrival(arrival));
         }
-        let reset = oscillator.reset::<1>(OnWall::new(impact.velocity, impact.phase)).value;
-        let recoil = State::on_wall(reset[0], reset[1]);
+        let recoil = recoil(oscillator, impact);
         curves.curve(CurveKind::Reset, &line(impact, recoil));
         impacts.push((impact, recoil));
     }
@@ -107,7 +107,11 @@ fn fly(
 }
 
 fn unreachable_arrival(arrival: &Arrival) -> StudyError {
-    StudyError::Arrival { velocity: arrival.velocity, phase: arrival.phase, before: arrival.before }
+    let Arrival { velocity, phase, before, .. } = arrival;
+    StudyError::Failed(format!(
+        "figure 1: the orbit through (0, {velocity}, {phase}) on Sigma, begun {before} in phase earlier, meets the wall at \
+         another place first"
+    ))
 }
 
 fn surfaces(space: &Space, velocity: [f64; 2]) -> Drawn<'_, SurfaceKind> {

@@ -6,29 +6,12 @@ mod portraits;
 mod subjects;
 
 use grazing_model::LinearOscillator;
-use grazing_results::branches::{AttractorPoint, BranchBifurcation, BranchPoint, PortraitPoint};
-use grazing_results::tables;
+use grazing_results::Frame;
+use grazing_results::branches::Figure2;
 use grazing_theorems::GrazingState;
 
 use crate::diagram::forced;
 use crate::{Study, StudyError, parameters};
-
-tables! {
-    /// What Figure 2 shows.
-    Figure2 {
-        /// The non-impacting solution (p = 0) and the branches of MPSs.
-        branches: BranchPoint = "fig02_branches", "a point of a branch, on one loop of the solution",
-        /// Grazing of the non-impacting solution, PD, SN and GZ of MPSs.
-        bifurcations: BranchBifurcation = "fig02_bifurcations", "a bifurcation on a branch",
-        /// Long-time behaviour of forward orbits between GZ and PD.
-        attractor: AttractorPoint = "fig02_attractor", "a visit to Π of an orbit that has settled",
-        /// Orbits in the (x, y) plane.
-        portraits: PortraitPoint = "fig02_portraits", "a point of an orbit in a phase portrait",
-        ;
-        /// What is shown elsewhere than the parameters ask for, or not at all, in sentences.
-        notes: Vec<String>,
-    }
-}
 
 /// What the parts of the figure share: the oscillator at grazing.
 struct Setting<'a> {
@@ -58,6 +41,8 @@ impl Study<'_> {
             branches: branches::rows(&setting, &branches)?,
             attractor: attractor::rows(&setting, &bifurcations, self.progress)?,
             portraits,
+            frame: Frame { x: figure.amplitude, y: figure.x },
+            magnified: Frame { x: figure.magnified_amplitude, y: figure.magnified_x },
             notes: [figure.notes.as_slice(), &more].concat(),
             bifurcations,
         })

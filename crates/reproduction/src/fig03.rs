@@ -7,9 +7,9 @@ use core::f64::consts::TAU;
 
 use grazing_model::maps::{MapError, global_map};
 use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, State};
-use grazing_results::space::{CurveKind, MarkKind, SurfaceKind};
+use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
 
-use crate::space::{Drawn, Scene, Space, line, outline, trajectory};
+use crate::space::{Drawn, Space, line, outline, trajectory};
 use crate::{Study, StudyError};
 
 /// Restitution does not enter: P_global ignores impacts.
@@ -35,13 +35,14 @@ impl Study<'_> {
 
         let [x, phase] = shown.start;
         let start = State::at_rest(x, origin + phase);
+        let failed = |reason: MapError| StudyError::Failed(format!("figure 3: {reason}"));
         // Π is crossed at maxima of x near the grazing point.
         let acceleration = oscillator.acceleration(start);
         if acceleration >= 0.0 {
-            return Err(StudyError::Map { figure: 3, source: MapError::NotAMaximum { acceleration } });
+            return Err(failed(MapError::NotAMaximum { acceleration }));
         }
         let landing = global_map::<_, 1>(&oscillator, AtRest::new(start.position, start.phase), None)
-            .map_err(|source| StudyError::Map { figure: 3, source })?;
+            .map_err(failed)?;
         let image = State::at_rest(landing.jet.value[0], landing.jet.value[1]);
 
         let mut curves = Drawn::new(&space);
@@ -68,6 +69,6 @@ impl Study<'_> {
         drawn.curve(SurfaceKind::AxisX, &line(State::at_rest(across[0], at), State::at_rest(across[1], at)));
         drawn.curve(SurfaceKind::AxisY, &line(State::on_wall(0.0, at), State::on_wall(upwards, at)));
         drawn.curve(SurfaceKind::AxisZ, &line(State::at_rest(0.0, at), State::at_rest(0.0, at + PHASE_AXIS)));
-        Ok(Scene::new(Scene::FIG03, curves, points, drawn))
+        Ok(Scene { plans: Scene::FIG03, curves: curves.vertices, points, surfaces: drawn.vertices })
     }
 }

@@ -1,21 +1,10 @@
 //! Figure 4 (fig:D): the boundaries g_p and h_p in the trapesium of stable, orientation-preserving grazing orbits.
 
-use grazing_results::sketches::{Boundary, BoundaryPoint, Star};
-use grazing_results::tables;
+use grazing_results::sketches::{Boundary, BoundaryPoint, Figure4, Star};
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::auxiliary::resonance_boundary;
 
 use crate::{Study, StudyError};
-
-tables! {
-    /// What Figure 4 shows.
-    Figure4 {
-        /// The trapesium's outline, the curves τ = g_p(δ) and τ = h_p(δ), and their limit τ = 2√δ.
-        curves: BoundaryPoint = "fig04_curves", "a point of a curve",
-        /// The grazing bifurcation of Figure 2.
-        points: Star = "fig04_points", "a point that is marked",
-    }
-}
 
 /// Samples of each curve.
 const SAMPLES: u32 = 200;
@@ -25,9 +14,6 @@ const CORNERS: [[f64; 2]; 4] = [[-1.0, 0.0], [1.0, 0.0], [2.0, 1.0], [-2.0, 1.0]
 
 impl Study<'_> {
     /// Figure 4.
-    ///
-    /// # Errors
-    /// A section of the parameter file is not right.
     pub fn fig04(&self) -> Result<Figure4, StudyError> {
         let mut curves = Vec::new();
         for [tau, delta] in CORNERS.into_iter().chain([CORNERS[0]]) {

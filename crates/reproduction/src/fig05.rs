@@ -14,25 +14,13 @@
 //! the grazing line but for the strip between it and the saddle-node curve, where the non-impacting solution is stable too.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
+use grazing_results::Frame;
 use grazing_results::plane::RegionKind;
-use grazing_results::sketches::{UnfoldingPoint, UnfoldingResonance, UnfoldingVertex};
-use grazing_results::tables;
+use grazing_results::sketches::{Figure5, UnfoldingPoint, UnfoldingResonance, UnfoldingVertex};
 use grazing_theorems::ResonantGrazing;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::{Study, StudyError, parameters};
-
-tables! {
-    /// What Figure 5 shows.
-    Figure5 {
-        /// The line of grazing bifurcations and the quadratic SN and PD curves.
-        curves: UnfoldingPoint = "fig05_curves", "a point of a curve",
-        /// The resonance.
-        points: UnfoldingResonance = "fig05_points", "the resonance",
-        /// Where the non-impacting solution is stable, where an MPS is, and where both are.
-        regions: UnfoldingVertex = "fig05_regions", "a vertex of a region",
-    }
-}
 
 /// Samples of a curve from the resonance to the edge of the window.
 const SAMPLES: u32 = 100;
@@ -81,7 +69,7 @@ impl Study<'_> {
         let regions = (1..).zip(polygons).flat_map(|(region, (kind, vertices))| {
             vertices.into_iter().map(move |[mu, eta]| UnfoldingVertex { region, kind, mu, eta })
         });
-        Ok(Figure5 { curves, points, regions: regions.collect() })
+        Ok(Figure5 { curves, points, regions: regions.collect(), frame: Frame { x: mu, y: eta } })
     }
 }
 

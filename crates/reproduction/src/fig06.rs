@@ -6,8 +6,7 @@
 
 mod shapes;
 
-use grazing_results::sketches::{Part, PartPoint};
-use grazing_results::tables;
+use grazing_results::sketches::{Figure6, Part, PartPoint};
 
 use crate::diagram::forced;
 use crate::{Study, StudyError};
@@ -40,31 +39,16 @@ mod lengths {
     pub(super) const AXIS_BEYOND_WALL: f64 = 0.42;
 }
 
-tables! {
-    /// What Figure 6 shows.
-    Figure6 {
-        /// The parts of the drawing as polylines of (x, height); outlines end where they begin.
-        parts: PartPoint = "fig06_parts", "a point of the drawing",
-    }
-}
-
 impl Study<'_> {
     /// Figure 6.
-    ///
-    /// # Errors
-    /// A section of the parameter file is not right.
     pub fn fig06(&self) -> Result<Figure6, StudyError> {
         let (shown, theory) = (self.parameters.fig06.get()?, self.parameters.oscillator.get()?);
         let oscillator = forced(theory, shown.amplitude, shown.frequency)?;
-        let instant = Instant {
-            face: oscillator.non_impacting_solution(shown.phase).position,
-            // φ_p is harmonic about −1 and reaches 0 at the grazing amplitude.
-            stroke: shown.amplitude / theory.grazing(shown.frequency)?.amplitude(),
-            force: libm::cos(shown.phase),
-            coils: shown.coils,
-        };
+        let face = oscillator.non_impacting_solution(shown.phase).position;
+        // φ_p is harmonic about −1 and reaches 0 at the grazing amplitude.
+        let stroke = shown.amplitude / theory.grazing(shown.frequency)?.amplitude();
         let mut parts = Vec::new();
-        for (part, pieces) in instant.parts() {
+        for (part, pieces) in drawing(face, stroke, libm::cos(shown.phase), shown.coils) {
             for (piece, points) in (1..).zip(&pieces) {
                 parts.extend(points.iter().map(|&[x, height]| PartPoint { part, piece, x, height }));
             }
@@ -73,86 +57,68 @@ impl Study<'_> {
     }
 }
 
-/// What is shown.
-struct Instant {
-    /// x of the block's face.
-    face: f64,
-    /// Largest displacement of the motion from x = −1.
-    stroke: f64,
-    /// Force over its amplitude.
-    force: f64,
-    coils: u32,
-}
-
-impl Instant {
-    /// All parts, each as polylines. What is listed later covers what is listed earlier.
-    fn parts(&self) -> Vec<(Part, Vec<Polyline>)> {
-        use lengths::*;
-        const EQUILIBRIUM: f64 = -1.0;
-        const WALL: f64 = 0.0;
-        let face = self.face;
-        let back = face - BLOCK_WIDTH;
-        // The rod is just long enough for the block to keep clear of the cylinder on its whole stroke.
-        let rod = 2.0 * (self.stroke + CLEARANCE);
-        let piston = back - rod;
-        let middle = EQUILIBRIUM - BLOCK_WIDTH - rod;
-        let (bottom_of_cylinder, mouth) =
-            (middle - self.stroke - CLEARANCE, middle + self.stroke + CLEARANCE);
-        let anchor = bottom_of_cylinder - LEAD;
-        let vertical = |x: f64, from: f64, to: f64| vec![[x, from], [x, to]];
-        let horizontal = |height: f64, from: f64, to: f64| vec![[from, height], [to, height]];
-        let tick = |x: f64| vertical(x, AXIS_HEIGHT, AXIS_HEIGHT + TICK);
-        let wheels = [0.22, 0.78].map(|share| {
-            shapes::circle([back + share * BLOCK_WIDTH, 0.5 * BLOCK_BOTTOM], 0.5 * BLOCK_BOTTOM)
-        });
-        vec![
-            (Part::AnchorHatching, shapes::hatching([anchor - STRIP, anchor], [0.0, WALL_TOP])),
-            (Part::Anchor, vec![vertical(anchor, 0.0, WALL_TOP)]),
-            (Part::WallHatching, shapes::hatching([WALL, WALL + STRIP], [0.0, WALL_TOP])),
-            (Part::Wall, vec![vertical(WALL, 0.0, WALL_TOP)]),
-            (Part::Floor, vec![horizontal(0.0, anchor, WALL)]),
-            (
-                Part::Guide,
-                vec![
-                    vertical(face, BLOCK_BOTTOM, AXIS_HEIGHT),
-                    vertical(WALL, 0.0, AXIS_HEIGHT),
-                    vertical(EQUILIBRIUM, EQUILIBRIUM_TOP, AXIS_HEIGHT),
-                ],
-            ),
-            (Part::Axis, vec![horizontal(AXIS_HEIGHT, back, WALL + AXIS_BEYOND_WALL)]),
-            (Part::Tick, vec![tick(face), tick(EQUILIBRIUM), tick(WALL)]),
-            (
-                Part::Spring,
-                vec![shapes::spring([anchor, back], SPRING_HEIGHT, SPRING_RADIUS, LEAD, self.coils)],
-            ),
-            (
-                Part::Cylinder,
-                vec![vec![
-                    [mouth, DASHPOT_HEIGHT + DASHPOT_RADIUS],
-                    [bottom_of_cylinder, DASHPOT_HEIGHT + DASHPOT_RADIUS],
-                    [bottom_of_cylinder, DASHPOT_HEIGHT - DASHPOT_RADIUS],
-                    [mouth, DASHPOT_HEIGHT - DASHPOT_RADIUS],
-                ]],
-            ),
-            (
-                Part::Rod,
-                vec![
-                    horizontal(DASHPOT_HEIGHT, anchor, bottom_of_cylinder),
-                    horizontal(DASHPOT_HEIGHT, piston, back),
-                ],
-            ),
-            (
-                Part::Piston,
-                vec![vertical(
-                    piston,
-                    DASHPOT_HEIGHT - 0.8 * DASHPOT_RADIUS,
-                    DASHPOT_HEIGHT + 0.8 * DASHPOT_RADIUS,
-                )],
-            ),
-            (Part::Wheel, wheels.into()),
-            (Part::Block, vec![shapes::rectangle([back, face], [BLOCK_BOTTOM, BLOCK_TOP])]),
-            (Part::Force, vec![horizontal(FORCE_HEIGHT, face, face + FULL_FORCE * self.force)]),
-            (Part::Dimension, vec![horizontal(DIMENSION_HEIGHT, EQUILIBRIUM, WALL)]),
-        ]
-    }
+/// All parts, each as polylines, with the block's face at x, the largest displacement of the motion from x = −1, and the force over its
+/// amplitude. What is listed later covers what is listed earlier.
+fn drawing(face: f64, stroke: f64, force: f64, coils: u32) -> Vec<(Part, Vec<Polyline>)> {
+    use lengths::*;
+    const EQUILIBRIUM: f64 = -1.0;
+    const WALL: f64 = 0.0;
+    let back = face - BLOCK_WIDTH;
+    // The rod is just long enough for the block to keep clear of the cylinder on its whole stroke.
+    let rod = 2.0 * (stroke + CLEARANCE);
+    let piston = back - rod;
+    let middle = EQUILIBRIUM - BLOCK_WIDTH - rod;
+    let (bottom_of_cylinder, mouth) = (middle - stroke - CLEARANCE, middle + stroke + CLEARANCE);
+    let anchor = bottom_of_cylinder - LEAD;
+    let vertical = |x: f64, from: f64, to: f64| vec![[x, from], [x, to]];
+    let horizontal = |height: f64, from: f64, to: f64| vec![[from, height], [to, height]];
+    let tick = |x: f64| vertical(x, AXIS_HEIGHT, AXIS_HEIGHT + TICK);
+    let wheels = [0.22, 0.78]
+        .map(|share| shapes::circle([back + share * BLOCK_WIDTH, 0.5 * BLOCK_BOTTOM], 0.5 * BLOCK_BOTTOM));
+    vec![
+        (Part::AnchorHatching, shapes::hatching([anchor - STRIP, anchor], [0.0, WALL_TOP])),
+        (Part::Anchor, vec![vertical(anchor, 0.0, WALL_TOP)]),
+        (Part::WallHatching, shapes::hatching([WALL, WALL + STRIP], [0.0, WALL_TOP])),
+        (Part::Wall, vec![vertical(WALL, 0.0, WALL_TOP)]),
+        (Part::Floor, vec![horizontal(0.0, anchor, WALL)]),
+        (
+            Part::Guide,
+            vec![
+                vertical(face, BLOCK_BOTTOM, AXIS_HEIGHT),
+                vertical(WALL, 0.0, AXIS_HEIGHT),
+                vertical(EQUILIBRIUM, EQUILIBRIUM_TOP, AXIS_HEIGHT),
+            ],
+        ),
+        (Part::Axis, vec![horizontal(AXIS_HEIGHT, back, WALL + AXIS_BEYOND_WALL)]),
+        (Part::Tick, vec![tick(face), tick(EQUILIBRIUM), tick(WALL)]),
+        (Part::Spring, vec![shapes::spring([anchor, back], SPRING_HEIGHT, SPRING_RADIUS, LEAD, coils)]),
+        (
+            Part::Cylinder,
+            vec![vec![
+                [mouth, DASHPOT_HEIGHT + DASHPOT_RADIUS],
+                [bottom_of_cylinder, DASHPOT_HEIGHT + DASHPOT_RADIUS],
+                [bottom_of_cylinder, DASHPOT_HEIGHT - DASHPOT_RADIUS],
+                [mouth, DASHPOT_HEIGHT - DASHPOT_RADIUS],
+            ]],
+        ),
+        (
+            Part::Rod,
+            vec![
+                horizontal(DASHPOT_HEIGHT, anchor, bottom_of_cylinder),
+                horizontal(DASHPOT_HEIGHT, piston, back),
+            ],
+        ),
+        (
+            Part::Piston,
+            vec![vertical(
+                piston,
+                DASHPOT_HEIGHT - 0.8 * DASHPOT_RADIUS,
+                DASHPOT_HEIGHT + 0.8 * DASHPOT_RADIUS,
+            )],
+        ),
+        (Part::Wheel, wheels.into()),
+        (Part::Block, vec![shapes::rectangle([back, face], [BLOCK_BOTTOM, BLOCK_TOP])]),
+        (Part::Force, vec![horizontal(FORCE_HEIGHT, face, face + FULL_FORCE * force)]),
+        (Part::Dimension, vec![horizontal(DIMENSION_HEIGHT, EQUILIBRIUM, WALL)]),
+    ]
 }

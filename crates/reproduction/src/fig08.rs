@@ -6,37 +6,14 @@ use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::curve::Window;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::LinearOscillator;
-use grazing_results::plane::MagnifiedPoint;
-use grazing_results::tables;
+use grazing_results::plane::{Figure8, MagnifiedPanel};
 use grazing_unfold::magnification::{magnify, window_about};
 use grazing_unfold::resonances::Resonance;
 use rayon::prelude::*;
 
-use crate::{Study, StudyError, plane};
-
-tables! {
-    /// What Figure 8 shows.
-    Figure8 {
-        /// Continued curves and quadratic approximations, panel by panel.
-        curves: MagnifiedPoint = "fig08_curves", "a point of a curve of a magnification",
-        ;
-        /// The panels, numbered from 1.
-        panels: Vec<ShownPanel>,
-        /// What is shown in the place of something else, in sentences.
-        notes: Vec<String>,
-    }
-}
-
-/// A panel of Figure 8.
-#[derive(Clone, Copy, Debug)]
-pub struct ShownPanel {
-    /// Number of loops p of its resonance.
-    pub loops: u32,
-    /// What it shows of the plane.
-    pub window: Window,
-    /// The coefficients by the closed form.
-    pub coefficients: Pair<f64>,
-}
+use crate::diagram::not_followed;
+use crate::plane::{self, Axes};
+use crate::{Study, StudyError};
 
 /// A panel whose resonance is in the diagram.
 struct Shown<'a> {
@@ -51,10 +28,10 @@ impl Study<'_> {
     /// # Errors
     /// A resonance could not be located, unfolded or measured.
     pub fn fig08(&self) -> Result<Figure8, StudyError> {
-        let (diagram, (shown, notes)) = (self.diagram()?, self.shown()?);
+        let (diagram, (shown, notes), axes) = (self.diagram()?, self.shown()?, Axes::of_the_paper());
         let curves = |&Shown { resonance, point, window }: &Shown<'_>| {
             magnify(diagram, resonance, point, window)
-                .map_err(|source| StudyError::resonance(resonance.loops, resonance.n, source))
+                .map_err(|reason| StudyError::Failed(not_followed(resonance.loops, resonance.n, &reason)))
         };
         let polylines: Vec<_> = shown.par_iter().map(curves).collect::<Result<_, _>>()?;
         let magnified = shown.iter().zip(&polylines);
@@ -62,26 +39,26 @@ impl Study<'_> {
             magnified.map(|(panel, lines)| (panel.resonance.loops, panel.resonance.n, lines.as_slice()));
         Ok(Figure8 {
             curves: plane::magnifications(magnified),
+            points: plane::points(&axes, diagram),
+            regions: plane::regions(&axes, &diagram.regions),
             panels: self.panels()?,
             notes: [self.parameters.fig08.get()?.notes.as_slice(), &notes].concat(),
         })
     }
 
     /// The panels of Figure 8, without their curves.
-    ///
-    /// # Errors
-    /// No panel can be shown.
-    pub fn panels(&self) -> Result<Vec<ShownPanel>, StudyError> {
+    pub(crate) fn panels(&self) -> Result<Vec<MagnifiedPanel>, StudyError> {
         let theory = self.parameters.oscillator.get()?;
-        let panel = |&Shown { resonance: &Resonance { loops, n, .. }, window, .. }: &Shown<'_>| {
+        let panel = |(panel, shown): (u32, &Shown<'_>)| {
+            let &Shown { resonance: &Resonance { loops, n, .. }, window, .. } = shown;
             let known = theory.resonance(loops, n)?;
             let coefficients = Pair {
                 saddle_node: known.saddle_node_coefficient(),
                 period_doubling: known.period_doubling_coefficient(),
             };
-            Ok(ShownPanel { loops, window, coefficients })
+            Ok(MagnifiedPanel { panel, frame: window.into(), loops, n: None, coefficients })
         };
-        self.shown()?.0.iter().map(panel).collect()
+        (1..).zip(&self.shown()?.0).map(panel).collect()
     }
 
     /// The panels that can be shown, and why others cannot, in sentences.
@@ -112,7 +89,10 @@ impl Study<'_> {
             ));
         }
         match asked.first() {
-            Some(first) if panels.is_empty() => Err(StudyError::NoPanel { loops: first.loops, n: first.n }),
+            Some(first) if panels.is_empty() => Err(StudyError::Failed(format!(
+                "the resonance p = {}, n = {} of the first panel was not found, nor can another be shown; choose others in fig08.panels",
+                first.loops, first.n
+            ))),
             _ => Ok((panels, notes)),
         }
     }

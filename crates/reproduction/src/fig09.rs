@@ -1,47 +1,12 @@
 //! Figure 9 (fig:Bb): an impact and the points on Σ and Π that it defines, for p loops.
 
-use grazing_model::maps::{global_map, virtual_map};
+use grazing_model::maps::{MapError, global_map, virtual_map};
 use grazing_model::motion::{Motion, first_rest};
 use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, OnWall, State};
-use grazing_results::space::{CurveKind, Mark, MarkKind, SurfaceKind};
+use grazing_results::space::{CurveKind, MarkKind, Scene, SurfaceKind};
 
-use crate::space::{Drawn, Scene, Space, axes, line, outline, trajectory};
+use crate::space::{Drawn, Space, axes, line, outline, recoil, trajectory};
 use crate::{Study, StudyError, parameters};
-
-/// The points of Figure 9, phases near z_graz.
-struct Marks {
-    impact: State,
-    recoil: State,
-    /// (x̂, 0, ẑ) and the time to it from the impact.
-    ahead: (State, f64),
-    /// (x⁽⁰⁾, 0, z⁽⁰⁾) and the time, negative, to it from the recoil.
-    behind: (State, f64),
-    /// (x⁽ʲ⁾, 0, z⁽ʲ⁾) for j from 1 to p.
-    iterates: Vec<State>,
-}
-
-impl Marks {
-    fn compute(oscillator: &LinearOscillator, impact: State, loops: u32) -> Result<Self, StudyError> {
-        let failed = |source| StudyError::Map { figure: 9, source };
-        let reset = oscillator.reset::<1>(OnWall::new(impact.velocity, impact.phase)).value;
-        let recoil = State::on_wall(reset[0], reset[1]);
-        let virtual_point = |from: State| {
-            let landing = virtual_map::<_, 1>(oscillator, OnWall::new(from.velocity, from.phase), None)?;
-            Ok((State::at_rest(landing.jet.value[0], landing.jet.value[1]), landing.time))
-        };
-        let (ahead, behind) =
-            (virtual_point(impact).map_err(failed)?, virtual_point(recoil).map_err(failed)?);
-        let mut iterates = Vec::new();
-        let mut last = behind.0;
-        for _ in 0..loops {
-            let landing = global_map::<_, 1>(oscillator, AtRest::new(last.position, last.phase), None)
-                .map_err(failed)?;
-            last = State::at_rest(landing.jet.value[0], landing.jet.value[1]);
-            iterates.push(last);
-        }
-        Ok(Self { impact, recoil, ahead, behind, iterates })
-    }
-}
 
 impl Study<'_> {
     /// Figure 9: real and virtual parts of the orbit near the wall, the reset law, P_global from point to point, and Π on both sides of
@@ -55,50 +20,60 @@ impl Study<'_> {
         let oscillator = LinearOscillator::new(of.zeta, of.epsilon, of.amplitude, of.frequency)?;
         let theory = grazing_theorems::LinearOscillator::new(of.zeta, of.epsilon)?;
         let origin = theory.grazing(of.frequency)?.phase();
-        let [velocity, phase] = shown.impact;
-        let marks = Marks::compute(&oscillator, State::on_wall(velocity, origin + phase), shown.loops)?;
         let space = Space::new(&shown.view, None);
-        let curves = curves(&space, &oscillator, &marks, shown.position[0]);
-        Ok(Scene::new(Scene::FIG09, curves, points(&space, &marks), surfaces(&space, shown, origin)))
-    }
-}
 
-fn curves<'a>(
-    space: &'a Space,
-    oscillator: &LinearOscillator,
-    marks: &Marks,
-    edge: f64,
-) -> Drawn<'a, CurveKind> {
-    let mut drawn = Drawn::new(space);
-    let from_edge =
-        |state: State| trajectory(oscillator, state, to_level(oscillator, state, false, edge), 0.0);
-    let till_edge =
-        |state: State| trajectory(oscillator, state, 0.0, to_level(oscillator, state, true, edge));
-    drawn.curve(CurveKind::Orbit, &from_edge(marks.impact));
-    drawn.curve(CurveKind::Virtual, &trajectory(oscillator, marks.impact, 0.0, marks.ahead.1));
-    drawn.curve(CurveKind::Reset, &line(marks.impact, marks.recoil));
-    drawn.curve(CurveKind::Virtual, &trajectory(oscillator, marks.recoil, marks.behind.1, 0.0));
-    drawn.curve(CurveKind::Orbit, &till_edge(marks.recoil));
-    let mut last = marks.behind.0;
-    for (place, &next) in marks.iterates.iter().enumerate() {
-        drawn.curve(CurveKind::Global, &line(last, next));
-        let go_on = place + 1 < marks.iterates.len();
-        if next.position > 0.0 {
-            let [edge, wall] = [edge, 0.0].map(|level| to_level(oscillator, next, false, level));
-            drawn.curve(CurveKind::Orbit, &trajectory(oscillator, next, edge, wall));
-            drawn.curve(CurveKind::Virtual, &trajectory(oscillator, next, wall, 0.0));
-        } else {
-            drawn.curve(CurveKind::Orbit, &from_edge(next));
+        let failed = |reason: MapError| StudyError::Failed(format!("figure 9: {reason}"));
+        // The virtual point of a state on the wall, and the time to it.
+        let virtual_point = |from: State| {
+            let landing = virtual_map::<_, 1>(&oscillator, OnWall::new(from.velocity, from.phase), None);
+            let landing = landing.map_err(failed)?;
+            Ok::<_, StudyError>((State::at_rest(landing.jet.value[0], landing.jet.value[1]), landing.time))
+        };
+        let impact = State::on_wall(shown.impact[0], origin + shown.impact[1]);
+        let recoil = recoil(&oscillator, impact);
+        let (ahead, time_ahead) = virtual_point(impact)?;
+        let (behind, time_behind) = virtual_point(recoil)?;
+        let mut points = vec![
+            space.mark(MarkKind::Impact, 0, impact),
+            space.mark(MarkKind::Recoil, 0, recoil),
+            space.mark(MarkKind::Virtual, 0, ahead),
+            space.mark(MarkKind::Section, 0, behind),
+        ];
+
+        let piece = |state: State, from: f64, to: f64| trajectory(&oscillator, state, from, to);
+        let fallen = |state: State, forwards, level| to_level(&oscillator, state, forwards, level);
+        let edge = shown.position[0];
+        let mut drawn = Drawn::new(&space);
+        drawn.curve(CurveKind::Orbit, &piece(impact, fallen(impact, false, edge), 0.0));
+        drawn.curve(CurveKind::Virtual, &piece(impact, 0.0, time_ahead));
+        drawn.curve(CurveKind::Reset, &line(impact, recoil));
+        drawn.curve(CurveKind::Virtual, &piece(recoil, time_behind, 0.0));
+        drawn.curve(CurveKind::Orbit, &piece(recoil, 0.0, fallen(recoil, true, edge)));
+        let mut last = behind;
+        for number in 1..=shown.loops {
+            let landing = global_map::<_, 1>(&oscillator, AtRest::new(last.position, last.phase), None);
+            let landing = landing.map_err(failed)?;
+            let next = State::at_rest(landing.jet.value[0], landing.jet.value[1]);
+            points.push(space.mark(MarkKind::Section, number, next));
+            drawn.curve(CurveKind::Global, &line(last, next));
+            let beyond = next.position > 0.0;
+            let kind = if beyond { CurveKind::Virtual } else { CurveKind::Orbit };
+            let begin = fallen(next, false, edge);
+            if beyond {
+                let wall = fallen(next, false, 0.0);
+                drawn.curve(CurveKind::Orbit, &piece(next, begin, wall));
+                drawn.curve(kind, &piece(next, wall, 0.0));
+            } else {
+                drawn.curve(kind, &piece(next, begin, 0.0));
+            }
+            if number < shown.loops {
+                drawn.curve(kind, &piece(next, 0.0, fallen(next, true, edge)));
+            }
+            last = next;
         }
-        if go_on {
-            drawn.curve(
-                if next.position > 0.0 { CurveKind::Virtual } else { CurveKind::Orbit },
-                &till_edge(next),
-            );
-        }
-        last = next;
+        let surfaces = surfaces(&space, shown, origin).vertices;
+        Ok(Scene { plans: Scene::FIG09, curves: drawn.vertices, points, surfaces })
     }
-    drawn
 }
 
 /// The time from a state near the wall, in either direction of time, to where x has fallen to a level, or to the turning
@@ -130,21 +105,6 @@ fn to_level(oscillator: &LinearOscillator, state: State, forwards: bool, level: 
             below = middle;
         }
     }
-}
-
-fn points(space: &Space, marks: &Marks) -> Vec<Mark> {
-    let named = [
-        (MarkKind::Impact, marks.impact),
-        (MarkKind::Recoil, marks.recoil),
-        (MarkKind::Virtual, marks.ahead.0),
-        (MarkKind::Section, marks.behind.0),
-    ];
-    let named = named.map(|(kind, state)| space.mark(kind, 0, state));
-    let iterates = (1..).zip(&marks.iterates);
-    named
-        .into_iter()
-        .chain(iterates.map(|(number, &state)| space.mark(MarkKind::Section, number, state)))
-        .collect()
 }
 
 fn surfaces<'a>(space: &'a Space, shown: &parameters::Figure9, origin: f64) -> Drawn<'a, SurfaceKind> {

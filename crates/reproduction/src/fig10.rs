@@ -1,27 +1,15 @@
 //! Figure 10 (fig:I): the path of the proof of Theorem 2.3, Step 3.
 
-use grazing_results::sketches::Visit;
-use grazing_results::tables;
+use grazing_results::sketches::{Figure10, Visit};
 use grazing_theorems::auxiliary::lucas_sequence;
 use nalgebra::Vector2;
 
 use crate::{Study, StudyError};
 
-tables! {
-    /// What Figure 10 shows.
-    Figure10 {
-        /// The vertices (u⁽ʲ⁾, w⁽ʲ⁾), j = 0, …, p.
-        path: Visit = "fig10_path", "a vertex of the path",
-    }
-}
-
 impl Study<'_> {
     /// Figure 10: the vertices as iterates of (0, −b₁ₚ / (a₁₂ β)) under the affine map Q(u, w) = A (u, w) + (S_p / β) b.
     ///
     /// Paper: eq:affineMap and the line after eq:affineMapj. The scaling S_p / β of eq:ujwj makes u⁽ʲ⁾ free of μ.
-    ///
-    /// # Errors
-    /// A section of the parameter file is not right.
     pub fn fig10(&self) -> Result<Figure10, StudyError> {
         let (shown, oscillator) = (self.parameters.fig10.get()?, self.parameters.oscillator.get()?);
         let map = oscillator.grazing(shown.frequency)?.linearised_map();

@@ -1,7 +1,7 @@
 //! The figures and tables of the paper as rows.
 //!
-//! Parameters come in as TOML ([`parameters`]), a [`Study`] computes what is asked for, and each figure is a struct of
-//! lists of rows ([`grazing_results`]), declared with the names of their tables. Nothing here draws or writes files.
+//! Parameters come in as TOML ([`parameters`]), a [`Study`] computes what is asked for, and each figure is what it shows, as
+//! [`grazing_results`] has it. Nothing here draws or writes files.
 
 mod coefficients;
 mod diagram;
@@ -26,13 +26,5 @@ pub mod unfolded;
 
 pub use coefficients::{CoefficientTable, Coefficients};
 pub use error::StudyError;
-pub use fig02::Figure2;
-pub use fig04::Figure4;
-pub use fig05::Figure5;
-pub use fig06::Figure6;
-pub use fig07::Figure7;
-pub use fig08::{Figure8, ShownPanel};
-pub use fig10::Figure10;
-pub use space::Scene;
 pub use study::Study;
 pub use sweep::{Generic, Resonant, TheoremsInAction};

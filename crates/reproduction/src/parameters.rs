@@ -36,15 +36,6 @@ pub enum ParameterError {
     Unfit(SourceError),
 }
 
-impl ParameterError {
-    /// The same without its kind.
-    pub fn source_error(&self) -> &SourceError {
-        match self {
-            Self::Malformed(error) | Self::Unfit(error) => error,
-        }
-    }
-}
-
 /// What a section says, if it is right.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Checked<T>(Result<T, ParameterError>);

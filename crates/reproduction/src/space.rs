@@ -6,9 +6,8 @@
 //! are split where they pass from one side to another.
 
 use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, State};
-use grazing_results::space::{CurveKind, Mark, MarkKind, SurfaceKind, Vertex};
-use grazing_results::{Names, Plan, Table};
+use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
+use grazing_results::space::{Mark, MarkKind, SurfaceKind, Vertex};
 
 use crate::parameters::View;
 
@@ -91,6 +90,12 @@ impl Space {
     }
 }
 
+/// Where the reset law leads from an impact.
+pub(crate) fn recoil(oscillator: &LinearOscillator, impact: State) -> State {
+    let reset = oscillator.reset::<1>(OnWall::new(impact.velocity, impact.phase)).value;
+    State::on_wall(reset[0], reset[1])
+}
+
 /// The motion from a state between two times of either sign, sampled, the wall ignored.
 pub(crate) fn trajectory<O: ImpactOscillator>(
     oscillator: &O,
@@ -134,59 +139,10 @@ pub(crate) fn outline(corners: [State; 4]) -> Vec<State> {
     corners.iter().zip(next).flat_map(|(&a, &b)| line(a, b).into_iter().take(LINE_SAMPLES as usize)).collect()
 }
 
-/// What a figure in phase space shows.
-#[derive(Clone, Debug)]
-pub struct Scene {
-    plans: [Plan; 3],
-    /// Orbits, and what joins points.
-    pub curves: Vec<Vertex<CurveKind>>,
-    /// Points with names.
-    pub points: Vec<Mark>,
-    /// Surfaces, lines on them, and the axes.
-    pub surfaces: Vec<Vertex<SurfaceKind>>,
-}
-
-impl Scene {
-    /// The tables of Figure 1.
-    pub const FIG01: [Plan; 3] = Self::plans(["fig01_curves", "fig01_points", "fig01_surfaces"]);
-    /// The tables of Figure 3.
-    pub const FIG03: [Plan; 3] = Self::plans(["fig03_curves", "fig03_points", "fig03_surfaces"]);
-    /// The tables of Figure 9.
-    pub const FIG09: [Plan; 3] = Self::plans(["fig09_curves", "fig09_points", "fig09_surfaces"]);
-
-    const fn plans([curves, points, surfaces]: [&'static str; 3]) -> [Plan; 3] {
-        let outline = "a vertex of the outline of a surface, or of a line on one";
-        [
-            Plan::of::<Vertex<CurveKind>>(curves, "a vertex of a curve"),
-            Plan::of::<Mark>(points, "a point that is marked"),
-            Plan::of::<Vertex<SurfaceKind>>(surfaces, outline),
-        ]
-    }
-
-    pub(crate) fn new(
-        plans: [Plan; 3],
-        curves: Drawn<'_, CurveKind>,
-        points: Vec<Mark>,
-        surfaces: Drawn<'_, SurfaceKind>,
-    ) -> Self {
-        Self { plans, curves: curves.vertices, points, surfaces: surfaces.vertices }
-    }
-
-    /// All tables.
-    pub fn tables(&self, names: &Names) -> Vec<Table> {
-        let [curves, points, surfaces] = self.plans.map(|plan| plan.name);
-        vec![
-            Table::new(curves, names, &self.curves),
-            Table::new(points, names, &self.points),
-            Table::new(surfaces, names, &self.surfaces),
-        ]
-    }
-}
-
 /// The curves or the surfaces of a figure, seen from its viewpoint.
 pub(crate) struct Drawn<'a, K> {
     space: &'a Space,
-    vertices: Vec<Vertex<K>>,
+    pub(crate) vertices: Vec<Vertex<K>>,
     number: u32,
 }
 

@@ -12,7 +12,8 @@ use crate::coefficients::CoefficientTable;
 use crate::parameters::Parameters;
 
 /// The reproduction at one set of parameters: each figure and table is a function of it, in the module of its name. What several
-/// outputs share is computed when it is first needed.
+/// outputs share is computed when it is first needed. Each is an error if a section of the parameter file that it needs is not right; what else
+/// may be in its way is told of it.
 pub struct Study<'a> {
     /// The parameters.
     pub parameters: Parameters,

@@ -7,12 +7,13 @@ use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
-use grazing_model::smooth::{Dimensionless, Integrated};
+use grazing_model::smooth::{Dimensionless, Integrated, Units};
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
 use grazing_results::tables;
 use grazing_theorems::ResonantPoint;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
+use grazing_unfold::resonances::Resonance;
 use grazing_unfold::sides::{Simulated, simulate};
 use grazing_unfold::stop::{Stop, Stoppable, Unfinished};
 use grazing_unfold::units::InUnits;
@@ -35,7 +36,7 @@ pub struct Unfolded<O> {
     pub diagram: Diagram<O>,
     /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`]; in the oscillator's own units.
     pub resonances: Vec<AtResonance>,
-    /// What depends on p along the grazing curves, for one p after the other; without dimensions.
+    /// What depends on p along the grazing curves, for one p after the other; in the oscillator's own units.
     along: Vec<Along>,
 }
 
@@ -60,11 +61,26 @@ pub struct AtResonance {
     pub magnified: Vec<Polyline>,
 }
 
-impl AtResonance {
-    /// What is known of the SN or the PD curve: its coefficient, and the motion beside it.
-    pub fn beside(&self, kind: Bifurcation) -> (&Coefficient, &Simulated) {
-        let both = self.coefficients.as_ref().zip(self.sides.as_ref());
-        if kind == Bifurcation::PeriodDoubling { both.period_doubling } else { both.saddle_node }
+/// What is known of an SN or PD curve: its coefficient, and the motion beside it.
+pub type Known = (Coefficient, Simulated);
+
+/// A resonant grazing bifurcation with what came of it, in the oscillator's own units.
+#[derive(Clone, Debug)]
+pub struct ResonanceEntry {
+    /// Number of loops p.
+    pub loops: u32,
+    /// The integer n.
+    pub n: u32,
+    /// Primary and secondary parameter.
+    pub parameters: [f64; 2],
+    /// What is known of its curves; where the theorem does not apply the hypotheses that fail, with the values of their quantities.
+    pub finding: Result<Pair<Known>, Vec<(String, f64)>>,
+}
+
+impl ResonanceEntry {
+    /// What is known of the SN and the PD curve, if the theorem applies.
+    pub fn curves(&self) -> Option<[(Bifurcation, &Known); 2]> {
+        Some(self.finding.as_ref().ok()?.as_ref().named())
     }
 }
 
@@ -157,11 +173,30 @@ impl<O: ImpactOscillator> Unfolded<O> {
         progress.end(what);
         let (resonances, unfinished): (Vec<_>, Vec<_>) = resonances.into_iter().unzip();
         diagram.unfinished.extend(unfinished.into_iter().flatten());
-        let along = along(&diagram, progress);
+        let along = along(&diagram, &units, progress);
         if progress.stopped() {
             diagram.unfinished.push(Unfinished::stage(ALONG));
         }
         Ok(Self { axes, diagram, resonances, along })
+    }
+
+    /// All resonances, in the order in which they were found.
+    pub fn entries(&self) -> Vec<ResonanceEntry> {
+        let units = &self.axes.units;
+        // Those with a theorem are measured in the order of the list.
+        let mut measured = self.resonances.iter();
+        let entry = |resonance: &Resonance<O>| {
+            let finding = match &resonance.theorem {
+                Ok(_) => measured.next().map(|at| Ok(at.coefficients.zip(at.sides)))?,
+                Err(violated) => {
+                    let failing = violated.violated();
+                    Err(failing.map(|failing| (failing.statement(), failing.in_units(units).value)).collect())
+                }
+            };
+            let parameters = units.parameters(resonance.located.orbit().oscillator().parameters());
+            Some(ResonanceEntry { loops: resonance.loops, n: resonance.n, parameters, finding })
+        };
+        self.diagram.resonances.iter().filter_map(entry).collect()
     }
 
     /// Everything as rows.
@@ -169,7 +204,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
         let magnified = self.resonances.iter().map(|at| (at.loops, at.n, at.magnified.as_slice()));
         Rows {
             grazing: tables::grazing(self),
-            grazing_loops: tables::grazing_loops(self),
+            grazing_loops: self.along.clone(),
             curves: plane::curves(&self.axes, &self.diagram),
             points: plane::points(&self.axes, &self.diagram),
             regions: plane::regions(&self.axes, &self.diagram.regions),
@@ -209,7 +244,7 @@ tables! {
 const ALONG: &str = "quantities along the grazing curve";
 
 /// What depends on p at each point of the grazing curves; nothing if an end was asked for.
-fn along<O: ImpactOscillator>(diagram: &Diagram<O>, progress: &dyn Progress) -> Vec<Along> {
+fn along<O: ImpactOscillator>(diagram: &Diagram<O>, units: &Units, progress: &dyn Progress) -> Vec<Along> {
     let states = (0..)
         .zip(&diagram.grazing)
         .flat_map(|(arc, curve)| curve.states.iter().map(move |state| (arc, state)));
@@ -219,8 +254,9 @@ fn along<O: ImpactOscillator>(diagram: &Diagram<O>, progress: &dyn Progress) -> 
     for &loops in &diagram.scope.loops {
         // Where an iterate of P_global has no maximum near Π there is nothing to tell.
         let found = states.par_iter().filter_map(|(arc, state)| {
-            let parameters = state.orbit.oscillator().parameters();
-            Some(Along { arc: *arc, parameters, point: state.orbit.resonant_point(loops).ok()? })
+            let parameters = units.parameters(state.orbit.oscillator().parameters());
+            let point = state.orbit.resonant_point(loops).ok()?.in_units(units);
+            Some(Along { arc: *arc, parameters, point })
         });
         all.extend(found.collect::<Vec<_>>());
         progress.step(ALONG);

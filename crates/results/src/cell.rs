@@ -56,9 +56,6 @@ macro_rules! words {
         pub enum $name { $($(#[$about])* $variant,)+ }
 
         impl $name {
-            /// All of them.
-            pub const ALL: &'static [Self] = &[$(Self::$variant,)+];
-
             /// The word in tables.
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $word,)+ }
@@ -74,3 +71,29 @@ macro_rules! words {
 }
 
 pub(crate) use words;
+
+/// The value with this many significant digits at most, without zeros at the end, as `0.5` or `-1.25e-9`.
+pub fn brief(value: f64, digits: usize) -> String {
+    let rounded: f64 = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
+    // Adding zero turns -0 into 0.
+    let rounded = rounded + 0.0;
+    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn brief_numbers_have_no_zeros_at_the_end() {
+        for (value, text) in
+            [(0.5, "0.5"), (1.0, "1"), (-0.0, "0"), (0.123_456_789, "0.123457"), (1.25e-9, "1.25e-9")]
+        {
+            assert_eq!(brief(value, 6), text);
+        }
+    }
+}

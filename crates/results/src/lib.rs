@@ -4,9 +4,10 @@
 //! once, in [`columns`], with name, symbol, unit, meaning and the paper's equation; a row type lists its columns ([`Row::COLUMNS`]). Headers,
 //! the pages that explain the data, headings and tooltips of the report, LaTeX tables and the names that parameters must not have
 //! follow from that. Rows that nobody draws (coefficients, hypotheses, quantities along the grazing curve, the theorems in action) are what
-//! is computed, with a column for each thing that is told of it ([`row!`]). What is made together is declared together ([`tables!`]).
+//! is computed, with a column for each thing that is told of it ([`row!`]). What is made together, as all that a figure shows, is declared
+//! together ([`tables!`]).
 //!
-//! | module | rows of |
+//! | module | rows and tables of |
 //! |---|---|
 //! | [`plane`] | two-parameter diagrams and magnifications: Figures 7 and 8, and those of any oscillator |
 //! | [`branches`] | Figure 2 |
@@ -16,13 +17,15 @@
 pub mod branches;
 mod cell;
 pub mod columns;
+mod frame;
 mod names;
 pub mod plane;
 pub mod sketches;
 pub mod space;
 mod table;
 
-pub use cell::Cell;
+pub use cell::{Cell, brief};
 pub use columns::Column;
-pub use names::{GREEK, Names, symbol, symbol_at_grazing};
+pub use frame::Frame;
+pub use names::{GREEK, Names, directs, symbol};
 pub use table::{Plan, Row, Table};

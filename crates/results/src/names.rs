@@ -78,6 +78,22 @@ impl Names {
         Self { symbols, ..Self::new("amplitude", "omega") }
     }
 
+    /// The two as titles of axes, in markup of labels: their symbols, or the names where there are none.
+    pub fn titles(&self) -> [String; 2] {
+        let [primary, _, secondary] = &self.symbols;
+        [(primary, &self.primary), (secondary, &self.secondary)].map(|(symbol, name)| match symbol.as_str() {
+            "" => name.replace('$', ""),
+            symbol => format!("${symbol}$"),
+        })
+    }
+
+    /// The name of the grazing curve in markup of labels: the symbol of the primary parameter at grazing, unless that is in words.
+    pub fn grazing_title(&self) -> String {
+        let [primary, at_grazing, _] = &self.symbols;
+        let in_words = primary.is_empty() || primary.starts_with(r"\mathrm");
+        if in_words { "grazing".to_owned() } else { format!("${at_grazing}$") }
+    }
+
     /// The text with the names in the place of `{primary}` and `{secondary}`.
     pub fn put_into(&self, text: &str) -> String {
         text.replace("{primary}", &self.primary).replace("{secondary}", &self.secondary)
@@ -101,10 +117,10 @@ pub fn symbol(name: &str) -> Option<String> {
     Some(Symbol::read(name)?.latex())
 }
 
-/// The symbol of the value at grazing; none for a parameter that is named in words.
-pub fn symbol_at_grazing(name: &str) -> Option<String> {
-    let symbol = Symbol::read(name).filter(|symbol| !symbol.is_word())?;
-    Some(symbol.lowered(&["graz"]).latex())
+/// Whether a character changes the direction in which those after it, or around it, are written: in a name that a person has given it
+/// could make a text read as another one.
+pub fn directs(character: char) -> bool {
+    matches!(character, '\u{200e}' | '\u{200f}' | '\u{61c}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// A name taken apart.
@@ -226,10 +242,14 @@ mod tests {
     }
 
     #[test]
-    fn parameters_with_a_letter_have_a_symbol_at_grazing() {
-        assert_eq!(symbol_at_grazing("A").as_deref(), Some(r"A_{\mathrm{graz}}"));
-        assert_eq!(symbol_at_grazing("F_0").as_deref(), Some(r"F_{0,\mathrm{graz}}"));
-        assert_eq!(symbol_at_grazing("amplitude"), None);
+    fn axes_and_the_grazing_curve_are_named_by_symbols_where_there_are_letters() {
+        assert_eq!(Names::new("F_0", "Omega").titles(), ["$F_{0}$", r"$\Omega$"]);
+        for (name, title) in
+            [("A", r"$A_{\mathrm{graz}}$"), ("F_0", r"$F_{0,\mathrm{graz}}$"), ("amplitude", "grazing")]
+        {
+            assert_eq!(Names::new(name, "omega").grazing_title(), title);
+        }
+        assert_eq!(Names::of_the_paper().grazing_title(), r"$\mathcal{A}_{\mathrm{graz}}$");
     }
 
     #[test]

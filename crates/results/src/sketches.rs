@@ -5,6 +5,7 @@ use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use crate::cell::words;
 use crate::plane::RegionKind;
 use crate::table::rows;
+use crate::{Frame, tables};
 
 words! {
     /// The curves of Figure 4.
@@ -109,5 +110,42 @@ rows! {
         visit: u32 = VISIT,
         u: f64 = U,
         w: f64 = W,
+    }
+}
+
+tables! {
+    /// What Figure 4 shows.
+    Figure4 {
+        /// The trapesium's outline, the curves τ = g_p(δ) and τ = h_p(δ), and their limit τ = 2√δ. Points that follow each other with
+        /// equal kind and p are one curve; the outline is closed, every other curve ends on its top side.
+        curves: BoundaryPoint = "fig04_curves", "a point of a curve",
+        /// The grazing bifurcation of Figure 2.
+        points: Star = "fig04_points", "a point that is marked",
+    }
+
+    /// What Figure 5 shows.
+    Figure5 {
+        /// The line of grazing bifurcations and the quadratic SN and PD curves.
+        curves: UnfoldingPoint = "fig05_curves", "a point of a curve",
+        /// The resonance.
+        points: UnfoldingResonance = "fig05_points", "the resonance",
+        /// Where the non-impacting solution is stable, where an MPS is, and where both are.
+        regions: UnfoldingVertex = "fig05_regions", "a vertex of a region",
+        ;
+        /// Values of μ across and of η up.
+        frame: Frame,
+    }
+
+    /// What Figure 6 shows.
+    Figure6 {
+        /// The parts of the drawing as polylines of (x, height); outlines end where they begin. The ticks are those of the face, the
+        /// equilibrium and the wall.
+        parts: PartPoint = "fig06_parts", "a point of the drawing",
+    }
+
+    /// What Figure 10 shows.
+    Figure10 {
+        /// The vertices (u⁽ʲ⁾, w⁽ʲ⁾), j = 0, …, p.
+        path: Visit = "fig10_path", "a vertex of the path",
     }
 }

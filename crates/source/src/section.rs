@@ -10,7 +10,7 @@ use crate::error::{SourceError, place};
 use crate::text::{Source, joined};
 
 /// A table of a file, whose keys are known ones. Values are read one by one, each as what it is to be, so that whoever checks them
-/// needs no other record of where they stand.
+/// needs no other record of where they stand. What is missing, of the wrong type or fails its test is a [`SourceError`].
 #[derive(Debug, Clone)]
 pub struct Section<'d> {
     source: &'d Source<'d>,
@@ -27,9 +27,6 @@ impl<'d> Section<'d> {
     }
 
     /// The table that a value is.
-    ///
-    /// # Errors
-    /// [`SourceError::Forbidden`]: it is none.
     pub(crate) fn of(
         source: &'d Source<'d>,
         key: String,
@@ -67,9 +64,6 @@ impl<'d> Section<'d> {
     }
 
     /// The value of a key.
-    ///
-    /// # Errors
-    /// [`SourceError`]: it is missing, or of the wrong type.
     pub fn value<T: DeserializeOwned>(&self, name: &str) -> Result<T, SourceError> {
         let value = self.find(name)?;
         T::deserialize(ValueDeserializer::from(value.clone())).map_err(|error| {
@@ -86,26 +80,17 @@ impl<'d> Section<'d> {
     }
 
     /// The value of a key that need not be there.
-    ///
-    /// # Errors
-    /// [`SourceError::Forbidden`]: it is of the wrong type.
     pub fn optional<T: DeserializeOwned>(&self, name: &str) -> Result<Option<T>, SourceError> {
         if self.has(name) { self.value(name).map(Some) } else { Ok(None) }
     }
 
     /// A number that is finite and passes the test.
-    ///
-    /// # Errors
-    /// [`SourceError`]: it is missing, or something else.
     pub fn number(&self, name: &str, holds: impl Fn(f64) -> bool) -> Result<f64, SourceError> {
         let number: f64 = self.value(name)?;
         if number.is_finite() && holds(number) { Ok(number) } else { Err(self.refusal(name)) }
     }
 
     /// A list of N finite numbers that passes the test.
-    ///
-    /// # Errors
-    /// [`SourceError`]: it is missing, or something else.
     pub fn numbers<const N: usize>(
         &self,
         name: &str,
@@ -119,18 +104,12 @@ impl<'d> Section<'d> {
     }
 
     /// A whole number.
-    ///
-    /// # Errors
-    /// [`SourceError`]: it is missing, or something else.
     pub fn count(&self, name: &str, allowed: RangeInclusive<u32>) -> Result<u32, SourceError> {
         let count = self.value(name)?;
         if allowed.contains(&count) { Ok(count) } else { Err(self.refusal(name)) }
     }
 
     /// A list of different whole numbers, one at least.
-    ///
-    /// # Errors
-    /// [`SourceError`]: it is missing, or something else.
     pub fn counts(&self, name: &str, allowed: RangeInclusive<u32>) -> Result<Vec<u32>, SourceError> {
         let mut counts = Vec::new();
         for written in self.value::<Vec<Spanned<u32>>>(name)? {
@@ -147,17 +126,11 @@ impl<'d> Section<'d> {
     }
 
     /// A table in this one.
-    ///
-    /// # Errors
-    /// [`SourceError`]: it is missing, or no table.
     pub fn table(&self, name: &str) -> Result<Self, SourceError> {
         Self::of(self.source, self.key(name), self.find(name)?)
     }
 
     /// The tables of a list, as `[[fig08.panels]]`.
-    ///
-    /// # Errors
-    /// [`SourceError`]: they are missing, or not all of them are tables.
     pub fn tables(&self, name: &str) -> Result<Vec<Self>, SourceError> {
         let value = self.find(name)?;
         let DeValue::Array(members) = value.get_ref() else { return Err(self.refusal(name)) };

@@ -1,10 +1,13 @@
 //! Values that a command line sets in the place of a file's.
 
+use std::ops::Range;
 use std::str::FromStr;
 
 use thiserror::Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+
+use crate::text::joined;
 
 /// A value for a key of a file: `oscillator.zeta=0.05`, `fig08.panels[2].n=1`, `analysis.loops=[1, 2]`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -13,43 +16,30 @@ pub struct Setting {
     value: String,
 }
 
-/// What was written is no setting.
+/// What was written is no setting, and why not.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum SettingError {
-    /// There is no key with a value.
-    #[error("write KEY=VALUE, as oscillator.zeta=0.05 or analysis.loops=[1,2]")]
-    NoAssignment,
-    /// The key has an empty part or a member number that is none.
-    #[error(
-        "{key} is no key: parts are joined by dots, members of lists counted from 1, as fig08.panels[2].n"
-    )]
-    Key {
-        /// What stands there.
-        key: String,
-    },
-    /// The value is no TOML.
-    #[error(
-        "{value} is not a value: write a number, true, a list [1, 2], or text \"in quotation marks\", with apostrophes about the whole so that the shell leaves the quotation marks: 'name=\"my oscillator\"'"
-    )]
-    Value {
-        /// What stands there.
-        value: String,
-    },
-}
+#[error("{0}")]
+pub struct SettingError(String);
 
 impl FromStr for Setting {
     type Err = SettingError;
 
     fn from_str(written: &str) -> Result<Setting, SettingError> {
-        let (key, value) = written.split_once('=').ok_or(SettingError::NoAssignment)?;
+        let (key, value) = written.split_once('=').ok_or_else(|| {
+            SettingError("write KEY=VALUE, as oscillator.zeta=0.05 or analysis.loops=[1,2]".to_owned())
+        })?;
         let (key, value) = (key.trim().to_owned(), value.trim().to_owned());
         if steps(&key).is_none() {
-            return Err(SettingError::Key { key });
+            return Err(SettingError(format!(
+                "{key} is no key: parts are joined by dots, members of lists counted from 1, as fig08.panels[2].n"
+            )));
         }
         // A line end could bring in keys that nobody asks about.
         let single = padded(&value, ASSIGNED.len());
         if value.contains(['\n', '\r']) || parsed(&single).is_none() {
-            return Err(SettingError::Value { value });
+            return Err(SettingError(format!(
+                "{value} is not a value: write a number, true, a list [1, 2], or text \"in quotation marks\", with apostrophes about the whole so that the shell leaves the quotation marks: 'name=\"my oscillator\"'"
+            )));
         }
         Ok(Setting { key, value })
     }
@@ -89,53 +79,53 @@ impl Setting {
         position: usize,
         padded: &'d str,
     ) -> Result<(), Refusal> {
-        let steps = steps(&self.key).unwrap_or_default();
-        let value = parsed(padded);
-        let (Some((last, way)), Some(value)) = (steps.split_last(), value) else { return Ok(()) };
         let span = position..position + self.key.len();
-        let mut passed = String::new();
-        let mut table = document;
-        for step in way.iter().chain([last]) {
-            if !passed.is_empty() {
-                passed.push('.');
-            }
-            passed.push_str(&step.name);
-            if std::ptr::eq(step, last) && step.member.is_none() {
-                // The key goes as well, so that the place of the new one is that of the setting.
-                table.remove(step.name.as_str());
-                table.insert(Spanned::new(span.clone(), step.name.clone().into()), value);
-                return Ok(());
-            }
-            if !table.contains_key(step.name.as_str()) {
-                if step.member.is_some() {
-                    return Err(Refusal { key: passed, allowed: "there is no such list".to_owned() });
-                }
-                let empty = Spanned::new(span.clone(), DeValue::Table(DeTable::new()));
-                table.insert(Spanned::new(span.clone(), step.name.clone().into()), empty);
-            }
-            let mut found = table.get_mut(step.name.as_str()).map(Spanned::get_mut);
-            if let Some(number) = step.member {
-                let Some(DeValue::Array(members)) = found else {
-                    return Err(Refusal { key: passed, allowed: "it is no list".to_owned() });
-                };
-                let count = members.len();
-                let Some(member) = number.checked_sub(1).and_then(|index| members.get_mut(index)) else {
-                    let allowed = format!("there is no entry {number}: the list has {count}");
-                    return Err(Refusal { key: passed, allowed });
-                };
-                passed.push_str(&format!("[{number}]"));
-                if std::ptr::eq(step, last) {
-                    *member = value;
-                    return Ok(());
-                }
-                found = Some(member.get_mut());
-            }
-            let Some(DeValue::Table(inner)) = found else {
-                return Err(Refusal { key: passed, allowed: "it is no table, and holds no keys".to_owned() });
-            };
-            table = inner;
+        match (steps(&self.key), parsed(padded)) {
+            (Some(steps), Some(value)) => put(document, &steps, "", &span, value),
+            _ => Ok(()),
         }
-        Ok(())
+    }
+}
+
+/// Puts a value where the steps lead from a table with this key, as if it stood in the text at the span.
+fn put<'d>(
+    table: &mut DeTable<'d>,
+    steps: &[Step],
+    above: &str,
+    span: &Range<usize>,
+    value: Spanned<DeValue<'d>>,
+) -> Result<(), Refusal> {
+    let [step, rest @ ..] = steps else { return Ok(()) };
+    let name = step.name.as_str();
+    let mut key = joined(above, name);
+    let refuse = |key: String, allowed: &str| Err(Refusal { key, allowed: allowed.to_owned() });
+    let named = || Spanned::new(span.clone(), name.to_owned().into());
+    if step.member.is_none() && rest.is_empty() {
+        // The key goes as well, so that the place of the new one is that of the setting.
+        table.remove(name);
+        table.insert(named(), value);
+        return Ok(());
+    }
+    if step.member.is_none() && !table.contains_key(name) {
+        table.insert(named(), Spanned::new(span.clone(), DeValue::Table(DeTable::new())));
+    }
+    let Some(mut found) = table.get_mut(name) else { return refuse(key, "there is no such list") };
+    if let Some(number) = step.member {
+        let DeValue::Array(members) = found.get_mut() else { return refuse(key, "it is no list") };
+        let count = members.len();
+        let Some(member) = number.checked_sub(1).and_then(|index| members.get_mut(index)) else {
+            return refuse(key, &format!("there is no entry {number}: the list has {count}"));
+        };
+        key.push_str(&format!("[{number}]"));
+        if rest.is_empty() {
+            *member = value;
+            return Ok(());
+        }
+        found = member;
+    }
+    match found.get_mut() {
+        DeValue::Table(inner) => put(inner, rest, &key, span, value),
+        _ => refuse(key, "it is no table, and holds no keys"),
     }
 }
 

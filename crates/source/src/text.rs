@@ -122,10 +122,7 @@ impl<'a> Source<'a> {
         if names.contains(&name) {
             return Ok(());
         }
-        let (file, line) = self.place(position);
-        let (key, nearest) = (setting.key().to_owned(), nearest(name, &names).map(str::to_owned));
-        let known = names.into_iter().map(str::to_owned).collect();
-        Err(SourceError::UnknownKey { file, line, key, nearest, known })
+        Err(self.unknown(position, setting.key().to_owned(), name, &names))
     }
 
     /// The file with the line of a position in the text, or the setting that stands there.
@@ -264,15 +261,17 @@ impl<'a> Source<'a> {
     }
 
     fn refuse(&self, unknown: UnknownKey) -> SourceError {
-        let known = self.requirements.known_keys(&unknown.table);
-        let (file, line) = self.place(unknown.position);
-        SourceError::UnknownKey {
-            file,
-            line,
-            nearest: nearest(&unknown.name, &known).map(str::to_owned),
-            key: joined(&unknown.table, &shortened(&unknown.name, SHOWN)),
-            known: known.into_iter().map(str::to_owned).collect(),
-        }
+        let UnknownKey { position, table, name } = unknown;
+        let key = joined(&table, &shortened(&name, SHOWN));
+        self.unknown(position, key, &name, &self.requirements.known_keys(&table))
+    }
+
+    /// The refusal of a key, of which `name` is the last part, where others are known.
+    fn unknown(&self, position: usize, key: String, name: &str, known: &[&str]) -> SourceError {
+        let (file, line) = self.place(position);
+        let nearest = nearest(name, known).map(str::to_owned);
+        let known = known.iter().map(|&known| known.to_owned()).collect();
+        SourceError::UnknownKey { file, line, key, nearest, known }
     }
 
     /// The lack of a key in the table that stands at a position.

@@ -1,37 +1,17 @@
 //! How a file differs from what the code makes, in words.
 
-use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The most characters of a line that a message quotes.
 const QUOTED: usize = 80;
 
-/// In what way a file is not what the code makes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// It is not there.
-    Missing,
-    /// It has another content.
-    Content,
-    /// It is there and the code does not make it.
-    Unexpected,
-}
-
-/// A file that is not what the code makes.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Difference {
-    /// The file.
-    pub path: PathBuf,
-    /// In what way it differs.
-    pub kind: Kind,
-    /// What is wrong with it, to follow its name.
-    pub what: String,
-}
-
-impl fmt::Display for Difference {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "{}: {}", self.path.display(), self.what)
-    }
+/// Files that are not what the code makes, each with what is wrong with it.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub struct Differences {
+    /// Those that are missing or have another content.
+    pub differing: Vec<String>,
+    /// Those that the code does not make.
+    pub unexpected: Vec<String>,
 }
 
 /// How the content of a file differs from what the code makes.

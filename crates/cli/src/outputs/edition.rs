@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use grazing_drawing::SheetWidth;
 use grazing_export::{ExportError, Figure};
 
-use crate::arguments::{Columns, Size};
+use crate::arguments::Size;
 use crate::folder::MadeFile;
 
 /// A format of the outputs.
@@ -38,13 +38,13 @@ impl Format {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edition {
     formats: Vec<Format>,
-    size: Size,
+    pub(crate) size: Size,
 }
 
 impl Default for Edition {
     /// SVG as wide as in the paper, which is what `figures/` holds.
     fn default() -> Edition {
-        Edition { formats: vec![Format::Svg], size: Size { columns: Columns::Paper, dpi: 300 } }
+        Edition { formats: vec![Format::Svg], size: Size { columns: SheetWidth::Paper, dpi: 300 } }
     }
 }
 
@@ -63,7 +63,7 @@ impl Edition {
 
     /// True if it is what `figures/` holds.
     pub fn is_default(&self) -> bool {
-        self.formats == [Format::Svg] && self.size.columns == Columns::Paper
+        self.formats == [Format::Svg] && self.size.columns == SheetWidth::Paper
     }
 
     /// True if it has the format.
@@ -73,16 +73,7 @@ impl Edition {
 
     /// True if its figures are as wide as both columns of a journal.
     pub fn spans_columns(&self) -> bool {
-        self.size.columns == Columns::Two
-    }
-
-    /// How wide the figures are drawn.
-    pub fn width(&self) -> SheetWidth {
-        match self.size.columns {
-            Columns::Paper => SheetWidth::Paper,
-            Columns::One => SheetWidth::OneColumn,
-            Columns::Two => SheetWidth::TwoColumns,
-        }
+        self.size.columns == SheetWidth::TwoColumns
     }
 
     /// The options that ask for it, each with a space before; none for the default edition.
@@ -92,7 +83,7 @@ impl Edition {
             let names: Vec<&str> = self.formats.iter().map(|format| format.name()).collect();
             options.push_str(&format!(" --format {}", names.join(",")));
         }
-        if self.size.columns != Columns::Paper {
+        if self.size.columns != SheetWidth::Paper {
             options.push_str(if self.spans_columns() { " --columns two" } else { " --columns one" });
         }
         if self.has(Format::Png) && self.size.dpi != Edition::default().size.dpi {

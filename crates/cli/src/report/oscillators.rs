@@ -7,18 +7,16 @@ use std::path::{Path, PathBuf};
 
 use grazing_description::{Description, DescriptionError};
 use grazing_drawing::SheetWidth;
-use grazing_model::ImpactOscillator;
-use grazing_report::{Figure, Manifest, OscillatorEntry, OutputFile, Report, ResonanceEntry};
+use grazing_report::{Figure, Manifest, OscillatorEntry, OutputFile, Report};
 use grazing_results::{Cell, Table, columns};
-use grazing_unfold::units::InUnits;
+use grazing_source::Setting;
 
-use super::{file_name, links, versions};
+use super::{file_name, links, noted, versions};
 use crate::failure::Failure;
 use crate::folder::MadeFile;
 use crate::outputs::computation;
 use crate::project;
-use crate::unfold::reason::{self, place, unfinished};
-use crate::unfold::{self, Analysis, sheets};
+use crate::unfold::{self, Analysis, reason, sheets};
 
 /// The example whose results the page shows anyway: the oscillator of the paper.
 const PAPER: &str = "paper.toml";
@@ -28,36 +26,31 @@ const SHOWN: [&str; 3] = ["coefficients", "hypotheses", "points"];
 pub(crate) const PAGE: &str = "report.html";
 
 /// A file that describes an oscillator.
-pub(crate) struct Source {
-    file: PathBuf,
-    text: String,
-    description: Description,
+pub(crate) struct OscillatorFile {
+    pub(crate) file: PathBuf,
+    /// What stands in it, with what was set over it on top.
+    pub(crate) text: String,
+    pub(crate) description: Description,
 }
 
 /// What there is of an oscillator once it is unfolded.
 pub(crate) struct Material<'a> {
-    /// The file.
-    pub(crate) file: &'a Path,
-    /// What stands in it.
-    pub(crate) text: &'a str,
-    /// What that means.
-    pub(crate) description: &'a Description,
-    /// What came of it.
-    pub(crate) unfolded: &'a Analysis,
+    of: &'a OscillatorFile,
+    unfolded: &'a Analysis,
     /// The figures as SVG, with the names of their files.
-    pub(crate) figures: &'a [(String, String)],
+    pub(crate) figures: Vec<(String, String)>,
     /// All tables.
-    pub(crate) tables: &'a [Table],
+    pub(crate) tables: Vec<Table>,
 }
 
-impl Source {
-    /// Reads a file.
+impl OscillatorFile {
+    /// Reads a file, with settings that take the place of values in it.
     ///
     /// # Errors
     /// It cannot be read, or something in it is not right.
-    pub(crate) fn read(file: &Path) -> Result<Self, Failure> {
-        let description = Description::from_file(file)?;
-        let text = grazing_source::read_file(file).map_err(DescriptionError::from)?;
+    pub(crate) fn read(file: &Path, settings: &[Setting]) -> Result<Self, Failure> {
+        let description = Description::from_file_with(file, settings)?;
+        let text = noted(&grazing_source::read_file(file).map_err(DescriptionError::from)?, settings);
         Ok(Self { file: file.to_owned(), text, description })
     }
 
@@ -66,7 +59,7 @@ impl Source {
     /// # Errors
     /// One cannot be read, or something in it is not right.
     pub(crate) fn all(root: Option<&Path>, given: &[PathBuf]) -> Result<Vec<Self>, Failure> {
-        let folder = root.map(|root| root.join(project::EXAMPLES)).filter(|folder| folder.is_dir());
+        let folder = root.map(|root| root.join(project::EXAMPLES));
         let entries = folder.and_then(|folder| fs::read_dir(folder).ok()).into_iter().flatten().flatten();
         let is_shown = |path: &PathBuf| {
             path.extension().is_some_and(|extension| extension == "toml")
@@ -75,70 +68,72 @@ impl Source {
         let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_shown).collect();
         files.sort();
         files.extend_from_slice(given);
-        files.iter().map(|file| Self::read(file)).collect()
+        files.iter().map(|file| Self::read(file, &[])).collect()
     }
 
-    /// Unfolds the oscillator, up to its limits; what was met, if one was.
+    /// Unfolds the oscillator, up to its limits; what was met, if one was. A file of the repository's examples is named as such, and linked
+    /// by way of the link to the root.
     ///
     /// # Errors
     /// There is nothing to unfold, or a figure or table could not be made.
-    pub(crate) fn entry(&self) -> Result<(OscillatorEntry, Option<Failure>), Failure> {
-        let Self { file, text, description } = self;
-        // Finished curves are not kept: the page is made quickly.
-        let (unfolded, met) = unfold::analyse(description, file, description.limits(), &|_| ())?;
-        let unfolded = &unfolded;
-        let met = met.map(|met| unfold::ended(file, met, "what was not finished is named on the page"));
-        let rows = unfolded.rows();
-        let figures = &sheets::figures(description, unfolded, &rows, SheetWidth::Paper)
-            .map_err(|error| computation("figures", &error))?;
-        let tables = &rows.tables(&unfolded.axes.names);
-        Ok((Material { file, text, description, unfolded, figures, tables }.entry(), met))
-    }
-
-    /// Names the entry as the page is to name its file, and links that where it is part of the repository.
-    pub(crate) fn placed(
+    pub(crate) fn entry(
         &self,
-        mut entry: OscillatorEntry,
         root: Option<&Path>,
         link: Option<&str>,
-    ) -> OscillatorEntry {
-        let examples = root.map(|root| root.join(project::EXAMPLES));
-        if examples.is_some() && self.file.parent() == examples.as_deref() {
+    ) -> Result<(OscillatorEntry, Option<Failure>), Failure> {
+        // Finished curves are not kept: the page is made quickly.
+        let (unfolded, met) = unfold::analyse(self, self.description.limits(), &|_| ())?;
+        let outcome = "what was not finished is named on the page";
+        let met = met.map(|met| unfold::ended(&self.file, met, outcome));
+        let mut entry = Material::new(self, &unfolded, SheetWidth::Paper)?.entry();
+        if root.is_some_and(|root| self.file.parent() == Some(&root.join(project::EXAMPLES))) {
             entry.file = format!("{}/{}", project::EXAMPLES, entry.file);
             entry.link = link.map(|link| format!("{link}{}", entry.file));
         }
-        entry
+        Ok((entry, met))
     }
 }
 
-/// Gives every entry an identifier of its own: files in different folders can have the same name.
-pub(crate) fn distinguish(entries: &mut [OscillatorEntry]) {
+/// Makes identifiers differ from each other: files in different folders can have the same name.
+pub(crate) fn distinguish<'a>(identifiers: impl IntoIterator<Item = &'a mut String>) {
     let mut taken = BTreeSet::new();
-    for entry in entries {
-        let stem = entry.id.clone();
+    for identifier in identifiers {
+        let stem = identifier.clone();
         let mut number = 1;
-        while !taken.insert(entry.id.clone()) {
+        while !taken.insert(identifier.clone()) {
             number += 1;
-            entry.id = format!("{stem}-{number}");
+            *identifier = format!("{stem}-{number}");
         }
     }
 }
 
-impl Material<'_> {
+impl<'a> Material<'a> {
+    /// Makes tables and figures.
+    pub(crate) fn new(
+        of: &'a OscillatorFile,
+        unfolded: &'a Analysis,
+        width: SheetWidth,
+    ) -> Result<Self, Failure> {
+        let rows = unfolded.rows();
+        let figures = sheets::figures(&of.description, unfolded, &rows, width)
+            .map_err(|error| computation("figures", &error))?;
+        Ok(Self { of, unfolded, figures, tables: rows.tables(&unfolded.axes.names) })
+    }
+
     /// The oscillator as a page shows it.
     pub(crate) fn entry(&self) -> OscillatorEntry {
+        let OscillatorFile { file, text, description } = self.of;
         OscillatorEntry {
-            id: self.file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
-            file: file_name(self.file),
+            id: file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+            file: file_name(file),
             link: None,
-            about: leading_comment(self.text),
-            description: self.description.clone(),
+            about: leading_comment(text),
+            description: description.clone(),
             figures: self.figures(),
             tables: SHOWN.iter().filter_map(|name| self.table(name)).collect(),
-            resonances: resonances(self.unfolded),
-            lost: lost(self.description, self.unfolded),
-            undecided: undecided(self.description, self.unfolded),
-            files: Vec::new(),
+            resonances: self.unfolded.entries(),
+            lost: lost(description, self.unfolded),
+            undecided: undecided(description, self.unfolded),
         }
     }
 
@@ -146,17 +141,14 @@ impl Material<'_> {
     pub(crate) fn page(&self, made: &[MadeFile]) -> MadeFile {
         let outputs: Vec<OutputFile> =
             made.iter().map(|file| OutputFile::of(links::with_slashes(&file.path), &file.content)).collect();
-        let mut entry = self.entry();
-        entry.files = outputs.iter().map(|file| file.path.clone()).collect();
+        let entry = self.entry();
         let report = Report {
             manifest: Manifest {
-                program: versions::program(),
-                rust: versions::rust(),
-                libraries: versions::libraries(),
                 parameter_file: entry.file.clone(),
-                parameters: self.text.to_owned(),
+                parameters: self.of.text.clone(),
                 outputs,
                 folder: Some(String::new()),
+                ..versions::manifest()
             },
             oscillators: vec![entry],
             ..Report::default()
@@ -223,47 +215,13 @@ fn leading_comment(text: &str) -> Vec<String> {
     paragraphs
 }
 
-/// All resonances with what came of them.
-fn resonances(unfolded: &Analysis) -> Vec<ResonanceEntry> {
-    // Those with a theorem are measured in the order of the list.
-    let mut measured = unfolded.resonances.iter();
-    let units = &unfolded.axes.units;
-    let mut entries = Vec::new();
-    for resonance in &unfolded.diagram.resonances {
-        let [primary, secondary] = units.parameters(resonance.located.orbit().oscillator().parameters());
-        let finding = match &resonance.theorem {
-            Ok(_) => {
-                let Some(at) = measured.next() else { continue };
-                Ok(at.coefficients.zip(at.sides))
-            }
-            Err(violated) => {
-                let failing = violated.violated();
-                Err(failing.map(|failing| (failing.statement(), failing.in_units(units).value)).collect())
-            }
-        };
-        entries.push(ResonanceEntry { loops: resonance.loops, n: resonance.n, primary, secondary, finding });
-    }
-    entries
-}
-
-/// What could not be located or followed, in words.
+/// What could not be located, followed or finished, in words.
 fn lost(description: &Description, unfolded: &Analysis) -> Vec<String> {
     let (diagram, units) = (&unfolded.diagram, &unfolded.axes.units);
-    let unlocated = diagram.unlocated.iter().map(|lost| {
-        format!(
-            "p = {} near {}: {}",
-            lost.loops,
-            place(description, units.parameters(lost.near)),
-            lost.reason
-        )
-    });
-    let not_followed = diagram
-        .not_unfolded
-        .iter()
-        .map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason));
-    let unfinished =
-        diagram.unfinished.iter().map(|cut| format!("not finished: {}", unfinished(description, units, cut)));
-    unlocated.chain(not_followed).chain(unfinished).collect()
+    let lost = reason::lost(description, units, diagram).map(|(what, why)| format!("{what}: {why}"));
+    let cut = diagram.unfinished.iter();
+    let cut = cut.map(|cut| format!("not finished: {}", reason::unfinished(description, units, cut)));
+    lost.chain(cut).collect()
 }
 
 /// Where it is not decided whether solutions are stable, with their loops.
@@ -300,22 +258,8 @@ mod tests {
 
     #[test]
     fn files_of_the_same_name_have_addresses_of_their_own() {
-        let source = Source::read(Path::new("../../examples/duffing.toml")).expect("it is right");
-        let entry = |id: &str| OscillatorEntry {
-            id: id.to_owned(),
-            file: String::new(),
-            link: None,
-            about: Vec::new(),
-            description: source.description.clone(),
-            figures: Vec::new(),
-            tables: Vec::new(),
-            resonances: Vec::new(),
-            lost: Vec::new(),
-            undecided: Vec::new(),
-            files: Vec::new(),
-        };
-        let mut entries = ["a", "b", "a", "a"].map(entry);
-        distinguish(&mut entries);
-        assert_eq!(entries.map(|entry| entry.id), ["a", "b", "a-2", "a-3"]);
+        let mut identifiers = ["a", "b", "a", "a"].map(str::to_owned);
+        distinguish(&mut identifiers);
+        assert_eq!(identifiers, ["a", "b", "a-2", "a-3"]);
     }
 }

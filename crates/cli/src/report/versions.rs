@@ -2,18 +2,20 @@
 
 use std::collections::BTreeMap;
 
+use grazing_report::Manifest;
 use toml::{Table, Value};
 
 const LOCK: &str = include_str!("../../../../Cargo.lock");
 const TOOLCHAIN: &str = include_str!("../../../../rust-toolchain.toml");
 
-/// The program and its version.
-pub(crate) fn program() -> String {
-    format!("grazing {}", env!("CARGO_PKG_VERSION"))
+/// A manifest with the versions alone.
+pub(crate) fn manifest() -> Manifest {
+    let program = format!("grazing {}", env!("CARGO_PKG_VERSION"));
+    Manifest { program, rust: rust(), libraries: libraries(), ..Manifest::default() }
 }
 
 /// The version of the compiler.
-pub(crate) fn rust() -> String {
+fn rust() -> String {
     let version = TOOLCHAIN
         .parse::<Table>()
         .ok()
@@ -22,7 +24,7 @@ pub(crate) fn rust() -> String {
 }
 
 /// The libraries that the crates of the workspace use themselves, those of the tests included, with their versions.
-pub(crate) fn libraries() -> Vec<(String, String)> {
+fn libraries() -> Vec<(String, String)> {
     let lock: Table = LOCK.parse().unwrap_or_default();
     let packages: Vec<&Value> = lock.get("package").and_then(Value::as_array).into_iter().flatten().collect();
     let text = |package: &Value, key: &str| package.get(key).and_then(Value::as_str).map(str::to_owned);

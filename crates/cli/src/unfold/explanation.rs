@@ -5,6 +5,7 @@ use std::fmt::Write;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
+use grazing_results::brief;
 use grazing_theorems::Unfolding;
 use grazing_theorems::hypothesis::Hypothesis;
 use grazing_unfold::resonances::Resonance;
@@ -12,7 +13,6 @@ use grazing_unfold::units::InUnits;
 
 use super::Analysis;
 use super::layout::{KEPT, wrapped};
-use super::numbers::brief;
 use super::reason::place;
 
 const DIGITS: usize = 9;

@@ -4,20 +4,19 @@ mod gaps;
 
 use std::path::Path;
 
-use grazing_continuation::bifurcation::{Bifurcation, Pair};
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
-use grazing_reproduction::unfolded::AtResonance;
-use grazing_theorems::hypothesis::Hypothesis;
+use grazing_reproduction::unfolded::{Known, ResonanceEntry};
+use grazing_results::brief;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::sides::Simulated;
-use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::Verdict;
 
 use super::Analysis;
 use super::layout::{KEPT, aligned, headed, wrapped};
-use super::numbers::{brief, fixed, range, significant};
+use super::numbers::{fixed, range, significant};
 use super::reason::place;
 pub(super) use gaps::incomplete;
 use gaps::{missing, odd_ends, undecided, unfinished};
@@ -164,19 +163,25 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     let formula = format!("{primary} = {primary}_graz({secondary}) + c eta^2 + ...,").replace(' ', KEPT);
     let content = format!("{formula} where eta is {secondary} less that of the resonance");
     text.push_str(&wrapped("Curves that leave them:  ", &content));
-    let curves = || {
-        found.iter().flat_map(|at| Pair::BIFURCATIONS.into_array().into_iter().map(move |kind| (kind, at)))
-    };
+    let entries = unfolded.entries();
     let header =
         ["p", "n", secondary, "curve", "c by theorem", "c measured", "digits agreeing", "as simulated"];
-    text.push_str(&aligned(&header, curves().map(|(kind, at)| coefficient(kind, at))));
-    text.extend(curves().map(|(kind, at)| reasons(secondary, kind, at)));
+    text.push_str(&aligned(&header, curves(&entries).map(coefficient)));
+    text.extend(curves(&entries).map(|curve| reasons(secondary, curve)));
     text
 }
 
+/// An SN or PD curve with what is known of it, and the resonance that it leaves.
+type CurveAt<'a> = (&'a ResonanceEntry, Bifurcation, &'a Known);
+
+/// The curves of all resonances at which a theorem applies.
+fn curves(entries: &[ResonanceEntry]) -> impl Iterator<Item = CurveAt<'_>> {
+    let unfolded = entries.iter().filter_map(|at| Some((at, at.curves()?)));
+    unfolded.flat_map(|(at, curves)| curves.map(|(kind, known)| (at, kind, known)))
+}
+
 /// Why a coefficient was not measured or simulation is not as predicted; nothing if all is well.
-fn reasons(secondary: &str, kind: Bifurcation, at: &AtResonance) -> String {
-    let (coefficient, simulated) = at.beside(kind);
+fn reasons(secondary: &str, (at, kind, (coefficient, simulated)): CurveAt<'_>) -> String {
     let verdict = coefficient.verdict();
     let mark = format!(
         "  p = {}, n = {}, {secondary} = {}, {}:  ",
@@ -197,34 +202,30 @@ fn reasons(secondary: &str, kind: Bifurcation, at: &AtResonance) -> String {
 }
 
 /// A sentence for every coefficient and simulation that contradicts the theorem.
-pub(super) fn contradictions(resonances: &[AtResonance]) -> Vec<String> {
+pub(super) fn contradictions(entries: &[ResonanceEntry]) -> Vec<String> {
     let mut told = Vec::new();
-    for at in resonances {
-        for kind in Pair::BIFURCATIONS.into_array() {
-            let (coefficient, simulated) = at.beside(kind);
-            let what = format!("p = {}, n = {}", at.loops, at.n);
-            if let (Verdict::Contradict, Ok(fit)) = (coefficient.verdict(), &coefficient.fit) {
-                let number = |value: f64| brief(value, COEFFICIENT);
-                told.push(format!(
-                    "{what}: c_{} is {} by the theorem, to {:.0e}, and {} on the continued curve, to {:.0e}",
-                    kind.name(),
-                    number(coefficient.theorem.value),
-                    coefficient.theorem.error,
-                    number(fit.coefficient.value),
-                    fit.coefficient.error
-                ));
-            }
-            if let Simulated::Against(sides) = simulated {
-                told.push(format!("{what}: beside the {} curve, {sides}", kind.name()));
-            }
+    for (at, kind, (coefficient, simulated)) in curves(entries) {
+        let what = format!("p = {}, n = {}", at.loops, at.n);
+        if let (Verdict::Contradict, Ok(fit)) = (coefficient.verdict(), &coefficient.fit) {
+            let number = |value: f64| brief(value, COEFFICIENT);
+            told.push(format!(
+                "{what}: c_{} is {} by the theorem, to {:.0e}, and {} on the continued curve, to {:.0e}",
+                kind.name(),
+                number(coefficient.theorem.value),
+                coefficient.theorem.error,
+                number(fit.coefficient.value),
+                fit.coefficient.error
+            ));
+        }
+        if let Simulated::Against(sides) = simulated {
+            told.push(format!("{what}: beside the {} curve, {sides}", kind.name()));
         }
     }
     told
 }
 
 /// A row: one coefficient by the theorem, measured, and whether simulation agrees.
-fn coefficient(kind: Bifurcation, at: &AtResonance) -> Vec<String> {
-    let (coefficient, simulated) = at.beside(kind);
+fn coefficient((at, kind, (coefficient, simulated)): CurveAt<'_>) -> Vec<String> {
     let theorem = coefficient.theorem.value;
     let (measured, digits) = match coefficient.compared() {
         Some((value, digits)) => (significant(value, COEFFICIENT), digits.to_string()),
@@ -245,16 +246,11 @@ fn coefficient(kind: Bifurcation, at: &AtResonance) -> Vec<String> {
 
 /// Resonances at which no theorem applies, with the hypotheses that fail and their values.
 fn silent_theorems(description: &Description, unfolded: &Analysis) -> String {
-    let units = &unfolded.axes.units;
-    let failing = |hypothesis: &Hypothesis| {
-        let value = hypothesis.in_units(units).value;
-        format!("{} fails: {}", hypothesis.statement(), brief(value, 4))
-    };
-    let silent = unfolded.diagram.resonances.iter().filter_map(|resonance| {
-        let violated = resonance.theorem.as_ref().err()?.violated();
-        let at = place(description, units.parameters(resonance.located.orbit().oscillator().parameters()));
-        let content = format!("{at}: {}", violated.map(failing).collect::<Vec<_>>().join(", "));
-        Some((format!("  p = {}, n = {}  ", resonance.loops, resonance.n), content))
+    let told = |(statement, value): &(String, f64)| format!("{statement} fails: {}", brief(*value, 4));
+    let silent = unfolded.entries().into_iter().filter_map(|at| {
+        let failing: Vec<String> = at.finding.err()?.iter().map(told).collect();
+        let content = format!("{}: {}", place(description, at.parameters), failing.join(", "));
+        Some((format!("  p = {}, n = {}  ", at.loops, at.n), content))
     });
     headed("Resonances where the theorem does not apply, and no curve is followed", silent)
 }
@@ -279,15 +275,14 @@ fn corners(description: &Description, unfolded: &Analysis) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use grazing_continuation::curve::Window;
+    use grazing_continuation::bifurcation::Pair;
     use grazing_continuation::fit::{Estimate, Measurement};
-    use grazing_theorems::LinearOscillator;
     use grazing_unfold::sides::{self, Sides};
     use grazing_unfold::simulation::Seen;
     use grazing_unfold::verdict::{Coefficient, Obstacle};
 
     /// A resonance whose saddle-node coefficient is measured with an error, and what simulation shows beside that curve.
-    fn resonance(error: f64, simulated: Simulated) -> AtResonance {
+    fn resonance(error: f64, simulated: Simulated) -> ResonanceEntry {
         let coefficient = |error| Coefficient {
             stability: 1.0,
             theorem: Estimate { value: -2.5, error: 1e-9 },
@@ -298,20 +293,10 @@ mod tests {
                 velocity: 0.01,
             }),
         };
-        let theory = LinearOscillator::new(0.02, 0.9).expect("it is in the domain");
-        AtResonance {
-            loops: 2,
-            n: 3,
-            parameters: [0.5, 0.75],
-            point: theory.resonance(2, 3).expect("it is one").resonant_point(),
-            coefficients: Pair { saddle_node: coefficient(error), period_doubling: coefficient(1.0) },
-            sides: Pair {
-                saddle_node: simulated,
-                period_doubling: Simulated::Undecided(sides::Doubt::NotMeasured),
-            },
-            window: Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] },
-            magnified: Vec::new(),
-        }
+        let undecided = Simulated::Undecided(sides::Doubt::NotMeasured);
+        let (saddle_node, period_doubling) = ((coefficient(error), simulated), (coefficient(1.0), undecided));
+        let finding = Ok(Pair { saddle_node, period_doubling });
+        ResonanceEntry { loops: 2, n: 3, parameters: [0.5, 0.75], finding }
     }
 
     #[test]
@@ -336,9 +321,11 @@ mod tests {
         let doubtful =
             resonance(1.0, Simulated::Undecided(sides::Doubt::TooSlow { leading: 1e-9, least: 1e-6 }));
         assert!(contradictions(std::slice::from_ref(&doubtful)).is_empty());
-        let (coefficient, _) = doubtful.beside(Bifurcation::SaddleNode);
+        let doubtful = [doubtful];
+        let curve = curves(&doubtful).next().expect("the theorem applies");
+        let (_, _, (coefficient, _)) = curve;
         assert!(matches!(coefficient.verdict(), Verdict::NotMeasurable(Obstacle::Rounding { .. })));
-        let told = reasons("omega", Bifurcation::SaddleNode, &doubtful);
+        let told = reasons("omega", curve);
         for wanted in [
             "p = 2, n = 3, omega = 0.75000, SN:  not measurable: where",
             "as simulated undecided: the leading",

@@ -1,16 +1,6 @@
 //! Numbers as people read them.
 
-/// The value with this many significant digits at most, without zeros at the end, as `0.5` or `-1.25e-9`.
-pub(super) fn brief(value: f64, digits: usize) -> String {
-    let rounded: f64 = format!("{value:.*e}", digits - 1).parse().unwrap_or(value);
-    // Adding zero turns -0 into 0.
-    let rounded = rounded + 0.0;
-    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
-    }
-}
+use grazing_results::brief;
 
 /// The value with just this many significant digits, for a column.
 pub(super) fn significant(value: f64, digits: usize) -> String {
@@ -41,15 +31,6 @@ pub(super) fn range([low, high]: [f64; 2]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn brief_numbers_have_no_zeros_at_the_end() {
-        for (value, text) in
-            [(0.5, "0.5"), (1.0, "1"), (-0.0, "0"), (0.123_456_789, "0.123457"), (1.25e-9, "1.25e-9")]
-        {
-            assert_eq!(brief(value, 6), text);
-        }
-    }
 
     #[test]
     fn significant_numbers_have_all_their_digits() {

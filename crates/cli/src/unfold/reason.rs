@@ -4,14 +4,13 @@ use std::f64::consts::TAU;
 
 use grazing_description::{Axis, Description};
 use grazing_model::smooth::{SmoothOscillator, Units};
-use grazing_unfold::UnfoldError;
+use grazing_results::brief;
 use grazing_unfold::escape::Escape;
 use grazing_unfold::non_impacting::Height;
 use grazing_unfold::regions::{Region, RegionKind};
 use grazing_unfold::stop::Unfinished;
 use grazing_unfold::units::InUnits;
-
-use super::numbers::brief;
+use grazing_unfold::{Diagram, UnfoldError};
 
 /// What was seen instead of grazing, and the remedy.
 pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
@@ -145,6 +144,22 @@ fn has_spring(description: &Description) -> bool {
         [-1.0, -0.37, -30.0].iter().any(|x| force(*x) != force(0.0))
     };
     instants(description, [mu, eta]).any(|t| [0.3, 0.0, -0.3].iter().any(|v| differs(t, *v)))
+}
+
+/// Resonances that could not be located, or whose curves could not be followed: which, and why.
+pub(crate) fn lost<O>(
+    description: &Description,
+    units: &Units,
+    diagram: &Diagram<O>,
+) -> impl Iterator<Item = (String, String)> {
+    let unlocated = diagram.unlocated.iter().map(|lost| {
+        let at = place(description, units.parameters(lost.near));
+        (format!("p = {}", lost.loops), format!("near {at}: {}", lost.reason))
+    });
+    let not_unfolded = diagram.not_unfolded.iter();
+    let not_unfolded =
+        not_unfolded.map(|lost| (format!("p = {}, n = {}", lost.loops, lost.n), lost.reason.to_string()));
+    unlocated.chain(not_unfolded)
 }
 
 /// What was not finished, as `bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.8`.

@@ -1,11 +1,10 @@
 //! The figures: a two-parameter diagram, and magnifications about its resonances.
 
 use grazing_description::Description;
-use grazing_drawing::{
-    Diagram, DrawingError, Magnifications, MagnifiedPanel, Plane, SheetWidth, Window, draw_diagram,
-    draw_magnifications,
-};
+use grazing_drawing::{Diagram, DrawingError, Magnifications, SheetWidth, draw_diagram, draw_magnifications};
 use grazing_reproduction::unfolded::Rows;
+use grazing_results::Frame;
+use grazing_results::plane::MagnifiedPanel;
 
 use super::Analysis;
 
@@ -33,10 +32,6 @@ pub(crate) fn figures(
     width: SheetWidth,
 ) -> Result<Vec<(String, String)>, DrawingError> {
     let (primary, secondary) = (description.primary(), description.secondary());
-    let mut plane = Plane::of_parameters(primary.name(), secondary.name());
-    // The columns may have other names than the parameters.
-    plane.across.column.clone_from(&unfolded.axes.names.primary);
-    plane.up.column.clone_from(&unfolded.axes.names.secondary);
     let panels = panels(unfolded);
     let axes = format!("{} across, {} up.", primary.name(), secondary.name());
     let diagram = Diagram {
@@ -46,14 +41,14 @@ pub(crate) fn figures(
             "{axes} Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing bifurcations of \
              maximal periodic solutions; regions of stability in grey."
         ),
-        plane: &plane,
+        names: &unfolded.axes.names,
         tables: ["points", "curves"],
         curves: &rows.curves,
         points: &rows.points,
         regions: &rows.regions,
-        window: Window { x: primary.range(), y: secondary.range() },
+        frame: Frame { x: primary.range(), y: secondary.range() },
         magnified: &panels,
-        sections: &[],
+        section: None,
     };
     let mut figures = vec![(FILES[0].to_owned(), draw_diagram(&diagram, width)?)];
     let magnifications = Magnifications {
@@ -62,7 +57,7 @@ pub(crate) fn figures(
         description: &format!(
             "{axes} Dashed: the quadratic approximations to the saddle-node and period-doubling curves."
         ),
-        plane: &plane,
+        names: &unfolded.axes.names,
         table: "magnifications",
         curves: &rows.magnifications,
         points: &rows.points,
@@ -84,8 +79,8 @@ fn panels(unfolded: &Analysis) -> Vec<MagnifiedPanel> {
     shown
         .map(|(panel, at)| {
             let coefficients = at.coefficients.map(|coefficient| coefficient.theorem.value);
-            let window = Window { x: at.window.primary, y: at.window.secondary };
-            MagnifiedPanel { panel, window, loops: at.loops, n: Some(at.n), coefficients }
+            let (frame, n) = (at.window.into(), Some(at.n));
+            MagnifiedPanel { panel, frame, loops: at.loops, n, coefficients }
         })
         .collect()
 }

@@ -10,8 +10,9 @@ use grazing_claims::source::Sources;
 use grazing_continuation::bifurcation::{CodimensionTwo, Pair};
 use grazing_continuation::fit::{Estimate, Measurement};
 use grazing_description::Description;
-use grazing_report::{Figure, Manifest, OscillatorEntry, OutputFile, Report, ResonanceEntry, TableOutput};
+use grazing_report::{Figure, Manifest, OscillatorEntry, OutputFile, Report, TableOutput};
 use grazing_reproduction::published::Published;
+use grazing_reproduction::unfolded::ResonanceEntry;
 use grazing_results::plane::SpecialPoint;
 use grazing_results::{Column, Names, Table, columns};
 use grazing_unfold::sides::{Doubt, Sides, Simulated};
@@ -54,7 +55,7 @@ static PUBLISHED: LazyLock<Published> = LazyLock::new(|| {
              value = '0.5'\nrounding = 'significant'\n"
         )
     };
-    Published::parse(&(value("a") + &value("b"))).expect("the sample is right")
+    toml::from_str(&(value("a") + &value("b"))).expect("the sample is right")
 });
 
 fn findings() -> Vec<Finding<'static>> {
@@ -165,7 +166,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
         vec![p.into(), 1_u32.into(), secondary.into(), primary.into(), c_sn.into()]
     };
     let coefficients = vec![row(2, 0.75, 0.5, -12.5), row(3, 0.7, 0.6, 25.0)];
-    let resonance = |n, finding| ResonanceEntry { loops: 2, n, primary: 0.5, secondary: 0.75, finding };
+    let resonance = |n, finding| ResonanceEntry { loops: 2, n, parameters: [0.5, 0.75], finding };
     let unfolded = Pair {
         saddle_node: (coefficient(MEASURED.0, MEASURED.1), Simulated::AsPredicted(SIDES)),
         period_doubling: (
@@ -187,17 +188,14 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
         ],
         lost: vec![hostile()],
         undecided: vec![(2, hostile())],
-        files: Vec::new(),
     }
 }
 
 /// A report about an oscillator alone, with its files beside the page.
 pub(crate) fn oscillators_alone() -> Report<'static> {
     let files = ["diagram.svg", "data/points.csv"];
-    let mut entry = oscillator("one", "Sample oscillator");
-    entry.files = files.map(str::to_owned).to_vec();
     Report {
-        oscillators: vec![entry],
+        oscillators: vec![oscillator("one", "Sample oscillator")],
         manifest: Manifest {
             outputs: files.map(|path| OutputFile::of(path, path.as_bytes())).to_vec(),
             folder: Some(String::new()),

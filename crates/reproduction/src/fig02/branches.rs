@@ -36,7 +36,11 @@ pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch>, StudyError> {
             let to_positive_velocity = Unknowns::new(1.0, 0.0, 0.0, 0.0);
             let curve = curve
                 .follow(start, to_positive_velocity, EventTimes::default(), &route)
-                .map_err(|stall| StudyError::Branch { loops, reason: stall.to_string() })?;
+                .map_err(|stall| {
+                    StudyError::Failed(format!(
+                        "the branch of {loops}-loop solutions cannot be started at the grazing bifurcation: {stall}"
+                    ))
+                })?;
             Ok(Branch { equations, curve })
         })
         .collect()

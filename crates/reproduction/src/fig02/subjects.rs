@@ -129,7 +129,10 @@ fn missing(branches: &[Branch], portrait: &Portrait) -> StudyError {
     } else {
         format!("there is one {}", ranges.join(", "))
     };
-    StudyError::NoPortrait { key: portrait.key.clone(), loops: portrait.loops, remedy }
+    let Portrait { key, loops, .. } = portrait;
+    StudyError::NoPortrait(format!(
+        "{key}: no stable admissible {loops}-loop solution is there for a phase portrait; {remedy}"
+    ))
 }
 
 /// The stable admissible MPS at the amplitude.

@@ -99,17 +99,6 @@ row! { Along, |row| {
     S_MINUS = stability.minus,
 ] }
 
-/// What depends on p, along the grazing curve for each p.
-pub(super) fn grazing_loops<O>(unfolded: &Unfolded<O>) -> Vec<Along> {
-    let units = &unfolded.axes.units;
-    let row = |&Along { arc, parameters, ref point }: &Along| Along {
-        arc,
-        parameters: units.parameters(parameters),
-        point: point.in_units(units),
-    };
-    unfolded.along.iter().map(row).collect()
-}
-
 /// a₁₂' and κ_p', whichever belongs to p; the other is NaN.
 fn slopes(point: &ResonantPoint) -> [f64; 2] {
     let Unfolding { loops, derivative } = point.unfolding;

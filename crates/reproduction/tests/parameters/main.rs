@@ -11,12 +11,18 @@ const DEFAULT: &str = include_str!("../../../../figures/parameters.toml");
 
 /// The parameters, or the first thing that is wrong in any section.
 fn parse(text: &str) -> Result<Parameters, SourceError> {
-    let told = |error: ParameterError| error.source_error().clone();
+    let told = |error: ParameterError| source(&error).clone();
     let parameters = Parameters::parse(&Text::new(text, &[]), "p.toml").map_err(told)?;
     match errors(&parameters).into_iter().next() {
         Some(error) => Err(told(error)),
         None => Ok(parameters),
     }
+}
+
+/// What is wrong, whatever its kind.
+fn source(error: &ParameterError) -> &SourceError {
+    let (ParameterError::Malformed(error) | ParameterError::Unfit(error)) = error;
+    error
 }
 
 /// What is wrong in the sections, in their order.
@@ -84,7 +90,7 @@ fn refusal(section: &str, key: &str, value: &str, full_key: &str) -> String {
 
 /// The keys that are refused with settings.
 fn refused(settings: &[&str]) -> Vec<String> {
-    let key = |error: &ParameterError| match error.source_error() {
+    let key = |error: &ParameterError| match source(error) {
         SourceError::Forbidden { key, .. } => key.clone(),
         other => other.to_string(),
     };

@@ -2,7 +2,8 @@
 
 use grazing_model::AtRest;
 use grazing_model::maps::global_map;
-use grazing_reproduction::{Figure4, Study};
+use grazing_reproduction::Study;
+use grazing_results::sketches::Figure4;
 use grazing_theorems::auxiliary::{admissibility_sum, resonance_boundary};
 use grazing_theorems::spectrum::in_trapesium;
 

@@ -4,7 +4,8 @@ use core::f64::consts::TAU;
 
 use grazing_model::State;
 use grazing_model::orbit::{FlightEnd, Orbit as Simulation};
-use grazing_reproduction::{Figure5, Study};
+use grazing_reproduction::Study;
+use grazing_results::sketches::Figure5;
 use grazing_theorems::Resonance;
 
 use crate::{closed_forms, forced, made, numbers, theory, words};

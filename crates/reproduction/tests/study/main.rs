@@ -13,7 +13,9 @@ use std::sync::OnceLock;
 
 use grazing_model::LinearOscillator;
 use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::{Coefficients, Figure2, Figure7, Figure8, Study, TheoremsInAction};
+use grazing_reproduction::{Coefficients, Study, TheoremsInAction};
+use grazing_results::branches::Figure2;
+use grazing_results::plane::{Figure7, Figure8};
 use grazing_results::{Cell, Names, Row};
 use grazing_trials::closed_form::{Orbit, orbits};
 

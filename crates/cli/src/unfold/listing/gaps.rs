@@ -17,14 +17,8 @@ use crate::unfold::reason::{self, place};
 
 /// Resonances that could not be located, or whose curves could not be followed.
 pub(super) fn missing<O>(description: &Description, units: &Units, diagram: &Diagram<O>) -> String {
-    let unlocated = diagram.unlocated.iter().map(|lost| {
-        let at = place(description, units.parameters(lost.near));
-        (format!("  p = {}  ", lost.loops), format!("near {at}: {}", lost.reason))
-    });
-    let not_unfolded = diagram.not_unfolded.iter();
-    let not_unfolded =
-        not_unfolded.map(|lost| (format!("  p = {}, n = {}  ", lost.loops, lost.n), lost.reason.to_string()));
-    headed("Resonances that could not be unfolded", unlocated.chain(not_unfolded))
+    let lost = reason::lost(description, units, diagram);
+    headed("Resonances that could not be unfolded", lost.map(|(what, why)| (format!("  {what}  "), why)))
 }
 
 /// What a limit or Ctrl-C has cut off.

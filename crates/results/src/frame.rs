@@ -1,0 +1,32 @@
+//! What a panel shows.
+
+use grazing_continuation::curve::Window;
+
+/// A rectangle of data space, shown by one panel, in the units of the data.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    /// Lower and upper end of the horizontal axis.
+    pub x: [f64; 2],
+    /// Lower and upper end of the vertical axis.
+    pub y: [f64; 2],
+}
+
+impl Frame {
+    /// Its corners, the first one twice.
+    pub fn outline(&self) -> [(f64, f64); 5] {
+        let ([left, right], [low, high]) = (self.x, self.y);
+        [(left, low), (right, low), (right, high), (left, high), (left, low)]
+    }
+
+    /// True if the point is inside or on the edge; false for NaN.
+    pub fn contains(&self, (x, y): (f64, f64)) -> bool {
+        self.x[0] <= x && x <= self.x[1] && self.y[0] <= y && y <= self.y[1]
+    }
+}
+
+impl From<Window> for Frame {
+    /// The primary parameter across and the secondary one up.
+    fn from(window: Window) -> Self {
+        Self { x: window.primary, y: window.secondary }
+    }
+}
