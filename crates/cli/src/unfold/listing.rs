@@ -34,11 +34,16 @@ pub(super) fn oscillator(description: &Description, file: &Path) -> String {
     let (primary, secondary) = (description.primary(), description.secondary());
     let mut text = format!("{} ({})\n\n", description.name(), file.display());
     let lines = [
-        ("motion", format!("x'' = {} for x < 0, where v = x'", texts.force)),
+        (
+            "motion",
+            format!("x'' = {} {} the wall, where v = x'", texts.force, description.wall().side().name()),
+        ),
+        ("wall", format!("x = {}", texts.wall)),
         ("frequency", texts.frequency.clone()),
         (
             "impact",
-            "at x = 0, with velocity y = v and phase z = frequency*t: y -> -y*Phi, z -> z + y*Psi".to_owned(),
+            "with velocity y relative to the wall and phase z = frequency*t: y -> -y*Phi, z -> z + y*Psi"
+                .to_owned(),
         ),
         ("", format!("Phi = {}, Psi = {}", texts.restitution, texts.duration)),
         ("constants", if constants.is_empty() { "none".to_owned() } else { constants.join(", ") }),

@@ -24,9 +24,8 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
             let nearest = if highest.position < 0.0 { highest } else { lowest };
             if lowest.position < 0.0 && highest.position > 0.0 {
                 return format!(
-                    "no grazing was found for {ranges}, though without the wall periodic motion stays below x = 0 at {} and \
-                     passes it at {}: narrow the ranges to where its highest point comes to x = 0, or begin near it with \
-                     analysis.start",
+                    "no grazing was found for {ranges}, though periodic motion without the wall stays on its side of it at {} and \
+                     passes it at {}: narrow the ranges to where it just comes to the wall, or begin near it with analysis.start",
                     at(lowest.parameters),
                     at(highest.parameters)
                 );
@@ -34,35 +33,38 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
             let push = mean_force_at_wall(description, nearest.parameters);
             if lowest.position > 0.0 && push > 0.0 {
                 return format!(
-                    "no grazing: without the wall, periodic motion passes x = 0 everywhere in {ranges}, because the oscillator's rest \
-                     position lies behind the wall: at {} the force at the wall, averaged over a forcing period, is {} > 0. Motion \
-                     takes place in x < 0: change the signs in motion.force, or count x from another place, so that the oscillator \
-                     rests at x < 0",
+                    "no grazing: periodic motion without the wall passes it everywhere in {ranges}, because the oscillator's rest \
+                     position lies behind the wall: at {} it is pushed into the wall, on average over a forcing period with F = {}. Motion \
+                     takes place {} the wall: change wall.side or wall.position, or the signs in motion.force",
                     at(nearest.parameters),
-                    brief(push, 4)
+                    brief(push, 4),
+                    description.wall().side().name()
                 );
             }
-            let side = if highest.position < 0.0 { "stays below" } else { "passes" };
+            let distance = brief(nearest.position.abs(), 4);
+            let (does, there) = match highest.position < 0.0 {
+                true => ("stays off it", format!("stays {distance} away from it")),
+                false => ("passes it", format!("goes {distance} beyond it")),
+            };
             format!(
-                "no grazing: without the wall, periodic motion {side} x = 0 everywhere in {ranges}; it comes nearest at {}, \
-                 where its highest point is x = {}: {}",
+                "no grazing: periodic motion without the wall {does} everywhere in {ranges}; it comes nearest at {}, where it {there}: {}",
                 at(nearest.parameters),
-                brief(nearest.position, 4),
                 widening(nearest, axes)
             )
         }
         UnfoldError::Pushed { at: height } if height.acceleration > -TURNED * units.acceleration() => format!(
             "no grazing: at {} periodic motion comes to the wall with F = {}, so that it rests at the wall or is pushed against \
-             it instead of being turned back; F must be negative where the wall is touched: check the signs in motion.force (motion takes \
-             place in x < 0), or leave these parameters out of the ranges",
+             it instead of being turned back; the force must point away from the wall where it is touched: check the signs in motion.force \
+             (motion takes place {} the wall), or leave these parameters out of the ranges",
             at(height.parameters),
-            brief(if height.acceleration < TURNED * units.acceleration() { 0.0 } else { height.acceleration }, 4)
+            brief(if height.acceleration < TURNED * units.acceleration() { 0.0 } else { height.acceleration }, 4),
+            description.wall().side().name()
         ),
         UnfoldError::Pushed { at: height } => format!(
-            "no grazing was located: at {} periodic motion comes to the wall (x = {}, F = {}), but no regular grazing orbit was \
-             found there: move or narrow the ranges",
+            "no grazing was located: at {} periodic motion comes to the wall (to {} from it, with F = {}), but no regular grazing orbit \
+             was found there: move or narrow the ranges",
             at(height.parameters),
-            brief(height.position, 4),
+            brief(height.position.abs(), 4),
             brief(height.acceleration, 4)
         ),
         UnfoldError::RunsAway { .. } | UnfoldError::NoOrbit if !has_spring(description) => {
@@ -71,7 +73,7 @@ pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
              analysis does not apply to it"
                 .to_owned()
         }
-        UnfoldError::RunsAway { escape } => escaped(escape, &at(escape.parameters), &units),
+        UnfoldError::RunsAway { escape } => escaped(escape, &at(escape.parameters), description),
         UnfoldError::NoOrbit => format!(
             "no periodic motion with the period of the forcing was found without the wall for {ranges}: from all starts that \
              were tried, motion does not settle down: begin near such a motion with analysis.start = [x, v], move the ranges, \
@@ -86,9 +88,11 @@ const FAR: f64 = 1e3;
 const STEEP: f64 = 1e6;
 
 /// How a motion ends, and what can be done.
-fn escaped(escape: &Escape, parameters: &str, units: &Units) -> String {
+fn escaped(escape: &Escape, parameters: &str, description: &Description) -> String {
     let Escape { time, position, velocity, force, .. } = *escape;
-    let [t, x, v] = [time, position, velocity].map(|value| brief(value, 6));
+    let units = description.units();
+    let [x, v] = description.wall().outside([position, velocity], time, escape.parameters);
+    let [t, x, v] = [time, x, v].map(|value| brief(value, 6));
     let place = format!("x = {x}, v = {v}, t = {t} at {parameters}");
     if !force.is_finite() {
         return format!(
@@ -99,9 +103,9 @@ fn escaped(escape: &Escape, parameters: &str, units: &Units) -> String {
     }
     let way = if position.abs() > FAR * units.length {
         // How far it was followed depends on the steps of the integration; when it escapes hardly does.
-        let (side, t) = (if position > 0.0 { "x > 0" } else { "x < 0" }, brief(time, 3));
+        let (side, t) = (if position > 0.0 { "behind" } else { "away from" }, brief(time, 3));
         format!(
-            "motion runs away wherever it begins: in one case beyond all bounds in {side} within t = {t} at {parameters}"
+            "motion runs away wherever it begins: in one case beyond all bounds {side} the wall within t = {t} at {parameters}"
         )
     } else {
         let pole = if force.abs() > STEEP * units.acceleration() { ", as at a pole" } else { "" };
@@ -238,9 +242,14 @@ mod tests {
             velocity,
             force,
         };
-        let told = |escape| escaped(&escape, "A = 0.5, omega = 0.75", &Units::ONE);
+        let paper =
+            Description::parse(include_str!("../../../../examples/paper.toml"), "paper.toml").unwrap();
+        let told = |escape| escaped(&escape, "A = 0.5, omega = 0.75", &paper);
         let away = told(escape(-2e9, -4e5, 1e3));
-        assert!(away.contains("runs away") && away.contains("in x < 0 within t = 1.5 at A = 0.5"), "{away}");
+        assert!(
+            away.contains("runs away") && away.contains("away from the wall within t = 1.5 at A = 0.5"),
+            "{away}"
+        );
         let pole = told(escape(-0.5, -7437.38, -1.5e8));
         assert!(pole.contains("not beyond x = -0.5") && pole.contains("F = -1.5e8, as at a pole"), "{pole}");
         let edge = told(escape(-0.9, -1.0, f64::NAN));
