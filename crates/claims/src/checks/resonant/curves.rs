@@ -62,26 +62,25 @@ fn velocity_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 /// μ less c_SN η² on the SN and c_PD η² on the PD curve, as M(Υ⁺, η) and M(Υ⁻, η) give them.
 fn coefficient_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
-    Ok(along_curves(place, 3.0, PARAMETER, |curve, eta, near| {
-        Some(near.relative()[1] - branch.parameter(curve.leading.impact_velocity_slope * eta, eta))
-    }))
+    Ok(quadratic_orders(place, |curve, eta| branch.parameter(curve.leading.impact_velocity_slope * eta, eta)))
 }
 
-/// μ less the quadratic approximation on either curve, which is there on its side of η = 0 alone.
-fn quadratic_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    Ok(along_curves(place, 3.0, PARAMETER, |curve, eta, near| {
-        let stated = curve.leading.parameter(eta).filter(|_| curve.leading.parameter(-eta).is_none());
-        Some(near.relative()[1] - stated.unwrap_or(f64::NAN))
-    }))
+/// μ less a quadratic approximation of both curves.
+pub(crate) fn quadratic_orders(place: &Place, stated: impl Fn(&Bifurcation, f64) -> f64) -> Vec<Observed> {
+    along_curves(place, 3.0, PARAMETER, |curve, eta, near| Some(near.relative()[1] - stated(curve, eta)))
 }
 
-/// M(Υ^±, η) with Υ⁺ for both curves.
+/// The quadratic approximation of the theorem, which is there on its side of η = 0 alone.
+fn approximation(curve: &Bifurcation, eta: f64) -> f64 {
+    let stated = curve.leading.parameter(eta).filter(|_| curve.leading.parameter(-eta).is_none());
+    stated.unwrap_or(f64::NAN)
+}
+
+/// M(Υ^±, η) with Υ⁺ for both.
 fn printed_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     let fold = place.point().saddle_node_velocity_slope();
-    Ok(along_curves(place, 3.0, PARAMETER, |_, eta, near| {
-        Some(near.relative()[1] - branch.parameter(fold * eta, eta))
-    }))
+    Ok(quadratic_orders(place, |_, eta| branch.parameter(fold * eta, eta)))
 }
 
 /// eq:coeffs1 and eq:coeffsp follow from k₂, k₃, Υ^±, T_p and f_p.
@@ -165,9 +164,9 @@ const SIDES: &str =
 
 checks! {
     /// eq:sn1 and eq:pd1.
-    quadratic_for_one_loop: orders(ONE, EVERYWHERE, quadratic_orders);
+    quadratic_for_one_loop: orders(ONE, EVERYWHERE, |place| Ok(quadratic_orders(place, approximation)));
     /// eq:snp and eq:pdp.
-    quadratic_for_many_loops: orders(MANY, EVERYWHERE, quadratic_orders);
+    quadratic_for_many_loops: orders(MANY, EVERYWHERE, |place| Ok(quadratic_orders(place, approximation)));
     /// eq:Upsilon1.
     velocity_of_one_loop: orders(ONE, EVERYWHERE, velocity_orders);
     /// eq:Upsilonp.
