@@ -13,12 +13,14 @@
 pub mod audit;
 pub mod checks;
 mod convergence;
+mod differences;
 mod eigenvalues;
 pub mod errata;
 pub mod ledger;
 pub mod outcome;
 mod printed;
 mod sampling;
+mod solutions;
 pub mod source;
 mod specimen;
 pub mod sweep;

@@ -8,7 +8,7 @@ use grazing_theorems::Resonance;
 use grazing_theorems::from_map::GrazingOrbit;
 
 use super::printed_flow::{CLOSED, DIFFERENCES, Turn};
-use crate::checks::resonant::derivatives::slope;
+use crate::differences::slope;
 use crate::specimen::damping_for_decay;
 use crate::{CheckResult, Deviations, Failure, Sampler};
 

@@ -11,8 +11,9 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::maps::{impact_and_recoil, virtual_point};
 use super::specimens::{delayed, map_with, sampled_point, specimens, uniform_order};
-use super::vivid::{derivatives, equations, scale, zero, zero_from};
+use super::vivid::{derivatives, scale};
 use crate::checks::appendices::signs::{determinant, search};
+use crate::solutions::{at_parameters, equations, zero};
 use crate::specimen::Grazing;
 use crate::{CheckResult, Sampler, Smallest, Votes, sampled};
 
@@ -94,7 +95,7 @@ pub(crate) fn implicit_function() -> CheckResult {
                     let mut start = expected;
                     start[0] += sampler.between(-reach, reach);
                     start[1] += sampler.between(-reach, reach);
-                    let found = zero_from(&grazing, p, start);
+                    let found = at_parameters(&equations(&grazing, p), start);
                     votes.see(found.is_some_and(|found| (found - expected).amax() < 1e-10));
                 }
                 let value =

@@ -10,8 +10,9 @@ use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
 
 use super::specimens::{sampled_map, specimens};
-use super::vivid::{derivatives, equations, scale, zero};
+use super::vivid::{derivatives, scale};
 use crate::eigenvalues::Pair;
+use crate::solutions::{equations, zero};
 use crate::specimen::Grazing;
 use crate::{CheckResult, Deviations, Failure, Sampler, sampled};
 

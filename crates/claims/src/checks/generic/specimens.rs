@@ -73,13 +73,12 @@ pub(crate) fn directions<const N: usize>(sampler: &mut Sampler, number: usize) -
     axes.chain(others).collect()
 }
 
-/// The order of a remainder that is bounded in all directions at once: of the largest in any of them at each size. Not a number
-/// if the remainder does not exist near grazing.
+/// The order of a remainder that is bounded in all directions at once: of the largest in any of them at each size.
 pub(crate) fn uniform_order<const N: usize>(
     directions: &[[f64; N]],
     remainder: impl Fn([f64; N], f64) -> Option<(f64, f64)>,
 ) -> f64 {
-    let largest = |h: f64| {
+    order(|h| {
         let mut largest = (0.0_f64, 0.0_f64);
         for direction in directions {
             let (value, rounding) = remainder(*direction, h)?;
@@ -89,9 +88,5 @@ pub(crate) fn uniform_order<const N: usize>(
             largest = (largest.0.max(value.abs()), largest.1.max(rounding));
         }
         Some(largest)
-    };
-    if largest(libm::ldexp(1.0, -14)).is_none() {
-        return f64::NAN;
-    }
-    order(largest)
+    })
 }

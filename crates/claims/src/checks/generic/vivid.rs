@@ -2,43 +2,19 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
+use grazing_continuation::mps::{EventTimes, Unknowns};
 use grazing_model::maps::{discontinuity_map, global_iterate, global_map, virtual_map};
 use grazing_model::motion::local_maxima;
 use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
 use grazing_theorems::GenericGrazing;
+use grazing_unfold::simulation::Seen;
 use nalgebra::{Matrix2, Vector2};
 
 use super::maps::{impact_and_recoil, integrated, virtual_point};
 use super::specimens::{delayed, directions, specimens, uniform_order};
-use crate::checks::main_results::simulation::returns;
-use crate::specimen::{Grazing, Specimen};
+use crate::solutions::{equations, followed, unknowns, zero};
+use crate::specimen::Grazing;
 use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes};
-
-/// The equations of p-loop MPSs of a specimen.
-pub(super) fn equations(grazing: &Grazing, p: u32) -> LoopEquations<Specimen> {
-    LoopEquations::new(grazing.oscillator().clone(), p, Formulation::Vivid)
-}
-
-/// The point (y, z; μ) with z and μ counted from grazing.
-pub(super) fn unknowns(grazing: &Grazing, y: f64, dz: f64, dmu: f64) -> Unknowns {
-    let [primary, secondary] = grazing.oscillator().parameters();
-    Unknowns::new(y, grazing.phase() + dz, primary + dmu, secondary)
-}
-
-/// The zero of V at μ, by Newton's method from its expansion.
-pub(super) fn zero(grazing: &Grazing, p: u32, mu: f64) -> Option<Unknowns> {
-    let emerging = grazing.grazing_point().emerging_orbit(p).ok()?;
-    let start = unknowns(grazing, emerging.impact_velocity_slope * mu, emerging.impact_phase_slope * mu, mu);
-    zero_from(grazing, p, start)
-}
-
-/// The zero of V at the parameters of a start, by Newton's method from there.
-pub(super) fn zero_from(grazing: &Grazing, p: u32, start: Unknowns) -> Option<Unknowns> {
-    let conditions = [Condition::Primary(start[2]), Condition::Secondary(start[3])];
-    locate(&equations(grazing, p), conditions, start, &mut EventTimes::default()).ok()
-}
 
 /// A size of μ at which the zero of V is as far from grazing as it is in the figures: y and z move by at most a tenth.
 pub(super) fn scale(grazing: &Grazing, p: u32) -> Option<f64> {
@@ -95,9 +71,9 @@ pub(crate) fn zeros_are_orbits() -> CheckResult {
     let (mut votes, mut printed) = (Votes::default(), Votes::default());
     for (grazing, p, point) in admissible()? {
         let equations = equations(&grazing, p);
-        let comes_back = |at: &Unknowns| returns(&equations.oscillator_at(at), &equations.solution(at).0);
+        let comes_back = |at: &Unknowns| followed(&equations, at) == Seen::Returns;
         let mut beside = point;
-        beside[0] *= 1.001;
+        beside[0] *= 1.01;
         let found = comes_back(&point);
         votes.see(point[0] > 0.0 && found);
         votes.see(!comes_back(&beside));
@@ -138,7 +114,7 @@ pub(crate) fn composition() -> CheckResult {
         for index in 0..8 {
             let p = 1 + index % 4;
             let distance = [(); 3].map(|()| sampler.between(-0.02, 0.02));
-            let point = unknowns(&grazing, distance[0], distance[1], distance[2]);
+            let point = unknowns(&grazing, distance);
             let equations = equations(&grazing, p);
             let oscillator = equations.oscillator_at(&point);
             let (vivid, _) = equations.pair::<1>(&point, &mut EventTimes::default())?.difference();
@@ -171,7 +147,7 @@ pub(crate) fn smooth_across_tangency() -> CheckResult {
         for p in 1..=3 {
             let equations = equations(&grazing, p);
             let second = |y: f64| {
-                let point = unknowns(&grazing, y, 0.0, 0.0);
+                let point = unknowns(&grazing, [y, 0.0, 0.0]);
                 let pair = equations.pair::<2>(&point, &mut EventTimes::default()).ok()?;
                 Some([0, 1].map(|i| pair.round_trip.hessians[i] - pair.impact.hessians[i]))
             };
@@ -191,7 +167,7 @@ pub(crate) fn vanishes_at_grazing() -> CheckResult {
     let mut deviations = Deviations::default();
     for grazing in specimens()? {
         for p in 1..=6 {
-            let point = unknowns(&grazing, 0.0, 0.0, 0.0);
+            let point = unknowns(&grazing, [0.0; 3]);
             let pair = equations(&grazing, p).pair::<1>(&point, &mut EventTimes::default())?;
             deviations.see(pair.difference().0.amax());
         }
@@ -205,7 +181,7 @@ pub(super) fn derivatives(
     grazing: &Grazing,
     p: u32,
 ) -> Result<[Vector2<f64>; 3], grazing_model::maps::MapError> {
-    let point = unknowns(grazing, 0.0, 0.0, 0.0);
+    let point = unknowns(grazing, [0.0; 3]);
     let (_, derivative) = equations(grazing, p).pair::<1>(&point, &mut EventTimes::default())?.difference();
     Ok([0, 1, 2].map(|column| derivative.column(column).into_owned()))
 }
@@ -226,7 +202,7 @@ pub(crate) fn jacobians() -> CheckResult {
                 let vivid = |sign: f64| {
                     let mut step = [0.0; 3];
                     step[axis] = sign * STEP;
-                    let point = unknowns(&grazing, step[0], step[1], step[2]);
+                    let point = unknowns(&grazing, step);
                     Ok::<_, grazing_model::maps::MapError>(
                         equations.pair::<1>(&point, &mut EventTimes::default())?.difference().0,
                     )
@@ -250,7 +226,7 @@ fn expansion(seed: u64, component: usize) -> CheckResult {
             let stated = data.vivid_linearisation(p);
             let equations = equations(&grazing, p);
             orders.see(uniform_order(&directions::<3>(&mut sampler, 4), |[dy, dz, dmu], h| {
-                let point = unknowns(&grazing, h * dy, h * dz, h * dmu);
+                let point = unknowns(&grazing, [h * dy, h * dz, h * dmu]);
                 let (vivid, _) = equations.pair::<1>(&point, &mut EventTimes::default()).ok()?.difference();
                 let linear =
                     stated.by_impact * Vector2::new(h * dy, h * dz) + stated.by_parameter * (h * dmu);

@@ -6,11 +6,10 @@ use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::Condition;
 use grazing_theorems::LinearisedMap;
 
-use super::returns::derivative as difference;
 use crate::checks::resonant::places::{Bifurcation, Place};
-use crate::convergence::order;
+use crate::differences::slope;
 use crate::specimen::Law;
-use crate::{CheckResult, Deviations, Failure, Sampler, Smallest};
+use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, order};
 
 /// A resonance with one of these numbers of loops at which s^± are not within a twentieth of zero, nor the impact
 /// velocity along either curve within a fifth of η: then the curves are seen at small velocities.
@@ -86,12 +85,12 @@ pub(crate) fn unfolding_derivatives() -> CheckResult {
     for _ in 0..30 {
         let place = resonant(&mut sampler, &[1, 2, 3, 4])?;
         let loops = place.loops();
-        let [measured] = difference(1e-4, |h| {
-            let LinearisedMap { a, .. } =
-                place.grazing(h).ok_or("no grazing orbit beside a resonance")?.grazing_point().map;
+        let measured = slope(1e-4, |h| {
+            let LinearisedMap { a, .. } = place.grazing(h)?.grazing_point().map;
             let cosine = libm::cos(PI / f64::from(loops));
-            Ok([if loops == 1 { a.m12 } else { a.trace() - 2.0 * a.determinant().sqrt() * cosine }])
-        })?;
+            Some(if loops == 1 { a.m12 } else { a.trace() - 2.0 * a.determinant().sqrt() * cosine })
+        })
+        .ok_or("no grazing orbit beside a resonance")?;
         let stated = place.point().unfolding.derivative;
         largest.compare(measured, stated, stated.abs().max(1.0));
     }

@@ -1,9 +1,10 @@
 //! Section 2.6: g_SN and g_PD as curves, with ψ ≠ 0.
 
-use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, unknown};
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::unknown;
 
 use super::coefficients::resonant;
+use crate::solutions::at_velocity;
 use crate::{CheckResult, Sampler, Votes};
 
 /// Across the SN curve two MPSs on one side of μ become none, and across the PD curve a multiplier passes through −1.
@@ -18,15 +19,8 @@ pub(crate) fn crossing() -> CheckResult {
             let centre = place.on_curve(curve, VELOCITY / curve.leading.impact_velocity_slope);
             let centre = centre.ok_or("no point of the curve was found")?.unknowns;
             let equations = place.resonance.equations();
-            let neighbour = |factor: f64| {
-                let velocity = factor * centre[unknown::VELOCITY];
-                let mut start = centre;
-                start[unknown::VELOCITY] = velocity;
-                let conditions =
-                    [Condition::ImpactVelocity(velocity), Condition::Secondary(centre[unknown::SECONDARY])];
-                locate(equations, conditions, start, &mut EventTimes::default())
-            };
-            let [below, above] = [neighbour(0.9)?, neighbour(1.1)?];
+            let neighbour = |factor: f64| at_velocity(equations, &centre, factor * centre[unknown::VELOCITY]);
+            let (below, above) = neighbour(0.9).zip(neighbour(1.1)).ok_or("no MPS beside a curve")?;
             cases.see(if curve.condition == Condition::SADDLE_NODE {
                 // μ(y) has an extremum: both neighbours lie on the same side.
                 let [a, b] = [below, above].map(|point| point[unknown::PRIMARY] - centre[unknown::PRIMARY]);

@@ -6,8 +6,9 @@ use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns};
 use grazing_model::maps::discontinuity_map;
 use grazing_model::{AtRest, LinearOscillator};
+use grazing_unfold::simulation::Seen;
 
-use super::simulation::{attracts, returns};
+use crate::solutions::{attracts, followed};
 use crate::specimen::Law;
 use crate::{CheckResult, Failure, Sampler, Smallest, Votes, order, printed};
 
@@ -42,10 +43,10 @@ pub(crate) fn emanating_solutions() -> CheckResult {
     for loops in 1..=3 {
         let (equations, curve, amplitude) = branch(loops)?;
         for solution in first(&curve) {
-            let oscillator = equations.oscillator_at(&solution.unknowns);
+            let point = &solution.unknowns;
             cases.see((solution.parameters()[0] > amplitude) == (loops < 3));
-            cases.see(solution.admissible() && returns(&oscillator, solution));
-            cases.see(!solution.stable() && attracts(&oscillator, solution) == Some(false));
+            cases.see(solution.admissible() && followed(&equations, point) == Seen::Returns);
+            cases.see(!solution.stable() && attracts(&equations, point) == Some(false));
         }
     }
     Ok(cases.outcome("the first points of the branches p = 1, 2, 3 of Figure 2"))
@@ -65,7 +66,7 @@ pub(crate) fn stability_gained() -> CheckResult {
         // A point well past the event attracts in simulation, one well before it does not.
         for (index, attracting) in [(event.index + 5, true), (event.index.saturating_sub(5), false)] {
             let solution = &curve.points.get(index).ok_or("the branch ends beside the event")?.solution;
-            cases.see(attracts(&equations.oscillator_at(&solution.unknowns), solution) == Some(attracting));
+            cases.see(attracts(&equations, &solution.unknowns) == Some(attracting));
         }
         located.push(event.solution.parameters()[0]);
         if loops == 3 {

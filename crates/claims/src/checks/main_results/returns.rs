@@ -34,28 +34,3 @@ pub(crate) fn iterated<O: ImpactOscillator>(
     }
     Ok(here)
 }
-
-/// A first derivative by central differences with steps h and h/2, extrapolated: the error is of fourth order.
-pub(crate) fn derivative<const N: usize>(
-    step: f64,
-    mut value: impl FnMut(f64) -> Result<[f64; N], Failure>,
-) -> Result<[f64; N], Failure> {
-    let mut central = |h: f64| -> Result<[f64; N], Failure> {
-        let (ahead, back) = (value(h)?, value(-h)?);
-        Ok(core::array::from_fn(|i| (ahead[i] - back[i]) / (2.0 * h)))
-    };
-    let (coarse, fine) = (central(step)?, central(0.5 * step)?);
-    Ok(core::array::from_fn(|i| (4.0 * fine[i] - coarse[i]) / 3.0))
-}
-
-/// A second derivative by central differences with steps h and h/2, extrapolated: the error is of fourth order.
-pub(crate) fn second_derivative(
-    step: f64,
-    mut value: impl FnMut(f64) -> Result<f64, Failure>,
-) -> Result<f64, Failure> {
-    let middle = value(0.0)?;
-    let mut central =
-        |h: f64| -> Result<f64, Failure> { Ok((value(h)? - 2.0 * middle + value(-h)?) / (h * h)) };
-    let (coarse, fine) = (central(step)?, central(0.5 * step)?);
-    Ok((4.0 * fine - coarse) / 3.0)
-}

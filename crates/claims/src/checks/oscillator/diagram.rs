@@ -4,14 +4,14 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{CurveEnd, Route, Window};
-use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Formulation, unknown};
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::{Formulation, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::orbit::{Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::LinearOscillator;
 
-use crate::checks::main_results::simulation::attracts;
+use crate::solutions::{at_velocity, attracts};
 use crate::{CheckResult, Sampler, Votes, printed};
 
 /// Frequencies from below the lowest resonance that Figure 7 labels to above the highest.
@@ -69,26 +69,18 @@ pub(crate) fn boundaries() -> CheckResult {
                 _ => false,
             });
             // In the middle of the curve, one step of the impact velocity to either side at fixed η.
-            let middle = curve.points[curve.points.len() / 2].solution;
+            let middle = curve.points[curve.points.len() / 2].solution.unknowns;
             let equations = located.equations().with_formulation(Formulation::FixedPhase);
-            let beside = [0.98, 1.02].map(|factor| {
-                let mut start = middle.unknowns;
-                start[unknown::VELOCITY] *= factor;
-                let conditions = [
-                    Condition::ImpactVelocity(start[unknown::VELOCITY]),
-                    Condition::Secondary(start[unknown::SECONDARY]),
-                ];
-                let found = locate(&equations, conditions, start, &mut EventTimes::default());
-                found.ok().map(|point| (equations.oscillator_at(&point), equations.solution(&point).0))
-            });
-            let [Some((below, lower)), Some((above, upper))] = beside else {
-                return Err("no MPS beside the curve".into());
+            let beside = |factor: f64| {
+                let point = at_velocity(&equations, &middle, factor * middle[unknown::VELOCITY])?;
+                Some(equations.solution(&point).0)
             };
+            let (lower, upper) = beside(0.98).zip(beside(1.02)).ok_or("no MPS beside the curve")?;
             // One side is stable, the other is not; simulation agrees where the orbit is admissible.
             cases.see(lower.stable() != upper.stable());
-            for (oscillator, solution) in [(below, lower), (above, upper)] {
+            for solution in [lower, upper] {
                 if solution.admissible() {
-                    cases.see(attracts(&oscillator, &solution) == Some(solution.stable()));
+                    cases.see((attracts(&equations, &solution.unknowns) == Some(true)) == solution.stable());
                 }
             }
         }

@@ -7,10 +7,9 @@ use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, 
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{
-    ANY, EVERYWHERE, MANY, ONE, Observed, Place, Symbols, deviation, directions, order, orders, remembered,
-    scaled,
+    ANY, EVERYWHERE, MANY, ONE, Observed, Place, Symbols, deviation, directions, orders, remembered, scaled,
 };
-use crate::{CheckResult, Failure, Measure, Outcome, Sampler, smallest};
+use crate::{CheckResult, Failure, Measure, Outcome, Sampler, order, smallest};
 
 /// Ratios of y and η in which points run into the resonance.
 const RATIOS: [[f64; 2]; 4] = [[1.0, 0.0], [1.0, 0.3], [1.0, -0.3], [-1.0, 0.2]];

@@ -6,9 +6,9 @@ use grazing_model::ImpactOscillator;
 
 use super::discussion::{ROUTE, of_figure_7};
 use super::doubled::DoubledEquations;
-use super::places::{ANY, Observed, Place, lowest, order, orders, remembered};
+use super::places::{ANY, Observed, Place, lowest, orders, remembered};
 use super::simulation::next_impact;
-use crate::{CheckResult, Failure, Outcome, Votes};
+use crate::{CheckResult, Failure, Outcome, Votes, order};
 
 /// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
 fn flips(place: &Place, count: usize) -> Result<Vec<Unknowns>, Failure> {

@@ -1,10 +1,10 @@
 //! The bifurcation curves near a resonance: eq:Upsilon1, eq:Upsilonp and what follows from them.
 
 use super::places::{
-    ANY, Bifurcation, EVERYWHERE, MANY, Near, ONE, Observed, Place, agreement, deviation, order, orders,
+    ANY, Bifurcation, EVERYWHERE, MANY, Near, ONE, Observed, Place, agreement, deviation, orders,
     orders_against_print, remembered,
 };
-use crate::{CheckResult, Failure};
+use crate::{CheckResult, Failure, order};
 
 /// Rounding of located velocities, phases and positions: on the curves they come from quotients of derivatives.
 pub(super) const PHASE: f64 = 1e-13;

@@ -7,10 +7,11 @@ use grazing_theorems::grazing::VirtualMap;
 use nalgebra::Matrix2;
 
 use super::places::{
-    ANY, EVERYWHERE, MANY, Near, ONE, Observed, Offset, Place, deviation, directions, everywhere, order,
-    orders, orders_against_print, remembered, scaled,
+    ANY, EVERYWHERE, MANY, Near, ONE, Observed, Offset, Place, deviation, directions, everywhere, orders,
+    orders_against_print, remembered, scaled,
 };
-use crate::{CheckResult, Deviations, Failure};
+use crate::differences::slope;
+use crate::{CheckResult, Deviations, Failure, order};
 
 /// Rounding of the entries of D P_virt and D(P_virt ∘ R), numbers of order one.
 const VIRTUAL: f64 = 1e-15;
@@ -136,12 +137,6 @@ fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
         let leading = Matrix2::new(x, 0.0, -alpha_omega * symbols.power.m22, symbols.power.m22 * y);
         Some(pair.round_trip.derivative() * pair.impact.derivative().try_inverse()? * y - leading)
     }))
-}
-
-/// Central differences of sixth order of a function of one variable.
-pub(crate) fn slope(step: f64, f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
-    let pair = |k: f64| Some(f(k * step)? - f(-k * step)?);
-    Some((45.0 * pair(1.0)? - 9.0 * pair(2.0)? + pair(3.0)?) / (60.0 * step))
 }
 
 /// Step of differences: the error of sixth order is some 10⁻¹², and rounding of 10⁻¹⁵ is divided by the step, for second

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, LoopPair, MaximalPeriodicSolution, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::maps::{MapError, global_iterate};
@@ -15,7 +15,7 @@ use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{GrazingPoint, ResonantPoint};
 use nalgebra::{Matrix2, Vector2};
 
-use crate::convergence;
+use crate::solutions::located;
 use crate::specimen::{Grazing, Law, Specimen, damping_for_decay};
 use crate::{CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Votes};
 
@@ -140,8 +140,7 @@ impl Place {
     }
 
     fn located(&self, conditions: [Condition; 2], near: Near) -> Option<Near> {
-        let unknowns =
-            locate(self.resonance.equations(), conditions, near.unknowns, &mut EventTimes::default()).ok()?;
+        let unknowns = located(self.resonance.equations(), conditions, near.unknowns)?;
         Some(Near { unknowns, ..near })
     }
 
@@ -290,17 +289,6 @@ pub(crate) const SLACK: f64 = 0.3;
 pub(crate) fn remembered<T: Clone>(f: impl Fn(f64) -> Option<T>) -> impl Fn(f64) -> Option<T> {
     let known: RefCell<BTreeMap<u64, Option<T>>> = RefCell::default();
     move |size| known.borrow_mut().entry(size.to_bits()).or_insert_with(|| f(size)).clone()
-}
-
-/// The observed order of a remainder that exists down to the smallest size that was looked at; not a number if it does not.
-pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
-    let mut exists = false;
-    let observed = convergence::order(|size| {
-        let found = remainder(size);
-        exists = found.is_some();
-        found
-    });
-    if exists { observed } else { f64::NAN }
 }
 
 /// An observed order and the stated one.

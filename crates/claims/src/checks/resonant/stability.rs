@@ -5,10 +5,10 @@ use grazing_model::AtRest;
 use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{
-    ANY, EVERYWHERE, MANY, ONE, Observed, Offset, Place, Symbols, deviation, directions, everywhere, order,
-    orders, orders_against_print, scaled,
+    ANY, EVERYWHERE, MANY, ONE, Observed, Offset, Place, Symbols, deviation, directions, everywhere, orders,
+    orders_against_print, scaled,
 };
-use crate::{CheckResult, Failure, Votes};
+use crate::{CheckResult, Failure, Votes, order};
 
 /// Rounding of y T and y D: P_global and its derivatives are exact to some 10⁻¹⁵ times their size, and so are these.
 const ROUNDING: f64 = 1e-14;
