@@ -43,6 +43,9 @@ const ONE: &str = "resonances with p = 1, n = 1 to 4, E and ε at random";
 const MANY: &str = "resonances with p = 2 to 6, n = 1 to 4, E and ε at random";
 const MORE_LOOPS: &[u32] = &[2, 3, 4, 5, 6];
 
+/// First differences at resonances: rounding over the step.
+const SLOPES: f64 = 1e-11;
+
 /// (−1)ⁿ.
 fn parity(resonance: &Resonance) -> f64 {
     if resonance.index().is_multiple_of(2) { 1.0 } else { -1.0 }
@@ -57,7 +60,7 @@ fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
 
 /// a₁₁ = a₂₂ = (−1)ⁿ E₁ and the values of sine and cosine at resonance.
 pub(crate) fn diagonal_at_resonance() -> CheckResult {
-    at_resonances(&[1], ONE, CLOSED, |resonance| {
+    at_resonances(&[1], ONE, 1e-13, |resonance| {
         let grazing = resonance.grazing();
         let jet = global_map::<_, 1>(&grazing.model(), AtRest::new(0.0, grazing.phase()), None)?.jet;
         let stated = parity(resonance) * grazing.decay(1);
@@ -73,7 +76,7 @@ pub(crate) fn diagonal_at_resonance() -> CheckResult {
 /// s^± by the general formula at the numerical A, φ, ψ, γ and ξ_p, by the first line of the proof, which a function of E, ε and ±1 gives,
 /// and in the end.
 fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> f64) -> CheckResult {
-    at_resonances(loops, over, 1e-12, |resonance| {
+    at_resonances(loops, over, 1e-13, |resonance| {
         let grazing = resonance.grazing();
         let orbit = GrazingOrbit::find(&grazing.model(), grazing.phase())?;
         let general = orbit.resonant_point(resonance.loops())?.stability_coefficients();
@@ -154,13 +157,13 @@ checks! {
         (1.0 + side * decay) * (-epsilon * epsilon * decay - side) + alpha * alpha * decay
     });
     /// eq:xi1proof5.
-    slope_of_one_loop: at_resonances(&[1], ONE, DIFFERENCES, |resonance| {
+    slope_of_one_loop: at_resonances(&[1], ONE, SLOPES, |resonance| {
         let measured = along_grazing(resonance, |a| a.m12)?;
         let general = resonance.grazing().off_diagonal_derivative();
         Ok(vec![(measured, resonance.unfolding().derivative), (measured, general)])
     });
     /// eq:xipproof5.
-    slope_of_many_loops: at_resonances(MORE_LOOPS, MANY, DIFFERENCES, |resonance| {
+    slope_of_many_loops: at_resonances(MORE_LOOPS, MANY, SLOPES, |resonance| {
         let measured = along_grazing(resonance, detuning(resonance.loops()))?;
         Ok(vec![(measured, resonance.unfolding().derivative)])
     });

@@ -119,9 +119,8 @@ pub(crate) fn parameter_derivative() -> CheckResult {
     Ok(largest.outcome(DIFFERENCES, "entries of b of random oscillators"))
 }
 
-/// Step of the extrapolated differences: rounding 10⁻¹⁵/h, error h⁴ times fifth derivatives.
+/// Step of the differences: rounding 10⁻¹⁵/h, error h⁶ times seventh derivatives.
 const STEP: f64 = 1e-3;
 
-/// Accuracy of the extrapolated differences: at ω near 0.35 fifth derivatives are some 10⁴, so that h⁴/4 of them is 10⁻⁹
-/// and more; empirical, five times the largest that was seen.
-const DIFFERENCES: f64 = 1e-7;
+/// Accuracy of the differences: rounding; empirical, some ten times the largest that was seen.
+const DIFFERENCES: f64 = 1e-10;

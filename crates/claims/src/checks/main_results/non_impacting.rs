@@ -92,8 +92,8 @@ pub(crate) fn position_slope() -> CheckResult {
         largest.compare(measured, stated, stated.abs().max(1.0));
         largest.compare(map.fixed_point_position_slope()?, stated, stated.abs().max(1.0));
     }
-    // h⁴ = 10⁻¹² times fifth derivatives of 𝒜/𝒜_graz(ω), which has its resonance ζ wide, ζ ≥ 0.01: empirical.
-    Ok(largest.outcome(1e-6, "random oscillators with the frequency as μ"))
+    // h⁶ = 10⁻¹⁸ times seventh derivatives of 𝒜/𝒜_graz(ω), which has its resonance ζ wide, ζ ≥ 0.01: empirical.
+    Ok(largest.outcome(1e-7, "random oscillators with the frequency as μ"))
 }
 
 /// eq:beta: β is det(I − A) times dx*/dμ by Cramer's rule, and its sign is the one with which x* crosses the wall.
@@ -118,8 +118,8 @@ pub(crate) fn transversality() -> CheckResult {
         let agrees = (ahead[0] - back[0]) * orbit.grazing_point().map.transversality() > 0.0;
         largest.require(agrees && ahead[0] * back[0] < 0.0);
     }
-    // Sums of two products of numbers up to the size of A.
-    Ok(largest.outcome(1e-14, "random A and b with (τ, δ) in the trapesium; crossings of random oscillators"))
+    // The same two products.
+    Ok(largest.outcome(0.0, "random A and b with (τ, δ) in the trapesium; crossings of random oscillators"))
 }
 
 /// eq:eigs: the two numbers are the eigenvalues, a real pair in order or a conjugate pair.

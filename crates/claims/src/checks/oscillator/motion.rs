@@ -82,8 +82,8 @@ pub(crate) fn reset_law() -> CheckResult {
             };
         }
     }
-    // One product, and phases of some tens.
-    Ok(largest.outcome(1e-13, "impacts of orbits of random oscillators"))
+    // The same product, and the same phase.
+    Ok(largest.outcome(0.0, "impacts of orbits of random oscillators"))
 }
 
 /// ω₁ and −ζ ± iω₁: trace and determinant of the matrix of the free oscillator.

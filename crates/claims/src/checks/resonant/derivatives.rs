@@ -210,9 +210,6 @@ fn slope_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
     Ok(vec![(found - stated).abs() / stated.abs()])
 }
 
-/// Differences of sixth order with a step of 10⁻³: rounding 10⁻¹⁵/10⁻³, and 10⁻¹⁸ times sixth derivatives of up to 10¹⁰.
-const SLOPES: f64 = 1e-7;
-
 /// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
 pub(crate) fn power_at_resonance() -> CheckResult {
     // Roundings of up to five factors.
@@ -263,8 +260,8 @@ checks! {
     of_global_map: orders_against_print(ONE, |at| global_orders(at, Cure::Moving), |at| global_orders(at, Cure::AsPrinted));
     /// eq:DPglobalp, about z_graz,η; the print has z_graz,0.
     of_iterated_global_map: orders_against_print(MANY, |at| global_orders(at, Cure::Moving), |at| global_orders(at, Cure::AsPrinted));
-    /// f₁ = a₁₂', along the grazing curve.
-    slope_of_one_loop: deviation(ONE, SLOPES, "the grazing curve around resonances with p = 1", slope_gaps);
-    /// eq:fp, from f_p = a₁₂ ∂S_p/∂η.
-    slope_of_many_loops: deviation(MANY, SLOPES, "the grazing curve around resonances with p = 2 to 5", slope_gaps);
+    /// f₁ = a₁₂', along the grazing curve: rounding 10⁻¹⁵ over the step of 10⁻³.
+    slope_of_one_loop: deviation(ONE, 1e-10, "the grazing curve around resonances with p = 1", slope_gaps);
+    /// eq:fp, from f_p = a₁₂ ∂S_p/∂η: 10⁻¹⁸ times seventh derivatives of up to 10¹⁰.
+    slope_of_many_loops: deviation(MANY, 1e-7, "the grazing curve around resonances with p = 2 to 5", slope_gaps);
 }
