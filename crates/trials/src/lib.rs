@@ -1,6 +1,5 @@
 //! Long trials of the program at random parameters, against solutions that share nothing with it.
 
-pub mod closed_form;
 pub mod continued;
 pub mod errors;
 pub mod nonlinear;
