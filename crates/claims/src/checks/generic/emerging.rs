@@ -45,7 +45,7 @@ fn smallest_order(
 /// y and z of the zero of V change with μ as they do to first order.
 fn zero_order(loops: core::ops::RangeInclusive<u32>, component: usize) -> CheckResult {
     smallest_order(loops, 2.0, |grazing, emerging, mu| {
-        let zero = zero(grazing, emerging.loops(), mu)?;
+        let zero = zero(grazing, emerging.loops, mu)?;
         let first_order = [
             zero[0] - emerging.impact_velocity_slope * mu,
             zero[1] - grazing.phase() - emerging.impact_phase_slope * mu,
@@ -68,14 +68,14 @@ fn ends(grazing: &Grazing, p: u32, mu: f64) -> Option<[Vector2<f64>; 2]> {
 fn position_order(index: usize, map: fn(&GrazingPoint) -> VirtualMap) -> CheckResult {
     smallest_order(1..=4, 3.0, |grazing, emerging, mu| {
         let leading = map(&grazing.grazing_point()).apply(emerging.impact_velocity_slope * mu, 0.0);
-        Some(ends(grazing, emerging.loops(), mu)?[index][0] - leading[0])
+        Some(ends(grazing, emerging.loops, mu)?[index][0] - leading[0])
     })
 }
 
 /// A phase changes with μ as that of the first or the last visit.
 fn end_phase_order(index: usize) -> CheckResult {
     smallest_order(1..=4, 2.0, |grazing, emerging, mu| {
-        let p = emerging.loops();
+        let p = emerging.loops;
         let slope = emerging.visit_slope([0, p][index]).y;
         Some(ends(grazing, p, mu)?[index][1] - grazing.phase() - slope * mu)
     })
