@@ -5,6 +5,7 @@ use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns
 use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_unfold::simulation::{Seen, Suspect};
+use nalgebra::Vector2;
 
 /// The equations of p-loop MPSs.
 pub(crate) fn equations<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, p: u32) -> LoopEquations<O> {
@@ -15,6 +16,14 @@ pub(crate) fn equations<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, p: u32) 
 pub(crate) fn unknowns<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, [y, dz, dmu]: [f64; 3]) -> Unknowns {
     let [primary, secondary] = grazing.oscillator().parameters();
     Unknowns::new(y, grazing.phase() + dz, primary + dmu, secondary)
+}
+
+/// V at a point.
+pub(crate) fn vivid<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    point: &Unknowns,
+) -> Option<Vector2<f64>> {
+    Some(equations.pair::<1>(point, &mut EventTimes::default()).ok()?.difference().0)
 }
 
 /// The MPS that meets two conditions, by Newton's method from a start.

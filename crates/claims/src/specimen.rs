@@ -185,20 +185,10 @@ impl Law {
         Ok(GrazingOrbit::at(specimen, phase)?)
     }
 
-    /// The oscillator at the resonance that the one (p, n) of the linear oscillator becomes, with ω₁/ω = n − 1/(2p) instead of
-    /// n + 1/(2p) where it is `negative`.
-    pub(crate) fn resonance(
-        self,
-        loops: u32,
-        index: u32,
-        negative: bool,
-    ) -> Result<LocatedResonance<Specimen>, Failure> {
+    /// The oscillator at the resonance that the one (p, n) of the linear oscillator becomes.
+    pub(crate) fn resonance(self, loops: u32, index: u32) -> Result<LocatedResonance<Specimen>, Failure> {
         let theory = grazing_theorems::LinearOscillator::new(self.damping, 1.0)?;
-        let frequency = if negative {
-            theory.virtual_resonance_frequency(loops, index)?
-        } else {
-            theory.resonance(loops, index)?.forcing_frequency()
-        };
+        let frequency = theory.resonance(loops, index)?.forcing_frequency();
         let start = Self { damping_slope: 0.0, stiffening: 0.0, frequency_first: false, ..self };
         let mut orbit = start.grazing(frequency)?;
         let mut parameters = orbit.oscillator().parameters();
@@ -373,7 +363,7 @@ mod tests {
     #[test]
     fn a_nonlinear_specimen_has_none_of_the_accidents_of_the_linear_one() {
         let law = Law::nonlinear(damping_for_decay(1, 1, 0.5));
-        let grazing = law.resonance(1, 1, false).unwrap().resonant_point().grazing;
+        let grazing = law.resonance(1, 1).unwrap().resonant_point().grazing;
         let (a, omega) = (grazing.map.a, grazing.forcing_frequency);
         assert!(a.m12.abs() < 1e-10 && (a.m11 - a.m22).abs() > 0.2, "{a}");
         assert!((grazing.gamma / (omega * omega) - 1.0).abs() > 0.02);

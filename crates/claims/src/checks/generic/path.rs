@@ -7,9 +7,9 @@ use grazing_theorems::auxiliary::{
     admissibility_sum, lucas_partial_sum, lucas_sequence, scaled_visit_position,
 };
 use grazing_theorems::{GrazingPoint, LinearisedMap};
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::Vector2;
 
-use super::specimens::{sampled_map, specimens};
+use super::specimens::{sampled_map, specimens_with};
 use super::vivid::{derivatives, scale};
 use crate::eigenvalues::Pair;
 use crate::solutions::{equations, zero};
@@ -22,9 +22,8 @@ const ROUNDING: f64 = 1e-14;
 /// d(x⁽ʲ⁾, z⁽ʲ⁾)/dμ at grazing, j = 0, …, p, by implicit differentiation of the zero of V and the chain rule through the maps
 /// of the oscillator.
 fn slopes_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, Failure> {
-    let [by_velocity, by_phase, by_parameter] = derivatives(grazing, p)?;
-    let jacobian = Matrix2::from_columns(&[by_velocity, by_phase]);
-    let impact = -jacobian.lu().solve(&by_parameter).ok_or("det J = 0")?;
+    let vivid = derivatives(grazing, p)?;
+    let impact = -vivid.by_impact.lu().solve(&vivid.by_parameter).ok_or("det J = 0")?;
     let oscillator = grazing.oscillator();
     let reset = oscillator.reset::<1>(OnWall::new(0.0, grazing.phase()));
     let recoil = virtual_map::<_, 1>(oscillator, reset.image(), None)?.jet;
@@ -51,15 +50,13 @@ fn over_oscillators(
     deviation: impl Fn(&GrazingPoint, u32, &[Vector2<f64>]) -> f64,
 ) -> CheckResult {
     let mut deviations = Deviations::default();
-    for grazing in specimens()? {
+    for (grazing, p) in specimens_with(1..=6)? {
         let point = grazing.grazing_point();
-        for p in 1..=6 {
-            let (s, beta) = scaling(&point, p);
-            let path: Vec<_> =
-                slopes_of_visits(&grazing, p)?.into_iter().map(|slope| slope * (s / beta)).collect();
-            let size = path.iter().map(Vector2::amax).fold(1.0, f64::max);
-            deviations.see(deviation(&point, p, &path) / size);
-        }
+        let (s, beta) = scaling(&point, p);
+        let path: Vec<_> =
+            slopes_of_visits(&grazing, p)?.into_iter().map(|slope| slope * (s / beta)).collect();
+        let size = path.iter().map(Vector2::amax).fold(1.0, f64::max);
+        deviations.see(deviation(&point, p, &path) / size);
     }
     Ok(deviations.outcome(tolerance, "twelve oscillators, p = 1 to 6, derivatives by the chain rule"))
 }
@@ -70,21 +67,17 @@ const DERIVATIVES: f64 = 1e-12;
 /// eq:ujwj: the scaled derivatives of the visits of oscillators against central differences of their positions.
 pub(crate) fn scaled_slopes() -> CheckResult {
     let mut deviations = Deviations::default();
-    for grazing in specimens()? {
-        for p in 1..=3 {
-            let slopes = slopes_of_visits(&grazing, p)?;
-            let h = 1e-4 * scale(&grazing, p).ok_or("no emerging orbit")?;
-            let visits = |mu: f64| {
-                let point = zero(&grazing, p, mu)?;
-                equations(&grazing, p).visits(&point, &EventTimes::default()).ok()
-            };
-            let stated = grazing.grazing_point().emerging_orbit(p)?;
-            for (j, slope) in (0..=p).zip(&slopes) {
-                deviations.see((stated.visit_slope(j) - slope).amax() / (1.0 + slope.amax()));
-            }
-            let (ahead, behind) = (visits(h).ok_or("no zero of V")?, visits(-h).ok_or("no zero of V")?);
-            for (j, slope) in slopes.iter().enumerate().skip(1) {
-                let difference = (ahead[j - 1] - behind[j - 1]) / (2.0 * h);
+    for (grazing, p) in specimens_with(1..=3)? {
+        let equations = equations(&grazing, p);
+        let h = 1e-4 * scale(&grazing, p).ok_or("no emerging orbit")?;
+        let visits = |mu: f64| equations.visits(&zero(&grazing, p, mu)?, &EventTimes::default()).ok();
+        let (ahead, behind) = visits(h).zip(visits(-h)).ok_or("no zero of V")?;
+        let stated = grazing.grazing_point().emerging_orbit(p)?;
+        for (j, slope) in (0..=p).zip(slopes_of_visits(&grazing, p)?) {
+            deviations.see((stated.visit_slope(j) - slope).amax() / (1.0 + slope.amax()));
+            // The visits begin with the first return.
+            if let Some(k) = (j as usize).checked_sub(1) {
+                let difference = (ahead[k] - behind[k]) / (2.0 * h);
                 deviations.see((difference - slope).amax() / (1.0 + slope.amax()));
             }
         }

@@ -127,7 +127,7 @@ fn cross_each_other([a, b]: [Vector2<f64>; 2], [c, d]: [Vector2<f64>; 2]) -> boo
 /// vertices in order, if T_n > 0 and H_n > 0 for n = 2, …, p, and then u⁽ʲ⁾ < 0 for 0 < j < p.
 pub(crate) fn convex() -> CheckResult {
     search(
-        2,
+        2..=15,
         "h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p",
         "T_n, r^(n−2) H_n and −r^(1−j) u⁽ʲ⁾, n ≤ p, j < p",
         |p, point| {

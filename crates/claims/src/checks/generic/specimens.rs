@@ -1,5 +1,7 @@
 //! What section 4 is measured on: oscillators at grazing, and first-order data without an oscillator behind them.
 
+use core::ops::RangeInclusive;
+
 use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
 
@@ -26,6 +28,12 @@ pub(crate) fn specimens() -> Result<Vec<Grazing>, Failure> {
         (Law::nonlinear(0.15).frequency_first(), 1.25),
     ];
     all.into_iter().map(|(law, frequency)| law.grazing(frequency)).collect()
+}
+
+/// The specimens, each with all of these numbers of loops.
+pub(crate) fn specimens_with(loops: RangeInclusive<u32>) -> Result<Vec<(Grazing, u32)>, Failure> {
+    let with = |grazing: Grazing| loops.clone().map(move |p| (grazing.clone(), p));
+    Ok(specimens()?.into_iter().flat_map(with).collect())
 }
 
 /// Specimens with Ψ so large that α < 0.

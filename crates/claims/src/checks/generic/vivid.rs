@@ -3,16 +3,18 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::mps::{EventTimes, Unknowns};
-use grazing_model::maps::{discontinuity_map, global_iterate, global_map, virtual_map};
+use grazing_model::maps::{MapError, discontinuity_map, global_iterate, global_map, virtual_map};
 use grazing_model::motion::local_maxima;
 use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
 use grazing_theorems::GenericGrazing;
+use grazing_theorems::grazing::VividLinearisation;
 use grazing_unfold::simulation::Seen;
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::Vector2;
 
 use super::maps::{impact_and_recoil, integrated, virtual_point};
-use super::specimens::{delayed, directions, specimens, uniform_order};
-use crate::solutions::{equations, followed, unknowns, zero};
+use super::specimens::{delayed, directions, specimens, specimens_with, uniform_order};
+use crate::differences::slope;
+use crate::solutions::{equations, followed, unknowns, vivid, zero};
 use crate::specimen::Grazing;
 use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes};
 
@@ -117,7 +119,7 @@ pub(crate) fn composition() -> CheckResult {
             let point = unknowns(&grazing, distance);
             let equations = equations(&grazing, p);
             let oscillator = equations.oscillator_at(&point);
-            let (vivid, _) = equations.pair::<1>(&point, &mut EventTimes::default())?.difference();
+            let vivid = vivid(&equations, &point).ok_or("V is not defined near grazing")?;
             let mut ends = Vec::new();
             for from in impact_and_recoil(&oscillator, point[0], point[1]) {
                 let [y, z] = from.coordinates().into();
@@ -143,20 +145,18 @@ pub(crate) fn composition() -> CheckResult {
 /// V is twice differentiable across y = 0.
 pub(crate) fn smooth_across_tangency() -> CheckResult {
     let mut orders = Smallest::default();
-    for grazing in specimens()? {
-        for p in 1..=3 {
-            let equations = equations(&grazing, p);
-            let second = |y: f64| {
-                let point = unknowns(&grazing, [y, 0.0, 0.0]);
-                let pair = equations.pair::<2>(&point, &mut EventTimes::default()).ok()?;
-                Some([0, 1].map(|i| pair.round_trip.hessians[i] - pair.impact.hessians[i]))
-            };
-            orders.see(uniform_order(&[[0.0], [1.0]], |[component], h| {
-                let i = component as usize;
-                // Second derivatives up to some hundreds.
-                Some(((second(h)?[i] - second(-h)?[i]).norm(), 1e-12))
-            }));
-        }
+    for (grazing, p) in specimens_with(1..=3)? {
+        let equations = equations(&grazing, p);
+        let second = |y: f64| {
+            let point = unknowns(&grazing, [y, 0.0, 0.0]);
+            let pair = equations.pair::<2>(&point, &mut EventTimes::default()).ok()?;
+            Some([0, 1].map(|i| pair.round_trip.hessians[i] - pair.impact.hessians[i]))
+        };
+        orders.see(uniform_order(&[[0.0], [1.0]], |[component], h| {
+            let i = component as usize;
+            // Second derivatives up to some hundreds.
+            Some(((second(h)?[i] - second(-h)?[i]).norm(), 1e-12))
+        }));
     }
     // The next term is of relative size h² < 10⁻³.
     Ok(orders.order(1.0, 0.1, "twelve oscillators, p = 1 to 3"))
@@ -165,75 +165,62 @@ pub(crate) fn smooth_across_tangency() -> CheckResult {
 /// V(0, z_graz; 0) = 0.
 pub(crate) fn vanishes_at_grazing() -> CheckResult {
     let mut deviations = Deviations::default();
-    for grazing in specimens()? {
-        for p in 1..=6 {
-            let point = unknowns(&grazing, [0.0; 3]);
-            let pair = equations(&grazing, p).pair::<1>(&point, &mut EventTimes::default())?;
-            deviations.see(pair.difference().0.amax());
-        }
+    for (grazing, p) in specimens_with(1..=6)? {
+        let value = vivid(&equations(&grazing, p), &unknowns(&grazing, [0.0; 3]));
+        deviations.see(value.ok_or("V is not defined at grazing")?.amax());
     }
     // Six returns with the rounding of a phase each.
     Ok(deviations.outcome(1e-13, "twelve oscillators, p = 1 to 6"))
 }
 
 /// The derivatives of V at grazing in (y, z, μ), from the derivatives of the maps.
-pub(super) fn derivatives(
-    grazing: &Grazing,
-    p: u32,
-) -> Result<[Vector2<f64>; 3], grazing_model::maps::MapError> {
+pub(super) fn derivatives(grazing: &Grazing, p: u32) -> Result<VividLinearisation, MapError> {
     let point = unknowns(grazing, [0.0; 3]);
     let (_, derivative) = equations(grazing, p).pair::<1>(&point, &mut EventTimes::default())?.difference();
-    Ok([0, 1, 2].map(|column| derivative.column(column).into_owned()))
+    Ok(VividLinearisation {
+        by_impact: derivative.fixed_columns::<2>(0).into_owned(),
+        by_parameter: derivative.column(2).into_owned(),
+    })
 }
 
 /// eq:Jac1Jac2: the derivatives of which J and K are made against differences of V.
 pub(crate) fn jacobians() -> CheckResult {
-    const STEP: f64 = 1e-5;
     let mut deviations = Deviations::default();
-    for grazing in specimens()? {
-        for p in 1..=4 {
-            let exact = derivatives(&grazing, p)?;
-            let stated = grazing.grazing_point().vivid_linearisation(p);
-            let by_impact = Matrix2::from_columns(&[exact[0], exact[1]]);
-            let gap = (stated.by_impact - by_impact).amax().max((stated.by_parameter - exact[2]).amax());
-            deviations.see(gap / (1.0 + by_impact.amax() + exact[2].amax()));
-            let equations = equations(&grazing, p);
-            for (axis, expected) in exact.iter().enumerate() {
-                let vivid = |sign: f64| {
-                    let mut step = [0.0; 3];
-                    step[axis] = sign * STEP;
-                    let point = unknowns(&grazing, step);
-                    Ok::<_, grazing_model::maps::MapError>(
-                        equations.pair::<1>(&point, &mut EventTimes::default())?.difference().0,
-                    )
-                };
-                let slope = (vivid(1.0)? - vivid(-1.0)?) / (2.0 * STEP);
-                deviations.see((slope - expected).amax() / (1.0 + expected.amax()));
-            }
+    for (grazing, p) in specimens_with(1..=4)? {
+        let stated = grazing.grazing_point().vivid_linearisation(p);
+        let VividLinearisation { by_impact, by_parameter } = derivatives(&grazing, p)?;
+        let gap = (stated.by_impact - by_impact).amax().max((stated.by_parameter - by_parameter).amax());
+        deviations.see(gap / (1.0 + by_impact.amax() + by_parameter.amax()));
+        let equations = equations(&grazing, p);
+        let columns = [by_impact.column(0).into_owned(), by_impact.column(1).into_owned(), by_parameter];
+        for (axis, expected) in columns.into_iter().enumerate() {
+            let slope = slope(1e-3, |h| {
+                let mut step = [0.0; 3];
+                step[axis] = h;
+                vivid(&equations, &unknowns(&grazing, step))
+            });
+            let slope = slope.ok_or("V is not defined near grazing")?;
+            deviations.see((slope - expected).amax() / (1.0 + expected.amax()));
         }
     }
-    // Third derivatives up to some hundreds times the step squared, and rounding over the step.
-    Ok(deviations.outcome(1e-7, "three derivatives at grazing of twelve oscillators, p = 1 to 4"))
+    // Rounding over the step, and derivatives of seventh order times its sixth power.
+    Ok(deviations.outcome(1e-9, "three derivatives at grazing of twelve oscillators, p = 1 to 4"))
 }
 
 /// Expansions of V, a component each.
 fn expansion(seed: u64, component: usize) -> CheckResult {
     let mut sampler = Sampler::new(seed);
     let mut orders = Smallest::default();
-    for grazing in specimens()? {
-        let data = grazing.grazing_point();
-        for p in 1..=4 {
-            let stated = data.vivid_linearisation(p);
-            let equations = equations(&grazing, p);
-            orders.see(uniform_order(&directions::<3>(&mut sampler, 4), |[dy, dz, dmu], h| {
-                let point = unknowns(&grazing, [h * dy, h * dz, h * dmu]);
-                let (vivid, _) = equations.pair::<1>(&point, &mut EventTimes::default()).ok()?.difference();
-                let linear =
-                    stated.by_impact * Vector2::new(h * dy, h * dz) + stated.by_parameter * (h * dmu);
-                // A phase's rounding for each return.
-                Some((vivid[component] - linear[component], 2e-15 * f64::from(p + 1)))
-            }));
-        }
+    for (grazing, p) in specimens_with(1..=4)? {
+        let stated = grazing.grazing_point().vivid_linearisation(p);
+        let equations = equations(&grazing, p);
+        orders.see(uniform_order(&directions::<3>(&mut sampler, 4), |direction, h| {
+            let [dy, dz, dmu] = direction.map(|share| share * h);
+            let vivid = vivid(&equations, &unknowns(&grazing, [dy, dz, dmu]))?;
+            let linear = stated.by_impact * Vector2::new(dy, dz) + stated.by_parameter * dmu;
+            // A phase's rounding for each return.
+            Some((vivid[component] - linear[component], 2e-15 * f64::from(p + 1)))
+        }));
     }
     // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
     Ok(orders.order(2.0, 0.1, "twelve oscillators, p = 1 to 4, seven directions in (y, z, μ) at once"))

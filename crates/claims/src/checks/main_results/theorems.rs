@@ -217,7 +217,7 @@ fn resonant_votes(wanted: impl Fn(u32) -> bool, others: &[(u32, u32)]) -> Result
     cases.retain(|case| wanted(case.loops));
     resonant_rows(&cases, || ())?.iter().for_each(|row| judged(&mut count, row.verdict));
     for &(p, n) in others {
-        let located = Law::nonlinear(damping_for_decay(p, n, 0.5)).resonance(p, n, false)?;
+        let located = Law::nonlinear(damping_for_decay(p, n, 0.5)).resonance(p, n)?;
         count.see(holds(located.orbit(), p, located.checked()?.theorem())?);
     }
     Ok(count)

@@ -9,7 +9,8 @@ use nalgebra::{Matrix2, Vector2};
 use super::places::{
     ANY, EVERYWHERE, MANY, ONE, Observed, Place, Symbols, deviation, directions, orders, remembered, scaled,
 };
-use crate::{CheckResult, Failure, Measure, Outcome, Sampler, order, smallest};
+use crate::checks::appendices::signs::{determinant, search};
+use crate::{CheckResult, Failure, Sampler, order};
 
 /// Ratios of y and η in which points run into the resonance.
 const RATIOS: [[f64; 2]; 4] = [[1.0, 0.0], [1.0, 0.3], [1.0, -0.3], [-1.0, 0.2]];
@@ -40,21 +41,10 @@ pub(crate) fn jacobians() -> CheckResult {
 
 /// det K/β > 0 at resonance, so that K is non-singular: adversarial search over δ and p.
 pub(crate) fn second_jacobian_is_regular() -> CheckResult {
-    let mut found = f64::INFINITY;
-    let loops = 2..=12_u32;
-    for p in loops.clone() {
-        let scaled = |[share]: [f64; 1]| {
-            // δ from 10⁻⁶ to 1 − 10⁻⁶.
-            let delta = 1e-6 + share * (1.0 - 2e-6);
-            geometric_sum_determinant(p, resonance_boundary(f64::from(p), delta), delta)
-        };
-        found = found.min(smallest(u64::from(p), 20, scaled).0);
-    }
-    Ok(Outcome::new(
-        Measure::Margin { smallest: found },
-        20 * loops.count(),
-        "searches over δ in (0, 1), p = 2 to 12",
-    ))
+    search(2..=15, "the determinant at τ = g_p", "det K / β", |p, [x, _]| {
+        let delta = determinant(x);
+        geometric_sum_determinant(p, resonance_boundary(f64::from(p), delta), delta)
+    })
 }
 
 /// Z(0, η) = z_graz,η and M(0, η) = 0.

@@ -55,7 +55,7 @@ pub(crate) struct Symbols {
 impl Place {
     /// The resonance of an oscillator with this law that the one (p, n) of the linear oscillator becomes.
     pub(crate) fn find(law: Law, loops: u32, index: u32) -> Result<Self, Failure> {
-        Ok(Self { resonance: law.resonance(loops, index, false)?.checked()? })
+        Ok(Self { resonance: law.resonance(loops, index)?.checked()? })
     }
 
     pub(crate) fn loops(&self) -> u32 {

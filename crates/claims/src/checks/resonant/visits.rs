@@ -9,7 +9,8 @@ use nalgebra::Vector2;
 
 use super::curves::{PHASE, all_along_curves, along_curves, eta_at};
 use super::places::{Bifurcation, EVERYWHERE, MANY, Near, Place, agreement, orders};
-use crate::{CheckResult, Failure, Measure, Outcome, smallest};
+use crate::checks::appendices::signs::{determinant, loop_index, search};
+use crate::{CheckResult, Failure};
 
 /// eq:admp7.
 pub(crate) fn phase() -> CheckResult {
@@ -129,22 +130,9 @@ pub(crate) fn signs_of_visits() -> CheckResult {
 
 /// S_j > 0 for 0 < j < p at resonance, in units of δ^{(j−1)/2}: adversarial search over δ, p and j.
 pub(crate) fn sums_are_positive() -> CheckResult {
-    let mut found = f64::INFINITY;
-    let mut searches = 0;
-    for p in 2..=12_u32 {
-        for j in 1..p {
-            let scaled = |[share]: [f64; 1]| {
-                let delta = 1e-6 + share * (1.0 - 2e-6);
-                let sum = lucas_sequence(j, resonance_boundary(f64::from(p), delta), delta);
-                sum / libm::pow(delta, 0.5 * f64::from(j - 1))
-            };
-            found = found.min(smallest(u64::from(100 * p + j), 5, scaled).0);
-            searches += 5;
-        }
-    }
-    Ok(Outcome::new(
-        Measure::Margin { smallest: found },
-        searches,
-        "searches over δ in (0, 1), 0 < j < p ≤ 12",
-    ))
+    search(2..=15, "the determinant and 0 < j < p at τ = g_p", "S_j / r^(j−1)", |p, [x, y]| {
+        let (delta, j) = (determinant(x), loop_index(y, p));
+        let sum = lucas_sequence(j as u32, resonance_boundary(f64::from(p), delta), delta);
+        sum / libm::pow(delta, 0.5 * (j - 1.0))
+    })
 }
