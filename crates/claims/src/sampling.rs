@@ -1,7 +1,9 @@
 //! Seeded samples of domains, and adversarial search for the smallest value of a function.
 
+use core::f64::consts::TAU;
 use core::ops::RangeInclusive;
 
+use grazing_model::State;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
@@ -28,6 +30,15 @@ impl Sampler {
     pub(crate) fn one_of<T: Copy>(&mut self, items: &[T]) -> T {
         let index = (self.between(0.0, 1.0) * items.len() as f64) as usize;
         items[index.min(items.len() - 1)]
+    }
+
+    /// A state on the free side of the wall, without pattern.
+    pub(crate) fn state(&mut self) -> State {
+        State {
+            position: self.between(-2.0, 0.0),
+            velocity: self.between(-1.0, 1.0),
+            phase: self.between(0.0, TAU),
+        }
     }
 
     /// A pair (τ, δ) in the trapesium of eq:cT, up to a relative distance 10⁻⁶ from its slanted sides.

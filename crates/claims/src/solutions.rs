@@ -1,8 +1,11 @@
 //! MPSs of any oscillator near grazing: zeros of the VIVID function, and what the hybrid system does there.
 
+use grazing_continuation::arclength::Stall;
+use grazing_continuation::curve::{Curve, MpsCurve, Route};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_model::ImpactOscillator;
+use grazing_model::maps::MapError;
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_unfold::simulation::{Seen, Suspect};
 use nalgebra::Vector2;
@@ -16,6 +19,20 @@ pub(crate) fn equations<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, p: u32) 
 pub(crate) fn unknowns<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, [y, dz, dmu]: [f64; 3]) -> Unknowns {
     let [primary, secondary] = grazing.oscillator().parameters();
     Unknowns::new(y, grazing.phase() + dz, primary + dmu, secondary)
+}
+
+/// The branch of p-loop MPSs with y > 0 that leaves the grazing point at which an oscillator is.
+pub(crate) fn branch<O: ImpactOscillator>(
+    oscillator: &O,
+    phase: f64,
+    p: u32,
+    route: &Route,
+) -> Result<Curve, Stall<MapError>> {
+    let [primary, secondary] = oscillator.parameters();
+    let equations = LoopEquations::new(oscillator.clone(), p, Formulation::Vivid);
+    let curve = MpsCurve { equations, condition: Condition::Secondary(secondary) };
+    let start = Unknowns::new(0.0, phase, primary, secondary);
+    curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), route)
 }
 
 /// V at a point.

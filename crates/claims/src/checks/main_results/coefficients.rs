@@ -7,7 +7,6 @@ use grazing_continuation::locate::Condition;
 use grazing_theorems::LinearisedMap;
 
 use crate::checks::resonant::places::{Bifurcation, Place};
-use crate::differences::slope;
 use crate::specimen::Law;
 use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, order};
 
@@ -84,12 +83,10 @@ pub(crate) fn unfolding_derivatives() -> CheckResult {
     for _ in 0..30 {
         let place = resonant(&mut sampler, &[1, 2, 3, 4])?;
         let loops = place.loops();
-        let measured = slope(1e-4, |h| {
-            let LinearisedMap { a, .. } = place.grazing(h)?.grazing_point().map;
+        let measured = place.along_grazing(1e-4, |LinearisedMap { a, .. }| {
             let cosine = libm::cos(PI / f64::from(loops));
-            Some(if loops == 1 { a.m12 } else { a.trace() - 2.0 * a.determinant().sqrt() * cosine })
-        })
-        .ok_or("no grazing orbit beside a resonance")?;
+            if loops == 1 { a.m12 } else { a.trace() - 2.0 * a.determinant().sqrt() * cosine }
+        })?;
         let stated = place.point().unfolding.derivative;
         largest.compare(measured, stated, stated.abs().max(1.0));
     }

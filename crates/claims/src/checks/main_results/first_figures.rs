@@ -1,24 +1,22 @@
 //! Section 1: what the text says about Figure 2 and about the Jacobian near grazing.
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
+use grazing_continuation::curve::{Curve, Route, Window};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns};
+use grazing_continuation::mps::{LoopEquations, MaximalPeriodicSolution};
+use grazing_model::AtRest;
 use grazing_model::maps::discontinuity_map;
-use grazing_model::{AtRest, LinearOscillator};
 use grazing_unfold::simulation::Seen;
 
-use crate::solutions::{attracts, followed};
-use crate::specimen::Law;
+use crate::solutions::{self, attracts, equations, followed};
+use crate::specimen::{Law, Specimen};
 use crate::{CheckResult, Failure, Sampler, Smallest, Votes, order, printed};
 
 /// The branch of p-loop MPSs that leaves the grazing bifurcation of Figure 2, with its equations and 𝒜_graz.
-fn branch(loops: u32) -> Result<(LoopEquations<LinearOscillator>, Curve, f64), Failure> {
-    let (zeta, epsilon, omega) = (printed("zeta"), printed("epsilon"), printed("fig02_frequency"));
-    let grazing = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
-    let equations = LoopEquations::new(grazing.model(), loops, Formulation::Vivid);
-    let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
-    let amplitude = grazing.amplitude();
+fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> {
+    let omega = printed("fig02_frequency");
+    let grazing = Law::linear(printed("zeta"), printed("epsilon")).grazing(omega)?;
+    let amplitude = grazing.primary();
     let route = Route {
         // A quarter to either side holds all that Figure 2 shows.
         window: Window { primary: [0.75 * amplitude, 1.25 * amplitude], secondary: [0.0, 2.0 * omega] },
@@ -26,9 +24,8 @@ fn branch(loops: u32) -> Result<(LoopEquations<LinearOscillator>, Curve, f64), F
         step_limit: 5_000,
         stop_at_events: false,
     };
-    let start = Unknowns::new(0.0, grazing.phase(), amplitude, omega);
-    let curve = curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), &route)?;
-    Ok((equations, curve, amplitude))
+    let curve = solutions::branch(grazing.oscillator(), grazing.phase(), loops, &route)?;
+    Ok((equations(&grazing, loops), curve, amplitude))
 }
 
 /// The first points of a branch beyond the grazing bifurcation.

@@ -3,10 +3,10 @@
 use grazing_model::maps::global_map;
 use grazing_model::orbit::{Orbit, OrbitEnd};
 use grazing_model::{AtRest, ImpactOscillator, State};
-use grazing_theorems::LinearisedMap;
 use grazing_theorems::spectrum::{Eigenvalues, in_trapesium};
 use nalgebra::{Matrix2, Vector2};
 
+use crate::checks::generic::specimens::{map_with, sampled_map};
 use crate::differences::slope;
 use crate::specimen::{Grazing, Law, frequency_first};
 use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes, order};
@@ -101,15 +101,10 @@ pub(crate) fn transversality() -> CheckResult {
     let mut sampler = Sampler::new(24);
     let mut largest = Deviations::default();
     for _ in 0..500 {
-        let (tau, delta) = sampler.trapesium();
-        let a11 = sampler.between(-1.5, 1.5);
-        let a12 = sampler.between(0.2, 2.0);
-        let a22 = tau - a11;
-        let a = Matrix2::new(a11, a12, (a11 * a22 - delta) / a12, a22);
-        let b = Vector2::new(sampler.between(-1.0, 1.0), sampler.between(-1.0, 1.0));
-        let map = LinearisedMap { a, b };
+        let map = sampled_map(&mut sampler);
+        let (a, b) = (map.a, map.b);
         // Cramer: the first column of I − A replaced by b.
-        let replaced = Matrix2::new(b[0], -a12, b[1], 1.0 - a22);
+        let replaced = Matrix2::new(b.x, -a.m12, b.y, 1.0 - a.m22);
         largest.compare(map.transversality(), replaced.determinant(), a.amax().max(1.0));
     }
     for _ in 0..100 {
@@ -163,18 +158,14 @@ pub(crate) fn trapesium() -> CheckResult {
     let mut sampler = Sampler::new(26);
     let mut cases = Votes::default();
     for k in 0..2000 {
-        let delta = sampler.between(1e-3, 1.5);
-        let mut tau = sampler.between(-3.0, 3.0);
-        let mut delta = delta;
+        let (mut delta, mut tau) = (sampler.between(1e-3, 1.5), sampler.between(-3.0, 3.0));
         // Every third matrix lies within 10⁻⁶ of one of the three sides on which stability is lost.
         match k % 6 {
             0 => tau = sampler.one_of(&[1.0, -1.0]) * (delta + 1.0) + sampler.between(-1e-6, 1e-6),
             1 => delta = 1.0 + sampler.between(-1e-6, 1e-6),
             _ => {}
         }
-        let a11 = sampler.between(-1.5, 1.5);
-        let a12 = sampler.between(0.2, 2.0);
-        let mut power = Matrix2::new(a11, a12, (a11 * (tau - a11) - delta) / a12, tau - a11);
+        let mut power = map_with(&mut sampler, tau, delta).a;
         // A to the power 2⁴⁰, with its size kept apart: log|Aᴺ| = log of the size.
         let mut log_size = 0.0;
         for _ in 0..40 {

@@ -9,15 +9,6 @@ use grazing_model::{ImpactOscillator, OnWall, State};
 use crate::specimen::Law;
 use crate::{CheckResult, Deviations, Measure, Outcome, Sampler, Smallest, Votes, order, smallest};
 
-/// A state on the free side of the wall, without pattern.
-fn state(sampler: &mut Sampler) -> State {
-    State {
-        position: sampler.between(-1.5, 0.0),
-        velocity: sampler.between(-1.0, 1.0),
-        phase: sampler.between(0.0, TAU),
-    }
-}
-
 /// eq:F: the acceleration against second differences of the position along the flow.
 pub(crate) fn equation_of_motion() -> CheckResult {
     let mut sampler = Sampler::new(1);
@@ -25,7 +16,7 @@ pub(crate) fn equation_of_motion() -> CheckResult {
     for _ in 0..60 {
         let orbit = Law::random_grazing(&mut sampler)?;
         let oscillator = orbit.oscillator();
-        let from = state(&mut sampler);
+        let from = sampler.state();
         let force = oscillator.acceleration(from);
         let x = |time: f64| oscillator.flow::<1>(from, time).value[0];
         least.see_resolved(order(|h| {
@@ -45,7 +36,7 @@ pub(crate) fn vector_field() -> CheckResult {
     for _ in 0..60 {
         let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
         let oscillator = orbit.oscillator();
-        let from = state(&mut sampler);
+        let from = sampler.state();
         let field = [from.velocity, oscillator.acceleration(from), oscillator.forcing_frequency().value];
         let motion = oscillator.motion(from);
         for (i, component) in field.into_iter().enumerate() {

@@ -1,9 +1,7 @@
 //! Section 3.3: parameter values associated with grazing.
 
-use core::f64::consts::TAU;
-
 use grazing_model::maps::global_map;
-use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, OnWall, State};
+use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, OnWall};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{GrazingPoint, GrazingState};
 
@@ -42,11 +40,7 @@ pub(crate) fn general_form() -> CheckResult {
     for _ in 0..1000 {
         let (closed, orbit) = both(&mut sampler)?;
         let oscillator = orbit.oscillator();
-        let state = State {
-            position: sampler.between(-2.0, 0.0),
-            velocity: sampler.between(-1.0, 1.0),
-            phase: sampler.between(0.0, TAU),
-        };
+        let state = sampler.state();
         let zeta = closed.oscillator().damping_ratio();
         let force = -2.0 * zeta * state.velocity - state.position - 1.0
             + oscillator.amplitude() * libm::cos(state.phase);

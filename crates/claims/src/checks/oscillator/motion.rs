@@ -19,14 +19,6 @@ fn oscillator(sampler: &mut Sampler) -> Result<LinearOscillator, Failure> {
     )?)
 }
 
-fn state(sampler: &mut Sampler) -> State {
-    State {
-        position: sampler.between(-2.0, 0.0),
-        velocity: sampler.between(-1.0, 1.0),
-        phase: sampler.between(0.0, TAU),
-    }
-}
-
 /// φ_p and its derivative as printed in eq:phip.
 fn printed_periodic(oscillator: &LinearOscillator, time: f64) -> [f64; 2] {
     Printed::of(oscillator).periodic(time, oscillator.amplitude())
@@ -51,7 +43,7 @@ pub(crate) fn equation_of_motion() -> CheckResult {
     let mut least = Smallest::default();
     for _ in 0..300 {
         let oscillator = oscillator(&mut sampler)?;
-        let from = state(&mut sampler);
+        let from = sampler.state();
         let start = from.phase / oscillator.frequency();
         let time = start + sampler.between(0.0, 10.0);
         let x = |t: f64| oscillator.flow::<1>(from, t - start).value[0];
@@ -67,7 +59,7 @@ pub(crate) fn reset_law() -> CheckResult {
     let mut largest = Deviations::default();
     for _ in 0..60 {
         let oscillator = oscillator(&mut sampler)?;
-        let from = state(&mut sampler);
+        let from = sampler.state();
         let mut before: Option<State> = None;
         for flight in Orbit::new(&oscillator, from, 20.0 * oscillator.forcing_period(), 60) {
             if let Some(impact) = before {
@@ -101,7 +93,7 @@ pub(crate) fn damped_frequency() -> CheckResult {
         largest.compare(theory.damped_natural_frequency(), omega_1, 1.0);
         // Free motion returns to its direction after 2π/ω₁, shrunk by e^{−2πζ/ω₁}.
         let still = oscillator.with_parameters([0.0, oscillator.frequency()]);
-        let from = state(&mut sampler);
+        let from = sampler.state();
         let end = still.flow::<1>(from, TAU / omega_1).value;
         let shrunk = libm::exp(-TAU * zeta / omega_1);
         largest.compare(end[0] + 1.0, shrunk * (from.position + 1.0), 3.0);
@@ -117,7 +109,7 @@ pub(crate) fn flow() -> CheckResult {
     let mut least = Smallest::default();
     for _ in 0..300 {
         let oscillator = oscillator(&mut sampler)?;
-        let from = state(&mut sampler);
+        let from = sampler.state();
         let start = from.phase / oscillator.frequency();
         let printed = Printed::of(&oscillator);
         let x = |t: f64| printed.flow(t, [from.position, from.velocity], start, oscillator.amplitude());
@@ -170,7 +162,7 @@ pub(crate) fn attraction() -> CheckResult {
     let mut largest = Deviations::default();
     for _ in 0..300 {
         let oscillator = oscillator(&mut sampler)?;
-        let from = state(&mut sampler);
+        let from = sampler.state();
         let zeta = oscillator.damping_ratio();
         let distance = |time: f64| {
             let there = oscillator.flow::<1>(from, time).value;

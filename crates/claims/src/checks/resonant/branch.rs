@@ -8,6 +8,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::places::{
     ANY, EVERYWHERE, MANY, ONE, Observed, Place, Symbols, deviation, directions, orders, remembered, scaled,
+    together,
 };
 use crate::checks::appendices::signs::{determinant, search};
 use crate::{CheckResult, Failure, Sampler, order};
@@ -66,13 +67,11 @@ fn branch_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     let mut found = Vec::new();
     for [y, eta] in RATIOS {
-        let remainder = remembered(|size| {
+        found.extend(together([(PHASE, 2.0), (PARAMETER, 3.0)], |size| {
             let (y, eta) = (y * size, eta * size);
             let [phase, mu] = place.on_branch(y, eta)?.relative();
             Some([phase - branch.k_1 * y, mu - branch.parameter(y, eta)])
-        });
-        found.push((order(|size| Some((remainder(size)?[0], PHASE))), 2.0));
-        found.push((order(|size| Some((remainder(size)?[1], PARAMETER))), 3.0));
+        }));
     }
     Ok(found)
 }
@@ -82,9 +81,9 @@ pub(crate) fn form() -> CheckResult {
     orders(ANY, EVERYWHERE, |place| {
         let mut found = Vec::new();
         for [y, eta] in RATIOS {
-            let relative = remembered(|size| Some(place.on_branch(y * size, eta * size)?.relative()));
-            found.push((order(|size| Some((relative(size)?[0], PHASE))), 1.0));
-            found.push((order(|size| Some((relative(size)?[1], PARAMETER))), 2.0));
+            found.extend(together([(PHASE, 1.0), (PARAMETER, 2.0)], |size| {
+                Some(place.on_branch(y * size, eta * size)?.relative())
+            }));
         }
         Ok(found)
     })
@@ -173,15 +172,13 @@ fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     for [y, eta] in RATIOS {
         let k = core::array::from_fn(|_| sampler.between(-1.0, 1.0));
         let x = symbols.x(k, by_parameter);
-        let remainder = remembered(|size| {
+        found.extend(together([(MAP, 3.0), (MAP, 2.0)], |size| {
             let (y, eta) = (y * size, eta * size);
             let near = place.near([y, k[0] * y, k[1] * y * y + k[2] * eta * y, eta])?;
             let pair = place.pair(&near).ok()?;
             let v = pair.difference().0;
             Some([v[0] - x[1] * y * y - x[2] * eta * y, v[1] - x[0] * y])
-        });
-        found.push((order(|size| Some((remainder(size)?[0], MAP))), 3.0));
-        found.push((order(|size| Some((remainder(size)?[1], MAP))), 2.0));
+        }));
     }
     Ok(found)
 }
@@ -236,25 +233,19 @@ fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let stability = place.point().stability_coefficients();
     let by_eta = symbols.alpha * symbols.omega * symbols.f;
-    let mut found = Vec::new();
-    for [y, eta] in RATIOS {
-        let conditions = remembered(|size| {
-            let near = place.on_branch(y * size, eta * size)?;
-            let pair = place.pair(&near).ok()?;
-            Some(psi(&pair.multipliers()))
-        });
-        for (index, coefficient) in [stability.plus, stability.minus].into_iter().enumerate() {
-            let observed = order(|size| {
-                let (y, eta) = (y * size, eta * size);
-                // The phase of the zero is known to PHASE and enters y T with the factor α ω ξ_p.
-                let rounding =
-                    PHASE * (1.0 + by_eta.abs() + symbols.alpha * symbols.omega * symbols.xi.abs());
-                Some((y * conditions(size)?[index] - coefficient * y + by_eta * eta, rounding))
-            });
-            found.push((observed, 2.0));
-        }
-    }
-    Ok(found)
+    // The phase of the zero is known to PHASE and enters y T with the factor α ω ξ_p.
+    let rounding = PHASE * (1.0 + by_eta.abs() + symbols.alpha * symbols.omega * symbols.xi.abs());
+    let along = |[y, eta]: [f64; 2]| {
+        together([(rounding, 2.0); 2], |size| {
+            let (y, eta) = (y * size, eta * size);
+            let [plus, minus] = psi(&place.pair(&place.on_branch(y, eta)?).ok()?.multipliers());
+            Some(
+                [plus * y - stability.plus * y, minus * y - stability.minus * y]
+                    .map(|gap| gap + by_eta * eta),
+            )
+        })
+    };
+    Ok(RATIOS.into_iter().flat_map(along).collect())
 }
 
 checks! {

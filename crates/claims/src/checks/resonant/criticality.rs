@@ -6,7 +6,7 @@ use grazing_model::ImpactOscillator;
 
 use super::discussion::{ROUTE, of_figure_7};
 use super::doubled::DoubledEquations;
-use super::places::{ANY, Observed, Place, lowest, orders, remembered};
+use super::places::{ANY, Observed, Place, lowest, orders, together};
 use super::simulation::next_impact;
 use crate::{CheckResult, Failure, Outcome, Votes, order};
 
@@ -110,22 +110,17 @@ pub(crate) fn criticality_of_figure_7() -> CheckResult {
 fn doubled_grazing_orders(place: &Place) -> Vec<Observed> {
     let equations = DoubledEquations::new(place.resonance.equations());
     let curve = &place.curves()[1];
-    let at = remembered(|size| {
-        let near = place.on_curve(curve, size / curve.leading.impact_velocity_slope)?;
-        let grazing = equations.grazing(&near.unknowns)?;
-        Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
-    });
     // Smaller velocities than this are lost in the rounding of the two impacts, whose distance is a part of them.
     const SMALLEST: f64 = 1e-5;
     // Located amplitudes and velocities.
-    let part =
-        |index: usize, rounding: f64| {
-            let observed = order(|size| {
-                if size < SMALLEST { Some((0.0, rounding)) } else { Some((at(size)?[index], rounding)) }
-            });
-            (observed, 1.0)
-        };
-    vec![part(0, 1e-15), part(1, 1e-13)]
+    together([(1e-15, 1.0), (1e-13, 1.0)], |size| {
+        if size < SMALLEST {
+            return Some([0.0; 2]);
+        }
+        let near = place.on_curve(curve, size / curve.leading.impact_velocity_slope)?;
+        let grazing = equations.grazing(&near.unknowns)?;
+        Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
+    })
 }
 
 /// The period-doubled solutions end at grazing bifurcations of their own, on curves that end at the resonance.

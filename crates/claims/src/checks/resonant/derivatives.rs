@@ -1,14 +1,15 @@
 //! The derivatives that the proofs of Lemmas 5.1 and 5.2 multiply: eq:DPvirt to eq:DPglobalp.
 
-use grazing_model::maps::{global_iterate, global_map, virtual_map};
+use grazing_model::maps::{global_iterate, virtual_map};
 use grazing_model::{AtRest, ImpactOscillator, OnWall};
+use grazing_theorems::LinearisedMap;
 use grazing_theorems::auxiliary::{detuning, lucas_sequence, modulus_power};
 use grazing_theorems::grazing::VirtualMap;
 use nalgebra::Matrix2;
 
 use super::places::{
     ANY, EVERYWHERE, MANY, Near, ONE, Observed, Offset, Place, deviation, directions, everywhere, orders,
-    orders_against_print, remembered, scaled,
+    orders_against_print, scaled, together,
 };
 use crate::differences::slope;
 use crate::{CheckResult, Deviations, Failure, order};
@@ -35,15 +36,13 @@ fn entries(
     rounding: f64,
     remainder: impl Fn(&Offset) -> Option<Matrix2<f64>>,
 ) -> Vec<Observed> {
-    let mut found = Vec::new();
-    for direction in directions(3) {
-        let matrix = remembered(|size| remainder(&scaled(&direction, size)));
-        for (entry, stated) in stated.into_iter().enumerate() {
-            let observed = order(|size| Some((matrix(size)?[(entry / 2, entry % 2)], rounding)));
-            found.push((observed, stated));
-        }
-    }
-    found
+    let one = |direction: &Offset| {
+        together(stated.map(|stated| (rounding, stated)), |size| {
+            let matrix = remainder(&scaled(direction, size))?;
+            Some([matrix.m11, matrix.m12, matrix.m21, matrix.m22])
+        })
+    };
+    directions(3).iter().flat_map(one).collect()
 }
 
 /// The derivative of the leading terms of a virtual map at an impact velocity.
@@ -139,23 +138,23 @@ fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
     }))
 }
 
-/// Step of differences: the error of sixth order is some 10⁻¹², and rounding of 10⁻¹⁵ is divided by the step, for second
+/// Step of differences: the error of sixth order is some 10⁻¹³, and rounding of 10⁻¹⁵ is divided by the step, for second
 /// derivatives twice.
-const STEP: f64 = 5e-3;
+const STEP: f64 = 2e-3;
 
 /// Step in the parameters, on which angles of up to seventy radians depend.
-const PARAMETER_STEP: f64 = 1e-3;
+const PARAMETER_STEP: f64 = 5e-4;
 
 /// ξ_p, d_p, e_p and f_p by differences of P_global^p alone; f_p at fixed z and along the grazing curve.
-struct Differences {
+pub(super) struct Differences {
     d: f64,
     e: f64,
     f_fixed: f64,
-    f_followed: f64,
-    xi: f64,
+    pub(super) f_followed: f64,
+    pub(super) xi: f64,
 }
 
-fn differences(place: &Place) -> Option<Differences> {
+pub(super) fn differences(place: &Place) -> Option<Differences> {
     let phase = place.fixed_phase();
     let by_phase = |x: f64, from: f64, mu: f64, eta: f64| {
         let oscillator = place.near([0.0, 0.0, mu, eta])?.oscillator();
@@ -190,7 +189,7 @@ pub(crate) fn second_derivatives() -> CheckResult {
     let [followed, fixed] = [0, 1].map(|index| Deviations::of(gaps.iter().map(|gap| gap[index])));
     // Nested differences: errors of sixth order grow with the derivatives in ω, some 10² for each order at large p n; rounding
     // is 10⁻¹⁵ over the square of the step.
-    let tolerance = 1e-6;
+    let tolerance = 1e-7;
     let over = "ξ, d, e, f by differences of P_global^p at resonances with p up to 5";
     Ok(followed.outcome(tolerance, over).against_print(fixed.measure(tolerance)))
 }
@@ -198,13 +197,9 @@ pub(crate) fn second_derivatives() -> CheckResult {
 /// a₁₂' or a₁₂ ∂S_p/∂η by differences along the grazing curve, against eq:fp or a₁₂'.
 fn slope_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
     let (map, loops) = (place.point().grazing.map, place.loops());
-    let by_eta = slope(1e-3, |eta| {
-        let orbit = place.grazing(eta)?;
-        let landing = global_map::<_, 1>(orbit.oscillator(), AtRest::new(0.0, orbit.phase()), None).ok()?;
-        let a = landing.jet.derivative();
-        Some(if loops == 1 { a.m12 } else { lucas_sequence(loops, a.trace(), a.determinant()) })
-    })
-    .ok_or("no grazing orbit around a resonance")?;
+    let by_eta = place.along_grazing(1e-3, |LinearisedMap { a, .. }| {
+        if loops == 1 { a.m12 } else { lucas_sequence(loops, a.trace(), a.determinant()) }
+    })?;
     let found = if loops == 1 { by_eta } else { map.a.m12 * by_eta };
     let stated = place.symbols()?.f;
     Ok(vec![(found - stated).abs() / stated.abs()])

@@ -12,12 +12,13 @@ use grazing_model::maps::{MapError, global_iterate};
 use grazing_model::{AtRest, ImpactOscillator};
 use grazing_theorems::auxiliary::modulus_power;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
-use grazing_theorems::{GrazingPoint, ResonantPoint};
+use grazing_theorems::{GrazingPoint, LinearisedMap, ResonantPoint};
 use nalgebra::{Matrix2, Vector2};
 
+use crate::differences::slope;
 use crate::solutions::located;
 use crate::specimen::{Grazing, Law, Specimen, damping_for_decay};
-use crate::{CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Votes};
+use crate::{CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Votes, order};
 
 /// A resonant grazing point of one oscillator.
 pub(crate) struct Place {
@@ -96,6 +97,16 @@ impl Place {
         let parameters = [primary + orbit.primary_slope() * eta, secondary + eta];
         let oscillator = orbit.oscillator().with_parameters(parameters);
         Grazing::find(&oscillator, orbit.phase() + orbit.phase_slope() * eta).ok()
+    }
+
+    /// The derivative in η of a number made of P_global at grazing, along the grazing curve.
+    pub(crate) fn along_grazing(
+        &self,
+        step: f64,
+        number: impl Fn(&LinearisedMap) -> f64,
+    ) -> Result<f64, Failure> {
+        let rate = slope(step, |eta| Some(number(&self.grazing(eta)?.grazing_point().map)));
+        Ok(rate.ok_or("no grazing orbit beside a resonance")?)
     }
 
     /// The point at an offset from the resonance.
@@ -289,6 +300,25 @@ pub(crate) const SLACK: f64 = 0.3;
 pub(crate) fn remembered<T: Clone>(f: impl Fn(f64) -> Option<T>) -> impl Fn(f64) -> Option<T> {
     let known: RefCell<BTreeMap<u64, Option<T>>> = RefCell::default();
     move |size| known.borrow_mut().entry(size.to_bits()).or_insert_with(|| f(size)).clone()
+}
+
+/// The orders of remainders that are found together, each with its rounding and the order stated.
+pub(crate) fn together<const N: usize>(
+    each: [(f64, f64); N],
+    remainders: impl Fn(f64) -> Option<[f64; N]>,
+) -> Vec<Observed> {
+    let values = remembered(remainders);
+    let one = |i: usize, rounding: f64| order(|size| Some((values(size)?[i], rounding)));
+    each.into_iter().enumerate().map(|(i, (rounding, stated))| (one(i, rounding), stated)).collect()
+}
+
+/// The order in h of the difference between extrapolations to h = 0 from both sides, which is at least 3 for a function in C³.
+pub(crate) fn seam(rounding: f64, f: impl Fn(f64) -> Option<f64>) -> Observed {
+    let observed = order(|size| {
+        let side = |h: f64| Some(4.0 * f(h)? - 6.0 * f(2.0 * h)? + 4.0 * f(3.0 * h)? - f(4.0 * h)?);
+        Some((side(size)? - side(-size)?, rounding))
+    });
+    (observed, 3.0)
 }
 
 /// An observed order and the stated one.

@@ -6,7 +6,7 @@ use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{
     ANY, EVERYWHERE, MANY, ONE, Observed, Offset, Place, Symbols, deviation, directions, everywhere, orders,
-    orders_against_print, scaled,
+    orders_against_print, scaled, seam,
 };
 use crate::{CheckResult, Failure, Votes, order};
 
@@ -66,22 +66,14 @@ fn determinant_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     Ok(directions(4).iter().map(one).collect())
 }
 
-/// y T and y D at y = 0 extrapolated from four points on either side: they differ by O(h⁴) if the functions are smooth, and at
-/// least by O(h³) if they are three times differentiable, as is stated for F and R in C⁵.
+/// y T and y D are three times differentiable across y = 0, as is stated for F and R in C⁵.
 fn seam_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let rounding = 32.0 * place.symbols()?.rounding();
     let part = |pick: fn(Multipliers) -> f64| {
-        let observed = order(|size| {
-            let extrapolated = |side: f64| {
-                let at = |k: f64| {
-                    let offset = [side * k * size, 0.002, -0.001, 0.003];
-                    Some(offset[0] * pick(place.pair(&place.near(offset)?).ok()?.multipliers()))
-                };
-                Some(4.0 * at(1.0)? - 6.0 * at(2.0)? + 4.0 * at(3.0)? - at(4.0)?)
-            };
-            Some((extrapolated(1.0)? - extrapolated(-1.0)?, rounding))
-        });
-        (observed, 3.0)
+        seam(rounding, |y| {
+            let near = place.near([y, 0.002, -0.001, 0.003])?;
+            Some(y * pick(place.pair(&near).ok()?.multipliers()))
+        })
     };
     Ok(vec![part(|both| both.trace), part(|both| both.determinant)])
 }
