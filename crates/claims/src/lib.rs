@@ -29,5 +29,5 @@ mod tally;
 use convergence::order;
 use outcome::{CheckResult, Failure, Measure, Outcome};
 use printed::{printed, printed_at_resonances};
-use sampling::{Sampler, sampled, smallest};
+use sampling::{Sampler, drawn, sampled, smallest};
 use tally::{Deviations, Smallest, Votes};

@@ -7,6 +7,8 @@ use grazing_model::State;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
+use crate::Failure;
+
 /// A seeded source of numbers: the same seed gives the same numbers on every machine.
 pub(crate) struct Sampler(Pcg64Mcg);
 
@@ -46,6 +48,19 @@ impl Sampler {
         let delta = self.between(0.001, 0.999);
         (self.between(-0.999_999, 0.999_999) * (delta + 1.0), delta)
     }
+}
+
+/// What so many samples add up to, all from one source.
+pub(crate) fn drawn<T: Default>(
+    seed: u64,
+    samples: usize,
+    mut sample: impl FnMut(&mut Sampler, &mut T) -> Result<(), Failure>,
+) -> Result<T, Failure> {
+    let (mut sampler, mut tally) = (Sampler::new(seed), T::default());
+    for _ in 0..samples {
+        sample(&mut sampler, &mut tally)?;
+    }
+    Ok(tally)
 }
 
 /// What so many samples add up to, each for the next number of loops in a range, round and round.

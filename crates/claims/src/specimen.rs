@@ -7,7 +7,7 @@
 
 mod motion;
 
-use crate::{Failure, Sampler};
+use crate::{Failure, Sampler, drawn};
 use grazing_continuation::resonance::LocatedResonance;
 use grazing_model::flow_variable::{PRIMARY, SECONDARY};
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
@@ -137,13 +137,6 @@ impl Law {
         law.grazing(sampler.between(lowest, 1.9))
     }
 
-    /// The same; half of them have the frequency as the primary parameter.
-    pub(crate) fn random_grazing_of_any_order(sampler: &mut Sampler) -> Result<Grazing, Failure> {
-        let orbit = Self::random_grazing(sampler)?;
-        let exchanged = sampler.one_of(&[true, false]);
-        if exchanged { frequency_first(&orbit) } else { Ok(orbit) }
-    }
-
     /// The same with the frequency as the primary parameter.
     pub(crate) const fn frequency_first(self) -> Self {
         Self { frequency_first: true, ..self }
@@ -209,6 +202,20 @@ pub(crate) fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
     // E_p = e^{−2πpζ/ω} with ω₁/ω = ratio: ζ/ω₁ = −ln E_p/(2πp · ratio).
     let skew = -libm::log(decay) / (core::f64::consts::TAU * p * ratio);
     skew / (1.0 + skew * skew).sqrt()
+}
+
+/// What so many oscillators with laws without pattern add up to, at grazing; half of them have the frequency as the primary parameter.
+pub(crate) fn at_grazing<T: Default>(
+    seed: u64,
+    samples: usize,
+    mut sample: impl FnMut(&mut Sampler, &Grazing, &mut T) -> Result<(), Failure>,
+) -> Result<T, Failure> {
+    drawn(seed, samples, |sampler, tally| {
+        let orbit = Law::random_grazing(sampler)?;
+        let exchanged = sampler.one_of(&[true, false]);
+        let orbit = if exchanged { frequency_first(&orbit)? } else { orbit };
+        sample(sampler, &orbit, tally)
+    })
 }
 
 /// The grazing orbit with the frequency as its primary parameter instead of the amplitude.

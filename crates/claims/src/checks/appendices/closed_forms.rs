@@ -10,7 +10,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use super::printed_flow::{CLOSED, DIFFERENCES, Turn};
 use crate::differences::slope;
 use crate::specimen::damping_for_decay;
-use crate::{CheckResult, Deviations, Failure, Sampler};
+use crate::{CheckResult, Deviations, Failure, drawn};
 
 /// Closed forms at resonances with p loops, E_p and ε at random.
 fn at_resonances(
@@ -19,14 +19,13 @@ fn at_resonances(
     tolerance: f64,
     pairs: impl Fn(&Resonance) -> Result<Vec<(f64, f64)>, Failure>,
 ) -> CheckResult {
-    let mut sampler = Sampler::new(12);
-    let mut largest = Deviations::default();
-    for _ in 0..300 {
+    let largest = drawn(12, 300, |sampler, largest: &mut Deviations| {
         let (p, n) = (sampler.one_of(loops), sampler.one_of(&[1, 2, 3, 4]));
         let zeta = damping_for_decay(p, n, sampler.between(0.05, 0.95));
         let theory = grazing_theorems::LinearOscillator::new(zeta, sampler.between(0.1, 1.0))?;
         largest.pairs(pairs(&theory.resonance(p, n)?)?);
-    }
+        Ok(())
+    })?;
     Ok(largest.outcome(tolerance, over))
 }
 

@@ -9,7 +9,7 @@ use grazing_theorems::auxiliary::{
 };
 
 use super::polar::xi;
-use crate::{CheckResult, Deviations, Sampler, Smallest, sampled, smallest};
+use crate::{CheckResult, Deviations, Smallest, drawn, sampled, smallest};
 
 /// Local searches for each number of loops.
 const STARTS: usize = 6;
@@ -96,12 +96,11 @@ pub(crate) fn t_at_resonance() -> CheckResult {
 
 /// T_2 = 1.
 pub(crate) fn t_two() -> CheckResult {
-    let mut sampler = Sampler::new(33);
-    let mut deviations = Deviations::default();
-    for _ in 0..1000 {
+    let deviations = drawn(33, 1000, |sampler, deviations: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         deviations.see(lucas_partial_sum(2, tau, delta) - 1.0);
-    }
+        Ok(())
+    })?;
     // Nothing is rounded.
     Ok(deviations.outcome(0.0, "points of the trapesium"))
 }

@@ -36,6 +36,21 @@ pub(crate) fn specimens_with(loops: RangeInclusive<u32>) -> Result<Vec<(Grazing,
     Ok(specimens()?.into_iter().flat_map(with).collect())
 }
 
+/// What so many samples at each of the specimens add up to.
+pub(crate) fn at_specimens<T: Default>(
+    seed: u64,
+    samples: usize,
+    mut sample: impl FnMut(&mut Sampler, &Grazing, &mut T) -> Result<(), Failure>,
+) -> Result<T, Failure> {
+    let (mut sampler, mut tally) = (Sampler::new(seed), T::default());
+    for grazing in specimens()? {
+        for _ in 0..samples {
+            sample(&mut sampler, &grazing, &mut tally)?;
+        }
+    }
+    Ok(tally)
+}
+
 /// Specimens with Ψ so large that α < 0.
 pub(crate) fn delayed() -> Result<Vec<Grazing>, Failure> {
     let delay = Exponential { size: 6.0, ..DELAY };

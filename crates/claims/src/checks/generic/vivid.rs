@@ -112,9 +112,8 @@ pub(crate) fn composition() -> CheckResult {
     const STEPS: u32 = 800;
     let mut sampler = Sampler::new(1);
     let mut deviations = Deviations::default();
-    for grazing in specimens()? {
-        for index in 0..8 {
-            let p = 1 + index % 4;
+    for (grazing, p) in specimens_with(1..=4)? {
+        for _ in 0..2 {
             let distance = [(); 3].map(|()| sampler.between(-0.02, 0.02));
             let point = unknowns(&grazing, distance);
             let equations = equations(&grazing, p);

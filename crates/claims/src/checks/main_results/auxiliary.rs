@@ -13,14 +13,12 @@ use super::theorems::general::side_of_orbit;
 use crate::checks::appendices::signs::{scaled_h, search};
 use crate::specimen::{Exponential, Law, damping_for_decay};
 use crate::sweep::Existence;
-use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes, order, printed};
+use crate::{CheckResult, Deviations, Failure, Smallest, Votes, drawn, order, printed};
 
 /// eq:gp: at τ = g_p(δ) the (1, 2) entry of Aᵖ vanishes, also for p between integers in the sense of S_p(τ) = 0 at the
 /// integer; for larger τ it has the sign of a₁₂.
 pub(crate) fn resonance_boundary_is_a_zero() -> CheckResult {
-    let mut sampler = Sampler::new(31);
-    let mut largest = Deviations::default();
-    for _ in 0..3000 {
+    let largest = drawn(31, 3000, |sampler, largest: &mut Deviations| {
         let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 9, 12, 15]);
         let delta = sampler.between(0.001, 0.999);
         let boundary = resonance_boundary(f64::from(p), delta);
@@ -36,7 +34,8 @@ pub(crate) fn resonance_boundary_is_a_zero() -> CheckResult {
         // g_{p/2}: twice the angle, 2√δ cos(2π/p) = (g_p² − 2δ)/√δ... by the double angle formula.
         let doubled = (boundary * boundary - 2.0 * delta) / delta.sqrt();
         largest.compare(resonance_boundary(0.5 * f64::from(p), delta), doubled, 1.0 + 1.0 / delta.sqrt());
-    }
+        Ok(())
+    })?;
     // Powers of a matrix of norm two in fifteen steps, of which the entry is what cancellation leaves.
     Ok(largest.outcome(1e-12, "p up to 15 and random A with τ = g_p(δ), and with τ above it"))
 }
@@ -76,9 +75,7 @@ pub(crate) fn bounds() -> CheckResult {
 
 /// As p → ∞ both families tend to 2√δ, with second order in 1/p.
 pub(crate) fn limit() -> CheckResult {
-    let mut sampler = Sampler::new(35);
-    let mut least = Smallest::default();
-    for _ in 0..10 {
+    let least = drawn(35, 10, |sampler, least: &mut Smallest| {
         let delta = sampler.between(0.05, 0.95);
         let end = 2.0 * delta.sqrt();
         for lower in [true, false] {
@@ -96,7 +93,8 @@ pub(crate) fn limit() -> CheckResult {
                 Some((end - value, 1e-15))
             }));
         }
-    }
+        Ok(())
+    })?;
     // Slack for terms in 1/p³ at p near a thousand.
     Ok(least.order(2.0, 0.05, "g_p and h_p at random δ, p up to 1024"))
 }

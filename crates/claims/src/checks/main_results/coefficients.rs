@@ -8,7 +8,7 @@ use grazing_theorems::LinearisedMap;
 
 use crate::checks::resonant::places::{Bifurcation, Place};
 use crate::specimen::Law;
-use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, order};
+use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, drawn, order};
 
 /// A resonance with one of these numbers of loops at which s^± are not within a twentieth of zero, nor the impact
 /// velocity along either curve within a fifth of η: then the curves are seen at small velocities.
@@ -30,10 +30,8 @@ pub(crate) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Place, Fa
 
 /// s^± as limits of T − D − 1 and T + D + 1 on the branch at η = 0, with T and D of numerical orbits.
 fn stability(seed: u64, loops: &[u32], over: &str) -> CheckResult {
-    let mut sampler = Sampler::new(seed);
-    let mut least = Smallest::default();
-    for _ in 0..30 {
-        let place = resonant(&mut sampler, loops)?;
+    let least = drawn(seed, 30, |sampler, least: &mut Smallest| {
+        let place = resonant(sampler, loops)?;
         let stated = place.point().stability_coefficients();
         for (stated, sign) in [(stated.plus, 1.0), (stated.minus, -1.0)] {
             least.see_resolved(order(|velocity| {
@@ -43,7 +41,8 @@ fn stability(seed: u64, loops: &[u32], over: &str) -> CheckResult {
                 Some((limit - stated, 1e-14 / velocity))
             }));
         }
-    }
+        Ok(())
+    })?;
     // Slack for the term of second order at the smallest resolved velocities.
     Ok(least.order(1.0, 0.3, &format!("{over}; T ∓ (D + 1) on the branch as y → 0")))
 }
@@ -52,16 +51,15 @@ fn stability(seed: u64, loops: &[u32], over: &str) -> CheckResult {
 ///
 /// The accuracy of a fit is what interpolation in the impact velocity leaves; empirical, some tens of times the largest seen.
 fn fitted(seed: u64, loops: &[u32], tolerance: f64, over: &str) -> CheckResult {
-    let mut sampler = Sampler::new(seed);
-    let mut largest = Deviations::default();
-    for _ in 0..20 {
-        let place = resonant(&mut sampler, loops)?;
+    let largest = drawn(seed, 20, |sampler, largest: &mut Deviations| {
+        let place = resonant(sampler, loops)?;
         let (sn, pd) = (place.point().saddle_node_coefficient(), place.point().period_doubling_coefficient());
         for (condition, stated) in [(Condition::SADDLE_NODE, sn), (Condition::PERIOD_DOUBLING, pd)] {
             let measured = quadratic_coefficient(&place.resonance, condition)?;
             largest.compare(measured.value, stated, stated.abs().max(sn.abs()));
         }
-    }
+        Ok(())
+    })?;
     Ok(largest.outcome(tolerance, &format!("c_SN and c_PD at {over}, against fits to continued curves")))
 }
 
@@ -78,10 +76,8 @@ checks! {
 
 /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
 pub(crate) fn unfolding_derivatives() -> CheckResult {
-    let mut sampler = Sampler::new(65);
-    let mut largest = Deviations::default();
-    for _ in 0..30 {
-        let place = resonant(&mut sampler, &[1, 2, 3, 4])?;
+    let largest = drawn(65, 30, |sampler, largest: &mut Deviations| {
+        let place = resonant(sampler, &[1, 2, 3, 4])?;
         let loops = place.loops();
         let measured = place.along_grazing(1e-4, |LinearisedMap { a, .. }| {
             let cosine = libm::cos(PI / f64::from(loops));
@@ -89,7 +85,8 @@ pub(crate) fn unfolding_derivatives() -> CheckResult {
         })?;
         let stated = place.point().unfolding.derivative;
         largest.compare(measured, stated, stated.abs().max(1.0));
-    }
+        Ok(())
+    })?;
     // Rounding 10⁻¹⁴ over the step 10⁻⁴.
     Ok(largest.outcome(1e-10, "resonances p = 1 to 4, by differences along the grazing curve"))
 }

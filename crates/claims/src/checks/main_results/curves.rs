@@ -5,14 +5,12 @@ use grazing_continuation::mps::unknown;
 
 use super::coefficients::resonant;
 use crate::solutions::at_velocity;
-use crate::{CheckResult, Sampler, Votes};
+use crate::{CheckResult, Votes, drawn};
 
 /// Across the SN curve two MPSs on one side of μ become none, and across the PD curve a multiplier passes through −1.
 pub(crate) fn crossing() -> CheckResult {
-    let mut sampler = Sampler::new(75);
-    let mut cases = Votes::default();
-    for _ in 0..30 {
-        let place = resonant(&mut sampler, &[1, 2, 3])?;
+    let cases = drawn(75, 30, |sampler, cases: &mut Votes| {
+        let place = resonant(sampler, &[1, 2, 3])?;
         for curve in &place.curves() {
             // Small against the velocities of order one at which curves end.
             const VELOCITY: f64 = 2e-3;
@@ -33,6 +31,7 @@ pub(crate) fn crossing() -> CheckResult {
                 a * b < 0.0
             });
         }
-    }
+        Ok(())
+    })?;
     Ok(cases.outcome("SN and PD curves of random oscillators, crossed along the branch at fixed η"))
 }

@@ -9,8 +9,8 @@ use grazing_model::maps::discontinuity_map;
 use grazing_unfold::simulation::Seen;
 
 use crate::solutions::{self, attracts, equations, followed};
-use crate::specimen::{Law, Specimen};
-use crate::{CheckResult, Failure, Sampler, Smallest, Votes, order, printed};
+use crate::specimen::{Law, Specimen, at_grazing};
+use crate::{CheckResult, Failure, Smallest, Votes, order, printed};
 
 /// The branch of p-loop MPSs that leaves the grazing bifurcation of Figure 2, with its equations and 𝒜_graz.
 fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> {
@@ -86,10 +86,7 @@ pub(crate) fn stability_gained() -> CheckResult {
 
 /// The Jacobian of P_disc grows like x̂^(−1/2): its entry times √x̂ tends to −αω/√(2γ).
 pub(crate) fn singular_jacobian() -> CheckResult {
-    let mut sampler = Sampler::new(83);
-    let mut least = Smallest::default();
-    for _ in 0..100 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let least = at_grazing(83, 100, |_, orbit, least: &mut Smallest| {
         let point = orbit.grazing_point();
         let limit = -point.alpha() * point.forcing_frequency / (2.0 * point.gamma).sqrt();
         least.see_resolved(order(|h| {
@@ -98,7 +95,8 @@ pub(crate) fn singular_jacobian() -> CheckResult {
             // The velocity at the wall is known to 10⁻¹⁶/h of itself.
             Some((jet.jacobian[(1, 0)] * h - limit, 1e-15 / h))
         }));
-    }
+        Ok(())
+    })?;
     // First order in √x̂; slack for the second.
     Ok(least.order(1.0, 0.3, "∂z⁽⁰⁾/∂x̂ times √x̂ for random oscillators with ψ ≠ 0"))
 }

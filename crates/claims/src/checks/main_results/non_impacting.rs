@@ -8,16 +8,13 @@ use nalgebra::{Matrix2, Vector2};
 
 use crate::checks::generic::specimens::{map_with, sampled_map};
 use crate::differences::slope;
-use crate::specimen::{Grazing, Law, frequency_first};
-use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes, order};
+use crate::specimen::{Grazing, Law, at_grazing, frequency_first};
+use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes, drawn, order};
 
 /// τ and δ are trace and determinant of the flow over one period in (x, y), the wall ignored: P_global has the multipliers
 /// of Γ.
 pub(crate) fn trace_and_determinant() -> CheckResult {
-    let mut sampler = Sampler::new(21);
-    let mut largest = Deviations::default();
-    for _ in 0..500 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let largest = at_grazing(21, 500, |_, orbit, largest: &mut Deviations| {
         let map = orbit.grazing_point().map;
         let from = State::at_rest(0.0, orbit.phase());
         let jet = orbit.oscillator().flow::<1>(from, orbit.oscillator().forcing_period());
@@ -25,7 +22,8 @@ pub(crate) fn trace_and_determinant() -> CheckResult {
         let size = map.a.amax().max(1.0);
         largest.compare(map.trace(), monodromy.trace(), size);
         largest.compare(map.determinant(), monodromy.determinant(), size * size);
-    }
+        Ok(())
+    })?;
     // Products and sums of a dozen rounded numbers of the size of the entries.
     Ok(largest.outcome(1e-13, "grazing orbits of random oscillators, against the monodromy matrix"))
 }
@@ -63,10 +61,8 @@ fn nonlinear_orbit(sampler: &mut Sampler) -> Result<Grazing, Failure> {
 
 /// eq:xStarzStar: the fixed point of P_global to first order.
 pub(crate) fn fixed_point_expansion() -> CheckResult {
-    let mut sampler = Sampler::new(22);
-    let mut least = Smallest::default();
-    for _ in 0..100 {
-        let orbit = nonlinear_orbit(&mut sampler)?;
+    let least = drawn(22, 100, |sampler, least: &mut Smallest| {
+        let orbit = nonlinear_orbit(sampler)?;
         let slope = orbit.grazing_point().map.fixed_point_slope()?;
         least.see_resolved(order(|mu| {
             let found = fixed_point(&orbit, mu).ok()?;
@@ -74,24 +70,24 @@ pub(crate) fn fixed_point_expansion() -> CheckResult {
             // (I − A)⁻¹ amplifies roundings up to a hundredfold.
             Some((remainder.norm(), 1e-13))
         }));
-    }
+        Ok(())
+    })?;
     // Slack for the next order at the smallest resolved μ.
     Ok(least.order(2.0, 0.3, "random oscillators with the frequency as μ"))
 }
 
 /// eq:xStarzStarDeriv: dx*/dμ by differences of numerical fixed points.
 pub(crate) fn position_slope() -> CheckResult {
-    let mut sampler = Sampler::new(23);
-    let mut largest = Deviations::default();
-    for _ in 0..100 {
-        let orbit = nonlinear_orbit(&mut sampler)?;
+    let largest = drawn(23, 100, |sampler, largest: &mut Deviations| {
+        let orbit = nonlinear_orbit(sampler)?;
         let map = orbit.grazing_point().map;
         let measured =
             slope(1e-3, |mu| Some(fixed_point(&orbit, mu).ok()?[0])).ok_or("no fixed point near grazing")?;
         let stated = map.transversality() / (map.determinant() - map.trace() + 1.0);
         largest.compare(measured, stated, stated.abs().max(1.0));
         largest.compare(map.fixed_point_position_slope()?, stated, stated.abs().max(1.0));
-    }
+        Ok(())
+    })?;
     // h⁶ = 10⁻¹⁸ times seventh derivatives of 𝒜/𝒜_graz(ω), which has its resonance ζ wide, ζ ≥ 0.01: empirical.
     Ok(largest.outcome(1e-7, "random oscillators with the frequency as μ"))
 }
@@ -119,26 +115,17 @@ pub(crate) fn transversality() -> CheckResult {
 
 /// eq:eigs: the two numbers are the eigenvalues, a real pair in order or a conjugate pair.
 pub(crate) fn eigenvalues() -> CheckResult {
-    let mut sampler = Sampler::new(25);
-    let mut largest = Deviations::default();
-    for _ in 0..2000 {
+    let largest = drawn(25, 2000, |sampler, largest: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         match Eigenvalues::from_trace_and_determinant(tau, delta) {
             Eigenvalues::Real { lambda_1, lambda_2 } => {
-                largest.see(if lambda_1 >= lambda_2 && tau * tau >= 4.0 * delta {
-                    0.0
-                } else {
-                    f64::INFINITY
-                });
+                largest.require(lambda_1 >= lambda_2 && tau * tau >= 4.0 * delta);
                 for (lambda, sign) in [(lambda_1, 1.0), (lambda_2, -1.0)] {
                     largest.see((lambda * lambda - tau * lambda + delta).abs());
                     // Near a double eigenvalue the square root amplifies: compare what is under it.
                     let root = 2.0 * lambda - tau;
-                    largest.see(if root * sign >= -1e-15 {
-                        (root * root - tau * tau + 4.0 * delta).abs()
-                    } else {
-                        1.0
-                    });
+                    largest.require(root * sign >= -1e-15);
+                    largest.see(root * root - tau * tau + 4.0 * delta);
                 }
             }
             Eigenvalues::ComplexPair { modulus, argument } => {
@@ -148,7 +135,8 @@ pub(crate) fn eigenvalues() -> CheckResult {
                 largest.require(im > 0.0 && tau * tau < 4.0 * delta);
             }
         }
-    }
+        Ok(())
+    })?;
     // Numbers of order one and a handful of operations.
     Ok(largest.outcome(1e-14, "points of the trapesium"))
 }
@@ -182,17 +170,14 @@ pub(crate) fn trapesium() -> CheckResult {
 
 /// For small μ with βμ < 0 orbits of the hybrid system that start near the non-impacting solution approach it.
 pub(crate) fn stability() -> CheckResult {
-    let mut sampler = Sampler::new(27);
-    let mut cases = Votes::default();
-    for _ in 0..60 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let cases = at_grazing(27, 60, |sampler, orbit, cases: &mut Votes| {
         let map = orbit.grazing_point().map;
         let slope = map.fixed_point_position_slope()?;
         let size = 1e-3 / slope.abs();
         let mu = if slope > 0.0 { -size } else { size };
         let [primary, secondary] = orbit.oscillator().parameters();
         let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary]);
-        let [x, z] = fixed_point(&orbit, mu)?.into();
+        let [x, z] = fixed_point(orbit, mu)?.into();
         // Loops contract like |λ|ⁿ: as many as make it 10⁻³, from a tenth of the distance to the wall.
         let radius = map.eigenvalues().spectral_radius();
         let loops = libm::ceil(libm::log(1e-4) / libm::log(radius));
@@ -203,6 +188,7 @@ pub(crate) fn stability() -> CheckResult {
             _ => false,
         };
         cases.see(x < 0.0 && approached);
-    }
+        Ok(())
+    })?;
     Ok(cases.outcome("random oscillators just below grazing"))
 }

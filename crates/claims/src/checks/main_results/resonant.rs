@@ -9,15 +9,13 @@ use super::coefficients::resonant;
 use super::returns::iterated;
 use crate::differences::curvature;
 use crate::specimen::Law;
-use crate::{CheckResult, Deviations, Sampler, Votes};
+use crate::{CheckResult, Deviations, Sampler, Votes, drawn};
 
 /// ass:grazing2: along a range of η there is a grazing orbit, touching at F < 0, whose phase and μ move continuously, with
 /// the slopes that are used along the grazing curve.
 pub(crate) fn grazing_orbits() -> CheckResult {
-    let mut sampler = Sampler::new(51);
-    let mut cases = Votes::default();
-    for _ in 0..40 {
-        let mut orbit = Law::random_grazing(&mut sampler)?;
+    let cases = drawn(51, 40, |sampler, cases: &mut Votes| {
+        let mut orbit = Law::random_grazing(sampler)?;
         let [_, start] = orbit.oscillator().parameters();
         const STEP: f64 = 1e-3;
         for k in 1..=40 {
@@ -35,7 +33,8 @@ pub(crate) fn grazing_orbits() -> CheckResult {
             cases.see(touches && smooth && next.oscillator().acceleration(from) < 0.0);
             orbit = next;
         }
-    }
+        Ok(())
+    })?;
     Ok(cases.outcome("values of η along the grazing curves of random oscillators"))
 }
 

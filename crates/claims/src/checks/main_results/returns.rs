@@ -2,10 +2,13 @@
 
 use core::f64::consts::TAU;
 
-use crate::Failure;
 use grazing_model::motion::local_maxima;
 use grazing_model::{ImpactOscillator, State};
+use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
+
+use crate::Failure;
+use crate::differences::slope;
 
 /// The image of (x, z) under P_global: the local maximum of x nearest to one forcing period later.
 pub(crate) fn returned<O: ImpactOscillator>(
@@ -33,4 +36,23 @@ pub(crate) fn iterated<O: ImpactOscillator>(
         here = returned(oscillator, here.into())?;
     }
     Ok(here)
+}
+
+/// ∂P_global/∂(x, z, μ) at grazing by differences, μ counted in a unit.
+pub(crate) fn derivatives<O: ImpactOscillator>(
+    grazing: &GrazingOrbit<O>,
+    unit: f64,
+) -> Result<[Vector2<f64>; 3], Failure> {
+    let [primary, secondary] = grazing.oscillator().parameters();
+    let by = |axis: usize| {
+        // Rounding is 10⁻¹⁵ over the step, the error its sixth power times seventh derivatives.
+        slope(1e-3, |h| {
+            let [x, z, mu] = core::array::from_fn(|i| if i == axis { h } else { 0.0 });
+            let near = grazing.oscillator().with_parameters([primary + mu * unit, secondary]);
+            returned(&near, [x, grazing.phase() + z]).ok()
+        })
+    };
+    let columns = by(0).zip(by(1)).zip(by(2));
+    let ((x, z), mu) = columns.ok_or("P_global is not defined near grazing")?;
+    Ok([x, z, mu])
 }

@@ -12,7 +12,7 @@ use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::LinearOscillator;
 
 use crate::solutions::{at_velocity, attracts};
-use crate::{CheckResult, Sampler, Votes, printed};
+use crate::{CheckResult, Votes, drawn, printed};
 
 /// Frequencies from below the lowest resonance that Figure 7 labels to above the highest.
 const FREQUENCIES: [f64; 2] = [0.36, 0.95];
@@ -20,9 +20,7 @@ const FREQUENCIES: [f64; 2] = [0.36, 0.95];
 /// Left of the grazing curve orbits that start near φ_p approach it in the full system; right of it φ_p is no solution.
 pub(crate) fn non_impacting_region() -> CheckResult {
     let theory = LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
-    let mut sampler = Sampler::new(151);
-    let mut cases = Votes::default();
-    for _ in 0..60 {
+    let cases = drawn(151, 60, |sampler, cases: &mut Votes| {
         let omega = sampler.between(FREQUENCIES[0], FREQUENCIES[1]);
         let grazing = theory.grazing(omega)?;
         let share = sampler.between(0.1, 0.999);
@@ -42,7 +40,8 @@ pub(crate) fn non_impacting_region() -> CheckResult {
         });
         let beyond = oscillator.with_parameters([grazing.amplitude() / share, omega]);
         cases.see(beyond.non_impacting_solution(grazing.phase()).position > 0.0);
-    }
+        Ok(())
+    })?;
     Ok(cases.outcome("points left and right of the grazing curve, simulated"))
 }
 

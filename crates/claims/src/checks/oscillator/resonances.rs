@@ -11,7 +11,7 @@ use grazing_unfold::simulation::Seen;
 use crate::checks::resonant::places::Place;
 use crate::solutions::{at_parameters, attracts, equations, followed, zero};
 use crate::specimen::{Grazing, Law};
-use crate::{CheckResult, Deviations, Failure, Sampler, Votes, printed, printed_at_resonances};
+use crate::{CheckResult, Deviations, Failure, Sampler, Votes, drawn, printed, printed_at_resonances};
 
 /// What the theorems know of the numerical grazing orbit at a frequency.
 fn measured(theory: &LinearOscillator, omega: f64) -> Result<GrazingPoint, Failure> {
@@ -64,15 +64,13 @@ fn only_zeros(
 
 /// eq:resonance1: a₁₂ of the numerical map vanishes at ω₁/ω = n/2 and nowhere else.
 pub(crate) fn one_loop() -> CheckResult {
-    let mut sampler = Sampler::new(121);
-    let mut largest = Deviations::default();
-    for _ in 0..4 {
+    let largest = drawn(121, 4, |sampler, largest: &mut Deviations| {
         let theory = LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
         let expected: Vec<f64> = (1..8)
             .map(|n| 0.5 * f64::from(n))
             .filter(|ratio| (RATIOS[0]..RATIOS[1]).contains(ratio))
             .collect();
-        only_zeros(&mut largest, &theory, |point| point.map.a.m12, &expected)?;
+        only_zeros(largest, &theory, |point| point.map.a.m12, &expected)?;
         let omega_1 = theory.damped_natural_frequency();
         let listed = theory.resonances(&[1], omega_1 / RATIOS[1], omega_1 / RATIOS[0])?;
         largest.require(listed.len() == expected.len());
@@ -80,7 +78,8 @@ pub(crate) fn one_loop() -> CheckResult {
             let ratio = omega_1 / resonance.forcing_frequency();
             largest.compare(ratio, 0.5 * f64::from(resonance.index()), 1.0);
         }
-    }
+        Ok(())
+    })?;
     // a₁₂ is good to 10⁻¹⁴, its slope in ω₁/ω is E₁ times some ten, E₁ above 0.01.
     Ok(largest.outcome(1e-13, "zeros of the numerical a₁₂ in a range of ω₁/ω, by bracketing"))
 }
@@ -149,9 +148,7 @@ pub(crate) fn indices() -> CheckResult {
 
 /// The display after eq:resonancep: a₁₂ at the resonances of either sign, and the sign of a₁₂α.
 pub(crate) fn off_diagonal() -> CheckResult {
-    let mut sampler = Sampler::new(123);
-    let mut largest = Deviations::default();
-    for _ in 0..60 {
+    let largest = drawn(123, 60, |sampler, largest: &mut Deviations| {
         let theory = LinearOscillator::new(sampler.between(0.005, 0.2), sampler.between(0.1, 1.0))?;
         let (p, n) = (sampler.one_of(&[2, 3, 4, 5, 8]), sampler.one_of(&[1, 2, 3]));
         for sign in [1.0, -1.0] {
@@ -170,7 +167,8 @@ pub(crate) fn off_diagonal() -> CheckResult {
             }
             largest.require(point.map.a.m12 * point.alpha() * sign > 0.0);
         }
-    }
+        Ok(())
+    })?;
     // As for A.
     Ok(largest.outcome(1e-13, "resonances with either sign of random oscillators"))
 }
@@ -196,10 +194,8 @@ fn frequencies(law: &Law, p: u32, n: u32) -> Result<[f64; 2], Failure> {
 /// At ω₁/ω = n − 1/(2p) the theorem's hypothesis a₁₂α > 0 fails, and near it the zero of the VIVID function with y > 0 is
 /// virtual: in the hybrid system its orbit meets the wall too early. At n + 1/(2p) it is none of that.
 pub(crate) fn virtual_solutions() -> CheckResult {
-    let mut sampler = Sampler::new(124);
-    let mut cases = Votes::default();
-    for _ in 0..40 {
-        let (law, p, n, beside) = beside_resonance(&mut sampler);
+    let cases = drawn(124, 40, |sampler, cases: &mut Votes| {
+        let (law, p, n, beside) = beside_resonance(sampler);
         let off = 1.0 + sampler.one_of(&[-1.0, 1.0]) * beside;
         for (frequency, real) in frequencies(&law, p, n)?.into_iter().zip([true, false]) {
             let orbit = law.grazing(frequency * off)?;
@@ -215,7 +211,8 @@ pub(crate) fn virtual_solutions() -> CheckResult {
             let expected = if real { Seen::Returns } else { Seen::MeetsTheWall };
             cases.see(followed(&equations, &zero) == expected);
         }
-    }
+        Ok(())
+    })?;
     Ok(cases.outcome("random oscillators beside n ± 1/(2p): hypotheses, admissibility, simulation"))
 }
 

@@ -203,9 +203,7 @@ fn psi(multipliers: &grazing_continuation::mps::Multipliers) -> [f64; 2] {
     [trace - determinant - 1.0, trace + determinant + 1.0]
 }
 
-/// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻.
-///
-/// Ψ^± against det(U ∓ I), which vanishes where U has the eigenvalue ±1.
+/// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻, which vanish where U has the eigenvalue 1 or −1.
 pub(crate) fn multiplier_conditions() -> CheckResult {
     // Determinants of matrices with entries of size 1/y, relative to their squares.
     deviation(ANY, 1e-14, "MPSs on branches near resonances", |place| {

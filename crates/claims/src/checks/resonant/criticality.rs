@@ -57,10 +57,8 @@ fn criticality(place: &Place, flip: &Unknowns, simulate: bool) -> Result<Critica
     Ok(Criticality { unstable: 1.0 - multipliers.trace + multipliers.determinant < 0.0, settles })
 }
 
-/// The criterion that section 6 asks for, derived at the resonance: the normal form's coefficient tends to it at first order in y.
-///
-/// y² c of the normal form, along the PD curve and as y falls to 0, less the closed form at the resonance; c counted in the impact
-/// velocity.
+/// The criterion that section 6 asks for, derived at the resonance: y² c of the normal form, c counted in the impact velocity, tends
+/// to it at first order in y along the PD curve.
 pub(crate) fn criterion_at_resonance() -> CheckResult {
     orders(ANY, "PD curves running into resonances with p up to 5", |place| {
         let limit = coefficient_at_resonance(place.point());

@@ -102,9 +102,7 @@ fn printed_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     Ok(quadratic_orders(place, |_, eta| branch.parameter(fold * eta, eta)))
 }
 
-/// eq:coeffs1 and eq:coeffsp follow from k₂, k₃, Υ^±, T_p and f_p.
-///
-/// c_SN and c_PD from k₂, k₃ and Υ^±, against eq:coeffs1 and eq:coeffsp.
+/// eq:coeffs1 and eq:coeffsp follow from k₂, k₃ and Υ^±, with T_p and f_p.
 pub(crate) fn simplification() -> CheckResult {
     // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
     deviation(ANY, 1e-13, "resonances with p up to 5", |place| {
@@ -118,9 +116,7 @@ pub(crate) fn simplification() -> CheckResult {
     })
 }
 
-/// Two zeros of V separate from the SN curve like the square root of the change of μ.
-///
-/// The exponent with which the two zeros of V separate behind the fold, less 1/2.
+/// Two zeros of V separate from the SN curve like the square root of the change of μ: the exponent, less 1/2.
 pub(crate) fn square_root() -> CheckResult {
     // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
     deviation(ANY, 1e-4, "exponents on either fold: zeros of V at two distances from SN curves", |place| {

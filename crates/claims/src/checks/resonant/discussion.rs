@@ -3,13 +3,13 @@
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Route, Window};
 use grazing_continuation::mps::{MaximalPeriodicSolution, unknown};
-use grazing_model::maps::{global_iterate, virtual_map};
+use grazing_model::maps::virtual_map;
 use grazing_model::motion::Motion;
-use grazing_model::{AtRest, ImpactOscillator, OnWall, State};
+use grazing_model::{ImpactOscillator, OnWall, State};
 
 use super::derivatives::differences;
 use super::places::{ANY, Observed, Place, agreement, deviation, lowest, seam};
-use crate::differences::slope;
+use crate::checks::main_results::returns::derivatives;
 use crate::solutions::attracts;
 use crate::specimen::{Law, damping_for_decay};
 use crate::{CheckResult, Deviations, Failure, Outcome, Votes, printed};
@@ -140,28 +140,19 @@ pub(crate) fn direction_by_parity() -> CheckResult {
 pub(crate) fn finite_differences() -> CheckResult {
     // Nested differences of sixth order: rounding 10⁻¹⁵ over both steps is 10⁻⁹, and sixth derivatives in ω reach 10¹².
     deviation(ANY, 1e-8, "A, b, ξ and a₁₂' or f at resonances, by values of P_global alone", |place| {
-        let (phase, point) = (place.fixed_phase(), place.point());
+        let point = place.point();
         let map = point.grazing.map;
+        let gap = |found: f64, stated: f64| (found - stated).abs() / (1.0 + stated.abs());
+        let found = differences(place).ok_or("P_global is not defined around a resonance")?;
+        let mut gaps = vec![
+            gap(found.xi, point.second_phase_derivative),
+            gap(found.f_followed, point.off_diagonal_slope()),
+        ];
         let columns = [map.a.column(0).into_owned(), map.a.column(1).into_owned(), map.b];
-        let all = || {
-            let mut gaps = Vec::new();
-            for (axis, stated) in columns.iter().enumerate() {
-                let found = slope(2e-3, |h| {
-                    let mut step = [0.0; 3];
-                    step[axis] = h;
-                    let oscillator = place.near([0.0, 0.0, step[2], 0.0])?.oscillator();
-                    let from = AtRest::new(step[0], phase + step[1]);
-                    Some(global_iterate::<_, 1>(&oscillator, 1, from).ok()?.value)
-                })?;
-                gaps.push((found - stated).amax() / (1.0 + stated.amax()));
-            }
-            let found = differences(place)?;
-            let stated = [point.second_phase_derivative, point.off_diagonal_slope()];
-            let numbers = [found.xi, found.f_followed].into_iter().zip(stated);
-            gaps.extend(numbers.map(|(found, stated)| (found - stated).abs() / (1.0 + stated.abs())));
-            Some(gaps)
-        };
-        all().ok_or_else(|| "P_global is not defined around a resonance".into())
+        for (found, stated) in derivatives(place.resonance.orbit(), 1.0)?.iter().zip(&columns) {
+            gaps.extend(found.iter().zip(stated).map(|(found, stated)| gap(*found, *stated)));
+        }
+        Ok(gaps)
     })
 }
 

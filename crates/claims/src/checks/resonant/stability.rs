@@ -111,10 +111,8 @@ pub(crate) fn divergence() -> CheckResult {
     Ok(orders(ANY, over, divergence_orders)?.against_print(Votes::of(positive).measure()))
 }
 
-/// eq:TD: trace and determinant of U as it is defined.
-///
-/// U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against the quotient of the
-/// derivatives of the two sides of V.
+/// eq:TD: trace and determinant of U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against
+/// the quotient of the derivatives of the two sides of V.
 pub(crate) fn trace_and_determinant() -> CheckResult {
     // P_virt⁻¹ takes the root of x̂ ≈ y²/2γ, which is rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y, and in T.
     deviation(ANY, 1e-10, "MPSs on branches near resonances", |place| {
