@@ -15,7 +15,7 @@ use thiserror::Error;
 use super::closed_form::LoopSolutions;
 use super::{Case, CaseVerdict, Existence, POINTS, Reason, first_points};
 use crate::solutions::branch;
-use grazing_unfold::simulation::{Seen, Suspect};
+use grazing_unfold::simulation::Seen;
 
 /// A case could not be worked out.
 #[derive(Debug, Clone, Error)]
@@ -232,8 +232,7 @@ fn simulate(
                 .collect();
             let [solution] = near[..] else { return None };
             let at = oscillator.with_parameters([solution.amplitude, oscillator.frequency()]);
-            let suspect =
-                Suspect { oscillator: &at, loops, velocity: solution.velocity, phase: solution.phase };
+            let suspect = solution.suspect(&at, loops);
             let seen = suspect.follow();
             if seen == Seen::Returns {
                 repels &= suspect.repels_at_once();

@@ -18,7 +18,7 @@ use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
 use crate::sweep::resonant::FIT_TOLERANCE;
 use crate::sweep::{CaseVerdict, Existence, generic_cases, generic_rows, resonant_cases, resonant_rows};
 use crate::{CheckResult, Failure, Votes};
-use grazing_unfold::simulation::{Seen, Suspect};
+use grazing_unfold::simulation::Seen;
 
 /// An oscillator for what is seen to fail.
 const ZETA: f64 = 0.03;
@@ -246,9 +246,8 @@ fn delayed(ratio: f64, alpha: f64) -> Result<Grazing, Failure> {
 
 /// What a solution is in the hybrid system, and whether simulated orbits beside it come nearer.
 fn seen(solution: LoopSolution, loops: u32, omega: f64) -> Option<(Seen, Option<bool>)> {
-    let LoopSolution { velocity, phase, amplitude, .. } = solution;
-    let oscillator = LinearOscillator::new(ZETA, EPSILON, amplitude, omega).ok()?;
-    let suspect = Suspect { oscillator: &oscillator, loops, velocity, phase };
+    let oscillator = LinearOscillator::new(ZETA, EPSILON, solution.amplitude, omega).ok()?;
+    let suspect = solution.suspect(&oscillator, loops);
     Some((suspect.follow(), suspect.attracts()))
 }
 

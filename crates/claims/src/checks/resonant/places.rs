@@ -125,7 +125,7 @@ impl Place {
     pub(crate) fn on_branch(&self, y: f64, eta: f64) -> Option<Near> {
         let branch = self.resonance.theorem().branch();
         let near = self.near([y, branch.k_1 * y, branch.parameter(y, eta), eta])?;
-        self.located([Condition::ImpactVelocity(y), Condition::Secondary(near.unknowns[3])], near)
+        self.solved([Condition::ImpactVelocity(y), Condition::Secondary(near.unknowns[3])], near)
     }
 
     /// The point of a bifurcation curve at η, from its leading terms.
@@ -137,7 +137,7 @@ impl Place {
             leading.coefficient * eta * eta,
             eta,
         ])?;
-        self.located([curve.condition, Condition::Secondary(near.unknowns[3])], near)
+        self.solved([curve.condition, Condition::Secondary(near.unknowns[3])], near)
     }
 
     /// The two ways from the impact of a point to one surface, to first order.
@@ -150,7 +150,7 @@ impl Place {
         self.resonance.equations().solution(&near.unknowns).0
     }
 
-    fn located(&self, conditions: [Condition; 2], near: Near) -> Option<Near> {
+    fn solved(&self, conditions: [Condition; 2], near: Near) -> Option<Near> {
         let unknowns = located(self.resonance.equations(), conditions, near.unknowns)?;
         Some(Near { unknowns, ..near })
     }
