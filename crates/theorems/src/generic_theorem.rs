@@ -17,7 +17,7 @@ pub enum Side {
 
 impl Side {
     /// The side on which a number other than zero lies.
-    pub(crate) fn of(number: f64) -> Self {
+    pub fn of(number: f64) -> Self {
         if number > 0.0 { Self::Positive } else { Self::Negative }
     }
 

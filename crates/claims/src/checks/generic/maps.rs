@@ -23,13 +23,13 @@ pub(super) fn near_grazing(grazing: &Grazing, [dy, dz, dmu]: [f64; 3], h: f64) -
 }
 
 /// An impact and where it goes.
-pub(super) fn impact_and_recoil<O: ImpactOscillator>(oscillator: &O, y: f64, z: f64) -> [OnWall; 2] {
+pub(crate) fn impact_and_recoil<O: ImpactOscillator>(oscillator: &O, y: f64, z: f64) -> [OnWall; 2] {
     let impact = OnWall::new(y, z);
     [impact, oscillator.reset::<1>(impact).image()]
 }
 
 /// The image of a point of Σ under P_virt.
-pub(super) fn virtual_point<O: ImpactOscillator>(
+pub(crate) fn virtual_point<O: ImpactOscillator>(
     oscillator: &O,
     from: OnWall,
 ) -> Result<Vector2<f64>, MapError> {

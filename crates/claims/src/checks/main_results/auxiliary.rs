@@ -10,6 +10,7 @@ use grazing_theorems::{GenericGrazing, Side};
 use nalgebra::Matrix2;
 
 use super::theorems::general::side_of_orbit;
+use super::theorems::only;
 use crate::checks::appendices::signs::{scaled_h, search};
 use crate::specimen::{Exponential, Law, damping_for_decay};
 use crate::sweep::Existence;
@@ -166,16 +167,10 @@ fn two_loops_below_the_boundary() -> Result<bool, Failure> {
     let orbit = law.grazing(omega * (1.0 + off))?;
     let point = orbit.grazing_point();
     let (tau, delta) = (point.map.trace(), point.map.determinant());
-    let only_the_margin = match GenericGrazing::check(&point, 2) {
-        Ok(_) => false,
-        Err(violated) => violated.violated().map(|one| one.quantity).eq([Quantity::AdmissibilityMargin]),
-    };
-    let stated = if point.map.transversality() * detuning(2, tau, delta) > 0.0 {
-        Side::Positive
-    } else {
-        Side::Negative
-    };
-    Ok(only_the_margin && side_of_orbit(&orbit, 2)? == Existence::On(stated))
+    let violated = GenericGrazing::check(&point, 2).err();
+    let only_the_margin = violated.is_some_and(|violated| only(&violated, Quantity::AdmissibilityMargin));
+    let stated = Existence::On(Side::of(point.map.transversality() * detuning(2, tau, delta)));
+    Ok(only_the_margin && side_of_orbit(&orbit, 2)? == stated)
 }
 
 /// Whether the linear oscillator with this trace and determinant has a p-loop MPS near grazing, one side or the other.

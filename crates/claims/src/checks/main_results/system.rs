@@ -7,7 +7,7 @@ use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, OnWall, State};
 
 use crate::specimen::{Law, at_grazing};
-use crate::{CheckResult, Deviations, Measure, Outcome, Sampler, Smallest, Votes, drawn, order, smallest};
+use crate::{CheckResult, Deviations, Smallest, Votes, drawn, order, smallest};
 
 /// eq:F: the acceleration against second differences of the position along the flow.
 pub(crate) fn equation_of_motion() -> CheckResult {
@@ -111,13 +111,10 @@ pub(crate) fn grazing_set() -> CheckResult {
 
 /// eq:R: the incoming set goes to the outgoing set, the tangency set to itself, and the law has the form with Φ and Ψ.
 pub(crate) fn reset_form() -> CheckResult {
-    let mut sampler = Sampler::new(5);
-    let mut least = f64::INFINITY;
-    const LAWS: usize = 40;
-    for seed in 0..LAWS as u64 {
-        let orbit = Law::random_grazing(&mut sampler)?;
+    let least = drawn(5, 40, |sampler, least: &mut Smallest| {
+        let orbit = Law::random_grazing(sampler)?;
         let oscillator = orbit.oscillator();
-        let (margin, _) = smallest(seed, 6, |[a, b]: [f64; 2]| {
+        let (margin, _) = smallest(5, 6, |[a, b]: [f64; 2]| {
             // Down to velocities at which only the quotient is of order one.
             let (velocity, phase) = (0.6 * a * a * a, TAU * b);
             let law = |velocity: f64| oscillator.reset::<1>(OnWall::new(velocity, phase)).value;
@@ -132,10 +129,10 @@ pub(crate) fn reset_form() -> CheckResult {
             }
             if velocity > 0.0 { -image[0] / velocity } else { restitution }
         });
-        least = least.min(margin);
-    }
-    let over = "adversarial searches for the smallest recoil velocity per impact velocity";
-    Ok(Outcome::new(Measure::Margin { smallest: least }, 6 * LAWS, over))
+        least.see(margin);
+        Ok(())
+    })?;
+    Ok(least.margin("adversarial searches for the smallest recoil velocity per impact velocity"))
 }
 
 /// eq:resetLaw: simulated orbits stay in x ≤ 0, arrive at the wall with y > 0, and go on from R(y, z).

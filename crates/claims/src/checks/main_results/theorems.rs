@@ -36,7 +36,7 @@ pub(crate) fn generic_grazing_one_loop() -> CheckResult {
         for alpha in [0.5, -0.5] {
             let orbit = delayed(1.5 + shift, alpha)?;
             let map = orbit.grazing_point().map;
-            let other = Existence::On(side(-map.a.m12 * map.transversality()));
+            let other = Existence::On(Side::of(-map.a.m12 * map.transversality()));
             count.see(generic_case(&orbit, 1, alpha > 0.0, Quantity::SquareRootFactor, other)?);
         }
     }
@@ -80,7 +80,7 @@ pub(crate) fn resonant_grazing_one_loop() -> CheckResult {
             let point = orbit.resonant_point(1)?;
             let stability = point.stability_coefficients();
             let others = [stability.plus, stability.minus]
-                .map(|s| Existence::On(side(-point.unfolding.derivative * s)));
+                .map(|s| Existence::On(Side::of(-point.unfolding.derivative * s)));
             count.see(resonant_case(&orbit, 1, alpha > 0.0, Quantity::SquareRootFactor, others)?);
         }
     }
@@ -227,11 +227,8 @@ fn theory() -> Result<grazing_theorems::LinearOscillator, Failure> {
     Ok(grazing_theorems::LinearOscillator::new(ZETA, EPSILON)?)
 }
 
-fn side(number: f64) -> Side {
-    if number > 0.0 { Side::Positive } else { Side::Negative }
-}
-
-fn only(violated: &HypothesesViolated, quantity: Quantity) -> bool {
+/// This hypothesis fails, and no other.
+pub(super) fn only(violated: &HypothesesViolated, quantity: Quantity) -> bool {
     violated.violated().map(|hypothesis| hypothesis.quantity).eq([quantity])
 }
 

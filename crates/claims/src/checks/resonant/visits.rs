@@ -1,15 +1,13 @@
 //! The MPSs on the bifurcation curves, visit by visit: eq:admp7 to eq:admp11.
 
-use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::EventTimes;
-use grazing_model::maps::virtual_map;
-use grazing_model::{ImpactOscillator, OnWall};
 use grazing_theorems::auxiliary::{lucas_sequence, resonance_boundary};
 use nalgebra::Vector2;
 
 use super::curves::{PHASE, all_along_curves, along_curves, eta_at};
 use super::places::{Bifurcation, EVERYWHERE, MANY, Near, Place, agreement, orders};
 use crate::checks::appendices::signs::{determinant, loop_index, search};
+use crate::checks::generic::maps::{impact_and_recoil, virtual_point};
 use crate::{CheckResult, Failure};
 
 /// eq:admp7.
@@ -25,9 +23,8 @@ pub(crate) fn phase() -> CheckResult {
 fn recoil(near: &Near) -> Option<Vector2<f64>> {
     let oscillator = near.oscillator();
     let [y, z] = near.impact().into();
-    let reset = oscillator.reset::<1>(OnWall::new(y, z)).value;
-    let point = virtual_map::<_, 1>(&oscillator, OnWall::new(reset[0], reset[1]), Some(0.0)).ok()?.jet.value;
-    Some(point - Vector2::new(0.0, near.orbit.phase()))
+    let [_, recoil] = impact_and_recoil(&oscillator, y, z);
+    Some(virtual_point(&oscillator, recoil).ok()? - Vector2::new(0.0, near.orbit.phase()))
 }
 
 /// eq:admp8a.
@@ -52,11 +49,8 @@ impl Place {
 /// eq:admp8b, both forms.
 pub(crate) fn phase_after_recoil() -> CheckResult {
     orders(MANY, EVERYWHERE, |place| {
-        let [fold, flip] = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
-        let (fold, flip) = (fold?, flip?);
         Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
-            let slopes = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
-            let phase = recoil(near)?[1];
+            let (slopes, phase) = (place.recoil_phase_slopes(curve).ok()?, recoil(near)?[1]);
             Some(slopes.iter().map(|slope| phase - slope * eta).collect())
         }))
     })
@@ -86,12 +80,9 @@ pub(crate) fn visits_by_powers() -> CheckResult {
 /// eq:admp10.
 pub(crate) fn positions_of_visits() -> CheckResult {
     orders(MANY, EVERYWHERE, |place| {
-        let recoil = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
-        let [fold, flip] = recoil;
-        let (fold, flip) = (fold?[1], flip?[1]);
         let map = place.point().grazing.map;
         Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
-            let slope = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
+            let [_, slope] = place.recoil_phase_slopes(curve).ok()?;
             let gap = |(visit, j): (&Vector2<f64>, u32)| {
                 let entry = map.a.m12 * lucas_sequence(j, map.trace(), map.determinant());
                 visit[0] - entry * slope * eta

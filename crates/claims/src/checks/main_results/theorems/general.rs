@@ -65,7 +65,7 @@ pub(super) fn side_of_curve<O: ImpactOscillator>(
             }
         }
         let crossed = matches!(beside, [Some(a), Some(b)] if a != b);
-        let side = if zero[3] > origin[3] { Side::Positive } else { Side::Negative };
+        let side = Side::of(zero[3] - origin[3]);
         *found = crossed.then_some(side);
     }
     Ok(match found {
