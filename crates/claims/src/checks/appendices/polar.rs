@@ -57,15 +57,13 @@ impl Polar {
 const POLAR_ROUNDING: f64 = 1e-12;
 
 fn over_polar(seed: u64, tolerance: f64, deviation: impl Fn(&Polar) -> f64) -> CheckResult {
-    let mut sampler = Sampler::new(seed);
-    let mut deviations = Deviations::default();
-    for index in 0..3000 {
+    let deviations = sampled(seed, 3000, 2..=15, |sampler, p, deviations: &mut Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let theta = sampler.between(0.01, PI - 0.01);
         let r = delta.sqrt();
         let tau = 2.0 * r * libm::cos(theta);
-        deviations.see(deviation(&Polar { p: 2 + index % 14, r, theta, tau, delta }));
-    }
+        deviations.see(deviation(&Polar { p: p as i32, r, theta, tau, delta }));
+    });
     Ok(deviations.outcome(tolerance, "complex eigenvalues, 0.01 < θ < π − 0.01, p = 2 to 15"))
 }
 

@@ -4,22 +4,18 @@ use grazing_model::maps::{MapError, discontinuity_map, virtual_map, virtual_prei
 use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
 use nalgebra::{Vector2, Vector3};
 
-use super::specimens::{at_specimens, delayed, directions, specimens, uniform_order};
+use super::specimens::{SLACK, at_specimens, delayed, smallest_order, specimens};
 use crate::specimen::{Grazing, Specimen};
-use crate::{CheckResult, Deviations, Sampler, Smallest, Votes, order};
-
-/// How far below the stated order the observed one may lie: where remainders are resolved last, sizes are below 10⁻³, and the
-/// next term is of that relative size, times a coefficient of order ten at most.
-pub(super) const SLACK: f64 = 0.1;
+use crate::{CheckResult, Deviations, Smallest, Votes, order};
 
 /// Rounding of positions of order one and of phases up to 2π.
 pub(super) const ROUNDING: f64 = 2e-15;
 
-/// The oscillator, impact velocity and impact phase at a distance from grazing in a direction of (y, z − z_graz, μ).
-pub(super) fn near_grazing(grazing: &Grazing, [dy, dz, dmu]: [f64; 3], h: f64) -> (Specimen, f64, f64) {
+/// The oscillator, impact velocity and impact phase at (y, z − z_graz, μ).
+pub(super) fn near_grazing(grazing: &Grazing, [y, dz, dmu]: [f64; 3]) -> (Specimen, f64, f64) {
     let [primary, secondary] = grazing.oscillator().parameters();
-    let oscillator = grazing.oscillator().with_parameters([primary + h * dmu, secondary]);
-    (oscillator, h * dy, grazing.phase() + h * dz)
+    let oscillator = grazing.oscillator().with_parameters([primary + dmu, secondary]);
+    (oscillator, y, grazing.phase() + dz)
 }
 
 /// An impact and where it goes.
@@ -202,30 +198,15 @@ pub(crate) fn discontinuity() -> CheckResult {
 }
 
 /// P_disc minus its leading terms, at x̂ = s² with (z, μ) as near to grazing as s.
-fn discontinuity_remainder(
-    grazing: &Grazing,
-    [ds, dz, dmu]: [f64; 3],
-    h: f64,
-) -> Option<(Vector2<f64>, f64)> {
-    let point = grazing.grazing_point();
-    let (oscillator, s, z) = near_grazing(grazing, [ds.abs() + 0.1, dz, dmu], h);
-    let image = discontinuity_map::<_, 1>(&oscillator, AtRest::new(s * s, z)).ok()?.value;
-    let leading = point.discontinuity_map(s * s, z);
-    // The preimage's velocity is known to a rounding of x̂ over itself.
-    Some((image - leading, ROUNDING / s))
-}
-
 fn leading_order(seed: u64, component: usize, stated: f64) -> CheckResult {
-    let mut sampler = Sampler::new(seed);
-    let mut orders = Smallest::default();
-    for grazing in specimens()?.into_iter().chain(delayed()?) {
-        orders.see(uniform_order(&directions::<3>(&mut sampler, 6), |direction, h| {
-            let (remainder, rounding) = discontinuity_remainder(&grazing, direction, h)?;
-            // Positions are of the size of x̂, phases of order one.
-            Some((remainder[component], if component == 0 { rounding * h } else { rounding }))
-        }));
-    }
-    Ok(orders.order(stated, SLACK, "fifteen oscillators, α of either sign; nine directions in (√x̂, ẑ, μ)"))
+    smallest_order(seed, stated, |grazing, [ds, dz, dmu]| {
+        let s = ds.abs() + 0.1 * (dz.abs() + dmu.abs());
+        let (oscillator, s, z) = near_grazing(grazing, [s, dz, dmu]);
+        let image = discontinuity_map::<_, 1>(&oscillator, AtRest::new(s * s, z)).ok()?.value;
+        let leading = grazing.grazing_point().discontinuity_map(s * s, z);
+        // Positions are of the size of x̂; the preimage's velocity is known to a rounding of x̂ over itself, and so are phases.
+        Some((image[component] - leading[component], [ROUNDING, ROUNDING / s][component]))
+    })
 }
 
 /// The sign of the square-root term is opposite to that of α.

@@ -14,7 +14,7 @@ use super::vivid::{derivatives, scale};
 use crate::eigenvalues::Pair;
 use crate::solutions::{equations, zero};
 use crate::specimen::Grazing;
-use crate::{CheckResult, Deviations, Failure, Sampler, sampled};
+use crate::{CheckResult, Deviations, Failure, sampled};
 
 /// Tens of roundings of numbers of the size by which deviations are divided.
 const ROUNDING: f64 = 1e-14;
@@ -99,11 +99,8 @@ pub(crate) fn affine_map() -> CheckResult {
 
 /// eq:affineMapj: the printed iterate against p steps.
 pub(crate) fn affine_map_iterated() -> CheckResult {
-    let mut sampler = Sampler::new(2);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let j = 1 + index % 12;
-        let map = sampled_map(&mut sampler);
+    let deviations = sampled(2, 2000, 1..=12, |sampler, j, deviations: &mut Deviations| {
+        let map = sampled_map(sampler);
         // S_p/β, and the start, are arbitrary here.
         let factor = sampler.between(-2.0, 2.0);
         let start = Vector2::new(sampler.between(-1.0, 1.0), sampler.between(-1.0, 1.0));
@@ -115,7 +112,7 @@ pub(crate) fn affine_map_iterated() -> CheckResult {
         let LinearisedMap { a, b } = map.iterate(j);
         let entries = (1.0 + map.a.amax()) * (1.0 + map.a.amax());
         deviations.see((a * start + b * factor - here).amax() / (entries * (size + a.amax() + b.amax())));
-    }
+    });
     Ok(deviations.outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, j = 1 to 12"))
 }
 

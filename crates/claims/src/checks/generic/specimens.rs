@@ -6,7 +6,7 @@ use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
 
 use crate::specimen::{DELAY, Exponential, Grazing, Law};
-use crate::{Failure, Sampler, order};
+use crate::{CheckResult, Failure, Sampler, Smallest, order};
 
 /// The specimens at grazing: three with Φ = ε and Ψ = 0, three whose reset law varies, three of these with the frequency as μ, and
 /// three with a force that is not linear, two of them with real eigenvalues.
@@ -112,4 +112,26 @@ pub(crate) fn uniform_order<const N: usize>(
         }
         Some(largest)
     })
+}
+
+/// How far below the stated order the observed one may lie: where remainders are resolved last, sizes are below 10⁻³, and the
+/// next term is of that relative size, times a coefficient of order ten at most.
+pub(crate) const SLACK: f64 = 0.1;
+
+/// The smallest order of a remainder, with its rounding, that is bounded in all directions at once, over specimens with α of either
+/// sign.
+pub(crate) fn smallest_order<const N: usize>(
+    seed: u64,
+    stated: f64,
+    remainder: impl Fn(&Grazing, [f64; N]) -> Option<(f64, f64)>,
+) -> CheckResult {
+    let mut sampler = Sampler::new(seed);
+    let mut orders = Smallest::default();
+    for grazing in specimens()?.into_iter().chain(delayed()?) {
+        orders.see(uniform_order(&directions::<N>(&mut sampler, 6), |direction, h| {
+            remainder(&grazing, direction.map(|share| share * h))
+        }));
+    }
+    let over = "fifteen oscillators, α of either sign, μ the amplitude or the frequency";
+    Ok(orders.order(stated, SLACK, &format!("{over}; {} directions at once", N + 6)))
 }
