@@ -17,7 +17,7 @@ macro_rules! kinds {
 
         impl ClaimKind {
             /// All kinds.
-            pub const ALL: &[Self] = &[$(Self::$name),*];
+            pub const ALL: [Self; [$($word),*].len()] = [$(Self::$name),*];
 
             /// The word for it in the ledger.
             pub const fn name(self) -> &'static str {
