@@ -1,5 +1,6 @@
 //! Long trials of the program at random parameters, against solutions that share nothing with it.
 
+pub mod closed_form;
 pub mod continued;
 pub mod errors;
 pub mod nonlinear;

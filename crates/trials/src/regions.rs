@@ -2,14 +2,13 @@
 
 use core::f64::consts::TAU;
 
-use grazing_claims::sweep::closed_form::{LoopSolution, LoopSolutions};
 use grazing_continuation::curve::Window;
-use grazing_model::motion::highest_maximum;
-use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_model::LinearOscillator;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::regions::{Region, RegionKind};
 use grazing_unfold::{Diagram, Scope};
 
+use crate::closed_form::orbits;
 use crate::random::Random;
 
 /// What became of the random points of one oscillator.
@@ -82,35 +81,15 @@ pub fn shown<O>(diagram: &Diagram<O>, loops: u32, point: [f64; 2]) -> Shown {
     }
 }
 
-/// Folds are located to this in amplitude: at one that was, there are still solutions.
-const AT_FOLD: f64 = 1e-12;
-
-/// Whether one of the at most two p-loop MPSs at the amplitude and frequency is stable and admissible, by the solutions of a quadratic
-/// equation. Nothing of the program but the search for maxima is used.
-fn exists(zeta: f64, epsilon: f64, [amplitude, omega]: [f64; 2], loops: u32) -> bool {
-    let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);
-    let mu = amplitude - solutions.grazing_amplitude();
-    let mut found = solutions.at(mu);
-    let fold = solutions.saddle_node();
-    if found.is_empty() && fold.mu - mu < AT_FOLD {
-        found.push(fold);
-    }
-    let time = TAU * f64::from(loops) / omega;
-    let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, omega).expect("valid parameters");
-    // D is less than one for every oscillator of this kind.
-    found.retain(|solution| solution.velocity > 0.0 && solution.trace.abs() - 1.0 < solution.determinant);
-    found.into_iter().any(|LoopSolution { velocity, phase, .. }| {
-        let motion = oscillator.motion(State::on_wall(-epsilon * velocity, phase));
-        highest_maximum(&motion, time).is_none_or(|maximum| maximum.position <= 0.0)
-    })
-}
-
 /// Whether a stable, admissible MPS is there all around a point, or nowhere around it; `None` close to a border.
 fn exact(zeta: f64, epsilon: f64, [amplitude, omega]: [f64; 2], loops: u32) -> Option<bool> {
-    let here = exists(zeta, epsilon, [amplitude, omega], loops);
+    let at = |a: f64, w: f64| {
+        orbits(zeta, epsilon, a, w, loops).iter().any(|orbit| orbit.stable() && orbit.admissible())
+    };
+    let here = at(amplitude, omega);
     let around = (0..16).all(|k| {
         let (sine, cosine) = libm::sincos(f64::from(k) * TAU / 16.0);
-        exists(zeta, epsilon, [amplitude + BORDER * cosine, omega + BORDER * sine], loops) == here
+        at(amplitude + BORDER * cosine, omega + BORDER * sine) == here
     });
     around.then_some(here)
 }

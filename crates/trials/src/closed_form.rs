@@ -1,0 +1,58 @@
+//! All p-loop MPSs of the linear oscillator at given parameters, without iteration: the solutions of a quadratic equation
+//! ([`LoopSolutions`]), and whether they are MPSs of the hybrid system. Nothing of the program but the search for maxima is used.
+
+use core::f64::consts::TAU;
+
+use grazing_claims::sweep::closed_form::{LoopSolution, LoopSolutions};
+use grazing_model::motion::highest_maximum;
+use grazing_model::{ImpactOscillator, LinearOscillator, State};
+
+/// One of the at most two p-loop MPSs.
+#[derive(Clone, Copy, Debug)]
+pub struct Orbit {
+    /// Impact velocity y.
+    pub velocity: f64,
+    /// Impact phase z.
+    pub phase: f64,
+    /// Trace T of the derivative of the map from impact to impact.
+    pub trace: f64,
+    /// Its determinant D.
+    pub determinant: f64,
+    /// The highest interior maximum of x; minus infinity without one.
+    pub ceiling: f64,
+}
+
+impl Orbit {
+    /// Both multipliers lie inside the unit circle; D is less than one for every oscillator of this kind.
+    pub fn stable(&self) -> bool {
+        self.trace.abs() - 1.0 < self.determinant
+    }
+
+    /// It has an impact, and no interior maximum lies above the wall.
+    pub fn admissible(&self) -> bool {
+        self.velocity > 0.0 && self.ceiling <= 0.0
+    }
+}
+
+/// Folds are located to this in amplitude: at one that was, there are still solutions.
+const AT_FOLD: f64 = 1e-12;
+
+/// The MPSs with p = `loops` at the amplitude and frequency, virtual ones (y < 0) included.
+pub fn orbits(zeta: f64, epsilon: f64, amplitude: f64, omega: f64, loops: u32) -> Vec<Orbit> {
+    let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);
+    let mu = amplitude - solutions.grazing_amplitude();
+    let mut found = solutions.at(mu);
+    let fold = solutions.saddle_node();
+    if found.is_empty() && fold.mu - mu < AT_FOLD {
+        found.push(fold);
+    }
+    let time = TAU * f64::from(loops) / omega;
+    let oscillator = LinearOscillator::new(zeta, epsilon, amplitude, omega).expect("valid parameters");
+    let orbit = |solution: LoopSolution| {
+        let motion = oscillator.motion(State::on_wall(-epsilon * solution.velocity, solution.phase));
+        let ceiling = highest_maximum(&motion, time).map_or(f64::NEG_INFINITY, |maximum| maximum.position);
+        let LoopSolution { velocity, phase, trace, determinant, .. } = solution;
+        Orbit { velocity, phase, trace, determinant, ceiling }
+    };
+    found.into_iter().map(orbit).collect()
+}
