@@ -33,7 +33,6 @@ pub(crate) mod main_results {
     pub(crate) mod non_impacting;
     pub(crate) mod resonant;
     pub(crate) mod returns;
-    pub(crate) mod simulation;
     pub(crate) mod system;
     pub(crate) mod theorems;
 }

@@ -11,11 +11,15 @@ const RESOLVED: f64 = 100.0;
 /// stands a hundredfold above its rounding.
 ///
 /// `remainder` gives, for a size, the remainder and its rounding, or `None` where the size is too large for it to exist.
-/// Infinite if the remainder is never resolved twice: then there is none to be seen.
+/// Infinite if the remainder is never resolved twice: then there is none to be seen. Not a number if it does not exist down to the
+/// smallest size that was looked at.
 pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
     let mut resolved: Vec<f64> = Vec::new();
+    let mut exists = false;
     for k in FIRST..FIRST + SIZES {
-        match remainder(libm::ldexp(1.0, -k)) {
+        let found = remainder(libm::ldexp(1.0, -k));
+        exists = found.is_some();
+        match found {
             Some((value, rounding)) if value.abs() > RESOLVED * rounding => resolved.push(value.abs()),
             // What is not a number is not small.
             Some((value, _)) if value.is_nan() => return f64::NAN,
@@ -26,6 +30,7 @@ pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64
     }
     match resolved[..] {
         [.., coarse, fine] => libm::log2(coarse / fine),
+        _ if !exists => f64::NAN,
         _ => f64::INFINITY,
     }
 }
@@ -46,5 +51,6 @@ mod tests {
     fn what_is_below_rounding_or_not_a_number_has_no_order() {
         assert_eq!(order(|_| Some((1e-17, 1e-16))), f64::INFINITY);
         assert!(order(|h| Some((if h < 0.001 { f64::NAN } else { h }, 1e-16))).is_nan());
+        assert!(order(|h| (h > 0.001).then_some((h, 1e-16))).is_nan());
     }
 }

@@ -8,63 +8,38 @@ use crate::checks::{CHECKS, Check};
 
 const FILE: &str = include_str!("../../../expected/claims.toml");
 
-/// What kind of statement a claim is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ClaimKind {
-    /// It says what a symbol stands for.
-    Definition,
-    /// What is assumed.
-    Assumption,
-    /// Two expressions are equal.
-    Identity,
-    /// An expression up to a remainder of stated order.
-    Expansion,
-    /// Something is positive, or lies between bounds.
-    Inequality,
-    /// A lemma, proposition or theorem, or a statement in words.
-    Theorem,
-    /// A printed number.
-    Number,
+/// The kinds of statements, each with the word for it in the ledger and what it means.
+macro_rules! kinds {
+    ($($name:ident = $word:literal, $meaning:literal;)*) => {
+        /// What kind of statement a claim is.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+        pub enum ClaimKind { $(#[serde(rename = $word)] #[doc = $meaning] $name,)* }
+
+        impl ClaimKind {
+            /// All kinds.
+            pub const ALL: [Self; [$($word),*].len()] = [$(Self::$name),*];
+
+            /// The word for it in the ledger.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$name => $word,)* }
+            }
+
+            /// What it means, in a few words.
+            pub const fn meaning(self) -> &'static str {
+                match self { $(Self::$name => $meaning,)* }
+            }
+        }
+    };
 }
 
-impl ClaimKind {
-    /// All kinds.
-    pub const ALL: [Self; 7] = [
-        Self::Definition,
-        Self::Assumption,
-        Self::Identity,
-        Self::Expansion,
-        Self::Inequality,
-        Self::Theorem,
-        Self::Number,
-    ];
-
-    /// The word for it in the ledger.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Definition => "definition",
-            Self::Assumption => "assumption",
-            Self::Identity => "identity",
-            Self::Expansion => "expansion",
-            Self::Inequality => "inequality",
-            Self::Theorem => "theorem",
-            Self::Number => "number",
-        }
-    }
-
-    /// What it means, in a few words.
-    pub const fn meaning(self) -> &'static str {
-        match self {
-            Self::Definition => "what a symbol stands for",
-            Self::Assumption => "what is assumed",
-            Self::Identity => "two expressions are equal",
-            Self::Expansion => "an expression up to a remainder of stated order",
-            Self::Inequality => "something is positive, or lies between bounds",
-            Self::Theorem => "a lemma, proposition or theorem, or a statement in words",
-            Self::Number => "a printed number",
-        }
-    }
+kinds! {
+    Definition = "definition", "what a symbol stands for";
+    Assumption = "assumption", "what is assumed";
+    Identity = "identity", "two expressions are equal";
+    Expansion = "expansion", "an expression up to a remainder of stated order";
+    Inequality = "inequality", "something is positive, or lies between bounds";
+    Theorem = "theorem", "a lemma, proposition or theorem, or a statement in words";
+    Number = "number", "a printed number";
 }
 
 impl fmt::Display for ClaimKind {

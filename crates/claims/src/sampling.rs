@@ -1,9 +1,13 @@
 //! Seeded samples of domains, and adversarial search for the smallest value of a function.
 
+use core::f64::consts::TAU;
 use core::ops::RangeInclusive;
 
+use grazing_model::State;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
+
+use crate::Failure;
 
 /// A seeded source of numbers: the same seed gives the same numbers on every machine.
 pub(crate) struct Sampler(Pcg64Mcg);
@@ -30,11 +34,33 @@ impl Sampler {
         items[index.min(items.len() - 1)]
     }
 
+    /// A state on the free side of the wall, without pattern.
+    pub(crate) fn state(&mut self) -> State {
+        State {
+            position: self.between(-2.0, 0.0),
+            velocity: self.between(-1.0, 1.0),
+            phase: self.between(0.0, TAU),
+        }
+    }
+
     /// A pair (τ, δ) in the trapesium of eq:cT, up to a relative distance 10⁻⁶ from its slanted sides.
     pub(crate) fn trapesium(&mut self) -> (f64, f64) {
         let delta = self.between(0.001, 0.999);
         (self.between(-0.999_999, 0.999_999) * (delta + 1.0), delta)
     }
+}
+
+/// What so many samples add up to, all from one source.
+pub(crate) fn drawn<T: Default>(
+    seed: u64,
+    samples: usize,
+    mut sample: impl FnMut(&mut Sampler, &mut T) -> Result<(), Failure>,
+) -> Result<T, Failure> {
+    let (mut sampler, mut tally) = (Sampler::new(seed), T::default());
+    for _ in 0..samples {
+        sample(&mut sampler, &mut tally)?;
+    }
+    Ok(tally)
 }
 
 /// What so many samples add up to, each for the next number of loops in a range, round and round.

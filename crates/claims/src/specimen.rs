@@ -7,7 +7,7 @@
 
 mod motion;
 
-use crate::{Failure, Sampler};
+use crate::{Failure, Sampler, drawn};
 use grazing_continuation::resonance::LocatedResonance;
 use grazing_model::flow_variable::{PRIMARY, SECONDARY};
 use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator, Taylor};
@@ -137,13 +137,6 @@ impl Law {
         law.grazing(sampler.between(lowest, 1.9))
     }
 
-    /// The same; half of them have the frequency as the primary parameter.
-    pub(crate) fn random_grazing_of_any_order(sampler: &mut Sampler) -> Result<Grazing, Failure> {
-        let orbit = Self::random_grazing(sampler)?;
-        let exchanged = sampler.one_of(&[true, false]);
-        if exchanged { frequency_first(&orbit) } else { Ok(orbit) }
-    }
-
     /// The same with the frequency as the primary parameter.
     pub(crate) const fn frequency_first(self) -> Self {
         Self { frequency_first: true, ..self }
@@ -185,20 +178,10 @@ impl Law {
         Ok(GrazingOrbit::at(specimen, phase)?)
     }
 
-    /// The oscillator at the resonance that the one (p, n) of the linear oscillator becomes, with ω₁/ω = n − 1/(2p) instead of
-    /// n + 1/(2p) where it is `negative`.
-    pub(crate) fn resonance(
-        self,
-        loops: u32,
-        index: u32,
-        negative: bool,
-    ) -> Result<LocatedResonance<Specimen>, Failure> {
+    /// The oscillator at the resonance that the one (p, n) of the linear oscillator becomes.
+    pub(crate) fn resonance(self, loops: u32, index: u32) -> Result<LocatedResonance<Specimen>, Failure> {
         let theory = grazing_theorems::LinearOscillator::new(self.damping, 1.0)?;
-        let frequency = if negative {
-            theory.virtual_resonance_frequency(loops, index)?
-        } else {
-            theory.resonance(loops, index)?.forcing_frequency()
-        };
+        let frequency = theory.resonance(loops, index)?.forcing_frequency();
         let start = Self { damping_slope: 0.0, stiffening: 0.0, frequency_first: false, ..self };
         let mut orbit = start.grazing(frequency)?;
         let mut parameters = orbit.oscillator().parameters();
@@ -219,6 +202,20 @@ pub(crate) fn damping_for_decay(loops: u32, index: u32, decay: f64) -> f64 {
     // E_p = e^{−2πpζ/ω} with ω₁/ω = ratio: ζ/ω₁ = −ln E_p/(2πp · ratio).
     let skew = -libm::log(decay) / (core::f64::consts::TAU * p * ratio);
     skew / (1.0 + skew * skew).sqrt()
+}
+
+/// What so many oscillators with laws without pattern add up to, at grazing; half of them have the frequency as the primary parameter.
+pub(crate) fn at_grazing<T: Default>(
+    seed: u64,
+    samples: usize,
+    mut sample: impl FnMut(&mut Sampler, &Grazing, &mut T) -> Result<(), Failure>,
+) -> Result<T, Failure> {
+    drawn(seed, samples, |sampler, tally| {
+        let orbit = Law::random_grazing(sampler)?;
+        let exchanged = sampler.one_of(&[true, false]);
+        let orbit = if exchanged { frequency_first(&orbit)? } else { orbit };
+        sample(sampler, &orbit, tally)
+    })
 }
 
 /// The grazing orbit with the frequency as its primary parameter instead of the amplitude.
@@ -373,7 +370,7 @@ mod tests {
     #[test]
     fn a_nonlinear_specimen_has_none_of_the_accidents_of_the_linear_one() {
         let law = Law::nonlinear(damping_for_decay(1, 1, 0.5));
-        let grazing = law.resonance(1, 1, false).unwrap().resonant_point().grazing;
+        let grazing = law.resonance(1, 1).unwrap().resonant_point().grazing;
         let (a, omega) = (grazing.map.a, grazing.forcing_frequency);
         assert!(a.m12.abs() < 1e-10 && (a.m11 - a.m22).abs() > 0.2, "{a}");
         assert!((grazing.gamma / (omega * omega) - 1.0).abs() > 0.02);

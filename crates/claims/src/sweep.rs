@@ -49,17 +49,14 @@ impl Existence {
     /// there are so many points after the start and all are alike.
     fn along(curve: &Curve, parameter: usize, start: f64, points: usize) -> Self {
         let mut seen = curve.points.iter().skip(1).map(|point| {
-            let ahead = point.solution.parameters()[parameter] > start;
-            (if ahead { Side::Positive } else { Side::Negative }, point.solution.admissible())
+            let ahead = point.solution.parameters()[parameter] - start;
+            (Side::of(ahead), point.solution.admissible())
         });
         match seen.next() {
-            Some(first) if curve.points.len() > points && seen.all(|point| point == first) => {
-                if first.1 {
-                    Self::On(first.0)
-                } else {
-                    Self::Nowhere
-                }
-            }
+            Some(first) if curve.points.len() > points && seen.all(|point| point == first) => match first {
+                (side, true) => Self::On(side),
+                (_, false) => Self::Nowhere,
+            },
             _ => Self::Unclear,
         }
     }

@@ -5,6 +5,7 @@ use grazing_claims::sweep::closed_form::LoopSolutions;
 use grazing_claims::sweep::{Case, generic_cases, resonant_cases};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, LinearOscillator, State};
+use grazing_theorems::auxiliary::detuning;
 use grazing_unfold::simulation::{Seen, Suspect};
 
 #[test]
@@ -21,7 +22,8 @@ fn the_cases_go_to_where_the_theorems_change_their_minds() {
         for sign in [1.0, -1.0] {
             assert!(of_p.iter().any(|state| sign * state.linearised_map().a.m12 > 0.0), "p = {p}");
             let side = |state: &grazing_theorems::GrazingState| {
-                p == 1 || state.linearised_map().a.m12 > 0.0 && sign * state.detuning(p) > 0.0
+                let detuning = detuning(p, state.trace(), state.determinant());
+                p == 1 || state.linearised_map().a.m12 > 0.0 && sign * detuning > 0.0
             };
             assert!(of_p.iter().any(side), "p = {p}");
         }

@@ -13,7 +13,7 @@
 //!        └─ locate, curve    conditions, points, curves with events and named ends
 //!             └─ resonance   resonant grazing points and the curves that leave them in the direction of the theory
 //!                  └─ fit    quadratic coefficients measured on these curves
-//!   mps ─ criticality        normal forms of saddle-node and period-doubling bifurcations, from third derivatives
+//!   mps ─ criticality        normal form of period doublings, from third derivatives
 //! ```
 
 pub mod arclength;

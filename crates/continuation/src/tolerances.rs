@@ -71,9 +71,3 @@ pub(crate) const LOCATED: f64 = 1e-6;
 
 /// At a cusp the tangent, of length one, has no part in (μ, η) above this: rounding over the curvature of the curve.
 pub(crate) const IN_THE_PLANE: f64 = 1e-12;
-
-/// The search for c = 0 along a curve of period doublings ends where y² c is below this, a few roundings of terms of order one;
-pub(crate) const NO_COEFFICIENT: f64 = 1e-14;
-
-/// or, at its end, below this, where the rounding is worse: c loses digits in proportion to 1/y.
-pub(crate) const NO_COEFFICIENT_AT_LAST: f64 = 1e-9;

@@ -17,7 +17,7 @@ pub enum Side {
 
 impl Side {
     /// The side on which a number other than zero lies.
-    pub(crate) fn of(number: f64) -> Self {
+    pub fn of(number: f64) -> Self {
         if number > 0.0 { Self::Positive } else { Self::Negative }
     }
 
@@ -40,8 +40,6 @@ impl Side {
 /// cannot be seen from numbers at one point and are up to the caller.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GenericGrazing {
-    theorem: Theorem,
-    loops: u32,
     hypotheses: Vec<Hypothesis>,
     side: Side,
 }
@@ -79,17 +77,7 @@ impl GenericGrazing {
         }
         hypotheses.push(deciding);
         let hypotheses = check(theorem, hypotheses)?;
-        Ok(Self { theorem, loops: p, hypotheses, side: Side::of(deciding.value) })
-    }
-
-    /// Which theorem it is.
-    pub fn theorem(&self) -> Theorem {
-        self.theorem
-    }
-
-    /// The number of loops, p.
-    pub fn loops(&self) -> u32 {
-        self.loops
+        Ok(Self { hypotheses, side: Side::of(deciding.value) })
     }
 
     /// The hypotheses with their values; all of them hold.
@@ -97,8 +85,7 @@ impl GenericGrazing {
         &self.hypotheses
     }
 
-    /// The sign of `mu` for which the maximal periodic solution exists: that of `a12 beta` if `p = 1`, that
-    /// of
+    /// The sign of `mu` for which the maximal periodic solution exists: that of `a12 beta` if `p = 1`, that of
     /// `beta kappa_p` if `p >= 2`.
     pub fn side(&self) -> Side {
         self.side

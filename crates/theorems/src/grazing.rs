@@ -189,7 +189,8 @@ impl GrazingPoint {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EmergingOrbit {
     map: LinearisedMap,
-    loops: u32,
+    /// The number of loops, p.
+    pub loops: u32,
     /// `d y* / d mu (0)`: impact velocity per unit of mu.
     pub impact_velocity_slope: f64,
     /// `d z* / d mu (0)`: impact phase, radians per unit of mu.
@@ -197,11 +198,6 @@ pub struct EmergingOrbit {
 }
 
 impl EmergingOrbit {
-    /// The number of loops, p.
-    pub fn loops(&self) -> u32 {
-        self.loops
-    }
-
     /// The velocity of the `j`-th visit to `Pi` as `mu` varies, `d (x^(j), z^(j)) / d mu (0)`.
     ///
     /// `A^j (0, -b_1p / (a12 S_p)) + b_j`; its first component is `(beta / S_p) u^(j)`.

@@ -24,13 +24,6 @@ pub struct LinearOscillator {
     epsilon: f64,
 }
 
-/// The oscillator without its forcing.
-impl From<&grazing_model::LinearOscillator> for LinearOscillator {
-    fn from(oscillator: &grazing_model::LinearOscillator) -> Self {
-        Self { zeta: oscillator.damping_ratio(), epsilon: oscillator.restitution() }
-    }
-}
-
 impl LinearOscillator {
     /// An oscillator with damping ratio `zeta` in (0, 1) and coefficient of restitution `epsilon`, positive and
     /// finite, both dimensionless.

@@ -44,7 +44,6 @@ impl BifurcationCurve {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ResonantGrazing {
     theorem: Theorem,
-    loops: u32,
     hypotheses: Vec<Hypothesis>,
     branch: BranchExpansion,
     saddle_node: BifurcationCurve,
@@ -106,7 +105,6 @@ impl ResonantGrazing {
             };
         Ok(Self {
             theorem,
-            loops,
             hypotheses,
             branch,
             saddle_node: curve(
@@ -125,11 +123,6 @@ impl ResonantGrazing {
     /// Which theorem it is.
     pub fn theorem(&self) -> Theorem {
         self.theorem
-    }
-
-    /// The number of loops, p.
-    pub fn loops(&self) -> u32 {
-        self.loops
     }
 
     /// The hypotheses with their values; all of them hold.

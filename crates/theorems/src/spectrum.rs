@@ -69,7 +69,10 @@ impl LinearisedMap {
     /// # Errors
     /// [`TheoryError::UnitEigenvalue`] when `det(I - A)` is zero or NaN.
     pub fn fixed_point_slope(&self) -> Result<Vector2<f64>, TheoryError> {
-        let determinant = self.unit_eigenvalue_excluded()?;
+        let determinant = self.characteristic_polynomial_at_one();
+        if determinant == 0.0 || determinant.is_nan() {
+            return Err(TheoryError::UnitEigenvalue { determinant });
+        }
         let adjugate_second = self.a.m21 * self.b.x + (1.0 - self.a.m11) * self.b.y;
         Ok(Vector2::new(self.transversality(), adjugate_second) / determinant)
     }
@@ -81,7 +84,7 @@ impl LinearisedMap {
     /// # Errors
     /// [`TheoryError::UnitEigenvalue`] when `det(I - A)` is zero or NaN.
     pub fn fixed_point_position_slope(&self) -> Result<f64, TheoryError> {
-        Ok(self.transversality() / self.unit_eigenvalue_excluded()?)
+        Ok(self.fixed_point_slope()?.x)
     }
 
     /// The `p`-th iterate of the global map, to first order.
@@ -98,14 +101,6 @@ impl LinearisedMap {
         let companion = Matrix2::new(-a.m22, a.m12, a.m21, -a.m11);
         let drift = Vector2::new(self.transversality(), a.m21 * b.x + (1.0 - a.m11) * b.y);
         Self { a: Matrix2::identity() * s_next + companion * s_p, b: b * s_p + drift * t_p }
-    }
-
-    fn unit_eigenvalue_excluded(&self) -> Result<f64, TheoryError> {
-        let determinant = self.characteristic_polynomial_at_one();
-        if determinant == 0.0 || determinant.is_nan() {
-            return Err(TheoryError::UnitEigenvalue { determinant });
-        }
-        Ok(determinant)
     }
 }
 

@@ -8,7 +8,6 @@ use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_unfold::progress::Progress;
-use grazing_unfold::regions::RegionKind;
 use grazing_unfold::simulation::Suspect;
 use grazing_unfold::stop::{Stop, Stoppable};
 use grazing_unfold::{Diagram, Scope, UnfoldError};
@@ -16,7 +15,7 @@ use rayon::prelude::*;
 
 use crate::continued::{along, good, near};
 use crate::random::Random;
-use crate::regions::{BORDER, distance, doubts};
+use crate::regions::{Shown, doubts, shown};
 use crate::simulation::{Settled, settled};
 
 /// What regions, continuation and simulation do not agree on.
@@ -64,30 +63,6 @@ impl Outcome {
     /// How often there is a disagreement of a kind.
     pub fn count(&self, kind: Disagreement) -> usize {
         self.wrong.iter().filter(|(.., found)| *found == kind).count()
-    }
-}
-
-/// What a diagram says of p-loop solutions at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Shown {
-    Shaded,
-    White,
-    Hatched,
-    /// Too close to a border to tell.
-    Border,
-}
-
-fn shown<O>(diagram: &Diagram<O>, loops: u32, point: [f64; 2]) -> Shown {
-    let mut of_p = diagram.regions.iter().filter(|region| region.loops == loops);
-    let inside: Vec<_> = of_p.clone().filter(|region| region.contains(point)).collect();
-    if inside.iter().any(|region| matches!(region.kind, RegionKind::Undecided(_))) {
-        Shown::Hatched
-    } else if of_p.any(|region| distance(region, point) < BORDER) {
-        Shown::Border
-    } else if inside.is_empty() {
-        Shown::White
-    } else {
-        Shown::Shaded
     }
 }
 

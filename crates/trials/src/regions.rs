@@ -1,5 +1,7 @@
 //! Shaded regions of the linear oscillator against its MPSs in closed form.
 
+use core::f64::consts::TAU;
+
 use grazing_continuation::curve::Window;
 use grazing_model::LinearOscillator;
 use grazing_unfold::progress::Silent;
@@ -51,6 +53,34 @@ pub fn doubts<O>(diagram: &Diagram<O>) -> Vec<String> {
     diagram.regions.iter().filter_map(doubt).collect()
 }
 
+/// What a diagram says of p-loop solutions at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// A stable, admissible solution.
+    Shaded,
+    /// None.
+    White,
+    /// Nothing.
+    Hatched,
+    /// Too close to a border to tell.
+    Border,
+}
+
+/// What a diagram says of p-loop solutions at a point.
+pub fn shown<O>(diagram: &Diagram<O>, loops: u32, point: [f64; 2]) -> Shown {
+    let mut of_p = diagram.regions.iter().filter(|region| region.loops == loops);
+    let inside: Vec<_> = of_p.clone().filter(|region| region.contains(point)).collect();
+    if inside.iter().any(|region| matches!(region.kind, RegionKind::Undecided(_))) {
+        Shown::Hatched
+    } else if of_p.any(|region| distance(region, point) < BORDER) {
+        Shown::Border
+    } else if inside.is_empty() {
+        Shown::White
+    } else {
+        Shown::Shaded
+    }
+}
+
 /// Whether a stable, admissible MPS is there all around a point, or nowhere around it; `None` close to a border.
 fn exact(zeta: f64, epsilon: f64, [amplitude, omega]: [f64; 2], loops: u32) -> Option<bool> {
     let at = |a: f64, w: f64| {
@@ -58,8 +88,8 @@ fn exact(zeta: f64, epsilon: f64, [amplitude, omega]: [f64; 2], loops: u32) -> O
     };
     let here = at(amplitude, omega);
     let around = (0..16).all(|k| {
-        let angle = f64::from(k) * core::f64::consts::TAU / 16.0;
-        at(amplitude + BORDER * libm::cos(angle), omega + BORDER * libm::sin(angle)) == here
+        let (sine, cosine) = libm::sincos(f64::from(k) * TAU / 16.0);
+        at(amplitude + BORDER * cosine, omega + BORDER * sine) == here
     });
     around.then_some(here)
 }
@@ -91,20 +121,13 @@ pub fn compare(
         let point = [random.uniform(primary[0], primary[1]), random.uniform(secondary[0], secondary[1])];
         let mut doubtful = false;
         for &p in loops {
-            let of_p: Vec<_> = diagram.regions.iter().filter(|region| region.loops == p).collect();
-            let inside: Vec<_> = of_p.iter().filter(|region| region.contains(point)).collect();
-            if inside.iter().any(|region| matches!(region.kind, RegionKind::Undecided(_))) {
-                doubtful = true;
-                continue;
-            }
-            let shaded = !inside.is_empty();
-            let Some(stable) = exact(zeta, epsilon, point, p) else { continue };
-            match (shaded, stable) {
-                (true, true) => outcome.shaded += 1,
-                (false, false) => {}
-                _ if of_p.iter().any(|region| distance(region, point) < BORDER) => {}
-                (true, false) => outcome.false_shading.push((p, point)),
-                (false, true) => outcome.missed.push((p, point)),
+            let shown = shown(&diagram, p, point);
+            doubtful |= shown == Shown::Hatched;
+            match (shown, exact(zeta, epsilon, point, p)) {
+                (Shown::Shaded, Some(true)) => outcome.shaded += 1,
+                (Shown::Shaded, Some(false)) => outcome.false_shading.push((p, point)),
+                (Shown::White, Some(true)) => outcome.missed.push((p, point)),
+                _ => {}
             }
         }
         hatched += usize::from(doubtful);

@@ -8,6 +8,7 @@
 
 use core::f64::consts::TAU;
 
+use grazing_unfold::simulation::Suspect;
 use nalgebra::{Matrix2, Vector2};
 
 /// The p-loop solutions at one frequency, for all amplitudes.
@@ -40,6 +41,13 @@ pub struct LoopSolution {
     pub trace: f64,
     /// The determinant D of eq:TD.
     pub determinant: f64,
+}
+
+impl LoopSolution {
+    /// Its impact, to be looked at in the hybrid system.
+    pub(crate) fn suspect<'a, O>(&self, oscillator: &'a O, loops: u32) -> Suspect<'a, O> {
+        Suspect { oscillator, loops, velocity: self.velocity, phase: self.phase }
+    }
 }
 
 impl LoopSolutions {

@@ -1,10 +1,8 @@
 //! Theorems 2.2 and 2.3: on which side of grazing the MPS comes into being, and that it is unstable.
 
 use grazing_continuation::arclength::Stall;
-use grazing_continuation::curve::{Curve, MpsCurve};
+use grazing_continuation::curve::Curve;
 use grazing_continuation::fit::FitError;
-use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_continuation::resonance::ResonanceError;
 use grazing_model::maps::MapError;
 use grazing_model::{ImpactOscillator, LinearOscillator};
@@ -16,7 +14,8 @@ use thiserror::Error;
 
 use super::closed_form::LoopSolutions;
 use super::{Case, CaseVerdict, Existence, POINTS, Reason, first_points};
-use grazing_unfold::simulation::{Seen, Suspect};
+use crate::solutions::branch;
+use grazing_unfold::simulation::Seen;
 
 /// A case could not be worked out.
 #[derive(Debug, Clone, Error)]
@@ -96,7 +95,8 @@ impl GenericRow {
         let emerging = point.emerging_orbit(loops)?;
         let solutions = LoopSolutions::new(zeta, epsilon, omega, loops);
         let velocity = small_velocity(&point, loops);
-        let curve = branch(orbit.oscillator(), orbit.phase(), loops, velocity)?;
+        let route = first_points(velocity, 1e-3 * velocity, core::f64::consts::PI);
+        let curve = branch(orbit.oscillator(), orbit.phase(), loops, &route).map_err(SweepError::Branch)?;
         let (simulated, repels) = simulate(&start, &solutions, loops, velocity);
         let mut row = Self {
             case,
@@ -183,17 +183,6 @@ fn first_order(point: &GrazingPoint, loops: u32) -> Result<Existence, SweepError
     Ok(Existence::of([1.0, -1.0].map(positive)))
 }
 
-/// The first points of the branch with y > 0.
-fn branch(oscillator: &LinearOscillator, phase: f64, loops: u32, length: f64) -> Result<Curve, SweepError> {
-    let equations = LoopEquations::new(*oscillator, loops, Formulation::Vivid);
-    let (amplitude, omega) = (oscillator.amplitude(), oscillator.frequency());
-    let curve = MpsCurve { equations, condition: Condition::Secondary(omega) };
-    let route = first_points(length, 1e-3 * length, core::f64::consts::PI);
-    let start = Unknowns::new(0.0, phase, amplitude, omega);
-    let direction = Unknowns::new(1.0, 0.0, 0.0, 0.0);
-    curve.follow(start, direction, EventTimes::default(), &route).map_err(SweepError::Branch)
-}
-
 /// dy/dμ and dz/dμ at grazing, extrapolated from the points of the branch.
 fn followed_slopes(curve: &Curve, grazing: f64, phase: f64) -> [f64; 2] {
     let rows: Vec<[f64; 3]> = curve
@@ -243,8 +232,7 @@ fn simulate(
                 .collect();
             let [solution] = near[..] else { return None };
             let at = oscillator.with_parameters([solution.amplitude, oscillator.frequency()]);
-            let suspect =
-                Suspect { oscillator: &at, loops, velocity: solution.velocity, phase: solution.phase };
+            let suspect = solution.suspect(&at, loops);
             let seen = suspect.follow();
             if seen == Seen::Returns {
                 repels &= suspect.repels_at_once();

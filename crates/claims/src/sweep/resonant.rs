@@ -10,13 +10,13 @@ use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 use grazing_theorems::resonant_theorem::BifurcationCurve;
-use grazing_theorems::{HypothesesViolated, Resonance, ResonantGrazing, ResonantPoint, Side};
+use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side};
 use rayon::prelude::*;
 
 use super::closed_form::{LoopSolution, LoopSolutions};
 use super::generic::{SweepError, to_zero, worst};
 use super::{Case, CaseVerdict, Existence, Reason, first_points};
-use grazing_unfold::simulation::{Seen, Suspect};
+use grazing_unfold::simulation::Seen;
 
 /// A bifurcation curve as predicted and as seen.
 #[derive(Debug, Clone, Copy)]
@@ -101,19 +101,18 @@ impl ResonantRow {
             None => None,
         };
         let followed = located.as_ref().map(|located| followed(located, omega)).transpose()?;
-        let continued = |k: usize| located.as_ref().zip(followed.as_ref().map(|curves| &curves[k]));
         let stability = point.stability_coefficients();
-        let scene = |multiplier, stability| Scene { case, point: &point, start, multiplier, stability };
-        let saddle_node = scene(1.0, stability.plus).curve(
-            theorem.as_ref().map(ResonantGrazing::saddle_node),
-            closed.as_ref().map(Resonance::saddle_node_coefficient),
-            continued(0),
-        )?;
-        let period_doubling = scene(-1.0, stability.minus).curve(
-            theorem.as_ref().map(ResonantGrazing::period_doubling),
-            closed.as_ref().map(Resonance::period_doubling_coefficient),
-            continued(1),
-        )?;
+        let curve = |k: usize| {
+            let [multiplier, stability] = [[1.0, stability.plus], [-1.0, stability.minus]][k];
+            Scene { case, point: &point, start, multiplier, stability }.curve(
+                theorem.as_ref().map(|theorem| [theorem.saddle_node(), theorem.period_doubling()][k]),
+                closed.map(|closed| {
+                    [closed.saddle_node_coefficient(), closed.period_doubling_coefficient()][k]
+                }),
+                located.as_ref().zip(followed.as_ref().map(|curves| &curves[k])),
+            )
+        };
+        let curves = [curve(0)?, curve(1)?];
         let mut row = Self {
             case,
             point,
@@ -121,7 +120,7 @@ impl ResonantRow {
             decay: state.decay(loops),
             hypotheses,
             holds: theorem.is_some(),
-            curves: [saddle_node, period_doubling],
+            curves,
             verdict: CaseVerdict::Unexplained,
         };
         row.verdict = row.judge();
@@ -241,8 +240,8 @@ impl Scene<'_> {
             predicted: theorem.map(|curve| curve.eta_side),
             continued: continued.map(|(_, curve)| Existence::along(curve, 1, self.case.omega, 1)),
             simulated: Existence::of(seen.map(|seen| seen.is_some())),
-            crossed: there.is_some_and(|seen| seen.crossed),
-            stability_changes: there.and_then(|seen| seen.stability_changes),
+            crossed: there.is_some_and(|(crossed, _)| crossed),
+            stability_changes: there.and_then(|(_, changes)| changes),
             theorem: theorem.map_or(f64::NAN, |curve| curve.coefficient),
             proposition: closed.unwrap_or(f64::NAN),
             fit,
@@ -286,8 +285,9 @@ impl Scene<'_> {
         to_zero(&at, ratios)
     }
 
-    /// What is seen on both sides of the bifurcation at one η, if there are MPSs.
-    fn beside(&self, eta: f64) -> Option<Beside> {
+    /// Where there are MPSs on both sides of the bifurcation at one η: whether the multiplier is crossed between them, and whether
+    /// stability changes, if |D| < 1.
+    fn beside(&self, eta: f64) -> Option<(bool, Option<bool>)> {
         let solutions = self.solutions(eta);
         let middle = self.bifurcation(eta);
         // A bifurcation whose impact velocity does not go to zero with η does not come out of the resonance.
@@ -295,35 +295,21 @@ impl Scene<'_> {
         if nearer.velocity.abs() > 0.5 * middle.velocity.abs() {
             return None;
         }
-        let oscillators = [1.0 - ASIDE, 1.0 + ASIDE].map(|size| {
-            let solution = solutions.with_velocity(size * middle.velocity);
-            (self.start.with_parameters([solution.amplitude, self.case.omega + eta]), solution)
-        });
-        let suspects = [0, 1].map(|k| {
-            let (oscillator, solution) = &oscillators[k];
-            let (velocity, phase) = (solution.velocity, solution.phase);
-            Suspect { oscillator, loops: self.case.loops, velocity, phase }
-        });
+        let both = [1.0 - ASIDE, 1.0 + ASIDE].map(|size| solutions.with_velocity(size * middle.velocity));
+        let oscillators =
+            both.map(|solution| self.start.with_parameters([solution.amplitude, self.case.omega + eta]));
+        let suspects = [0, 1].map(|k| both[k].suspect(&oscillators[k], self.case.loops));
         if suspects.iter().any(|suspect| suspect.follow() != Seen::Returns) {
             return None;
         }
-        let side = suspects.map(|suspect| {
-            suspect
-                .multipliers()
-                .map(|[trace, determinant]| 1.0 - self.multiplier * trace + determinant > 0.0)
-        });
+        let side =
+            suspects.map(|suspect| suspect.multipliers().map(|[t, d]| 1.0 - self.multiplier * t + d > 0.0));
         let crossed = matches!(side, [Some(a), Some(b)] if a != b);
         // With |D| ≥ 1 all orbits beside it leave.
         let stability_changes = (solutions.determinant() < 1.0)
             .then(|| matches!(suspects.map(|suspect| suspect.attracts()), [Some(a), Some(b)] if a != b));
-        Some(Beside { crossed, stability_changes })
+        Some((crossed, stability_changes))
     }
-}
-
-#[derive(Clone, Copy)]
-struct Beside {
-    crossed: bool,
-    stability_changes: Option<bool>,
 }
 
 #[cfg(test)]

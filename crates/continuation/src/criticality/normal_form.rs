@@ -1,7 +1,9 @@
-//! Normal forms of a planar map that is given by a pair of others, L(X') = R(X), at a fixed point.
+//! The normal form of a planar map that is given by a pair of others, L(X') = R(X), at a fixed point with the multiplier −1.
 
 use grazing_model::smooth::Taylor;
 use nalgebra::{Matrix2, Vector2};
+
+use super::PeriodDoubling;
 
 /// A curve in the plane at a point of it: Taylor polynomials in its parameter s.
 pub(super) type Germ = [Taylor; 2];
@@ -16,45 +18,24 @@ pub(super) struct ImplicitMap<F> {
     pub(super) along: F,
 }
 
-/// The map at a multiplier λ = ±1, along X(s) = X₀ + q s + h s² + ….
-#[derive(Clone, Copy, Debug)]
-pub(super) struct NormalForm {
-    /// q, of length one.
-    pub(super) direction: Vector2<f64>,
-    /// h; zero where it does not matter.
-    pub(super) bend: Vector2<f64>,
-    /// ℓ with ℓᵀ(DR − λ DL) = 0 and ℓᵀ DL q = 1; DLᵀℓ is the adjoint eigenvector p.
-    pub(super) covector: Vector2<f64>,
-    /// a at the multiplier 1, c at −1.
-    pub(super) coefficient: f64,
-}
-
 impl<F: Fn(Germ) -> [Germ; 2]> ImplicitMap<F> {
-    /// R(X(s)) = L(X(−s + c s³)) up to third order, where the multiplier is −1 and simple and the other one is not 1.
-    pub(super) fn flip(&self) -> NormalForm {
+    /// q and c with R(X(s)) = L(X(−s + c s³)) up to third order, X(s) = X₀ + q s + h s² + …, where the multiplier is −1 and simple
+    /// and the other one is not 1.
+    pub(super) fn flip(&self) -> PeriodDoubling {
         let [r, l] = self.derivatives;
-        let [direction, covector] = self.null_vectors(-1.0);
+        let [direction, covector] = self.null_vectors();
         // s²: DR h + R₂ = DL h + L₂, where R₂ and L₂ are the coefficients along the straight line.
         let [r2, l2] = self.coefficients(2, [direction, Vector2::zeros()]);
         let bend = solved(&(r - l), l2 - r2);
         // s³: DR k + R₃ = c DL q − DL k − L₃ for the third coefficient k of X(s), of which ℓ takes out c.
         let [r3, l3] = self.coefficients(3, [direction, bend]);
-        NormalForm { direction, bend, covector, coefficient: covector.dot(&(r3 + l3)) }
+        PeriodDoubling { direction, coefficient: covector.dot(&(r3 + l3)) }
     }
 
-    /// R(X(s)) = L(X(s + a s²)) up to second order, where the multiplier is 1 and simple.
-    pub(super) fn fold(&self) -> NormalForm {
-        let [direction, covector] = self.null_vectors(1.0);
-        // s²: DR h + R₂ = a DL q + DL h + L₂ for the second coefficient h of X(s), of which ℓ takes out a.
-        let bend = Vector2::zeros();
-        let [r2, l2] = self.coefficients(2, [direction, bend]);
-        NormalForm { direction, bend, covector, coefficient: covector.dot(&(r2 - l2)) }
-    }
-
-    /// q with (DR − λ DL) q = 0 and ℓ with ℓᵀ(DR − λ DL) = 0, normalised.
-    fn null_vectors(&self, multiplier: f64) -> [Vector2<f64>; 2] {
+    /// q of length one with (DR + DL) q = 0, and ℓ with ℓᵀ(DR + DL) = 0 and ℓᵀ DL q = 1.
+    fn null_vectors(&self) -> [Vector2<f64>; 2] {
         let [r, l] = self.derivatives;
-        let m = r - l * multiplier;
+        let m = r + l;
         // Perpendicular to the longer row, and to the longer column: the matrix is singular only to rounding.
         let row = if m.row(0).norm() > m.row(1).norm() { m.row(0) } else { m.row(1) };
         let column = if m.column(0).norm() > m.column(1).norm() { m.column(0) } else { m.column(1) };
@@ -72,7 +53,7 @@ impl<F: Fn(Germ) -> [Germ; 2]> ImplicitMap<F> {
 }
 
 /// M⁻¹ b by Cramer's rule; not finite if M is singular.
-pub(super) fn solved(m: &Matrix2<f64>, b: Vector2<f64>) -> Vector2<f64> {
+fn solved(m: &Matrix2<f64>, b: Vector2<f64>) -> Vector2<f64> {
     let determinant = m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)];
     Vector2::new(m[(1, 1)] * b[0] - m[(0, 1)] * b[1], m[(0, 0)] * b[1] - m[(1, 0)] * b[0]) / determinant
 }
@@ -115,13 +96,6 @@ mod tests {
     }
 
     #[test]
-    fn quadratic_family_has_its_known_fold() {
-        // u ↦ u + u² at u = 0 with v ↦ v/2 + u, along q = (1, 2)/√5: a = 1/√5.
-        let fold = implicit(Vector2::zeros(), |[u, v]| [[u + u.square(), v.scale(0.5) + u], [u, v]]).fold();
-        assert!((fold.coefficient - 1.0 / f64::sqrt(5.0)).abs() < 1e-15);
-    }
-
-    #[test]
     fn a_cubic_turns_the_period_doubling_subcritical() {
         // u ↦ −u + k u³ has c = k.
         for k in [-2.0, 0.5] {
@@ -161,18 +135,5 @@ mod tests {
         // Two dozen roundings of terms up to ten times the result.
         assert!((flip.coefficient - expected).abs() < 1e-13 * expected, "{} {expected}", flip.coefficient);
         assert!(flip.coefficient > 0.0);
-    }
-
-    #[test]
-    fn invariant_curve_is_invariant() {
-        let map = logistic(3.0);
-        let implicit = implicit(Vector2::from(LOGISTIC_FIXED), |x| [bent(map(x)), bent(x)]);
-        let flip = implicit.flip();
-        // R(X(s)) = L(X(−s)) to second order.
-        let [r, l] = [1.0, -1.0].map(|sign: f64| {
-            let [q, h] = [flip.direction * sign, flip.bend];
-            implicit.coefficients(2, [q, h])
-        });
-        assert!((r[0] - l[1]).norm() < 1e-14);
     }
 }

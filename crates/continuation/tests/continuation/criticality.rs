@@ -1,7 +1,6 @@
-//! Normal forms of the bifurcations of MPSs against what is created there, solved for and simulated.
+//! The normal form of period doublings of MPSs against the orbits that are created there.
 
 mod doubled;
 mod invariance;
 mod period_doublings;
-mod saddle_nodes;
 mod specimens;

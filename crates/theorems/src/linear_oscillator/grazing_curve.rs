@@ -5,7 +5,6 @@ use core::f64::consts::PI;
 use nalgebra::{Matrix2, Vector2};
 
 use super::LinearOscillator;
-use crate::auxiliary::detuning;
 use crate::error::TheoryError;
 use crate::grazing::GrazingPoint;
 use crate::spectrum::LinearisedMap;
@@ -46,8 +45,7 @@ impl GrazingState {
 
     /// The oscillator with this forcing, so that it can be moved, simulated and continued.
     ///
-    /// The only way from this crate's oscillator, which has no forcing, to that of `grazing_model`, which has; the other way leads
-    /// `From`.
+    /// The only way from this crate's oscillator, which has no forcing, to that of `grazing_model`, which has.
     ///
     /// # Panics
     /// The forcing amplitude is infinite, as it is beyond `omega = 1e154`.
@@ -170,13 +168,6 @@ impl GrazingState {
         let (sine, cosine) = self.free_rotation(1);
         let radians = 2.0 * PI / self.omega;
         self.decay(1) / omega_1 * ((1.0 + radians * self.oscillator.zeta) * sine - radians * omega_1 * cosine)
-    }
-
-    /// The signed distance of the trace from the resonance, `kappa_p = tau - g_p(delta)`. `p >= 1`.
-    ///
-    /// Paper: section 2.5, before theorem 2.3.
-    pub fn detuning(&self, p: u32) -> f64 {
-        detuning(p, self.trace(), self.determinant())
     }
 
     /// The derivative of `kappa_p` along the grazing curve.

@@ -41,11 +41,10 @@ fn with_grazing(base: ResonantPoint, change: impl Fn(&mut GrazingPoint)) -> Reso
 
 #[test]
 fn hypotheses_are_kept_with_the_conclusion() {
-    for (base, theorem, loops) in
-        [(one_loop(), Theorem::ResonantOneLoop, 1), (two_loops(), Theorem::ResonantMultiLoop, 2)]
+    for (base, theorem) in [(one_loop(), Theorem::ResonantOneLoop), (two_loops(), Theorem::ResonantMultiLoop)]
     {
         let unfolded = ResonantGrazing::check(&base, TOLERANCE).expect("the hypotheses hold");
-        assert_eq!((unfolded.theorem(), unfolded.loops()), (theorem, loops));
+        assert_eq!(unfolded.theorem(), theorem);
         assert!(unfolded.hypotheses().iter().all(|hypothesis| hypothesis.holds()));
         assert_eq!(unfolded.branch(), base.branch_expansion());
         assert_eq!(unfolded.saddle_node().coefficient, base.saddle_node_coefficient());

@@ -53,25 +53,23 @@ impl Polar {
 }
 
 /// Sines of angles up to pθ are off by p roundings of 2π; τ, which the sums see, is off by a rounding, on which they depend
-/// up to p/sin θ times as strongly.
+/// up to p/sin θ times as strongly; less where both sides see the same angle.
 const POLAR_ROUNDING: f64 = 1e-12;
 
-fn over_polar(seed: u64, deviation: impl Fn(&Polar) -> f64) -> CheckResult {
-    let mut sampler = Sampler::new(seed);
-    let mut deviations = Deviations::default();
-    for index in 0..3000 {
+fn over_polar(seed: u64, tolerance: f64, deviation: impl Fn(&Polar) -> f64) -> CheckResult {
+    let deviations = sampled(seed, 3000, 2..=15, |sampler, p, deviations: &mut Deviations| {
         let delta = sampler.between(0.001, 0.999);
         let theta = sampler.between(0.01, PI - 0.01);
         let r = delta.sqrt();
         let tau = 2.0 * r * libm::cos(theta);
-        deviations.see(deviation(&Polar { p: 2 + index % 14, r, theta, tau, delta }));
-    }
-    Ok(deviations.outcome(POLAR_ROUNDING, "complex eigenvalues, 0.01 < θ < π − 0.01, p = 2 to 15"))
+        deviations.see(deviation(&Polar { p: p as i32, r, theta, tau, delta }));
+    });
+    Ok(deviations.outcome(tolerance, "complex eigenvalues, 0.01 < θ < π − 0.01, p = 2 to 15"))
 }
 
 /// eq:polarCoords.
 pub(crate) fn polar_coordinates() -> CheckResult {
-    over_polar(11, |polar| {
+    over_polar(11, 1e-13, |polar| {
         let pair = Pair::new(polar.tau, polar.delta);
         let modulus = polar.delta.sqrt();
         // The arccosine loses digits where its argument is near ±1, as 1/sin θ.
@@ -124,7 +122,7 @@ pub(crate) fn zeros_of_s() -> CheckResult {
 
 checks! {
     /// eq:lam1kminuslam2k, k of either sign.
-    differences_of_powers: over_polar(12, |polar| {
+    differences_of_powers: over_polar(12, POLAR_ROUNDING, |polar| {
         let pair = Pair::new(polar.tau, polar.delta);
         [polar.p, -polar.p, 1, 0].into_iter().fold(0.0, |largest: f64, k| {
             let expected = Complex::new(0.0, 2.0 * polar.r_to(k) * polar.sine(k));
@@ -132,35 +130,35 @@ checks! {
         })
     });
     /// eq:Hp4.
-    h_as_sum_of_sines: over_polar(13, |polar| {
+    h_as_sum_of_sines: over_polar(13, POLAR_ROUNDING, |polar| {
         let terms: Vec<f64> = (1..polar.p).map(|j| polar.r_to(1 - j) * polar.sine(j)).collect();
         polar.deviation(polar.h(), &terms, polar.sine(1))
     });
     /// eq:Hp5.
-    h_in_polar_form: over_polar(14, |polar| {
+    h_in_polar_form: over_polar(14, POLAR_ROUNDING, |polar| {
         let Polar { p, r, .. } = *polar;
         let terms = [polar.r_to(p) * polar.sine(1), -r * polar.sine(p), polar.sine(p - 1)];
         polar.deviation(polar.h(), &terms, polar.gap() * polar.r_to(p - 2) * polar.sine(1))
     });
     /// eq:Sp3.
-    s_in_polar_form: over_polar(15, |polar| {
+    s_in_polar_form: over_polar(15, POLAR_ROUNDING, |polar| {
         // Near its zeros S_p is compared to r^(p−1).
         let term = polar.r_to(polar.p - 1) * polar.sine(polar.p);
         (term - polar.s(polar.p) * polar.sine(1)) / polar.r_to(polar.p - 1)
     });
     /// eq:Tp6.
-    t_in_polar_form: over_polar(16, |polar| {
+    t_in_polar_form: over_polar(16, POLAR_ROUNDING, |polar| {
         let p = polar.p;
         let terms = [polar.sine(1), -polar.r_to(p - 1) * polar.sine(p), polar.r_to(p) * polar.sine(p - 1)];
         polar.deviation(polar.t(), &terms, polar.gap() * polar.sine(1))
     });
     /// eq:Tp4.
-    t_as_sum_of_sines: over_polar(17, |polar| {
+    t_as_sum_of_sines: over_polar(17, 1e-13, |polar| {
         let terms: Vec<f64> = (1..polar.p).map(|j| polar.r_to(j - 1) * polar.sine(j)).collect();
         polar.deviation(polar.t(), &terms, polar.sine(1))
     });
     /// eq:Tp5, with Ξ as it is defined.
-    t_grouped: over_polar(18, |polar| {
+    t_grouped: over_polar(18, POLAR_ROUNDING, |polar| {
         let Polar { p, r, theta, .. } = *polar;
         let top = polar.r_to(p - 1);
         let terms =

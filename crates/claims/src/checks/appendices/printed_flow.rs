@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use crate::Sampler;
-use crate::checks::resonant::derivatives::slope;
+use crate::differences::{curvature, slope};
 use grazing_model::LinearOscillator;
 use grazing_theorems::GrazingState;
 
@@ -61,8 +61,7 @@ pub(crate) fn first(step: f64, f: impl Fn(f64) -> f64) -> f64 {
 }
 
 pub(crate) fn second(step: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let pair = |k: f64| f(k * step) + f(-k * step);
-    (270.0 * pair(1.0) - 27.0 * pair(2.0) + 2.0 * pair(3.0) - 490.0 * f(0.0)) / (180.0 * step * step)
+    curvature(step, |h| Some(f(h))).unwrap_or(f64::NAN)
 }
 
 impl Derivatives {

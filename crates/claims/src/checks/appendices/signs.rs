@@ -1,6 +1,7 @@
 //! Appendix A: signs of H_p, S_p and T_p, by search for the smallest value, and the proofs of lemmas 2.1, 4.2 and A.1.
 
 use core::f64::consts::PI;
+use core::ops::RangeInclusive;
 
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::auxiliary::{
@@ -8,21 +9,21 @@ use grazing_theorems::auxiliary::{
 };
 
 use super::polar::xi;
-use crate::{CheckResult, Deviations, Sampler, Smallest, sampled, smallest};
+use crate::{CheckResult, Deviations, Smallest, drawn, sampled, smallest};
 
 /// Local searches for each number of loops.
 const STARTS: usize = 6;
 
-/// The smallest value that searches over the unit square find, for each number of loops from `lowest` to 15; where they look and what
-/// for, in words.
+/// The smallest value that searches over the unit square find, for each of these numbers of loops; where they look and what for, in
+/// words.
 pub(crate) fn search(
-    lowest: u32,
+    loops: RangeInclusive<u32>,
     place: &str,
     what: &str,
     value: impl Fn(u32, [f64; 2]) -> f64,
 ) -> CheckResult {
     let mut margins = Smallest::default();
-    for p in lowest..=15 {
+    for p in loops.clone() {
         for start in 0..STARTS {
             let seed = 100 * u64::from(p) + start as u64;
             let found = smallest(seed, 1, |point| value(p, point)).0;
@@ -30,7 +31,11 @@ pub(crate) fn search(
             margins.see(if found == f64::INFINITY { f64::NAN } else { found });
         }
     }
-    Ok(margins.margin(&format!("searches over {place}, p = {lowest} to 15: the smallest {what}")))
+    Ok(margins.margin(&format!(
+        "searches over {place}, p = {} to {}: the smallest {what}",
+        loops.start(),
+        loops.end()
+    )))
 }
 
 /// A determinant between 10⁻³ and 1 − 10⁻³ from a share between 0 and 1.
@@ -44,7 +49,7 @@ pub(crate) fn along(share: f64, from: f64, to: f64) -> f64 {
 }
 
 /// r^(p−2) H_p, which is of order one however small δ is.
-fn scaled_h(p: u32, tau: f64, delta: f64) -> f64 {
+pub(crate) fn scaled_h(p: u32, tau: f64, delta: f64) -> f64 {
     admissibility_sum(p, tau, delta) * libm::pow(delta, 0.5 * (f64::from(p) - 2.0))
 }
 
@@ -62,7 +67,7 @@ pub(crate) fn h_at_g_half() -> CheckResult {
 
 /// The largest zero of H_p lies between g_(p/2) and g_(p−1), and H_p changes its sign there.
 pub(crate) fn bracket_of_h() -> CheckResult {
-    search(3, "the determinant", "distance of h_p from either end over √δ", |p, [x, _]| {
+    search(3..=15, "the determinant", "distance of h_p from either end over √δ", |p, [x, _]| {
         let delta = determinant(x);
         let Ok(h) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
         let step = 1e-6 * delta.sqrt();
@@ -91,12 +96,11 @@ pub(crate) fn t_at_resonance() -> CheckResult {
 
 /// T_2 = 1.
 pub(crate) fn t_two() -> CheckResult {
-    let mut sampler = Sampler::new(33);
-    let mut deviations = Deviations::default();
-    for _ in 0..1000 {
+    let deviations = drawn(33, 1000, |sampler, deviations: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         deviations.see(lucas_partial_sum(2, tau, delta) - 1.0);
-    }
+        Ok(())
+    })?;
     // Nothing is rounded.
     Ok(deviations.outcome(0.0, "points of the trapesium"))
 }
@@ -104,7 +108,7 @@ pub(crate) fn t_two() -> CheckResult {
 /// Ξ ≥ 0 for θ ≤ 2π/p, with zeros at the ends only: of third order at 0 and simple at 2π/p.
 pub(crate) fn xi_not_negative() -> CheckResult {
     search(
-        3,
+        3..=15,
         "0 < θ < 2π/p up to 10⁻³ of its length from the ends",
         "Ξ / (θ³ (2π/p − θ))",
         |p, [x, _]| {
@@ -117,31 +121,41 @@ pub(crate) fn xi_not_negative() -> CheckResult {
 
 /// −sin((p − 1)θ) ≥ 0 for π/(p − 1) ≤ θ ≤ 2π/p, with a zero, a simple one, at the lower end only.
 pub(crate) fn second_term_not_negative() -> CheckResult {
-    search(3, "π/(p − 1) < θ ≤ 2π/p", "−sin((p − 1)θ) / ((p − 1)θ − π)", |p, [x, _]| {
-        let (p, from_end) = (f64::from(p), along(x, 1e-6, 1.0));
-        let beyond = from_end * PI * (1.0 - 2.0 / p);
-        libm::sin(beyond) / beyond
-    })
+    search(
+        3..=15,
+        "π/(p − 1) < θ ≤ 2π/p",
+        "−sin((p − 1)θ) / ((p − 1)θ − π)",
+        |p, [x, _]| {
+            let (p, from_end) = (f64::from(p), along(x, 1e-6, 1.0));
+            let beyond = from_end * PI * (1.0 - 2.0 / p);
+            libm::sin(beyond) / beyond
+        },
+    )
 }
 
 /// (1 − r^(p−1)) sin θ > 0 for π/(p − 1) ≤ θ ≤ 2π/p.
 pub(crate) fn third_term_positive() -> CheckResult {
-    search(3, "π/(p − 1) ≤ θ ≤ 2π/p and the determinant", "(1 − r^(p−1)) sin θ", |p, [x, y]| {
-        let (delta, loops) = (determinant(x), f64::from(p));
-        let theta = along(y, PI / (loops - 1.0), 2.0 * PI / loops);
-        (1.0 - modulus_power(p - 1, delta)) * libm::sin(theta)
-    })
+    search(
+        3..=15,
+        "π/(p − 1) ≤ θ ≤ 2π/p and the determinant",
+        "(1 − r^(p−1)) sin θ",
+        |p, [x, y]| {
+            let (delta, loops) = (determinant(x), f64::from(p));
+            let theta = along(y, PI / (loops - 1.0), 2.0 * PI / loops);
+            (1.0 - modulus_power(p - 1, delta)) * libm::sin(theta)
+        },
+    )
 }
 
 /// A j between 1 and p − 1 from a share between 0 and 1.
-fn loop_index(share: f64, p: u32) -> f64 {
+pub(crate) fn loop_index(share: f64, p: u32) -> f64 {
     1.0 + libm::floor(share * f64::from(p - 2) + 0.5)
 }
 
 /// eq:ujNumerator, which divided by p is δʲ < 1 + (j/p)(δᵖ − 1): the smallest margin over (1 − δ)², which is how it vanishes as δ → 1.
 pub(crate) fn numerator_of_u() -> CheckResult {
     search(
-        2,
+        2..=15,
         "0 < δ < 1 and 0 < j < p",
         "−(j (1 − δᵖ) − p (1 − δʲ)) / (1 − δ)²",
         |p, [x, y]| {
@@ -154,46 +168,46 @@ pub(crate) fn numerator_of_u() -> CheckResult {
 
 checks! {
     /// H_p > 0 for τ ≥ 2√δ, with real eigenvalues.
-    h_at_real_eigenvalues: search(2, "2√δ ≤ τ ≤ δ + 1", "H_p", |p, [x, y]| {
+    h_at_real_eigenvalues: search(2..=15, "2√δ ≤ τ ≤ δ + 1", "H_p", |p, [x, y]| {
         let delta = determinant(x);
         admissibility_sum(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta)
     });
     /// H_p > 0 for g_(p−1) ≤ τ < 2√δ.
-    h_above_g_before: search(3, "0 < θ ≤ π/(p − 1)", "r^(p−2) H_p", |p, [x, y]| {
+    h_above_g_before: search(3..=15, "0 < θ ≤ π/(p − 1)", "r^(p−2) H_p", |p, [x, y]| {
         let delta = determinant(x);
         let lowest = resonance_boundary(f64::from(p - 1), delta);
         scaled_h(p, along(y, lowest, 2.0 * delta.sqrt()), delta)
     });
     /// H_p at g_(p/2) is negative.
-    h_negative_at_g_half: search(3, "the determinant", "−r^(p−2) H_p", |p, [x, _]| {
+    h_negative_at_g_half: search(3..=15, "the determinant", "−r^(p−2) H_p", |p, [x, _]| {
         let delta = determinant(x);
         -scaled_h(p, resonance_boundary(0.5 * f64::from(p), delta), delta)
     });
     /// S_p > 0 for τ ≥ 2√δ.
-    s_at_real_eigenvalues: search(2, "2√δ ≤ τ ≤ δ + 1", "S_p / r^(p−1)", |p, [x, y]| {
+    s_at_real_eigenvalues: search(2..=15, "2√δ ≤ τ ≤ δ + 1", "S_p / r^(p−1)", |p, [x, y]| {
         let delta = determinant(x);
         let scale = libm::pow(delta, 0.5 * f64::from(p - 1));
         lucas_sequence(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta) / scale
     });
     /// No zero g_(p/m) of S_p with m ≥ 2 lies above h_p.
-    other_zeros_of_s: search(3, "the determinant and all m ≥ 2", "(h_p − g_(p/m)) / √δ", |p, [x, y]| {
+    other_zeros_of_s: search(3..=15, "the determinant and all m ≥ 2", "(h_p − g_(p/m)) / √δ", |p, [x, y]| {
         let delta = determinant(x);
         let Ok(h) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
         let m = 2.0 + libm::floor(y * f64::from(p - 3) + 0.5);
         (h - resonance_boundary(f64::from(p) / m, delta)) / delta.sqrt()
     });
     /// T_p > 0 for τ ≥ 2√δ.
-    t_at_real_eigenvalues: search(2, "2√δ ≤ τ ≤ δ + 1", "T_p", |p, [x, y]| {
+    t_at_real_eigenvalues: search(2..=15, "2√δ ≤ τ ≤ δ + 1", "T_p", |p, [x, y]| {
         let delta = determinant(x);
         lucas_partial_sum(p, along(y, 2.0 * delta.sqrt(), delta + 1.0), delta)
     });
     /// Each term of eq:Tp4 is positive for 0 < θ < π/(p − 1).
-    t_terms: search(3, "0 < θ < π/(p − 1) up to 10⁻⁶ of its length from the ends", "sin jθ", |p, [x, _]| {
+    t_terms: search(3..=15, "0 < θ < π/(p − 1) up to 10⁻⁶ of its length from the ends", "sin jθ", |p, [x, _]| {
         let theta = along(x, 1e-6, 1.0 - 1e-6) * PI / f64::from(p - 1);
         (1..p).map(|j| libm::sin(f64::from(j) * theta)).fold(f64::INFINITY, f64::min)
     });
     /// The tangent of x^(j/p) at 1 lies above it.
-    tangent_line: search(2, "0 < x < 1 and 0 < j < p", "distance over (1 − x)²", |p, [x, y]| {
+    tangent_line: search(2..=15, "0 < x < 1 and 0 < j < p", "distance over (1 − x)²", |p, [x, y]| {
         let (x, exponent) = (determinant(x), loop_index(y, p) / f64::from(p));
         let distance = 1.0 + exponent * (x - 1.0) - libm::pow(x, exponent);
         distance / ((1.0 - x) * (1.0 - x))

@@ -1,38 +1,34 @@
 //! Section 4.3, lemma 4.3: the matrices J and K and their determinants.
 
 use grazing_theorems::GrazingPoint;
+use grazing_theorems::grazing::VividLinearisation;
 use nalgebra::Matrix2;
 
-use super::specimens::{sampled_map, sampled_point, specimens};
+use super::specimens::{sampled_map, sampled_point, specimens_with};
 use super::vivid::derivatives;
 use crate::eigenvalues::{Pair, power};
 use crate::{CheckResult, Deviations, sampled};
 
 /// J and K.
-fn matrices_of(point: &GrazingPoint, p: u32) -> (Matrix2<f64>, Matrix2<f64>) {
-    let vivid = point.vivid_linearisation(p);
-    (vivid.by_impact, vivid.by_phase_and_parameter())
+fn matrices(vivid: &VividLinearisation) -> [Matrix2<f64>; 2] {
+    [vivid.by_impact, vivid.by_phase_and_parameter()]
 }
 
 /// le:dets: the matrices of the proof, and det J and det K of eq:detJac1detJac2 and eq:detJac2, against the derivatives of the maps
 /// of oscillators.
 pub(crate) fn determinants_of_oscillators() -> CheckResult {
     let mut deviations = Deviations::default();
-    for grazing in specimens()? {
+    for (grazing, p) in specimens_with(1..=8)? {
         let point = grazing.grazing_point();
-        for p in 1..=8 {
-            let [by_velocity, by_phase, by_parameter] = derivatives(&grazing, p)?;
-            let j = Matrix2::from_columns(&[by_velocity, by_phase]);
-            let k = Matrix2::from_columns(&[by_phase, by_parameter]);
-            let (j_stated, k_stated) = matrices_of(&point, p);
-            let size = 1.0 + j_stated.amax() + k_stated.amax();
-            deviations.see((j - j_stated).amax() / size);
-            deviations.see((k - k_stated).amax() / size);
-            let [first, second, third] = stated(&point, p);
-            deviations.see((j.determinant() - first) / (1.0 + j.amax() * j.amax()));
-            deviations.see((k.determinant() - second) / (1.0 + k.amax() * k.amax()));
-            deviations.see((k.determinant() - third) / (1.0 + k.amax() * k.amax()));
-        }
+        let [j, k] = matrices(&derivatives(&grazing, p)?);
+        let [j_stated, k_stated] = matrices(&point.vivid_linearisation(p));
+        let size = 1.0 + j_stated.amax() + k_stated.amax();
+        deviations.see((j - j_stated).amax() / size);
+        deviations.see((k - k_stated).amax() / size);
+        let [first, second, third] = stated(&point, p);
+        deviations.see((j.determinant() - first) / (1.0 + j.amax() * j.amax()));
+        deviations.see((k.determinant() - second) / (1.0 + k.amax() * k.amax()));
+        deviations.see((k.determinant() - third) / (1.0 + k.amax() * k.amax()));
     }
     // Derivatives at event times that are off by rounding, p times, magnified by second derivatives of order ten.
     Ok(deviations.outcome(1e-13, "matrices and three formulas on twelve oscillators, p = 1 to 8"))
@@ -65,7 +61,7 @@ pub(crate) fn determinants() -> CheckResult {
     let deviations = sampled(4, 2000, 1..=12, |sampler, p, deviations: &mut Deviations| {
         let map = sampled_map(sampler);
         let point = sampled_point(sampler, map);
-        let (j, k) = matrices_of(&point, p);
+        let [j, k] = matrices(&point.vivid_linearisation(p));
         let [first, second, _] = stated(&point, p);
         deviations.see((j.determinant() - first) / determinant_size(&j, &point));
         deviations.see((k.determinant() - second) / determinant_size(&k, &point));
@@ -82,7 +78,7 @@ pub(crate) fn factored_determinant() -> CheckResult {
     let deviations = sampled(5, 2000, 1..=12, |sampler, p, deviations: &mut Deviations| {
         let map = sampled_map(sampler);
         let point = sampled_point(sampler, map);
-        let (_, k) = matrices_of(&point, p);
+        let [_, k] = matrices(&point.vivid_linearisation(p));
         let printed = factored_by_eigenvalues(&point, p as i32);
         let [_, _, factored] = stated(&point, p);
         deviations.see((k.determinant() - factored) / determinant_size(&k, &point));

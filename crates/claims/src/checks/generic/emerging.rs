@@ -1,18 +1,18 @@
 //! Section 4.4, step 1 of the proofs of theorems 2.2 and 2.3: the zero of V and its points on Π.
 
-use grazing_continuation::mps::EventTimes;
 use grazing_model::AtRest;
 use grazing_model::maps::global_iterate;
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
 use grazing_theorems::auxiliary::{detuning, geometric_sum_determinant};
 use grazing_theorems::grazing::{EmergingOrbit, VirtualMap};
 use grazing_theorems::{GenericGrazing, GrazingPoint};
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::Vector2;
 
 use super::maps::{impact_and_recoil, virtual_point};
-use super::specimens::{delayed, map_with, sampled_point, specimens, uniform_order};
-use super::vivid::{derivatives, equations, scale, zero, zero_from};
+use super::specimens::{delayed, map_with, sampled_point, specimens, specimens_with, uniform_order};
+use super::vivid::{derivatives, scale};
 use crate::checks::appendices::signs::{determinant, search};
+use crate::solutions::{at_parameters, equations, vivid, zero};
 use crate::specimen::Grazing;
 use crate::{CheckResult, Sampler, Smallest, Votes, sampled};
 
@@ -23,19 +23,15 @@ fn smallest_order(
     remainder: impl Fn(&Grazing, &EmergingOrbit, f64) -> Option<f64>,
 ) -> CheckResult {
     let mut orders = Smallest::default();
-    for grazing in specimens()? {
-        for p in loops.clone() {
-            let emerging = grazing.grazing_point().emerging_orbit(p)?;
-            let size = scale(&grazing, p).ok_or("no emerging orbit")?;
-            let [by_velocity, by_phase, _] = derivatives(&grazing, p)?;
-            let jacobian = Matrix2::from_columns(&[by_velocity, by_phase]);
-            let inverse = jacobian.try_inverse().ok_or("det J = 0")?;
-            // A phase's rounding for each return, carried over to the zero.
-            let rounding = 2e-15 * f64::from(p + 1) * (1.0 + inverse.amax());
-            orders.see(uniform_order(&[[size], [-size]], |[direction], h| {
-                Some((remainder(&grazing, &emerging, h * direction)?, rounding))
-            }));
-        }
+    for (grazing, p) in specimens_with(loops)? {
+        let emerging = grazing.grazing_point().emerging_orbit(p)?;
+        let size = scale(&grazing, p).ok_or("no emerging orbit")?;
+        let inverse = derivatives(&grazing, p)?.by_impact.try_inverse().ok_or("det J = 0")?;
+        // A phase's rounding for each return, carried over to the zero.
+        let rounding = 2e-15 * f64::from(p + 1) * (1.0 + inverse.amax());
+        orders.see(uniform_order(&[[size], [-size]], |[direction], h| {
+            Some((remainder(&grazing, &emerging, h * direction)?, rounding))
+        }));
     }
     // The next term is of relative size h < 10⁻³ where remainders are resolved last; near a resonance its coefficient is large.
     Ok(orders.order(stated, 0.1, "the zero of V by Newton's method on twelve oscillators, μ of both signs"))
@@ -44,7 +40,7 @@ fn smallest_order(
 /// y and z of the zero of V change with μ as they do to first order.
 fn zero_order(loops: core::ops::RangeInclusive<u32>, component: usize) -> CheckResult {
     smallest_order(loops, 2.0, |grazing, emerging, mu| {
-        let zero = zero(grazing, emerging.loops(), mu)?;
+        let zero = zero(grazing, emerging.loops, mu)?;
         let first_order = [
             zero[0] - emerging.impact_velocity_slope * mu,
             zero[1] - grazing.phase() - emerging.impact_phase_slope * mu,
@@ -67,14 +63,14 @@ fn ends(grazing: &Grazing, p: u32, mu: f64) -> Option<[Vector2<f64>; 2]> {
 fn position_order(index: usize, map: fn(&GrazingPoint) -> VirtualMap) -> CheckResult {
     smallest_order(1..=4, 3.0, |grazing, emerging, mu| {
         let leading = map(&grazing.grazing_point()).apply(emerging.impact_velocity_slope * mu, 0.0);
-        Some(ends(grazing, emerging.loops(), mu)?[index][0] - leading[0])
+        Some(ends(grazing, emerging.loops, mu)?[index][0] - leading[0])
     })
 }
 
 /// A phase changes with μ as that of the first or the last visit.
 fn end_phase_order(index: usize) -> CheckResult {
     smallest_order(1..=4, 2.0, |grazing, emerging, mu| {
-        let p = emerging.loops();
+        let p = emerging.loops;
         let slope = emerging.visit_slope([0, p][index]).y;
         Some(ends(grazing, p, mu)?[index][1] - grazing.phase() - slope * mu)
     })
@@ -84,23 +80,20 @@ fn end_phase_order(index: usize) -> CheckResult {
 pub(crate) fn implicit_function() -> CheckResult {
     let mut sampler = Sampler::new(1);
     let mut votes = Votes::default();
-    for grazing in specimens()? {
-        for p in 1..=4 {
-            for sign in [1.0, -1.0] {
-                let mu = sign * 0.002 * scale(&grazing, p).ok_or("no emerging orbit")?;
-                let expected = zero(&grazing, p, mu).ok_or("no zero of V")?;
-                let reach = 5.0 * (expected[0].abs() + (expected[1] - grazing.phase()).abs());
-                for _ in 0..6 {
-                    let mut start = expected;
-                    start[0] += sampler.between(-reach, reach);
-                    start[1] += sampler.between(-reach, reach);
-                    let found = zero_from(&grazing, p, start);
-                    votes.see(found.is_some_and(|found| (found - expected).amax() < 1e-10));
-                }
-                let value =
-                    equations(&grazing, p).pair::<1>(&expected, &mut EventTimes::default())?.difference().0;
-                votes.see(value.amax() < 1e-13);
+    for (grazing, p) in specimens_with(1..=4)? {
+        let equations = equations(&grazing, p);
+        for sign in [1.0, -1.0] {
+            let mu = sign * 0.002 * scale(&grazing, p).ok_or("no emerging orbit")?;
+            let expected = zero(&grazing, p, mu).ok_or("no zero of V")?;
+            let reach = 5.0 * (expected[0].abs() + (expected[1] - grazing.phase()).abs());
+            for _ in 0..6 {
+                let mut start = expected;
+                start[0] += sampler.between(-reach, reach);
+                start[1] += sampler.between(-reach, reach);
+                let found = at_parameters(&equations, start);
+                votes.see(found.is_some_and(|found| (found - expected).amax() < 1e-10));
             }
+            votes.see(vivid(&equations, &expected).is_some_and(|value| value.amax() < 1e-13));
         }
     }
     Ok(votes.outcome(
@@ -168,7 +161,7 @@ pub(crate) fn side() -> CheckResult {
 
 checks! {
     /// det K / β > 0 in the trapesium, by search.
-    sign_of_det_k: search(2, "the trapesium up to 10⁻⁶ from its slanted sides", "det K / β", |p, [x, y]| {
+    sign_of_det_k: search(2..=15, "the trapesium up to 10⁻⁶ from its slanted sides", "det K / β", |p, [x, y]| {
         let delta = determinant(x);
         geometric_sum_determinant(p, 0.999_999 * (2.0 * y - 1.0) * (delta + 1.0), delta)
     });

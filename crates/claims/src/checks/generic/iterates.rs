@@ -9,7 +9,7 @@ use grazing_theorems::auxiliary::{
 };
 use nalgebra::{Matrix2, Vector2};
 
-use super::specimens::{directions, sampled_map, specimens, uniform_order};
+use super::specimens::{directions, sampled_map, specimens_with, uniform_order};
 use crate::checks::appendices::signs::{along, determinant, search};
 use crate::eigenvalues::Pair;
 use crate::{CheckResult, Deviations, Sampler, Smallest, Votes, sampled};
@@ -57,30 +57,27 @@ pub(crate) fn difference_of_products() -> CheckResult {
         // For p = 1 all terms vanish.
         deviations.see(if terms > 0.0 { difference / terms } else { difference });
     });
-    Ok(deviations.outcome(ROUNDING, "points of the trapesium, p = 1 to 15"))
+    // Terms that are positive: one rounding each.
+    Ok(deviations.outcome(1e-14, "points of the trapesium, p = 1 to 15"))
 }
 
 /// eq:Pglobalp: the order of the remainder.
 pub(crate) fn iterated_map() -> CheckResult {
     let mut sampler = Sampler::new(4);
     let mut orders = Smallest::default();
-    for grazing in specimens()? {
+    for (grazing, p) in specimens_with(1..=4)? {
         let (phase, [primary, secondary]) = (grazing.phase(), grazing.oscillator().parameters());
-        let map = grazing.grazing_point().map;
-        for p in 1..=4_u32 {
-            let LinearisedMap { a, b } = map.iterate(p);
-            let directions = directions::<3>(&mut sampler, 4);
-            for component in 0..2 {
-                orders.see(uniform_order(&directions, |[dx, dz, dmu], h| {
-                    let oscillator = grazing.oscillator().with_parameters([primary + h * dmu, secondary]);
-                    let image =
-                        global_iterate::<_, 1>(&oscillator, p, AtRest::new(h * dx, phase + h * dz)).ok()?;
-                    let linear = a * Vector2::new(h * dx, h * dz) + b * (h * dmu);
-                    let remainder = image.value - Vector2::new(0.0, phase) - linear;
-                    // Positions of order one and phases up to 2π, p times.
-                    Some((remainder[component], 2e-15 * f64::from(p)))
-                }));
-            }
+        let LinearisedMap { a, b } = grazing.grazing_point().map.iterate(p);
+        let directions = directions::<3>(&mut sampler, 4);
+        for component in 0..2 {
+            orders.see(uniform_order(&directions, |direction, h| {
+                let [dx, dz, dmu] = direction.map(|share| share * h);
+                let oscillator = grazing.oscillator().with_parameters([primary + dmu, secondary]);
+                let image = global_iterate::<_, 1>(&oscillator, p, AtRest::new(dx, phase + dz)).ok()?.value;
+                let remainder = image - Vector2::new(0.0, phase) - a * Vector2::new(dx, dz) - b * dmu;
+                // Positions of order one and phases up to 2π, p times.
+                Some((remainder[component], 2e-15 * f64::from(p)))
+            }));
         }
     }
     // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
@@ -128,12 +125,13 @@ pub(crate) fn induction() -> CheckResult {
         deviations.see((map.a * here.a - next.a).amax() / size);
         deviations.see((map.a * here.b + map.b - next.b).amax() / size);
     }
-    Ok(deviations.outcome(MATRIX_ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 0 to 14"))
+    // One product, of numbers of the size by which deviations are divided.
+    Ok(deviations.outcome(1e-15, "affine maps with (τ, δ) in the trapesium, p = 0 to 14"))
 }
 
 /// le:SpTp(a) by search: S_p / (τ − g_p) > 0 for h_p < τ ≤ δ + 1, also at τ = g_p.
 pub(crate) fn sign_of_s() -> CheckResult {
-    search(2, "h_p < τ ≤ δ + 1", "r^(2−p) S_p / (τ − g_p)", |p, [x, y]| {
+    search(2..=15, "h_p < τ ≤ δ + 1", "r^(2−p) S_p / (τ − g_p)", |p, [x, y]| {
         let delta = determinant(x);
         let Ok(lowest) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
         let tau = along(along(y, 1e-9, 1.0), lowest, delta + 1.0);
@@ -160,7 +158,7 @@ pub(crate) fn values_at_resonance() -> CheckResult {
 
 /// le:SpTp(c) by search.
 pub(crate) fn sign_of_t() -> CheckResult {
-    search(2, "g_(p/2) ≤ τ ≤ δ + 1", "T_p", |p, [x, y]| {
+    search(2..=15, "g_(p/2) ≤ τ ≤ δ + 1", "T_p", |p, [x, y]| {
         let delta = determinant(x);
         let lowest = resonance_boundary(0.5 * f64::from(p), delta);
         lucas_partial_sum(p, along(y, lowest, delta + 1.0), delta)

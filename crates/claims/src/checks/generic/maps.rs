@@ -4,32 +4,28 @@ use grazing_model::maps::{MapError, discontinuity_map, virtual_map, virtual_prei
 use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
 use nalgebra::{Vector2, Vector3};
 
-use super::specimens::{delayed, directions, specimens, uniform_order};
+use super::specimens::{SLACK, at_specimens, delayed, smallest_order, specimens};
 use crate::specimen::{Grazing, Specimen};
-use crate::{CheckResult, Deviations, Sampler, Smallest, Votes, order};
-
-/// How far below the stated order the observed one may lie: where remainders are resolved last, sizes are below 10⁻³, and the
-/// next term is of that relative size, times a coefficient of order ten at most.
-pub(super) const SLACK: f64 = 0.1;
+use crate::{CheckResult, Deviations, Smallest, Votes, order};
 
 /// Rounding of positions of order one and of phases up to 2π.
 pub(super) const ROUNDING: f64 = 2e-15;
 
-/// The oscillator, impact velocity and impact phase at a distance from grazing in a direction of (y, z − z_graz, μ).
-pub(super) fn near_grazing(grazing: &Grazing, [dy, dz, dmu]: [f64; 3], h: f64) -> (Specimen, f64, f64) {
+/// The oscillator, impact velocity and impact phase at (y, z − z_graz, μ).
+pub(super) fn near_grazing(grazing: &Grazing, [y, dz, dmu]: [f64; 3]) -> (Specimen, f64, f64) {
     let [primary, secondary] = grazing.oscillator().parameters();
-    let oscillator = grazing.oscillator().with_parameters([primary + h * dmu, secondary]);
-    (oscillator, h * dy, grazing.phase() + h * dz)
+    let oscillator = grazing.oscillator().with_parameters([primary + dmu, secondary]);
+    (oscillator, y, grazing.phase() + dz)
 }
 
 /// An impact and where it goes.
-pub(super) fn impact_and_recoil<O: ImpactOscillator>(oscillator: &O, y: f64, z: f64) -> [OnWall; 2] {
+pub(crate) fn impact_and_recoil<O: ImpactOscillator>(oscillator: &O, y: f64, z: f64) -> [OnWall; 2] {
     let impact = OnWall::new(y, z);
     [impact, oscillator.reset::<1>(impact).image()]
 }
 
 /// The image of a point of Σ under P_virt.
-pub(super) fn virtual_point<O: ImpactOscillator>(
+pub(crate) fn virtual_point<O: ImpactOscillator>(
     oscillator: &O,
     from: OnWall,
 ) -> Result<Vector2<f64>, MapError> {
@@ -38,16 +34,13 @@ pub(super) fn virtual_point<O: ImpactOscillator>(
 
 /// The label `eq:`: the recoil is on the outgoing set.
 pub(crate) fn recoil() -> CheckResult {
-    let mut sampler = Sampler::new(1);
-    let mut margins = Smallest::default();
-    for grazing in specimens()? {
-        for _ in 0..200 {
-            // From the velocities of a graze to those of the largest orbits of the figures.
-            let y = libm::pow(10.0, sampler.between(-8.0, 0.5));
-            let z = sampler.between(0.0, core::f64::consts::TAU);
-            margins.see(-grazing.oscillator().reset::<1>(OnWall::new(y, z)).value[0] / y);
-        }
-    }
+    let margins = at_specimens(1, 200, |sampler, grazing, margins: &mut Smallest| {
+        // From the velocities of a graze to those of the largest orbits of the figures.
+        let y = libm::pow(10.0, sampler.between(-8.0, 0.5));
+        let z = sampler.between(0.0, core::f64::consts::TAU);
+        margins.see(-grazing.oscillator().reset::<1>(OnWall::new(y, z)).value[0] / y);
+        Ok(())
+    })?;
     Ok(margins
         .margin("impacts with velocities from 10⁻⁸ to 3 on twelve oscillators: the smallest −y_rec / y_imp"))
 }
@@ -73,62 +66,53 @@ pub(super) fn integrated(oscillator: &Specimen, from: State, duration: f64, step
 
 /// eq:Pvirt2: both virtual points against numerical integration, forwards for y > 0 and backwards for y < 0.
 pub(crate) fn virtual_points() -> CheckResult {
-    let mut sampler = Sampler::new(2);
-    let mut deviations = Deviations::default();
-    for grazing in specimens()? {
+    let deviations = at_specimens(2, 60, |sampler, grazing, deviations: &mut Deviations| {
         let oscillator = grazing.oscillator();
-        for index in 0..60 {
-            // Every twentieth point lies on the tangency set; impacts of negative velocity belong to the extension.
-            let y = if index % 20 == 0 { 0.0 } else { sampler.between(-0.05, 0.2) };
-            let z = grazing.phase() + sampler.between(-0.1, 0.1);
-            for from in impact_and_recoil(oscillator, y, z) {
-                let landing = virtual_map::<_, 1>(oscillator, from, None)?;
-                let [y, z] = from.coordinates().into();
-                // For y = 0 the time is zero to the rounding of the velocity.
-                if y * landing.time < 0.0 || (y == 0.0 && landing.time.abs() > 1e-15) {
-                    return Err(format!("y = {y} takes the time {}", landing.time).into());
-                }
-                let image = landing.jet.value;
-                let expected = integrated(oscillator, State::on_wall(y, z), landing.time, 64);
-                deviations.see((expected - Vector3::new(image[0], 0.0, image[1])).amax());
+        // Some lie on the tangency set; impacts of negative velocity belong to the extension.
+        let y = sampler.one_of(&[0.0, 1.0, 1.0, 1.0]) * sampler.between(-0.05, 0.2);
+        let z = grazing.phase() + sampler.between(-0.1, 0.1);
+        for from in impact_and_recoil(oscillator, y, z) {
+            let landing = virtual_map::<_, 1>(oscillator, from, None)?;
+            let [y, z] = from.coordinates().into();
+            // For y = 0 the time is zero to the rounding of the velocity.
+            if y * landing.time < 0.0 || (y == 0.0 && landing.time.abs() > 1e-15) {
+                return Err(format!("y = {y} takes the time {}", landing.time).into());
             }
+            let image = landing.jet.value;
+            let expected = integrated(oscillator, State::on_wall(y, z), landing.time, 64);
+            deviations.see((expected - Vector3::new(image[0], 0.0, image[1])).amax());
         }
-    }
+        Ok(())
+    })?;
     // Sixty-four steps over a time below 0.5: some (10⁻²)⁴ times derivatives over 5!.
     Ok(deviations.outcome(1e-11, "impacts near grazing on twelve oscillators, and their recoils"))
 }
 
 /// Orbits hit Π transversally near grazing, where P_virt ends: the acceleration there is negative.
 pub(crate) fn transversality() -> CheckResult {
-    let mut sampler = Sampler::new(21);
-    let mut margins = Smallest::default();
-    for grazing in specimens()? {
+    let margins = at_specimens(21, 100, |sampler, grazing, margins: &mut Smallest| {
         let oscillator = grazing.oscillator();
-        for _ in 0..100 {
-            let y = sampler.between(-0.05, 0.05);
-            let z = grazing.phase() + sampler.between(-0.05, 0.05);
-            let image = virtual_point(oscillator, OnWall::new(y, z))?;
-            margins.see(-oscillator.acceleration(State::at_rest(image[0], image[1])));
-        }
-    }
+        let y = sampler.between(-0.05, 0.05);
+        let z = grazing.phase() + sampler.between(-0.05, 0.05);
+        let image = virtual_point(oscillator, OnWall::new(y, z))?;
+        margins.see(-oscillator.acceleration(State::at_rest(image[0], image[1])));
+        Ok(())
+    })?;
     Ok(margins.margin("images under P_virt of points near grazing on twelve oscillators: the smallest −ẍ"))
 }
 
 /// Both points are virtual: x̂ and x⁽⁰⁾ are positive for y ≠ 0.
 pub(crate) fn points_are_virtual() -> CheckResult {
-    let mut sampler = Sampler::new(3);
-    let mut margins = Smallest::default();
-    for grazing in specimens()? {
+    let margins = at_specimens(3, 100, |sampler, grazing, margins: &mut Smallest| {
         let oscillator = grazing.oscillator();
-        for _ in 0..100 {
-            let y = libm::pow(10.0, sampler.between(-5.0, -0.7));
-            let z = grazing.phase() + sampler.between(-0.1, 0.1);
-            for from in impact_and_recoil(oscillator, y, z) {
-                let y = from.coordinates()[0];
-                margins.see(virtual_point(oscillator, from)?[0] / (y * y));
-            }
+        let y = libm::pow(10.0, sampler.between(-5.0, -0.7));
+        let z = grazing.phase() + sampler.between(-0.1, 0.1);
+        for from in impact_and_recoil(oscillator, y, z) {
+            let y = from.coordinates()[0];
+            margins.see(virtual_point(oscillator, from)?[0] / (y * y));
         }
-    }
+        Ok(())
+    })?;
     Ok(margins
         .margin("impacts with velocities from 10⁻⁵ to 0.2 near grazing: the smallest x̂ / y² and x⁽⁰⁾ / y²"))
 }
@@ -173,25 +157,22 @@ fn outgoing_preimage(oscillator: &Specimen, target: Vector2<f64>, gamma: f64) ->
 
 /// P_virt has two inverses for x > 0, one on either side of y = 0.
 pub(crate) fn two_inverses() -> CheckResult {
-    let mut sampler = Sampler::new(17);
-    let mut deviations = Deviations::default();
-    for grazing in specimens()? {
+    let deviations = at_specimens(17, 50, |sampler, grazing, deviations: &mut Deviations| {
         let oscillator = grazing.oscillator();
-        for _ in 0..50 {
-            let x = libm::pow(10.0, sampler.between(-6.0, -2.5));
-            let target = Vector2::new(x, grazing.phase() + sampler.between(-0.05, 0.05));
-            let incoming = virtual_preimage(oscillator, AtRest::new(target[0], target[1]))?.coordinates();
-            let outgoing = outgoing_preimage(oscillator, target, grazing.grazing_point().gamma)
-                .ok_or("no preimage on the outgoing set")?;
-            if incoming[0] <= 0.0 || outgoing[0] >= 0.0 {
-                return Err(format!("not on either side: {incoming} and {outgoing}").into());
-            }
-            for preimage in [incoming, outgoing] {
-                let image = virtual_point(oscillator, OnWall::new(preimage[0], preimage[1]))?;
-                deviations.see((image - target).amax());
-            }
+        let x = libm::pow(10.0, sampler.between(-6.0, -2.5));
+        let target = Vector2::new(x, grazing.phase() + sampler.between(-0.05, 0.05));
+        let incoming = virtual_preimage(oscillator, AtRest::new(target[0], target[1]))?.coordinates();
+        let outgoing = outgoing_preimage(oscillator, target, grazing.grazing_point().gamma)
+            .ok_or("no preimage on the outgoing set")?;
+        if incoming[0] <= 0.0 || outgoing[0] >= 0.0 {
+            return Err(format!("not on either side: {incoming} and {outgoing}").into());
         }
-    }
+        for preimage in [incoming, outgoing] {
+            let image = virtual_point(oscillator, OnWall::new(preimage[0], preimage[1]))?;
+            deviations.see((image - target).amax());
+        }
+        Ok(())
+    })?;
     // Newton's method ends where the phase is known to its rounding.
     Ok(deviations
         .outcome(1e-14, "positions from 10⁻⁶ to 0.003 beyond the wall, both preimages, twelve oscillators"))
@@ -199,20 +180,17 @@ pub(crate) fn two_inverses() -> CheckResult {
 
 /// eq:Pdisc: P_disc maps (x̂, ẑ) to (x⁽⁰⁾, z⁽⁰⁾).
 pub(crate) fn discontinuity() -> CheckResult {
-    let mut sampler = Sampler::new(18);
-    let mut deviations = Deviations::default();
-    for grazing in specimens()? {
+    let deviations = at_specimens(18, 100, |sampler, grazing, deviations: &mut Deviations| {
         let oscillator = grazing.oscillator();
-        for _ in 0..100 {
-            let y = libm::pow(10.0, sampler.between(-4.0, -1.0));
-            let z = grazing.phase() + sampler.between(-0.1, 0.1);
-            let [impact, recoil] = impact_and_recoil(oscillator, y, z);
-            let (hat, start) = (virtual_point(oscillator, impact)?, virtual_point(oscillator, recoil)?);
-            let image = discontinuity_map::<_, 1>(oscillator, AtRest::new(hat[0], hat[1]))?.value;
-            // A rounding of x̂, 10⁻¹⁶, changes the phase by that over y.
-            deviations.see((image - start).amax() * y);
-        }
-    }
+        let y = libm::pow(10.0, sampler.between(-4.0, -1.0));
+        let z = grazing.phase() + sampler.between(-0.1, 0.1);
+        let [impact, recoil] = impact_and_recoil(oscillator, y, z);
+        let (hat, start) = (virtual_point(oscillator, impact)?, virtual_point(oscillator, recoil)?);
+        let image = discontinuity_map::<_, 1>(oscillator, AtRest::new(hat[0], hat[1]))?.value;
+        // A rounding of x̂, 10⁻¹⁶, changes the phase by that over y.
+        deviations.see((image - start).amax() * y);
+        Ok(())
+    })?;
     Ok(deviations.outcome(
         1e-14,
         "impacts with velocities from 10⁻⁴ to 0.1, twelve oscillators: the deviation times y",
@@ -220,30 +198,15 @@ pub(crate) fn discontinuity() -> CheckResult {
 }
 
 /// P_disc minus its leading terms, at x̂ = s² with (z, μ) as near to grazing as s.
-fn discontinuity_remainder(
-    grazing: &Grazing,
-    [ds, dz, dmu]: [f64; 3],
-    h: f64,
-) -> Option<(Vector2<f64>, f64)> {
-    let point = grazing.grazing_point();
-    let (oscillator, s, z) = near_grazing(grazing, [ds.abs() + 0.1, dz, dmu], h);
-    let image = discontinuity_map::<_, 1>(&oscillator, AtRest::new(s * s, z)).ok()?.value;
-    let leading = point.discontinuity_map(s * s, z);
-    // The preimage's velocity is known to a rounding of x̂ over itself.
-    Some((image - leading, ROUNDING / s))
-}
-
 fn leading_order(seed: u64, component: usize, stated: f64) -> CheckResult {
-    let mut sampler = Sampler::new(seed);
-    let mut orders = Smallest::default();
-    for grazing in specimens()?.into_iter().chain(delayed()?) {
-        orders.see(uniform_order(&directions::<3>(&mut sampler, 6), |direction, h| {
-            let (remainder, rounding) = discontinuity_remainder(&grazing, direction, h)?;
-            // Positions are of the size of x̂, phases of order one.
-            Some((remainder[component], if component == 0 { rounding * h } else { rounding }))
-        }));
-    }
-    Ok(orders.order(stated, SLACK, "fifteen oscillators, α of either sign; nine directions in (√x̂, ẑ, μ)"))
+    smallest_order(seed, stated, |grazing, [ds, dz, dmu]| {
+        let s = ds.abs() + 0.1 * (dz.abs() + dmu.abs());
+        let (oscillator, s, z) = near_grazing(grazing, [s, dz, dmu]);
+        let image = discontinuity_map::<_, 1>(&oscillator, AtRest::new(s * s, z)).ok()?.value;
+        let leading = grazing.grazing_point().discontinuity_map(s * s, z);
+        // Positions are of the size of x̂; the preimage's velocity is known to a rounding of x̂ over itself, and so are phases.
+        Some((image[component] - leading[component], [ROUNDING, ROUNDING / s][component]))
+    })
 }
 
 /// The sign of the square-root term is opposite to that of α.

@@ -7,13 +7,14 @@ use grazing_theorems::auxiliary::{
     admissibility_sum, lucas_partial_sum, lucas_sequence, scaled_visit_position,
 };
 use grazing_theorems::{GrazingPoint, LinearisedMap};
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::Vector2;
 
-use super::specimens::{sampled_map, specimens};
-use super::vivid::{derivatives, equations, scale, zero};
+use super::specimens::{sampled_map, specimens_with};
+use super::vivid::{derivatives, scale};
 use crate::eigenvalues::Pair;
+use crate::solutions::{equations, zero};
 use crate::specimen::Grazing;
-use crate::{CheckResult, Deviations, Failure, Sampler, sampled};
+use crate::{CheckResult, Deviations, Failure, sampled};
 
 /// Tens of roundings of numbers of the size by which deviations are divided.
 const ROUNDING: f64 = 1e-14;
@@ -21,9 +22,8 @@ const ROUNDING: f64 = 1e-14;
 /// d(x⁽ʲ⁾, z⁽ʲ⁾)/dμ at grazing, j = 0, …, p, by implicit differentiation of the zero of V and the chain rule through the maps
 /// of the oscillator.
 fn slopes_of_visits(grazing: &Grazing, p: u32) -> Result<Vec<Vector2<f64>>, Failure> {
-    let [by_velocity, by_phase, by_parameter] = derivatives(grazing, p)?;
-    let jacobian = Matrix2::from_columns(&[by_velocity, by_phase]);
-    let impact = -jacobian.lu().solve(&by_parameter).ok_or("det J = 0")?;
+    let vivid = derivatives(grazing, p)?;
+    let impact = -vivid.by_impact.lu().solve(&vivid.by_parameter).ok_or("det J = 0")?;
     let oscillator = grazing.oscillator();
     let reset = oscillator.reset::<1>(OnWall::new(0.0, grazing.phase()));
     let recoil = virtual_map::<_, 1>(oscillator, reset.image(), None)?.jet;
@@ -46,44 +46,38 @@ fn scaling(point: &GrazingPoint, p: u32) -> (f64, f64) {
 
 /// The largest deviation over the specimens and p = 1 to 6 of something made of the numbers (u⁽ʲ⁾, w⁽ʲ⁾) of an oscillator.
 fn over_oscillators(
+    tolerance: f64,
     deviation: impl Fn(&GrazingPoint, u32, &[Vector2<f64>]) -> f64,
-    over: &str,
 ) -> CheckResult {
     let mut deviations = Deviations::default();
-    for grazing in specimens()? {
+    for (grazing, p) in specimens_with(1..=6)? {
         let point = grazing.grazing_point();
-        for p in 1..=6 {
-            let (s, beta) = scaling(&point, p);
-            let path: Vec<_> =
-                slopes_of_visits(&grazing, p)?.into_iter().map(|slope| slope * (s / beta)).collect();
-            let size = path.iter().map(Vector2::amax).fold(1.0, f64::max);
-            deviations.see(deviation(&point, p, &path) / size);
-        }
+        let (s, beta) = scaling(&point, p);
+        let path: Vec<_> =
+            slopes_of_visits(&grazing, p)?.into_iter().map(|slope| slope * (s / beta)).collect();
+        let size = path.iter().map(Vector2::amax).fold(1.0, f64::max);
+        deviations.see(deviation(&point, p, &path) / size);
     }
-    // Derivatives of the maps with thirteen digits, and J⁻¹, which S_p cancels.
-    Ok(deviations.outcome(1e-12, over))
+    Ok(deviations.outcome(tolerance, "twelve oscillators, p = 1 to 6, derivatives by the chain rule"))
 }
 
-const OSCILLATORS: &str = "twelve oscillators, p = 1 to 6, derivatives by the chain rule";
+/// Derivatives of the maps with thirteen digits, and J⁻¹, which S_p cancels.
+const DERIVATIVES: f64 = 1e-12;
 
 /// eq:ujwj: the scaled derivatives of the visits of oscillators against central differences of their positions.
 pub(crate) fn scaled_slopes() -> CheckResult {
     let mut deviations = Deviations::default();
-    for grazing in specimens()? {
-        for p in 1..=3 {
-            let slopes = slopes_of_visits(&grazing, p)?;
-            let h = 1e-4 * scale(&grazing, p).ok_or("no emerging orbit")?;
-            let visits = |mu: f64| {
-                let point = zero(&grazing, p, mu)?;
-                equations(&grazing, p).visits(&point, &EventTimes::default()).ok()
-            };
-            let stated = grazing.grazing_point().emerging_orbit(p)?;
-            for (j, slope) in (0..=p).zip(&slopes) {
-                deviations.see((stated.visit_slope(j) - slope).amax() / (1.0 + slope.amax()));
-            }
-            let (ahead, behind) = (visits(h).ok_or("no zero of V")?, visits(-h).ok_or("no zero of V")?);
-            for (j, slope) in slopes.iter().enumerate().skip(1) {
-                let difference = (ahead[j - 1] - behind[j - 1]) / (2.0 * h);
+    for (grazing, p) in specimens_with(1..=3)? {
+        let equations = equations(&grazing, p);
+        let h = 1e-4 * scale(&grazing, p).ok_or("no emerging orbit")?;
+        let visits = |mu: f64| equations.visits(&zero(&grazing, p, mu)?, &EventTimes::default()).ok();
+        let (ahead, behind) = visits(h).zip(visits(-h)).ok_or("no zero of V")?;
+        let stated = grazing.grazing_point().emerging_orbit(p)?;
+        for (j, slope) in (0..=p).zip(slopes_of_visits(&grazing, p)?) {
+            deviations.see((stated.visit_slope(j) - slope).amax() / (1.0 + slope.amax()));
+            // The visits begin with the first return.
+            if let Some(k) = (j as usize).checked_sub(1) {
+                let difference = (ahead[k] - behind[k]) / (2.0 * h);
                 deviations.see((difference - slope).amax() / (1.0 + slope.amax()));
             }
         }
@@ -94,24 +88,19 @@ pub(crate) fn scaled_slopes() -> CheckResult {
 
 /// eq:affineMap.
 pub(crate) fn affine_map() -> CheckResult {
-    over_oscillators(
-        |point, p, path| {
-            let (s, beta) = scaling(point, p);
-            path.windows(2)
-                .map(|pair| (point.map.a * pair[0] + point.map.b * (s / beta) - pair[1]).amax())
-                .fold(0.0, f64::max)
-        },
-        OSCILLATORS,
-    )
+    // The chain rule is the map: nothing but products is rounded.
+    over_oscillators(1e-14, |point, p, path| {
+        let (s, beta) = scaling(point, p);
+        path.windows(2)
+            .map(|pair| (point.map.a * pair[0] + point.map.b * (s / beta) - pair[1]).amax())
+            .fold(0.0, f64::max)
+    })
 }
 
 /// eq:affineMapj: the printed iterate against p steps.
 pub(crate) fn affine_map_iterated() -> CheckResult {
-    let mut sampler = Sampler::new(2);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let j = 1 + index % 12;
-        let map = sampled_map(&mut sampler);
+    let deviations = sampled(2, 2000, 1..=12, |sampler, j, deviations: &mut Deviations| {
+        let map = sampled_map(sampler);
         // S_p/β, and the start, are arbitrary here.
         let factor = sampler.between(-2.0, 2.0);
         let start = Vector2::new(sampler.between(-1.0, 1.0), sampler.between(-1.0, 1.0));
@@ -123,34 +112,28 @@ pub(crate) fn affine_map_iterated() -> CheckResult {
         let LinearisedMap { a, b } = map.iterate(j);
         let entries = (1.0 + map.a.amax()) * (1.0 + map.a.amax());
         deviations.see((a * start + b * factor - here).amax() / (entries * (size + a.amax() + b.amax())));
-    }
+    });
     Ok(deviations.outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, j = 1 to 12"))
 }
 
 /// u⁽⁰⁾ = 0 and w⁽⁰⁾ = −b_1p / (a₁₂ β).
 pub(crate) fn start() -> CheckResult {
-    over_oscillators(
-        |point, p, path| {
-            let (s, beta) = scaling(point, p);
-            let stated = point.emerging_orbit(p).map(|orbit| orbit.visit_slope(0) * (s / beta));
-            stated.map_or(f64::NAN, |stated| (path[0] - stated).amax() + stated.x.abs())
-        },
-        OSCILLATORS,
-    )
+    over_oscillators(DERIVATIVES, |point, p, path| {
+        let (s, beta) = scaling(point, p);
+        let stated = point.emerging_orbit(p).map(|orbit| orbit.visit_slope(0) * (s / beta));
+        stated.map_or(f64::NAN, |stated| (path[0] - stated).amax() + stated.x.abs())
+    })
 }
 
 /// eq:ujcodim1proof on oscillators: u⁽ʲ⁾ is made of τ and δ alone.
 pub(crate) fn positions_of_oscillators() -> CheckResult {
-    over_oscillators(
-        |point, p, path| {
-            let (tau, delta) = (point.map.trace(), point.map.determinant());
-            let deviation = |(j, point): (usize, &Vector2<f64>)| {
-                (point.x - scaled_visit_position(j as u32, p, tau, delta)).abs()
-            };
-            path.iter().enumerate().map(deviation).fold(0.0, f64::max)
-        },
-        OSCILLATORS,
-    )
+    over_oscillators(DERIVATIVES, |point, p, path| {
+        let (tau, delta) = (point.map.trace(), point.map.determinant());
+        let deviation = |(j, point): (usize, &Vector2<f64>)| {
+            (point.x - scaled_visit_position(j as u32, p, tau, delta)).abs()
+        };
+        path.iter().enumerate().map(deviation).fold(0.0, f64::max)
+    })
 }
 
 /// eq:ujcodim1proof from eq:affineMapj.
@@ -204,5 +187,5 @@ pub(crate) fn last_position() -> CheckResult {
 
 /// fig:I: the path starts and ends on the w-axis.
 pub(crate) fn ends_on_axis() -> CheckResult {
-    over_oscillators(|_, p, path| path[0].x.abs().max(path[p as usize].x.abs()), OSCILLATORS)
+    over_oscillators(DERIVATIVES, |_, p, path| path[0].x.abs().max(path[p as usize].x.abs()))
 }

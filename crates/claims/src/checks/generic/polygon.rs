@@ -26,15 +26,12 @@ fn r_to(delta: f64, k: u32) -> f64 {
 
 /// The sum of a truncated geometric series.
 pub(crate) fn geometric_series() -> CheckResult {
-    let mut sampler = Sampler::new(6);
-    let mut deviations = Deviations::default();
-    for index in 0..1000 {
-        let n = 1 + index % 20;
+    let deviations = sampled(6, 1000, 1..=20, |sampler, n, deviations: &mut Deviations| {
         let r = sampler.between(-1.5, 1.5);
         let (sum, power) = (0..n).fold((0.0, 1.0), |(sum, power), _| (sum + power, power * r));
         // The numerator cancels near r = 1.
         deviations.see((sum * (1.0 - r) - (1.0 - power)) / (1.0 + power.abs()));
-    }
+    });
     // Twenty roundings.
     Ok(deviations.outcome(1e-14, "ratios between −1.5 and 1.5, one to twenty terms"))
 }
@@ -127,7 +124,7 @@ fn cross_each_other([a, b]: [Vector2<f64>; 2], [c, d]: [Vector2<f64>; 2]) -> boo
 /// vertices in order, if T_n > 0 and H_n > 0 for n = 2, …, p, and then u⁽ʲ⁾ < 0 for 0 < j < p.
 pub(crate) fn convex() -> CheckResult {
     search(
-        2,
+        2..=15,
         "h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p",
         "T_n, r^(n−2) H_n and −r^(1−j) u⁽ʲ⁾, n ≤ p, j < p",
         |p, point| {

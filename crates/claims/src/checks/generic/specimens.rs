@@ -1,10 +1,12 @@
 //! What section 4 is measured on: oscillators at grazing, and first-order data without an oscillator behind them.
 
+use core::ops::RangeInclusive;
+
 use grazing_theorems::{GrazingPoint, LinearisedMap};
 use nalgebra::{Matrix2, Vector2};
 
 use crate::specimen::{DELAY, Exponential, Grazing, Law};
-use crate::{Failure, Sampler, order};
+use crate::{CheckResult, Failure, Sampler, Smallest, order};
 
 /// The specimens at grazing: three with Φ = ε and Ψ = 0, three whose reset law varies, three of these with the frequency as μ, and
 /// three with a force that is not linear, two of them with real eigenvalues.
@@ -26,6 +28,27 @@ pub(crate) fn specimens() -> Result<Vec<Grazing>, Failure> {
         (Law::nonlinear(0.15).frequency_first(), 1.25),
     ];
     all.into_iter().map(|(law, frequency)| law.grazing(frequency)).collect()
+}
+
+/// The specimens, each with all of these numbers of loops.
+pub(crate) fn specimens_with(loops: RangeInclusive<u32>) -> Result<Vec<(Grazing, u32)>, Failure> {
+    let with = |grazing: Grazing| loops.clone().map(move |p| (grazing.clone(), p));
+    Ok(specimens()?.into_iter().flat_map(with).collect())
+}
+
+/// What so many samples at each of the specimens add up to.
+pub(crate) fn at_specimens<T: Default>(
+    seed: u64,
+    samples: usize,
+    mut sample: impl FnMut(&mut Sampler, &Grazing, &mut T) -> Result<(), Failure>,
+) -> Result<T, Failure> {
+    let (mut sampler, mut tally) = (Sampler::new(seed), T::default());
+    for grazing in specimens()? {
+        for _ in 0..samples {
+            sample(&mut sampler, &grazing, &mut tally)?;
+        }
+    }
+    Ok(tally)
 }
 
 /// Specimens with Ψ so large that α < 0.
@@ -73,13 +96,12 @@ pub(crate) fn directions<const N: usize>(sampler: &mut Sampler, number: usize) -
     axes.chain(others).collect()
 }
 
-/// The order of a remainder that is bounded in all directions at once: of the largest in any of them at each size. Not a number
-/// if the remainder does not exist near grazing.
+/// The order of a remainder that is bounded in all directions at once: of the largest in any of them at each size.
 pub(crate) fn uniform_order<const N: usize>(
     directions: &[[f64; N]],
     remainder: impl Fn([f64; N], f64) -> Option<(f64, f64)>,
 ) -> f64 {
-    let largest = |h: f64| {
+    order(|h| {
         let mut largest = (0.0_f64, 0.0_f64);
         for direction in directions {
             let (value, rounding) = remainder(*direction, h)?;
@@ -89,9 +111,27 @@ pub(crate) fn uniform_order<const N: usize>(
             largest = (largest.0.max(value.abs()), largest.1.max(rounding));
         }
         Some(largest)
-    };
-    if largest(libm::ldexp(1.0, -14)).is_none() {
-        return f64::NAN;
+    })
+}
+
+/// How far below the stated order the observed one may lie: where remainders are resolved last, sizes are below 10⁻³, and the
+/// next term is of that relative size, times a coefficient of order ten at most.
+pub(crate) const SLACK: f64 = 0.1;
+
+/// The smallest order of a remainder, with its rounding, that is bounded in all directions at once, over specimens with α of either
+/// sign.
+pub(crate) fn smallest_order<const N: usize>(
+    seed: u64,
+    stated: f64,
+    remainder: impl Fn(&Grazing, [f64; N]) -> Option<(f64, f64)>,
+) -> CheckResult {
+    let mut sampler = Sampler::new(seed);
+    let mut orders = Smallest::default();
+    for grazing in specimens()?.into_iter().chain(delayed()?) {
+        orders.see(uniform_order(&directions::<N>(&mut sampler, 6), |direction, h| {
+            remainder(&grazing, direction.map(|share| share * h))
+        }));
     }
-    order(largest)
+    let over = "fifteen oscillators, α of either sign, μ the amplitude or the frequency";
+    Ok(orders.order(stated, SLACK, &format!("{over}; {} directions at once", N + 6)))
 }

@@ -2,43 +2,21 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
-use grazing_model::maps::{discontinuity_map, global_iterate, global_map, virtual_map};
+use grazing_continuation::mps::{EventTimes, Unknowns};
+use grazing_model::maps::{MapError, discontinuity_map, global_iterate, global_map, virtual_map};
 use grazing_model::motion::local_maxima;
 use grazing_model::{AtRest, ImpactOscillator, OnWall, State, Surface};
 use grazing_theorems::GenericGrazing;
-use nalgebra::{Matrix2, Vector2};
+use grazing_theorems::grazing::VividLinearisation;
+use grazing_unfold::simulation::Seen;
+use nalgebra::Vector2;
 
 use super::maps::{impact_and_recoil, integrated, virtual_point};
-use super::specimens::{delayed, directions, specimens, uniform_order};
-use crate::checks::main_results::simulation::returns;
-use crate::specimen::{Grazing, Specimen};
+use super::specimens::{delayed, directions, specimens, specimens_with, uniform_order};
+use crate::differences::slope;
+use crate::solutions::{equations, followed, unknowns, vivid, zero};
+use crate::specimen::Grazing;
 use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes};
-
-/// The equations of p-loop MPSs of a specimen.
-pub(super) fn equations(grazing: &Grazing, p: u32) -> LoopEquations<Specimen> {
-    LoopEquations::new(grazing.oscillator().clone(), p, Formulation::Vivid)
-}
-
-/// The point (y, z; μ) with z and μ counted from grazing.
-pub(super) fn unknowns(grazing: &Grazing, y: f64, dz: f64, dmu: f64) -> Unknowns {
-    let [primary, secondary] = grazing.oscillator().parameters();
-    Unknowns::new(y, grazing.phase() + dz, primary + dmu, secondary)
-}
-
-/// The zero of V at μ, by Newton's method from its expansion.
-pub(super) fn zero(grazing: &Grazing, p: u32, mu: f64) -> Option<Unknowns> {
-    let emerging = grazing.grazing_point().emerging_orbit(p).ok()?;
-    let start = unknowns(grazing, emerging.impact_velocity_slope * mu, emerging.impact_phase_slope * mu, mu);
-    zero_from(grazing, p, start)
-}
-
-/// The zero of V at the parameters of a start, by Newton's method from there.
-pub(super) fn zero_from(grazing: &Grazing, p: u32, start: Unknowns) -> Option<Unknowns> {
-    let conditions = [Condition::Primary(start[2]), Condition::Secondary(start[3])];
-    locate(&equations(grazing, p), conditions, start, &mut EventTimes::default()).ok()
-}
 
 /// A size of μ at which the zero of V is as far from grazing as it is in the figures: y and z move by at most a tenth.
 pub(super) fn scale(grazing: &Grazing, p: u32) -> Option<f64> {
@@ -95,9 +73,9 @@ pub(crate) fn zeros_are_orbits() -> CheckResult {
     let (mut votes, mut printed) = (Votes::default(), Votes::default());
     for (grazing, p, point) in admissible()? {
         let equations = equations(&grazing, p);
-        let comes_back = |at: &Unknowns| returns(&equations.oscillator_at(at), &equations.solution(at).0);
+        let comes_back = |at: &Unknowns| followed(&equations, at) == Seen::Returns;
         let mut beside = point;
-        beside[0] *= 1.001;
+        beside[0] *= 1.01;
         let found = comes_back(&point);
         votes.see(point[0] > 0.0 && found);
         votes.see(!comes_back(&beside));
@@ -134,14 +112,13 @@ pub(crate) fn composition() -> CheckResult {
     const STEPS: u32 = 800;
     let mut sampler = Sampler::new(1);
     let mut deviations = Deviations::default();
-    for grazing in specimens()? {
-        for index in 0..8 {
-            let p = 1 + index % 4;
+    for (grazing, p) in specimens_with(1..=4)? {
+        for _ in 0..2 {
             let distance = [(); 3].map(|()| sampler.between(-0.02, 0.02));
-            let point = unknowns(&grazing, distance[0], distance[1], distance[2]);
+            let point = unknowns(&grazing, distance);
             let equations = equations(&grazing, p);
             let oscillator = equations.oscillator_at(&point);
-            let (vivid, _) = equations.pair::<1>(&point, &mut EventTimes::default())?.difference();
+            let vivid = vivid(&equations, &point).ok_or("V is not defined near grazing")?;
             let mut ends = Vec::new();
             for from in impact_and_recoil(&oscillator, point[0], point[1]) {
                 let [y, z] = from.coordinates().into();
@@ -167,20 +144,18 @@ pub(crate) fn composition() -> CheckResult {
 /// V is twice differentiable across y = 0.
 pub(crate) fn smooth_across_tangency() -> CheckResult {
     let mut orders = Smallest::default();
-    for grazing in specimens()? {
-        for p in 1..=3 {
-            let equations = equations(&grazing, p);
-            let second = |y: f64| {
-                let point = unknowns(&grazing, y, 0.0, 0.0);
-                let pair = equations.pair::<2>(&point, &mut EventTimes::default()).ok()?;
-                Some([0, 1].map(|i| pair.round_trip.hessians[i] - pair.impact.hessians[i]))
-            };
-            orders.see(uniform_order(&[[0.0], [1.0]], |[component], h| {
-                let i = component as usize;
-                // Second derivatives up to some hundreds.
-                Some(((second(h)?[i] - second(-h)?[i]).norm(), 1e-12))
-            }));
-        }
+    for (grazing, p) in specimens_with(1..=3)? {
+        let equations = equations(&grazing, p);
+        let second = |y: f64| {
+            let point = unknowns(&grazing, [y, 0.0, 0.0]);
+            let pair = equations.pair::<2>(&point, &mut EventTimes::default()).ok()?;
+            Some([0, 1].map(|i| pair.round_trip.hessians[i] - pair.impact.hessians[i]))
+        };
+        orders.see(uniform_order(&[[0.0], [1.0]], |[component], h| {
+            let i = component as usize;
+            // Second derivatives up to some hundreds.
+            Some(((second(h)?[i] - second(-h)?[i]).norm(), 1e-12))
+        }));
     }
     // The next term is of relative size h² < 10⁻³.
     Ok(orders.order(1.0, 0.1, "twelve oscillators, p = 1 to 3"))
@@ -189,75 +164,62 @@ pub(crate) fn smooth_across_tangency() -> CheckResult {
 /// V(0, z_graz; 0) = 0.
 pub(crate) fn vanishes_at_grazing() -> CheckResult {
     let mut deviations = Deviations::default();
-    for grazing in specimens()? {
-        for p in 1..=6 {
-            let point = unknowns(&grazing, 0.0, 0.0, 0.0);
-            let pair = equations(&grazing, p).pair::<1>(&point, &mut EventTimes::default())?;
-            deviations.see(pair.difference().0.amax());
-        }
+    for (grazing, p) in specimens_with(1..=6)? {
+        let value = vivid(&equations(&grazing, p), &unknowns(&grazing, [0.0; 3]));
+        deviations.see(value.ok_or("V is not defined at grazing")?.amax());
     }
     // Six returns with the rounding of a phase each.
     Ok(deviations.outcome(1e-13, "twelve oscillators, p = 1 to 6"))
 }
 
 /// The derivatives of V at grazing in (y, z, μ), from the derivatives of the maps.
-pub(super) fn derivatives(
-    grazing: &Grazing,
-    p: u32,
-) -> Result<[Vector2<f64>; 3], grazing_model::maps::MapError> {
-    let point = unknowns(grazing, 0.0, 0.0, 0.0);
+pub(super) fn derivatives(grazing: &Grazing, p: u32) -> Result<VividLinearisation, MapError> {
+    let point = unknowns(grazing, [0.0; 3]);
     let (_, derivative) = equations(grazing, p).pair::<1>(&point, &mut EventTimes::default())?.difference();
-    Ok([0, 1, 2].map(|column| derivative.column(column).into_owned()))
+    Ok(VividLinearisation {
+        by_impact: derivative.fixed_columns::<2>(0).into_owned(),
+        by_parameter: derivative.column(2).into_owned(),
+    })
 }
 
 /// eq:Jac1Jac2: the derivatives of which J and K are made against differences of V.
 pub(crate) fn jacobians() -> CheckResult {
-    const STEP: f64 = 1e-5;
     let mut deviations = Deviations::default();
-    for grazing in specimens()? {
-        for p in 1..=4 {
-            let exact = derivatives(&grazing, p)?;
-            let stated = grazing.grazing_point().vivid_linearisation(p);
-            let by_impact = Matrix2::from_columns(&[exact[0], exact[1]]);
-            let gap = (stated.by_impact - by_impact).amax().max((stated.by_parameter - exact[2]).amax());
-            deviations.see(gap / (1.0 + by_impact.amax() + exact[2].amax()));
-            let equations = equations(&grazing, p);
-            for (axis, expected) in exact.iter().enumerate() {
-                let vivid = |sign: f64| {
-                    let mut step = [0.0; 3];
-                    step[axis] = sign * STEP;
-                    let point = unknowns(&grazing, step[0], step[1], step[2]);
-                    Ok::<_, grazing_model::maps::MapError>(
-                        equations.pair::<1>(&point, &mut EventTimes::default())?.difference().0,
-                    )
-                };
-                let slope = (vivid(1.0)? - vivid(-1.0)?) / (2.0 * STEP);
-                deviations.see((slope - expected).amax() / (1.0 + expected.amax()));
-            }
+    for (grazing, p) in specimens_with(1..=4)? {
+        let stated = grazing.grazing_point().vivid_linearisation(p);
+        let VividLinearisation { by_impact, by_parameter } = derivatives(&grazing, p)?;
+        let gap = (stated.by_impact - by_impact).amax().max((stated.by_parameter - by_parameter).amax());
+        deviations.see(gap / (1.0 + by_impact.amax() + by_parameter.amax()));
+        let equations = equations(&grazing, p);
+        let columns = [by_impact.column(0).into_owned(), by_impact.column(1).into_owned(), by_parameter];
+        for (axis, expected) in columns.into_iter().enumerate() {
+            let slope = slope(1e-3, |h| {
+                let mut step = [0.0; 3];
+                step[axis] = h;
+                vivid(&equations, &unknowns(&grazing, step))
+            });
+            let slope = slope.ok_or("V is not defined near grazing")?;
+            deviations.see((slope - expected).amax() / (1.0 + expected.amax()));
         }
     }
-    // Third derivatives up to some hundreds times the step squared, and rounding over the step.
-    Ok(deviations.outcome(1e-7, "three derivatives at grazing of twelve oscillators, p = 1 to 4"))
+    // Rounding over the step, and derivatives of seventh order times its sixth power.
+    Ok(deviations.outcome(1e-9, "three derivatives at grazing of twelve oscillators, p = 1 to 4"))
 }
 
 /// Expansions of V, a component each.
 fn expansion(seed: u64, component: usize) -> CheckResult {
     let mut sampler = Sampler::new(seed);
     let mut orders = Smallest::default();
-    for grazing in specimens()? {
-        let data = grazing.grazing_point();
-        for p in 1..=4 {
-            let stated = data.vivid_linearisation(p);
-            let equations = equations(&grazing, p);
-            orders.see(uniform_order(&directions::<3>(&mut sampler, 4), |[dy, dz, dmu], h| {
-                let point = unknowns(&grazing, h * dy, h * dz, h * dmu);
-                let (vivid, _) = equations.pair::<1>(&point, &mut EventTimes::default()).ok()?.difference();
-                let linear =
-                    stated.by_impact * Vector2::new(h * dy, h * dz) + stated.by_parameter * (h * dmu);
-                // A phase's rounding for each return.
-                Some((vivid[component] - linear[component], 2e-15 * f64::from(p + 1)))
-            }));
-        }
+    for (grazing, p) in specimens_with(1..=4)? {
+        let stated = grazing.grazing_point().vivid_linearisation(p);
+        let equations = equations(&grazing, p);
+        orders.see(uniform_order(&directions::<3>(&mut sampler, 4), |direction, h| {
+            let [dy, dz, dmu] = direction.map(|share| share * h);
+            let vivid = vivid(&equations, &unknowns(&grazing, [dy, dz, dmu]))?;
+            let linear = stated.by_impact * Vector2::new(dy, dz) + stated.by_parameter * dmu;
+            // A phase's rounding for each return.
+            Some((vivid[component] - linear[component], 2e-15 * f64::from(p + 1)))
+        }));
     }
     // The next term is of relative size h < 10⁻⁴ where remainders are resolved last.
     Ok(orders.order(2.0, 0.1, "twelve oscillators, p = 1 to 4, seven directions in (y, z, μ) at once"))

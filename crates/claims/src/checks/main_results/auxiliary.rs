@@ -4,26 +4,22 @@ use core::f64::consts::PI;
 
 use grazing_model::ImpactOscillator;
 use grazing_theorems::admissibility_boundary::admissibility_boundary;
-use grazing_theorems::auxiliary::{
-    admissibility_sum, detuning, lucas_sequence, resonance_boundary, scaled_visit_position,
-};
+use grazing_theorems::auxiliary::{detuning, lucas_sequence, resonance_boundary, scaled_visit_position};
 use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{GenericGrazing, Side};
 use nalgebra::Matrix2;
 
 use super::theorems::general::side_of_orbit;
+use super::theorems::only;
+use crate::checks::appendices::signs::{scaled_h, search};
 use crate::specimen::{Exponential, Law, damping_for_decay};
 use crate::sweep::Existence;
-use crate::{
-    CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Smallest, Votes, order, printed, smallest,
-};
+use crate::{CheckResult, Deviations, Failure, Smallest, Votes, drawn, order, printed};
 
 /// eq:gp: at τ = g_p(δ) the (1, 2) entry of Aᵖ vanishes, also for p between integers in the sense of S_p(τ) = 0 at the
 /// integer; for larger τ it has the sign of a₁₂.
 pub(crate) fn resonance_boundary_is_a_zero() -> CheckResult {
-    let mut sampler = Sampler::new(31);
-    let mut largest = Deviations::default();
-    for _ in 0..3000 {
+    let largest = drawn(31, 3000, |sampler, largest: &mut Deviations| {
         let p = sampler.one_of(&[2, 3, 4, 5, 6, 7, 9, 12, 15]);
         let delta = sampler.between(0.001, 0.999);
         let boundary = resonance_boundary(f64::from(p), delta);
@@ -39,44 +35,27 @@ pub(crate) fn resonance_boundary_is_a_zero() -> CheckResult {
         // g_{p/2}: twice the angle, 2√δ cos(2π/p) = (g_p² − 2δ)/√δ... by the double angle formula.
         let doubled = (boundary * boundary - 2.0 * delta) / delta.sqrt();
         largest.compare(resonance_boundary(0.5 * f64::from(p), delta), doubled, 1.0 + 1.0 / delta.sqrt());
-    }
+        Ok(())
+    })?;
     // Powers of a matrix of norm two in fifteen steps, of which the entry is what cancellation leaves.
     Ok(largest.outcome(1e-12, "p up to 15 and random A with τ = g_p(δ), and with τ above it"))
 }
 
-/// δ^{(p−2)/2} H_p, which neither over- nor underflows.
-fn scaled_sum(p: u32, tau: f64, delta: f64) -> f64 {
-    libm::pow(delta, 0.5 * f64::from(p) - 1.0) * admissibility_sum(p, tau, delta)
-}
-
-/// h_p: H_p vanishes there and is positive above, found by search of the smallest quotient H_p/(τ − h_p).
+/// h_p: H_p vanishes there and is positive above, found by search of the smallest quotient H_p/(τ − h_p); h₂ = −2√δ.
 pub(crate) fn admissibility_boundary_is_the_largest_zero() -> CheckResult {
-    let mut least = f64::INFINITY;
-    const STARTS: usize = 5;
-    for p in 3..=20 {
-        let (margin, _) = smallest(u64::from(p), STARTS, |[d, s]: [f64; 2]| {
-            let delta = 0.01 + 0.989_999 * d;
-            let Ok(boundary) = admissibility_boundary(p, delta) else {
-                return f64::NAN;
-            };
-            // Zero to a few roundings of 2√δ times the slope, which is some p³ at most.
-            if scaled_sum(p, boundary, delta).abs() > 1e-13 * f64::from(p * p * p) {
-                return -1.0;
-            }
-            // Cubed: many points close to the boundary.
-            let above = (1e-4 + s * s * s) * (delta + 1.0 - boundary);
-            scaled_sum(p, boundary + above, delta) / above
-        });
-        least = least.min(margin);
-    }
-    for k in 1..20 {
-        let delta = f64::from(k) / 20.0;
-        if (admissibility_boundary(2, delta)? + 2.0 * delta.sqrt()).abs() > 1e-15 {
-            least = -1.0;
+    search(2..=20, "τ > h_p and the determinant", "r^(p−2) H_p / (τ − h_p)", |p, [d, s]| {
+        let delta = 0.01 + 0.989_999 * d;
+        let Ok(boundary) = admissibility_boundary(p, delta) else { return f64::NAN };
+        // Zero to a few roundings of 2√δ times the slope, which is some p³ at most; H₂ has no zero, and h₂ is set by itself.
+        let rounding = 1e-13 * f64::from(p * p * p);
+        let off = if p == 2 { boundary + 2.0 * delta.sqrt() } else { scaled_h(p, boundary, delta) };
+        if off.abs() > rounding {
+            return -1.0;
         }
-    }
-    let over = "searches for the smallest H_p/(τ − h_p) above h_p, p = 3 to 20";
-    Ok(Outcome::new(Measure::Margin { smallest: least }, 18 * STARTS, over))
+        // Cubed: many points close to the boundary.
+        let above = (1e-4 + s * s * s) * (delta + 1.0 - boundary);
+        scaled_h(p, boundary + above, delta) / above
+    })
 }
 
 /// le:admissibilityBoundary: g_{p/2} < h_p < g_{p−1} by adversarial search, from δ = 10⁻⁶ to 1 − 10⁻⁶.
@@ -84,36 +63,20 @@ pub(crate) fn admissibility_boundary_is_the_largest_zero() -> CheckResult {
 /// Both margins shrink at an end of the interval, the lower one like 1 − √δ, the upper one like √δ, beyond the common
 /// factor 2√δ: they are measured against that.
 pub(crate) fn bounds() -> CheckResult {
-    let mut least = f64::INFINITY;
-    const STARTS: usize = 5;
-    for p in 3..=30 {
-        for side in [0, 1] {
-            let (margin, _) = smallest(u64::from(p) + 100 * side, STARTS, |[d]: [f64; 1]| {
-                // r = √δ, close to either end at will.
-                let modulus = 1e-3 + (1.0 - 1e-3 - 5e-7) * (d * d * (3.0 - 2.0 * d));
-                let delta = modulus * modulus;
-                let Ok(boundary) = admissibility_boundary(p, delta) else {
-                    return f64::NAN;
-                };
-                let loops = f64::from(p);
-                if side == 0 {
-                    (boundary - resonance_boundary(0.5 * loops, delta)) / (2.0 * modulus * (1.0 - modulus))
-                } else {
-                    (resonance_boundary(loops - 1.0, delta) - boundary) / (2.0 * modulus * modulus)
-                }
-            });
-            least = least.min(margin);
-        }
-    }
-    let over = "searches for the smallest of both scaled margins, p = 3 to 30";
-    Ok(Outcome::new(Measure::Margin { smallest: least }, 28 * 2 * STARTS, over))
+    search(3..=30, "the determinant", "of both scaled margins", |p, [d, _]| {
+        // r = √δ, close to either end at will.
+        let modulus = 1e-3 + (1.0 - 1e-3 - 5e-7) * (d * d * (3.0 - 2.0 * d));
+        let (delta, loops) = (modulus * modulus, f64::from(p));
+        let Ok(boundary) = admissibility_boundary(p, delta) else { return f64::NAN };
+        let below = (boundary - resonance_boundary(0.5 * loops, delta)) / (1.0 - modulus);
+        let above = (resonance_boundary(loops - 1.0, delta) - boundary) / modulus;
+        below.min(above) / (2.0 * modulus)
+    })
 }
 
 /// As p → ∞ both families tend to 2√δ, with second order in 1/p.
 pub(crate) fn limit() -> CheckResult {
-    let mut sampler = Sampler::new(35);
-    let mut least = Smallest::default();
-    for _ in 0..10 {
+    let least = drawn(35, 10, |sampler, least: &mut Smallest| {
         let delta = sampler.between(0.05, 0.95);
         let end = 2.0 * delta.sqrt();
         for lower in [true, false] {
@@ -131,7 +94,8 @@ pub(crate) fn limit() -> CheckResult {
                 Some((end - value, 1e-15))
             }));
         }
-    }
+        Ok(())
+    })?;
     // Slack for terms in 1/p³ at p near a thousand.
     Ok(least.order(2.0, 0.05, "g_p and h_p at random δ, p up to 1024"))
 }
@@ -196,23 +160,17 @@ pub(crate) fn beyond_the_boundary() -> CheckResult {
 /// Beside a p = 1 resonance of a force that is not linear, a₁₂ = 0, the eigenvalues are near a₁₁ ≠ a₂₂, both negative for n = 1.
 fn two_loops_below_the_boundary() -> Result<bool, Failure> {
     let law = Law { delay: Exponential::constant(0.0), ..Law::nonlinear(damping_for_decay(1, 1, 0.5)) };
-    let resonance = law.resonance(1, 1, false)?;
+    let resonance = law.resonance(1, 1)?;
     let [_, omega] = resonance.orbit().oscillator().parameters();
     // To that side on which a₁₂ > 0.
     let off = libm::copysign(1e-3, resonance.resonant_point().unfolding.derivative);
     let orbit = law.grazing(omega * (1.0 + off))?;
     let point = orbit.grazing_point();
     let (tau, delta) = (point.map.trace(), point.map.determinant());
-    let only_the_margin = match GenericGrazing::check(&point, 2) {
-        Ok(_) => false,
-        Err(violated) => violated.violated().map(|one| one.quantity).eq([Quantity::AdmissibilityMargin]),
-    };
-    let stated = if point.map.transversality() * detuning(2, tau, delta) > 0.0 {
-        Side::Positive
-    } else {
-        Side::Negative
-    };
-    Ok(only_the_margin && side_of_orbit(&orbit, 2)? == Existence::On(stated))
+    let violated = GenericGrazing::check(&point, 2).err();
+    let only_the_margin = violated.is_some_and(|violated| only(&violated, Quantity::AdmissibilityMargin));
+    let stated = Existence::On(Side::of(point.map.transversality() * detuning(2, tau, delta)));
+    Ok(only_the_margin && side_of_orbit(&orbit, 2)? == stated)
 }
 
 /// Whether the linear oscillator with this trace and determinant has a p-loop MPS near grazing, one side or the other.

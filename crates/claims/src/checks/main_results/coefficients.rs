@@ -6,15 +6,13 @@ use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::Condition;
 use grazing_theorems::LinearisedMap;
 
-use super::returns::derivative as difference;
 use crate::checks::resonant::places::{Bifurcation, Place};
-use crate::convergence::order;
 use crate::specimen::Law;
-use crate::{CheckResult, Deviations, Failure, Sampler, Smallest};
+use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, drawn, order};
 
 /// A resonance with one of these numbers of loops at which s^± are not within a twentieth of zero, nor the impact
 /// velocity along either curve within a fifth of η: then the curves are seen at small velocities.
-pub(super) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Place, Failure> {
+pub(crate) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Place, Failure> {
     loop {
         let loops = sampler.one_of(loops);
         let zeta = sampler.between(0.01, 0.15);
@@ -32,10 +30,8 @@ pub(super) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Place, Fa
 
 /// s^± as limits of T − D − 1 and T + D + 1 on the branch at η = 0, with T and D of numerical orbits.
 fn stability(seed: u64, loops: &[u32], over: &str) -> CheckResult {
-    let mut sampler = Sampler::new(seed);
-    let mut least = Smallest::default();
-    for _ in 0..30 {
-        let place = resonant(&mut sampler, loops)?;
+    let least = drawn(seed, 30, |sampler, least: &mut Smallest| {
+        let place = resonant(sampler, loops)?;
         let stated = place.point().stability_coefficients();
         for (stated, sign) in [(stated.plus, 1.0), (stated.minus, -1.0)] {
             least.see_resolved(order(|velocity| {
@@ -45,28 +41,27 @@ fn stability(seed: u64, loops: &[u32], over: &str) -> CheckResult {
                 Some((limit - stated, 1e-14 / velocity))
             }));
         }
-    }
+        Ok(())
+    })?;
     // Slack for the term of second order at the smallest resolved velocities.
     Ok(least.order(1.0, 0.3, &format!("{over}; T ∓ (D + 1) on the branch as y → 0")))
 }
 
 /// c_SN and c_PD against the limits of μ/η² on continued curves.
-fn fitted(seed: u64, loops: &[u32], over: &str) -> CheckResult {
-    let mut sampler = Sampler::new(seed);
-    let mut largest = Deviations::default();
-    for _ in 0..20 {
-        let place = resonant(&mut sampler, loops)?;
+///
+/// The accuracy of a fit is what interpolation in the impact velocity leaves; empirical, some tens of times the largest seen.
+fn fitted(seed: u64, loops: &[u32], tolerance: f64, over: &str) -> CheckResult {
+    let largest = drawn(seed, 20, |sampler, largest: &mut Deviations| {
+        let place = resonant(sampler, loops)?;
         let (sn, pd) = (place.point().saddle_node_coefficient(), place.point().period_doubling_coefficient());
         for (condition, stated) in [(Condition::SADDLE_NODE, sn), (Condition::PERIOD_DOUBLING, pd)] {
             let measured = quadratic_coefficient(&place.resonance, condition)?;
             largest.compare(measured.value, stated, stated.abs().max(sn.abs()));
         }
-    }
-    Ok(largest.outcome(FIT, &format!("c_SN and c_PD at {over}, against fits to continued curves")))
+        Ok(())
+    })?;
+    Ok(largest.outcome(tolerance, &format!("c_SN and c_PD at {over}, against fits to continued curves")))
 }
-
-/// Accuracy of a fitted coefficient: what interpolation in the impact velocity leaves; empirical, some ten times the largest seen.
-const FIT: f64 = 1e-7;
 
 checks! {
     /// eq:c1.
@@ -74,27 +69,24 @@ checks! {
     /// eq:cp.
     stability_many_loops: stability(62, &[2, 3, 4], "resonances p = 2, 3, 4 with ψ ≠ 0");
     /// eq:coeffs1.
-    curves_one_loop: fitted(63, &[1], "resonances p = 1 with ψ ≠ 0");
+    curves_one_loop: fitted(63, &[1], 1e-8, "resonances p = 1 with ψ ≠ 0");
     /// eq:coeffsp.
-    curves_many_loops: fitted(64, &[2, 3, 4], "resonances p = 2, 3, 4 with ψ ≠ 0");
+    curves_many_loops: fitted(64, &[2, 3, 4], 1e-7, "resonances p = 2, 3, 4 with ψ ≠ 0");
 }
 
 /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
 pub(crate) fn unfolding_derivatives() -> CheckResult {
-    let mut sampler = Sampler::new(65);
-    let mut largest = Deviations::default();
-    for _ in 0..30 {
-        let place = resonant(&mut sampler, &[1, 2, 3, 4])?;
+    let largest = drawn(65, 30, |sampler, largest: &mut Deviations| {
+        let place = resonant(sampler, &[1, 2, 3, 4])?;
         let loops = place.loops();
-        let [measured] = difference(1e-4, |h| {
-            let LinearisedMap { a, .. } =
-                place.grazing(h).ok_or("no grazing orbit beside a resonance")?.grazing_point().map;
+        let measured = place.along_grazing(1e-4, |LinearisedMap { a, .. }| {
             let cosine = libm::cos(PI / f64::from(loops));
-            Ok([if loops == 1 { a.m12 } else { a.trace() - 2.0 * a.determinant().sqrt() * cosine }])
+            if loops == 1 { a.m12 } else { a.trace() - 2.0 * a.determinant().sqrt() * cosine }
         })?;
         let stated = place.point().unfolding.derivative;
         largest.compare(measured, stated, stated.abs().max(1.0));
-    }
+        Ok(())
+    })?;
     // Rounding 10⁻¹⁴ over the step 10⁻⁴.
     Ok(largest.outcome(1e-10, "resonances p = 1 to 4, by differences along the grazing curve"))
 }

@@ -1,23 +1,22 @@
 //! Section 1: what the text says about Figure 2 and about the Jacobian near grazing.
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
+use grazing_continuation::curve::{Curve, Route, Window};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns};
+use grazing_continuation::mps::{LoopEquations, MaximalPeriodicSolution};
+use grazing_model::AtRest;
 use grazing_model::maps::discontinuity_map;
-use grazing_model::{AtRest, LinearOscillator};
+use grazing_unfold::simulation::Seen;
 
-use super::simulation::{attracts, returns};
-use crate::specimen::Law;
-use crate::{CheckResult, Failure, Sampler, Smallest, Votes, order, printed};
+use crate::solutions::{self, attracts, equations, followed};
+use crate::specimen::{Law, Specimen, at_grazing};
+use crate::{CheckResult, Failure, Smallest, Votes, order, printed};
 
 /// The branch of p-loop MPSs that leaves the grazing bifurcation of Figure 2, with its equations and 𝒜_graz.
-fn branch(loops: u32) -> Result<(LoopEquations<LinearOscillator>, Curve, f64), Failure> {
-    let (zeta, epsilon, omega) = (printed("zeta"), printed("epsilon"), printed("fig02_frequency"));
-    let grazing = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
-    let equations = LoopEquations::new(grazing.model(), loops, Formulation::Vivid);
-    let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(omega) };
-    let amplitude = grazing.amplitude();
+fn branch(loops: u32) -> Result<(LoopEquations<Specimen>, Curve, f64), Failure> {
+    let omega = printed("fig02_frequency");
+    let grazing = Law::linear(printed("zeta"), printed("epsilon")).grazing(omega)?;
+    let amplitude = grazing.primary();
     let route = Route {
         // A quarter to either side holds all that Figure 2 shows.
         window: Window { primary: [0.75 * amplitude, 1.25 * amplitude], secondary: [0.0, 2.0 * omega] },
@@ -25,9 +24,8 @@ fn branch(loops: u32) -> Result<(LoopEquations<LinearOscillator>, Curve, f64), F
         step_limit: 5_000,
         stop_at_events: false,
     };
-    let start = Unknowns::new(0.0, grazing.phase(), amplitude, omega);
-    let curve = curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), &route)?;
-    Ok((equations, curve, amplitude))
+    let curve = solutions::branch(grazing.oscillator(), grazing.phase(), loops, &route)?;
+    Ok((equations(&grazing, loops), curve, amplitude))
 }
 
 /// The first points of a branch beyond the grazing bifurcation.
@@ -42,10 +40,10 @@ pub(crate) fn emanating_solutions() -> CheckResult {
     for loops in 1..=3 {
         let (equations, curve, amplitude) = branch(loops)?;
         for solution in first(&curve) {
-            let oscillator = equations.oscillator_at(&solution.unknowns);
+            let point = &solution.unknowns;
             cases.see((solution.parameters()[0] > amplitude) == (loops < 3));
-            cases.see(solution.admissible() && returns(&oscillator, solution));
-            cases.see(!solution.stable() && attracts(&oscillator, solution) == Some(false));
+            cases.see(solution.admissible() && followed(&equations, point) == Seen::Returns);
+            cases.see(!solution.stable() && attracts(&equations, point) == Some(false));
         }
     }
     Ok(cases.outcome("the first points of the branches p = 1, 2, 3 of Figure 2"))
@@ -65,7 +63,7 @@ pub(crate) fn stability_gained() -> CheckResult {
         // A point well past the event attracts in simulation, one well before it does not.
         for (index, attracting) in [(event.index + 5, true), (event.index.saturating_sub(5), false)] {
             let solution = &curve.points.get(index).ok_or("the branch ends beside the event")?.solution;
-            cases.see(attracts(&equations.oscillator_at(&solution.unknowns), solution) == Some(attracting));
+            cases.see(attracts(&equations, &solution.unknowns) == Some(attracting));
         }
         located.push(event.solution.parameters()[0]);
         if loops == 3 {
@@ -88,10 +86,7 @@ pub(crate) fn stability_gained() -> CheckResult {
 
 /// The Jacobian of P_disc grows like x̂^(−1/2): its entry times √x̂ tends to −αω/√(2γ).
 pub(crate) fn singular_jacobian() -> CheckResult {
-    let mut sampler = Sampler::new(83);
-    let mut least = Smallest::default();
-    for _ in 0..100 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let least = at_grazing(83, 100, |_, orbit, least: &mut Smallest| {
         let point = orbit.grazing_point();
         let limit = -point.alpha() * point.forcing_frequency / (2.0 * point.gamma).sqrt();
         least.see_resolved(order(|h| {
@@ -100,7 +95,8 @@ pub(crate) fn singular_jacobian() -> CheckResult {
             // The velocity at the wall is known to 10⁻¹⁶/h of itself.
             Some((jet.jacobian[(1, 0)] * h - limit, 1e-15 / h))
         }));
-    }
+        Ok(())
+    })?;
     // First order in √x̂; slack for the second.
     Ok(least.order(1.0, 0.3, "∂z⁽⁰⁾/∂x̂ times √x̂ for random oscillators with ψ ≠ 0"))
 }

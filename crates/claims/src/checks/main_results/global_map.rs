@@ -2,19 +2,16 @@
 
 use grazing_model::motion::local_maxima;
 use grazing_model::{ImpactOscillator, State};
-use nalgebra::Vector2;
+use nalgebra::{Matrix2, Vector2};
 
-use super::returns::{derivative as difference, returned};
-use crate::specimen::Law;
-use crate::{CheckResult, Deviations, Sampler, Smallest, Votes, order};
+use super::returns::{derivatives, returned};
+use crate::specimen::at_grazing;
+use crate::{CheckResult, Deviations, Smallest, Votes, order};
 
 /// ass:grazing: the orbit from (0, 0, z_graz) is periodic, touches the wall once per period and lies below it otherwise,
 /// and F < 0 where it touches; at another amplitude there is no such orbit.
 pub(crate) fn grazing_orbit() -> CheckResult {
-    let mut sampler = Sampler::new(11);
-    let mut cases = Votes::default();
-    for _ in 0..100 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let cases = at_grazing(11, 100, |_, orbit, cases: &mut Votes| {
         let oscillator = orbit.oscillator();
         let period = oscillator.forcing_period();
         let from = State::at_rest(0.0, orbit.phase());
@@ -37,16 +34,14 @@ pub(crate) fn grazing_orbit() -> CheckResult {
         let off = oscillator.with_parameters([primary * 1.01, secondary]);
         let [x, z] = returned(&off, [0.0, orbit.phase()])?.into();
         cases.see(x.abs() + (z - orbit.phase()).abs() > 1e-6);
-    }
+        Ok(())
+    })?;
     Ok(cases.outcome("grazing orbits of random oscillators, and values of μ beside them"))
 }
 
 /// eq:Pglobal: what the linear part leaves over is of second order.
 pub(crate) fn expansion() -> CheckResult {
-    let mut sampler = Sampler::new(12);
-    let mut least = Smallest::default();
-    for _ in 0..60 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let least = at_grazing(12, 60, |sampler, orbit, least: &mut Smallest| {
         let oscillator = orbit.oscillator();
         let [primary, secondary] = oscillator.parameters();
         let map = orbit.grazing_point().map;
@@ -69,56 +64,33 @@ pub(crate) fn expansion() -> CheckResult {
         if let Some(error) = failure {
             return Err(error);
         }
-    }
+        Ok(())
+    })?;
     // Slack for the cubic terms at the smallest resolved sizes.
     Ok(least.order(2.0, 0.3, "directions in (x, z, μ) at grazing orbits of random oscillators"))
 }
 
 /// eq:A: ∂(x', z')/∂(x, z) by hand-written derivatives against differences of event locations.
 pub(crate) fn derivative() -> CheckResult {
-    let mut sampler = Sampler::new(13);
-    let mut largest = Deviations::default();
-    for _ in 0..60 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let largest = at_grazing(13, 60, |_, orbit, largest: &mut Deviations| {
         let a = orbit.grazing_point().map.a;
-        let scale = a.amax().max(1.0);
-        for column in 0..2 {
-            let measured: [f64; 2] = difference(STEP, |h| {
-                let mut start = [0.0, orbit.phase()];
-                start[column] += h;
-                Ok(returned(orbit.oscillator(), start)?.into())
-            })?;
-            for row in 0..2 {
-                largest.compare(measured[row], a[(row, column)], scale);
-            }
-        }
-    }
+        let [by_position, by_phase, _] = derivatives(orbit, 1.0)?;
+        largest.see((Matrix2::from_columns(&[by_position, by_phase]) - a).amax() / a.amax().max(1.0));
+        Ok(())
+    })?;
     Ok(largest.outcome(DIFFERENCES, "entries of A of random oscillators"))
 }
 
 /// eq:b: ∂P_global/∂μ likewise, with the amplitude or the frequency as μ.
 pub(crate) fn parameter_derivative() -> CheckResult {
-    let mut sampler = Sampler::new(14);
-    let mut largest = Deviations::default();
-    for _ in 0..60 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let largest = at_grazing(14, 60, |_, orbit, largest: &mut Deviations| {
         let b = orbit.grazing_point().map.b;
-        let [primary, secondary] = orbit.oscillator().parameters();
-        let measured: [f64; 2] = difference(STEP, |h| {
-            let near = orbit.oscillator().with_parameters([primary + h, secondary]);
-            Ok(returned(&near, [0.0, orbit.phase()])?.into())
-        })?;
-        let scale = b.amax().max(1.0);
-        for row in 0..2 {
-            largest.compare(measured[row], b[row], scale);
-        }
-    }
+        let [_, _, by_parameter] = derivatives(orbit, 1.0)?;
+        largest.see((by_parameter - b).amax() / b.amax().max(1.0));
+        Ok(())
+    })?;
     Ok(largest.outcome(DIFFERENCES, "entries of b of random oscillators"))
 }
 
-/// Step of the extrapolated differences: rounding 10⁻¹⁵/h, error h⁴ times fifth derivatives.
-const STEP: f64 = 1e-3;
-
-/// Accuracy of the extrapolated differences: at ω near 0.35 fifth derivatives are some 10⁴, so that h⁴/4 of them is 10⁻⁹
-/// and more; empirical, five times the largest that was seen.
-const DIFFERENCES: f64 = 1e-7;
+/// Accuracy of the differences: empirical, some ten times the largest that was seen.
+const DIFFERENCES: f64 = 1e-10;

@@ -8,16 +8,13 @@ use grazing_model::{AtRest, ImpactOscillator, OnWall, State};
 use grazing_theorems::auxiliary::detuning;
 use nalgebra::Matrix2;
 
-use super::returns::derivative as difference;
-use crate::specimen::Law;
-use crate::{CheckResult, Deviations, Sampler, Smallest, Votes, order};
+use crate::differences::slope;
+use crate::specimen::at_grazing;
+use crate::{CheckResult, Deviations, Smallest, Votes, drawn, order};
 
 /// eq:alpha: z⁽⁰⁾ − ẑ = −α ω√(2x̂/γ) + O(x̂) along P_disc of an oscillator with ψ ≠ 0.
 pub(crate) fn square_root_factor() -> CheckResult {
-    let mut sampler = Sampler::new(41);
-    let mut least = Smallest::default();
-    for _ in 0..60 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let least = at_grazing(41, 60, |_, orbit, least: &mut Smallest| {
         let point = orbit.grazing_point();
         // The size is √x̂, so that the remainder is of second order.
         least.see_resolved(order(|h| {
@@ -27,36 +24,33 @@ pub(crate) fn square_root_factor() -> CheckResult {
             // Times from 10⁻² to 10⁻⁵ are found to the rounding of phases of order one.
             Some((disc[1] - orbit.phase() - stated, 1e-14))
         }));
-    }
+        Ok(())
+    })?;
     // Slack for the terms of third order in √x̂.
     Ok(least.order(2.0, 0.3, "random oscillators with ψ ≠ 0; order in √x̂"))
 }
 
 /// eq:phipsigamma: φ and ψ by differences of the reset law at zero velocity, γ by the second difference of Γ; γ > 0.
 pub(crate) fn constants() -> CheckResult {
-    let mut sampler = Sampler::new(42);
-    let mut largest = Deviations::default();
-    for _ in 0..100 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let largest = at_grazing(42, 100, |_, orbit, largest: &mut Deviations| {
         let (oscillator, point) = (orbit.oscillator(), orbit.grazing_point());
-        let [recoil, phase] =
-            difference(1e-3, |y| Ok(oscillator.reset::<1>(OnWall::new(y, orbit.phase())).value.into()))?;
-        largest.compare(-recoil, point.phi, 1.0);
-        largest.compare(phase, point.psi, 1.0);
+        let recoil = slope(1e-3, |y| Some(oscillator.reset::<1>(OnWall::new(y, orbit.phase())).value))
+            .ok_or("a reset law has values everywhere")?;
+        largest.compare(-recoil[0], point.phi, 1.0);
+        largest.compare(recoil[1], point.psi, 1.0);
         let motion = oscillator.motion(State::at_rest(0.0, orbit.phase()));
-        let [deceleration] = difference(1e-3, |t| Ok([-motion.at(t).velocity]))?;
+        let deceleration = slope(1e-3, |t| Some(-motion.at(t).velocity)).ok_or("motion goes on")?;
         largest.compare(deceleration, point.gamma, point.gamma.max(1.0));
         largest.require(point.gamma > 0.0);
-    }
+        Ok(())
+    })?;
     // Rounding 10⁻¹⁵ over the step 10⁻³; the error of fourth order is as small.
     Ok(largest.outcome(1e-11, "random oscillators with ψ ≠ 0"))
 }
 
 /// κ_p: its sign is that of the (1, 2) entry of Aᵖ over a₁₂ for τ > h_p, and it vanishes with that entry.
 pub(crate) fn detuning_has_the_sign_of_the_entry() -> CheckResult {
-    let mut sampler = Sampler::new(43);
-    let mut cases = Votes::default();
-    for _ in 0..3000 {
+    let cases = drawn(43, 3000, |sampler, cases: &mut Votes| {
         let p = sampler.one_of(&[2, 3, 4, 5, 6, 8, 10]);
         let delta = sampler.between(0.01, 0.99);
         let boundary = grazing_theorems::admissibility_boundary::admissibility_boundary(p, delta)?;
@@ -67,6 +61,7 @@ pub(crate) fn detuning_has_the_sign_of_the_entry() -> CheckResult {
         let definition = tau - 2.0 * delta.sqrt() * libm::cos(PI / f64::from(p));
         // The definition to two roundings; the entry has no sign where κ_p is as small as its rounding.
         cases.see((kappa - definition).abs() < 1e-15 && (kappa.abs() < 1e-12 || kappa * entry > 0.0));
-    }
+        Ok(())
+    })?;
     Ok(cases.outcome("random p ≥ 2, δ and τ above h_p(δ)"))
 }

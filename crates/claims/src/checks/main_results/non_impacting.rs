@@ -3,21 +3,18 @@
 use grazing_model::maps::global_map;
 use grazing_model::orbit::{Orbit, OrbitEnd};
 use grazing_model::{AtRest, ImpactOscillator, State};
-use grazing_theorems::LinearisedMap;
 use grazing_theorems::spectrum::{Eigenvalues, in_trapesium};
 use nalgebra::{Matrix2, Vector2};
 
-use super::returns::derivative as difference;
-use crate::specimen::{Grazing, Law, frequency_first};
-use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes, order};
+use crate::checks::generic::specimens::{map_with, sampled_map};
+use crate::differences::slope;
+use crate::specimen::{Grazing, Law, at_grazing, frequency_first};
+use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes, drawn, order};
 
 /// τ and δ are trace and determinant of the flow over one period in (x, y), the wall ignored: P_global has the multipliers
 /// of Γ.
 pub(crate) fn trace_and_determinant() -> CheckResult {
-    let mut sampler = Sampler::new(21);
-    let mut largest = Deviations::default();
-    for _ in 0..500 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let largest = at_grazing(21, 500, |_, orbit, largest: &mut Deviations| {
         let map = orbit.grazing_point().map;
         let from = State::at_rest(0.0, orbit.phase());
         let jet = orbit.oscillator().flow::<1>(from, orbit.oscillator().forcing_period());
@@ -25,7 +22,8 @@ pub(crate) fn trace_and_determinant() -> CheckResult {
         let size = map.a.amax().max(1.0);
         largest.compare(map.trace(), monodromy.trace(), size);
         largest.compare(map.determinant(), monodromy.determinant(), size * size);
-    }
+        Ok(())
+    })?;
     // Products and sums of a dozen rounded numbers of the size of the entries.
     Ok(largest.outcome(1e-13, "grazing orbits of random oscillators, against the monodromy matrix"))
 }
@@ -63,10 +61,8 @@ fn nonlinear_orbit(sampler: &mut Sampler) -> Result<Grazing, Failure> {
 
 /// eq:xStarzStar: the fixed point of P_global to first order.
 pub(crate) fn fixed_point_expansion() -> CheckResult {
-    let mut sampler = Sampler::new(22);
-    let mut least = Smallest::default();
-    for _ in 0..100 {
-        let orbit = nonlinear_orbit(&mut sampler)?;
+    let least = drawn(22, 100, |sampler, least: &mut Smallest| {
+        let orbit = nonlinear_orbit(sampler)?;
         let slope = orbit.grazing_point().map.fixed_point_slope()?;
         least.see_resolved(order(|mu| {
             let found = fixed_point(&orbit, mu).ok()?;
@@ -74,25 +70,26 @@ pub(crate) fn fixed_point_expansion() -> CheckResult {
             // (I − A)⁻¹ amplifies roundings up to a hundredfold.
             Some((remainder.norm(), 1e-13))
         }));
-    }
+        Ok(())
+    })?;
     // Slack for the next order at the smallest resolved μ.
     Ok(least.order(2.0, 0.3, "random oscillators with the frequency as μ"))
 }
 
 /// eq:xStarzStarDeriv: dx*/dμ by differences of numerical fixed points.
 pub(crate) fn position_slope() -> CheckResult {
-    let mut sampler = Sampler::new(23);
-    let mut largest = Deviations::default();
-    for _ in 0..100 {
-        let orbit = nonlinear_orbit(&mut sampler)?;
+    let largest = drawn(23, 100, |sampler, largest: &mut Deviations| {
+        let orbit = nonlinear_orbit(sampler)?;
         let map = orbit.grazing_point().map;
-        let [measured] = difference(1e-3, |mu| Ok([fixed_point(&orbit, mu)?[0]]))?;
+        let measured =
+            slope(1e-3, |mu| Some(fixed_point(&orbit, mu).ok()?[0])).ok_or("no fixed point near grazing")?;
         let stated = map.transversality() / (map.determinant() - map.trace() + 1.0);
         largest.compare(measured, stated, stated.abs().max(1.0));
         largest.compare(map.fixed_point_position_slope()?, stated, stated.abs().max(1.0));
-    }
-    // h⁴ = 10⁻¹² times fifth derivatives of 𝒜/𝒜_graz(ω), which has its resonance ζ wide, ζ ≥ 0.01: empirical.
-    Ok(largest.outcome(1e-6, "random oscillators with the frequency as μ"))
+        Ok(())
+    })?;
+    // h⁶ = 10⁻¹⁸ times seventh derivatives of 𝒜/𝒜_graz(ω), which has its resonance ζ wide, ζ ≥ 0.01: empirical.
+    Ok(largest.outcome(1e-7, "random oscillators with the frequency as μ"))
 }
 
 /// eq:beta: β is det(I − A) times dx*/dμ by Cramer's rule, and its sign is the one with which x* crosses the wall.
@@ -100,15 +97,10 @@ pub(crate) fn transversality() -> CheckResult {
     let mut sampler = Sampler::new(24);
     let mut largest = Deviations::default();
     for _ in 0..500 {
-        let (tau, delta) = sampler.trapesium();
-        let a11 = sampler.between(-1.5, 1.5);
-        let a12 = sampler.between(0.2, 2.0);
-        let a22 = tau - a11;
-        let a = Matrix2::new(a11, a12, (a11 * a22 - delta) / a12, a22);
-        let b = Vector2::new(sampler.between(-1.0, 1.0), sampler.between(-1.0, 1.0));
-        let map = LinearisedMap { a, b };
+        let map = sampled_map(&mut sampler);
+        let (a, b) = (map.a, map.b);
         // Cramer: the first column of I − A replaced by b.
-        let replaced = Matrix2::new(b[0], -a12, b[1], 1.0 - a22);
+        let replaced = Matrix2::new(b.x, -a.m12, b.y, 1.0 - a.m22);
         largest.compare(map.transversality(), replaced.determinant(), a.amax().max(1.0));
     }
     for _ in 0..100 {
@@ -117,32 +109,23 @@ pub(crate) fn transversality() -> CheckResult {
         let agrees = (ahead[0] - back[0]) * orbit.grazing_point().map.transversality() > 0.0;
         largest.require(agrees && ahead[0] * back[0] < 0.0);
     }
-    // Sums of two products of numbers up to the size of A.
-    Ok(largest.outcome(1e-14, "random A and b with (τ, δ) in the trapesium; crossings of random oscillators"))
+    // The same two products.
+    Ok(largest.outcome(0.0, "random A and b with (τ, δ) in the trapesium; crossings of random oscillators"))
 }
 
 /// eq:eigs: the two numbers are the eigenvalues, a real pair in order or a conjugate pair.
 pub(crate) fn eigenvalues() -> CheckResult {
-    let mut sampler = Sampler::new(25);
-    let mut largest = Deviations::default();
-    for _ in 0..2000 {
+    let largest = drawn(25, 2000, |sampler, largest: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         match Eigenvalues::from_trace_and_determinant(tau, delta) {
             Eigenvalues::Real { lambda_1, lambda_2 } => {
-                largest.see(if lambda_1 >= lambda_2 && tau * tau >= 4.0 * delta {
-                    0.0
-                } else {
-                    f64::INFINITY
-                });
+                largest.require(lambda_1 >= lambda_2 && tau * tau >= 4.0 * delta);
                 for (lambda, sign) in [(lambda_1, 1.0), (lambda_2, -1.0)] {
                     largest.see((lambda * lambda - tau * lambda + delta).abs());
                     // Near a double eigenvalue the square root amplifies: compare what is under it.
                     let root = 2.0 * lambda - tau;
-                    largest.see(if root * sign >= -1e-15 {
-                        (root * root - tau * tau + 4.0 * delta).abs()
-                    } else {
-                        1.0
-                    });
+                    largest.require(root * sign >= -1e-15);
+                    largest.see(root * root - tau * tau + 4.0 * delta);
                 }
             }
             Eigenvalues::ComplexPair { modulus, argument } => {
@@ -152,7 +135,8 @@ pub(crate) fn eigenvalues() -> CheckResult {
                 largest.require(im > 0.0 && tau * tau < 4.0 * delta);
             }
         }
-    }
+        Ok(())
+    })?;
     // Numbers of order one and a handful of operations.
     Ok(largest.outcome(1e-14, "points of the trapesium"))
 }
@@ -162,18 +146,14 @@ pub(crate) fn trapesium() -> CheckResult {
     let mut sampler = Sampler::new(26);
     let mut cases = Votes::default();
     for k in 0..2000 {
-        let delta = sampler.between(1e-3, 1.5);
-        let mut tau = sampler.between(-3.0, 3.0);
-        let mut delta = delta;
+        let (mut delta, mut tau) = (sampler.between(1e-3, 1.5), sampler.between(-3.0, 3.0));
         // Every third matrix lies within 10⁻⁶ of one of the three sides on which stability is lost.
         match k % 6 {
             0 => tau = sampler.one_of(&[1.0, -1.0]) * (delta + 1.0) + sampler.between(-1e-6, 1e-6),
             1 => delta = 1.0 + sampler.between(-1e-6, 1e-6),
             _ => {}
         }
-        let a11 = sampler.between(-1.5, 1.5);
-        let a12 = sampler.between(0.2, 2.0);
-        let mut power = Matrix2::new(a11, a12, (a11 * (tau - a11) - delta) / a12, tau - a11);
+        let mut power = map_with(&mut sampler, tau, delta).a;
         // A to the power 2⁴⁰, with its size kept apart: log|Aᴺ| = log of the size.
         let mut log_size = 0.0;
         for _ in 0..40 {
@@ -190,17 +170,14 @@ pub(crate) fn trapesium() -> CheckResult {
 
 /// For small μ with βμ < 0 orbits of the hybrid system that start near the non-impacting solution approach it.
 pub(crate) fn stability() -> CheckResult {
-    let mut sampler = Sampler::new(27);
-    let mut cases = Votes::default();
-    for _ in 0..60 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let cases = at_grazing(27, 60, |sampler, orbit, cases: &mut Votes| {
         let map = orbit.grazing_point().map;
         let slope = map.fixed_point_position_slope()?;
         let size = 1e-3 / slope.abs();
         let mu = if slope > 0.0 { -size } else { size };
         let [primary, secondary] = orbit.oscillator().parameters();
         let oscillator = orbit.oscillator().with_parameters([primary + mu, secondary]);
-        let [x, z] = fixed_point(&orbit, mu)?.into();
+        let [x, z] = fixed_point(orbit, mu)?.into();
         // Loops contract like |λ|ⁿ: as many as make it 10⁻³, from a tenth of the distance to the wall.
         let radius = map.eigenvalues().spectral_radius();
         let loops = libm::ceil(libm::log(1e-4) / libm::log(radius));
@@ -211,6 +188,7 @@ pub(crate) fn stability() -> CheckResult {
             _ => false,
         };
         cases.see(x < 0.0 && approached);
-    }
+        Ok(())
+    })?;
     Ok(cases.outcome("random oscillators just below grazing"))
 }

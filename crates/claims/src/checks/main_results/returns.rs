@@ -2,10 +2,13 @@
 
 use core::f64::consts::TAU;
 
-use crate::Failure;
 use grazing_model::motion::local_maxima;
 use grazing_model::{ImpactOscillator, State};
+use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
+
+use crate::Failure;
+use crate::differences::slope;
 
 /// The image of (x, z) under P_global: the local maximum of x nearest to one forcing period later.
 pub(crate) fn returned<O: ImpactOscillator>(
@@ -35,27 +38,21 @@ pub(crate) fn iterated<O: ImpactOscillator>(
     Ok(here)
 }
 
-/// A first derivative by central differences with steps h and h/2, extrapolated: the error is of fourth order.
-pub(crate) fn derivative<const N: usize>(
-    step: f64,
-    mut value: impl FnMut(f64) -> Result<[f64; N], Failure>,
-) -> Result<[f64; N], Failure> {
-    let mut central = |h: f64| -> Result<[f64; N], Failure> {
-        let (ahead, back) = (value(h)?, value(-h)?);
-        Ok(core::array::from_fn(|i| (ahead[i] - back[i]) / (2.0 * h)))
+/// ∂P_global/∂(x, z, μ) at grazing by differences, μ counted in a unit.
+pub(crate) fn derivatives<O: ImpactOscillator>(
+    grazing: &GrazingOrbit<O>,
+    unit: f64,
+) -> Result<[Vector2<f64>; 3], Failure> {
+    let [primary, secondary] = grazing.oscillator().parameters();
+    let by = |axis: usize| {
+        // Rounding is 10⁻¹⁵ over the step, the error its sixth power times seventh derivatives.
+        slope(1e-3, |h| {
+            let [x, z, mu] = core::array::from_fn(|i| if i == axis { h } else { 0.0 });
+            let near = grazing.oscillator().with_parameters([primary + mu * unit, secondary]);
+            returned(&near, [x, grazing.phase() + z]).ok()
+        })
     };
-    let (coarse, fine) = (central(step)?, central(0.5 * step)?);
-    Ok(core::array::from_fn(|i| (4.0 * fine[i] - coarse[i]) / 3.0))
-}
-
-/// A second derivative by central differences with steps h and h/2, extrapolated: the error is of fourth order.
-pub(crate) fn second_derivative(
-    step: f64,
-    mut value: impl FnMut(f64) -> Result<f64, Failure>,
-) -> Result<f64, Failure> {
-    let middle = value(0.0)?;
-    let mut central =
-        |h: f64| -> Result<f64, Failure> { Ok((value(h)? - 2.0 * middle + value(-h)?) / (h * h)) };
-    let (coarse, fine) = (central(step)?, central(0.5 * step)?);
-    Ok((4.0 * fine - coarse) / 3.0)
+    let columns = by(0).zip(by(1)).zip(by(2));
+    let ((x, z), mu) = columns.ok_or("P_global is not defined near grazing")?;
+    Ok([x, z, mu])
 }

@@ -6,26 +6,15 @@ use grazing_model::motion::{Motion, first_crossing, highest_maximum};
 use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, OnWall, State};
 
-use crate::specimen::Law;
-use crate::{CheckResult, Deviations, Measure, Outcome, Sampler, Smallest, Votes, order, smallest};
-
-/// A state on the free side of the wall, without pattern.
-fn state(sampler: &mut Sampler) -> State {
-    State {
-        position: sampler.between(-1.5, 0.0),
-        velocity: sampler.between(-1.0, 1.0),
-        phase: sampler.between(0.0, TAU),
-    }
-}
+use crate::specimen::{Law, at_grazing};
+use crate::{CheckResult, Deviations, Smallest, Votes, drawn, order, smallest};
 
 /// eq:F: the acceleration against second differences of the position along the flow.
 pub(crate) fn equation_of_motion() -> CheckResult {
-    let mut sampler = Sampler::new(1);
-    let mut least = Smallest::default();
-    for _ in 0..60 {
-        let orbit = Law::random_grazing(&mut sampler)?;
+    let least = drawn(1, 60, |sampler, least: &mut Smallest| {
+        let orbit = Law::random_grazing(sampler)?;
         let oscillator = orbit.oscillator();
-        let from = state(&mut sampler);
+        let from = sampler.state();
         let force = oscillator.acceleration(from);
         let x = |time: f64| oscillator.flow::<1>(from, time).value[0];
         least.see_resolved(order(|h| {
@@ -33,19 +22,17 @@ pub(crate) fn equation_of_motion() -> CheckResult {
             // Positions of order one, three of them, over h².
             Some((difference - force, 1e-16 / (h * h)))
         }));
-    }
+        Ok(())
+    })?;
     // Slack for the term of fourth order at the smallest resolved steps.
     Ok(least.order(2.0, 0.3, "states of random oscillators; ẍ by second differences of the flow"))
 }
 
 /// eq:f: all three components of the vector field against first differences along the flow, parameters of both kinds.
 pub(crate) fn vector_field() -> CheckResult {
-    let mut sampler = Sampler::new(2);
-    let mut least = Smallest::default();
-    for _ in 0..60 {
-        let orbit = Law::random_grazing_of_any_order(&mut sampler)?;
+    let least = at_grazing(2, 60, |sampler, orbit, least: &mut Smallest| {
         let oscillator = orbit.oscillator();
-        let from = state(&mut sampler);
+        let from = sampler.state();
         let field = [from.velocity, oscillator.acceleration(from), oscillator.forcing_frequency().value];
         let motion = oscillator.motion(from);
         for (i, component) in field.into_iter().enumerate() {
@@ -67,17 +54,16 @@ pub(crate) fn vector_field() -> CheckResult {
                 Some((if i < 2 { difference - component } else { difference }, 1e-15 / h))
             }));
         }
-    }
+        Ok(())
+    })?;
     // Slack as above; the third component holds exactly, which leaves no order to be seen.
     Ok(least.order(2.0, 0.3, "components of the field at states of random oscillators"))
 }
 
 /// eq:z: along orbits with impacts the phase lies in [0, 2π) and differs from ωt by the delays of the impacts alone.
 pub(crate) fn phase() -> CheckResult {
-    let mut sampler = Sampler::new(3);
-    let mut largest = Deviations::default();
-    for _ in 0..40 {
-        let orbit = Law::random_grazing(&mut sampler)?;
+    let largest = drawn(3, 40, |sampler, largest: &mut Deviations| {
+        let orbit = Law::random_grazing(sampler)?;
         let at_grazing = orbit.oscillator();
         let [amplitude, frequency] = at_grazing.parameters();
         let oscillator = at_grazing.with_parameters([1.2 * amplitude, frequency]);
@@ -95,17 +81,16 @@ pub(crate) fn phase() -> CheckResult {
                 delays += impact.velocity * delay;
             }
         }
-    }
+        Ok(())
+    })?;
     // Phases up to 130 added up over at most 200 impacts.
     Ok(largest.outcome(1e-12, "flights of orbits with impacts"))
 }
 
 /// Σ_graz: where F < 0 at (0, 0, z), and only there, the orbit through the point stays on the free side around it.
 pub(crate) fn grazing_set() -> CheckResult {
-    let mut sampler = Sampler::new(4);
-    let mut cases = Votes::default();
-    for _ in 0..300 {
-        let orbit = Law::random_grazing(&mut sampler)?;
+    let cases = drawn(4, 300, |sampler, cases: &mut Votes| {
+        let orbit = Law::random_grazing(sampler)?;
         let at_grazing = orbit.oscillator();
         let [_, frequency] = at_grazing.parameters();
         // Amplitudes above 1 reach the part of the tangency set where F > 0.
@@ -114,24 +99,22 @@ pub(crate) fn grazing_set() -> CheckResult {
         let force = oscillator.acceleration(from);
         // At a time of 10⁻⁵ the jerk changes x by 10⁻¹⁵ times a number of order one, F by 10⁻¹⁰ |F|.
         if force.abs() < 1e-4 {
-            continue;
+            return Ok(());
         }
         let motion = oscillator.motion(from);
         let free = [1e-5, -1e-5].map(|time| motion.at(time).position < 0.0);
         cases.see(free == [force < 0.0; 2]);
-    }
+        Ok(())
+    })?;
     Ok(cases.outcome("points of the tangency set, F of both signs"))
 }
 
 /// eq:R: the incoming set goes to the outgoing set, the tangency set to itself, and the law has the form with Φ and Ψ.
 pub(crate) fn reset_form() -> CheckResult {
-    let mut sampler = Sampler::new(5);
-    let mut least = f64::INFINITY;
-    const LAWS: usize = 40;
-    for seed in 0..LAWS as u64 {
-        let orbit = Law::random_grazing(&mut sampler)?;
+    let least = drawn(5, 40, |sampler, least: &mut Smallest| {
+        let orbit = Law::random_grazing(sampler)?;
         let oscillator = orbit.oscillator();
-        let (margin, _) = smallest(seed, 6, |[a, b]: [f64; 2]| {
+        let (margin, _) = smallest(5, 6, |[a, b]: [f64; 2]| {
             // Down to velocities at which only the quotient is of order one.
             let (velocity, phase) = (0.6 * a * a * a, TAU * b);
             let law = |velocity: f64| oscillator.reset::<1>(OnWall::new(velocity, phase)).value;
@@ -146,18 +129,16 @@ pub(crate) fn reset_form() -> CheckResult {
             }
             if velocity > 0.0 { -image[0] / velocity } else { restitution }
         });
-        least = least.min(margin);
-    }
-    let over = "adversarial searches for the smallest recoil velocity per impact velocity";
-    Ok(Outcome::new(Measure::Margin { smallest: least }, 6 * LAWS, over))
+        least.see(margin);
+        Ok(())
+    })?;
+    Ok(least.margin("adversarial searches for the smallest recoil velocity per impact velocity"))
 }
 
 /// eq:resetLaw: simulated orbits stay in x ≤ 0, arrive at the wall with y > 0, and go on from R(y, z).
 pub(crate) fn reset_law() -> CheckResult {
-    let mut sampler = Sampler::new(6);
-    let mut largest = Deviations::default();
-    for _ in 0..40 {
-        let orbit = Law::random_grazing(&mut sampler)?;
+    let largest = drawn(6, 40, |sampler, largest: &mut Deviations| {
+        let orbit = Law::random_grazing(sampler)?;
         let at_grazing = orbit.oscillator();
         let [amplitude, frequency] = at_grazing.parameters();
         let oscillator = at_grazing.with_parameters([sampler.between(1.02, 1.5) * amplitude, frequency]);
@@ -187,7 +168,8 @@ pub(crate) fn reset_law() -> CheckResult {
                 ));
             }
         }
-    }
+        Ok(())
+    })?;
     // Event times are exact to rounding; phases are of order ten.
     Ok(largest.outcome(1e-13, "properties of the impacts and flights of orbits"))
 }

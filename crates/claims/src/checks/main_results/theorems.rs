@@ -16,12 +16,9 @@ use crate::checks::generic::specimens::specimens;
 use crate::specimen::{DELAY, Exponential, Grazing, Law, damping_for_decay};
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
 use crate::sweep::resonant::FIT_TOLERANCE;
-use crate::sweep::{
-    CaseVerdict, Existence, GenericRow, ResonantRow, generic_cases, generic_rows, resonant_cases,
-    resonant_rows,
-};
+use crate::sweep::{CaseVerdict, Existence, generic_cases, generic_rows, resonant_cases, resonant_rows};
 use crate::{CheckResult, Failure, Votes};
-use grazing_unfold::simulation::{Seen, Suspect};
+use grazing_unfold::simulation::Seen;
 
 /// An oscillator for what is seen to fail.
 const ZETA: f64 = 0.03;
@@ -29,9 +26,7 @@ const EPSILON: f64 = 0.8;
 
 /// th:codim11.
 pub(crate) fn generic_grazing_one_loop() -> CheckResult {
-    let mut count = Votes::default();
-    generic_sweep(&mut count, |loops| loops == 1)?;
-    general_sweep(&mut count, |loops| loops == 1)?;
+    let mut count = generic_votes(|loops| loops == 1)?;
     // a₁₂ = 0: the MPS that comes into being is not unstable.
     let resonance = theory()?.resonance(1, 3)?;
     count.see(attracts(1, resonance.forcing_frequency()));
@@ -40,17 +35,9 @@ pub(crate) fn generic_grazing_one_loop() -> CheckResult {
     for shift in [0.05, -0.05] {
         for alpha in [0.5, -0.5] {
             let orbit = delayed(1.5 + shift, alpha)?;
-            let seen = side_of_orbit(&orbit, 1)?;
-            count.see(match GenericGrazing::check(&orbit.grazing_point(), 1) {
-                Ok(theorem) => alpha > 0.0 && seen == Existence::On(theorem.side()),
-                Err(violated) => {
-                    let map = orbit.grazing_point().map;
-                    let stated = side(map.a.m12 * map.transversality());
-                    alpha < 0.0
-                        && only(&violated, Quantity::SquareRootFactor)
-                        && matches!(seen, Existence::On(seen) if seen != stated)
-                }
-            });
+            let map = orbit.grazing_point().map;
+            let other = Existence::On(Side::of(-map.a.m12 * map.transversality()));
+            count.see(generic_case(&orbit, 1, alpha > 0.0, Quantity::SquareRootFactor, other)?);
         }
     }
     Ok(count.outcome("oscillators at grazing to both sides of p = 1 resonances; hypotheses violated in turn"))
@@ -58,29 +45,20 @@ pub(crate) fn generic_grazing_one_loop() -> CheckResult {
 
 /// th:codim1p.
 pub(crate) fn generic_grazing_p_loops() -> CheckResult {
-    let mut count = Votes::default();
-    generic_sweep(&mut count, |loops| loops > 1)?;
-    general_sweep(&mut count, |loops| loops > 1)?;
+    let mut count = generic_votes(|loops| loops > 1)?;
     for p in [2, 3] {
         let resonance = theory()?.resonance(p, 1)?;
         // κ_p = 0: the MPS that comes into being is not unstable.
         count.see(attracts(p, resonance.forcing_frequency()));
         count.see(exists_for_both_signs_of_the_root(p, 0.97 * resonance.forcing_frequency()));
         // With α < 0 it is a₁₂ < 0 that makes MPSs, to both sides of n − 1/(2p), and a₁₂ > 0 that makes none.
-        for (from, negative) in [(2.0, true), (1.0, false)] {
-            for share in [0.94, 1.06] {
+        for share in [0.94, 1.06] {
+            let q = share * 0.5 / f64::from(p);
+            for (ratio, negative) in [(2.0 - q, true), (1.0 + q, false)] {
                 for alpha in [0.5, -0.5] {
-                    let q = share * 0.5 / f64::from(p);
-                    let orbit = delayed(if negative { from - q } else { from + q }, alpha)?;
-                    let seen = side_of_orbit(&orbit, p)?;
-                    count.see(match GenericGrazing::check(&orbit.grazing_point(), p) {
-                        Ok(theorem) => negative == (alpha < 0.0) && seen == Existence::On(theorem.side()),
-                        Err(violated) => {
-                            negative != (alpha < 0.0)
-                                && only(&violated, Quantity::OffDiagonalTimesSquareRootFactor)
-                                && seen == Existence::Nowhere
-                        }
-                    });
+                    let (orbit, applies) = (delayed(ratio, alpha)?, negative == (alpha < 0.0));
+                    let violated = Quantity::OffDiagonalTimesSquareRootFactor;
+                    count.see(generic_case(&orbit, p, applies, violated, Existence::Nowhere)?);
                 }
             }
         }
@@ -92,25 +70,18 @@ pub(crate) fn generic_grazing_p_loops() -> CheckResult {
 
 /// th:codim21.
 pub(crate) fn resonant_grazing_one_loop() -> CheckResult {
-    let mut count = Votes::default();
-    resonant_sweep(&mut count, |loops| loops == 1)?;
-    general_resonances(&mut count, &[(1, 2), (1, 3)])?;
+    let mut count = resonant_votes(|loops| loops == 1, &[(1, 2), (1, 3)])?;
     for n in [2, 3] {
         let ratio = 0.5 * f64::from(n);
         count.see(no_curve_away_from_resonance(1, theory()?.damped_natural_frequency() / (ratio + 0.05)));
         for alpha in [0.5, -0.5] {
             let orbit = delayed(ratio, alpha)?;
-            let stated = stated_sides(&orbit, 1)?;
-            let seen = [side_of_curve(&orbit, 1, 1.0)?, side_of_curve(&orbit, 1, -1.0)?];
-            count.see(match ResonantGrazing::check(&orbit.resonant_point(1)?, 1e-11) {
-                Ok(theorem) => alpha > 0.0 && holds(&orbit, &theorem, seen)?,
-                // With α < 0 the curves are there for the other sign of η.
-                Err(violated) => {
-                    alpha < 0.0
-                        && only(&violated, Quantity::SquareRootFactor)
-                        && (0..2).all(|k| matches!(seen[k], Existence::On(side) if side != stated[k]))
-                }
-            });
+            // With α < 0 the curves are there for the other sign of η.
+            let point = orbit.resonant_point(1)?;
+            let stability = point.stability_coefficients();
+            let others = [stability.plus, stability.minus]
+                .map(|s| Existence::On(Side::of(-point.unfolding.derivative * s)));
+            count.see(resonant_case(&orbit, 1, alpha > 0.0, Quantity::SquareRootFactor, others)?);
         }
     }
     Ok(count.outcome("p = 1 resonances, 1/E_p among the restitutions; hypotheses violated in turn"))
@@ -118,31 +89,56 @@ pub(crate) fn resonant_grazing_one_loop() -> CheckResult {
 
 /// th:codim2p.
 pub(crate) fn resonant_grazing_p_loops() -> CheckResult {
-    let mut count = Votes::default();
-    resonant_sweep(&mut count, |loops| loops > 1)?;
-    general_resonances(&mut count, &[(2, 1), (3, 1)])?;
+    let mut count = resonant_votes(|loops| loops > 1, &[(2, 1), (3, 1)])?;
     for p in [2, 3] {
         let q = 0.5 / f64::from(p);
         count.see(no_curve_away_from_resonance(p, theory()?.damped_natural_frequency() / (1.04 + q)));
         // With α < 0 the resonances at n − 1/(2p) are the real ones, and those at n + 1/(2p) virtual.
         for (ratio, negative) in [(1.0 + q, false), (2.0 - q, true)] {
             for alpha in [0.5, -0.5] {
-                let orbit = delayed(ratio, alpha)?;
-                let seen = [side_of_curve(&orbit, p, 1.0)?, side_of_curve(&orbit, p, -1.0)?];
-                count.see(match ResonantGrazing::check(&orbit.resonant_point(p)?, 1e-11) {
-                    Ok(theorem) => negative == (alpha < 0.0) && holds(&orbit, &theorem, seen)?,
-                    Err(violated) => {
-                        negative != (alpha < 0.0)
-                            && only(&violated, Quantity::OffDiagonalTimesSquareRootFactor)
-                            && seen == [Existence::Nowhere; 2]
-                    }
-                });
+                let (orbit, applies) = (delayed(ratio, alpha)?, negative == (alpha < 0.0));
+                let violated = Quantity::OffDiagonalTimesSquareRootFactor;
+                count.see(resonant_case(&orbit, p, applies, violated, [Existence::Nowhere; 2])?);
             }
         }
     }
     Ok(count.outcome(
         "resonances with p = 2 to 5, virtual ones and 1/E_p among the restitutions; hypotheses violated in turn",
     ))
+}
+
+/// Where theorem 2.2 or 2.3 applies the MPS is seen on its side; where it does not, this hypothesis alone is violated, and something
+/// else is seen.
+fn generic_case(
+    orbit: &Grazing,
+    loops: u32,
+    applies: bool,
+    violated: Quantity,
+    otherwise: Existence,
+) -> Result<bool, Failure> {
+    let seen = side_of_orbit(orbit, loops)?;
+    Ok(match GenericGrazing::check(&orbit.grazing_point(), loops) {
+        Ok(theorem) => applies && seen == Existence::On(theorem.side()),
+        Err(answer) => !applies && only(&answer, violated) && seen == otherwise,
+    })
+}
+
+/// The same for theorem 2.4 or 2.5 and both curves.
+fn resonant_case(
+    orbit: &Grazing,
+    loops: u32,
+    applies: bool,
+    violated: Quantity,
+    otherwise: [Existence; 2],
+) -> Result<bool, Failure> {
+    Ok(match ResonantGrazing::check(&orbit.resonant_point(loops)?, 1e-11) {
+        Ok(theorem) => applies && holds(orbit, loops, &theorem)?,
+        Err(answer) => !applies && only(&answer, violated) && sides_of_curves(orbit, loops)? == otherwise,
+    })
+}
+
+fn sides_of_curves(orbit: &Grazing, loops: u32) -> Result<[Existence; 2], Failure> {
+    Ok([side_of_curve(orbit, loops, 1.0)?, side_of_curve(orbit, loops, -1.0)?])
 }
 
 /// Where a hypothesis fails the theorem is silent, as long as what is seen there has its reason.
@@ -194,8 +190,13 @@ fn beside_the_boundary(p: u32, margin: f64) -> Result<Grazing, Failure> {
     Law::varying(ZETA).grazing(omega(near))
 }
 
-/// What theorem 2.2 or 2.3 says of these oscillators, and what simulation sees.
-fn general_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
+/// What theorem 2.2 or 2.3 says of the linear oscillators of the sweep, which are continued and simulated, and of the others, which
+/// are simulated.
+fn generic_votes(wanted: impl Fn(u32) -> bool) -> Result<Votes, Failure> {
+    let mut count = Votes::default();
+    let mut cases = generic_cases()?;
+    cases.retain(|case| wanted(case.loops));
+    generic_rows(&cases, || ())?.iter().for_each(|row| judged(&mut count, row.verdict));
     for (orbit, p, speaks) in other_oscillators(wanted)? {
         match GenericGrazing::check(&orbit.grazing_point(), p) {
             Ok(theorem) => {
@@ -206,45 +207,28 @@ fn general_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), 
             Err(_) => count.silent(),
         }
     }
-    Ok(())
+    Ok(count)
 }
 
-/// What theorem 2.4 or 2.5 says of resonances of an oscillator that is not linear, and what simulation and continuation see.
-fn general_resonances(count: &mut Votes, cases: &[(u32, u32)]) -> Result<(), Failure> {
-    for &(p, n) in cases {
-        let located = Law::nonlinear(damping_for_decay(p, n, 0.5)).resonance(p, n, false)?;
-        let (orbit, theorem) = (located.orbit(), located.checked()?);
-        let seen = [side_of_curve(orbit, p, 1.0)?, side_of_curve(orbit, p, -1.0)?];
-        count.see(holds(orbit, theorem.theorem(), seen)?);
-    }
-    Ok(())
-}
-
-fn generic_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
-    let mut cases = generic_cases()?;
-    cases.retain(|case| wanted(case.loops));
-    let rows: Vec<GenericRow> = generic_rows(&cases, || ())?;
-    rows.iter().for_each(|row| judged(count, row.verdict));
-    Ok(())
-}
-
-fn resonant_sweep(count: &mut Votes, wanted: impl Fn(u32) -> bool) -> Result<(), Failure> {
+/// What theorem 2.4 or 2.5 says of the linear oscillators of the sweep, and of these resonances of one that is not linear.
+fn resonant_votes(wanted: impl Fn(u32) -> bool, others: &[(u32, u32)]) -> Result<Votes, Failure> {
+    let mut count = Votes::default();
     let mut cases = resonant_cases()?;
     cases.retain(|case| wanted(case.loops));
-    let rows: Vec<ResonantRow> = resonant_rows(&cases, || ())?;
-    rows.iter().for_each(|row| judged(count, row.verdict));
-    Ok(())
+    resonant_rows(&cases, || ())?.iter().for_each(|row| judged(&mut count, row.verdict));
+    for &(p, n) in others {
+        let located = Law::nonlinear(damping_for_decay(p, n, 0.5)).resonance(p, n)?;
+        count.see(holds(located.orbit(), p, located.checked()?.theorem())?);
+    }
+    Ok(count)
 }
 
 fn theory() -> Result<grazing_theorems::LinearOscillator, Failure> {
     Ok(grazing_theorems::LinearOscillator::new(ZETA, EPSILON)?)
 }
 
-fn side(number: f64) -> Side {
-    if number > 0.0 { Side::Positive } else { Side::Negative }
-}
-
-fn only(violated: &HypothesesViolated, quantity: Quantity) -> bool {
+/// This hypothesis fails, and no other.
+pub(super) fn only(violated: &HypothesesViolated, quantity: Quantity) -> bool {
     violated.violated().map(|hypothesis| hypothesis.quantity).eq([quantity])
 }
 
@@ -257,33 +241,29 @@ fn delayed(ratio: f64, alpha: f64) -> Result<Grazing, Failure> {
     with(wanted / unit.psi)
 }
 
-fn seen(solution: &LoopSolution, loops: u32, omega: f64) -> Option<(Seen, Option<bool>)> {
+/// What a solution is in the hybrid system, and whether simulated orbits beside it come nearer.
+fn seen(solution: LoopSolution, loops: u32, omega: f64) -> Option<(Seen, Option<bool>)> {
     let oscillator = LinearOscillator::new(ZETA, EPSILON, solution.amplitude, omega).ok()?;
-    let (velocity, phase) = (solution.velocity, solution.phase);
-    let suspect = Suspect { oscillator: &oscillator, loops, velocity, phase };
+    let suspect = solution.suspect(&oscillator, loops);
     Some((suspect.follow(), suspect.attracts()))
 }
 
 /// The MPS that grazing makes at this frequency is there, and simulated orbits beside it come nearer.
 fn attracts(loops: u32, omega: f64) -> bool {
     let solution = LoopSolutions::new(ZETA, EPSILON, omega, loops).with_velocity(0.01);
-    seen(&solution, loops, omega) == Some((Seen::Returns, Some(true)))
+    seen(solution, loops, omega) == Some((Seen::Returns, Some(true)))
 }
 
 /// With 𝒜 = 𝒜_graz ± μ² instead, so that β = 0, the MPS exists for both signs of μ or, with the other sign, for none.
 fn exists_for_both_signs_of_the_root(loops: u32, omega: f64) -> bool {
     let solutions = LoopSolutions::new(ZETA, EPSILON, omega, loops);
-    let exists = |mu: f64| {
-        let nearest = solutions.at(mu).into_iter().next();
-        nearest
-            .and_then(|solution| seen(&solution, loops, omega))
-            .is_some_and(|(seen, _)| seen == Seen::Returns)
-    };
     let size = 1e-4 / solutions.slopes()[0].abs();
-    let by_root = |sign: f64, root: f64| exists(sign * root * root);
-    let root = size.sqrt();
-    [1.0, -1.0].iter().any(|sign| by_root(*sign, root) && by_root(*sign, -root))
-        && [1.0, -1.0].iter().any(|sign| !by_root(*sign, root) && !by_root(*sign, -root))
+    let [above, below] = [size, -size].map(|square| {
+        let nearest = solutions.at(square).into_iter().next();
+        let seen = nearest.and_then(|solution| seen(solution, loops, omega));
+        seen.is_some_and(|(seen, _)| seen == Seen::Returns)
+    });
+    above != below
 }
 
 /// Away from a resonance no saddle-node and no period-doubling bifurcation of the MPS comes out of the grazing point: those
@@ -295,22 +275,14 @@ fn no_curve_away_from_resonance(loops: u32, omega: f64) -> bool {
     })
 }
 
-/// sgn(η) as the theorem states it, whether or not its hypotheses hold.
-fn stated_sides(orbit: &Grazing, loops: u32) -> Result<[Side; 2], Failure> {
-    let point = orbit.resonant_point(loops)?;
-    let stability = point.stability_coefficients();
-    Ok([stability.plus, stability.minus].map(|s| side(point.unfolding.derivative * s)))
-}
-
 /// Both curves are seen for the stated sign of η, and the continued ones have the stated coefficients.
-fn holds(orbit: &Grazing, theorem: &ResonantGrazing, seen: [Existence; 2]) -> Result<bool, Failure> {
-    let located = ResonantGrazingPoint::find(orbit.oscillator(), theorem.loops(), orbit.phase())?;
+fn holds(orbit: &Grazing, loops: u32, theorem: &ResonantGrazing) -> Result<bool, Failure> {
+    let located = ResonantGrazingPoint::find(orbit.oscillator(), loops, orbit.phase())?;
     let stated = [theorem.saddle_node(), theorem.period_doubling()];
-    let mut all = true;
-    for (k, condition) in [Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING].into_iter().enumerate() {
+    let mut all = sides_of_curves(orbit, loops)? == stated.map(|curve| Existence::On(curve.eta_side));
+    for (curve, condition) in stated.iter().zip([Condition::SADDLE_NODE, Condition::PERIOD_DOUBLING]) {
         let fit = quadratic_coefficient(&located, condition)?;
-        all &= seen[k] == Existence::On(stated[k].eta_side)
-            && (fit.value / stated[k].coefficient - 1.0).abs() < FIT_TOLERANCE;
+        all &= (fit.value / curve.coefficient - 1.0).abs() < FIT_TOLERANCE;
     }
     Ok(all)
 }

@@ -4,15 +4,15 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{CurveEnd, Route, Window};
-use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Formulation, unknown};
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::{Formulation, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::orbit::{Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::LinearOscillator;
 
-use crate::checks::main_results::simulation::attracts;
-use crate::{CheckResult, Sampler, Votes, printed};
+use crate::solutions::{at_velocity, attracts};
+use crate::{CheckResult, Votes, drawn, printed};
 
 /// Frequencies from below the lowest resonance that Figure 7 labels to above the highest.
 const FREQUENCIES: [f64; 2] = [0.36, 0.95];
@@ -20,9 +20,7 @@ const FREQUENCIES: [f64; 2] = [0.36, 0.95];
 /// Left of the grazing curve orbits that start near φ_p approach it in the full system; right of it φ_p is no solution.
 pub(crate) fn non_impacting_region() -> CheckResult {
     let theory = LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
-    let mut sampler = Sampler::new(151);
-    let mut cases = Votes::default();
-    for _ in 0..60 {
+    let cases = drawn(151, 60, |sampler, cases: &mut Votes| {
         let omega = sampler.between(FREQUENCIES[0], FREQUENCIES[1]);
         let grazing = theory.grazing(omega)?;
         let share = sampler.between(0.1, 0.999);
@@ -42,7 +40,8 @@ pub(crate) fn non_impacting_region() -> CheckResult {
         });
         let beyond = oscillator.with_parameters([grazing.amplitude() / share, omega]);
         cases.see(beyond.non_impacting_solution(grazing.phase()).position > 0.0);
-    }
+        Ok(())
+    })?;
     Ok(cases.outcome("points left and right of the grazing curve, simulated"))
 }
 
@@ -69,26 +68,18 @@ pub(crate) fn boundaries() -> CheckResult {
                 _ => false,
             });
             // In the middle of the curve, one step of the impact velocity to either side at fixed η.
-            let middle = curve.points[curve.points.len() / 2].solution;
+            let middle = curve.points[curve.points.len() / 2].solution.unknowns;
             let equations = located.equations().with_formulation(Formulation::FixedPhase);
-            let beside = [0.98, 1.02].map(|factor| {
-                let mut start = middle.unknowns;
-                start[unknown::VELOCITY] *= factor;
-                let conditions = [
-                    Condition::ImpactVelocity(start[unknown::VELOCITY]),
-                    Condition::Secondary(start[unknown::SECONDARY]),
-                ];
-                let found = locate(&equations, conditions, start, &mut EventTimes::default());
-                found.ok().map(|point| (equations.oscillator_at(&point), equations.solution(&point).0))
-            });
-            let [Some((below, lower)), Some((above, upper))] = beside else {
-                return Err("no MPS beside the curve".into());
+            let beside = |factor: f64| {
+                let point = at_velocity(&equations, &middle, factor * middle[unknown::VELOCITY])?;
+                Some(equations.solution(&point).0)
             };
+            let (lower, upper) = beside(0.98).zip(beside(1.02)).ok_or("no MPS beside the curve")?;
             // One side is stable, the other is not; simulation agrees where the orbit is admissible.
             cases.see(lower.stable() != upper.stable());
-            for (oscillator, solution) in [(below, lower), (above, upper)] {
+            for solution in [lower, upper] {
                 if solution.admissible() {
-                    cases.see(attracts(&oscillator, &solution) == Some(solution.stable()));
+                    cases.see((attracts(&equations, &solution.unknowns) == Some(true)) == solution.stable());
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Propositions 3.2 and 3.3 against the general theorem fed from the numerical map, over random parameters.
 
-use crate::{CheckResult, Deviations, Failure, Sampler};
+use crate::{CheckResult, Deviations, Failure, Sampler, drawn};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::{LinearOscillator, Resonance, ResonantPoint, Unfolding};
 
@@ -19,10 +19,8 @@ fn random(sampler: &mut Sampler, loops: &[u32], indices: &[u32]) -> Result<Reson
 
 /// Holds the propositions' derivative, s⁺, s⁻, c_SN and c_PD against the numerical theory over random ζ, ε and these indices.
 fn compared(seed: u64, loops: &[u32], indices: &[u32]) -> Result<Deviations, Failure> {
-    let mut sampler = Sampler::new(seed);
-    let mut largest = Deviations::default();
-    for _ in 0..150 {
-        let resonance = random(&mut sampler, loops, indices)?;
+    let largest = drawn(seed, 150, |sampler, largest: &mut Deviations| {
+        let resonance = random(sampler, loops, indices)?;
         let point = numerical(&resonance)?;
         let (measured, stated) = (point.stability_coefficients(), resonance.stability_coefficients());
         let (derivative, sn, pd) = (
@@ -35,7 +33,8 @@ fn compared(seed: u64, loops: &[u32], indices: &[u32]) -> Result<Deviations, Fai
         largest.compare(measured.minus, stated.minus, stated.minus.abs().max(1.0));
         largest.compare(point.saddle_node_coefficient(), sn, sn.abs());
         largest.compare(point.period_doubling_coefficient(), pd, pd.abs());
-    }
+        Ok(())
+    })?;
     Ok(largest)
 }
 

@@ -2,25 +2,21 @@
 
 use core::f64::consts::PI;
 
-use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns};
-use grazing_model::motion::first_crossing;
-use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
-use grazing_theorems::from_map::GrazingOrbit;
+use grazing_continuation::mps::{Formulation, Unknowns};
+use grazing_model::ImpactOscillator;
 use grazing_theorems::hypothesis::Quantity;
-use grazing_theorems::{GenericGrazing, GrazingState, Resonance, ResonantGrazing};
+use grazing_theorems::{GenericGrazing, GrazingPoint, LinearOscillator, Resonance};
+use grazing_unfold::simulation::Seen;
 
-use crate::checks::main_results::simulation::{attracts, returns};
-use crate::{CheckResult, Deviations, Failure, Sampler, Votes, printed, printed_at_resonances};
+use crate::checks::resonant::places::Place;
+use crate::solutions::{at_parameters, attracts, equations, followed, zero};
+use crate::specimen::{Grazing, Law};
+use crate::{CheckResult, Deviations, Failure, Sampler, Votes, drawn, printed, printed_at_resonances};
 
-/// A function of the frequency, read off the numerical grazing orbit.
-fn measured(
-    theory: &grazing_theorems::LinearOscillator,
-    omega: f64,
-    value: impl Fn(&GrazingOrbit<LinearOscillator>) -> f64,
-) -> Result<f64, Failure> {
-    let closed = theory.grazing(omega)?;
-    Ok(value(&GrazingOrbit::find(&closed.model(), closed.phase())?))
+/// What the theorems know of the numerical grazing orbit at a frequency.
+fn measured(theory: &LinearOscillator, omega: f64) -> Result<GrazingPoint, Failure> {
+    let law = Law::linear(theory.damping_ratio(), theory.coefficient_of_restitution());
+    Ok(law.grazing(omega)?.grazing_point())
 }
 
 /// All zeros in a range of ω₁/ω: sign changes over a grid much finer than the zeros are spaced, bisected.
@@ -51,12 +47,12 @@ const RATIOS: [f64; 2] = [0.22, 3.63];
 /// Holds the zeros of a function of ω₁/ω against a list, both ways.
 fn only_zeros(
     largest: &mut Deviations,
-    theory: &grazing_theorems::LinearOscillator,
-    value: impl Fn(&GrazingOrbit<LinearOscillator>) -> f64,
+    theory: &LinearOscillator,
+    value: impl Fn(&GrazingPoint) -> f64,
     expected: &[f64],
 ) -> Result<(), Failure> {
     let omega_1 = theory.damped_natural_frequency();
-    let found = zeros(|ratio| measured(theory, omega_1 / ratio, &value), RATIOS)?;
+    let found = zeros(|ratio| Ok(value(&measured(theory, omega_1 / ratio)?)), RATIOS)?;
     if found.len() != expected.len() {
         largest.see(f64::INFINITY);
     }
@@ -68,15 +64,13 @@ fn only_zeros(
 
 /// eq:resonance1: a₁₂ of the numerical map vanishes at ω₁/ω = n/2 and nowhere else.
 pub(crate) fn one_loop() -> CheckResult {
-    let mut sampler = Sampler::new(121);
-    let mut largest = Deviations::default();
-    for _ in 0..4 {
-        let theory = grazing_theorems::LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
+    let largest = drawn(121, 4, |sampler, largest: &mut Deviations| {
+        let theory = LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
         let expected: Vec<f64> = (1..8)
             .map(|n| 0.5 * f64::from(n))
             .filter(|ratio| (RATIOS[0]..RATIOS[1]).contains(ratio))
             .collect();
-        only_zeros(&mut largest, &theory, |orbit| orbit.grazing_point().map.a.m12, &expected)?;
+        only_zeros(largest, &theory, |point| point.map.a.m12, &expected)?;
         let omega_1 = theory.damped_natural_frequency();
         let listed = theory.resonances(&[1], omega_1 / RATIOS[1], omega_1 / RATIOS[0])?;
         largest.require(listed.len() == expected.len());
@@ -84,7 +78,8 @@ pub(crate) fn one_loop() -> CheckResult {
             let ratio = omega_1 / resonance.forcing_frequency();
             largest.compare(ratio, 0.5 * f64::from(resonance.index()), 1.0);
         }
-    }
+        Ok(())
+    })?;
     // a₁₂ is good to 10⁻¹⁴, its slope in ω₁/ω is E₁ times some ten, E₁ above 0.01.
     Ok(largest.outcome(1e-13, "zeros of the numerical a₁₂ in a range of ω₁/ω, by bracketing"))
 }
@@ -94,15 +89,15 @@ pub(crate) fn many_loops() -> CheckResult {
     let mut sampler = Sampler::new(122);
     let mut largest = Deviations::default();
     for p in [2, 3, 4, 7] {
-        let theory = grazing_theorems::LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
+        let theory = LinearOscillator::new(sampler.between(0.01, 0.2), 0.7)?;
         let offset = 0.5 / f64::from(p);
         let mut expected: Vec<f64> = (0..=4)
             .flat_map(|n| [f64::from(n) - offset, f64::from(n) + offset])
             .filter(|ratio| (RATIOS[0]..RATIOS[1]).contains(ratio))
             .collect();
         expected.sort_by(f64::total_cmp);
-        let kappa = |orbit: &GrazingOrbit<LinearOscillator>| {
-            let map = orbit.grazing_point().map;
+        let kappa = |point: &GrazingPoint| {
+            let map = point.map;
             map.trace() - 2.0 * map.determinant().sqrt() * libm::cos(PI / f64::from(p))
         };
         only_zeros(&mut largest, &theory, kappa, &expected)?;
@@ -123,7 +118,7 @@ pub(crate) fn many_loops() -> CheckResult {
 /// The indices n of the labelled points of Figure 7: the printed frequencies belong to them, and between the lowest and the
 /// highest labelled frequency there are no others.
 pub(crate) fn indices() -> CheckResult {
-    let theory = grazing_theorems::LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
+    let theory = LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
     let omega_1 = theory.damped_natural_frequency();
     let mut cases = Votes::default();
     for (loops, index, frequency) in printed_at_resonances("omega") {
@@ -143,12 +138,8 @@ pub(crate) fn indices() -> CheckResult {
         stated.sort_unstable();
         cases.see(found == stated);
         // Each is a resonance of the numerical map, with SN and PD curves: the theorem's hypotheses hold.
-        for index in stated {
-            let resonance = theory.resonance(loops, index)?;
-            let grazing = resonance.grazing();
-            let point = GrazingOrbit::find(&grazing.model(), grazing.phase())?.resonant_point(loops)?;
-            cases.see(ResonantGrazing::check(&point, 1e-12).is_ok());
-        }
+        let law = Law::linear(printed("zeta"), printed("epsilon"));
+        stated.into_iter().for_each(|index| cases.see(Place::find(law, loops, index).is_ok()));
     }
     Ok(cases.outcome(
         "printed frequencies, and the resonances p = 1, 2, 3 between the lowest and the highest labelled",
@@ -157,11 +148,8 @@ pub(crate) fn indices() -> CheckResult {
 
 /// The display after eq:resonancep: a₁₂ at the resonances of either sign, and the sign of a₁₂α.
 pub(crate) fn off_diagonal() -> CheckResult {
-    let mut sampler = Sampler::new(123);
-    let mut largest = Deviations::default();
-    for _ in 0..60 {
-        let theory =
-            grazing_theorems::LinearOscillator::new(sampler.between(0.005, 0.2), sampler.between(0.1, 1.0))?;
+    let largest = drawn(123, 60, |sampler, largest: &mut Deviations| {
+        let theory = LinearOscillator::new(sampler.between(0.005, 0.2), sampler.between(0.1, 1.0))?;
         let (p, n) = (sampler.one_of(&[2, 3, 4, 5, 8]), sampler.one_of(&[1, 2, 3]));
         for sign in [1.0, -1.0] {
             let omega = if sign > 0.0 {
@@ -172,78 +160,59 @@ pub(crate) fn off_diagonal() -> CheckResult {
             let decay = libm::exp(-2.0 * PI * theory.damping_ratio() / omega);
             let stated =
                 sign * decay / (f64::from(n) + sign * 0.5 / f64::from(p)) * libm::sin(PI / f64::from(p));
-            let a12 = measured(&theory, omega, |orbit| orbit.grazing_point().map.a.m12)?;
-            largest.compare(a12, stated, 1.0);
+            let point = measured(&theory, omega)?;
+            largest.compare(point.map.a.m12, stated, 1.0);
             if sign > 0.0 {
                 largest.compare(theory.resonance(p, n)?.off_diagonal(), stated, 1.0);
             }
-            let product = measured(&theory, omega, |orbit| {
-                orbit.grazing_point().map.a.m12 * orbit.grazing_point().alpha()
-            })?;
-            largest.require(product * sign > 0.0);
+            largest.require(point.map.a.m12 * point.alpha() * sign > 0.0);
         }
-    }
+        Ok(())
+    })?;
     // As for A.
     Ok(largest.outcome(1e-13, "resonances with either sign of random oscillators"))
 }
 
-/// The MPS near grazing on one side, by the expansion in μ.
-fn near_grazing(
-    grazing: &GrazingState,
-    loops: u32,
-    side: f64,
-) -> Result<(LinearOscillator, MaximalPeriodicSolution), Failure> {
-    let orbit = grazing.grazing_point().emerging_orbit(loops)?;
-    let mu = side * 1e-4 / orbit.impact_velocity_slope.abs();
-    let (amplitude, omega) = (grazing.amplitude() + mu, grazing.forcing_frequency());
-    let oscillator = grazing.model().with_parameters([amplitude, omega]);
-    let equations = LoopEquations::new(oscillator, loops, Formulation::Vivid);
-    let (y, z) = (orbit.impact_velocity_slope * mu, grazing.phase() + orbit.impact_phase_slope * mu);
-    let start = Unknowns::new(y, z, amplitude, omega);
-    let conditions = [Condition::Primary(start[2]), Condition::Secondary(omega)];
-    let zero = locate(&equations, conditions, start, &mut EventTimes::default())?;
-    Ok((oscillator, equations.solution(&zero).0))
+/// The zero of the VIVID function with a small y > 0.
+fn near_grazing(orbit: &Grazing, loops: u32) -> Result<Unknowns, Failure> {
+    let slope = orbit.grazing_point().emerging_orbit(loops)?.impact_velocity_slope;
+    Ok(zero(orbit, loops, 1e-4 / slope).ok_or("no zero of the VIVID function")?)
+}
+
+/// A random oscillator, p, n, and the distance of the frequency from that of a resonance.
+fn beside_resonance(sampler: &mut Sampler) -> (Law, u32, u32, f64) {
+    let law = Law::linear(sampler.between(0.005, 0.05), sampler.between(0.5, 1.0));
+    (law, sampler.one_of(&[2, 3, 4]), sampler.one_of(&[1, 2]), sampler.between(0.002, 0.01))
+}
+
+/// The frequencies with ω₁/ω = n + 1/(2p) and n − 1/(2p).
+fn frequencies(law: &Law, p: u32, n: u32) -> Result<[f64; 2], Failure> {
+    let theory = LinearOscillator::new(law.damping, 1.0)?;
+    Ok([theory.resonance(p, n)?.forcing_frequency(), theory.virtual_resonance_frequency(p, n)?])
 }
 
 /// At ω₁/ω = n − 1/(2p) the theorem's hypothesis a₁₂α > 0 fails, and near it the zero of the VIVID function with y > 0 is
 /// virtual: in the hybrid system its orbit meets the wall too early. At n + 1/(2p) it is none of that.
 pub(crate) fn virtual_solutions() -> CheckResult {
-    let mut sampler = Sampler::new(124);
-    let mut cases = Votes::default();
-    for _ in 0..40 {
-        let theory =
-            grazing_theorems::LinearOscillator::new(sampler.between(0.005, 0.05), sampler.between(0.5, 1.0))?;
-        let (p, n) = (sampler.one_of(&[2, 3, 4]), sampler.one_of(&[1, 2]));
-        // Just beside the resonance, on either side of it.
-        let off = 1.0 + sampler.one_of(&[-1.0, 1.0]) * sampler.between(0.002, 0.01);
-        for real in [true, false] {
-            let frequency = if real {
-                theory.resonance(p, n)?.forcing_frequency()
-            } else {
-                theory.virtual_resonance_frequency(p, n)?
-            };
-            let grazing = theory.grazing(frequency * off)?;
-            let point = grazing.grazing_point();
-            let answer = GenericGrazing::check(&point, p);
-            cases.see(match &answer {
+    let cases = drawn(124, 40, |sampler, cases: &mut Votes| {
+        let (law, p, n, beside) = beside_resonance(sampler);
+        let off = 1.0 + sampler.one_of(&[-1.0, 1.0]) * beside;
+        for (frequency, real) in frequencies(&law, p, n)?.into_iter().zip([true, false]) {
+            let orbit = law.grazing(frequency * off)?;
+            cases.see(match GenericGrazing::check(&orbit.grazing_point(), p) {
                 Ok(_) => real,
                 Err(violated) => {
                     let only = Quantity::OffDiagonalTimesSquareRootFactor;
                     !real && violated.violated().all(|hypothesis| hypothesis.quantity == only)
                 }
             });
-            // The side on which y > 0.
-            let side = point.emerging_orbit(p)?.impact_velocity_slope.signum();
-            let (oscillator, solution) = near_grazing(&grazing, p, side)?;
-            cases.see(solution.impact_velocity() > 0.0 && solution.admissible() == real);
-            let reset = oscillator.reset::<1>(OnWall::new(solution.unknowns[0], solution.unknowns[1])).value;
-            let motion = oscillator.motion(State::on_wall(reset[0], reset[1]));
-            let period = f64::from(p) * oscillator.forcing_period();
-            // An impact is early if it is before the last one by more than its resolution.
-            let early = first_crossing(&motion, period * (1.0 - 1e-5)).is_some();
-            cases.see(early != real && returns(&oscillator, &solution) == real);
+            let (equations, zero) = (equations(&orbit, p), near_grazing(&orbit, p)?);
+            cases.see(zero[0] > 0.0 && equations.solution(&zero).0.admissible() == real);
+            let expected = if real { Seen::Returns } else { Seen::MeetsTheWall };
+            cases.see(followed(&equations, &zero) == expected);
         }
-    }
+        Ok(())
+    })?;
     Ok(cases.outcome("random oscillators beside n ± 1/(2p): hypotheses, admissibility, simulation"))
 }
 
@@ -253,19 +222,12 @@ pub(crate) fn conjecture() -> CheckResult {
     let mut sampler = Sampler::new(125);
     let (mut cases, mut printed) = (Votes::default(), Votes::default());
     for _ in 0..40 {
-        let theory =
-            grazing_theorems::LinearOscillator::new(sampler.between(0.005, 0.05), sampler.between(0.5, 1.0))?;
-        let (p, n) = (sampler.one_of(&[2, 3, 4]), sampler.one_of(&[1, 2]));
-        let beside = sampler.between(0.002, 0.01);
-        for frequency in
-            [theory.resonance(p, n)?.forcing_frequency(), theory.virtual_resonance_frequency(p, n)?]
-        {
+        let (law, p, n, beside) = beside_resonance(&mut sampler);
+        for frequency in frequencies(&law, p, n)? {
             for off in [1.0 - beside, 1.0 + beside] {
-                let grazing = theory.grazing(frequency * off)?;
-                let point = grazing.grazing_point();
-                let side = point.emerging_orbit(p)?.impact_velocity_slope.signum();
-                let (_, solution) = near_grazing(&grazing, p, side)?;
-                let seen = solution.impact_velocity() > 0.0 && solution.admissible();
+                let orbit = law.grazing(frequency * off)?;
+                let (point, zero) = (orbit.grazing_point(), near_grazing(&orbit, p)?);
+                let seen = zero[0] > 0.0 && equations(&orbit, p).solution(&zero).0.admissible();
                 cases.see(seen == (point.map.a.m12 * point.alpha() > 0.0));
                 printed.see(seen);
             }
@@ -278,33 +240,28 @@ pub(crate) fn conjecture() -> CheckResult {
 /// At p = 2, n = 1 the hypotheses of theorem 2.5 hold, and close to that frequency there is a stable two-loop MPS shortly
 /// after grazing that attracts orbits of the hybrid system.
 pub(crate) fn stable_two_loops() -> CheckResult {
-    let theory = grazing_theorems::LinearOscillator::new(printed("zeta"), printed("epsilon"))?;
-    let resonance = theory.resonance(2, 1)?;
-    let theorem = ResonantGrazing::check(&resonance.resonant_point(), 1e-12)?;
+    let place = Place::find(Law::linear(printed("zeta"), printed("epsilon")), 2, 1)?;
+    let theorem = place.resonance.theorem();
     let mut cases = Votes::default();
     cases.see(theorem.saddle_node().coefficient < 0.0);
-    let omega = resonance.forcing_frequency();
+    let equations = place.resonance.equations().with_formulation(Formulation::FixedPhase);
+    let [_, omega] = place.resonance.orbit().oscillator().parameters();
     for k in -2..=2 {
         // Frequencies so near that the quadratic unfolding of size cη² is below 𝒜 − 𝒜_graz.
-        let frequency = omega * (1.0 + 5e-4 * f64::from(k));
-        let grazing = theory.grazing(frequency)?;
+        let eta = omega * 5e-4 * f64::from(k);
+        let amplitude = place.grazing(eta).ok_or("no grazing orbit")?.primary();
         for share in [0.01, 0.02, 0.04] {
-            let amplitude = grazing.amplitude() * (1.0 + share);
-            let oscillator = grazing.model().with_parameters([amplitude, frequency]);
-            let equations = LoopEquations::new(oscillator, 2, Formulation::FixedPhase);
+            let (mu, branch) = (share * amplitude, theorem.branch());
             // At resonance μ = k₂y² to leading order.
-            let branch = theorem.branch();
-            let velocity = ((amplitude - grazing.amplitude()) / branch.k_2).sqrt();
-            let start =
-                Unknowns::new(velocity, grazing.phase() + branch.k_1 * velocity, amplitude, frequency);
-            let conditions = [Condition::Primary(amplitude), Condition::Secondary(frequency)];
-            let zero = locate(&equations, conditions, start, &mut EventTimes::default())?;
+            let velocity = (mu / branch.k_2).sqrt();
+            let start = place.near([velocity, branch.k_1 * velocity, mu, eta]).ok_or("no grazing orbit")?;
+            let zero = at_parameters(&equations, start.unknowns).ok_or("no MPS past grazing")?;
             let solution = equations.solution(&zero).0;
             cases.see(
                 solution.admissible()
                     && solution.stable()
-                    && returns(&oscillator, &solution)
-                    && attracts(&oscillator, &solution) == Some(true),
+                    && followed(&equations, &zero) == Seen::Returns
+                    && attracts(&equations, &zero) == Some(true),
             );
         }
     }

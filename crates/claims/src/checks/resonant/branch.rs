@@ -7,10 +7,11 @@ use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, 
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{
-    ANY, EVERYWHERE, MANY, ONE, Observed, Place, Symbols, deviation, directions, order, orders, remembered,
-    scaled,
+    ANY, EVERYWHERE, MANY, ONE, Observed, Place, Symbols, deviation, directions, orders, remembered, scaled,
+    together,
 };
-use crate::{CheckResult, Failure, Measure, Outcome, Sampler, smallest};
+use crate::checks::appendices::signs::{determinant, search};
+use crate::{CheckResult, Failure, Sampler, order};
 
 /// Ratios of y and η in which points run into the resonance.
 const RATIOS: [[f64; 2]; 4] = [[1.0, 0.0], [1.0, 0.3], [1.0, -0.3], [-1.0, 0.2]];
@@ -41,21 +42,10 @@ pub(crate) fn jacobians() -> CheckResult {
 
 /// det K/β > 0 at resonance, so that K is non-singular: adversarial search over δ and p.
 pub(crate) fn second_jacobian_is_regular() -> CheckResult {
-    let mut found = f64::INFINITY;
-    let loops = 2..=12_u32;
-    for p in loops.clone() {
-        let scaled = |[share]: [f64; 1]| {
-            // δ from 10⁻⁶ to 1 − 10⁻⁶.
-            let delta = 1e-6 + share * (1.0 - 2e-6);
-            geometric_sum_determinant(p, resonance_boundary(f64::from(p), delta), delta)
-        };
-        found = found.min(smallest(u64::from(p), 20, scaled).0);
-    }
-    Ok(Outcome::new(
-        Measure::Margin { smallest: found },
-        20 * loops.count(),
-        "searches over δ in (0, 1), p = 2 to 12",
-    ))
+    search(2..=15, "the determinant at τ = g_p", "det K / β", |p, [x, _]| {
+        let delta = determinant(x);
+        geometric_sum_determinant(p, resonance_boundary(f64::from(p), delta), delta)
+    })
 }
 
 /// Z(0, η) = z_graz,η and M(0, η) = 0.
@@ -77,13 +67,11 @@ fn branch_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     let mut found = Vec::new();
     for [y, eta] in RATIOS {
-        let remainder = remembered(|size| {
+        found.extend(together([(PHASE, 2.0), (PARAMETER, 3.0)], |size| {
             let (y, eta) = (y * size, eta * size);
             let [phase, mu] = place.on_branch(y, eta)?.relative();
             Some([phase - branch.k_1 * y, mu - branch.parameter(y, eta)])
-        });
-        found.push((order(|size| Some((remainder(size)?[0], PHASE))), 2.0));
-        found.push((order(|size| Some((remainder(size)?[1], PARAMETER))), 3.0));
+        }));
     }
     Ok(found)
 }
@@ -93,9 +81,9 @@ pub(crate) fn form() -> CheckResult {
     orders(ANY, EVERYWHERE, |place| {
         let mut found = Vec::new();
         for [y, eta] in RATIOS {
-            let relative = remembered(|size| Some(place.on_branch(y * size, eta * size)?.relative()));
-            found.push((order(|size| Some((relative(size)?[0], PHASE))), 1.0));
-            found.push((order(|size| Some((relative(size)?[1], PARAMETER))), 2.0));
+            found.extend(together([(PHASE, 1.0), (PARAMETER, 2.0)], |size| {
+                Some(place.on_branch(y * size, eta * size)?.relative())
+            }));
         }
         Ok(found)
     })
@@ -184,15 +172,13 @@ fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     for [y, eta] in RATIOS {
         let k = core::array::from_fn(|_| sampler.between(-1.0, 1.0));
         let x = symbols.x(k, by_parameter);
-        let remainder = remembered(|size| {
+        found.extend(together([(MAP, 3.0), (MAP, 2.0)], |size| {
             let (y, eta) = (y * size, eta * size);
             let near = place.near([y, k[0] * y, k[1] * y * y + k[2] * eta * y, eta])?;
             let pair = place.pair(&near).ok()?;
             let v = pair.difference().0;
             Some([v[0] - x[1] * y * y - x[2] * eta * y, v[1] - x[0] * y])
-        });
-        found.push((order(|size| Some((remainder(size)?[0], MAP))), 3.0));
-        found.push((order(|size| Some((remainder(size)?[1], MAP))), 2.0));
+        }));
     }
     Ok(found)
 }
@@ -217,9 +203,7 @@ fn psi(multipliers: &grazing_continuation::mps::Multipliers) -> [f64; 2] {
     [trace - determinant - 1.0, trace + determinant + 1.0]
 }
 
-/// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻.
-///
-/// Ψ^± against det(U ∓ I), which vanishes where U has the eigenvalue ±1.
+/// eq:Psi: det(U − I) = −Ψ⁺ and det(U + I) = Ψ⁻, which vanish where U has the eigenvalue 1 or −1.
 pub(crate) fn multiplier_conditions() -> CheckResult {
     // Determinants of matrices with entries of size 1/y, relative to their squares.
     deviation(ANY, 1e-14, "MPSs on branches near resonances", |place| {
@@ -247,25 +231,19 @@ fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let stability = place.point().stability_coefficients();
     let by_eta = symbols.alpha * symbols.omega * symbols.f;
-    let mut found = Vec::new();
-    for [y, eta] in RATIOS {
-        let conditions = remembered(|size| {
-            let near = place.on_branch(y * size, eta * size)?;
-            let pair = place.pair(&near).ok()?;
-            Some(psi(&pair.multipliers()))
-        });
-        for (index, coefficient) in [stability.plus, stability.minus].into_iter().enumerate() {
-            let observed = order(|size| {
-                let (y, eta) = (y * size, eta * size);
-                // The phase of the zero is known to PHASE and enters y T with the factor α ω ξ_p.
-                let rounding =
-                    PHASE * (1.0 + by_eta.abs() + symbols.alpha * symbols.omega * symbols.xi.abs());
-                Some((y * conditions(size)?[index] - coefficient * y + by_eta * eta, rounding))
-            });
-            found.push((observed, 2.0));
-        }
-    }
-    Ok(found)
+    // The phase of the zero is known to PHASE and enters y T with the factor α ω ξ_p.
+    let rounding = PHASE * (1.0 + by_eta.abs() + symbols.alpha * symbols.omega * symbols.xi.abs());
+    let along = |[y, eta]: [f64; 2]| {
+        together([(rounding, 2.0); 2], |size| {
+            let (y, eta) = (y * size, eta * size);
+            let [plus, minus] = psi(&place.pair(&place.on_branch(y, eta)?).ok()?.multipliers());
+            Some(
+                [plus * y - stability.plus * y, minus * y - stability.minus * y]
+                    .map(|gap| gap + by_eta * eta),
+            )
+        })
+    };
+    Ok(RATIOS.into_iter().flat_map(along).collect())
 }
 
 checks! {

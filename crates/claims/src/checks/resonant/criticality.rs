@@ -2,13 +2,12 @@
 
 use grazing_continuation::criticality::{coefficient_at_resonance, period_doubling};
 use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
-use grazing_model::ImpactOscillator;
 
 use super::discussion::{ROUTE, of_figure_7};
-use super::doubled::DoubledEquations;
-use super::places::{ANY, Observed, Place, lowest, order, orders, remembered};
+use super::doubled::{Doubled, DoubledEquations};
+use super::places::{ANY, Observed, Place, lowest, orders, together};
 use super::simulation::next_impact;
-use crate::{CheckResult, Failure, Outcome, Votes};
+use crate::{CheckResult, Failure, Outcome, Votes, order};
 
 /// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
 fn flips(place: &Place, count: usize) -> Result<Vec<Unknowns>, Failure> {
@@ -24,43 +23,34 @@ fn flips(place: &Place, count: usize) -> Result<Vec<Unknowns>, Failure> {
     Ok((0..count).map(|k| points[k * last / (count - 1).max(1)].unknowns).collect())
 }
 
-/// What becomes of the period doubling at a point of a PD curve.
-struct Criticality {
-    /// The period-doubled MPS beside it has a multiplier above 1.
-    unstable: bool,
-    /// The simulated orbit that starts beside the MPS, at the parameters of the period-doubled one, ends on the latter.
-    settles: bool,
-}
-
-/// The period-doubled MPS next to a point of a PD curve, and the orbit from the MPS at its parameters.
-fn criticality(place: &Place, flip: &Unknowns, simulate: bool) -> Result<Criticality, Failure> {
+/// Whether the period-doubled MPS next to a point of a PD curve has a multiplier above 1, and that MPS.
+fn doubled(place: &Place, flip: &Unknowns) -> Result<(bool, Doubled), Failure> {
     let equations = DoubledEquations::new(place.resonance.equations());
-    let y = flip[unknown::VELOCITY];
-    let doubled = equations.near(flip, 0.1 * y).ok_or("no period-doubled MPS beside a PD point")?;
+    let beside = 0.1 * flip[unknown::VELOCITY];
+    let doubled = equations.near(flip, beside).ok_or("no period-doubled MPS beside a PD point")?;
     let multipliers = equations.multipliers(&doubled).ok_or("no multipliers")?;
-    let mut settles = false;
-    if simulate {
-        let parameters = [doubled.primary(), flip[unknown::SECONDARY]];
-        let oscillator = place.resonance.orbit().oscillator().with_parameters(parameters);
-        let [first, second] = doubled.impacts().map(|impact| impact.fixed_rows::<2>(0).into_owned());
-        // Off the middle of the two impacts, where the MPS is, by a hundredth of their distance.
-        let mut here = (first + second) * 0.5 + (first - second) * 0.01;
-        for _ in 0..2000 {
-            match next_impact(&oscillator, place.loops(), here) {
-                Some(next) => here = next,
-                None => break,
-            }
-        }
-        settles = (here - first).norm().min((here - second).norm()) < 1e-3 * (first - second).norm();
-    }
     // 1 − T + D is the product of one less each multiplier; both are near those of the MPS taken twice, 1 and below 1.
-    Ok(Criticality { unstable: 1.0 - multipliers.trace + multipliers.determinant < 0.0, settles })
+    Ok((1.0 - multipliers.trace + multipliers.determinant < 0.0, doubled))
 }
 
-/// The criterion that section 6 asks for, derived at the resonance: the normal form's coefficient tends to it at first order in y.
-///
-/// y² c of the normal form, along the PD curve and as y falls to 0, less the closed form at the resonance; c counted in the impact
-/// velocity.
+/// Whether the simulated orbit that starts beside the MPS, at the parameters of the period-doubled one, ends on the latter.
+fn settles(place: &Place, doubled: &Doubled) -> bool {
+    let [first, second] = doubled.impacts();
+    let oscillator = place.resonance.equations().oscillator_at(&first);
+    let [first, second] = [first, second].map(|impact| impact.fixed_rows::<2>(0).into_owned());
+    // Off the middle of the two impacts, where the MPS is, by a hundredth of their distance.
+    let mut here = (first + second) * 0.5 + (first - second) * 0.01;
+    for _ in 0..2000 {
+        match next_impact(&oscillator, place.loops(), here) {
+            Some(next) => here = next,
+            None => break,
+        }
+    }
+    (here - first).norm().min((here - second).norm()) < 1e-3 * (first - second).norm()
+}
+
+/// The criterion that section 6 asks for, derived at the resonance: y² c of the normal form, c counted in the impact velocity, tends
+/// to it at first order in y along the PD curve.
 pub(crate) fn criterion_at_resonance() -> CheckResult {
     orders(ANY, "PD curves running into resonances with p up to 5", |place| {
         let limit = coefficient_at_resonance(place.point());
@@ -89,17 +79,17 @@ pub(crate) fn criticality_of_figure_7() -> CheckResult {
         let even = place.loops() == 1 && place.point().unfolding.derivative < 0.0;
         cases.push(subcritical == even);
         for flip in flips(&place, 25)? {
-            printed.push(criticality(&place, &flip, false)?.unstable);
+            printed.push(doubled(&place, &flip)?.0);
         }
         let curve = &place.curves()[1];
         // Close to the resonance: the leading terms rule, so that the velocities of the two impacts stand in proportion to y.
         for y in [4e-3, 2e-3, 1e-3, 5e-4] {
             let eta = y / curve.leading.impact_velocity_slope;
             let Some(near) = place.on_curve(curve, eta) else { continue };
-            let found = criticality(&place, &near.unknowns, true)?;
-            cases.push(found.unstable == subcritical && found.settles != subcritical);
+            let (unstable, doubled) = doubled(&place, &near.unknowns)?;
+            cases.push(unstable == subcritical && settles(&place, &doubled) != subcritical);
             let normal_form = period_doubling(place.resonance.equations(), &near.unknowns)?;
-            cases.push(normal_form.supercritical() != found.unstable);
+            cases.push(normal_form.supercritical() != unstable);
         }
     }
     let over = "points of the seven PD curves of Figure 7: close to the resonances with simulated orbits, for the print all along";
@@ -110,22 +100,17 @@ pub(crate) fn criticality_of_figure_7() -> CheckResult {
 fn doubled_grazing_orders(place: &Place) -> Vec<Observed> {
     let equations = DoubledEquations::new(place.resonance.equations());
     let curve = &place.curves()[1];
-    let at = remembered(|size| {
-        let near = place.on_curve(curve, size / curve.leading.impact_velocity_slope)?;
-        let grazing = equations.grazing(&near.unknowns)?;
-        Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
-    });
     // Smaller velocities than this are lost in the rounding of the two impacts, whose distance is a part of them.
     const SMALLEST: f64 = 1e-5;
     // Located amplitudes and velocities.
-    let part =
-        |index: usize, rounding: f64| {
-            let observed = order(|size| {
-                if size < SMALLEST { Some((0.0, rounding)) } else { Some((at(size)?[index], rounding)) }
-            });
-            (observed, 1.0)
-        };
-    vec![part(0, 1e-15), part(1, 1e-13)]
+    together([(1e-15, 1.0), (1e-13, 1.0)], |size| {
+        if size < SMALLEST {
+            return Some([0.0; 2]);
+        }
+        let near = place.on_curve(curve, size / curve.leading.impact_velocity_slope)?;
+        let grazing = equations.grazing(&near.unknowns)?;
+        Some([grazing.primary() - near.orbit.primary(), grazing.impacts()[0][unknown::VELOCITY]])
+    })
 }
 
 /// The period-doubled solutions end at grazing bifurcations of their own, on curves that end at the resonance.

@@ -1,10 +1,11 @@
 //! The bifurcation curves near a resonance: eq:Upsilon1, eq:Upsilonp and what follows from them.
 
 use super::places::{
-    ANY, Bifurcation, EVERYWHERE, MANY, Near, ONE, Observed, Place, agreement, deviation, order, orders,
-    orders_against_print, remembered,
+    ANY, Bifurcation, EVERYWHERE, Loops, MANY, Near, ONE, Observed, Place, agreement, deviation, everywhere,
+    lowest, orders, orders_against_print, remembered,
 };
-use crate::{CheckResult, Failure};
+use crate::checks::main_results::coefficients::resonant;
+use crate::{CheckResult, Failure, Outcome, Sampler, order};
 
 /// Rounding of located velocities, phases and positions: on the curves they come from quotients of derivatives.
 pub(super) const PHASE: f64 = 1e-13;
@@ -62,31 +63,46 @@ fn velocity_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 /// μ less c_SN η² on the SN and c_PD η² on the PD curve, as M(Υ⁺, η) and M(Υ⁻, η) give them.
 fn coefficient_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
-    Ok(along_curves(place, 3.0, PARAMETER, |curve, eta, near| {
-        Some(near.relative()[1] - branch.parameter(curve.leading.impact_velocity_slope * eta, eta))
-    }))
+    Ok(quadratic_orders(place, |curve, eta| branch.parameter(curve.leading.impact_velocity_slope * eta, eta)))
 }
 
-/// μ less the quadratic approximation on either curve, which is there on its side of η = 0 alone.
-fn quadratic_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
-    Ok(along_curves(place, 3.0, PARAMETER, |curve, eta, near| {
-        let stated = curve.leading.parameter(eta).filter(|_| curve.leading.parameter(-eta).is_none());
-        Some(near.relative()[1] - stated.unwrap_or(f64::NAN))
-    }))
+/// μ less a quadratic approximation of both curves.
+///
+/// The larger of the remainders at η and −η, between which terms of third and of fourth order do not cancel.
+pub(crate) fn quadratic_orders(place: &Place, stated: impl Fn(&Bifurcation, f64) -> f64) -> Vec<Observed> {
+    along_curves(place, 3.0, PARAMETER, |curve, eta, near| {
+        let other = place.on_curve(curve, -eta)?;
+        let [here, there] = [near, &other].map(|near| (near.relative()[1] - stated(curve, eta)).abs());
+        Some(here.max(there))
+    })
 }
 
-/// M(Υ^±, η) with Υ⁺ for both curves.
+/// μ less the quadratic approximations of the theorem, each of which is there on its side of η = 0 alone.
+fn approximations(seed: u64, which: Loops) -> CheckResult {
+    let measure = |place: &Place| {
+        let approximation = |curve: &Bifurcation, eta: f64| {
+            let stated = curve.leading.parameter(eta).filter(|_| curve.leading.parameter(-eta).is_none());
+            stated.unwrap_or(f64::NAN)
+        };
+        quadratic_orders(place, approximation)
+    };
+    let mut found = everywhere(which.clone(), |place| Ok(measure(place)))?;
+    let (mut sampler, loops) = (Sampler::new(seed), Vec::from_iter(which));
+    for _ in 0..30 {
+        found.extend(measure(&resonant(&mut sampler, &loops)?));
+    }
+    let over = format!("{EVERYWHERE}, and of random oscillators with ψ ≠ 0");
+    Ok(Outcome::new(lowest(&found), found.len(), over))
+}
+
+/// M(Υ^±, η) with Υ⁺ for both.
 fn printed_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     let fold = place.point().saddle_node_velocity_slope();
-    Ok(along_curves(place, 3.0, PARAMETER, |_, eta, near| {
-        Some(near.relative()[1] - branch.parameter(fold * eta, eta))
-    }))
+    Ok(quadratic_orders(place, |_, eta| branch.parameter(fold * eta, eta)))
 }
 
-/// eq:coeffs1 and eq:coeffsp follow from k₂, k₃, Υ^±, T_p and f_p.
-///
-/// c_SN and c_PD from k₂, k₃ and Υ^±, against eq:coeffs1 and eq:coeffsp.
+/// eq:coeffs1 and eq:coeffsp follow from k₂, k₃ and Υ^±, with T_p and f_p.
 pub(crate) fn simplification() -> CheckResult {
     // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
     deviation(ANY, 1e-13, "resonances with p up to 5", |place| {
@@ -100,9 +116,7 @@ pub(crate) fn simplification() -> CheckResult {
     })
 }
 
-/// Two zeros of V separate from the SN curve like the square root of the change of μ.
-///
-/// The exponent with which the two zeros of V separate behind the fold, less 1/2.
+/// Two zeros of V separate from the SN curve like the square root of the change of μ: the exponent, less 1/2.
 pub(crate) fn square_root() -> CheckResult {
     // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
     deviation(ANY, 1e-4, "exponents on either fold: zeros of V at two distances from SN curves", |place| {
@@ -165,9 +179,9 @@ const SIDES: &str =
 
 checks! {
     /// eq:sn1 and eq:pd1.
-    quadratic_for_one_loop: orders(ONE, EVERYWHERE, quadratic_orders);
+    quadratic_for_one_loop: approximations(66, ONE);
     /// eq:snp and eq:pdp.
-    quadratic_for_many_loops: orders(MANY, EVERYWHERE, quadratic_orders);
+    quadratic_for_many_loops: approximations(70, MANY);
     /// eq:Upsilon1.
     velocity_of_one_loop: orders(ONE, EVERYWHERE, velocity_orders);
     /// eq:Upsilonp.

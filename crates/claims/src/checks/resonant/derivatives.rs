@@ -1,16 +1,18 @@
 //! The derivatives that the proofs of Lemmas 5.1 and 5.2 multiply: eq:DPvirt to eq:DPglobalp.
 
-use grazing_model::maps::{global_iterate, global_map, virtual_map};
+use grazing_model::maps::{global_iterate, virtual_map};
 use grazing_model::{AtRest, ImpactOscillator, OnWall};
+use grazing_theorems::LinearisedMap;
 use grazing_theorems::auxiliary::{detuning, lucas_sequence, modulus_power};
 use grazing_theorems::grazing::VirtualMap;
 use nalgebra::Matrix2;
 
 use super::places::{
-    ANY, EVERYWHERE, MANY, Near, ONE, Observed, Offset, Place, deviation, directions, everywhere, order,
-    orders, orders_against_print, remembered, scaled,
+    ANY, EVERYWHERE, MANY, Near, ONE, Observed, Offset, Place, deviation, directions, everywhere, orders,
+    orders_against_print, scaled, together,
 };
-use crate::{CheckResult, Deviations, Failure};
+use crate::differences::slope;
+use crate::{CheckResult, Deviations, Failure, order};
 
 /// Rounding of the entries of D P_virt and D(P_virt ∘ R), numbers of order one.
 const VIRTUAL: f64 = 1e-15;
@@ -34,15 +36,13 @@ fn entries(
     rounding: f64,
     remainder: impl Fn(&Offset) -> Option<Matrix2<f64>>,
 ) -> Vec<Observed> {
-    let mut found = Vec::new();
-    for direction in directions(3) {
-        let matrix = remembered(|size| remainder(&scaled(&direction, size)));
-        for (entry, stated) in stated.into_iter().enumerate() {
-            let observed = order(|size| Some((matrix(size)?[(entry / 2, entry % 2)], rounding)));
-            found.push((observed, stated));
-        }
-    }
-    found
+    let one = |direction: &Offset| {
+        together(stated.map(|stated| (rounding, stated)), |size| {
+            let matrix = remainder(&scaled(direction, size))?;
+            Some([matrix.m11, matrix.m12, matrix.m21, matrix.m22])
+        })
+    };
+    directions(3).iter().flat_map(one).collect()
 }
 
 /// The derivative of the leading terms of a virtual map at an impact velocity.
@@ -138,29 +138,23 @@ fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
     }))
 }
 
-/// Central differences of sixth order of a function of one variable.
-pub(crate) fn slope(step: f64, f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
-    let pair = |k: f64| Some(f(k * step)? - f(-k * step)?);
-    Some((45.0 * pair(1.0)? - 9.0 * pair(2.0)? + pair(3.0)?) / (60.0 * step))
-}
-
-/// Step of differences: the error of sixth order is some 10⁻¹², and rounding of 10⁻¹⁵ is divided by the step, for second
+/// Step of differences: the error of sixth order is some 10⁻¹³, and rounding of 10⁻¹⁵ is divided by the step, for second
 /// derivatives twice.
-const STEP: f64 = 5e-3;
+const STEP: f64 = 2e-3;
 
 /// Step in the parameters, on which angles of up to seventy radians depend.
-const PARAMETER_STEP: f64 = 1e-3;
+const PARAMETER_STEP: f64 = 5e-4;
 
 /// ξ_p, d_p, e_p and f_p by differences of P_global^p alone; f_p at fixed z and along the grazing curve.
-struct Differences {
+pub(super) struct Differences {
     d: f64,
     e: f64,
     f_fixed: f64,
-    f_followed: f64,
-    xi: f64,
+    pub(super) f_followed: f64,
+    pub(super) xi: f64,
 }
 
-fn differences(place: &Place) -> Option<Differences> {
+pub(super) fn differences(place: &Place) -> Option<Differences> {
     let phase = place.fixed_phase();
     let by_phase = |x: f64, from: f64, mu: f64, eta: f64| {
         let oscillator = place.near([0.0, 0.0, mu, eta])?.oscillator();
@@ -195,7 +189,7 @@ pub(crate) fn second_derivatives() -> CheckResult {
     let [followed, fixed] = [0, 1].map(|index| Deviations::of(gaps.iter().map(|gap| gap[index])));
     // Nested differences: errors of sixth order grow with the derivatives in ω, some 10² for each order at large p n; rounding
     // is 10⁻¹⁵ over the square of the step.
-    let tolerance = 1e-6;
+    let tolerance = 1e-7;
     let over = "ξ, d, e, f by differences of P_global^p at resonances with p up to 5";
     Ok(followed.outcome(tolerance, over).against_print(fixed.measure(tolerance)))
 }
@@ -203,20 +197,13 @@ pub(crate) fn second_derivatives() -> CheckResult {
 /// a₁₂' or a₁₂ ∂S_p/∂η by differences along the grazing curve, against eq:fp or a₁₂'.
 fn slope_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
     let (map, loops) = (place.point().grazing.map, place.loops());
-    let by_eta = slope(1e-3, |eta| {
-        let orbit = place.grazing(eta)?;
-        let landing = global_map::<_, 1>(orbit.oscillator(), AtRest::new(0.0, orbit.phase()), None).ok()?;
-        let a = landing.jet.derivative();
-        Some(if loops == 1 { a.m12 } else { lucas_sequence(loops, a.trace(), a.determinant()) })
-    })
-    .ok_or("no grazing orbit around a resonance")?;
+    let by_eta = place.along_grazing(1e-3, |LinearisedMap { a, .. }| {
+        if loops == 1 { a.m12 } else { lucas_sequence(loops, a.trace(), a.determinant()) }
+    })?;
     let found = if loops == 1 { by_eta } else { map.a.m12 * by_eta };
     let stated = place.symbols()?.f;
     Ok(vec![(found - stated).abs() / stated.abs()])
 }
-
-/// Differences of sixth order with a step of 10⁻³: rounding 10⁻¹⁵/10⁻³, and 10⁻¹⁸ times sixth derivatives of up to 10¹⁰.
-const SLOPES: f64 = 1e-7;
 
 /// At κ_p = 0: S_p = 0, S_{p+1} = −δ^{p/2}, A^p = −δ^{p/2} I.
 pub(crate) fn power_at_resonance() -> CheckResult {
@@ -268,8 +255,8 @@ checks! {
     of_global_map: orders_against_print(ONE, |at| global_orders(at, Cure::Moving), |at| global_orders(at, Cure::AsPrinted));
     /// eq:DPglobalp, about z_graz,η; the print has z_graz,0.
     of_iterated_global_map: orders_against_print(MANY, |at| global_orders(at, Cure::Moving), |at| global_orders(at, Cure::AsPrinted));
-    /// f₁ = a₁₂', along the grazing curve.
-    slope_of_one_loop: deviation(ONE, SLOPES, "the grazing curve around resonances with p = 1", slope_gaps);
-    /// eq:fp, from f_p = a₁₂ ∂S_p/∂η.
-    slope_of_many_loops: deviation(MANY, SLOPES, "the grazing curve around resonances with p = 2 to 5", slope_gaps);
+    /// f₁ = a₁₂', along the grazing curve: rounding 10⁻¹⁵ over the step of 10⁻³.
+    slope_of_one_loop: deviation(ONE, 1e-10, "the grazing curve around resonances with p = 1", slope_gaps);
+    /// eq:fp, from f_p = a₁₂ ∂S_p/∂η: 10⁻¹⁸ times seventh derivatives of up to 10¹⁰.
+    slope_of_many_loops: deviation(MANY, 1e-7, "the grazing curve around resonances with p = 2 to 5", slope_gaps);
 }

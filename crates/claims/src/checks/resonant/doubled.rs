@@ -4,8 +4,8 @@ use grazing_continuation::mps::{
     EventTimes, Formulation, LoopEquations, LoopPair, Multipliers, Unknowns, unknown,
 };
 use grazing_continuation::newton::{self, Linearisation};
-use grazing_model::ImpactOscillator;
 use grazing_model::maps::MapError;
+use grazing_model::{ImpactOscillator, MapJet};
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2, Vector4};
 
 /// (y₁, z₁, y₂, z₂, μ) at fixed η.
@@ -65,15 +65,12 @@ impl<O: ImpactOscillator> DoubledEquations<O> {
             for (row, from, to, columns) in [(0, first, second, [0, 2]), (2, second, first, [2, 0])] {
                 let gap = from.round_trip.value - to.impact.value;
                 system.residual.fixed_rows_mut::<2>(row).copy_from(&gap);
-                for i in 0..2 {
-                    for j in 0..2 {
-                        system.jacobian[(row + i, columns[0] + j)] += from.round_trip.jacobian[(i, j)];
-                        system.jacobian[(row + i, columns[1] + j)] -= to.impact.jacobian[(i, j)];
-                    }
-                    let primary = unknown::PRIMARY;
-                    system.jacobian[(row + i, 4)] =
-                        from.round_trip.jacobian[(i, primary)] - to.impact.jacobian[(i, primary)];
-                }
+                let (ahead, behind) = (from.round_trip.derivative(), -to.impact.derivative());
+                system.jacobian.fixed_view_mut::<2, 2>(row, columns[0]).copy_from(&ahead);
+                system.jacobian.fixed_view_mut::<2, 2>(row, columns[1]).copy_from(&behind);
+                let by_primary = |jet: &MapJet| jet.jacobian.column(unknown::PRIMARY).into_owned();
+                let gap = by_primary(&from.round_trip) - by_primary(&to.impact);
+                system.jacobian.fixed_view_mut::<2, 1>(row, 4).copy_from(&gap);
             }
             match pick {
                 Pick::Difference(difference) => {

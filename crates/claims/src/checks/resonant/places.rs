@@ -5,19 +5,20 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, LoopPair, MaximalPeriodicSolution, Unknowns, unknown};
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::maps::{MapError, global_iterate};
 use grazing_model::{AtRest, ImpactOscillator};
 use grazing_theorems::auxiliary::modulus_power;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
-use grazing_theorems::{GrazingPoint, ResonantPoint};
+use grazing_theorems::{GrazingPoint, LinearisedMap, ResonantPoint};
 use nalgebra::{Matrix2, Vector2};
 
-use crate::convergence;
+use crate::differences::slope;
+use crate::solutions::located;
 use crate::specimen::{Grazing, Law, Specimen, damping_for_decay};
-use crate::{CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Votes};
+use crate::{CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Votes, order};
 
 /// A resonant grazing point of one oscillator.
 pub(crate) struct Place {
@@ -55,7 +56,7 @@ pub(crate) struct Symbols {
 impl Place {
     /// The resonance of an oscillator with this law that the one (p, n) of the linear oscillator becomes.
     pub(crate) fn find(law: Law, loops: u32, index: u32) -> Result<Self, Failure> {
-        Ok(Self { resonance: law.resonance(loops, index, false)?.checked()? })
+        Ok(Self { resonance: law.resonance(loops, index)?.checked()? })
     }
 
     pub(crate) fn loops(&self) -> u32 {
@@ -98,6 +99,16 @@ impl Place {
         Grazing::find(&oscillator, orbit.phase() + orbit.phase_slope() * eta).ok()
     }
 
+    /// The derivative in η of a number made of P_global at grazing, along the grazing curve.
+    pub(crate) fn along_grazing(
+        &self,
+        step: f64,
+        number: impl Fn(&LinearisedMap) -> f64,
+    ) -> Result<f64, Failure> {
+        let rate = slope(step, |eta| Some(number(&self.grazing(eta)?.grazing_point().map)));
+        Ok(rate.ok_or("no grazing orbit beside a resonance")?)
+    }
+
     /// The point at an offset from the resonance.
     pub(crate) fn near(&self, [y, z, mu, eta]: Offset) -> Option<Near> {
         let orbit = self.grazing(eta)?;
@@ -114,7 +125,7 @@ impl Place {
     pub(crate) fn on_branch(&self, y: f64, eta: f64) -> Option<Near> {
         let branch = self.resonance.theorem().branch();
         let near = self.near([y, branch.k_1 * y, branch.parameter(y, eta), eta])?;
-        self.located([Condition::ImpactVelocity(y), Condition::Secondary(near.unknowns[3])], near)
+        self.solved([Condition::ImpactVelocity(y), Condition::Secondary(near.unknowns[3])], near)
     }
 
     /// The point of a bifurcation curve at η, from its leading terms.
@@ -126,7 +137,7 @@ impl Place {
             leading.coefficient * eta * eta,
             eta,
         ])?;
-        self.located([curve.condition, Condition::Secondary(near.unknowns[3])], near)
+        self.solved([curve.condition, Condition::Secondary(near.unknowns[3])], near)
     }
 
     /// The two ways from the impact of a point to one surface, to first order.
@@ -139,9 +150,8 @@ impl Place {
         self.resonance.equations().solution(&near.unknowns).0
     }
 
-    fn located(&self, conditions: [Condition; 2], near: Near) -> Option<Near> {
-        let unknowns =
-            locate(self.resonance.equations(), conditions, near.unknowns, &mut EventTimes::default()).ok()?;
+    fn solved(&self, conditions: [Condition; 2], near: Near) -> Option<Near> {
+        let unknowns = located(self.resonance.equations(), conditions, near.unknowns)?;
         Some(Near { unknowns, ..near })
     }
 
@@ -292,15 +302,23 @@ pub(crate) fn remembered<T: Clone>(f: impl Fn(f64) -> Option<T>) -> impl Fn(f64)
     move |size| known.borrow_mut().entry(size.to_bits()).or_insert_with(|| f(size)).clone()
 }
 
-/// The observed order of a remainder that exists down to the smallest size that was looked at; not a number if it does not.
-pub(crate) fn order(mut remainder: impl FnMut(f64) -> Option<(f64, f64)>) -> f64 {
-    let mut exists = false;
-    let observed = convergence::order(|size| {
-        let found = remainder(size);
-        exists = found.is_some();
-        found
+/// The orders of remainders that are found together, each with its rounding and the order stated.
+pub(crate) fn together<const N: usize>(
+    each: [(f64, f64); N],
+    remainders: impl Fn(f64) -> Option<[f64; N]>,
+) -> Vec<Observed> {
+    let values = remembered(remainders);
+    let one = |i: usize, rounding: f64| order(|size| Some((values(size)?[i], rounding)));
+    each.into_iter().enumerate().map(|(i, (rounding, stated))| (one(i, rounding), stated)).collect()
+}
+
+/// The order in h of the difference between extrapolations to h = 0 from both sides, which is at least 3 for a function in C³.
+pub(crate) fn seam(rounding: f64, f: impl Fn(f64) -> Option<f64>) -> Observed {
+    let observed = order(|size| {
+        let side = |h: f64| Some(4.0 * f(h)? - 6.0 * f(2.0 * h)? + 4.0 * f(3.0 * h)? - f(4.0 * h)?);
+        Some((side(size)? - side(-size)?, rounding))
     });
-    if exists { observed } else { f64::NAN }
+    (observed, 3.0)
 }
 
 /// An observed order and the stated one.

@@ -8,6 +8,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::places::{ANY, Near, Place, deviation};
 use crate::CheckResult;
+use crate::differences::slope;
 
 /// The next impact (y, z) after an impact, its phase counted near that of the first; `None` if it comes at another time than
 /// p periods later.
@@ -28,17 +29,14 @@ pub(super) fn next_impact<O: ImpactOscillator>(
     Some(Vector2::new(next.velocity, next.phase - turns * TAU))
 }
 
-/// Derivative of the map from impact to impact, by differences of fourth order with steps in proportion to the velocity.
-pub(super) fn impact_derivative<O: ImpactOscillator>(
+/// Derivative of the map from impact to impact, by differences with steps in proportion to the velocity, on whose scale it varies.
+fn impact_derivative<O: ImpactOscillator>(
     oscillator: &O,
     loops: u32,
     impact: Vector2<f64>,
 ) -> Option<Matrix2<f64>> {
-    // The map varies on the scale of y: the error is (step/y)⁴ = 10⁻¹², and rounding of 10⁻¹⁵ is divided by the step.
-    let step = 1e-3 * impact[0];
     let column = |direction: Vector2<f64>| {
-        let at = |k: f64| next_impact(oscillator, loops, impact + direction * (k * step));
-        Some(((at(1.0)? - at(-1.0)?) * 8.0 - (at(2.0)? - at(-2.0)?)) / (12.0 * step))
+        slope(3e-3 * impact[0], |h| next_impact(oscillator, loops, impact + direction * h))
     };
     Some(Matrix2::from_columns(&[column(Vector2::x())?, column(Vector2::y())?]))
 }
@@ -60,7 +58,7 @@ pub(super) fn admissible(place: &Place) -> Vec<Near> {
 
 /// eq:U: its eigenvalues are the multipliers of the MPS, seen as the growth of perturbations from impact to impact.
 pub(crate) fn multipliers() -> CheckResult {
-    // Differences: rounding of 10⁻¹⁵ over steps down to 2·10⁻⁵, products of two of them for the determinant.
+    // Differences: rounding of 10⁻¹⁵ over steps down to 6·10⁻⁵, products of two of them for the determinant.
     deviation(ANY, 1e-7, "admissible MPSs near resonances, followed from impact to impact", |place| {
         let mut found = Vec::new();
         for near in admissible(place) {

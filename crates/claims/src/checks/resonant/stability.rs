@@ -5,10 +5,10 @@ use grazing_model::AtRest;
 use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{
-    ANY, EVERYWHERE, MANY, ONE, Observed, Offset, Place, Symbols, deviation, directions, everywhere, order,
-    orders, orders_against_print, scaled,
+    ANY, EVERYWHERE, MANY, ONE, Observed, Offset, Place, Symbols, deviation, directions, everywhere, orders,
+    orders_against_print, scaled, seam,
 };
-use crate::{CheckResult, Failure, Votes};
+use crate::{CheckResult, Failure, Votes, order};
 
 /// Rounding of y T and y D: P_global and its derivatives are exact to some 10⁻¹⁵ times their size, and so are these.
 const ROUNDING: f64 = 1e-14;
@@ -66,22 +66,14 @@ fn determinant_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     Ok(directions(4).iter().map(one).collect())
 }
 
-/// y T and y D at y = 0 extrapolated from four points on either side: they differ by O(h⁴) if the functions are smooth, and at
-/// least by O(h³) if they are three times differentiable, as is stated for F and R in C⁵.
+/// y T and y D are three times differentiable across y = 0, as is stated for F and R in C⁵.
 fn seam_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     let rounding = 32.0 * place.symbols()?.rounding();
     let part = |pick: fn(Multipliers) -> f64| {
-        let observed = order(|size| {
-            let extrapolated = |side: f64| {
-                let at = |k: f64| {
-                    let offset = [side * k * size, 0.002, -0.001, 0.003];
-                    Some(offset[0] * pick(place.pair(&place.near(offset)?).ok()?.multipliers()))
-                };
-                Some(4.0 * at(1.0)? - 6.0 * at(2.0)? + 4.0 * at(3.0)? - at(4.0)?)
-            };
-            Some((extrapolated(1.0)? - extrapolated(-1.0)?, rounding))
-        });
-        (observed, 3.0)
+        seam(rounding, |y| {
+            let near = place.near([y, 0.002, -0.001, 0.003])?;
+            Some(y * pick(place.pair(&near).ok()?.multipliers()))
+        })
     };
     Ok(vec![part(|both| both.trace), part(|both| both.determinant)])
 }
@@ -119,10 +111,8 @@ pub(crate) fn divergence() -> CheckResult {
     Ok(orders(ANY, over, divergence_orders)?.against_print(Votes::of(positive).measure()))
 }
 
-/// eq:TD: trace and determinant of U as it is defined.
-///
-/// U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against the quotient of the
-/// derivatives of the two sides of V.
+/// eq:TD: trace and determinant of U by composing the derivatives of P_disc and P_global at (x̂, ẑ), as eq:U is written, against
+/// the quotient of the derivatives of the two sides of V.
 pub(crate) fn trace_and_determinant() -> CheckResult {
     // P_virt⁻¹ takes the root of x̂ ≈ y²/2γ, which is rounded to 10⁻¹⁶: relative errors of 10⁻¹⁶/y² ≈ 10⁻¹² in y, and in T.
     deviation(ANY, 1e-10, "MPSs on branches near resonances", |place| {

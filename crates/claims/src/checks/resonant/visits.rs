@@ -1,15 +1,14 @@
 //! The MPSs on the bifurcation curves, visit by visit: eq:admp7 to eq:admp11.
 
-use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::EventTimes;
-use grazing_model::maps::virtual_map;
-use grazing_model::{ImpactOscillator, OnWall};
 use grazing_theorems::auxiliary::{lucas_sequence, resonance_boundary};
 use nalgebra::Vector2;
 
 use super::curves::{PHASE, all_along_curves, along_curves, eta_at};
 use super::places::{Bifurcation, EVERYWHERE, MANY, Near, Place, agreement, orders};
-use crate::{CheckResult, Failure, Measure, Outcome, smallest};
+use crate::checks::appendices::signs::{determinant, loop_index, search};
+use crate::checks::generic::maps::{impact_and_recoil, virtual_point};
+use crate::{CheckResult, Failure};
 
 /// eq:admp7.
 pub(crate) fn phase() -> CheckResult {
@@ -24,9 +23,8 @@ pub(crate) fn phase() -> CheckResult {
 fn recoil(near: &Near) -> Option<Vector2<f64>> {
     let oscillator = near.oscillator();
     let [y, z] = near.impact().into();
-    let reset = oscillator.reset::<1>(OnWall::new(y, z)).value;
-    let point = virtual_map::<_, 1>(&oscillator, OnWall::new(reset[0], reset[1]), Some(0.0)).ok()?.jet.value;
-    Some(point - Vector2::new(0.0, near.orbit.phase()))
+    let [_, recoil] = impact_and_recoil(&oscillator, y, z);
+    Some(virtual_point(&oscillator, recoil).ok()? - Vector2::new(0.0, near.orbit.phase()))
 }
 
 /// eq:admp8a.
@@ -51,11 +49,8 @@ impl Place {
 /// eq:admp8b, both forms.
 pub(crate) fn phase_after_recoil() -> CheckResult {
     orders(MANY, EVERYWHERE, |place| {
-        let [fold, flip] = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
-        let (fold, flip) = (fold?, flip?);
         Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
-            let slopes = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
-            let phase = recoil(near)?[1];
+            let (slopes, phase) = (place.recoil_phase_slopes(curve).ok()?, recoil(near)?[1]);
             Some(slopes.iter().map(|slope| phase - slope * eta).collect())
         }))
     })
@@ -85,12 +80,9 @@ pub(crate) fn visits_by_powers() -> CheckResult {
 /// eq:admp10.
 pub(crate) fn positions_of_visits() -> CheckResult {
     orders(MANY, EVERYWHERE, |place| {
-        let recoil = place.curves().map(|curve| place.recoil_phase_slopes(&curve));
-        let [fold, flip] = recoil;
-        let (fold, flip) = (fold?[1], flip?[1]);
         let map = place.point().grazing.map;
         Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
-            let slope = if curve.condition == Condition::SADDLE_NODE { fold } else { flip };
+            let [_, slope] = place.recoil_phase_slopes(curve).ok()?;
             let gap = |(visit, j): (&Vector2<f64>, u32)| {
                 let entry = map.a.m12 * lucas_sequence(j, map.trace(), map.determinant());
                 visit[0] - entry * slope * eta
@@ -129,22 +121,9 @@ pub(crate) fn signs_of_visits() -> CheckResult {
 
 /// S_j > 0 for 0 < j < p at resonance, in units of δ^{(j−1)/2}: adversarial search over δ, p and j.
 pub(crate) fn sums_are_positive() -> CheckResult {
-    let mut found = f64::INFINITY;
-    let mut searches = 0;
-    for p in 2..=12_u32 {
-        for j in 1..p {
-            let scaled = |[share]: [f64; 1]| {
-                let delta = 1e-6 + share * (1.0 - 2e-6);
-                let sum = lucas_sequence(j, resonance_boundary(f64::from(p), delta), delta);
-                sum / libm::pow(delta, 0.5 * f64::from(j - 1))
-            };
-            found = found.min(smallest(u64::from(100 * p + j), 5, scaled).0);
-            searches += 5;
-        }
-    }
-    Ok(Outcome::new(
-        Measure::Margin { smallest: found },
-        searches,
-        "searches over δ in (0, 1), 0 < j < p ≤ 12",
-    ))
+    search(2..=15, "the determinant and 0 < j < p at τ = g_p", "S_j / r^(j−1)", |p, [x, y]| {
+        let (delta, j) = (determinant(x), loop_index(y, p));
+        let sum = lucas_sequence(j as u32, resonance_boundary(f64::from(p), delta), delta);
+        sum / libm::pow(delta, 0.5 * (j - 1.0))
+    })
 }

@@ -11,14 +11,6 @@ use nalgebra::{Matrix2, SMatrix, SVector, Vector2, Vector4};
 /// (y₁, z₁, y₂, z₂, μ) at fixed η.
 type Five = SVector<f64, 5>;
 
-/// An orbit with two impacts in 2p loops.
-pub(super) struct Doubled {
-    /// The two impacts, at the same parameters.
-    pub(super) impacts: [Unknowns; 2],
-    /// Trace and determinant of the derivative of the return to the first, which takes both.
-    pub(super) multipliers: Multipliers,
-}
-
 fn impacts(point: &Five, secondary: f64) -> [Unknowns; 2] {
     [0, 2].map(|i| Vector4::new(point[i], point[i + 1], point[4], secondary))
 }
@@ -32,13 +24,14 @@ fn pairs<O: ImpactOscillator>(
     Ok([pair(&impacts[0])?, pair(&impacts[1])?])
 }
 
-/// The doubled orbit at the η of a period doubling whose impacts lie 2s apart in the direction q.
+/// Trace and determinant of the derivative of the return to the first impact, which takes both, of the doubled orbit at the η of a
+/// period doubling whose impacts lie 2s apart in the direction q.
 pub(super) fn doubled<O: ImpactOscillator>(
     equations: &LoopEquations<O>,
     flip: &Unknowns,
     q: Vector2<f64>,
     s: f64,
-) -> Option<Doubled> {
+) -> Option<Multipliers> {
     let equations = equations.with_formulation(Formulation::FixedPhase);
     let [y, z, primary, secondary] = (*flip).into();
     let start = Five::from([y + s * q[0], z + s * q[1], y - s * q[0], z - s * q[1], primary]);
@@ -65,12 +58,10 @@ pub(super) fn doubled<O: ImpactOscillator>(
         Ok::<_, MapError>(system)
     })
     .ok()?;
-    let impacts = impacts(&solution.point, secondary);
-    let [first, second] = pairs(&equations, impacts).ok()?;
+    let [first, second] = pairs(&equations, impacts(&solution.point, secondary)).ok()?;
     let step = |from: &LoopPair, to: &LoopPair| -> Option<Matrix2<f64>> {
         Some(to.impact.derivative().try_inverse()? * from.round_trip.derivative())
     };
     let u = step(&second, &first)? * step(&first, &second)?;
-    let multipliers = Multipliers { trace: u.trace(), determinant: u.determinant() };
-    Some(Doubled { impacts, multipliers })
+    Some(Multipliers { trace: u.trace(), determinant: u.determinant() })
 }

@@ -1,0 +1,96 @@
+//! MPSs of any oscillator near grazing: zeros of the VIVID function, and what the hybrid system does there.
+
+use grazing_continuation::arclength::Stall;
+use grazing_continuation::curve::{Curve, MpsCurve, Route};
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
+use grazing_model::ImpactOscillator;
+use grazing_model::maps::MapError;
+use grazing_theorems::from_map::GrazingOrbit;
+use grazing_unfold::simulation::{Seen, Suspect};
+use nalgebra::Vector2;
+
+/// The equations of p-loop MPSs.
+pub(crate) fn equations<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, p: u32) -> LoopEquations<O> {
+    LoopEquations::new(grazing.oscillator().clone(), p, Formulation::Vivid)
+}
+
+/// The point (y, z; μ) with z and μ counted from grazing.
+pub(crate) fn unknowns<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, [y, dz, dmu]: [f64; 3]) -> Unknowns {
+    let [primary, secondary] = grazing.oscillator().parameters();
+    Unknowns::new(y, grazing.phase() + dz, primary + dmu, secondary)
+}
+
+/// The branch of p-loop MPSs with y > 0 that leaves the grazing point at which an oscillator is.
+pub(crate) fn branch<O: ImpactOscillator>(
+    oscillator: &O,
+    phase: f64,
+    p: u32,
+    route: &Route,
+) -> Result<Curve, Stall<MapError>> {
+    let [primary, secondary] = oscillator.parameters();
+    let equations = LoopEquations::new(oscillator.clone(), p, Formulation::Vivid);
+    let curve = MpsCurve { equations, condition: Condition::Secondary(secondary) };
+    let start = Unknowns::new(0.0, phase, primary, secondary);
+    curve.follow(start, Unknowns::new(1.0, 0.0, 0.0, 0.0), EventTimes::default(), route)
+}
+
+/// V at a point.
+pub(crate) fn vivid<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    point: &Unknowns,
+) -> Option<Vector2<f64>> {
+    Some(equations.pair::<1>(point, &mut EventTimes::default()).ok()?.difference().0)
+}
+
+/// The MPS that meets two conditions, by Newton's method from a start.
+pub(crate) fn located<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    conditions: [Condition; 2],
+    start: Unknowns,
+) -> Option<Unknowns> {
+    locate(equations, conditions, start, &mut EventTimes::default()).ok()
+}
+
+/// The MPS at the parameters of a start.
+pub(crate) fn at_parameters<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    start: Unknowns,
+) -> Option<Unknowns> {
+    let [_, _, primary, secondary] = start.into();
+    located(equations, [Condition::Primary(primary), Condition::Secondary(secondary)], start)
+}
+
+/// The MPS with this impact velocity, at the η of one near it.
+pub(crate) fn at_velocity<O: ImpactOscillator>(
+    equations: &LoopEquations<O>,
+    near: &Unknowns,
+    velocity: f64,
+) -> Option<Unknowns> {
+    let mut start = *near;
+    start[unknown::VELOCITY] = velocity;
+    let conditions = [Condition::ImpactVelocity(velocity), Condition::Secondary(start[unknown::SECONDARY])];
+    located(equations, conditions, start)
+}
+
+/// The zero of V at μ, by Newton's method from its expansion.
+pub(crate) fn zero<O: ImpactOscillator>(grazing: &GrazingOrbit<O>, p: u32, mu: f64) -> Option<Unknowns> {
+    let emerging = grazing.grazing_point().emerging_orbit(p).ok()?;
+    let [y, dz] = [emerging.impact_velocity_slope, emerging.impact_phase_slope].map(|slope| slope * mu);
+    at_parameters(&equations(grazing, p), unknowns(grazing, [y, dz, mu]))
+}
+
+/// What an MPS is in the hybrid system, followed from its impact.
+pub(crate) fn followed<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> Seen {
+    suspect(&equations.oscillator_at(point), equations.loops(), point).follow()
+}
+
+/// Whether simulated orbits beside an MPS come nearer in the long run.
+pub(crate) fn attracts<O: ImpactOscillator>(equations: &LoopEquations<O>, point: &Unknowns) -> Option<bool> {
+    suspect(&equations.oscillator_at(point), equations.loops(), point).attracts()
+}
+
+/// The impact of an MPS, to be looked at in the hybrid system.
+pub(crate) fn suspect<'a, O>(oscillator: &'a O, loops: u32, point: &Unknowns) -> Suspect<'a, O> {
+    Suspect { oscillator, loops, velocity: point[unknown::VELOCITY], phase: point[unknown::PHASE] }
+}
