@@ -66,7 +66,7 @@ fn row(column: &Column, names: &Names, units: bool) -> String {
     let unit = match column.unit {
         _ if !units => String::new(),
         "1" => " |".to_owned(),
-        unit => format!(" {} |", names.put_into(unit)),
+        unit => format!(" {} |", names.unit(unit)),
     };
     let (header, meaning) = (column.header(names), column.meaning());
     // A bar would end the cell.

@@ -23,6 +23,7 @@ pub(crate) struct Content {
     pub(crate) constants: Vec<(String, f64)>,
     pub(crate) primary: Axis,
     pub(crate) secondary: Axis,
+    pub(crate) unit_names: [Option<String>; 2],
     /// Seen from the wall.
     pub(crate) force: Expression,
     pub(crate) wall: Wall,
@@ -128,6 +129,7 @@ pub struct Texts {
 pub struct Axis {
     pub(crate) name: String,
     pub(crate) range: [f64; 2],
+    pub(crate) unit: Option<String>,
 }
 
 impl Axis {
@@ -139,6 +141,11 @@ impl Axis {
     /// The lower and the upper end of the range: finite, lower < upper.
     pub fn range(&self) -> [f64; 2] {
         self.range
+    }
+
+    /// The name of its unit, if the file has one.
+    pub fn unit(&self) -> Option<&str> {
+        self.unit.as_deref()
     }
 }
 
@@ -201,6 +208,11 @@ impl Description {
     /// The secondary parameter, η of the trait's functions.
     pub fn secondary(&self) -> &Axis {
         &self.0.secondary
+    }
+
+    /// The names of the units of length and time, as far as the file has them.
+    pub fn unit_names(&self) -> [Option<&str>; 2] {
+        self.0.unit_names.each_ref().map(Option::as_deref)
     }
 
     /// The wall.

@@ -18,9 +18,17 @@ const KEYS: &[(&str, &str)] = &[
     ("primary", "the table [primary] holds name and range of the parameter whose grazing value is sought"),
     ("primary.name", NAME),
     ("primary.range", RANGE),
+    ("primary.unit", UNIT),
     ("secondary", "the table [secondary] holds name and range of the parameter along the grazing curve"),
     ("secondary.name", NAME),
     ("secondary.range", RANGE),
+    ("secondary.unit", UNIT),
+    (
+        "units",
+        "the table [units] holds the names of the units of length and time, as length = \"mm\"; it may be left out",
+    ),
+    ("units.length", UNIT),
+    ("units.time", UNIT),
     ("motion", "the table [motion] holds force and frequency"),
     (
         "motion.force",
@@ -84,6 +92,8 @@ const KEYS: &[(&str, &str)] = &[
 ];
 
 const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
+const UNIT: &str = "the name of a unit must be up to 20 letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, as \"rad/s\"; it may be left out \
+                    and changes no number";
 const RANGE: &str = "the range must be [lower, upper] with finite numbers lower < upper";
 
 #[cfg(test)]

@@ -13,6 +13,9 @@ use crate::names;
 /// More constants than this nobody names; every name in an expression is looked for among them.
 const MOST_CONSTANTS: usize = 1000;
 
+/// The most characters of a unit: it stands beside a name on an axis.
+const LONGEST_UNIT: usize = 20;
+
 /// Where the expressions stand.
 pub(crate) struct Places {
     pub(crate) force: KeyPlace,
@@ -86,7 +89,10 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
     let start = analysis.has("start").then(|| analysis.numbers("start", |_| true)).transpose()?;
     let middle = [&primary, &secondary].map(|axis| axis.range[0] + 0.5 * (axis.range[1] - axis.range[0]));
     let start = start.map(|start| wall.inside(start, 0.0, middle));
+    let units = file.has("units").then(|| file.table("units")).transpose()?;
+    let named = |name: &str| units.as_ref().map_or(Ok(None), |units| unit(units, name));
     let content = Content {
+        unit_names: [named("length")?, named("time")?],
         name,
         constants,
         primary,
@@ -164,5 +170,13 @@ fn axis(section: &Section<'_>) -> Result<Axis, SourceError> {
         let allowed = "the range is too wide to be computed with: upper - lower must be a finite number";
         return Err(section.forbid("range", allowed.to_owned()));
     }
-    Ok(Axis { name, range: [lower, upper] })
+    Ok(Axis { name, range: [lower, upper], unit: unit(section, "unit")? })
+}
+
+/// The name of a unit, if there is one.
+fn unit(section: &Section<'_>, name: &str) -> Result<Option<String>, SourceError> {
+    let Some(unit) = section.optional::<String>(name)? else { return Ok(None) };
+    let shown = |character: char| character.is_alphanumeric() || " /^*-.()°µ%·²³⁻¹".contains(character);
+    let right = !unit.trim().is_empty() && unit.chars().count() <= LONGEST_UNIT && unit.chars().all(shown);
+    if right { Ok(Some(unit.trim().to_owned())) } else { Err(section.refusal(name)) }
 }

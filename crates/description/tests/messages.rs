@@ -49,6 +49,17 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[analysis]", "loops", "loops = [13]"),
     ("[analysis]", "loops", "loops = [2, 2]"),
     ("[analysis]", "loops", "loops = []"),
+    // The wall, and names of units.
+    ("", "[impact]", "[wall]\nside = \"above\"\n[impact]"),
+    ("", "[impact]", "[wall]\nposition = \"0\"\nside = \"left\"\n[impact]"),
+    ("", "[impact]", "[wall]\nposition = \"cos(0.5*omega*t)\"\n[impact]"),
+    ("", "[impact]", "[wall]\nposition = \"x\"\n[impact]"),
+    ("", "[impact]", "[wall]\nposition = \"ln(A - 0.1)\"\n[impact]"),
+    ("", "[impact]", "[wall]\nposition = 0.1\n[impact]"),
+    ("[primary]", "range", "range = [0.0, 1.5]\nunit = 1"),
+    ("[primary]", "range", "range = [0.0, 1.5]\nunit = \"\""),
+    ("", "[impact]", "[units]\nlength = \"<b>mm</b>\"\n[impact]"),
+    ("", "[impact]", "[units]\nmass = \"kg\"\n[impact]"),
     // What people write.
     ("[parameters]", "zeta", "zeta = {a = 1}"),
     ("[parameters]", "zeta", "zeta = [0.1]"),

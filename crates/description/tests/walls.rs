@@ -53,19 +53,3 @@ fn above_the_wall_is_below_it_upside_down() {
         described("-2*zeta*v - (x - d) - 1 + B*omega^2*cos(omega*t)", "[wall]\nposition = \"d\"").unwrap();
     assert!(difference(&paper, &shifted) < 1e-15);
 }
-
-#[test]
-fn what_is_wrong_with_a_wall_is_told_with_its_key() {
-    let told = |wall: &str| described(RESTING, wall).unwrap_err();
-    for (wall, words) in [
-        ("[wall]\nside = \"above\"", ["wall.position", "missing"]),
-        ("[wall]\nposition = \"0\"\nside = \"left\"", ["wall.side", "\"below\""]),
-        ("[wall]\nposition = \"cos(0.5*omega*t)\"", ["wall.position", "not periodic"]),
-        ("[wall]\nposition = \"x\"", ["wall.position", "cannot be used here"]),
-        ("[wall]\nposition = \"ln(B - 0.1)\"", ["wall.position", "must be a finite number"]),
-        ("[wall]\nposition = 0.1", ["wall.position", "in quotation marks"]),
-    ] {
-        let message = told(wall);
-        assert!(words.iter().all(|word| message.contains(word)), "{wall}: {message}");
-    }
-}

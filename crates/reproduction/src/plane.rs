@@ -6,8 +6,8 @@ use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
-use grazing_results::Names;
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionKind, RegionVertex, Source, SpecialPoint};
+use grazing_results::{Names, UnitNames};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::GrazingCurve;
 use grazing_unfold::magnification::Polyline;
@@ -38,6 +38,12 @@ impl Axes {
             name
         };
         Self { names: Names::new(&own(primary), &own(secondary)), units }
+    }
+
+    /// The same axes with names of the units.
+    #[must_use]
+    pub fn with_unit_names(self, units: UnitNames) -> Self {
+        Self { names: self.names.with_units(units), ..self }
     }
 
     /// Amplitude and frequency of the paper's oscillator.

@@ -9,7 +9,7 @@ use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Units};
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
-use grazing_results::tables;
+use grazing_results::{UnitNames, tables};
 use grazing_theorems::ResonantPoint;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
@@ -106,7 +106,10 @@ impl Unfolded<Described> {
         let scope = scope.without_dimensions(&units);
         let stoppable = Stoppable::new(Dimensionless::new(description.clone(), units), stop.clone());
         let oscillator = Integrated::new(stoppable, [scope.window.primary[0], scope.window.secondary[0]]);
-        let axes = Axes::new(primary.name(), secondary.name(), units);
+        let [length, time] = description.unit_names().map(|unit| unit.map(str::to_owned));
+        let [of_primary, of_secondary] = [primary, secondary].map(|axis| axis.unit().map(str::to_owned));
+        let unit_names = UnitNames { length, time, primary: of_primary, secondary: of_secondary };
+        let axes = Axes::new(primary.name(), secondary.name(), units).with_unit_names(unit_names);
         let unfolded =
             Self::compute(&oscillator, &scope, axes, progress, keep).map_err(|error| match error {
                 StudyError::Unfold(error) => StudyError::Unfold(error.in_units(&units)),

@@ -27,5 +27,5 @@ mod table;
 pub use cell::{Cell, brief};
 pub use columns::Column;
 pub use frame::Frame;
-pub use names::{GREEK, Names, directs, symbol};
+pub use names::{GREEK, Names, UnitNames, directs, symbol};
 pub use table::{Plan, Row, Table};

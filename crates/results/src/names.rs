@@ -62,6 +62,20 @@ pub struct Names {
     pub secondary: String,
     /// The symbol of the primary parameter, that at grazing, and the symbol of the secondary one.
     symbols: [String; 3],
+    units: UnitNames,
+}
+
+/// What units are called, as far as that is known.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct UnitNames {
+    /// The unit of lengths.
+    pub length: Option<String>,
+    /// The unit of times.
+    pub time: Option<String>,
+    /// The unit of the primary parameter.
+    pub primary: Option<String>,
+    /// The unit of the secondary parameter.
+    pub secondary: Option<String>,
 }
 
 impl Names {
@@ -69,7 +83,18 @@ impl Names {
     pub fn new(primary: &str, secondary: &str) -> Self {
         let at_grazing = Symbol::read(primary).map(|symbol| symbol.lowered(&["graz"]).latex());
         let symbols = [symbol(primary), at_grazing, symbol(secondary)].map(Option::unwrap_or_default);
-        Self { primary: primary.to_owned(), secondary: secondary.to_owned(), symbols }
+        Self {
+            primary: primary.to_owned(),
+            secondary: secondary.to_owned(),
+            symbols,
+            units: UnitNames::default(),
+        }
+    }
+
+    /// The same names with those of the units.
+    #[must_use]
+    pub fn with_units(self, units: UnitNames) -> Self {
+        Self { units, ..self }
     }
 
     /// Amplitude and frequency of the paper's oscillator.
@@ -78,13 +103,38 @@ impl Names {
         Self { symbols, ..Self::new("amplitude", "omega") }
     }
 
-    /// The two as titles of axes, in markup of labels: their symbols, or the names where there are none.
+    /// The two as titles of axes, in markup of labels: their symbols, or the names where there are none, with their units.
     pub fn titles(&self) -> [String; 2] {
         let [primary, _, secondary] = &self.symbols;
-        [(primary, &self.primary), (secondary, &self.secondary)].map(|(symbol, name)| match symbol.as_str() {
-            "" => name.replace('$', ""),
-            symbol => format!("${symbol}$"),
+        let units = &self.units;
+        let named =
+            [(primary, &self.primary, &units.primary), (secondary, &self.secondary, &units.secondary)];
+        named.map(|(symbol, name, unit)| {
+            let title = match symbol.as_str() {
+                "" => name.replace('$', ""),
+                symbol => format!("${symbol}$"),
+            };
+            unit.as_ref().map_or(title.clone(), |unit| format!("{title} ({unit})"))
         })
+    }
+
+    /// A unit as columns declare it with the names of units in it, as far as they are known: those of the parameters are the parameters'
+    /// own names otherwise.
+    pub fn unit(&self, declared: &str) -> String {
+        let UnitNames { length, time, primary, secondary } = &self.units;
+        let known = |unit: &Option<String>, otherwise: &str| match unit {
+            // A product or quotient in a denominator is one unit.
+            Some(unit) if unit.contains(['/', '*', '·', ' ']) => format!("({unit})"),
+            Some(unit) => unit.clone(),
+            None => otherwise.to_owned(),
+        };
+        let whole = [("length", length), ("time", time), ("{primary}", primary), ("{secondary}", secondary)];
+        if let Some((_, Some(unit))) = whole.iter().find(|(word, _)| *word == declared) {
+            return unit.clone();
+        }
+        let text = declared.replace("length", &known(length, "length")).replace("time", &known(time, "time"));
+        text.replace("{primary}", &known(primary, &self.primary))
+            .replace("{secondary}", &known(secondary, &self.secondary))
     }
 
     /// The name of the grazing curve in markup of labels: the symbol of the primary parameter at grazing, unless that is in words.
@@ -214,6 +264,20 @@ fn letters(part: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn units_have_the_names_that_a_file_gives_them() {
+        let names = Names::new("F_0", "omega");
+        assert_eq!(names.unit("length/{primary}"), "length/F_0");
+        let some = |unit: &str| Some(unit.to_owned());
+        let units =
+            UnitNames { length: some("mm"), time: some("s"), primary: some("N"), secondary: some("rad/s") };
+        let named = names.with_units(units);
+        let shown = ["length/time^2", "{primary}/{secondary}^2", "{secondary}", "rad time/length", "1"];
+        let wanted = ["mm/s^2", "N/(rad/s)^2", "rad/s", "rad s/mm", "1"];
+        assert_eq!(shown.map(|declared| named.unit(declared)), wanted);
+        assert_eq!(named.titles(), ["$F_{0}$ (N)", r"$\omega$ (rad/s)"]);
+    }
 
     #[test]
     fn names_become_letters_words_and_subscripts() {

@@ -5,7 +5,7 @@ mod gaps;
 use std::path::Path;
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_description::Description;
+use grazing_description::{Axis, Description};
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_reproduction::unfolded::{Known, ResonanceEntry};
@@ -47,8 +47,8 @@ pub(super) fn oscillator(description: &Description, file: &Path) -> String {
         ),
         ("", format!("Phi = {}, Psi = {}", texts.restitution, texts.duration)),
         ("constants", if constants.is_empty() { "none".to_owned() } else { constants.join(", ") }),
-        ("primary", format!("{} from {}", primary.name(), range(primary.range()))),
-        ("secondary", format!("{} from {}", secondary.name(), range(secondary.range()))),
+        ("primary", along(primary)),
+        ("secondary", along(secondary)),
         ("loops", format!("p = {}", loops(description))),
     ];
     let notes = description.notes().iter().map(|note| ("note", note.clone()));
@@ -56,6 +56,12 @@ pub(super) fn oscillator(description: &Description, file: &Path) -> String {
         text.push_str(&wrapped(&format!("  {word:11}"), &content));
     }
     text
+}
+
+/// A parameter with its range and unit.
+fn along(axis: &Axis) -> String {
+    let unit = axis.unit().map_or(String::new(), |unit| format!(" {unit}"));
+    format!("{} from {}{unit}", axis.name(), range(axis.range()))
 }
 
 fn loops(description: &Description) -> String {
