@@ -16,6 +16,29 @@
 //!   mps ─ criticality        normal form of period doublings, from third derivatives
 //! ```
 
+//!
+//! ```
+//! use grazing_continuation::arclength::StepControl;
+//! use grazing_continuation::bifurcation::Bifurcation;
+//! use grazing_continuation::curve::{MpsCurve, Route, Window};
+//! use grazing_continuation::locate::Condition;
+//! use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
+//! use grazing_model::LinearOscillator;
+//!
+//! // The branch of one-loop solutions that begins where the paper's oscillator grazes at omega = 0.85.
+//! let grazing = grazing_theorems::LinearOscillator::new(0.02, 0.9)?.grazing(0.85)?;
+//! let oscillator = LinearOscillator::new(0.02, 0.9, grazing.amplitude(), 0.85)?;
+//! let equations = LoopEquations::new(oscillator, 1, Formulation::Vivid);
+//! let branch = MpsCurve { equations, condition: Condition::Secondary(0.85) };
+//! let window = Window { primary: [0.2, 1.0], secondary: [0.8, 0.9] };
+//! let route = Route { window, control: StepControl::DRAWING, step_limit: 5000, stop_at_events: false };
+//! let start = Unknowns::new(0.0, grazing.phase(), grazing.amplitude(), 0.85);
+//! let curve = branch.follow(start, Unknowns::x(), EventTimes::default(), &route)?;
+//! let kinds: Vec<_> = curve.events.iter().filter_map(|event| Bifurcation::of(event.condition)).collect();
+//! assert!(kinds.contains(&Bifurcation::PeriodDoubling), "{kinds:?}");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
 pub mod arclength;
 pub mod bifurcation;
 pub mod criticality;

@@ -8,6 +8,41 @@
 //!
 //! All quantities are dimensionless; [`smooth::Dimensionless`] makes an oscillator in other units so. Nothing here reads, writes or
 //! prints; all transcendental functions come from `libm`, so that the same input gives the same bits on every machine.
+//!
+//! An oscillator of one's own is its force, frequency and reset law; orbits with impacts follow:
+//!
+//! ```
+//! use grazing_model::orbit::{FlightEnd, Orbit};
+//! use grazing_model::smooth::{Integrated, Scalar, SmoothOscillator};
+//! use grazing_model::State;
+//!
+//! /// A spring that stiffens, at rest one unit below the wall.
+//! #[derive(Clone)]
+//! struct Duffing;
+//!
+//! impl SmoothOscillator for Duffing {
+//!     fn force<S: Scalar>(&self, x: S, v: S, t: S, amplitude: S, omega: S) -> S {
+//!         amplitude * (omega * t).cos() - v * 0.04 - x - x * x * x * 0.1 - 1.0
+//!     }
+//!
+//!     fn forcing_frequency<S: Scalar>(&self, _: S, omega: S) -> S {
+//!         omega
+//!     }
+//!
+//!     fn restitution<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+//!         S::constant(0.9)
+//!     }
+//!
+//!     fn impact_duration<S: Scalar>(&self, _: S, _: S, _: S, _: S) -> S {
+//!         S::constant(0.0)
+//!     }
+//! }
+//!
+//! let duffing = Integrated::new(Duffing, [0.6, 0.8]);
+//! let flights = Orbit::new(&duffing, State::at_rest(-1.0, 0.0), 100.0, 1000);
+//! let impacts = flights.filter(|flight| matches!(flight.end, FlightEnd::Impact(state) if state.velocity > 0.0));
+//! assert!(impacts.count() > 5);
+//! ```
 
 mod jet;
 mod linear;

@@ -46,6 +46,48 @@ macro_rules! entrywise {
 }
 pub(crate) use entrywise;
 
+/// Arithmetic of a [`Scalar`] with plain numbers on its right.
+macro_rules! with_plain_numbers {
+    ([$($generics:tt)*] $type:ty) => {
+        impl<$($generics)*> core::ops::Add<f64> for $type {
+            type Output = Self;
+
+            #[inline]
+            fn add(self, other: f64) -> Self {
+                self + <Self as $crate::scalar::Scalar>::constant(other)
+            }
+        }
+
+        impl<$($generics)*> core::ops::Sub<f64> for $type {
+            type Output = Self;
+
+            #[inline]
+            fn sub(self, other: f64) -> Self {
+                self - <Self as $crate::scalar::Scalar>::constant(other)
+            }
+        }
+
+        impl<$($generics)*> core::ops::Mul<f64> for $type {
+            type Output = Self;
+
+            #[inline]
+            fn mul(self, factor: f64) -> Self {
+                $crate::scalar::Scalar::scale(self, factor)
+            }
+        }
+
+        impl<$($generics)*> core::ops::Div<f64> for $type {
+            type Output = Self;
+
+            #[inline]
+            fn div(self, divisor: f64) -> Self {
+                self / <Self as $crate::scalar::Scalar>::constant(divisor)
+            }
+        }
+    };
+}
+pub(crate) use with_plain_numbers;
+
 /// A smooth function of one variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Function {
@@ -108,9 +150,18 @@ impl Function {
     }
 }
 
-/// A number in an expression.
+/// A number in an expression; plain numbers may stand on its right, as in `x * x - 1.0`.
 pub trait Scalar:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
 {
     /// A constant.
     fn constant(value: f64) -> Self;
@@ -134,6 +185,26 @@ pub trait Scalar:
     #[inline]
     fn square(self) -> Self {
         self * self
+    }
+
+    /// The sine.
+    fn sin(self) -> Self {
+        self.apply(Function::Sin)
+    }
+
+    /// The cosine.
+    fn cos(self) -> Self {
+        self.apply(Function::Cos)
+    }
+
+    /// The exponential.
+    fn exp(self) -> Self {
+        self.apply(Function::Exp)
+    }
+
+    /// The square root.
+    fn sqrt(self) -> Self {
+        self.apply(Function::Sqrt)
     }
 
     /// A whole power, by squaring; negative ones through the reciprocal.

@@ -2,7 +2,7 @@
 
 use core::ops::{Div, Mul};
 
-use crate::scalar::{Function, Scalar, entrywise};
+use crate::scalar::{Function, Scalar, entrywise, with_plain_numbers};
 
 /// c₀ + c₁ s + c₂ s² + c₃ s³ + O(s⁴): a number that moves along a curve with the parameter s.
 ///
@@ -83,6 +83,8 @@ impl Div for Taylor {
         self * other.compose([inverse, -square, 2.0 * square * inverse, -6.0 * square * square])
     }
 }
+
+with_plain_numbers!([] Taylor);
 
 impl Scalar for Taylor {
     #[inline]

@@ -21,7 +21,7 @@
 //!
 //! ```
 //! use grazing_continuation::curve::Window;
-//! use grazing_model::smooth::{Function, Integrated, Scalar, SmoothOscillator};
+//! use grazing_model::smooth::{Integrated, Scalar, SmoothOscillator};
 //! use grazing_unfold::{Diagram, Scope, progress::Silent};
 //!
 //! /// A pendulum at rest beside a wall, its point of suspension forced to and fro.
@@ -32,8 +32,7 @@
 //!
 //! impl SmoothOscillator for Pendulum {
 //!     fn force<S: Scalar>(&self, x: S, y: S, t: S, amplitude: S, omega: S) -> S {
-//!         let angle = x + S::constant(0.5);
-//!         amplitude * (omega * t).apply(Function::Cos) - y.scale(self.damping) - angle.apply(Function::Sin)
+//!         amplitude * (omega * t).cos() - y * self.damping - (x + 0.5).sin()
 //!     }
 //!
 //!     fn forcing_frequency<S: Scalar>(&self, _: S, omega: S) -> S {

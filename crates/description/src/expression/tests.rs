@@ -65,6 +65,29 @@ impl Neg for Range {
     }
 }
 
+macro_rules! with_plain_numbers {
+    ($($number:ident: $trait:ident, $name:ident;)*) => {$(
+        impl $trait<f64> for $number {
+            type Output = Self;
+
+            fn $name(self, other: f64) -> Self {
+                $trait::$name(self, Self::constant(other))
+            }
+        }
+    )*};
+}
+
+with_plain_numbers! {
+    Dual: Add, add;
+    Dual: Sub, sub;
+    Dual: Mul, mul;
+    Dual: Div, div;
+    Range: Add, add;
+    Range: Sub, sub;
+    Range: Mul, mul;
+    Range: Div, div;
+}
+
 impl Scalar for Dual {
     fn constant(value: f64) -> Self {
         Dual(value, 0.0)

@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::scalar::{Coefficient, Function, Scalar};
+use crate::scalar::{Coefficient, Function, Scalar, with_plain_numbers};
 
 /// All numbers from `lower` to `upper`; with a bound that is NaN, nothing is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,6 +125,8 @@ impl Div for Interval {
         self * Self::new(1.0 / other.lower, 1.0 / other.upper)
     }
 }
+
+with_plain_numbers!([] Interval);
 
 impl Scalar for Interval {
     fn constant(value: f64) -> Self {

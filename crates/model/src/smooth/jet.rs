@@ -4,7 +4,7 @@
 
 use core::ops::{Div, Mul};
 
-use crate::scalar::{Coefficient, Function, Scalar, entrywise};
+use crate::scalar::{Coefficient, Function, Scalar, entrywise, with_plain_numbers};
 
 /// The variables of jets, by number.
 ///
@@ -141,6 +141,8 @@ impl<const LENGTH: usize, C: Coefficient> From<C> for Jet<LENGTH, C> {
         Self::fixed(value)
     }
 }
+
+with_plain_numbers!([const LENGTH: usize, C: Coefficient] Jet<LENGTH, C>);
 
 impl<const LENGTH: usize, C: Coefficient> Scalar for Jet<LENGTH, C> {
     #[inline(always)]

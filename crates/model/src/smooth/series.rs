@@ -2,7 +2,7 @@
 
 use core::ops::{Div, Mul};
 
-use crate::scalar::{Coefficient, Function, Scalar, entrywise};
+use crate::scalar::{Coefficient, Function, Scalar, entrywise, with_plain_numbers};
 
 /// c₀ + c₁ t + c₂ t² + c₃ ε, with products of t and ε left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +29,8 @@ impl<C: Coefficient> Div for Series<C> {
         Self([q0, q1, (a2 - q0 * b2 - q1 * b1) / b0, (a3 - q0 * b3) / b0])
     }
 }
+
+with_plain_numbers!([C: Coefficient] Series<C>);
 
 impl<C: Coefficient> Scalar for Series<C> {
     fn constant(value: f64) -> Self {

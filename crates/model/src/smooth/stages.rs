@@ -2,7 +2,7 @@
 
 use core::ops::{Div, Mul};
 
-use crate::scalar::{Coefficient, Function, Scalar, entrywise};
+use crate::scalar::{Coefficient, Function, Scalar, entrywise, with_plain_numbers};
 
 /// Numbers side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,6 +79,8 @@ impl<const COUNT: usize> Div for Lanes<COUNT> {
         self
     }
 }
+
+with_plain_numbers!([const COUNT: usize] Lanes<COUNT>);
 
 impl<const COUNT: usize> Scalar for Lanes<COUNT> {
     #[inline(always)]
