@@ -27,6 +27,9 @@ const SAME: f64 = 1e-6;
 const SURE: usize = 8;
 /// Impacts slower than this belong to motion close to grazing, which is as slow to settle.
 const SLOWEST: f64 = 1e-3;
+/// Motion without impacts farther from the wall than this has been carried away, as a pendulum's that went over the top; the wall's distance from rest
+/// is of order one.
+const CARRIED_AWAY: f64 = 4.0;
 /// No motion that settles has more impacts in a spell.
 const MOST_IMPACTS: usize = 10_000;
 
@@ -78,7 +81,7 @@ fn without_impacts(oscillator: &impl ImpactOscillator, from: State) -> Option<Se
     let start = after(from, to_phase_zero)?;
     let end = after(start, oscillator.forcing_period())?;
     let gap = libm::hypot(end.position - start.position, end.velocity - start.velocity);
-    (gap < SAME).then_some(Settled { loops: 0, velocity: start.velocity, phase: 0.0 })
+    (gap < SAME && start.position > -CARRIED_AWAY).then_some(Settled { loops: 0, velocity: start.velocity, phase: 0.0 })
 }
 
 /// The p-loop solution whose impacts these are, if they are all the same but for a difference.
