@@ -1,9 +1,10 @@
 //! The examples load, and are the oscillators that they say.
 
+use std::f64::consts::TAU;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use grazing_description::{Description, MOST_VALUES_ON_STACK};
+use grazing_description::{Description, MOST_VALUES_ON_STACK, Side};
 use grazing_model::smooth::{Integrated, SmoothOscillator};
 use grazing_model::{ImpactOscillator, LinearOscillator, OnWall, State};
 
@@ -47,18 +48,24 @@ fn every_example_loads_and_is_evaluated_without_allocation() {
         }
         examples += 1;
     }
-    assert!(examples >= 4);
+    assert!(examples >= 14);
 }
 
 #[test]
 fn the_force_at_one_time_is_the_force() {
     for path in files() {
         let description = Description::from_file(&path).unwrap_or_else(|error| panic!("{error}"));
-        for t in [0.0, 0.7, 5.1] {
-            let mut force = description.force_at(t, 0.6, 0.8);
+        let units = description.units();
+        let [mu, eta] = [description.primary(), description.secondary()].map(|axis| {
+            let [lower, upper] = axis.range();
+            0.5 * (lower + upper)
+        });
+        for t in [0.0, 0.7, 5.1].map(|t| t * units.time) {
+            let mut force = description.force_at(t, mu, eta);
             for [x, v] in [[-0.4, 0.7], [0.0, 0.0], [-1.1, -0.3]] {
+                let [x, v] = [x * units.length, v * units.velocity()];
                 // The same instructions in another order.
-                assert_eq!(force(x, v), description.force(x, v, t, 0.6, 0.8), "{}", path.display());
+                assert_eq!(force(x, v), description.force(x, v, t, mu, eta), "{}", path.display());
             }
         }
     }
@@ -103,6 +110,59 @@ fn the_forces_of_the_examples_are_those_of_their_comments() {
         let wanted = linear - 2.0 * zeta * v - delta * v * (v * v + s * s).sqrt();
         assert!((fluid.force(x, v, t, 0.6, 0.8) - wanted).abs() < 1e-14);
     }
+}
+
+/// Fails unless the force of the example, seen from its wall, is this acceleration of x at fifty states near rest; `wanted` gets x, v, t
+/// and both parameters.
+fn assert_force(name: &str, wanted: impl Fn(&dyn Fn(&str) -> f64, [f64; 5]) -> f64) {
+    let description = example(name);
+    let (units, sign) =
+        (description.units(), if description.wall().side() == Side::Above { -1.0 } else { 1.0 });
+    let axes = [description.primary(), description.secondary()];
+    for i in 0..50 {
+        let i = f64::from(i);
+        let [mu, eta] = axes.map(|axis| {
+            let [lower, upper] = axis.range();
+            lower + (upper - lower) * (0.1 + (i * 0.377) % 0.8)
+        });
+        let [u, velocity, t] = [-(i * 0.618) % 1.0, (i * 0.414) % 2.0 - 1.0, i * 0.73];
+        let [u, velocity, t] = [u * units.length, velocity * units.velocity(), t * units.time];
+        let [x, v] = description.wall().outside([u, velocity], t, [mu, eta]);
+        let wanted = sign * wanted(&|name| constant(&description, name), [x, v, t, mu, eta]);
+        let difference = (description.force(u, velocity, t, mu, eta) - wanted).abs();
+        // A few roundings of numbers of this order.
+        assert!(
+            difference < 1e-13 * (units.acceleration() + wanted.abs()),
+            "{name}: {difference:e} of {wanted:e}"
+        );
+    }
+}
+
+#[test]
+fn the_forces_of_the_rigs_are_those_of_their_comments() {
+    assert_force("pendulum.toml", |c, [x, v, t, torque, omega]| {
+        -2.0 * c("zeta") * v - libm::sin(x) + torque * libm::cos(omega * t)
+    });
+    assert_force("harvester.toml", |c, [x, v, t, base, f]| {
+        let coupling = c("theta") / (1.0 + (x / c("d")).powi(2));
+        let damping = c("c") + coupling * coupling / c("R");
+        -(damping * v + c("k") * x) / c("m") + base * libm::cos(TAU * f * t)
+    });
+    assert_force("drill.toml", |c, [x, v, t, crank, f]| {
+        let column = c("L") + x - crank * libm::cos(TAU * f * t);
+        let pressure = c("p") * (libm::pow(c("L") / column, 1.4) - 1.0);
+        (pressure * c("S") - c("c") * v) / c("m")
+    });
+    assert_force("afm.toml", |c, [x, v, t, drive, f]| {
+        let natural = TAU * c("f0");
+        let mass = c("k") / (natural * natural);
+        let attraction = c("H") * c("R") / (6.0 * x * x);
+        let spring = c("k") * (c("Z") - x) - mass * natural / c("Q") * v;
+        (spring - attraction + drive * libm::cos(TAU * f * t)) / mass
+    });
+    assert_force("parametric.toml", |c, [x, v, t, change, omega]| {
+        -2.0 * c("zeta") * v - x - change * x * libm::cos(omega * t) - 1.0
+    });
 }
 
 #[test]

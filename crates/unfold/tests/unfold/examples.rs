@@ -4,19 +4,23 @@ use std::fmt::Write;
 
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
-use grazing_model::smooth::Integrated;
+use grazing_model::smooth::{Dimensionless, Integrated, Units};
 use grazing_theorems::hypothesis::Quantity;
 use grazing_unfold::resonances::Resonance;
 use grazing_unfold::sides::{Simulated, simulate};
+use grazing_unfold::units::InUnits;
 use grazing_unfold::verdict::{Verdict, coefficients};
 use insta::{Settings, assert_snapshot};
 use rayon::prelude::*;
 
-use crate::specimens::{self, example, file};
+use crate::specimens::{self, counted, example, file};
 
-/// All resonances of an example.
-fn resonances(name: &str) -> Vec<Resonance<Integrated<Description>>> {
-    let (oscillator, scope) = example(name);
+/// An oscillator of an example.
+type Example = Integrated<Dimensionless<Description>>;
+
+/// All resonances of an example, and the units in which they are counted.
+fn resonances(name: &str) -> (Vec<Resonance<Example>>, Units) {
+    let (oscillator, scope, units) = counted(name);
     let found = specimens::resonances(&oscillator, &scope);
     for resonance in &found {
         // Where a theorem fails it is for the reason of Proposition 3.3: solutions on the other side of ω₁/ω = n are virtual.
@@ -25,11 +29,11 @@ fn resonances(name: &str) -> Vec<Resonance<Integrated<Description>>> {
             assert_eq!(quantities, [Quantity::OffDiagonalTimesSquareRootFactor], "{name}: {violated}");
         }
     }
-    found
+    (found, units)
 }
 
 /// Theorem and fit agree within their errors and to five digits, and simulation lands on the predicted side of both curves.
-fn assert_theory_holds(name: &str, resonances: &[Resonance<Integrated<Description>>]) {
+fn assert_theory_holds(name: &str, resonances: &[Resonance<Example>]) {
     let failures: Vec<String> = resonances
         .par_iter()
         .filter_map(|resonance| Some((resonance, resonance.theorem.as_ref().ok()?)))
@@ -58,18 +62,19 @@ fn assert_theory_holds(name: &str, resonances: &[Resonance<Integrated<Descriptio
 /// The snapshot bears the name of the example after `example_`.
 fn assert_unfolds(snapshot: &str) {
     let name = snapshot.trim_start_matches("example_");
-    let found = resonances(&format!("{name}.toml"));
+    let (found, units) = resonances(&format!("{name}.toml"));
+    let unit = units.primary / (units.secondary * units.secondary);
     let mut text = String::new();
     for resonance in &found {
-        let [mu, eta] = resonance.located.orbit().oscillator().parameters();
+        let [mu, eta] = units.parameters(resonance.located.orbit().oscillator().parameters());
         write!(text, "p = {}, n = {}: eta {eta:.7e}, mu {mu:.7e}", resonance.loops, resonance.n).unwrap();
         match &resonance.theorem {
             Ok(point) => {
-                let [sn, pd] = point.leading().map(|curve| curve.coefficient).into_array();
+                let [sn, pd] = point.leading().map(|curve| curve.coefficient * unit).into_array();
                 writeln!(text, ", c_SN {sn:.7e}, c_PD {pd:.7e}").unwrap();
             }
             Err(violated) => {
-                for hypothesis in violated.violated() {
+                for hypothesis in violated.violated().map(|hypothesis| hypothesis.in_units(&units)) {
                     write!(text, ", {} violated by {:.7e}", hypothesis.statement(), hypothesis.value)
                         .unwrap();
                 }
@@ -133,6 +138,51 @@ fn theory_holds_at_the_resonances_where_the_clearance_is_the_parameter() {
 }
 
 #[test]
+fn theory_holds_at_the_resonances_over_a_shaking_table() {
+    assert_unfolds("example_shaking-table");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_in_a_frame_that_moves() {
+    assert_unfolds("example_base-excitation");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_of_the_pendulum() {
+    assert_unfolds("example_pendulum");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_of_the_rig_in_si_units() {
+    assert_unfolds("example_rig-si");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_of_the_harvester() {
+    assert_unfolds("example_harvester");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_of_the_tip_of_the_microscope() {
+    assert_unfolds("example_afm");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_of_the_drill() {
+    assert_unfolds("example_drill");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_where_the_stiffness_varies() {
+    assert_unfolds("example_parametric");
+}
+
+#[test]
+fn theory_holds_at_the_resonances_with_two_harmonics() {
+    assert_unfolds("example_two-harmonics");
+}
+
+#[test]
 fn every_example_has_its_test() {
     let mut names: Vec<String> = std::fs::read_dir(file("examples"))
         .unwrap()
@@ -141,5 +191,21 @@ fn every_example_has_its_test() {
         .map(|path| path.file_stem().unwrap().to_string_lossy().into_owned())
         .collect();
     names.sort();
-    assert_eq!(names, ["clearance", "duffing", "paper", "quadratic-damping", "varying-impact"]);
+    let tested = [
+        "afm",
+        "base-excitation",
+        "clearance",
+        "drill",
+        "duffing",
+        "harvester",
+        "paper",
+        "parametric",
+        "pendulum",
+        "quadratic-damping",
+        "rig-si",
+        "shaking-table",
+        "two-harmonics",
+        "varying-impact",
+    ];
+    assert_eq!(names, tested);
 }

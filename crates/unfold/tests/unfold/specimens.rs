@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_continuation::curve::Window;
 use grazing_description::Description;
-use grazing_model::smooth::Integrated;
+use grazing_model::smooth::{Dimensionless, Integrated, Units};
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::GrazingState;
 use grazing_unfold::grazing::GrazingCurve;
@@ -46,6 +46,16 @@ pub(crate) fn example(name: &str) -> (Integrated<Description>, Scope) {
     let mut scope = scope(primary, secondary, description.loops());
     scope.start = description.start();
     (Integrated::new(description, [primary[1], secondary[1]]), scope)
+}
+
+/// As [`example`], without dimensions, with the units in which it counts.
+pub(crate) fn counted(name: &str) -> (Integrated<Dimensionless<Description>>, Scope, Units) {
+    let (oscillator, scope) = example(name);
+    let description = oscillator.model().clone();
+    let units = description.units();
+    let scope = scope.without_dimensions(&units);
+    let Window { primary, secondary } = scope.window;
+    (Integrated::new(Dimensionless::new(description, units), [primary[1], secondary[1]]), scope, units)
 }
 
 /// A constant of a description.
