@@ -2,6 +2,7 @@
 
 mod corners;
 mod examples;
+mod one_parameter;
 mod paper;
 mod regions;
 mod resonances;
