@@ -15,6 +15,7 @@ use std::time::Instant;
 use grazing_description::Limits;
 use grazing_reproduction::StudyError;
 use grazing_reproduction::unfolded::{Described, Keep, Rows, Unfolded};
+use grazing_results::branches::OneParameterRows;
 use grazing_source::Setting;
 use grazing_unfold::UnfoldError;
 
@@ -52,7 +53,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let tasks = tasks(arguments)?;
     for task in &tasks {
         let figures = sheets::FILES.iter().flat_map(|file| edition.figure_paths(file));
-        let tables = Rows::TABLES.iter().map(|table| table_path(table.name));
+        let tables = Rows::TABLES.iter().chain(OneParameterRows::TABLES).map(|table| table_path(table.name));
         let pages = [PathBuf::from(PAGE), data_page::path()];
         folder::ensure_writable(&task.folder, &figures.chain(tables).chain(pages).collect::<Vec<_>>())?;
     }
@@ -214,28 +215,29 @@ impl Task {
     fn files(&self, unfolded: &Analysis, edition: &Edition) -> Result<Vec<MadeFile>, Failure> {
         let material = Material::new(&self.of, unfolded, edition.size.columns)?;
         let mut files = Vec::new();
-        for (name, svg) in &material.figures {
-            let made = edition.figure_files(name, svg.clone());
+        for sheet in &material.figures {
+            let made = edition.figure_files(&sheet.file, sheet.svg.clone());
             files.extend(made.map_err(|error| computation("figures", &error))?);
         }
         for table in &material.tables {
             let content = tables::csv(table).map_err(|error| computation("tables", &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
         }
-        files.push(data_page::of_an_oscillator(Rows::TABLES.iter().copied(), &unfolded.axes.names));
+        files.push(data_page::of_an_oscillator(material.plans.iter().copied(), &unfolded.axes.names));
         files.push(material.page(&files));
         Ok(files)
     }
 
-    /// Removes sheets of magnifications that an earlier run made of more resonances.
+    /// Removes sheets of magnifications that an earlier run made of more resonances, and one-parameter diagrams that are not asked for any
+    /// more.
     fn remove_other_sheets(&self, made: &[MadeFile], edition: &Edition) -> Result<(), Failure> {
-        for name in sheets::possible_names() {
-            for path in edition.figure_paths(&name).filter(|path| made.iter().all(|file| file.path != *path))
-            {
-                let path = self.folder.join(path);
-                if path.is_file() {
-                    fs::remove_file(&path).map_err(|reason| Failure::file(&path, &reason))?;
-                }
+        let sheets =
+            sheets::possible_names().flat_map(|name| edition.figure_paths(&name).collect::<Vec<_>>());
+        let tables = OneParameterRows::TABLES.iter().map(|table| table_path(table.name));
+        for path in sheets.chain(tables).filter(|path| made.iter().all(|file| file.path != *path)) {
+            let path = self.folder.join(path);
+            if path.is_file() {
+                fs::remove_file(&path).map_err(|reason| Failure::file(&path, &reason))?;
             }
         }
         Ok(())

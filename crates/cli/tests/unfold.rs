@@ -24,9 +24,13 @@ fn read(folder: &Path, name: &str) -> String {
     fs::read_to_string(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-const TABLES: [&str; 8] = [
+const TABLES: [&str; 12] = [
     "coefficients",
     "curves",
+    "diagram_attractor",
+    "diagram_bifurcations",
+    "diagram_branches",
+    "diagram_portraits",
     "grazing",
     "grazing_loops",
     "hypotheses",
@@ -38,7 +42,8 @@ const TABLES: [&str; 8] = [
 /// What belongs in a folder of results.
 fn results() -> Vec<String> {
     let tables = TABLES.map(|table| format!("data/{table}.csv"));
-    let others = ["data", "data/README.md", "diagram.svg", "magnifications.svg", "report.html"];
+    let others =
+        ["data", "data/README.md", "diagram-1.svg", "diagram.svg", "magnifications.svg", "report.html"];
     let mut all = others.map(str::to_owned).to_vec();
     all.extend(tables);
     all.sort();
@@ -47,7 +52,8 @@ fn results() -> Vec<String> {
 
 #[test]
 fn an_example_is_unfolded_into_the_same_files_whatever_the_number_of_threads() {
-    let folder = folder_with(&[("duffing.toml", &narrow_duffing())]);
+    let diagram = "[[diagrams]]\nfixed = \"omega\"\nat = 0.98\nportraits = [0.29]\n";
+    let folder = folder_with(&[("duffing.toml", &(narrow_duffing() + diagram))]);
     let made = grazing(folder.path(), &["unfold", "duffing.toml", "--jobs", "1", "--explain"]);
     assert_eq!((made.code, made.errors()), (Some(0), ""), "{}", made.messages);
     let first = folder.path().join("unfolded/duffing");
@@ -176,6 +182,13 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
     let steps = |limit: &str, output: &str| {
         grazing(folder.path(), &["unfold", "duffing.toml", "--step-limit", limit, "--output", output])
     };
+    // A one-parameter diagram comes last.
+    let diagram = "[[diagrams]]\nfixed = \"A\"\nat = 0.3\n";
+    fs::write(folder.path().join("more.toml"), narrow_duffing() + diagram).expect("the folder is ours");
+    let more = ["unfold", "more.toml", "--step-limit", "2e6", "--output", "more"];
+    let more = grazing(folder.path(), &more);
+    assert_eq!(more.code, Some(3), "{}", more.messages);
+    assert!(more.output.contains("one-parameter diagram 1\n"), "{}", more.output);
     // So few that no grazing is found, and so many that there is nothing to be cut off.
     let none = steps("1000", "none");
     assert_eq!(none.code, Some(3), "{}", none.messages);

@@ -8,7 +8,7 @@ use grazing_source::{Setting, Source, Text};
 
 use crate::error::DescriptionError;
 use crate::expression::Expression;
-use crate::file::MOST_LOOPS;
+use crate::file::{MOST_DIAGRAMS, MOST_LOOPS};
 use crate::{checks, file, validate};
 
 /// An oscillator with a wall, as a file describes it; a clone shares everything with the original.
@@ -34,7 +34,23 @@ pub(crate) struct Content {
     pub(crate) loops: Vec<u32>,
     pub(crate) start: Option<[f64; 2]>,
     pub(crate) limits: Limits,
+    pub(crate) diagrams: Vec<OneParameter>,
     pub(crate) notes: Vec<String>,
+}
+
+/// A one-parameter diagram that the file asks for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OneParameter {
+    /// It is the primary parameter that is held, not the secondary one.
+    pub primary_is_fixed: bool,
+    /// The value of the parameter that is held, inside its range.
+    pub at: f64,
+    /// The values of the other one, inside its range.
+    pub range: [f64; 2],
+    /// Values in that range at which phase portraits are drawn, in increasing order.
+    pub portraits: Vec<f64>,
+    /// The seed of random initial states.
+    pub seed: u64,
 }
 
 /// What an analysis may use before it ends with what it has.
@@ -92,6 +108,12 @@ impl Side {
 }
 
 impl Wall {
+    /// It stands still at x = 0 with the motion below it, as where the file says nothing of it.
+    pub fn is_usual(&self) -> bool {
+        // x and v are u and u̇ then, which takes no instruction.
+        self.side == Side::Below && self.outside.iter().all(|coordinate| coordinate.instructions() == 0)
+    }
+
     /// The side of the wall on which the motion is.
     pub fn side(&self) -> Side {
         self.side
@@ -269,6 +291,28 @@ impl Description {
     /// The numbers of loops p to analyse: at least one, each 1 or more, none twice, as ordered in the file.
     pub fn loops(&self) -> &[u32] {
         &self.0.loops
+    }
+
+    /// The most one-parameter diagrams.
+    pub const MOST_DIAGRAMS: usize = MOST_DIAGRAMS;
+
+    /// The one-parameter diagrams that are asked for.
+    pub fn diagrams(&self) -> &[OneParameter] {
+        &self.0.diagrams
+    }
+
+    /// The same oscillator with its parameters in each other's role, and without diagrams.
+    #[must_use]
+    pub fn exchanged(&self) -> Description {
+        let mut content = (*self.0).clone();
+        core::mem::swap(&mut content.primary, &mut content.secondary);
+        let Content { force, wall, frequency, restitution, duration, .. } = &mut content;
+        let [x, v] = &mut wall.outside;
+        for expression in [force, x, v, frequency, restitution, duration] {
+            *expression = expression.with_last_exchanged();
+        }
+        content.diagrams.clear();
+        Description(Arc::new(content))
     }
 
     /// The same oscillator with other numbers of loops p to analyse.

@@ -205,6 +205,28 @@ impl Expression {
         parse::from_the_wall(force, wall, sign, variables, constants)
     }
 
+    /// The same expression with its last two variables in the other order.
+    pub(crate) fn with_last_exchanged(&self) -> Expression {
+        let tape = &*self.0;
+        let count = tape.variables.len();
+        let other =
+            |slot: Slot| if slot + 2 == count || slot + 1 == count { 2 * count - 3 - slot } else { slot };
+        let mut variables = tape.variables.clone();
+        variables.swap(count - 2, count - 1);
+        let instruction = |instruction: &Instruction| match *instruction {
+            Instruction::Plain(operation) => Instruction::Plain(operation.on(other)),
+            sum => sum,
+        };
+        Expression(Arc::new(Tape {
+            variables,
+            instructions: tape.instructions.iter().map(instruction).collect(),
+            moving: tape.moving,
+            held: tape.held,
+            terms: tape.terms.iter().map(|(factor, slot)| (*factor, other(*slot))).collect(),
+            result: other(tape.result),
+        }))
+    }
+
     /// The names of the variables, in the order of their values.
     pub fn variables(&self) -> &[String] {
         &self.0.variables

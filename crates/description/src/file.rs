@@ -5,6 +5,10 @@ use grazing_source::Requirements;
 /// The largest number of loops: higher ones do not relate to resonant grazing, and their curves are not told apart.
 pub(crate) const MOST_LOOPS: u32 = 12;
 
+/// More diagrams, or more portraits in one of them, nobody looks at.
+pub(crate) const MOST_DIAGRAMS: usize = 8;
+pub(crate) const MOST_PORTRAITS: usize = 6;
+
 /// What each key must hold, in words for whoever has to mend one.
 pub(crate) const REQUIREMENTS: Requirements = Requirements::new(KEYS, "see examples/ for what belongs here");
 
@@ -89,6 +93,29 @@ const KEYS: &[(&str, &str)] = &[
         "the number of steps of integration after which the analysis ends with what it has must be positive, as 1e10; \
          it may be left out",
     ),
+    (
+        "diagrams",
+        "each [[diagrams]] is a one-parameter diagram and holds fixed and at, and may hold range, portraits and seed; there are at most 8",
+    ),
+    (
+        "diagrams.fixed",
+        "the parameter that is held must be one of the two, by the name that it has in [primary] or [secondary], written in quotation marks",
+    ),
+    ("diagrams.at", "the value of the parameter that is held must be a number inside its range"),
+    (
+        "diagrams.range",
+        "the range of the other parameter must be [lower, upper] with finite numbers lower < upper inside its range; it may be left \
+         out and is that range then",
+    ),
+    (
+        "diagrams.portraits",
+        "the values of the other parameter at which phase portraits are drawn must be a list of at most 6 different numbers inside the \
+         range of the diagram, as [0.5, 0.75]; it may be left out",
+    ),
+    (
+        "diagrams.seed",
+        "the seed of the random initial states must be a whole number from 0 on; it may be left out and is 1 then",
+    ),
 ];
 
 const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
@@ -101,7 +128,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_limit_of_loops_is_told_as_it_is_checked() {
+    fn limits_are_told_as_they_are_checked() {
         assert!(REQUIREMENTS.of("analysis.loops").contains(&format!(" to {MOST_LOOPS},")));
+        assert!(REQUIREMENTS.of("diagrams").ends_with(&format!(" at most {MOST_DIAGRAMS}")));
+        assert!(REQUIREMENTS.of("diagrams.portraits").contains(&format!(" at most {MOST_PORTRAITS} ")));
     }
 }

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use grazing_source::{Section, SourceError};
 
-use crate::description::{Axis, Content, Description, Limits, Side, Texts, Wall};
+use crate::description::{Axis, Content, Description, Limits, OneParameter, Side, Texts, Wall};
 use crate::error::{DescriptionError, KeyPlace};
 use crate::expression::Expression;
-use crate::file::MOST_LOOPS;
+use crate::file::{MOST_DIAGRAMS, MOST_LOOPS, MOST_PORTRAITS};
 use crate::names;
 
 /// More constants than this nobody names; every name in an expression is looked for among them.
@@ -91,6 +91,7 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
     let start = start.map(|start| wall.inside(start, 0.0, middle));
     let units = file.has("units").then(|| file.table("units")).transpose()?;
     let named = |name: &str| units.as_ref().map_or(Ok(None), |units| unit(units, name));
+    let diagrams = diagrams(file, [&primary, &secondary])?;
     let content = Content {
         unit_names: [named("length")?, named("time")?],
         name,
@@ -116,6 +117,7 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
             memory: limit(&analysis, "memory_limit", Limits::USUAL.memory)?,
             steps: limit(&analysis, "step_limit", Limits::USUAL.steps)?,
         },
+        diagrams,
         notes: Vec::new(),
     };
     let places = Places {
@@ -156,8 +158,57 @@ fn limit(analysis: &Section<'_>, name: &str, usual: f64) -> Result<f64, SourceEr
     if analysis.has(name) { analysis.number(name, |value| value > 0.0) } else { Ok(usual) }
 }
 
+/// The one-parameter diagrams of an oscillator with these two parameters.
+fn diagrams(file: &Section<'_>, axes: [&Axis; 2]) -> Result<Vec<OneParameter>, SourceError> {
+    let asked = if file.has("diagrams") { file.tables("diagrams")? } else { Vec::new() };
+    if asked.len() > MOST_DIAGRAMS {
+        return Err(file.refusal("diagrams"));
+    }
+    asked.iter().map(|section| diagram(section, axes)).collect()
+}
+
+fn diagram(section: &Section<'_>, [primary, secondary]: [&Axis; 2]) -> Result<OneParameter, SourceError> {
+    let fixed: String = section.value("fixed")?;
+    let primary_is_fixed = fixed == primary.name;
+    let (held, other) = if primary_is_fixed { (primary, secondary) } else { (secondary, primary) };
+    if fixed != held.name {
+        let allowed =
+            format!("the parameters are {} and {}: one of these is held", primary.name, secondary.name);
+        return Err(section.forbid("fixed", allowed));
+    }
+    let inside = |axis: &Axis, value: f64| axis.range[0] <= value && value <= axis.range[1];
+    let outside = |name: &str, axis: &Axis, [lower, upper]: [f64; 2]| {
+        let allowed =
+            format!("the range of {} is [{lower:?}, {upper:?}]: stay inside, or widen that", axis.name);
+        section.forbid(name, allowed)
+    };
+    let at = section.number("at", |_| true)?;
+    if !inside(held, at) {
+        return Err(outside("at", held, held.range));
+    }
+    let range = if section.has("range") { self::range(section)? } else { other.range };
+    if !range.iter().all(|end| inside(other, *end)) {
+        return Err(outside("range", other, other.range));
+    }
+    let mut portraits: Vec<f64> = section.optional("portraits")?.unwrap_or_default();
+    portraits.sort_by(f64::total_cmp);
+    let twice = portraits.windows(2).any(|pair| pair[0] == pair[1]);
+    if portraits.len() > MOST_PORTRAITS || twice || !portraits.iter().all(|value| value.is_finite()) {
+        return Err(section.refusal("portraits"));
+    }
+    if !portraits.iter().all(|value| range[0] <= *value && *value <= range[1]) {
+        return Err(outside("portraits", other, range));
+    }
+    let seed = section.optional::<u64>("seed")?.unwrap_or(1);
+    Ok(OneParameter { primary_is_fixed, at, range, portraits, seed })
+}
+
 fn axis(section: &Section<'_>) -> Result<Axis, SourceError> {
-    let (name, range): (String, Vec<f64>) = (section.value("name")?, section.value("range")?);
+    Ok(Axis { name: section.value("name")?, range: range(section)?, unit: unit(section, "unit")? })
+}
+
+fn range(section: &Section<'_>) -> Result<[f64; 2], SourceError> {
+    let range: Vec<f64> = section.value("range")?;
     let [lower, upper] = range[..] else { return Err(section.refusal("range")) };
     if !(lower.is_finite() && upper.is_finite() && lower != upper) {
         return Err(section.refusal("range"));
@@ -170,7 +221,7 @@ fn axis(section: &Section<'_>) -> Result<Axis, SourceError> {
         let allowed = "the range is too wide to be computed with: upper - lower must be a finite number";
         return Err(section.forbid("range", allowed.to_owned()));
     }
-    Ok(Axis { name, range: [lower, upper], unit: unit(section, "unit")? })
+    Ok([lower, upper])
 }
 
 /// The name of a unit, if there is one.

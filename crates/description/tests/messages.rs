@@ -72,6 +72,18 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("[analysis]", "loops", "loops = [1]\nmemory_limit = \"2 GB\""),
     ("[analysis]", "loops", "loops = [1]\nstep_limit = -1"),
     ("[analysis]", "loops", "loops = [1]\nstart = [-1.0, inf]"),
+    // One-parameter diagrams.
+    ("[analysis]", "loops", "loops = [1]\n[diagrams]\nfixed = \"A\""),
+    ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nat = 0.5"),
+    ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"zeta\"\nat = 0.5"),
+    ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"omega\""),
+    ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"omega\"\nat = 1.2"),
+    ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"omega\"\nat = 0.5\nrange = [0.5, 1.6]"),
+    ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nrange = [0.8, 0.6]"),
+    ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nportraits = [0.3]"),
+    ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nportraits = [0.5, 0.5]"),
+    ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nseed = -1"),
+    ("[analysis]", "loops", "loops = [1]\n[[diagrams]]\nfixed = \"A\"\nat = 0.5\nportrait = [0.5]"),
     // Names.
     ("[parameters]", "zeta", "zeta = 0.1\nx = 1"),
     ("[parameters]", "zeta", "zeta = 0.1\nt = 1"),
@@ -167,6 +179,20 @@ fn the_description_without_edits_is_right() {
     assert_eq!((description.primary().name(), description.primary().range()), ("A", [0.0, 1.5]));
     assert_eq!((description.secondary().name(), description.secondary().range()), ("omega", [0.4, 1.1]));
     assert_eq!(description.loops(), [1, 2, 3]);
+}
+
+#[test]
+fn diagrams_have_the_range_of_the_file_and_a_seed_unless_they_say_otherwise() {
+    let diagrams = "[[diagrams]]\nfixed = \"A\"\nat = 0.5\n[[diagrams]]\nfixed = \"omega\"\nat = 0.5\n\
+                    range = [0.1, 0.9]\nportraits = [0.8, 0.3]\nseed = 7\n";
+    let description =
+        Description::parse(&format!("{RIGHT}{diagrams}"), "invented.toml").expect("it is right");
+    let [first, second] = description.diagrams() else { panic!("there are two") };
+    assert!(first.primary_is_fixed && first.portraits.is_empty());
+    assert_eq!((first.range, first.seed), ([0.4, 1.1], 1));
+    assert!(!second.primary_is_fixed);
+    assert_eq!((second.range, second.seed), ([0.1, 0.9], 7));
+    assert_eq!(second.portraits, [0.3, 0.8]);
 }
 
 #[test]

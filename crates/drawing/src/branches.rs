@@ -44,6 +44,7 @@ pub(crate) fn diagram(
     branches: &[Strand],
     bifurcations: &[BranchBifurcation],
     cloud: &[(f64, f64)],
+    names: &Names,
     every_loop: bool,
 ) -> Result<(), DrawingError> {
     for level in panel.line(&[(panel.frame.x[0], 0.0), (panel.frame.x[1], 0.0)], THRESHOLD) {
@@ -62,7 +63,7 @@ pub(crate) fn diagram(
             }
         }
     }
-    let grazing = Names::of_the_paper().grazing_title();
+    let grazing = names.grazing_title();
     let mut named: Vec<(Bifurcation, u32)> = Vec::new();
     let visible: Vec<(Bifurcation, u32, (f64, f64))> = bifurcations
         .iter()

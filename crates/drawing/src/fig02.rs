@@ -1,18 +1,17 @@
 //! Figure 2: the one-parameter bifurcation diagram, a magnification of it, and phase portraits above.
 
+use grazing_results::Names;
 use grazing_results::branches::Figure2;
 
 use crate::DrawingError;
 use crate::axes::Panel;
 use crate::branches::{Strand, diagram};
-use crate::canvas::{Anchor, Canvas};
+use crate::canvas::Canvas;
 use crate::clip::checked;
 use crate::labels::Labels;
-use crate::magnified::panel_letter;
-use crate::markup::Label;
-use crate::portraits::{Portrait, ROW, SINGLE_ROW, draw_portraits};
-use crate::sheet::{Bounds, Spot};
-use crate::style::{BLACK, GUIDE, MAGNIFIER, MAGNIFIER_FRAME, SMALL_LABEL_SIZE, SheetWidth};
+use crate::portraits::{Caption, Portrait, ROW, SINGLE_ROW, draw_portraits, letters};
+use crate::sheet::Bounds;
+use crate::style::{MAGNIFIER, MAGNIFIER_FRAME, SheetWidth};
 use crate::svg::POINTS_PER_MM;
 
 /// Width in the paper.
@@ -27,6 +26,7 @@ const LETTERS: f64 = 18.0;
 const STACKED_GAP: f64 = 8.0;
 /// Room below a diagram for numbers and axis title, in points.
 const BELOW: f64 = 31.0;
+const MOST: usize = 6;
 /// The tables of the diagram.
 const SHOWN: [&str; 3] = ["fig02_bifurcations", "fig02_branches", "fig02_attractor"];
 
@@ -48,7 +48,11 @@ pub(crate) fn compose(figure: &Figure2, width: SheetWidth) -> Result<Canvas, Dra
     let magnification = checked(figure.magnified, "the magnification of fig02")?;
     let branches = Strand::all(&figure.branches);
     let cloud: Vec<(f64, f64)> = figure.attractor.iter().map(|point| (point.primary, point.x)).collect();
-    let portraits = Portrait::all(&figure.portraits)?;
+    let portraits = Portrait::all(&figure.portraits);
+    if portraits.is_empty() || portraits.len() > MOST {
+        let found = portraits.len();
+        return Err(DrawingError(format!("fig02 has one to six phase portraits, but {found} were given")));
+    }
 
     let width = width.mm(WIDTH_MM);
     let stacked = width < SIDE_BY_SIDE_MM;
@@ -58,7 +62,8 @@ pub(crate) fn compose(figure: &Figure2, width: SheetWidth) -> Result<Canvas, Dra
     let portraits_end = rows as f64 * row;
     let height = portraits_end + if stacked { 2.0 * STACKED_HEIGHT + STACKED_GAP } else { DIAGRAM_HEIGHT };
     let canvas = Canvas::new(width, height / POINTS_PER_MM)?;
-    draw_portraits(&canvas, &portraits, (rows, row))?;
+    let caption = Caption { across: r"$\mathcal{A}$", titles: ["$x$", "$y$"], table: &["fig02_portraits"] };
+    draw_portraits(&canvas, &portraits, &caption, (rows, row))?;
     let (top, right) = (portraits_end + LETTERS, canvas.width - 6.0);
     let (whole, part) = if stacked {
         let middle = portraits_end + STACKED_HEIGHT;
@@ -72,7 +77,7 @@ pub(crate) fn compose(figure: &Figure2, width: SheetWidth) -> Result<Canvas, Dra
     let part = Panel { tables: &SHOWN, ..Panel::new(&canvas, magnification, part) };
 
     let guides = letters(&whole, &portraits)?;
-    let magnified = magnification.outline();
+    let (magnified, names) = (magnification.outline(), Names::of_the_paper());
     whole.line(&magnified, MAGNIFIER);
     part.line(&magnified, MAGNIFIER_FRAME);
     for (panel, every_loop) in [(&whole, false), (&part, true)] {
@@ -81,40 +86,10 @@ pub(crate) fn compose(figure: &Figure2, width: SheetWidth) -> Result<Canvas, Dra
             guides.iter().for_each(|guide| labels.placer.keep_off_nameless(guide));
             labels.placer.keep_off_nameless(&magnified.map(|corner| panel.spot(corner)));
         }
-        diagram(panel, labels, &branches, &figure.bifurcations, &cloud, every_loop)?;
-        panel.axes(r"$\mathcal{A}$", if every_loop && !stacked { "" } else { "$x$" })?;
+        diagram(panel, labels, &branches, &figure.bifurcations, &cloud, &names, every_loop)?;
+        panel.axes(caption.across, if every_loop && !stacked { "" } else { "$x$" })?;
     }
     Ok(canvas)
-}
-
-/// The portraits' letters above the diagram, each over a guide at its amplitude; returns the guides.
-fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<Vec<Vec<Spot>>, DrawingError> {
-    let mut marks: Vec<(f64, String)> = Vec::new();
-    for portrait in portraits {
-        let (x, _) = panel.spot((portrait.amplitude, panel.frame.y[0]));
-        if x < panel.bounds.left || x > panel.bounds.right {
-            continue;
-        }
-        match marks.iter_mut().find(|mark| mark.0 == x) {
-            Some((_, text)) => text.push_str(&panel_letter(portrait.number)),
-            None => marks.push((x, panel_letter(portrait.number))),
-        }
-    }
-    marks.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut free_from = f64::NEG_INFINITY;
-    let mut guides = Vec::new();
-    for (x, text) in &marks {
-        let label = Label::plain(text);
-        let half = 0.5 * panel.canvas.fonts.measure(&label, SMALL_LABEL_SIZE)?.width;
-        let middle = x.max(free_from + half);
-        free_from = middle + half + 2.0;
-        let (top, bottom) = (panel.bounds.top, panel.bounds.bottom);
-        let guide = vec![(*x, bottom), (*x, top), (middle, top - 4.0)];
-        panel.canvas.line(&guide, GUIDE);
-        guides.push(guide);
-        panel.canvas.text((middle, top - 6.0), text, SMALL_LABEL_SIZE, Anchor::Middle, BLACK)?;
-    }
-    Ok(guides)
 }
 
 #[cfg(test)]

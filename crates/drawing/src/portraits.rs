@@ -8,9 +8,11 @@ use crate::axes::Panel;
 use crate::canvas::{Anchor, Canvas};
 use crate::clip::{checked, clip_polyline};
 use crate::magnified::panel_letter;
-use crate::sheet::Bounds;
+use crate::markup::Label;
+use crate::sheet::{Bounds, Spot};
 use crate::style::{
-    ATTRACTOR_ORBIT, BLACK, IMPACT, PERIODIC_ORBIT, TICK_SIZE, WALL, WALL_FACE, WALL_HATCHING, branch_pen,
+    ATTRACTOR_ORBIT, BLACK, GUIDE, IMPACT, PERIODIC_ORBIT, SMALL_LABEL_SIZE, TICK_SIZE, WALL, WALL_FACE,
+    WALL_HATCHING, branch_pen,
 };
 use crate::ticks::significant;
 
@@ -33,11 +35,20 @@ const ABOVE: f64 = 17.0;
 const BELOW: f64 = 28.0;
 const LEFT: f64 = 38.0;
 const GAP: f64 = 13.0;
-const MOST: usize = 6;
+
+/// What is written about portraits.
+pub(crate) struct Caption<'a> {
+    /// The parameter that is across in the diagram.
+    pub(crate) across: &'a str,
+    /// The axes of a portrait.
+    pub(crate) titles: [&'a str; 2],
+    /// Its table.
+    pub(crate) table: &'static [&'static str],
+}
 
 impl Portrait {
     /// Portraits from their points: those that follow each other with one number are one.
-    pub(crate) fn all(points: &[PortraitPoint]) -> Result<Vec<Self>, DrawingError> {
+    pub(crate) fn all(points: &[PortraitPoint]) -> Vec<Self> {
         let portrait = |points: &[PortraitPoint]| Portrait {
             number: points[0].portrait,
             amplitude: points[0].primary,
@@ -45,14 +56,7 @@ impl Portrait {
             attractor: points[0].kind == PortraitKind::Attractor,
             orbit: points.iter().map(|point| (point.x, point.y)).collect(),
         };
-        let portraits: Vec<_> = points.chunk_by(|a, b| a.portrait == b.portrait).map(portrait).collect();
-        if portraits.is_empty() || portraits.len() > MOST {
-            let found = portraits.len();
-            return Err(DrawingError(format!(
-                "fig02 has one to six phase portraits, but {found} were given"
-            )));
-        }
-        Ok(portraits)
+        points.chunk_by(|a, b| a.portrait == b.portrait).map(portrait).collect()
     }
 }
 
@@ -60,9 +64,10 @@ impl Portrait {
 pub(crate) fn draw_portraits(
     canvas: &Canvas,
     portraits: &[Portrait],
+    caption: &Caption<'_>,
     (rows, height): (usize, f64),
 ) -> Result<(), DrawingError> {
-    let frame = checked(common_frame(portraits), "the phase portraits of fig02")?;
+    let frame = checked(common_frame(portraits), "the phase portraits")?;
     let columns = portraits.len().div_ceil(rows.max(1)).max(1);
     let count = columns as f64;
     let width = (canvas.width - LEFT - 6.0 - GAP * (count - 1.0)) / count;
@@ -73,7 +78,7 @@ pub(crate) fn draw_portraits(
         let bottom = height * (row + 1) as f64 - BELOW;
         let bounds = Bounds { left, top, right: left + width - WALL_THICKNESS, bottom };
         let panel = Panel {
-            tables: &["fig02_portraits"],
+            tables: caption.table,
             only: Some(("portrait", portrait.number)),
             numbers_beside: column == 0,
             ..Panel::new(canvas, frame, bounds)
@@ -81,16 +86,17 @@ pub(crate) fn draw_portraits(
         wall(&panel);
         let pen =
             if portrait.attractor { ATTRACTOR_ORBIT } else { branch_pen(portrait.p, PERIODIC_ORBIT.width) };
-        panel.line(&without_jumps(&portrait.orbit), pen);
-        panel.axes("$x$", if column == 0 { "$y$" } else { "" })?;
+        panel.line(&without_jumps(&portrait.orbit, at_wall(frame)), pen);
+        let [x, y] = caption.titles;
+        panel.axes(x, if column == 0 { y } else { "" })?;
         jump(&panel, &portrait.orbit);
         let kind = match (portrait.attractor, portrait.p) {
             (true, _) => "attractor".to_owned(),
             (false, 0) => "non-impacting".to_owned(),
             (false, p) => format!("$p={p}$"),
         };
-        let amplitude = significant(portrait.amplitude, 4);
-        let heading = format!(r"{} $\mathcal{{A}}={amplitude}$, {kind}", panel_letter(portrait.number));
+        let at = equation(caption.across, &significant(portrait.amplitude, 4));
+        let heading = format!("{} {at}, {kind}", panel_letter(portrait.number));
         canvas.text((left, top - 5.0), &heading, TICK_SIZE, Anchor::Start, BLACK)?;
     }
     Ok(())
@@ -104,17 +110,59 @@ fn common_frame(portraits: &[Portrait]) -> Frame {
     Frame { x: [1.06 * least, 0.0], y: [-1.1 * fastest, 1.1 * fastest] }
 }
 
+/// A title of an axis with a value of the parameter.
+pub(crate) fn equation(title: &str, value: &str) -> String {
+    match title.strip_suffix('$') {
+        Some(symbol) => format!("{symbol}={value}$"),
+        None => format!("{title} = {value}"),
+    }
+}
+
+/// The portraits' letters above the diagram, each over a guide at its amplitude; returns the guides.
+pub(crate) fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<Vec<Vec<Spot>>, DrawingError> {
+    let mut marks: Vec<(f64, String)> = Vec::new();
+    for portrait in portraits {
+        let (x, _) = panel.spot((portrait.amplitude, panel.frame.y[0]));
+        if x < panel.bounds.left || x > panel.bounds.right {
+            continue;
+        }
+        match marks.iter_mut().find(|mark| mark.0 == x) {
+            Some((_, text)) => text.push_str(&panel_letter(portrait.number)),
+            None => marks.push((x, panel_letter(portrait.number))),
+        }
+    }
+    marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut free_from = f64::NEG_INFINITY;
+    let mut guides = Vec::new();
+    for (x, text) in &marks {
+        let label = Label::plain(text);
+        let half = 0.5 * panel.canvas.fonts.measure(&label, SMALL_LABEL_SIZE)?.width;
+        let middle = x.max(free_from + half);
+        free_from = middle + half + 2.0;
+        let (top, bottom) = (panel.bounds.top, panel.bounds.bottom);
+        let guide = vec![(*x, bottom), (*x, top), (middle, top - 4.0)];
+        panel.canvas.line(&guide, GUIDE);
+        guides.push(guide);
+        panel.canvas.text((middle, top - 6.0), text, SMALL_LABEL_SIZE, Anchor::Middle, BLACK)?;
+    }
+    Ok(guides)
+}
+
 /// True if the step is an impact: at the wall, from moving towards it to moving away.
-fn is_jump(from: (f64, f64), to: (f64, f64)) -> bool {
-    // Impacts are located by root finding, which leaves x at the wall to a few roundings.
-    from.0.abs() < 1e-6 && to.0.abs() < 1e-6 && from.1 > 0.0 && to.1 < 0.0
+fn is_jump(from: (f64, f64), to: (f64, f64), at_wall: f64) -> bool {
+    from.0.abs() < at_wall && to.0.abs() < at_wall && from.1 > 0.0 && to.1 < 0.0
+}
+
+/// Nearer to the wall than this is at it: impacts are located by root finding, which leaves x there to a few roundings.
+fn at_wall(frame: Frame) -> f64 {
+    1e-6 * (frame.x[1] - frame.x[0])
 }
 
 /// The orbit with a break at each impact.
-fn without_jumps(orbit: &[(f64, f64)]) -> Vec<(f64, f64)> {
+fn without_jumps(orbit: &[(f64, f64)], at_wall: f64) -> Vec<(f64, f64)> {
     let mut broken = Vec::with_capacity(orbit.len());
     for (index, &point) in orbit.iter().enumerate() {
-        if index > 0 && is_jump(orbit[index - 1], point) {
+        if index > 0 && is_jump(orbit[index - 1], point, at_wall) {
             broken.push((f64::NAN, f64::NAN));
         }
         broken.push(point);
@@ -128,7 +176,8 @@ fn jump(panel: &Panel<'_>, orbit: &[(f64, f64)]) {
         orbit.iter().copied().filter(|p| p.0.is_finite() && p.1.is_finite()).collect();
     // A periodic orbit may be given from recoil to impact, so that the jump closes it.
     let next = finite.iter().cycle().skip(1);
-    let jumps: Vec<_> = finite.iter().zip(next).filter(|(from, to)| is_jump(**from, **to)).collect();
+    let jumps: Vec<_> =
+        finite.iter().zip(next).filter(|(from, to)| is_jump(**from, **to, at_wall(panel.frame))).collect();
     let arrival = jumps.iter().map(|(from, _)| from.1).fold(0.0, f64::max);
     let recoil = jumps.iter().map(|(_, to)| to.1).fold(0.0, f64::min);
     if arrival > recoil {
@@ -163,7 +212,7 @@ mod tests {
     #[test]
     fn an_impact_breaks_the_line_and_a_fast_crossing_of_the_axis_does_not() {
         let orbit = [(-0.1, 1.0), (0.0, 0.9), (0.0, -0.8), (-0.1, -0.9), (-0.2, 0.1)];
-        let broken = without_jumps(&orbit);
+        let broken = without_jumps(&orbit, 1e-6);
         assert_eq!(broken.len(), 6);
         assert!(broken[2].0.is_nan());
         assert_eq!(&broken[3..], &orbit[2..]);

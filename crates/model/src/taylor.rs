@@ -130,7 +130,7 @@ mod tests {
     fn coefficients_are_those_of_automatic_differentiation() {
         for function in Function::ALL {
             let s = Taylor::new([0.3, 1.0, 0.0, 0.0]);
-            let inner = s.power(3) - s.scale(0.7) + Scalar::constant(0.8);
+            let inner = s.power(3) - s.scale(0.7) + 0.8;
             let outer = inner.apply(function);
             let computed = (outer * s.power(-2) - outer.square()) / (s + outer) + (-s).scale(0.4);
 

@@ -9,6 +9,7 @@ use grazing_model::LinearOscillator;
 use grazing_results::Frame;
 use grazing_results::branches::Figure2;
 use grazing_theorems::GrazingState;
+use grazing_unfold::one_parameter::Branch;
 
 use crate::diagram::forced;
 use crate::{Study, StudyError, parameters};
@@ -35,10 +36,11 @@ impl Study<'_> {
         let (figure, theory) = (self.parameters.fig02.get()?, self.parameters.oscillator.get()?);
         let setting = Setting { figure, theory, grazing: theory.grazing(figure.frequency)? };
         let branches = branches::follow(&setting)?;
-        let bifurcations = branches::bifurcations(&setting, &branches);
+        let shown: Vec<_> = branches.iter().map(Branch::shown).collect();
+        let bifurcations = branches::bifurcations(&setting, &shown);
         let (portraits, more) = portraits::rows(&setting, &branches)?;
         Ok(Figure2 {
-            branches: branches::rows(&setting, &branches)?,
+            branches: branches::rows(&setting, &shown)?,
             attractor: attractor::rows(&setting, &bifurcations, self.progress)?,
             portraits,
             frame: Frame { x: figure.amplitude, y: figure.x },

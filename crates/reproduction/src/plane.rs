@@ -6,6 +6,7 @@ use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
+use grazing_results::branches::OneParameterRows;
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionKind, RegionVertex, Source, SpecialPoint};
 use grazing_results::{Names, UnitNames};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
@@ -28,7 +29,8 @@ pub struct Axes {
 impl Axes {
     /// Axes of these names.
     pub fn new(primary: &str, secondary: &str, units: Units) -> Self {
-        let columns = Rows::TABLES.iter().flat_map(|table| table.columns);
+        let tables = Rows::TABLES.iter().chain(OneParameterRows::TABLES);
+        let columns = tables.flat_map(|table| table.columns);
         let taken: Vec<_> = columns.map(|column| column.name).collect();
         let own = |name: &str| {
             let mut name = name.to_owned();

@@ -8,6 +8,7 @@ use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Units};
+use grazing_results::branches::OneParameter;
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
 use grazing_results::{UnitNames, tables};
 use grazing_theorems::ResonantPoint;
@@ -21,8 +22,8 @@ use grazing_unfold::verdict::{Coefficient, coefficients};
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
 
-use crate::StudyError;
 use crate::plane::{self, Axes};
+use crate::{StudyError, one_parameter};
 pub use finished::Keep;
 pub use tables::{Along, Asked, GrazingRow};
 
@@ -36,6 +37,8 @@ pub struct Unfolded<O> {
     pub diagram: Diagram<O>,
     /// For each resonance at which a theorem holds, in the order of [`Diagram::unfolding`]; in the oscillator's own units.
     pub resonances: Vec<AtResonance>,
+    /// The one-parameter diagrams that are asked for, as far as they were finished; in the oscillator's own units.
+    pub diagrams: Vec<OneParameter>,
     /// What depends on p along the grazing curves, for one p after the other; in the oscillator's own units.
     along: Vec<Along>,
 }
@@ -110,11 +113,16 @@ impl Unfolded<Described> {
         let [of_primary, of_secondary] = [primary, secondary].map(|axis| axis.unit().map(str::to_owned));
         let unit_names = UnitNames { length, time, primary: of_primary, secondary: of_secondary };
         let axes = Axes::new(primary.name(), secondary.name(), units).with_unit_names(unit_names);
-        let unfolded =
+        let mut unfolded =
             Self::compute(&oscillator, &scope, axes, progress, keep).map_err(|error| match error {
                 StudyError::Unfold(error) => StudyError::Unfold(error.in_units(&units)),
                 other => other,
             });
+        if let Ok(Self { diagram, diagrams, .. }) = &mut unfolded {
+            let (found, unfinished) = one_parameter::diagrams(description, &units, diagram, stop, progress);
+            *diagrams = found;
+            diagram.unfinished.extend(unfinished);
+        }
         // What was finished can be written down.
         stop.withdraw();
         unfolded
@@ -180,7 +188,7 @@ impl<O: ImpactOscillator> Unfolded<O> {
         if progress.stopped() {
             diagram.unfinished.push(Unfinished::stage(ALONG));
         }
-        Ok(Self { axes, diagram, resonances, along })
+        Ok(Self { axes, diagram, resonances, diagrams: Vec::new(), along })
     }
 
     /// All resonances, in the order in which they were found.

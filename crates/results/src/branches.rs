@@ -4,7 +4,7 @@ use grazing_continuation::bifurcation::Bifurcation;
 
 use crate::cell::words;
 use crate::table::rows;
-use crate::{Frame, tables};
+use crate::{Frame, row, tables};
 
 words! {
     /// What a phase portrait shows.
@@ -75,5 +75,129 @@ tables! {
         magnified: Frame,
         /// What is shown elsewhere than the parameters ask for, or not at all, in sentences.
         notes: Vec<String>,
+    }
+}
+
+/// A one-parameter diagram of an oscillator.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OneParameter {
+    /// Its number, from 1.
+    pub diagram: u32,
+    /// The primary parameter is held, and the secondary one across, which is the `primary` of its rows then.
+    pub primary_is_fixed: bool,
+    /// The value of the parameter that is held.
+    pub at: f64,
+    /// The other parameter across and x on Π up.
+    pub frame: Frame,
+    /// x is counted from the wall, which is another one than x = 0 with the motion below it.
+    pub from_the_wall: bool,
+    /// As those of [`Figure2`], but that `impact_phase` is z itself.
+    pub branches: Vec<BranchPoint>,
+    /// Likewise.
+    pub bifurcations: Vec<BranchBifurcation>,
+    /// Likewise.
+    pub attractor: Vec<AttractorPoint>,
+    /// Likewise; there may be none.
+    pub portraits: Vec<PortraitPoint>,
+    /// The number of simulated orbits that came to rest at the wall and so left no point, and of all; none if simulation was not finished.
+    pub resting: Option<[u32; 2]>,
+}
+
+/// A row of a one-parameter diagram among those of others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InDiagram<R> {
+    diagram: u32,
+    /// Primary and secondary parameter.
+    parameters: [f64; 2],
+    row: R,
+}
+
+row! { InDiagram<BranchPoint>, |at| { let row = &at.row; } [
+    DIAGRAM = at.diagram,
+    LOOPS = row.loops,
+    SECONDARY = at.parameters[1],
+    PRIMARY = at.parameters[0],
+    X_ON_SECTION = row.x,
+    LOOP = row.visit,
+    IMPACT_VELOCITY = row.impact_velocity,
+    PHASE_OF_IMPACT = row.impact_phase,
+    STABLE = row.stable,
+    ADMISSIBLE = row.admissible,
+    BRANCH = row.branch,
+] }
+
+row! { InDiagram<BranchBifurcation>, |at| { let row = &at.row; } [
+    DIAGRAM = at.diagram,
+    BIFURCATION = row.kind,
+    LOOPS = row.loops,
+    SECONDARY = at.parameters[1],
+    PRIMARY = at.parameters[0],
+    IMPACT_VELOCITY = row.impact_velocity,
+    X_ON_SECTION = row.x,
+] }
+
+row! { InDiagram<AttractorPoint>, |at| {} [
+    DIAGRAM = at.diagram,
+    SECONDARY = at.parameters[1],
+    PRIMARY = at.parameters[0],
+    X_ON_SECTION = at.row.x,
+] }
+
+row! { InDiagram<PortraitPoint>, |at| { let row = &at.row; } [
+    DIAGRAM = at.diagram,
+    PORTRAIT = row.portrait,
+    LOOPS = row.loops,
+    SECONDARY = at.parameters[1],
+    PRIMARY = at.parameters[0],
+    PORTRAIT_KIND = row.kind,
+    TIME = row.time,
+    X = row.x,
+    Y = row.y,
+] }
+
+tables! {
+    /// What all one-parameter diagrams of an oscillator show.
+    OneParameterRows {
+        /// As in [`Figure2`].
+        branches: InDiagram<BranchPoint> = "diagram_branches",
+            "a point of a branch of a one-parameter diagram, on one loop of the solution",
+        /// As in [`Figure2`].
+        bifurcations: InDiagram<BranchBifurcation> = "diagram_bifurcations", "a bifurcation on such a branch",
+        /// As in [`Figure2`].
+        attractor: InDiagram<AttractorPoint> = "diagram_attractor",
+            "a visit to Π of an orbit that has settled, from a random state",
+        /// As in [`Figure2`].
+        portraits: InDiagram<PortraitPoint> = "diagram_portraits",
+            "a point of an orbit in a phase portrait of a one-parameter diagram",
+    }
+}
+
+impl OneParameterRows {
+    /// The rows of these diagrams.
+    pub fn of(diagrams: &[OneParameter]) -> Self {
+        fn gathered<R: Clone>(
+            diagrams: &[OneParameter],
+            rows: impl Fn(&OneParameter) -> &[R],
+            across: impl Fn(&R) -> f64,
+        ) -> Vec<InDiagram<R>> {
+            let mut all = Vec::new();
+            for diagram in diagrams {
+                all.extend(rows(diagram).iter().map(|row| InDiagram {
+                    diagram: diagram.diagram,
+                    parameters: match diagram.primary_is_fixed {
+                        true => [diagram.at, across(row)],
+                        false => [across(row), diagram.at],
+                    },
+                    row: row.clone(),
+                }));
+            }
+            all
+        }
+        Self {
+            branches: gathered(diagrams, |diagram| &diagram.branches, |row| row.primary),
+            bifurcations: gathered(diagrams, |diagram| &diagram.bifurcations, |row| row.primary),
+            attractor: gathered(diagrams, |diagram| &diagram.attractor, |row| row.primary),
+            portraits: gathered(diagrams, |diagram| &diagram.portraits, |row| row.primary),
+        }
     }
 }

@@ -205,10 +205,14 @@ columns! {
     HOLDS = "holds", "", "1";
 }
 
-// Figure 2.
+// One-parameter diagrams.
 columns! {
     /// x on the Poincaré section Π; of loop p, which has the impact, it is virtual and positive
     X_ON_SECTION = "x", "x", "length";
+    /// number of the one-parameter diagram, as in the name of its figure
+    DIAGRAM = "diagram", "", "1";
+    /// z of the impact, within (−π, π]; empty without an impact
+    PHASE_OF_IMPACT = "z", r"z_{\mathrm{imp}}", "rad";
     /// number of the loop, 1 to p
     LOOP = "loop", "", "1";
     /// rows with the same number, in order, are one curve

@@ -81,7 +81,11 @@ fn without_impacts(oscillator: &impl ImpactOscillator, from: State) -> Option<Se
     let start = after(from, to_phase_zero)?;
     let end = after(start, oscillator.forcing_period())?;
     let gap = libm::hypot(end.position - start.position, end.velocity - start.velocity);
-    (gap < SAME && start.position > -CARRIED_AWAY).then_some(Settled { loops: 0, velocity: start.velocity, phase: 0.0 })
+    (gap < SAME && start.position > -CARRIED_AWAY).then_some(Settled {
+        loops: 0,
+        velocity: start.velocity,
+        phase: 0.0,
+    })
 }
 
 /// The p-loop solution whose impacts these are, if they are all the same but for a difference.

@@ -8,7 +8,8 @@
 //!                  ├─ regions         where solutions are stable, as polygons
 //!                  ├─ magnification   the same curves close to one resonance, with the quadratic approximations
 //!                  ├─ verdict         whether the theorem's coefficients are those of the curves
-//!                  └─ sides           whether the hybrid system, simulated (simulation), does what is predicted
+//!                  ├─ sides           whether the hybrid system, simulated (simulation), does what is predicted
+//!                  └─ one_parameter   branches at one η, with simulation and phase portraits
 //! ```
 //!
 //! All of this counts in units in which motion is of the order of one: [`Dimensionless`](grazing_model::smooth::Dimensionless) makes any
@@ -69,6 +70,7 @@ mod faces;
 pub mod grazing;
 pub mod magnification;
 pub mod non_impacting;
+pub mod one_parameter;
 pub mod progress;
 pub mod regions;
 pub mod resonances;

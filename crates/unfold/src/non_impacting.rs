@@ -6,7 +6,7 @@
 
 pub(crate) mod branch;
 mod curves;
-mod orbits;
+pub(crate) mod orbits;
 pub(crate) mod regions;
 
 use grazing_continuation::locate::Condition;
@@ -69,37 +69,42 @@ pub fn periodic_motion<O: ImpactOscillator>(
     scope: &Scope,
     secondary: f64,
 ) -> PeriodicMotion<O> {
-    let orbits = PeriodicOrbits { oscillator, scope };
-    let share_of_secondary = scope.window.shares([scope.window.primary[0], secondary])[1];
-    let mut branches: Vec<Branch> = Vec::new();
-    let (mut ran_away, mut carried_away) = (None, None);
-    for share in SHARES {
-        if share == LAST_RESORT && !branches.is_empty() {
-            break;
-        }
-        let usual = POSITIONS.map(|position| [position, 0.0]);
-        for start in scope.start.into_iter().chain(usual) {
-            match orbits.relaxed([share, share_of_secondary], Vector2::from(start)) {
-                Ok(Some(orbit)) if orbit[0].abs() > CARRIED_AWAY => {
-                    carried_away = carried_away.or(Some(orbit))
-                }
-                Ok(Some(orbit)) => orbits.add_branch(&mut branches, &orbit),
-                Ok(None) => {}
-                Err(escape) => {
-                    ran_away.get_or_insert(escape);
-                }
-            }
-        }
-    }
-    if branches.is_empty() {
-        branches.extend(carried_away.and_then(|orbit| orbits.branch(&orbit)));
-    }
-    let mut motion = PeriodicMotion { grazing: Vec::new(), pushed: Vec::new(), ran_away, branches };
-    motion.look_for_grazing(&orbits);
-    motion
+    PeriodicOrbits { oscillator, scope, control: branch::STEPS }.motion(secondary)
 }
 
 impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
+    /// As [`periodic_motion`], in steps of one's own.
+    pub(crate) fn motion(&self, secondary: f64) -> PeriodicMotion<O> {
+        let (orbits, scope) = (self, self.scope);
+        let share_of_secondary = scope.window.shares([scope.window.primary[0], secondary])[1];
+        let mut branches: Vec<Branch> = Vec::new();
+        let (mut ran_away, mut carried_away) = (None, None);
+        for share in SHARES {
+            if share == LAST_RESORT && !branches.is_empty() {
+                break;
+            }
+            let usual = POSITIONS.map(|position| [position, 0.0]);
+            for start in scope.start.into_iter().chain(usual) {
+                match orbits.relaxed([share, share_of_secondary], Vector2::from(start)) {
+                    Ok(Some(orbit)) if orbit[0].abs() > CARRIED_AWAY => {
+                        carried_away = carried_away.or(Some(orbit))
+                    }
+                    Ok(Some(orbit)) => orbits.add_branch(&mut branches, &orbit),
+                    Ok(None) => {}
+                    Err(escape) => {
+                        ran_away.get_or_insert(escape);
+                    }
+                }
+            }
+        }
+        if branches.is_empty() {
+            branches.extend(carried_away.and_then(|orbit| orbits.branch(&orbit)));
+        }
+        let mut motion = PeriodicMotion { grazing: Vec::new(), pushed: Vec::new(), ran_away, branches };
+        motion.look_for_grazing(orbits);
+        motion
+    }
+
     /// The periodic orbit to which the motion from a state relaxes; `None` if it does not settle.
     fn relaxed(&self, shares: [f64; 2], start: Vector2<f64>) -> Result<Option<OrbitPoint>, Escape> {
         let oscillator = self.scope.oscillator_at(self.oscillator, shares);

@@ -181,7 +181,7 @@ const TRIALS: u32 = 15;
 /// A face's slice is good enough if its chord has this share of the longest one.
 const LONG_ENOUGH: f64 = 0.25;
 /// Solutions are looked for up to this impact velocity at least: motion is of order one where the wall's distance from rest is.
-const USUAL_VELOCITY: f64 = 2.0;
+pub(crate) const USUAL_VELOCITY: f64 = 2.0;
 /// Slices of the whole window to begin with.
 const SLICES: u32 = 16;
 /// How often slices are added where they are needed.

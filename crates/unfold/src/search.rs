@@ -58,7 +58,7 @@ pub(crate) fn on_slices<O: ImpactOscillator>(
 ///
 /// By how much motion that begins with an impact misses it p forcing periods later, the wall ignored meanwhile, is (x, ẋ − y). Where both change sign
 /// between the impacts at a cell's corners there may be a zero inside.
-fn at<O: ImpactOscillator>(oscillator: O, loops: &[u32], fastest: f64) -> Vec<(u32, Unknowns)> {
+pub(crate) fn at<O: ImpactOscillator>(oscillator: O, loops: &[u32], fastest: f64) -> Vec<(u32, Unknowns)> {
     let [primary, secondary] = oscillator.parameters();
     let here = [Condition::Primary(primary), Condition::Secondary(secondary)];
     let cell = Vector2::new(fastest, TAU).component_div(&Vector2::from(CELLS.map(|cells| cells as f64)));

@@ -85,10 +85,10 @@ pub(crate) struct Border<'a> {
     pub(crate) event: Option<&'a Event>,
 }
 
-/// Steps along branches, which need not be drawn: rough points are enough for the signs of what happens between them, and that is
+/// Steps along branches that need not be drawn: rough points are enough for the signs of what happens between them, and that is
 /// located by itself (empirical: neighbouring folds and grazings of the oscillators that were tried lie much farther apart, and the error of a
 /// point, some 10⁻⁸, is far below what is read off it).
-const STEPS: StepControl =
+pub(crate) const STEPS: StepControl =
     StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.07, tolerance: 1e-4 };
 /// A branch of this many points has lost its way.
 const STEP_LIMIT: usize = 5_000;
@@ -112,6 +112,8 @@ pub(crate) const MOST_BRANCHES: usize = 50;
 pub(crate) struct Slicer<'a, O> {
     pub(crate) equations: LoopEquations<O>,
     pub(crate) window: Window,
+    /// Steps along branches.
+    pub(crate) control: StepControl,
     /// The points (z, μ) of the grazing curve at some η.
     pub(crate) grazing: &'a (dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
 }
@@ -120,9 +122,10 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
     pub(crate) fn new<'a>(
         equations: &LoopEquations<O>,
         window: Window,
+        control: StepControl,
         grazing: &'a (dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
     ) -> Slicer<'a, O> {
-        Slicer { equations: equations.with_formulation(Formulation::FixedPhase), window, grazing }
+        Slicer { equations: equations.with_formulation(Formulation::FixedPhase), window, control, grazing }
     }
 
     /// The branches at some η that begin on the grazing curve.
@@ -214,7 +217,7 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
 
     fn branch(&self, condition: Condition, window: Window) -> (MpsCurve<O>, Route) {
         let curve = MpsCurve { equations: self.equations.clone(), condition };
-        let route = Route { window, control: STEPS, step_limit: STEP_LIMIT, stop_at_events: false };
+        let route = Route { window, control: self.control, step_limit: STEP_LIMIT, stop_at_events: false };
         (curve, route)
     }
 
@@ -378,7 +381,7 @@ mod tests {
         let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
         let curves: Vec<DiagramCurve> =
             diagram.curves.iter().filter(|curve| curve.loops == 2).cloned().collect();
-        let slicer = Slicer::new(&diagram.equations(2), window, &|_| Vec::new());
+        let slicer = Slicer::new(&diagram.equations(2), window, STEPS, &|_| Vec::new());
         let middle =
             |curve: &DiagramCurve| curve.curve.points[curve.curve.points.len() / 2].solution.unknowns;
         assert!(curves.len() > 2, "{}", curves.len());

@@ -8,6 +8,7 @@
 
 use core::cell::Cell;
 use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use grazing_model::ImpactOscillator;
@@ -97,7 +98,7 @@ impl Stop {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unfinished {
     /// What was being done, or would have been.
-    pub stage: &'static str,
+    pub stage: Cow<'static, str>,
     /// The numbers p and n of the resonance it belongs to, if it belongs to one.
     pub resonance: Option<[u32; 2]>,
     /// The parameters (μ, η) of the place it belongs to, if it belongs to one.
@@ -106,14 +107,14 @@ pub struct Unfinished {
 
 impl Unfinished {
     /// A stage as a whole.
-    pub const fn stage(stage: &'static str) -> Self {
-        Self { stage, resonance: None, at: None }
+    pub fn stage(stage: impl Into<Cow<'static, str>>) -> Self {
+        Self { stage: stage.into(), resonance: None, at: None }
     }
 
     /// A stage at one resonance.
     pub fn at<O: ImpactOscillator>(stage: &'static str, resonance: &Resonance<O>) -> Self {
         let at = resonance.located.orbit().oscillator().parameters();
-        Self { stage, resonance: Some([resonance.loops, resonance.n]), at: Some(at) }
+        Self { stage: stage.into(), resonance: Some([resonance.loops, resonance.n]), at: Some(at) }
     }
 }
 

@@ -8,7 +8,9 @@ use std::path::{Path, PathBuf};
 use grazing_description::{Description, DescriptionError};
 use grazing_drawing::SheetWidth;
 use grazing_report::{Figure, Manifest, OscillatorEntry, OutputFile, Report};
-use grazing_results::{Cell, Table, columns};
+use grazing_reproduction::unfolded::Rows;
+use grazing_results::branches::OneParameterRows;
+use grazing_results::{Cell, Column, Plan, Table, columns};
 use grazing_source::Setting;
 
 use super::{file_name, links, noted, versions};
@@ -16,6 +18,7 @@ use crate::failure::Failure;
 use crate::folder::MadeFile;
 use crate::outputs::computation;
 use crate::project;
+use crate::unfold::sheets::{Sheet, SheetKind};
 use crate::unfold::{self, Analysis, reason, sheets};
 
 /// The example whose results the page shows anyway: the oscillator of the paper.
@@ -37,10 +40,11 @@ pub(crate) struct OscillatorFile {
 pub(crate) struct Material<'a> {
     of: &'a OscillatorFile,
     unfolded: &'a Analysis,
-    /// The figures as SVG, with the names of their files.
-    pub(crate) figures: Vec<(String, String)>,
-    /// All tables.
+    /// The figures.
+    pub(crate) figures: Vec<Sheet>,
+    /// All tables, and what a row of each is.
     pub(crate) tables: Vec<Table>,
+    pub(crate) plans: Vec<Plan>,
 }
 
 impl OscillatorFile {
@@ -117,7 +121,14 @@ impl<'a> Material<'a> {
         let rows = unfolded.rows();
         let figures = sheets::figures(&of.description, unfolded, &rows, width)
             .map_err(|error| computation("figures", &error))?;
-        Ok(Self { of, unfolded, figures, tables: rows.tables(&unfolded.axes.names) })
+        let names = &unfolded.axes.names;
+        let (mut tables, mut plans) = (rows.tables(names), Rows::TABLES.to_vec());
+        // Files that ask for no one-parameter diagram have no tables of them.
+        if !unfolded.diagrams.is_empty() {
+            tables.extend(OneParameterRows::of(&unfolded.diagrams).tables(names));
+            plans.extend(OneParameterRows::TABLES);
+        }
+        Ok(Self { of, unfolded, figures, tables, plans })
     }
 
     /// The oscillator as a page shows it.
@@ -158,25 +169,24 @@ impl<'a> Material<'a> {
 
     /// The figures, each with the tables that it shows.
     fn figures(&self) -> Vec<Figure> {
-        let sheets = self.figures.len().saturating_sub(1);
-        let figure = |(index, (file, svg)): (usize, &(String, String))| {
-            let magnified = || self.table("magnifications").map(|table| rows_of_panels(table, svg));
-            let (title, tables) = match index {
-                0 => (
-                    "two-parameter bifurcation diagram".to_owned(),
-                    vec![self.table("points"), self.table("curves")],
-                ),
-                _ if sheets == 1 => ("magnifications about the resonances".to_owned(), vec![magnified()]),
-                sheet => {
-                    let title = format!("magnifications about the resonances, sheet {sheet} of {sheets}");
-                    (title, vec![magnified()])
+        let figure = |sheet: &Sheet| {
+            let tables = match sheet.kind {
+                SheetKind::TwoParameters => ["points", "curves"].map(|name| self.table(name)).to_vec(),
+                SheetKind::Magnifications => {
+                    let panels = panels_of(&sheet.svg);
+                    let shown = |table| with(table, columns::PANEL, |panel| panels.contains(&panel));
+                    vec![self.table("magnifications").map(shown)]
+                }
+                SheetKind::OneParameter(number) => {
+                    let shown = |table| with(table, columns::DIAGRAM, |diagram| diagram == number);
+                    OneParameterRows::TABLES.iter().map(|plan| self.table(plan.name).map(shown)).collect()
                 }
             };
-            let (name, tables) =
-                (file.trim_end_matches(".svg").to_owned(), tables.into_iter().flatten().collect());
-            Figure { name, title, svg: svg.clone(), tables }
+            let name = sheet.file.trim_end_matches(".svg").to_owned();
+            let tables = tables.into_iter().flatten().collect();
+            Figure { name, title: sheet.title.clone(), svg: sheet.svg.clone(), tables }
         };
-        self.figures.iter().enumerate().map(figure).collect()
+        self.figures.iter().map(figure).collect()
     }
 
     /// The table of a name.
@@ -185,13 +195,17 @@ impl<'a> Material<'a> {
     }
 }
 
-/// The table of magnifications with the rows that belong to the panels of a sheet.
-fn rows_of_panels(mut table: Table, svg: &str) -> Table {
+/// The numbers of the panels on a sheet.
+fn panels_of(svg: &str) -> BTreeSet<u32> {
     const MARK: &str = "data-only=\"panel ";
     let marks = svg.match_indices(MARK).filter_map(|(at, _)| svg[at + MARK.len()..].split('"').next());
-    let panels: BTreeSet<u32> = marks.filter_map(|panel| panel.parse().ok()).collect();
-    if let Some(place) = table.position(columns::PANEL.name) {
-        table.rows.retain(|row| matches!(row[place], Cell::Integer(panel) if panels.contains(&panel)));
+    marks.filter_map(|panel| panel.parse().ok()).collect()
+}
+
+/// The table with those rows alone whose number in a column is right.
+fn with(mut table: Table, column: Column, right: impl Fn(u32) -> bool) -> Table {
+    if let Some(place) = table.position(column.name) {
+        table.rows.retain(|row| matches!(row[place], Cell::Integer(number) if right(number)));
     }
     table
 }
@@ -253,7 +267,9 @@ mod tests {
             Table::of_cells("magnifications", COLUMNS, &Names::of_the_paper(), rows)
         };
         let svg = "<rect data-only=\"panel 2\"/>\n<rect data-only=\"panel 10\"/>";
-        assert_eq!(rows_of_panels(table(&[1, 2, 2, 10]), svg), table(&[2, 2, 10]));
+        let panels = panels_of(svg);
+        let shown = with(table(&[1, 2, 2, 10]), columns::PANEL, |panel| panels.contains(&panel));
+        assert_eq!(shown, table(&[2, 2, 10]));
     }
 
     #[test]

@@ -9,6 +9,7 @@ use grazing_description::{Axis, Description};
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_reproduction::unfolded::{Known, ResonanceEntry};
+use grazing_results::branches::OneParameter;
 use grazing_results::brief;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::sides::Simulated;
@@ -18,6 +19,7 @@ use super::Analysis;
 use super::layout::{KEPT, aligned, headed, wrapped};
 use super::numbers::{fixed, range, significant};
 use super::reason::place;
+use super::sheets::of_one_parameter;
 pub(super) use gaps::incomplete;
 use gaps::{missing, odd_ends, undecided, unfinished};
 
@@ -78,6 +80,7 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
     text.push_str(&corners(description, unfolded));
     text.push_str(&odd_ends(description, unfolded));
     text.push_str(&undecided(description, unfolded));
+    text.extend(unfolded.diagrams.iter().map(|diagram| one_parameter(description, diagram)));
     text
 }
 
@@ -281,6 +284,34 @@ fn corners(description: &Description, unfolded: &Analysis) -> String {
     let (primary, secondary) = (description.primary().name(), description.secondary().name());
     let table = aligned(&["kind", "p", "n", secondary, primary, "impact velocity"], rows);
     format!("\nCodimension-two points on these curves\n{table}")
+}
+
+/// A one-parameter diagram: the bifurcations on it, and what simulation leaves out.
+fn one_parameter(description: &Description, diagram: &OneParameter) -> String {
+    let across = match diagram.primary_is_fixed {
+        true => description.secondary().name(),
+        false => description.primary().name(),
+    };
+    let of = of_one_parameter(description, diagram);
+    let mut text = format!("\nOne-parameter diagram {}: {of}\n", diagram.diagram);
+    let rows = diagram.bifurcations.iter().map(|found| {
+        let mut row = vec![found.kind.name().to_owned(), found.loops.to_string()];
+        row.extend(
+            [found.primary, found.impact_velocity, found.x].map(|value| significant(value, PARAMETER)),
+        );
+        row
+    });
+    match diagram.bifurcations.is_empty() {
+        true => text.push_str("  no bifurcations\n"),
+        false => text.push_str(&aligned(&["kind", "p", across, "impact velocity", "x"], rows)),
+    }
+    if let Some([resting, all]) = diagram.resting.filter(|[resting, _]| *resting > 0) {
+        let content = format!(
+            "{resting} of {all} simulated orbits came to rest at the wall, where they are followed no further, and left no point"
+        );
+        text.push_str(&wrapped("  ", &content));
+    }
+    text
 }
 
 #[cfg(test)]

@@ -168,7 +168,7 @@ pub(crate) fn lost<O>(
 
 /// What was not finished, as `bifurcation curves of p = 2, n = 1 at A = 0.5, omega = 0.8`.
 pub(crate) fn unfinished(description: &Description, units: &Units, cut: &Unfinished) -> String {
-    let mut text = cut.stage.to_owned();
+    let mut text = cut.stage.to_string();
     if let Some([loops, n]) = cut.resonance {
         text.push_str(&format!(" of p = {loops}, n = {n}"));
     }

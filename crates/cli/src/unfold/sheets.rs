@@ -1,10 +1,13 @@
 //! The figures: a two-parameter diagram, and magnifications about its resonances.
 
 use grazing_description::Description;
-use grazing_drawing::{Diagram, DrawingError, Magnifications, SheetWidth, draw_diagram, draw_magnifications};
+use grazing_drawing::{
+    Diagram, DrawingError, Magnifications, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
+};
 use grazing_reproduction::unfolded::Rows;
-use grazing_results::Frame;
+use grazing_results::branches::OneParameter;
 use grazing_results::plane::MagnifiedPanel;
+use grazing_results::{Frame, brief};
 
 use super::Analysis;
 
@@ -19,18 +22,52 @@ fn sheet_name(number: usize, count: usize) -> String {
     if count == 1 { FILES[1].to_owned() } else { format!("magnifications-{number}.svg") }
 }
 
-/// All names that a sheet of magnifications can have.
-pub(super) fn possible_names() -> impl Iterator<Item = String> {
-    std::iter::once(sheet_name(1, 1)).chain((1..=MOST_SHEETS).map(|number| sheet_name(number, MOST_SHEETS)))
+/// The file of a one-parameter diagram.
+fn one_parameter_name(number: u32) -> String {
+    format!("diagram-{number}.svg")
 }
 
-/// The figures as SVG with the names of their files.
+/// All names that a sheet of magnifications or a one-parameter diagram can have.
+pub(super) fn possible_names() -> impl Iterator<Item = String> {
+    let magnifications = (1..=MOST_SHEETS).map(|number| sheet_name(number, MOST_SHEETS));
+    let diagrams = (1..=Description::MOST_DIAGRAMS as u32).map(one_parameter_name);
+    std::iter::once(sheet_name(1, 1)).chain(magnifications).chain(diagrams)
+}
+
+/// A figure.
+pub(crate) struct Sheet {
+    /// The name of its file.
+    pub(crate) file: String,
+    pub(crate) svg: String,
+    /// What it shows, in a few words.
+    pub(crate) title: String,
+    pub(crate) kind: SheetKind,
+}
+
+/// What a figure shows.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum SheetKind {
+    TwoParameters,
+    Magnifications,
+    /// The one-parameter diagram of this number.
+    OneParameter(u32),
+}
+
+/// What a one-parameter diagram is of, as `A from 0.26 to 0.34 at omega = 0.854`.
+pub(crate) fn of_one_parameter(description: &Description, diagram: &OneParameter) -> String {
+    let names = [description.primary().name(), description.secondary().name()];
+    let [held, across] = if diagram.primary_is_fixed { names } else { [names[1], names[0]] };
+    let [low, high] = diagram.frame.x.map(|end| brief(end, 6));
+    format!("{across} from {low} to {high} at {held} = {}", brief(diagram.at, 6))
+}
+
+/// The figures.
 pub(crate) fn figures(
     description: &Description,
     unfolded: &Analysis,
     rows: &Rows,
     width: SheetWidth,
-) -> Result<Vec<(String, String)>, DrawingError> {
+) -> Result<Vec<Sheet>, DrawingError> {
     let (primary, secondary) = (description.primary(), description.secondary());
     let panels = panels(unfolded);
     let axes = format!("{} across, {} up.", primary.name(), secondary.name());
@@ -50,7 +87,12 @@ pub(crate) fn figures(
         magnified: &panels,
         section: None,
     };
-    let mut figures = vec![(FILES[0].to_owned(), draw_diagram(&diagram, width)?)];
+    let mut figures = vec![Sheet {
+        file: FILES[0].to_owned(),
+        svg: draw_diagram(&diagram, width)?,
+        title: "two-parameter bifurcation diagram".to_owned(),
+        kind: SheetKind::TwoParameters,
+    }];
     let magnifications = Magnifications {
         name: "magnifications",
         title: &format!("{}: magnifications about resonant grazing bifurcations", description.name()),
@@ -66,7 +108,21 @@ pub(crate) fn figures(
     };
     let sheets = draw_magnifications(&magnifications, width)?;
     let count = sheets.len();
-    figures.extend(sheets.into_iter().zip(1..).map(|(svg, number)| (sheet_name(number, count), svg)));
+    figures.extend(sheets.into_iter().zip(1..).map(|(svg, number)| {
+        let title = "magnifications about the resonances";
+        let title = if count == 1 { title.to_owned() } else { format!("{title}, sheet {number} of {count}") };
+        Sheet { file: sheet_name(number, count), svg, title, kind: SheetKind::Magnifications }
+    }));
+    for diagram in &unfolded.diagrams {
+        let shown = format!("one-parameter bifurcation diagram, {}", of_one_parameter(description, diagram));
+        let title = format!("{}: {shown}", description.name());
+        figures.push(Sheet {
+            file: one_parameter_name(diagram.diagram),
+            svg: draw_one_parameter(diagram, &unfolded.axes.names, &title, width)?,
+            title: shown,
+            kind: SheetKind::OneParameter(diagram.diagram),
+        });
+    }
     Ok(figures)
 }
 

@@ -1,26 +1,25 @@
 //! Branches of MPSs in the amplitude, from the grazing bifurcation to the edge of the window.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::{Curve, CurvePoint, MpsCurve};
+use grazing_continuation::curve::MpsCurve;
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::LinearOscillator;
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
+use grazing_unfold::one_parameter::{self, Branch, Strand};
 use rayon::prelude::*;
 
 use super::Setting;
 use crate::StudyError;
 use crate::diagram::branch_route;
+use crate::one_parameter::{bifurcation_row, strand_rows};
 use crate::plane::centred;
 
-/// The branch of p-loop MPSs that emanates from the grazing bifurcation.
-pub(super) struct Branch {
-    pub(super) equations: LoopEquations<LinearOscillator>,
-    pub(super) curve: Curve,
-}
+/// What is drawn of a branch.
+pub(super) type Shown = (Vec<Strand>, Vec<one_parameter::BranchBifurcation>);
 
 /// Follows the branches of all p asked for.
-pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch>, StudyError> {
+pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch<LinearOscillator>>, StudyError> {
     let figure = setting.figure;
     let frequency = figure.frequency;
     let route = branch_route(figure.amplitude);
@@ -47,7 +46,7 @@ pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch>, StudyError> {
 }
 
 /// The grazing bifurcation and all bifurcations of admissible MPSs, branch by branch.
-pub(super) fn bifurcations(setting: &Setting, branches: &[Branch]) -> Vec<BranchBifurcation> {
+pub(super) fn bifurcations(setting: &Setting, shown: &[Shown]) -> Vec<BranchBifurcation> {
     let graz = BranchBifurcation {
         kind: Bifurcation::NonImpactingGrazing,
         loops: 0,
@@ -55,33 +54,15 @@ pub(super) fn bifurcations(setting: &Setting, branches: &[Branch]) -> Vec<Branch
         impact_velocity: 0.0,
         x: 0.0,
     };
-    let mut list = vec![graz];
-    for branch in branches {
-        for event in &branch.curve.events {
-            let Some(kind) = Bifurcation::of(event.condition) else {
-                continue;
-            };
-            if !event.solution.admissible() {
-                continue;
-            }
-            let visits = branch.equations.visits(&event.solution.unknowns, &event.times);
-            list.push(BranchBifurcation {
-                kind,
-                loops: branch.equations.loops(),
-                primary: event.solution.parameters()[0],
-                impact_velocity: event.solution.impact_velocity(),
-                x: visits.ok().and_then(|visits| Some(visits.last()?[0])).unwrap_or(f64::NAN),
-            });
-        }
-    }
-    list
+    let found = shown.iter().flat_map(|(_, bifurcations)| bifurcations);
+    core::iter::once(graz).chain(found.map(bifurcation_row)).collect()
 }
 
 /// Samples of the non-impacting solution, a straight line in this diagram.
 const NON_IMPACTING_SAMPLES: u32 = 50;
 
 /// The non-impacting solution and all branches, loop by loop.
-pub(super) fn rows(setting: &Setting, branches: &[Branch]) -> Result<Vec<BranchPoint>, StudyError> {
+pub(super) fn rows(setting: &Setting, shown: &[Shown]) -> Result<Vec<BranchPoint>, StudyError> {
     let mut rows = Vec::new();
     let (lower, graz) = (setting.figure.amplitude[0], setting.grazing.amplitude());
     for k in 0..=NON_IMPACTING_SAMPLES {
@@ -100,47 +81,12 @@ pub(super) fn rows(setting: &Setting, branches: &[Branch]) -> Result<Vec<BranchP
             branch: 0,
         });
     }
-    let mut polyline = 0;
-    for branch in branches {
-        let points = with_events(&branch.curve);
-        let visits: Vec<_> =
-            points.iter().map(|at| branch.equations.visits(&at.solution.unknowns, &at.times)).collect();
-        for visit in 0..branch.equations.loops() {
-            polyline += 1;
-            for (at, visits) in points.iter().zip(&visits) {
-                let [velocity, phase, amplitude, _] = at.solution.unknowns.into();
-                let x = visits.as_ref().map_or(f64::NAN, |visits| visits[visit as usize][0]);
-                rows.push(BranchPoint {
-                    loops: branch.equations.loops(),
-                    primary: amplitude,
-                    x,
-                    visit: visit + 1,
-                    impact_velocity: velocity,
-                    impact_phase: centred(phase - setting.grazing.phase()),
-                    stable: velocity > 0.0 && at.solution.stable(),
-                    admissible: admissible(&at.solution),
-                    branch: polyline,
-                });
-            }
-        }
+    let strands = (1..).zip(shown.iter().flat_map(|(strands, _)| strands));
+    for (polyline, strand) in strands {
+        rows.extend(strand_rows(polyline, strand).map(|row| BranchPoint {
+            impact_phase: centred(row.impact_phase - setting.grazing.phase()),
+            ..row
+        }));
     }
     Ok(rows)
-}
-
-/// Admissible, or the grazing orbit in which the branch begins.
-fn admissible(solution: &MaximalPeriodicSolution) -> bool {
-    solution.admissible() || solution.impact_velocity() == 0.0
-}
-
-/// The points of a branch with its bifurcation points in their places.
-pub(super) fn with_events(curve: &Curve) -> Vec<CurvePoint> {
-    let mut points = Vec::with_capacity(curve.points.len() + curve.events.len());
-    let mut events = curve.events.iter().peekable();
-    for (index, point) in curve.points.iter().enumerate() {
-        while let Some(event) = events.next_if(|event| event.index <= index) {
-            points.push(CurvePoint { solution: event.solution, times: event.times.clone() });
-        }
-        points.push(point.clone());
-    }
-    points
 }

@@ -1,11 +1,9 @@
 //! What the phase portraits show: solutions at the amplitudes that the file asks for, or where they exist.
 
-use grazing_continuation::locate::{Condition, locate};
-use grazing_continuation::mps::MaximalPeriodicSolution;
-use grazing_model::State;
+use grazing_model::{LinearOscillator, State};
+use grazing_unfold::one_parameter::Branch;
 
 use super::Setting;
-use super::branches::{Branch, with_events};
 use crate::StudyError;
 use crate::parameters::{MOST_PORTRAITS, Portrait};
 
@@ -24,7 +22,10 @@ pub(super) struct Subject {
 }
 
 /// All subjects, and what is shown elsewhere than asked for, or not at all, in sentences.
-pub(super) fn all(setting: &Setting, branches: &[Branch]) -> Result<(Vec<Subject>, Vec<String>), StudyError> {
+pub(super) fn all(
+    setting: &Setting,
+    branches: &[Branch<LinearOscillator>],
+) -> Result<(Vec<Subject>, Vec<String>), StudyError> {
     let asked = &setting.figure.portraits;
     if asked.is_empty() {
         return Ok((chosen(setting, branches), Vec::new()));
@@ -53,7 +54,7 @@ pub(super) fn all(setting: &Setting, branches: &[Branch]) -> Result<(Vec<Subject
 }
 
 /// The non-impacting solution, and each p that is somewhere stable, from left to right.
-fn chosen(setting: &Setting, branches: &[Branch]) -> Vec<Subject> {
+fn chosen(setting: &Setting, branches: &[Branch<LinearOscillator>]) -> Vec<Subject> {
     let mut subjects = vec![non_impacting(setting, None)];
     for &loops in setting.figure.loops.iter().take(MOST_PORTRAITS - 1) {
         subjects.extend(nearest(branches, loops, None));
@@ -63,7 +64,7 @@ fn chosen(setting: &Setting, branches: &[Branch]) -> Vec<Subject> {
 }
 
 /// What the file asks for, if it exists.
-fn found(setting: &Setting, branches: &[Branch], portrait: &Portrait) -> Option<Subject> {
+fn found(setting: &Setting, branches: &[Branch<LinearOscillator>], portrait: &Portrait) -> Option<Subject> {
     let Portrait { loops, amplitude: wish, must, .. } = *portrait;
     if loops == 0 {
         return Some(non_impacting(setting, wish));
@@ -83,10 +84,10 @@ fn non_impacting(setting: &Setting, wish: Option<f64>) -> Subject {
 }
 
 /// The stable admissible MPS at the amplitude that is nearest to the wish, or in the middle of the widest stretch.
-fn nearest(branches: &[Branch], loops: u32, wish: Option<f64>) -> Option<Subject> {
+fn nearest(branches: &[Branch<LinearOscillator>], loops: u32, wish: Option<f64>) -> Option<Subject> {
     let inner = |[low, high]: [f64; 2]| [low + EDGE * (high - low), high - EDGE * (high - low)];
-    let mut places: Vec<(f64, f64)> = stretches(branches, loops)
-        .into_iter()
+    let mut places: Vec<(f64, f64)> = of(branches, loops)
+        .flat_map(Branch::stable_stretches)
         .map(|stretch| {
             let [low, high] = inner(stretch);
             match wish {
@@ -99,29 +100,14 @@ fn nearest(branches: &[Branch], loops: u32, wish: Option<f64>) -> Option<Subject
     places.into_iter().find_map(|(_, amplitude)| at(branches, loops, amplitude))
 }
 
-/// The ranges of amplitude in which p-loop MPSs are stable and admissible.
-fn stretches(branches: &[Branch], loops: u32) -> Vec<[f64; 2]> {
-    let mut stretches = Vec::new();
-    for branch in branches.iter().filter(|branch| branch.equations.loops() == loops) {
-        let points = with_events(&branch.curve);
-        let shown = |solution: &MaximalPeriodicSolution| {
-            solution.impact_velocity() > 0.0 && solution.stable() && solution.admissible()
-        };
-        for run in points.chunk_by(|a, b| shown(&a.solution) == shown(&b.solution)) {
-            let amplitudes = run.iter().map(|point| point.solution.parameters()[0]);
-            let [low, high] =
-                amplitudes.fold([f64::INFINITY, 0.0], |[low, high], a| [low.min(a), high.max(a)]);
-            if shown(&run[0].solution) && low < high {
-                stretches.push([low, high]);
-            }
-        }
-    }
-    stretches
+/// The branches of p-loop MPSs.
+fn of(branches: &[Branch<LinearOscillator>], loops: u32) -> impl Iterator<Item = &Branch<LinearOscillator>> {
+    branches.iter().filter(move |branch| branch.equations.loops() == loops)
 }
 
-fn missing(branches: &[Branch], portrait: &Portrait) -> StudyError {
-    let ranges: Vec<String> = stretches(branches, portrait.loops)
-        .iter()
+fn missing(branches: &[Branch<LinearOscillator>], portrait: &Portrait) -> StudyError {
+    let ranges: Vec<String> = of(branches, portrait.loops)
+        .flat_map(Branch::stable_stretches)
         .map(|[low, high]| format!("from {low:.5} to {high:.5}"))
         .collect();
     let remedy = if ranges.is_empty() {
@@ -136,25 +122,9 @@ fn missing(branches: &[Branch], portrait: &Portrait) -> StudyError {
 }
 
 /// The stable admissible MPS at the amplitude.
-fn at(branches: &[Branch], loops: u32, amplitude: f64) -> Option<Subject> {
-    for branch in branches.iter().filter(|branch| branch.equations.loops() == loops) {
-        for pair in branch.curve.points.windows(2) {
-            let [before, after] = [&pair[0].solution, &pair[1].solution];
-            let [from, frequency] = before.parameters();
-            let brackets = (from - amplitude) * (after.parameters()[0] - amplitude) <= 0.0;
-            if !(brackets && (before.stable() || after.stable())) {
-                continue;
-            }
-            let conditions = [Condition::Secondary(frequency), Condition::Primary(amplitude)];
-            let mut times = pair[0].times.clone();
-            let Ok(point) = locate(&branch.equations, conditions, before.unknowns, &mut times) else {
-                continue;
-            };
-            let (solution, _) = branch.equations.solution(&point);
-            if solution.stable() && solution.admissible() {
-                return Some(Subject { loops, amplitude, recoil: Some(branch.equations.recoil(&point)) });
-            }
-        }
-    }
-    None
+fn at(branches: &[Branch<LinearOscillator>], loops: u32, amplitude: f64) -> Option<Subject> {
+    of(branches, loops).find_map(|branch| {
+        let point = branch.stable_at(amplitude).into_iter().next()?;
+        Some(Subject { loops, amplitude, recoil: Some(branch.equations.recoil(&point)) })
+    })
 }

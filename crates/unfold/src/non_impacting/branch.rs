@@ -32,7 +32,7 @@ pub(crate) struct Crossing {
 }
 
 /// Steps in (x, y, shares of the ranges) that do not jump over the highest point's changes (empirical).
-const STEPS: StepControl =
+pub(crate) const STEPS: StepControl =
     StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.2, ..StepControl::DRAWING };
 /// A branch of this many points goes nowhere.
 const STEP_LIMIT: usize = 4000;
@@ -49,7 +49,7 @@ impl PeriodicOrbit {
         in_trapesium(self.multipliers.trace, self.multipliers.determinant) && self.off_the_wall()
     }
 
-    fn off_the_wall(&self) -> bool {
+    pub(crate) fn off_the_wall(&self) -> bool {
         self.highest.position <= MaximalPeriodicSolution::TOUCH
     }
 
@@ -107,7 +107,7 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
     /// Orbits from one to the side of a direction, and whether they reach the edge of the range.
     fn follow(&self, start: &OrbitPoint, direction: OrbitPoint) -> Option<(Vec<PeriodicOrbit>, bool)> {
         let curve = PeriodicOrbitCurve { orbits: self, condition: Condition::Secondary(start[SECONDARY]) };
-        let mut walker = Continuation::new(&curve, STEPS, *start, direction, ()).ok()?;
+        let mut walker = Continuation::new(&curve, self.control, *start, direction, ()).ok()?;
         let mut found = vec![self.seen(start)];
         for _ in 0..STEP_LIMIT {
             let before = walker.here().point;

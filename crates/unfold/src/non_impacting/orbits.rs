@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::arclength::CurveEquations;
+use grazing_continuation::arclength::{CurveEquations, StepControl};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{LoopPair, Multipliers};
 use grazing_continuation::newton::{self, Linearisation};
@@ -19,7 +19,7 @@ use crate::Scope;
 pub(crate) type OrbitPoint = Vector4<f64>;
 
 /// Positions in an [`OrbitPoint`].
-pub(super) const PRIMARY: usize = 2;
+pub(crate) const PRIMARY: usize = 2;
 pub(super) const SECONDARY: usize = 3;
 
 /// Motion this far away, the wall's distance from rest being of order one, has run away.
@@ -33,6 +33,8 @@ const INSTANTS: u32 = 32;
 pub(crate) struct PeriodicOrbits<'a, O> {
     pub(crate) oscillator: &'a O,
     pub(crate) scope: &'a Scope,
+    /// Steps along branches.
+    pub(crate) control: StepControl,
 }
 
 /// An orbit and what is to be known of it.
@@ -110,7 +112,7 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
     }
 
     /// The orbit near a state at shares of the ranges, which are held.
-    pub(super) fn at(&self, near: &OrbitPoint) -> Option<OrbitPoint> {
+    pub(crate) fn at(&self, near: &OrbitPoint) -> Option<OrbitPoint> {
         self.within(f64::INFINITY, near)
     }
 
@@ -143,7 +145,7 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
     }
 
     /// What is to be known of an orbit.
-    pub(super) fn seen(&self, orbit: &OrbitPoint) -> PeriodicOrbit {
+    pub(crate) fn seen(&self, orbit: &OrbitPoint) -> PeriodicOrbit {
         let oscillator = self.oscillator_at(orbit);
         let motion = oscillator.motion(State { position: orbit[0], velocity: orbit[1], phase: 0.0 });
         let frequency = oscillator.forcing_frequency().value;

@@ -10,7 +10,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::{Vector2, Vector3};
 use rayon::prelude::*;
 
-use super::branch::{Branch, Crossing};
+use super::branch::{Branch, Crossing, STEPS};
 use super::orbits::{OrbitPoint, PeriodicOrbits, SECONDARY};
 use super::{PeriodicMotion, periodic_motion};
 use crate::curves::DiagramCurve;
@@ -82,7 +82,7 @@ pub(crate) fn find<O: ImpactOscillator>(
     let slices = relaxed.iter().zip(&motions);
     let slices = slices.map(|((_, secondary), motion)| Slice::new(*secondary, motion.branches.clone()));
     let mut survey = NonImpactingSurvey {
-        orbits: PeriodicOrbits { oscillator, scope },
+        orbits: PeriodicOrbits { oscillator, scope, control: STEPS },
         grazing: Vec::new(),
         curves: Vec::new(),
         slices: slices.collect(),

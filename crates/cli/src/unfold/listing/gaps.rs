@@ -138,7 +138,7 @@ mod tests {
                 },
             }],
             unfinished: vec![Unfinished {
-                stage: "bifurcation curves",
+                stage: "bifurcation curves".into(),
                 resonance: Some([2, 1]),
                 at: Some([0.5, 0.75]),
             }],

@@ -1,0 +1,206 @@
+//! A one-parameter diagram of any oscillator, with phase portraits above it, like Figure 2.
+
+use grazing_results::Names;
+use grazing_results::branches::OneParameter;
+
+use crate::DrawingError;
+use crate::axes::{Panel, room_beside};
+use crate::branches::{Strand, diagram};
+use crate::canvas::Canvas;
+use crate::clip::checked;
+use crate::font::Fonts;
+use crate::labels::Labels;
+use crate::portraits::{Caption, Portrait, ROW, SINGLE_ROW, draw_portraits, equation, letters};
+use crate::sheet::Bounds;
+use crate::style::SheetWidth;
+use crate::svg::POINTS_PER_MM;
+use crate::ticks::measured;
+
+/// Width in the paper.
+const WIDTH_MM: f64 = 156.0;
+/// Portraits stand so many in a row, on sheets narrower than this two.
+const IN_A_ROW: usize = 4;
+const WIDE_MM: f64 = 120.0;
+/// Height of the diagram with its numbers and title, in points.
+const HEIGHT: f64 = 236.0;
+/// Room above the diagram, with letters of portraits and without, and right of it, in points.
+const LETTERS: f64 = 18.0;
+const ABOVE: f64 = 6.0;
+const RIGHT: f64 = 9.0;
+/// A value of more characters than this is rounded, to so many digits.
+const LONGEST: usize = 8;
+const DIGITS: usize = 6;
+/// Room below the diagram for numbers and axis title, in points.
+const BELOW: f64 = 31.0;
+
+/// Draws a one-parameter diagram of an oscillator, whose parameters have these names, under a title.
+///
+/// # Errors
+/// [`DrawingError`] if the frame is empty.
+pub fn draw_one_parameter(
+    figure: &OneParameter,
+    names: &Names,
+    title: &str,
+    width: SheetWidth,
+) -> Result<String, DrawingError> {
+    compose(figure, names, width)?.finish(
+        "diagram",
+        title,
+        "Below: the parameter across, x-value of the return map up; thick curves are stable, thin ones unstable; dots are \
+         long-term forward orbits. Above: phase portraits with the wall.",
+    )
+}
+
+/// A value as the file has it, unless that takes many digits.
+fn plain(value: f64) -> String {
+    let text = format!("{value}").replace('-', "−");
+    if text.chars().count() <= LONGEST { text } else { measured(value, DIGITS) }
+}
+
+pub(crate) fn compose(
+    figure: &OneParameter,
+    names: &Names,
+    width: SheetWidth,
+) -> Result<Canvas, DrawingError> {
+    let frame = checked(figure.frame, "a one-parameter diagram")?;
+    let branches = Strand::all(&figure.branches);
+    let cloud: Vec<(f64, f64)> = figure.attractor.iter().map(|point| (point.primary, point.x)).collect();
+    let portraits = Portrait::all(&figure.portraits);
+    let [primary, secondary] = names.titles();
+    let (across, held, column) = match figure.primary_is_fixed {
+        true => (secondary, primary, &names.secondary),
+        false => (primary, secondary, &names.primary),
+    };
+    let own = Names::new(column, "x");
+    let (x, y) = match figure.from_the_wall {
+        true => ("$x$ from the wall", "$y$ from the wall"),
+        false => ("$x$", "$y$"),
+    };
+
+    let width = width.mm(WIDTH_MM);
+    let columns = if width < WIDE_MM { IN_A_ROW / 2 } else { IN_A_ROW };
+    let rows = portraits.len().div_ceil(columns);
+    let row = if rows == 1 { SINGLE_ROW } else { ROW };
+    let portraits_end = rows as f64 * row;
+    let canvas = Canvas::new(width, (portraits_end + HEIGHT) / POINTS_PER_MM)?;
+    if rows > 0 {
+        let caption = Caption { across: &across, titles: [x, y], table: &["diagram_portraits"] };
+        draw_portraits(&canvas, &portraits, &caption, (rows, row))?;
+    }
+    let top = portraits_end + if rows > 0 { LETTERS } else { ABOVE };
+    let bottom = canvas.height - BELOW;
+    let left = room_beside(&Fonts::load()?, frame.y, bottom - top, x)?.max(38.0);
+    let bounds = Bounds { left, top, right: canvas.width - RIGHT, bottom };
+    let panel = Panel {
+        tables: &["diagram_bifurcations", "diagram_branches", "diagram_attractor"],
+        only: Some(("diagram", figure.diagram)),
+        names: Some(&own),
+        ..Panel::new(&canvas, frame, bounds)
+    };
+    let guides = letters(&panel, &portraits)?;
+    let mut labels = Labels::new(&canvas, panel.bounds);
+    guides.iter().for_each(|guide| labels.placer.keep_off_nameless(guide));
+    diagram(&panel, labels, &branches, &figure.bifurcations, &cloud, &own, true)?;
+    let at = equation(&held, &plain(figure.at));
+    panel.axes(&format!("{across}  ({at})"), x)?;
+    Ok(canvas)
+}
+
+#[cfg(test)]
+mod tests {
+    use grazing_continuation::bifurcation::Bifurcation;
+    use grazing_results::Frame;
+    use grazing_results::branches::{
+        AttractorPoint, BranchBifurcation, BranchPoint, PortraitKind, PortraitPoint,
+    };
+
+    use super::*;
+
+    /// A diagram of these widths across and up, with so many portraits.
+    fn sample([across, up]: [f64; 2], portraits: u32) -> OneParameter {
+        let branch = |k: u32| {
+            let share = f64::from(k % 101) / 100.0;
+            BranchPoint {
+                loops: k / 101,
+                primary: share * across,
+                x: (share * f64::from(k / 101) - 0.4) * up,
+                visit: 1,
+                impact_velocity: f64::NAN,
+                impact_phase: f64::NAN,
+                stable: k % 101 < 60,
+                admissible: true,
+                branch: k / 101,
+            }
+        };
+        let orbit = |k: u32| {
+            let turn = f64::from(k % 40) * core::f64::consts::TAU / 40.0;
+            PortraitPoint {
+                portrait: 1 + k / 40,
+                loops: k / 40 % 4,
+                primary: across * (0.2 + 0.1 * f64::from(k / 80)),
+                kind: if k / 40 % 4 == 3 { PortraitKind::Attractor } else { PortraitKind::Periodic },
+                time: turn,
+                x: (libm::cos(turn) - 1.0) * up,
+                y: libm::sin(turn) * up,
+            }
+        };
+        let (kind, loops, impact_velocity) = (Bifurcation::SaddleNode, 2, 0.1);
+        OneParameter {
+            diagram: 2,
+            primary_is_fixed: false,
+            at: 0.854,
+            frame: Frame { x: [0.0, across], y: [-0.5 * up, 2.0 * up] },
+            from_the_wall: false,
+            branches: (0..404).map(branch).collect(),
+            bifurcations: vec![BranchBifurcation {
+                kind,
+                loops,
+                primary: 0.5 * across,
+                impact_velocity,
+                x: 0.6 * up,
+            }],
+            attractor: (0..500)
+                .map(|k| AttractorPoint { primary: 0.9 * across, x: f64::from(k) * 0.001 * up })
+                .collect(),
+            portraits: (0..40 * portraits).map(orbit).collect(),
+            resting: None,
+        }
+    }
+
+    #[test]
+    fn no_two_labels_overlap_for_any_parameters_units_and_portraits_at_any_width() {
+        for names in [["A", "omega"], ["F_0", "forcing_frequency"]] {
+            let names = Names::new(names[0], names[1]);
+            for (scale, portraits) in [([1.0, 1.0], 0), ([1e-4, 1e3], 1), ([250.0, 2e-5], 3), ([1.0, 1.0], 7)]
+            {
+                for width in [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns] {
+                    let sheet = compose(&sample(scale, portraits), &names, width).unwrap();
+                    let misplaced = sheet.misplaced_texts();
+                    assert!(misplaced.is_empty(), "{scale:?} {portraits} {width:?}: {misplaced:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn titles_name_the_parameters_in_their_roles_and_what_x_is_counted_from() {
+        let names = Names::new("A", "omega");
+        let texts = |figure: &OneParameter| compose(figure, &names, SheetWidth::Paper).unwrap().texts();
+        let mut figure = sample([1.0, 1.0], 1);
+        assert!(texts(&figure).contains(&r"$A$  ($\omega=0.854$)".to_owned()), "{:?}", texts(&figure));
+        (figure.primary_is_fixed, figure.from_the_wall) = (true, true);
+        let found = texts(&figure);
+        for title in [r"$\omega$  ($A=0.854$)", "$x$ from the wall", "$y$ from the wall"] {
+            assert!(found.iter().any(|text| text == title), "{title}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn panels_say_whose_rows_they_show() {
+        let svg =
+            draw_one_parameter(&sample([1.0, 1.0], 2), &Names::new("A", "omega"), "t", SheetWidth::Paper);
+        let svg = svg.unwrap();
+        assert!(svg.contains("data-only=\"diagram 2\" data-columns=\"A x\""));
+        assert!(svg.contains("data-tables=\"diagram_portraits\" data-only=\"portrait 2\""));
+    }
+}

@@ -1,0 +1,181 @@
+//! One-parameter diagrams as rows: those of an oscillator from a text file, and what Figure 2 shares with them.
+
+use grazing_continuation::curve::Window;
+use grazing_description::{Description, OneParameter};
+use grazing_model::smooth::{Dimensionless, Integrated, Units};
+use grazing_results::Frame;
+use grazing_results::branches::{
+    self, AttractorPoint, BranchBifurcation, BranchPoint, PortraitKind, PortraitPoint,
+};
+use grazing_unfold::diagram::DiagramCurve;
+use grazing_unfold::one_parameter::{self, Plan, Portrait, Strand, Wanted, exchanged};
+use grazing_unfold::progress::Progress;
+use grazing_unfold::stop::{Stop, Stoppable, Unfinished};
+use grazing_unfold::{Diagram, Scope};
+
+use crate::plane::centred;
+use crate::unfolded::Described;
+
+/// How long-time behaviour is sampled: as many orbits as can be told apart in a figure, for as long as weakly damped motion needs to settle.
+const PLAN: Plan = Plan { values: 480, orbits: 4, transient: 300, recorded: 24, seed: 1 };
+
+/// The one-parameter diagrams that a file asks for, in the oscillator's own units, and what is missing.
+pub(crate) fn diagrams(
+    description: &Description,
+    units: &Units,
+    diagram: &Diagram<Described>,
+    stop: &Stop,
+    progress: &dyn Progress,
+) -> (Vec<branches::OneParameter>, Vec<Unfinished>) {
+    let (mut diagrams, mut unfinished) = (Vec::new(), Vec::new());
+    for (number, asked) in (1..).zip(description.diagrams()) {
+        let found = Asked { description, units: *units, asked }.compute(diagram, stop, progress);
+        let missing = match &found {
+            None => Some(format!("one-parameter diagram {number}")),
+            Some((found, _)) if found.unfinished => {
+                Some(format!("long-time behaviour and phase portraits of one-parameter diagram {number}"))
+            }
+            Some(_) => None,
+        };
+        unfinished.extend(missing.map(Unfinished::stage));
+        diagrams.extend(found.map(|(found, units)| rows(number, description, asked, &found, &units)));
+    }
+    (diagrams, unfinished)
+}
+
+/// A diagram that is asked for, of an oscillator counted in units.
+struct Asked<'a> {
+    description: &'a Description,
+    units: Units,
+    asked: &'a OneParameter,
+}
+
+impl Asked<'_> {
+    /// The diagram without dimensions, and the units in which it counts, with the parameter across as the primary one.
+    fn compute(
+        &self,
+        diagram: &Diagram<Described>,
+        stop: &Stop,
+        progress: &dyn Progress,
+    ) -> Option<(one_parameter::OneParameter, Units)> {
+        let Self { description, units, asked } = *self;
+        if !asked.primary_is_fixed {
+            let oscillator = diagram.grazing[0].states[0].orbit.oscillator();
+            return Some((
+                look(oscillator, &diagram.scope, &diagram.curves, asked, &units, progress)?,
+                units,
+            ));
+        }
+        let units = Units { primary: units.secondary, secondary: units.primary, ..units };
+        let Scope { window, loops, start } = &diagram.scope;
+        let window = Window { primary: window.secondary, secondary: window.primary };
+        let scope = Scope { window, loops: loops.clone(), start: *start };
+        let stoppable = Stoppable::new(Dimensionless::new(description.exchanged(), units), stop.clone());
+        let oscillator = Integrated::new(stoppable, [window.primary[0], window.secondary[0]]);
+        let curves = exchanged(&diagram.curves);
+        Some((look(&oscillator, &scope, &curves, asked, &units, progress)?, units))
+    }
+}
+
+fn look(
+    oscillator: &Described,
+    scope: &Scope,
+    curves: &[DiagramCurve],
+    asked: &OneParameter,
+    units: &Units,
+    progress: &dyn Progress,
+) -> Option<one_parameter::OneParameter> {
+    let wanted = Wanted {
+        secondary: asked.at / units.secondary,
+        range: asked.range.map(|value| value / units.primary),
+        portraits: asked.portraits.iter().map(|value| value / units.primary).collect(),
+        plan: Plan { seed: asked.seed, ..PLAN },
+    };
+    one_parameter::OneParameter::compute(oscillator, scope, curves, &wanted, progress)
+}
+
+/// Room below the lowest and above the highest point that is shown, as a part of the height between.
+const MARGIN: f64 = 0.06;
+
+fn rows(
+    number: u32,
+    description: &Description,
+    asked: &OneParameter,
+    found: &one_parameter::OneParameter,
+    units: &Units,
+) -> branches::OneParameter {
+    let strands = (1..).zip(&found.strands).flat_map(|(polyline, strand)| strand_rows(polyline, strand));
+    let branches = strands.map(|row| BranchPoint {
+        primary: row.primary * units.primary,
+        x: row.x * units.length,
+        impact_velocity: row.impact_velocity * units.velocity(),
+        impact_phase: centred(row.impact_phase),
+        ..row
+    });
+    let branches: Vec<BranchPoint> = branches.collect();
+    let bifurcations = found.bifurcations.iter().map(bifurcation_row).map(|row| BranchBifurcation {
+        primary: row.primary * units.primary,
+        impact_velocity: row.impact_velocity * units.velocity(),
+        x: row.x * units.length,
+        ..row
+    });
+    let visit =
+        |&[primary, x]: &[f64; 2]| AttractorPoint { primary: primary * units.primary, x: x * units.length };
+    let attractor: Vec<AttractorPoint> = found.visits.iter().map(visit).collect();
+    let [low, high] = asked.range;
+    let inside = |primary: f64| low <= primary && primary <= high;
+    let on_branches = branches.iter().filter(|point| point.admissible && inside(point.primary));
+    let shown = on_branches.map(|point| point.x).chain(attractor.iter().map(|point| point.x));
+    // The wall is always there.
+    let [lowest, highest] = shown.fold([0.0, 0.0], |[least, most]: [f64; 2], x| [least.min(x), most.max(x)]);
+    let margin = MARGIN * if highest > lowest { highest - lowest } else { units.length };
+    branches::OneParameter {
+        diagram: number,
+        primary_is_fixed: asked.primary_is_fixed,
+        at: asked.at,
+        frame: Frame { x: asked.range, y: [lowest - margin, highest + margin] },
+        from_the_wall: !description.wall().is_usual(),
+        branches,
+        bifurcations: bifurcations.collect(),
+        attractor,
+        portraits: (1..).zip(&found.portraits).flat_map(|(k, portrait)| orbit(k, portrait, units)).collect(),
+        resting: (!found.unfinished).then_some(found.resting),
+    }
+}
+
+/// A portrait in order of time, an empty row after each flight.
+fn orbit(number: u32, portrait: &Portrait, units: &Units) -> Vec<PortraitPoint> {
+    let kind = if portrait.attractor { PortraitKind::Attractor } else { PortraitKind::Periodic };
+    let row = |[time, x, y]: [f64; 3]| PortraitPoint {
+        portrait: number,
+        loops: portrait.loops,
+        primary: portrait.primary * units.primary,
+        kind,
+        time: time * units.time,
+        x: x * units.length,
+        y: y * units.velocity(),
+    };
+    let flights = portrait.flights.iter().map(|flight| flight.iter().copied().chain([[f64::NAN; 3]]));
+    flights.flatten().map(row).collect()
+}
+
+/// The points of a strand, which has a number; the phase of the impact is z.
+pub(crate) fn strand_rows(polyline: u32, strand: &Strand) -> impl Iterator<Item = BranchPoint> {
+    let Strand { loops, visit, points } = strand;
+    points.iter().map(move |point| BranchPoint {
+        loops: *loops,
+        primary: point.primary,
+        x: point.x,
+        visit: *visit,
+        impact_velocity: point.impact[0],
+        impact_phase: point.impact[1],
+        stable: point.stable,
+        admissible: point.admissible,
+        branch: polyline,
+    })
+}
+
+pub(crate) fn bifurcation_row(found: &one_parameter::BranchBifurcation) -> BranchBifurcation {
+    let one_parameter::BranchBifurcation { kind, loops, primary, impact_velocity, x } = *found;
+    BranchBifurcation { kind, loops, primary, impact_velocity, x }
+}

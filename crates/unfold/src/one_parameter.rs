@@ -1,0 +1,189 @@
+//! One-parameter diagrams: what there is at one η as μ changes.
+//!
+//! Branches of non-impacting motion and of p-loop MPSs, bifurcations on them, the long-time behaviour of the hybrid system from random
+//! states, and orbits at chosen μ. Everything is shown by x on the Poincaré section Π.
+
+mod branches;
+mod long_time;
+mod portraits;
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::locate::Condition;
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
+use grazing_model::ImpactOscillator;
+use rayon::prelude::*;
+
+pub use branches::{Branch, BranchBifurcation, Strand, StrandPoint};
+pub use long_time::{Plan, Settled, long_time_behaviour, random_start, settled};
+pub use portraits::{ATTRACTOR_PERIODS, Portrait, sampled};
+
+use crate::curves::DiagramCurve;
+use crate::non_impacting::branch;
+use crate::non_impacting::orbits::PeriodicOrbits;
+use crate::progress::Progress;
+use crate::regions::USUAL_VELOCITY;
+use crate::slices::Slicer;
+use crate::{Scope, search};
+
+/// What is to be shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wanted {
+    /// η.
+    pub secondary: f64,
+    /// The values of μ, inside those of the scope, through which branches are followed.
+    pub range: [f64; 2],
+    /// Values of μ in that range at which orbits are shown.
+    pub portraits: Vec<f64>,
+    /// How the long-time behaviour is sampled.
+    pub plan: Plan,
+}
+
+/// What there is at one η.
+#[derive(Clone, Debug)]
+pub struct OneParameter {
+    /// The non-impacting solution (p = 0) and p-loop MPSs, one strand a loop.
+    pub strands: Vec<Strand>,
+    /// Bifurcations of admissible solutions.
+    pub bifurcations: Vec<BranchBifurcation>,
+    /// (μ, x) at visits to Π of orbits that have settled; none if that was not finished.
+    pub visits: Vec<[f64; 2]>,
+    /// The number of orbits that came to rest at the wall instead, and of all.
+    pub resting: [u32; 2],
+    /// Orbits at the chosen values of μ; none if they were not finished.
+    pub portraits: Vec<Portrait>,
+    /// The long-time behaviour is missing, because an end was asked for.
+    pub unfinished: bool,
+}
+
+/// The stages.
+const BRANCHES: &str = "branches of a one-parameter diagram";
+const LONG_TIME: &str = "long-time behaviour";
+
+/// MPSs are looked for by solving for them at so many values of μ.
+const PLACES: u32 = 9;
+/// Steps along branches without impacts are at most this part of the range that is shown.
+const STEP: f64 = 0.02;
+/// And no shorter than this part of the whole one.
+const LEAST_STEP: f64 = 1e-3;
+/// Random states are looked for this far from the wall at least, which is of the order of one away from rest.
+const LEAST_DEPTH: f64 = 1.0;
+
+impl OneParameter {
+    /// What there is of an oscillator at one η, the values of μ and the numbers of loops being those of the scope. Curves of the
+    /// two-parameter diagram that are known lead to branches, but need not be there.
+    ///
+    /// `None` if an end was asked for before the branches were known.
+    pub fn compute<O: ImpactOscillator>(
+        oscillator: &O,
+        scope: &Scope,
+        curves: &[DiagramCurve],
+        wanted: &Wanted,
+        progress: &dyn Progress,
+    ) -> Option<Self> {
+        let Wanted { secondary, range, .. } = *wanted;
+        progress.begin(BRANCHES, scope.loops.len() as u64 + 1);
+        let share = (range[1] - range[0]) / scope.window.widths()[0];
+        let longest = (STEP * share).max(LEAST_STEP);
+        let control = StepControl { longest, ..branch::STEPS };
+        let orbits = PeriodicOrbits { oscillator, scope, control };
+        let motion = orbits.motion(secondary);
+        progress.step(BRANCHES);
+        let grazing: Vec<[f64; 2]> =
+            motion.grazing.iter().map(|orbit| [orbit.phase(), orbit.primary()]).collect();
+        let branches = mps_branches(oscillator, scope, curves, secondary, &grazing, progress);
+        progress.end(BRANCHES);
+        let mut strands: Vec<Strand> = motion.branches.iter().map(Strand::of_non_impacting).collect();
+        let mut bifurcations: Vec<BranchBifurcation> =
+            motion.branches.iter().flat_map(BranchBifurcation::of_non_impacting).collect();
+        let found: Vec<_> = branches.par_iter().map(Branch::shown).collect();
+        for (own_strands, own_bifurcations) in found {
+            strands.extend(own_strands);
+            bifurcations.extend(own_bifurcations);
+        }
+        let inside = |primary: f64| range[0] <= primary && primary <= range[1];
+        let strands: Vec<Strand> = strands.iter().flat_map(|strand| strand.within(range)).collect();
+        bifurcations.retain(|bifurcation| inside(bifurcation.primary));
+        if progress.stopped() {
+            return None;
+        }
+        let shown = strands.iter().flat_map(|strand| &strand.points).filter(|point| point.admissible);
+        let lowest = shown.map(|point| point.x).fold(-LEAST_DEPTH, f64::min);
+        let scene = portraits::Scene {
+            orbits: &orbits,
+            non_impacting: &motion.branches,
+            branches: &branches,
+            plan: &wanted.plan,
+            lowest,
+        };
+        let long_time = long_time_behaviour(oscillator, secondary, range, (&wanted.plan, lowest), progress);
+        let portraits = scene.at_all(&wanted.portraits, secondary, progress);
+        let unfinished = progress.stopped();
+        let (visits, resting, portraits) = match unfinished {
+            true => (Vec::new(), [0, 0], Vec::new()),
+            false => (long_time.0, long_time.1, portraits),
+        };
+        Some(Self { strands, bifurcations, visits, resting, portraits, unfinished })
+    }
+}
+
+/// The branches of MPSs of all p at one η: those from grazing (z, μ), those that known curves cross, and those that are found by solving for
+/// MPSs.
+fn mps_branches<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    curves: &[DiagramCurve],
+    secondary: f64,
+    grazing: &[[f64; 2]],
+    progress: &dyn Progress,
+) -> Vec<Branch<O>> {
+    let grazing = |_| grazing.to_vec();
+    let slices = scope.loops.par_iter().map(|&loops| {
+        let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
+        let slicer = Slicer::new(&equations, scope.window, StepControl::DRAWING, &grazing);
+        let mut slice = slicer.beginning_at_grazing(secondary);
+        let own: Vec<DiagramCurve> = curves.iter().filter(|curve| curve.loops == loops).cloned().collect();
+        slicer.through_curves(&mut slice, &own);
+        progress.step(BRANCHES);
+        (equations, slice)
+    });
+    let mut slices: Vec<_> = slices.collect();
+    let points = slices.iter().flat_map(|(_, slice)| &slice.branches).flat_map(|branch| &branch.points);
+    let fastest = points.map(|point| point.solution.impact_velocity()).fold(USUAL_VELOCITY, f64::max);
+    let places = (0..PLACES).into_par_iter().map(|k| {
+        let primary = scope.window.parameters([f64::from(k) / f64::from(PLACES - 1), 0.0])[0];
+        if progress.stopped() {
+            return Vec::new();
+        }
+        search::at(oscillator.with_parameters([primary, secondary]), &scope.loops, fastest)
+    });
+    let found: Vec<(u32, Unknowns)> = places.collect::<Vec<_>>().concat();
+    slices.par_iter_mut().for_each(|(equations, slice)| {
+        let slicer = Slicer::new(equations, scope.window, StepControl::DRAWING, &grazing);
+        let own = found.iter().filter(|(loops, _)| *loops == equations.loops());
+        own.for_each(|(_, solution)| slicer.through(slice, *solution));
+    });
+    let branches = slices.into_iter().flat_map(|(equations, slice)| {
+        slice.branches.into_iter().map(move |curve| Branch { equations: equations.clone(), curve })
+    });
+    branches.collect()
+}
+
+/// Curves of a diagram with the parameters in each other's role.
+pub fn exchanged(curves: &[DiagramCurve]) -> Vec<DiagramCurve> {
+    let mut curves = curves.to_vec();
+    for point in curves.iter_mut().flat_map(|curve| &mut curve.curve.points) {
+        point.solution.unknowns.swap_rows(unknown::PRIMARY, unknown::SECONDARY);
+        // What the equations carry says nothing of parameters.
+        point.times = EventTimes::default();
+    }
+    curves
+}
+
+/// The bifurcation that a condition is on a branch of non-impacting motion.
+fn of_non_impacting(condition: Condition) -> Option<Bifurcation> {
+    match condition {
+        Condition::InteriorGrazing => Some(Bifurcation::NonImpactingGrazing),
+        other => Bifurcation::of(other),
+    }
+}

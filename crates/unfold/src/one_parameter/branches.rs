@@ -1,0 +1,256 @@
+//! Branches as what is drawn of them: x on Π, loop by loop.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_continuation::curve::{Curve, CurvePoint, Event};
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
+use grazing_model::maps::virtual_map;
+use grazing_model::{ImpactOscillator, OnWall};
+use grazing_theorems::spectrum::in_trapesium;
+use nalgebra::Vector2;
+
+use crate::non_impacting::branch;
+
+/// A branch of p-loop MPSs at one η.
+#[derive(Clone, Debug)]
+pub struct Branch<O> {
+    /// The equations, in the formulation in which the branch was begun.
+    pub equations: LoopEquations<O>,
+    /// Its points and bifurcations.
+    pub curve: Curve,
+}
+
+/// One loop of the solutions of a branch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Strand {
+    /// Number of loops p; 0 for the non-impacting solution.
+    pub loops: u32,
+    /// The loop, from 1 to p; 1 for the non-impacting solution.
+    pub visit: u32,
+    /// Its points in order.
+    pub points: Vec<StrandPoint>,
+}
+
+/// A point of a strand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StrandPoint {
+    /// μ.
+    pub primary: f64,
+    /// x on Π; NaN where the loop has no maximum that is known to be the one.
+    pub x: f64,
+    /// y and z of the impact; NaN without one.
+    pub impact: [f64; 2],
+    /// Both multipliers lie inside the unit circle.
+    pub stable: bool,
+    /// No maximum of x between two impacts lies above the wall.
+    pub admissible: bool,
+}
+
+/// A bifurcation of admissible solutions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BranchBifurcation {
+    /// What happens.
+    pub kind: Bifurcation,
+    /// Number of loops p; 0 for the non-impacting solution.
+    pub loops: u32,
+    /// μ.
+    pub primary: f64,
+    /// y of the impact; 0 without one.
+    pub impact_velocity: f64,
+    /// x on Π of the last loop, which is virtual if there is an impact; NaN where it has none.
+    pub x: f64,
+}
+
+/// A point of a branch, and the bifurcation that it is.
+type Place<'a> = (CurvePoint, Option<&'a Event>);
+
+/// V of a solution whose visits to Π are the right ones is at most this (empirical: Newton's method leaves some 10⁻¹⁰; another maximum is
+/// farther away than this by orders of magnitude).
+const CLOSED: f64 = 1e-6;
+/// From point to point of a branch a visit's phase changes by less than this (empirical: a step of a curve that is drawn turns by two
+/// degrees).
+const LARGEST_TURN: f64 = 0.3;
+
+impl<O: ImpactOscillator> Branch<O> {
+    /// Its points with its bifurcations in their places.
+    fn places(&self) -> Vec<Place<'_>> {
+        let mut places = Vec::with_capacity(self.curve.points.len() + self.curve.events.len());
+        let mut events = self.curve.events.iter().peekable();
+        for (index, point) in self.curve.points.iter().enumerate() {
+            while let Some(event) = events.next_if(|event| event.index <= index) {
+                let at = CurvePoint { solution: event.solution, times: event.times.clone() };
+                places.push((at, Some(event)));
+            }
+            places.push((point.clone(), None));
+        }
+        places
+    }
+
+    /// The points (x, z) at which the solutions meet Π, loop by loop; NaN where that is not known.
+    ///
+    /// With VIVID the curve itself has carried the times of the maxima. Otherwise they are carried here, and visits count only if the last is
+    /// the virtual point of the impact, as that of an MPS is. That one is known in any case.
+    fn visits(&self, places: &[Place<'_>]) -> Vec<Vec<Vector2<f64>>> {
+        let carries = self.equations.formulation() == Formulation::Vivid;
+        let vivid = self.equations.with_formulation(Formulation::Vivid);
+        let closed = |point: &Unknowns, mut times: EventTimes| {
+            let miss = vivid.pair::<1>(point, &mut times).ok()?.difference().0.norm();
+            (miss <= CLOSED).then_some(times)
+        };
+        let top = |point: &Unknowns| {
+            let mut visits = vec![Vector2::repeat(f64::NAN); self.equations.loops() as usize];
+            let impact = OnWall::new(point[unknown::VELOCITY], point[unknown::PHASE]);
+            let landing = virtual_map::<O, 1>(&self.equations.oscillator_at(point), impact, None);
+            if let (Some(last), Ok(landing)) = (visits.last_mut(), landing) {
+                *last = landing.jet.value;
+            }
+            visits
+        };
+        let mut carried = EventTimes::default();
+        let visits = places.iter().map(|(at, _)| {
+            let point = &at.solution.unknowns;
+            let times = if carries {
+                Some(at.times.clone())
+            } else {
+                closed(point, carried.clone()).or_else(|| closed(point, EventTimes::default()))
+            };
+            carried = times.clone().unwrap_or_default();
+            times.and_then(|times| vivid.visits(point, &times).ok()).unwrap_or_else(|| top(point))
+        });
+        visits.collect()
+    }
+
+    /// What is drawn of the branch.
+    pub fn shown(&self) -> (Vec<Strand>, Vec<BranchBifurcation>) {
+        let places = self.places();
+        let visits = self.visits(&places);
+        let loops = self.equations.loops();
+        let mut strands = Vec::new();
+        for visit in 0..loops {
+            let mut points = Vec::new();
+            let mut phase = f64::NAN;
+            for ((at, _), visits) in places.iter().zip(&visits) {
+                let [x, z] = visits[visit as usize].into();
+                // Where another maximum is taken for the visit, the strand begins anew.
+                if libm::remainder(z - phase, TAU).abs() > LARGEST_TURN {
+                    let points = core::mem::take(&mut points);
+                    strands.push(Strand { loops, visit: visit + 1, points });
+                }
+                phase = z;
+                let [velocity, phase, primary, _] = at.solution.unknowns.into();
+                points.push(StrandPoint {
+                    primary,
+                    x,
+                    impact: [velocity, phase],
+                    stable: velocity > 0.0 && at.solution.stable(),
+                    // Or the grazing orbit in which the branch begins.
+                    admissible: at.solution.admissible() || velocity == 0.0,
+                });
+            }
+            strands.push(Strand { loops, visit: visit + 1, points });
+        }
+        let bifurcations = places.iter().zip(&visits).filter_map(|((at, event), visits)| {
+            let kind = Bifurcation::of((*event)?.condition)?;
+            at.solution.admissible().then(|| BranchBifurcation {
+                kind,
+                loops,
+                primary: at.solution.parameters()[0],
+                impact_velocity: at.solution.impact_velocity(),
+                x: visits.last().map_or(f64::NAN, |last| last[0]),
+            })
+        });
+        let bifurcations = bifurcations.collect();
+        (strands, bifurcations)
+    }
+
+    /// The ranges of μ in which the MPSs are stable and admissible.
+    pub fn stable_stretches(&self) -> Vec<[f64; 2]> {
+        let places = self.places();
+        let shown = |(at, _): &Place<'_>| {
+            at.solution.impact_velocity() > 0.0 && at.solution.stable() && at.solution.admissible()
+        };
+        let mut stretches = Vec::new();
+        for run in places.chunk_by(|a, b| shown(a) == shown(b)) {
+            let primaries = run.iter().map(|(at, _)| at.solution.parameters()[0]);
+            let [low, high] = primaries.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+                [low.min(value), high.max(value)]
+            });
+            if shown(&run[0]) && low < high {
+                stretches.push([low, high]);
+            }
+        }
+        stretches
+    }
+
+    /// The stable admissible MPSs at a value of μ.
+    pub fn stable_at(&self, primary: f64) -> Vec<Unknowns> {
+        let mut found: Vec<Unknowns> = Vec::new();
+        for pair in self.curve.points.windows(2) {
+            let [before, after] = [&pair[0].solution, &pair[1].solution];
+            let [from, secondary] = before.parameters();
+            let brackets = (from - primary) * (after.parameters()[0] - primary) <= 0.0;
+            if !(brackets && (before.stable() || after.stable())) {
+                continue;
+            }
+            let conditions = [Condition::Secondary(secondary), Condition::Primary(primary)];
+            let mut times = pair[0].times.clone();
+            let Ok(point) = locate(&self.equations, conditions, before.unknowns, &mut times) else {
+                continue;
+            };
+            let (solution, _) = self.equations.solution(&point);
+            if solution.stable() && solution.admissible() {
+                found.push(point);
+            }
+        }
+        found
+    }
+}
+
+impl Strand {
+    pub(super) fn of_non_impacting(branch: &branch::Branch) -> Self {
+        let points = branch.orbits.iter().map(|orbit| StrandPoint {
+            primary: orbit.height.parameters[0],
+            x: orbit.highest.position,
+            impact: [f64::NAN; 2],
+            stable: in_trapesium(orbit.multipliers.trace, orbit.multipliers.determinant),
+            admissible: orbit.off_the_wall(),
+        });
+        Self { loops: 0, visit: 1, points: points.collect() }
+    }
+
+    /// The parts of it in a range of μ, each with the points next to it outside.
+    pub(super) fn within(&self, [low, high]: [f64; 2]) -> Vec<Self> {
+        let near = |k: usize| {
+            let inside = |point: &StrandPoint| low <= point.primary && point.primary <= high;
+            let [first, last] = [k.saturating_sub(1), (k + 1).min(self.points.len() - 1)];
+            self.points[first..=last].iter().any(inside)
+        };
+        let places: Vec<usize> = (0..self.points.len()).collect();
+        let runs = places.chunk_by(|a, b| near(*a) == near(*b)).filter(|run| near(run[0]));
+        let part = |run: &[usize]| Self {
+            points: run.iter().map(|&k| self.points[k]).collect(),
+            loops: self.loops,
+            visit: self.visit,
+        };
+        runs.map(part).collect()
+    }
+}
+
+impl BranchBifurcation {
+    pub(super) fn of_non_impacting(branch: &branch::Branch) -> Vec<Self> {
+        let bifurcations = branch.bifurcations.iter().filter_map(|crossing| {
+            let orbit = &branch.orbits[crossing.place?];
+            let kind = super::of_non_impacting(crossing.condition)?;
+            orbit.off_the_wall().then_some(Self {
+                kind,
+                loops: 0,
+                primary: orbit.height.parameters[0],
+                impact_velocity: 0.0,
+                x: orbit.highest.position,
+            })
+        });
+        bifurcations.collect()
+    }
+}

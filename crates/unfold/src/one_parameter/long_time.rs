@@ -1,0 +1,177 @@
+//! Long-time behaviour of the hybrid system from random states.
+
+use core::f64::consts::TAU;
+
+use grazing_model::maps::{global_map, virtual_map};
+use grazing_model::motion::{Motion, highest_maximum};
+use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
+use grazing_model::{AtRest, ImpactOscillator, OnWall, State};
+use nalgebra::Vector2;
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng;
+use rayon::prelude::*;
+
+use super::LONG_TIME;
+use crate::progress::Progress;
+
+/// How long-time behaviour is sampled.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Values of μ, evenly spaced, at least 2.
+    pub values: u32,
+    /// Orbits at each, from random states.
+    pub orbits: u32,
+    /// The forcing periods before an orbit counts.
+    pub transient: u32,
+    /// The forcing periods for which it counts then.
+    pub recorded: u32,
+    /// The seed of the random states.
+    pub seed: u64,
+}
+
+/// A random point of Π: x uniform between a lowest one and the wall, the phase uniform.
+pub fn random_start(lowest: f64, random: &mut Pcg64) -> State {
+    State::at_rest(lowest * uniform(random), TAU * uniform(random))
+}
+
+/// Uniform in [0, 1), with 53 random bits.
+fn uniform(random: &mut Pcg64) -> f64 {
+    (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// No orbit has more than a few impacts a period; sticking and chattering end it by themselves.
+const MOST_IMPACTS: usize = 1_000_000;
+
+/// An orbit after its transient.
+pub enum Settled<M> {
+    /// With impacts: its flights.
+    Impacts(Vec<Flight<M>>),
+    /// Without: the state at the end of the transient.
+    Free(State),
+    /// It came to rest at the wall before, where it is followed no further, or cannot be followed at all.
+    Ended,
+}
+
+/// Follows an orbit for `recorded` forcing periods after `transient` ones.
+pub fn settled<O: ImpactOscillator>(
+    oscillator: &O,
+    from: State,
+    [transient, recorded]: [u32; 2],
+) -> Settled<O::Motion> {
+    let period = oscillator.forcing_period();
+    let transient = f64::from(transient) * period;
+    let horizon = transient + f64::from(recorded) * period;
+    let mut orbit = Orbit::new(oscillator, from, horizon, MOST_IMPACTS);
+    let (mut last, mut flights) = (None, Vec::new());
+    for flight in orbit.by_ref() {
+        if flight.start >= transient { flights.push(flight) } else { last = Some(flight) }
+    }
+    match (orbit.end(), last) {
+        _ if !flights.is_empty() => Settled::Impacts(flights),
+        (Some(OrbitEnd::TimeIsUp(end)), Some(Flight { start, from, motion, .. }))
+            if end.position.is_finite() =>
+        {
+            let time = transient - start;
+            let here = motion.at(time);
+            let phase = from.phase + oscillator.forcing_frequency().value * time;
+            Settled::Free(State { position: here.position, velocity: here.velocity, phase })
+        }
+        _ => Settled::Ended,
+    }
+}
+
+/// x on Π at the visits of an orbit from a random state after its transient; none if it has come to rest at the wall by then.
+fn long_time_visits<O: ImpactOscillator>(
+    oscillator: &O,
+    plan: &Plan,
+    lowest: f64,
+    random: &mut Pcg64,
+) -> Vec<f64> {
+    let mut visits = Vec::new();
+    match settled(oscillator, random_start(lowest, random), [plan.transient, plan.recorded]) {
+        Settled::Impacts(flights) => {
+            flights.iter().for_each(|flight| visits_of(oscillator, flight, &mut visits));
+        }
+        Settled::Free(state) => visits = highest_points(oscillator, state, plan.recorded),
+        Settled::Ended => {}
+    }
+    visits
+}
+
+/// The highest point of every forcing period of motion that does not reach the wall.
+fn highest_points<O: ImpactOscillator>(oscillator: &O, from: State, periods: u32) -> Vec<f64> {
+    let period = oscillator.forcing_period();
+    let motion = oscillator.motion(from);
+    let Some(first) = highest_maximum(&motion, 1.25 * period) else { return Vec::new() };
+    // Half-way from one to the next, so that none lies at the end of its period.
+    let points = (0..periods.saturating_sub(1)).filter_map(|k| {
+        let time = first.time + (f64::from(k) + 0.5) * period;
+        let here = motion.at(time);
+        let phase = from.phase + oscillator.forcing_frequency().value * time;
+        let state = State { position: here.position, velocity: here.velocity, phase };
+        highest_maximum(&oscillator.motion(state), period)
+    });
+    core::iter::once(first).chain(points).map(|maximum| maximum.position).collect()
+}
+
+/// (μ, x) at the visits of settled orbits over a range of μ; and how many of them came to rest at the wall, and how many there are.
+pub fn long_time_behaviour<O: ImpactOscillator>(
+    oscillator: &O,
+    secondary: f64,
+    [low, high]: [f64; 2],
+    (plan, lowest): (&Plan, f64),
+    progress: &dyn Progress,
+) -> (Vec<[f64; 2]>, [u32; 2]) {
+    progress.begin(LONG_TIME, u64::from(plan.values));
+    let sample = |k: u32| {
+        let primary = low + (high - low) * f64::from(k) / f64::from(plan.values - 1);
+        let oscillator = oscillator.with_parameters([primary, secondary]);
+        let mut random = Pcg64::new(u128::from(plan.seed), u128::from(k));
+        let (mut visits, mut resting) = (Vec::new(), 0);
+        for _ in 0..plan.orbits {
+            if progress.stopped() {
+                break;
+            }
+            let found = long_time_visits(&oscillator, plan, lowest, &mut random);
+            resting += u32::from(found.is_empty());
+            visits.extend(found.into_iter().map(|x| [primary, x]));
+        }
+        progress.step(LONG_TIME);
+        (visits, resting)
+    };
+    let samples: Vec<_> = (0..plan.values).into_par_iter().map(sample).collect();
+    progress.end(LONG_TIME);
+    let resting = samples.iter().map(|(_, resting)| resting).sum();
+    let visits = samples.into_iter().flat_map(|(visits, _)| visits);
+    (visits.filter(|visit| visit[1].is_finite()).collect(), [resting, plan.values * plan.orbits])
+}
+
+/// The x-values at which a flight meets Π: the iterates of P_global from the virtual point of its recoil for as long as
+/// they lie within the flight, and the virtual top beyond the wall with which it ends.
+fn visits_of<O: ImpactOscillator>(oscillator: &O, flight: &Flight<O::Motion>, visits: &mut Vec<f64>) {
+    let mut time = 0.0;
+    let mut here = Vector2::new(flight.from.position, flight.from.phase);
+    if flight.from.velocity != 0.0 {
+        let Ok(origin) =
+            virtual_map::<_, 1>(oscillator, OnWall::new(flight.from.velocity, flight.from.phase), None)
+        else {
+            return;
+        };
+        (time, here) = (origin.time, origin.jet.value);
+    }
+    let half_period = 0.5 * oscillator.forcing_period();
+    while let Ok(next) = global_map::<_, 1>(oscillator, AtRest::new(here[0], here[1]), None) {
+        time += next.time;
+        // A return time far from the forcing period belongs to a maximum that is not on Π.
+        if time >= flight.duration || next.time < half_period {
+            break;
+        }
+        here = next.jet.value;
+        visits.push(here[0]);
+    }
+    if let FlightEnd::Impact(impact) = flight.end
+        && let Ok(top) = virtual_map::<_, 1>(oscillator, OnWall::new(impact.velocity, impact.phase), None)
+    {
+        visits.push(top.jet.value[0]);
+    }
+}

@@ -1,0 +1,124 @@
+//! One-parameter diagrams against Figure 2, against simulation, and against each other.
+
+use std::fs;
+
+use grazing_continuation::curve::Window;
+use grazing_description::Description;
+use grazing_model::smooth::Integrated;
+use grazing_unfold::Scope;
+use grazing_unfold::one_parameter::{OneParameter, Plan, Strand, StrandPoint, Wanted};
+use grazing_unfold::progress::Silent;
+
+use crate::specimens::{example, file};
+
+/// That of Figure 2.
+const FREQUENCY: f64 = 0.854;
+
+fn wanted(secondary: f64, range: [f64; 2], values: u32) -> Wanted {
+    let plan = Plan { values, orbits: 3, transient: 300, recorded: 10, seed: 1 };
+    Wanted { secondary, range, portraits: Vec::new(), plan }
+}
+
+/// The diagram of the paper's oscillator, integrated from its file, at the frequency of Figure 2; known curves do not help.
+fn of_the_paper(range: [f64; 2], values: u32) -> OneParameter {
+    let (oscillator, scope) = example("paper.toml");
+    OneParameter::compute(&oscillator, &scope, &[], &wanted(FREQUENCY, range, values), &Silent)
+        .expect("nobody stops it")
+}
+
+/// The points of strands of p loops at a value of μ, between their neighbours.
+fn at(strands: &[Strand], loops: u32, primary: f64) -> Vec<(u32, StrandPoint)> {
+    let own = strands.iter().filter(|strand| strand.loops == loops);
+    let found = own.flat_map(|strand| {
+        strand.points.windows(2).filter_map(|pair| {
+            let share = (primary - pair[0].primary) / (pair[1].primary - pair[0].primary);
+            let between = |a: f64, b: f64| a + share * (b - a);
+            let impact = [0, 1].map(|k| between(pair[0].impact[k], pair[1].impact[k]));
+            let x = between(pair[0].x, pair[1].x);
+            (0.0..=1.0)
+                .contains(&share)
+                .then_some((strand.visit, StrandPoint { x, impact, primary, ..pair[0] }))
+        })
+    });
+    found.collect()
+}
+
+#[test]
+fn bifurcations_of_the_paper_s_oscillator_are_those_of_figure_2() {
+    let found = of_the_paper([0.262, 0.342], 2).bifurcations;
+    let expected = fs::read_to_string(file("expected/fig02_bifurcations.snap")).expect("it is there");
+    let (_, expected) = expected.split_once("\n---\n").expect("it has a head");
+    assert_eq!(found.len(), expected.lines().count());
+    for (found, expected) in found.iter().zip(expected.lines()) {
+        let words: Vec<&str> = expected.split([' ', ',', ':']).filter(|word| !word.is_empty()).collect();
+        let [kind, "p", "=", loops, "amplitude", primary, "impact", "velocity", velocity, "x", x] = words[..]
+        else {
+            panic!("{expected}")
+        };
+        assert_eq!((found.kind.name(), found.loops.to_string().as_str()), (kind, loops));
+        for (found, expected) in [(found.primary, primary), (found.impact_velocity, velocity), (found.x, x)] {
+            let expected: f64 = expected.parse().expect("it is a number");
+            assert!((found - expected).abs() < 1e-9, "{kind} p = {loops}: {found} and not {expected}");
+        }
+    }
+}
+
+#[test]
+fn where_only_mps_attract_simulation_stays_on_their_branches() {
+    let diagram = of_the_paper([0.338, 0.342], 5);
+    assert_eq!(diagram.resting[0], 0);
+    // Both loops of p = 2 are visited everywhere.
+    let mut visited = 0;
+    for [primary, x] in &diagram.visits {
+        // Between points of a branch lies a chord.
+        let stable = at(&diagram.strands, 2, *primary).into_iter().filter(|(_, point)| point.stable);
+        let near = stable.into_iter().find(|(_, point)| (point.x - x).abs() < 1e-4);
+        visited |= 1 << near.unwrap_or_else(|| panic!("{x} at {primary} lies on no branch")).0;
+    }
+    assert_eq!(visited, 0b110);
+    assert!(diagram.visits.len() >= 5 * 3 * 9, "{}", diagram.visits.len());
+}
+
+#[test]
+fn a_point_is_on_the_branches_of_either_diagram_that_passes_it() {
+    let amplitude = 0.3;
+    let one = of_the_paper([0.29, 0.31], 2);
+    let description = Description::from_file(&file("examples/paper.toml")).expect("it is right").exchanged();
+    let [primary, secondary] = [description.primary(), description.secondary()].map(|axis| axis.range());
+    let scope = Scope { window: Window { primary, secondary }, loops: vec![1, 2, 3], start: None };
+    let oscillator = Integrated::new(description, [primary[0], secondary[0]]);
+    let wanted = wanted(amplitude, [0.84, 0.87], 2);
+    let other = OneParameter::compute(&oscillator, &scope, &[], &wanted, &Silent).expect("nobody stops it");
+    for loops in 1..=2 {
+        let [one, other] = [at(&one.strands, loops, amplitude), at(&other.strands, loops, FREQUENCY)];
+        assert_eq!((one.len(), other.len()), (loops as usize, loops as usize));
+        for ((visit, a), (same, b)) in one.iter().zip(&other) {
+            assert_eq!((visit, a.stable, a.admissible), (same, b.stable, b.admissible));
+            // What is between points lies on a chord.
+            for (a, b) in [(a.x, b.x), (a.impact[0], b.impact[0]), (a.impact[1], b.impact[1])] {
+                let turn = libm::remainder(a - b, core::f64::consts::TAU);
+                assert!(turn.abs() < 1e-4, "p = {loops}: {a} and {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn portraits_are_of_stable_solutions_and_of_what_simulation_finds_besides() {
+    let (oscillator, scope) = example("paper.toml");
+    let wanted = Wanted { portraits: vec![0.266, 0.3, 0.34], ..wanted(FREQUENCY, [0.262, 0.342], 2) };
+    let diagram = OneParameter::compute(&oscillator, &scope, &[], &wanted, &Silent).expect("nobody stops it");
+    let at = |primary: f64| diagram.portraits.iter().filter(move |portrait| portrait.primary == primary);
+    // Below grazing the non-impacting solution is stable, and closes.
+    let free = at(0.266).next().expect("there is one");
+    assert!(free.loops == 0 && !free.attractor && free.flights.len() == 1);
+    let (first, last) = (free.flights[0][0], free.flights[0][free.flights[0].len() - 1]);
+    assert!((first[1] - last[1]).abs() + (first[2] - last[2]).abs() < 1e-9);
+    // Between GZ and PD no MPS is stable, and something attracts.
+    assert!(at(0.3).count() > 0 && at(0.3).all(|portrait| portrait.attractor));
+    // Then there is p = 2 alone, from its recoil to its impact.
+    let [double] = at(0.34).collect::<Vec<_>>()[..] else { panic!("one attracts") };
+    assert!(double.loops == 2 && !double.attractor);
+    let flight = &double.flights[0];
+    assert!(flight[0][2] < 0.0 && flight[flight.len() - 1][1].abs() < 1e-8);
+}
