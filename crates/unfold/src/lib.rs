@@ -81,6 +81,7 @@ mod slices;
 #[cfg(test)]
 mod specimens;
 pub mod stop;
+mod suggestion;
 mod survey;
 pub mod units;
 pub mod verdict;

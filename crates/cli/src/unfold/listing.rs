@@ -1,11 +1,12 @@
 //! What there is to tell of an oscillator and its resonances, as lines on the terminal.
 
 mod gaps;
+mod window;
 
 use std::path::Path;
 
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
-use grazing_description::Description;
+use grazing_description::{Description, Side};
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_reproduction::unfolded::AtResonance;
@@ -34,13 +35,17 @@ pub(super) fn oscillator(description: &Description, file: &Path) -> String {
         description.constants().map(|(name, value)| format!("{name} = {value}")).collect();
     let (primary, secondary) = (description.primary(), description.secondary());
     let mut text = format!("{} ({})\n\n", description.name(), file.display());
-    let lines = [
-        ("motion", format!("x'' = {} for x < 0, where v = x'", texts.force)),
-        ("frequency", texts.frequency.clone()),
-        (
-            "impact",
-            "at x = 0, with velocity y = v and phase z = frequency*t: y -> -y*Phi, z -> z + y*Psi".to_owned(),
+    let (place, wall) = match (texts.wall.as_str(), description.wall().side()) {
+        ("0", Side::Below) => (" for x < 0", "x = 0, with velocity y = v".to_owned()),
+        (wall, side) => (
+            "",
+            format!("the wall, x = {wall}, {} which motion is, with velocity y relative to it", side.name()),
         ),
+    };
+    let lines = [
+        ("motion", format!("x'' = {}{place}, where v = x'", texts.force)),
+        ("frequency", texts.frequency.clone()),
+        ("impact", format!("at {wall} and phase z = frequency*t: y -> -y*Phi, z -> z + y*Psi")),
         ("", format!("Phi = {}, Psi = {}", texts.restitution, texts.duration)),
         ("constants", if constants.is_empty() { "none".to_owned() } else { constants.join(", ") }),
         ("primary", format!("{} from {}", primary.name(), range(primary.range()))),
@@ -68,6 +73,7 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
     text.push_str(&corners(description, unfolded));
     text.push_str(&odd_ends(description, unfolded));
     text.push_str(&undecided(description, unfolded));
+    text.push_str(&window::suggested(unfolded));
     text
 }
 
