@@ -110,14 +110,27 @@ Examples:
   cargo xtask unfold mine.toml --format pdf --columns one --output figures-of-mine
 
 The file names the parameters, their ranges, and gives force, forcing frequency, restitution and
-impact duration as expressions; examples/ has five with comments, and a page that explains the
-columns. The terminal shows the grazing curve, every resonant grazing bifurcation on it, and there
-the coefficients of Theorem 2.4 or 2.5 beside measured ones, or the hypothesis that fails.
+impact duration as expressions; `cargo xtask new` writes one to begin with, and examples/ has
+fourteen with comments, and a page that explains the columns. The terminal shows the grazing curve,
+every resonant grazing bifurcation on it, and there the coefficients of Theorem 2.4 or 2.5 beside
+measured ones, or the hypothesis that fails; and better ranges where the diagram fills little of
+the file's.
 
 Files are written whole, and only when everything is computed, a limit of time, memory or steps is
 met, or Ctrl-C is pressed; what is missing then is named, and the exit code is 3. Pressed again,
 Ctrl-C ends the program at once. Until then the curves that are finished stand in
 data/curves.unfinished.csv.
+
+";
+
+const EXAMPLES_OF_NEW: &str = "\
+Examples:
+  cargo xtask new my.toml                a mass on a spring beside a wall, without units
+  cargo xtask new my.toml --kind moving-wall
+  cargo xtask new my.toml --kind si      metres, kilograms, seconds
+
+The file has a comment for every key and can be unfolded as it is, with
+`cargo xtask unfold my.toml`. A file that is there already is not replaced.
 
 ";
 
@@ -150,6 +163,9 @@ pub enum Command {
     /// Find and unfold the resonant grazing bifurcations of an oscillator from a text file
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_UNFOLD}{EXIT_CODES}"))]
     Unfold(Unfold),
+    /// Write a description of an oscillator to begin with, to be changed and unfolded
+    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_NEW}{EXIT_CODES}"))]
+    New(New),
 }
 
 /// The arguments of `grazing reproduce`.
@@ -273,6 +289,28 @@ pub struct Unfold {
     /// Steps of integration after which it ends likewise [default: the file's, or 1e10]
     #[arg(long, value_name = "N", value_parser = positive)]
     pub step_limit: Option<f64>,
+}
+
+/// The arguments of `grazing new`.
+#[derive(Debug, Args)]
+pub struct New {
+    /// The file to be written, which must not be there yet
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// What it begins with
+    #[arg(long, value_name = "KIND", default_value = "plain")]
+    pub kind: Template,
+}
+
+/// What a description of one's own begins with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Template {
+    /// A mass on a spring beside a wall at x = 0, without units
+    Plain,
+    /// A mass over a table that shakes: the wall moves
+    MovingWall,
+    /// A rig in metres, kilograms and seconds, its stop at a distance
+    Si,
 }
 
 /// The parameter file, which all commands share.

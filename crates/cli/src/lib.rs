@@ -10,6 +10,7 @@ mod data_page;
 pub mod failure;
 pub mod folder;
 mod limits;
+mod new;
 pub mod outputs;
 mod progress;
 mod project;
@@ -34,5 +35,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Claims(arguments) => claims::run(arguments),
         Command::Report(arguments) => report::run(arguments),
         Command::Unfold(arguments) => unfold::run(arguments),
+        Command::New(arguments) => new::run(arguments),
     }
 }

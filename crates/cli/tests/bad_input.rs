@@ -178,6 +178,10 @@ fn every_bad_command_line_is_refused() {
         "unfold o.toml --loops 0",
         "unfold o.toml --format tex",
         "unfold o.toml --output file",
+        "new",
+        "new o.toml",
+        "new missing/o.toml",
+        "new mine.toml --kind wall",
     ] {
         let before = listing(folder.path());
         let outcome = grazing(folder.path(), &line.split_whitespace().collect::<Vec<_>>());

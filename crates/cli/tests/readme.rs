@@ -25,8 +25,13 @@ fn commands() -> Vec<String> {
 #[test]
 fn the_readme_shows_all_commands() {
     let commands = commands();
-    for wanted in ["cargo xtask reproduce", "cargo xtask compare", "cargo xtask report", "cargo xtask unfold"]
-    {
+    for wanted in [
+        "cargo xtask reproduce",
+        "cargo xtask compare",
+        "cargo xtask report",
+        "cargo xtask unfold",
+        "cargo xtask new",
+    ] {
         assert!(
             commands.iter().any(|command| command.starts_with(wanted)),
             "no line `{wanted}` in README.md"

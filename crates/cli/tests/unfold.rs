@@ -332,6 +332,20 @@ fn an_oscillator_without_grazing_is_told_what_was_seen_and_what_can_be_done() {
 }
 
 #[test]
+fn a_window_that_is_much_too_wide_is_told_with_one_that_is_not() {
+    let folder = folder_with(&[("o.toml", &described(LINEAR, "[0.0, 50.0]", "[0.5, 1.3]"))]);
+    let wide = grazing(folder.path(), &["unfold", "o.toml"]);
+    assert_eq!(wide.code, Some(0), "{}", wide.messages);
+    let (_, told) = wide.output.split_once("\nWindow\n").expect("it is far too wide");
+    let settings: Vec<&str> = told.split_whitespace().filter(|word| word.contains(".range=")).collect();
+    let [primary, secondary] = settings[..] else { panic!("{told}") };
+    assert_eq!(secondary, "secondary.range=[0.5,1.3]");
+    let run = grazing(folder.path(), &["unfold", "o.toml", "--set", primary, "--set", secondary]);
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert!(!run.output.contains("\nWindow\n"), "{}", run.output);
+}
+
+#[test]
 fn of_several_files_those_that_can_be_are_unfolded() {
     let without = described(LINEAR, "[0.0, 0.1]", "[0.5, 0.7]");
     let without_resonance = described(LINEAR, "[0.5, 1.0]", "[0.7, 0.75]");

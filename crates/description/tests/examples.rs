@@ -144,7 +144,8 @@ fn the_forces_of_the_rigs_are_those_of_their_comments() {
         -2.0 * c("zeta") * v - libm::sin(x) + torque * libm::cos(omega * t)
     });
     assert_force("harvester.toml", |c, [x, v, t, base, f]| {
-        let coupling = c("theta") / (1.0 + (x / c("d")).powi(2));
+        let away = x / c("d");
+        let coupling = c("theta") / (1.0 + away * away);
         let damping = c("c") + coupling * coupling / c("R");
         -(damping * v + c("k") * x) / c("m") + base * libm::cos(TAU * f * t)
     });

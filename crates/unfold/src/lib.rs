@@ -82,6 +82,7 @@ mod slices;
 #[cfg(test)]
 mod specimens;
 pub mod stop;
+mod suggestion;
 mod survey;
 pub mod units;
 pub mod verdict;

@@ -1,8 +1,6 @@
 //! Oscillators from text files, as the page shows them, and a page about one of them.
 
 use std::collections::BTreeSet;
-use std::ffi::OsStr;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use grazing_description::{Description, DescriptionError};
@@ -21,8 +19,9 @@ use crate::project;
 use crate::unfold::sheets::{Sheet, SheetKind};
 use crate::unfold::{self, Analysis, reason, sheets};
 
-/// The example whose results the page shows anyway: the oscillator of the paper.
-const PAPER: &str = "paper.toml";
+/// The examples that the page shows anyway; any other can be asked for.
+const EXAMPLES: [&str; 4] =
+    ["clearance.toml", "duffing.toml", "quadratic-damping.toml", "varying-impact.toml"];
 /// The tables that are shown as such.
 const SHOWN: [&str; 3] = ["coefficients", "hypotheses", "points"];
 /// The name of the page about an oscillator, in the folder of its results.
@@ -58,19 +57,14 @@ impl OscillatorFile {
         Ok(Self { file: file.to_owned(), text, description })
     }
 
-    /// The examples of the repository in the order of their names, but for that of the paper, then the given files.
+    /// Some examples of the repository, then the given files.
     ///
     /// # Errors
     /// One cannot be read, or something in it is not right.
     pub(crate) fn all(root: Option<&Path>, given: &[PathBuf]) -> Result<Vec<Self>, Failure> {
         let folder = root.map(|root| root.join(project::EXAMPLES));
-        let entries = folder.and_then(|folder| fs::read_dir(folder).ok()).into_iter().flatten().flatten();
-        let is_shown = |path: &PathBuf| {
-            path.extension().is_some_and(|extension| extension == "toml")
-                && path.file_name() != Some(OsStr::new(PAPER))
-        };
-        let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_shown).collect();
-        files.sort();
+        let examples = folder.iter().flat_map(|folder| EXAMPLES.map(|name| folder.join(name)));
+        let mut files: Vec<PathBuf> = examples.filter(|file| file.is_file()).collect();
         files.extend_from_slice(given);
         files.iter().map(|file| Self::read(file, &[])).collect()
     }

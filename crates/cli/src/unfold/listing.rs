@@ -1,6 +1,7 @@
 //! What there is to tell of an oscillator and its resonances, as lines on the terminal.
 
 mod gaps;
+mod window;
 
 use std::path::Path;
 
@@ -81,6 +82,7 @@ pub(super) fn results(description: &Description, unfolded: &Analysis) -> String 
     text.push_str(&odd_ends(description, unfolded));
     text.push_str(&undecided(description, unfolded));
     text.extend(unfolded.diagrams.iter().map(|diagram| one_parameter(description, diagram)));
+    text.push_str(&window::suggested(unfolded));
     text
 }
 

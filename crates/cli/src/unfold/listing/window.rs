@@ -1,0 +1,52 @@
+//! A better window for a diagram that fills little of its own.
+
+use grazing_unfold::units::InUnits;
+
+use crate::unfold::Analysis;
+use crate::unfold::layout::{KEPT, headed};
+use grazing_results::brief;
+
+/// Ranges that would show more, as the command line takes them.
+pub(super) fn suggested(unfolded: &Analysis) -> String {
+    let Some(suggested) = unfolded.diagram.suggested_window() else { return String::new() };
+    let units = &unfolded.axes.units;
+    let (now, then) = (unfolded.diagram.scope.window.in_units(units), suggested.in_units(units));
+    let setting = |key: &str, now: [f64; 2], then: [f64; 2]| {
+        let [low, high] = rounded(now, then).map(|value| brief(value, 12));
+        format!("--set{KEPT}{key}.range=[{low},{high}]")
+    };
+    let content = format!(
+        "what was found fills a tenth of a range or less; {} would show more of it",
+        [setting("primary", now.primary, then.primary), setting("secondary", now.secondary, then.secondary)]
+            .join(" ")
+    );
+    headed("Window", [("  ".to_owned(), content)])
+}
+
+/// The suggested range rounded outwards to two significant digits of its width, where it is not that which is there already.
+fn rounded([lowest, highest]: [f64; 2], [low, high]: [f64; 2]) -> [f64; 2] {
+    let unit = libm::pow(10.0, libm::floor(libm::log10(high - low)) - 1.0);
+    let least = if low <= lowest { lowest } else { (libm::floor(low / unit) * unit).max(lowest) };
+    let greatest = if high >= highest { highest } else { (libm::ceil(high / unit) * unit).min(highest) };
+    [least, greatest]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_are_rounded_outwards_to_two_digits_of_their_width_within_those_that_are_there() {
+        for (now, then, wanted) in [
+            ([0.0, 40.0], [0.0, 1.234], [0.0, 1.3]),
+            ([0.0, 40.0], [0.0361, 0.0784], [0.036, 0.079]),
+            ([0.0, 5e6], [100.234, 100.871], [100.23, 100.88]),
+            ([-3.0, 900.0], [-2.46, 17.8], [-3.0, 18.0]),
+            ([0.6, 1.1], [0.6, 1.1], [0.6, 1.1]),
+        ] {
+            for (rounded, wanted) in rounded(now, then).into_iter().zip(wanted) {
+                assert!((rounded - wanted).abs() <= 1e-12 * wanted.abs(), "{rounded} {wanted}");
+            }
+        }
+    }
+}
