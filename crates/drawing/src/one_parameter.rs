@@ -4,11 +4,10 @@ use grazing_results::Names;
 use grazing_results::branches::OneParameter;
 
 use crate::DrawingError;
-use crate::axes::{Panel, room_beside};
+use crate::axes::{Panel, overhang, room_beside};
 use crate::branches::{Strand, diagram};
 use crate::canvas::Canvas;
 use crate::clip::checked;
-use crate::font::Fonts;
 use crate::labels::Labels;
 use crate::portraits::{Caption, Portrait, ROW, SINGLE_ROW, draw_portraits, equation, letters};
 use crate::sheet::Bounds;
@@ -23,9 +22,10 @@ const IN_A_ROW: usize = 4;
 const WIDE_MM: f64 = 120.0;
 /// Height of the diagram with its numbers and title, in points.
 const HEIGHT: f64 = 236.0;
-/// Room above the diagram, with letters of portraits and without, and right of it, in points.
+/// Room above the diagram, with letters of portraits and without, and beside it, in points; numbers that need more get it.
 const LETTERS: f64 = 18.0;
 const ABOVE: f64 = 6.0;
+const LEFT: f64 = 38.0;
 const RIGHT: f64 = 9.0;
 /// A value of more characters than this is rounded, to so many digits.
 const LONGEST: usize = 8;
@@ -72,10 +72,7 @@ pub(crate) fn compose(
         false => (primary, secondary, &names.primary),
     };
     let own = Names::new(column, "x");
-    let (x, y) = match figure.from_the_wall {
-        true => ("$x$ from the wall", "$y$ from the wall"),
-        false => ("$x$", "$y$"),
-    };
+    let x = if figure.from_the_wall { "$x$ from the wall" } else { "$x$" };
 
     let width = width.mm(WIDTH_MM);
     let columns = if width < WIDE_MM { IN_A_ROW / 2 } else { IN_A_ROW };
@@ -84,13 +81,14 @@ pub(crate) fn compose(
     let portraits_end = rows as f64 * row;
     let canvas = Canvas::new(width, (portraits_end + HEIGHT) / POINTS_PER_MM)?;
     if rows > 0 {
-        let caption = Caption { across: &across, titles: [x, y], table: &["diagram_portraits"] };
+        let caption = Caption { across: &across, titles: [x, "$y$"], table: &["diagram_portraits"] };
         draw_portraits(&canvas, &portraits, &caption, (rows, row))?;
     }
     let top = portraits_end + if rows > 0 { LETTERS } else { ABOVE };
     let bottom = canvas.height - BELOW;
-    let left = room_beside(&Fonts::load()?, frame.y, bottom - top, x)?.max(38.0);
-    let bounds = Bounds { left, top, right: canvas.width - RIGHT, bottom };
+    let left = room_beside(&canvas.fonts, frame.y, bottom - top, x)?.max(LEFT);
+    let reach = overhang(&canvas.fonts, frame.x, canvas.width - left - RIGHT)? + 1.0;
+    let bounds = Bounds { left, top, right: canvas.width - reach.max(RIGHT), bottom };
     let panel = Panel {
         tables: &["diagram_bifurcations", "diagram_branches", "diagram_attractor"],
         only: Some(("diagram", figure.diagram)),
@@ -133,15 +131,15 @@ mod tests {
             }
         };
         let orbit = |k: u32| {
-            let turn = f64::from(k % 40) * core::f64::consts::TAU / 40.0;
+            let share = f64::from(k % 40) / 40.0;
             PortraitPoint {
                 portrait: 1 + k / 40,
                 loops: k / 40 % 4,
                 primary: across * (0.2 + 0.1 * f64::from(k / 80)),
                 kind: if k / 40 % 4 == 3 { PortraitKind::Attractor } else { PortraitKind::Periodic },
-                time: turn,
-                x: (libm::cos(turn) - 1.0) * up,
-                y: libm::sin(turn) * up,
+                time: share,
+                x: -4.0 * share * (1.0 - share) * up,
+                y: (share - 0.5) * up,
             }
         };
         let (kind, loops, impact_velocity) = (Bifurcation::SaddleNode, 2, 0.1);
@@ -190,7 +188,7 @@ mod tests {
         assert!(texts(&figure).contains(&r"$A$  ($\omega=0.854$)".to_owned()), "{:?}", texts(&figure));
         (figure.primary_is_fixed, figure.from_the_wall) = (true, true);
         let found = texts(&figure);
-        for title in [r"$\omega$  ($A=0.854$)", "$x$ from the wall", "$y$ from the wall"] {
+        for title in [r"$\omega$  ($A=0.854$)", "$x$ from the wall", "$y$"] {
             assert!(found.iter().any(|text| text == title), "{title}: {found:?}");
         }
     }

@@ -4,7 +4,7 @@ use grazing_results::Frame;
 use grazing_results::branches::{PortraitKind, PortraitPoint};
 
 use crate::DrawingError;
-use crate::axes::Panel;
+use crate::axes::{Panel, room_beside};
 use crate::canvas::{Anchor, Canvas};
 use crate::clip::{checked, clip_polyline};
 use crate::magnified::panel_letter;
@@ -70,10 +70,11 @@ pub(crate) fn draw_portraits(
     let frame = checked(common_frame(portraits), "the phase portraits")?;
     let columns = portraits.len().div_ceil(rows.max(1)).max(1);
     let count = columns as f64;
-    let width = (canvas.width - LEFT - 6.0 - GAP * (count - 1.0)) / count;
+    let first = room_beside(&canvas.fonts, frame.y, height - ABOVE - BELOW, caption.titles[1])?.max(LEFT);
+    let width = (canvas.width - first - 6.0 - GAP * (count - 1.0)) / count;
     for (place, portrait) in portraits.iter().enumerate() {
         let (column, row) = (place % columns, place / columns);
-        let left = LEFT + (width + GAP) * column as f64;
+        let left = first + (width + GAP) * column as f64;
         let top = height * row as f64 + ABOVE;
         let bottom = height * (row + 1) as f64 - BELOW;
         let bounds = Bounds { left, top, right: left + width - WALL_THICKNESS, bottom };

@@ -127,11 +127,20 @@ impl<O: ImpactOscillator> Branch<O> {
         let places = self.places();
         let visits = self.visits(&places);
         let loops = self.equations.loops();
+        // With a multiplier on the unit circle a solution is taken for what it is beyond the bifurcation.
+        let drawn = self.equations.formulation() == Formulation::FixedPhase;
+        let critical = |event: &Event| drawn && matches!(event.condition, Condition::Multiplier(_));
+        let own = |k: usize| match places[k].1 {
+            Some(event) if critical(event) => None,
+            _ => Some(places[k].0.solution.stable()),
+        };
+        let stable: Vec<bool> =
+            (0..places.len()).map(|k| (k..places.len()).find_map(own).unwrap_or(false)).collect();
         let mut strands = Vec::new();
         for visit in 0..loops {
             let mut points = Vec::new();
             let mut phase = f64::NAN;
-            for ((at, _), visits) in places.iter().zip(&visits) {
+            for (k, ((at, _), visits)) in places.iter().zip(&visits).enumerate() {
                 let [x, z] = visits[visit as usize].into();
                 // Where another maximum is taken for the visit, the strand begins anew.
                 if libm::remainder(z - phase, TAU).abs() > LARGEST_TURN {
@@ -144,7 +153,7 @@ impl<O: ImpactOscillator> Branch<O> {
                     primary,
                     x,
                     impact: [velocity, phase],
-                    stable: velocity > 0.0 && at.solution.stable(),
+                    stable: velocity > 0.0 && stable[k],
                     // Or the grazing orbit in which the branch begins.
                     admissible: at.solution.admissible() || velocity == 0.0,
                 });
