@@ -40,7 +40,7 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
         start_threads(jobs)?;
     }
     let ledger = Ledger::of_the_paper();
-    let report = assemble(arguments, &ledger, &parameter_file, &parameters, &sources, &folder)?;
+    let report = assemble(arguments, &ledger, &parameter_file, &parameters, &sources)?;
     let content = page(&report).into_bytes();
     let (missing, all) = (report.missing.len(), outputs::ALL.len() + sources.len());
     let size = content.len();
@@ -75,11 +75,10 @@ fn assemble<'a>(
     parameter_file: &Path,
     parameters: &Parameters,
     oscillators: &[OscillatorFile],
-    page_folder: &Path,
 ) -> Result<grazing_report::Report<'a>, Failure> {
     let display = Display::new();
     let repository = project::root();
-    let root = repository.as_deref().and_then(|root| links::relative(page_folder, root));
+    let root = repository.as_deref().and_then(links::files_at_host);
     let (mut entries, mut missing) = (Vec::new(), Vec::new());
     for source in oscillators {
         match source.entry(repository.as_deref(), root.as_deref()) {

@@ -1,12 +1,47 @@
 "use strict";
-// The filters of the ledger, links into what is filtered or folded away, and the section that is being read.
+// The filters of the ledger, and links into what is filtered or folded away.
 
 const filters = document.getElementById("claim-filters");
 const claims = [...document.querySelectorAll(".claim")];
 
+/** Words of LaTeX that only place what stands beside them. */
+const PLACING = /\\(?:left|right|middle|[bB]igg?|d?tfrac|mathcal|mathrm|mathbb|text|operatorname|rm|begin|end|q?quad|displaystyle|[,;!: ])(?![a-zA-Z])/g;
+const LETTERS = {
+  alpha: "α", beta: "β", gamma: "γ", delta: "δ", epsilon: "ε", varepsilon: "ε", zeta: "ζ", eta: "η", theta: "θ", kappa: "κ", lambda: "λ", mu: "μ",
+  nu: "ν", xi: "ξ", pi: "π", rho: "ρ", sigma: "σ", tau: "τ", phi: "φ", varphi: "φ", chi: "χ", psi: "ψ", omega: "ω", infty: "∞", cdot: "", times: "×",
+};
+
+/** A formula without what only sets it, so that LaTeX, signs and names of letters are one: `c_{SN,p}`, `cSN,p`, `omega`. */
+function bare(text) {
+  return text
+    .replace(PLACING, "")
+    .toLowerCase()
+    .replace(/\\?([a-z]+)/g, (word, name) => LETTERS[name] ?? name)
+    .normalize("NFKC")
+    .replace(/ϵ/g, "ε")
+    .replace(/−/g, "-")
+    .replace(/[\s{}_^\\$~&*]/g, "");
+}
+
+/** What a claim says, in words and as bare formulas, put together once it is asked for. */
+const said = new Map();
+function saidBy(claim) {
+  if (!said.has(claim)) {
+    const formulas = [...claim.querySelectorAll("[data-tex], math")];
+    const texts = formulas.map((one) => one.dataset.tex ?? one.textContent);
+    said.set(claim, { words: claim.textContent.toLowerCase(), formulas: texts.map(bare) });
+  }
+  return said.get(claim);
+}
+
 function filterClaims() {
   const wanted = Object.fromEntries([...new FormData(filters)].map(([name, value]) => [name, value.trim()]));
   const words = wanted.text.toLowerCase();
+  const formula = bare(wanted.text);
+  const says = (claim) => {
+    const { words: text, formulas } = saidBy(claim);
+    return text.includes(words) || (formula !== "" && formulas.some((one) => one.includes(formula)));
+  };
   let left = 0;
   for (const claim of claims) {
     const state = wanted.state === "" || claim.dataset.state === wanted.state;
@@ -15,7 +50,7 @@ function filterClaims() {
       (wanted.kind === "" || claim.dataset.kind === wanted.kind) &&
       (wanted.part === "" || claim.dataset.part === wanted.part) &&
       (state || misprint) &&
-      (words === "" || claim.textContent.toLowerCase().includes(words));
+      (words === "" || says(claim));
     claim.hidden = !fits;
     if (fits) left += 1;
   }
@@ -43,15 +78,3 @@ function reveal() {
 }
 addEventListener("hashchange", reveal);
 if (location.hash) reveal();
-
-const seen = new IntersectionObserver(
-  (entries) => {
-    for (const entry of entries) {
-      const link = document.querySelector(`.bar a[href="#${entry.target.id}"]`);
-      if (entry.isIntersecting) link?.setAttribute("aria-current", "true");
-      else link?.removeAttribute("aria-current");
-    }
-  },
-  { rootMargin: "-40% 0px -59% 0px" },
-);
-document.querySelectorAll("main > section").forEach((section) => seen.observe(section));

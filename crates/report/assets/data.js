@@ -1,43 +1,47 @@
 "use strict";
-// The tables behind the figures, and how their values are written.
+// The tables of the page, and how their values are written.
 
 const SYMBOLS = JSON.parse(document.getElementById("columns").textContent);
 
-/** Reads a table as the page keeps it: lines of cells between bars, in which `=` stands for the cell above. */
+/** Reads a table as the page keeps it: a line with the headers, then the cells column by column, each on a line. */
 function readTable(name, text) {
   const lines = text.split("\n");
   const header = lines[0].split("|");
-  const rows = lines.length - 1;
-  const columns = header.map(() => new Array(rows));
-  for (let row = 0; row < rows; row += 1) {
-    const cells = lines[row + 1].split("|");
-    for (let column = 0; column < header.length; column += 1) {
-      columns[column][row] = cells[column] === "=" ? columns[column][row - 1] : cells[column];
-    }
-  }
-  const byName = new Map(header.map((title, index) => [title, columns[index]]));
+  const rows = (lines.length - 1) / header.length;
+  const byName = new Map(header.map((title, index) => [title, lines.slice(1 + index * rows, 1 + (index + 1) * rows)]));
   return { name, rows, header, column: (title) => byName.get(title) };
 }
 
-/** All tables of a figure. */
-function readTables(figure) {
-  const element = document.getElementById(`data-${figure.id}`);
-  const texts = element ? JSON.parse(element.textContent) : {};
+/** The tables that are kept in the element with that identifier, compressed. */
+async function readTables(id) {
+  const kept = document.getElementById(id);
+  if (!kept) return [];
+  const bytes = Uint8Array.from(atob(kept.textContent), (letter) => letter.charCodeAt(0));
+  const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+  const texts = JSON.parse(await new Response(plain).text());
   return Object.entries(texts).map(([name, text]) => readTable(name, text));
 }
 
-/** A number with so many significant digits, with a true minus sign. */
+/** A number with so many significant digits as markup: with a true minus sign, and powers of ten as powers. */
 function written(value, digits) {
   if (value === 0) return "0";
   const plain = Number(value.toPrecision(digits));
   const size = Math.abs(plain);
-  const text = size >= 1e-4 && size < 1e7 ? String(plain) : plain.toExponential();
-  return text.replace(/e\+?(-?\d+)$/, " × 10^$1").replace(/-/g, "−");
+  const text = size >= 1e-3 && size < 1e6 ? String(plain) : plain.toExponential();
+  const [mantissa, power] = text.replace(/-/g, "−").replace("e+", "e").split("e");
+  if (power === undefined) return mantissa;
+  const one = /^−?1$/.test(mantissa);
+  return `${one ? mantissa.slice(0, -1) : `${mantissa} × `}10<sup>${power}</sup>`;
 }
 
-/** A cell as a reader wants it. */
-function writtenCell(cell) {
-  return cell !== "" && Number.isFinite(Number(cell)) ? written(Number(cell), 7) : cell.replace(/_/g, " ");
+/** Whether a cell holds a number. */
+const isNumber = (cell) => cell !== "" && Number.isFinite(Number(cell));
+
+/** Puts a cell into an element as a reader wants it. */
+function fill(made, cell) {
+  if (isNumber(cell)) made.innerHTML = written(Number(cell), 7);
+  else made.textContent = cell.replace(/_/g, " ");
+  return made;
 }
 
 /** An element with a class and a text. */

@@ -20,7 +20,6 @@ const KINDS = {
 /** How near to a point the pointer must be to show its row, and how much nearer a less telling point must be; pixels. */
 const REACH = 28;
 const PREFERENCE = 5;
-const SVG = "http://www.w3.org/2000/svg";
 
 /** The panels that the figure says it has; one that names no columns has those of its titles, or of the panel before. */
 function readPanels(svg) {
@@ -37,6 +36,7 @@ function readPanels(svg) {
     const [x0, x1] = range("data-x");
     const [y0, y1] = range("data-y");
     panels.push({
+      mark,
       bounds,
       columns:
         mark.dataset.columns?.split(" ") ??
@@ -69,7 +69,7 @@ function byTelling(tables) {
 /** What a row is, in words. */
 function nameOf(cell) {
   const kind = cell("kind");
-  if (kind) return KINDS[kind] || writtenCell(kind);
+  if (kind) return KINDS[kind] || kind.replace(/_/g, " ");
   if (cell("stable") === undefined) return "Nearest computed point";
   return cell("p") === "0" ? "Non-impacting solution" : `Solution with ${cell("p")} ${cell("p") === "1" ? "loop" : "loops"}`;
 }
@@ -92,17 +92,19 @@ function rowsOf(panel, tables) {
   return points;
 }
 
-/** The point nearest to a spot, within reach; among points that nearly coincide the one of the most telling table. */
-function nearest(points, spot, scale, withHidden) {
+/** The point nearest to a spot of those that are seen, within reach; among points that nearly coincide the one of the most telling table. */
+function nearest(points, spot, scale, withHidden, seen) {
   let best = null;
   let least = REACH;
   for (const point of points) {
-    if (!point.drawn && !withHidden) continue;
+    if ((!point.drawn && !withHidden) || !seen(point)) continue;
     const distance = Math.hypot(point.x - spot.x, point.y - spot.y) * scale + point.rank * PREFERENCE;
     if (distance < least) [best, least] = [point, distance];
   }
   return best;
 }
+
+const pointOf = ([x, y]) => ({ x, y });
 
 function setUpFigure(figure) {
   const sheet = figure.querySelector(".sheet");
@@ -113,38 +115,39 @@ function setUpFigure(figure) {
   let shown = null;
   let withHidden = false;
 
-  const probe = document.createElementNS(SVG, "g");
-  probe.setAttribute("class", "probe");
-  probe.setAttribute("aria-hidden", "true");
+  const probe = drawn("g", { class: "probe", "aria-hidden": "true" });
   svg.append(probe);
-  const view = makeZoomable(sheet, svg, () => mark(shown));
+  const view = makeZoomable(sheet, svg, panels, () => mark(shown));
 
+  let loading = null;
   const load = () => {
-    if (tables) return;
-    tables = readTables(figure);
-    for (const panel of panels) panel.points = rowsOf(panel, tables);
-    if (!panels.some((panel) => panel.points.some((point) => !point.drawn))) return;
-    const label = element("label");
-    const box = element("input");
-    box.type = "checkbox";
-    box.addEventListener("change", () => (withHidden = box.checked));
-    label.append(box, "also inadmissible points, which are not drawn");
-    readout.before(label);
+    loading ??= readTables(`data-${figure.id}`).then((read) => {
+      tables = read;
+      for (const panel of panels) panel.points = rowsOf(panel, tables);
+      if (!panels.some((panel) => panel.points.some((point) => !point.drawn))) return;
+      const label = element("label");
+      const box = element("input");
+      box.type = "checkbox";
+      box.addEventListener("change", () => (withHidden = box.checked));
+      label.append(box, "also inadmissible points, which are not drawn");
+      readout.before(label);
+    });
+    return loading;
   };
 
   /** A ring about a point of the data, with lines to the axes. */
   const mark = (point) => {
     probe.replaceChildren();
     if (!point) return;
-    const draw = (name, attributes) => {
-      const drawn = document.createElementNS(SVG, name);
-      for (const [key, value] of Object.entries(attributes)) drawn.setAttribute(key, value);
-      probe.append(drawn);
-    };
     const { x, y, w, h } = point.panel.bounds;
-    draw("line", { x1: x, x2: x + w, y1: point.y, y2: point.y });
-    draw("line", { x1: point.x, x2: point.x, y1: y, y2: y + h });
-    draw("circle", { cx: point.x, cy: point.y, r: 5 / view.scale() });
+    const [across, down] = view.toSeen(point.panel, point.x, point.y);
+    if (across < x - 1 || across > x + w + 1 || down < y - 1 || down > y + h + 1) return;
+    probe.append(
+      drawn("line", { x1: x, x2: x + w, y1: down, y2: down }),
+      drawn("line", { x1: across, x2: across, y1: y, y2: y + h }),
+      drawn("circle", { cx: across, cy: down, r: 5 / view.scale() }),
+    );
+    svg.append(probe);
   };
 
   const hint = () => {
@@ -160,7 +163,8 @@ function setUpFigure(figure) {
     const where = element("p", "pointer");
     panel.columns.forEach((column, axis) => {
       if (!column) return;
-      const value = element("b", "", written(values[axis], 5));
+      const value = element("b");
+      value.innerHTML = written(values[axis], 6);
       where.append(...(axis > 0 ? [", "] : []), symbol("i", column), " = ", value);
     });
     readout.replaceChildren(where);
@@ -178,23 +182,29 @@ function setUpFigure(figure) {
     const list = element("dl");
     for (const column of table.header) {
       if (BOOKKEEPING.has(column) || cell(column) === "") continue;
-      list.append(symbol("dt", column), element("dd", "", writtenCell(cell(column))));
+      list.append(symbol("dt", column), fill(element("dd"), cell(column)));
     }
     readout.append(list);
   };
 
-  const point = (event) => {
-    load();
+  let pointer = 0;
+  const point = async (event) => {
     const spot = view.toSheet(event);
+    const turn = (pointer += 1);
+    await load();
+    // By then the pointer may be elsewhere.
+    if (turn !== pointer) return;
     const panel = panels.find((candidate) => candidate.holds(spot, 1));
     if (!panel) return;
     readout.setAttribute("aria-live", "off");
-    tell(panel, panel.toData(spot), nearest(panel.points, spot, view.scale(), withHidden));
+    const whole = view.toWhole(panel, spot);
+    const seen = (candidate) => panel.holds(pointOf(view.toSeen(panel, candidate.x, candidate.y)));
+    tell(panel, panel.toData(whole), nearest(panel.points, whole, view.scale() * view.factor(panel), withHidden, seen));
   };
 
   /** The next or previous row of the panel, in the order of the table. */
-  const step = (by) => {
-    load();
+  const step = async (by) => {
+    await load();
     const panel = shown?.panel ?? panels.find((candidate) => candidate.points.length > 0);
     const points = panel?.points.filter((candidate) => candidate.drawn || withHidden) ?? [];
     if (points.length === 0) return;
@@ -209,7 +219,7 @@ function setUpFigure(figure) {
   sheet.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const moving = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[event.key];
-    const about = shown ? { x: shown.x, y: shown.y } : undefined;
+    const about = shown ? pointOf(view.toSeen(shown.panel, shown.x, shown.y)) : undefined;
     if (event.key === "+" || event.key === "=") view.zoom(1.5, about);
     else if (event.key === "-" || event.key === "_") view.zoom(1 / 1.5, about);
     else if (event.key === "0") view.all();

@@ -2,8 +2,8 @@
 // Wide formulas are set smaller, on the screen as far as it stays easy to read, on paper as far as it takes.
 
 const SMALLEST_ON_SCREEN = 0.78;
-/** Width of the column of statements on paper, and size of the type there as part of that on the screen: see print.css. */
-const PAPER = { width: 390, type: 0.745 };
+/** Width of claims on paper, and size of the type there as part of that on the screen: see print.css. */
+const PAPER = { width: 640, type: 0.667 };
 
 function fitFormulas() {
   const formulas = [...document.querySelectorAll(".formula")].filter((formula) => formula.clientWidth > 0);

@@ -34,10 +34,37 @@ for (const table of document.querySelectorAll("table.sortable")) {
   });
 }
 
+/** The cells of a long table, once it is opened. */
+async function setRows(table) {
+  const [{ rows, header, column }] = await readTables(table.dataset.rows);
+  const tones = new Map(table.dataset.tones.split("|").map((pair) => pair.split("=")));
+  const body = new DocumentFragment();
+  for (let row = 0; row < rows; row += 1) {
+    const line = element("tr");
+    for (const title of header) {
+      const cell = column(title)[row];
+      const made = element("td");
+      if (title === "verdict") made.append(element("span", `verdict ${tones.get(cell)}`, cell));
+      else fill(made, cell);
+      if (isNumber(cell)) {
+        made.className = "number";
+        made.dataset.value = cell;
+      }
+      line.append(made);
+    }
+    body.append(line);
+  }
+  table.tBodies[0].append(body);
+}
+for (const table of document.querySelectorAll("table[data-rows]")) {
+  table.closest("details").addEventListener("toggle", () => setRows(table), { once: true });
+}
+
 for (const input of document.querySelectorAll("input[data-filters]")) {
-  const rows = [...document.getElementById(input.dataset.filters).tBodies[0].rows];
+  const table = document.getElementById(input.dataset.filters);
   const output = input.closest("p").querySelector("output");
   input.addEventListener("input", () => {
+    const rows = [...table.tBodies[0].rows];
     const wanted = input.value.trim().toLowerCase();
     let left = 0;
     for (const row of rows) {
@@ -50,7 +77,7 @@ for (const input of document.querySelectorAll("input[data-filters]")) {
 
 // What is folded away is printed too, but for long tables.
 addEventListener("beforeprint", () => {
-  for (const details of document.querySelectorAll("details:not(.table):not([open])")) {
+  for (const details of document.querySelectorAll("details:not(.table, .screen):not([open])")) {
     details.open = true;
     details.dataset.opened = "";
   }

@@ -4,7 +4,7 @@
   const root = document.documentElement;
   root.classList.add("js");
   const dark = matchMedia("(prefers-color-scheme: dark)");
-  const NAMES = { auto: "Theme: auto", light: "Theme: light", dark: "Theme: dark" };
+  const CHOICES = ["auto", "light", "dark"];
   let choice = "auto";
   try {
     choice = localStorage.getItem("grazing-theme") || "auto";
@@ -15,9 +15,14 @@
   const apply = () => {
     root.dataset.theme = choice === "auto" ? (dark.matches ? "dark" : "light") : choice;
     const button = document.getElementById("theme");
-    if (button) button.textContent = NAMES[choice];
+    if (!button) return;
+    // The word is left out where there is little room.
+    const word = document.createElement("span");
+    word.textContent = "Theme: ";
+    button.replaceChildren(word, choice);
+    button.setAttribute("aria-label", `Theme: ${choice}`);
   };
-  if (!(choice in NAMES)) choice = "auto";
+  if (!CHOICES.includes(choice)) choice = "auto";
   apply();
   dark.addEventListener("change", apply);
   document.addEventListener("DOMContentLoaded", () => {

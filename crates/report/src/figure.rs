@@ -5,8 +5,9 @@ use askama::filters::Safe;
 use grazing_results::Table;
 
 use crate::formula::prose;
-use crate::html::{Html, escape, json_string, rendered};
-use crate::{OscillatorEntry, Report, data, ledger, table};
+use crate::html::{Html, escape, rendered};
+use crate::svg::{Marks, attribute, with_short_paths};
+use crate::{OscillatorEntry, Report, data, ledger, legend, table};
 
 /// A figure with its data.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,6 +76,8 @@ struct Framed<'a> {
     label: &'a str,
     heading: Html,
     parts: Parts,
+    /// Samples and meanings.
+    legend: Vec<(Html, Html)>,
     /// Lines of links with a word before them.
     links: [(&'static str, Vec<Html>); 2],
     /// The tables for the scripts.
@@ -96,8 +99,9 @@ pub(crate) fn of_the_paper(report: &Report<'_>, figure: &Figure) -> Html {
         label: &figure.title,
         heading: Safe(format!("<h3>{heading}</h3>")),
         parts: parts(&figure.svg, &figure.name),
+        legend: legend::of(&figure.svg),
         links: [("Files", report.links(&own_files(figure), false)), ("Claims", claims)],
-        data: data(figure),
+        data: data::of_figure(&figure.tables, &Marks::of(&figure.svg)),
     })
 }
 
@@ -108,8 +112,9 @@ pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, f
         label: &format!("{}: {}", oscillator.description.name(), figure.title),
         heading: Safe(format!("<h4>{}</h4>", prose(&capitalised(&figure.title)))),
         parts: parts(&figure.svg, &id),
+        legend: legend::of(&figure.svg),
         links: [("Files", report.links(&own_files(figure), true)), ("", Vec::new())],
-        data: data(figure),
+        data: data::of_figure(&figure.tables, &Marks::of(&figure.svg)),
         id: &id,
     })
 }
@@ -123,13 +128,6 @@ fn own_files(figure: &Figure) -> Vec<String> {
 pub(crate) fn capitalised(text: &str) -> String {
     let mut characters = text.chars();
     characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
-}
-
-/// The tables for the scripts.
-fn data(figure: &Figure) -> String {
-    let table = |table: &Table| format!("{}:{}", json_string(table.name), json_string(&data::compact(table)));
-    let tables: Vec<String> = figure.tables.iter().map(table).collect();
-    format!("{{{}}}", tables.join(",\n"))
 }
 
 /// Takes an SVG file apart, and gives its identifiers and fonts names that no other part of the page has.
@@ -169,14 +167,8 @@ fn parts(svg: &str, name: &str) -> Parts {
         attributes: attributes.trim_end().to_owned(),
         description: unescaped(&description),
         style,
-        body,
+        body: with_short_paths(&body),
     }
-}
-
-/// The value of an attribute in a start tag.
-fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
-    let start = tag.find(&format!(" {name}=\""))? + name.len() + 3;
-    tag[start..].split('"').next()
 }
 
 /// Cuts the first element of that name out of the text and returns its content.

@@ -63,6 +63,62 @@ pub(crate) fn words(text: &str) -> Html {
     Safe(scripts(&escape(text)))
 }
 
+/// Greek letters by their names.
+const GREEK: [(&str, &str); 18] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "ε"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("kappa", "κ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("xi", "ξ"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("tau", "τ"),
+    ("phi", "φ"),
+    ("psi", "ψ"),
+    ("omega", "ω"),
+];
+
+/// Words with names of quantities, as HTML: `tau = g_p(delta)`, `a12 alpha > 0`. Greek letters are named, digits after a letter are
+/// lowered, as is what follows `_`; words stay.
+pub(crate) fn named(text: &str) -> Html {
+    words(&signs(text))
+}
+
+/// The same without markup.
+pub(crate) fn signs(text: &str) -> String {
+    let low = |digit: char| {
+        digit.to_digit(10).and_then(|digit| char::from_u32(u32::from('₀') + digit)).unwrap_or(digit)
+    };
+    let mut signs = String::new();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let end = rest.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(rest.len());
+        let (word, after) = if end == 0 { rest.split_at(first.len_utf8()) } else { rest.split_at(end) };
+        let (letters, digits) = word.split_at(word.find(|c: char| c.is_ascii_digit()).unwrap_or(word.len()));
+        let known = GREEK.iter().find(|(name, _)| *name == letters);
+        match known {
+            Some((_, letter)) => signs.push_str(letter),
+            // A minus sign between quantities or before a number, not a hyphen in a word.
+            None if word == "-" && !signs.ends_with(char::is_alphabetic) => signs.push('−'),
+            None => signs.push_str(letters),
+        }
+        let letter = known.is_some() || letters.len() == 1;
+        if !digits.is_empty() {
+            let lowered = letter && letters.chars().all(char::is_alphabetic);
+            signs.extend(digits.chars().map(|digit| if lowered { low(digit) } else { digit }));
+        }
+        rest = after;
+    }
+    signs
+}
+
 /// The escaped text with sub- and superscripts: `h_p`, `c_{SN,1}`, `s_p^+`. Names of several letters, as of functions, stay.
 fn scripts(text: &str) -> String {
     let mut html = String::new();
@@ -160,6 +216,21 @@ mod tests {
         );
         for text in ["grazing_theorems::from_map", "a _ b", "f_", "2^"] {
             assert_eq!(prose(text).0, text);
+        }
+    }
+
+    #[test]
+    fn quantities_have_their_letters_and_words_stay() {
+        for (text, html) in [
+            (
+                "tau = g_p(delta), the p-loop solution of Figure 2 at x = -1.",
+                "τ = g<sub>p</sub>(δ), the p-loop solution of Figure 2 at x = −1.",
+            ),
+            ("a12 alpha > 0 of e12", "a₁₂ α &gt; 0 of e₁₂"),
+            ("delta + 1 - |tau| > 0", "δ + 1 − |τ| &gt; 0"),
+            ("period-doubling beta1", "period-doubling β₁"),
+        ] {
+            assert_eq!(named(text).0, html);
         }
     }
 

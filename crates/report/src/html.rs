@@ -110,7 +110,7 @@ fn rounded(value: f64, digits: usize) -> String {
     let exponent: i32 = exponent.parse().unwrap_or(0);
     let text = if (-3..6).contains(&exponent) {
         let decimals = i32::try_from(digits).unwrap_or(17) - 1 - exponent;
-        format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
+        trimmed(&format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))).to_owned()
     } else {
         let power = exponent.to_string().replace('-', "−");
         match trimmed(mantissa) {
@@ -159,6 +159,8 @@ mod tests {
         assert_eq!(rounded(1e-12, 2), "10<sup>−12</sup>");
         assert_eq!(rounded(-1e7, 2), "−10<sup>7</sup>");
         assert_eq!(rounded(0.012_345, 3), "0.0123");
+        assert_eq!(rounded(0.5, 7), "0.5");
+        assert_eq!(rounded(123_456.0, 3), "123456");
         assert_eq!(rounded(f64::INFINITY, 3), "∞");
     }
 }

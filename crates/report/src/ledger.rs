@@ -57,13 +57,13 @@ pub(crate) fn measured(measure: &Measure) -> Html {
             format!("largest deviation <b>{}</b>, tolerance {}", number(&largest, 2), number(&tolerance, 2))
         }
         Measure::Order { observed, stated, slack } => format!(
-            "order <b>{}</b> seen, {} stated (slack {})",
+            "observed order <b>{}</b>, stated order {}, tolerance {}",
             number(&observed, 3),
             number(&stated, 1),
             number(&slack, 1)
         ),
         Measure::Margin { smallest } => {
-            format!("smallest margin <b>{}</b>, to be positive", number(&smallest, 2))
+            format!("smallest margin <b>{}</b>, must be positive", number(&smallest, 2))
         }
         Measure::Agreement { agreeing, cases } => format!("<b>{agreeing}</b> of {cases} cases agree"),
     })
@@ -75,7 +75,7 @@ pub(crate) fn references(report: &Report<'_>, claim: &Claim) -> [(&'static str, 
     let held = claim.holds.iter().map(|name| source_link(report, name, sources.item(name))).collect();
     let tested = claim.check_name().map(|name| source_link(report, name, sources.check(name)));
     let seen = claim.figures.iter().map(|name| figure_link(report, name)).collect();
-    [("Held by", held), ("Tested by", tested.into_iter().collect()), ("Seen in", seen)]
+    [("Computed by", held), ("Tested by", tested.into_iter().collect()), ("Shown in", seen)]
 }
 
 fn figure_link(report: &Report<'_>, name: &str) -> Html {
@@ -94,7 +94,9 @@ fn source_link(report: &Report<'_>, name: &str, place: Option<Place>) -> Html {
     let Some(Place { file, line }) = place else { return Safe(name) };
     let file = escape(&file);
     Safe(match &report.root {
-        Some(root) => format!("<a href=\"{}{file}\" title=\"{file}, line {line}\">{name}</a>", escape(root)),
+        Some(root) => {
+            format!("<a href=\"{}{file}#L{line}\" title=\"{file}, line {line}\">{name}</a>", escape(root))
+        }
         None => format!("<span title=\"{file}, line {line}\">{name}</span>"),
     })
 }
@@ -143,7 +145,7 @@ mod tests {
             ),
             (
                 Measure::Order { observed: f64::INFINITY, stated: 2.0, slack: 0.3 },
-                "order <b>∞</b> seen, 2 stated (slack 0.3)",
+                "observed order <b>∞</b>, stated order 2, tolerance 0.3",
             ),
         ] {
             assert_eq!(measured(&measure).0, told);

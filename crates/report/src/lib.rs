@@ -14,10 +14,12 @@ mod figure;
 mod formula;
 mod html;
 mod ledger;
+mod legend;
 mod manifest;
 mod oscillator;
 mod page;
 mod published;
+mod svg;
 mod table;
 
 // The sample serves the tests in this crate and those beside it.
@@ -60,8 +62,8 @@ pub struct Report<'a> {
     pub missing: Vec<String>,
     /// What was made, from what, and by what.
     pub manifest: Manifest,
-    /// The path from the page's folder to the root of the repository, as `../` or nothing, for the links to source files;
-    /// without it, files are named but not linked.
+    /// The address of the repository's files at its host, with a slash at its end, for the links to source files; without it, files are
+    /// named but not linked: a page is passed on without the files beside it.
     pub root: Option<String>,
 }
 

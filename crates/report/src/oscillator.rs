@@ -18,7 +18,7 @@ pub struct OscillatorEntry {
     pub id: String,
     /// The file it comes from, as it is to be named on the page.
     pub file: String,
-    /// The path from the page to that file, if it is to be linked.
+    /// The address of that file, if it is to be linked.
     pub link: Option<String>,
     /// Where it comes from: the paragraphs of the file's leading comment.
     pub about: Vec<String>,
@@ -55,7 +55,7 @@ pub(crate) fn agreement(coefficient: &Coefficient) -> (&'static str, &'static st
 pub(crate) fn simulation(simulated: &Simulated) -> (&'static str, &'static str) {
     match simulated {
         Simulated::AsPredicted(_) => ("passed", "as predicted"),
-        Simulated::Against(_) => ("failed", "otherwise"),
+        Simulated::Against(_) => ("failed", "not as predicted"),
         Simulated::Undecided(_) => ("unchecked", "undecided"),
     }
 }
@@ -169,9 +169,7 @@ impl Tally {
             Some(digits) if agreeing == all => {
                 ("passed", format!("theorem and curves agree to {digits} digits or more"))
             }
-            _ if differing > 0 => {
-                ("failed", format!("theorem and curves contradict at {differing} of {all}"))
-            }
+            _ if differing > 0 => ("failed", format!("theorem and curves disagree at {differing} of {all}")),
             _ => {
                 let open = all - agreeing;
                 (

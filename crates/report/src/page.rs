@@ -18,11 +18,13 @@ const STYLE: &[&str] = &[
 const THEME: &str = include_str!("../assets/theme.js");
 const SCRIPTS: &[&str] = &[
     include_str!("../assets/data.js"),
+    include_str!("../assets/panels.js"),
     include_str!("../assets/zoom.js"),
     include_str!("../assets/figures.js"),
     include_str!("../assets/tables.js"),
     include_str!("../assets/claims.js"),
     include_str!("../assets/formulas.js"),
+    include_str!("../assets/navigation.js"),
 ];
 
 /// What the page may load: nothing but what stands in it.
@@ -173,10 +175,25 @@ mod tests {
             "href=\"#fig98\"",
             "href=\"#misprint-eq:misprinted\"",
             "href=\"#value-a\"",
-            "href=\"../crates/theorems/src/auxiliary.rs\"",
-            "href=\"../figures/data/fig98_points.csv\"",
+            "href=\"https://example.org/a/blob/HEAD/crates/theorems/src/auxiliary.rs#L1\"",
+            "href=\"https://example.org/a/blob/HEAD/figures/data/fig98_points.csv\"",
         ] {
             assert!(html.contains(link), "{link}");
+        }
+    }
+
+    #[test]
+    fn a_page_without_an_address_has_links_within_it_only() {
+        let mut report = sample::report();
+        (report.root, report.manifest.folder) = (None, None);
+        report.oscillators.iter_mut().for_each(|oscillator| oscillator.link = None);
+        let html = page(&report);
+        let markup = markup(&html);
+        for href in values(&markup, "href") {
+            assert!(href.starts_with('#') || href == "https://arxiv.org/abs/2602.22797", "{href}");
+        }
+        for named in ["crates/theorems/src/auxiliary.rs", "<code>data/fig98_points.csv</code>"] {
+            assert!(markup.contains(named), "{named}");
         }
     }
 
@@ -197,7 +214,7 @@ mod tests {
             );
         }
         assert!(html.contains("<title>Sample oscillator</title>"));
-        assert!(markup.contains("href=\"data/points.csv\""), "its own files are linked");
+        assert!(markup.contains("<code>data/points.csv</code>"), "its own files are named");
         internal_links(&markup);
     }
 
@@ -215,8 +232,6 @@ mod tests {
         let html = page(&report);
         let part = &html[html.find("<section id=\"oscillators\"").expect("there are oscillators")..];
         let part = &part[..part.find("<section id=\"manifest\"").expect("the manifest follows")];
-        assert!(
-            part.contains("id=\"table-oscillator-one-coefficients\"") && !part.contains("href=\"../figures/")
-        );
+        assert!(part.contains("id=\"table-oscillator-one-coefficients\"") && !part.contains("/figures/"));
     }
 }

@@ -2,9 +2,13 @@
 
 use askama::Template;
 use askama::filters::Safe;
+use grazing_results::columns::HYPOTHESIS;
 use grazing_results::{Cell, Column, Table};
 
 use crate::columns::heading;
+use crate::data::{self, DIGITS};
+use crate::figure::capitalised;
+use crate::formula::signs;
 use crate::html::{Html, escape, number, rendered};
 use crate::{OscillatorEntry, Report};
 
@@ -24,9 +28,7 @@ pub struct TableOutput {
     pub tables: Vec<Table>,
 }
 
-/// Significant digits shown; the whole number is in the data file.
-const DIGITS: usize = 7;
-/// Tables with more rows begin closed.
+/// Tables with more rows begin closed, and their rows are kept for the scripts, which set them once they are asked for.
 const LONG: usize = 40;
 /// The column that says how a case came out.
 const VERDICT: &str = "verdict";
@@ -38,30 +40,48 @@ struct Folded<'a> {
     table: &'a Table,
     /// A name that no other table on the page has.
     id: String,
-    open: bool,
+    /// What it shows, in words.
+    caption: String,
+    /// The rows for the scripts, if there are many.
+    packed: Option<String>,
     /// A link to its file, if it is written.
     link: Option<Html>,
 }
 
+impl<'a> Folded<'a> {
+    fn new(table: &'a Table, id: String, caption: String, link: Option<Html>) -> Self {
+        let packed = (table.rows.len() > LONG).then(|| data::of_table(table));
+        Self { table, id, caption, packed, link }
+    }
+
+    /// Verdicts with the classes of their colours, for the scripts.
+    fn tones(&self) -> String {
+        let tones = verdicts(self.table).into_iter().map(|(word, _)| format!("{word}={}", tone(word)));
+        tones.collect::<Vec<_>>().join("|")
+    }
+}
+
 /// A table of the paper; short ones are open.
-pub(crate) fn of_the_paper(report: &Report<'_>, table: &Table) -> Html {
+pub(crate) fn of_the_paper(report: &Report<'_>, title: &str, table: &Table) -> Html {
     let link = report.links(&[path(table)], false).pop();
-    rendered(&Folded { table, id: table.name.to_owned(), open: table.rows.len() <= LONG, link })
+    rendered(&Folded::new(table, table.name.to_owned(), title.to_owned(), link))
 }
 
 /// A table of an oscillator.
 pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, table: &Table) -> Html {
     let link = report.links(&[path(table)], true).pop();
-    rendered(&Folded { table, id: format!("{}-{}", oscillator.anchor(), table.name), open: false, link })
+    let id = format!("{}-{}", oscillator.anchor(), table.name);
+    let caption = format!("{} of {}", capitalised(table.name), oscillator.description.name());
+    rendered(&Folded::new(table, id, caption, link))
 }
 
 /// For each column whether it holds numbers, its meaning and its heading.
-fn headings(table: &Table) -> Vec<(bool, &'static str, Html)> {
+fn headings(table: &Table) -> Vec<(bool, String, Html)> {
     let numeric =
         |cell: usize| table.rows.first().map(|row| matches!(row[cell], Cell::Integer(_) | Cell::Number(_)));
     let columns = table.columns.iter().enumerate();
     let heading = |(place, column): (usize, &Column)| {
-        (numeric(place).unwrap_or(false), column.meaning(), heading(table, place))
+        (numeric(place).unwrap_or(false), column.meaning().replace('`', ""), heading(table, place))
     };
     columns.map(heading).collect()
 }
@@ -83,6 +103,7 @@ fn shown(cell: &Cell, column: &Column) -> Html {
         Cell::Text(words) if column.name == VERDICT => {
             format!("<td><span class=\"verdict {}\">{}</span></td>", tone(words), escape(words))
         }
+        Cell::Text(words) if column.name == HYPOTHESIS.name => format!("<td>{}</td>", escape(&signs(words))),
         Cell::Text(words) => format!("<td>{}</td>", escape(&words.replace('_', " "))),
     })
 }

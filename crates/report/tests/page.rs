@@ -6,6 +6,15 @@ mod sample;
 use browser::{Spot, assert_all_pass, checked};
 use grazing_report::page;
 
+/// Ways to write parts of the formula of the sample, g_p(δ) = 2 √δ cos(π/p), with the label of its claim.
+const FORMULAS: [(&str, &str); 5] = [
+    ("eq:holds", "eq:holds"),
+    (r"g_p(\delta)", "eq:holds"),
+    ("gp(δ) = 2", "eq:holds"),
+    (r"2 \sqrt{\delta} \cos", "eq:holds"),
+    (r"\frac{\pi}{p}", "eq:misprinted"),
+];
+
 #[test]
 fn the_page_answers_to_pointer_keys_and_filters() {
     // The panel of the sample reaches from (20, 90) to (180, 10) on the sheet, from (0, -1) to (4, 1) in the data.
@@ -33,7 +42,7 @@ fn the_page_answers_to_pointer_keys_and_filters() {
             hidden: false,
         },
     ];
-    if let Some(results) = checked(&page(&sample::report()), &spots) {
+    if let Some(results) = checked(&page(&sample::report()), &spots, &FORMULAS) {
         assert_all_pass(&results);
     }
 }
@@ -43,7 +52,7 @@ fn the_checks_notice_a_page_that_does_not_answer() {
     let deaf = page(&sample::report()).replace("addEventListener(\"pointermove\", point)", "focus()");
     let spot =
         Spot { figure: "fig98", sheet: (100.0, 50.0), told: vec!["Saddle-node".to_owned()], hidden: false };
-    if let Some(results) = checked(&deaf, &[spot]) {
+    if let Some(results) = checked(&deaf, &[spot], &[]) {
         assert!(results.iter().any(|line| line.starts_with("FAILED: fig98 at 100, 50")), "{results:#?}");
     }
 }
@@ -52,7 +61,7 @@ fn the_checks_notice_a_page_that_does_not_answer() {
 fn a_page_about_an_oscillator_alone_answers_too() {
     let told = ["F0 = 4, A = 1", "Saddle-node and grazing"].map(str::to_owned).to_vec();
     let spot = Spot { figure: "oscillator-one-diagram", sheet: (180.0, 10.0), told, hidden: false };
-    if let Some(results) = checked(&page(&sample::oscillators_alone()), &[spot]) {
+    if let Some(results) = checked(&page(&sample::oscillators_alone()), &[spot], &[]) {
         assert_all_pass(&results);
     }
 }

@@ -1,7 +1,7 @@
 //! Links from the page to source files.
 
 use std::fs;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use grazing_claims::source::Sources;
 
@@ -32,50 +32,22 @@ pub(crate) fn with_slashes(path: &Path) -> String {
     path.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")
 }
 
-/// The address of `to` as seen from a page in the folder `from`, with a slash at its end, or nothing if they are the same.
-pub(crate) fn relative(from: &Path, to: &Path) -> Option<String> {
-    let (from, to) = (plain(from)?, plain(to)?);
-    let common = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
-    // Different drives have no common beginning, and no address leads from one to the other.
-    if common == 0 {
-        return None;
-    }
-    let mut address = "../".repeat(from.len() - common);
-    for part in &to[common..] {
-        address.push_str(&encoded(part));
-        address.push('/');
-    }
-    Some(address)
+/// Where the address of the repository is looked up, and under which key.
+const CITATION: &str = "CITATION.cff";
+const KEY: &str = "repository-code:";
+/// What leads from the address to the files of the newest state, as the common hosts have it.
+const NEWEST: &str = "blob/HEAD/";
+
+/// The address of the repository's files at its host, with a slash at its end, if the citation file names the host.
+pub(crate) fn files_at_host(root: &Path) -> Option<String> {
+    address(&fs::read_to_string(root.join(CITATION)).ok()?)
 }
 
-/// The parts of the absolute path, without `.` and `..`.
-fn plain(path: &Path) -> Option<Vec<String>> {
-    let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
-    let mut parts = Vec::new();
-    for part in std::path::absolute(path).ok()?.components() {
-        match part {
-            Component::CurDir => {}
-            Component::ParentDir => {
-                parts.pop();
-            }
-            part => parts.push(part.as_os_str().to_str()?.to_owned()),
-        }
-    }
-    Some(parts)
-}
-
-/// The name with what has a meaning of its own in addresses as `%` and digits.
-fn encoded(name: &str) -> String {
-    let mut encoded = String::new();
-    for character in name.chars() {
-        match character {
-            ' ' | '%' | '#' | '?' | '"' | '<' | '>' => {
-                encoded.push_str(&format!("%{:02X}", u32::from(character)));
-            }
-            other => encoded.push(other),
-        }
-    }
-    encoded
+fn address(citation: &str) -> Option<String> {
+    let told = citation.lines().find_map(|line| line.strip_prefix(KEY))?;
+    let told = told.split(" #").next()?.trim().trim_matches(['"', '\'']).trim_end_matches('/');
+    let told = told.strip_suffix(".git").unwrap_or(told);
+    told.strip_prefix("https://").filter(|place| !place.is_empty()).map(|_| format!("{told}/{NEWEST}"))
 }
 
 #[cfg(test)]
@@ -83,12 +55,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn addresses_lead_up_and_down() {
-        let relative = |from: &str, to: &str| relative(Path::new(from), Path::new(to));
-        assert_eq!(relative("/a/b", "/a/b").as_deref(), Some(""));
-        assert_eq!(relative("/a/b/c/d", "/a/b").as_deref(), Some("../../"));
-        assert_eq!(relative("/a/x", "/a/my clone").as_deref(), Some("../my%20clone/"));
-        assert_eq!(relative("", "..").map(|address| address.starts_with("../")), Some(true));
-        assert_eq!(relative("here/../out", "").as_deref(), Some("../"));
+    fn the_address_is_that_of_the_citation_file() {
+        let found = Some("https://example.org/a/b/blob/HEAD/".to_owned());
+        for told in [
+            "\"https://example.org/a/b\"",
+            "https://example.org/a/b.git # host",
+            "'https://example.org/a/b/'",
+        ] {
+            let citation = format!("title: x\nrepository-code: {told}\nurl: https://other.org\n");
+            assert_eq!(address(&citation), found, "{told}");
+        }
+        for none in
+            ["title: x\n", "repository-code:\n", "repository-code: a/b\n", "  repository-code: https://a.b\n"]
+        {
+            assert_eq!(address(none), None, "{none}");
+        }
     }
 }

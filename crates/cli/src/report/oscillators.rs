@@ -152,7 +152,6 @@ impl<'a> Material<'a> {
                 parameter_file: entry.file.clone(),
                 parameters: self.of.text.clone(),
                 outputs,
-                folder: Some(String::new()),
                 ..versions::manifest()
             },
             oscillators: vec![entry],

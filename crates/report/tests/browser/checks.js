@@ -1,5 +1,6 @@
 "use strict";
-// Uses the page as a reader would, and writes down what came of it. SPOTS are spots of figures with what must be told there.
+// Uses the page as a reader would, and writes down what came of it. SPOTS are spots of figures with what must be told there,
+// FORMULAS are texts that the search must find, with the labels of their claims.
 addEventListener("load", async () => {
   const results = [];
   const check = (name, passed, seen) => results.push(`${passed ? "passed" : "FAILED"}: ${name}${passed ? "" : `: ${JSON.stringify(seen)}`}`);
@@ -33,62 +34,131 @@ addEventListener("load", async () => {
     const place = new DOMPoint(x, y).matrixTransform(svg.getScreenCTM());
     sheet.dispatchEvent(new PointerEvent("pointermove", { clientX: place.x, clientY: place.y, bubbles: true }));
   };
+  /** Waits until something is so, but not for ever. */
+  const until = async (is) => {
+    for (let turns = 0; turns < 40 && !is(); turns += 1) await turn();
+    return is();
+  };
   for (const spot of SPOTS) {
     const figure = document.getElementById(spot.figure);
+    const read = () => figure.querySelector(".readout").textContent;
     pointAt(figure.querySelector(".sheet"), spot.x, spot.y);
+    await until(() => figure.querySelector(".readout .pointer"));
     if (spot.hidden) {
       check(`${spot.figure} hides what is not drawn`, all(".probe circle", figure).length === 0, "a ring");
       figure.querySelector(".side input").click();
       pointAt(figure.querySelector(".sheet"), spot.x, spot.y);
     }
-    const text = figure.querySelector(".readout").textContent;
-    const missing = spot.told.filter((part) => !text.includes(part));
-    check(`${spot.figure} at ${spot.x}, ${spot.y} tells ${spot.told.join("; ")}`, missing.length === 0, text);
+    const missing = () => spot.told.filter((part) => !read().includes(part));
+    check(`${spot.figure} at ${spot.x}, ${spot.y} tells ${spot.told.join("; ")}`, await until(() => missing().length === 0), read());
     check(`${spot.figure} marks the point`, all(".probe circle", figure).length === 1, "no ring");
   }
 
-  // Figures: zoom by keys, buttons and wheel.
+  // Figures: zoom by keys, buttons and wheel. Lines and letters keep their sizes, the axes get other numbers.
   for (const figure of figures) {
     const sheet = figure.querySelector(".sheet");
     const svg = sheet.querySelector("svg");
-    const box = () => svg.getAttribute("viewBox").split(" ").map(Number);
-    const whole = box();
+    const zoom = () => Number(svg.dataset.zoom ?? 1);
     const press = (key) => sheet.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+    const drawing = () => all("path, circle, text", svg).filter((node) => !node.closest(".axes, .probe"));
+    const state = () => drawing().map((node) => ["d", "x", "y", "cx", "cy", "style", "clip-path"].map((name) => node.getAttribute(name) || "").join());
+    const sizes = () => drawing().map((node) => `${node.getAttribute("stroke-width")} ${node.getAttribute("font-size")} ${node.getCTM().a}`).join(";");
+    const whole = state().join("\n");
+    const wholeSizes = sizes();
     sheet.focus();
     check(`${figure.id} can be focused`, document.activeElement === sheet, document.activeElement?.className);
     check(`${figure.id}: arrows are left to the page`, press("ArrowDown"), "taken");
     press("+");
-    const near = box();
-    check(`${figure.id}: + magnifies`, near[2] < whole[2] && Math.abs(near[2] / near[3] - whole[2] / whole[3]) < 1e-3, near);
+    const near = state().join("\n");
+    check(`${figure.id}: + magnifies`, Math.abs(zoom() - 1.5) < 1e-3 && near !== whole, zoom());
+    check(`${figure.id}: widths and letters keep their sizes`, sizes() === wholeSizes, "other sizes");
     press("ArrowLeft");
-    check(`${figure.id}: arrows move`, box()[0] !== near[0] || near[0] === whole[0], box());
+    check(`${figure.id}: arrows move`, state().join("\n") !== near, "unmoved");
     press("0");
-    check(`${figure.id}: 0 shows all`, box().every((value, index) => Math.abs(value - whole[index]) < 1e-6), box());
+    check(`${figure.id}: 0 shows all`, zoom() === 1 && state().join("\n") === whole && !svg.querySelector(".axes"), zoom());
     figure.querySelector("[data-zoom=in]").click();
-    const clicked = box()[2];
+    const clicked = zoom();
     figure.querySelector("[data-zoom=all]").click();
-    check(`${figure.id}: buttons magnify and show all`, clicked < whole[2] && Math.abs(box()[2] - whole[2]) < 1e-6, clicked);
+    check(`${figure.id}: buttons magnify and show all`, clicked > 1.4 && zoom() === 1, clicked);
+    const marks = all("rect.panel", svg);
+    const number = (node) => Number(node.textContent.replace("−", "-"));
+    for (const [index, mark] of marks.entries()) {
+      // The axes show what is seen: the place of every number is that of its value, as the numbers of the whole panel have it.
+      const box = mark.getBBox();
+      const across = (node) => Number(node.getAttribute("y")) > box.y + box.height && Number(node.getAttribute("x")) >= box.x - 1 && Number(node.getAttribute("x")) <= box.x + box.width + 1;
+      const numbers = (root) => all("text[font-size='7.5'][text-anchor='middle']", root).filter((node) => across(node) && /^[−\d.]+$/.test(node.textContent));
+      const places = (nodes) => nodes.map((node) => [Number(node.getAttribute("x")), number(node)]);
+      const before = places(numbers(svg)).filter(([, value], at, list) => at === 0 || value > list[at - 1][1]);
+      const place = new DOMPoint(box.x + box.width / 2, box.y + box.height / 2).matrixTransform(svg.getScreenCTM());
+      sheet.focus();
+      sheet.dispatchEvent(new WheelEvent("wheel", { deltaY: -1000, clientX: place.x, clientY: place.y, cancelable: true }));
+      const axes = all(".axes", svg);
+      const after = axes.length === 1 ? places(numbers(axes[0])) : [];
+      check(`${figure.id}, panel ${index}: axes get new numbers`, axes.length === 1 && after.length >= 1 && after.length < 12, after);
+      if (before.length > 1 && after.length > 1) {
+        const slope = (list) => (list.at(-1)[1] - list[0][1]) / (list.at(-1)[0] - list[0][0]);
+        const ratio = slope(before) / slope(after);
+        check(`${figure.id}, panel ${index}: numbers lie as far apart as the zoom says`, Math.abs(ratio / zoom() - 1) < 0.03, [ratio, zoom(), before, after]);
+        const middle = (list) => list[0][1] + (box.x + box.width / 2 - list[0][0]) * slope(list);
+        const off = Math.abs(middle(before) - middle(after)) / (slope(before) * box.width);
+        check(`${figure.id}, panel ${index}: the middle stays where it is`, off < 0.01, [middle(before), middle(after)]);
+      }
+      // As deep as one can go, in every corner: something is drawn there, or the panel says that there is nothing.
+      for (let turns = 0; turns < 12; turns += 1) press("+");
+      check(`${figure.id}, panel ${index}: there is an end to it`, zoom() === 40, zoom());
+      for (const key of ["ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown"]) {
+        for (let steps = 0; steps < 25; steps += 1) press(key);
+        const frame = mark.getBoundingClientRect();
+        const met = drawing().filter((node) => node.getAttribute("clip-path")?.endsWith(`-panel-${index})`)).some((node) => {
+          const shown = node.getBoundingClientRect();
+          return shown.right >= frame.left && shown.left <= frame.right && shown.bottom >= frame.top && shown.top <= frame.bottom;
+        });
+        const said = svg.querySelector(".nothing") !== null;
+        check(`${figure.id}, panel ${index}: nothing is said to be nothing`, met || said, key);
+      }
+      press("0");
+    }
     const middle = svg.getBoundingClientRect();
     const wheel = { deltaY: -300, clientX: middle.x + middle.width / 2, clientY: middle.y + middle.height / 2, cancelable: true };
     sheet.focus();
     sheet.dispatchEvent(new WheelEvent("wheel", wheel));
-    check(`${figure.id}: the wheel magnifies a focused figure`, box()[2] < whole[2], box());
+    check(`${figure.id}: the wheel magnifies a focused figure`, zoom() > 1, zoom());
     press("0");
     sheet.blur();
     sheet.dispatchEvent(new WheelEvent("wheel", wheel));
-    check(`${figure.id}: the wheel scrolls the page otherwise`, Math.abs(box()[2] - whole[2]) < 1e-6, box());
-    if (all("rect.panel", svg).length > 0) {
-      press("n");
-      const one = figure.querySelector(".readout").textContent;
-      press("n");
-      const two = figure.querySelector(".readout").textContent;
-      press("p");
-      const back = figure.querySelector(".readout").textContent;
-      const some = document.getElementById(`data-${figure.id}`).textContent.length > 2;
-      check(`${figure.id}: n and p step through the points`, !some || (one === back && one !== two), [one, two, back]);
+    check(`${figure.id}: the wheel scrolls the page otherwise`, zoom() === 1, zoom());
+    if (marks.length > 0 && document.getElementById(`data-${figure.id}`)) {
+      const read = () => figure.querySelector(".readout").textContent;
+      const [one, two, back] = [[], [], []];
+      for (const [key, kept] of [["n", one], ["n", two], ["p", back]]) {
+        press(key);
+        await turn();
+        await turn();
+        kept.push(read());
+      }
+      check(`${figure.id}: n and p step through the points`, one[0] === back[0] && one[0] !== two[0], [one, two, back]);
     }
     press("Escape");
   }
+  check("no figure has e-notation in its readout", figures.every((figure) => !/\de[-+−]?\d/.test(figure.querySelector(".readout").textContent)), "e");
+
+  // Long tables have their rows once they are opened.
+  for (const table of all("table[data-rows]")) {
+    const folded = table.closest("details");
+    const promised = Number(folded.querySelector("summary span").textContent.split(" ")[0]);
+    check(`${table.id} begins without rows`, table.tBodies[0].rows.length === 0 && promised > 0, promised);
+    folded.open = true;
+    check(`${table.id} gets its rows`, await until(() => table.tBodies[0].rows.length === promised), table.tBodies[0].rows.length);
+    const cells = [...table.tBodies[0].rows].map((row) => row.cells.length);
+    check(`${table.id} has a cell for every heading`, cells.every((count) => count === table.tHead.rows[0].cells.length), cells[0]);
+  }
+  check("every table has a caption", all("table").every((table) => table.caption?.textContent.trim()), all("table").length);
+  const small = all(".tools button, .bar a, .bar button, thead button, summary, .links a, .contents a, tbody a, .claim h3 a, .filters select, .filters input, .filters button, .side input")
+    .map((target) => [target, target.getBoundingClientRect()])
+    .filter(([, box]) => box.width > 0 && (box.width < 24 || box.height < 23.9));
+  check("what can be touched is large enough", small.length === 0, small.slice(0, 5).map(([target, box]) => [target.outerHTML.slice(0, 60), box.width, box.height]));
+  const list = document.querySelector(".bar nav");
+  check("the list of sections tells whether it goes on", list.classList.contains("more-after") === list.scrollWidth > list.clientWidth + 2, list.className);
 
   // Tables sort.
   const headings = all("table.sortable").filter((table) => table.tBodies[0].rows.length > 1);
@@ -130,8 +200,16 @@ addEventListener("load", async () => {
     form.elements.text.value = entries[0].querySelector("h3").textContent;
     form.dispatchEvent(new Event("input", { bubbles: true }));
     check("a label finds its claim", left().includes(entries[0]) && (left().length < entries.length || entries.length === 1), left().length);
-    form.elements.text.value = "nobody states this";
-    form.dispatchEvent(new Event("input", { bubbles: true }));
+    const find = async (text) => {
+      form.elements.text.value = text;
+      form.dispatchEvent(new Event("input", { bubbles: true }));
+      return left();
+    };
+    for (const { text, label } of FORMULAS) {
+      const found = (await find(text)).map((entry) => entry.id);
+      check(`${text} finds ${label}`, found.includes(`claim-${label}`) && found.length < entries.length, found.slice(0, 5));
+    }
+    await find("nobody states this");
     check("other words find nothing", left().length === 0 && form.querySelector("output").textContent.startsWith("0 of"), left().length);
     location.hash = entries.at(-1).id;
     await turn();

@@ -23,9 +23,9 @@ pub(crate) struct Spot<'a> {
     pub(crate) hidden: bool,
 }
 
-/// Opens the page, runs the checks, and returns what they say, one line each; nothing where there is no browser, which is
+/// Opens the page, runs the checks, those of the search with texts and the labels that they find, and returns what they say, one line each; nothing where there is no browser, which is
 /// said on the error stream.
-pub(crate) fn checked(page: &str, spots: &[Spot<'_>]) -> Option<Vec<String>> {
+pub(crate) fn checked(page: &str, spots: &[Spot<'_>], formulas: &[(&str, &str)]) -> Option<Vec<String>> {
     let Some(browser) = NAMES.into_iter().find(|name| is_there(name)) else {
         // What is printed by a macro is shown for failed tests only; everybody has to see this.
         let tried = NAMES.join(", ");
@@ -44,7 +44,12 @@ pub(crate) fn checked(page: &str, spots: &[Spot<'_>]) -> Option<Vec<String>> {
             format!("{{figure:{figure:?},x:{x},y:{y},told:[{}],hidden:{hidden}}}", told(spot))
         })
         .collect();
-    let script = format!("<script>const SPOTS = [{}];\n{CHECKS}</script>\n</body>", spots.join(","));
+    let formulas: Vec<String> =
+        formulas.iter().map(|(text, label)| format!("{{text:{text:?},label:{label:?}}}")).collect();
+    let (spots, formulas) = (spots.join(","), formulas.join(","));
+    let script = format!(
+        "<script>const SPOTS = [{spots}];\nconst FORMULAS = [{formulas}];\n{CHECKS}</script>\n</body>"
+    );
     fs::write(&file, page.replace("</body>", &script)).expect("the folder is ours");
     let dom = dump(browser, folder.path(), &format!("file://{}", file.display()));
     let result = dom.split("<pre id=\"checks\">").nth(1).and_then(|rest| rest.split("</pre>").next());

@@ -112,10 +112,12 @@ fn figure(name: &str, title: &str) -> Figure {
 
 fn sweep() -> Table {
     const COLUMNS: &[Column] = &[columns::LOOPS, columns::C_SN_CLOSED_FORM, columns::VERDICT];
-    let rows =
-        [(1_u32, -5.679_445_287_380_571e2, "agreement"), (2, 3.0, "unexplained"), (3, 1e-7, "agreement")];
-    let rows = rows.map(|(p, c_sn, verdict)| vec![p.into(), c_sn.into(), verdict.into()]);
-    Table::of_cells("sweep", COLUMNS, &Names::of_the_paper(), rows.into())
+    let mut rows =
+        vec![(1_u32, -5.679_445_287_380_571e2, "agreement"), (2, 3.0, "unexplained"), (3, 1e-7, "agreement")];
+    // Enough of them that they are kept for the scripts.
+    rows.extend((4..60).map(|p| (p, 0.5 * f64::from(p), "agreement")));
+    let rows = rows.into_iter().map(|(p, c_sn, verdict)| vec![p.into(), c_sn.into(), verdict.into()]);
+    Table::of_cells("sweep", COLUMNS, &Names::of_the_paper(), rows.collect())
 }
 
 /// A coefficient that is measured with a value and an error.
@@ -177,7 +179,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
     OscillatorEntry {
         id: id.to_owned(),
         file: hostile(),
-        link: Some("../examples/sample.toml".to_owned()),
+        link: Some("https://example.org/a/blob/HEAD/examples/sample.toml".to_owned()),
         about: vec![hostile(), "x + kappa x^3 of $\\nobody$".to_owned()],
         description: Description::parse(&description, "sample.toml").expect("the sample is right"),
         figures: vec![drawn],
@@ -198,7 +200,7 @@ pub(crate) fn oscillators_alone() -> Report<'static> {
         oscillators: vec![oscillator("one", "Sample oscillator")],
         manifest: Manifest {
             outputs: files.map(|path| OutputFile::of(path, path.as_bytes())).to_vec(),
-            folder: Some(String::new()),
+            folder: None,
             ..report().manifest
         },
         ..Report::default()
@@ -228,8 +230,8 @@ pub(crate) fn report() -> Report<'static> {
             parameter_file: "figures/parameters.toml".to_owned(),
             parameters: format!("# {HOSTILE}\n[oscillator]\n"),
             outputs: ["fig98.svg", "data/fig98_points.csv", "data/sweep.csv"].map(file).to_vec(),
-            folder: Some("../figures/".to_owned()),
+            folder: Some("https://example.org/a/blob/HEAD/figures/".to_owned()),
         },
-        root: Some("../".to_owned()),
+        root: Some("https://example.org/a/blob/HEAD/".to_owned()),
     }
 }
