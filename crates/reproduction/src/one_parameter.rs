@@ -17,7 +17,7 @@ use crate::plane::centred;
 use crate::unfolded::Described;
 
 /// How long-time behaviour is sampled: as many orbits as can be told apart in a figure, for as long as weakly damped motion needs to settle.
-const PLAN: Plan = Plan { values: 480, orbits: 4, transient: 300, recorded: 24, seed: 1 };
+const PLAN: Plan = Plan { values: 360, orbits: 4, transient: 240, recorded: 24, seed: 1 };
 
 /// The one-parameter diagrams that a file asks for, in the oscillator's own units, and what is missing.
 pub(crate) fn diagrams(
