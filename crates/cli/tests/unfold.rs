@@ -24,13 +24,9 @@ fn read(folder: &Path, name: &str) -> String {
     fs::read_to_string(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-const TABLES: [&str; 12] = [
+const TABLES: [&str; 8] = [
     "coefficients",
     "curves",
-    "diagram_attractor",
-    "diagram_bifurcations",
-    "diagram_branches",
-    "diagram_portraits",
     "grazing",
     "grazing_loops",
     "hypotheses",
@@ -42,8 +38,7 @@ const TABLES: [&str; 12] = [
 /// What belongs in a folder of results.
 fn results() -> Vec<String> {
     let tables = TABLES.map(|table| format!("data/{table}.csv"));
-    let others =
-        ["data", "data/README.md", "diagram-1.svg", "diagram.svg", "magnifications.svg", "report.html"];
+    let others = ["data", "data/README.md", "diagram.svg", "magnifications.svg", "report.html"];
     let mut all = others.map(str::to_owned).to_vec();
     all.extend(tables);
     all.sort();
@@ -52,8 +47,7 @@ fn results() -> Vec<String> {
 
 #[test]
 fn an_example_is_unfolded_into_the_same_files_whatever_the_number_of_threads() {
-    let diagram = "[[diagrams]]\nfixed = \"omega\"\nat = 0.98\nportraits = [0.29]\n";
-    let folder = folder_with(&[("duffing.toml", &(narrow_duffing() + diagram))]);
+    let folder = folder_with(&[("duffing.toml", &narrow_duffing())]);
     let made = grazing(folder.path(), &["unfold", "duffing.toml", "--jobs", "1", "--explain"]);
     assert_eq!((made.code, made.errors()), (Some(0), ""), "{}", made.messages);
     let first = folder.path().join("unfolded/duffing");
@@ -117,6 +111,34 @@ fn told(output: &str, coefficients: &str) {
     for line in output.lines() {
         assert!(line.chars().count() <= 100, "{} characters: {line}", line.chars().count());
     }
+}
+
+#[test]
+fn a_one_parameter_diagram_has_a_figure_and_tables_as_long_as_it_is_asked_for() {
+    let diagram = "[[diagrams]]\nfixed = \"omega\"\nat = 0.98\nportraits = [0.29]\n";
+    let folder = folder_with(&[("duffing.toml", &(narrow_duffing() + diagram))]);
+    let made = grazing(folder.path(), &["unfold", "duffing.toml"]);
+    assert_eq!((made.code, made.errors()), (Some(0), ""), "{}", made.messages);
+    assert!(made.output.contains("\nOne-parameter diagram 1: A from 0.2 to 0.4 at omega = 0.98\n"));
+    let results_folder = folder.path().join("unfolded/duffing");
+    let tables = ["attractor", "bifurcations", "branches", "portraits"];
+    let more = tables.map(|table| format!("data/diagram_{table}.csv"));
+    let mut all = [results(), more.to_vec(), vec!["diagram-1.svg".to_owned()]].concat();
+    all.sort();
+    assert_eq!(listing(&results_folder), all);
+    let explanations = read(&results_folder, "data/README.md");
+    let page = read(&repository(), "examples/README.md");
+    for table in tables {
+        assert!(page.contains(&format!("| `diagram_{table}` |")), "{table} is not named");
+        let content = read(&results_folder, &format!("data/diagram_{table}.csv"));
+        for column in content.lines().next().expect("a header").split(',') {
+            assert!(explanations.contains(&format!("| `{column}` |")), "{table}: {column} is not explained");
+        }
+    }
+    assert!(read(&results_folder, "report.html").contains("id=\"oscillator-duffing-diagram-1\""));
+    fs::write(folder.path().join("duffing.toml"), narrow_duffing()).expect("the folder is ours");
+    assert_eq!(grazing(folder.path(), &["unfold", "duffing.toml"]).code, Some(0));
+    assert_eq!(listing(&results_folder), results());
 }
 
 /// The page beside the tables explains their columns, and that of the examples names the examples and the tables.
