@@ -49,6 +49,21 @@ function readPath(text) {
   return points;
 }
 
+/** How a path of dots, each one unit wide, lies on the sheet; others lie there as they are. */
+function latticeOf(node) {
+  const told = /translate\(([-\d.]+)[ ,]([-\d.]+)\) scale\(([-\d.]+)\)/.exec(node.getAttribute("transform") ?? "");
+  return told && { x: Number(told[1]), y: Number(told[2]), side: Number(told[3]) };
+}
+
+/** The box of an element on the sheet. */
+function boxOf(node) {
+  const box = node.getBBox();
+  const lattice = latticeOf(node);
+  if (!lattice) return box;
+  const { x, y, side } = lattice;
+  return { x: x + side * box.x, y: y + side * box.y, width: side * box.width, height: side * box.height };
+}
+
 const within = (box, bounds, margin) =>
   box.x >= bounds.x - margin && box.x + box.width <= bounds.x + bounds.w + margin &&
   box.y >= bounds.y - margin && box.y + box.height <= bounds.y + bounds.h + margin;
@@ -103,8 +118,23 @@ function partOf(node, panel, clip) {
     return { show, restore };
   }
   const points = readPath(before[0]);
+  const lattice = latticeOf(node);
+  if (lattice) {
+    const { side } = lattice;
+    const dots = [];
+    points.forEach(([begins, px, py], index) => {
+      if (begins) return;
+      for (let at = points[index - 1][1]; at < px; at += 1) dots.push([lattice.x + side * (at + 0.5), lattice.y + side * py]);
+    });
+    const show = (to) => {
+      const seen = dots.map(([px, py]) => to(px, py)).filter(([x, y]) => sees(x, y));
+      node.setAttribute("d", seen.map(([x, y]) => `M${((x - lattice.x) / side - 0.5).toFixed(2)},${((y - lattice.y) / side).toFixed(2)}h1`).join(""));
+      return seen.length > 0;
+    };
+    return { show, restore };
+  }
   const filled = node.hasAttribute("fill") && node.getAttribute("fill") !== "none";
-  const box = node.getBBox();
+  const box = boxOf(node);
   const marker = filled && points.length < 14 && box.width <= MARKER && box.height <= MARKER;
   const show = (to) => {
     let path = "";
@@ -171,7 +201,7 @@ function takeApart(svg, panels) {
   }
   for (const node of nodes) {
     if (taken.has(node)) continue;
-    const box = node.getBBox();
+    const box = boxOf(node);
     const small = node.localName !== "path" || (box.width <= MARKER && box.height <= MARKER);
     const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2, width: 0, height: 0 };
     const owner = panels.find((panel) => within(small ? middle : box, panel.bounds, 0.6));
