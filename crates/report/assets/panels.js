@@ -81,7 +81,10 @@ function crosses([ax, ay], [bx, by], { x, y, w, h }) {
   return from <= to;
 }
 
-/** A part of a drawing that lies in a panel: `show` puts it where the view wants it, and tells whether any of it is seen there. */
+/**
+ * A part of a drawing that lies in a panel: `show` puts it where the view wants it, and tells whether
+ * any of it is seen there, or its shade only.
+ */
 function partOf(node, panel, clip) {
   const { bounds } = panel;
   const sees = (x, y) => x >= bounds.x && x <= bounds.x + bounds.w && y >= bounds.y && y <= bounds.y + bounds.h;
@@ -157,7 +160,7 @@ function partOf(node, panel, clip) {
     if (!seen && filled && !marker) {
       const point = node.ownerSVGElement.createSVGPoint();
       [point.x, point.y] = [bounds.x + bounds.w / 2, bounds.y + bounds.h / 2];
-      seen = node.isPointInFill(point);
+      if (node.isPointInFill(point)) return "shade";
     }
     return seen;
   };
