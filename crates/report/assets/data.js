@@ -3,12 +3,30 @@
 
 const SYMBOLS = JSON.parse(document.getElementById("columns").textContent);
 
-/** Reads a table as the page keeps it: a line with the headers, then the cells column by column, each on a line. */
+/** A column that is written as `decimals,order`: without the decimal point, and so many times as differences. */
+function undone(cells, [decimals, order]) {
+  const sums = new Array(order + 1).fill(0);
+  return cells.map((cell) => {
+    if (cell === "") return cell;
+    sums[order] = Number(cell);
+    for (let at = order; at > 0; at -= 1) sums[at - 1] += sums[at];
+    return String(Number(`${sums[0]}e-${decimals}`));
+  });
+}
+
+/**
+ * Reads a table as the page keeps it: a line with the headers, one with how each column is written, then the cells column by
+ * column, each on a line.
+ */
 function readTable(name, text) {
   const lines = text.split("\n");
-  const header = lines[0].split("|");
-  const rows = (lines.length - 1) / header.length;
-  const byName = new Map(header.map((title, index) => [title, lines.slice(1 + index * rows, 1 + (index + 1) * rows)]));
+  const [header, codes] = [lines[0].split("|"), lines[1].split("|")];
+  const rows = (lines.length - 2) / header.length;
+  const column = (index) => {
+    const cells = lines.slice(2 + index * rows, 2 + (index + 1) * rows);
+    return codes[index] ? undone(cells, codes[index].split(",").map(Number)) : cells;
+  };
+  const byName = new Map(header.map((title, index) => [title, column(index)]));
   return { name, rows, header, column: (title) => byName.get(title) };
 }
 

@@ -5,8 +5,8 @@ const SMALLEST_ON_SCREEN = 0.78;
 /** Width of claims on paper, and size of the type there as part of that on the screen: see print.css. */
 const PAPER = { width: 640, type: 0.667 };
 
-function fitFormulas() {
-  const formulas = [...document.querySelectorAll(".formula")].filter((formula) => formula.clientWidth > 0);
+function fitFormulas(all) {
+  const formulas = all.filter((formula) => formula.clientWidth > 0);
   for (const formula of formulas) formula.style.removeProperty("--fit");
   // All are measured before any is changed, so that the page is laid out once.
   const ink = (formula) => {
@@ -21,5 +21,17 @@ function fitFormulas() {
     formula.style.setProperty("--fit-on-paper", Math.min(1, PAPER.width / (width * PAPER.type)));
   });
 }
-addEventListener("resize", fitFormulas);
-document.fonts.ready.then(fitFormulas);
+const formulas = [...document.querySelectorAll(".formula")];
+/** Formulas that have come near the window, so that they are set. */
+const near = new Set();
+const comes = new IntersectionObserver(
+  (entries) => {
+    const come = entries.filter((entry) => entry.isIntersecting && !near.has(entry.target)).map((entry) => entry.target);
+    come.forEach((formula) => near.add(formula));
+    fitFormulas(come);
+  },
+  { rootMargin: "100%" },
+);
+document.fonts.ready.then(() => formulas.forEach((formula) => comes.observe(formula)));
+addEventListener("resize", () => fitFormulas([...near]));
+addEventListener("beforeprint", () => fitFormulas(formulas));

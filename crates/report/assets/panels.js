@@ -49,6 +49,21 @@ function readPath(text) {
   return points;
 }
 
+/** How a path of dots, each one unit wide, lies on the sheet; others lie there as they are. */
+function latticeOf(node) {
+  const told = /translate\(([-\d.]+)[ ,]([-\d.]+)\) scale\(([-\d.]+)\)/.exec(node.getAttribute("transform") ?? "");
+  return told && { x: Number(told[1]), y: Number(told[2]), side: Number(told[3]) };
+}
+
+/** The box of an element on the sheet. */
+function boxOf(node) {
+  const box = node.getBBox();
+  const lattice = latticeOf(node);
+  if (!lattice) return box;
+  const { x, y, side } = lattice;
+  return { x: x + side * box.x, y: y + side * box.y, width: side * box.width, height: side * box.height };
+}
+
 const within = (box, bounds, margin) =>
   box.x >= bounds.x - margin && box.x + box.width <= bounds.x + bounds.w + margin &&
   box.y >= bounds.y - margin && box.y + box.height <= bounds.y + bounds.h + margin;
@@ -66,7 +81,10 @@ function crosses([ax, ay], [bx, by], { x, y, w, h }) {
   return from <= to;
 }
 
-/** A part of a drawing that lies in a panel: `show` puts it where the view wants it, and tells whether any of it is seen there. */
+/**
+ * A part of a drawing that lies in a panel: `show` puts it where the view wants it, and tells whether
+ * any of it is seen there, or its shade only.
+ */
 function partOf(node, panel, clip) {
   const { bounds } = panel;
   const sees = (x, y) => x >= bounds.x && x <= bounds.x + bounds.w && y >= bounds.y && y <= bounds.y + bounds.h;
@@ -103,8 +121,23 @@ function partOf(node, panel, clip) {
     return { show, restore };
   }
   const points = readPath(before[0]);
+  const lattice = latticeOf(node);
+  if (lattice) {
+    const { side } = lattice;
+    const dots = [];
+    points.forEach(([begins, px, py], index) => {
+      if (begins) return;
+      for (let at = points[index - 1][1]; at < px; at += 1) dots.push([lattice.x + side * (at + 0.5), lattice.y + side * py]);
+    });
+    const show = (to) => {
+      const seen = dots.map(([px, py]) => to(px, py)).filter(([x, y]) => sees(x, y));
+      node.setAttribute("d", seen.map(([x, y]) => `M${((x - lattice.x) / side - 0.5).toFixed(2)},${((y - lattice.y) / side).toFixed(2)}h1`).join(""));
+      return seen.length > 0;
+    };
+    return { show, restore };
+  }
   const filled = node.hasAttribute("fill") && node.getAttribute("fill") !== "none";
-  const box = node.getBBox();
+  const box = boxOf(node);
   const marker = filled && points.length < 14 && box.width <= MARKER && box.height <= MARKER;
   const show = (to) => {
     let path = "";
@@ -127,7 +160,7 @@ function partOf(node, panel, clip) {
     if (!seen && filled && !marker) {
       const point = node.ownerSVGElement.createSVGPoint();
       [point.x, point.y] = [bounds.x + bounds.w / 2, bounds.y + bounds.h / 2];
-      seen = node.isPointInFill(point);
+      if (node.isPointInFill(point)) return "shade";
     }
     return seen;
   };
@@ -171,7 +204,7 @@ function takeApart(svg, panels) {
   }
   for (const node of nodes) {
     if (taken.has(node)) continue;
-    const box = node.getBBox();
+    const box = boxOf(node);
     const small = node.localName !== "path" || (box.width <= MARKER && box.height <= MARKER);
     const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2, width: 0, height: 0 };
     const owner = panels.find((panel) => within(small ? middle : box, panel.bounds, 0.6));

@@ -5,6 +5,7 @@
 /** How far one can zoom: drawings are exact to a hundredth of a point. */
 const DEEPEST = 40;
 const NOTHING = ["Nothing is drawn here.", "Zoom out to see more."];
+const SHADE = ["Only shading is in view.", "Zoom out to see more."];
 
 /** Makes the panels in the sheet zoomable; `changed` is called whenever another part of one is seen. */
 function makeZoomable(sheet, svg, panels, changed) {
@@ -42,18 +43,17 @@ function makeZoomable(sheet, svg, panels, changed) {
       area.parts.forEach((part) => part.restore());
       return;
     }
-    let seen = false;
-    for (const part of area.parts) seen = part.show((x, y) => toSeen(area, x, y)) || seen;
+    const told = new Set(area.parts.map((part) => part.show((x, y) => toSeen(area, x, y))));
     const { x, y, w, h } = area.bounds;
     area.added = drawn("g");
     if (area.mark) {
       const ends = [area.toData({ x: area.view.x, y: area.view.y + area.view.h }), area.toData({ x: area.view.x + area.view.w, y: area.view.y })];
       area.added.append(drawAxes(area, [0, 1].map((axis) => [ends[0][axis], ends[1][axis]])));
     }
-    if (!seen) {
+    if (!told.has(true)) {
       const size = Math.min(8, w / 12);
-      NOTHING.forEach((words, line) => {
-        const place = { x: x + w / 2, y: y + h / 2 + line * 1.3 * size, "text-anchor": "middle", "font-size": size, fill: "#4a4a4a" };
+      (told.has("shade") ? SHADE : NOTHING).forEach((words, line) => {
+        const place = { x: x + w / 2, y: y + h / 2 + line * 1.3 * size, "text-anchor": "middle", "font-size": size, fill: "#000000" };
         area.added.append(drawn("text", { ...place, class: "nothing" }, words));
       });
     }

@@ -11,8 +11,8 @@ use crate::svg::Marks;
 
 /// Significant digits of numbers that a reader sees.
 pub(crate) const DIGITS: usize = 7;
-/// Significant digits of what is only shown beside a figure.
-const DIGITS_BESIDE: usize = 6;
+/// Digits of the largest number of a column beside a figure: one more than are shown, so that smaller ones have some, too.
+const LEAST_DIGITS: usize = 8;
 /// Digits beyond those that tell one end of a panel's axis from the other: points stay in place as far as one can zoom.
 const DIGITS_ALONG_AXIS: i32 = 5;
 /// No number has more.
@@ -24,41 +24,44 @@ const BOOKKEEPING: [&str; 3] = ["arc", "branch", "region"];
 /// How hard to look for repetitions: most of what there is to be had, in little time.
 const EFFORT: u8 = 10;
 
+/// How the numbers of a table are rounded.
+#[derive(Clone, Copy)]
+enum Rounding {
+    /// To so many significant digits, each by itself.
+    Each(usize),
+    /// To as many decimals as give the largest of the column so many digits: what follows a curve then differs little from line to line.
+    Column(usize),
+}
+
 /// The figure's tables for the scripts, compressed: those of which its panels show rows.
 pub(crate) fn of_figure(tables: &[Table], marks: &Marks<'_>) -> String {
     let shown = tables.iter().filter(|table| marks.show(table.name));
-    let (axes, digits) = (marks.columns(), digits(marks));
-    packed(
-        shown,
-        &BOOKKEEPING,
-        |column| if axes.iter().any(|axis| axis == column) { digits } else { DIGITS_BESIDE },
-    )
+    packed(shown, &BOOKKEEPING, Rounding::Column(digits(marks)))
 }
 
 /// A table for the scripts, compressed.
 pub(crate) fn of_table(table: &Table) -> String {
-    packed([table], &[], |_| DIGITS)
+    packed([table], &[], Rounding::Each(DIGITS))
 }
 
 /// Digits at which a point keeps its place in every panel.
 fn digits(marks: &Marks<'_>) -> usize {
     let along = |[low, high]: [f64; 2]| {
-        let ratio = low.abs().max(high.abs()) / (high - low).abs();
-        // Ratios are small numbers of powers of ten, however they are rounded.
-        let powers = format!("{ratio:e}").split_once('e').and_then(|(_, power)| power.parse::<i32>().ok());
-        usize::try_from(powers.unwrap_or(0) + 1 + DIGITS_ALONG_AXIS).unwrap_or(DIGITS)
+        let powers = exponent(low.abs().max(high.abs()) / (high - low).abs());
+        usize::try_from(powers + 1 + DIGITS_ALONG_AXIS).unwrap_or(LEAST_DIGITS)
     };
-    marks.ranges().map(along).max().unwrap_or(DIGITS).clamp(DIGITS, MOST_DIGITS)
+    marks.ranges().map(along).max().unwrap_or(LEAST_DIGITS).clamp(LEAST_DIGITS, MOST_DIGITS)
+}
+
+/// The power of ten in a number.
+fn exponent(number: f64) -> i32 {
+    format!("{number:e}").split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)
 }
 
 /// The tables as JSON, compressed, in letters; nothing if there are none.
-fn packed<'a>(
-    tables: impl IntoIterator<Item = &'a Table>,
-    without: &[&str],
-    digits: impl Fn(&str) -> usize,
-) -> String {
+fn packed<'a>(tables: impl IntoIterator<Item = &'a Table>, without: &[&str], rounding: Rounding) -> String {
     let table = |table: &Table| {
-        format!("{}:{}", json_string(table.name), json_string(&by_columns(table, without, &digits)))
+        format!("{}:{}", json_string(table.name), json_string(&by_columns(table, without, rounding)))
     };
     let tables: Vec<String> = tables.into_iter().map(table).collect();
     if tables.is_empty() {
@@ -67,20 +70,60 @@ fn packed<'a>(
     BASE64_STANDARD.encode(compress_to_vec(format!("{{{}}}", tables.join(",")).as_bytes(), EFFORT))
 }
 
-/// A line with the headers, then every cell on a line of its own, column by column: neighbours in a column are alike.
-fn by_columns(table: &Table, without: &[&str], digits: &impl Fn(&str) -> usize) -> String {
-    let kept: Vec<usize> =
-        (0..table.headers.len()).filter(|&place| !without.contains(&table.columns[place].name)).collect();
-    let headers: Vec<&str> = kept.iter().map(|&place| table.headers[place].as_str()).collect();
-    let mut text = headers.join(&SEPARATOR.to_string());
-    for place in kept {
-        let digits = digits(&table.headers[place]);
-        for row in &table.rows {
-            text.push('\n');
-            text.push_str(&written(&row[place], &table.columns[place], digits));
+/// A line with the headers, one with how each column is written, then every cell on a line of its own, column by column: neighbours in a
+/// column are alike. A column is written as it stands, or as `decimals,order`: without the decimal point, and so many times
+/// as differences from the cell before.
+fn by_columns(table: &Table, without: &[&str], rounding: Rounding) -> String {
+    let (mut headers, mut codes, mut lines) = (Vec::new(), Vec::new(), Vec::new());
+    for (place, header) in table.headers.iter().enumerate() {
+        let column = &table.columns[place];
+        if without.contains(&column.name) {
+            continue;
         }
+        let cells = || table.rows.iter().map(move |row| &row[place]);
+        let differing = match rounding {
+            Rounding::Column(digits) => differences(cells(), digits),
+            Rounding::Each(_) => None,
+        };
+        let (Rounding::Each(digits) | Rounding::Column(digits)) = rounding;
+        let (code, cells) = differing
+            .unwrap_or_else(|| (String::new(), cells().map(|cell| written(cell, column, digits)).collect()));
+        headers.push(header.as_str());
+        codes.push(code);
+        lines.extend(cells);
     }
-    text
+    let separator = SEPARATOR.to_string();
+    let heads = [headers.join(&separator), codes.join(&separator)];
+    heads.into_iter().chain(lines).collect::<Vec<_>>().join("\n")
+}
+
+/// A column of numbers as differences, or differences of these, whatever is shortest; nothing if it is not one of numbers.
+fn differences<'a>(cells: impl Iterator<Item = &'a Cell>, digits: usize) -> Option<(String, Vec<String>)> {
+    let numbers = |cell: &Cell| matches!(cell, Cell::Number(_)).then(|| cell.number());
+    let numbers: Vec<Option<f64>> = cells.map(numbers).collect::<Option<_>>()?;
+    let largest = numbers.iter().flatten().fold(0.0_f64, |largest, number| largest.max(number.abs()));
+    let decimals = usize::try_from(i32::try_from(digits).ok()? - 1 - exponent(largest)).unwrap_or(0);
+    let whole = |number: f64| format!("{number:.decimals$}").replace('.', "").parse::<i64>().ok();
+    let mut values = Vec::new();
+    for number in numbers {
+        values.push(match number {
+            Some(number) => Some(whole(number)?),
+            None => None,
+        });
+    }
+    let candidates = (0..=2).map(|order| {
+        if order > 0 {
+            let mut before = 0;
+            for value in values.iter_mut().flatten() {
+                (before, *value) = (*value, value.checked_sub(before)?);
+            }
+        }
+        let cells: Vec<String> =
+            values.iter().map(|value| value.map_or_else(String::new, |value| value.to_string())).collect();
+        Some((format!("{decimals},{order}"), cells))
+    });
+    let length = |(_, cells): &(String, Vec<String>)| cells.iter().map(String::len).sum::<usize>();
+    candidates.flatten().min_by_key(length)
 }
 
 fn written(cell: &Cell, column: &Column, digits: usize) -> String {
@@ -116,9 +159,27 @@ mod tests {
     #[test]
     fn columns_follow_each_other_with_numbers_rounded() {
         assert_eq!(
-            by_columns(&table(), &["admissible"], &|_| 7),
-            "kind|p|x\nSN\nSN\nPD\nP D\n1\n1\n1\n2\n0.35\n-567.9445\n\n-1.25e-17"
+            by_columns(&table(), &["admissible"], Rounding::Each(7)),
+            "kind|p|x\n||\nSN\nSN\nPD\nP D\n1\n1\n1\n2\n0.35\n-567.9445\n\n-1.25e-17"
         );
+        assert_eq!(
+            by_columns(&table(), &["admissible"], Rounding::Column(7)),
+            "kind|p|x\n||4,0\nSN\nSN\nPD\nP D\n1\n1\n1\n2\n3500\n-5679445\n\n0"
+        );
+    }
+
+    #[test]
+    fn a_smooth_column_is_written_by_its_differences() {
+        let told = |numbers: &[f64]| {
+            let cells: Vec<Cell> = numbers.iter().map(|&number| number.into()).collect();
+            differences(cells.iter(), 8).map(|(code, cells)| format!("{code}: {}", cells.join(" ")))
+        };
+        let line = [1.0, 1.1, 1.2, 1.3, f64::NAN, 1.4];
+        assert_eq!(told(&line).as_deref(), Some("7,2: 10000000 -9000000 0 0  0"));
+        assert_eq!(told(&[25.0, 25.0, 25.0]).as_deref(), Some("6,1: 25000000 0 0"));
+        assert_eq!(told(&[1e-9, 0.0]).as_deref(), Some("16,0: 10000000 0"));
+        assert_eq!(told(&[0.0]).as_deref(), Some("7,0: 0"));
+        assert_eq!(differences([Cell::from("a")].iter(), 8), None);
     }
 
     #[test]
@@ -126,7 +187,7 @@ mod tests {
         let bytes = BASE64_STANDARD.decode(of_table(&table())).unwrap();
         let text = miniz_oxide::inflate::decompress_to_vec(&bytes).unwrap();
         let text = String::from_utf8(text).unwrap();
-        assert!(text.starts_with("{\"sample\":\"kind|p|x|admissible\\nSN\\n"), "{text}");
+        assert!(text.starts_with("{\"sample\":\"kind|p|x|admissible\\n|||\\nSN\\n"), "{text}");
     }
 
     #[test]
@@ -136,7 +197,7 @@ mod tests {
                 "<rect class=\"panel\" x=\"0\" data-x=\"{range}\" data-y=\"0 1\" data-tables=\"sample\"/>"
             )
         };
-        for (range, expected) in [("0 4", 7), ("0.43 0.44", 7), ("0.43 0.4301", 9), ("1 1.0000000001", 12)] {
+        for (range, expected) in [("0 4", 8), ("0.43 0.44", 8), ("0.43 0.4301", 9), ("1 1.0000000001", 12)] {
             assert_eq!(digits(&Marks::of(&mark(range))), expected, "{range}");
         }
         let of = |svg: &str| of_figure(&[table()], &Marks::of(svg)).is_empty();

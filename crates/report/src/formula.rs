@@ -97,7 +97,8 @@ pub(crate) fn signs(text: &str) -> String {
         digit.to_digit(10).and_then(|digit| char::from_u32(u32::from('₀') + digit)).unwrap_or(digit)
     };
     let mut signs = String::new();
-    let mut rest = text;
+    let arrows = text.replace("->", "→");
+    let mut rest = arrows.as_str();
     while let Some(first) = rest.chars().next() {
         let end = rest.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(rest.len());
         let (word, after) = if end == 0 { rest.split_at(first.len_utf8()) } else { rest.split_at(end) };
@@ -105,8 +106,8 @@ pub(crate) fn signs(text: &str) -> String {
         let known = GREEK.iter().find(|(name, _)| *name == letters);
         match known {
             Some((_, letter)) => signs.push_str(letter),
-            // A minus sign between quantities or before a number, not a hyphen in a word.
-            None if word == "-" && !signs.ends_with(char::is_alphabetic) => signs.push('−'),
+            // A minus sign between quantities or before one, not a hyphen.
+            None if word == "-" && signs.ends_with([' ', '(', '|']) => signs.push('−'),
             None => signs.push_str(letters),
         }
         let letter = known.is_some() || letters.len() == 1;
@@ -225,6 +226,10 @@ mod tests {
             (
                 "tau = g_p(delta), the p-loop solution of Figure 2 at x = -1.",
                 "τ = g<sub>p</sub>(δ), the p-loop solution of Figure 2 at x = −1.",
+            ),
+            (
+                "period-one, pages 475-502: x' -> -r x' + omega",
+                "period-one, pages 475-502: x&#39; → −r x&#39; + ω",
             ),
             ("a12 alpha > 0 of e12", "a₁₂ α &gt; 0 of e₁₂"),
             ("delta + 1 - |tau| > 0", "δ + 1 − |τ| &gt; 0"),

@@ -17,16 +17,6 @@ impl<'a> Marks<'a> {
         })
     }
 
-    /// The columns along the axes: as the mark names them, or as the titles do.
-    pub(crate) fn columns(&self) -> Vec<String> {
-        let titled = |mark: &str, name| attribute(mark, name).map(column_of).unwrap_or_default();
-        let named = |mark: &&str| match attribute(mark, "data-columns") {
-            Some(named) => named.split(' ').map(str::to_owned).collect(),
-            None => ["data-x-title", "data-y-title"].map(|name| titled(mark, name)).to_vec(),
-        };
-        self.0.iter().flat_map(named).collect()
-    }
-
     /// The values at the ends of all axes.
     pub(crate) fn ranges(&self) -> impl Iterator<Item = [f64; 2]> {
         let range = |mark: &&str, name| {
@@ -35,12 +25,6 @@ impl<'a> Marks<'a> {
         };
         self.0.iter().flat_map(move |mark| ["data-x", "data-y"].map(|name| range(mark, name))).flatten()
     }
-}
-
-/// The column that a title names: its letters, and that of the forcing amplitude.
-fn column_of(title: &str) -> String {
-    let letters = title.replace(r"\mathcal", "").replace(|c: char| !c.is_ascii_alphabetic() && c != '_', "");
-    if letters == "A" { "amplitude".to_owned() } else { letters }
 }
 
 /// The value of an attribute in a start tag.
@@ -143,16 +127,6 @@ fn written(hundredths: i64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn columns_are_named_by_marks_or_titles() {
-        for (attributes, columns) in [
-            ("data-x-title=\"$\\mathcal{A}$\" data-y-title=\"$\\omega$\"", ["amplitude", "omega"]),
-            ("data-x-title=\"$A$\" data-y-title=\"\" data-columns=\"A F_0\"", ["A", "F_0"]),
-        ] {
-            assert_eq!(Marks::of(&format!("<rect class=\"panel\" {attributes}/>")).columns(), columns);
-        }
-    }
 
     #[test]
     fn paths_become_shorter_and_stay_the_same() {

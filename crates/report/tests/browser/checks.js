@@ -55,6 +55,7 @@ addEventListener("load", async () => {
   }
 
   // Figures: zoom by keys, buttons and wheel. Lines and letters keep their sizes, the axes get other numbers.
+  let empty = 0;
   for (const figure of figures) {
     const sheet = figure.querySelector(".sheet");
     const svg = sheet.querySelector("svg");
@@ -114,6 +115,7 @@ addEventListener("load", async () => {
           return shown.right >= frame.left && shown.left <= frame.right && shown.bottom >= frame.top && shown.top <= frame.bottom;
         });
         const said = svg.querySelector(".nothing") !== null;
+        if (said) empty += 1;
         check(`${figure.id}, panel ${index}: nothing is said to be nothing`, met || said, key);
       }
       press("0");
@@ -140,6 +142,7 @@ addEventListener("load", async () => {
     }
     press("Escape");
   }
+  check("empty places say that they are", empty > 0, empty);
   check("no figure has e-notation in its readout", figures.every((figure) => !/\de[-+−]?\d/.test(figure.querySelector(".readout").textContent)), "e");
 
   // Long tables have their rows once they are opened.

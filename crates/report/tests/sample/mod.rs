@@ -86,6 +86,7 @@ fn figure(name: &str, title: &str) -> Figure {
          <desc>A line through three points.</desc>\n<style>\n@font-face{{font-family:'STIX Two Text';src:url(data:font/ttf;base64,AAAA)}}\n</style>\n\
          <rect width=\"200\" height=\"120\" fill=\"#ffffff\"/>\n<clipPath id=\"frame\"><rect x=\"20\" y=\"10\" width=\"160\" height=\"80\"/></clipPath>\n\
          <path clip-path=\"url(#frame)\" d=\"M20,90L100,50L180,10\" stroke=\"#1946be\"/>\n\
+         <path transform=\"translate(20 10) scale(0.5)\" d=\"M100,60.5h3m5,20h1\" stroke=\"#2d4669\" stroke-width=\"1\"/>\n\
          <rect class=\"panel\" x=\"20\" y=\"10\" width=\"160\" height=\"80\" data-x=\"0 4\" data-y=\"-1 1\" data-x-title=\"$\\mathcal{{A}}$\" \
          data-y-title=\"$\\omega$\"/>\n</svg>\n"
     );
