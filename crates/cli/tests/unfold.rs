@@ -85,7 +85,7 @@ fn told(output: &str, coefficients: &str) {
     }
     for wanted in [
         "Duffing oscillator with a wall (duffing.toml)",
-        "x'' = -2*zeta*v - x - kappa*x^3 - 1 + A*cos(omega*t) for x < 0",
+        "x'' = -2*zeta*v - x - kappa*x^3 - 1 + A*cos(omega*t) below the wall",
         "kappa = 0.1, zeta = 0.02",
         "both ends; stable throughout",
         "Resonant grazing bifurcations: 1; at 1 of them",
