@@ -260,7 +260,8 @@ fn trial(number: u64) -> (Vec<String>, String) {
             }
         }
     } else {
-        let names = ["paper", "duffing", "varying-impact", "quadratic-damping", "clearance"];
+        let names =
+            ["paper", "duffing", "varying-impact", "quadratic-damping", "clearance", "shaking-table", "afm"];
         // Well before the time that the trial waits; little for the handful, in which nobody asked for patience.
         let limit = if asked("GRAZING_MUTATIONS").is_some() { 0.3 * seconds() } else { 2.0 };
         let limits = format!("--time-limit {limit} --memory-limit {MEMORY}");
