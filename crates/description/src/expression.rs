@@ -32,6 +32,7 @@ use grazing_model::smooth::{Function, Scalar};
 use thiserror::Error;
 
 pub(crate) use function::is_function;
+pub(crate) use parse::from_the_wall;
 
 /// The most results of instructions that an evaluation keeps on the stack; an expression with more of them allocates.
 pub const MOST_VALUES_ON_STACK: usize = 24;
@@ -191,18 +192,6 @@ impl Expression {
         constants: &[(&str, f64)],
     ) -> Result<(Expression, Vec<usize>), ExpressionError> {
         parse::expression(text, variables, moving, constants)
-    }
-
-    /// A force seen from a wall: ü of u = s(x − W) in the variables of the force, which stand for u, u̇, t, μ, η then, and x and v in the same;
-    /// s = `sign`.
-    pub(crate) fn from_the_wall(
-        force: &str,
-        wall: &str,
-        sign: f64,
-        variables: &[&str; 5],
-        constants: &[(&str, f64)],
-    ) -> Result<[Expression; 3], ExpressionError> {
-        parse::from_the_wall(force, wall, sign, variables, constants)
     }
 
     /// The same expression with its last two variables in the other order.

@@ -6,7 +6,7 @@ use grazing_source::{Section, SourceError};
 
 use crate::description::{Axis, Content, Description, Limits, OneParameter, Side, Texts, Wall};
 use crate::error::{DescriptionError, KeyPlace};
-use crate::expression::Expression;
+use crate::expression::{Expression, from_the_wall};
 use crate::file::{MOST_DIAGRAMS, MOST_LOOPS, MOST_PORTRAITS};
 use crate::names;
 
@@ -71,7 +71,7 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
     let (frequency, frequency_text, frequency_place) = expression(&motion, FREQUENCY)?;
     let names = ["x", "v", "t", primary.name.as_str(), secondary.name.as_str()];
     let values: Vec<_> = constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-    let [force, x, v] = Expression::from_the_wall(&force_text, &wall_text, side.sign(), &names, &values)
+    let [force, x, v] = from_the_wall(&force_text, &wall_text, side.sign(), &names, &values)
         .map_err(|error| DescriptionError::Value { place: wall_place.clone(), problem: error.problem })?;
     let (restitution, restitution_text, restitution_place) = expression(&impact, RESTITUTION)?;
     let (duration, duration_text, duration_place) = expression(&impact, DURATION)?;

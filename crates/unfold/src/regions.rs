@@ -180,8 +180,6 @@ const SPECK: f64 = 1e-7;
 const TRIALS: u32 = 15;
 /// A face's slice is good enough if its chord has this share of the longest one.
 const LONG_ENOUGH: f64 = 0.25;
-/// Solutions are looked for up to this impact velocity at least: motion is of order one where the wall's distance from rest is.
-pub(crate) const USUAL_VELOCITY: f64 = 2.0;
 /// Slices of the whole window to begin with.
 const SLICES: u32 = 16;
 /// How often slices are added where they are needed.
@@ -225,8 +223,7 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
         orbits.map(|orbit| [orbit.phase(), orbit.primary()]).collect()
     };
     let levels = levels(window);
-    let points = nets.iter().flat_map(|net| &net.curves).flat_map(|curve| &curve.curve.points);
-    let fastest = points.map(|point| point.solution.impact_velocity()).fold(USUAL_VELOCITY, f64::max);
+    let fastest = search::fastest(nets.iter().flat_map(|net| &net.curves).map(|curve| &curve.curve));
     let (oscillator, loops) = (diagram.grazing[0].states[0].orbit.oscillator(), &diagram.scope.loops);
     progress.begin(what, nets.len() as u64);
     let found = search::on_slices(oscillator, loops, window, &levels, fastest, progress);

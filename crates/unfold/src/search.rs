@@ -6,7 +6,7 @@
 
 use core::f64::consts::TAU;
 
-use grazing_continuation::curve::Window;
+use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::locate::{Condition, locate_within};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_model::motion::Motion;
@@ -26,6 +26,15 @@ const SAME: f64 = 1e-6;
 const EDGES_EVERY: usize = 2;
 /// The golden ratio: its multiples are spread evenly, whole numbers left out.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// MPSs are looked for up to this impact velocity at least: motion is of order one where the wall's distance from rest is.
+const USUAL_VELOCITY: f64 = 2.0;
+
+/// The impact velocity up to which MPSs are to be looked for beside curves of them that are known.
+pub(crate) fn fastest<'a>(known: impl Iterator<Item = &'a Curve>) -> f64 {
+    let points = known.flat_map(|curve| &curve.points);
+    points.map(|point| point.solution.impact_velocity()).fold(USUAL_VELOCITY, f64::max)
+}
 
 /// Admissible MPSs of some numbers of loops p with impact velocities up to some value, each with its p: on every slice at one place, on every other
 /// one at both ends.

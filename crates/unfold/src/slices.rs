@@ -280,21 +280,26 @@ pub(crate) fn near_chord<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N
 }
 
 /// A point of a branch: one of the curve's, or an event.
-struct Vertex<'a> {
-    solution: &'a MaximalPeriodicSolution,
-    event: Option<&'a Event>,
+pub(crate) struct Vertex<'a> {
+    pub(crate) solution: &'a MaximalPeriodicSolution,
+    pub(crate) times: &'a EventTimes,
+    pub(crate) event: Option<&'a Event>,
 }
 
-fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
+/// The points of a branch with its events in their places.
+pub(crate) fn vertices(branch: &Curve) -> Vec<Vertex<'_>> {
+    fn happens(event: &Event) -> Vertex<'_> {
+        Vertex { solution: &event.solution, times: &event.times, event: Some(event) }
+    }
     let mut vertices = Vec::with_capacity(branch.points.len() + branch.events.len());
     let mut events = branch.events.iter().peekable();
     for (index, point) in branch.points.iter().enumerate() {
         while let Some(event) = events.next_if(|event| event.index <= index) {
-            vertices.push(Vertex { solution: &event.solution, event: Some(event) });
+            vertices.push(happens(event));
         }
-        vertices.push(Vertex { solution: &point.solution, event: None });
+        vertices.push(Vertex { solution: &point.solution, times: &point.times, event: None });
     }
-    vertices.extend(events.map(|event| Vertex { solution: &event.solution, event: Some(event) }));
+    vertices.extend(events.map(happens));
     vertices
 }
 

@@ -201,7 +201,7 @@ pub(super) fn term<'g>(
 ///
 /// # Errors
 /// The first thing that is not right in one of the texts; if that is none by itself, the two together have numbers that are too large.
-pub(super) fn from_the_wall(
+pub(crate) fn from_the_wall(
     force: &str,
     wall: &str,
     sign: f64,

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::{Curve, CurvePoint, Event};
+use grazing_continuation::curve::{Curve, Event};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_model::maps::virtual_map;
@@ -12,6 +12,7 @@ use grazing_theorems::spectrum::in_trapesium;
 use nalgebra::Vector2;
 
 use crate::non_impacting::branch;
+use crate::slices::{Vertex, vertices};
 
 /// A branch of p-loop MPSs at one η.
 #[derive(Clone, Debug)]
@@ -63,9 +64,6 @@ pub struct BranchBifurcation {
     pub x: f64,
 }
 
-/// A point of a branch, and the bifurcation that it is.
-type Place<'a> = (CurvePoint, Option<&'a Event>);
-
 /// V of a solution whose visits to Π are the right ones is at most this (empirical: Newton's method leaves some 10⁻¹⁰; another maximum is
 /// farther away than this by orders of magnitude).
 const CLOSED: f64 = 1e-6;
@@ -74,25 +72,11 @@ const CLOSED: f64 = 1e-6;
 const LARGEST_TURN: f64 = 0.3;
 
 impl<O: ImpactOscillator> Branch<O> {
-    /// Its points with its bifurcations in their places.
-    fn places(&self) -> Vec<Place<'_>> {
-        let mut places = Vec::with_capacity(self.curve.points.len() + self.curve.events.len());
-        let mut events = self.curve.events.iter().peekable();
-        for (index, point) in self.curve.points.iter().enumerate() {
-            while let Some(event) = events.next_if(|event| event.index <= index) {
-                let at = CurvePoint { solution: event.solution, times: event.times.clone() };
-                places.push((at, Some(event)));
-            }
-            places.push((point.clone(), None));
-        }
-        places
-    }
-
     /// The points (x, z) at which the solutions meet Π, loop by loop; NaN where that is not known.
     ///
     /// With VIVID the curve itself has carried the times of the maxima. Otherwise they are carried here, and visits count only if the last is
     /// the virtual point of the impact, as that of an MPS is. That one is known in any case.
-    fn visits(&self, places: &[Place<'_>]) -> Vec<Vec<Vector2<f64>>> {
+    fn visits(&self, places: &[Vertex<'_>]) -> Vec<Vec<Vector2<f64>>> {
         let carries = self.equations.formulation() == Formulation::Vivid;
         let vivid = self.equations.with_formulation(Formulation::Vivid);
         let closed = |point: &Unknowns, mut times: EventTimes| {
@@ -109,7 +93,7 @@ impl<O: ImpactOscillator> Branch<O> {
             visits
         };
         let mut carried = EventTimes::default();
-        let visits = places.iter().map(|(at, _)| {
+        let visits = places.iter().map(|at| {
             let point = &at.solution.unknowns;
             let times = if carries {
                 Some(at.times.clone())
@@ -124,15 +108,15 @@ impl<O: ImpactOscillator> Branch<O> {
 
     /// What is drawn of the branch.
     pub fn shown(&self) -> (Vec<Strand>, Vec<BranchBifurcation>) {
-        let places = self.places();
+        let places = vertices(&self.curve);
         let visits = self.visits(&places);
         let loops = self.equations.loops();
         // With a multiplier on the unit circle a solution is taken for what it is beyond the bifurcation.
         let drawn = self.equations.formulation() == Formulation::FixedPhase;
         let critical = |event: &Event| drawn && matches!(event.condition, Condition::Multiplier(_));
-        let own = |k: usize| match places[k].1 {
+        let own = |k: usize| match places[k].event {
             Some(event) if critical(event) => None,
-            _ => Some(places[k].0.solution.stable()),
+            _ => Some(places[k].solution.stable()),
         };
         let stable: Vec<bool> =
             (0..places.len()).map(|k| (k..places.len()).find_map(own).unwrap_or(false)).collect();
@@ -140,7 +124,7 @@ impl<O: ImpactOscillator> Branch<O> {
         for visit in 0..loops {
             let mut points = Vec::new();
             let mut phase = f64::NAN;
-            for (k, ((at, _), visits)) in places.iter().zip(&visits).enumerate() {
+            for (k, (at, visits)) in places.iter().zip(&visits).enumerate() {
                 let [x, z] = visits[visit as usize].into();
                 // Where another maximum is taken for the visit, the strand begins anew.
                 if libm::remainder(z - phase, TAU).abs() > LARGEST_TURN {
@@ -160,8 +144,8 @@ impl<O: ImpactOscillator> Branch<O> {
             }
             strands.push(Strand { loops, visit: visit + 1, points });
         }
-        let bifurcations = places.iter().zip(&visits).filter_map(|((at, event), visits)| {
-            let kind = Bifurcation::of((*event)?.condition)?;
+        let bifurcations = places.iter().zip(&visits).filter_map(|(at, visits)| {
+            let kind = Bifurcation::of(at.event?.condition)?;
             at.solution.admissible().then(|| BranchBifurcation {
                 kind,
                 loops,
@@ -176,13 +160,13 @@ impl<O: ImpactOscillator> Branch<O> {
 
     /// The ranges of μ in which the MPSs are stable and admissible.
     pub fn stable_stretches(&self) -> Vec<[f64; 2]> {
-        let places = self.places();
-        let shown = |(at, _): &Place<'_>| {
+        let places = vertices(&self.curve);
+        let shown = |at: &Vertex<'_>| {
             at.solution.impact_velocity() > 0.0 && at.solution.stable() && at.solution.admissible()
         };
         let mut stretches = Vec::new();
         for run in places.chunk_by(|a, b| shown(a) == shown(b)) {
-            let primaries = run.iter().map(|(at, _)| at.solution.parameters()[0]);
+            let primaries = run.iter().map(|at| at.solution.parameters()[0]);
             let [low, high] = primaries.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
                 [low.min(value), high.max(value)]
             });
