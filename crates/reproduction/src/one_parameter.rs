@@ -16,7 +16,8 @@ use grazing_unfold::{Diagram, Scope};
 use crate::plane::centred;
 use crate::unfolded::Described;
 
-/// How long-time behaviour is sampled: as many orbits as can be told apart in a figure, for as long as weakly damped motion needs to settle.
+/// How long-time behaviour is sampled: at as many values as columns of dots can be told apart in a figure, after a transient that is longer where
+/// damping is weak.
 const PLAN: Plan = Plan { values: 240, orbits: 2, transient: 150, recorded: 24, seed: 1 };
 
 /// The one-parameter diagrams that a file asks for, in the oscillator's own units, and what is missing.

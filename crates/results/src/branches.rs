@@ -99,7 +99,7 @@ pub struct OneParameter {
     pub attractor: Vec<AttractorPoint>,
     /// Likewise; there may be none.
     pub portraits: Vec<PortraitPoint>,
-    /// The number of simulated orbits that came to rest at the wall and so left no point, and of all; none if simulation was not finished.
+    /// The number of simulated orbits that left no point, as they came to rest at the wall or could not be followed, and of all; none if simulation was not finished.
     pub resting: Option<[u32; 2]>,
 }
 

@@ -22,7 +22,6 @@ use crate::curves::DiagramCurve;
 use crate::non_impacting::branch;
 use crate::non_impacting::orbits::PeriodicOrbits;
 use crate::progress::Progress;
-use crate::regions::USUAL_VELOCITY;
 use crate::slices::Slicer;
 use crate::{Scope, search};
 
@@ -48,7 +47,7 @@ pub struct OneParameter {
     pub bifurcations: Vec<BranchBifurcation>,
     /// (μ, x) at visits to Π of orbits that have settled; none if that was not finished.
     pub visits: Vec<[f64; 2]>,
-    /// The number of orbits that came to rest at the wall instead, and of all.
+    /// The number of orbits that left no visit, as they came to rest at the wall or could not be followed, and of all.
     pub resting: [u32; 2],
     /// Orbits at the chosen values of μ; none if they were not finished.
     pub portraits: Vec<Portrait>,
@@ -107,16 +106,22 @@ impl OneParameter {
         if progress.stopped() {
             return None;
         }
+        let products = motion
+            .branches
+            .iter()
+            .flat_map(|branch| &branch.orbits)
+            .map(|orbit| orbit.multipliers.determinant);
+        let plan = &wanted.plan.as_long_as_it_takes(products);
         let shown = strands.iter().flat_map(|strand| &strand.points).filter(|point| point.admissible);
         let lowest = shown.map(|point| point.x).fold(-LEAST_DEPTH, f64::min);
         let scene = portraits::Scene {
             orbits: &orbits,
             non_impacting: &motion.branches,
             branches: &branches,
-            plan: &wanted.plan,
+            plan,
             lowest,
         };
-        let long_time = long_time_behaviour(oscillator, secondary, range, (&wanted.plan, lowest), progress);
+        let long_time = long_time_behaviour(oscillator, secondary, range, (plan, lowest), progress);
         let portraits = scene.at_all(&wanted.portraits, secondary, progress);
         let unfinished = progress.stopped();
         let (visits, resting, portraits) = match unfinished {
@@ -148,8 +153,7 @@ fn mps_branches<O: ImpactOscillator>(
         (equations, slice)
     });
     let mut slices: Vec<_> = slices.collect();
-    let points = slices.iter().flat_map(|(_, slice)| &slice.branches).flat_map(|branch| &branch.points);
-    let fastest = points.map(|point| point.solution.impact_velocity()).fold(USUAL_VELOCITY, f64::max);
+    let fastest = search::fastest(slices.iter().flat_map(|(_, slice)| &slice.branches));
     let places = (0..PLACES).into_par_iter().map(|k| {
         let primary = scope.window.parameters([f64::from(k) / f64::from(PLACES - 1), 0.0])[0];
         if progress.stopped() {

@@ -309,7 +309,7 @@ fn one_parameter(description: &Description, diagram: &OneParameter) -> String {
     }
     if let Some([resting, all]) = diagram.resting.filter(|[resting, _]| *resting > 0) {
         let content = format!(
-            "{resting} of {all} simulated orbits came to rest at the wall, where they are followed no further, and left no point"
+            "{resting} of {all} simulated orbits left no point: they came to rest at the wall, or could not be followed"
         );
         text.push_str(&wrapped("  ", &content));
     }

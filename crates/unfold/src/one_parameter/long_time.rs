@@ -21,12 +21,29 @@ pub struct Plan {
     pub values: u32,
     /// Orbits at each, from random states.
     pub orbits: u32,
-    /// The forcing periods before an orbit counts.
+    /// The forcing periods before an orbit counts; more where damping is weak.
     pub transient: u32,
     /// The forcing periods for which it counts then.
     pub recorded: u32,
     /// The seed of the random states.
     pub seed: u64,
+}
+
+/// Motion without impacts has settled when what it began with is this small a part of what it was: far less than a dot.
+const SETTLED: f64 = 1e-5;
+/// But it is not waited for longer than so many forcing periods.
+const LONGEST_TRANSIENT: u32 = 2_000;
+
+impl Plan {
+    /// The same plan with a transient in which motion beside orbits without impacts settles, of whose multipliers these are the products δ.
+    ///
+    /// A period shrinks areas about an orbit by δ, and so lengths by √δ, if the multipliers are complex.
+    pub(super) fn as_long_as_it_takes(&self, products: impl Iterator<Item = f64>) -> Self {
+        let weakest = products.fold(0.0, f64::max);
+        let periods = 2.0 * libm::log(SETTLED) / libm::log(weakest);
+        let wanted = if weakest < 1.0 { libm::ceil(periods) as u32 } else { LONGEST_TRANSIENT };
+        Self { transient: wanted.min(LONGEST_TRANSIENT).max(self.transient), ..self.clone() }
+    }
 }
 
 /// A random point of Π: x uniform between a lowest one and the wall, the phase uniform.
@@ -114,7 +131,7 @@ fn highest_points<O: ImpactOscillator>(oscillator: &O, from: State, periods: u32
     core::iter::once(first).chain(points).map(|maximum| maximum.position).collect()
 }
 
-/// (μ, x) at the visits of settled orbits over a range of μ; and how many of them came to rest at the wall, and how many there are.
+/// (μ, x) at the visits of settled orbits over a range of μ; and how many of them left no visit, and how many there are.
 pub fn long_time_behaviour<O: ImpactOscillator>(
     oscillator: &O,
     secondary: f64,
@@ -173,5 +190,23 @@ fn visits_of<O: ImpactOscillator>(oscillator: &O, flight: &Flight<O::Motion>, vi
         && let Ok(top) = virtual_map::<_, 1>(oscillator, OnWall::new(impact.velocity, impact.phase), None)
     {
         visits.push(top.jet.value[0]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_transient_is_as_long_as_weak_damping_needs_and_no_longer() {
+        let plan = Plan { values: 2, orbits: 1, transient: 150, recorded: 1, seed: 1 };
+        let transient = |products: &[f64]| plan.as_long_as_it_takes(products.iter().copied()).transient;
+        assert_eq!((transient(&[]), transient(&[f64::NAN]), transient(&[0.5])), (150, 150, 150));
+        for product in [0.9, 0.97, 0.985] {
+            let left = |periods: u32| libm::pow(product, 0.5 * f64::from(periods));
+            let periods = transient(&[0.1, product]);
+            assert!(left(periods) <= SETTLED && left(periods - 1) > SETTLED, "{product}: {periods}");
+        }
+        assert_eq!((transient(&[0.9999]), transient(&[1.2])), (LONGEST_TRANSIENT, LONGEST_TRANSIENT));
     }
 }
