@@ -66,10 +66,14 @@ pub(crate) fn compose(
     let branches = Strand::all(&figure.branches);
     let cloud: Vec<(f64, f64)> = figure.attractor.iter().map(|point| (point.primary, point.x)).collect();
     let portraits = Portrait::all(&figure.portraits);
-    let [primary, secondary] = names.titles();
+    let ([primary, secondary], titles, units) = (names.shown(), names.titles(), names.parameter_units());
     let (across, held, column) = match figure.primary_is_fixed {
         true => (secondary, primary, &names.secondary),
         false => (primary, secondary, &names.primary),
+    };
+    let [title, unit] = match figure.primary_is_fixed {
+        true => [titles[1].as_str(), units[0].unwrap_or_default()],
+        false => [titles[0].as_str(), units[1].unwrap_or_default()],
     };
     let own = Names::new(column, "x");
     let x = if figure.from_the_wall { "$x$ from the wall" } else { "$x$" };
@@ -100,17 +104,18 @@ pub(crate) fn compose(
     guides.iter().for_each(|guide| labels.placer.keep_off_nameless(guide));
     diagram(&panel, labels, &branches, &figure.bifurcations, &cloud, &own, true)?;
     let at = equation(&held, &plain(figure.at));
-    panel.axes(&format!("{across}  ({at})"), x)?;
+    panel.axes(&format!("{title}  ({})", format!("{at} {unit}").trim_end()), x)?;
     Ok(canvas)
 }
 
 #[cfg(test)]
 mod tests {
     use grazing_continuation::bifurcation::Bifurcation;
-    use grazing_results::Frame;
     use grazing_results::branches::{
         AttractorPoint, BranchBifurcation, BranchPoint, PortraitKind, PortraitPoint,
     };
+
+    use grazing_results::{Frame, UnitNames};
 
     use super::*;
 
@@ -191,6 +196,10 @@ mod tests {
         for title in [r"$\omega$  ($A=0.854$)", "$x$ from the wall", "$y$"] {
             assert!(found.iter().any(|text| text == title), "{title}: {found:?}");
         }
+        let [primary, secondary] = ["N", "rad/s"].map(|unit| Some(unit.to_owned()));
+        let named = names.clone().with_units(UnitNames { primary, secondary, ..UnitNames::default() });
+        let texts = compose(&figure, &named, SheetWidth::Paper).unwrap().texts();
+        assert!(texts.contains(&r"$\omega$ (rad/s)  ($A=0.854$ N)".to_owned()), "{texts:?}");
     }
 
     #[test]

@@ -103,19 +103,26 @@ impl Names {
         Self { symbols, ..Self::new("amplitude", "omega") }
     }
 
-    /// The two as titles of axes, in markup of labels: their symbols, or the names where there are none, with their units.
-    pub fn titles(&self) -> [String; 2] {
+    /// The two in markup of labels: their symbols, or the names where there are none.
+    pub fn shown(&self) -> [String; 2] {
         let [primary, _, secondary] = &self.symbols;
-        let units = &self.units;
-        let named =
-            [(primary, &self.primary, &units.primary), (secondary, &self.secondary, &units.secondary)];
-        named.map(|(symbol, name, unit)| {
-            let title = match symbol.as_str() {
-                "" => name.replace('$', ""),
-                symbol => format!("${symbol}$"),
-            };
-            unit.as_ref().map_or(title.clone(), |unit| format!("{title} ({unit})"))
+        [(primary, &self.primary), (secondary, &self.secondary)].map(|(symbol, name)| match symbol.as_str() {
+            "" => name.replace('$', ""),
+            symbol => format!("${symbol}$"),
         })
+    }
+
+    /// The two as titles of axes, likewise, with their units.
+    pub fn titles(&self) -> [String; 2] {
+        let [primary, secondary] = self.shown();
+        let [of_primary, of_secondary] = self.parameter_units();
+        [(primary, of_primary), (secondary, of_secondary)]
+            .map(|(name, unit)| unit.map_or(name.clone(), |unit| format!("{name} ({unit})")))
+    }
+
+    /// The names of their units, as far as they are known.
+    pub fn parameter_units(&self) -> [Option<&str>; 2] {
+        [self.units.primary.as_deref(), self.units.secondary.as_deref()]
     }
 
     /// A unit as columns declare it with the names of units in it, as far as they are known: those of the parameters are the parameters'
