@@ -293,8 +293,7 @@ pub struct Unfold {
     /// Value for a key of the files, in its place; a name alone is that of a constant
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<Setting>,
-    /// Resonances, coefficients and codimension-two points for several values of a constant, from FROM to TO; may be given
-    /// up to three times, for all combinations
+    /// Resonances and coefficients for COUNT values of a constant; up to three times
     #[arg(long, value_name = "NAME=FROM:TO:COUNT")]
     pub vary: Vec<Variation>,
     /// Compute only this part of the family, to be joined with the others by `merge`
