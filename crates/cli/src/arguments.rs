@@ -322,7 +322,7 @@ pub struct Merge {
     /// All parts of a family, as `unfold --part` writes them
     #[arg(value_name = "PART", required = true)]
     pub parts: Vec<PathBuf>,
-    /// Folder for the results [default: families/NAME, as for a family that is computed in one run]
+    /// Folder for the results [default: families/NAME]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Formats of the figures, separated by commas
