@@ -127,6 +127,18 @@ data/curves.unfinished.csv.
 
 ";
 
+const EXAMPLES_OF_EXPLORE: &str = "\
+Examples:
+  cargo xtask explore                    the paper's oscillator; the examples are in a menu
+  cargo xtask explore my.toml
+  cargo xtask explore --no-browser --port 8700
+
+Starts a server that only this machine can reach, prints its address and opens the page in a browser.
+The page loads nothing from elsewhere. Whatever is seen can be taken home: figure, numbers, and the
+command that makes the same.
+
+";
+
 const EXAMPLES_OF_MERGE: &str = "\
 Examples:
   cargo xtask unfold mine.toml --vary zeta=0.01:0.1:40 --part 1/2
@@ -179,6 +191,9 @@ pub enum Command {
     /// Find and unfold the resonant grazing bifurcations of an oscillator from a text file
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_UNFOLD}{EXIT_CODES}"))]
     Unfold(Unfold),
+    /// Walk in the diagram, in a browser: move constants, point at places, zoom
+    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_EXPLORE}{EXIT_CODES}"))]
+    Explore(Explore),
     /// Join the parts of a family that `unfold --part` computed
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_MERGE}{EXIT_CODES}"))]
     Merge(Merge),
@@ -314,6 +329,20 @@ pub struct Unfold {
     /// Steps of integration after which it ends likewise [default: the file's, or 1e10]
     #[arg(long, value_name = "N", value_parser = positive)]
     pub step_limit: Option<f64>,
+}
+
+/// The arguments of `grazing explore`.
+#[derive(Debug, Args)]
+pub struct Explore {
+    /// Description of an oscillator to begin with [default: the paper's]
+    #[arg(value_name = "FILE")]
+    pub file: Option<PathBuf>,
+    /// Port of the loopback interface; 0: any that is free
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub port: u16,
+    /// Do not open a browser
+    #[arg(long)]
+    pub no_browser: bool,
 }
 
 /// The arguments of `grazing merge`.

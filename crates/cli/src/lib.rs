@@ -7,6 +7,7 @@ mod claims;
 pub mod codecheck;
 pub mod compare;
 mod data_page;
+mod explore;
 pub mod failure;
 pub mod family;
 pub mod folder;
@@ -37,6 +38,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Report(arguments) => report::run(arguments),
         Command::Unfold(arguments) if !arguments.vary.is_empty() => family::run(arguments),
         Command::Unfold(arguments) => unfold::run(arguments),
+        Command::Explore(arguments) => explore::run(arguments),
         Command::Merge(arguments) => family::merge(arguments),
         Command::New(arguments) => new::run(arguments),
     }

@@ -63,6 +63,15 @@ pub(crate) fn listen() {
     });
 }
 
+/// Lets Ctrl-C be seen by whoever asks [`is_interrupted`], and a second one end the program.
+pub(crate) fn end_when_interrupted() {
+    let _ = ctrlc::set_handler(|| {
+        if INTERRUPTIONS.fetch_add(1, Ordering::Relaxed) > 0 {
+            leave("interrupted twice by Ctrl-C");
+        }
+    });
+}
+
 /// Lets Ctrl-C end the program at once, without leaving unfinished files behind.
 pub(crate) fn leave_nothing_behind() {
     let _ = ctrlc::set_handler(|| {

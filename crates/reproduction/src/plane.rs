@@ -72,7 +72,7 @@ pub(crate) fn numbered(curves: impl IntoIterator<Item = Vec<CurvePoint>>) -> Vec
 }
 
 /// The pieces of the grazing curve, without numbers.
-pub(crate) fn grazing_rows<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Vec<CurvePoint>> {
+pub fn grazing_rows<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Vec<CurvePoint>> {
     let rows = |curve: &GrazingCurve<O>| {
         let points = curve.states.iter().map(|state| {
             let [primary, secondary] = axes.units.parameters(state.orbit.oscillator().parameters());
@@ -99,7 +99,7 @@ pub(crate) fn grazing_rows<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O
 }
 
 /// A bifurcation curve without its number; it need not be in the diagram yet, whose grazing curves are.
-pub(crate) fn bifurcation_rows<O: ImpactOscillator>(
+pub fn bifurcation_rows<O: ImpactOscillator>(
     axes: &Axes,
     diagram: &Diagram<O>,
     curve: &DiagramCurve,

@@ -91,7 +91,7 @@ impl ResonanceEntry {
 pub type Described = Integrated<Stoppable<Dimensionless<Description>>>;
 
 /// An oscillator that ends when an end is asked for, in these units, and what its file asks for.
-pub(crate) fn prepared(description: &Description, units: &Units, stop: &Stop) -> (Described, Scope) {
+pub fn prepared(description: &Description, units: &Units, stop: &Stop) -> (Described, Scope) {
     let [primary, secondary] = [description.primary(), description.secondary()].map(Axis::range);
     let scope = Scope {
         window: Window { primary, secondary },
@@ -104,7 +104,7 @@ pub(crate) fn prepared(description: &Description, units: &Units, stop: &Stop) ->
 }
 
 /// The names of an oscillator's parameters, and its own units.
-pub(crate) fn axes(description: &Description) -> Axes {
+pub fn axes(description: &Description) -> Axes {
     let [primary, secondary] = [description.primary(), description.secondary()];
     let [length, time] = description.unit_names().map(|unit| unit.map(str::to_owned));
     let [of_primary, of_secondary] = [primary, secondary].map(|axis| axis.unit().map(str::to_owned));

@@ -72,6 +72,7 @@ pub mod grazing;
 pub mod magnification;
 pub mod non_impacting;
 pub mod one_parameter;
+pub mod place;
 pub mod progress;
 pub mod regions;
 pub mod resonances;

@@ -70,7 +70,7 @@ pub fn magnify<O: ImpactOscillator>(
     }
 
     for (kind, curve) in point.leading().named() {
-        let points = quadratic(point, curve, window);
+        let points = approximation(point, curve, window);
         list.push(Polyline { kind, quadratic: true, points });
     }
     Ok(list)
@@ -107,7 +107,7 @@ fn close_to<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Vec
 }
 
 /// primary = primary_graz(η) + c η² from the resonance to the edge of the window, on the side of η that theory gives.
-fn quadratic<O: ImpactOscillator>(
+pub fn approximation<O: ImpactOscillator>(
     point: &ResonantGrazingPoint<O>,
     curve: BifurcationCurve,
     window: Window,

@@ -10,12 +10,15 @@ mod portraits;
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
+use grazing_continuation::mps::{
+    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown,
+};
 use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
 pub use branches::{Branch, BranchBifurcation, Strand, StrandPoint};
 pub use long_time::{Plan, Settled, long_time_behaviour, random_start, settled};
+pub(crate) use portraits::cycle;
 pub use portraits::{ATTRACTOR_PERIODS, Portrait, sampled};
 
 use crate::curves::DiagramCurve;
@@ -159,7 +162,8 @@ fn mps_branches<O: ImpactOscillator>(
         if progress.stopped() {
             return Vec::new();
         }
-        search::at(oscillator.with_parameters([primary, secondary]), &scope.loops, fastest)
+        let here = oscillator.with_parameters([primary, secondary]);
+        search::at(here, &scope.loops, fastest, MaximalPeriodicSolution::admissible)
     });
     let found: Vec<(u32, Unknowns)> = places.collect::<Vec<_>>().concat();
     slices.par_iter_mut().for_each(|(equations, slice)| {

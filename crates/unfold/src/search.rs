@@ -8,7 +8,9 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::locate::{Condition, locate_within};
-use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
+use grazing_continuation::mps::{
+    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown,
+};
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, OnWall, State};
 use nalgebra::Vector2;
@@ -57,17 +59,22 @@ pub(crate) fn on_slices<O: ImpactOscillator>(
         if progress.stopped() {
             Vec::new()
         } else {
-            at(oscillator.with_parameters(*parameters), loops, fastest)
+            at(oscillator.with_parameters(*parameters), loops, fastest, MaximalPeriodicSolution::admissible)
         }
     });
     found.collect::<Vec<_>>().concat()
 }
 
-/// The admissible MPSs of an oscillator, as far as a lattice of impacts tells them apart.
+/// The MPSs of an oscillator that are `wanted`, as far as a lattice of impacts tells them apart.
 ///
 /// By how much motion that begins with an impact misses it p forcing periods later, the wall ignored meanwhile, is (x, ẋ − y). Where both change sign
 /// between the impacts at a cell's corners there may be a zero inside.
-pub(crate) fn at<O: ImpactOscillator>(oscillator: O, loops: &[u32], fastest: f64) -> Vec<(u32, Unknowns)> {
+pub(crate) fn at<O: ImpactOscillator>(
+    oscillator: O,
+    loops: &[u32],
+    fastest: f64,
+    wanted: impl Fn(&MaximalPeriodicSolution) -> bool,
+) -> Vec<(u32, Unknowns)> {
     let [primary, secondary] = oscillator.parameters();
     let here = [Condition::Primary(primary), Condition::Secondary(secondary)];
     let cell = Vector2::new(fastest, TAU).component_div(&Vector2::from(CELLS.map(|cells| cells as f64)));
@@ -98,7 +105,7 @@ pub(crate) fn at<O: ImpactOscillator>(oscillator: O, loops: &[u32], fastest: f64
             let zero = locate_within(reach, &equations, here, middle, &mut EventTimes::default());
             let new = zero.ok().filter(|zero| {
                 !found.iter().any(|(other, at)| *other == loops && same(at, zero))
-                    && equations.solution(zero).0.admissible()
+                    && wanted(&equations.solution(zero).0)
             });
             found.extend(new.map(|zero| (loops, zero)));
         }

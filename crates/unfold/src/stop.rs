@@ -14,6 +14,7 @@ use std::sync::Arc;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Scalar, SmoothOscillator};
 
+use crate::progress::Progress;
 use crate::resonances::Resonance;
 
 /// A mark that asks a computation to end; clones share it. It counts the steps of integration as well.
@@ -91,6 +92,16 @@ impl Stop {
                 }
             }
         });
+    }
+}
+
+/// Nobody hears of the progress, and long loops end when an end is asked for.
+impl Progress for Stop {
+    fn begin(&self, _: &str, _: u64) {}
+    fn step(&self, _: &str) {}
+    fn end(&self, _: &str) {}
+    fn stopped(&self) -> bool {
+        self.is_asked()
     }
 }
 

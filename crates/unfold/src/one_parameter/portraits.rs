@@ -127,7 +127,7 @@ impl<O: ImpactOscillator> Scene<'_, O> {
                 continue;
             }
             let known_already = seen.iter().any(|other| near(other, &impacts) && near(&impacts, other));
-            if known_already || !is_periodic(&impacts) && core::mem::replace(&mut aperiodic, true) {
+            if known_already || cycle(&impacts).is_none() && core::mem::replace(&mut aperiodic, true) {
                 continue;
             }
             seen.push(impacts);
@@ -181,8 +181,8 @@ fn near(all: &Impacts, impacts: &Impacts) -> bool {
     impacts.iter().all(|impact| all.iter().any(|other| within(ALIKE, other, impact)))
 }
 
-/// Whether impacts come again, the same number of them later each.
-fn is_periodic(impacts: &Impacts) -> bool {
+/// The number of impacts after which the same ones come again, if they do.
+pub(crate) fn cycle(impacts: &[Vector2<f64>]) -> Option<usize> {
     (1..=LONGEST_CYCLE.min(impacts.len() / 2))
-        .any(|cycle| impacts.iter().zip(&impacts[cycle..]).all(|(a, b)| within(SAME, a, b)))
+        .find(|cycle| impacts.iter().zip(&impacts[*cycle..]).all(|(a, b)| within(SAME, a, b)))
 }

@@ -1,0 +1,171 @@
+//! `grazing explore`: the diagram as a place to walk in, in a browser.
+
+use std::env;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use grazing_description::Description;
+use grazing_drawing::SheetWidth;
+use grazing_explore::{Example, Export, Limits, Model, Server, Sheet, View};
+use grazing_reproduction::Study;
+use grazing_reproduction::parameters::Parameters;
+use grazing_reproduction::unfolded::Unfolded;
+use grazing_source::{Setting, Text};
+use grazing_unfold::stop::Stop;
+
+use crate::arguments;
+use crate::failure::Failure;
+use crate::folder::MadeFile;
+use crate::outputs::edition::{Edition, Format};
+use crate::outputs::{self, computation};
+use crate::report::oscillators::{Material, OscillatorFile};
+use crate::{limits, project, tables, terminal};
+
+/// Serves the page until Ctrl-C is pressed.
+///
+/// # Errors
+/// A file cannot be read, or the port cannot be had.
+pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
+    let examples = examples(arguments.file.as_deref())?;
+    let export: Export = Box::new(|model, view, what, columns, stop| {
+        taken_home(model, view, what, columns, stop).map_err(|failure| failure.to_string())
+    });
+    let server = Server::bind(arguments.port, Limits::default(), examples, export).map_err(|reason| {
+        let port = arguments.port;
+        Failure::input(format!(
+            "port {port} of this machine cannot be had: {reason}; name another with --port"
+        ))
+    })?;
+    let address = server.address();
+    terminal::say(&format!(
+        "{address}\nThe address is for this machine alone, and its long number keeps other pages out. Ctrl-C ends it.\n"
+    ));
+    limits::end_when_interrupted();
+    if !arguments.no_browser {
+        open(&address);
+    }
+    server.run(limits::is_interrupted).map_err(|reason| Failure::unwritten(reason.to_string()))
+}
+
+/// The oscillators in the menu: the one that was named, the paper's, and the repository's examples.
+fn examples(named: Option<&Path>) -> Result<Vec<Example>, Failure> {
+    let read = |file: &Path| -> Result<Example, Failure> {
+        let OscillatorFile { text, description, .. } = OscillatorFile::read(file, &[])?;
+        let file = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        Ok(Example { name: description.name().to_owned(), file, text: Some(text) })
+    };
+    let mut all: Vec<Example> = named.map(read).transpose()?.into_iter().collect();
+    all.push(Example { name: "The paper's oscillator".to_owned(), file: String::new(), text: None });
+    let folder = project::root().map(|root| root.join(project::EXAMPLES));
+    let entries = folder.and_then(|folder| fs::read_dir(folder).ok());
+    let mut files: Vec<_> = entries.into_iter().flatten().flatten().map(|entry| entry.path()).collect();
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    files.sort();
+    // An example that is not right any more is its owner's trouble, and no reason not to begin.
+    all.extend(files.iter().filter_map(|file| read(file).ok()));
+    Ok(all)
+}
+
+/// Opens the address in the system's browser, if there is one that can be opened.
+fn open(address: &str) {
+    let seen = env::consts::OS != "linux"
+        || env::var_os("DISPLAY").or_else(|| env::var_os("WAYLAND_DISPLAY")).is_some();
+    let (program, first): (&str, &[&str]) = match env::consts::OS {
+        "macos" => ("open", &[]),
+        "windows" => ("cmd", &["/C", "start", ""]),
+        _ => ("xdg-open", &[]),
+    };
+    if seen {
+        // If it does not come up, the address is on the terminal.
+        let _ = Command::new(program)
+            .args(first)
+            .arg(address)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn();
+    }
+}
+
+/// A file of what is seen, made as `unfold` and `reproduce` make it.
+fn taken_home(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop) -> Result<Sheet, Failure> {
+    let format = match what {
+        "svg" => Some((Format::Svg, "image/svg+xml")),
+        "pdf" => Some((Format::Pdf, "application/pdf")),
+        "png" => Some((Format::Png, "image/png")),
+        _ => None,
+    };
+    let columns = match columns {
+        "one" => SheetWidth::OneColumn,
+        "two" => SheetWidth::TwoColumns,
+        _ => SheetWidth::Paper,
+    };
+    let edition = Edition::new(
+        &[format.map_or(Format::Svg, |(format, _)| format)],
+        arguments::Size { columns, ..Edition::default().size },
+    );
+    let files = match &model.text {
+        None => of_the_paper(model, view, &edition)?,
+        Some(text) => of_a_text(model, text, view, &edition, stop)?,
+    };
+    let wanted = |file: &MadeFile| match (format, what.strip_prefix("csv:")) {
+        (Some((format, _)), _) => file.path.extension().is_some_and(|found| found == format.name()),
+        (None, Some(table)) => file.path == outputs::table_path(table),
+        (None, None) => false,
+    };
+    let Some(MadeFile { path, content }) = files.into_iter().find(wanted) else {
+        return Err(Failure::input(format!("{what}: this is not made: svg, pdf, png or csv:TABLE is")));
+    };
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(Sheet { name, kind: format.map_or("text/csv; charset=utf-8", |(_, kind)| kind), content })
+}
+
+/// The two-parameter diagram of a text and its tables.
+fn of_a_text(
+    model: &Model,
+    text: &str,
+    view: &View,
+    edition: &Edition,
+    stop: &Stop,
+) -> Result<Vec<MadeFile>, Failure> {
+    let settings = model.settings(Some(view)).map_err(|error| Failure::input(error.to_string()))?;
+    let text = text.split("[[diagrams]]").next().unwrap_or_default();
+    let mut description = Description::parse_with(&Text::new(text, &settings), "oscillator.toml")?;
+    if let Some(loops) = &model.loops {
+        description =
+            description.with_loops(loops).map_err(|reason| Failure::input(format!("loops {reason}")))?;
+    }
+    let unfolded = Unfolded::described(&description, stop, stop, &|_| ())
+        .map_err(|error| computation("unfold", &error))?;
+    let of = OscillatorFile { file: "oscillator.toml".into(), text: text.to_owned(), description };
+    let material = Material::new(&of, &unfolded, edition.size.columns)?;
+    let mut files = Vec::new();
+    let figure = &material.figures[0];
+    let made = edition.figure_files(&figure.file, figure.svg.clone());
+    files.extend(made.map_err(|error| computation("figures", &error))?);
+    for table in &material.tables {
+        let content = tables::csv(table).map_err(|error| computation("tables", &error))?;
+        files.push(MadeFile { path: outputs::table_path(table.name), content });
+    }
+    Ok(files)
+}
+
+/// The parameter file of the paper's figures.
+const PARAMETERS: &str = include_str!("../../../figures/parameters.toml");
+
+/// Figure 7 and its tables at other constants and ranges.
+fn of_the_paper(model: &Model, view: &View, edition: &Edition) -> Result<Vec<MadeFile>, Failure> {
+    let constants = model.set.iter().map(|(name, value)| format!("oscillator.{name}={value:?}"));
+    let View { primary, secondary } = view;
+    let ranges = [format!("fig07.amplitude={primary:?}"), format!("fig07.frequency={secondary:?}")];
+    let loops = model.loops.iter().map(|loops| format!("fig07.loops={loops:?}"));
+    let settings = constants.chain(ranges).chain(loops).map(|setting| setting.parse());
+    let settings: Vec<Setting> = settings
+        .collect::<Result<_, _>>()
+        .map_err(|error: grazing_source::SettingError| Failure::input(error.to_string()))?;
+    let parameters = Parameters::parse(&Text::new(PARAMETERS, &settings), "parameters.toml")?;
+    let study = Study::new(&parameters);
+    let output = outputs::ALL.iter().find(|output| output.name == "fig07");
+    let output = output.ok_or_else(|| Failure::incomplete("there is no Figure 7"))?;
+    Ok(output.files(&study, edition)?.1)
+}

@@ -1,0 +1,195 @@
+//! The two-parameter diagram, sent as it is found.
+
+use std::collections::BTreeMap;
+
+use grazing_continuation::bifurcation::Bifurcation;
+use grazing_model::ImpactOscillator;
+use grazing_reproduction::plane::{self, Axes};
+use grazing_results::plane::{CurvePoint, RegionVertex, SpecialPoint};
+use grazing_unfold::diagram::DiagramCurve;
+use grazing_unfold::magnification::approximation;
+use grazing_unfold::stop::Stop;
+use grazing_unfold::units::InUnits;
+use grazing_unfold::{Diagram, Scope};
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use crate::answer::Problem;
+use crate::model::{Job, Model, View};
+use crate::stream::Events;
+
+/// What is asked for.
+#[derive(Deserialize)]
+pub(crate) struct Asked {
+    model: Model,
+    view: View,
+    /// Grazing curves, resonances and what leaves them, but no regions.
+    #[serde(default)]
+    coarse: bool,
+}
+
+pub(crate) fn compute(asked: &Asked, events: &Events, stop: &Stop) -> Result<(), Problem> {
+    let model = asked.model.checked(Some(&asked.view))?;
+    model.with(stop, Plane { events, coarse: asked.coarse })
+}
+
+struct Plane<'a> {
+    events: &'a Events,
+    coarse: bool,
+}
+
+impl Job for Plane<'_> {
+    type Outcome = Result<(), Problem>;
+
+    fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Result<(), Problem> {
+        let Self { events, coarse } = self;
+        let located = Diagram::located(oscillator, scope, events)
+            .map_err(|error| Problem::wrong(error.in_units(&axes.units).to_string()))?;
+        let grazing = (0..).zip(plane::grazing_rows(axes, &located));
+        events.send("curves", &grazing.map(|(k, rows)| curve(&rows, k)).collect::<Vec<_>>());
+        events.send("resonances", &resonances(axes, &located));
+        let ranks = ranks(&located);
+        let followed = located.follow(events, &|resonance, curves: &[DiagramCurve]| {
+            // A resonance has one SN curve, one PD curve, and up to two GZ curves.
+            let mut grazing = 0;
+            let one = |found: &DiagramCurve| {
+                let mut rank = ranks[resonance];
+                if found.kind == Bifurcation::Grazing {
+                    rank = 2 * rank + grazing;
+                    grazing += 1;
+                }
+                curve(&plane::bifurcation_rows(axes, &located, found), rank)
+            };
+            events.send("curves", &curves.iter().map(one).collect::<Vec<_>>());
+        });
+        let diagram = match coarse {
+            true => located.with_curves(followed),
+            false => located.with(followed, events),
+        };
+        // Whatever was sent before is in these, and what begins elsewhere.
+        let rows = plane::curves(axes, &diagram);
+        let mut counts: BTreeMap<(&str, u32, u32), u32> = BTreeMap::new();
+        let all = rows.chunk_by(|a, b| a.arc == b.arc).map(|rows| {
+            let first = &rows[0];
+            let count = counts.entry((first.kind.name(), first.loops, first.n)).or_default();
+            *count += 1;
+            curve(rows, *count - 1)
+        });
+        events.send("all", &all.collect::<Vec<_>>());
+        events.send("points", &plane::points(axes, &diagram).iter().map(point).collect::<Vec<_>>());
+        if !coarse {
+            let rows = plane::regions(axes, &diagram.regions);
+            let regions = rows.chunk_by(|a, b| a.region == b.region).map(region);
+            events.send("regions", &regions.collect::<Vec<_>>());
+        }
+        events.send("approximations", &approximations(axes, &diagram));
+        let unlocated = diagram.unlocated.iter().map(|lost| format!("p = {}: {}", lost.loops, lost.reason));
+        let lost = diagram
+            .not_unfolded
+            .iter()
+            .map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason));
+        events.send("notes", &unlocated.chain(lost).collect::<Vec<_>>());
+        Ok(())
+    }
+}
+
+/// The place of each resonance among those with the same p and n whose curves are followed.
+fn ranks<O: ImpactOscillator>(diagram: &Diagram<O>) -> Vec<u32> {
+    let mut counts: BTreeMap<(u32, u32), u32> = BTreeMap::new();
+    let rank = |resonance: &grazing_unfold::resonances::Resonance<O>| {
+        let count = counts.entry((resonance.loops, resonance.n)).or_default();
+        let rank = *count;
+        *count += u32::from(resonance.theorem.is_ok());
+        rank
+    };
+    diagram.resonances.iter().map(rank).collect()
+}
+
+/// A curve, under a name that stays the same while constants move.
+fn curve(rows: &[CurvePoint], rank: u32) -> Value {
+    let Some(first) = rows.first() else { return Value::Null };
+    let (kind, p, n) = (first.kind.name(), first.loops, first.n);
+    json!({
+        "key": format!("{kind} {p} {n} #{rank}"),
+        "kind": kind,
+        "p": p,
+        "n": n,
+        "source": "continuation",
+        "points": rows.iter().map(|row| [row.primary, row.secondary]).collect::<Vec<_>>(),
+        "bounds": rows.iter().map(|row| row.admissible).collect::<Vec<_>>(),
+    })
+}
+
+fn point(point: &SpecialPoint) -> Value {
+    let SpecialPoint { kind, loops, n, secondary, primary } = point;
+    json!({"kind": kind.name(), "p": loops, "n": n, "primary": primary, "secondary": secondary})
+}
+
+fn region(rows: &[RegionVertex]) -> Value {
+    let rings = rows.chunk_by(|a, b| a.ring == b.ring);
+    let ring =
+        |ring: &[RegionVertex]| ring.iter().map(|row| [row.primary, row.secondary]).collect::<Vec<_>>();
+    json!({
+        "kind": rows[0].kind.name(),
+        "p": rows[0].loops,
+        "n": rows[0].n,
+        "rings": rings.map(ring).collect::<Vec<_>>(),
+        "reason": rows[0].reason,
+    })
+}
+
+/// All resonances, with the coefficients that the theorem gives where it holds.
+fn resonances<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Value> {
+    let units = &axes.units;
+    let one = |resonance: &grazing_unfold::resonances::Resonance<O>| {
+        let [primary, secondary] = units.parameters(resonance.located.orbit().oscillator().parameters());
+        let (holds, failing, [sn, pd]) = match &resonance.theorem {
+            Ok(point) => {
+                let own = point.resonant_point().in_units(units);
+                let both = [own.saddle_node_coefficient(), own.period_doubling_coefficient()];
+                (true, String::new(), both)
+            }
+            Err(violated) => {
+                let failing = violated.violated().map(|failing| failing.in_units(units).to_string());
+                (false, failing.collect::<Vec<_>>().join("; "), [f64::NAN; 2])
+            }
+        };
+        json!({
+            "p": resonance.loops,
+            "n": resonance.n,
+            "primary": primary,
+            "secondary": secondary,
+            "c_sn": sn,
+            "c_pd": pd,
+            "holds": holds,
+            "failing": failing,
+        })
+    };
+    diagram.resonances.iter().map(one).collect()
+}
+
+/// The quadratic approximations to the SN and PD curves of the resonances that are seen, as far as they lie in the view.
+fn approximations<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Value> {
+    let ranks = ranks(diagram);
+    let unfolding = diagram.resonances.iter().zip(ranks);
+    let of = |(resonance, rank): (&grazing_unfold::resonances::Resonance<O>, u32)| {
+        let point = resonance.theorem.as_ref().ok()?;
+        let curves = point.leading().named().map(|(kind, curve)| {
+            let points = approximation(point, curve, diagram.scope.window);
+            let points: Vec<[f64; 2]> =
+                points.into_iter().map(|point| axes.units.parameters(point)).collect();
+            let (kind, p, n) = (kind.name(), resonance.loops, resonance.n);
+            json!({
+                "key": format!("{kind} {p} {n} #{rank} quadratic"),
+                "kind": kind,
+                "p": p,
+                "n": n,
+                "source": "quadratic",
+                "points": points,
+                "bounds": vec![true; points.len()],
+            })
+        });
+        Some(curves)
+    };
+    unfolding.filter_map(of).flatten().collect()
+}

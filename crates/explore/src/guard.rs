@@ -1,0 +1,112 @@
+//! Who may ask, and what every answer says to browsers.
+//!
+//! The server listens on the loopback interface alone, but every page that a browser shows can send requests there. So the address has a random token
+//! in its path, which no other page can know; the Host must be the server's own, or a foreign name could be made to mean
+//! this machine (DNS rebinding); and a request from a page must come from the server's own.
+
+use hyper::header::{self, HeaderMap, HeaderName, HeaderValue};
+
+/// Random letters in the path of the address.
+#[derive(Clone, Debug)]
+pub(crate) struct Token(String);
+
+/// Bytes of a token: more than anybody can try.
+const BYTES: usize = 16;
+
+impl Token {
+    /// A new one.
+    pub(crate) fn random() -> std::io::Result<Self> {
+        let mut bytes = [0; BYTES];
+        getrandom::fill(&mut bytes).map_err(std::io::Error::other)?;
+        Ok(Self(bytes.iter().map(|byte| format!("{byte:02x}")).collect()))
+    }
+
+    pub(crate) fn text(&self) -> &str {
+        &self.0
+    }
+
+    /// What follows the token in a path; none if it is not there.
+    pub(crate) fn rest<'p>(&self, path: &'p str) -> Option<&'p str> {
+        let (token, rest) = path.strip_prefix('/')?.split_once('/')?;
+        // In time that does not tell how much of it was right.
+        let same = token.len() == self.0.len()
+            && token.bytes().zip(self.0.bytes()).fold(0, |differ, (a, b)| differ | (a ^ b)) == 0;
+        same.then_some(rest)
+    }
+}
+
+/// Whether a request may be answered: for this server, and from its own page if it is from one.
+pub(crate) fn is_own(headers: &HeaderMap, port: u16) -> bool {
+    let own = ["127.0.0.1", "localhost", "[::1]"].map(|name| format!("{name}:{port}"));
+    let text = |name: HeaderName| headers.get(name).map(|value| value.to_str().unwrap_or_default());
+    let host = text(header::HOST).is_some_and(|host| own.iter().any(|own| own == host));
+    let origin = text(header::ORIGIN)
+        .is_none_or(|origin| own.iter().any(|own| origin.strip_prefix("http://") == Some(own)));
+    let site = headers.get("sec-fetch-site").is_none_or(|site| site == "same-origin" || site == "none");
+    host && origin && site
+}
+
+/// What every answer says: nothing is loaded but from here, nothing is kept, nobody may show it in a frame.
+pub(crate) fn headers(headers: &mut HeaderMap) {
+    let all: [(HeaderName, &'static str); 6] = [
+        (
+            header::CONTENT_SECURITY_POLICY,
+            "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; font-src 'self'; \
+             form-action 'none'; base-uri 'none'; frame-ancestors 'none'",
+        ),
+        (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (header::REFERRER_POLICY, "no-referrer"),
+        (header::CACHE_CONTROL, "no-store"),
+        (header::X_FRAME_OPTIONS, "DENY"),
+        (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
+    ];
+    for (name, value) in all {
+        headers.insert(name, HeaderValue::from_static(value));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn headers_of(pairs: &[(&'static str, &str)]) -> HeaderMap {
+        let pair = |(name, value): &(&'static str, &str)| {
+            (HeaderName::from_static(name), HeaderValue::from_str(value).unwrap())
+        };
+        pairs.iter().map(pair).collect()
+    }
+
+    #[test]
+    fn only_the_whole_token_opens_and_what_follows_is_handed_on() {
+        let token = Token::random().unwrap();
+        let path = |token: &str, rest: &str| format!("/{token}/{rest}");
+        assert_eq!(token.rest(&path(token.text(), "diagram")), Some("diagram"));
+        assert_eq!(token.rest(&path(token.text(), "")), Some(""));
+        for wrong in
+            ["", "0", &token.text()[1..], &token.text().to_uppercase().replace(char::is_numeric, "g")]
+        {
+            assert_eq!(token.rest(&path(wrong, "diagram")), None, "{wrong}");
+        }
+        assert_ne!(token.text(), Token::random().unwrap().text());
+    }
+
+    #[test]
+    fn foreign_hosts_and_pages_are_refused() {
+        for (pairs, own) in [
+            (&[("host", "127.0.0.1:80")][..], true),
+            (&[("host", "localhost:80"), ("origin", "http://localhost:80")], true),
+            (&[("host", "localhost:80"), ("sec-fetch-site", "same-origin")], true),
+            (&[], false),
+            (&[("host", "127.0.0.1")], false),
+            (&[("host", "127.0.0.1:81")], false),
+            (&[("host", "example.org:80")], false),
+            (&[("host", "127.0.0.1:80.example.org")], false),
+            (&[("host", "127.0.0.1:80"), ("origin", "http://example.org")], false),
+            (&[("host", "127.0.0.1:80"), ("origin", "https://127.0.0.1:80")], false),
+            (&[("host", "127.0.0.1:80"), ("origin", "null")], false),
+            (&[("host", "127.0.0.1:80"), ("sec-fetch-site", "cross-site")], false),
+        ] {
+            assert_eq!(is_own(&headers_of(pairs), 80), own, "{pairs:?}");
+        }
+    }
+}

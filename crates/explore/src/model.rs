@@ -1,0 +1,255 @@
+//! From a request to an oscillator.
+
+use std::collections::BTreeMap;
+
+use grazing_continuation::curve::Window;
+use grazing_description::{Axis, Description, DescriptionError};
+use grazing_model::{ImpactOscillator, LinearOscillator};
+use grazing_reproduction::plane::Axes;
+use grazing_reproduction::unfolded;
+use grazing_source::{Setting, SettingError, Text};
+use grazing_unfold::Scope;
+use grazing_unfold::stop::Stop;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+/// The oscillator that a request is about.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+pub struct Model {
+    /// The text of its file; none for the paper's oscillator, whose flow is known in closed form.
+    pub text: Option<String>,
+    /// Values over those of its constants.
+    #[serde(default)]
+    pub set: BTreeMap<String, f64>,
+    /// Numbers of loops, if not those of the file.
+    #[serde(default)]
+    pub loops: Option<Vec<u32>>,
+}
+
+/// What is seen of the plane, in the oscillator's own units.
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
+pub struct View {
+    /// The range of the primary parameter.
+    pub primary: [f64; 2],
+    /// That of the secondary one.
+    pub secondary: [f64; 2],
+}
+
+/// A model is wrong: what to say, and the line (from 1) and the characters of it (from 0) that are to blame, as far as they are known.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(crate) struct Wrong {
+    pub(crate) message: String,
+    pub(crate) line: Option<usize>,
+    pub(crate) span: Option<[usize; 2]>,
+}
+
+impl Wrong {
+    fn new(message: impl Into<String>) -> Self {
+        Self { message: message.into(), line: None, span: None }
+    }
+}
+
+/// The name of the file in messages.
+const FILE: &str = "oscillator.toml";
+/// The paper's oscillator as a text: its constants, ranges and loops, and its motion where it has to be integrated.
+pub(crate) const PAPER: &str = include_str!("../../../examples/paper.toml");
+/// The constants of that text.
+const CONSTANTS: [&str; 2] = ["zeta", "epsilon"];
+
+/// What is to be done with an oscillator of whatever kind.
+pub(crate) trait Job {
+    type Outcome;
+
+    fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Self::Outcome;
+}
+
+/// A model that was found right.
+pub(crate) enum Checked {
+    Paper { oscillator: LinearOscillator, window: Window, loops: Vec<u32> },
+    Text(Box<Description>),
+}
+
+impl Model {
+    /// What is set over the text of its file, for a view of the plane or for the file's own.
+    ///
+    /// # Errors
+    /// A name or a value cannot stand in a file.
+    pub fn settings(&self, view: Option<&View>) -> Result<Vec<Setting>, SettingError> {
+        let constants = self.set.iter().map(|(name, value)| format!("parameters.{name}={value:?}"));
+        let ranges = view.into_iter().flat_map(|View { primary, secondary }| {
+            [format!("primary.range={primary:?}"), format!("secondary.range={secondary:?}")]
+        });
+        constants.chain(ranges).map(|setting| setting.parse()).collect()
+    }
+
+    /// The oscillator's text: without one-parameter diagrams where there is a view, in whose ranges they need not lie.
+    fn text(&self, view: Option<&View>) -> &str {
+        let whole = self.text.as_deref().unwrap_or(PAPER);
+        match view {
+            Some(_) => whole.split("[[diagrams]]").next().unwrap_or_default(),
+            None => whole,
+        }
+    }
+
+    /// The oscillator as its file describes it, in the ranges of a view or in its own.
+    fn description(&self, view: Option<&View>) -> Result<Description, Wrong> {
+        let settings = self.settings(view).map_err(|error| Wrong::new(error.to_string()))?;
+        let written = self.text(view);
+        let wrong = |error: DescriptionError| located(&error.to_string(), written);
+        let description = Description::parse_with(&Text::new(written, &settings), FILE).map_err(wrong)?;
+        match &self.loops {
+            Some(loops) => {
+                description.with_loops(loops).map_err(|error| Wrong::new(format!("loops {error}")))
+            }
+            None => Ok(description),
+        }
+    }
+
+    /// The oscillator in the ranges of a view, or in those of its file.
+    pub(crate) fn checked(&self, view: Option<&View>) -> Result<Checked, Wrong> {
+        let description = self.description(view)?;
+        if self.text.is_some() {
+            return Ok(Checked::Text(Box::new(description)));
+        }
+        let constant = |wanted: &str| {
+            let mut constants = description.constants();
+            constants.find(|(name, _)| *name == wanted).map_or(f64::NAN, |(_, value)| value)
+        };
+        let [zeta, epsilon] = CONSTANTS.map(constant);
+        let window =
+            Window { primary: description.primary().range(), secondary: description.secondary().range() };
+        let [amplitude, frequency] = [window.primary[0], window.secondary[0]];
+        match LinearOscillator::new(zeta, epsilon, amplitude, frequency) {
+            Ok(oscillator) => Ok(Checked::Paper { oscillator, window, loops: description.loops().to_vec() }),
+            Err(error) => Err(Wrong::new(error.to_string())),
+        }
+    }
+
+    /// The same as a text, also of the paper's oscillator.
+    pub(crate) fn as_text(&self, view: &View) -> Result<Description, Wrong> {
+        self.description(Some(view))
+    }
+
+    /// What there is to know of the oscillator before anything is computed.
+    pub(crate) fn described(&self) -> Result<Value, Wrong> {
+        let (checked, description) = (self.checked(None)?, self.description(None)?);
+        let names = checked.axes().names;
+        let axis = |name: &str, title: &str, axis: &Axis| json!({"name": name, "title": title, "range": axis.range(), "unit": axis.unit()});
+        let [primary, secondary] = names.titles();
+        let constant = |(name, value): (&str, f64)| json!({"name": name, "value": value});
+        Ok(json!({
+            "ok": true,
+            "name": description.name(),
+            "primary": axis(&names.primary, &primary, description.primary()),
+            "secondary": axis(&names.secondary, &secondary, description.secondary()),
+            "constants": description.constants().map(constant).collect::<Vec<_>>(),
+            "loops": description.loops(),
+            "notes": description.notes(),
+        }))
+    }
+}
+
+impl Checked {
+    /// Names and units.
+    pub(crate) fn axes(&self) -> Axes {
+        match self {
+            Self::Paper { .. } => Axes::of_the_paper(),
+            Self::Text(description) => unfolded::axes(description),
+        }
+    }
+
+    /// Does something with the oscillator, which ends when an end is asked for.
+    pub(crate) fn with<J: Job>(&self, stop: &Stop, job: J) -> J::Outcome {
+        match self {
+            Self::Paper { oscillator, window, loops } => {
+                let scope = Scope { window: *window, loops: loops.clone(), start: None };
+                job.run(oscillator, &scope, &self.axes())
+            }
+            Self::Text(description) => {
+                let axes = self.axes();
+                let (oscillator, scope) = unfolded::prepared(description, &axes.units, stop);
+                job.run(&oscillator, &scope, &axes)
+            }
+        }
+    }
+}
+
+/// Where a message says that the mistake is: `file:line: ...`, and under an expression a mark.
+fn located(message: &str, text: &str) -> Wrong {
+    let place = message.strip_prefix(FILE).and_then(|rest| rest.strip_prefix(':'));
+    let mut numbers =
+        place.into_iter().flat_map(|rest| rest.split([':', ' '])).map_while(|part| part.parse().ok());
+    let (line, column): (Option<usize>, Option<usize>) = (numbers.next(), numbers.next());
+    let written = line.and_then(|line| text.lines().nth(line.checked_sub(1)?));
+    let mut excerpt = message.lines().skip(1);
+    let marked = (excerpt.next(), excerpt.next());
+    let span = match (written, column, marked) {
+        (Some(_), Some(column), _) => Some([column - 1, column]),
+        (Some(written), None, (Some(shown), Some(mark))) => {
+            let (shown, before) = (shown.trim_start(), shown.len() - shown.trim_start().len());
+            written.find(shown).map(|start| {
+                let start = written[..start].chars().count();
+                let from = start + mark.find('^').unwrap_or(before).saturating_sub(before);
+                [from, from + mark.trim().chars().count()]
+            })
+        }
+        _ => None,
+    };
+    let message = message.lines().next().unwrap_or_default();
+    let message = message.strip_prefix(&format!("{FILE}:")).unwrap_or(message);
+    let message = match line {
+        Some(line) => message.strip_prefix(&line.to_string()).unwrap_or(message),
+        None => message,
+    };
+    let message =
+        column.map_or(message, |column| message.strip_prefix(&format!(":{column}")).unwrap_or(message));
+    Wrong { message: message.trim_start_matches([':', ' ']).to_owned(), line, span }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn example() -> String {
+        include_str!("../../../examples/duffing.toml").to_owned()
+    }
+
+    fn model(text: String) -> Model {
+        Model { text: Some(text), set: BTreeMap::new(), loops: None }
+    }
+
+    #[test]
+    fn mistakes_are_marked_where_they_are() {
+        let wrong = |text: String| model(text).described().unwrap_err();
+        let marked = |text: &str, wrong: &Wrong| {
+            let line = text.lines().nth(wrong.line.unwrap() - 1).unwrap();
+            let [from, to] = wrong.span.unwrap();
+            line.chars().skip(from).take(to - from).collect::<String>()
+        };
+        let text = example().replace("kappa*x^3", "kapa*x^3");
+        let found = wrong(text.clone());
+        assert_eq!(marked(&text, &found), "kapa");
+        assert!(found.message.starts_with("motion.force: unknown name kapa"), "{}", found.message);
+        let text = example().replace("[motion]", "[motion");
+        let found = wrong(text.clone());
+        assert!(found.line.is_some() && found.span.is_some(), "{found:?}");
+        let found = wrong(example().replace("zeta = 0.02", "zeta = \"a\""));
+        assert!(found.line.is_some() && found.span.is_none() && found.message.starts_with("parameters.zeta"));
+    }
+
+    #[test]
+    fn views_and_constants_are_put_in_the_place_of_the_files() {
+        let mut model = model(example());
+        model.set.insert("kappa".to_owned(), 0.3);
+        let view = View { primary: [0.25, 0.5], secondary: [0.9, 1.0] };
+        let Ok(Checked::Text(description)) = model.checked(Some(&view)) else { panic!("it is right") };
+        assert_eq!(description.primary().range(), [0.25, 0.5]);
+        assert!(description.constants().any(|constant| constant == ("kappa", 0.3)));
+        model.set.insert("unknown".to_owned(), 1.0);
+        assert!(model.checked(None).is_ok(), "a constant that nothing uses is allowed");
+        model.set.insert("bad name".to_owned(), 1.0);
+        assert!(model.checked(None).is_err());
+        let paper = Model { text: None, set: BTreeMap::from([("zeta".to_owned(), 2.0)]), loops: None };
+        assert!(paper.checked(None).is_err());
+    }
+}

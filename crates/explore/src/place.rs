@@ -1,0 +1,128 @@
+//! What the oscillator does at one place of the plane.
+
+use grazing_continuation::mps::Multipliers;
+use grazing_description::Description;
+use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Units;
+use grazing_reproduction::plane::Axes;
+use grazing_unfold::Scope;
+use grazing_unfold::place::{Attractor, Place, Plan, Solution};
+use grazing_unfold::stop::Stop;
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use crate::answer::Problem;
+use crate::model::{Checked, Job, Model};
+
+/// What is asked for.
+#[derive(Deserialize)]
+pub(crate) struct Asked {
+    model: Model,
+    at: [f64; 2],
+    #[serde(default = "usual")]
+    states: u32,
+    /// Orbits as curves, too.
+    #[serde(default = "yes")]
+    orbits: bool,
+}
+
+fn usual() -> u32 {
+    Plan::default().states
+}
+
+fn yes() -> bool {
+    true
+}
+
+/// More initial states take longer than anybody waits.
+const MOST_STATES: u32 = 200;
+
+pub(crate) fn compute(asked: &Asked, stop: &Stop) -> Result<Value, Problem> {
+    let model = asked.model.checked(None)?;
+    if !asked.at.iter().all(|value| value.is_finite()) {
+        return Err(Problem::wrong("the place must be two numbers"));
+    }
+    let mut found = model.with(stop, Looked { asked, stop })?;
+    found["wall"] = wall(&model, asked.at, found["period"].as_f64().unwrap_or(1.0));
+    Ok(found)
+}
+
+/// The wall over a forcing period, in the file's coordinates; at rest it is a point.
+fn wall(model: &Checked, at: [f64; 2], period: f64) -> Value {
+    const INSTANTS: u32 = 64;
+    let Checked::Text(description) = model else { return json!([[0.0, 0.0]]) };
+    let position = |time: f64| Description::wall(description).outside([0.0, 0.0], time, at)[0];
+    let times = (0..=INSTANTS).map(|k| period * f64::from(k) / f64::from(INSTANTS));
+    json!(times.map(|time| [time, position(time)]).collect::<Vec<_>>())
+}
+
+struct Looked<'a> {
+    asked: &'a Asked,
+    stop: &'a Stop,
+}
+
+impl Job for Looked<'_> {
+    type Outcome = Result<Value, Problem>;
+
+    fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Result<Value, Problem> {
+        let Self { asked, stop } = self;
+        let units = axes.units;
+        let [primary, secondary] = asked.at;
+        let here = oscillator.with_parameters([primary / units.primary, secondary / units.secondary]);
+        let plan = Plan { states: asked.states.clamp(1, MOST_STATES), ..Plan::default() };
+        let found = Place::compute(&here, &scope.loops, &plan, stop).ok_or_else(Problem::ended)?;
+        let flights = |flights: &[Vec<[f64; 3]>]| match asked.orbits {
+            true => flights.iter().map(|flight| in_units(flight, &units)).collect(),
+            false => Vec::new(),
+        };
+        let solution = |solution: &Solution| {
+            let Solution { loops, impact, multipliers, admissible, orbit } = solution;
+            json!({
+                "p": loops,
+                "velocity": impact[0] * units.velocity(),
+                "phase": impact[1],
+                "multipliers": eigenvalues(multipliers),
+                "stable": multipliers.stable(),
+                "admissible": admissible,
+                "orbit": flights(core::slice::from_ref(orbit)),
+            })
+        };
+        let attractor = |attractor: &Attractor| {
+            let Attractor { states, fate, lyapunov, flights: own, strikes } = attractor;
+            let strikes = strikes.iter().map(|[phase, velocity]| [*phase, velocity * units.velocity()]);
+            json!({
+                "share": f64::from(*states) / f64::from(plan.states),
+                "kind": fate.kind.name(),
+                "loops": fate.loops(),
+                "periods": fate.periods,
+                "impacts": fate.impacts,
+                "lyapunov": lyapunov / units.time,
+                "orbit": flights(own),
+                "strikes": strikes.collect::<Vec<_>>(),
+            })
+        };
+        Ok(json!({
+            "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
+            "attractors": found.attractors.iter().map(attractor).collect::<Vec<_>>(),
+            "period": found.period * units.time,
+        }))
+    }
+}
+
+fn in_units(flight: &[[f64; 3]], units: &Units) -> Vec<[f64; 3]> {
+    let point = |[t, x, v]: &[f64; 3]| [t * units.time, x * units.length, v * units.velocity()];
+    flight.iter().map(point).collect()
+}
+
+/// The multipliers themselves, real and imaginary parts.
+fn eigenvalues(multipliers: &Multipliers) -> [[f64; 2]; 2] {
+    let Multipliers { trace, determinant } = *multipliers;
+    let (middle, square) = (0.5 * trace, 0.25 * trace * trace - determinant);
+    let root = square.abs().sqrt();
+    if square < 0.0 {
+        return [[middle, root], [middle, -root]];
+    }
+    // Without cancellation.
+    let first = middle + root.copysign(middle);
+    [[first, 0.0], [if first == 0.0 { 0.0 } else { determinant / first }, 0.0]]
+}

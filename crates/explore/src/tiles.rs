@@ -1,0 +1,102 @@
+//! What simulation sees in the plane, from coarse to fine.
+
+use grazing_model::ImpactOscillator;
+use grazing_reproduction::plane::Axes;
+use grazing_unfold::Scope;
+use grazing_unfold::one_parameter::random_start;
+use grazing_unfold::place::fate;
+use grazing_unfold::progress::Progress;
+use grazing_unfold::stop::Stop;
+use rayon::prelude::*;
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use crate::answer::Problem;
+use crate::model::{Job, Model, View};
+use crate::stream::Events;
+
+/// What is asked for.
+#[derive(Deserialize)]
+pub(crate) struct Asked {
+    model: Model,
+    view: View,
+    columns: u32,
+    rows: u32,
+    periods: u32,
+}
+
+/// Places of the plane and forcing periods, at most.
+const MOST: u32 = 1000;
+const MOST_PERIODS: u32 = 5000;
+/// The width of the first cells; each is half the one before.
+const COARSEST: u32 = 16;
+/// Places that are sent at once.
+const LOT: usize = 500;
+/// Of all forcing periods those that count are this part.
+const COUNTED: u32 = 6;
+
+pub(crate) fn compute(asked: &Asked, events: &Events, stop: &Stop) -> Result<(), Problem> {
+    let Asked { columns, rows, periods, .. } = asked;
+    if !((1..=MOST).contains(columns)
+        && (1..=MOST).contains(rows)
+        && (COUNTED..=MOST_PERIODS).contains(periods))
+    {
+        return Err(Problem::wrong(format!(
+            "columns and rows must lie between 1 and {MOST}, periods between {COUNTED} and {MOST_PERIODS}"
+        )));
+    }
+    asked.model.checked(Some(&asked.view))?.with(stop, Tiled { asked, events });
+    Ok(())
+}
+
+struct Tiled<'a> {
+    asked: &'a Asked,
+    events: &'a Events,
+}
+
+impl Job for Tiled<'_> {
+    type Outcome = ();
+
+    fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, _: &Axes) {
+        let Asked { columns, rows, periods, .. } = *self.asked;
+        let counted = periods / COUNTED;
+        let mut step = COARSEST;
+        loop {
+            let places = (0..rows)
+                .step_by(step as usize)
+                .flat_map(|row| (0..columns).step_by(step as usize).map(move |column| [column, row]));
+            let known = |[column, row]: &[u32; 2]| {
+                step < COARSEST && column % (2 * step) == 0 && row % (2 * step) == 0
+            };
+            let places: Vec<[u32; 2]> = places.filter(|place| !known(place)).collect();
+            for lot in places.chunks(LOT) {
+                let cells = lot.par_iter().map(|&[column, row]| {
+                    if self.events.stopped() {
+                        return Value::Null;
+                    }
+                    let shares = [(column, columns), (row, rows)]
+                        .map(|(place, count)| (f64::from(place) + 0.5) / f64::from(count));
+                    let here = oscillator.with_parameters(scope.window.parameters(shares));
+                    // The same place has the same state, whatever was computed before.
+                    let mut random = random(column, row);
+                    let seen = fate(&here, random_start(-1.0, &mut random), [periods - counted, counted]);
+                    json!([column, row, seen.loops(), seen.periods, seen.impacts])
+                });
+                let cells: Vec<Value> = cells.collect();
+                if self.events.stopped() {
+                    return;
+                }
+                self.events.send("tiles", &json!({"step": step, "cells": cells}));
+            }
+            if step == 1 {
+                return;
+            }
+            step /= 2;
+        }
+    }
+}
+
+/// Random numbers of a place.
+fn random(column: u32, row: u32) -> rand_pcg::Pcg64 {
+    rand_pcg::Pcg64::new(1, u128::from(column) << 32 | u128::from(row))
+}

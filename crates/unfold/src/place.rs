@@ -1,0 +1,432 @@
+//! What an oscillator does at one pair of parameters: its periodic solutions, and what motion comes to in the long run.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::arclength::StepControl;
+use grazing_continuation::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Multipliers, unknown};
+use grazing_model::motion::Motion;
+use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
+use grazing_model::{ImpactOscillator, OnWall, State, flow_variable};
+use nalgebra::{Matrix2, Vector2};
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
+
+use crate::Scope;
+use crate::non_impacting::orbits::{OrbitPoint, PeriodicOrbits};
+use crate::one_parameter::{cycle, random_start, sampled};
+use crate::progress::Progress;
+use crate::search;
+
+/// A periodic solution, stable or not.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// Number of loops p; 0 for the non-impacting solution.
+    pub loops: u32,
+    /// Velocity and phase (y, z) of its impact; not numbers without one.
+    pub impact: [f64; 2],
+    /// Its multipliers.
+    pub multipliers: Multipliers,
+    /// Nothing of it lies beyond the wall but its impact.
+    pub admissible: bool,
+    /// (t, x, y) along a period.
+    pub orbit: Vec<[f64; 3]>,
+}
+
+/// What motion comes to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Motion that does not reach the wall.
+    NonImpacting,
+    /// Motion with impacts that comes again.
+    Periodic,
+    /// Motion with impacts that does not, as far as it was followed.
+    Aperiodic,
+    /// It comes to rest at the wall for a while, or for good.
+    Resting,
+    /// It cannot be followed.
+    Escaping,
+}
+
+impl Kind {
+    /// In a word.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::NonImpacting => "non-impacting",
+            Self::Periodic => "periodic",
+            Self::Aperiodic => "aperiodic",
+            Self::Resting => "resting",
+            Self::Escaping => "escaping",
+        }
+    }
+}
+
+/// What an orbit comes to, in numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fate {
+    /// What it is.
+    pub kind: Kind,
+    /// The forcing periods after which it comes again, if it does.
+    pub periods: Option<u32>,
+    /// Impacts in a forcing period, on average.
+    pub impacts: f64,
+}
+
+impl Fate {
+    /// The number of loops p of a solution with one impact in p forcing periods; 0 without impacts.
+    pub fn loops(&self) -> Option<u32> {
+        match self.kind {
+            Kind::NonImpacting if self.periods == Some(1) => Some(0),
+            // A whole number of impacts, counted over a whole number of periods.
+            Kind::Periodic => {
+                self.periods.filter(|periods| (self.impacts * f64::from(*periods) - 1.0).abs() < 0.5)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// What some of the initial states come to.
+#[derive(Clone, Debug)]
+pub struct Attractor {
+    /// How many of them.
+    pub states: u32,
+    /// What it is.
+    pub fate: Fate,
+    /// The largest Lyapunov exponent, of the dimension of a reciprocal time; not a number where motion rests or cannot be followed.
+    pub lyapunov: f64,
+    /// Its flights, (t, x, y) along each.
+    pub flights: Vec<Vec<[f64; 3]>>,
+    /// Phase, in [0, 2π), and velocity of its impacts.
+    pub strikes: Vec<[f64; 2]>,
+}
+
+/// How motion is followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plan {
+    /// Random initial states.
+    pub states: u32,
+    /// Their seed.
+    pub seed: u64,
+    /// The forcing periods before motion counts, and those in which it does.
+    pub periods: [u32; 2],
+    /// Initial states lie between the wall and this x.
+    pub lowest: f64,
+}
+
+impl Default for Plan {
+    fn default() -> Self {
+        Self { states: 24, seed: 1, periods: [400, 64], lowest: -2.0 }
+    }
+}
+
+/// What there is at one pair of parameters.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// Periodic solutions, by p.
+    pub solutions: Vec<Solution>,
+    /// What random initial states come to, the most frequent first.
+    pub attractors: Vec<Attractor>,
+    /// The forcing period.
+    pub period: f64,
+}
+
+/// MPSs are looked for up to this impact velocity: motion is of the order of one.
+const FASTEST: f64 = 2.5;
+/// No orbit has more impacts than this; sticking and chattering end it by themselves.
+const MOST_IMPACTS: usize = 100_000;
+/// Impacts closer than this are one: orbits have settled to far less.
+const SAME: f64 = 1e-3;
+/// Flights of an attractor that are shown.
+const SHOWN: usize = 60;
+/// Forcing periods of motion without impacts after which it is looked for again.
+const MOST_PERIODS: u32 = 16;
+
+impl Place {
+    /// What there is at the oscillator's own parameters; none if an end was asked for.
+    pub fn compute<O: ImpactOscillator>(
+        oscillator: &O,
+        loops: &[u32],
+        plan: &Plan,
+        progress: &dyn Progress,
+    ) -> Option<Self> {
+        let period = oscillator.forcing_period();
+        let states: Vec<u32> = (0..plan.states).collect();
+        let seen = states.par_iter().map(|&state| {
+            let mut random = Pcg64::new(u128::from(plan.seed), u128::from(state));
+            let from = random_start(plan.lowest, &mut random);
+            (!progress.stopped())
+                .then(|| Followed::new(oscillator, from, plan.periods).seen(oscillator, from))
+        });
+        let seen: Vec<Seen> = seen.collect::<Option<_>>()?;
+        let mut solutions = non_impacting(oscillator, &seen);
+        let found = search::at(oscillator.clone(), loops, FASTEST, |solution| {
+            solution.impact_velocity() > SAME * FASTEST
+        });
+        solutions.extend(found.into_iter().map(|(loops, point)| {
+            let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
+            let (solution, _) = equations.solution(&point);
+            let recoil = equations.recoil(&point);
+            let lag = (recoil.phase - point[unknown::PHASE]) / oscillator.forcing_frequency().value;
+            let flight = f64::from(loops) * period - lag;
+            Solution {
+                loops,
+                impact: [point[unknown::VELOCITY], point[unknown::PHASE]],
+                multipliers: solution.multipliers,
+                admissible: solution.admissible(),
+                orbit: sampled(&oscillator.motion(recoil), 0.0, flight, period),
+            }
+        }));
+        let mut different: Vec<(u32, &Seen)> = Vec::new();
+        for one in &seen {
+            match different.iter_mut().find(|(_, known)| known.is_like(one)) {
+                Some((states, _)) => *states += 1,
+                None => different.push((1, one)),
+            }
+        }
+        let shown = different.into_iter().map(|(states, seen)| {
+            let followed = Followed::new(oscillator, seen.start, plan.periods);
+            Attractor { states, ..followed.attractor(oscillator) }
+        });
+        let mut attractors: Vec<Attractor> = shown.collect();
+        attractors.sort_by_key(|attractor| core::cmp::Reverse(attractor.states));
+        (!progress.stopped()).then_some(Self { solutions, attractors, period })
+    }
+}
+
+/// What motion from a state comes to, in numbers.
+pub fn fate<O: ImpactOscillator>(oscillator: &O, from: State, periods: [u32; 2]) -> Fate {
+    Followed::new(oscillator, from, periods).fate
+}
+
+/// The non-impacting solutions to which free motion, or rest, leads.
+fn non_impacting<O: ImpactOscillator>(oscillator: &O, seen: &[Seen]) -> Vec<Solution> {
+    let [primary, secondary] = oscillator.parameters();
+    let window = grazing_continuation::curve::Window {
+        primary: [primary, primary + 1.0],
+        secondary: [secondary, secondary + 1.0],
+    };
+    let scope = Scope { window, loops: Vec::new(), start: None };
+    let orbits = PeriodicOrbits { oscillator, scope: &scope, control: StepControl::DRAWING };
+    let starts = seen.iter().filter_map(|one| one.at_phase_zero);
+    let rest = [[0.0, 0.0], [-1.0, 0.0], [-0.5, 0.5], [-0.5, -0.5]];
+    let mut found: Vec<(OrbitPoint, Solution)> = Vec::new();
+    for [x, y] in starts.chain(rest) {
+        let Some(orbit) = orbits.at(&OrbitPoint::new(x, y, 0.0, 0.0)) else { continue };
+        if found.iter().any(|(known, _)| (known - orbit).norm() < SAME) {
+            continue;
+        }
+        let seen = orbits.seen(&orbit);
+        let from = State { position: orbit[0], velocity: orbit[1], phase: 0.0 };
+        let period = oscillator.forcing_period();
+        let solution = Solution {
+            loops: 0,
+            impact: [f64::NAN; 2],
+            multipliers: seen.multipliers,
+            admissible: seen.height.position <= MaximalPeriodicSolution::TOUCH,
+            orbit: sampled(&oscillator.motion(from), 0.0, period, period),
+        };
+        found.push((orbit, solution));
+    }
+    found.into_iter().map(|(_, solution)| solution).collect()
+}
+
+/// What is kept of an orbit from a state, to be compared with others.
+struct Seen {
+    start: State,
+    fate: Fate,
+    impacts: Vec<Vector2<f64>>,
+    /// Position and velocity at phase zero, and the highest point, of motion without impacts.
+    at_phase_zero: Option<[f64; 2]>,
+    highest: f64,
+}
+
+impl Seen {
+    /// Whether it looks like another one.
+    fn is_like(&self, other: &Self) -> bool {
+        let (a, b) = (&self.fate, &other.fate);
+        if (a.kind, a.periods) != (b.kind, b.periods) {
+            return false;
+        }
+        match a.kind {
+            Kind::Periodic => {
+                let first = &other.impacts[0];
+                self.impacts.iter().any(|impact| {
+                    (impact[0] - first[0]).abs() < SAME
+                        && libm::remainder(impact[1] - first[1], TAU).abs() < SAME
+                })
+            }
+            Kind::NonImpacting => (self.highest - other.highest).abs() < SAME,
+            _ => true,
+        }
+    }
+}
+
+/// An orbit after its transient.
+struct Followed<O: ImpactOscillator> {
+    fate: Fate,
+    /// Flights that count; one without an impact if there are none with one.
+    flights: Vec<Flight<O::Motion>>,
+    impacts: Vec<Vector2<f64>>,
+    period: f64,
+}
+
+impl<O: ImpactOscillator> Followed<O> {
+    fn new(oscillator: &O, from: State, [transient, counted]: [u32; 2]) -> Self {
+        let period = oscillator.forcing_period();
+        let begin = f64::from(transient) * period;
+        let horizon = begin + f64::from(counted) * period;
+        let mut orbit = Orbit::new(oscillator, from, horizon, MOST_IMPACTS);
+        let (mut last, mut flights) = (None, Vec::new());
+        for flight in orbit.by_ref() {
+            if flight.start >= begin { flights.push(flight) } else { last = Some(flight) }
+        }
+        let impacts: Vec<Vector2<f64>> = flights
+            .iter()
+            .filter_map(|flight| match flight.end {
+                FlightEnd::Impact(impact) => Some(Vector2::new(impact.velocity, impact.phase)),
+                FlightEnd::TimeIsUp(_) => None,
+            })
+            .collect();
+        let rate = impacts.len() as f64 / f64::from(counted);
+        let fate = match orbit.end() {
+            Some(OrbitEnd::TimeIsUp(end)) if !end.position.is_finite() => {
+                Fate { kind: Kind::Escaping, periods: None, impacts: f64::NAN }
+            }
+            Some(OrbitEnd::TimeIsUp(_)) if impacts.is_empty() => {
+                flights.extend(last);
+                let periods = flights.last().and_then(|flight| comes_again(flight, begin, period));
+                Fate { kind: Kind::NonImpacting, periods, impacts: 0.0 }
+            }
+            Some(OrbitEnd::TimeIsUp(_)) => match cycle(&impacts) {
+                Some(cycle) => {
+                    let time = flights[cycle].start - flights[0].start;
+                    let periods = libm::round(time / period).max(1.0);
+                    let kind = Kind::Periodic;
+                    Fate { kind, periods: Some(periods as u32), impacts: cycle as f64 / periods }
+                }
+                None => Fate { kind: Kind::Aperiodic, periods: None, impacts: rate },
+            },
+            _ => Fate { kind: Kind::Resting, periods: None, impacts: rate },
+        };
+        Self { fate, flights, impacts, period }
+    }
+
+    /// Position and velocity at phase zero of motion without impacts.
+    fn at_phase_zero(&self, oscillator: &O) -> Option<[f64; 2]> {
+        let flight = self.flights.last().filter(|_| self.fate.kind == Kind::NonImpacting)?;
+        let frequency = oscillator.forcing_frequency().value;
+        // The last whole turn of the flight.
+        let phase = flight.from.phase + frequency * flight.duration;
+        let past = (phase - TAU * libm::floor(phase / TAU)) / frequency;
+        let here = flight.motion.at(flight.duration - past);
+        Some([here.position, here.velocity])
+    }
+
+    fn seen(self, oscillator: &O, start: State) -> Seen {
+        let at_phase_zero = self.at_phase_zero(oscillator);
+        let free = self.flights.last().filter(|_| self.fate.kind == Kind::NonImpacting);
+        let highest = free.map_or(f64::NAN, |flight| highest(flight, self.period));
+        Seen { start, fate: self.fate, impacts: self.impacts, at_phase_zero, highest }
+    }
+
+    fn attractor(&self, oscillator: &O) -> Attractor {
+        let period = self.period;
+        let began = self.flights.first().map_or(0.0, |flight| flight.start);
+        let shown = self.flights.iter().take(SHOWN);
+        let flights = match self.fate.kind {
+            Kind::NonImpacting => {
+                let flight = self.flights.last();
+                let periods = f64::from(self.fate.periods.unwrap_or(MOST_PERIODS));
+                flight
+                    .and_then(|flight| {
+                        let from = flight.motion.at(flight.duration - periods * period);
+                        let frequency = oscillator.forcing_frequency().value;
+                        let phase = flight.from.phase + frequency * (flight.duration - periods * period);
+                        let from = State { position: from.position, velocity: from.velocity, phase };
+                        Some(vec![sampled(&oscillator.motion(from), 0.0, periods * period, period)])
+                    })
+                    .unwrap_or_default()
+            }
+            _ => shown
+                .map(|flight| sampled(&flight.motion, flight.start - began, flight.duration, period))
+                .collect(),
+        };
+        let strikes = self
+            .impacts
+            .iter()
+            .map(|impact| [impact[1] - TAU * libm::floor(impact[1] / TAU), impact[0]])
+            .collect();
+        Attractor { states: 1, fate: self.fate, lyapunov: self.lyapunov(oscillator), flights, strikes }
+    }
+
+    /// The mean rate at which a small displacement grows, by the derivatives of the maps from impact to impact, or of the flow.
+    ///
+    /// A displaced orbit hits the wall earlier by δx/ẋ, so that an impact is a map (δy, δz) ↦ (δy, δz) on the wall.
+    fn lyapunov(&self, oscillator: &O) -> f64 {
+        if matches!(self.fate.kind, Kind::Resting | Kind::Escaping) {
+            return f64::NAN;
+        }
+        let frequency = oscillator.forcing_frequency().value;
+        let mut displacement = Vector2::new(0.6, 0.8);
+        let (mut growth, mut time) = (0.0, 0.0);
+        let mut stretch = |derivative: Matrix2<f64>, duration: f64| {
+            displacement = derivative * displacement;
+            let size = displacement.norm();
+            displacement /= size;
+            growth += libm::log(size);
+            time += duration;
+        };
+        if self.fate.kind == Kind::NonImpacting {
+            let Some(flight) = self.flights.last() else { return f64::NAN };
+            for left in (1..=MOST_PERIODS).rev() {
+                let time = flight.duration - f64::from(left) * self.period;
+                let here = flight.motion.at(time);
+                let phase = flight.from.phase + frequency * time;
+                let from = State { position: here.position, velocity: here.velocity, phase };
+                let jacobian = oscillator.flow::<1>(from, self.period).jacobian;
+                stretch(jacobian.fixed_columns::<2>(flow_variable::POSITION).into_owned(), self.period);
+            }
+            return growth / time;
+        }
+        for pair in self.flights.windows(2) {
+            let (FlightEnd::Impact(impact), FlightEnd::Impact(_)) = (pair[0].end, pair[1].end) else {
+                continue;
+            };
+            let reset = oscillator.reset::<1>(OnWall::new(impact.velocity, impact.phase)).derivative();
+            let flight = &pair[1];
+            let jacobian = oscillator.flow_along::<1>(&flight.motion, flight.from, flight.duration).jacobian;
+            let column = |variable: usize| jacobian.column(variable).into_owned();
+            let (by_velocity, by_phase) = (column(flow_variable::VELOCITY), column(flow_variable::PHASE));
+            let by_time = column(flow_variable::DURATION);
+            // What x is off by at the time of the impact is made up for by the time.
+            let on_wall = |by: Vector2<f64>, phase: f64| {
+                let late = -by[0] / by_time[0];
+                Vector2::new(by[1] + by_time[1] * late, phase + frequency * late)
+            };
+            let flown = Matrix2::from_columns(&[on_wall(by_velocity, 0.0), on_wall(by_phase, 1.0)]);
+            stretch(flown * reset, flight.duration);
+        }
+        growth / time
+    }
+}
+
+/// The forcing periods after which motion without impacts comes again, from a time on.
+fn comes_again<M: Motion>(flight: &Flight<M>, from: f64, period: f64) -> Option<u32> {
+    let start = (from - flight.start).max(0.0);
+    let state = |time: f64| {
+        let here = flight.motion.at(time);
+        Vector2::new(here.position, here.velocity * period)
+    };
+    let first = state(start);
+    (1..=MOST_PERIODS).find(|periods| {
+        let time = start + f64::from(*periods) * period;
+        time <= flight.duration && (state(time) - first).norm() < SAME
+    })
+}
+
+/// The highest point of the last forcing period of a flight, as it is sampled.
+fn highest<M: Motion>(flight: &Flight<M>, period: f64) -> f64 {
+    let points = sampled(&flight.motion, 0.0, flight.duration, period);
+    let last = points.len().saturating_sub(200);
+    points[last..].iter().map(|point| point[1]).fold(f64::NEG_INFINITY, f64::max)
+}
