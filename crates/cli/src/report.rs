@@ -93,7 +93,7 @@ fn assemble<'a>(
     let study = Study::new(parameters).with_progress(&display);
     let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
     for output in outputs::ALL {
-        let (Made { svg, tables: shown, notes, gaps }, files) =
+        let (Made { svg, tables: shown, notes, gaps, .. }, files) =
             match output.files(&study, &Edition::default()) {
                 Ok(made) => made,
                 Err(failure) => {

@@ -78,11 +78,11 @@ impl<'c> Panel<'c> {
         points.iter().map(|&point| self.spot(point)).collect()
     }
 
-    /// A polyline, clipped to the frame; returns its pieces on the sheet.
+    /// A polyline, clipped to the frame with all of its ink; returns its pieces on the sheet.
     pub(crate) fn line(&self, points: &[(f64, f64)], pen: Pen) -> Vec<Vec<Spot>> {
         let pieces: Vec<_> =
             clip_polyline(&self.frame, points).iter().map(|piece| self.spots(piece)).collect();
-        pieces.iter().for_each(|piece| self.canvas.line(piece, pen));
+        pieces.iter().for_each(|piece| self.canvas.line_within(&self.bounds, piece, pen));
         pieces
     }
 

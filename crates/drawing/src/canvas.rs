@@ -36,6 +36,8 @@ pub(crate) struct Canvas {
     root: DrawingArea<SvgBackend, Shift>,
     /// Every label drawn so far and the box of its ink.
     texts: RefCell<Vec<(String, Bounds)>>,
+    /// The boxes to which lines are clipped.
+    clips: RefCell<Vec<Bounds>>,
 }
 
 impl Canvas {
@@ -44,7 +46,8 @@ impl Canvas {
         let size = in_hundredths((width, height));
         let backend = Rc::new(RefCell::new(SvgBackend::new(size)));
         let root = DrawingArea::from(&backend);
-        Ok(Canvas { backend, root, fonts: Fonts::load()?, width, height, texts: RefCell::default() })
+        let (fonts, texts, clips) = (Fonts::load()?, RefCell::default(), RefCell::default());
+        Ok(Canvas { backend, root, fonts, width, height, texts, clips })
     }
 
     /// Draws an element: its spots, and what is written of them.
@@ -59,12 +62,45 @@ impl Canvas {
         self.backend.borrow_mut().write(element);
     }
 
-    /// An open line; one shorter than print resolution is none.
+    /// A line, closed if it ends where it begins; one shorter than print resolution is none.
     pub(crate) fn line(&self, spots: &[Spot], pen: Pen) {
-        self.draw(spots, |path| match path_data(&simplify(path), false) {
-            data if data.contains('L') => format!("<path d=\"{data}\"{}/>", stroke(Some(pen))),
-            _ => String::new(),
+        self.attributed_line(spots, &stroke(Some(pen)));
+    }
+
+    /// A line of which no ink leaves a box.
+    pub(crate) fn line_within(&self, bounds: &Bounds, spots: &[Spot], pen: Pen) {
+        let reach = bounds.grown(-0.5 * pen.width);
+        let close = |&(x, y): &Spot| !reach.holds(&Bounds::about((x, y), 0.0, 0.0));
+        let clip = if spots.iter().any(close) { self.clip(bounds) } else { String::new() };
+        self.attributed_line(spots, &(stroke(Some(pen)) + &clip));
+    }
+
+    fn attributed_line(&self, spots: &[Spot], attributes: &str) {
+        self.draw(spots, |path| {
+            let path = simplify(path);
+            let closed = path.len() > 3 && path.first() == path.last();
+            match path_data(&path[..path.len() - usize::from(closed)], closed) {
+                data if data.contains('L') => format!("<path d=\"{data}\"{attributes}/>"),
+                _ => String::new(),
+            }
         });
+    }
+
+    /// The attribute that clips to a box.
+    fn clip(&self, bounds: &Bounds) -> String {
+        let mut clips = self.clips.borrow_mut();
+        let known = clips.iter().position(|known| known == bounds);
+        let number = known.unwrap_or_else(|| {
+            let Bounds { left, top, right, bottom } = *bounds;
+            let [x, y, width, height] = [left, top, right - left, bottom - top].map(points);
+            let number = clips.len();
+            self.note(&format!(
+                "<clipPath id=\"clip{number}\"><rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"/></clipPath>"
+            ));
+            clips.push(*bounds);
+            number
+        });
+        format!(" clip-path=\"url(#clip{number})\"")
     }
 
     /// A filled and perhaps outlined polygon.

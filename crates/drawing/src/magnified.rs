@@ -37,13 +37,7 @@ pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_
             labels.placer.keep_off(&piece);
         }
     }
-    let frame = &panel.bounds;
-    let seen = Bounds {
-        left: whole.left.max(frame.left),
-        top: whole.top.max(frame.top),
-        right: whole.right.min(frame.right),
-        bottom: whole.bottom.min(frame.bottom),
-    };
+    let seen = whole.common(panel.bounds);
     (seen.left <= seen.right && seen.top <= seen.bottom).then_some(seen)
 }
 

@@ -19,6 +19,7 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 pub struct Figure {
     pub(crate) tree: Tree,
     title: String,
+    description: String,
 }
 
 impl Figure {
@@ -30,9 +31,12 @@ impl Figure {
         let options = Options { dpi: UNITS_PER_INCH, fontdb: fonts(), ..Options::default() };
         let parsing = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
         let document = Document::parse_with_options(svg, parsing).map_err(resvg::usvg::Error::from)?;
-        let title = document.descendants().find(|node| node.has_tag_name((SVG, "title")));
-        let title = title.and_then(|node| node.text()).unwrap_or_default().to_owned();
-        let figure = Figure { tree: Tree::from_xmltree(&document, &options)?, title };
+        let told = |element| {
+            let found = document.descendants().find(|node| node.has_tag_name((SVG, element)));
+            found.and_then(|node| node.text()).unwrap_or_default().to_owned()
+        };
+        let (title, description) = (told("title"), told("desc"));
+        let figure = Figure { tree: Tree::from_xmltree(&document, &options)?, title, description };
         geometry::ensure_glyphs(&figure.tree)?;
         Ok(figure)
     }
@@ -40,6 +44,11 @@ impl Figure {
     /// The title that the SVG carries; empty if it carries none.
     pub fn title(&self) -> &str {
         &self.title
+    }
+
+    /// What it shows, in the words that the SVG carries for readers who cannot see it; empty if it carries none.
+    pub fn description(&self) -> &str {
+        &self.description
     }
 
     /// Width and height of the sheet, in points.

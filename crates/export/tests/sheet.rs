@@ -99,15 +99,20 @@ fn labels_have_ink_within_their_boxes_and_scripts_their_rise_and_fall() {
 }
 
 #[test]
-fn shapes_tell_their_stroke_and_whether_they_are_clipped() {
-    let strokes: Vec<_> = sample().shapes().iter().map(|shape| (shape.stroke, shape.clipped)).collect();
-    let (filled, two, four) = (None, Some(2.0), Some(4.0));
-    let wanted = [(filled, false), (two, false), (two, false), (filled, false), (four, true)];
-    assert_eq!(strokes.len(), wanted.len());
-    for (found, wanted) in strokes.iter().zip(wanted) {
-        let width = |stroke: Option<f64>| (stroke.unwrap_or(0.0) * 1e4).round();
-        assert_eq!((width(found.0), found.1), (width(wanted.0), wanted.1), "to 32-bit numbers");
-    }
+fn shapes_tell_their_stroke_and_what_a_clip_path_leaves_of_them() {
+    let shapes = sample().shapes();
+    let found: Vec<_> = shapes
+        .iter()
+        .map(|shape| (shape.stroke.map(f64::round), shape.bounds.right.round(), shape.filled))
+        .collect();
+    let wanted = [
+        (None, 170.0, true),
+        (Some(2.0), 150.0, false),
+        (Some(2.0), 150.0, false),
+        (None, 60.0, true),
+        (Some(4.0), 85.0, false),
+    ];
+    assert_eq!(found, wanted, "in points");
 }
 
 #[test]

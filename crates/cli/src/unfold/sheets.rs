@@ -44,6 +44,13 @@ pub(crate) struct Sheet {
     pub(crate) kind: SheetKind,
 }
 
+impl Sheet {
+    /// The name of its file without the ending.
+    pub(crate) fn name(&self) -> &str {
+        self.file.trim_end_matches(".svg")
+    }
+}
+
 /// What a figure shows.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum SheetKind {
