@@ -12,6 +12,7 @@ use crate::DrawingError;
 use crate::canvas::{Anchor, Canvas};
 use crate::clip::{clip_polygon, clip_polyline, hatching};
 use crate::font::Fonts;
+use crate::legend::Sample;
 use crate::markup::Label;
 use crate::numbers::{Direction, Numbers};
 use crate::sheet::{Bounds, Spot};
@@ -131,10 +132,12 @@ impl<'c> Panel<'c> {
         let (canvas, centre) = (self.canvas, self.spot(point));
         let size = match marker {
             Marker::Triangle => {
+                canvas.explain("resonant grazing bifurcation", Sample::Triangle);
                 canvas.polygon(&triangle(centre, TRIANGLE_SIZE), MARKER, Some(MARKER_RIM));
                 TRIANGLE_SIZE
             }
             Marker::Disc => {
+                canvas.explain("another codimension-two point", Sample::Disc);
                 canvas.disc(centre, DISC_RADIUS, MARKER, Some(MARKER_RIM));
                 2.0 * DISC_RADIUS
             }
@@ -292,7 +295,7 @@ fn star((x, y): Spot, radius: f64) -> Vec<Spot> {
 }
 
 /// An upright triangle of equal sides with its centroid at the spot, up to the hundredths of the sheet.
-fn triangle((x, y): Spot, side: f64) -> [Spot; 3] {
+pub(crate) fn triangle((x, y): Spot, side: f64) -> [Spot; 3] {
     // Heights 1/sqrt(3) above the centroid and 1/(2 sqrt(3)) below.
     let [up, down, half] = [0.577_35, 0.288_68, 0.5].map(|share| (100.0 * share * side).round() / 100.0);
     [(x, y - up), (x + half, y + down), (x - half, y + down)]

@@ -9,6 +9,7 @@ use plotters::drawing::DrawingArea;
 use crate::DrawingError;
 use crate::backend::{Element, SvgBackend};
 use crate::font::{Extent, Fonts, TEXT_FAMILY, style_sheet};
+use crate::legend::{Legend, Sample};
 use crate::markup::Label;
 use crate::sheet::{Bounds, Spot};
 use crate::simplify::simplify;
@@ -38,6 +39,7 @@ pub(crate) struct Canvas {
     texts: RefCell<Vec<(String, Bounds)>>,
     /// The boxes to which lines are clipped.
     clips: RefCell<Vec<Bounds>>,
+    legend: RefCell<Legend>,
 }
 
 impl Canvas {
@@ -46,8 +48,8 @@ impl Canvas {
         let size = in_hundredths((width, height));
         let backend = Rc::new(RefCell::new(SvgBackend::new(size)));
         let root = DrawingArea::from(&backend);
-        let (fonts, texts, clips) = (Fonts::load()?, RefCell::default(), RefCell::default());
-        Ok(Canvas { backend, root, fonts, width, height, texts, clips })
+        let (texts, clips, legend) = Default::default();
+        Ok(Canvas { backend, root, fonts: Fonts::load()?, width, height, texts, clips, legend })
     }
 
     /// Draws an element: its spots, and what is written of them.
@@ -55,6 +57,11 @@ impl Canvas {
         let points: Vec<Hundredths> = spots.iter().map(|&spot| in_hundredths(spot)).collect();
         let drawn = self.root.draw(&Element { points, write });
         drawn.expect("the backend cannot fail, and nobody else draws meanwhile");
+    }
+
+    /// Says in the legend what is drawn like the sample.
+    pub(crate) fn explain(&self, meaning: &str, sample: Sample) {
+        self.legend.borrow_mut().explain(meaning, sample);
     }
 
     /// Adds what puts no ink on the sheet.
@@ -238,13 +245,14 @@ impl Canvas {
              <svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {w} {h}\" \
              font-family=\"{TEXT_FAMILY}\" xml:space=\"preserve\" stroke-linejoin=\"round\" fill=\"none\" role=\"img\">\n\
              <title>{}</title>\n<desc>{}</desc>\n<style>\n{}</style>\n\
-             <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{}</svg>\n",
+             <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{}{}</svg>\n",
             points(width / POINTS_PER_MM),
             points(height / POINTS_PER_MM),
             escape(title),
             escape(description),
             style_sheet(),
             self.backend.borrow().body(),
+            self.legend.borrow().element(),
         );
         if document.len() > SIZE_LIMIT {
             let bytes = document.len();

@@ -10,9 +10,10 @@ use crate::canvas::Canvas;
 use crate::clip::checked;
 use crate::kinds::{Area, Trace, draw_curves, draw_points};
 use crate::labels::{Labels, Wanted};
+use crate::legend::Sample;
 use crate::magnified::{letter, rectangle};
 use crate::sheet::{Bounds, Spot, area};
-use crate::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth};
+use crate::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth, THIN_SECTION};
 
 /// A two-parameter bifurcation diagram; Figure 7 is one.
 #[derive(Debug, Clone, Copy)]
@@ -37,8 +38,19 @@ pub struct Diagram<'a> {
     pub frame: Frame,
     /// The panels of another sheet, whose frames are drawn.
     pub magnified: &'a [MagnifiedPanel],
-    /// The primary parameters and the secondary one of Figure 2, if it runs in this plane.
-    pub section: Option<([f64; 2], f64)>,
+    /// Where one-parameter diagrams run in this plane.
+    pub sections: &'a [Section],
+}
+
+/// Where a one-parameter diagram runs in the plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    /// The ends of the line: primary and secondary parameter.
+    pub ends: [(f64, f64); 2],
+    /// What the one-parameter diagram is called, as `Fig. 2`.
+    pub name: String,
+    /// Whether the line is one of many that may be long: it is thin then.
+    pub thin: bool,
 }
 
 /// Width in the paper.
@@ -57,6 +69,11 @@ pub(crate) const OFF_TRIANGLE: f64 = 5.4;
 
 /// Draws Figure 7. Paper: fig:G.
 pub fn draw_fig07(figure: &Figure7, width: SheetWidth) -> Result<String, DrawingError> {
+    let section = figure.section.map(|([from, to], up)| Section {
+        ends: [(from, up), (to, up)],
+        name: "Fig. 2".to_owned(),
+        thin: false,
+    });
     let diagram = Diagram {
         name: "fig07",
         title: "Two-parameter bifurcation diagram",
@@ -70,7 +87,7 @@ pub fn draw_fig07(figure: &Figure7, width: SheetWidth) -> Result<String, Drawing
         regions: &figure.regions,
         frame: figure.frame,
         magnified: &figure.magnified,
-        section: figure.section,
+        sections: section.as_slice(),
     };
     draw_diagram(&diagram, width)
 }
@@ -102,11 +119,13 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
         }
     }
     let drawn = draw_curves(&panel, &mut labels, shown_curves(diagram.curves));
-    let mut section_end = None;
-    if let Some(([from, to], up)) = diagram.section {
-        for piece in panel.line(&[(from, up), (to, up)], SECTION) {
+    let mut sections = Vec::new();
+    for section in diagram.sections {
+        let pen = if section.thin { THIN_SECTION } else { SECTION };
+        for piece in panel.line(&section.ends, pen) {
+            canvas.explain("where a one-parameter diagram runs", Sample::Line(pen));
             labels.placer.keep_off(&piece);
-            section_end = piece.last().copied();
+            sections.push((section, piece));
         }
     }
     let mut unnamed: Vec<(u32, Spot)> = Vec::new();
@@ -126,8 +145,13 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
     for (number, outline) in &boxes {
         letter(&mut labels, *number, outline)?;
     }
-    if let Some(end) = section_end {
-        labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Wanted::Around(end, 2.5))?;
+    for (section, line) in &sections {
+        let beside = Wanted::Beside(line);
+        let at_end = line.last().map(|&end| Wanted::Around(end, 2.5));
+        let wanted = if section.thin { Some(&beside) } else { at_end.as_ref() };
+        if let Some(wanted) = wanted {
+            labels.add(&section.name, SMALL_LABEL_SIZE, BLACK, wanted)?;
+        }
     }
     for (p, shape) in by_area(&shapes) {
         let text = format!("$p={p}$");
@@ -303,6 +327,21 @@ mod tests {
         sample.panels[1].frame = Frame { x: [left, left + 0.001], y: [low, low + 0.001] };
         assert_eq!(rectangles(&sample), 2);
         assert!(texts(&sample).contains(&"(b)".to_owned()));
+    }
+
+    #[test]
+    fn one_parameter_diagrams_are_shown_where_they_run() {
+        let sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
+        let ends = [(0.25, 0.0), (0.25, 1.0)];
+        let sections = [Section { ends, name: "diagram 1".to_owned(), thin: true }];
+        let diagram = Diagram { sections: &sections, ..sample.diagram() };
+        for width in WIDTHS {
+            let sheet = compose(&diagram, width).unwrap();
+            assert!(sheet.misplaced_texts().is_empty(), "{:?}", sheet.misplaced_texts());
+            assert!(sheet.texts().contains(&"diagram 1".to_owned()), "{:?}", sheet.texts());
+            let svg = sheet.finish("test", "", "").unwrap();
+            assert!(svg.contains("aria-label=\"where a one-parameter diagram runs\""));
+        }
     }
 
     #[test]

@@ -33,6 +33,7 @@ mod fig10;
 mod font;
 mod kinds;
 mod labels;
+mod legend;
 mod magnifications;
 mod magnified;
 mod markup;
@@ -50,7 +51,7 @@ mod style;
 mod svg;
 mod ticks;
 
-pub use diagram::{Diagram, draw_diagram, draw_fig07};
+pub use diagram::{Diagram, Section, draw_diagram, draw_fig07};
 pub use error::DrawingError;
 pub use fig02::draw_fig02;
 pub use fig04::draw_fig04;

@@ -203,7 +203,7 @@ impl SampleOscillator {
             regions: &self.regions,
             frame: self.frame,
             magnified: &self.panels,
-            section: None,
+            sections: &[],
         }
     }
 

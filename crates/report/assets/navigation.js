@@ -11,7 +11,8 @@ function markMore() {
 }
 bar.addEventListener("scroll", markMore, { passive: true });
 addEventListener("resize", markMore);
-markMore();
+// Not before the page is shown: it would have to be laid out first.
+requestAnimationFrame(markMore);
 
 const seen = new IntersectionObserver(
   (entries) => {

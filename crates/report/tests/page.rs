@@ -38,7 +38,7 @@ fn the_page_answers_to_pointer_keys_and_filters() {
         Spot {
             figure: "oscillator-one-diagram",
             sheet: (101.0, 52.0),
-            told: told(&["F0 = 2.025, A = −0.05", "Resonant grazing"]),
+            told: told(&["F0 = 2.025 N, A = −0.05", "Resonant grazing"]),
             hidden: false,
         },
     ];
@@ -59,7 +59,7 @@ fn the_checks_notice_a_page_that_does_not_answer() {
 
 #[test]
 fn a_page_about_an_oscillator_alone_answers_too() {
-    let told = ["F0 = 4, A = 1", "Saddle-node and grazing"].map(str::to_owned).to_vec();
+    let told = ["F0 = 4 N, A = 1", "Saddle-node and grazing"].map(str::to_owned).to_vec();
     let spot = Spot { figure: "oscillator-one-diagram", sheet: (180.0, 10.0), told, hidden: false };
     if let Some(results) = checked(&page(&sample::oscillators_alone()), &[spot], &[]) {
         assert_all_pass(&results);

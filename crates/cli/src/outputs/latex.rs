@@ -8,7 +8,7 @@ use grazing_reproduction::parameters::Parameters;
 use grazing_results::columns::{
     C_PD, C_SN, LOOPS, PRIMARY_AT_GRAZING, RESONANCE_INDEX, S_MINUS, S_PLUS, SECONDARY_AT_RESONANCE,
 };
-use grazing_results::{Cell, Column, GREEK, Table};
+use grazing_results::{Cell, Column, GREEK, Table, symbol};
 
 use crate::folder::MadeFile;
 
@@ -230,15 +230,29 @@ fn caption(title: &str) -> (Option<String>, String) {
     (number, format!("{}.", prose(&format!("{first}{}", letters.as_str()))))
 }
 
-/// Text for LaTeX, with letters that have a subscript, as g_p, as symbols.
+/// Text for LaTeX, with names of quantities as symbols: x, tau, g_p.
 fn prose(text: &str) -> String {
-    let word = |word: &str| match word.as_bytes() {
-        [letter, b'_', index] if letter.is_ascii_alphabetic() && index.is_ascii_alphanumeric() => {
-            format!("${word}$")
+    let is_name = |name: &str| {
+        let letter = |part: &str| part.len() == 1 || GREEK.iter().any(|(greek, _)| *greek == part);
+        match name.split_once('_') {
+            Some((stem, _)) => letter(stem),
+            // Of single letters those that the figures have; others may be words.
+            None => letter(name) && (name.len() > 1 || "npwxyz".contains(name)),
         }
-        _ => escaped(word),
     };
-    text.split_whitespace().map(word).collect::<Vec<_>>().join(" ")
+    let part_of_name = |character: char| character.is_ascii_alphanumeric() || character == '_';
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let (mut set, mut rest) = (String::new(), text.as_str());
+    while let Some(first) = rest.chars().next() {
+        let end = rest.find(|character| !part_of_name(character)).unwrap_or(rest.len());
+        let (word, after) = rest.split_at(end.max(if end == 0 { first.len_utf8() } else { 0 }));
+        match symbol(word).filter(|_| is_name(word)) {
+            Some(symbol) => set.push_str(&format!("${symbol}$")),
+            None => set.push_str(&escaped(word)),
+        }
+        rest = after;
+    }
+    set
 }
 
 /// The caption with references in the place of the numbers of figures that are included.
@@ -255,7 +269,10 @@ fn referring(caption: &str, floats: &[Float]) -> String {
 /// Text with the characters that LaTeX reserves escaped, and mathematical signs as commands.
 pub fn escaped(text: &str) -> String {
     /// Signs, and the Greek letters whose form is not that of their name.
-    const SIGNS: [(char, &str); 18] = [
+    const SIGNS: [(char, &str); 21] = [
+        ('<', "$<$"),
+        ('>', "$>$"),
+        ('|', "$|$"),
         ('\\', r"\textbackslash{}"),
         ('~', r"\textasciitilde{}"),
         ('^', r"\textasciicircum{}"),
@@ -338,8 +355,8 @@ mod tests {
     #[test]
     fn captions_are_sentences_without_the_number() {
         let number = Some("Figure 7".to_owned());
-        assert_eq!(caption("Figure 7: the diagram of g_p"), (number, "The diagram of $g_p$.".to_owned()));
-        assert_eq!(caption("Coefficients: a_bc"), (None, r"Coefficients: a\_bc.".to_owned()));
+        assert_eq!(caption("Figure 7: the diagram of g_p"), (number, "The diagram of $g_{p}$.".to_owned()));
+        assert_eq!(caption("Rows: ab_c (tau < x)"), (None, r"Rows: ab\_c ($\tau$ $<$ $x$).".to_owned()));
     }
 
     #[test]

@@ -2,7 +2,8 @@
 
 use grazing_description::Description;
 use grazing_drawing::{
-    Diagram, DrawingError, Magnifications, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
+    Diagram, DrawingError, Magnifications, Section, SheetWidth, draw_diagram, draw_magnifications,
+    draw_one_parameter,
 };
 use grazing_reproduction::unfolded::Rows;
 use grazing_results::branches::OneParameter;
@@ -77,6 +78,14 @@ pub(crate) fn figures(
 ) -> Result<Vec<Sheet>, DrawingError> {
     let (primary, secondary) = (description.primary(), description.secondary());
     let panels = panels(unfolded);
+    let section = |diagram: &OneParameter| {
+        let place = |across: f64| {
+            if diagram.primary_is_fixed { (diagram.at, across) } else { (across, diagram.at) }
+        };
+        let name = format!("diagram {}", diagram.diagram);
+        Section { ends: diagram.frame.x.map(place), name, thin: true }
+    };
+    let sections: Vec<Section> = unfolded.diagrams.iter().map(section).collect();
     let axes = format!("{} across, {} up.", primary.name(), secondary.name());
     let diagram = Diagram {
         name: "diagram",
@@ -92,7 +101,7 @@ pub(crate) fn figures(
         regions: &rows.regions,
         frame: Frame { x: primary.range(), y: secondary.range() },
         magnified: &panels,
-        section: None,
+        sections: &sections,
     };
     let mut figures = vec![Sheet {
         file: FILES[0].to_owned(),

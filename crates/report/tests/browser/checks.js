@@ -11,6 +11,7 @@ addEventListener("load", async () => {
 
   const loaded = performance.getEntriesByType("resource").filter((entry) => !entry.name.startsWith("data:"));
   check("nothing was loaded", loaded.length === 0, loaded.map((entry) => entry.name));
+  check("nothing is laid out before all is read", EARLY.length === 0, EARLY);
   await document.fonts.ready;
 
   // Light and dark.
@@ -118,6 +119,17 @@ addEventListener("load", async () => {
         if (said) empty += 1;
         check(`${figure.id}, panel ${index}: nothing is said to be nothing`, met || said, key);
       }
+      press("0");
+    }
+    // Dots of a cloud leave the lattice on which they are drawn while the figure is seen whole.
+    const cloud = svg.querySelector("path[transform*=scale]");
+    if (cloud) {
+      const dots = () => [...(cloud.getAttribute("d") ?? "").matchAll(/M([-\d.]+),([-\d.]+)/g)].map((found) => [Number(found[1]), Number(found[2])]);
+      const start = DOMPoint.fromPoint({ x: dots()[0][0], y: dots()[0][1] }).matrixTransform(cloud.getScreenCTM());
+      sheet.focus();
+      sheet.dispatchEvent(new WheelEvent("wheel", { deltaY: -1200, clientX: start.x, clientY: start.y, cancelable: true }));
+      const places = () => new Set(dots().map(([x]) => ((((x - dots()[0][0]) / zoom()) % 1) + 1.005) % 1 < 0.01));
+      check(`${figure.id}: dots lie where they belong`, await until(() => dots().length > 0 && places().has(false)), dots().slice(0, 9));
       press("0");
     }
     const middle = svg.getBoundingClientRect();

@@ -9,6 +9,8 @@ use std::time::{Duration, Instant};
 
 /// What the checks are, in the page's own language.
 const CHECKS: &str = include_str!("checks.js");
+/// Counts, in `EARLY`, what asks for the layout of the page before all of it is read, which delays its first appearance.
+const WATCH: &str = include_str!("watch.js");
 /// The names under which systems have the browser.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
 /// Longer than the slowest start of the browser on a busy machine.
@@ -50,7 +52,9 @@ pub(crate) fn checked(page: &str, spots: &[Spot<'_>], formulas: &[(&str, &str)])
     let script = format!(
         "<script>const SPOTS = [{spots}];\nconst FORMULAS = [{formulas}];\n{CHECKS}</script>\n</body>"
     );
-    fs::write(&file, page.replace("</body>", &script)).expect("the folder is ours");
+    let watched = format!("<head>\n<script>{WATCH}</script>");
+    let page = page.replacen("<head>", &watched, 1).replace("</body>", &script);
+    fs::write(&file, page).expect("the folder is ours");
     let dom = dump(browser, folder.path(), &format!("file://{}", file.display()));
     let result = dom.split("<pre id=\"checks\">").nth(1).and_then(|rest| rest.split("</pre>").next());
     let result =
