@@ -122,7 +122,10 @@ fn crossings(folder: &Path) -> Vec<String> {
             faults.push(format!("a shape crosses the frame: {:?}", shape.bounds));
         }
     }
-    let rectangles: Vec<&str> = svg.lines().filter(|line| line.contains(" stroke=\"#f08200\"")).collect();
+    let rectangles: Vec<&str> = svg
+        .lines()
+        .filter(|line| line.starts_with("<path") && line.contains(" stroke=\"#f08200\""))
+        .collect();
     let data = fs::read_to_string(folder.join("data/fig08_curves.csv")).expect("the table is there");
     let panels: BTreeSet<&str> = data.lines().skip(1).filter_map(|line| line.split(',').next()).collect();
     if rectangles.len() != panels.len() || panels.is_empty() {

@@ -12,7 +12,6 @@ use crate::DrawingError;
 use crate::canvas::{Anchor, Canvas};
 use crate::clip::{clip_polygon, clip_polyline, hatching};
 use crate::font::Fonts;
-use crate::legend::Sample;
 use crate::markup::Label;
 use crate::numbers::{Direction, Numbers};
 use crate::sheet::{Bounds, Spot};
@@ -132,12 +131,10 @@ impl<'c> Panel<'c> {
         let (canvas, centre) = (self.canvas, self.spot(point));
         let size = match marker {
             Marker::Triangle => {
-                canvas.explain("resonant grazing bifurcation", Sample::Triangle);
                 canvas.polygon(&triangle(centre, TRIANGLE_SIZE), MARKER, Some(MARKER_RIM));
                 TRIANGLE_SIZE
             }
             Marker::Disc => {
-                canvas.explain("another codimension-two point", Sample::Disc);
                 canvas.disc(centre, DISC_RADIUS, MARKER, Some(MARKER_RIM));
                 2.0 * DISC_RADIUS
             }

@@ -10,7 +10,7 @@ use crate::cloud::{LONG_TIME, draw_cloud};
 use crate::kinds::{label, pen, text_colour};
 use crate::labels::{Labels, Wanted};
 use crate::legend::Sample;
-use crate::sheet::{Bounds, Spot, length};
+use crate::sheet::{Bounds, Spot, length, near};
 use crate::style::{
     CLOUD, LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, SMALL_LABEL_SIZE, STABLE_WIDTH, THRESHOLD,
     UNSTABLE_WIDTH, branch_pen,
@@ -53,6 +53,7 @@ pub(crate) fn diagram(
     }
     draw_cloud(panel, cloud);
     let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();
+    let mut pieces = Vec::new();
     for branch in branches {
         for piece in branch_pieces(panel, branch) {
             if branch.p > 0 {
@@ -61,6 +62,7 @@ pub(crate) fn diagram(
                     .explain(&format!("$p={}$", branch.p), Sample::Line(branch_pen(branch.p, STABLE_WIDTH)));
             }
             labels.placer.keep_off(&piece);
+            pieces.push(piece.clone());
             match longest.iter_mut().find(|(p, _)| *p == branch.p) {
                 Some((_, best)) if length(best) >= length(&piece) => {}
                 Some((_, best)) => *best = piece,
@@ -94,9 +96,12 @@ pub(crate) fn diagram(
     }
     for (p, piece) in &longest {
         let text = if *p == 0 { "non-impacting".to_owned() } else { format!("$p={p}$") };
-        labels.add(&text, SMALL_LABEL_SIZE, branch_pen(*p, 1.0).colour, &Wanted::Beside(piece))?;
+        labels.name_curve(&text, SMALL_LABEL_SIZE, branch_pen(*p, 1.0).colour, piece)?;
     }
-    if let (true, Some(&dot)) = (every_loop, dots.get(dots.len() / 2)) {
+    // Where dots lie beside the branches, they cannot be taken for these; a few hundred show where.
+    let mut some = dots.iter().step_by(1 + dots.len() / 300).rev();
+    let beside = some.find(|&&dot| pieces.iter().all(|piece| !near(piece, dot, 6.0)));
+    if let (true, Some(&dot)) = (every_loop, beside.or(dots.last())) {
         let wanted = Wanted::Around(dot, 2.0);
         labels.add(LONG_TIME, SMALL_LABEL_SIZE, CLOUD[2].colour, &wanted)?;
     }

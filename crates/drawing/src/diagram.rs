@@ -124,7 +124,11 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
         let pen = if section.thin { THIN_SECTION } else { SECTION };
         for piece in panel.line(&section.ends, pen) {
             canvas.explain("where a one-parameter diagram runs", Sample::Line(pen));
-            labels.placer.keep_off(&piece);
+            if section.thin {
+                labels.placer.keep_off_nameless(&piece);
+            } else {
+                labels.placer.keep_off(&piece);
+            }
             sections.push((section, piece));
         }
     }
@@ -146,11 +150,10 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
         letter(&mut labels, *number, outline)?;
     }
     for (section, line) in &sections {
-        let beside = Wanted::Beside(line);
-        let at_end = line.last().map(|&end| Wanted::Around(end, 2.5));
-        let wanted = if section.thin { Some(&beside) } else { at_end.as_ref() };
-        if let Some(wanted) = wanted {
-            labels.add(&section.name, SMALL_LABEL_SIZE, BLACK, wanted)?;
+        let beside =
+            section.thin && labels.add(&section.name, SMALL_LABEL_SIZE, BLACK, &Wanted::Beside(line))?;
+        if let (false, Some(&end)) = (beside, line.last()) {
+            labels.add(&section.name, SMALL_LABEL_SIZE, BLACK, &Wanted::Around(end, 2.5))?;
         }
     }
     for (p, shape) in by_area(&shapes) {

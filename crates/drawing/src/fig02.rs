@@ -20,7 +20,7 @@ const WIDTH_MM: f64 = 156.0;
 const SIDE_BY_SIDE_MM: f64 = 120.0;
 /// Height of the diagram and of its magnification with their numbers and titles, in points.
 const DIAGRAM_HEIGHT: f64 = 222.83;
-const STACKED_HEIGHT: f64 = 126.0;
+const STACKED_HEIGHT: f64 = 121.0;
 /// Room for the portraits' letters above the diagram, and above the magnification, in points.
 const LETTERS: f64 = 18.0;
 const STACKED_GAP: f64 = 8.0;

@@ -9,6 +9,7 @@ use crate::canvas::Canvas;
 use crate::clip::checked;
 use crate::kinds::{Trace, draw_curves, label, shade, text_colour};
 use crate::labels::{Labels, Wanted};
+use crate::legend::Sample;
 use crate::sheet::{Bounds, Spot};
 use crate::style::{BLACK, LABEL_SIZE, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE};
 
@@ -59,6 +60,7 @@ pub fn draw_fig05(figure: &Figure5, width: SheetWidth) -> Result<String, Drawing
     let drawn = draw_curves(&panel, &mut labels, curves);
     for point in figure.points.iter().map(|point| (point.mu, point.eta)) {
         if let Some(taken) = panel.marker(point, Marker::Triangle) {
+            canvas.explain("resonant grazing bifurcation", Sample::Triangle);
             labels.placer.block(taken.grown(0.5));
         }
     }

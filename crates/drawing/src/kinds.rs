@@ -89,8 +89,13 @@ pub(crate) fn draw_points<'a>(
 ) -> Vec<(&'a SpecialPoint, Bounds)> {
     let mut drawn = Vec::new();
     for (marker, resonances) in [(Marker::Disc, false), (Marker::Triangle, true)] {
+        let (meaning, sample) = match resonances {
+            true => ("resonant grazing bifurcation", Sample::Triangle),
+            false => ("another codimension-two point", Sample::Disc),
+        };
         for point in points.iter().filter(|point| (point.kind == CodimensionTwo::Resonance) == resonances) {
             if let Some(taken) = panel.marker((point.primary, point.secondary), marker) {
+                panel.canvas.explain(meaning, sample);
                 labels.placer.block(taken.grown(0.5));
                 drawn.push((point, taken));
             }

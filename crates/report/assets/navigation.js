@@ -11,8 +11,8 @@ function markMore() {
 }
 bar.addEventListener("scroll", markMore, { passive: true });
 addEventListener("resize", markMore);
-// Not before the page is shown: it would have to be laid out first.
-requestAnimationFrame(markMore);
+// Not before the page is there: it would have to be laid out for this.
+addEventListener("load", markMore);
 
 const seen = new IntersectionObserver(
   (entries) => {

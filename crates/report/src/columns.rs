@@ -6,7 +6,7 @@ use askama::filters::Safe;
 use grazing_results::Table;
 
 use crate::Report;
-use crate::formula::shown;
+use crate::formula::{shown, words};
 use crate::html::{Html, escape, json_string};
 
 /// A symbol as the page shows it; names in it may be of several words.
@@ -26,7 +26,7 @@ pub(crate) fn heading(table: &Table, place: usize) -> Html {
 
 /// A unit after what is counted in it; nothing without one.
 pub(crate) fn in_parentheses(unit: &str) -> String {
-    if unit.is_empty() { String::new() } else { format!(" ({})", escape(unit)) }
+    if unit.is_empty() { String::new() } else { format!(" ({})", words(unit).0) }
 }
 
 /// What a column is called: its symbol, or its name in words.

@@ -221,7 +221,7 @@ mod tests {
     #[test]
     fn units_stand_in_headings_and_ranges() {
         let html = page(&sample::oscillators_alone());
-        for told in ["</math> (N)</th>", "in N\"", "(N/A^2)", "to 4 N</dd>"] {
+        for told in ["</math> (N)</th>", "in N\"", "(N/A<sup>2</sup>)", "to 4 N</dd>"] {
             assert!(html.contains(told), "{told}");
         }
     }

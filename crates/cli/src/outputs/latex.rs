@@ -54,7 +54,7 @@ fn tabular(table: &Table, title: &str) -> String {
         };
         match table.units[place].as_str() {
             "" => name,
-            unit => format!("{name} ({})", escaped(unit)),
+            unit => format!("{name} ({})", raised(unit)),
         }
     };
     let headings: Vec<String> = places.iter().map(heading).collect();
@@ -71,6 +71,17 @@ fn tabular(table: &Table, title: &str) -> String {
         let _ = writeln!(text, "  {} \\\\", cells.join(" & "));
     }
     text.push_str("  \\bottomrule\n\\end{tabular}\n");
+    text
+}
+
+/// A unit with its powers raised.
+fn raised(unit: &str) -> String {
+    let mut parts = unit.split('^');
+    let mut text = escaped(parts.next().unwrap_or_default());
+    for part in parts {
+        let end = part.find(|c: char| !(c.is_ascii_digit() || c == '-')).unwrap_or(part.len());
+        text.push_str(&format!("$^{{{}}}${}", &part[..end], escaped(&part[end..])));
+    }
     text
 }
 

@@ -121,15 +121,18 @@ addEventListener("load", async () => {
       }
       press("0");
     }
-    // Dots of a cloud leave the lattice on which they are drawn while the figure is seen whole.
-    const cloud = svg.querySelector("path[transform*=scale]");
-    if (cloud) {
-      const dots = () => [...(cloud.getAttribute("d") ?? "").matchAll(/M([-\d.]+),([-\d.]+)/g)].map((found) => [Number(found[1]), Number(found[2])]);
-      const start = DOMPoint.fromPoint({ x: dots()[0][0], y: dots()[0][1] }).matrixTransform(cloud.getScreenCTM());
+    // Dots of a cloud lie where they belong however far one zooms, not in the bins in which they are drawn on the whole figure.
+    const cloud = (await readTables(`data-${figure.id}`)).find((table) => table.name.endsWith("_attractor"));
+    const panel = cloud && readPanels(svg).find(({ tables }) => tables?.includes(cloud.name));
+    for (const row of cloud ? [0, Math.floor(cloud.rows / 2), cloud.rows - 1] : []) {
+      const spot = panel.toSheet(...panel.columns.map((column) => Number(cloud.column(column)[row])));
+      const pointer = new DOMPoint(spot.x, spot.y).matrixTransform(svg.getScreenCTM());
       sheet.focus();
-      sheet.dispatchEvent(new WheelEvent("wheel", { deltaY: -1200, clientX: start.x, clientY: start.y, cancelable: true }));
-      const places = () => new Set(dots().map(([x]) => ((((x - dots()[0][0]) / zoom()) % 1) + 1.005) % 1 < 0.01));
-      check(`${figure.id}: dots lie where they belong`, await until(() => dots().length > 0 && places().has(false)), dots().slice(0, 9));
+      sheet.dispatchEvent(new WheelEvent("wheel", { deltaY: -1500, clientX: pointer.x, clientY: pointer.y, cancelable: true }));
+      const dots = () => all("path[transform*=scale]", svg).flatMap((node) =>
+        [...node.getAttribute("d").matchAll(/M([-\d.]+),([-\d.]+)/g)].map(([, x, y]) => new DOMPoint(Number(x) + 0.5, Number(y)).matrixTransform(node.getScreenCTM())));
+      const met = () => dots().some(({ x, y }) => Math.hypot(x - pointer.x, y - pointer.y) < 0.1 * svg.getScreenCTM().a);
+      check(`${figure.id}: the dot of row ${row} lies where it belongs`, await until(met), [pointer.x, pointer.y, dots().length, zoom()]);
       press("0");
     }
     const middle = svg.getBoundingClientRect();
