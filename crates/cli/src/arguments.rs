@@ -9,6 +9,7 @@ use grazing_claims::ledger::ClaimKind;
 use grazing_drawing::SheetWidth;
 use grazing_source::Setting;
 
+use crate::family::{Part, Variation};
 use crate::outputs;
 use crate::outputs::edition::Format;
 
@@ -108,6 +109,9 @@ Examples:
                                          --set 'impact.restitution=\"0.8\"'
   cargo xtask unfold examples/*.toml     all examples, each into a folder of its own
   cargo xtask unfold mine.toml --format pdf --columns one --output figures-of-mine
+  cargo xtask unfold mine.toml --vary zeta=0.01:0.1:10 --vary kappa=0:0.5:6
+                                         resonances, coefficients and codimension-two points for 60
+                                         oscillators, into families/mine/: family.svg, and data/
 
 The file names the parameters, their ranges, and gives force, forcing frequency, restitution and
 impact duration as expressions; `cargo xtask new` writes one to begin with, and examples/ has
@@ -120,6 +124,18 @@ Files are written whole, and only when everything is computed, a limit of time, 
 met, or Ctrl-C is pressed; what is missing then is named, and the exit code is 3. Pressed again,
 Ctrl-C ends the program at once. Until then the curves that are finished stand in
 data/curves.unfinished.csv.
+
+";
+
+const EXAMPLES_OF_MERGE: &str = "\
+Examples:
+  cargo xtask unfold mine.toml --vary zeta=0.01:0.1:40 --part 1/2
+  cargo xtask unfold mine.toml --vary zeta=0.01:0.1:40 --part 2/2
+  cargo xtask merge families/mine/parts/*.toml
+
+The parts may be computed anywhere and in any order. Merged, they give the same files, byte by byte,
+as one run without --part. workflows/ has a Snakemake workflow that computes and merges parts on one
+machine, a cluster or a cloud.
 
 ";
 
@@ -163,6 +179,9 @@ pub enum Command {
     /// Find and unfold the resonant grazing bifurcations of an oscillator from a text file
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_UNFOLD}{EXIT_CODES}"))]
     Unfold(Unfold),
+    /// Join the parts of a family that `unfold --part` computed
+    #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_MERGE}{EXIT_CODES}"))]
+    Merge(Merge),
     /// Write a description of an oscillator to begin with, to be changed and unfolded
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_NEW}{EXIT_CODES}"))]
     New(New),
@@ -274,6 +293,13 @@ pub struct Unfold {
     /// Value for a key of the files, in its place; a name alone is that of a constant
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<Setting>,
+    /// Resonances, coefficients and codimension-two points for several values of a constant, from FROM to TO; may be given
+    /// up to three times, for all combinations
+    #[arg(long, value_name = "NAME=FROM:TO:COUNT")]
+    pub vary: Vec<Variation>,
+    /// Compute only this part of the family, to be joined with the others by `merge`
+    #[arg(long, value_name = "K/N", requires = "vary")]
+    pub part: Option<Part>,
     /// Number of threads; the results do not depend on it [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
@@ -289,6 +315,23 @@ pub struct Unfold {
     /// Steps of integration after which it ends likewise [default: the file's, or 1e10]
     #[arg(long, value_name = "N", value_parser = positive)]
     pub step_limit: Option<f64>,
+}
+
+/// The arguments of `grazing merge`.
+#[derive(Debug, Args)]
+pub struct Merge {
+    /// All parts of a family, as `unfold --part` writes them
+    #[arg(value_name = "PART", required = true)]
+    pub parts: Vec<PathBuf>,
+    /// Folder for the results [default: families/NAME, as for a family that is computed in one run]
+    #[arg(long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Formats of the figures, separated by commas
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg", value_parser = picture_formats())]
+    pub format: Vec<Format>,
+    /// Width and resolution.
+    #[command(flatten)]
+    pub size: Size,
 }
 
 /// The arguments of `grazing new`.

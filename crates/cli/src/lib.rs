@@ -8,6 +8,7 @@ pub mod codecheck;
 pub mod compare;
 mod data_page;
 pub mod failure;
+pub mod family;
 pub mod folder;
 mod limits;
 mod new;
@@ -34,7 +35,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Compare(arguments) => compare::run(arguments),
         Command::Claims(arguments) => claims::run(arguments),
         Command::Report(arguments) => report::run(arguments),
+        Command::Unfold(arguments) if !arguments.vary.is_empty() => family::run(arguments),
         Command::Unfold(arguments) => unfold::run(arguments),
+        Command::Merge(arguments) => family::merge(arguments),
         Command::New(arguments) => new::run(arguments),
     }
 }

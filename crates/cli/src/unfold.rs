@@ -2,7 +2,7 @@
 
 mod explanation;
 mod keeper;
-mod layout;
+pub(crate) mod layout;
 mod listing;
 pub(crate) mod numbers;
 pub(crate) mod reason;
@@ -128,7 +128,7 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
 }
 
 /// What was set: `kappa` alone is a constant, `parameters.kappa`.
-fn settings(set: &[Setting]) -> Vec<Setting> {
+pub(crate) fn settings(set: &[Setting]) -> Vec<Setting> {
     let full = |setting: &Setting| {
         let named = setting.key().contains('.') || setting.key() == "name";
         if named { setting.clone() } else { setting.within("parameters") }

@@ -38,7 +38,7 @@ impl Bifurcation {
 }
 
 /// A bifurcation of codimension two.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 pub enum CodimensionTwo {
     /// A resonance on the grazing curve of the non-impacting solution, from which SN and PD curves leave.
     Resonance,

@@ -49,6 +49,6 @@ mod follow;
 pub mod locate;
 pub mod mps;
 pub mod newton;
-mod regula_falsi;
+pub mod regula_falsi;
 pub mod resonance;
 pub mod tolerances;

@@ -9,7 +9,7 @@ use crate::tolerances::FALSE_POSITIONS;
 ///
 /// # Errors
 /// `at` fails.
-pub(crate) fn zero_between<T, E>(
+pub fn zero_between<T, E>(
     values: [f64; 2],
     mut at: impl FnMut(f64) -> Result<(T, f64), E>,
     enough: impl Fn(&T, f64) -> bool,

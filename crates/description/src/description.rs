@@ -7,7 +7,7 @@ use grazing_model::smooth::{Scalar, SmoothOscillator, Units};
 use grazing_source::{Setting, Source, Text};
 
 use crate::error::DescriptionError;
-use crate::expression::Expression;
+use crate::expression::{Expression, ExpressionError};
 use crate::file::{MOST_DIAGRAMS, MOST_LOOPS};
 use crate::{checks, file, validate};
 
@@ -313,6 +313,17 @@ impl Description {
         }
         content.diagrams.clear();
         Description(Arc::new(content))
+    }
+
+    /// The same oscillator with another value of a constant; a name that is no constant's changes nothing. What the theorems assume is not
+    /// checked again.
+    ///
+    /// # Errors
+    /// An expression has no value with it, as 1/kappa for kappa = 0.
+    pub fn with_constant(&self, name: &str, value: f64) -> Result<Description, ExpressionError> {
+        let mut constants = self.0.constants.clone();
+        constants.iter_mut().filter(|(known, _)| known == name).for_each(|(_, old)| *old = value);
+        Ok(Description(Arc::new(validate::with_constants(&self.0, constants)?)))
     }
 
     /// The same oscillator with other numbers of loops p to analyse.

@@ -6,7 +6,7 @@ use grazing_source::{Section, SourceError};
 
 use crate::description::{Axis, Content, Description, Limits, OneParameter, Side, Texts, Wall};
 use crate::error::{DescriptionError, KeyPlace};
-use crate::expression::{Expression, from_the_wall};
+use crate::expression::{Expression, ExpressionError, from_the_wall};
 use crate::file::{MOST_DIAGRAMS, MOST_LOOPS, MOST_PORTRAITS};
 use crate::names;
 
@@ -128,6 +128,31 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
         duration: duration_place,
     };
     Ok((Description(Arc::new(content)), places))
+}
+
+/// The same with other values of the constants.
+pub(crate) fn with_constants(
+    content: &Content,
+    constants: Vec<(String, f64)>,
+) -> Result<Content, ExpressionError> {
+    let values: Vec<_> = constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+    let axes = [content.primary.name.as_str(), content.secondary.name.as_str()];
+    let expression = |text: &str, (_, variables, moving): (&str, &[&str], usize)| {
+        let variables = [variables, &axes].concat();
+        Ok(Expression::parse_with_uses(text, &variables, moving, &values)?.0)
+    };
+    let Content { wall, texts, .. } = content;
+    let names = ["x", "v", "t", axes[0], axes[1]];
+    let [force, x, v] = from_the_wall(&texts.force, &texts.wall, wall.side.sign(), &names, &values)?;
+    Ok(Content {
+        force,
+        wall: Wall { side: wall.side, outside: [x, v] },
+        frequency: expression(&texts.frequency, FREQUENCY)?,
+        restitution: expression(&texts.restitution, RESTITUTION)?,
+        duration: expression(&texts.duration, DURATION)?,
+        constants,
+        ..content.clone()
+    })
 }
 
 fn side(wall: &Section<'_>) -> Result<Side, SourceError> {

@@ -25,6 +25,7 @@ mod clip;
 mod cloud;
 mod diagram;
 mod error;
+mod family;
 mod fig02;
 mod fig04;
 mod fig05;
@@ -53,6 +54,7 @@ mod ticks;
 
 pub use diagram::{Diagram, Section, draw_diagram, draw_fig07};
 pub use error::DrawingError;
+pub use family::draw_family;
 pub use fig02::draw_fig02;
 pub use fig04::draw_fig04;
 pub use fig05::draw_fig05;

@@ -104,7 +104,7 @@ fn draw_sheet(
     let (panels, fonts) = (&all[panels], Fonts::load()?);
     let frames: Vec<_> = panels.iter().map(|panel| panel.frame).collect();
     let captions: Vec<Caption> = panels.iter().map(Caption::new).collect();
-    let mut grid = Grid::new(&fonts, width, all.len(), &frames, up)?;
+    let mut grid = Grid::new(&fonts, width, all.len(), &frames, &vec![up.as_str(); frames.len()])?;
     // All captions of a sheet are alike: if one needs two lines for its coefficients, each has two.
     let mut split = false;
     for (place, caption) in captions.iter().enumerate() {

@@ -72,24 +72,24 @@ impl Grid {
         (0..panels).step_by(each).map(|first| first..(first + each).min(panels)).collect()
     }
 
-    /// The grid of a sheet that shows these frames, `panels` being the number of panels on all sheets.
+    /// The grid of a sheet that shows these frames with titles on their vertical axes, `panels` being the number of panels on all sheets.
     pub(crate) fn new(
         fonts: &Fonts,
         width: SheetWidth,
         panels: usize,
         frames: &[Frame],
-        title: &str,
+        titles: &[&str],
     ) -> Result<Self, DrawingError> {
         let width_mm = width.mm(WIDTH_MM);
         let (columns, row_mm) = row(width_mm, panels);
         let height = row_mm * POINTS_PER_MM - TOP - BOTTOM;
-        let mut all_titled = false;
+        let mut all_titled = titles.windows(2).any(|pair| pair[0] != pair[1]);
         for frame in frames {
             all_titled |= !Numbers::along(fonts, frame.y, height, Direction::Up)?.are_plain();
         }
         let mut rooms: Vec<f64> = vec![LEFT; columns];
         rooms[0] = FIRST_LEFT;
-        for (place, frame) in frames.iter().enumerate() {
+        for (place, (frame, title)) in frames.iter().zip(titles).enumerate() {
             let column = place % columns;
             let title = if column == 0 || all_titled { title } else { "" };
             let needed = room_beside(fonts, frame.y, height, title)? + if column == 0 { 0.0 } else { GAP };
@@ -181,7 +181,9 @@ mod tests {
         let frame = Frame { x: [0.123_456, 0.123_466], y: [0.5, 0.6] };
         for panels in 1..=9 {
             for width in [SheetWidth::Paper, SheetWidth::TwoColumns] {
-                let mut grid = Grid::new(&fonts, width, panels, &vec![frame; panels], "amplitude").unwrap();
+                let mut grid =
+                    Grid::new(&fonts, width, panels, &vec![frame; panels], &vec!["amplitude"; panels])
+                        .unwrap();
                 grid.add_heading_line();
                 let sheet = Bounds {
                     left: 0.0,

@@ -6,6 +6,7 @@
 mod coefficients;
 mod diagram;
 mod error;
+pub mod family;
 mod fig01;
 mod fig02;
 mod fig03;

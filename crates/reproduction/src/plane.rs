@@ -7,6 +7,7 @@ use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_results::branches::OneParameterRows;
+use grazing_results::family::Family;
 use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionKind, RegionVertex, Source, SpecialPoint};
 use grazing_results::{Names, UnitNames};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
@@ -29,17 +30,18 @@ pub struct Axes {
 impl Axes {
     /// Axes of these names.
     pub fn new(primary: &str, secondary: &str, units: Units) -> Self {
-        let tables = Rows::TABLES.iter().chain(OneParameterRows::TABLES);
-        let columns = tables.flat_map(|table| table.columns);
-        let taken: Vec<_> = columns.map(|column| column.name).collect();
-        let own = |name: &str| {
-            let mut name = name.to_owned();
-            while taken.contains(&name.as_str()) {
-                name.push('_');
-            }
-            name
-        };
-        Self { names: Names::new(&own(primary), &own(secondary)), units }
+        Self { names: Names::new(&Self::own(primary), &Self::own(secondary)), units }
+    }
+
+    /// A parameter's name as the header of a column: not that of another one.
+    pub(crate) fn own(name: &str) -> String {
+        let tables = Rows::TABLES.iter().chain(OneParameterRows::TABLES).chain(Family::TABLES);
+        let taken: Vec<_> = tables.flat_map(|table| table.columns).map(|column| column.name).collect();
+        let mut name = name.to_owned();
+        while taken.contains(&name.as_str()) {
+            name.push('_');
+        }
+        name
     }
 
     /// The same axes with names of the units.

@@ -5,7 +5,7 @@ mod tables;
 
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::Window;
-use grazing_description::Description;
+use grazing_description::{Axis, Description};
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Units};
 use grazing_results::branches::OneParameter;
@@ -90,6 +90,28 @@ impl ResonanceEntry {
 /// An oscillator from a text file in units in which its motion is of the order of one.
 pub type Described = Integrated<Stoppable<Dimensionless<Description>>>;
 
+/// An oscillator that ends when an end is asked for, in these units, and what its file asks for.
+pub(crate) fn prepared(description: &Description, units: &Units, stop: &Stop) -> (Described, Scope) {
+    let [primary, secondary] = [description.primary(), description.secondary()].map(Axis::range);
+    let scope = Scope {
+        window: Window { primary, secondary },
+        loops: description.loops().to_vec(),
+        start: description.start(),
+    };
+    let scope = scope.without_dimensions(units);
+    let stoppable = Stoppable::new(Dimensionless::new(description.clone(), *units), stop.clone());
+    (Integrated::new(stoppable, [scope.window.primary[0], scope.window.secondary[0]]), scope)
+}
+
+/// The names of an oscillator's parameters, and its own units.
+pub(crate) fn axes(description: &Description) -> Axes {
+    let [primary, secondary] = [description.primary(), description.secondary()];
+    let [length, time] = description.unit_names().map(|unit| unit.map(str::to_owned));
+    let [of_primary, of_secondary] = [primary, secondary].map(|axis| axis.unit().map(str::to_owned));
+    let unit_names = UnitNames { length, time, primary: of_primary, secondary: of_secondary };
+    Axes::new(primary.name(), secondary.name(), description.units()).with_unit_names(unit_names)
+}
+
 impl Unfolded<Described> {
     /// The analysis of an oscillator from a text file, which ends when an end is asked for by `stop`; `keep` gets curves as they are
     /// finished.
@@ -102,17 +124,9 @@ impl Unfolded<Described> {
         stop: &Stop,
         keep: Keep<'_>,
     ) -> Result<Self, StudyError> {
-        let (primary, secondary) = (description.primary(), description.secondary());
-        let window = Window { primary: primary.range(), secondary: secondary.range() };
-        let units = description.units();
-        let scope = Scope { window, loops: description.loops().to_vec(), start: description.start() };
-        let scope = scope.without_dimensions(&units);
-        let stoppable = Stoppable::new(Dimensionless::new(description.clone(), units), stop.clone());
-        let oscillator = Integrated::new(stoppable, [scope.window.primary[0], scope.window.secondary[0]]);
-        let [length, time] = description.unit_names().map(|unit| unit.map(str::to_owned));
-        let [of_primary, of_secondary] = [primary, secondary].map(|axis| axis.unit().map(str::to_owned));
-        let unit_names = UnitNames { length, time, primary: of_primary, secondary: of_secondary };
-        let axes = Axes::new(primary.name(), secondary.name(), units).with_unit_names(unit_names);
+        let axes = axes(description);
+        let units = axes.units;
+        let (oscillator, scope) = prepared(description, &units, stop);
         let mut unfolded =
             Self::compute(&oscillator, &scope, axes, progress, keep).map_err(|error| match error {
                 StudyError::Unfold(error) => StudyError::Unfold(error.in_units(&units)),

@@ -112,6 +112,36 @@ columns! {
     SOURCE = "source", "", "1";
 }
 
+// Families: what varies from member to member. A family with fewer constants has no columns for the first ones.
+columns! {
+    /// a constant of the oscillator that varies
+    VARIED_1 = "{varied1}", "{varied1}", "as in the file";
+    /// a constant of the oscillator that varies
+    VARIED_2 = "{varied2}", "{varied2}", "as in the file";
+    /// a constant of the oscillator that varies
+    VARIED_3 = "{varied3}", "{varied3}", "as in the file";
+    /// resonances with the same number are joined by continuation in the constant that varies first
+    FAMILY_BRANCH = "branch", "", "1";
+    /// `search` along the grazing curve of the member, or `continuation` from the member before, where the search of this one did not find it
+    FOUND_BY = "found_by", "", "1";
+    /// resonances of the member
+    RESONANCES = "resonances", "", "1";
+    /// its codimension-two points besides these, as far as curves from resonances lead to them
+    POINTS = "points", "", "1";
+    /// what has been left out or could not be done, and why; empty if nothing
+    MEMBER_REASON = "missing", "", "1";
+    /// the quantity that is zero
+    DEGENERATE_QUANTITY = "quantity", "", "1";
+    /// what that means
+    DEGENERATE_MEANING = "meaning", "", "1";
+    /// how a curve that ends between two members ends; empty if it goes on
+    FAMILY_END = "end", "", "1";
+    /// the theorem holds
+    THEOREM_HOLDS = "holds", "", "1";
+    /// the hypotheses that fail, with the values of their quantities; empty if none does
+    FAILING = "failing", "", "1";
+}
+
 // Coefficients and what they are made of.
 columns! {
     /// s_p⁺, whose sign says to which side of the SN curve solutions are stable

@@ -11,12 +11,14 @@
 //! |---|---|
 //! | [`plane`] | two-parameter diagrams and magnifications: Figures 7 and 8, and those of any oscillator |
 //! | [`branches`] | Figure 2 |
+//! | [`family`] | resonances as constants of an oscillator vary |
 //! | [`space`] | Figures 1, 3 and 9 |
 //! | [`sketches`] | Figures 4, 5, 6 and 10 |
 
 pub mod branches;
 mod cell;
 pub mod columns;
+pub mod family;
 mod frame;
 mod names;
 pub mod plane;
@@ -27,5 +29,5 @@ mod table;
 pub use cell::{Cell, brief};
 pub use columns::Column;
 pub use frame::Frame;
-pub use names::{GREEK, Names, UnitNames, directs, symbol};
+pub use names::{GREEK, Names, UnitNames, VARIED, directs, symbol};
 pub use table::{Plan, Row, Table};

@@ -53,7 +53,10 @@ pub const GREEK: [(&str, char); 49] = [
     ("Omega", 'Ω'),
 ];
 
-/// The names of the two parameters.
+/// The most constants that vary in a family.
+pub const VARIED: usize = 3;
+
+/// The names of the two parameters, and of constants that vary beside them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Names {
     /// Of the primary parameter μ.
@@ -63,6 +66,8 @@ pub struct Names {
     /// The symbol of the primary parameter, that at grazing, and the symbol of the secondary one.
     symbols: [String; 3],
     units: UnitNames,
+    /// Names and symbols of the constants that vary in a family, the last one last.
+    varied: Vec<[String; 2]>,
 }
 
 /// What units are called, as far as that is known.
@@ -88,6 +93,7 @@ impl Names {
             secondary: secondary.to_owned(),
             symbols,
             units: UnitNames::default(),
+            varied: Vec::new(),
         }
     }
 
@@ -95,6 +101,22 @@ impl Names {
     #[must_use]
     pub fn with_units(self, units: UnitNames) -> Self {
         Self { units, ..self }
+    }
+
+    /// The same names with those of the constants that vary in a family, at most [`VARIED`].
+    #[must_use]
+    pub fn with_varied(self, names: &[String]) -> Self {
+        let varied = names.iter().map(|name| [name.clone(), symbol(name).unwrap_or_default()]).collect();
+        Self { varied, ..self }
+    }
+
+    /// The constants that vary, in markup of labels.
+    pub fn varied_titles(&self) -> Vec<String> {
+        let title = |[name, symbol]: &[String; 2]| match symbol.as_str() {
+            "" => name.replace('$', ""),
+            symbol => format!("${symbol}$"),
+        };
+        self.varied.iter().map(title).collect()
     }
 
     /// Amplitude and frequency of the paper's oscillator.
@@ -156,17 +178,27 @@ impl Names {
         if in_words { "grazing".to_owned() } else { format!("${at_grazing}$") }
     }
 
-    /// The text with the names in the place of `{primary}` and `{secondary}`.
+    /// The text with the names in the place of `{primary}`, `{secondary}`, and `{varied1}` and so on, of which the last ones are filled.
     pub fn put_into(&self, text: &str) -> String {
-        text.replace("{primary}", &self.primary).replace("{secondary}", &self.secondary)
+        let text = text.replace("{primary}", &self.primary).replace("{secondary}", &self.secondary);
+        self.varied_put_into(text, 0)
+    }
+
+    fn varied_put_into(&self, mut text: String, which: usize) -> String {
+        let first = VARIED - self.varied.len().min(VARIED);
+        for slot in 0..VARIED {
+            let word = slot.checked_sub(first).map_or("", |place| &self.varied[place][which]);
+            text = text.replace(&format!("{{varied{}}}", slot + 1), word);
+        }
+        text
     }
 
     /// The text with their symbols in LaTeX in these places, and that of the primary parameter at grazing in the place of `{primary_graz}`.
     pub fn symbols_put_into(&self, text: &str) -> String {
         let [primary, at_grazing, secondary] = &self.symbols;
-        text.replace("{primary}", primary)
-            .replace("{primary_graz}", at_grazing)
-            .replace("{secondary}", secondary)
+        let text = text.replace("{primary}", primary);
+        let text = text.replace("{primary_graz}", at_grazing).replace("{secondary}", secondary);
+        self.varied_put_into(text, 1)
     }
 }
 

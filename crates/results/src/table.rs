@@ -35,7 +35,7 @@ pub struct Table {
     /// File name without ending, such as `fig07_curves`.
     pub name: &'static str,
     /// What its columns are.
-    pub columns: &'static [Column],
+    pub columns: Vec<Column>,
     /// The headers of the columns: their names, with those of the parameters put in.
     pub headers: Vec<String>,
     /// The symbols of the columns, in LaTeX; empty where a column has none.
@@ -56,13 +56,20 @@ impl Table {
         Self::of_cells(name, R::COLUMNS, names, rows.into_iter().map(Row::cells).collect())
     }
 
-    /// The table of cells, which stand in the order of the columns.
+    /// The table of cells, which stand in the order of the columns; without columns for constants that do not vary.
     pub fn of_cells(
         name: &'static str,
         columns: &'static [Column],
         names: &Names,
-        rows: Vec<Vec<Cell>>,
+        mut rows: Vec<Vec<Cell>>,
     ) -> Self {
+        let shown: Vec<bool> = columns.iter().map(|column| !column.header(names).is_empty()).collect();
+        if shown.contains(&false) {
+            let mut places = shown.iter().cycle();
+            rows.iter_mut().for_each(|row| row.retain(|_| places.next() == Some(&true)));
+        }
+        let columns: Vec<Column> =
+            columns.iter().zip(shown).filter_map(|(column, shown)| shown.then_some(*column)).collect();
         let headers = columns.iter().map(|column| column.header(names)).collect();
         let symbols = columns.iter().map(|column| column.symbol(names)).collect();
         let units = columns.iter().map(|column| column.unit(names)).collect();

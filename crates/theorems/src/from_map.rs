@@ -120,6 +120,11 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         self.slopes[1]
     }
 
+    /// P_global to second order at the grazing point; (0, z_graz) is its fixed point.
+    pub fn map(&self) -> &MapJet<AtRest, AtRest> {
+        &self.map
+    }
+
     /// A, b, ω, γ, φ, ψ at grazing. Paper: eq:A, eq:b, eq:phipsigamma.
     pub fn grazing_point(&self) -> GrazingPoint {
         let reset = self.oscillator.reset::<1>(OnWall::new(0.0, self.phase));

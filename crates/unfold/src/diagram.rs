@@ -121,6 +121,37 @@ impl<O: ImpactOscillator> Diagram<O> {
     /// The diagram with what came of following the curves from its resonances, in the order of their list, and all that follows
     /// from these: the curves that begin where they end, those to which no resonance leads, and the regions.
     pub fn with(mut self, followed: Vec<Followed>, progress: &dyn Progress) -> Self {
+        let known = self.nets(followed);
+        let mut nets = known.clone();
+        let followed: Vec<usize> = nets.iter().map(|net| net.curves.len()).collect();
+        self.grow(&mut nets);
+        let of_mps = regions::of_mps(&self, &mut nets, progress);
+        if of_mps.contains(&None) {
+            self.unfinished.push(Unfinished::stage(regions::STAGE));
+        }
+        for ((net, known), regions) in nets.iter_mut().zip(known).zip(of_mps) {
+            self.regions.extend(regions.unwrap_or_else(|| {
+                // What was under way when the end was asked for is worth nothing.
+                *net = known;
+                vec![Region::not_finished(self.scope.window, net.loops())]
+            }));
+        }
+        self.take(nets, &followed);
+        self
+    }
+
+    /// The diagram with these curves and those that begin where they end, but without regions, and so without curves to which no
+    /// resonance leads.
+    pub fn with_curves(mut self, followed: Vec<Followed>) -> Self {
+        let mut nets = self.nets(followed);
+        let followed: Vec<usize> = nets.iter().map(|net| net.curves.len()).collect();
+        self.grow(&mut nets);
+        self.take(nets, &followed);
+        self
+    }
+
+    /// The curves that were followed, by p; what is missing is noted.
+    fn nets(&mut self, followed: Vec<Followed>) -> Vec<Net<O>> {
         let cut = self.resonances.iter().enumerate().filter(|(index, resonance)| {
             resonance.theorem.is_ok() && followed.iter().all(|followed| followed.resonance != *index)
         });
@@ -136,31 +167,24 @@ impl<O: ImpactOscillator> Diagram<O> {
                 curves.into_iter().for_each(|curve| net.add(curve));
             }
         }
-        let known = nets.clone();
-        let followed: Vec<usize> = nets.iter().map(|net| net.curves.len()).collect();
+        nets
+    }
+
+    fn grow(&self, nets: &mut [Net<O>]) {
         let route = route(self.scope.window, StepControl::DRAWING);
         nets.iter_mut().for_each(|net| net.grow(&route));
-        let of_mps = regions::of_mps(&self, &mut nets, progress);
-        if of_mps.contains(&None) {
-            self.unfinished.push(Unfinished::stage(regions::STAGE));
-        }
-        for ((net, known), regions) in nets.iter_mut().zip(known).zip(of_mps) {
-            self.regions.extend(regions.unwrap_or_else(|| {
-                // What was under way when the end was asked for is worth nothing.
-                *net = known;
-                vec![Region::not_finished(self.scope.window, net.loops())]
-            }));
-        }
-        // First all that come from resonances, as they are told while others are being followed.
+    }
+
+    /// Takes curves and codimension-two points: first all that come from resonances, as they are told while others are being followed.
+    fn take(&mut self, nets: Vec<Net<O>>, followed: &[usize]) {
         let (mut first, mut then) = (Vec::new(), Vec::new());
         for (mut net, followed) in nets.into_iter().zip(followed) {
-            then.extend(net.curves.split_off(followed));
+            then.extend(net.curves.split_off(*followed));
             first.extend(net.curves);
             self.codimension_two.extend(net.meetings);
         }
         self.curves.extend(first);
         self.curves.extend(then);
-        self
     }
 
     /// The equations of the p-loop MPSs.

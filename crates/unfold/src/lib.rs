@@ -67,6 +67,7 @@ pub mod diagram;
 mod error;
 pub mod escape;
 mod faces;
+pub mod family;
 pub mod grazing;
 pub mod magnification;
 pub mod non_impacting;

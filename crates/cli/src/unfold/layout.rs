@@ -6,7 +6,7 @@ use std::fmt::Write;
 const WIDTH: usize = 100;
 
 /// Columns as wide as they must be, numbers and words to the right.
-pub(super) fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
+pub(crate) fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let lines: Vec<Vec<String>> =
         std::iter::once(header.iter().map(|&word| word.to_owned()).collect()).chain(rows).collect();
     let width = |column: usize| lines.iter().map(|line| line[column].len()).max().unwrap_or(0);
@@ -26,7 +26,7 @@ pub(super) fn aligned(header: &[&str], rows: impl Iterator<Item = Vec<String>>) 
 pub(super) const KEPT: &str = "\u{a0}";
 
 /// Words after a mark, on as many lines as they need, all with the mark's indent.
-pub(super) fn wrapped(mark: &str, content: &str) -> String {
+pub(crate) fn wrapped(mark: &str, content: &str) -> String {
     let indent = mark.chars().count();
     let mut text = mark.to_owned();
     let mut column = indent;
@@ -47,7 +47,7 @@ pub(super) fn wrapped(mark: &str, content: &str) -> String {
 }
 
 /// A heading with entries under it, each after its mark; nothing if there are none.
-pub(super) fn headed(heading: &str, entries: impl IntoIterator<Item = (String, String)>) -> String {
+pub(crate) fn headed(heading: &str, entries: impl IntoIterator<Item = (String, String)>) -> String {
     let entries: String = entries.into_iter().map(|(mark, content)| wrapped(&mark, &content)).collect();
     if entries.is_empty() { entries } else { format!("\n{heading}\n{entries}") }
 }

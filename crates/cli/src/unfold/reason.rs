@@ -13,7 +13,7 @@ use grazing_unfold::units::InUnits;
 use grazing_unfold::{Diagram, UnfoldError};
 
 /// What was seen instead of grazing, and the remedy.
-pub(super) fn of(error: &UnfoldError, description: &Description) -> String {
+pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
     let at = |parameters| place(description, parameters);
     let axes = [description.primary(), description.secondary()];
     let ranges = axes.map(|axis| format!("{} = {}", axis.name(), written(axis.range()))).join(", ");

@@ -3,6 +3,7 @@
 mod cookbook;
 mod corners;
 mod examples;
+mod family;
 mod one_parameter;
 mod paper;
 mod regions;

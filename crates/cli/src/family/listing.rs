@@ -1,0 +1,139 @@
+//! What there is to tell of a family.
+
+use std::path::Path;
+
+use grazing_description::Description;
+use grazing_reproduction::family::Plan;
+use grazing_results::Names;
+use grazing_results::brief;
+use grazing_results::family::{Family, Member, Resonance};
+
+use super::Part;
+use crate::unfold::layout::{aligned, headed};
+
+/// Digits of numbers.
+const DIGITS: usize = 6;
+/// More lines of a kind than this are counted instead of listed.
+const LISTED: usize = 24;
+
+/// What is about to be computed.
+pub(super) fn plan(
+    description: &Description,
+    file: &Path,
+    plan: &Plan,
+    part: Option<Part>,
+    members: usize,
+) -> String {
+    let varied = plan.varied.iter().map(|varied| {
+        let (first, last) = (varied.values[0], varied.values[varied.values.len() - 1]);
+        format!(
+            "{} from {} to {} in {} values",
+            varied.name,
+            brief(first, DIGITS),
+            brief(last, DIGITS),
+            varied.values.len()
+        )
+    });
+    let varied: Vec<String> = varied.collect();
+    let part = match part {
+        Some(Part { part, parts }) => {
+            format!(", of which {members} are in part {part} of {parts}",)
+        }
+        None => String::new(),
+    };
+    format!(
+        "{} ({}): {}; {} members{part}\n",
+        description.name(),
+        file.display(),
+        varied.join(", "),
+        plan.count()
+    )
+}
+
+/// What was found.
+pub(super) fn results(family: &Family, names: &Names, plan: &Plan) -> String {
+    let mut text = branches(family, names, plan);
+    let count = plan.varied.len();
+    let values = |varied: [f64; 3]| {
+        let own = &varied[varied.len() - count..];
+        let named = plan.varied.iter().zip(own);
+        named
+            .map(|(constant, value)| format!("{} = {}", constant.name, brief(*value, DIGITS)))
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    let degenerate = family.degenerate.iter().map(|row| {
+        let at = values([row.varied_1, row.varied_2, row.varied_3]);
+        let mark = format!("  p = {}, n = {}: ", row.loops, row.n);
+        let [primary, secondary] = [row.primary, row.secondary].map(|value| brief(value, DIGITS));
+        let (quantity, meaning) = (&row.quantity, row.meaning.name());
+        let place = format!("{} = {primary}, {} = {secondary}", names.primary, names.secondary);
+        (mark, format!("{quantity} = 0 ({meaning}) at {at}, {place}"))
+    });
+    text.push_str(&some("Degenerate resonances between members", degenerate.collect()));
+    let missing = family.members.iter().filter(|row| !row.missing.is_empty()).map(|row: &Member| {
+        let at = values([row.varied_1, row.varied_2, row.varied_3]);
+        (format!("  {at}: "), row.missing.clone())
+    });
+    text.push_str(&some("Members of which something is missing", missing.collect()));
+    text
+}
+
+/// Entries under a heading, the first of them if they are many.
+fn some(heading: &str, mut entries: Vec<(String, String)>) -> String {
+    if let Some(rest) = entries.len().checked_sub(LISTED).filter(|rest| *rest > 0) {
+        entries.truncate(LISTED);
+        entries.push(("  ".to_owned(), format!("and {rest} more, in the tables")));
+    }
+    headed(heading, entries)
+}
+
+/// A line for each branch of resonances, by p, with the constant that varies first at its ends.
+fn branches(family: &Family, names: &Names, plan: &Plan) -> String {
+    let mut branches: Vec<(u32, Vec<&Resonance>)> = Vec::new();
+    for row in &family.resonances {
+        match branches.iter_mut().find(|(branch, _)| *branch == row.branch) {
+            Some((_, rows)) => rows.push(row),
+            None => branches.push((row.branch, vec![row])),
+        }
+    }
+    if branches.is_empty() {
+        return "\nno resonant grazing bifurcation in the ranges of the parameters at any member\n"
+            .to_owned();
+    }
+    let count = branches.len();
+    branches.truncate(LISTED);
+    let slot = 3 - plan.varied.len();
+    let range = |rows: &[&Resonance], value: &dyn Fn(&Resonance) -> f64| {
+        let known = rows.iter().map(|row| value(row)).filter(|value| value.is_finite());
+        let ends: Vec<f64> = known.collect();
+        match (ends.first(), ends.last()) {
+            (Some(first), Some(last)) => format!("{} .. {}", brief(*first, DIGITS), brief(*last, DIGITS)),
+            _ => "-".to_owned(),
+        }
+    };
+    let lines = branches.iter().map(|(branch, rows)| {
+        let varied = |row: &Resonance| [row.varied_1, row.varied_2, row.varied_3];
+        let mut line = vec![branch.to_string(), rows[0].loops.to_string(), rows[0].n.to_string()];
+        line.extend(varied(rows[0])[slot + 1..].iter().map(|value| brief(*value, DIGITS)));
+        line.extend([rows.len().to_string(), range(rows, &|row| varied(row)[slot])]);
+        line.extend([
+            range(rows, &|row| row.secondary),
+            range(rows, &|row| row.c_sn),
+            range(rows, &|row| row.c_pd),
+        ]);
+        line
+    });
+    let others = plan.varied[1..].iter().map(|other| other.name.as_str());
+    let mut header = vec!["branch", "p", "n"];
+    header.extend(others);
+    let secondary = format!("{}*", names.secondary);
+    header.extend(["members", plan.varied[0].name.as_str(), &secondary, "c_SN", "c_PD"]);
+    let table = aligned(&header, lines);
+    let more = if count > LISTED {
+        format!("  and {} more, in the tables\n", count - LISTED)
+    } else {
+        String::new()
+    };
+    format!("\nBranches of resonances, with the values at their ends\n{table}{more}")
+}

@@ -1,0 +1,114 @@
+//! Families: an oscillator from a text file for several values of its constants.
+//!
+//! Every member is analysed by itself as far as its codimension-two points, and its resonances are followed towards its neighbours in the constant
+//! that varies first ([`grazing_unfold::family`]). What comes of one member is a [`Record`], which may be computed anywhere; a [`Family`] is made of all
+//! of them, whoever computed them, with the same result.
+
+mod assembly;
+mod record;
+
+use grazing_description::Description;
+use grazing_results::Names;
+use grazing_results::family::Family;
+use grazing_unfold::UnfoldError;
+use grazing_unfold::progress::Progress;
+use grazing_unfold::stop::Stop;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::plane::Axes;
+use crate::unfolded;
+pub use record::Record;
+
+/// A constant that varies, with its values.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Varied {
+    /// Its name in the file.
+    pub name: String,
+    /// Its values in the order of the members, at least two; increasing or decreasing.
+    pub values: Vec<f64>,
+}
+
+/// Which members a family has: all combinations of values, the first constant varying fastest.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Plan {
+    /// One to three constants.
+    pub varied: Vec<Varied>,
+}
+
+impl Plan {
+    /// The number of members.
+    pub fn count(&self) -> usize {
+        self.varied.iter().map(|varied| varied.values.len()).product()
+    }
+
+    /// The values of the constants at a member.
+    pub fn values(&self, mut index: usize) -> Vec<f64> {
+        let value = |Varied { values, .. }: &Varied| {
+            let place = index % values.len();
+            index /= values.len();
+            values[place]
+        };
+        self.varied.iter().map(value).collect()
+    }
+
+    /// The number of members that follow each other with other values of the first constant alone.
+    pub(crate) fn line(&self) -> usize {
+        self.varied[0].values.len()
+    }
+
+    /// The members of part `part` of `parts`, counted from 1: parts are as equal as can be, and together they are all.
+    pub fn part(&self, part: usize, parts: usize) -> core::ops::Range<usize> {
+        let end = |part: usize| self.count() * part / parts;
+        end(part - 1)..end(part)
+    }
+}
+
+/// Why a member has nothing to unfold, in words.
+pub type Tell<'a> = &'a (dyn Fn(&Description, &UnfoldError) -> String + Sync);
+
+/// The stage in which members are computed.
+const MEMBERS: &str = "members of the family";
+
+/// The records of some members, each given with its number; none for those that were not finished when an end was asked for.
+pub fn records(
+    plan: &Plan,
+    members: &[(usize, Description)],
+    tell: Tell<'_>,
+    stop: &Stop,
+    progress: &dyn Progress,
+) -> Vec<Option<Record>> {
+    progress.begin(MEMBERS, members.len() as u64);
+    let compute = |(index, description): &(usize, Description)| {
+        let record = Record::compute(plan, *index, description, tell, stop, &Within(progress));
+        progress.step(MEMBERS);
+        record.filter(|_| !progress.stopped())
+    };
+    let records = members.par_iter().map(compute).collect();
+    progress.end(MEMBERS);
+    stop.withdraw();
+    records
+}
+
+/// The stages of a member are not told.
+struct Within<'a>(&'a dyn Progress);
+
+impl Progress for Within<'_> {
+    fn begin(&self, _: &str, _: u64) {}
+    fn step(&self, _: &str) {}
+    fn end(&self, _: &str) {}
+    fn stopped(&self) -> bool {
+        self.0.stopped()
+    }
+}
+
+/// The family with these records, in the order of the members; members without a record are left out.
+pub fn assemble(plan: &Plan, description: &Description, records: Vec<Option<Record>>) -> Family {
+    assembly::assemble(plan, description, records)
+}
+
+/// The names that head the columns of a family's tables.
+pub fn names(plan: &Plan, description: &Description) -> Names {
+    let varied: Vec<String> = plan.varied.iter().map(|varied| Axes::own(&varied.name)).collect();
+    unfolded::axes(description).names.with_varied(&varied)
+}

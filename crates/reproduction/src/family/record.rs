@@ -1,0 +1,337 @@
+//! What is computed of one member of a family.
+
+use grazing_continuation::bifurcation::Pair;
+use grazing_continuation::criticality::coefficient_at_resonance;
+use grazing_continuation::mps::unknown;
+use grazing_description::Description;
+use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Units;
+use grazing_results::VARIED;
+use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, FoundBy, Member, Point, Resonance};
+use grazing_theorems::hypothesis::Quantity;
+use grazing_theorems::{ResonantGrazing, ResonantPoint, Unfolding};
+use grazing_unfold::Diagram;
+use grazing_unfold::diagram::CodimensionTwoPoint;
+use grazing_unfold::family::{Arc, ArcEnd, ArcPoint, arcs};
+use grazing_unfold::progress::Progress;
+use grazing_unfold::resonances;
+use grazing_unfold::stop::Stop;
+use grazing_unfold::units::InUnits;
+use grazing_unfold::verdict::coefficients;
+use serde::{Deserialize, Serialize};
+
+use super::{Plan, Tell};
+use crate::unfolded::{self, Described};
+
+/// A member of a family: its own rows, and its resonances on their way to its neighbours. Numbers of branches and arcs are given when all
+/// records are there.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Record {
+    /// The number of the member, from 0.
+    pub index: usize,
+    pub(super) member: Member,
+    /// Something was seen that could not be located or followed.
+    pub(super) incomplete: bool,
+    #[serde(default)]
+    pub(super) resonances: Vec<Resonance>,
+    #[serde(default)]
+    pub(super) points: Vec<Point>,
+    #[serde(default)]
+    pub(super) ways: Vec<Way>,
+}
+
+/// The way of a resonance to the next member, or between this one and one beside it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Way {
+    /// Its place in the list of resonances.
+    pub(super) from: usize,
+    pub(super) to: Destination,
+    #[serde(default)]
+    pub(super) curve: Vec<CurvePoint>,
+    #[serde(default)]
+    pub(super) degenerate: Vec<Degenerate>,
+}
+
+/// Where a way leads.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) enum Destination {
+    /// To the next member, as this resonance.
+    Next(Box<Resonance>),
+    /// Back to the member, to the resonance at this place of the list.
+    Back(usize),
+    /// It ends.
+    Nowhere,
+}
+
+impl Record {
+    /// Analyses a member; none if an end is asked for.
+    pub(super) fn compute(
+        plan: &Plan,
+        index: usize,
+        description: &Description,
+        tell: Tell<'_>,
+        stop: &Stop,
+        progress: &dyn Progress,
+    ) -> Option<Self> {
+        if progress.stopped() {
+            return None;
+        }
+        let units = description.units();
+        let values = plan.values(index);
+        let rows = Rows { units, varied: padded(&values), first: VARIED - values.len() };
+        let (oscillator, scope) = unfolded::prepared(description, &units, stop);
+        let [varied_1, varied_2, varied_3] = rows.varied;
+        let mut member =
+            Member { varied_1, varied_2, varied_3, resonances: 0, points: 0, missing: String::new() };
+        let diagram = match Diagram::located(&oscillator, &scope, progress) {
+            Ok(located) => {
+                let followed = located.follow(progress, &|_, _| ());
+                located.with_curves(followed)
+            }
+            Err(error) => {
+                member.missing = tell(description, &error.in_units(&units));
+                let (resonances, points, ways) = (Vec::new(), Vec::new(), Vec::new());
+                let record = Self { index, member, incomplete: false, resonances, points, ways };
+                return (!progress.stopped()).then_some(record);
+            }
+        };
+        let unlocated = diagram.unlocated.iter().map(|lost| format!("p = {}: {}", lost.loops, lost.reason));
+        let lost = diagram.not_unfolded.iter();
+        let lost = lost.map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason));
+        let mut missing: Vec<String> = unlocated.chain(lost).collect();
+        missing.dedup();
+        member.missing = missing.join("; ");
+        let mut ways = Vec::new();
+        let (place, along) = (index % plan.line(), &plan.varied[0]);
+        let after = along.values.get(place + 1);
+        let before = place.checked_sub(1).map(|before| &along.values[before]);
+        for (neighbour, onwards) in [(after, true), (before, false)] {
+            let Some(&neighbour) = neighbour else { continue };
+            let at = |way: f64| {
+                let value = values[0] + (neighbour - values[0]) * way;
+                let there = description.with_constant(&along.name, value).ok()?;
+                Some(unfolded::prepared(&there, &units, stop).0)
+            };
+            let arcs = arcs(&diagram, &at);
+            // What leads to the member before is that one's way here.
+            let kept = arcs.iter().filter(|arc| onwards || arc.end != ArcEnd::Across);
+            ways.extend(kept.map(|arc| rows.way(&diagram, arc, neighbour)));
+        }
+        let resonances = diagram.resonances.iter().map(|resonance| rows.resonance(resonance)).collect();
+        let incomplete = !member.missing.is_empty();
+        let points = rows.points(&diagram);
+        let record = Self { index, member, incomplete, resonances, points, ways };
+        (!progress.stopped()).then_some(record)
+    }
+
+    /// Counts resonances and points.
+    pub(super) fn count(&mut self) {
+        self.member.resonances = self.resonances.len() as u32;
+        self.member.points = self.points.len() as u32;
+    }
+}
+
+/// Values in the last of the columns, not-a-numbers in those before.
+fn padded(values: &[f64]) -> [f64; VARIED] {
+    let mut padded = [f64::NAN; VARIED];
+    padded[VARIED - values.len()..].copy_from_slice(values);
+    padded
+}
+
+/// Makes rows of what was found without dimensions at a member.
+struct Rows {
+    units: Units,
+    varied: [f64; VARIED],
+    /// The column of the constant that varies first.
+    first: usize,
+}
+
+impl Rows {
+    fn resonance(&self, resonance: &resonances::Resonance<Described>) -> Resonance {
+        let located = &resonance.located;
+        let found = (resonance.n, FoundBy::Search);
+        let orbit = located.orbit();
+        let parameters = orbit.oscillator().parameters();
+        let mut row = self.row(parameters, orbit.phase(), located.resonant_point(), self.varied, found);
+        match &resonance.theorem {
+            Ok(theorem) => {
+                let known = coefficients(theorem).map(|known| known.in_units(&self.units));
+                let [sn, pd] = known.into_array();
+                (row.c_sn, row.c_pd) = (sn.theorem.value, pd.theorem.value);
+                (row.c_sn_error, row.c_pd_error) = (sn.theorem.error, pd.theorem.error);
+                (row.c_sn_fit, row.c_pd_fit) = (sn.measured().value, pd.measured().value);
+                [row.sn_verdict, row.pd_verdict] =
+                    [sn, pd].map(|coefficient| coefficient.verdict().name().to_owned());
+            }
+            Err(violated) => {
+                (row.c_sn, row.c_pd, row.holds) = (f64::NAN, f64::NAN, false);
+                let failing = violated.violated().map(|failing| failing.in_units(&self.units).to_string());
+                row.failing = failing.collect::<Vec<_>>().join("; ");
+            }
+        }
+        row
+    }
+
+    /// A resonance with what follows from its derivatives alone.
+    fn row(
+        &self,
+        parameters: [f64; 2],
+        phase: f64,
+        point: &ResonantPoint,
+        [varied_1, varied_2, varied_3]: [f64; VARIED],
+        (n, found_by): (u32, FoundBy),
+    ) -> Resonance {
+        let [primary, secondary] = self.units.parameters(parameters);
+        let point = point.in_units(&self.units);
+        let (map, stability) = (&point.grazing.map, point.stability_coefficients());
+        let Unfolding { loops, derivative } = point.unfolding;
+        let [a12_prime, kappa_prime] =
+            if loops == 1 { [derivative, f64::NAN] } else { [f64::NAN, derivative] };
+        let [c_sn, c_pd] = by_the_theorem(&point);
+        Resonance {
+            varied_1,
+            varied_2,
+            varied_3,
+            loops,
+            n,
+            branch: 0,
+            found_by,
+            secondary,
+            primary,
+            phase,
+            s_plus: stability.plus,
+            s_minus: stability.minus,
+            c_sn,
+            c_pd,
+            c_sn_error: f64::NAN,
+            c_pd_error: f64::NAN,
+            c_sn_fit: f64::NAN,
+            c_pd_fit: f64::NAN,
+            sn_verdict: String::new(),
+            pd_verdict: String::new(),
+            tau: map.trace(),
+            delta: map.determinant(),
+            alpha: point.grazing.alpha(),
+            beta: map.transversality(),
+            gamma: point.grazing.gamma,
+            xi: point.second_phase_derivative,
+            a12_prime,
+            kappa_prime,
+            pd_criticality: coefficient_at_resonance(&point),
+            holds: c_sn.is_finite(),
+            failing: String::new(),
+        }
+    }
+
+    fn points(&self, diagram: &Diagram<Described>) -> Vec<Point> {
+        let [varied_1, varied_2, varied_3] = self.varied;
+        let point = |point: &CodimensionTwoPoint| {
+            let at = point.unknowns();
+            let [primary, secondary] = self.units.parameters([at[unknown::PRIMARY], at[unknown::SECONDARY]]);
+            let impact_velocity = at[unknown::VELOCITY] * self.units.velocity();
+            let (kind, loops, n) = (point.kind, point.loops, point.n);
+            Point { varied_1, varied_2, varied_3, kind, loops, n, secondary, primary, impact_velocity }
+        };
+        diagram.codimension_two.iter().map(point).collect()
+    }
+
+    /// An arc towards a neighbour at which the first constant has this value.
+    fn way(&self, diagram: &Diagram<Described>, arc: &Arc<Described>, neighbour: f64) -> Way {
+        let resonance = &diagram.resonances[arc.resonance];
+        let (loops, n) = (resonance.loops, resonance.n);
+        let varied = |way: f64| {
+            let mut varied = self.varied;
+            let value = &mut varied[self.first];
+            *value = if way == 1.0 { neighbour } else { *value + (neighbour - *value) * way };
+            varied
+        };
+        let parameters = |at: &ArcPoint<Described>| at.orbit.oscillator().parameters();
+        let curve = |at: &ArcPoint<Described>| {
+            let point = at.point.in_units(&self.units);
+            let [primary, secondary] = self.units.parameters(parameters(at));
+            let [varied_1, varied_2, varied_3] = varied(at.way);
+            let stability = point.stability_coefficients();
+            let [mut c_sn, mut c_pd] = by_the_theorem(&point);
+            // What is infinite is no number.
+            let meaning = at.zero.map(meaning);
+            if matches!(meaning, Some(Degeneracy::InfiniteSaddleNode | Degeneracy::Infinite)) {
+                c_sn = f64::NAN;
+            }
+            if matches!(meaning, Some(Degeneracy::InfinitePeriodDoubling | Degeneracy::Infinite)) {
+                c_pd = f64::NAN;
+            }
+            CurvePoint {
+                varied_1,
+                varied_2,
+                varied_3,
+                loops,
+                n,
+                branch: 0,
+                arc: 0,
+                secondary,
+                primary,
+                s_plus: stability.plus,
+                s_minus: stability.minus,
+                c_sn,
+                c_pd,
+                end: String::new(),
+            }
+        };
+        let mut curve: Vec<CurvePoint> = arc.points.iter().map(curve).collect();
+        if let Some(last) = curve.last_mut() {
+            last.end = match &arc.end {
+                ArcEnd::Across | ArcEnd::Back(_) => String::new(),
+                ArcEnd::LeftWindow => "it leaves the ranges".to_owned(),
+                ArcEnd::Inadmissible => "another maximum of the grazing orbit touches the wall".to_owned(),
+                ArcEnd::Lost(reason) => format!("it could not be followed: {reason}"),
+            };
+        }
+        let degenerate = arc.points.iter().filter_map(|at| {
+            let zero = at.zero?;
+            let [primary, secondary] = self.units.parameters(parameters(at));
+            let [varied_1, varied_2, varied_3] = varied(at.way);
+            let (quantity, meaning, branch) = (zero.to_string(), meaning(zero), 0);
+            Some(Degenerate {
+                varied_1,
+                varied_2,
+                varied_3,
+                loops,
+                n,
+                branch,
+                quantity,
+                meaning,
+                secondary,
+                primary,
+            })
+        });
+        let to = match (&arc.end, arc.points.last()) {
+            (ArcEnd::Across, Some(last)) => {
+                let found = (n, FoundBy::Continuation);
+                let row = self.row(parameters(last), last.orbit.phase(), &last.point, varied(1.0), found);
+                Destination::Next(Box::new(row))
+            }
+            (ArcEnd::Back(Some(to)), _) => Destination::Back(*to),
+            _ => Destination::Nowhere,
+        };
+        Way { from: arc.resonance, to, curve, degenerate: degenerate.collect() }
+    }
+}
+
+/// c_SN and c_PD; no numbers where the theorem does not hold.
+fn by_the_theorem(point: &ResonantPoint) -> [f64; 2] {
+    let Ok(theorem) = ResonantGrazing::check(point, f64::INFINITY) else { return [f64::NAN; 2] };
+    Pair { saddle_node: theorem.saddle_node(), period_doubling: theorem.period_doubling() }
+        .map(|curve| curve.coefficient)
+        .into_array()
+}
+
+/// What it means that a quantity in the hypotheses is zero.
+fn meaning(quantity: Quantity) -> Degeneracy {
+    match quantity {
+        Quantity::SaddleNodeStability => Degeneracy::InfiniteSaddleNode,
+        Quantity::PeriodDoublingStability => Degeneracy::InfinitePeriodDoubling,
+        Quantity::Transversality => Degeneracy::Infinite,
+        Quantity::OffDiagonalDerivative | Quantity::DetuningDerivative => Degeneracy::Meeting,
+        _ => Degeneracy::NoTheorem,
+    }
+}

@@ -1,0 +1,174 @@
+//! Resonances, coefficients and codimension-two points as constants of an oscillator vary.
+
+use grazing_continuation::bifurcation::CodimensionTwo;
+use serde::{Deserialize, Serialize};
+
+use crate::cell::words;
+use crate::table::rows;
+use crate::{Frame, tables};
+
+words! {
+    /// How a resonance of a member was found.
+    #[derive(Serialize, Deserialize)]
+    FoundBy {
+        /// On the grazing curve of the member.
+        Search = "search",
+        /// From the member before.
+        Continuation = "continuation",
+    }
+
+    /// What it means that a quantity in the hypotheses of Theorem 2.4 or 2.5 is zero.
+    #[derive(Serialize, Deserialize)]
+    Degeneracy {
+        /// s_p⁺ is zero.
+        InfiniteSaddleNode = "c_SN is infinite",
+        /// s_p⁻ is zero.
+        InfinitePeriodDoubling = "c_PD is infinite",
+        /// β is zero.
+        Infinite = "c_SN and c_PD are infinite",
+        /// a₁₂' or κ_p' is zero: beyond there is no resonance.
+        Meeting = "two resonances meet: c_SN and c_PD are zero",
+        /// Anything else.
+        NoTheorem = "the theorem ceases to hold",
+    }
+}
+
+rows! {
+    /// A member of a family: values of the constants. Of fewer than three the first ones are NaN.
+    #[derive(Serialize, Deserialize)]
+    Member {
+        varied_1: f64 = VARIED_1,
+        varied_2: f64 = VARIED_2,
+        varied_3: f64 = VARIED_3,
+        resonances: u32 = RESONANCES,
+        points: u32 = POINTS,
+        missing: String = MEMBER_REASON,
+    }
+
+    /// A resonance of a member.
+    #[derive(Serialize, Deserialize)]
+    Resonance {
+        varied_1: f64 = VARIED_1,
+        varied_2: f64 = VARIED_2,
+        varied_3: f64 = VARIED_3,
+        loops: u32 = LOOPS,
+        n: u32 = RESONANCE_INDEX,
+        branch: u32 = FAMILY_BRANCH,
+        found_by: FoundBy = FOUND_BY,
+        secondary: f64 = SECONDARY_AT_RESONANCE,
+        primary: f64 = PRIMARY_AT_GRAZING,
+        phase: f64 = GRAZING_PHASE,
+        s_plus: f64 = S_PLUS,
+        s_minus: f64 = S_MINUS,
+        c_sn: f64 = C_SN,
+        c_pd: f64 = C_PD,
+        c_sn_error: f64 = C_SN_ERROR,
+        c_pd_error: f64 = C_PD_ERROR,
+        c_sn_fit: f64 = C_SN_FIT,
+        c_pd_fit: f64 = C_PD_FIT,
+        sn_verdict: String = SN_VERDICT,
+        pd_verdict: String = PD_VERDICT,
+        tau: f64 = TAU,
+        delta: f64 = DELTA,
+        alpha: f64 = ALPHA,
+        beta: f64 = BETA,
+        gamma: f64 = GAMMA,
+        xi: f64 = XI,
+        a12_prime: f64 = A12_PRIME,
+        kappa_prime: f64 = KAPPA_PRIME,
+        pd_criticality: f64 = PD_CRITICALITY,
+        holds: bool = THEOREM_HOLDS,
+        failing: String = FAILING,
+    }
+
+    /// A codimension-two point of a member that is no resonance.
+    #[derive(Serialize, Deserialize)]
+    Point {
+        varied_1: f64 = VARIED_1,
+        varied_2: f64 = VARIED_2,
+        varied_3: f64 = VARIED_3,
+        kind: CodimensionTwo = CODIMENSION_TWO,
+        loops: u32 = LOOPS,
+        n: u32 = RESONANCE_INDEX,
+        secondary: f64 = SECONDARY,
+        primary: f64 = PRIMARY,
+        impact_velocity: f64 = IMPACT_VELOCITY,
+    }
+
+    /// A resonance on its way from one member to the next.
+    #[derive(Serialize, Deserialize)]
+    CurvePoint {
+        varied_1: f64 = VARIED_1,
+        varied_2: f64 = VARIED_2,
+        varied_3: f64 = VARIED_3,
+        loops: u32 = LOOPS,
+        n: u32 = RESONANCE_INDEX,
+        branch: u32 = FAMILY_BRANCH,
+        arc: u32 = ARC,
+        secondary: f64 = SECONDARY,
+        primary: f64 = PRIMARY,
+        s_plus: f64 = S_PLUS,
+        s_minus: f64 = S_MINUS,
+        c_sn: f64 = C_SN,
+        c_pd: f64 = C_PD,
+        end: String = FAMILY_END,
+    }
+
+    /// A degenerate resonance between two members.
+    #[derive(Serialize, Deserialize)]
+    Degenerate {
+        varied_1: f64 = VARIED_1,
+        varied_2: f64 = VARIED_2,
+        varied_3: f64 = VARIED_3,
+        loops: u32 = LOOPS,
+        n: u32 = RESONANCE_INDEX,
+        branch: u32 = FAMILY_BRANCH,
+        quantity: String = DEGENERATE_QUANTITY,
+        meaning: Degeneracy = DEGENERATE_MEANING,
+        secondary: f64 = SECONDARY,
+        primary: f64 = PRIMARY,
+    }
+}
+
+/// A panel of the figure of a family, over the constant that varies first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Panel {
+    /// Number of loops p.
+    pub loops: u32,
+    /// What is shown.
+    pub shows: Shows,
+    /// The part of the plane.
+    pub frame: Frame,
+}
+
+/// What a panel shows of resonances.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shows {
+    /// The secondary parameter at resonances and at other codimension-two points.
+    Secondary,
+    /// c_SN.
+    SaddleNode,
+    /// c_PD.
+    PeriodDoubling,
+}
+
+tables! {
+    /// All that is known of a family.
+    Family {
+        /// Its members.
+        members: Member = "family_members", "a member of the family, with values of the constants that vary",
+        /// Their resonances.
+        resonances: Resonance = "family_resonances", "a resonance of a member",
+        /// Their other codimension-two points.
+        points: Point = "family_points", "a codimension-two point of a member that is no resonance",
+        /// Resonances from member to member.
+        curves: CurvePoint = "family_curves", "a resonance on its way from one member to the next",
+        /// Where they are degenerate.
+        degenerate: Degenerate = "family_degenerate", "a degenerate resonance between two members",
+        ;
+        /// The panels of the figure.
+        panels: Vec<Panel>,
+        /// The number of members at which something was seen that could not be located or followed.
+        incomplete: u32,
+    }
+}

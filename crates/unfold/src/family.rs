@@ -1,0 +1,372 @@
+//! Resonances as one more parameter of the oscillator varies.
+//!
+//! A family is a list of oscillators that differ by the values of constants. Resonances of neighbouring members belong together if
+//! continuation leads from one to the other: with c between its values at the two members, (z, μ, η, c) lies on the curve
+//!
+//! ```text
+//! P_global(0, z; μ, η, c) = (0, z),   a₁₂ = 0 (p = 1) or κ_p = 0 (p ≥ 2),
+//! ```
+//!
+//! which is followed by arclength, so that it may turn back in c: there a₁₂' or κ_p' vanishes and two resonances are one. Where
+//! another quantity in the hypotheses of Theorem 2.4 or 2.5 is zero, the resonance is degenerate: c_SN is infinite where
+//! s_p⁺ is zero, c_PD where s_p⁻ is, both where β is. A quantity may change its sign there, or touch zero from one side, as
+//! s_p⁺ = −(1 − ϵE_p)² of the linear oscillator does.
+
+use core::f64::consts::TAU;
+
+use grazing_continuation::arclength::{Continuation, CurveEquations, StepControl};
+use grazing_continuation::mps::MaximalPeriodicSolution;
+use grazing_continuation::newton::{self, Linearisation};
+use grazing_continuation::regula_falsi::zero_between;
+use grazing_model::motion::highest_maximum;
+use grazing_model::{ImpactOscillator, State};
+use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
+use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
+use grazing_theorems::{ResonantGrazing, ResonantPoint};
+use nalgebra::{Matrix4, Vector3, Vector4};
+
+use crate::resonances::Resonance;
+use crate::{Diagram, Scope};
+
+/// The oscillator at a share of the way from one member to the next, with whatever primary and secondary parameter; none where it does not exist.
+pub type Between<'a, O> = &'a (dyn Fn(f64) -> Option<O> + Sync);
+
+/// A resonance followed from one member towards another.
+#[derive(Clone, Debug)]
+pub struct Arc<O> {
+    /// Its place in the list of the member's resonances.
+    pub resonance: usize,
+    /// The resonance along the way, the first point at the member itself.
+    pub points: Vec<ArcPoint<O>>,
+    /// Where and how it ends.
+    pub end: ArcEnd,
+}
+
+/// A resonance on the way from one member to another.
+#[derive(Clone, Debug)]
+pub struct ArcPoint<O> {
+    /// The share of the way.
+    pub way: f64,
+    /// The grazing orbit.
+    pub orbit: GrazingOrbit<O>,
+    /// What the theorem asks about.
+    pub point: ResonantPoint,
+    /// A quantity in the theorem's hypotheses that is zero here: the resonance is degenerate.
+    pub zero: Option<Quantity>,
+}
+
+/// How a resonance ends that is followed from one member towards another.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ArcEnd {
+    /// It comes to the other member.
+    Across,
+    /// It turns back to its own member, as the resonance at this place in the list, if that is known.
+    Back(Option<usize>),
+    /// It leaves the ranges of the parameters.
+    LeftWindow,
+    /// Another maximum of the grazing orbit touches the wall.
+    Inadmissible,
+    /// No further point was found.
+    Lost(String),
+}
+
+/// Steps in z (radians), the shares of both ranges and the share of the way; coefficients, which are drawn, may bend where the curve does not.
+const STEPS: StepControl =
+    StepControl { first: 0.02, longest: 0.08, shortest: 1e-5, turn: 0.05, ..StepControl::DRAWING };
+/// A curve of this many points between two members goes nowhere.
+const STEP_LIMIT: usize = 2_000;
+/// Differences in the share of the way for the derivative with respect to it, of which only the direction of steps depends: their error, the square of
+/// this and a rounding over it, is no larger than 1e-9.
+const DIFFERENCE: f64 = 1e-5;
+/// Resonances this close in z and the shares of the ranges are one: located to 1e-10, different ones are much farther apart.
+const SAME: f64 = 1e-6;
+/// Rates of change along the curve are differences over this length to both sides. Values are right to 1e-13, and so rates to 1e-10; the place at
+/// which a rate is zero is off by the square of this.
+const RATE: f64 = 1e-3;
+/// A quantity touches zero where its least modulus is this share of the values at both ends, or a rounding of terms of order one: the square of that
+/// error in its place is less.
+const DOUBLE_ZERO: f64 = 1e-9;
+const ROUNDING: f64 = 1e-12;
+/// A zero is located when this share of the values at both ends is left; where more than the second is left the quantity has a pole.
+const ZERO: f64 = 1e-11;
+const POLE: f64 = 1e-6;
+
+/// The resonances of a member, followed towards another. What turns back to its own member is listed once.
+pub fn arcs<O: ImpactOscillator>(diagram: &Diagram<O>, between: Between<'_, O>) -> Vec<Arc<O>> {
+    let followed = diagram.resonances.iter().enumerate().filter_map(|(index, resonance)| {
+        let path = Path { between, scope: &diagram.scope, loops: resonance.loops };
+        let arc = path.follow(index, resonance, &diagram.resonances)?;
+        // The same way back again is that of the other one.
+        (!matches!(arc.end, ArcEnd::Back(Some(other)) if other < index)).then_some(arc)
+    });
+    followed.collect()
+}
+
+/// The way of one resonance.
+struct Path<'a, O> {
+    between: Between<'a, O>,
+    scope: &'a Scope,
+    loops: u32,
+}
+
+impl<O: ImpactOscillator> CurveEquations<4> for Path<'_, O> {
+    type Carried = ();
+    type Failure = Missing;
+
+    fn evaluate(&self, point: &Vector4<f64>, (): &mut ()) -> Result<Linearisation<4>, Missing> {
+        let orbit = self.orbit(point)?;
+        let map = orbit.map();
+        let widths = self.scope.window.widths();
+        let mut system = Linearisation { residual: Vector4::zeros(), jacobian: Matrix4::zeros() };
+        system.residual.fixed_rows_mut::<3>(0).copy_from(&self.residual(&orbit, point[0]));
+        for (column, width) in [1.0, widths[0], widths[1]].into_iter().enumerate() {
+            let along = Vector3::ith(column, width);
+            for row in 0..2 {
+                system.jacobian[(row, column)] = map.jacobian[(row, column + 1)] * width;
+            }
+            let [_, rate] = orbit.detuning(self.loops, &orbit.derivative_along(&along));
+            system.jacobian[(2, column)] = rate;
+        }
+        system.jacobian[(1, 0)] -= 1.0;
+        let aside = |step: f64| {
+            let aside = point + Vector4::ith(3, step);
+            Ok::<_, Missing>(self.residual(&self.orbit(&aside)?, point[0]))
+        };
+        let slope = (aside(DIFFERENCE)? - aside(-DIFFERENCE)?) / (2.0 * DIFFERENCE);
+        system.jacobian.fixed_view_mut::<3, 1>(0, 3).copy_from(&slope);
+        Ok(system)
+    }
+}
+
+/// There is nothing to evaluate at a point.
+#[derive(Clone, Copy, Debug, thiserror::Error)]
+enum Missing {
+    #[error("there is no such oscillator")]
+    Oscillator,
+    #[error(transparent)]
+    Orbit(#[from] GrazingOrbitError),
+}
+
+/// A point of the curve, by z, the shares of both ranges and the share of the way.
+type Place = Vector4<f64>;
+
+impl<O: ImpactOscillator> Path<'_, O> {
+    fn orbit(&self, point: &Place) -> Result<GrazingOrbit<O>, Missing> {
+        let oscillator = (self.between)(point[3]).ok_or(Missing::Oscillator)?;
+        Ok(GrazingOrbit::at(self.scope.oscillator_at(&oscillator, [point[1], point[2]]), point[0])?)
+    }
+
+    /// What vanishes at a resonance.
+    fn residual(&self, orbit: &GrazingOrbit<O>, phase: f64) -> Vector3<f64> {
+        let value = orbit.map().value;
+        let [detuning, _] = orbit.detuning(self.loops, &Default::default());
+        Vector3::new(value[0], value[1] - phase, detuning)
+    }
+
+    fn at(&self, point: &Place) -> Option<ArcPoint<O>> {
+        let orbit = self.orbit(point).ok()?;
+        let resonant = orbit.resonant_point(self.loops).ok()?;
+        Some(ArcPoint { way: point[3], orbit, point: resonant, zero: None })
+    }
+
+    /// The point of the curve near another in the plane across a direction that goes through a third.
+    fn located(&self, near: Place, across: &Place, through: &Place) -> Option<Place> {
+        let located = newton::solve(near, 20, |point| {
+            let mut system = self.evaluate(point, &mut ())?;
+            system.residual[3] = across.dot(&(point - through));
+            system.jacobian.set_row(3, &across.transpose());
+            Ok::<_, Missing>(system)
+        });
+        Some(located.ok()?.point)
+    }
+
+    /// The zero of a function of the point, which has these values at the ends of a chord; nothing at a pole.
+    fn zero(
+        &self,
+        [from, to]: [&Place; 2],
+        values: [f64; 2],
+        function: impl Fn(&Place) -> Option<f64>,
+    ) -> Option<Place> {
+        let (chord, size) = (to - from, values[0].abs() + values[1].abs());
+        let at = |share: f64| {
+            let near = from + chord * share;
+            let point = self.located(near, &chord, &near).ok_or(())?;
+            let value = function(&point).ok_or(())?;
+            Ok::<_, ()>(((point, value), value))
+        };
+        let (point, value) = zero_between(values, at, |_, value| value.abs() <= ZERO * size).ok()?;
+        (value.abs() <= POLE * size).then_some(point)
+    }
+
+    fn follow(&self, index: usize, resonance: &Resonance<O>, all: &[Resonance<O>]) -> Option<Arc<O>> {
+        let orbit = resonance.located.orbit();
+        let place = self.scope.place(orbit);
+        let start = Vector4::new(place[0], place[1], place[2], 0.0);
+        let point = *resonance.located.resonant_point();
+        let mut arc = Arc {
+            resonance: index,
+            points: vec![ArcPoint { way: 0.0, orbit: orbit.clone(), point, zero: None }],
+            end: ArcEnd::Lost("it turns about without an end".to_owned()),
+        };
+        let mut walker = match Continuation::new(self, STEPS, start, Vector4::w(), ()) {
+            Ok(walker) => walker,
+            Err(stall) => {
+                arc.end = ArcEnd::Lost(stall.to_string());
+                return Some(arc);
+            }
+        };
+        let mut known = self.known(&start, &walker.here().tangent)?;
+        for _ in 0..STEP_LIMIT {
+            let before = walker.here().point;
+            let (after, tangent) = match walker.advance() {
+                Ok(station) => (station.point, station.tangent),
+                Err(stall) => {
+                    arc.end = ArcEnd::Lost(stall.to_string());
+                    return Some(arc);
+                }
+            };
+            let (mut after, mut end) = match self.leaves(&before, &after) {
+                Some((edge, end)) => (edge, Some(end)),
+                None => (after, None),
+            };
+            let heights = [self.height(&before)?, self.height(&after)?];
+            if heights[1] > MaximalPeriodicSolution::TOUCH {
+                let touching = self.zero([&before, &after], heights, |point| self.height(point));
+                (after, end) = (touching.unwrap_or(before), Some(ArcEnd::Inadmissible));
+            }
+            let (Some(next), Some(known_next)) = (self.at(&after), self.known(&after, &tangent)) else {
+                arc.end = ArcEnd::Lost("the map has no second derivatives there".to_owned());
+                return Some(arc);
+            };
+            arc.points.extend(self.degenerate([&before, &after], [&known, &known_next]));
+            arc.points.push(next);
+            known = known_next;
+            if let Some(end) = end {
+                arc.end = match end {
+                    ArcEnd::Back(_) => {
+                        let home = |other: &Resonance<O>| {
+                            other.loops == self.loops && self.same(&after, other.located.orbit())
+                        };
+                        ArcEnd::Back(all.iter().position(home))
+                    }
+                    other => other,
+                };
+                return Some(arc);
+            }
+        }
+        Some(arc)
+    }
+
+    fn same(&self, place: &Place, orbit: &GrazingOrbit<O>) -> bool {
+        let mut gap = self.scope.place(orbit) - place.fixed_rows::<3>(0);
+        gap[0] = libm::remainder(gap[0], TAU);
+        gap.norm() < SAME
+    }
+
+    /// Where the curve leaves the ranges, or comes to either member, between two of its points, if it does.
+    fn leaves(&self, before: &Place, after: &Place) -> Option<(Place, ArcEnd)> {
+        let crossed = [1, 2, 3].into_iter().filter_map(|unknown| {
+            let edge = if after[unknown] < 0.0 {
+                0.0
+            } else if after[unknown] > 1.0 {
+                1.0
+            } else {
+                return None;
+            };
+            let way = (edge - before[unknown]) / (after[unknown] - before[unknown]);
+            Some((way, unknown, edge))
+        });
+        let (way, unknown, edge) = crossed.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let near = before + (after - before) * way;
+        let mut through = near;
+        through[unknown] = edge;
+        let mut point = self.located(near, &Vector4::ith(unknown, 1.0), &through).unwrap_or(near);
+        point[unknown] = edge;
+        let end = match (unknown, edge) {
+            (3, 1.0) => ArcEnd::Across,
+            (3, _) => ArcEnd::Back(None),
+            _ => ArcEnd::LeftWindow,
+        };
+        Some((point, end))
+    }
+
+    /// The highest maximum of the grazing orbit beside that at the wall; far below it if there is none.
+    fn height(&self, point: &Place) -> Option<f64> {
+        let orbit = self.orbit(point).ok()?;
+        let oscillator = orbit.oscillator();
+        let motion = oscillator.motion(State::on_wall(0.0, orbit.phase()));
+        Some(highest_maximum(&motion, oscillator.forcing_period()).map_or(-1.0, |maximum| maximum.position))
+    }
+
+    /// What the theorem asks at a point with a tangent.
+    fn known(&self, place: &Place, tangent: &Place) -> Option<Vec<Known>> {
+        let at = |step: f64| Some(asked(&self.at(&(place + tangent * step))?.point));
+        let (here, before, after) = (at(0.0)?, at(-RATE)?, at(RATE)?);
+        let known = |asked: &Hypothesis| {
+            let quantity = asked.quantity;
+            let rate = value_of(&after, quantity)? - value_of(&before, quantity)?;
+            Some(Known { quantity, value: asked.value, rate })
+        };
+        Some(here.iter().filter_map(known).collect())
+    }
+
+    /// The degenerate resonances between two points of the curve.
+    fn degenerate(&self, ends: [&Place; 2], known: [&[Known]; 2]) -> Vec<ArcPoint<O>> {
+        let chord = ends[1] - ends[0];
+        let mut found: Vec<(f64, ArcPoint<O>)> = known[0]
+            .iter()
+            .filter_map(|from| {
+                let quantity = from.quantity;
+                let to = known[1].iter().find(|to| to.quantity == quantity)?;
+                let value = |point: &Place| value_of(&asked(&self.at(point)?.point), quantity);
+                let zero = if from.value * to.value < 0.0 {
+                    self.zero(ends, [from.value, to.value], value)?
+                } else if from.falls(chord.norm()) && to.falls(-chord.norm()) {
+                    let beside = |point: &Place, share: f64| {
+                        let near = point + chord * share;
+                        value(&self.located(near, &chord, &near)?)
+                    };
+                    let step = RATE / chord.norm();
+                    let rate = |point: &Place| Some(beside(point, step)? - beside(point, -step)?);
+                    let least = self.zero(ends, [from.rate, to.rate], rate)?;
+                    let zero = DOUBLE_ZERO * (from.value.abs() + to.value.abs()) + ROUNDING;
+                    Some(least).filter(|least| value(least).is_some_and(|value| value.abs() <= zero))?
+                } else {
+                    return None;
+                };
+                Some((chord.dot(&zero), ArcPoint { zero: Some(quantity), ..self.at(&zero)? }))
+            })
+            .collect();
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        found.into_iter().map(|(_, point)| point).collect()
+    }
+}
+
+/// A quantity at a point of the curve, and by how much it changes there from one side to the other.
+struct Known {
+    quantity: Quantity,
+    value: f64,
+    rate: f64,
+}
+
+impl Known {
+    /// Whether the quantity would be zero before a point so far onwards if it went on as it does here: what touches zero is twice as fast.
+    fn falls(&self, length: f64) -> bool {
+        self.value * self.rate * length < 0.0 && (self.rate * length).abs() > 2.0 * RATE * self.value.abs()
+    }
+}
+
+/// The quantities whose zeros are of interest: all that must be positive, or not zero.
+fn asked(point: &ResonantPoint) -> Vec<Hypothesis> {
+    let mut hypotheses = match ResonantGrazing::check(point, f64::INFINITY) {
+        Ok(theorem) => theorem.hypotheses().to_vec(),
+        Err(violated) => violated.hypotheses,
+    };
+    hypotheses.retain(|asked| matches!(asked.condition, Condition::Positive | Condition::NonZero));
+    hypotheses
+}
+
+/// The value of one of them.
+fn value_of(asked: &[Hypothesis], quantity: Quantity) -> Option<f64> {
+    Some(asked.iter().find(|asked| asked.quantity == quantity)?.value)
+}
