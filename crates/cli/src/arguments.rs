@@ -326,8 +326,8 @@ pub struct Merge {
     /// Folder for the results [default: families/NAME, as for a family that is computed in one run]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Formats of the figures, separated by commas
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg", value_parser = picture_formats())]
+    /// Formats, separated by commas; tex: figures.tex to include all, with PDF
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
     pub format: Vec<Format>,
     /// Width and resolution.
     #[command(flatten)]

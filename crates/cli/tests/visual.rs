@@ -9,7 +9,7 @@ use std::path::Path;
 use grazing_cli::outputs;
 use grazing_cli::outputs::edition::Edition;
 use grazing_drawing::Bounds;
-use grazing_export::{Figure, Text};
+use grazing_export::{Drawing, Text};
 use program::{empty_folder, grazing, repository, snapshots};
 use sha2::{Digest, Sha256};
 
@@ -33,16 +33,16 @@ fn registered() -> Vec<(&'static str, &'static str)> {
 }
 
 /// The figures in a folder.
-fn figures(folder: &Path) -> BTreeMap<&'static str, Figure> {
+fn figures(folder: &Path) -> BTreeMap<&'static str, Drawing> {
     let read = |file: &str| {
         let svg = fs::read_to_string(folder.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
-        Figure::read(&svg).unwrap_or_else(|error| panic!("{file}: {error}"))
+        Drawing::read(&svg).unwrap_or_else(|error| panic!("{file}: {error}"))
     };
     registered().into_iter().map(|(name, file)| (name, read(file))).collect()
 }
 
 /// What is wrong with a figure for print; empty for a good one.
-fn faults(figure: &Figure) -> Vec<String> {
+fn faults(figure: &Drawing) -> Vec<String> {
     let mut faults = Vec::new();
     let (texts, (right, bottom)) = (figure.texts(), figure.size());
     let sheet = Bounds { left: 0.0, top: 0.0, right, bottom }.grown(HAIR);
@@ -110,7 +110,7 @@ fn every_figure_is_fit_for_print_at_every_width_and_says_the_same() {
 /// What is wrong with Figure 7 beyond that: what crosses the frame of its panel, rectangles that are open, labels on lines.
 fn crossings(folder: &Path) -> Vec<String> {
     let svg = fs::read_to_string(folder.join("fig07.svg")).expect("the figure is there");
-    let figure = Figure::read(&svg).expect("it can be read");
+    let figure = Drawing::read(&svg).expect("it can be read");
     let (shapes, panel) = (figure.shapes(), panel(&svg));
     let mut faults = Vec::new();
     for shape in &shapes {
@@ -176,7 +176,7 @@ fn every_element_of_a_figure_can_be_drawn_and_no_coordinate_is_infinite() {
         // hold shapes that are not drawn themselves.
         let drawn = body.split("<clipPath").map(|part| part.rsplit("</clipPath>").next().unwrap_or(part));
         let count = |element: &str| drawn.clone().map(|part| part.matches(element).count()).sum::<usize>();
-        let figure = Figure::read(&svg).expect("the figure can be read");
+        let figure = Drawing::read(&svg).expect("the figure can be read");
         let written: usize =
             ["<path ", "<circle ", "<rect ", "<line ", "<polyline ", "<polygon ", "<ellipse "]
                 .into_iter()
@@ -194,7 +194,7 @@ fn every_kind_of_curve_in_the_data_is_named_in_its_figure() {
     for output in outputs::ALL {
         let Some(file) = output.figure else { continue };
         let svg = fs::read_to_string(repository().join("figures").join(file)).expect("the figure is there");
-        let texts = Figure::read(&svg).expect("the figure can be read").texts();
+        let texts = Drawing::read(&svg).expect("the figure can be read").texts();
         let labels: Vec<&str> = texts.iter().map(|text| text.text.as_str()).collect();
         for table in output
             .paths(&Edition::default())
@@ -236,7 +236,7 @@ fn every_fault_of_a_figure_is_found_out() {
         let svg = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100\" height=\"50\" font-family=\"STIX Two Text\">{body}</svg>"
         );
-        faults(&Figure::read(&svg).expect("it can be read"))
+        faults(&Drawing::read(&svg).expect("it can be read"))
     };
     let good = "<text x=\"10\" y=\"20\" font-size=\"8\">PD</text><path d=\"M1,1L9,9\" stroke=\"#000\"/>";
     assert_eq!(svg(good), [""; 0]);

@@ -96,7 +96,12 @@ pub(crate) fn diagram(
     }
     for (p, piece) in &longest {
         let text = if *p == 0 { "non-impacting".to_owned() } else { format!("$p={p}$") };
-        labels.name_curve(&text, SMALL_LABEL_SIZE, branch_pen(*p, 1.0).colour, piece)?;
+        let colour = branch_pen(*p, 1.0).colour;
+        if every_loop {
+            labels.name_curve(&text, SMALL_LABEL_SIZE, colour, piece)?;
+        } else {
+            labels.add(&text, SMALL_LABEL_SIZE, colour, &Wanted::Beside(piece))?;
+        }
     }
     // Where dots lie beside the branches, they cannot be taken for these; a few hundred show where.
     let mut some = dots.iter().step_by(1 + dots.len() / 300).rev();

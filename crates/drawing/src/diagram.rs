@@ -1,7 +1,7 @@
 //! A two-parameter bifurcation diagram, like Figure 7.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
-use grazing_results::plane::{CurvePoint, Figure7, MagnifiedPanel, RegionKind, RegionVertex, SpecialPoint};
+use grazing_results::plane::{Figure7, MagnifiedPanel, PlanePoint, RegionKind, RegionVertex, SpecialPoint};
 use grazing_results::{Frame, Names};
 
 use crate::DrawingError;
@@ -17,7 +17,7 @@ use crate::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth, THI
 
 /// A two-parameter bifurcation diagram; Figure 7 is one.
 #[derive(Debug, Clone, Copy)]
-pub struct Diagram<'a> {
+pub struct PlaneDiagram<'a> {
     /// The name of the file without its ending, by which errors call the diagram.
     pub name: &'static str,
     /// The title of the SVG, for readers who cannot see it.
@@ -29,7 +29,7 @@ pub struct Diagram<'a> {
     /// The names of the tables of points and of curves, which the SVG names.
     pub tables: [&'static str; 2],
     /// Points that follow each other with equal kind, p, n and arc are one curve; inadmissible ones are not drawn, nor are unstable ones of GZ.
-    pub curves: &'a [CurvePoint],
+    pub curves: &'a [PlanePoint],
     /// Resonances and other codimension-two points.
     pub points: &'a [SpecialPoint],
     /// Vertices of regions. Resonances of a p without a region have p written beside them.
@@ -74,7 +74,7 @@ pub fn draw_fig07(figure: &Figure7, width: SheetWidth) -> Result<String, Drawing
         name: "Fig. 2".to_owned(),
         thin: false,
     });
-    let diagram = Diagram {
+    let diagram = PlaneDiagram {
         name: "fig07",
         title: "Two-parameter bifurcation diagram",
         description: "Forcing amplitude across, forcing frequency up. Grazing curve of the non-impacting solution; \
@@ -93,11 +93,11 @@ pub fn draw_fig07(figure: &Figure7, width: SheetWidth) -> Result<String, Drawing
 }
 
 /// Draws a two-parameter bifurcation diagram; returns the text of an SVG file.
-pub fn draw_diagram(diagram: &Diagram<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+pub fn draw_diagram(diagram: &PlaneDiagram<'_>, width: SheetWidth) -> Result<String, DrawingError> {
     compose(diagram, width)?.finish(diagram.name, diagram.title, diagram.description)
 }
 
-pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
+pub(crate) fn compose(diagram: &PlaneDiagram<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
     let frame = checked(diagram.frame, diagram.name)?;
     for magnified in diagram.magnified {
         checked(magnified.frame, &format!("a rectangle of {}", diagram.name))?;
@@ -188,9 +188,9 @@ fn by_area(shapes: &[(u32, Vec<Spot>)]) -> Vec<(u32, &[Spot])> {
     sorted
 }
 
-fn shown_curves(points: &[CurvePoint]) -> Vec<Trace> {
-    let place = |point: &CurvePoint| (point.kind, point.loops, point.n, point.arc);
-    let curve = |points: &[CurvePoint]| {
+fn shown_curves(points: &[PlanePoint]) -> Vec<Trace> {
+    let place = |point: &PlanePoint| (point.kind, point.loops, point.n, point.arc);
+    let curve = |points: &[PlanePoint]| {
         let last = points.len() - 1;
         let spots = points.iter().enumerate().map(|(index, point)| {
             // At an end of a GZ curve, a codimension-two point, stability is marginal and its flag a toss-up.
@@ -337,7 +337,7 @@ mod tests {
         let sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
         let ends = [(0.25, 0.0), (0.25, 1.0)];
         let sections = [Section { ends, name: "diagram 1".to_owned(), thin: true }];
-        let diagram = Diagram { sections: &sections, ..sample.diagram() };
+        let diagram = PlaneDiagram { sections: &sections, ..sample.diagram() };
         for width in WIDTHS {
             let sheet = compose(&diagram, width).unwrap();
             assert!(sheet.misplaced_texts().is_empty(), "{:?}", sheet.misplaced_texts());

@@ -35,9 +35,9 @@ pub struct Magnifications<'a> {
     pub table: &'static str,
     /// Points that follow each other with equal panel, kind, source and arc are one curve.
     pub curves: &'a [MagnifiedPoint],
-    /// As [`Diagram::points`](crate::Diagram::points).
+    /// As [`PlaneDiagram::points`](crate::PlaneDiagram::points).
     pub points: &'a [SpecialPoint],
-    /// As [`Diagram::regions`](crate::Diagram::regions).
+    /// As [`PlaneDiagram::regions`](crate::PlaneDiagram::regions).
     pub regions: &'a [RegionVertex],
     /// The panels in the order in which they are drawn, row by row.
     pub panels: &'a [MagnifiedPanel],

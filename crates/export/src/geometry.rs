@@ -5,7 +5,7 @@ use resvg::tiny_skia::{Rect, Transform};
 use resvg::usvg::{Group, Node, Tree};
 use ttf_parser::Face;
 
-use crate::{ExportError, Figure};
+use crate::{Drawing, ExportError};
 
 fn around(rectangle: Rect, transform: Transform) -> Bounds {
     let [left, top, right, bottom] = rectangle.transform(transform).map_or([f64::NAN; 4], |turned| {
@@ -53,7 +53,7 @@ pub struct Shape {
     pub filled: bool,
 }
 
-impl Figure {
+impl Drawing {
     /// All labels, in the order in which they are drawn.
     pub fn texts(&self) -> Vec<Text> {
         let mut texts = Vec::new();

@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-use grazing_export::{ExportError, Figure};
+use grazing_export::{Drawing, ExportError};
 
 /// An SVG with all features that the figures use; lengths in points.
 const SAMPLE: &str = include_str!("sample.svg");
@@ -12,8 +12,8 @@ const SCALE: f64 = 4.0;
 /// The resolution with so many pixels to a point.
 const RESOLUTION: f64 = 288.0;
 
-fn sample() -> Figure {
-    Figure::read(SAMPLE).expect("the sample can be read")
+fn sample() -> Drawing {
+    Drawing::read(SAMPLE).expect("the sample can be read")
 }
 
 /// A decoded PNG.
@@ -25,7 +25,7 @@ struct Picture {
 }
 
 impl Picture {
-    fn of(figure: &Figure) -> Picture {
+    fn of(figure: &Drawing) -> Picture {
         let bytes = figure.png(RESOLUTION).expect("it can be drawn");
         let mut reader = png::Decoder::new(bytes.as_slice()).read_info().expect("a PNG");
         let mut colours = vec![0; reader.output_buffer_size()];
@@ -196,8 +196,8 @@ fn another_reader_of_pdf_finds_the_text() {
 #[test]
 fn what_cannot_be_drawn_is_refused() {
     let told = |error: Option<ExportError>| error.expect("it cannot be drawn").to_string();
-    assert!(told(Figure::read("old").err()).starts_with("not a drawable SVG"));
+    assert!(told(Drawing::read("old").err()).starts_with("not a drawable SVG"));
     let snow = SAMPLE.replace("𝒜", "雪");
-    assert!(told(Figure::read(&snow).err()).starts_with("label `雪` needs"));
+    assert!(told(Drawing::read(&snow).err()).starts_with("label `雪` needs"));
     assert!(told(sample().png(1e-3).err()).starts_with("a picture of 0 by"));
 }

@@ -11,7 +11,7 @@ use crate::{OscillatorEntry, Report, data, ledger, legend, table};
 
 /// A figure with its data.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Figure {
+pub struct FigureEntry {
     /// The name of its files, as `fig07`.
     pub name: String,
     /// What it shows, in one line: "Figure 7: two-parameter bifurcation diagram".
@@ -84,7 +84,7 @@ struct Framed<'a> {
 }
 
 /// A figure of the paper.
-pub(crate) fn of_the_paper(report: &Report<'_>, figure: &Figure) -> Html {
+pub(crate) fn of_the_paper(report: &Report<'_>, figure: &FigureEntry) -> Html {
     let heading = match figure.title.split_once(": ") {
         Some((number, rest)) => {
             format!("<span class=\"eyebrow\">{}</span> {}", escape(number), prose(&capitalised(rest)))
@@ -104,7 +104,7 @@ pub(crate) fn of_the_paper(report: &Report<'_>, figure: &Figure) -> Html {
 }
 
 /// A figure of an oscillator.
-pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, figure: &Figure) -> Html {
+pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, figure: &FigureEntry) -> Html {
     let id = format!("{}-{}", oscillator.anchor(), figure.name);
     rendered(&Framed {
         label: &format!("{}: {}", oscillator.description.name(), figure.title),
@@ -117,7 +117,7 @@ pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, f
 }
 
 /// The paths that the figure's own files have among all.
-fn own_files(figure: &Figure) -> Vec<String> {
+fn own_files(figure: &FigureEntry) -> Vec<String> {
     let tables = figure.tables.iter().map(table::path);
     std::iter::once(format!("{}.svg", figure.name)).chain(tables).collect()
 }

@@ -9,7 +9,7 @@ use grazing_results::{Column, Names, Table, UnitNames};
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::verdict::{Coefficient, Verdict};
 
-use crate::Figure;
+use crate::FigureEntry;
 use crate::columns::in_parentheses;
 use crate::html::{Html, counted, identifier};
 
@@ -27,7 +27,7 @@ pub struct OscillatorEntry {
     /// What stands in the file.
     pub description: Description,
     /// The figures; their names and those of their tables need be unique in this oscillator only.
-    pub figures: Vec<Figure>,
+    pub figures: Vec<FigureEntry>,
     /// The tables that are shown as such.
     pub tables: Vec<Table>,
     /// The resonant grazing bifurcations, in the order in which they were found.

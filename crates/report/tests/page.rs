@@ -3,7 +3,7 @@
 mod browser;
 mod sample;
 
-use browser::{Spot, assert_all_pass, checked};
+use browser::{Spot, assert_all_pass, checked, sheets_of_paper};
 use grazing_report::page;
 
 /// Ways to write parts of the formula of the sample, g_p(δ) = 2 √δ cos(π/p), with the label of its claim.
@@ -44,6 +44,14 @@ fn the_page_answers_to_pointer_keys_and_filters() {
     ];
     if let Some(results) = checked(&page(&sample::report()), &spots, &FORMULAS) {
         assert_all_pass(&results);
+    }
+}
+
+#[test]
+fn the_page_can_be_printed() {
+    if let Some(sheets) = sheets_of_paper(&page(&sample::report())) {
+        // Each of its eight sections begins on a sheet of its own; none is long.
+        assert!((8..24).contains(&sheets), "{sheets}");
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use grazing_drawing::SheetWidth;
-use grazing_export::{ExportError, Figure};
+use grazing_export::{Drawing, ExportError};
 
 use crate::arguments::Size;
 use crate::folder::MadeFile;
@@ -101,8 +101,8 @@ impl Edition {
         for (format, path) in self.formats.iter().zip(self.figure_paths(file)) {
             let content = match format {
                 Format::Svg => svg.clone().into_bytes(),
-                Format::Pdf => Figure::read(&svg)?.pdf()?,
-                Format::Png => Figure::read(&svg)?.png(f64::from(self.size.dpi))?,
+                Format::Pdf => Drawing::read(&svg)?.pdf()?,
+                Format::Png => Drawing::read(&svg)?.png(f64::from(self.size.dpi))?,
                 Format::Tex => continue,
             };
             files.push(MadeFile { path, content });

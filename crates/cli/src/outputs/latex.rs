@@ -3,14 +3,14 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use grazing_export::{ExportError, Figure};
+use grazing_export::{Drawing, ExportError};
 use grazing_reproduction::parameters::Parameters;
 use grazing_results::columns::{
     C_PD, C_SN, LOOPS, PRIMARY_AT_GRAZING, RESONANCE_INDEX, S_MINUS, S_PLUS, SECONDARY_AT_RESONANCE,
 };
 use grazing_results::{Cell, Column, GREEK, Table, symbol};
 
-use crate::folder::MadeFile;
+use crate::folder::{self, MadeFile};
 
 /// Significant digits of the number of least magnitude in a column; all its numbers have as many decimals.
 const DIGITS: i32 = 4;
@@ -44,7 +44,7 @@ pub(crate) fn is_printed(name: &str, columns: &[Column]) -> bool {
 
 /// The table as a tabular of booktabs: numbers rounded and aligned at the decimal point, units in the headings.
 fn tabular(table: &Table, title: &str) -> String {
-    let places = selected(table.name, table.columns);
+    let places = selected(table.name, &table.columns);
     let columns: Vec<(Vec<String>, bool)> = places.iter().map(|&place| cells(table, place)).collect();
     let alignment: String = columns.iter().map(|(_, numeric)| if *numeric { 'r' } else { 'l' }).collect();
     let heading = |&place: &usize| {
@@ -147,7 +147,7 @@ impl Float {
     /// # Errors
     /// The SVG cannot be read.
     pub(crate) fn figure(file: &str, svg: &str, title: &str, label: &str) -> Result<Self, ExportError> {
-        let figure = Figure::read(svg)?;
+        let figure = Drawing::read(svg)?;
         let pdf = Path::new(file).with_extension("pdf");
         let (number, caption) = caption(title);
         Ok(Self {
@@ -161,7 +161,7 @@ impl Float {
 
     /// A table and its file; nothing if it is empty or does not fit a page.
     pub(crate) fn table(table: &Table, title: &str, label: &str) -> Option<(Self, MadeFile)> {
-        if table.rows.is_empty() || table.rows.len() > MOST_ROWS || !is_printed(table.name, table.columns) {
+        if table.rows.is_empty() || table.rows.len() > MOST_ROWS || !is_printed(table.name, &table.columns) {
             return None;
         }
         let path = table_path(table.name);
@@ -173,6 +173,14 @@ impl Float {
             number: None,
         };
         Some((float, MadeFile { path, content: tabular(table, title).into_bytes() }))
+    }
+
+    /// The label of something that is made of a file, `kind` being `fig` or `tab`.
+    pub(crate) fn label(kind: &str, file: &Path, name: &str) -> String {
+        // Not every character of a file's name can stand in a label.
+        let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '-' };
+        let of: String = folder::name_for(file).to_string_lossy().chars().map(plain).collect();
+        format!("{kind}:{of}-{name}")
     }
 
     /// The same with one more sentence.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use grazing_description::{Description, DescriptionError};
 use grazing_drawing::SheetWidth;
 use grazing_export::ExportError;
-use grazing_report::{Figure, Manifest, OscillatorEntry, OutputFile, Report};
+use grazing_report::{FigureEntry, Manifest, OscillatorEntry, OutputFile, Report};
 use grazing_reproduction::unfolded::Rows;
 use grazing_results::branches::OneParameterRows;
 use grazing_results::{Cell, Column, Plan, Table, columns};
@@ -14,7 +14,7 @@ use grazing_source::Setting;
 
 use super::{file_name, links, noted, versions};
 use crate::failure::Failure;
-use crate::folder::{self, MadeFile};
+use crate::folder::MadeFile;
 use crate::outputs::computation;
 use crate::outputs::latex::{self, Float};
 use crate::project;
@@ -149,17 +149,14 @@ impl<'a> Material<'a> {
     /// # Errors
     /// A figure cannot be read.
     pub(crate) fn latex(&self) -> Result<Vec<MadeFile>, ExportError> {
-        // Not every character of a file's name can stand in a label.
-        let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '-' };
-        let name: String = folder::name_for(&self.of.file).to_string_lossy().chars().map(plain).collect();
         let (mut floats, mut files) = (Vec::new(), Vec::new());
         for sheet in &self.figures {
-            let label = format!("fig:{name}-{}", sheet.name());
+            let label = Float::label("fig", &self.of.file, sheet.name());
             floats.push(Float::figure(&sheet.file, &sheet.svg, &sheet.title, &label)?);
         }
         for table in self.tables.iter().filter(|table| table.name == SHOWN[0]) {
             let title = format!("Coefficients of {}", self.of.description.name());
-            let made = Float::table(table, &title, &format!("tab:{name}-{}", table.name));
+            let made = Float::table(table, &title, &Float::label("tab", &self.of.file, table.name));
             made.into_iter().for_each(|(float, file)| {
                 floats.push(float);
                 files.push(file);
@@ -188,7 +185,7 @@ impl<'a> Material<'a> {
     }
 
     /// The figures, each with the tables that it shows.
-    fn figures(&self) -> Vec<Figure> {
+    fn figures(&self) -> Vec<FigureEntry> {
         let figure = |sheet: &Sheet| {
             let tables = match sheet.kind {
                 SheetKind::TwoParameters => ["points", "curves"].map(|name| self.table(name)).to_vec(),
@@ -204,7 +201,7 @@ impl<'a> Material<'a> {
             };
             let name = sheet.name().to_owned();
             let tables = tables.into_iter().flatten().collect();
-            Figure { name, title: sheet.title.clone(), svg: sheet.svg.clone(), tables }
+            FigureEntry { name, title: sheet.title.clone(), svg: sheet.svg.clone(), tables }
         };
         self.figures.iter().map(figure).collect()
     }

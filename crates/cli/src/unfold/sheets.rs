@@ -2,7 +2,7 @@
 
 use grazing_description::Description;
 use grazing_drawing::{
-    Diagram, DrawingError, Magnifications, Section, SheetWidth, draw_diagram, draw_magnifications,
+    DrawingError, Magnifications, PlaneDiagram, Section, SheetWidth, draw_diagram, draw_magnifications,
     draw_one_parameter,
 };
 use grazing_reproduction::unfolded::Rows;
@@ -87,7 +87,7 @@ pub(crate) fn figures(
     };
     let sections: Vec<Section> = unfolded.diagrams.iter().map(section).collect();
     let axes = format!("{} across, {} up.", primary.name(), secondary.name());
-    let diagram = Diagram {
+    let diagram = PlaneDiagram {
         name: "diagram",
         title: &format!("{}: two-parameter bifurcation diagram", description.name()),
         description: &format!(

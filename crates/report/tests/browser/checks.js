@@ -129,10 +129,13 @@ addEventListener("load", async () => {
       const pointer = new DOMPoint(spot.x, spot.y).matrixTransform(svg.getScreenCTM());
       sheet.focus();
       sheet.dispatchEvent(new WheelEvent("wheel", { deltaY: -1500, clientX: pointer.x, clientY: pointer.y, cancelable: true }));
-      const dots = () => all("path[transform*=scale]", svg).flatMap((node) =>
-        [...node.getAttribute("d").matchAll(/M([-\d.]+),([-\d.]+)/g)].map(([, x, y]) => new DOMPoint(Number(x) + 0.5, Number(y)).matrixTransform(node.getScreenCTM())));
-      const met = () => dots().some(({ x, y }) => Math.hypot(x - pointer.x, y - pointer.y) < 0.1 * svg.getScreenCTM().a);
-      check(`${figure.id}: the dot of row ${row} lies where it belongs`, await until(met), [pointer.x, pointer.y, dots().length, zoom()]);
+      // In points of the sheet, since the page may scroll meanwhile.
+      const dots = () => all("path[transform*=scale]", svg).flatMap((node) => {
+        const { x: left, y: top, side } = latticeOf(node);
+        return [...node.getAttribute("d").matchAll(/M([-\d.]+),([-\d.]+)/g)].map(([, x, y]) => [left + side * (Number(x) + 0.5), top + side * Number(y)]);
+      });
+      const met = () => dots().some(([x, y]) => Math.hypot(x - spot.x, y - spot.y) < 0.05);
+      check(`${figure.id}: the dot of row ${row} lies where it belongs`, await until(met), [spot, dots().slice(0, 9)]);
       press("0");
     }
     const middle = svg.getBoundingClientRect();

@@ -10,7 +10,7 @@ use grazing_claims::source::Sources;
 use grazing_continuation::bifurcation::{CodimensionTwo, Pair};
 use grazing_continuation::fit::{Estimate, Measurement};
 use grazing_description::Description;
-use grazing_report::{Figure, Manifest, OscillatorEntry, OutputFile, Report, TableOutput};
+use grazing_report::{FigureEntry, Manifest, OscillatorEntry, OutputFile, Report, TableOutput};
 use grazing_reproduction::published::Published;
 use grazing_reproduction::unfolded::ResonanceEntry;
 use grazing_results::plane::SpecialPoint;
@@ -79,7 +79,7 @@ fn findings() -> Vec<Finding<'static>> {
     found.map(|(claim, verdict)| Finding { claim, verdict, time: Default::default() }).collect()
 }
 
-fn figure(name: &str, title: &str) -> Figure {
+fn figure(name: &str, title: &str) -> FigureEntry {
     let svg = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"70mm\" height=\"40mm\" \
          viewBox=\"0 0 200 120\" font-family=\"'STIX Two Text',serif\" fill=\"none\" role=\"img\">\n<title>{title}</title>\n\
@@ -108,7 +108,7 @@ fn figure(name: &str, title: &str) -> Figure {
     ];
     let name_of_table = if name == "fig98" { "fig98_points" } else { "fig99_points" };
     let tables = vec![Table::of_cells(name_of_table, COLUMNS, &Names::of_the_paper(), rows)];
-    Figure { name: name.to_owned(), title: title.to_owned(), svg, tables }
+    FigureEntry { name: name.to_owned(), title: title.to_owned(), svg, tables }
 }
 
 fn sweep() -> Table {
