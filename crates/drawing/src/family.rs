@@ -202,7 +202,9 @@ fn strands(
     loops: u32,
     place: impl Fn(&CurvePoint) -> (f64, f64),
 ) -> Vec<(&CurvePoint, Vec<(f64, f64)>)> {
-    let mut strands: Vec<(&CurvePoint, &CurvePoint, Vec<(f64, f64)>)> = Vec::new();
+    /// The rows with which it begins and ends, and the polyline.
+    type Strand<'a> = (&'a CurvePoint, &'a CurvePoint, Vec<(f64, f64)>);
+    let mut strands: Vec<Strand<'_>> = Vec::new();
     let own: Vec<&CurvePoint> = family.curves.iter().filter(|row| row.loops == loops).collect();
     for arc in own.chunk_by(|a, b| a.arc == b.arc) {
         let (first, last) = (arc[0], arc[arc.len() - 1]);
