@@ -79,7 +79,8 @@ pub fn draw_fig07(figure: &Figure7, width: SheetWidth) -> Result<String, Drawing
         title: "Two-parameter bifurcation diagram",
         description: "Forcing amplitude across, forcing frequency up. Grazing curve of the non-impacting solution; \
              saddle-node, period-doubling and grazing bifurcations of maximal periodic solutions; regions of stability \
-             in grey.",
+             in grey. Triangles: resonances; discs: other codimension-two points. Rectangles: the panels of Figure 8; thick \
+             line: where Figure 2 runs.",
         names: &Names::of_the_paper(),
         tables: ["fig07_points", "fig07_curves"],
         curves: &figure.curves,

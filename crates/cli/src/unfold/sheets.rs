@@ -92,7 +92,8 @@ pub(crate) fn figures(
         title: &format!("{}: two-parameter bifurcation diagram", description.name()),
         description: &format!(
             "{axes} Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing bifurcations of \
-             maximal periodic solutions; regions of stability in grey."
+             maximal periodic solutions; regions of stability in grey. Triangles: resonances; discs: other codimension-two \
+             points; rectangles: magnifications."
         ),
         names: &unfolded.axes.names,
         tables: ["points", "curves"],

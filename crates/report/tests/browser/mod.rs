@@ -67,8 +67,8 @@ pub(crate) fn sheets_of_paper(page: &str) -> Option<usize> {
     let pdf = folder.path().join("page.pdf");
     open(browser, folder.path(), &format!("--print-to-pdf={}", pdf.display()));
     let pdf = fs::read(pdf).expect("the browser prints");
-    // An object of a page has its type on a line of its own.
-    Some(pdf.split(|byte| *byte == b'\n').filter(|line| *line == b"/Type /Page").count())
+    // The object of a page begins with its type on a line of its own.
+    Some(pdf.split(|byte| *byte == b'\n').filter(|line| line.ends_with(b"/Type /Page")).count())
 }
 
 /// The name of a browser; where there is none, that is said.
