@@ -11,6 +11,7 @@ use std::time::Instant;
 use grazing_description::{Description, Limits};
 use grazing_drawing::draw_family;
 use grazing_reproduction::family::{Plan, Record, Varied, assemble, names, records};
+use grazing_results::brief;
 use grazing_results::family::Family;
 use grazing_source::{Setting, nearest, suggestion};
 
@@ -219,7 +220,15 @@ fn members(origin: &Origin, plan: &Plan, which: Range<usize>) -> Result<Vec<(usi
     let member = |index: usize| {
         let names = plan.varied.iter().map(|varied| varied.name.as_str());
         let values: Vec<(&str, f64)> = names.zip(plan.values(index)).collect();
-        Ok((index, origin.description(&values)?))
+        match origin.description(&values) {
+            Ok(description) => Ok((index, description)),
+            Err(mut failure) => {
+                let set = values.iter().map(|(name, value)| format!("{name} = {}", brief(*value, 6)));
+                let set = set.collect::<Vec<_>>().join(", ");
+                failure.reason = format!("--vary: with {set}: {}", failure.reason);
+                Err(failure)
+            }
+        }
     };
     which.map(member).collect()
 }

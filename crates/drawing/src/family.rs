@@ -196,14 +196,15 @@ fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -
     labels.draw()
 }
 
+/// First and last row of a polyline, and its points.
+type Strand<'a> = (&'a CurvePoint, &'a CurvePoint, Vec<(f64, f64)>);
+
 /// The resonances of p loops from member to member, each as one polyline with the row with which it begins: arcs of one branch that follow each other.
 fn strands(
     family: &Family,
     loops: u32,
     place: impl Fn(&CurvePoint) -> (f64, f64),
 ) -> Vec<(&CurvePoint, Vec<(f64, f64)>)> {
-    /// The rows with which it begins and ends, and the polyline.
-    type Strand<'a> = (&'a CurvePoint, &'a CurvePoint, Vec<(f64, f64)>);
     let mut strands: Vec<Strand<'_>> = Vec::new();
     let own: Vec<&CurvePoint> = family.curves.iter().filter(|row| row.loops == loops).collect();
     for arc in own.chunk_by(|a, b| a.arc == b.arc) {
@@ -268,4 +269,127 @@ fn points(
 fn pale(colour: Colour, share: f64) -> Colour {
     let mix = |own: u8, white: u8| (f64::from(own) * (1.0 - share) + f64::from(white) * share) as u8;
     Colour(mix(colour.0, WHITE.0), mix(colour.1, WHITE.1), mix(colour.2, WHITE.2))
+}
+
+#[cfg(test)]
+mod tests {
+    use grazing_results::Frame;
+    use grazing_results::family::Point;
+
+    use super::*;
+
+    /// A family of two constants with branches of p = 1 and 2, one of which has a pole.
+    fn sample(scale: f64) -> Family {
+        let kinds = [CodimensionTwo::SaddleNodeGrazing, CodimensionTwo::PeriodDoublingGrazing];
+        let (mut curves, mut points, mut degenerate) = (Vec::new(), Vec::new(), Vec::new());
+        for (number, (loops, n, other)) in
+            [(1, 1, 0.0), (1, 2, 0.0), (2, 1, 0.0), (1, 1, 1.0), (1, 2, 1.0)].into_iter().enumerate()
+        {
+            for k in 0..=40_u32 {
+                let share = f64::from(k) / 40.0;
+                let pole = if loops == 1 { share - 0.41 } else { 1.0 };
+                let (arc, branch) = (number as u32 * 4 + k.min(39) / 10, number as u32);
+                let (varied_2, varied_3) = (scale * share, other);
+                let secondary = f64::from(n) / f64::from(loops + 1) + 0.2 * share * share + 0.05 * other;
+                let (c_sn, c_pd) = (-2.0 * scale / pole, 40.0 * scale * (1.0 + share * f64::from(n)));
+                let end = String::new();
+                let [s_plus, s_minus, primary] = [1.0, 1.0, 0.5];
+                let varied_1 = f64::NAN;
+                let row = CurvePoint {
+                    varied_1,
+                    varied_2,
+                    varied_3,
+                    loops,
+                    n,
+                    branch,
+                    arc,
+                    secondary,
+                    primary,
+                    s_plus,
+                    s_minus,
+                    c_sn,
+                    c_pd,
+                    end,
+                };
+                if k % 10 == 0 {
+                    let (kind, impact_velocity, secondary) =
+                        (kinds[number % 2], 0.1, secondary - 0.1 * share);
+                    points.push(Point {
+                        varied_1,
+                        varied_2,
+                        varied_3,
+                        kind,
+                        loops,
+                        n,
+                        secondary,
+                        primary,
+                        impact_velocity,
+                    });
+                    if k > 0 && k < 40 {
+                        curves.push(CurvePoint { arc: arc - 1, ..row.clone() });
+                    }
+                }
+                curves.push(row);
+            }
+            let (varied_2, meaning) = (scale * 0.41, Degeneracy::InfiniteSaddleNode);
+            let (varied_1, varied_3, branch, quantity) = (f64::NAN, other, 0, "s_p^+".to_owned());
+            let (secondary, primary) = (0.5, 0.5);
+            degenerate.push(Degenerate {
+                varied_1,
+                varied_2,
+                varied_3,
+                loops,
+                n,
+                branch,
+                quantity,
+                meaning,
+                secondary,
+                primary,
+            });
+        }
+        let panel = |loops, shows, y| Shown { loops, shows, frame: Frame { x: [0.0, scale], y } };
+        let panels = [1, 2].into_iter().flat_map(|loops| {
+            [
+                panel(loops, Shows::Secondary, [0.2, 1.3]),
+                panel(loops, Shows::SaddleNode, [-20.0 * scale, 20.0 * scale]),
+                panel(loops, Shows::PeriodDoubling, [0.0, 130.0 * scale]),
+            ]
+        });
+        let panels = panels.collect();
+        Family { members: vec![], resonances: vec![], points, curves, degenerate, panels, incomplete: 0 }
+    }
+
+    #[test]
+    fn no_two_labels_overlap_at_any_scale_and_width_and_every_panel_has_its_letter() {
+        let names = Names::new("A", "omega").with_varied(&["kappa".to_owned(), "long_name".to_owned()]);
+        for scale in [1.0, 3e-7, 2e5] {
+            for width in [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns] {
+                let sheets = compose(&sample(scale), &names, width).unwrap();
+                for sheet in &sheets {
+                    let misplaced = sheet.misplaced_texts();
+                    assert!(misplaced.is_empty(), "{scale} {width:?}: {misplaced:?}");
+                }
+                let texts: Vec<String> = sheets.iter().flat_map(Canvas::texts).collect();
+                for (letter, loops) in ["a", "b", "c", "d", "e", "f"].into_iter().zip([1, 1, 1, 2, 2, 2]) {
+                    assert!(texts.contains(&format!("({letter})  $p={loops}$")), "{texts:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn arcs_that_follow_each_other_are_one_curve_whichever_way_they_were_followed() {
+        let whole = sample(1.0);
+        let along = |family: &Family| -> Vec<usize> {
+            let strands = strands(family, 1, |row| (row.varied_2, row.secondary));
+            strands.iter().map(|(_, points)| points.len()).collect()
+        };
+        assert_eq!(along(&whole), [41; 4]);
+        let mut turned = whole.clone();
+        let first = turned.curves.iter().take_while(|row| row.arc == turned.curves[0].arc).count();
+        // The first arc, followed from its other end, comes after the second.
+        turned.curves[..first].reverse();
+        turned.curves[..2 * first].rotate_left(first);
+        assert_eq!(along(&turned), [41; 4]);
+    }
 }

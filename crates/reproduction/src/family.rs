@@ -16,7 +16,7 @@ use grazing_unfold::stop::Stop;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::plane::Axes;
+use crate::plane::own_header;
 use crate::unfolded;
 pub use record::Record;
 
@@ -109,6 +109,7 @@ pub fn assemble(plan: &Plan, description: &Description, records: Vec<Option<Reco
 
 /// The names that head the columns of a family's tables.
 pub fn names(plan: &Plan, description: &Description) -> Names {
-    let varied: Vec<String> = plan.varied.iter().map(|varied| Axes::own(&varied.name)).collect();
+    let own = |varied: &Varied| own_header(&varied.name, Family::TABLES.iter());
+    let varied: Vec<String> = plan.varied.iter().map(own).collect();
     unfolded::axes(description).names.with_varied(&varied)
 }

@@ -9,7 +9,7 @@ use grazing_model::smooth::Units;
 use grazing_results::branches::OneParameterRows;
 use grazing_results::family::Family;
 use grazing_results::plane::{MagnifiedPoint, PlanePoint, RegionKind, RegionVertex, Source, SpecialPoint};
-use grazing_results::{Names, UnitNames};
+use grazing_results::{Names, Plan, UnitNames};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::GrazingCurve;
 use grazing_unfold::magnification::Polyline;
@@ -30,18 +30,9 @@ pub struct Axes {
 impl Axes {
     /// Axes of these names.
     pub fn new(primary: &str, secondary: &str, units: Units) -> Self {
-        Self { names: Names::new(&Self::own(primary), &Self::own(secondary)), units }
-    }
-
-    /// A parameter's name as the header of a column: not that of another one.
-    pub(crate) fn own(name: &str) -> String {
         let tables = Rows::TABLES.iter().chain(OneParameterRows::TABLES).chain(Family::TABLES);
-        let taken: Vec<_> = tables.flat_map(|table| table.columns).map(|column| column.name).collect();
-        let mut name = name.to_owned();
-        while taken.contains(&name.as_str()) {
-            name.push('_');
-        }
-        name
+        let [primary, secondary] = [primary, secondary].map(|name| own_header(name, tables.clone()));
+        Self { names: Names::new(&primary, &secondary), units }
     }
 
     /// The same axes with names of the units.
@@ -54,6 +45,16 @@ impl Axes {
     pub fn of_the_paper() -> Self {
         Self { names: Names::of_the_paper(), units: Units::ONE }
     }
+}
+
+/// The name of a parameter as a header in tables: with a `_` more if another column has it.
+pub(crate) fn own_header<'a>(name: &str, tables: impl Iterator<Item = &'a Plan>) -> String {
+    let taken: Vec<_> = tables.flat_map(|table| table.columns).map(|column| column.name).collect();
+    let mut name = name.to_owned();
+    while taken.contains(&name.as_str()) {
+        name.push('_');
+    }
+    name
 }
 
 /// Grazing curves and bifurcation curves, point by point.
