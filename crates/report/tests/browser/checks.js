@@ -126,16 +126,20 @@ addEventListener("load", async () => {
     const panel = cloud && readPanels(svg).find(({ tables }) => tables?.includes(cloud.name));
     for (const row of cloud ? [0, Math.floor(cloud.rows / 2), cloud.rows - 1] : []) {
       const spot = panel.toSheet(...panel.columns.map((column) => Number(cloud.column(column)[row])));
-      const pointer = new DOMPoint(spot.x, spot.y).matrixTransform(svg.getScreenCTM());
+      const place = new DOMPoint(spot.x, spot.y).matrixTransform(svg.getScreenCTM());
+      // The pixel of a pointer is a whole one; what lies under it stays where it is.
+      const [clientX, clientY] = [Math.round(place.x), Math.round(place.y)];
+      const fixed = new DOMPoint(clientX, clientY).matrixTransform(svg.getScreenCTM().inverse());
       sheet.focus();
-      sheet.dispatchEvent(new WheelEvent("wheel", { deltaY: -1500, clientX: pointer.x, clientY: pointer.y, cancelable: true }));
+      sheet.dispatchEvent(new WheelEvent("wheel", { deltaY: -1500, clientX, clientY, cancelable: true }));
+      const wanted = [fixed.x + zoom() * (spot.x - fixed.x), fixed.y + zoom() * (spot.y - fixed.y)];
       // In points of the sheet, since the page may scroll meanwhile.
       const dots = () => all("path[transform*=scale]", svg).flatMap((node) => {
         const { x: left, y: top, side } = latticeOf(node);
         return [...node.getAttribute("d").matchAll(/M([-\d.]+),([-\d.]+)/g)].map(([, x, y]) => [left + side * (Number(x) + 0.5), top + side * Number(y)]);
       });
-      const met = () => dots().some(([x, y]) => Math.hypot(x - spot.x, y - spot.y) < 0.05);
-      check(`${figure.id}: the dot of row ${row} lies where it belongs`, await until(met), [spot, dots().slice(0, 9)]);
+      const met = () => dots().some(([x, y]) => Math.hypot(x - wanted[0], y - wanted[1]) < 0.05);
+      check(`${figure.id}: the dot of row ${row} lies where it belongs`, await until(met), [wanted, dots().slice(0, 9)]);
       press("0");
     }
     const middle = svg.getBoundingClientRect();
