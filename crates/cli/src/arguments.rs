@@ -293,8 +293,7 @@ pub struct Unfold {
     /// Value for a key of the files, in its place; a name alone is that of a constant
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<Setting>,
-    /// Resonances, coefficients and codimension-two points for several values of a constant, from FROM to TO; may be given
-    /// up to three times, for all combinations
+    /// Resonances and coefficients for COUNT values of a constant; up to three times
     #[arg(long, value_name = "NAME=FROM:TO:COUNT")]
     pub vary: Vec<Variation>,
     /// Compute only this part of the family, to be joined with the others by `merge`
@@ -323,7 +322,7 @@ pub struct Merge {
     /// All parts of a family, as `unfold --part` writes them
     #[arg(value_name = "PART", required = true)]
     pub parts: Vec<PathBuf>,
-    /// Folder for the results [default: families/NAME, as for a family that is computed in one run]
+    /// Folder for the results [default: families/NAME]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Formats, separated by commas; tex: figures.tex to include all, with PDF

@@ -83,6 +83,12 @@ pub struct UnitNames {
     pub secondary: Option<String>,
 }
 
+/// A unit with its powers raised: m/s^2 is m/s².
+fn raised(unit: &str) -> String {
+    let powers = [("^-1", "⁻¹"), ("^-2", "⁻²"), ("^-3", "⁻³"), ("^2", "²"), ("^3", "³")];
+    powers.into_iter().fold(unit.to_owned(), |unit, (power, raised)| unit.replace(power, raised))
+}
+
 impl Names {
     /// Names as a file has them.
     pub fn new(primary: &str, secondary: &str) -> Self {
@@ -139,7 +145,7 @@ impl Names {
         let [primary, secondary] = self.shown();
         let [of_primary, of_secondary] = self.parameter_units();
         [(primary, of_primary), (secondary, of_secondary)]
-            .map(|(name, unit)| unit.map_or(name.clone(), |unit| format!("{name} ({unit})")))
+            .map(|(name, unit)| unit.map_or(name.clone(), |unit| format!("{name} ({})", raised(unit))))
     }
 
     /// Whether the name of any unit is known.
@@ -321,6 +327,8 @@ mod tests {
         let wanted = ["mm/s^2", "N/(rad/s)^2", "rad/s", "rad s/mm", "1"];
         assert_eq!(shown.map(|declared| named.unit(declared)), wanted);
         assert_eq!(named.titles(), ["$F_{0}$ (N)", r"$\omega$ (rad/s)"]);
+        let accelerations = UnitNames { primary: some("m/s^2"), ..UnitNames::default() };
+        assert_eq!(Names::new("a", "f").with_units(accelerations).titles()[0], "$a$ (m/s²)");
     }
 
     #[test]
