@@ -296,8 +296,8 @@ pub struct Unfold {
     /// Folder for the results, of several files with one for each in it [default: unfolded/NAME]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Formats of the figures, separated by commas
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg", value_parser = picture_formats())]
+    /// Formats, separated by commas; tex: a LaTeX table, and figures.tex to include all, with PDF
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
     pub format: Vec<Format>,
     /// Width and resolution.
     #[command(flatten)]
@@ -354,8 +354,8 @@ pub struct Merge {
     /// Folder for the results [default: families/NAME]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Formats of the figures, separated by commas
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg", value_parser = picture_formats())]
+    /// Formats, separated by commas; tex: figures.tex to include all, with PDF
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
     pub format: Vec<Format>,
     /// Width and resolution.
     #[command(flatten)]
@@ -419,11 +419,6 @@ fn widths() -> impl TypedValueParser<Value = SheetWidth> {
 }
 
 /// Formats of figures: all but LaTeX.
-fn picture_formats() -> impl TypedValueParser<Value = Format> {
-    PossibleValuesParser::new([Format::Svg, Format::Pdf, Format::Png].map(Format::name))
-        .try_map(|name| Format::from_str(&name, true))
-}
-
 fn output_names() -> impl Iterator<Item = PossibleValue> {
     outputs::ALL.iter().map(|output| PossibleValue::new(output.name).help(output.title))
 }

@@ -76,13 +76,13 @@ fn row(column: &Column, names: &Names, units: bool) -> String {
 
 #[cfg(test)]
 mod tests {
-    use grazing_results::plane::CurvePoint;
+    use grazing_results::plane::PlanePoint;
 
     use super::*;
 
     #[test]
     fn columns_bear_the_names_symbols_and_units_of_the_parameters() {
-        let tables = ["one", "two"].map(|name| Plan::of::<CurvePoint>(name, "a point"));
+        let tables = ["one", "two"].map(|name| Plan::of::<PlanePoint>(name, "a point"));
         let made = of_an_oscillator(tables, &Names::new("F_0", "omega"));
         let text = String::from_utf8(made.content).expect("it is text");
         assert!(text.contains("\n## one.csv, two.csv\n\nA row is a point.\n"), "{text}");

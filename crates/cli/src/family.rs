@@ -19,7 +19,8 @@ use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
 use crate::limits::{self, Met, Watch};
-use crate::outputs::edition::Edition;
+use crate::outputs::edition::{Edition, Format};
+use crate::outputs::latex::{self, Float};
 use crate::outputs::{computation, table_path};
 use crate::progress::Display;
 use crate::reproduce::{start_threads, summary};
@@ -31,6 +32,8 @@ use part::{Origin, PartFile};
 const RESULTS: &str = "families";
 /// The figure, if there is room for it on one sheet.
 const FIGURE: &str = "family.svg";
+/// What it shows.
+const FAMILY: &str = "resonant grazing bifurcations of a family";
 /// More members than this make tables that nobody reads and files that fill a disk.
 const MOST_MEMBERS: usize = 1_000_000;
 
@@ -258,16 +261,19 @@ fn finish(
 ) -> Result<(), Failure> {
     let family = assemble(plan, description, records);
     let names = names(plan, description);
-    let title = format!("{}: resonant grazing bifurcations of a family", description.name());
+    let title = format!("{}: {FAMILY}", description.name());
     let sheets = draw_family(&family, &names, &title, task.edition.size.columns)
         .map_err(|error| computation("figures", &error))?;
-    let mut files = Vec::new();
+    let (mut files, mut floats) = (Vec::new(), Vec::new());
     let count = sheets.len();
     for (svg, number) in sheets.into_iter().zip(1..) {
         let file = if count == 1 { FIGURE.to_owned() } else { format!("family-{number}.svg") };
-        let made = task.edition.figure_files(&file, svg);
-        files.extend(made.map_err(|error| computation("figures", &error))?);
+        let told = |error| computation("figures", &error);
+        let label = Float::label("fig", task.file, file.trim_end_matches(".svg"));
+        floats.push(Float::figure(&file, &svg, FAMILY, &label).map_err(told)?);
+        files.extend(task.edition.figure_files(&file, svg).map_err(told)?);
     }
+    files.extend(task.edition.has(Format::Tex).then(|| latex::snippet(&floats)));
     for table in family.tables(&names) {
         let content = tables::csv(&table).map_err(|error| computation("tables", &error))?;
         files.push(MadeFile { path: table_path(table.name), content });

@@ -22,6 +22,7 @@ use crate::failure::Failure;
 use crate::folder::{DATA, MadeFile};
 use crate::tables;
 use edition::{Edition, Format};
+use latex::Float;
 
 /// An output when it is made.
 #[derive(Default)]
@@ -32,6 +33,8 @@ pub(crate) struct Made {
     pub(crate) tables: Vec<Table>,
     /// What is shown otherwise than asked for, in sentences.
     pub(crate) notes: Vec<String>,
+    /// Its figure or tables in LaTeX, in an edition that has it.
+    pub(crate) floats: Vec<Float>,
     /// What it lacks, so that it is not what was asked for; in the end with the keys to change.
     pub(crate) gaps: Vec<String>,
 }
@@ -44,6 +47,8 @@ pub struct Output {
     pub name: &'static str,
     /// What it shows, in one line.
     pub title: &'static str,
+    /// The label of the figure in the paper, or that of the table in LaTeX.
+    pub label: &'static str,
     /// The file of the figure as SVG, if it is one.
     pub figure: Option<&'static str>,
     /// Its tables.
@@ -58,10 +63,11 @@ pub struct Output {
 /// A figure of the paper: the parameters of its name, the function of a study of that name, and one that draws what it makes; with the lists
 /// of what is to be told of it.
 macro_rules! figure {
-    ($name:ident, $draw:ident, $title:literal, $tables:expr, $keys:literal $(, $told:ident)*) => {
+    ($name:ident, $draw:ident, $title:literal, $label:literal, $tables:expr, $keys:literal $(, $told:ident)*) => {
         Output {
             name: stringify!($name),
             title: $title,
+            label: $label,
             figure: Some(concat!(stringify!($name), ".svg")),
             tables: $tables,
             check: |parameters| parameters.$name.get().map(drop),
@@ -84,6 +90,7 @@ pub const ALL: &[Output] = &[
     Output {
         name: "coefficients",
         title: "Coefficients at all resonances of Figure 7",
+        label: "tab:coefficients",
         figure: None,
         tables: CoefficientTable::TABLES,
         check: |parameters| parameters.fig07.get().map(drop),
@@ -102,6 +109,7 @@ pub const ALL: &[Output] = &[
         fig01,
         draw_fig01,
         "Figure 1: phase space, impacting surface and reset law",
+        "fig:Bc",
         &Scene::FIG01,
         "fig01.orbits, fig01.amplitude or fig01.frequency"
     ),
@@ -109,6 +117,7 @@ pub const ALL: &[Output] = &[
         fig02,
         draw_fig02,
         "Figure 2: one-parameter bifurcation diagram with phase portraits",
+        "fig:Z",
         Figure2::TABLES,
         "fig02.frequency, fig02.near or fig02.loops",
         notes
@@ -117,6 +126,7 @@ pub const ALL: &[Output] = &[
         fig03,
         draw_fig03,
         "Figure 3: the return map near a grazing periodic solution",
+        "fig:Ba",
         &Scene::FIG03,
         "fig03.start or fig03.frequency"
     ),
@@ -124,6 +134,7 @@ pub const ALL: &[Output] = &[
         fig04,
         draw_fig04,
         "Figure 4: the boundaries g_p and h_p in the trapesium",
+        "fig:D",
         Figure4::TABLES,
         "fig04.loops"
     ),
@@ -131,6 +142,7 @@ pub const ALL: &[Output] = &[
         fig05,
         draw_fig05,
         "Figure 5: unfolding of a resonant grazing bifurcation",
+        "fig:E",
         Figure5::TABLES,
         "fig05.loops or fig05.n"
     ),
@@ -138,6 +150,7 @@ pub const ALL: &[Output] = &[
         fig06,
         draw_fig06,
         "Figure 6: the impact oscillator",
+        "fig:F",
         Figure6::TABLES,
         "fig06.frequency or fig06.amplitude"
     ),
@@ -145,6 +158,7 @@ pub const ALL: &[Output] = &[
         fig07,
         draw_fig07,
         "Figure 7: two-parameter bifurcation diagram",
+        "fig:G",
         Figure7::TABLES,
         "fig07.frequency, fig07.amplitude or fig07.loops",
         gaps
@@ -153,6 +167,7 @@ pub const ALL: &[Output] = &[
         fig08,
         draw_fig08,
         "Figure 8: three magnifications of Figure 7 with quadratic approximations",
+        "fig:Y",
         Figure8::TABLES,
         "fig08.panels, fig07.frequency or fig07.amplitude",
         notes
@@ -161,6 +176,7 @@ pub const ALL: &[Output] = &[
         fig09,
         draw_fig09,
         "Figure 9: points on the impacting surface and on the section",
+        "fig:Bb",
         &Scene::FIG09,
         "fig09.impact, fig09.amplitude or fig09.frequency"
     ),
@@ -168,12 +184,14 @@ pub const ALL: &[Output] = &[
         fig10,
         draw_fig10,
         "Figure 10: the path of visits in the proof of Theorem 2.3",
+        "fig:I",
         Figure10::TABLES,
         "fig10.frequency or fig10.loops"
     ),
     Output {
         name: "theorems",
         title: "Theorems 2.2 to 2.5 against continuation and simulation",
+        label: "tab:theorems",
         figure: None,
         tables: TheoremsInAction::TABLES,
         check: |_| Ok(()),
@@ -194,10 +212,11 @@ impl Output {
         figures.chain(tables).chain(self.latex_tables(edition).map(latex::table_path)).collect()
     }
 
-    /// The tables that are printed, in an edition that has LaTeX: those of outputs without a figure.
+    /// The tables that are printed, in an edition that has LaTeX: those of outputs without a figure, as far as they fit a page.
     pub(crate) fn latex_tables(&self, edition: &Edition) -> impl Iterator<Item = &'static str> {
         let printed = self.figure.is_none() && edition.has(Format::Tex);
-        self.tables.iter().map(|table| table.name).filter(move |_| printed)
+        let tables = self.tables.iter().filter(|table| latex::is_printed(table.name, table.columns));
+        tables.map(|table| table.name).filter(move |_| printed)
     }
 
     /// Computes the output, and makes its files.
@@ -218,11 +237,14 @@ impl Output {
                 format!("the tables {names:?} were made, the registry of outputs says {registered:?}");
             return Err(Failure::computation(self.name, reason));
         }
+        let told = |error| computation(self.name, &error);
         let mut files = Vec::new();
         if let (Some(file), Some(svg)) = (self.figure, &made.svg) {
-            files.extend(
-                edition.figure_files(file, svg.clone()).map_err(|error| computation(self.name, &error))?,
-            );
+            files.extend(edition.figure_files(file, svg.clone()).map_err(told)?);
+            if edition.has(Format::Tex) {
+                let float = Float::figure(file, svg, self.title, self.label).map_err(told)?;
+                made.floats.push(float.with(&latex::values(self.name, &study.parameters)));
+            }
         }
         let printed: Vec<&str> = self.latex_tables(edition).collect();
         for table in &made.tables {
@@ -230,8 +252,10 @@ impl Output {
             files.push(MadeFile { path: table_path(table.name), content });
         }
         for table in made.tables.iter().filter(|table| printed.contains(&table.name)) {
-            let content = latex::table(table, self.title).into_bytes();
-            files.push(MadeFile { path: latex::table_path(table.name), content });
+            if let Some((float, file)) = Float::table(table, self.title, self.label) {
+                made.floats.push(float);
+                files.push(file);
+            }
         }
         made.gaps.iter_mut().for_each(|gap| gap.push_str(&format!("; change {}", self.keys)));
         Ok((made, files))

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use grazing_claims::ledger::Ledger;
-use grazing_report::{Counts, Figure, Manifest, OutputFile, TableOutput, page};
+use grazing_report::{Counts, FigureEntry, Manifest, OutputFile, TableOutput, page};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::{ParameterError, Parameters};
 use grazing_source::Setting;
@@ -93,7 +93,7 @@ fn assemble<'a>(
     let study = Study::new(parameters).with_progress(&display);
     let (mut figures, mut tables, mut made) = (Vec::new(), Vec::new(), Vec::new());
     for output in outputs::ALL {
-        let (Made { svg, tables: shown, notes, gaps }, files) =
+        let (Made { svg, tables: shown, notes, gaps, .. }, files) =
             match output.files(&study, &Edition::default()) {
                 Ok(made) => made,
                 Err(failure) => {
@@ -106,7 +106,7 @@ fn assemble<'a>(
         made.extend(files.iter().map(|file| OutputFile::of(file.path.display().to_string(), &file.content)));
         let (name, title) = (output.name.to_owned(), output.title.to_owned());
         match svg {
-            Some(svg) => figures.push(Figure { name, title, svg, tables: shown }),
+            Some(svg) => figures.push(FigureEntry { name, title, svg, tables: shown }),
             None => tables.push(TableOutput { name, title, tables: shown }),
         }
     }

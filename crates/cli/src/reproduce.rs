@@ -1,6 +1,6 @@
 //! `grazing reproduce`: compute first, then write everything or check it.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -12,7 +12,8 @@ use crate::compare::published;
 use crate::failure::Failure;
 use crate::folder::{self, Change, Differences, MadeFile};
 use crate::outputs::edition::{Edition, Format};
-use crate::outputs::{self, Output, latex};
+use crate::outputs::latex::{self, Float};
+use crate::outputs::{self, Output};
 use crate::progress::Display;
 use crate::{codecheck, data_page, project, terminal, visual};
 
@@ -52,9 +53,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     }
     let mut files = std::mem::take(&mut made.files);
     if edition.has(Format::Tex) && arguments.only.is_empty() {
-        let rows_of = |table: &str| made.rows.get(table).copied().unwrap_or(0);
-        let content = latex::snippet(&made.outputs, &edition, rows_of).into_bytes();
-        files.push(MadeFile { path: PathBuf::from(latex::SNIPPET), content });
+        files.push(latex::snippet(&made.floats));
     }
     if !set.is_empty() {
         files.push(settings(&arguments.parameters));
@@ -98,8 +97,8 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
 #[derive(Default)]
 struct Outcome<'a> {
     files: Vec<MadeFile>,
-    /// How many rows each table has.
-    rows: BTreeMap<&'static str, usize>,
+    /// Figures and tables for LaTeX.
+    floats: Vec<Float>,
     outputs: Vec<&'a Output>,
     /// Why outputs could not be made, or not wholly, with their names.
     missing: Vec<(String, Vec<&'static str>)>,
@@ -114,7 +113,7 @@ impl<'a> Outcome<'a> {
                 Ok((made, files)) => {
                     made.notes.iter().for_each(|note| terminal::note(&format!("{}: {note}", output.name)));
                     all.files.extend(files);
-                    all.rows.extend(made.tables.iter().map(|table| (table.name, table.rows.len())));
+                    all.floats.extend(made.floats);
                     for gap in made.gaps {
                         all.add_missing(output.name, format!("it is written, but {gap}"));
                     }

@@ -23,7 +23,7 @@ use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
 use crate::limits::{self, Met, Watch};
-use crate::outputs::edition::Edition;
+use crate::outputs::edition::{Edition, Format};
 use crate::outputs::{computation, table_path};
 use crate::progress::Display;
 use crate::report::oscillators::{Material, OscillatorFile, PAGE};
@@ -222,6 +222,9 @@ impl Task {
         for table in &material.tables {
             let content = tables::csv(table).map_err(|error| computation("tables", &error))?;
             files.push(MadeFile { path: table_path(table.name), content });
+        }
+        if edition.has(Format::Tex) {
+            files.extend(material.latex().map_err(|error| computation("figures", &error))?);
         }
         files.push(data_page::of_an_oscillator(material.plans.iter().copied(), &unfolded.axes.names));
         files.push(material.page(&files));

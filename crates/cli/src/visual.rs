@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use grazing_export::{Figure, comparison};
+use grazing_export::{Drawing, comparison};
 
 use crate::folder::{Changes, MadeFile, regular};
 use crate::terminal;
@@ -49,7 +49,7 @@ pub(crate) fn show(output: &Path, changes: &[Changed<'_>]) {
 }
 
 fn draw(before: &[u8], after: &MadeFile, folder: &Path) -> Result<PathBuf, String> {
-    let read = |svg: &[u8]| Figure::read(&String::from_utf8_lossy(svg)).map_err(|error| error.to_string());
+    let read = |svg: &[u8]| Drawing::read(&String::from_utf8_lossy(svg)).map_err(|error| error.to_string());
     let before = read(before).map_err(|error| format!("the figure before: {error}"))?;
     let picture = comparison(&before, &read(&after.content)?).map_err(|error| error.to_string())?;
     let path = folder.join(after.path.with_extension("png"));

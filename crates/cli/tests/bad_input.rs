@@ -176,7 +176,7 @@ fn every_bad_command_line_is_refused() {
         "unfold o.toml below/o.toml",
         "unfold o.toml --loops 2,2",
         "unfold o.toml --loops 0",
-        "unfold o.toml --format tex",
+        "unfold o.toml --format jpeg",
         "unfold o.toml --output file",
         "new",
         "new o.toml",

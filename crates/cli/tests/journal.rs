@@ -9,7 +9,7 @@ use std::process::{Command, Stdio};
 
 use grazing_cli::codecheck;
 use grazing_cli::outputs;
-use program::{DEFAULT, edited, empty_folder, grazing, listing, project, repository};
+use program::{DEFAULT, edited, empty_folder, grazing, listing, narrow_duffing, project, repository};
 
 /// The default parameters with little work for the attractor of Figure 2: what is tested here does not depend on it.
 fn quick_parameters() -> String {
@@ -27,16 +27,19 @@ fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it(
     let snippet = fs::read_to_string(journal.join("figures.tex")).expect("there is a snippet");
     for output in outputs::ALL {
         let Some(figure) = output.figure else {
-            for table in output.tables.iter().map(|table| table.name) {
-                let input = format!("\\input{{\\grazingfiles {table}.tex}}");
-                assert!(snippet.contains(&input), "{input} is missing in {snippet}");
-                assert!(journal.join(table).with_extension("tex").is_file(), "{table}");
+            for table in output.tables {
+                // The others of these are too wide for a page.
+                let printed = table.name == "coefficients";
+                let input = format!("\\input{{\\grazingfiles {}.tex}}", table.name);
+                assert_eq!(snippet.matches(&input).count(), usize::from(printed), "{input} in {snippet}");
+                assert_eq!(journal.join(table.name).with_extension("tex").is_file(), printed, "{input}");
             }
             continue;
         };
         let pdf = Path::new(figure).with_extension("pdf");
         let included = format!("\\includegraphics{{\\grazingfiles {}}}", pdf.display());
-        assert!(snippet.contains(&included), "{included} is missing in {snippet}");
+        assert_eq!(snippet.matches(&included).count(), 1, "{included} in {snippet}");
+        assert_eq!(snippet.matches(&format!("\\label{{{}}}", output.label)).count(), 1, "{snippet}");
         assert!(!journal.join(figure).exists(), "SVG was not asked for");
         let content = fs::read(journal.join(pdf)).expect("the snippet asks for PDF");
         assert!(content.starts_with(b"%PDF-"), "{figure}");
@@ -44,8 +47,6 @@ fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it(
         // Its width, in the 17th to 20th byte: 86 mm are 243.8 points, and a point a pixel at 72 dots per inch.
         assert_eq!(content[16..20], 244_u32.to_be_bytes(), "{figure}");
     }
-    compile(&journal);
-
     fs::write(journal.join("coefficients.tex"), "").expect("the folder is ours");
     let check = [&arguments[..], &["--only", "coefficients", "--check"]].concat();
     let checked = grazing(folder.path(), &check);
@@ -54,32 +55,80 @@ fn an_edition_for_a_journal_goes_to_its_own_folder_and_latex_includes_all_of_it(
     assert!(checked.errors().contains(mend), "{}", checked.messages);
 }
 
-/// Sets a document of everything in the folder, where there is pdflatex.
-fn compile(journal: &Path) {
+/// What LaTeX says of a document of class article, with one column or two, that has everything of a folder in it; nothing where there
+/// is no pdflatex.
+fn compiled(journal: &Path, options: &str) -> Option<String> {
     let place = empty_folder();
     let document = format!(
-        "\\documentclass[twocolumn]{{article}}\n\\usepackage{{graphicx,booktabs}}\n\\newcommand{{\\grazingfiles}}{{{}/}}\n\
+        "\\documentclass[{options}]{{article}}\n\\usepackage{{graphicx,booktabs}}\n\\newcommand{{\\grazingfiles}}{{{}/}}\n\
          \\begin{{document}}\n\\input{{\\grazingfiles figures}}\n\\end{{document}}\n",
         journal.display()
     );
     fs::write(place.path().join("document.tex"), document).expect("the folder is ours");
-    let run = Command::new("pdflatex")
-        .args(["-interaction=nonstopmode", "-halt-on-error", "document.tex"])
-        .current_dir(place.path())
-        .stdin(Stdio::null())
-        .output();
-    match run {
-        Ok(run) => {
-            assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stdout));
-            assert!(place.path().join("document.pdf").is_file());
+    let run = || {
+        let run = Command::new("pdflatex")
+            .args(["-interaction=nonstopmode", "-halt-on-error", "document.tex"])
+            .current_dir(place.path())
+            .stdin(Stdio::null())
+            .output();
+        match run {
+            Ok(run) => {
+                assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stdout));
+                true
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => false,
+            Err(error) => panic!("pdflatex could not be started: {error}"),
         }
-        Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            // Straight to the stream, which the test harness does not hold back.
-            writeln!(io::stderr(), "SKIPPED: there is no pdflatex, figures.tex was not compiled")
-                .expect("a message can be written");
-        }
-        Err(error) => panic!("pdflatex could not be started: {error}"),
+    };
+    // The second run knows the labels.
+    if !(run() && run()) {
+        // Straight to the stream, which the test harness does not hold back.
+        writeln!(io::stderr(), "SKIPPED: there is no pdflatex, figures.tex was not compiled")
+            .expect("a message can be written");
+        return None;
     }
+    let log = fs::read(place.path().join("document.log")).expect("there is a log");
+    Some(String::from_utf8_lossy(&log).into_owned())
+}
+
+/// Fails if a document has a box that is too large, a label that is missing or doubled, or anything else that LaTeX warns of.
+fn assert_sets_well(journal: &Path) {
+    for options in ["onecolumn", "twocolumn"] {
+        let Some(log) = compiled(journal, options) else { return };
+        let told = |line: &&str| {
+            ["Overfull", "Warning", "multiply", "undefined"].iter().any(|word| line.contains(word))
+        };
+        let told: Vec<&str> = log.lines().filter(told).collect();
+        assert!(told.is_empty(), "{options}: {told:#?}");
+    }
+}
+
+#[test]
+fn latex_sets_all_figures_and_tables_at_every_width_without_an_overfull_box() {
+    let folder = project(&quick_parameters());
+    for columns in ["paper", "one", "two"] {
+        let output = folder.path().join(columns).display().to_string();
+        let arguments = ["reproduce", "--format", "tex", "--columns", columns, "--output", &output];
+        let made = grazing(folder.path(), &arguments);
+        assert_eq!(made.code, Some(0), "{}", made.messages);
+        assert_sets_well(Path::new(&output));
+    }
+}
+
+#[test]
+fn latex_sets_what_is_unfolded_whatever_it_is_called_and_counted_in() {
+    let duffing = edited(&narrow_duffing(), "", "name", "name = 'R&D: 50 % of a_b {雪} ~ $x$ \\ #1^2'");
+    let folder = project("");
+    let duffing = edited(&duffing, "[primary]", "range", "range = [0.2, 0.4]\nunit = 'µN^2/m %'");
+    let units = "[units]\nlength = 'mm'\ntime = 's'\n";
+    fs::write(folder.path().join("a #1%.toml"), format!("{duffing}\n{units}")).expect("the folder is ours");
+    let arguments = ["unfold", "a #1%.toml", "--format", "tex", "--columns", "one", "--output", "results"];
+    let made = grazing(folder.path(), &arguments);
+    assert_eq!(made.code, Some(0), "{}", made.messages);
+    let results = folder.path().join("results");
+    let table = fs::read_to_string(results.join("coefficients.tex")).expect("it was asked for");
+    assert!(table.contains(r"$A_{\mathrm{graz}}$ ($\mu$N$^{2}$/m \%)"), "{table}");
+    assert_sets_well(&results);
 }
 
 #[test]

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use browser::{Spot, assert_all_pass, checked};
+use browser::{Spot, assert_all_pass, checked, sheets_of_paper};
 use grazing_claims::ledger::Ledger;
 use grazing_cli::outputs;
 use grazing_cli::outputs::edition::Edition;
@@ -19,6 +19,12 @@ const HOST: &str = "https://example.org/grazing";
 
 /// The heaviest page that opens at once from any disk, in bytes.
 const HEAVIEST: usize = 3_000_000;
+
+/// The most elements: a browser sets the page within a second as long as there are no more (0.74 s on a machine with two busy cores, of which
+/// 0.24 s pass before anything is seen, for 39,000).
+const MOST_ELEMENTS: usize = 50_000;
+/// The most pages of a print.
+const MOST_SHEETS: usize = 60;
 
 /// Formulas of the paper as readers may write them, with the labels of their claims.
 const FORMULAS: [(&str, &str); 3] =
@@ -81,6 +87,8 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     assert_eq!(listing(&pages), ["report.html"]);
     let page = fs::read_to_string(pages.join("report.html")).expect("it was written");
     assert!(page.len() < HEAVIEST, "{} bytes", page.len());
+    let elements = page.split('<').filter(|tag| tag.starts_with(|c: char| c.is_ascii_lowercase())).count();
+    assert!((10_000..MOST_ELEMENTS).contains(&elements), "{elements} elements");
 
     // Every output, every file and every claim stands there.
     for output in outputs::ALL {
@@ -143,6 +151,9 @@ fn the_page_of_the_whole_study_is_complete_and_answers() {
     assert!(spots.len() > 3, "{}", spots.len());
     if let Some(results) = checked(&page, &spots, &FORMULAS) {
         assert_all_pass(&results);
+    }
+    if let Some(sheets) = sheets_of_paper(&page) {
+        assert!((10..MOST_SHEETS).contains(&sheets), "{sheets} pages on paper");
     }
 }
 

@@ -78,11 +78,11 @@ impl<'c> Panel<'c> {
         points.iter().map(|&point| self.spot(point)).collect()
     }
 
-    /// A polyline, clipped to the frame; returns its pieces on the sheet.
+    /// A polyline, clipped to the frame with all of its ink; returns its pieces on the sheet.
     pub(crate) fn line(&self, points: &[(f64, f64)], pen: Pen) -> Vec<Vec<Spot>> {
         let pieces: Vec<_> =
             clip_polyline(&self.frame, points).iter().map(|piece| self.spots(piece)).collect();
-        pieces.iter().for_each(|piece| self.canvas.line(piece, pen));
+        pieces.iter().for_each(|piece| self.canvas.line_within(&self.bounds, piece, pen));
         pieces
     }
 
@@ -292,7 +292,7 @@ fn star((x, y): Spot, radius: f64) -> Vec<Spot> {
 }
 
 /// An upright triangle of equal sides with its centroid at the spot, up to the hundredths of the sheet.
-fn triangle((x, y): Spot, side: f64) -> [Spot; 3] {
+pub(crate) fn triangle((x, y): Spot, side: f64) -> [Spot; 3] {
     // Heights 1/sqrt(3) above the centroid and 1/(2 sqrt(3)) below.
     let [up, down, half] = [0.577_35, 0.288_68, 0.5].map(|share| (100.0 * share * side).round() / 100.0);
     [(x, y - up), (x + half, y + down), (x - half, y + down)]

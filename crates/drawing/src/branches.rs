@@ -6,13 +6,14 @@ use grazing_results::branches::{BranchBifurcation, BranchPoint};
 
 use crate::DrawingError;
 use crate::axes::Panel;
-use crate::cloud::draw_cloud;
+use crate::cloud::{LONG_TIME, draw_cloud};
 use crate::kinds::{label, pen, text_colour};
 use crate::labels::{Labels, Wanted};
-use crate::sheet::{Bounds, Spot, length};
+use crate::legend::Sample;
+use crate::sheet::{Bounds, Spot, length, near};
 use crate::style::{
-    LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, SMALL_LABEL_SIZE, STABLE_WIDTH, THRESHOLD, UNSTABLE_WIDTH,
-    branch_pen,
+    CLOUD, LABEL_SIZE, POINT_RADIUS, POINT_RIM, Paint, SMALL_LABEL_SIZE, STABLE_WIDTH, THRESHOLD,
+    UNSTABLE_WIDTH, branch_pen,
 };
 
 /// A strand of a branch of Figure 2: one loop of a solution as the amplitude changes.
@@ -51,11 +52,17 @@ pub(crate) fn diagram(
         labels.placer.keep_off_nameless(&level);
     }
     draw_cloud(panel, cloud);
-    labels.placer.avoid(cloud.iter().filter(|&&p| panel.frame.contains(p)).map(|&p| panel.spot(p)));
     let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();
+    let mut pieces = Vec::new();
     for branch in branches {
         for piece in branch_pieces(panel, branch) {
+            if branch.p > 0 {
+                panel
+                    .canvas
+                    .explain(&format!("$p={}$", branch.p), Sample::Line(branch_pen(branch.p, STABLE_WIDTH)));
+            }
             labels.placer.keep_off(&piece);
+            pieces.push(piece.clone());
             match longest.iter_mut().find(|(p, _)| *p == branch.p) {
                 Some((_, best)) if length(best) >= length(&piece) => {}
                 Some((_, best)) => *best = piece,
@@ -63,6 +70,9 @@ pub(crate) fn diagram(
             }
         }
     }
+    let dots: Vec<Spot> =
+        cloud.iter().filter(|&&p| panel.frame.contains(p)).map(|&p| panel.spot(p)).collect();
+    labels.placer.avoid(dots.iter().copied());
     let grazing = names.grazing_title();
     let mut named: Vec<(Bifurcation, u32)> = Vec::new();
     let visible: Vec<(Bifurcation, u32, (f64, f64))> = bifurcations
@@ -86,7 +96,19 @@ pub(crate) fn diagram(
     }
     for (p, piece) in &longest {
         let text = if *p == 0 { "non-impacting".to_owned() } else { format!("$p={p}$") };
-        labels.add(&text, SMALL_LABEL_SIZE, branch_pen(*p, 1.0).colour, &Wanted::Beside(piece))?;
+        let colour = branch_pen(*p, 1.0).colour;
+        if every_loop {
+            labels.name_curve(&text, SMALL_LABEL_SIZE, colour, piece)?;
+        } else {
+            labels.add(&text, SMALL_LABEL_SIZE, colour, &Wanted::Beside(piece))?;
+        }
+    }
+    // Where dots lie beside the branches, they cannot be taken for these; a few hundred show where.
+    let mut some = dots.iter().step_by(1 + dots.len() / 300).rev();
+    let beside = some.find(|&&dot| pieces.iter().all(|piece| !near(piece, dot, 6.0)));
+    if let (true, Some(&dot)) = (every_loop, beside.or(dots.last())) {
+        let wanted = Wanted::Around(dot, 2.0);
+        labels.add(LONG_TIME, SMALL_LABEL_SIZE, CLOUD[2].colour, &wanted)?;
     }
     labels.draw()
 }
@@ -96,7 +118,8 @@ fn branch_pieces(panel: &Panel<'_>, branch: &Strand) -> Vec<Vec<Spot>> {
     let mut pieces = Vec::new();
     let mut start = 0;
     for run in branch.stable.chunk_by(|a, b| a == b) {
-        let width = if run[0] { STABLE_WIDTH } else { UNSTABLE_WIDTH };
+        let (meaning, width) = if run[0] { ("stable", STABLE_WIDTH) } else { ("unstable", UNSTABLE_WIDTH) };
+        panel.canvas.explain(meaning, Sample::Line(branch_pen(0, width)));
         let end = start + run.len();
         let points = &branch.points[start..(end + 1).min(branch.points.len())];
         pieces.extend(panel.line(points, branch_pen(branch.p, width)));

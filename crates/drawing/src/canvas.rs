@@ -9,6 +9,7 @@ use plotters::drawing::DrawingArea;
 use crate::DrawingError;
 use crate::backend::{Element, SvgBackend};
 use crate::font::{Extent, Fonts, TEXT_FAMILY, style_sheet};
+use crate::legend::{Legend, Sample};
 use crate::markup::Label;
 use crate::sheet::{Bounds, Spot};
 use crate::simplify::simplify;
@@ -36,6 +37,9 @@ pub(crate) struct Canvas {
     root: DrawingArea<SvgBackend, Shift>,
     /// Every label drawn so far and the box of its ink.
     texts: RefCell<Vec<(String, Bounds)>>,
+    /// The boxes to which lines are clipped.
+    clips: RefCell<Vec<Bounds>>,
+    legend: RefCell<Legend>,
 }
 
 impl Canvas {
@@ -44,7 +48,8 @@ impl Canvas {
         let size = in_hundredths((width, height));
         let backend = Rc::new(RefCell::new(SvgBackend::new(size)));
         let root = DrawingArea::from(&backend);
-        Ok(Canvas { backend, root, fonts: Fonts::load()?, width, height, texts: RefCell::default() })
+        let (texts, clips, legend) = Default::default();
+        Ok(Canvas { backend, root, fonts: Fonts::load()?, width, height, texts, clips, legend })
     }
 
     /// Draws an element: its spots, and what is written of them.
@@ -54,17 +59,55 @@ impl Canvas {
         drawn.expect("the backend cannot fail, and nobody else draws meanwhile");
     }
 
+    /// Says in the legend what is drawn like the sample.
+    pub(crate) fn explain(&self, meaning: &str, sample: Sample) {
+        self.legend.borrow_mut().explain(meaning, sample);
+    }
+
     /// Adds what puts no ink on the sheet.
     pub(crate) fn note(&self, element: &str) {
         self.backend.borrow_mut().write(element);
     }
 
-    /// An open line; one shorter than print resolution is none.
+    /// A line, closed if it ends where it begins; one shorter than print resolution is none.
     pub(crate) fn line(&self, spots: &[Spot], pen: Pen) {
-        self.draw(spots, |path| match path_data(&simplify(path), false) {
-            data if data.contains('L') => format!("<path d=\"{data}\"{}/>", stroke(Some(pen))),
-            _ => String::new(),
+        self.attributed_line(spots, &stroke(Some(pen)));
+    }
+
+    /// A line of which no ink leaves a box.
+    pub(crate) fn line_within(&self, bounds: &Bounds, spots: &[Spot], pen: Pen) {
+        let reach = bounds.grown(-0.5 * pen.width);
+        let close = |&(x, y): &Spot| !reach.holds(&Bounds::about((x, y), 0.0, 0.0));
+        let clip = if spots.iter().any(close) { self.clip(bounds) } else { String::new() };
+        self.attributed_line(spots, &(stroke(Some(pen)) + &clip));
+    }
+
+    fn attributed_line(&self, spots: &[Spot], attributes: &str) {
+        self.draw(spots, |path| {
+            let path = simplify(path);
+            let closed = path.len() > 3 && path.first() == path.last();
+            match path_data(&path[..path.len() - usize::from(closed)], closed) {
+                data if data.contains('L') => format!("<path d=\"{data}\"{attributes}/>"),
+                _ => String::new(),
+            }
         });
+    }
+
+    /// The attribute that clips to a box.
+    fn clip(&self, bounds: &Bounds) -> String {
+        let mut clips = self.clips.borrow_mut();
+        let known = clips.iter().position(|known| known == bounds);
+        let number = known.unwrap_or_else(|| {
+            let Bounds { left, top, right, bottom } = *bounds;
+            let [x, y, width, height] = [left, top, right - left, bottom - top].map(points);
+            let number = clips.len();
+            self.note(&format!(
+                "<clipPath id=\"clip{number}\"><rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"/></clipPath>"
+            ));
+            clips.push(*bounds);
+            number
+        });
+        format!(" clip-path=\"url(#clip{number})\"")
     }
 
     /// A filled and perhaps outlined polygon.
@@ -202,13 +245,14 @@ impl Canvas {
              <svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {w} {h}\" \
              font-family=\"{TEXT_FAMILY}\" xml:space=\"preserve\" stroke-linejoin=\"round\" fill=\"none\" role=\"img\">\n\
              <title>{}</title>\n<desc>{}</desc>\n<style>\n{}</style>\n\
-             <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{}</svg>\n",
+             <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{}{}</svg>\n",
             points(width / POINTS_PER_MM),
             points(height / POINTS_PER_MM),
             escape(title),
             escape(description),
             style_sheet(),
             self.backend.borrow().body(),
+            self.legend.borrow().element(),
         );
         if document.len() > SIZE_LIMIT {
             let bytes = document.len();

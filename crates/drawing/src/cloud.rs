@@ -4,7 +4,11 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use crate::axes::Panel;
+use crate::legend::Sample;
 use crate::style::{CLOUD, CLOUD_BIN};
+
+/// What a cloud shows.
+pub(crate) const LONG_TIME: &str = "long-time behaviour";
 
 /// Draws the points of the frame as squares of [`CLOUD_BIN`] points, darker where several points share a bin.
 pub(crate) fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
@@ -23,6 +27,7 @@ pub(crate) fn draw_cloud(panel: &Panel<'_>, points: &[(f64, f64)]) {
     for (level, paint) in CLOUD.iter().enumerate() {
         let bins: Vec<(i64, i64)> = counts.iter().filter(|c| shade(*c.1) == level).map(|c| *c.0).collect();
         if !bins.is_empty() {
+            panel.canvas.explain(LONG_TIME, Sample::Dots(CLOUD[2]));
             let corner = (panel.bounds.left, panel.bounds.top);
             panel.canvas.bins(corner, CLOUD_BIN, &path_of_bins(&bins), *paint);
         }

@@ -1,7 +1,7 @@
 //! A two-parameter bifurcation diagram, like Figure 7.
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
-use grazing_results::plane::{CurvePoint, Figure7, MagnifiedPanel, RegionKind, RegionVertex, SpecialPoint};
+use grazing_results::plane::{Figure7, MagnifiedPanel, PlanePoint, RegionKind, RegionVertex, SpecialPoint};
 use grazing_results::{Frame, Names};
 
 use crate::DrawingError;
@@ -10,13 +10,14 @@ use crate::canvas::Canvas;
 use crate::clip::checked;
 use crate::kinds::{Area, Trace, draw_curves, draw_points};
 use crate::labels::{Labels, Wanted};
+use crate::legend::Sample;
 use crate::magnified::{letter, rectangle};
 use crate::sheet::{Bounds, Spot, area};
-use crate::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth};
+use crate::style::{BLACK, LABEL_SIZE, SECTION, SMALL_LABEL_SIZE, SheetWidth, THIN_SECTION};
 
 /// A two-parameter bifurcation diagram; Figure 7 is one.
 #[derive(Debug, Clone, Copy)]
-pub struct Diagram<'a> {
+pub struct PlaneDiagram<'a> {
     /// The name of the file without its ending, by which errors call the diagram.
     pub name: &'static str,
     /// The title of the SVG, for readers who cannot see it.
@@ -28,7 +29,7 @@ pub struct Diagram<'a> {
     /// The names of the tables of points and of curves, which the SVG names.
     pub tables: [&'static str; 2],
     /// Points that follow each other with equal kind, p, n and arc are one curve; inadmissible ones are not drawn, nor are unstable ones of GZ.
-    pub curves: &'a [CurvePoint],
+    pub curves: &'a [PlanePoint],
     /// Resonances and other codimension-two points.
     pub points: &'a [SpecialPoint],
     /// Vertices of regions. Resonances of a p without a region have p written beside them.
@@ -37,8 +38,19 @@ pub struct Diagram<'a> {
     pub frame: Frame,
     /// The panels of another sheet, whose frames are drawn.
     pub magnified: &'a [MagnifiedPanel],
-    /// The primary parameters and the secondary one of Figure 2, if it runs in this plane.
-    pub section: Option<([f64; 2], f64)>,
+    /// Where one-parameter diagrams run in this plane.
+    pub sections: &'a [Section],
+}
+
+/// Where a one-parameter diagram runs in the plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    /// The ends of the line: primary and secondary parameter.
+    pub ends: [(f64, f64); 2],
+    /// What the one-parameter diagram is called, as `Fig. 2`.
+    pub name: String,
+    /// Whether the line is one of many that may be long: it is thin then.
+    pub thin: bool,
 }
 
 /// Width in the paper.
@@ -57,12 +69,18 @@ pub(crate) const OFF_TRIANGLE: f64 = 5.4;
 
 /// Draws Figure 7. Paper: fig:G.
 pub fn draw_fig07(figure: &Figure7, width: SheetWidth) -> Result<String, DrawingError> {
-    let diagram = Diagram {
+    let section = figure.section.map(|([from, to], up)| Section {
+        ends: [(from, up), (to, up)],
+        name: "Fig. 2".to_owned(),
+        thin: false,
+    });
+    let diagram = PlaneDiagram {
         name: "fig07",
         title: "Two-parameter bifurcation diagram",
         description: "Forcing amplitude across, forcing frequency up. Grazing curve of the non-impacting solution; \
              saddle-node, period-doubling and grazing bifurcations of maximal periodic solutions; regions of stability \
-             in grey.",
+             in grey. Triangles: resonances; discs: other codimension-two points. Rectangles: the panels of Figure 8; thick \
+             line: where Figure 2 runs.",
         names: &Names::of_the_paper(),
         tables: ["fig07_points", "fig07_curves"],
         curves: &figure.curves,
@@ -70,17 +88,17 @@ pub fn draw_fig07(figure: &Figure7, width: SheetWidth) -> Result<String, Drawing
         regions: &figure.regions,
         frame: figure.frame,
         magnified: &figure.magnified,
-        section: figure.section,
+        sections: section.as_slice(),
     };
     draw_diagram(&diagram, width)
 }
 
 /// Draws a two-parameter bifurcation diagram; returns the text of an SVG file.
-pub fn draw_diagram(diagram: &Diagram<'_>, width: SheetWidth) -> Result<String, DrawingError> {
+pub fn draw_diagram(diagram: &PlaneDiagram<'_>, width: SheetWidth) -> Result<String, DrawingError> {
     compose(diagram, width)?.finish(diagram.name, diagram.title, diagram.description)
 }
 
-pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
+pub(crate) fn compose(diagram: &PlaneDiagram<'_>, width: SheetWidth) -> Result<Canvas, DrawingError> {
     let frame = checked(diagram.frame, diagram.name)?;
     for magnified in diagram.magnified {
         checked(magnified.frame, &format!("a rectangle of {}", diagram.name))?;
@@ -102,11 +120,17 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
         }
     }
     let drawn = draw_curves(&panel, &mut labels, shown_curves(diagram.curves));
-    let mut section_end = None;
-    if let Some(([from, to], up)) = diagram.section {
-        for piece in panel.line(&[(from, up), (to, up)], SECTION) {
-            labels.placer.keep_off(&piece);
-            section_end = piece.last().copied();
+    let mut sections = Vec::new();
+    for section in diagram.sections {
+        let pen = if section.thin { THIN_SECTION } else { SECTION };
+        for piece in panel.line(&section.ends, pen) {
+            canvas.explain("where a one-parameter diagram runs", Sample::Line(pen));
+            if section.thin {
+                labels.placer.keep_off_nameless(&piece);
+            } else {
+                labels.placer.keep_off(&piece);
+            }
+            sections.push((section, piece));
         }
     }
     let mut unnamed: Vec<(u32, Spot)> = Vec::new();
@@ -126,8 +150,12 @@ pub(crate) fn compose(diagram: &Diagram<'_>, width: SheetWidth) -> Result<Canvas
     for (number, outline) in &boxes {
         letter(&mut labels, *number, outline)?;
     }
-    if let Some(end) = section_end {
-        labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Wanted::Around(end, 2.5))?;
+    for (section, line) in &sections {
+        let beside =
+            section.thin && labels.add(&section.name, SMALL_LABEL_SIZE, BLACK, &Wanted::Beside(line))?;
+        if let (false, Some(&end)) = (beside, line.last()) {
+            labels.add(&section.name, SMALL_LABEL_SIZE, BLACK, &Wanted::Around(end, 2.5))?;
+        }
     }
     for (p, shape) in by_area(&shapes) {
         let text = format!("$p={p}$");
@@ -161,9 +189,9 @@ fn by_area(shapes: &[(u32, Vec<Spot>)]) -> Vec<(u32, &[Spot])> {
     sorted
 }
 
-fn shown_curves(points: &[CurvePoint]) -> Vec<Trace> {
-    let place = |point: &CurvePoint| (point.kind, point.loops, point.n, point.arc);
-    let curve = |points: &[CurvePoint]| {
+fn shown_curves(points: &[PlanePoint]) -> Vec<Trace> {
+    let place = |point: &PlanePoint| (point.kind, point.loops, point.n, point.arc);
+    let curve = |points: &[PlanePoint]| {
         let last = points.len() - 1;
         let spots = points.iter().enumerate().map(|(index, point)| {
             // At an end of a GZ curve, a codimension-two point, stability is marginal and its flag a toss-up.
@@ -303,6 +331,21 @@ mod tests {
         sample.panels[1].frame = Frame { x: [left, left + 0.001], y: [low, low + 0.001] };
         assert_eq!(rectangles(&sample), 2);
         assert!(texts(&sample).contains(&"(b)".to_owned()));
+    }
+
+    #[test]
+    fn one_parameter_diagrams_are_shown_where_they_run() {
+        let sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
+        let ends = [(0.25, 0.0), (0.25, 1.0)];
+        let sections = [Section { ends, name: "diagram 1".to_owned(), thin: true }];
+        let diagram = PlaneDiagram { sections: &sections, ..sample.diagram() };
+        for width in WIDTHS {
+            let sheet = compose(&diagram, width).unwrap();
+            assert!(sheet.misplaced_texts().is_empty(), "{:?}", sheet.misplaced_texts());
+            assert!(sheet.texts().contains(&"diagram 1".to_owned()), "{:?}", sheet.texts());
+            let svg = sheet.finish("test", "", "").unwrap();
+            assert!(svg.contains("aria-label=\"where a one-parameter diagram runs\""));
+        }
     }
 
     #[test]

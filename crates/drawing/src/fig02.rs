@@ -20,7 +20,7 @@ const WIDTH_MM: f64 = 156.0;
 const SIDE_BY_SIDE_MM: f64 = 120.0;
 /// Height of the diagram and of its magnification with their numbers and titles, in points.
 const DIAGRAM_HEIGHT: f64 = 222.83;
-const STACKED_HEIGHT: f64 = 162.0;
+const STACKED_HEIGHT: f64 = 121.0;
 /// Room for the portraits' letters above the diagram, and above the magnification, in points.
 const LETTERS: f64 = 18.0;
 const STACKED_GAP: f64 = 8.0;
@@ -79,7 +79,8 @@ pub(crate) fn compose(figure: &Figure2, width: SheetWidth) -> Result<Canvas, Dra
     let guides = letters(&whole, &portraits)?;
     let (magnified, names) = (magnification.outline(), Names::of_the_paper());
     whole.line(&magnified, MAGNIFIER);
-    part.line(&magnified, MAGNIFIER_FRAME);
+    // Around the panel, so that half of it lies outside.
+    canvas.line(&magnified.map(|corner| part.spot(corner)), MAGNIFIER_FRAME);
     for (panel, every_loop) in [(&whole, false), (&part, true)] {
         let mut labels = Labels::new(&canvas, panel.bounds);
         if !every_loop {

@@ -7,6 +7,7 @@ use crate::DrawingError;
 use crate::axes::{Marker, Panel};
 use crate::canvas::{Anchor, Canvas};
 use crate::labels::{Labels, Wanted};
+use crate::legend::Sample;
 use crate::markup::Label;
 use crate::placement::side_by_side;
 use crate::sheet::{Bounds, Spot};
@@ -63,7 +64,12 @@ pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<String, Drawing
     for curve in curves.iter().filter(|curve| curve.family == Boundary::Trapesium) {
         panel.fill(&curve.points, NON_IMPACTING_AREA);
     }
+    canvas.explain("$g_p$", Sample::Line(resonance_pen(0)));
+    canvas.explain("$h_p$", Sample::Line(admissibility_pen(0)));
     for curve in &curves {
+        if curve.family == Boundary::Resonance {
+            canvas.explain(&format!("$p={}$", curve.p), Sample::Line(curve.pen()));
+        }
         for piece in panel.line(&curve.points, curve.pen()) {
             labels.placer.keep_off(&piece);
         }
@@ -138,6 +144,7 @@ mod tests {
     fn every_curve_is_named_and_families_differ_without_colour() {
         let figure = study().fig04().unwrap();
         let svg = draw_fig04(&figure, SheetWidth::Paper).unwrap();
+        let svg = svg.split("<defs").next().unwrap();
         let curves = shown_curves(&figure.curves);
         for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
             let own = curves.iter().filter(|curve| curve.family == kind);

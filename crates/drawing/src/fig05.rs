@@ -7,21 +7,11 @@ use crate::DrawingError;
 use crate::axes::{Marker, Panel};
 use crate::canvas::Canvas;
 use crate::clip::checked;
-use crate::kinds::{Trace, draw_curves, label, text_colour};
+use crate::kinds::{Trace, draw_curves, label, shade, text_colour};
 use crate::labels::{Labels, Wanted};
+use crate::legend::Sample;
 use crate::sheet::{Bounds, Spot};
-use crate::style::{
-    BLACK, LABEL_SIZE, MPS_AREA, NON_IMPACTING_AREA, Paint, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE,
-};
-
-/// The overlap gets its shade from the two areas that make it up.
-fn paint(kind: RegionKind) -> Option<Paint> {
-    match kind {
-        RegionKind::NonImpacting => Some(NON_IMPACTING_AREA),
-        RegionKind::Mps => Some(MPS_AREA),
-        RegionKind::Both | RegionKind::Undecided => None,
-    }
-}
+use crate::style::{BLACK, LABEL_SIZE, SMALL_LABEL_SIZE, SheetWidth, TICK_SIZE};
 
 fn words(kind: RegionKind) -> &'static [&'static str] {
     match kind {
@@ -58,15 +48,19 @@ pub fn draw_fig05(figure: &Figure5, width: SheetWidth) -> Result<String, Drawing
 
     let mut shapes: Vec<(RegionKind, Vec<Spot>)> = Vec::new();
     for (kind, vertices) in &regions {
-        let shape = match paint(*kind) {
-            Some(paint) => panel.fill(vertices, paint),
-            None => vertices.iter().map(|&vertex| panel.spot(vertex)).collect(),
+        let shape = match kind {
+            RegionKind::NonImpacting | RegionKind::Mps => panel.fill(vertices, shade(&panel, *kind)),
+            // The overlap gets its shade from the two areas that make it up.
+            RegionKind::Both | RegionKind::Undecided => {
+                vertices.iter().map(|&vertex| panel.spot(vertex)).collect()
+            }
         };
         shapes.push((*kind, shape));
     }
     let drawn = draw_curves(&panel, &mut labels, curves);
     for point in figure.points.iter().map(|point| (point.mu, point.eta)) {
         if let Some(taken) = panel.marker(point, Marker::Triangle) {
+            canvas.explain("resonant grazing bifurcation", Sample::Triangle);
             labels.placer.block(taken.grown(0.5));
         }
     }
@@ -99,6 +93,7 @@ mod tests {
     #[test]
     fn curves_and_regions_are_named_and_the_overlap_is_shaded_by_its_two_regions_alone() {
         let svg = draw_fig05(&study().fig05().unwrap(), SheetWidth::Paper).unwrap();
+        let svg = svg.split("<defs").next().unwrap();
         for label in [">SN<", ">PD<", ">grazing<", ">non-impacting<", ">both<", ">μ<", ">η<", "-loop MPS<"]
         {
             assert!(svg.contains(label), "{label}");

@@ -18,7 +18,7 @@ pub(crate) fn coordinates(svg: &str) -> Vec<(f64, f64)> {
 /// The spots of each path that is drawn with this colour.
 pub(crate) fn paths(svg: &str, colour: &str) -> Vec<Vec<(f64, f64)>> {
     let stroke = format!("stroke=\"{colour}\"");
-    svg.lines().filter(|line| line.contains("<path") && line.contains(&stroke)).map(coordinates).collect()
+    svg.lines().filter(|line| line.starts_with("<path") && line.contains(&stroke)).map(coordinates).collect()
 }
 
 /// The values of an attribute, in order.

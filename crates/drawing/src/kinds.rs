@@ -5,10 +5,11 @@ use grazing_results::plane::{RegionKind, RegionVertex, SpecialPoint};
 
 use crate::axes::{Marker, Panel};
 use crate::labels::Labels;
+use crate::legend::Sample;
 use crate::sheet::{Bounds, Spot};
 use crate::style::{
-    Colour, GRAZ, MPS_AREA, MPS_GRAZING, NON_IMPACTING_AREA, PERIOD_DOUBLING, Pen, SADDLE_NODE, UNDECIDED,
-    approximation,
+    Colour, GRAZ, MPS_AREA, MPS_GRAZING, NON_IMPACTING_AREA, PERIOD_DOUBLING, Paint, Pen, SADDLE_NODE,
+    UNDECIDED, approximation,
 };
 
 pub(crate) fn pen(bifurcation: Bifurcation) -> Pen {
@@ -25,6 +26,16 @@ pub(crate) fn text_colour(bifurcation: Bifurcation) -> Colour {
     match bifurcation {
         Bifurcation::NonImpactingGrazing => Colour(40, 120, 40),
         other => pen(other).colour,
+    }
+}
+
+/// What a curve is, in words.
+fn meaning(bifurcation: Bifurcation) -> &'static str {
+    match bifurcation {
+        Bifurcation::NonImpactingGrazing => "grazing of the non-impacting solution",
+        Bifurcation::SaddleNode => "saddle-node bifurcation (SN)",
+        Bifurcation::PeriodDoubling => "period-doubling bifurcation (PD)",
+        Bifurcation::Grazing => "grazing of a maximal periodic solution (GZ)",
     }
 }
 
@@ -56,6 +67,9 @@ pub(crate) fn draw_curves(
     for Trace { kind, approximate, points } in &curves {
         let pen = if *approximate { approximation(pen(*kind)) } else { pen(*kind) };
         for piece in panel.line(points, pen) {
+            let approximation = || format!("quadratic approximation to {}", kind.name());
+            let meaning = if *approximate { &approximation() } else { meaning(*kind) };
+            panel.canvas.explain(meaning, Sample::Line(pen));
             if *approximate {
                 labels.placer.keep_off_nameless(&piece);
             } else {
@@ -75,8 +89,13 @@ pub(crate) fn draw_points<'a>(
 ) -> Vec<(&'a SpecialPoint, Bounds)> {
     let mut drawn = Vec::new();
     for (marker, resonances) in [(Marker::Disc, false), (Marker::Triangle, true)] {
+        let (meaning, sample) = match resonances {
+            true => ("resonant grazing bifurcation", Sample::Triangle),
+            false => ("another codimension-two point", Sample::Disc),
+        };
         for point in points.iter().filter(|point| (point.kind == CodimensionTwo::Resonance) == resonances) {
             if let Some(taken) = panel.marker((point.primary, point.secondary), marker) {
+                panel.canvas.explain(meaning, sample);
                 labels.placer.block(taken.grown(0.5));
                 drawn.push((point, taken));
             }
@@ -113,12 +132,22 @@ impl Area {
     /// Fills or hatches the region; returns its border on the sheet, if any of it shows.
     pub(crate) fn draw(&self, panel: &Panel<'_>) -> Vec<Spot> {
         match self.kind {
-            RegionKind::NonImpacting => panel.area(&self.rings, NON_IMPACTING_AREA),
-            RegionKind::Mps | RegionKind::Both => panel.area(&self.rings, MPS_AREA),
             RegionKind::Undecided => {
+                panel.canvas.explain("stability is not decided", Sample::Hatching(UNDECIDED));
                 panel.hatch(&self.rings, UNDECIDED);
                 Vec::new()
             }
+            kind => panel.area(&self.rings, shade(panel, kind)),
         }
     }
+}
+
+/// The shade of a region in which something is stable, which the legend explains.
+pub(crate) fn shade(panel: &Panel<'_>, kind: RegionKind) -> Paint {
+    let (meaning, paint) = match kind {
+        RegionKind::NonImpacting => ("the non-impacting solution is stable", NON_IMPACTING_AREA),
+        _ => ("a maximal periodic solution is stable; darker where several are", MPS_AREA),
+    };
+    panel.canvas.explain(meaning, Sample::Area(paint));
+    paint
 }

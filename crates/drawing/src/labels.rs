@@ -90,6 +90,23 @@ impl<'c> Labels<'c> {
         Ok(place.is_some())
     }
 
+    /// Names a curve beside it or, where there is no room, farther off with a line to its middle.
+    pub(crate) fn name_curve(
+        &mut self,
+        source: &str,
+        size: f64,
+        colour: Colour,
+        curve: &[Spot],
+    ) -> Result<(), DrawingError> {
+        if self.add(source, size, colour, &Wanted::Beside(curve))? {
+            return Ok(());
+        }
+        if let Some((middle, _)) = along(curve, 0.5) {
+            self.add(source, size, colour, &Wanted::Around(middle, 1.5))?;
+        }
+        Ok(())
+    }
+
     /// Names bifurcation curves by their kind, the longest first, those shorter than `least` (points) not at all.
     ///
     /// A curve is named once, though it may come twice, followed from its two ends. `grazing` names the grazing curve of

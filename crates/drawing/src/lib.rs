@@ -1,7 +1,7 @@
 //! The figures of the paper as SVG, drawn from rows.
 //!
 //! For each figure of the paper there is a function, [`draw_fig01`] to [`draw_fig10`], that takes what it shows
-//! ([`grazing_results`]) and returns the text of an SVG file. Figures 7 and 8 are a [`Diagram`] and [`Magnifications`], which
+//! ([`grazing_results`]) and returns the text of an SVG file. Figures 7 and 8 are a [`PlaneDiagram`] and [`Magnifications`], which
 //! [`draw_diagram`] and [`draw_magnifications`] draw for the two parameters of any oscillator. This crate knows rows, frames and
 //! ink; it computes nothing about impacts, and equal input gives equal bytes.
 //!
@@ -34,6 +34,7 @@ mod fig10;
 mod font;
 mod kinds;
 mod labels;
+mod legend;
 mod magnifications;
 mod magnified;
 mod markup;
@@ -51,7 +52,7 @@ mod style;
 mod svg;
 mod ticks;
 
-pub use diagram::{Diagram, draw_diagram, draw_fig07};
+pub use diagram::{PlaneDiagram, Section, draw_diagram, draw_fig07};
 pub use error::DrawingError;
 pub use family::draw_family;
 pub use fig02::draw_fig02;

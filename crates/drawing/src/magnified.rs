@@ -6,6 +6,7 @@ use crate::DrawingError;
 use crate::axes::Panel;
 use crate::diagram::OFF_TRIANGLE;
 use crate::labels::{Labels, Wanted};
+use crate::legend::Sample;
 use crate::sheet::Bounds;
 use crate::style::{MAGNIFIED, MAGNIFIED_TEXT, SMALL_LABEL_SIZE, TRIANGLE_SIZE};
 
@@ -34,16 +35,11 @@ pub(crate) fn rectangle(panel: &Panel<'_>, frame: &Frame, labels: &mut Labels<'_
     let whole = Bounds { left: a.0, top: a.1, right: b.0, bottom: b.1 };
     if !is_hidden(&whole) {
         for piece in panel.line(&frame.outline(), MAGNIFIED) {
+            panel.canvas.explain("shown larger in the magnifications", Sample::Rectangle(MAGNIFIED));
             labels.placer.keep_off(&piece);
         }
     }
-    let frame = &panel.bounds;
-    let seen = Bounds {
-        left: whole.left.max(frame.left),
-        top: whole.top.max(frame.top),
-        right: whole.right.min(frame.right),
-        bottom: whole.bottom.min(frame.bottom),
-    };
+    let seen = whole.common(panel.bounds);
     (seen.left <= seen.right && seen.top <= seen.bottom).then_some(seen)
 }
 

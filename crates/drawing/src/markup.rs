@@ -83,7 +83,9 @@ impl Label {
             if character == '$' {
                 parser.mathematics('$', Level::Line)?;
             } else {
-                parser.push(Face::Upright, Level::Line, character);
+                // The sign of micro- is the letter mu, which the fonts have.
+                let known = if character == '\u{b5}' { '\u{3bc}' } else { character };
+                parser.push(Face::Upright, Level::Line, known);
             }
         }
         Ok(Label { source: source.to_owned(), runs: parser.runs })

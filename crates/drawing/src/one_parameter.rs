@@ -190,6 +190,7 @@ mod tests {
         let names = Names::new("A", "omega");
         let texts = |figure: &OneParameter| compose(figure, &names, SheetWidth::Paper).unwrap().texts();
         let mut figure = sample([1.0, 1.0], 1);
+        assert!(texts(&figure).contains(&"long-time behaviour".to_owned()), "the dots are named");
         assert!(texts(&figure).contains(&r"$A$  ($\omega=0.854$)".to_owned()), "{:?}", texts(&figure));
         (figure.primary_is_fixed, figure.from_the_wall) = (true, true);
         let found = texts(&figure);

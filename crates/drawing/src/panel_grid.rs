@@ -19,7 +19,7 @@ const SIDE_BY_SIDE_MM: f64 = 120.0;
 /// Height of a row with headings of two lines, numbers and axis titles, for one, two and three panels side by side and
 /// for panels one above the other; three rows and a caption fill a page.
 const ROW_MM: [f64; 3] = [92.0, 75.0, 63.0];
-const STACKED_ROW_MM: f64 = 62.0;
+const STACKED_ROW_MM: f64 = 54.0;
 const ROWS_A_SHEET: usize = 3;
 /// Room left of a panel for its numbers and the gap to the panel before it, in points; the first of a row has the axis
 /// title too. Longer numbers get more.

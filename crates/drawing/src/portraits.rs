@@ -29,7 +29,7 @@ pub(crate) struct Portrait {
 const WALL_THICKNESS: f64 = 7.0;
 /// Height of a row with headings, numbers and axis titles, in points: of a single one, and of one among several.
 pub(crate) const SINGLE_ROW: f64 = 140.0;
-pub(crate) const ROW: f64 = 122.0;
+pub(crate) const ROW: f64 = 104.0;
 /// Room in a row above its frames and below them.
 const ABOVE: f64 = 17.0;
 const BELOW: f64 = 28.0;

@@ -2,11 +2,11 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 use grazing_results::plane::{
-    CurvePoint, MagnifiedPanel, MagnifiedPoint, RegionKind, RegionVertex, Source, SpecialPoint,
+    MagnifiedPanel, MagnifiedPoint, PlanePoint, RegionKind, RegionVertex, Source, SpecialPoint,
 };
 use grazing_results::{Frame, Names};
 
-use crate::diagram::Diagram;
+use crate::diagram::PlaneDiagram;
 use crate::magnifications::Magnifications;
 
 /// Where a parameter of the samples goes: multiplied, then shifted.
@@ -25,7 +25,7 @@ impl Affine {
 
 pub(crate) struct SampleOscillator {
     pub(crate) names: Names,
-    pub(crate) curves: Vec<CurvePoint>,
+    pub(crate) curves: Vec<PlanePoint>,
     pub(crate) points: Vec<SpecialPoint>,
     pub(crate) regions: Vec<RegionVertex>,
     pub(crate) magnified_curves: Vec<MagnifiedPoint>,
@@ -76,9 +76,9 @@ fn curves(resonances: &[Resonance]) -> Vec<SampleCurve> {
 }
 
 /// Rows of curves.
-pub(crate) fn curve_rows(curves: Vec<SampleCurve>) -> Vec<CurvePoint> {
+pub(crate) fn curve_rows(curves: Vec<SampleCurve>) -> Vec<PlanePoint> {
     let rows = |(kind, loops, n, arc, points): SampleCurve| {
-        points.into_iter().map(move |(primary, secondary)| CurvePoint {
+        points.into_iter().map(move |(primary, secondary)| PlanePoint {
             kind,
             loops,
             n,
@@ -191,8 +191,8 @@ impl SampleOscillator {
         }
     }
 
-    pub(crate) fn diagram(&self) -> Diagram<'_> {
-        Diagram {
+    pub(crate) fn diagram(&self) -> PlaneDiagram<'_> {
+        PlaneDiagram {
             name: "diagram",
             title: "Two-parameter bifurcation diagram",
             description: "A made-up oscillator.",
@@ -203,7 +203,7 @@ impl SampleOscillator {
             regions: &self.regions,
             frame: self.frame,
             magnified: &self.panels,
-            section: None,
+            sections: &[],
         }
     }
 

@@ -12,7 +12,7 @@ use crate::canvas::Canvas;
 use crate::clip::checked;
 use crate::labels::{Labels, Wanted};
 use crate::passing::{Course, interrupted};
-use crate::sheet::{Bounds, Spot, along, length, span};
+use crate::sheet::{Bounds, Spot, length, span};
 use crate::style::{
     BLACK, CIRCLE, Colour, FACE_EDGE, FLOW, INCOMING_FACE, OPEN_SPOT, OUTGOING_FACE, PERIODIC_FLOW, Paint,
     Pen, RESET, RETURN, SECTION_FACE, SPACE_AXIS, SPOT, SPOT_RADIUS, SPOT_RIM, SheetWidth, TANGENCY,
@@ -117,7 +117,7 @@ impl SpaceSheet {
             match *named {
                 Named::Curves(kind) => {
                     for curve in shown.longest(kind) {
-                        name_curve(&mut labels, text, size, colour, &curve)?;
+                        labels.name_curve(text, size, colour, &curve)?;
                     }
                 }
                 Named::Face(kind) => {
@@ -127,7 +127,7 @@ impl SpaceSheet {
                 }
                 Named::Line(kind) => {
                     if let Some(line) = first(kind) {
-                        name_curve(&mut labels, text, size, colour, &line)?;
+                        labels.name_curve(text, size, colour, &line)?;
                     }
                 }
             }
@@ -319,23 +319,6 @@ impl OnSheet {
         }
         Ok(labels)
     }
-}
-
-/// Names a curve beside it or, where there is no room, farther off with a line to its middle.
-fn name_curve(
-    labels: &mut Labels<'_>,
-    source: &str,
-    size: f64,
-    colour: Colour,
-    curve: &[Spot],
-) -> Result<(), DrawingError> {
-    if labels.add(source, size, colour, &Wanted::Beside(curve))? {
-        return Ok(());
-    }
-    if let Some((middle, _)) = along(curve, 0.5) {
-        labels.add(source, size, colour, &Wanted::Around(middle, 1.5))?;
-    }
-    Ok(())
 }
 
 /// Curves shorter than this (points) get no head.

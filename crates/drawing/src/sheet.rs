@@ -38,6 +38,17 @@ impl Bounds {
         }
     }
 
+    /// What both share; the wrong way round if that is nothing.
+    #[must_use]
+    pub fn common(self, other: Bounds) -> Bounds {
+        Bounds {
+            left: self.left.max(other.left),
+            top: self.top.max(other.top),
+            right: self.right.min(other.right),
+            bottom: self.bottom.min(other.bottom),
+        }
+    }
+
     /// True if both share more than a border.
     pub fn overlaps(&self, other: &Bounds) -> bool {
         self.left < other.right
@@ -52,6 +63,11 @@ impl Bounds {
             && inner.right <= self.right
             && self.top <= inner.top
             && inner.bottom <= self.bottom
+    }
+
+    /// True if some of the segment lies in it.
+    pub fn meets(&self, from: (f64, f64), to: (f64, f64)) -> bool {
+        crosses(self, (from, to))
     }
 
     /// The box of the given size about a centre.

@@ -118,6 +118,7 @@ pub(crate) const MAGNIFIED: Pen = Pen::solid(ORANGE, 1.0);
 pub(crate) const MAGNIFIED_TEXT: Colour = Colour(176, 84, 0);
 /// The line in the two-parameter diagram along which the one-parameter diagram runs.
 pub(crate) const SECTION: Pen = Pen { round: true, ..Pen::solid(BLACK, 1.5) };
+pub(crate) const THIN_SECTION: Pen = Pen::dashed(BLACK, 0.5, &[4.0, 1.6]);
 
 pub(crate) const MARKER: Paint = Paint::opaque(BLACK);
 pub(crate) const MARKER_RIM: Pen = Pen::solid(WHITE, 0.5);

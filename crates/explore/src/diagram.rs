@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::ImpactOscillator;
 use grazing_reproduction::plane::{self, Axes};
-use grazing_results::plane::{CurvePoint, RegionVertex, SpecialPoint};
+use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
 use grazing_unfold::stop::Stop;
@@ -106,7 +106,7 @@ fn ranks<O: ImpactOscillator>(diagram: &Diagram<O>) -> Vec<u32> {
 }
 
 /// A curve, under a name that stays the same while constants move.
-fn curve(rows: &[CurvePoint], rank: u32) -> Value {
+fn curve(rows: &[PlanePoint], rank: u32) -> Value {
     let Some(first) = rows.first() else { return Value::Null };
     let (kind, p, n) = (first.kind.name(), first.loops, first.n);
     json!({

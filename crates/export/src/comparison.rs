@@ -3,7 +3,7 @@
 use resvg::tiny_skia::{Color, Pixmap, PixmapPaint, PremultipliedColorU8, Transform};
 
 use crate::raster::{blank, encode};
-use crate::{ExportError, Figure};
+use crate::{Drawing, ExportError};
 
 /// Enough to read the labels.
 const RESOLUTION: f64 = 150.0;
@@ -15,7 +15,7 @@ const MARGIN: u32 = 40;
 ///
 /// # Errors
 /// One of the pictures cannot be drawn.
-pub fn comparison(before: &Figure, after: &Figure) -> Result<Vec<u8>, ExportError> {
+pub fn comparison(before: &Drawing, after: &Drawing) -> Result<Vec<u8>, ExportError> {
     let (before, after) = (before.pixels(RESOLUTION)?, after.pixels(RESOLUTION)?);
     let difference = difference(&before, &after)?;
     let pictures = [("before", before), ("after", after), ("difference", difference)];
@@ -44,7 +44,7 @@ fn heading_picture(word: &str) -> Result<Pixmap, ExportError> {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"80\" height=\"16\"><rect width=\"80\" height=\"16\" \
          fill=\"#e1e1e1\"/><text x=\"0\" y=\"12\" font-family=\"STIX Two Text\" font-size=\"12\">{word}</text></svg>"
     );
-    Figure::read(&svg)?.pixels(RESOLUTION)
+    Drawing::read(&svg)?.pixels(RESOLUTION)
 }
 
 /// What is new and what is gone; outside of either picture the sheet counts as white.
@@ -78,10 +78,10 @@ fn lightness(pixel: PremultipliedColorU8) -> u32 {
 mod tests {
     use super::*;
 
-    fn figure(rectangle: &str) -> Figure {
+    fn figure(rectangle: &str) -> Drawing {
         let svg =
             format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"12\" height=\"12\">{rectangle}</svg>");
-        Figure::read(&svg).expect("an SVG")
+        Drawing::read(&svg).expect("an SVG")
     }
 
     #[test]
@@ -102,7 +102,7 @@ mod tests {
     #[test]
     fn figures_of_different_sizes_can_be_compared() {
         let small = figure("<rect width=\"4\" height=\"12\"/>");
-        let large = Figure::read("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"30\" height=\"5\"/>");
+        let large = Drawing::read("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"30\" height=\"5\"/>");
         let picture = comparison(&small, &large.expect("an SVG")).expect("a picture");
         assert_eq!(picture[..8], *b"\x89PNG\r\n\x1a\n");
     }

@@ -16,23 +16,27 @@ const UNITS_PER_INCH: f32 = 72.0;
 const SVG: &str = "http://www.w3.org/2000/svg";
 
 /// A figure that was read.
-pub struct Figure {
+pub struct Drawing {
     pub(crate) tree: Tree,
     title: String,
+    description: String,
 }
 
-impl Figure {
+impl Drawing {
     /// Reads an SVG.
     ///
     /// # Errors
     /// It is no SVG that can be drawn, or a label cannot be set in the figures' fonts.
-    pub fn read(svg: &str) -> Result<Figure, ExportError> {
+    pub fn read(svg: &str) -> Result<Drawing, ExportError> {
         let options = Options { dpi: UNITS_PER_INCH, fontdb: fonts(), ..Options::default() };
         let parsing = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
         let document = Document::parse_with_options(svg, parsing).map_err(resvg::usvg::Error::from)?;
-        let title = document.descendants().find(|node| node.has_tag_name((SVG, "title")));
-        let title = title.and_then(|node| node.text()).unwrap_or_default().to_owned();
-        let figure = Figure { tree: Tree::from_xmltree(&document, &options)?, title };
+        let told = |element| {
+            let found = document.descendants().find(|node| node.has_tag_name((SVG, element)));
+            found.and_then(|node| node.text()).unwrap_or_default().to_owned()
+        };
+        let (title, description) = (told("title"), told("desc"));
+        let figure = Drawing { tree: Tree::from_xmltree(&document, &options)?, title, description };
         geometry::ensure_glyphs(&figure.tree)?;
         Ok(figure)
     }
@@ -40,6 +44,11 @@ impl Figure {
     /// The title that the SVG carries; empty if it carries none.
     pub fn title(&self) -> &str {
         &self.title
+    }
+
+    /// What it shows, in the words that the SVG carries for readers who cannot see it; empty if it carries none.
+    pub fn description(&self) -> &str {
+        &self.description
     }
 
     /// Width and height of the sheet, in points.
@@ -69,7 +78,7 @@ mod tests {
     fn a_title_is_read_with_its_entities_and_may_be_missing() {
         let title = |content: &str| {
             let svg = format!("<svg xmlns=\"{SVG}\" width=\"9\" height=\"9\">{content}</svg>");
-            Figure::read(&svg).expect("an SVG").title().to_owned()
+            Drawing::read(&svg).expect("an SVG").title().to_owned()
         };
         assert_eq!(title("<title>a &lt; b &amp;amp; c</title>"), "a < b &amp; c");
         assert_eq!(title(""), "");

@@ -5,7 +5,7 @@ use resvg::tiny_skia::{Rect, Transform};
 use resvg::usvg::{Group, Node, Tree};
 use ttf_parser::Face;
 
-use crate::{ExportError, Figure};
+use crate::{Drawing, ExportError};
 
 fn around(rectangle: Rect, transform: Transform) -> Bounds {
     let [left, top, right, bottom] = rectangle.transform(transform).map_or([f64::NAN; 4], |turned| {
@@ -43,21 +43,21 @@ impl Text {
 /// A line or an area.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shape {
-    /// The box of its ink.
+    /// The box of its ink, as far as a clip path leaves it.
     pub bounds: Bounds,
     /// The width of its stroke in points; `None` if it is only filled.
     pub stroke: Option<f64>,
     /// The corners and ends of its pieces, in points of the sheet, in order.
     pub points: Vec<(f64, f64)>,
-    /// Whether a clip path cuts it.
-    pub clipped: bool,
+    /// Whether an area is filled, not only a line drawn.
+    pub filled: bool,
 }
 
-impl Figure {
+impl Drawing {
     /// All labels, in the order in which they are drawn.
     pub fn texts(&self) -> Vec<Text> {
         let mut texts = Vec::new();
-        for_each(self.tree.root(), false, &mut |node, _| {
+        for_each(self.tree.root(), None, &mut |node, _| {
             if let Node::Text(text) = node {
                 texts.push(read_text(&self.tree, text));
             }
@@ -68,18 +68,19 @@ impl Figure {
     /// All lines and areas, in the order in which they are drawn.
     pub fn shapes(&self) -> Vec<Shape> {
         let mut shapes = Vec::new();
-        for_each(self.tree.root(), false, &mut |node, clipped| {
+        for_each(self.tree.root(), None, &mut |node, clip| {
             if let Node::Path(path) = node {
                 let transform = path.abs_transform();
                 // Our transforms are turns and even scalings, so one factor serves all directions.
                 let scale = f64::from(transform.get_scale().0);
                 let mut points = path.data().points().to_vec();
                 transform.map_points(&mut points);
+                let ink = around(path.stroke_bounding_box(), transform);
                 shapes.push(Shape {
-                    bounds: around(path.stroke_bounding_box(), transform),
+                    bounds: clip.map_or(ink, |clip| clip.common(ink)),
+                    filled: path.fill().is_some(),
                     stroke: path.stroke().map(|stroke| scale * f64::from(stroke.width().get())),
                     points: points.iter().map(|point| (f64::from(point.x), f64::from(point.y))).collect(),
-                    clipped,
                 });
             }
         });
@@ -87,12 +88,14 @@ impl Figure {
     }
 }
 
-fn for_each<'a>(group: &'a Group, clipped: bool, visit: &mut impl FnMut(&'a Node, bool)) {
-    let clipped = clipped || group.clip_path().is_some();
+/// Visits what is drawn, with the box that clip paths leave of it.
+fn for_each<'a>(group: &'a Group, clip: Option<Bounds>, visit: &mut impl FnMut(&'a Node, Option<Bounds>)) {
+    let own = group.clip_path().map(|clip| around(clip.root().bounding_box(), group.abs_transform()));
+    let clip = own.map(|own| clip.map_or(own, |outer| outer.common(own))).or(clip);
     for node in group.children() {
         match node {
-            Node::Group(inner) => for_each(inner, clipped, visit),
-            other => visit(other, clipped),
+            Node::Group(inner) => for_each(inner, clip, visit),
+            other => visit(other, clip),
         }
     }
 }
@@ -124,7 +127,7 @@ fn read_text(tree: &Tree, text: &resvg::usvg::Text) -> Text {
 /// Every character has a glyph.
 pub(crate) fn ensure_glyphs(tree: &Tree) -> Result<(), ExportError> {
     let mut lacking = None;
-    for_each(tree.root(), false, &mut |node, _| {
+    for_each(tree.root(), None, &mut |node, _| {
         if let Node::Text(text) = node {
             let glyphs = || text.layouted().iter().flat_map(|span| &span.positioned_glyphs);
             let label: String = text.chunks().iter().map(|chunk| chunk.text()).collect();

@@ -1,8 +1,8 @@
 //! The figures as a journal takes them, PDF and PNG, and what a reader of them sees.
 //!
-//! [`Figure::read`] reads the SVG that `grazing-drawing` makes. [`Figure::pdf`] keeps lines as lines and text as text, with
-//! the glyphs that are used embedded; [`Figure::png`] draws pixels at a resolution; [`Figure::texts`] and
-//! [`Figure::shapes`] tell where every label and line comes to lie, for checks; [`comparison`] sets two versions of a
+//! [`Drawing::read`] reads the SVG that `grazing-drawing` makes. [`Drawing::pdf`] keeps lines as lines and text as text, with
+//! the glyphs that are used embedded; [`Drawing::png`] draws pixels at a resolution; [`Drawing::texts`] and
+//! [`Drawing::shapes`] tell where every label and line comes to lie, for checks; [`comparison`] sets two versions of a
 //! figure side by side. Sheets are measured in points (1/72 inch), as in the SVG.
 //!
 //! Only the fonts of the figures are known here, never the system's, so that equal input gives equal bytes on every
@@ -21,5 +21,5 @@ mod raster;
 
 pub use comparison::comparison;
 pub use error::ExportError;
-pub use figure::Figure;
+pub use figure::Drawing;
 pub use geometry::{Shape, Text};

@@ -10,9 +10,9 @@ use std::fmt::Write;
 
 use svg2pdf::{ConversionOptions, PageOptions, to_pdf};
 
-use crate::{ExportError, Figure};
+use crate::{Drawing, ExportError};
 
-impl Figure {
+impl Drawing {
     /// The figure as a PDF of one page.
     ///
     /// The page has the physical size of the SVG. Text can be searched and copied; of the fonts only the glyphs that are

@@ -2,14 +2,14 @@
 
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 
-use crate::{ExportError, Figure};
+use crate::{Drawing, ExportError};
 
 /// Points in an inch.
 const POINTS_PER_INCH: f64 = 72.0;
 /// Metres in an inch.
 const METRES_PER_INCH: f64 = 0.0254;
 
-impl Figure {
+impl Drawing {
     /// The figure as a PNG with `resolution` dots per inch, which the PNG says of itself, so that it keeps its size.
     ///
     /// # Errors

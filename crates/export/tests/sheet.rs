@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-use grazing_export::{ExportError, Figure};
+use grazing_export::{Drawing, ExportError};
 
 /// An SVG with all features that the figures use; lengths in points.
 const SAMPLE: &str = include_str!("sample.svg");
@@ -12,8 +12,8 @@ const SCALE: f64 = 4.0;
 /// The resolution with so many pixels to a point.
 const RESOLUTION: f64 = 288.0;
 
-fn sample() -> Figure {
-    Figure::read(SAMPLE).expect("the sample can be read")
+fn sample() -> Drawing {
+    Drawing::read(SAMPLE).expect("the sample can be read")
 }
 
 /// A decoded PNG.
@@ -25,7 +25,7 @@ struct Picture {
 }
 
 impl Picture {
-    fn of(figure: &Figure) -> Picture {
+    fn of(figure: &Drawing) -> Picture {
         let bytes = figure.png(RESOLUTION).expect("it can be drawn");
         let mut reader = png::Decoder::new(bytes.as_slice()).read_info().expect("a PNG");
         let mut colours = vec![0; reader.output_buffer_size()];
@@ -99,15 +99,20 @@ fn labels_have_ink_within_their_boxes_and_scripts_their_rise_and_fall() {
 }
 
 #[test]
-fn shapes_tell_their_stroke_and_whether_they_are_clipped() {
-    let strokes: Vec<_> = sample().shapes().iter().map(|shape| (shape.stroke, shape.clipped)).collect();
-    let (filled, two, four) = (None, Some(2.0), Some(4.0));
-    let wanted = [(filled, false), (two, false), (two, false), (filled, false), (four, true)];
-    assert_eq!(strokes.len(), wanted.len());
-    for (found, wanted) in strokes.iter().zip(wanted) {
-        let width = |stroke: Option<f64>| (stroke.unwrap_or(0.0) * 1e4).round();
-        assert_eq!((width(found.0), found.1), (width(wanted.0), wanted.1), "to 32-bit numbers");
-    }
+fn shapes_tell_their_stroke_and_what_a_clip_path_leaves_of_them() {
+    let shapes = sample().shapes();
+    let found: Vec<_> = shapes
+        .iter()
+        .map(|shape| (shape.stroke.map(f64::round), shape.bounds.right.round(), shape.filled))
+        .collect();
+    let wanted = [
+        (None, 170.0, true),
+        (Some(2.0), 150.0, false),
+        (Some(2.0), 150.0, false),
+        (None, 60.0, true),
+        (Some(4.0), 85.0, false),
+    ];
+    assert_eq!(found, wanted, "in points");
 }
 
 #[test]
@@ -191,8 +196,8 @@ fn another_reader_of_pdf_finds_the_text() {
 #[test]
 fn what_cannot_be_drawn_is_refused() {
     let told = |error: Option<ExportError>| error.expect("it cannot be drawn").to_string();
-    assert!(told(Figure::read("old").err()).starts_with("not a drawable SVG"));
+    assert!(told(Drawing::read("old").err()).starts_with("not a drawable SVG"));
     let snow = SAMPLE.replace("𝒜", "雪");
-    assert!(told(Figure::read(&snow).err()).starts_with("label `雪` needs"));
+    assert!(told(Drawing::read(&snow).err()).starts_with("label `雪` needs"));
     assert!(told(sample().png(1e-3).err()).starts_with("a picture of 0 by"));
 }

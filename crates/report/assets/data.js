@@ -15,19 +15,19 @@ function undone(cells, [decimals, order]) {
 }
 
 /**
- * Reads a table as the page keeps it: a line with the headers, one with how each column is written, then the cells column by
- * column, each on a line.
+ * Reads a table as the page keeps it: a line with the headers, one with how each column is written, one with the units, then the
+ * cells column by column, each on a line.
  */
 function readTable(name, text) {
   const lines = text.split("\n");
-  const [header, codes] = [lines[0].split("|"), lines[1].split("|")];
-  const rows = (lines.length - 2) / header.length;
+  const [header, codes, units] = lines.slice(0, 3).map((line) => line.split("|"));
+  const rows = (lines.length - 3) / header.length;
   const column = (index) => {
-    const cells = lines.slice(2 + index * rows, 2 + (index + 1) * rows);
+    const cells = lines.slice(3 + index * rows, 3 + (index + 1) * rows);
     return codes[index] ? undone(cells, codes[index].split(",").map(Number)) : cells;
   };
   const byName = new Map(header.map((title, index) => [title, column(index)]));
-  return { name, rows, header, column: (title) => byName.get(title) };
+  return { name, rows, header, column: (title) => byName.get(title), unit: (title) => units[header.indexOf(title)] || "" };
 }
 
 /** The tables that are kept in the element with that identifier, compressed. */

@@ -117,13 +117,20 @@ function setUpFigure(figure) {
 
   const probe = drawn("g", { class: "probe", "aria-hidden": "true" });
   svg.append(probe);
-  const view = makeZoomable(sheet, svg, panels, () => mark(shown));
+  const view = makeZoomable(sheet, svg, panels, () => {
+    mark(shown);
+    // Dots stand in bins as long as the figure is seen whole; their places are in the data.
+    if (!tables && view.isZoomed() && panels.some((panel) => panel.parts.some((part) => part.dotted))) load().then(view.redraw);
+  });
 
   let loading = null;
   const load = () => {
     loading ??= readTables(`data-${figure.id}`).then((read) => {
       tables = read;
-      for (const panel of panels) panel.points = rowsOf(panel, tables);
+      for (const panel of panels) {
+        panel.points = rowsOf(panel, tables);
+        panel.unit = (column) => panel.points.map(({ table }) => table.unit(column)).find(Boolean);
+      }
       if (!panels.some((panel) => panel.points.some((point) => !point.drawn))) return;
       const label = element("label");
       const box = element("input");
@@ -165,7 +172,8 @@ function setUpFigure(figure) {
       if (!column) return;
       const value = element("b");
       value.innerHTML = written(values[axis], 6);
-      where.append(...(axis > 0 ? [", "] : []), symbol("i", column), " = ", value);
+      const unit = panel.unit(column);
+      where.append(...(axis > 0 ? [", "] : []), symbol("i", column), " = ", value, ...(unit ? [` ${unit}`] : []));
     });
     readout.replaceChildren(where);
     if (!point) return;
@@ -182,7 +190,9 @@ function setUpFigure(figure) {
     const list = element("dl");
     for (const column of table.header) {
       if (BOOKKEEPING.has(column) || cell(column) === "") continue;
-      list.append(symbol("dt", column), fill(element("dd"), cell(column)));
+      const made = fill(element("dd"), cell(column));
+      if (table.unit(column)) made.append(` ${table.unit(column)}`);
+      list.append(symbol("dt", column), made);
     }
     readout.append(list);
   };

@@ -11,7 +11,8 @@ function markMore() {
 }
 bar.addEventListener("scroll", markMore, { passive: true });
 addEventListener("resize", markMore);
-markMore();
+// Not before the page is there: it would have to be laid out for this.
+addEventListener("load", markMore);
 
 const seen = new IntersectionObserver(
   (entries) => {

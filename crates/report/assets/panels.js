@@ -124,17 +124,27 @@ function partOf(node, panel, clip) {
   const lattice = latticeOf(node);
   if (lattice) {
     const { side } = lattice;
-    const dots = [];
+    const bins = new Map();
     points.forEach(([begins, px, py], index) => {
       if (begins) return;
-      for (let at = points[index - 1][1]; at < px; at += 1) dots.push([lattice.x + side * (at + 0.5), lattice.y + side * py]);
+      for (let at = points[index - 1][1]; at < px; at += 1) bins.set(`${at},${Math.floor(py)}`, [lattice.x + side * (at + 0.5), lattice.y + side * py]);
     });
+    // As the drawing counts its bins: from the lower left corner, in whole hundredths of a point.
+    const cut = (length) => Math.floor(100 * length) / 100;
+    const bin = ({ x, y }) => `${Math.floor(cut(x - bounds.x) / side)},${Math.floor((bounds.h - cut(bounds.y + bounds.h - y)) / side)}`;
+    let dots = [...bins.values()];
+    let exact = false;
     const show = (to) => {
+      // Once the data are there, dots lie where they belong, not where their bins do.
+      if (panel.points && !exact) {
+        dots = panel.points.filter((point) => point.table.name.endsWith("_attractor") && bins.has(bin(point))).map(({ x, y }) => [x, y]);
+        exact = true;
+      }
       const seen = dots.map(([px, py]) => to(px, py)).filter(([x, y]) => sees(x, y));
       node.setAttribute("d", seen.map(([x, y]) => `M${((x - lattice.x) / side - 0.5).toFixed(2)},${((y - lattice.y) / side).toFixed(2)}h1`).join(""));
       return seen.length > 0;
     };
-    return { show, restore };
+    return { show, restore, dotted: true };
   }
   const filled = node.hasAttribute("fill") && node.getAttribute("fill") !== "none";
   const box = boxOf(node);

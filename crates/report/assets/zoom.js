@@ -144,5 +144,7 @@ function makeZoomable(sheet, svg, panels, changed) {
   sheet.addEventListener("pointercancel", release);
   sheet.addEventListener("pointerleave", release);
 
-  return { zoom, move, all, toSheet, toSeen, toWhole, factor, scale, isZoomed };
+  const redraw = () => areas.filter(isZoomed).forEach(draw);
+
+  return { zoom, move, all, redraw, toSheet, toSeen, toWhole, factor, scale, isZoomed };
 }

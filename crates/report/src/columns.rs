@@ -6,7 +6,7 @@ use askama::filters::Safe;
 use grazing_results::Table;
 
 use crate::Report;
-use crate::formula::shown;
+use crate::formula::{shown, words};
 use crate::html::{Html, escape, json_string};
 
 /// A symbol as the page shows it; names in it may be of several words.
@@ -19,22 +19,32 @@ pub(crate) fn symbol(name: &str) -> Html {
     grazing_results::symbol(name).map_or_else(|| Safe(escape(name)), |latex| formula(&latex))
 }
 
-/// The heading of a column: its symbol, or its name in words.
+/// The heading of a column: what it is called, and its unit if it has one.
 pub(crate) fn heading(table: &Table, place: usize) -> Html {
+    Safe(format!("{}{}", name(table, place).0, in_parentheses(&table.units[place])))
+}
+
+/// A unit after what is counted in it; nothing without one.
+pub(crate) fn in_parentheses(unit: &str) -> String {
+    if unit.is_empty() { String::new() } else { format!(" ({})", words(unit).0) }
+}
+
+/// What a column is called: its symbol, or its name in words.
+fn name(table: &Table, place: usize) -> Html {
     match table.symbols[place].as_str() {
         "" => Safe(escape(&table.headers[place].replace('_', " "))),
         latex => formula(latex),
     }
 }
 
-/// The headings of all columns that figures show by their names, for the scripts.
+/// What all columns are called that figures show by their names, for the scripts.
 pub(crate) fn json(report: &Report<'_>) -> String {
     let columns = report
         .all_figures()
         .flat_map(|figure| &figure.tables)
         .flat_map(|table| table.headers.iter().enumerate().map(move |column| (table, column)));
     let headings: BTreeMap<&str, Html> =
-        columns.map(|(table, (place, name))| (name.as_str(), heading(table, place))).collect();
+        columns.map(|(table, (place, header))| (header.as_str(), name(table, place))).collect();
     let pairs: Vec<String> = headings
         .iter()
         .map(|(name, heading)| format!("{}:{}", json_string(name), json_string(&heading.0)))

@@ -70,11 +70,12 @@ fn packed<'a>(tables: impl IntoIterator<Item = &'a Table>, without: &[&str], rou
     BASE64_STANDARD.encode(compress_to_vec(format!("{{{}}}", tables.join(",")).as_bytes(), EFFORT))
 }
 
-/// A line with the headers, one with how each column is written, then every cell on a line of its own, column by column: neighbours in a
+/// A line with the headers, one with how each column is written, one with the units, then every cell on a line of its own, column by column: neighbours in a
 /// column are alike. A column is written as it stands, or as `decimals,order`: without the decimal point, and so many times
 /// as differences from the cell before.
 fn by_columns(table: &Table, without: &[&str], rounding: Rounding) -> String {
-    let (mut headers, mut codes, mut lines) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut headers, mut codes, mut units) = (Vec::new(), Vec::new(), Vec::new());
+    let mut lines = Vec::new();
     for (place, header) in table.headers.iter().enumerate() {
         let column = &table.columns[place];
         if without.contains(&column.name) {
@@ -89,11 +90,12 @@ fn by_columns(table: &Table, without: &[&str], rounding: Rounding) -> String {
         let (code, cells) = differing
             .unwrap_or_else(|| (String::new(), cells().map(|cell| written(cell, column, digits)).collect()));
         headers.push(header.as_str());
+        units.push(table.units[place].as_str());
         codes.push(code);
         lines.extend(cells);
     }
     let separator = SEPARATOR.to_string();
-    let heads = [headers.join(&separator), codes.join(&separator)];
+    let heads = [headers.join(&separator), codes.join(&separator), units.join(&separator)];
     heads.into_iter().chain(lines).collect::<Vec<_>>().join("\n")
 }
 
@@ -160,11 +162,11 @@ mod tests {
     fn columns_follow_each_other_with_numbers_rounded() {
         assert_eq!(
             by_columns(&table(), &["admissible"], Rounding::Each(7)),
-            "kind|p|x\n||\nSN\nSN\nPD\nP D\n1\n1\n1\n2\n0.35\n-567.9445\n\n-1.25e-17"
+            "kind|p|x\n||\n||\nSN\nSN\nPD\nP D\n1\n1\n1\n2\n0.35\n-567.9445\n\n-1.25e-17"
         );
         assert_eq!(
             by_columns(&table(), &["admissible"], Rounding::Column(7)),
-            "kind|p|x\n||4,0\nSN\nSN\nPD\nP D\n1\n1\n1\n2\n3500\n-5679445\n\n0"
+            "kind|p|x\n||4,0\n||\nSN\nSN\nPD\nP D\n1\n1\n1\n2\n3500\n-5679445\n\n0"
         );
     }
 
@@ -187,7 +189,7 @@ mod tests {
         let bytes = BASE64_STANDARD.decode(of_table(&table())).unwrap();
         let text = miniz_oxide::inflate::decompress_to_vec(&bytes).unwrap();
         let text = String::from_utf8(text).unwrap();
-        assert!(text.starts_with("{\"sample\":\"kind|p|x|admissible\\n|||\\nSN\\n"), "{text}");
+        assert!(text.starts_with("{\"sample\":\"kind|p|x|admissible\\n|||\\n|||\\nSN\\n"), "{text}");
     }
 
     #[test]

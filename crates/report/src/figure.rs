@@ -11,7 +11,7 @@ use crate::{OscillatorEntry, Report, data, ledger, legend, table};
 
 /// A figure with its data.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Figure {
+pub struct FigureEntry {
     /// The name of its files, as `fig07`.
     pub name: String,
     /// What it shows, in one line: "Figure 7: two-parameter bifurcation diagram".
@@ -23,7 +23,6 @@ pub struct Figure {
 }
 
 /// An SVG file taken apart: what goes into the page, and what the page keeps elsewhere.
-#[derive(Debug, PartialEq)]
 struct Parts {
     /// The attributes of the root that the page needs.
     view_box: String,
@@ -33,6 +32,8 @@ struct Parts {
     description: String,
     style: String,
     body: String,
+    /// Samples and meanings.
+    legend: Vec<(Html, Html)>,
 }
 
 impl Parts {
@@ -76,8 +77,6 @@ struct Framed<'a> {
     label: &'a str,
     heading: Html,
     parts: Parts,
-    /// Samples and meanings.
-    legend: Vec<(Html, Html)>,
     /// Lines of links with a word before them.
     links: [(&'static str, Vec<Html>); 2],
     /// The tables for the scripts.
@@ -85,7 +84,7 @@ struct Framed<'a> {
 }
 
 /// A figure of the paper.
-pub(crate) fn of_the_paper(report: &Report<'_>, figure: &Figure) -> Html {
+pub(crate) fn of_the_paper(report: &Report<'_>, figure: &FigureEntry) -> Html {
     let heading = match figure.title.split_once(": ") {
         Some((number, rest)) => {
             format!("<span class=\"eyebrow\">{}</span> {}", escape(number), prose(&capitalised(rest)))
@@ -99,20 +98,18 @@ pub(crate) fn of_the_paper(report: &Report<'_>, figure: &Figure) -> Html {
         label: &figure.title,
         heading: Safe(format!("<h3>{heading}</h3>")),
         parts: parts(&figure.svg, &figure.name),
-        legend: legend::of(&figure.svg),
         links: [("Files", report.links(&own_files(figure), false)), ("Claims", claims)],
         data: data::of_figure(&figure.tables, &Marks::of(&figure.svg)),
     })
 }
 
 /// A figure of an oscillator.
-pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, figure: &Figure) -> Html {
+pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, figure: &FigureEntry) -> Html {
     let id = format!("{}-{}", oscillator.anchor(), figure.name);
     rendered(&Framed {
         label: &format!("{}: {}", oscillator.description.name(), figure.title),
         heading: Safe(format!("<h4>{}</h4>", prose(&capitalised(&figure.title)))),
         parts: parts(&figure.svg, &id),
-        legend: legend::of(&figure.svg),
         links: [("Files", report.links(&own_files(figure), true)), ("", Vec::new())],
         data: data::of_figure(&figure.tables, &Marks::of(&figure.svg)),
         id: &id,
@@ -120,7 +117,7 @@ pub(crate) fn of_oscillator(report: &Report<'_>, oscillator: &OscillatorEntry, f
 }
 
 /// The paths that the figure's own files have among all.
-fn own_files(figure: &Figure) -> Vec<String> {
+fn own_files(figure: &FigureEntry) -> Vec<String> {
     let tables = figure.tables.iter().map(table::path);
     std::iter::once(format!("{}.svg", figure.name)).chain(tables).collect()
 }
@@ -136,7 +133,7 @@ fn parts(svg: &str, name: &str) -> Parts {
     let head_end = svg[start..].find('>').map_or(svg.len(), |end| start + end);
     let head = &svg[start..head_end];
     let end = svg.rfind("</svg>").unwrap_or(svg.len()).max(head_end);
-    let mut body = svg.get(head_end + 1..end).unwrap_or_default().to_owned();
+    let (legend, mut body) = legend::cut_out(svg.get(head_end + 1..end).unwrap_or_default());
     let description = take(&mut body, "desc");
     let _ = take(&mut body, "title");
     let mut style = take(&mut body, "style");
@@ -168,6 +165,7 @@ fn parts(svg: &str, name: &str) -> Parts {
         description: unescaped(&description),
         style,
         body: with_short_paths(&body),
+        legend: legend::entries(legend),
     }
 }
 
@@ -182,7 +180,7 @@ fn take(text: &mut String, element: &str) -> String {
     content
 }
 
-fn unescaped(text: &str) -> String {
+pub(crate) fn unescaped(text: &str) -> String {
     [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&#39;", "'"), ("&amp;", "&")]
         .iter()
         .fold(text.to_owned(), |text, (escaped, plain)| text.replace(escaped, plain))

@@ -36,7 +36,7 @@ use grazing_reproduction::published::Comparison;
 
 use html::Html;
 
-pub use figure::Figure;
+pub use figure::FigureEntry;
 pub use formula::{FormulaError, mathml};
 pub use manifest::{Manifest, OutputFile};
 pub use oscillator::OscillatorEntry;
@@ -47,7 +47,7 @@ pub use table::TableOutput;
 #[derive(Debug, Clone, Default)]
 pub struct Report<'a> {
     /// The figures, in the order of the paper.
-    pub figures: Vec<Figure>,
+    pub figures: Vec<FigureEntry>,
     /// The outputs that are tables only.
     pub tables: Vec<TableOutput>,
     /// The numbers that the paper prints, with the computed ones.
@@ -114,7 +114,7 @@ impl Report<'_> {
     }
 
     /// The figures of the paper and of all oscillators.
-    fn all_figures(&self) -> impl Iterator<Item = &Figure> {
+    fn all_figures(&self) -> impl Iterator<Item = &FigureEntry> {
         self.figures.iter().chain(self.oscillators.iter().flat_map(|oscillator| &oscillator.figures))
     }
 }

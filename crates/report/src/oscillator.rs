@@ -4,11 +4,13 @@ use askama::filters::Safe;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::Description;
 use grazing_reproduction::unfolded::{Known, ResonanceEntry};
-use grazing_results::Table;
+pub(crate) use grazing_results::columns::{C_SN, PRIMARY, SECONDARY};
+use grazing_results::{Column, Names, Table, UnitNames};
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::verdict::{Coefficient, Verdict};
 
-use crate::Figure;
+use crate::FigureEntry;
+use crate::columns::in_parentheses;
 use crate::html::{Html, counted, identifier};
 
 /// An oscillator with all that was found out about it.
@@ -25,7 +27,7 @@ pub struct OscillatorEntry {
     /// What stands in the file.
     pub description: Description,
     /// The figures; their names and those of their tables need be unique in this oscillator only.
-    pub figures: Vec<Figure>,
+    pub figures: Vec<FigureEntry>,
     /// The tables that are shown as such.
     pub tables: Vec<Table>,
     /// The resonant grazing bifurcations, in the order in which they were found.
@@ -81,6 +83,17 @@ impl OscillatorEntry {
     /// The identifier of its part of the page.
     pub(crate) fn anchor(&self) -> String {
         identifier("oscillator", &self.id)
+    }
+
+    /// The unit of a column in parentheses, after its heading.
+    pub(crate) fn unit(&self, column: Column) -> Html {
+        let (primary, secondary) = (self.description.primary(), self.description.secondary());
+        let own = |unit: Option<&str>| unit.map(str::to_owned);
+        let [length, time] = self.description.unit_names().map(own);
+        let units =
+            UnitNames { length, time, primary: own(primary.unit()), secondary: own(secondary.unit()) };
+        let names = Names::new(primary.name(), secondary.name()).with_units(units);
+        Safe(in_parentheses(&column.unit(&names)))
     }
 
     /// The resonances at which a theorem holds, with what is known of the SN and the PD curve.

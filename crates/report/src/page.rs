@@ -219,6 +219,14 @@ mod tests {
     }
 
     #[test]
+    fn units_stand_in_headings_and_ranges() {
+        let html = page(&sample::oscillators_alone());
+        for told in ["</math> (N)</th>", "in N\"", "(N/A<sup>2</sup>)", "to 4 N</dd>"] {
+            assert!(html.contains(told), "{told}");
+        }
+    }
+
+    #[test]
     fn a_page_without_oscillators_does_not_mention_any() {
         let report = Report { oscillators: Vec::new(), ..sample::report() };
         assert!(!markup(&page(&report)).contains("scillators\""));

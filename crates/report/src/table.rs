@@ -81,7 +81,12 @@ fn headings(table: &Table) -> Vec<(bool, String, Html)> {
         |cell: usize| table.rows.first().map(|row| matches!(row[cell], Cell::Integer(_) | Cell::Number(_)));
     let columns = table.columns.iter().enumerate();
     let heading = |(place, column): (usize, &Column)| {
-        (numeric(place).unwrap_or(false), column.meaning().replace('`', ""), heading(table, place))
+        let unit = match table.units[place].as_str() {
+            "" => String::new(),
+            unit => format!(", in {unit}"),
+        };
+        let meaning = format!("{}{unit}", column.meaning().replace('`', ""));
+        (numeric(place).unwrap_or(false), meaning, heading(table, place))
     };
     columns.map(heading).collect()
 }

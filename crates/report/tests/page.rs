@@ -3,7 +3,7 @@
 mod browser;
 mod sample;
 
-use browser::{Spot, assert_all_pass, checked};
+use browser::{Spot, assert_all_pass, checked, sheets_of_paper};
 use grazing_report::page;
 
 /// Ways to write parts of the formula of the sample, g_p(δ) = 2 √δ cos(π/p), with the label of its claim.
@@ -38,12 +38,20 @@ fn the_page_answers_to_pointer_keys_and_filters() {
         Spot {
             figure: "oscillator-one-diagram",
             sheet: (101.0, 52.0),
-            told: told(&["F0 = 2.025, A = −0.05", "Resonant grazing"]),
+            told: told(&["F0 = 2.025 N, A = −0.05", "Resonant grazing"]),
             hidden: false,
         },
     ];
     if let Some(results) = checked(&page(&sample::report()), &spots, &FORMULAS) {
         assert_all_pass(&results);
+    }
+}
+
+#[test]
+fn the_page_can_be_printed() {
+    if let Some(sheets) = sheets_of_paper(&page(&sample::report())) {
+        // Each of its eight sections begins on a sheet of its own; none is long.
+        assert!((8..24).contains(&sheets), "{sheets}");
     }
 }
 
@@ -59,7 +67,7 @@ fn the_checks_notice_a_page_that_does_not_answer() {
 
 #[test]
 fn a_page_about_an_oscillator_alone_answers_too() {
-    let told = ["F0 = 4, A = 1", "Saddle-node and grazing"].map(str::to_owned).to_vec();
+    let told = ["F0 = 4 N, A = 1", "Saddle-node and grazing"].map(str::to_owned).to_vec();
     let spot = Spot { figure: "oscillator-one-diagram", sheet: (180.0, 10.0), told, hidden: false };
     if let Some(results) = checked(&page(&sample::oscillators_alone()), &[spot], &[]) {
         assert_all_pass(&results);

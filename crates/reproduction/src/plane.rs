@@ -8,7 +8,7 @@ use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_results::branches::OneParameterRows;
 use grazing_results::family::Family;
-use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionKind, RegionVertex, Source, SpecialPoint};
+use grazing_results::plane::{MagnifiedPoint, PlanePoint, RegionKind, RegionVertex, Source, SpecialPoint};
 use grazing_results::{Names, Plan, UnitNames};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::GrazingCurve;
@@ -58,26 +58,26 @@ pub(crate) fn own_header<'a>(name: &str, tables: impl Iterator<Item = &'a Plan>)
 }
 
 /// Grazing curves and bifurcation curves, point by point.
-pub fn curves<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<CurvePoint> {
+pub fn curves<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<PlanePoint> {
     let curves = diagram.curves.iter().map(|curve| bifurcation_rows(axes, diagram, curve));
     numbered(grazing_rows(axes, diagram).into_iter().chain(curves))
 }
 
 /// The points of curves that are numbered in their order.
-pub(crate) fn numbered(curves: impl IntoIterator<Item = Vec<CurvePoint>>) -> Vec<CurvePoint> {
+pub(crate) fn numbered(curves: impl IntoIterator<Item = Vec<PlanePoint>>) -> Vec<PlanePoint> {
     let numbered = (0..).zip(curves);
     numbered
-        .flat_map(|(arc, curve)| curve.into_iter().map(move |point| CurvePoint { arc, ..point }))
+        .flat_map(|(arc, curve)| curve.into_iter().map(move |point| PlanePoint { arc, ..point }))
         .collect()
 }
 
 /// The pieces of the grazing curve, without numbers.
-pub fn grazing_rows<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Vec<CurvePoint>> {
+pub fn grazing_rows<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Vec<PlanePoint>> {
     let rows = |curve: &GrazingCurve<O>| {
         let points = curve.states.iter().map(|state| {
             let [primary, secondary] = axes.units.parameters(state.orbit.oscillator().parameters());
             let map = state.orbit.grazing_point().map;
-            CurvePoint {
+            PlanePoint {
                 kind: Bifurcation::NonImpactingGrazing,
                 loops: 0,
                 n: 0,
@@ -103,13 +103,13 @@ pub fn bifurcation_rows<O: ImpactOscillator>(
     axes: &Axes,
     diagram: &Diagram<O>,
     curve: &DiagramCurve,
-) -> Vec<CurvePoint> {
+) -> Vec<PlanePoint> {
     let units = &axes.units;
     let points = curve.curve.points.iter().map(|point| {
         let solution = &point.solution;
         let [velocity, phase, _, eta] = solution.unknowns.into();
         let [primary, secondary] = units.parameters(solution.parameters());
-        CurvePoint {
+        PlanePoint {
             kind: curve.kind,
             loops: curve.loops,
             n: curve.n,

@@ -9,7 +9,7 @@ use grazing_description::{Axis, Description};
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Units};
 use grazing_results::branches::OneParameter;
-use grazing_results::plane::{CurvePoint, MagnifiedPoint, RegionVertex, SpecialPoint};
+use grazing_results::plane::{MagnifiedPoint, PlanePoint, RegionVertex, SpecialPoint};
 use grazing_results::{UnitNames, tables};
 use grazing_theorems::ResonantPoint;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
@@ -249,7 +249,7 @@ tables! {
         /// What depends on p there.
         grazing_loops: Along = "grazing_loops", "such a point and a p, with what depends on p",
         /// The curves of the diagram.
-        curves: CurvePoint = "curves", "a point of a curve of the diagram",
+        curves: PlanePoint = "curves", "a point of a curve of the diagram",
         /// Its codimension-two points.
         points: SpecialPoint = "points", "a resonance at which a theorem holds, or another codimension-two point",
         /// Its regions.

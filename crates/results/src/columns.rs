@@ -31,6 +31,11 @@ impl Column {
         names.symbols_put_into(self.symbol)
     }
 
+    /// Its unit, as far as a file tells units; empty where there is none.
+    pub fn unit(&self, names: &Names) -> String {
+        if self.unit == "1" || !names.have_units() { String::new() } else { names.unit(self.unit) }
+    }
+
     /// What it holds, in words.
     pub fn meaning(&self) -> &'static str {
         self.meaning.trim_start()

@@ -148,6 +148,11 @@ impl Names {
             .map(|(name, unit)| unit.map_or(name.clone(), |unit| format!("{name} ({})", raised(unit))))
     }
 
+    /// Whether the name of any unit is known.
+    pub fn have_units(&self) -> bool {
+        self.units != UnitNames::default()
+    }
+
     /// The names of their units, as far as they are known.
     pub fn parameter_units(&self) -> [Option<&str>; 2] {
         [self.units.primary.as_deref(), self.units.secondary.as_deref()]

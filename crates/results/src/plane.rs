@@ -30,7 +30,7 @@ words! {
 
 rows! {
     /// A point of a curve.
-    CurvePoint {
+    PlanePoint {
         kind: Bifurcation = BIFURCATION,
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
@@ -99,7 +99,7 @@ tables! {
     /// What Figure 7 shows.
     Figure7 {
         /// The grazing curve of the non-impacting solution and the bifurcation curves of MPSs.
-        curves: CurvePoint = "fig07_curves", "a point of a curve of the diagram",
+        curves: PlanePoint = "fig07_curves", "a point of a curve of the diagram",
         /// Resonances and other codimension-two points.
         points: SpecialPoint = "fig07_points", "a resonance at which a theorem holds, or another codimension-two point",
         /// Polygons of stability.

@@ -40,6 +40,8 @@ pub struct Table {
     pub headers: Vec<String>,
     /// The symbols of the columns, in LaTeX; empty where a column has none.
     pub symbols: Vec<String>,
+    /// The units of their numbers, where a file tells any; empty for what has none.
+    pub units: Vec<String>,
     /// The rows.
     pub rows: Vec<Vec<Cell>>,
 }
@@ -70,7 +72,8 @@ impl Table {
             columns.iter().zip(shown).filter_map(|(column, shown)| shown.then_some(*column)).collect();
         let headers = columns.iter().map(|column| column.header(names)).collect();
         let symbols = columns.iter().map(|column| column.symbol(names)).collect();
-        Self { name, columns, headers, symbols, rows }
+        let units = columns.iter().map(|column| column.unit(names)).collect();
+        Self { name, columns, headers, symbols, units, rows }
     }
 
     /// The place of the column with a header.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use grazing_drawing::SheetWidth;
-use grazing_export::{ExportError, Figure};
+use grazing_export::{Drawing, ExportError};
 
 use crate::arguments::Size;
 use crate::folder::MadeFile;
@@ -71,11 +71,6 @@ impl Edition {
         self.formats.contains(&format)
     }
 
-    /// True if its figures are as wide as both columns of a journal.
-    pub fn spans_columns(&self) -> bool {
-        self.size.columns == SheetWidth::TwoColumns
-    }
-
     /// The options that ask for it, each with a space before; none for the default edition.
     pub(crate) fn options(&self) -> String {
         let mut options = String::new();
@@ -83,9 +78,11 @@ impl Edition {
             let names: Vec<&str> = self.formats.iter().map(|format| format.name()).collect();
             options.push_str(&format!(" --format {}", names.join(",")));
         }
-        if self.size.columns != SheetWidth::Paper {
-            options.push_str(if self.spans_columns() { " --columns two" } else { " --columns one" });
-        }
+        options.push_str(match self.size.columns {
+            SheetWidth::Paper => "",
+            SheetWidth::OneColumn => " --columns one",
+            SheetWidth::TwoColumns => " --columns two",
+        });
         if self.has(Format::Png) && self.size.dpi != Edition::default().size.dpi {
             options.push_str(&format!(" --dpi {}", self.size.dpi));
         }
@@ -104,8 +101,8 @@ impl Edition {
         for (format, path) in self.formats.iter().zip(self.figure_paths(file)) {
             let content = match format {
                 Format::Svg => svg.clone().into_bytes(),
-                Format::Pdf => Figure::read(&svg)?.pdf()?,
-                Format::Png => Figure::read(&svg)?.png(f64::from(self.size.dpi))?,
+                Format::Pdf => Drawing::read(&svg)?.pdf()?,
+                Format::Png => Drawing::read(&svg)?.png(f64::from(self.size.dpi))?,
                 Format::Tex => continue,
             };
             files.push(MadeFile { path, content });

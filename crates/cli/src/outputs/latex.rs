@@ -3,42 +3,64 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use grazing_results::{Cell, GREEK, Table};
+use grazing_export::{Drawing, ExportError};
+use grazing_reproduction::parameters::Parameters;
+use grazing_results::columns::{
+    C_PD, C_SN, LOOPS, PRIMARY_AT_GRAZING, RESONANCE_INDEX, S_MINUS, S_PLUS, SECONDARY_AT_RESONANCE,
+};
+use grazing_results::{Cell, Column, GREEK, Table, symbol};
 
-use super::Output;
-use super::edition::Edition;
+use crate::folder::{self, MadeFile};
 
 /// Significant digits of the number of least magnitude in a column; all its numbers have as many decimals.
 const DIGITS: i32 = 4;
 /// The most decimals; columns with smaller numbers are printed with powers of ten.
 const MOST_DECIMALS: i32 = 6;
-/// The most rows that fit a page; longer tables are left to the author.
+/// The most columns and rows that fit a page; larger tables are left to the author.
+const MOST_COLUMNS: usize = 10;
 const MOST_ROWS: usize = 45;
+/// Figures wider than a column of a journal with two (points) span both.
+const COLUMN: f64 = 245.0;
+/// LaTeX keeps no more floats than 52 in memory until it has a page for them.
+const MOST_FLOATS: usize = 40;
 /// The snippet's file.
 pub(crate) const SNIPPET: &str = "figures.tex";
 
-/// What is printed of a table: its columns, in order. Others are printed whole.
-const SELECTED: [(&str, &[&str]); 1] =
-    [("coefficients", &["p", "n", "omega_star", "amplitude_graz", "s_plus", "s_minus", "c_sn", "c_pd"])];
+/// What is printed of a table: its columns by their names. Others are printed whole.
+const SELECTED: [(&str, &[Column]); 1] = [(
+    "coefficients",
+    &[LOOPS, RESONANCE_INDEX, SECONDARY_AT_RESONANCE, PRIMARY_AT_GRAZING, S_PLUS, S_MINUS, C_SN, C_PD],
+)];
 
 /// Where a table lies in the output folder.
 pub(crate) fn table_path(name: &str) -> PathBuf {
     Path::new(name).with_extension("tex")
 }
 
-/// The table as a tabular of booktabs: numbers rounded and aligned at the decimal point, all quantities dimensionless.
-pub(crate) fn table(table: &Table, title: &str) -> String {
-    let places = selected(table);
+/// Whether a table with these columns is printed at all.
+pub(crate) fn is_printed(name: &str, columns: &[Column]) -> bool {
+    selected(name, columns).len() <= MOST_COLUMNS
+}
+
+/// The table as a tabular of booktabs: numbers rounded and aligned at the decimal point, units in the headings.
+fn tabular(table: &Table, title: &str) -> String {
+    let places = selected(table.name, &table.columns);
     let columns: Vec<(Vec<String>, bool)> = places.iter().map(|&place| cells(table, place)).collect();
     let alignment: String = columns.iter().map(|(_, numeric)| if *numeric { 'r' } else { 'l' }).collect();
-    let heading = |&place: &usize| match table.symbols[place].as_str() {
-        "" => escaped(&table.headers[place]),
-        symbol => format!("${symbol}$"),
+    let heading = |&place: &usize| {
+        let name = match table.symbols[place].as_str() {
+            "" => escaped(&table.headers[place]),
+            symbol => format!("${symbol}$"),
+        };
+        match table.units[place].as_str() {
+            "" => name,
+            unit => format!("{name} ({})", raised(unit)),
+        }
     };
     let headings: Vec<String> = places.iter().map(heading).collect();
     let mut text = format!(
-        "% {}\n% Needs \\usepackage{{booktabs}}. All quantities are dimensionless; numbers are rounded, those of data/{}.csv are\n\
-         % not.\n\\begin{{tabular}}{{{alignment}}}\n  \\toprule\n  {} \\\\\n  \\midrule\n",
+        "% {}\n% Needs \\usepackage{{booktabs}}. Where a heading has no unit the numbers are dimensionless. They are rounded; those of\n\
+         % data/{}.csv are not.\n\\begin{{tabular}}{{{alignment}}}\n  \\toprule\n  {} \\\\\n  \\midrule\n",
         escaped(title),
         table.name,
         headings.join(" & "),
@@ -52,12 +74,24 @@ pub(crate) fn table(table: &Table, title: &str) -> String {
     text
 }
 
-/// The places of the columns that are printed.
-fn selected(table: &Table) -> Vec<usize> {
-    match SELECTED.iter().find(|(name, _)| *name == table.name) {
-        Some((_, columns)) => columns.iter().filter_map(|column| table.position(column)).collect(),
-        None => (0..table.columns.len()).collect(),
+/// A unit with its powers raised.
+fn raised(unit: &str) -> String {
+    let mut parts = unit.split('^');
+    let mut text = escaped(parts.next().unwrap_or_default());
+    for part in parts {
+        let end = part.find(|c: char| !(c.is_ascii_digit() || c == '-')).unwrap_or(part.len());
+        text.push_str(&format!("$^{{{}}}${}", &part[..end], escaped(&part[end..])));
     }
+    text
+}
+
+/// The places of the columns that are printed.
+fn selected(name: &str, columns: &[Column]) -> Vec<usize> {
+    let Some((_, printed)) = SELECTED.iter().find(|(table, _)| *table == name) else {
+        return (0..columns.len()).collect();
+    };
+    let place = |wanted: &Column| columns.iter().position(|column| column.name == wanted.name);
+    printed.iter().filter_map(place).collect()
 }
 
 /// The cells of a column, and whether they are numbers.
@@ -97,71 +131,167 @@ fn aligned(numbers: &[Option<f64>]) -> Vec<String> {
     numbers.iter().map(|number| shown(number).unwrap_or_default()).collect()
 }
 
-/// The snippet that includes the outputs; `rows` tells how many rows a table has.
-pub(crate) fn snippet(outputs: &[&Output], edition: &Edition, rows: impl Fn(&str) -> usize) -> String {
-    let mut text = "\
-% The figures and tables, to be read by \\input. The preamble needs \\usepackage{graphicx,booktabs}. If the files do not lie
-% beside the main document, say where they lie before, with a slash at the end: \\newcommand{\\grazingfiles}{journal/}.
-\\providecommand{\\grazingfiles}{}
-"
-    .to_owned();
-    let star = if edition.spans_columns() { "*" } else { "" };
-    let mut add = |float: &str, body: &str, caption: &str, label: &str| {
-        let _ = write!(
-            text,
-            "\n\\begin{{{float}}}\n  \\centering\n{body}  \\caption{{{caption}}}\n  \\label{{{label}}}\n\\end{{{float}}}\n"
-        );
-    };
-    for output in outputs {
-        let caption = referring(caption(output.title), outputs);
-        if let Some(figure) = output.figure {
-            let pdf = Path::new(figure).with_extension("pdf");
-            let body = format!("  \\includegraphics{{\\grazingfiles {}}}\n", pdf.display());
-            add(&format!("figure{star}"), &body, &caption, &format!("fig:{}", output.name));
-            continue;
-        }
-        for table in output.latex_tables(edition) {
-            let body = format!("  \\input{{\\grazingfiles {}}}\n", table_path(table).display());
-            if rows(table) > MOST_ROWS {
-                let body = format!("  % More rows than a page holds; set it with longtable.\n  %{body}");
-                add("table*", &body, &caption, &format!("tab:{table}"));
-            } else {
-                add("table*", &body, &caption, &format!("tab:{table}"));
-            }
-        }
-    }
-    text
+/// A figure or table of the snippet.
+pub(crate) struct Float {
+    environment: &'static str,
+    body: String,
+    caption: String,
+    label: String,
+    /// By what other captions call it, as `Figure 7`.
+    number: Option<String>,
 }
 
-/// A title as a caption: without the number, which LaTeX gives, as a sentence.
-fn caption(title: &str) -> String {
-    let text = match title.split_once(": ") {
-        Some((number, text)) if number.starts_with("Figure ") => text,
-        _ => title,
+impl Float {
+    /// A figure by the file of its SVG, with what that says of itself as its caption.
+    ///
+    /// # Errors
+    /// The SVG cannot be read.
+    pub(crate) fn figure(file: &str, svg: &str, title: &str, label: &str) -> Result<Self, ExportError> {
+        let figure = Drawing::read(svg)?;
+        let pdf = Path::new(file).with_extension("pdf");
+        let (number, caption) = caption(title);
+        Ok(Self {
+            environment: if figure.size().0 > COLUMN { "figure*" } else { "figure" },
+            body: format!("\\includegraphics{{\\grazingfiles {}}}", pdf.display()),
+            caption: format!("{caption} {}", prose(figure.description())).trim_end().to_owned(),
+            label: label.to_owned(),
+            number,
+        })
+    }
+
+    /// A table and its file; nothing if it is empty or does not fit a page.
+    pub(crate) fn table(table: &Table, title: &str, label: &str) -> Option<(Self, MadeFile)> {
+        if table.rows.is_empty() || table.rows.len() > MOST_ROWS || !is_printed(table.name, &table.columns) {
+            return None;
+        }
+        let path = table_path(table.name);
+        let float = Self {
+            environment: "table*",
+            body: format!("\\input{{\\grazingfiles {}}}", path.display()),
+            caption: caption(title).1,
+            label: label.to_owned(),
+            number: None,
+        };
+        Some((float, MadeFile { path, content: tabular(table, title).into_bytes() }))
+    }
+
+    /// The label of something that is made of a file, `kind` being `fig` or `tab`.
+    pub(crate) fn label(kind: &str, file: &Path, name: &str) -> String {
+        // Not every character of a file's name can stand in a label.
+        let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter } else { '-' };
+        let of: String = folder::name_for(file).to_string_lossy().chars().map(plain).collect();
+        format!("{kind}:{of}-{name}")
+    }
+
+    /// The same with one more sentence.
+    pub(crate) fn with(mut self, sentence: &str) -> Self {
+        self.caption.push_str(sentence);
+        self
+    }
+}
+
+/// The values of the paper's oscillator with which a figure is made, as a sentence after others; none for sketches.
+pub(crate) fn values(figure: &str, parameters: &Parameters) -> String {
+    let Ok(oscillator) = parameters.oscillator.get() else { return String::new() };
+    let mut values =
+        vec![(r"\zeta", oscillator.damping_ratio()), (r"\epsilon", oscillator.coefficient_of_restitution())];
+    match figure {
+        "fig07" | "fig08" => {}
+        "fig02" => values.extend(parameters.fig02_frequency.get().map(|omega| (r"\omega", *omega))),
+        _ => return String::new(),
+    }
+    let values: Vec<String> = values.iter().map(|(name, value)| format!("${name} = {value}$")).collect();
+    format!(" Here {}.", values.join(", "))
+}
+
+/// What a document has to know, and how a float comes to fit its page.
+const HEAD: &str = r"% The figures and tables, to be read by \input. The preamble needs \usepackage{graphicx,booktabs}. If the files do not lie
+% beside the main document, say where they lie before, with a slash at the end: \newcommand{\grazingfiles}{journal/}.
+% Tables of more than ten columns or of more rows than a page holds are not included: they are in data/.
+\providecommand{\grazingfiles}{}
+% What is wider than its column, or leaves no room for its caption, is set smaller.
+\ifdefined\grazingbox\else\newsavebox{\grazingbox}\fi
+\providecommand{\grazingfit}[1]{%
+  \sbox{\grazingbox}{#1}%
+  \ifdim\wd\grazingbox>\linewidth\sbox{\grazingbox}{\resizebox{\linewidth}{!}{\usebox{\grazingbox}}}\fi
+  \ifdim\dimexpr\ht\grazingbox+\dp\grazingbox\relax>0.85\textheight
+    \sbox{\grazingbox}{\resizebox*{!}{0.85\textheight}{\usebox{\grazingbox}}}\fi
+  \usebox{\grazingbox}}
+";
+
+/// The snippet that includes figures and tables.
+pub(crate) fn snippet(floats: &[Float]) -> MadeFile {
+    let mut text = HEAD.to_owned();
+    for (index, float) in floats.iter().enumerate() {
+        let Float { environment, body, label, .. } = float;
+        if index > 0 && index % MOST_FLOATS == 0 {
+            text.push_str("\n\\clearpage\n");
+        }
+        // Writing to a string cannot fail.
+        let _ = write!(
+            text,
+            "\n\\begin{{{environment}}}\n  \\centering\n  \\grazingfit{{{body}}}\n  \\caption{{{}}}\n  \\label{{{label}}}\n\
+             \\end{{{environment}}}\n",
+            referring(&float.caption, floats),
+        );
+    }
+    MadeFile { path: PathBuf::from(SNIPPET), content: text.into_bytes() }
+}
+
+/// The number in a title, and the rest as a sentence: the number of a caption is LaTeX's.
+fn caption(title: &str) -> (Option<String>, String) {
+    let (number, text) = match title.split_once(": ") {
+        Some((number, text)) if number.starts_with("Figure ") => (Some(number.to_owned()), text),
+        _ => (None, title),
     };
     let mut letters = text.chars();
     let first = letters.next().map(|letter| letter.to_uppercase().to_string()).unwrap_or_default();
-    format!("{}.", escaped(&format!("{first}{}", letters.as_str())))
+    (number, format!("{}.", prose(&format!("{first}{}", letters.as_str()))))
+}
+
+/// Text for LaTeX, with names of quantities as symbols: x, tau, g_p.
+fn prose(text: &str) -> String {
+    let is_name = |name: &str| {
+        let letter = |part: &str| part.len() == 1 || GREEK.iter().any(|(greek, _)| *greek == part);
+        match name.split_once('_') {
+            Some((stem, _)) => letter(stem),
+            // Of single letters those that the figures have; others may be words.
+            None => letter(name) && (name.len() > 1 || "npwxyz".contains(name)),
+        }
+    };
+    let part_of_name = |character: char| character.is_ascii_alphanumeric() || character == '_';
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let (mut set, mut rest) = (String::new(), text.as_str());
+    while let Some(first) = rest.chars().next() {
+        let end = rest.find(|character| !part_of_name(character)).unwrap_or(rest.len());
+        let (word, after) = rest.split_at(end.max(if end == 0 { first.len_utf8() } else { 0 }));
+        match symbol(word).filter(|_| is_name(word)) {
+            Some(symbol) => set.push_str(&format!("${symbol}$")),
+            None => set.push_str(&escaped(word)),
+        }
+        rest = after;
+    }
+    set
 }
 
 /// The caption with references in the place of the numbers of figures that are included.
-fn referring(caption: String, outputs: &[&Output]) -> String {
-    let mut figures: Vec<(&str, &str)> = outputs
-        .iter()
-        .filter(|output| output.figure.is_some())
-        .filter_map(|output| Some((output.title.split_once(": ")?.0, output.name)))
-        .collect();
+fn referring(caption: &str, floats: &[Float]) -> String {
+    let mut figures: Vec<(&str, &str)> =
+        floats.iter().filter_map(|float| Some((float.number.as_deref()?, float.label.as_str()))).collect();
     // The longest first, so that Figure 10 is not taken for Figure 1.
-    figures.sort_by_key(|(figure, _)| std::cmp::Reverse(figure.len()));
-    figures.into_iter().fold(caption, |caption, (figure, name)| {
-        caption.replace(figure, &format!("Figure~\\ref{{fig:{name}}}"))
+    figures.sort_by_key(|(number, _)| std::cmp::Reverse(number.len()));
+    figures.into_iter().fold(caption.to_owned(), |caption, (number, label)| {
+        caption.replace(number, &format!("Figure~\\ref{{{label}}}"))
     })
 }
 
 /// Text with the characters that LaTeX reserves escaped, and mathematical signs as commands.
 pub fn escaped(text: &str) -> String {
     /// Signs, and the Greek letters whose form is not that of their name.
-    const SIGNS: [(char, &str); 15] = [
+    const SIGNS: [(char, &str); 21] = [
+        ('<', "$<$"),
+        ('>', "$>$"),
+        ('|', "$|$"),
         ('\\', r"\textbackslash{}"),
         ('~', r"\textasciitilde{}"),
         ('^', r"\textasciicircum{}"),
@@ -177,13 +307,20 @@ pub fn escaped(text: &str) -> String {
         ('×', r"$\times$"),
         ('−', "$-$"),
         ('±', r"$\pm$"),
+        ('·', r"$\cdot$"),
+        ('⋅', r"$\cdot$"),
+        ('µ', r"$\mu$"),
     ];
+    /// The last character that every LaTeX of the last years can set in text.
+    const LAST: char = '\u{17f}';
     let mut escaped = String::new();
     for character in text.chars() {
         if let Some((_, command)) = SIGNS.iter().find(|(sign, _)| *sign == character) {
             escaped.push_str(command);
         } else if let Some((name, _)) = GREEK.iter().find(|(_, letter)| *letter == character) {
             escaped.push_str(&format!("$\\{name}$"));
+        } else if character.is_control() || character > LAST {
+            escaped.push('?');
         } else {
             escaped.extend("#$%&_{}".contains(character).then_some('\\'));
             escaped.push(character);
@@ -194,8 +331,8 @@ pub fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use grazing_results::columns::{BIFURCATION, LOOPS, SECONDARY, SN_AS_SIMULATED as AS_SIMULATED};
-    use grazing_results::{Column, Names};
+    use grazing_results::columns::{BIFURCATION, SECONDARY, SN_AS_SIMULATED as AS_SIMULATED, X};
+    use grazing_results::{Names, UnitNames};
 
     use super::*;
     use crate::outputs::ALL;
@@ -222,7 +359,7 @@ mod tests {
         };
         let made = vec![row("a_b", 1, 0.5, true), row("c", 2, -2.25, false)];
         let text =
-            table(&Table::of_cells("sample", COLUMNS, &Names::of_the_paper(), made), "A title with 50 %");
+            tabular(&Table::of_cells("sample", COLUMNS, &Names::of_the_paper(), made), "A title with 50 %");
         assert!(text.starts_with("% A title with 50 \\%\n"), "{text}");
         for line in [
             r"\begin{tabular}{lrrl}",
@@ -236,21 +373,47 @@ mod tests {
 
     #[test]
     fn captions_are_sentences_without_the_number() {
-        assert_eq!(caption("Figure 7: two-parameter diagram"), "Two-parameter diagram.");
-        assert_eq!(caption("Coefficients: all of them"), "Coefficients: all of them.");
+        let number = Some("Figure 7".to_owned());
+        assert_eq!(caption("Figure 7: the diagram of g_p"), (number, "The diagram of $g_{p}$.".to_owned()));
+        assert_eq!(caption("Rows: ab_c (tau < x)"), (None, r"Rows: ab\_c ($\tau$ $<$ $x$).".to_owned()));
     }
 
     #[test]
     fn captions_refer_to_figures_by_their_labels() {
-        let outputs: Vec<&Output> = ALL.iter().collect();
-        let caption = referring("Three magnifications of Figure 7.".to_owned(), &outputs);
-        assert_eq!(caption, r"Three magnifications of Figure~\ref{fig:fig07}.");
+        let float = |number: &str, label: &str| Float {
+            environment: "figure",
+            body: String::new(),
+            caption: String::new(),
+            label: label.to_owned(),
+            number: Some(number.to_owned()),
+        };
+        let floats = [float("Figure 1", "fig:one"), float("Figure 10", "fig:ten")];
+        assert_eq!(
+            referring("As Figure 10, not Figure 1.", &floats),
+            r"As Figure~\ref{fig:ten}, not Figure~\ref{fig:one}."
+        );
+    }
+
+    #[test]
+    fn units_stand_in_the_headings_and_signs_that_no_latex_knows_are_left_out() {
+        let units = UnitNames {
+            length: Some("µm".to_owned()),
+            secondary: Some("rad/s".to_owned()),
+            ..UnitNames::default()
+        };
+        let names = Names::new("A", "omega").with_units(units);
+        let table = Table::of_cells("sample", &[LOOPS, SECONDARY, X], &names, Vec::new());
+        let text = tabular(&table, "雪");
+        assert!(
+            text.contains(r"  $p$ & $\omega$ (rad/s) & $x$ ($\mu$m) \\") && text.starts_with("% ?\n"),
+            "{text}"
+        );
     }
 
     #[test]
     fn every_title_of_the_registry_can_be_set_by_any_latex() {
         for output in ALL {
-            assert!(caption(output.title).is_ascii(), "a sign of `{}` has no command yet", output.title);
+            assert!(caption(output.title).1.is_ascii(), "a sign of `{}` has no command yet", output.title);
         }
     }
 }

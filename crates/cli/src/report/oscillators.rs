@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use grazing_description::{Description, DescriptionError};
 use grazing_drawing::SheetWidth;
-use grazing_report::{Figure, Manifest, OscillatorEntry, OutputFile, Report};
+use grazing_export::ExportError;
+use grazing_report::{FigureEntry, Manifest, OscillatorEntry, OutputFile, Report};
 use grazing_reproduction::unfolded::Rows;
 use grazing_results::branches::OneParameterRows;
 use grazing_results::{Cell, Column, Plan, Table, columns};
@@ -15,6 +16,7 @@ use super::{file_name, links, noted, versions};
 use crate::failure::Failure;
 use crate::folder::MadeFile;
 use crate::outputs::computation;
+use crate::outputs::latex::{self, Float};
 use crate::project;
 use crate::unfold::sheets::{Sheet, SheetKind};
 use crate::unfold::{self, Analysis, reason, sheets};
@@ -142,6 +144,28 @@ impl<'a> Material<'a> {
         }
     }
 
+    /// The figures and the coefficients for a document in LaTeX.
+    ///
+    /// # Errors
+    /// A figure cannot be read.
+    pub(crate) fn latex(&self) -> Result<Vec<MadeFile>, ExportError> {
+        let (mut floats, mut files) = (Vec::new(), Vec::new());
+        for sheet in &self.figures {
+            let label = Float::label("fig", &self.of.file, sheet.name());
+            floats.push(Float::figure(&sheet.file, &sheet.svg, &sheet.title, &label)?);
+        }
+        for table in self.tables.iter().filter(|table| table.name == SHOWN[0]) {
+            let title = format!("Coefficients of {}", self.of.description.name());
+            let made = Float::table(table, &title, &Float::label("tab", &self.of.file, table.name));
+            made.into_iter().for_each(|(float, file)| {
+                floats.push(float);
+                files.push(file);
+            });
+        }
+        files.push(latex::snippet(&floats));
+        Ok(files)
+    }
+
     /// The page about this oscillator alone, to stand in the folder of the files that were made of it.
     pub(crate) fn page(&self, made: &[MadeFile]) -> MadeFile {
         let outputs: Vec<OutputFile> =
@@ -161,7 +185,7 @@ impl<'a> Material<'a> {
     }
 
     /// The figures, each with the tables that it shows.
-    fn figures(&self) -> Vec<Figure> {
+    fn figures(&self) -> Vec<FigureEntry> {
         let figure = |sheet: &Sheet| {
             let tables = match sheet.kind {
                 SheetKind::TwoParameters => ["points", "curves"].map(|name| self.table(name)).to_vec(),
@@ -175,9 +199,9 @@ impl<'a> Material<'a> {
                     OneParameterRows::TABLES.iter().map(|plan| self.table(plan.name).map(shown)).collect()
                 }
             };
-            let name = sheet.file.trim_end_matches(".svg").to_owned();
+            let name = sheet.name().to_owned();
             let tables = tables.into_iter().flatten().collect();
-            Figure { name, title: sheet.title.clone(), svg: sheet.svg.clone(), tables }
+            FigureEntry { name, title: sheet.title.clone(), svg: sheet.svg.clone(), tables }
         };
         self.figures.iter().map(figure).collect()
     }

@@ -2,7 +2,8 @@
 
 use grazing_description::Description;
 use grazing_drawing::{
-    Diagram, DrawingError, Magnifications, SheetWidth, draw_diagram, draw_magnifications, draw_one_parameter,
+    DrawingError, Magnifications, PlaneDiagram, Section, SheetWidth, draw_diagram, draw_magnifications,
+    draw_one_parameter,
 };
 use grazing_reproduction::unfolded::Rows;
 use grazing_results::branches::OneParameter;
@@ -44,6 +45,13 @@ pub(crate) struct Sheet {
     pub(crate) kind: SheetKind,
 }
 
+impl Sheet {
+    /// The name of its file without the ending.
+    pub(crate) fn name(&self) -> &str {
+        self.file.trim_end_matches(".svg")
+    }
+}
+
 /// What a figure shows.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum SheetKind {
@@ -70,13 +78,22 @@ pub(crate) fn figures(
 ) -> Result<Vec<Sheet>, DrawingError> {
     let (primary, secondary) = (description.primary(), description.secondary());
     let panels = panels(unfolded);
+    let section = |diagram: &OneParameter| {
+        let place = |across: f64| {
+            if diagram.primary_is_fixed { (diagram.at, across) } else { (across, diagram.at) }
+        };
+        let name = format!("diagram {}", diagram.diagram);
+        Section { ends: diagram.frame.x.map(place), name, thin: true }
+    };
+    let sections: Vec<Section> = unfolded.diagrams.iter().map(section).collect();
     let axes = format!("{} across, {} up.", primary.name(), secondary.name());
-    let diagram = Diagram {
+    let diagram = PlaneDiagram {
         name: "diagram",
         title: &format!("{}: two-parameter bifurcation diagram", description.name()),
         description: &format!(
             "{axes} Grazing curve of the non-impacting solution; saddle-node, period-doubling and grazing bifurcations of \
-             maximal periodic solutions; regions of stability in grey."
+             maximal periodic solutions; regions of stability in grey. Triangles: resonances; discs: other codimension-two \
+             points; rectangles: magnifications."
         ),
         names: &unfolded.axes.names,
         tables: ["points", "curves"],
@@ -85,7 +102,7 @@ pub(crate) fn figures(
         regions: &rows.regions,
         frame: Frame { x: primary.range(), y: secondary.range() },
         magnified: &panels,
-        section: None,
+        sections: &sections,
     };
     let mut figures = vec![Sheet {
         file: FILES[0].to_owned(),

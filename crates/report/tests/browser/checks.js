@@ -11,6 +11,7 @@ addEventListener("load", async () => {
 
   const loaded = performance.getEntriesByType("resource").filter((entry) => !entry.name.startsWith("data:"));
   check("nothing was loaded", loaded.length === 0, loaded.map((entry) => entry.name));
+  check("nothing is laid out before all is read", EARLY.length === 0, EARLY);
   await document.fonts.ready;
 
   // Light and dark.
@@ -118,6 +119,27 @@ addEventListener("load", async () => {
         if (said) empty += 1;
         check(`${figure.id}, panel ${index}: nothing is said to be nothing`, met || said, key);
       }
+      press("0");
+    }
+    // Dots of a cloud lie where they belong however far one zooms, not in the bins in which they are drawn on the whole figure.
+    const cloud = (await readTables(`data-${figure.id}`)).find((table) => table.name.endsWith("_attractor"));
+    const panel = cloud && readPanels(svg).find(({ tables }) => tables?.includes(cloud.name));
+    for (const row of cloud ? [0, Math.floor(cloud.rows / 2), cloud.rows - 1] : []) {
+      const spot = panel.toSheet(...panel.columns.map((column) => Number(cloud.column(column)[row])));
+      const place = new DOMPoint(spot.x, spot.y).matrixTransform(svg.getScreenCTM());
+      // The pixel of a pointer is a whole one; what lies under it stays where it is.
+      const [clientX, clientY] = [Math.round(place.x), Math.round(place.y)];
+      const fixed = new DOMPoint(clientX, clientY).matrixTransform(svg.getScreenCTM().inverse());
+      sheet.focus();
+      sheet.dispatchEvent(new WheelEvent("wheel", { deltaY: -1500, clientX, clientY, cancelable: true }));
+      const wanted = [fixed.x + zoom() * (spot.x - fixed.x), fixed.y + zoom() * (spot.y - fixed.y)];
+      // In points of the sheet, since the page may scroll meanwhile.
+      const dots = () => all("path[transform*=scale]", svg).flatMap((node) => {
+        const { x: left, y: top, side } = latticeOf(node);
+        return [...node.getAttribute("d").matchAll(/M([-\d.]+),([-\d.]+)/g)].map(([, x, y]) => [left + side * (Number(x) + 0.5), top + side * Number(y)]);
+      });
+      const met = () => dots().some(([x, y]) => Math.hypot(x - wanted[0], y - wanted[1]) < 0.05);
+      check(`${figure.id}: the dot of row ${row} lies where it belongs`, await until(met), [wanted, dots().slice(0, 9)]);
       press("0");
     }
     const middle = svg.getBoundingClientRect();

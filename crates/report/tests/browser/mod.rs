@@ -9,8 +9,13 @@ use std::time::{Duration, Instant};
 
 /// What the checks are, in the page's own language.
 const CHECKS: &str = include_str!("checks.js");
+/// Counts, in `EARLY`, what asks for the layout of the page before all of it is read, which delays its first appearance.
+const WATCH: &str = include_str!("watch.js");
 /// The names under which systems have the browser.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+/// The files of the page and of what the browser says.
+const PAGE: &str = "page.html";
+const SAID: &str = "said.txt";
 /// Longer than the slowest start of the browser on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(120);
 
@@ -26,15 +31,8 @@ pub(crate) struct Spot<'a> {
 /// Opens the page, runs the checks, those of the search with texts and the labels that they find, and returns what they say, one line each; nothing where there is no browser, which is
 /// said on the error stream.
 pub(crate) fn checked(page: &str, spots: &[Spot<'_>], formulas: &[(&str, &str)]) -> Option<Vec<String>> {
-    let Some(browser) = NAMES.into_iter().find(|name| is_there(name)) else {
-        // What is printed by a macro is shown for failed tests only; everybody has to see this.
-        let tried = NAMES.join(", ");
-        let line = format!("\nskipped: no Chromium here, so the page was not opened ({tried} were tried)\n");
-        std::io::stderr().write_all(line.as_bytes()).expect("there is an error stream");
-        return None;
-    };
+    let browser = browser()?;
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
-    let file = folder.path().join("page.html");
     let told =
         |spot: &Spot<'_>| spot.told.iter().map(|text| format!("{text:?}")).collect::<Vec<_>>().join(",");
     let spots: Vec<String> = spots
@@ -50,12 +48,39 @@ pub(crate) fn checked(page: &str, spots: &[Spot<'_>], formulas: &[(&str, &str)])
     let script = format!(
         "<script>const SPOTS = [{spots}];\nconst FORMULAS = [{formulas}];\n{CHECKS}</script>\n</body>"
     );
-    fs::write(&file, page.replace("</body>", &script)).expect("the folder is ours");
-    let dom = dump(browser, folder.path(), &format!("file://{}", file.display()));
+    let watched = format!("<head>\n<script>{WATCH}</script>");
+    let page = page.replacen("<head>", &watched, 1).replace("</body>", &script);
+    fs::write(folder.path().join(PAGE), page).expect("the folder is ours");
+    open(browser, folder.path(), "--dump-dom");
+    let dom = fs::read_to_string(folder.path().join(SAID)).expect("the browser writes UTF-8");
     let result = dom.split("<pre id=\"checks\">").nth(1).and_then(|rest| rest.split("</pre>").next());
     let result =
         result.unwrap_or_else(|| panic!("the checks did not end; the browser wrote {} bytes", dom.len()));
     Some(result.lines().map(str::to_owned).collect())
+}
+
+/// How many pages the page has on paper; nothing where there is no browser.
+pub(crate) fn sheets_of_paper(page: &str) -> Option<usize> {
+    let browser = browser()?;
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    fs::write(folder.path().join(PAGE), page).expect("the folder is ours");
+    let pdf = folder.path().join("page.pdf");
+    open(browser, folder.path(), &format!("--print-to-pdf={}", pdf.display()));
+    let pdf = fs::read(pdf).expect("the browser prints");
+    // The object of a page begins with its type on a line of its own.
+    Some(pdf.split(|byte| *byte == b'\n').filter(|line| line.ends_with(b"/Type /Page")).count())
+}
+
+/// The name of a browser; where there is none, that is said.
+fn browser() -> Option<&'static str> {
+    let found = NAMES.into_iter().find(|name| is_there(name));
+    if found.is_none() {
+        // What is printed by a macro is shown for failed tests only; everybody has to see this.
+        let tried = NAMES.join(", ");
+        let line = format!("\nskipped: no Chromium here, so the page was not opened ({tried} were tried)\n");
+        std::io::stderr().write_all(line.as_bytes()).expect("there is an error stream");
+    }
+    found
 }
 
 fn is_there(name: &str) -> bool {
@@ -63,15 +88,14 @@ fn is_there(name: &str) -> bool {
     version.is_ok_and(|status| status.success())
 }
 
-/// The document as it is after its scripts.
-fn dump(browser: &str, folder: &Path, address: &str) -> String {
-    let output = folder.join("dom.html");
+/// Opens the page in a folder to do something with it; what the browser says goes to a file there.
+fn open(browser: &str, folder: &Path, action: &str) {
     let mut run = Command::new(browser)
         .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run"])
-        .args(["--window-size=1400,1000", "--virtual-time-budget=20000", "--dump-dom"])
+        .args(["--window-size=1400,1000", "--virtual-time-budget=20000", "--no-pdf-header-footer", action])
         .arg(format!("--user-data-dir={}", folder.join("profile").display()))
-        .arg(address)
-        .stdout(File::create(&output).expect("the folder is ours"))
+        .arg(format!("file://{}", folder.join(PAGE).display()))
+        .stdout(File::create(folder.join(SAID)).expect("the folder is ours"))
         .stderr(Stdio::null())
         .spawn()
         .expect("the browser starts");
@@ -84,7 +108,6 @@ fn dump(browser: &str, folder: &Path, address: &str) -> String {
         }
         sleep(Duration::from_millis(50));
     }
-    fs::read_to_string(&output).expect("the browser writes UTF-8")
 }
 
 /// Fails with the checks that did not pass; there have to be some that did.

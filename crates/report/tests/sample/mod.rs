@@ -10,11 +10,11 @@ use grazing_claims::source::Sources;
 use grazing_continuation::bifurcation::{CodimensionTwo, Pair};
 use grazing_continuation::fit::{Estimate, Measurement};
 use grazing_description::Description;
-use grazing_report::{Figure, Manifest, OscillatorEntry, OutputFile, Report, TableOutput};
+use grazing_report::{FigureEntry, Manifest, OscillatorEntry, OutputFile, Report, TableOutput};
 use grazing_reproduction::published::Published;
 use grazing_reproduction::unfolded::ResonanceEntry;
 use grazing_results::plane::SpecialPoint;
-use grazing_results::{Column, Names, Table, columns};
+use grazing_results::{Column, Names, Table, UnitNames, columns};
 use grazing_unfold::sides::{Doubt, Sides, Simulated};
 use grazing_unfold::simulation::Seen;
 use grazing_unfold::verdict::Coefficient;
@@ -79,7 +79,7 @@ fn findings() -> Vec<Finding<'static>> {
     found.map(|(claim, verdict)| Finding { claim, verdict, time: Default::default() }).collect()
 }
 
-fn figure(name: &str, title: &str) -> Figure {
+fn figure(name: &str, title: &str) -> FigureEntry {
     let svg = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"70mm\" height=\"40mm\" \
          viewBox=\"0 0 200 120\" font-family=\"'STIX Two Text',serif\" fill=\"none\" role=\"img\">\n<title>{title}</title>\n\
@@ -108,7 +108,7 @@ fn figure(name: &str, title: &str) -> Figure {
     ];
     let name_of_table = if name == "fig98" { "fig98_points" } else { "fig99_points" };
     let tables = vec![Table::of_cells(name_of_table, COLUMNS, &Names::of_the_paper(), rows)];
-    Figure { name: name.to_owned(), title: title.to_owned(), svg, tables }
+    FigureEntry { name: name.to_owned(), title: title.to_owned(), svg, tables }
 }
 
 fn sweep() -> Table {
@@ -146,14 +146,15 @@ pub(crate) const SIDES: Sides = Sides {
 pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
     let hostile = || HOSTILE.to_owned();
     let description = format!(
-        "name = '''{name}'''\n[parameters]\nkappa = -0.1\nzeta = 0.02\n[primary]\nname = 'F_0'\nrange = [0.0, 4.0]\n\
+        "name = '''{name}'''\n[parameters]\nkappa = -0.1\nzeta = 0.02\n[primary]\nname = 'F_0'\nrange = [0.0, 4.0]\nunit = 'N'\n\
          [secondary]\nname = 'A'\nrange = [-1.0, 1.0]\n[motion]\nforce = 'F_0*cos(t) + A - x - kappa*x^3 - zeta*v - 1'\n\
          frequency = '1'\n[impact]\nrestitution = '0.9'\nduration = '0'\n[analysis]\nloops = [1, 2]\n"
     );
     let mut drawn = figure("diagram", "two-parameter bifurcation diagram");
     // The panel says which columns it shows, as titles of parameters do not.
     drawn.svg = drawn.svg.replace("data-x=", "data-columns=\"F_0 A\" data-tables=\"points\" data-x=");
-    let names = Names::new("F_0", "A");
+    let units = UnitNames { primary: Some("N".to_owned()), ..UnitNames::default() };
+    let names = Names::new("F_0", "A").with_units(units);
     let point = |kind, primary, secondary| SpecialPoint { kind, loops: 1, n: 1, secondary, primary };
     let points =
         [point(CodimensionTwo::Resonance, 2.0, 0.0), point(CodimensionTwo::SaddleNodeGrazing, 4.0, 1.0)];

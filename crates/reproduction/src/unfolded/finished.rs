@@ -6,7 +6,7 @@ use std::thread;
 
 use grazing_model::ImpactOscillator;
 use grazing_results::Table;
-use grazing_results::plane::CurvePoint;
+use grazing_results::plane::PlanePoint;
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::{DiagramCurve, Followed};
 use grazing_unfold::progress::Progress;
@@ -17,7 +17,7 @@ use crate::plane::{self, Axes};
 pub type Keep<'a> = &'a (dyn Fn(&Table) + Sync);
 
 /// The curves of a resonance, by its place in the diagram's list.
-type Done = (usize, Vec<(DiagramCurve, Vec<CurvePoint>)>);
+type Done = (usize, Vec<(DiagramCurve, Vec<PlanePoint>)>);
 
 /// Follows the curves of a diagram whose resonances are located, and hands on those that are finished.
 pub(super) fn follow<O: ImpactOscillator>(
@@ -49,7 +49,7 @@ fn hand_on<O: ImpactOscillator>(
     let mut finished = BTreeMap::new();
     for (resonance, curves) in receiver {
         finished.insert(resonance, curves);
-        let mut listed: Vec<&(DiagramCurve, Vec<CurvePoint>)> = Vec::new();
+        let mut listed: Vec<&(DiagramCurve, Vec<PlanePoint>)> = Vec::new();
         for candidate in finished.values().flatten() {
             if !listed.iter().any(|(curve, _)| curve.is_same(&candidate.0)) {
                 listed.push(candidate);
