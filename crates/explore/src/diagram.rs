@@ -75,14 +75,19 @@ impl Job for Plane<'_> {
             *count += 1;
             curve(rows, *count - 1)
         });
-        events.send("all", &all.collect::<Vec<_>>());
+        let all: Vec<Value> = all.collect();
+        events.send("curves", &all);
         events.send("points", &plane::points(axes, &diagram).iter().map(point).collect::<Vec<_>>());
         if !coarse {
             let rows = plane::regions(axes, &diagram.regions);
             let regions = rows.chunk_by(|a, b| a.region == b.region).map(region);
             events.send("regions", &regions.collect::<Vec<_>>());
         }
-        events.send("approximations", &approximations(axes, &diagram));
+        let approximations = approximations(axes, &diagram);
+        events.send("curves", &approximations);
+        // Curves that were sent under another name, as they were thought to be others, are not among these.
+        events
+            .send("keys", &all.iter().chain(&approximations).map(|curve| &curve["key"]).collect::<Vec<_>>());
         let unlocated = diagram.unlocated.iter().map(|lost| format!("p = {}: {}", lost.loops, lost.reason));
         let lost = diagram
             .not_unfolded

@@ -246,9 +246,11 @@ mod tests {
         assert_eq!(description.primary().range(), [0.25, 0.5]);
         assert!(description.constants().any(|constant| constant == ("kappa", 0.3)));
         model.set.insert("unknown".to_owned(), 1.0);
-        assert!(model.checked(None).is_ok(), "a constant that nothing uses is allowed");
-        model.set.insert("bad name".to_owned(), 1.0);
-        assert!(model.checked(None).is_err());
+        for name in ["unknown", "bad name", "kappa=0\nzeta"] {
+            let mut wrong = model.clone();
+            wrong.set.insert(name.to_owned(), 1.0);
+            assert!(wrong.checked(None).is_err(), "{name}");
+        }
         let paper = Model { text: None, set: BTreeMap::from([("zeta".to_owned(), 2.0)]), loops: None };
         assert!(paper.checked(None).is_err());
     }

@@ -136,8 +136,8 @@ const FASTEST: f64 = 2.5;
 const MOST_IMPACTS: usize = 100_000;
 /// Impacts closer than this are one: orbits have settled to far less.
 const SAME: f64 = 1e-3;
-/// Flights of an attractor that are shown.
-const SHOWN: usize = 60;
+/// Flights that are shown of an attractor that does not come again.
+const SHOWN: usize = 40;
 /// Forcing periods of motion without impacts after which it is looked for again.
 const MOST_PERIODS: u32 = 16;
 
@@ -332,7 +332,11 @@ impl<O: ImpactOscillator> Followed<O> {
     fn attractor(&self, oscillator: &O) -> Attractor {
         let period = self.period;
         let began = self.flights.first().map_or(0.0, |flight| flight.start);
-        let shown = self.flights.iter().take(SHOWN);
+        let cycle = self
+            .fate
+            .periods
+            .map_or(SHOWN, |periods| libm::round(self.fate.impacts * f64::from(periods)).max(1.0) as usize);
+        let shown = self.flights.iter().take(cycle);
         let flights = match self.fate.kind {
             Kind::NonImpacting => {
                 let flight = self.flights.last();

@@ -1,0 +1,343 @@
+//! The server from outside: who is answered, what is sent, and what whoever means harm gets.
+
+use std::io::{Read, Write};
+use std::net::{SocketAddr, TcpStream};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use grazing_description::Description;
+use grazing_explore::{Example, Limits, Server, Sheet};
+use grazing_reproduction::plane;
+use grazing_reproduction::unfolded;
+use grazing_unfold::Diagram;
+use grazing_unfold::progress::Silent;
+use grazing_unfold::stop::Stop;
+use serde_json::{Value, json};
+
+/// A server that runs until it is dropped.
+struct Running {
+    address: SocketAddr,
+    path: String,
+    ended: Arc<AtomicBool>,
+    thread: Option<JoinHandle<()>>,
+}
+
+/// Small limits, so that they are met.
+const LIMITS: Limits = Limits {
+    connections: 64,
+    computations: 2,
+    body: 100_000,
+    patience: Duration::from_secs(1),
+    time: Duration::from_secs(60),
+    steps: 1_000_000_000,
+};
+
+impl Running {
+    fn new(limits: Limits) -> Self {
+        let example = Example { name: "Paper".to_owned(), file: String::new(), text: None };
+        let export = |_: &_, _: &_, what: &str, _: &str, _: &Stop| match what {
+            "csv:a" => Ok(Sheet { name: "a.csv".to_owned(), kind: "text/csv", content: b"1\n".to_vec() }),
+            other => Err(format!("{other} is not made")),
+        };
+        let server = Server::bind(0, limits, vec![example], Box::new(export)).unwrap();
+        let address = server.address();
+        let rest = address.strip_prefix("http://").unwrap();
+        let (host, path) = rest.split_once('/').unwrap();
+        let (address, path) = (host.parse().unwrap(), format!("/{path}"));
+        let ended = Arc::new(AtomicBool::new(false));
+        let asked = ended.clone();
+        let thread = thread::spawn(move || server.run(|| asked.load(Ordering::Relaxed)).unwrap());
+        Self { address, path, ended, thread: Some(thread) }
+    }
+
+    fn connect(&self) -> TcpStream {
+        let stream = TcpStream::connect(self.address).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        stream
+    }
+
+    fn head(&self, method: &str, path: &str, more: &str) -> String {
+        format!("{method} {path} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n{more}\r\n", self.address)
+    }
+
+    /// Sends a request and reads the answer: its status, head and body.
+    fn ask(&self, request: &[u8]) -> (u16, String, String) {
+        let mut stream = self.connect();
+        // A request that is refused need not be read to its end.
+        let _ = stream.write_all(request);
+        let mut answer = Vec::new();
+        let _ = stream.read_to_end(&mut answer);
+        let text = String::from_utf8_lossy(&answer).into_owned();
+        let (head, body) = text.split_once("\r\n\r\n").unwrap_or((&text, ""));
+        let status = head.split(' ').nth(1).and_then(|code| code.parse().ok()).unwrap_or(0);
+        let body = if head.contains("transfer-encoding: chunked") { chunks(body) } else { body.to_owned() };
+        (status, head.to_owned(), body)
+    }
+
+    fn post(&self, name: &str, body: &str) -> (u16, String) {
+        let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", body.len());
+        let request = format!("{}{body}", self.head("POST", &format!("{}{name}", self.path), &more));
+        let (status, _, body) = self.ask(request.as_bytes());
+        (status, body)
+    }
+
+    fn get(&self, path: &str) -> u16 {
+        self.ask(self.head("GET", path, "").as_bytes()).0
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        self.ended.store(true, Ordering::Relaxed);
+        let began = Instant::now();
+        if let Some(thread) = self.thread.take() {
+            thread.join().unwrap();
+        }
+        assert!(began.elapsed() < Duration::from_secs(5), "it took {:?} to end", began.elapsed());
+    }
+}
+
+/// A body that came in pieces.
+fn chunks(mut body: &str) -> String {
+    let mut whole = String::new();
+    while let Some((length, rest)) = body.split_once("\r\n") {
+        let Ok(length) = usize::from_str_radix(length.trim(), 16) else { break };
+        let Some(piece) = rest.get(..length) else { break };
+        whole.push_str(piece);
+        body = rest.get(length + 2..).unwrap_or("");
+    }
+    whole
+}
+
+/// The data of the events of a name.
+fn events(stream: &str, name: &str) -> Vec<Value> {
+    let event = |text: &str| {
+        let (first, data) = text.split_once('\n')?;
+        (first == format!("event: {name}")).then(|| data.strip_prefix("data: ")?.parse().ok())?
+    };
+    stream.split("\n\n").filter_map(event).collect()
+}
+
+fn whole_view() -> Value {
+    json!({"primary": [0.0, 1.3], "secondary": [0.35, 1.02]})
+}
+
+/// The Duffing oscillator in ranges with one resonance.
+fn narrow() -> (String, Value) {
+    let text = include_str!("../../../examples/duffing.toml").to_owned();
+    (text, json!({"primary": [0.2, 0.4], "secondary": [0.95, 1.0]}))
+}
+
+#[test]
+fn only_the_page_itself_is_answered() {
+    let server = Running::new(LIMITS);
+    let path = server.path.clone();
+    assert_eq!(server.get(&path), 200);
+    assert_eq!(server.get(&format!("{path}examples")), 200);
+    for other in [
+        "/",
+        "/examples",
+        &path.to_uppercase(),
+        &path[..path.len() - 2],
+        &format!("{path}../../etc/passwd"),
+        &format!("{path}..%2f..%2fetc%2fpasswd"),
+        &format!("{path}./Cargo.toml"),
+        &format!("{path}diagram"),
+    ] {
+        assert_eq!(server.get(other), 404, "{other}");
+    }
+    let with = |host: &str, more: &str| {
+        let request = format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n{more}\r\n");
+        server.ask(request.as_bytes()).0
+    };
+    let own = server.address.to_string();
+    assert_eq!(with(&own, ""), 200);
+    assert_eq!(with("example.org", ""), 403);
+    assert_eq!(with(&own, "Origin: http://example.org\r\n"), 403);
+    assert_eq!(with(&own, "Sec-Fetch-Site: cross-site\r\n"), 403);
+    let (_, head, _) = server.ask(server.head("GET", &path, "").as_bytes());
+    for wanted in ["content-security-policy: default-src 'none';", "x-content-type-options: nosniff"] {
+        assert!(head.contains(wanted), "{head}");
+    }
+}
+
+#[test]
+fn requests_that_are_wrong_or_too_large_are_refused_with_a_reason() {
+    let server = Running::new(LIMITS);
+    let refused = |name: &str, body: &str, status: u16| {
+        let (found, told) = server.post(name, body);
+        assert_eq!(found, status, "{name}: {told}");
+        let told: Value = told.parse().unwrap();
+        assert!(told["message"].as_str().is_some_and(|message| !message.is_empty()));
+    };
+    refused("check", "", 400);
+    refused("check", "{\"text\": 1}", 400);
+    refused("place", "{\"model\": {\"text\": null}, \"at\": [0.1]}", 400);
+    refused("place", "{\"model\": {\"text\": \"name = 1\"}, \"at\": [0.1, 0.2]}", 422);
+    refused("place", "{\"model\": {\"text\": null}, \"at\": [null, 0.2]}", 400);
+    refused("check", &format!("{{\"text\": \"{}\"}}", "a".repeat(LIMITS.body)), 413);
+    refused("nothing", "{}", 404);
+    refused(
+        "export",
+        &json!({"model": {"text": null}, "view": whole_view(), "what": "exe"}).to_string(),
+        422,
+    );
+    let tiles =
+        json!({"model": {"text": null}, "view": whole_view(), "columns": 100_000, "rows": 9, "periods": 9});
+    let (status, told) = server.post("tiles", &tiles.to_string());
+    assert!(status == 200 && events(&told, "error").len() == 1, "{told}");
+    // A hundred megabytes are not waited for.
+    let head = server.head(
+        "POST",
+        &format!("{}check", server.path),
+        "Content-Type: application/json\r\nContent-Length: 100000000\r\n",
+    );
+    let began = Instant::now();
+    assert!([0, 413].contains(&server.ask(&[head.as_bytes(), &vec![b' '; 10_000_000]].concat()).0));
+    assert!(began.elapsed() < Duration::from_secs(10));
+    // A form of a foreign page can send text, but not this type.
+    let form = server.head(
+        "POST",
+        &format!("{}check", server.path),
+        "Content-Type: text/plain\r\nContent-Length: 2\r\n",
+    );
+    assert_eq!(server.ask(format!("{form}{{}}").as_bytes()).0, 415);
+    for garbage in ["\r\n\r\n", "GET\r\n\r\n", "\u{0}\u{1}\u{2}\r\n\r\n", "GET / HTTP/9.9\r\n\r\n"] {
+        assert!([0, 400, 505].contains(&server.ask(garbage.as_bytes()).0), "{garbage:?}");
+    }
+    assert_eq!(server.get(&server.path), 200);
+}
+
+#[test]
+fn many_requests_and_connections_that_say_nothing_bring_nothing_down() {
+    let server = Running::new(LIMITS);
+    let silent: Vec<TcpStream> = (0..40).map(|_| server.connect()).collect();
+    let body = json!({"model": {"text": null}, "at": [0.3, 0.8], "states": 4}).to_string();
+    let (served, refused) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    thread::scope(|scope| {
+        for _ in 0..200 {
+            scope.spawn(|| match server.post("place", &body) {
+                (200, answer) => {
+                    assert!(answer.contains("\"attractors\""));
+                    served.fetch_add(1, Ordering::Relaxed);
+                }
+                (0 | 503, _) => drop(refused.fetch_add(1, Ordering::Relaxed)),
+                (status, answer) => panic!("{status}: {answer}"),
+            });
+        }
+    });
+    let (served, refused) = (served.into_inner(), refused.into_inner());
+    assert!(served + refused == 200 && served > 0, "{served} {refused}");
+    // What says nothing is closed after a while.
+    for mut stream in silent {
+        assert_eq!(stream.read(&mut [0; 1]).unwrap_or(0), 0);
+    }
+    assert_eq!(server.post("place", &body).0, 200);
+}
+
+#[test]
+fn what_nobody_waits_for_makes_room_at_once() {
+    let server = Running::new(Limits { computations: 1, ..LIMITS });
+    let (text, _) = narrow();
+    let long = json!({"model": {"text": text}, "view": {"primary": [0.0, 1.5], "secondary": [0.4, 1.1]},
+                      "columns": 1000, "rows": 1000, "periods": 5000})
+    .to_string();
+    let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", long.len());
+    let request = format!("{}{long}", server.head("POST", &format!("{}tiles", server.path), &more));
+    let mut stream = server.connect();
+    stream.write_all(request.as_bytes()).unwrap();
+    let mut first = [0; 64];
+    assert!(stream.read(&mut first).unwrap() > 0);
+    drop(stream);
+    let began = Instant::now();
+    let body = json!({"model": {"text": null}, "at": [0.1, 0.8], "states": 2}).to_string();
+    assert_eq!(server.post("place", &body).0, 200);
+    assert!(began.elapsed() < Duration::from_secs(20), "{:?}", began.elapsed());
+}
+
+#[test]
+fn the_diagram_has_the_numbers_that_unfold_writes() {
+    let server = Running::new(LIMITS);
+    let (text, view) = narrow();
+    let asked = json!({"model": {"text": text, "set": {"kappa": 0.11}, "loops": [3]}, "view": view});
+    let (status, stream) = server.post("diagram", &asked.to_string());
+    assert_eq!((status, events(&stream, "done").len()), (200, 1), "{stream}");
+
+    let settings = ["parameters.kappa=0.11", "primary.range=[0.2, 0.4]", "secondary.range=[0.95, 1.0]"];
+    let settings: Vec<_> = settings.iter().map(|setting| setting.parse().unwrap()).collect();
+    let text = text.split("[[diagrams]]").next().unwrap();
+    let text = grazing_source::Text::new(text, &settings);
+    let description = Description::parse_with(&text, "test").unwrap().with_loops(&[3]).unwrap();
+    let axes = unfolded::axes(&description);
+    let (oscillator, scope) = unfolded::prepared(&description, &axes.units, &Stop::default());
+    let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
+    let wanted: Vec<[f64; 2]> =
+        plane::curves(&axes, &diagram).iter().map(|row| [row.primary, row.secondary]).collect();
+    // First as they come, then all of them, then approximations to them.
+    let sent = events(&stream, "curves");
+    let all = &sent[sent.len() - 2];
+    let curves = all.as_array().unwrap().iter().flat_map(|curve| curve["points"].as_array().unwrap());
+    let found: Vec<[f64; 2]> =
+        curves.map(|point| [0, 1].map(|index| point[index].as_f64().unwrap())).collect();
+    assert!(found == wanted, "the points differ");
+    let vertices = plane::regions(&axes, &diagram.regions).len();
+    let regions = &events(&stream, "regions")[0];
+    let rings = regions.as_array().unwrap().iter().flat_map(|region| region["rings"].as_array().unwrap());
+    assert_eq!(rings.map(|ring| ring.as_array().unwrap().len()).sum::<usize>(), vertices);
+    // What came first is in what came last, under the same keys.
+    let keys = |value: &Value| -> Vec<String> {
+        value.as_array().unwrap().iter().map(|curve| curve["key"].as_str().unwrap().to_owned()).collect()
+    };
+    let last = keys(all);
+    for early in &sent[..sent.len() - 2] {
+        assert!(keys(early).iter().all(|key| last.contains(key)), "{early}");
+    }
+}
+
+#[test]
+fn places_tell_solutions_and_what_random_states_come_to() {
+    let server = Running::new(LIMITS);
+    let at = |place: [f64; 2]| -> Value {
+        let (status, answer) =
+            server.post("place", &json!({"model": {"text": null}, "at": place}).to_string());
+        assert_eq!(status, 200, "{answer}");
+        answer.parse().unwrap()
+    };
+    // Below grazing everything comes to rest on the non-impacting solution, whose displacements shrink with the damping ratio.
+    let quiet = at([0.05, 0.8]);
+    let attractors = quiet["attractors"].as_array().unwrap();
+    assert_eq!((attractors.len(), attractors[0]["kind"].as_str()), (1, Some("non-impacting")));
+    assert!((attractors[0]["lyapunov"].as_f64().unwrap() + 0.02).abs() < 2e-3, "{}", attractors[0]);
+    // Solutions that are stable and admissible attract somebody, with their own impact.
+    let busy = at([0.9, 0.8]);
+    let solutions = busy["solutions"].as_array().unwrap();
+    let good = |solution: &&Value| {
+        solution["p"] != 0 && solution["stable"] == true && solution["admissible"] == true
+    };
+    let found: Vec<&Value> = solutions.iter().filter(good).collect();
+    assert!(!found.is_empty(), "{busy}");
+    let strikes: Vec<[f64; 2]> = busy["attractors"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .flat_map(|attractor| attractor["strikes"].as_array().unwrap())
+        .map(|strike| [0, 1].map(|index| strike[index].as_f64().unwrap()))
+        .collect();
+    for solution in found {
+        let [velocity, phase] = ["velocity", "phase"].map(|key| solution[key].as_f64().unwrap());
+        let close = |strike: &[f64; 2]| {
+            (strike[1] - velocity).abs() < 1e-3
+                && ((strike[0] - phase).rem_euclid(6.283_185_307)).min(1.0) < 1e-2
+        };
+        assert!(strikes.iter().any(close), "{solution}");
+    }
+    let cut = json!({"model": {"text": null}, "fixed": "secondary", "at": 0.8, "range": [0.1, 0.9]});
+    let (status, answer) = server.post("cut", &cut.to_string());
+    let answer: Value = answer.parse().unwrap();
+    assert_eq!(status, 200, "{answer}");
+    assert!(answer["strands"].as_array().is_some_and(|strands| strands.len() >= 2));
+    let graz = |found: &Value| found["kind"] == "graz";
+    assert_eq!(answer["bifurcations"].as_array().unwrap().iter().filter(|found| graz(found)).count(), 1);
+}
