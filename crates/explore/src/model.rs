@@ -65,8 +65,8 @@ pub(crate) trait Job {
 
 /// A model that was found right.
 pub(crate) enum Checked {
-    Paper { oscillator: LinearOscillator, window: Window, loops: Vec<u32> },
-    Text(Box<Description>),
+    Paper(Box<(LinearOscillator, Scope)>),
+    Text(Description),
 }
 
 impl Model {
@@ -109,7 +109,7 @@ impl Model {
     pub(crate) fn checked(&self, view: Option<&View>) -> Result<Checked, Wrong> {
         let description = self.description(view)?;
         if self.text.is_some() {
-            return Ok(Checked::Text(Box::new(description)));
+            return Ok(Checked::Text(description));
         }
         let constant = |wanted: &str| {
             let mut constants = description.constants();
@@ -120,7 +120,10 @@ impl Model {
             Window { primary: description.primary().range(), secondary: description.secondary().range() };
         let [amplitude, frequency] = [window.primary[0], window.secondary[0]];
         match LinearOscillator::new(zeta, epsilon, amplitude, frequency) {
-            Ok(oscillator) => Ok(Checked::Paper { oscillator, window, loops: description.loops().to_vec() }),
+            Ok(oscillator) => {
+                let scope = Scope { window, loops: description.loops().to_vec(), start: None };
+                Ok(Checked::Paper(Box::new((oscillator, scope))))
+            }
             Err(error) => Err(Wrong::new(error.to_string())),
         }
     }
@@ -153,7 +156,7 @@ impl Checked {
     /// Names and units.
     pub(crate) fn axes(&self) -> Axes {
         match self {
-            Self::Paper { .. } => Axes::of_the_paper(),
+            Self::Paper(_) => Axes::of_the_paper(),
             Self::Text(description) => unfolded::axes(description),
         }
     }
@@ -161,10 +164,7 @@ impl Checked {
     /// Does something with the oscillator, which ends when an end is asked for.
     pub(crate) fn with<J: Job>(&self, stop: &Stop, job: J) -> J::Outcome {
         match self {
-            Self::Paper { oscillator, window, loops } => {
-                let scope = Scope { window: *window, loops: loops.clone(), start: None };
-                job.run(oscillator, &scope, &self.axes())
-            }
+            Self::Paper(paper) => job.run(&paper.0, &paper.1, &self.axes()),
             Self::Text(description) => {
                 let axes = self.axes();
                 let (oscillator, scope) = unfolded::prepared(description, &axes.units, stop);

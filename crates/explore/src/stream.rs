@@ -30,8 +30,18 @@ const PAUSE: Duration = Duration::from_millis(80);
 pub(crate) struct Events {
     sender: Sender<Bytes>,
     stop: Stop,
-    /// Stages under way, with what is done of them, and when something was told last.
-    stages: Mutex<(BTreeMap<String, [u64; 2]>, Option<Instant>)>,
+    told: Mutex<Told>,
+}
+
+/// Stages under way, with what is done of them and what there is to do.
+type Stages = BTreeMap<String, [u64; 2]>;
+
+/// What is told of the progress.
+#[derive(Default)]
+struct Told {
+    stages: Stages,
+    /// When something was told last.
+    last: Option<Instant>,
 }
 
 impl Events {
@@ -45,30 +55,30 @@ impl Events {
         }
     }
 
-    fn tell(&self, what: &str, change: impl FnOnce(&mut BTreeMap<String, [u64; 2]>), always: bool) {
-        let mut stages = self.stages.lock().unwrap_or_else(PoisonError::into_inner);
-        change(&mut stages.0);
+    fn tell(&self, what: &str, change: impl FnOnce(&mut Stages), always: bool) {
+        let mut told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
+        change(&mut told.stages);
         let now = Instant::now();
-        if !always && stages.1.is_some_and(|last| now - last < PAUSE) {
+        if !always && told.last.is_some_and(|last| now - last < PAUSE) {
             return;
         }
-        stages.1 = Some(now);
-        let told = stages.0.get(what).map(|[done, all]| json!({"stage": what, "done": done, "all": all}));
-        drop(stages);
-        if let Some(told) = told {
-            self.send("progress", &told);
+        told.last = Some(now);
+        let stage = told.stages.get(what).map(|[done, all]| json!({"stage": what, "done": done, "all": all}));
+        drop(told);
+        if let Some(stage) = stage {
+            self.send("progress", &stage);
         }
     }
 }
 
 impl Progress for Events {
     fn begin(&self, what: &str, steps: u64) {
-        let begun = |stages: &mut BTreeMap<String, [u64; 2]>| _ = stages.insert(what.to_owned(), [0, steps]);
+        let begun = |stages: &mut Stages| _ = stages.insert(what.to_owned(), [0, steps]);
         self.tell(what, begun, true);
     }
 
     fn step(&self, what: &str) {
-        let step = |stages: &mut BTreeMap<String, [u64; 2]>| {
+        let step = |stages: &mut Stages| {
             if let Some([done, _]) = stages.get_mut(what) {
                 *done += 1;
             }
@@ -77,8 +87,7 @@ impl Progress for Events {
     }
 
     fn end(&self, what: &str) {
-        let mut stages = self.stages.lock().unwrap_or_else(PoisonError::into_inner);
-        stages.0.remove(what);
+        self.told.lock().unwrap_or_else(PoisonError::into_inner).stages.remove(what);
     }
 
     fn stopped(&self) -> bool {
@@ -97,7 +106,7 @@ pub(crate) async fn events<T: Send + 'static>(
     let (sender, receiver) = channel(WAITING);
     spawn_blocking(move || {
         let began = Instant::now();
-        let events = Events { sender, stop: stop.clone(), stages: Mutex::default() };
+        let events = Events { sender, stop: stop.clone(), told: Mutex::default() };
         match compute(&request, &events, &stop) {
             _ if stop.is_asked() => events.send("error", &json!({ "message": Problem::ended().message() })),
             Ok(()) => events.send("done", &json!({ "seconds": began.elapsed().as_secs_f64() })),

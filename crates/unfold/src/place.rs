@@ -341,15 +341,14 @@ impl<O: ImpactOscillator> Followed<O> {
             Kind::NonImpacting => {
                 let flight = self.flights.last();
                 let periods = f64::from(self.fate.periods.unwrap_or(MOST_PERIODS));
-                flight
-                    .and_then(|flight| {
-                        let from = flight.motion.at(flight.duration - periods * period);
-                        let frequency = oscillator.forcing_frequency().value;
-                        let phase = flight.from.phase + frequency * (flight.duration - periods * period);
-                        let from = State { position: from.position, velocity: from.velocity, phase };
-                        Some(vec![sampled(&oscillator.motion(from), 0.0, periods * period, period)])
-                    })
-                    .unwrap_or_default()
+                let shown = |flight: &Flight<O::Motion>| {
+                    let time = flight.duration - periods * period;
+                    let from = flight.motion.at(time);
+                    let phase = flight.from.phase + oscillator.forcing_frequency().value * time;
+                    let from = State { position: from.position, velocity: from.velocity, phase };
+                    vec![sampled(&oscillator.motion(from), 0.0, periods * period, period)]
+                };
+                flight.map(shown).unwrap_or_default()
             }
             _ => shown
                 .map(|flight| sampled(&flight.motion, flight.start - began, flight.duration, period))
