@@ -113,6 +113,11 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         self.with_formulation(if O::INTEGRATED { Formulation::FixedPhase } else { Formulation::Vivid })
     }
 
+    /// The same equations with motion to fewer digits, where that takes less time.
+    pub(crate) fn roughly(&self) -> Self {
+        Self { oscillator: self.oscillator.roughly(), ..self.clone() }
+    }
+
     /// The oscillator at the parameters of a point.
     pub fn oscillator_at(&self, point: &Unknowns) -> O {
         self.oscillator.with_parameters(parameters(point))

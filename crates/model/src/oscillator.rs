@@ -22,6 +22,12 @@ pub trait ImpactOscillator: Clone + Send + Sync {
     /// The same oscillator at other parameters (μ, η).
     fn with_parameters(&self, parameters: [f64; 2]) -> Self;
 
+    /// The same with motion to some seven digits where that takes less time, for whoever looks around and solves for what is seen
+    /// afterwards.
+    fn roughly(&self) -> Self {
+        self.clone()
+    }
+
     /// The angular frequency ω(μ, η) of the forcing with its derivatives.
     fn forcing_frequency(&self) -> ParameterJet;
 

@@ -36,7 +36,11 @@ impl<M: SmoothOscillator> ImpactOscillator for Integrated<M> {
     }
 
     fn with_parameters(&self, parameters: [f64; 2]) -> Self {
-        Self::new(self.model.clone(), parameters)
+        Self { rough: self.rough, ..Self::new(self.model.clone(), parameters) }
+    }
+
+    fn roughly(&self) -> Self {
+        Self { rough: true, ..self.clone() }
     }
 
     fn forcing_frequency(&self) -> ParameterJet {

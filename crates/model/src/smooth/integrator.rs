@@ -70,6 +70,11 @@ const NEAR: f64 = 1e-3;
 /// A correction is the last if it is this small, or if the next one would be below rounding.
 const CONVERGED: f64 = 1e-12;
 const ROUNDING: f64 = 1e-15;
+/// Rough motion is allowed coefficients so many times as large, and a swing: with order 12 its errors are some 10⁵ times as large, about
+/// 10⁻⁸, and so much more is left in the stages.
+const ROUGHER: f64 = 100.0;
+const WIDER: f64 = 2.0;
+const LOOSER: f64 = 1e5;
 
 /// The factors of the matrix I − h² A² F_x − h A F_y of Newton's method, without pivots: it is close to the identity where
 /// the step is not too long, and where it is not the iteration fails and the step is shortened.
@@ -237,6 +242,7 @@ impl<M: SmoothOscillator> Integrated<M> {
         let h = step.length;
         let [mu, eta] = self.parameters.map(Stages::constant);
         let mut force = self.model.force_at(step.times(time), mu, eta);
+        let looser = if self.rough { LOOSER } else { 1.0 };
         let mut kept = None;
         let mut before = 1.0;
         for _ in 0..ITERATIONS {
@@ -257,7 +263,7 @@ impl<M: SmoothOscillator> Integrated<M> {
             // The next one would be smaller than this one by the factor by which this one is smaller than the last, or by more; and by
             // what the slopes have changed since, less than over the whole step. So one is enough where F is linear.
             let next = size * if size <= NEAR { slopes.spread.min(size / before) } else { size / before };
-            if size <= CONVERGED || next <= ROUNDING {
+            if size <= CONVERGED * looser || next <= ROUNDING * looser {
                 return Some((step, slopes));
             }
             before = size;
@@ -293,12 +299,13 @@ impl<M: SmoothOscillator> Integrated<M> {
         if node.proposal.abs() < VANISHING * shortest {
             return None;
         }
+        let [rougher, wider] = if self.rough { [ROUGHER, WIDER] } else { [1.0; 2] };
         loop {
             let accelerations = match &node.last {
                 Some(last) => last.guess(1.0, trial),
                 None => {
                     let (acceleration, rate) = self.start(node);
-                    let longest = SWING / rate;
+                    let longest = wider * SWING / rate;
                     trial = if trial.abs() < longest { trial } else { longest.copysign(trial) };
                     Stages::constant(acceleration)
                 }
@@ -318,8 +325,8 @@ impl<M: SmoothOscillator> Integrated<M> {
             let tail = (slopes.tail / TAIL).sqrt().sqrt();
             let tail = tail * tail.sqrt() * tail.sqrt().sqrt();
             let [highest, _] = highest(&step.accelerations);
-            let roughness = ((relative(highest, scale) + slopes.highest) / TOLERANCE).max(tail);
-            let swing = slopes.rate * trial.abs() / SWING;
+            let roughness = ((relative(highest, scale) + slopes.highest) / TOLERANCE).max(tail) / rougher;
+            let swing = slopes.rate * trial.abs() / (wider * SWING);
             // The highest coefficient is of order 5 in the step; 3/16 is a little less than 1/5, and takes roots alone.
             let eighth = roughness.sqrt().sqrt().sqrt();
             let factor = (SAFETY / (eighth * eighth.sqrt())).clamp(SHRINK, GROW).min(1.0 / swing).max(PLUNGE);
