@@ -126,8 +126,8 @@ impl Factors {
 /// The coefficients of degrees five and four of a function in Legendre polynomials on a step, taken together, and those of degrees three
 /// and two.
 fn highest(values: &Stages) -> [f64; 2] {
-    let [a, b, c, d] = LEGENDRE.map(|weights| values.weighted(&weights).abs());
-    [a + 0.1 * b, c + 0.1 * d]
+    let size = |k: usize| values.weighted(&LEGENDRE[k]).abs();
+    [size(0) + 0.1 * size(1), size(2) + 0.1 * size(3)]
 }
 
 /// The coefficient of degree twelve, if coefficients go on falling as they do here.
@@ -140,11 +140,9 @@ fn tail([high, low]: [f64; 2]) -> f64 {
 /// What F_x and F_y say about a step.
 #[derive(Clone, Copy, Debug)]
 struct Slopes {
-    /// The highest coefficients of h² F_x and h F_y.
-    highest: f64,
-    /// Their coefficients of degree twelve, as far as can be told.
-    tail: f64,
-    /// By how much h² F_x and h F_y differ between stages.
+    /// h² F_x and h F_y at the stages.
+    scaled: [Stages; 2],
+    /// By how much they differ between stages.
     spread: f64,
     /// The fastest rate at which neighbouring motion turns or decays.
     rate: f64,
@@ -153,15 +151,19 @@ struct Slopes {
 impl Slopes {
     /// From F_x and F_y at the stages.
     fn new([by_position, by_velocity]: [Stages; 2], length: f64) -> Self {
-        let together = |[x, y]: [f64; 2]| x * length * length + y * length.abs();
-        let both = [by_position, by_velocity];
-        let coefficients = both.map(|values| highest(&values));
+        let scaled = [by_position.scale(length * length), by_velocity.scale(length)];
+        let spread = |values: &Stages| (*values - Stages::constant(values.0[0])).modulus();
         Self {
-            highest: together(coefficients.map(|[high, _]| high)),
-            tail: together(coefficients.map(tail)),
-            spread: together(both.map(|values| (values - Stages::constant(values.0[0])).modulus())),
+            scaled,
+            spread: spread(&scaled[0]) + spread(&scaled[1]),
             rate: fastest_rate(by_position.modulus(), by_velocity.modulus()),
         }
+    }
+
+    /// The highest coefficients of h² F_x and h F_y, and those of degree twelve, as far as can be told.
+    fn coefficients(&self) -> [f64; 2] {
+        let [[a, b], [c, d]] = [highest(&self.scaled[0]), highest(&self.scaled[1])];
+        [a + c, tail([a, b]) + tail([c, d])]
     }
 }
 
@@ -195,14 +197,16 @@ impl Step {
     /// The accelerations at the stages of another step, which begins at a fraction of this one, by interpolation.
     fn guess(&self, begin: f64, length: f64) -> Stages {
         let at = Lanes(NODES).scale(length / self.length) + Stages::constant(begin);
-        let gaps = NODES.map(|node| at - Stages::constant(node));
-        let mut guess = Stages::constant(0.0);
-        for (j, (factor, value)) in LAGRANGE.into_iter().zip(self.accelerations.0).enumerate() {
-            let mut term = Stages::constant(factor * value);
-            for k in (0..STAGES).filter(|&k| k != j) {
-                term = term * gaps[k];
-            }
-            guess = guess + term;
+        let gap = |k: usize| at - Stages::constant(NODES[k]);
+        // The products of the gaps to all nodes after each.
+        let mut after = [Stages::constant(1.0); STAGES];
+        for k in (1..STAGES).rev() {
+            after[k - 1] = after[k] * gap(k);
+        }
+        let (mut guess, mut before) = (Stages::constant(0.0), Stages::constant(1.0));
+        for k in 0..STAGES {
+            guess = guess.plus(LAGRANGE[k] * self.accelerations.0[k], &(before * after[k]));
+            before = before * gap(k);
         }
         guess
     }
@@ -249,9 +253,8 @@ impl<M: SmoothOscillator> Integrated<M> {
             let [x, y] = step.stages(from);
             let force = force(Jet::<PLANAR, Stages>::variable(0, x), Jet::variable(1, y));
             let (factors, slopes) = kept.take().unwrap_or_else(|| {
-                let slopes = [force.first(0), force.first(1)];
-                let factors = Factors::new(&[slopes[0].scale(h * h), slopes[1].scale(h)]);
-                (factors, Slopes::new(slopes, h))
+                let slopes = Slopes::new([force.first(0), force.first(1)], h);
+                (Factors::new(&slopes.scaled), slopes)
             });
             let correction = factors.solve(force.value() - step.accelerations);
             step.accelerations = step.accelerations + correction;
@@ -322,10 +325,11 @@ impl<M: SmoothOscillator> Integrated<M> {
             };
             let scale = step.scale(node.state, self.frequency);
             // What is of order 12 in the step, as if it were of order 5.
-            let tail = (slopes.tail / TAIL).sqrt().sqrt();
+            let [high, tail] = slopes.coefficients();
+            let tail = (tail / TAIL).sqrt().sqrt();
             let tail = tail * tail.sqrt() * tail.sqrt().sqrt();
             let [highest, _] = highest(&step.accelerations);
-            let roughness = ((relative(highest, scale) + slopes.highest) / TOLERANCE).max(tail) / rougher;
+            let roughness = ((relative(highest, scale) + high) / TOLERANCE).max(tail) / rougher;
             let swing = slopes.rate * trial.abs() / (wider * SWING);
             // The highest coefficient is of order 5 in the step; 3/16 is a little less than 1/5, and takes roots alone.
             let eighth = roughness.sqrt().sqrt().sqrt();
