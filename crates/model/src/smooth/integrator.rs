@@ -50,9 +50,6 @@ const TAIL: f64 = 3e-14;
 const SWING: f64 = 0.85;
 /// A step is solved again if h r is larger by more than this share: its error is four times as large.
 const OVERSWING: f64 = 0.1;
-/// Likewise if coefficients are larger than they should by more than this factor, which makes its error three times as large: steps
-/// aim at half of the size that is allowed, and being made twice costs more than the few that end above it.
-const OVERROUGH: f64 = 1.6;
 /// The new step is this share of what the coefficients suggest, and changes by these factors at most (empirical).
 const SAFETY: f64 = 0.9;
 const SHRINK: f64 = 0.3;
@@ -334,7 +331,7 @@ impl<M: SmoothOscillator> Integrated<M> {
             // The highest coefficient is of order 5 in the step; 3/16 is a little less than 1/5, and takes roots alone.
             let eighth = roughness.sqrt().sqrt().sqrt();
             let factor = (SAFETY / (eighth * eighth.sqrt())).clamp(SHRINK, GROW).min(1.0 / swing).max(PLUNGE);
-            if (roughness <= OVERROUGH && swing <= 1.0 + OVERSWING) || trial.abs() < shortest {
+            if (roughness <= 1.0 && swing <= 1.0 + OVERSWING) || trial.abs() < shortest {
                 // A step that was cut at the end says nothing against the proposal.
                 let cut = trial == longest && longest.abs() < node.proposal.abs() && factor >= 1.0;
                 let proposal = if cut { node.proposal } else { trial * factor };
