@@ -137,31 +137,37 @@ fn tail([high, low]: [f64; 2]) -> f64 {
 /// What F_x and F_y say about a step.
 #[derive(Clone, Copy, Debug)]
 struct Slopes {
-    /// h² F_x and h F_y at the stages.
-    scaled: [Stages; 2],
-    /// By how much they differ between stages.
+    /// F_x and F_y at the stages.
+    both: [Stages; 2],
+    length: f64,
+    /// By how much h² F_x and h F_y differ between stages.
     spread: f64,
     /// The fastest rate at which neighbouring motion turns or decays.
     rate: f64,
 }
 
 impl Slopes {
-    /// From F_x and F_y at the stages.
-    fn new([by_position, by_velocity]: [Stages; 2], length: f64) -> Self {
-        let scaled = [by_position.scale(length * length), by_velocity.scale(length)];
-        let spread = |values: &Stages| (*values - Stages::constant(values.0[0])).modulus();
+    fn new(both: [Stages; 2], length: f64) -> Self {
+        let spread = |values: Stages| (values - Stages::constant(values.0[0])).modulus();
+        let [by_position, by_velocity] = both;
         Self {
-            scaled,
-            spread: spread(&scaled[0]) + spread(&scaled[1]),
+            both,
+            length,
+            spread: together([spread(by_position), spread(by_velocity)], length),
             rate: fastest_rate(by_position.modulus(), by_velocity.modulus()),
         }
     }
 
     /// The highest coefficients of h² F_x and h F_y, and those of degree twelve, as far as can be told.
     fn coefficients(&self) -> [f64; 2] {
-        let [[a, b], [c, d]] = [highest(&self.scaled[0]), highest(&self.scaled[1])];
-        [a + c, tail([a, b]) + tail([c, d])]
+        let [x, y] = [highest(&self.both[0]), highest(&self.both[1])];
+        [together([x[0], y[0]], self.length), together([tail(x), tail(y)], self.length)]
     }
+}
+
+/// The size of h² times something of F_x and h times the same of F_y.
+fn together([by_position, by_velocity]: [f64; 2], length: f64) -> f64 {
+    by_position * length * length + by_velocity * length.abs()
 }
 
 /// No zero of r² − F_y r − F_x is larger than this, for such moduli of F_x and F_y.
@@ -194,16 +200,13 @@ impl Step {
     /// The accelerations at the stages of another step, which begins at a fraction of this one, by interpolation.
     fn guess(&self, begin: f64, length: f64) -> Stages {
         let at = Lanes(NODES).scale(length / self.length) + Stages::constant(begin);
-        let gap = |k: usize| at - Stages::constant(NODES[k]);
-        // The products of the gaps to all nodes after each.
-        let mut after = [Stages::constant(1.0); STAGES];
-        for k in (1..STAGES).rev() {
-            after[k - 1] = after[k] * gap(k);
-        }
-        let (mut guess, mut before) = (Stages::constant(0.0), Stages::constant(1.0));
-        for k in 0..STAGES {
-            guess = guess.plus(LAGRANGE[k] * self.accelerations.0[k], &(before * after[k]));
-            before = before * gap(k);
+        let mut guess = Stages::constant(0.0);
+        for j in 0..STAGES {
+            let mut term = Stages::constant(LAGRANGE[j] * self.accelerations.0[j]);
+            for k in (0..STAGES).filter(|&k| k != j) {
+                term = term * (at - Stages::constant(NODES[k]));
+            }
+            guess = guess + term;
         }
         guess
     }
@@ -250,8 +253,9 @@ impl<M: SmoothOscillator> Integrated<M> {
             let [x, y] = step.stages(from);
             let force = force(Jet::<PLANAR, Stages>::variable(0, x), Jet::variable(1, y));
             let (factors, slopes) = kept.take().unwrap_or_else(|| {
-                let slopes = Slopes::new([force.first(0), force.first(1)], h);
-                (Factors::new(&slopes.scaled), slopes)
+                let slopes = [force.first(0), force.first(1)];
+                let factors = Factors::new(&[slopes[0].scale(h * h), slopes[1].scale(h)]);
+                (factors, Slopes::new(slopes, h))
             });
             let correction = factors.solve(force.value() - step.accelerations);
             step.accelerations = step.accelerations + correction;

@@ -164,11 +164,8 @@ fn curves_of_figure_7_lie_on_those_of_the_closed_form() {
         diagram.iter().map(|curve| (curve.kind, curve.loops, curve.n)).collect()
     };
     assert_eq!(kind(&integrated.curves), kind(&closed.curves));
-    let compared: usize = integrated
-        .curves
-        .par_iter()
-        .map(|curve| assert_on_closed_form(&curve.curve, curve.loops))
-        .sum();
+    let compared: usize =
+        integrated.curves.par_iter().map(|curve| assert_on_closed_form(&curve.curve, curve.loops)).sum();
     let points: usize = integrated.curves.iter().map(|curve| curve.curve.points.len()).sum();
     // Two ends a curve at most have y = 0.
     assert!(compared + 2 * integrated.curves.len() >= points);
