@@ -201,8 +201,8 @@ impl Step {
     fn guess(&self, begin: f64, length: f64) -> Stages {
         let at = Lanes(NODES).scale(length / self.length) + Stages::constant(begin);
         let mut guess = Stages::constant(0.0);
-        for j in 0..STAGES {
-            let mut term = Stages::constant(LAGRANGE[j] * self.accelerations.0[j]);
+        for (j, (factor, value)) in LAGRANGE.into_iter().zip(self.accelerations.0).enumerate() {
+            let mut term = Stages::constant(factor * value);
             for k in (0..STAGES).filter(|&k| k != j) {
                 term = term * (at - Stages::constant(NODES[k]));
             }
