@@ -108,7 +108,7 @@ fn from_resonance(Place { p, n }: Place, condition: Condition) -> Start<LinearOs
     let grazing = theory.resonance(p, n).unwrap().grazing();
     let resonance = ResonantGrazingPoint::find(&grazing.model(), p, grazing.phase()).unwrap();
     Start {
-        curve: MpsCurve { equations: resonance.equations().clone(), condition },
+        curve: resonance.curve(condition),
         point: resonance.unknowns(),
         direction: resonance.direction(condition),
         route: route([0.0, 1.3], [0.35, 1.02], true),

@@ -107,7 +107,12 @@ impl Follower<'_> {
         here: &mut MpsStation,
     ) -> Option<Stall<MapError>> {
         let control = self.route.control;
-        let walker = Continuation::new(equations, control, here.point, here.tangent, here.carried.clone());
+        // What happens on a sketch is located by itself, with all digits.
+        let rough = control
+            .sketches()
+            .then(|| MpsCurve { equations: equations.equations.roughly(), condition: equations.condition });
+        let walked = rough.as_ref().unwrap_or(equations);
+        let walker = Continuation::new(walked, control, here.point, here.tangent, here.carried.clone());
         let mut walker = match walker {
             Ok(walker) => walker,
             Err(stall) => return Some(stall),

@@ -107,6 +107,17 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         Self { formulation, ..self.clone() }
     }
 
+    /// The same equations in the formulation in which curves are followed: VIVID where the flow has a closed form; where it is integrated,
+    /// every landing on Π is an integration of its own, and one to a plane of constant phase serves all loops.
+    pub fn for_curves(&self) -> Self {
+        self.with_formulation(if O::INTEGRATED { Formulation::FixedPhase } else { Formulation::Vivid })
+    }
+
+    /// The same equations with motion to fewer digits, where that takes less time.
+    pub(crate) fn roughly(&self) -> Self {
+        Self { oscillator: self.oscillator.roughly(), ..self.clone() }
+    }
+
     /// The oscillator at the parameters of a point.
     pub fn oscillator_at(&self, point: &Unknowns) -> O {
         self.oscillator.with_parameters(parameters(point))

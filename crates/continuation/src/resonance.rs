@@ -184,10 +184,14 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
             * sign
     }
 
+    /// The SN or PD curve that leaves the resonance.
+    pub fn curve(&self, condition: Condition) -> MpsCurve<O> {
+        MpsCurve { equations: self.equations.for_curves(), condition }
+    }
+
     /// Follows the SN or PD curve from the resonance.
     fn leave(&self, condition: Condition, route: &Route) -> Result<Curve, ResonanceError> {
-        let curve = MpsCurve { equations: self.equations.clone(), condition };
-        curve
+        self.curve(condition)
             .follow(self.unknowns(), self.direction(condition), EventTimes::default(), route)
             .map_err(|stall| ResonanceError::not_started(condition, stall.to_string()))
     }
@@ -212,7 +216,7 @@ impl<O: ImpactOscillator> ResonantGrazingPoint<O> {
                     .is_some_and(|last| same_point(&last.solution.unknowns, &event.solution.unknowns))
             };
             if event.condition == Condition::InteriorGrazing && !grazing.iter().any(reached) {
-                match self.equations.branch_off(event, route) {
+                match self.equations.for_curves().branch_off(event, route) {
                     Ok(curve) => grazing.push(curve),
                     Err(reason) => missing.push(reason),
                 }

@@ -9,7 +9,7 @@ use std::path::Path;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Curve, MpsCurve, Route, Window};
+use grazing_continuation::curve::{Curve, Route, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::EventTimes;
 use grazing_continuation::resonance::ResonantGrazingPoint;
@@ -108,7 +108,7 @@ fn follow<M: SmoothOscillator>(bencher: Bencher<'_, '_>, model: M, place: &Place
     let oscillator = Integrated::new(model, [amplitude, omega]);
     let resonance = ResonantGrazingPoint::find(&oscillator, place.loops, phase).unwrap();
     let condition = Condition::SADDLE_NODE;
-    let curve = MpsCurve { equations: resonance.equations().clone(), condition };
+    let curve = resonance.curve(condition);
     let (start, direction, route) = (resonance.unknowns(), resonance.direction(condition), route());
     let follow = || -> Curve {
         black_box(&curve).clone().follow(start, direction, EventTimes::default(), &route).unwrap()

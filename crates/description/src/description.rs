@@ -348,7 +348,7 @@ impl SmoothOscillator for Description {
 
     fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
         let mut force = self.0.force.hold(&[t, mu, eta]);
-        move |x, y| force(&[x, y])
+        move |x, y| force(&[&x, &y])
     }
 
     fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S {

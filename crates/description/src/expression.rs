@@ -25,6 +25,8 @@ mod parse;
 #[cfg(test)]
 mod tests;
 
+use std::borrow::Borrow;
+use std::iter;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -56,11 +58,21 @@ pub struct Expression(Arc<Tape>);
 #[derive(Debug, Default, PartialEq)]
 struct Tape {
     variables: Vec<String>,
-    instructions: Vec<Instruction>,
-    /// The number of variables that move; they come first.
-    moving: usize,
+    whole: Code,
     /// The number of instructions that need no variable that moves; they come first.
     held: usize,
+    /// The number of variables that move; they come first.
+    moving: usize,
+    /// The slots of what the other instructions need of these and of the variables that do not move,
+    needed: Vec<Slot>,
+    /// and the other instructions; on their list the values of those slots take the place of what they came from.
+    rest: Code,
+}
+
+/// Instructions in order.
+#[derive(Debug, Default, PartialEq)]
+struct Code {
+    instructions: Vec<Instruction>,
     /// The terms of all sums.
     terms: Vec<(f64, Slot)>,
     /// The slot of the result.
@@ -202,18 +214,7 @@ impl Expression {
             |slot: Slot| if slot + 2 == count || slot + 1 == count { 2 * count - 3 - slot } else { slot };
         let mut variables = tape.variables.clone();
         variables.swap(count - 2, count - 1);
-        let instruction = |instruction: &Instruction| match *instruction {
-            Instruction::Plain(operation) => Instruction::Plain(operation.on(other)),
-            sum => sum,
-        };
-        Expression(Arc::new(Tape {
-            variables,
-            instructions: tape.instructions.iter().map(instruction).collect(),
-            moving: tape.moving,
-            held: tape.held,
-            terms: tape.terms.iter().map(|(factor, slot)| (*factor, other(*slot))).collect(),
-            result: other(tape.result),
-        }))
+        Expression(Arc::new(Tape::new(variables, tape.moving, tape.whole.on(other), tape.held)))
     }
 
     /// The names of the variables, in the order of their values.
@@ -223,7 +224,7 @@ impl Expression {
 
     /// The number of instructions on the tape.
     pub fn instructions(&self) -> usize {
-        self.0.instructions.len()
+        self.0.whole.instructions.len()
     }
 
     /// The value at these values of the variables, in the order of [`Expression::variables`].
@@ -232,12 +233,7 @@ impl Expression {
     /// With fewer values than variables.
     pub fn evaluate<S: Scalar>(&self, variables: &[S]) -> S {
         let tape = &*self.0;
-        let variables = &variables[..tape.variables.len()];
-        match tape.instructions.len() {
-            0..=8 => tape.whole(variables, &mut [S::constant(0.0); 8]),
-            9..=MOST_VALUES_ON_STACK => tape.whole(variables, &mut [S::constant(0.0); MOST_VALUES_ON_STACK]),
-            more => tape.whole(variables, &mut vec![S::constant(0.0); more]),
-        }
+        tape.whole.evaluate(&variables[..tape.variables.len()], iter::empty())
     }
 
     /// The expression as a function of the variables that move, with these values of the others, which may be of a simpler kind of number.
@@ -247,69 +243,114 @@ impl Expression {
     pub(crate) fn hold<'a, T: Scalar, S: Scalar + From<T>>(
         &'a self,
         others: &[T],
-    ) -> impl FnMut(&[S]) -> S + use<'a, T, S> {
+    ) -> impl FnMut(&[&S]) -> S + use<'a, T, S> {
         let tape = &*self.0;
-        let count = tape.variables.len() - tape.moving;
-        let known = |held: &mut [T]| {
-            held[..count].copy_from_slice(&others[..count]);
-            tape.run(0..tape.held, &[], tape.moving, held);
-            let mut known = Vec::with_capacity(count + tape.instructions.len());
-            known.extend(held[..count + tape.held].iter().copied().map(S::from));
-            known.resize(known.capacity(), S::constant(0.0));
-            known
-        };
-        let mut known = match count + tape.held {
-            0..=8 => known(&mut [T::constant(0.0); 8]),
-            more => known(&mut vec![T::constant(0.0); more]),
-        };
+        let others = &others[..tape.variables.len() - tape.moving];
+        let (mut few, mut many) = ([T::constant(0.0); FEW], Vec::new());
+        with_space(others.len() + tape.held, |list| {
+            list[..others.len()].copy_from_slice(others);
+            tape.whole.run::<T, T>(0..tape.held, &[], tape.moving, (list, others.len()));
+            let needed = tape.needed.iter().map(|slot| list[slot - tape.moving]);
+            if tape.needed.len() <= FEW {
+                few.iter_mut().zip(needed).for_each(|(kept, value)| *kept = value);
+            } else {
+                many.extend(needed);
+            }
+        });
         move |moving| {
-            tape.run(tape.held..tape.instructions.len(), moving, tape.moving, &mut known);
-            *value(tape.result, moving, tape.moving, &known)
+            let needed = if many.is_empty() { &few[..tape.needed.len()] } else { &many };
+            tape.rest.evaluate(&moving[..tape.moving], needed.iter().map(|value| S::from(*value)))
         }
     }
 }
 
-/// Adds a number times a plain one.
-#[inline(never)]
-fn add<S: Scalar>(sum: &mut S, factor: f64, term: &S) {
-    *sum = sum.plus(factor, term);
-}
+/// So many values that instructions need are kept without allocating.
+const FEW: usize = 4;
 
-/// The value at a slot: of one of the first variables, so many as are `free`, or one that is known.
+/// Gives space for a list of so many values.
 #[inline(always)]
-fn value<'v, S>(slot: Slot, variables: &'v [S], free: usize, known: &'v [S]) -> &'v S {
-    match slot.checked_sub(free) {
-        Some(index) => &known[index],
-        None => &variables[slot],
+fn with_space<S: Scalar, R>(count: usize, compute: impl FnOnce(&mut [S]) -> R) -> R {
+    let zero = S::constant(0.0);
+    match count {
+        0..=4 => compute(&mut [zero; 4]),
+        5..=8 => compute(&mut [zero; 8]),
+        9..=MOST_VALUES_ON_STACK => compute(&mut [zero; MOST_VALUES_ON_STACK]),
+        more => compute(&mut vec![zero; more]),
     }
 }
 
-impl Tape {
-    fn whole<S: Scalar>(&self, variables: &[S], results: &mut [S]) -> S {
-        self.run(0..self.instructions.len(), variables, variables.len(), results);
-        *value(self.result, variables, variables.len(), results)
+/// The value at a slot: of one of the first variables, so many as are `free`, or one on the list.
+#[inline(always)]
+fn value<'v, S, V: Borrow<S>>(slot: Slot, variables: &'v [V], free: usize, list: &'v [S]) -> &'v S {
+    match slot.checked_sub(free) {
+        Some(index) => &list[index],
+        None => variables[slot].borrow(),
+    }
+}
+
+/// Writes the sum of values times numbers and a constant to its slot.
+///
+/// Factors of one and minus one change no bit, and no branch is faster than one that is guessed wrong.
+#[inline(never)]
+fn add_up<'v, S: Scalar + 'v>(
+    result: &mut S,
+    terms: &[(f64, Slot)],
+    constant: f64,
+    get: impl Fn(Slot) -> &'v S,
+) {
+    let [(factor, slot), rest @ ..] = terms else { unreachable!("a sum has a term") };
+    let mut sum = get(*slot).scale(*factor);
+    for (factor, slot) in rest {
+        sum = sum.plus(*factor, get(*slot));
+    }
+    *result = sum + S::constant(constant);
+}
+
+impl Code {
+    /// The same for variables and results in other slots.
+    fn on(&self, other: impl Fn(Slot) -> Slot) -> Self {
+        let instruction = |instruction: &Instruction| match *instruction {
+            Instruction::Plain(operation) => Instruction::Plain(operation.on(&other)),
+            sum => sum,
+        };
+        Self {
+            instructions: self.instructions.iter().map(instruction).collect(),
+            terms: self.terms.iter().map(|(factor, slot)| (*factor, other(*slot))).collect(),
+            result: other(self.result),
+        }
     }
 
-    /// Runs some of the instructions, in order.
+    /// The result; the list begins with values that are known.
     #[inline]
-    fn run<S: Scalar>(&self, which: Range<usize>, variables: &[S], free: usize, known: &mut [S]) {
-        let first = self.variables.len() - free;
-        for slot in which {
-            let (known, results) = known.split_at_mut(first + slot);
+    fn evaluate<S: Scalar, V: Borrow<S>>(
+        &self,
+        variables: &[V],
+        known: impl ExactSizeIterator<Item = S>,
+    ) -> S {
+        let before = known.len();
+        with_space(before + self.instructions.len(), |list| {
+            list.iter_mut().zip(known).for_each(|(place, value)| *place = value);
+            self.run(0..self.instructions.len(), variables, variables.len(), (list, before));
+            *value(self.result, variables, variables.len(), list)
+        })
+    }
+
+    /// Runs some of the instructions, in order; so many values stand on the list before the results.
+    fn run<S: Scalar, V: Borrow<S>>(
+        &self,
+        which: Range<usize>,
+        variables: &[V],
+        free: usize,
+        (list, before): (&mut [S], usize),
+    ) {
+        for index in which {
+            let (known, results) = list.split_at_mut(before + index);
             let get = |slot: Slot| value(slot, variables, free, known);
             let result = &mut results[0];
-            match &self.instructions[slot] {
+            match &self.instructions[index] {
                 Instruction::Plain(operation) => operation.compute(result, get),
                 Instruction::Sum { start, end, constant } => {
-                    // Factors of one and minus one change no bit, and no branch is faster than one that is guessed wrong.
-                    let [(factor, slot), rest @ ..] = &self.terms[*start..*end] else {
-                        unreachable!("a sum has a term");
-                    };
-                    into(result, get(*slot), factor, |value, factor| value.scale(*factor));
-                    for (factor, slot) in rest {
-                        add(result, *factor, get(*slot));
-                    }
-                    *result = *result + S::constant(*constant);
+                    add_up(result, &self.terms[*start..*end], *constant, get);
                 }
             }
         }

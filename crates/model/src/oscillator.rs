@@ -13,11 +13,20 @@ pub trait ImpactOscillator: Clone + Send + Sync {
     /// Motion between impacts as a function of time; the search for events works on it.
     type Motion: Motion;
 
+    /// The flow is integrated, so that it costs the more the longer it lasts; in closed form it costs the same for any time.
+    const INTEGRATED: bool = false;
+
     /// The primary parameter μ and the secondary parameter η.
     fn parameters(&self) -> [f64; 2];
 
     /// The same oscillator at other parameters (μ, η).
     fn with_parameters(&self, parameters: [f64; 2]) -> Self;
+
+    /// The same with motion to some seven digits where that takes less time, for whoever looks around and solves for what is seen
+    /// afterwards.
+    fn roughly(&self) -> Self {
+        self.clone()
+    }
 
     /// The angular frequency ω(μ, η) of the forcing with its derivatives.
     fn forcing_frequency(&self) -> ParameterJet;

@@ -57,7 +57,7 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
         let mut residual = f64::INFINITY;
         for _ in 0..30 {
             let here = oscillator.with_parameters([primary, eta]);
-            let map = global_map::<O, 2>(&here, AtRest::new(0.0, phase), None)?.jet;
+            let map = global_map::<O, 1>(&here, AtRest::new(0.0, phase), None)?.jet;
             let defect = Vector2::new(map.value[0], map.value[1] - phase);
             residual = defect.norm();
             let jacobian = Self::by_phase_and_primary(&map);

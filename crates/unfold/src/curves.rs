@@ -65,9 +65,6 @@ pub(crate) struct Net<O> {
     grown: usize,
 }
 
-/// In the order in which they are tried.
-const FORMULATIONS: [Formulation; 2] = [Formulation::Vivid, Formulation::FixedPhase];
-
 impl<O: ImpactOscillator> Net<O> {
     pub(crate) fn new(equations: LoopEquations<O>) -> Self {
         Self { equations, curves: Vec::new(), meetings: Vec::new(), grown: 0 }
@@ -134,10 +131,11 @@ impl<O: ImpactOscillator> Net<O> {
                 continue;
             }
             // Curves to which no resonance leads have been followed without virtual points, which need not exist there.
-            let formulations = if n == 0 { &FORMULATIONS[1..] } else { &FORMULATIONS[..] };
-            let followed = formulations.iter().find_map(|formulation| {
-                self.equations.with_formulation(*formulation).branch_off(&event, route).ok()
-            });
+            let everywhere = self.equations.with_formulation(Formulation::FixedPhase);
+            let usual = self.equations.for_curves();
+            let usual = (n != 0 && usual.formulation() != everywhere.formulation()).then_some(usual);
+            let mut formulations = usual.into_iter().chain([everywhere]);
+            let followed = formulations.find_map(|equations| equations.branch_off(&event, route).ok());
             // A curve that bounds no region of stable solutions there is not part of the diagram.
             if let Some(curve) = followed {
                 self.add(DiagramCurve { kind, loops, n, curve });

@@ -79,8 +79,10 @@ pub(crate) fn at<O: ImpactOscillator>(
     let here = [Condition::Primary(primary), Condition::Secondary(secondary)];
     let cell = Vector2::new(fastest, TAU).component_div(&Vector2::from(CELLS.map(|cells| cells as f64)));
     let corner = |i: usize, k: usize| Vector2::new(cell[0] * i as f64, cell[1] * k as f64);
+    // Only their signs are asked for.
+    let rough = oscillator.roughly();
     let misses: Vec<Vec<Vec<Vector2<f64>>>> = (0..=CELLS[0])
-        .map(|i| (0..=CELLS[1]).map(|k| misses(&oscillator, loops, corner(i, k))).collect())
+        .map(|i| (0..=CELLS[1]).map(|k| misses(&rough, loops, corner(i, k))).collect())
         .collect();
     let mut found: Vec<(u32, Unknowns)> = Vec::new();
     for (index, &loops) in loops.iter().enumerate() {

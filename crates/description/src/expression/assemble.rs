@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::graph::Node;
-use super::{Expression, Instruction, Operation, Slot, Tape};
+use super::{Code, Expression, Instruction, Operation, Slot, Tape};
 
 /// What is computed for one node, with the numbers of the nodes it is computed from.
 enum Plan {
@@ -35,24 +35,63 @@ pub(super) fn expression(variables: Vec<String>, moving: usize, nodes: &[Node]) 
     }
     // Nodes of which nothing is computed have no slot.
     let mut slots: Vec<Slot> = vec![Slot::MAX; nodes.len()];
-    let mut tape = Tape { variables, moving, ..Tape::default() };
+    let (mut whole, mut held) = (Code::default(), 0);
     for pass in [false, true] {
         for (index, (node, plan)) in nodes.iter().zip(&plans).enumerate() {
             if let Node::Variable(number) = node {
                 slots[index] = *number;
-            } else if moves[index] == pass && tape.add(plan, &slots) {
-                slots[index] = tape.variables.len() + tape.instructions.len() - 1;
+            } else if moves[index] == pass && whole.add(plan, &slots) {
+                slots[index] = variables.len() + whole.instructions.len() - 1;
             }
         }
         if !pass {
-            tape.held = tape.instructions.len();
+            held = whole.instructions.len();
         }
     }
-    tape.result = *slots.last().expect("an expression has at least one part");
-    Expression(Arc::new(tape))
+    whole.result = *slots.last().expect("an expression has at least one part");
+    Expression(Arc::new(Tape::new(variables, moving, whole, held)))
 }
 
 impl Tape {
+    /// The tape of a code of which so many instructions need no variable that moves.
+    pub(super) fn new(variables: Vec<String>, moving: usize, whole: Code, held: usize) -> Self {
+        let (instructions, results) = (&whole.instructions[held..], variables.len() + held);
+        let mut needed = vec![whole.result];
+        for instruction in instructions {
+            match *instruction {
+                Instruction::Plain(operation) => {
+                    needed.extend(operation.operands().into_iter().flat_map(|(a, b)| [a, b]));
+                }
+                Instruction::Sum { start, end, .. } => {
+                    needed.extend(whole.terms[start..end].iter().map(|(_, slot)| slot));
+                }
+            }
+        }
+        needed.retain(|slot| (moving..results).contains(slot));
+        needed.sort_unstable();
+        needed.dedup();
+        let place = |slot: Slot| match needed.binary_search(&slot) {
+            Ok(place) => moving + place,
+            Err(_) if slot < moving => slot,
+            Err(_) => slot - results + moving + needed.len(),
+        };
+        let mut rest = Code { result: place(whole.result), ..Code::default() };
+        for instruction in instructions {
+            rest.instructions.push(match *instruction {
+                Instruction::Plain(operation) => Instruction::Plain(operation.on(place)),
+                Instruction::Sum { start, end, constant } => {
+                    let first = rest.terms.len();
+                    rest.terms
+                        .extend(whole.terms[start..end].iter().map(|(factor, slot)| (*factor, place(*slot))));
+                    Instruction::Sum { start: first, end: rest.terms.len(), constant }
+                }
+            });
+        }
+        Self { variables, whole, held, moving, needed, rest }
+    }
+}
+
+impl Code {
     /// Adds the instruction of a plan; false if there is none.
     fn add(&mut self, plan: &Plan, slots: &[Slot]) -> bool {
         self.instructions.push(match plan {

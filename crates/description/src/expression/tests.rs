@@ -174,6 +174,7 @@ fn all_ways<S: Scalar>(text: &str, [first, second]: [[S; 3]; 2]) -> Vec<S> {
     let held = (0..=3).filter_map(|moving| {
         let expression = read(text, moving)?;
         let mut function = expression.hold(&first[moving..]);
+        let [first, second] = [&first, &second].map(|values| values.each_ref());
         // What was computed for other values is forgotten.
         function(&second[..moving]);
         Some(function(&first[..moving]))

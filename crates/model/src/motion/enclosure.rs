@@ -79,6 +79,12 @@ pub trait Enclosure {
     /// Bounds for all of it, as far as the motion exists.
     fn bounds(&self) -> Bounds;
 
+    /// The bound of |ẍ| for all of it; those of higher derivatives may cost more.
+    #[inline]
+    fn acceleration(&self) -> f64 {
+        self.bounds().acceleration
+    }
+
     /// Bounds between two times, in this order; infinite outside of the enclosure. Those for all of it will do where they are about as good.
     fn bounds_between(&self, from: f64, to: f64) -> Bounds;
 

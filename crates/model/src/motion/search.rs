@@ -14,7 +14,7 @@ fn cells_above(
 ) -> impl Iterator<Item = Cell> {
     let stride = enclosure.stride();
     // Positions at both ends below this rule the cell out: |x − chord| ≤ h²/8 · max|ẍ|.
-    let relevant = level - stride * stride / 8.0 * enclosure.bounds().acceleration;
+    let relevant = level - stride * stride / 8.0 * enclosure.acceleration();
     let whole_cells = enclosure.strides();
     let mut walk = enclosure.walk();
     let (mut index, mut position) = (0, walk.position());
@@ -83,10 +83,11 @@ pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
 
 /// The highest local maximum of x(t) for t in (0, horizon), or `None` if there is no local maximum.
 pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
+    let enclosure = motion.enclose(horizon);
     let mut candidates: Vec<Cell> = Vec::with_capacity(16);
     // Where the velocity changes from + to − there is a maximum, at least as high as the cell's ends.
-    let mut threshold = f64::NEG_INFINITY;
-    for cell in cells_above(motion, &motion.enclose(horizon), horizon, f64::NEG_INFINITY) {
+    let mut threshold = highest_seen(&enclosure);
+    for cell in cells_above(motion, &enclosure, horizon, threshold) {
         match cell.course() {
             Course::Monotone | Course::Curved { falling: false } => continue,
             Course::Curved { falling: true } | Course::Open => {}
@@ -104,6 +105,21 @@ pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
             }
             maximum.position
         });
+    }
+    highest
+}
+
+/// The highest position after a stride that none before and after it exceeds: there is a local maximum between these two, at least as high.
+fn highest_seen(enclosure: &impl Enclosure) -> f64 {
+    let mut walk = enclosure.walk();
+    let (mut highest, mut before, mut here) = (f64::NEG_INFINITY, f64::INFINITY, walk.position());
+    for _ in 0..enclosure.strides() {
+        walk.advance();
+        let after = walk.position();
+        if before <= here && here >= after && here > highest {
+            highest = here;
+        }
+        (before, here) = (here, after);
     }
     highest
 }

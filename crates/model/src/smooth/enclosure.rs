@@ -51,34 +51,84 @@ const TRIALS: usize = 8;
 /// An interval of time is halved this often at most: what cannot be enclosed for so short a time escapes.
 const HALVINGS: u32 = 12;
 
-/// Bounds of the derivatives between two nodes; `None` if nothing can be proved.
+/// What is known of the motion between two nodes.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Cage {
+    /// A box of positions, velocities and accelerations that the motion does not leave in an interval of time.
+    Box([Interval; 3], Interval),
+    /// Bounds of the derivatives.
+    Bounds(Bounds),
+}
+
+impl Cage {
+    /// A bound of |ẍ|.
+    pub(super) fn acceleration(&self) -> f64 {
+        match self {
+            Self::Box([.., acceleration], _) => acceleration.modulus(),
+            Self::Bounds(bounds) => bounds.acceleration,
+        }
+    }
+
+    /// The bounds of all derivatives, which are made when they are first asked for: most boxes lie too far from where events are for these to matter.
+    pub(super) fn bounds<M: SmoothOscillator>(
+        &mut self,
+        oscillator: &Integrated<M>,
+        [node, next]: [&Node; 2],
+    ) -> Bounds {
+        let bounds = match *self {
+            Self::Bounds(bounds) => return bounds,
+            Self::Box(cage, time) => sharp(oscillator, cage, time)
+                .or_else(|| halved(oscillator, node, next, HALVINGS))
+                .unwrap_or(Bounds { acceleration: self.acceleration(), ..Bounds::UNKNOWN }),
+        };
+        *self = Self::Bounds(bounds);
+        bounds
+    }
+}
+
+/// A cage of the motion between two nodes; `None` if nothing can be proved.
 pub(super) fn enclose<M: SmoothOscillator>(
     oscillator: &Integrated<M>,
     node: &Node,
     next: &Node,
-) -> Option<Bounds> {
-    halved(oscillator, node, next, HALVINGS)
+) -> Option<Cage> {
+    boxed(oscillator, node, next).or_else(|| halved(oscillator, node, next, HALVINGS).map(Cage::Bounds))
 }
 
+/// Bounds from boxes around parts of the way between two nodes.
 fn halved<M: SmoothOscillator>(
     oscillator: &Integrated<M>,
     node: &Node,
     next: &Node,
     halvings: u32,
 ) -> Option<Bounds> {
-    if let Some(bounds) = boxed(oscillator, node, next) {
-        return Some(bounds);
-    }
     let halvings = halvings.checked_sub(1)?;
     let time = 0.5 * (node.time + next.time);
     let middle = oscillator.next_node(&Node { last: None, ..*node }, time - node.time)?;
-    let [a, b] = [[node, &middle], [&middle, next]].map(|[a, b]| halved(oscillator, a, b, halvings));
+    let [a, b] = [[node, &middle], [&middle, next]].map(|[a, b]| {
+        let bounds = match boxed(oscillator, a, b) {
+            Some(Cage::Box(cage, time)) => sharp(oscillator, cage, time),
+            _ => None,
+        };
+        bounds.or_else(|| halved(oscillator, a, b, halvings))
+    });
     Some(a?.joined(&b?))
 }
 
-/// Bounds from a box that the solution cannot leave (Picard's criterion): with F taken over the box, velocity and position
+/// The bounds of all derivatives in a box; `None` if they are not finite.
+fn sharp<M: SmoothOscillator>(
+    oscillator: &Integrated<M>,
+    cage: [Interval; 3],
+    time: Interval,
+) -> Option<Bounds> {
+    let [jerk, snap] = ranges(oscillator, cage, time).map(|range| range.modulus());
+    let bounds = Bounds { acceleration: cage[2].modulus(), jerk, snap };
+    (bounds.acceleration + jerk + snap).is_finite().then_some(bounds)
+}
+
+/// A box that the solution cannot leave (Picard's criterion): with F taken over the box, velocity and position
 /// stay inside it.
-fn boxed<M: SmoothOscillator>(oscillator: &Integrated<M>, node: &Node, next: &Node) -> Option<Bounds> {
+fn boxed<M: SmoothOscillator>(oscillator: &Integrated<M>, node: &Node, next: &Node) -> Option<Cage> {
     let [mu, eta] = oscillator.parameters.map(Interval::constant);
     let time = Interval::new(node.time, next.time);
     let duration = Interval::new(0.0, next.time - node.time);
@@ -94,9 +144,7 @@ fn boxed<M: SmoothOscillator>(oscillator: &Integrated<M>, node: &Node, next: &No
         let reached = [start[0] + duration * y, start[1] + duration * acceleration];
         if guess[0].holds(&reached[0]) && guess[1].holds(&reached[1]) {
             let [x, y] = reached;
-            let [jerk, snap] = ranges(oscillator, [x, y, acceleration], time).map(|range| range.modulus());
-            let bounds = Bounds { acceleration: acceleration.modulus(), jerk, snap };
-            return (bounds.acceleration + jerk + snap).is_finite().then_some(bounds);
+            return acceleration.modulus().is_finite().then_some(Cage::Box([x, y, acceleration], time));
         }
         // Only what is too small grows: the one that is large enough would drive the other on.
         for (guess, reached) in guess.iter_mut().zip(&reached) {

@@ -29,12 +29,18 @@ impl<M: SmoothOscillator> Integrated<M> {
 impl<M: SmoothOscillator> ImpactOscillator for Integrated<M> {
     type Motion = IntegratedMotion<M>;
 
+    const INTEGRATED: bool = true;
+
     fn parameters(&self) -> [f64; 2] {
         self.parameters
     }
 
     fn with_parameters(&self, parameters: [f64; 2]) -> Self {
-        Self::new(self.model.clone(), parameters)
+        Self { rough: self.rough, ..Self::new(self.model.clone(), parameters) }
+    }
+
+    fn roughly(&self) -> Self {
+        Self { rough: true, ..self.clone() }
     }
 
     fn forcing_frequency(&self) -> ParameterJet {

@@ -67,6 +67,11 @@ const NEAR: f64 = 1e-3;
 /// A correction is the last if it is this small, or if the next one would be below rounding.
 const CONVERGED: f64 = 1e-12;
 const ROUNDING: f64 = 1e-15;
+/// Rough motion is allowed coefficients so many times as large, and a swing: with order 12 its errors are some 10⁵ times as large, about
+/// 10⁻⁸, and so much more is left in the stages.
+const ROUGHER: f64 = 100.0;
+const WIDER: f64 = 2.0;
+const LOOSER: f64 = 1e5;
 
 /// The factors of the matrix I − h² A² F_x − h A F_y of Newton's method, without pivots: it is close to the identity where
 /// the step is not too long, and where it is not the iteration fails and the step is shortened.
@@ -118,8 +123,8 @@ impl Factors {
 /// The coefficients of degrees five and four of a function in Legendre polynomials on a step, taken together, and those of degrees three
 /// and two.
 fn highest(values: &Stages) -> [f64; 2] {
-    let [a, b, c, d] = LEGENDRE.map(|weights| values.weighted(&weights).abs());
-    [a + 0.1 * b, c + 0.1 * d]
+    let size = |k: usize| values.weighted(&LEGENDRE[k]).abs();
+    [size(0) + 0.1 * size(1), size(2) + 0.1 * size(3)]
 }
 
 /// The coefficient of degree twelve, if coefficients go on falling as they do here.
@@ -132,10 +137,9 @@ fn tail([high, low]: [f64; 2]) -> f64 {
 /// What F_x and F_y say about a step.
 #[derive(Clone, Copy, Debug)]
 struct Slopes {
-    /// The highest coefficients of h² F_x and h F_y.
-    highest: f64,
-    /// Their coefficients of degree twelve, as far as can be told.
-    tail: f64,
+    /// F_x and F_y at the stages.
+    both: [Stages; 2],
+    length: f64,
     /// By how much h² F_x and h F_y differ between stages.
     spread: f64,
     /// The fastest rate at which neighbouring motion turns or decays.
@@ -143,18 +147,27 @@ struct Slopes {
 }
 
 impl Slopes {
-    /// From F_x and F_y at the stages.
-    fn new([by_position, by_velocity]: [Stages; 2], length: f64) -> Self {
-        let together = |[x, y]: [f64; 2]| x * length * length + y * length.abs();
-        let both = [by_position, by_velocity];
-        let coefficients = both.map(|values| highest(&values));
+    fn new(both: [Stages; 2], length: f64) -> Self {
+        let spread = |values: Stages| (values - Stages::constant(values.0[0])).modulus();
+        let [by_position, by_velocity] = both;
         Self {
-            highest: together(coefficients.map(|[high, _]| high)),
-            tail: together(coefficients.map(tail)),
-            spread: together(both.map(|values| (values - Stages::constant(values.0[0])).modulus())),
+            both,
+            length,
+            spread: together([spread(by_position), spread(by_velocity)], length),
             rate: fastest_rate(by_position.modulus(), by_velocity.modulus()),
         }
     }
+
+    /// The highest coefficients of h² F_x and h F_y, and those of degree twelve, as far as can be told.
+    fn coefficients(&self) -> [f64; 2] {
+        let [x, y] = [highest(&self.both[0]), highest(&self.both[1])];
+        [together([x[0], y[0]], self.length), together([tail(x), tail(y)], self.length)]
+    }
+}
+
+/// The size of h² times something of F_x and h times the same of F_y.
+fn together([by_position, by_velocity]: [f64; 2], length: f64) -> f64 {
+    by_position * length * length + by_velocity * length.abs()
 }
 
 /// No zero of r² − F_y r − F_x is larger than this, for such moduli of F_x and F_y.
@@ -187,12 +200,11 @@ impl Step {
     /// The accelerations at the stages of another step, which begins at a fraction of this one, by interpolation.
     fn guess(&self, begin: f64, length: f64) -> Stages {
         let at = Lanes(NODES).scale(length / self.length) + Stages::constant(begin);
-        let gaps = NODES.map(|node| at - Stages::constant(node));
         let mut guess = Stages::constant(0.0);
         for (j, (factor, value)) in LAGRANGE.into_iter().zip(self.accelerations.0).enumerate() {
             let mut term = Stages::constant(factor * value);
             for k in (0..STAGES).filter(|&k| k != j) {
-                term = term * gaps[k];
+                term = term * (at - Stages::constant(NODES[k]));
             }
             guess = guess + term;
         }
@@ -234,6 +246,7 @@ impl<M: SmoothOscillator> Integrated<M> {
         let h = step.length;
         let [mu, eta] = self.parameters.map(Stages::constant);
         let mut force = self.model.force_at(step.times(time), mu, eta);
+        let looser = if self.rough { LOOSER } else { 1.0 };
         let mut kept = None;
         let mut before = 1.0;
         for _ in 0..ITERATIONS {
@@ -254,7 +267,7 @@ impl<M: SmoothOscillator> Integrated<M> {
             // The next one would be smaller than this one by the factor by which this one is smaller than the last, or by more; and by
             // what the slopes have changed since, less than over the whole step. So one is enough where F is linear.
             let next = size * if size <= NEAR { slopes.spread.min(size / before) } else { size / before };
-            if size <= CONVERGED || next <= ROUNDING {
+            if size <= CONVERGED * looser || next <= ROUNDING * looser {
                 return Some((step, slopes));
             }
             before = size;
@@ -290,12 +303,13 @@ impl<M: SmoothOscillator> Integrated<M> {
         if node.proposal.abs() < VANISHING * shortest {
             return None;
         }
+        let [rougher, wider] = if self.rough { [ROUGHER, WIDER] } else { [1.0; 2] };
         loop {
             let accelerations = match &node.last {
                 Some(last) => last.guess(1.0, trial),
                 None => {
                     let (acceleration, rate) = self.start(node);
-                    let longest = SWING / rate;
+                    let longest = wider * SWING / rate;
                     trial = if trial.abs() < longest { trial } else { longest.copysign(trial) };
                     Stages::constant(acceleration)
                 }
@@ -312,11 +326,12 @@ impl<M: SmoothOscillator> Integrated<M> {
             };
             let scale = step.scale(node.state, self.frequency);
             // What is of order 12 in the step, as if it were of order 5.
-            let tail = (slopes.tail / TAIL).sqrt().sqrt();
+            let [high, tail] = slopes.coefficients();
+            let tail = (tail / TAIL).sqrt().sqrt();
             let tail = tail * tail.sqrt() * tail.sqrt().sqrt();
             let [highest, _] = highest(&step.accelerations);
-            let roughness = ((relative(highest, scale) + slopes.highest) / TOLERANCE).max(tail);
-            let swing = slopes.rate * trial.abs() / SWING;
+            let roughness = ((relative(highest, scale) + high) / TOLERANCE).max(tail) / rougher;
+            let swing = slopes.rate * trial.abs() / (wider * SWING);
             // The highest coefficient is of order 5 in the step; 3/16 is a little less than 1/5, and takes roots alone.
             let eighth = roughness.sqrt().sqrt().sqrt();
             let factor = (SAFETY / (eighth * eighth.sqrt())).clamp(SHRINK, GROW).min(1.0 / swing).max(PLUNGE);

@@ -2,7 +2,7 @@
 
 use core::cell::RefCell;
 
-use super::enclosure::{derivatives, enclose};
+use super::enclosure::{Cage, derivatives, enclose};
 use super::integrator::{Node, Step};
 use super::oscillator::{Integrated, SmoothOscillator};
 use crate::motion::{Bounds, Enclosure, Kinematics, Motion, Walk};
@@ -13,8 +13,8 @@ use crate::tolerances::MOST_STEPS;
 #[derive(Debug)]
 struct Course {
     nodes: Vec<Node>,
-    /// Bounds of the derivatives between a node and the next.
-    bounds: Vec<Bounds>,
+    /// What is known of the motion between a node and the next.
+    cages: Vec<Cage>,
     /// The solution cannot be continued beyond the last node.
     ended: bool,
 }
@@ -25,12 +25,16 @@ impl Course {
         self.nodes.partition_point(|node| (node.time - start).abs() <= time)
     }
 
-    /// Bounds between two times, likewise, as far as they have been made.
-    fn bounds_between(&self, start: f64, [begin, end]: [f64; 2]) -> Bounds {
+    /// The cages between two times, likewise, as far as they have been made, with the nodes at their ends.
+    fn cages_between(
+        &mut self,
+        start: f64,
+        [begin, end]: [f64; 2],
+    ) -> impl Iterator<Item = (&mut Cage, [&Node; 2])> {
         let first = self.nodes_until(start, begin).saturating_sub(1);
-        let made = self.nodes.iter().zip(&self.bounds).skip(first);
-        made.take_while(|(node, _)| (node.time - start).abs() < end)
-            .fold(Bounds::NO_TIME, |all, (_, here)| all.joined(here))
+        let nodes = self.nodes.windows(2).map(|nodes| [&nodes[0], &nodes[1]]);
+        let made = self.cages.iter_mut().zip(nodes).skip(first);
+        made.take_while(move |(_, [node, _])| (node.time - start).abs() < end)
     }
 }
 
@@ -51,7 +55,7 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         let start = from.phase / oscillator.frequency;
         let course = |sign: f64| {
             let first = oscillator.first_node(from, sign);
-            RefCell::new(Course { nodes: vec![first], bounds: Vec::new(), ended: false })
+            RefCell::new(Course { nodes: vec![first], cages: Vec::new(), ended: false })
         };
         Self { oscillator: oscillator.clone(), start, courses: [course(1.0), course(-1.0)] }
     }
@@ -74,14 +78,14 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         }
     }
 
-    /// Makes nodes until the time is passed, and bounds between them.
+    /// Makes nodes until the time is passed, and cages between them.
     ///
-    /// Where no bounds can be proved the solution is about to escape, and counts as ended.
-    fn make_bounds(&self, course: &mut Course, time: f64) {
+    /// Where none can be proved the solution is about to escape, and counts as ended.
+    fn make_cages(&self, course: &mut Course, time: f64) {
         self.extend(course, time);
-        for k in course.bounds.len()..course.nodes.len() - 1 {
+        for k in course.cages.len()..course.nodes.len() - 1 {
             match enclose(&self.oscillator, &course.nodes[k], &course.nodes[k + 1]) {
-                Some(bounds) => course.bounds.push(bounds),
+                Some(cage) => course.cages.push(cage),
                 None => {
                     course.nodes.truncate(k + 1);
                     course.ended = true;
@@ -137,7 +141,7 @@ impl<M: SmoothOscillator> Motion for IntegratedMotion<M> {
     fn enclose(&self, horizon: f64) -> impl Enclosure {
         let course = self.course(horizon);
         if horizon != 0.0 {
-            self.make_bounds(&mut course.borrow_mut(), horizon);
+            self.make_cages(&mut course.borrow_mut(), horizon);
         }
         Boxes { motion: self, course, horizon: horizon.abs() }
     }
@@ -168,9 +172,26 @@ struct Boxes<'a, M> {
     horizon: f64,
 }
 
+impl<M: SmoothOscillator> Boxes<'_, M> {
+    /// Bounds between two times, counted away from the start.
+    fn joined_bounds(&self, times: [f64; 2]) -> Bounds {
+        let mut course = self.course.borrow_mut();
+        let cages = course.cages_between(self.motion.start, times);
+        cages.fold(Bounds::NO_TIME, |all, (cage, nodes)| {
+            all.joined(&cage.bounds(&self.motion.oscillator, nodes))
+        })
+    }
+}
+
 impl<M: SmoothOscillator> Enclosure for Boxes<'_, M> {
     fn bounds(&self) -> Bounds {
-        self.course.borrow().bounds_between(self.motion.start, [0.0, self.horizon])
+        self.joined_bounds([0.0, self.horizon])
+    }
+
+    fn acceleration(&self) -> f64 {
+        let mut course = self.course.borrow_mut();
+        let cages = course.cages_between(self.motion.start, [0.0, self.horizon]);
+        cages.fold(0.0, |largest, (cage, _)| cage.acceleration().max(largest))
     }
 
     fn bounds_between(&self, from: f64, to: f64) -> Bounds {
@@ -178,12 +199,12 @@ impl<M: SmoothOscillator> Enclosure for Boxes<'_, M> {
         if !reached || !core::ptr::eq(self.course, self.motion.course(to)) {
             return Bounds::UNKNOWN;
         }
-        self.course.borrow().bounds_between(self.motion.start, [from.abs(), to.abs()])
+        self.joined_bounds([from.abs(), to.abs()])
     }
 
     fn stride(&self) -> f64 {
         let course = self.course.borrow();
-        let boxed = &course.nodes[..=course.bounds.len()];
+        let boxed = &course.nodes[..=course.cages.len()];
         boxed.windows(2).fold(0.0, |longest, ends| (ends[1].time - ends[0].time).abs().max(longest))
     }
 

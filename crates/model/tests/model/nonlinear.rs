@@ -123,3 +123,23 @@ fn maxima_are_where_samples_show_them() {
     let sampled = (0..6000).filter(|&k| falls(0.01 * f64::from(k))).count();
     assert_eq!(maxima.len(), sampled);
 }
+
+/// Rough motion is made of half as many steps, and right to seven digits, with its first derivatives.
+#[test]
+fn rough_motion_is_rough_and_right_to_seven_digits() {
+    let oscillator = Integrated::new(Duffing, [0.6, 0.8]);
+    let rough = oscillator.roughly().with_parameters([0.6, 0.8]);
+    for velocity in [-0.2, -1.0, -2.0] {
+        let from = State::on_wall(velocity, 0.3);
+        let time = 2.0 * oscillator.forcing_period();
+        let [exact, near] = [&oscillator, &rough].map(|oscillator| oscillator.flow::<1>(from, time));
+        let error = (exact.jacobian - near.jacobian).amax() / exact.jacobian.amax();
+        let error = error.max((exact.value - near.value).amax());
+        assert!(error > 0.0 && error < 1e-7, "{error}");
+        let [many, few] = [&oscillator, &rough].map(|oscillator| {
+            let motion = oscillator.motion(from);
+            motion.enclose(time).strides()
+        });
+        assert!(3 * few < 2 * many, "{few} of {many}");
+    }
+}

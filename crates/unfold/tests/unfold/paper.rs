@@ -94,8 +94,9 @@ fn held(before: &Unknowns, here: &Unknowns, after: &Unknowns) -> [Condition; 3] 
 
 /// Every point of a curve with y > 0 lies on the curve of the closed form; their number.
 ///
-/// Curves to which no resonance leads are followed without virtual points all the way.
-fn assert_on_closed_form(curve: &Curve, loops: u32, from_resonance: bool) -> usize {
+/// Integrated motion is followed without virtual points all the way.
+fn assert_on_closed_form(curve: &Curve, loops: u32) -> usize {
+    let equations = LoopEquations::new(closed_form(), loops, Formulation::FixedPhase);
     let unknowns: Vec<_> = curve.points.iter().map(|point| point.solution.unknowns).collect();
     let mut compared = 0;
     for (index, point) in curve.points.iter().enumerate() {
@@ -106,9 +107,6 @@ fn assert_on_closed_form(curve: &Curve, loops: u32, from_resonance: bool) -> usi
         }
         let after = &unknowns[(index + 1).min(unknowns.len() - 1)];
         let [most, ..] = held(&unknowns[index.max(1) - 1], &here, after);
-        let vivid = from_resonance && curve.vivid_ended.is_none_or(|end| index < end);
-        let formulation = if vivid { Formulation::Vivid } else { Formulation::FixedPhase };
-        let equations = LoopEquations::new(closed_form(), loops, formulation);
         let mut times = point.times.clone();
         let found = locate(&equations, [curve.condition, most], here, &mut times)
             .unwrap_or_else(|failure| panic!("{:?} at {here:?}: {failure}", curve.condition));
@@ -166,11 +164,8 @@ fn curves_of_figure_7_lie_on_those_of_the_closed_form() {
         diagram.iter().map(|curve| (curve.kind, curve.loops, curve.n)).collect()
     };
     assert_eq!(kind(&integrated.curves), kind(&closed.curves));
-    let compared: usize = integrated
-        .curves
-        .par_iter()
-        .map(|curve| assert_on_closed_form(&curve.curve, curve.loops, curve.n > 0))
-        .sum();
+    let compared: usize =
+        integrated.curves.par_iter().map(|curve| assert_on_closed_form(&curve.curve, curve.loops)).sum();
     let points: usize = integrated.curves.iter().map(|curve| curve.curve.points.len()).sum();
     // Two ends a curve at most have y = 0.
     assert!(compared + 2 * integrated.curves.len() >= points);
@@ -339,7 +334,7 @@ fn branches_and_bifurcations_of_figure_2_are_those_of_the_closed_form() {
     let mut bifurcations = vec![("graz".to_owned(), 0, grazing.amplitude(), 0.0)];
     for (loops, curve) in &branches {
         // All but the start.
-        assert_eq!(assert_on_closed_form(curve, *loops, true), curve.points.len() - 1);
+        assert_eq!(assert_on_closed_form(curve, *loops), curve.points.len() - 1);
         let equations = LoopEquations::new(closed_form(), *loops, Formulation::Vivid);
         let written = LoopEquations::new(integrated.clone(), *loops, Formulation::Vivid);
         for point in &curve.points {
