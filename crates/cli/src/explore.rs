@@ -5,7 +5,6 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use grazing_description::Description;
 use grazing_drawing::SheetWidth;
 use grazing_explore::{Example, Export, Limits, Model, Server, Sheet, View};
 use grazing_reproduction::Study;
@@ -104,9 +103,9 @@ fn taken_home(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop
         &[format.map_or(Format::Svg, |(format, _)| format)],
         arguments::Size { columns, ..Edition::default().size },
     );
-    let files = match &model.text {
+    let files = match model.text {
         None => of_the_paper(model, view, &edition)?,
-        Some(text) => of_a_text(model, text, view, &edition, stop)?,
+        Some(_) => of_a_text(model, view, &edition, stop)?,
     };
     let wanted = |file: &MadeFile| match (format, what.strip_prefix("csv:")) {
         (Some((format, _)), _) => file.path.extension().is_some_and(|found| found == format.name()),
@@ -121,23 +120,12 @@ fn taken_home(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop
 }
 
 /// The two-parameter diagram of a text and its tables.
-fn of_a_text(
-    model: &Model,
-    text: &str,
-    view: &View,
-    edition: &Edition,
-    stop: &Stop,
-) -> Result<Vec<MadeFile>, Failure> {
-    let settings = model.settings(Some(view)).map_err(|error| Failure::input(error.to_string()))?;
-    let text = text.split("[[diagrams]]").next().unwrap_or_default();
-    let mut description = Description::parse_with(&Text::new(text, &settings), "oscillator.toml")?;
-    if let Some(loops) = &model.loops {
-        description =
-            description.with_loops(loops).map_err(|reason| Failure::input(format!("loops {reason}")))?;
-    }
+fn of_a_text(model: &Model, view: &View, edition: &Edition, stop: &Stop) -> Result<Vec<MadeFile>, Failure> {
+    let description = model.in_view(view).map_err(Failure::input)?;
     let unfolded = Unfolded::described(&description, stop, stop, &|_| ())
         .map_err(|error| computation("unfold", &error))?;
-    let of = OscillatorFile { file: "oscillator.toml".into(), text: text.to_owned(), description };
+    let text = model.text.clone().unwrap_or_default();
+    let of = OscillatorFile { file: "oscillator.toml".into(), text, description };
     let material = Material::new(&of, &unfolded, edition.size.columns)?;
     let mut files = Vec::new();
     let figure = &material.figures[0];

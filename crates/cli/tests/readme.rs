@@ -31,6 +31,7 @@ fn the_readme_shows_all_commands() {
         "cargo xtask report",
         "cargo xtask unfold",
         "cargo xtask new",
+        "cargo xtask explore",
     ] {
         assert!(
             commands.iter().any(|command| command.starts_with(wanted)),

@@ -119,7 +119,7 @@ const KEYS: &[(&str, &str)] = &[
 ];
 
 const NAME: &str = "a name is made of the letters a to z and A to Z, digits and _, and does not begin with a digit, as \"omega\"";
-const UNIT: &str = "the name of a unit must be up to 20 letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, as \"rad/s\"; it may be left out \
+const UNIT: &str = "the name of a unit must be up to 20 Latin or Greek letters, digits, blanks or / ^ * - . ( ) %, in quotation marks, as \"rad/s\"; it may be left out \
                     and changes no number";
 const RANGE: &str = "the range must be [lower, upper] with finite numbers lower < upper";
 

@@ -252,7 +252,11 @@ fn range(section: &Section<'_>) -> Result<[f64; 2], SourceError> {
 /// The name of a unit, if there is one.
 fn unit(section: &Section<'_>, name: &str) -> Result<Option<String>, SourceError> {
     let Some(unit) = section.optional::<String>(name)? else { return Ok(None) };
-    let shown = |character: char| character.is_alphanumeric() || " /^*-.()°µ%·²³⁻¹".contains(character);
+    // Those that the fonts of the figures have.
+    let greek = |character: char| ('α'..='ω').contains(&character) || ('Α'..='Ω').contains(&character);
+    let shown = |character: char| {
+        character.is_ascii_alphanumeric() || greek(character) || " /^*-.()°µ%·²³⁻¹".contains(character)
+    };
     let right = !unit.trim().is_empty() && unit.chars().count() <= LONGEST_UNIT && unit.chars().all(shown);
     if right { Ok(Some(unit.trim().to_owned())) } else { Err(section.refusal(name)) }
 }

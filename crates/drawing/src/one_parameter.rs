@@ -72,8 +72,8 @@ pub(crate) fn compose(
         false => (primary, secondary, &names.primary),
     };
     let [title, unit] = match figure.primary_is_fixed {
-        true => [titles[1].as_str(), units[0].unwrap_or_default()],
-        false => [titles[0].as_str(), units[1].unwrap_or_default()],
+        true => [titles[1].as_str(), units[0].as_deref().unwrap_or_default()],
+        false => [titles[0].as_str(), units[1].as_deref().unwrap_or_default()],
     };
     let own = Names::new(column, "x");
     let x = if figure.from_the_wall { "$x$ from the wall" } else { "$x$" };

@@ -39,7 +39,7 @@ pub(crate) fn compute(asked: &Asked, stop: &Stop) -> Result<Value, Problem> {
         Fixed::Secondary => View { primary: *range, secondary: held },
     };
     // Only the oscillator of a text has its parameters exchanged.
-    let description = model.as_text(&view)?;
+    let description = model.in_view(&view).map_err(Problem::wrong)?;
     let description = match fixed {
         Fixed::Primary => description.exchanged(),
         Fixed::Secondary => description,

@@ -71,10 +71,7 @@ pub(crate) enum Checked {
 
 impl Model {
     /// What is set over the text of its file, for a view of the plane or for the file's own.
-    ///
-    /// # Errors
-    /// A name or a value cannot stand in a file.
-    pub fn settings(&self, view: Option<&View>) -> Result<Vec<Setting>, SettingError> {
+    fn settings(&self, view: Option<&View>) -> Result<Vec<Setting>, SettingError> {
         let constants = self.set.iter().map(|(name, value)| format!("parameters.{name}={value:?}"));
         let ranges = view.into_iter().flat_map(|View { primary, secondary }| {
             [format!("primary.range={primary:?}"), format!("secondary.range={secondary:?}")]
@@ -128,9 +125,12 @@ impl Model {
         }
     }
 
-    /// The same as a text, also of the paper's oscillator.
-    pub(crate) fn as_text(&self, view: &View) -> Result<Description, Wrong> {
-        self.description(Some(view))
+    /// The oscillator in the ranges of a view, that of the paper as a text, too.
+    ///
+    /// # Errors
+    /// What is wrong with it, in words.
+    pub fn in_view(&self, view: &View) -> Result<Description, String> {
+        self.description(Some(view)).map_err(|wrong| wrong.message)
     }
 
     /// What there is to know of the oscillator before anything is computed.

@@ -83,10 +83,29 @@ pub struct UnitNames {
     pub secondary: Option<String>,
 }
 
-/// A unit with its powers raised: m/s^2 is m/s².
+/// A unit in markup of labels, its powers raised: `m/s^2` and `m/s²` are `m/s$^{2}$`.
 fn raised(unit: &str) -> String {
-    let powers = [("^-1", "⁻¹"), ("^-2", "⁻²"), ("^-3", "⁻³"), ("^2", "²"), ("^3", "³")];
-    powers.into_iter().fold(unit.to_owned(), |unit, (power, raised)| unit.replace(power, raised))
+    const RAISED: [(char, char); 4] = [('¹', '1'), ('²', '2'), ('³', '3'), ('⁻', '-')];
+    let mut text = String::new();
+    let mut characters = unit.chars().peekable();
+    while let Some(character) = characters.next() {
+        let power = |next: &char| RAISED.iter().find(|(raised, _)| raised == next).map(|(_, plain)| *plain);
+        let mut exponent: String = power(&character).into_iter().collect();
+        if character == '^' {
+            while let Some(next) = characters.next_if(|next| next.is_ascii_digit() || *next == '-') {
+                exponent.push(next);
+            }
+        } else if !exponent.is_empty() {
+            while let Some(next) = characters.next_if(|next| power(next).is_some()) {
+                exponent.extend(power(&next));
+            }
+        }
+        match exponent.as_str() {
+            "" => text.push(character),
+            exponent => text.push_str(&format!("$^{{{exponent}}}$")),
+        }
+    }
+    text
 }
 
 impl Names {
@@ -145,7 +164,7 @@ impl Names {
         let [primary, secondary] = self.shown();
         let [of_primary, of_secondary] = self.parameter_units();
         [(primary, of_primary), (secondary, of_secondary)]
-            .map(|(name, unit)| unit.map_or(name.clone(), |unit| format!("{name} ({})", raised(unit))))
+            .map(|(name, unit)| unit.map_or(name.clone(), |unit| format!("{name} ({unit})")))
     }
 
     /// Whether the name of any unit is known.
@@ -153,9 +172,9 @@ impl Names {
         self.units != UnitNames::default()
     }
 
-    /// The names of their units, as far as they are known.
-    pub fn parameter_units(&self) -> [Option<&str>; 2] {
-        [self.units.primary.as_deref(), self.units.secondary.as_deref()]
+    /// The names of their units in markup of labels, as far as they are known.
+    pub fn parameter_units(&self) -> [Option<String>; 2] {
+        [&self.units.primary, &self.units.secondary].map(|unit| unit.as_deref().map(raised))
     }
 
     /// A unit as columns declare it with the names of units in it, as far as they are known: those of the parameters are the parameters'
@@ -327,8 +346,15 @@ mod tests {
         let wanted = ["mm/s^2", "N/(rad/s)^2", "rad/s", "rad s/mm", "1"];
         assert_eq!(shown.map(|declared| named.unit(declared)), wanted);
         assert_eq!(named.titles(), ["$F_{0}$ (N)", r"$\omega$ (rad/s)"]);
-        let accelerations = UnitNames { primary: some("m/s^2"), ..UnitNames::default() };
-        assert_eq!(Names::new("a", "f").with_units(accelerations).titles()[0], "$a$ (m/s²)");
+        for (unit, title) in [
+            ("m/s^2", "$a$ (m/s$^{2}$)"),
+            ("m s⁻²", "$a$ (m s$^{-2}$)"),
+            ("m s^-2 kg^10", "$a$ (m s$^{-2}$ kg$^{10}$)"),
+            ("a^b", "$a$ (a^b)"),
+        ] {
+            let units = UnitNames { primary: some(unit), ..UnitNames::default() };
+            assert_eq!(Names::new("a", "f").with_units(units).titles()[0], title);
+        }
     }
 
     #[test]
