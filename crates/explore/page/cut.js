@@ -1,0 +1,180 @@
+// The cut: what happens along a line through the place, as a one-parameter diagram under the plane. Both are linked:
+// the line is shown in the plane, and pointing here moves the place.
+import { $, rested } from "./dom.js";
+import { clipped, drawAxes, prepare, trace, write } from "./axes.js";
+import { ask, Latest } from "./api.js";
+import { description, modelOf, viewOf } from "./model.js";
+import { margins, titleOf } from "./plane.js";
+import { branchInk, inks, onTheme } from "./palette.js";
+import * as state from "./state.js";
+
+const latest = new Latest({ pause: 100, patience: 600, failed: (error) => say(error.message) });
+let answer = null;
+let asked = "";
+let frame = null;
+let pointer = null;
+
+const say = (words) => {
+  $("cut-message").textContent = words;
+  $("cut-message").hidden = words === "";
+};
+
+/** The axis along the cut: its name and its place in a pair. */
+const along = (value) => (value.cut === "secondary" ? ["primary", 0] : ["secondary", 1]);
+
+function bodyOf(value) {
+  const [axis, at] = along(value);
+  return { model: modelOf(value), fixed: value.cut, at: value.place[1 - at], range: viewOf(value)[axis] };
+}
+
+const request = rested(200, () => {
+  const value = state.get();
+  if (!value.cut || !value.place) return;
+  const body = bodyOf(value);
+  const key = JSON.stringify(body);
+  if (key === asked) return;
+  $("cut").setAttribute("aria-busy", "true");
+  latest.now(async (signal) => {
+    const told = await ask("cut", body, signal);
+    [answer, asked] = [{ ...told, fixed: body.fixed }, key];
+    say("");
+    $("cut").removeAttribute("aria-busy");
+    draw();
+  });
+});
+
+export function follow(value) {
+  const on = value.cut !== null && value.place !== null;
+  $("cut-panel").hidden = !on;
+  for (const name of ["primary", "secondary"]) {
+    document.querySelector(`[data-command="${name === "secondary" ? "horizontal" : "vertical"}"]`).setAttribute("aria-pressed", value.cut === name);
+  }
+  if (!on) {
+    latest.stop();
+    request.cancel();
+    return;
+  }
+  request();
+  draw();
+}
+
+function draw() {
+  const value = state.get();
+  if (!value.cut || !value.place || $("cut-panel").hidden) return;
+  const made = prepare($("cut"));
+  if (!made) return;
+  const { context, width, height } = made;
+  const { left, right, top, bottom } = margins(width);
+  frame = { x: left, y: top, w: width - left - right, h: height - top - bottom };
+  const ink = inks();
+  const [axis, at] = along(value);
+  const range = viewOf(value)[axis];
+  const own = answer?.fixed === value.cut ? answer : null;
+  const up = own?.frame.y ?? [-1, 1];
+  const to = ([p, x]) => [frame.x + ((p - range[0]) / (range[1] - range[0])) * frame.w, frame.y + frame.h - ((x - up[0]) / (up[1] - up[0])) * frame.h];
+  context.save();
+  context.beginPath();
+  context.rect(frame.x, frame.y, frame.w, frame.h);
+  context.fillStyle = ink.paper;
+  context.fill();
+  context.clip();
+  if (own) drawFound(context, own, to, ink);
+  const line = (p, colour, dashes) => {
+    const [x] = to([p, 0]);
+    context.strokeStyle = colour;
+    context.lineWidth = 1.2;
+    context.setLineDash(dashes);
+    context.beginPath();
+    trace(context, [[x, frame.y], [x, frame.y + frame.h]]);
+    context.stroke();
+    context.setLineDash([]);
+  };
+  line(value.place[at], ink.place, []);
+  if (pointer !== null) line(pointer, ink.muted, [3, 3]);
+  context.restore();
+  drawAxes(context, frame, { x: { range, title: titleOf(description[axis]) }, y: { range: up, title: [["x", "italic"]] } }, ink);
+}
+
+function drawFound(context, { strands, bifurcations, dots }, to, ink) {
+  context.fillStyle = ink.cloud;
+  for (const dot of dots) {
+    const [x, y] = to(dot);
+    if (x >= frame.x && x <= frame.x + frame.w) context.fillRect(x - 0.4, y - 0.4, 0.8, 0.8);
+  }
+  const box = [frame.x - 5, frame.y - 5, frame.x + frame.w + 5, frame.y + frame.h + 5];
+  for (const { p, points } of strands) {
+    let from = 0;
+    for (let at = 1; at <= points.length; at += 1) {
+      const same = at < points.length && points[at][2] === points[from][2] && points[at][3] === points[from][3];
+      if (same) continue;
+      const [, , stable, admissible] = points[from];
+      context.strokeStyle = branchInk(p);
+      context.globalAlpha = admissible ? 1 : 0.45;
+      context.lineWidth = stable && admissible ? 2.4 : 0.9;
+      context.setLineDash(admissible ? [] : [3, 3]);
+      context.beginPath();
+      for (const run of clipped(points.slice(from, at + 1).map(to), box)) trace(context, run);
+      context.stroke();
+      from = at;
+    }
+  }
+  context.globalAlpha = 1;
+  context.setLineDash([]);
+  for (const { kind, p, at, x } of bifurcations) {
+    const [px, py] = to([at, x]);
+    context.beginPath();
+    context.arc(px, py, 3.6, 0, 2 * Math.PI);
+    context.fillStyle = ink[kind] ?? ink.marker;
+    context.strokeStyle = ink.rim;
+    context.fill();
+    context.stroke();
+    const left = px > frame.x + frame.w - 60;
+    write(context, kind === "graz" ? [["grazing", ""]] : [[`${kind} `, ""], ["p", "italic"], [` = ${p}`, ""]], px + (left ? -7 : 7), py - 6, 12, left ? 1 : 0);
+  }
+}
+
+export function attach() {
+  const canvas = $("cut");
+  const parameter = (event) => {
+    const [axis] = along(state.get());
+    const [low, high] = viewOf(state.get())[axis];
+    const part = (event.clientX - canvas.getBoundingClientRect().left - frame.x) / frame.w;
+    return low + Math.min(1, Math.max(0, part)) * (high - low);
+  };
+  const put = (p) => {
+    const value = state.get();
+    const [, at] = along(value);
+    const place = [...value.place];
+    place[at] = p;
+    state.update({ place }, true);
+  };
+  let held = false;
+  canvas.addEventListener("pointerdown", (event) => {
+    if (!frame || event.button !== 0) return;
+    held = true;
+    canvas.setPointerCapture(event.pointerId);
+    put(parameter(event));
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    if (!frame) return;
+    pointer = parameter(event);
+    if (held) put(pointer);
+    else draw();
+  });
+  for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, () => (held = false));
+  canvas.addEventListener("pointerleave", () => {
+    pointer = null;
+    draw();
+  });
+  canvas.addEventListener("keydown", (event) => {
+    const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (!way || event.altKey || event.ctrlKey) return;
+    event.preventDefault();
+    const value = state.get();
+    const [axis, at] = along(value);
+    const [low, high] = viewOf(value)[axis];
+    put(Math.min(high, Math.max(low, value.place[at] + way * (event.shiftKey ? 0.1 : 0.01) * (high - low))));
+  });
+  new ResizeObserver(draw).observe(canvas);
+  onTheme(draw);
+}

@@ -1,0 +1,42 @@
+// The inks: those of the printed figures (crates/drawing/src/style.rs) on light, and lighter ones of the same hues on
+// dark. Lightness and dashes differ as well as hue, so that curves can be told apart without colour.
+
+const INKS = {
+  light: {
+    paper: "#ffffff", ink: "#1e1d1b", muted: "#63615b", faint: "#d9d6ce",
+    graz: "#78c86e", SN: "#1946be", PD: "#d62f20", GZ: "#005838",
+    quadratic: { graz: "#426e3d", SN: "#0e2769", PD: "#761a12", GZ: "#00301f" },
+    calm: "#e9e9e9", loops: "rgba(40,40,40,0.3)", hatching: "#6e6e6e", marker: "#000000", rim: "#ffffff",
+    place: "#c2185b", kept: "#00796b", wall: "#6e6e6e", cloud: "rgba(45,70,105,0.55)",
+    branch: ["#000000", "#be5f00", "#1946be", "#961e6e", "#007869", "#af3c23", "#5f5f00"],
+  },
+  dark: {
+    paper: "#1b1e23", ink: "#e7e5df", muted: "#a09e97", faint: "#3a3f47",
+    graz: "#6fbf66", SN: "#8cabff", PD: "#ff7d6e", GZ: "#57cf9f",
+    quadratic: { graz: "#a9e0a2", SN: "#c3d3ff", PD: "#ffb9b0", GZ: "#a5ecd0" },
+    calm: "#2b2f36", loops: "rgba(225,225,225,0.2)", hatching: "#8c8c8c", marker: "#f2f0ea", rim: "#1b1e23",
+    place: "#ff79ad", kept: "#4fd1bd", wall: "#9a9a9a", cloud: "rgba(160,190,230,0.5)",
+    branch: ["#f2f0ea", "#f0a04b", "#8cabff", "#e48ac6", "#4fd1bd", "#ff9c82", "#d0cf6a"],
+  },
+};
+
+/** Tiles: non-impacting, then p = 1, 2, ... (after Okabe and Ito); other periodic motion; the rest. */
+export const TILES = { calm: "#bcbcbc", loops: ["#e69f00", "#56b4e9", "#cc79a7", "#009e73", "#f0e442"], periodic: "#9a8fd0", irregular: "#3d3a44" };
+
+export const inks = () => INKS[document.documentElement.dataset.theme === "dark" ? "dark" : "light"];
+
+/** How a curve is drawn: colour, width and dashes in pixels of the page. */
+export function penOf({ kind, source }) {
+  const ink = inks();
+  if (source === "quadratic") return { colour: ink.quadratic[kind], width: 1.2, dashes: [4.5, 3] };
+  if (kind === "graz") return { colour: ink.graz, width: 3.4, dashes: [] };
+  return { colour: ink[kind], width: 1.7, dashes: kind === "GZ" ? [7.5, 2, 1.8, 2] : [] };
+}
+
+export const branchInk = (p) => inks().branch[p] ?? inks().branch[0];
+
+/** Inks of attractors, by their place in the list. */
+export const attractorInk = (index) => [branchInk(2), branchInk(1), branchInk(4), branchInk(3), branchInk(5), branchInk(6)][index % 6];
+
+/** Calls the function whenever light turns to dark or back. */
+export const onTheme = (act) => new MutationObserver(act).observe(document.documentElement, { attributeFilter: ["data-theme"] });
