@@ -1,5 +1,6 @@
 // Constants: a slider and a field for each, and the numbers of loops.
-import { $, make, number, symbolOf } from "./dom.js";
+import { $, make, number } from "./dom.js";
+import { elements, namePieces } from "./markup.js";
 import { description } from "./model.js";
 import * as state from "./state.js";
 
@@ -62,7 +63,7 @@ function control(constant) {
     set(own, false);
     slider.focus();
   });
-  const row = make("div", { class: "constant" }, make("label", { for: id, title: name }, symbolOf(name)), make("span", { class: "slide" }, slider, ends), field, reset);
+  const row = make("div", { class: "constant" }, make("label", { for: id, title: name }, elements(namePieces(name))), make("span", { class: "slide" }, slider, ends), field, reset);
   return { row, show };
 }
 

@@ -1,6 +1,7 @@
 // The diagram: asked for coarse while a hand moves and in full when it rests; curves come as they are found.
-import { $, make, number, rested, symbolOf } from "./dom.js";
+import { $, make, number, rested } from "./dom.js";
 import { Latest, stream } from "./api.js";
+import { axisPieces, elements } from "./markup.js";
 import { description, modelOf, viewOf } from "./model.js";
 import * as state from "./state.js";
 
@@ -68,18 +69,26 @@ const job = (body) => async (signal) => {
   const drop = () => {
     for (const key of diagram.curves.keys()) if (!seen.has(key)) diagram.curves.delete(key);
   };
+  const add = (list) => {
+    for (const curve of list) {
+      if (!curve) continue;
+      seen.add(curve.key);
+      diagram.curves.set(curve.key, curve);
+    }
+  };
   const on = {
     progress({ stage, done, all }) {
       if (coarse) return;
       if (all > 0) Object.assign(bar, { max: all, value: done });
       say(all > 0 ? `${stage}, ${done} of ${all}` : stage);
     },
-    curves(list) {
-      for (const curve of list) {
-        seen.add(curve.key);
-        diagram.curves.set(curve.key, curve);
-      }
+    curves: add,
+    // All of them: what came before and is not among them is gone.
+    all(list) {
+      seen.clear();
+      add(list);
     },
+    approximations: add,
     points(points) {
       diagram.points = points;
     },
@@ -150,8 +159,8 @@ function list() {
     {},
     make("th", { scope: "col" }, make("i", {}, "p")),
     make("th", { scope: "col" }, make("i", {}, "n")),
-    make("th", { scope: "col" }, symbolOf(description.primary.name)),
-    make("th", { scope: "col" }, symbolOf(description.secondary.name)),
+    make("th", { scope: "col" }, ...elements(axisPieces(description.primary))),
+    make("th", { scope: "col" }, ...elements(axisPieces(description.secondary))),
     coefficient("SN"),
     coefficient("PD"),
     make("th", { scope: "col" }, "Theorem"),

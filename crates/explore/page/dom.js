@@ -17,28 +17,6 @@ export function make(name, attributes = {}, ...children) {
   return made;
 }
 
-const GREEK = {
-  alpha: "α", beta: "β", gamma: "γ", delta: "δ", epsilon: "ε", zeta: "ζ", eta: "η", theta: "θ", kappa: "κ", lambda: "λ", mu: "μ",
-  nu: "ν", xi: "ξ", rho: "ρ", sigma: "σ", tau: "τ", phi: "φ", chi: "χ", psi: "ψ", omega: "ω", Omega: "Ω", Delta: "Δ", Gamma: "Γ",
-};
-
-/** The name of a parameter as a symbol with a subscript, ["ω", "1"] for omega_1 or omega1; words stay words. */
-export function symbol(name) {
-  const [, stem, below = ""] = /^([A-Za-z]+?)(?:_(\w+)|(\d+))?$/.exec(name)?.map((part) => part || undefined) ?? [name, name];
-  const index = below || /\d+$/.exec(name)?.[0] || "";
-  const letter = GREEK[stem] ?? stem ?? name;
-  return letter.length === 1 ? [letter, index.replace(/_/g, " ")] : [name.replace(/_/g, " "), ""];
-}
-
-/** The same as an element. */
-export function symbolOf(name) {
-  const [letter, index] = symbol(name);
-  return make("span", { class: letter.length === 1 ? "symbol" : "" }, letter, index ? make("sub", {}, index) : null);
-}
-
-/** The same in a line of text. */
-export const symbolText = (name) => symbol(name).join("");
-
 /** A number with so many significant digits, a real minus, and a power of ten where it is far from one. */
 export function number(value, digits = 4) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";

@@ -11,7 +11,7 @@ let taken = () => {};
 export const onTaken = (act) => (taken = act);
 
 /** Fills in the text and marks the mistake, if there is one. */
-function tell(answer) {
+export function tell(answer) {
   const { ok, message, line, span } = answer;
   const text = $("text").value;
   const lines = text.split("\n");

@@ -1,5 +1,6 @@
 // Pointing at the plane: places, boxes, wheel and pinch, and the same from the keyboard.
-import { $, coordinate, count, symbolText } from "./dom.js";
+import { $, coordinate, count } from "./dom.js";
+import { axisPieces, plain } from "./markup.js";
 import { description, viewOf, wholeView } from "./model.js";
 import { curveAt, frame, project, redraw, shown, toParameters } from "./plane.js";
 import * as state from "./state.js";
@@ -70,7 +71,7 @@ function tell(x, y) {
   if (!inside) return ($("pointer").textContent = "");
   const view = viewOf(state.get());
   const at = toParameters(x, y, view);
-  const names = [description.primary, description.secondary].map(({ title, name }) => symbolText(title || name));
+  const names = [description.primary, description.secondary].map((axis) => plain(axisPieces(axis)));
   const widths = [view.primary, view.secondary].map(([low, high]) => high - low);
   const curve = curveAt(x, y);
   const loops = curve && curve.p > 0 ? `, ${count(curve.p, "loop")}${curve.n ? `, n = ${curve.n}` : ""}` : "";

@@ -55,7 +55,7 @@ function regionLabels(frame, regions, map, placed) {
     let best = { score: 0 };
     for (let x = frame.x + 24; x < frame.x + frame.w - 24; x += step) {
       for (let y = frame.y + 10; y < frame.y + frame.h - 10; y += step) {
-        const room = Math.min(70, map.at(x, y));
+        const room = map.at(x, y);
         if (room < 9 || room <= best.score || !inside(index, x, y) || !clear(map, placed, x, y, 20)) continue;
         const others = regions.filter((other, at) => at !== index && other.kind === "mps" && other.p !== region.p && inside(at, x, y)).length;
         const score = room / (1 + 3 * others);

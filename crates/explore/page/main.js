@@ -73,7 +73,6 @@ function follow(value, changed, live) {
   editor.follow(value);
   if (has(OSCILLATOR)) {
     // Nothing can be asked before the program has said what this oscillator's parameters are.
-    diagram.clear();
     editor.check(model.modelOf(value));
     return;
   }
@@ -96,10 +95,14 @@ let described = "";
 
 function taken(answer) {
   if (!answer.ok) {
-    if (!model.description) $("pointer").textContent = "";
+    // A file that came with the address and is wrong is shown with its mistake.
+    if (model.textOf(state.get()) !== null && !state.get().edit) state.update({ edit: true });
+    editor.tell(answer);
     diagram.say(`${answer.line ? `Line ${answer.line}: ` : ""}${answer.message}`, true);
     return;
   }
+  const names = ({ name, primary, secondary }) => JSON.stringify([name, primary.name, secondary.name]);
+  if (model.description && names(model.description) !== names(answer)) diagram.clear();
   model.setDescription(answer);
   document.title = `${answer.name} – grazing explore`;
   $("plane").setAttribute("aria-label", `Bifurcation diagram of ${answer.name}: ${answer.primary.name} across, ${answer.secondary.name} up`);

@@ -20,10 +20,16 @@ const INKS = {
   },
 };
 
-/** Tiles: non-impacting, then p = 1, 2, ... (after Okabe and Ito); other periodic motion; the rest. */
-export const TILES = { calm: "#bcbcbc", loops: ["#e69f00", "#56b4e9", "#cc79a7", "#009e73", "#f0e442"], periodic: "#9a8fd0", irregular: "#3d3a44" };
+/** Tiles: p = 1, 2, ... (after Okabe and Ito); non-impacting; other periodic motion; the rest. */
+const LOOPS = ["#e69f00", "#56b4e9", "#cc79a7", "#009e73", "#f0e442"];
+const TILES = {
+  light: { loops: LOOPS, calm: "#d6d6d6", periodic: "#9a8fd0", irregular: "#4a4652" },
+  dark: { loops: ["#c98a00", "#4a9fd0", "#b86a95", "#008f68", "#d6cb3a"], calm: "#4b5058", periodic: "#7d72b8", irregular: "#0c0b10" },
+};
 
-export const inks = () => INKS[document.documentElement.dataset.theme === "dark" ? "dark" : "light"];
+const theme = () => (document.documentElement.dataset.theme === "dark" ? "dark" : "light");
+export const inks = () => INKS[theme()];
+export const tileInks = () => TILES[theme()];
 
 /** How a curve is drawn: colour, width and dashes in pixels of the page. */
 export function penOf({ kind, source }) {

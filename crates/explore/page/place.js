@@ -1,7 +1,8 @@
 // What there is at a place of the plane: attractors, maximal periodic solutions, and their pictures. Two places can
 // stand side by side.
-import { $, coordinate, count, make, multipliers, number, rested, symbolOf, symbolText } from "./dom.js";
+import { $, coordinate, count, make, multipliers, number, rested } from "./dom.js";
 import { ask, Latest } from "./api.js";
+import { axisPieces, elements, plain } from "./markup.js";
 import { description, modelOf, viewOf } from "./model.js";
 import { attractorInk, branchInk, onTheme } from "./palette.js";
 import { drawPortraits } from "./portraits.js";
@@ -16,8 +17,10 @@ const speak = rested(900, (words) => ($("announce").textContent = words));
 const KINDS = { "non-impacting": "No impacts", aperiodic: "Aperiodic, perhaps chaos", resting: "Rests at the wall", escaping: "Escapes" };
 
 /** An attractor in words. */
-function nameOf({ kind, periods, impacts }) {
+function nameOf({ kind, periods, impacts, loops }) {
+  if (kind === "non-impacting" && periods > 1) return `No impacts, ${count(periods, "period")}`;
   if (kind !== "periodic") return KINDS[kind] ?? kind;
+  if (loops) return `MPS, ${count(loops, "loop")}`;
   const struck = Math.round(impacts * periods);
   if (struck === 1) return `MPS, ${count(periods, "loop")}`;
   return `Periodic: ${count(struck, "impact")} in ${count(periods, "period")}`;
@@ -77,7 +80,7 @@ class Card {
   title(place, value) {
     const view = viewOf(value);
     const widths = [view.primary, view.secondary].map(([low, high]) => high - low);
-    const told = [description.primary, description.secondary].map((axis, at) => [at ? ", " : "", symbolOf(axis.title || axis.name), ` = ${coordinate(place[at], widths[at])}`, axis.unit ? ` ${axis.unit}` : ""]);
+    const told = [description.primary, description.secondary].map((axis, at) => [at ? ", " : "", ...elements(axisPieces(axis)), ` = ${coordinate(place[at], widths[at])}`, axis.unit ? ` ${axis.unit}` : ""]);
     this.at.replaceChildren(...told.flat());
   }
 
@@ -123,7 +126,7 @@ class Card {
       const share = make("span", { class: "share" });
       share.style.width = `${100 * each.share}%`;
       share.style.background = attractorInk(index);
-      const rates = [`${number(each.impacts, 3)} impacts a period`];
+      const rates = [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} a period`];
       const exponent = each.lyapunov === null ? [] : [" · ", make("span", { title: "Largest Lyapunov exponent, in 1/time" }, make("i", {}, "λ"), ` = ${number(each.lyapunov, 3)}`)];
       return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the states that end there" }, percent(each.share)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent));
     });
@@ -158,7 +161,7 @@ class Card {
 
   announce(at) {
     const { attractors, solutions } = this.answer;
-    const names = [description.primary, description.secondary].map((axis, index) => `${symbolText(axis.title || axis.name)} ${number(at[index], 4)}`);
+    const names = [description.primary, description.secondary].map((axis, index) => `${plain(axisPieces(axis))} ${number(at[index], 4)}`);
     const found = attractors.map((each) => `${nameOf(each)}, ${percent(each.share)} of states`).join("; ");
     const mps = solutions.filter(({ p, stable, admissible }) => p > 0 && stable && admissible).map(({ p }) => p);
     speak(`At ${names.join(", ")}: ${found || "no attractor"}. ${mps.length ? `Stable and admissible: p = ${mps.join(", ")}.` : "No MPS is stable and admissible."}`);

@@ -1,8 +1,9 @@
 // The plane of parameters, drawn.
-import { $, symbol } from "./dom.js";
+import { $ } from "./dom.js";
 import { clipped, clippedRing, drawAxes, font, prepare, trace, write } from "./axes.js";
 import { diagram } from "./diagram.js";
 import { placeLabels } from "./labels.js";
+import { axisPieces, titlePieces } from "./markup.js";
 import { description, viewOf } from "./model.js";
 import { inks, penOf } from "./palette.js";
 import * as state from "./state.js";
@@ -36,13 +37,10 @@ export function toParameters(x, y, { primary: [a, b], secondary: [c, d] } = view
   return [a + ((x - frame.x) / frame.w) * (b - a), c + ((frame.y + frame.h - y) / frame.h) * (d - c)];
 }
 
-/** The title of an axis. */
-export function titleOf({ name, title, unit }) {
-  const [letter, index] = symbol(title || name);
-  const pieces = [[letter, letter.length <= 2 ? "italic" : ""]];
-  if (index) pieces.push([index, "sub"]);
-  if (unit) pieces.push([` (${unit})`, ""]);
-  return pieces;
+/** The title of an axis, with its unit. */
+export function titleOf(axis) {
+  if (axis.title?.includes("$")) return titlePieces(axis.title);
+  return axis.unit ? [...axisPieces(axis), [` (${axis.unit})`, ""]] : axisPieces(axis);
 }
 
 /** A brush of thin slanted lines. */

@@ -1,6 +1,7 @@
 // Taking it home: the address, the command that writes the same, the figure and the numbers as files.
-import { $, symbolText } from "./dom.js";
+import { $ } from "./dom.js";
 import { file } from "./api.js";
+import { namePieces, plain } from "./markup.js";
 import { description, exampleOf, modelOf, viewOf } from "./model.js";
 import * as state from "./state.js";
 
@@ -62,7 +63,7 @@ export function open() {
   $("command").textContent = command(value);
   $("own-text").hidden = value.text === null;
   $("share-status").textContent = "";
-  const told = Object.entries(value.set).map(([name, number]) => `${symbolText(name)} = ${number}`);
+  const told = Object.entries(value.set).map(([name, number]) => `${plain(namePieces(name))} = ${number}`);
   $("share-what").textContent = [description.name, ...told].join(", ");
   $("share").showModal();
 }
@@ -71,5 +72,6 @@ export function attach() {
   $("copy-address").addEventListener("click", (event) => copy($("address").value, event.currentTarget));
   $("copy-command").addEventListener("click", (event) => copy($("command").textContent, event.currentTarget));
   $("save-text").addEventListener("click", () => save(new Blob([state.get().text], { type: "application/toml" }), "oscillator.toml"));
+  for (const button of document.querySelectorAll("dialog .close")) button.addEventListener("click", () => button.closest("dialog").close());
   for (const button of $("share").querySelectorAll("[data-take]")) button.addEventListener("click", () => take(button.dataset.take));
 }

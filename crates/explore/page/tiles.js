@@ -4,7 +4,7 @@ import { $, make, rested } from "./dom.js";
 import { Latest, stream } from "./api.js";
 import { diagram } from "./diagram.js";
 import { modelOf, viewOf } from "./model.js";
-import { TILES, inks } from "./palette.js";
+import { inks, onTheme, tileInks } from "./palette.js";
 import { frame, project, redraw, setOverlay } from "./plane.js";
 import * as state from "./state.js";
 
@@ -18,10 +18,10 @@ let current = null;
 
 const status = (words) => ($("tiles-status").textContent = words);
 
-function colourOf([, , loops, periods]) {
-  if (loops === 0) return TILES.calm;
-  if (loops !== null) return TILES.loops[Math.min(loops, 5) - 1];
-  return periods === null ? TILES.irregular : TILES.periodic;
+function colourOf([, , loops, periods], ink) {
+  if (loops === 0) return ink.calm;
+  if (loops !== null) return ink.loops[Math.min(loops, ink.loops.length) - 1];
+  return periods === null ? ink.irregular : ink.periodic;
 }
 
 function paint(context, view) {
@@ -137,10 +137,12 @@ function run(own, body) {
   latest.now(async (signal) => {
     const on = {
       tiles({ step, cells }) {
+        const ink = tileInks();
         for (const cell of cells) {
           const [column, row] = cell;
+          cell.step = step;
           context.clearRect(column, own.rows - row - step, step, step);
-          context.fillStyle = colourOf(cell);
+          context.fillStyle = colourOf(cell, ink);
           context.fillRect(column, own.rows - row - step, step, step);
           const place = row * own.columns + column;
           if (own.met.has(place)) continue;
@@ -183,13 +185,28 @@ export function follow(value, moved) {
 /** The diagram has new regions. */
 export const shaded = () => state.get().overlay && judgeSoon();
 
+/** The legend; sheets that are done are painted anew when the theme changes. */
+function colours() {
+  const ink = tileInks();
+  const loops = ink.loops.map((colour, index) => [colour, `p ${index + 1 < ink.loops.length ? "=" : "≥"} ${index + 1}`]);
+  const entries = [[ink.calm, "no impacts"], ...loops, [ink.periodic, "other periodic motion"], [ink.irregular, "longer periods, or chaos"]];
+  const entry = ([colour, word]) => {
+    const swatch = make("span", { class: "tile", "aria-hidden": "true" });
+    swatch.style.background = colour;
+    return make("li", {}, swatch, word);
+  };
+  $("tiles-entries").replaceChildren(...entries.map(entry));
+  for (const { sheet, cells, rows } of kept.values()) {
+    const context = sheet.getContext("2d");
+    for (const cell of cells) {
+      context.fillStyle = colourOf(cell, ink);
+      context.fillRect(cell[0], rows - cell[1] - cell.step, cell.step, cell.step);
+    }
+  }
+  redraw();
+}
+
 export function attach() {
-  const entries = [[TILES.calm, "no impacts"], ...TILES.loops.map((colour, index) => [colour, index === 4 ? "p ≥ 5" : `p = ${index + 1}`]), [TILES.periodic, "other periodic"], [TILES.irregular, "longer, or chaos"]];
-  $("tiles-entries").replaceChildren(
-    ...entries.map(([colour, word]) => {
-      const swatch = make("span", { class: "tile", "aria-hidden": "true" });
-      swatch.style.background = colour;
-      return make("li", {}, swatch, word);
-    }),
-  );
+  colours();
+  onTheme(colours);
 }
