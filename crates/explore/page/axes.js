@@ -36,7 +36,7 @@ export function ticks([low, high], most) {
   let [offset, power] = [0, 0];
   const depth = Math.floor(Math.log10(step) + 1e-9);
   if (-depth > LONGEST && size / step > 1e4) {
-    const unit = 10 ** Math.ceil(Math.log10(span) - 1e-9);
+    const unit = 10 ** Math.floor(Math.log10(span) + 1e-9);
     offset = Math.round((low + high) / 2 / unit) * unit;
     offset = Number(offset.toFixed(Math.min(16, Math.max(0, Math.round(-Math.log10(unit))))));
     power = Math.floor(Math.log10(span) + 1e-9);
@@ -74,7 +74,8 @@ export function write(context, pieces, x, y, size, align = 0) {
 function titled(title, { offset, power }) {
   const pieces = [...title];
   if (offset) pieces.push([offset.startsWith("-") ? ` + ${offset.slice(1)}` : ` − ${offset}`, ""]);
-  if (power) pieces.push(["  / 10", ""], [String(power).replace("-", "−"), "sup"]);
+  if (offset && power) pieces.unshift(["(", ""]);
+  if (power) pieces.push([offset ? ") / 10" : " / 10", ""], [String(power).replace("-", "−"), "sup"]);
   return pieces;
 }
 

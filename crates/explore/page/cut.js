@@ -129,7 +129,7 @@ function drawFound(context, { strands, bifurcations, dots }, to, ink) {
     context.fill();
     context.stroke();
     const left = px > frame.x + frame.w - 60;
-    write(context, kind === "graz" ? [["grazing", ""]] : [[`${kind} `, ""], ["p", "italic"], [` = ${p}`, ""]], px + (left ? -7 : 7), py - 6, 12, left ? 1 : 0);
+    write(context, kind === "graz" ? [["grazing", ""]] : [[`${kind} `, ""], ["p", "italic"], [` = ${p}`, ""]], px + (left ? -7 : 7), py < frame.y + 18 ? py + 14 : py - 6, 12, left ? 1 : 0);
   }
 }
 

@@ -69,26 +69,23 @@ const job = (body) => async (signal) => {
   const drop = () => {
     for (const key of diagram.curves.keys()) if (!seen.has(key)) diagram.curves.delete(key);
   };
-  const add = (list) => {
-    for (const curve of list) {
-      if (!curve) continue;
-      seen.add(curve.key);
-      diagram.curves.set(curve.key, curve);
-    }
-  };
   const on = {
     progress({ stage, done, all }) {
       if (coarse) return;
       if (all > 0) Object.assign(bar, { max: all, value: done });
-      say(all > 0 ? `${stage}, ${done} of ${all}` : stage);
+      const words = stage.charAt(0).toUpperCase() + stage.slice(1);
+      say(all > 0 ? `${words}, ${done} of ${all}` : words);
     },
-    curves: add,
-    // All of them: what came before and is not among them is gone.
-    all(list) {
+    curves(list) {
+      for (const curve of list) {
+        seen.add(curve.key);
+        diagram.curves.set(curve.key, curve);
+      }
+    },
+    keys(keys) {
       seen.clear();
-      add(list);
+      for (const key of keys) seen.add(key);
     },
-    approximations: add,
     points(points) {
       diagram.points = points;
     },

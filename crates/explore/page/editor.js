@@ -42,17 +42,29 @@ export function tell(answer) {
   callout.textContent = message;
   callout.style.top = `${line * lineHeight() + 10}px`;
   callout.style.left = `${from}ch`;
+  // As far to the left as it needs to be read whole.
+  const over = callout.offsetLeft + callout.offsetWidth + 16 - callout.parentElement.clientWidth;
+  if (over > 0) callout.style.left = `max(0px, ${from}ch - ${over}px)`;
 }
 
 const lineHeight = () => Number.parseFloat(getComputedStyle($("text")).lineHeight);
 
-/** Asks the program about the model; gives the description to those who wait for it if it is right. */
+/** The last file that was right, and what the program said of it without any values set. */
+let file = { text: undefined, described: null };
+
+/** Asks the program about the model; what it says goes to those who wait for it. */
 export function check(model) {
   return latest.now(async (signal) => {
-    const answer = await ask("check", model, signal);
+    const { text } = model;
+    // Constants and loops of the file itself, to which the state is compared.
+    const described = file.text === text ? file.described : await ask("check", { text, set: {}, loops: null }, signal);
+    if (described.ok) file = { text, described };
+    const changed = Object.keys(model.set).length > 0 || model.loops !== null;
+    const answer = described.ok && changed ? await ask("check", model, signal) : described;
     if (signal.aborted) return;
     if (!$("editor").hidden) tell(answer);
-    taken(answer);
+    if (described.ok) taken(described);
+    if (!answer.ok) taken(answer);
   });
 }
 

@@ -1,13 +1,13 @@
 // Pointing at the plane: places, boxes, wheel and pinch, and the same from the keyboard.
-import { $, coordinate, count } from "./dom.js";
+import { $, coordinate } from "./dom.js";
 import { axisPieces, plain } from "./markup.js";
 import { description, viewOf, wholeView } from "./model.js";
-import { curveAt, frame, project, redraw, shown, toParameters } from "./plane.js";
+import { tellOf } from "./pick.js";
+import { frame, project, redraw, runs, shown, toParameters } from "./plane.js";
 import * as state from "./state.js";
 
 /** The narrowest view: so much of the whole plane's width, still far above rounding. */
 const NARROWEST = 4e-10;
-const KINDS = { graz: "grazing of the non-impacting solution", SN: "saddle-node bifurcation", PD: "period doubling", GZ: "grazing of an MPS" };
 let boxing = false;
 
 /** Zooms by a factor, above one inwards, about a point of the plane, that of the place or the middle. */
@@ -73,10 +73,8 @@ function tell(x, y) {
   const at = toParameters(x, y, view);
   const names = [description.primary, description.secondary].map((axis) => plain(axisPieces(axis)));
   const widths = [view.primary, view.secondary].map(([low, high]) => high - low);
-  const curve = curveAt(x, y);
-  const loops = curve && curve.p > 0 ? `, ${count(curve.p, "loop")}${curve.n ? `, n = ${curve.n}` : ""}` : "";
-  const told = curve ? ` · ${curve.source === "quadratic" ? "quadratic approximation of the " : ""}${KINDS[curve.kind]}${loops}` : "";
-  $("pointer").textContent = `${at.map((value, index) => `${names[index]} = ${coordinate(value, widths[index])}`).join(", ")}${told}`;
+  const told = tellOf(runs, [x, y], at, project(view));
+  $("pointer").textContent = `${at.map((value, index) => `${names[index]} = ${coordinate(value, widths[index])}`).join(", ")}${told && ` · ${told}`}`;
 }
 
 /** Takes the pointers that come to the plane. */
@@ -153,6 +151,3 @@ export function attach() {
   stage.addEventListener("pointercancel", release);
   stage.addEventListener("pointerleave", () => ($("pointer").textContent = ""));
 }
-
-/** Where a place is on the plane, in pixels. */
-export const pixelOf = (place) => project(viewOf(state.get()))(place);

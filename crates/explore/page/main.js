@@ -96,7 +96,7 @@ let described = "";
 function taken(answer) {
   if (!answer.ok) {
     // A file that came with the address and is wrong is shown with its mistake.
-    if (model.textOf(state.get()) !== null && !state.get().edit) state.update({ edit: true });
+    if (!model.description && model.textOf(state.get()) !== null && !state.get().edit) state.update({ edit: true });
     editor.tell(answer);
     diagram.say(`${answer.line ? `Line ${answer.line}: ` : ""}${answer.message}`, true);
     return;

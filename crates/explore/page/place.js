@@ -2,7 +2,7 @@
 // stand side by side.
 import { $, coordinate, count, make, multipliers, number, rested } from "./dom.js";
 import { ask, Latest } from "./api.js";
-import { axisPieces, elements, plain } from "./markup.js";
+import { axisPieces, elements } from "./markup.js";
 import { description, modelOf, viewOf } from "./model.js";
 import { attractorInk, branchInk, onTheme } from "./palette.js";
 import { drawPortraits } from "./portraits.js";
@@ -126,8 +126,8 @@ class Card {
       const share = make("span", { class: "share" });
       share.style.width = `${100 * each.share}%`;
       share.style.background = attractorInk(index);
-      const rates = [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} a period`];
-      const exponent = each.lyapunov === null ? [] : [" · ", make("span", { title: "Largest Lyapunov exponent, in 1/time" }, make("i", {}, "λ"), ` = ${number(each.lyapunov, 3)}`)];
+      const rates = each.kind === "non-impacting" ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} a period`];
+      const exponent = each.lyapunov === null ? [] : [rates.length ? " · " : "", make("span", { title: "Largest Lyapunov exponent, in 1/time" }, make("i", {}, "λ"), ` = ${number(each.lyapunov, 3)}`)];
       return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the states that end there" }, percent(each.share)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent));
     });
     this.attractors.replaceChildren(...(rows.length ? rows : [make("li", {}, "No attractor was found.")]));
@@ -154,14 +154,14 @@ class Card {
   draw() {
     if (!this.answer || this.element.hidden) return;
     const { attractors, solutions, wall, period } = this.answer;
-    const moving = attractors.map(({ orbit, kind, periods }, index) => ({ orbit: orbit ?? [], ink: attractorInk(index), wide: kind === "aperiodic" ? 0.7 : 1.4, dashed: periods ? false : undefined }));
-    const extra = solutions.filter(({ p }) => this.drawn.has(p)).map(({ orbit, p, stable }) => ({ orbit: orbit ?? [], ink: branchInk(p), wide: 1.4, dashed: !stable }));
+    const moving = attractors.map(({ orbit, kind, periods }, index) => ({ orbit: orbit ?? [], ink: attractorInk(index), wide: kind === "aperiodic" ? 0.7 : 1.4, periods }));
+    const extra = solutions.filter(({ p }) => this.drawn.has(p)).map(({ orbit, p, stable }) => ({ orbit: orbit ?? [], ink: branchInk(p), wide: 1.4, dashed: !stable, periods: p || 1, repeats: true }));
     drawPortraits(this, { orbits: [...moving, ...extra], strikes: attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: attractorInk(index) })), wall, period });
   }
 
   announce(at) {
     const { attractors, solutions } = this.answer;
-    const names = [description.primary, description.secondary].map((axis, index) => `${plain(axisPieces(axis))} ${number(at[index], 4)}`);
+    const names = [description.primary, description.secondary].map((axis, index) => `${axis.name} ${number(at[index], 4)}`);
     const found = attractors.map((each) => `${nameOf(each)}, ${percent(each.share)} of states`).join("; ");
     const mps = solutions.filter(({ p, stable, admissible }) => p > 0 && stable && admissible).map(({ p }) => p);
     speak(`At ${names.join(", ")}: ${found || "no attractor"}. ${mps.length ? `Stable and admissible: p = ${mps.join(", ")}.` : "No MPS is stable and admissible."}`);

@@ -4,7 +4,7 @@ import { clipped, clippedRing, drawAxes, font, prepare, trace, write } from "./a
 import { diagram } from "./diagram.js";
 import { placeLabels } from "./labels.js";
 import { axisPieces, titlePieces } from "./markup.js";
-import { description, viewOf } from "./model.js";
+import { description, viewOf, wholeView } from "./model.js";
 import { inks, penOf } from "./palette.js";
 import * as state from "./state.js";
 
@@ -17,7 +17,7 @@ export const setOverlay = (painter) => (overlay = painter);
 export const shown = { box: null, pointer: null };
 
 /** The runs of curves as last drawn, for those who point at them. */
-let runs = [];
+export let runs = [];
 let labels = { key: "", list: [] };
 let asked = 0;
 
@@ -144,11 +144,21 @@ function drawCut(context, value, to, ink) {
   context.stroke();
 }
 
+/** Quadratic approximations are good near resonances only: they are shown in a part of the plane that is smaller than this. */
+const MAGNIFIED = 0.4;
+
+function isMagnified(view) {
+  const whole = wholeView();
+  const part = (axis) => (view[axis][1] - view[axis][0]) / (whole[axis][1] - whole[axis][0]);
+  return Math.min(part("primary"), part("secondary")) < MAGNIFIED;
+}
+
 /** What of the curves is in view, cut where a curve ceases to bound anything. */
-function runsInView(to) {
+function runsInView(to, magnified) {
   const box = [frame.x - 6, frame.y - 6, frame.x + frame.w + 6, frame.y + frame.h + 6];
   const found = [];
   for (const curve of diagram.curves.values()) {
+    if (curve.source === "quadratic" && !magnified) continue;
     const pixels = curve.points.map(to);
     let from = 0;
     for (let at = 1; at <= pixels.length; at += 1) {
@@ -175,7 +185,9 @@ function draw() {
   const to = project(view);
   const box = [frame.x - 20, frame.y - 20, frame.x + frame.w + 20, frame.y + frame.h + 20];
   const regions = diagram.regions.map((region) => ({ ...region, rings: region.rings.map((ring) => clippedRing(ring.map(to), box)).filter((ring) => ring.length > 2) }));
-  runs = runsInView(to);
+  const magnified = isMagnified(view);
+  $("quadratic").hidden = !magnified;
+  runs = runsInView(to, magnified);
 
   context.save();
   context.beginPath();
@@ -226,19 +238,4 @@ function moveHandle(value, to) {
   const at = value.place ? to(value.place) : null;
   handle.hidden = !at || !inFrame(...at);
   if (!handle.hidden) handle.style.transform = `translate(${at[0]}px, ${at[1]}px)`;
-}
-
-/** The curve within so many pixels of a point, or null. */
-export function curveAt(x, y, within = 7) {
-  let best = { distance: within, curve: null };
-  for (const { curve, points } of runs) {
-    for (let index = 1; index < points.length; index += 1) {
-      const [[ax, ay], [bx, by]] = [points[index - 1], points[index]];
-      const square = (bx - ax) ** 2 + (by - ay) ** 2;
-      const part = square === 0 ? 0 : Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square));
-      const distance = Math.hypot(x - ax - part * (bx - ax), y - ay - part * (by - ay));
-      if (distance < best.distance) best = { distance, curve };
-    }
-  }
-  return best.curve;
 }

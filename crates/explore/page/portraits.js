@@ -2,8 +2,9 @@
 import { drawAxes, font, prepare, trace } from "./axes.js";
 import { inks } from "./palette.js";
 
-/** Forcing periods of motion that is not periodic. */
+/** Forcing periods of the time series: most, and least. */
 const LONGEST = 12;
+const SHORTEST = 4;
 /** Room about what is drawn, in parts of it. */
 const ROOM = 0.07;
 
@@ -36,7 +37,7 @@ function chart(canvas, x, y, margin) {
   return { context, frame, ink, to, end: () => (context.restore(), drawAxes(context, frame, { x, y }, ink, 11)) };
 }
 
-const MARGIN = { left: 52, right: 8, top: 8, bottom: 36 };
+const MARGIN = { left: 46, right: 8, top: 8, bottom: 36 };
 
 function line(context, points, colour, width, dashes = []) {
   context.strokeStyle = colour;
@@ -63,7 +64,8 @@ function shadeWall(context, edge, away, colour) {
 const upTo = (orbit, end) => orbit.map((flight) => flight.filter(([t]) => t <= end)).filter((flight) => flight.length > 0);
 
 /**
- * Draws the pictures. `orbits` is [{ orbit, ink, faint, wide }], `strikes` [{ strikes, ink }]; canvases is { phase, time, strikes }.
+ * Draws the pictures. `orbits` is [{ orbit, ink, wide, dashed, periods }], with the periods after which it repeats, or null, and whether what is
+ * given `repeats` at its end; `strikes` is [{ strikes, ink }]; canvases is { phase, time, strikes }.
  */
 export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
   const starts = orbits.map(({ orbit }) => orbit[0]?.[0]?.[0] ?? 0);
@@ -73,9 +75,9 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
   const vs = extent(all.map(([, , v]) => v));
   const mean = all.reduce((sum, [, x]) => sum + x, 0) / Math.max(1, all.length);
   const above = wallX.reduce((sum, x) => sum + x, 0) / wallX.length >= mean;
-  const x = { range: xs, title: [["x", "italic"]], at: 13 };
+  const x = { range: xs, title: [["x", "italic"]], at: 11 };
 
-  const phase = chart(canvases.phase, x, { range: vs, title: [["v", "italic"]], at: 13 }, MARGIN);
+  const phase = chart(canvases.phase, x, { range: vs, title: [["v", "italic"]], at: 11 }, MARGIN);
   if (phase) {
     const { context, to, ink, frame } = phase;
     const [near, far] = above ? [Math.min(...wallX), xs[1]] : [Math.max(...wallX), xs[0]];
@@ -83,18 +85,21 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
     shadeWall(context, [[a, frame.y], [a, frame.y + frame.h]], [[b, frame.y + frame.h], [b, frame.y]], ink.wall);
     line(context, [[a, frame.y], [a, frame.y + frame.h]], ink.wall, 1);
     line(context, [to([xs[0], 0]), to([xs[1], 0])], ink.faint, 1);
-    for (const { orbit, ink: colour, wide, dashed } of orbits) {
+    orbits.forEach(({ orbit: all, ink: colour, wide, dashed, periods }, which) => {
+      // Once round, if it comes again: dashes over dashes are none.
+      const orbit = periods ? upTo(all, starts[which] + (periods + 1e-3) * period) : all;
       orbit.forEach((flight, index) => {
         line(context, flight.map(([, px, v]) => to([px, v])), colour, wide, dashed ? [4, 3] : []);
         const next = orbit[index + 1];
         if (next?.length && flight.length) line(context, [flight.at(-1), next[0]].map(([, px, v]) => to([px, v])), colour, Math.min(wide, 0.8), [2, 2]);
       });
-    }
+    });
     phase.end();
   }
 
   const lengths = orbits.map(({ orbit }, index) => (orbit.at(-1)?.at(-1)?.[0] ?? 0) - starts[index]);
-  const most = Math.min(LONGEST, Math.max(2, Math.round(Math.max(0, ...lengths) / period)));
+  const turns = orbits.every(({ periods }) => periods) ? Math.max(0, ...orbits.map(({ periods }) => 2 * periods)) : LONGEST;
+  const most = Math.min(LONGEST, Math.max(SHORTEST, turns));
   const time = chart(canvases.time, { range: [0, most], title: [["t", "italic"], [" / ", ""], ["T", "italic"]] }, x, MARGIN);
   if (time) {
     const { context, to, ink } = time;
@@ -103,9 +108,8 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
     const rim = above ? xs[1] : xs[0];
     shadeWall(context, edge, [to([most + 1, rim]), to([-1, rim])], ink.wall);
     line(context, edge, ink.wall, 1);
-    orbits.forEach(({ orbit, ink: colour, wide, dashed }, index) => {
-      // A periodic orbit is told once and drawn until the right edge.
-      const turns = dashed === undefined || lengths[index] <= 0 ? 1 : Math.ceil((most * period) / lengths[index] - 1e-6);
+    orbits.forEach(({ orbit, ink: colour, wide, dashed, repeats }, index) => {
+      const turns = repeats && lengths[index] > 0 ? Math.ceil((most * period) / lengths[index] - 1e-6) : 1;
       for (let turn = 0; turn < Math.min(turns, LONGEST); turn += 1) {
         const shift = starts[index] - turn * lengths[index];
         for (const flight of upTo(orbit, starts[index] + most * period)) line(context, flight.map(([t, px]) => to([(t - shift) / period, px])), colour, wide, dashed ? [4, 3] : []);
@@ -117,7 +121,7 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
   const struck = strikes.flatMap((each) => each.strikes);
   const top = struck.length ? 1.08 * Math.max(...struck.map(([, v]) => Math.abs(v))) : 1;
   const sign = struck.some(([, v]) => v < 0) ? -1 : 1;
-  const impacts = chart(canvases.strikes, { range: [0, 2 * Math.PI], title: [["phase of impact", ""]] }, { range: sign > 0 ? [0, top] : [-top, 0], title: [["velocity", ""]], at: 13 }, MARGIN);
+  const impacts = chart(canvases.strikes, { range: [-0.25, 2 * Math.PI + 0.25], title: [["phase of impact", ""]] }, { range: sign > 0 ? [0, top] : [-top, 0], title: [["velocity", ""]], at: 11 }, MARGIN);
   if (impacts) {
     const { context, to, ink, frame } = impacts;
     for (const { strikes: list, ink: colour } of strikes) {

@@ -2,12 +2,19 @@
 import { $ } from "./dom.js";
 import { file } from "./api.js";
 import { namePieces, plain } from "./markup.js";
-import { description, exampleOf, modelOf, viewOf } from "./model.js";
+import { description, exampleOf, examples, modelOf, viewOf } from "./model.js";
 import * as state from "./state.js";
 
 /** A word of a command line; quoted where a shell would read it otherwise. */
 const word = (text) => (/^[\w@%+=:,./-]+$/.test(text) ? text : `'${text.replace(/'/g, "'\\''")}'`);
 const list = (numbers) => `[${numbers.join(",")}]`;
+
+/** The file as one would name it: the one that the program was begun with as it was, others where they lie. */
+function fileOf(example) {
+  if (!example) return "oscillator.toml";
+  const shipped = examples.some((each) => each !== examples[0] && each.file === example.file && each.text === example.text);
+  return example === examples[0] && !shipped ? example.file : `examples/${example.file}`;
+}
 
 /** The command that writes the very same figure and numbers. */
 export function command(value) {
@@ -17,9 +24,10 @@ export function command(value) {
   const setting = (key, told) => ` --set ${word(`${key}=${told}`)}`;
   const constants = Object.entries(value.set).map(([name, told]) => setting(paper ? `oscillator.${name}` : name, told));
   const [across, up, loops] = paper ? ["fig07.amplitude", "fig07.frequency", "fig07.loops"] : ["primary.range", "secondary.range", "analysis.loops"];
-  const ranges = value.view ? setting(across, list(primary)) + setting(up, list(secondary)) : "";
+  // The figure of the paper has other ranges than the plane at first.
+  const ranges = value.view || paper ? setting(across, list(primary)) + setting(up, list(secondary)) : "";
   const chosen = value.loops ? setting(loops, list(value.loops)) : "";
-  const first = paper ? "cargo xtask reproduce --only fig07" : `cargo xtask unfold ${word(example ? `examples/${example.file.replace(/^examples\//, "")}` : "oscillator.toml")}`;
+  const first = paper ? "cargo xtask reproduce --only fig07" : `cargo xtask unfold ${word(fileOf(example))}`;
   return first + constants.join("") + ranges + chosen;
 }
 
@@ -49,7 +57,9 @@ async function take(what) {
   const [kind, table] = what.split(":");
   $("share-status").textContent = "Drawing …";
   try {
-    const blob = await file("export", { model: modelOf(value), view: viewOf(value), what, columns: $("columns").value });
+    const paper = modelOf(value).text === null;
+    const wanted = table && paper ? `${kind}:fig07_${table}` : what;
+    const blob = await file("export", { model: modelOf(value), view: viewOf(value), what: wanted, columns: $("columns").value });
     save(blob, `${stem()}${table ? `-${table}` : ""}.${kind}`);
     $("share-status").textContent = "Saved.";
   } catch (error) {

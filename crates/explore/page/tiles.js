@@ -3,7 +3,7 @@
 import { $, make, rested } from "./dom.js";
 import { Latest, stream } from "./api.js";
 import { diagram } from "./diagram.js";
-import { modelOf, viewOf } from "./model.js";
+import { description, modelOf, viewOf } from "./model.js";
 import { inks, onTheme, tileInks } from "./palette.js";
 import { frame, project, redraw, setOverlay } from "./plane.js";
 import * as state from "./state.js";
@@ -80,7 +80,7 @@ function shading({ view, columns, rows }) {
 function judge() {
   if (!current || diagram.stale || diagram.regions.length === 0) return;
   const shaded = shading(current);
-  const followed = new Set(diagram.regions.map(({ p }) => p));
+  const followed = new Set(state.get().loops ?? description.loops);
   current.wrong = current.cells.filter(([column, row, loops]) => loops !== null && (loops === 0 || followed.has(loops)) && !shaded(loops, column, row));
   const all = current.cells.length;
   const share = Math.round((100 * all) / (current.columns * current.rows));
