@@ -40,7 +40,7 @@ export function ticks([low, high], most) {
     offset = Math.round((low + high) / 2 / unit) * unit;
     offset = Number(offset.toFixed(Math.min(16, Math.max(0, Math.round(-Math.log10(unit))))));
     power = Math.floor(Math.log10(span) + 1e-9);
-  } else if (size < 1e-3 || size >= 1e5) power = Math.floor(Math.log10(size) + 1e-9);
+  } else if (size < 0.02 || size >= 1e5) power = Math.floor(Math.log10(size) + 1e-9);
   const decimals = Math.max(0, power - depth);
   const found = [];
   const small = step / parts;

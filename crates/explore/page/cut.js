@@ -8,6 +8,9 @@ import { margins, titleOf } from "./plane.js";
 import { branchInk, inks, onTheme } from "./palette.js";
 import * as state from "./state.js";
 
+/** Fewer dots than these are drawn larger. */
+const FEW = 10000;
+
 const latest = new Latest({ pause: 100, patience: 600, failed: (error) => say(error.message) });
 let answer = null;
 let asked = "";
@@ -97,9 +100,10 @@ function draw() {
 
 function drawFound(context, { strands, bifurcations, dots }, to, ink) {
   context.fillStyle = ink.cloud;
+  const size = dots.length < FEW ? 1.4 : 0.8;
   for (const dot of dots) {
     const [x, y] = to(dot);
-    if (x >= frame.x && x <= frame.x + frame.w) context.fillRect(x - 0.4, y - 0.4, 0.8, 0.8);
+    if (x >= frame.x && x <= frame.x + frame.w) context.fillRect(x - size / 2, y - size / 2, size, size);
   }
   const box = [frame.x - 5, frame.y - 5, frame.x + frame.w + 5, frame.y + frame.h + 5];
   for (const { p, points } of strands) {
@@ -120,6 +124,7 @@ function drawFound(context, { strands, bifurcations, dots }, to, ink) {
   }
   context.globalAlpha = 1;
   context.setLineDash([]);
+  const taken = [];
   for (const { kind, p, at, x } of bifurcations) {
     const [px, py] = to([at, x]);
     context.beginPath();
@@ -128,8 +133,15 @@ function drawFound(context, { strands, bifurcations, dots }, to, ink) {
     context.strokeStyle = ink.rim;
     context.fill();
     context.stroke();
-    const left = px > frame.x + frame.w - 60;
-    write(context, kind === "graz" ? [["grazing", ""]] : [[`${kind} `, ""], ["p", "italic"], [` = ${p}`, ""]], px + (left ? -7 : 7), py < frame.y + 18 ? py + 14 : py - 6, 12, left ? 1 : 0);
+    const words = kind === "graz" ? [["grazing", ""]] : [[`${kind} `, ""], ["p", "italic"], [` = ${p}`, ""]];
+    const wide = kind === "graz" ? 48 : 56;
+    // To the right and above where it can be; nowhere where it would hide another.
+    const corners = [[7, -6], [7, 15], [-7 - wide, -6], [-7 - wide, 15]].map(([dx, dy]) => [px + dx, py + dy]);
+    const free = ([left, low]) => left > frame.x && left + wide < frame.x + frame.w && low > frame.y + 12 && low < frame.y + frame.h && taken.every(([x, y]) => Math.abs(x - left) > wide || Math.abs(y - low) > 13);
+    const corner = corners.find(free);
+    if (!corner) continue;
+    taken.push(corner);
+    write(context, words, ...corner, 12);
   }
 }
 

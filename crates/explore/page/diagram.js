@@ -1,5 +1,5 @@
 // The diagram: asked for coarse while a hand moves and in full when it rests; curves come as they are found.
-import { $, make, number, rested } from "./dom.js";
+import { $, count, make, number, rested } from "./dom.js";
 import { Latest, stream } from "./api.js";
 import { axisPieces, elements } from "./markup.js";
 import { description, modelOf, viewOf } from "./model.js";
@@ -108,7 +108,7 @@ const job = (body) => async (signal) => {
       else {
         computed = JSON.stringify(body);
         const curves = [...diagram.curves.values()].filter(({ source }) => source !== "quadratic").length;
-        say(`${curves} curves and ${diagram.points.length} points in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`);
+        say(`${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`);
       }
       list();
     },

@@ -87,7 +87,7 @@ export function follow(value) {
   const menu = $("oscillator");
   const example = exampleOf(value);
   $("own-file").hidden = example !== null;
-  menu.value = example ? example.file : "";
+  menu.value = example ? example.file : "?own";
   $("editor").hidden = !value.edit;
   document.body.classList.toggle("editing", value.edit);
   document.querySelector('[data-command="edit"]').setAttribute("aria-expanded", value.edit);

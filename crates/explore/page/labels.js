@@ -85,7 +85,7 @@ function curveLabels(frame, runs, map, placed) {
         for (const side of [-1, 1]) {
           const [x, y] = [px - side * dy * off, py + side * dx * off];
           if (!clear(map, placed, x, y, half)) continue;
-          const repeats = placed.some(({ text, x: ox, y: oy }) => text[0][0] === WORDS[curve.kind] && Math.hypot(ox - x, oy - y) < 90);
+          const repeats = placed.some(({ text, x: ox, y: oy }) => text[0][0] === WORDS[curve.kind] && Math.hypot(ox - x, oy - y) < 130);
           const middle = 1 - Math.abs((passed + at) / length - 0.5);
           const score = repeats ? 0 : Math.min(18, map.at(x, y)) * middle;
           if (score > best.score) best = { score, x, y };

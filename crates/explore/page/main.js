@@ -29,7 +29,8 @@ const COMMANDS = {
   out: () => hand.zoom(1 / 1.6),
   whole: hand.whole,
   box: hand.startBox,
-  back: () => history.back(),
+  // Not beyond where one came in.
+  back: () => history.state?.step > 0 && history.back(),
   forward: () => history.forward(),
   horizontal: () => toggleCut("secondary"),
   vertical: () => toggleCut("primary"),
@@ -69,6 +70,7 @@ function keys() {
 const checkSoon = rested(200, () => editor.check(model.modelOf(state.get())));
 
 function follow(value, changed, live) {
+  if (!live && changed.size > 0 && model.description) $("warning").hidden = true;
   const has = (names) => names.some((name) => changed.has(name));
   editor.follow(value);
   if (has(OSCILLATOR)) {
@@ -141,7 +143,8 @@ async function begin() {
   document.fonts.ready.then(redraw);
   state.subscribe(follow);
   const known = state.fromAddress();
-  if (!known) diagram.say("The address could not be read: it may have been cut short.", true);
+  $("warning").hidden = known;
+  $("warning").textContent = known ? "" : "What follows # in the address could not be read: it may have been cut short. The paper’s oscillator is shown.";
   if (described === "" && !state.get().text && !state.get().example) editor.check(model.modelOf(state.get()));
 }
 

@@ -135,7 +135,7 @@ class Card {
     const focused = this.table.contains(document.activeElement) ? document.activeElement.dataset.p : null;
     const lines = solutions.map((each) => {
       const pressed = this.drawn.has(each.p);
-      const button = make("button", { type: "button", class: "small toggle", "data-p": each.p, "aria-pressed": pressed, "aria-label": each.p ? `Draw the ${each.p}-loop solution` : "Draw the non-impacting solution", onclick: () => this.toggle(each.p) }, String(each.p));
+      const button = make("button", { type: "button", class: "small toggle", "data-p": each.p, "aria-pressed": pressed, "aria-label": `Draw p = ${each.p}`, onclick: () => this.toggle(each.p) }, String(each.p));
       button.style.setProperty("--ink", branchInk(each.p));
       const velocity = each.p === 0 ? "–" : number(each.velocity, 4);
       return make("tr", {}, make("th", { scope: "row" }, button), make("td", {}, velocity), make("td", {}, multipliers(each.multipliers)), mark(each.stable), mark(each.admissible));

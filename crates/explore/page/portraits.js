@@ -1,5 +1,5 @@
 // What an oscillator does at a place, in three pictures: phase portrait, time series, and impacts by phase and velocity.
-import { drawAxes, font, prepare, trace } from "./axes.js";
+import { drawAxes, font, prepare, ticks, trace } from "./axes.js";
 import { inks } from "./palette.js";
 
 /** Forcing periods of the time series: most, and least. */
@@ -21,10 +21,14 @@ function extent(values, room = ROOM) {
 }
 
 /** A canvas with axes; gives what draws in it, or null. */
-function chart(canvas, x, y, margin) {
+function chart(canvas, x, y) {
   const made = prepare(canvas);
   if (!made) return null;
   const { context, width, height } = made;
+  context.font = font(SIZE);
+  const labels = ticks(y.range, (height - MARGIN.top - MARGIN.bottom) / 38).found;
+  const widest = Math.max(0, ...labels.map(({ label }) => (label ? context.measureText(label).width : 0)));
+  const margin = { ...MARGIN, left: Math.max(MARGIN.left, Math.ceil(widest) + 28) };
   const frame = { x: margin.left, y: margin.top, w: width - margin.left - margin.right, h: height - margin.top - margin.bottom };
   const ink = inks();
   const to = ([px, py]) => [frame.x + ((px - x.range[0]) / (x.range[1] - x.range[0])) * frame.w, frame.y + frame.h - ((py - y.range[0]) / (y.range[1] - y.range[0])) * frame.h];
@@ -34,9 +38,11 @@ function chart(canvas, x, y, margin) {
   context.fillStyle = ink.paper;
   context.fill();
   context.clip();
-  return { context, frame, ink, to, end: () => (context.restore(), drawAxes(context, frame, { x, y }, ink, 11)) };
+  return { context, frame, ink, to, end: () => (context.restore(), drawAxes(context, frame, { x, y }, ink, SIZE)) };
 }
 
+/** Of the numbers at the axes. */
+const SIZE = 11;
 const MARGIN = { left: 46, right: 8, top: 8, bottom: 36 };
 
 function line(context, points, colour, width, dashes = []) {
@@ -77,12 +83,15 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
   const above = wallX.reduce((sum, x) => sum + x, 0) / wallX.length >= mean;
   const x = { range: xs, title: [["x", "italic"]], at: 11 };
 
-  const phase = chart(canvases.phase, x, { range: vs, title: [["v", "italic"]], at: 11 }, MARGIN);
+  const phase = chart(canvases.phase, x, { range: vs, title: [["v", "italic"]], at: 11 });
   if (phase) {
     const { context, to, ink, frame } = phase;
     const [near, far] = above ? [Math.min(...wallX), xs[1]] : [Math.max(...wallX), xs[0]];
     const [a, b] = [to([near, 0])[0], to([far, 0])[0]];
-    shadeWall(context, [[a, frame.y], [a, frame.y + frame.h]], [[b, frame.y + frame.h], [b, frame.y]], ink.wall);
+    // A wall that moves is lighter where it is only at times.
+    for (const edge of new Set([a, to([above ? Math.max(...wallX) : Math.min(...wallX), 0])[0]])) {
+      shadeWall(context, [[edge, frame.y], [edge, frame.y + frame.h]], [[b, frame.y + frame.h], [b, frame.y]], ink.wall);
+    }
     line(context, [[a, frame.y], [a, frame.y + frame.h]], ink.wall, 1);
     line(context, [to([xs[0], 0]), to([xs[1], 0])], ink.faint, 1);
     orbits.forEach(({ orbit: all, ink: colour, wide, dashed, periods }, which) => {
@@ -100,7 +109,7 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
   const lengths = orbits.map(({ orbit }, index) => (orbit.at(-1)?.at(-1)?.[0] ?? 0) - starts[index]);
   const turns = orbits.every(({ periods }) => periods) ? Math.max(0, ...orbits.map(({ periods }) => 2 * periods)) : LONGEST;
   const most = Math.min(LONGEST, Math.max(SHORTEST, turns));
-  const time = chart(canvases.time, { range: [0, most], title: [["t", "italic"], [" / ", ""], ["T", "italic"]] }, x, MARGIN);
+  const time = chart(canvases.time, { range: [0, most], title: [["t", "italic"], [" / ", ""], ["T", "italic"]] }, x);
   if (time) {
     const { context, to, ink } = time;
     const edge = [];
@@ -121,7 +130,12 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
   const struck = strikes.flatMap((each) => each.strikes);
   const top = struck.length ? 1.08 * Math.max(...struck.map(([, v]) => Math.abs(v))) : 1;
   const sign = struck.some(([, v]) => v < 0) ? -1 : 1;
-  const impacts = chart(canvases.strikes, { range: [-0.25, 2 * Math.PI + 0.25], title: [["phase of impact", ""]] }, { range: sign > 0 ? [0, top] : [-top, 0], title: [["velocity", ""]], at: 11 }, MARGIN);
+  // Counted from where the impacts stand together: those about phase 0 are neighbours.
+  const spread = (list) => (list.length ? Math.max(...list) - Math.min(...list) : 0);
+  const about = ([z]) => (z > Math.PI ? z - 2 * Math.PI : z);
+  const turned = spread(struck.map(about)) < spread(struck.map(([z]) => z));
+  const from = turned ? -Math.PI : 0;
+  const impacts = chart(canvases.strikes, { range: [from - 0.25, from + 2 * Math.PI + 0.25], title: [["phase of impact", ""]] }, { range: sign > 0 ? [0, top] : [-top, 0], title: [["velocity", ""]], at: 11 });
   if (impacts) {
     const { context, to, ink, frame } = impacts;
     for (const { strikes: list, ink: colour } of strikes) {
@@ -130,7 +144,7 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
       context.globalAlpha = list.length > 60 ? 0.7 : 1;
       for (const place of list) {
         context.beginPath();
-        context.arc(...to(place), size, 0, 2 * Math.PI);
+        context.arc(...to([turned ? about(place) : place[0], place[1]]), size, 0, 2 * Math.PI);
         context.fill();
       }
       context.globalAlpha = 1;

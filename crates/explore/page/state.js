@@ -34,7 +34,7 @@ function publish(next, live) {
 
 const settle = rested(SETTLES, () => {
   const address = encode(state);
-  if (address !== location.hash) history.pushState(null, "", address || location.pathname);
+  if (address !== location.hash) history.pushState({ step: (history.state?.step ?? 0) + 1 }, "", address || location.pathname);
 });
 
 /** Changes some of the state. */
@@ -93,5 +93,5 @@ export function fromAddress() {
 addEventListener("popstate", fromAddress);
 addEventListener("pagehide", () => {
   const address = encode(state);
-  if (address !== location.hash) history.replaceState(null, "", address || location.pathname);
+  if (address !== location.hash) history.replaceState(history.state, "", address || location.pathname);
 });
