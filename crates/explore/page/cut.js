@@ -1,6 +1,6 @@
 // The cut: what happens along a line through the place, as a one-parameter diagram under the plane. Both are linked:
 // the line is shown in the plane, and pointing here moves the place.
-import { $, rested } from "./dom.js";
+import { $, coordinate, rested } from "./dom.js";
 import { clipped, drawAxes, prepare, trace, write } from "./axes.js";
 import { ask, Latest } from "./api.js";
 import { description, modelOf, viewOf } from "./model.js";
@@ -75,6 +75,11 @@ function draw() {
   const own = answer?.fixed === value.cut ? answer : null;
   const up = own?.frame.y ?? [-1, 1];
   const to = ([p, x]) => [frame.x + ((p - range[0]) / (range[1] - range[0])) * frame.w, frame.y + frame.h - ((x - up[0]) / (up[1] - up[0])) * frame.h];
+  const canvas = $("cut");
+  canvas.setAttribute("aria-valuemin", range[0]);
+  canvas.setAttribute("aria-valuemax", range[1]);
+  canvas.setAttribute("aria-valuenow", value.place[at]);
+  canvas.setAttribute("aria-valuetext", `${description[axis].name} ${coordinate(value.place[at], range[1] - range[0])}`);
   context.save();
   context.beginPath();
   context.rect(frame.x, frame.y, frame.w, frame.h);

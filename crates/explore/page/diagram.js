@@ -9,7 +9,7 @@ import * as state from "./state.js";
 export const diagram = { curves: new Map(), points: [], regions: [], resonances: [], notes: [], stale: false, version: 0 };
 
 const RESTS = 200;
-const COARSE = { pause: 100, patience: 400 };
+const COARSE = { pause: 100, patience: 1000 };
 let changed = () => {};
 export const onDiagram = (act) => (changed = act);
 
@@ -18,6 +18,9 @@ const failed = (error) => {
   say(error.message, true);
 };
 const latest = new Latest({ ...COARSE, failed });
+
+/** Whether it is being computed. */
+export const isBusy = () => latest.running !== null;
 
 /** What was last computed in full, so that nothing is computed twice. */
 let computed = "";
@@ -160,7 +163,7 @@ function list() {
     make("th", { scope: "col" }, ...elements(axisPieces(description.secondary))),
     coefficient("SN"),
     coefficient("PD"),
-    make("th", { scope: "col" }, "Theorem"),
+    make("th", { scope: "col", class: "words" }, "Theorem"),
     make("th", { scope: "col" }, make("span", { class: "unseen" }, "Zoom")),
   );
   const rows = resonances.map((each) =>
@@ -168,7 +171,7 @@ function list() {
       "tr",
       {},
       ...[each.p, each.n ?? "–", number(each.primary, 6), number(each.secondary, 6), number(each.c_sn), number(each.c_pd)].map((cell) => make("td", {}, String(cell))),
-      make("td", { title: each.failing || null, class: each.holds ? "good" : "bad" }, each.holds ? "holds" : each.failing || "fails"),
+      make("td", { class: `words ${each.holds ? "good" : "bad"}` }, each.holds ? "holds" : `fails: ${each.failing}`),
       make("td", {}, make("button", { type: "button", class: "small", onclick: () => zoomTo(each), "aria-label": `Zoom to the resonance p = ${each.p}, n = ${each.n}` }, "Zoom")),
     ),
   );

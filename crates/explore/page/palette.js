@@ -41,8 +41,17 @@ export function penOf({ kind, source }) {
 
 export const branchInk = (p) => inks().branch[p] ?? inks().branch[0];
 
-/** Inks of attractors, by their place in the list. */
-export const attractorInk = (index) => [branchInk(2), branchInk(1), branchInk(4), branchInk(3), branchInk(5), branchInk(6)][index % 6];
+/** Inks of attractors: an MPS has that of its branch, as far as it is free, and others have what is left. */
+export function attractorInks(attractors) {
+  const free = new Set([2, 4, 3, 1, 5, 6, 0]);
+  const wanted = ({ kind, loops }) => (kind === "non-impacting" ? 0 : (loops ?? null));
+  const inks = attractors.map((each) => (free.delete(wanted(each)) ? wanted(each) : null));
+  return inks.map((p) => {
+    const own = p ?? [...free][0] ?? 0;
+    free.delete(own);
+    return branchInk(own);
+  });
+}
 
 /** Calls the function whenever light turns to dark or back. */
 export const onTheme = (act) => new MutationObserver(act).observe(document.documentElement, { attributeFilter: ["data-theme"] });

@@ -4,13 +4,13 @@ import { $, coordinate, count, make, multipliers, number, rested } from "./dom.j
 import { ask, Latest } from "./api.js";
 import { axisPieces, elements } from "./markup.js";
 import { description, modelOf, viewOf } from "./model.js";
-import { attractorInk, branchInk, onTheme } from "./palette.js";
+import { attractorInks, branchInk, onTheme } from "./palette.js";
 import { drawPortraits } from "./portraits.js";
 import * as state from "./state.js";
 
 /** States from which the attractors are sought: fewer while a hand moves. */
 const STATES = { live: 6, rest: 24 };
-const LIVE = { pause: 50, patience: 250 };
+const LIVE = { pause: 30, patience: 1000 };
 const RESTS = 180;
 const speak = rested(900, (words) => ($("announce").textContent = words));
 
@@ -28,13 +28,22 @@ function nameOf({ kind, periods, impacts, loops }) {
 
 const percent = (share) => `${Math.round(100 * share)} %`;
 
+/** Solutions as "p-k", the k-th of those with this p. */
+function keysOf(solutions) {
+  const counts = new Map();
+  return solutions.map(({ p }) => {
+    counts.set(p, (counts.get(p) ?? 0) + 1);
+    return `${p}-${counts.get(p)}`;
+  });
+}
+
 /** One card: the place itself, or the one that was kept. */
 class Card {
   constructor(key) {
     this.key = key;
     this.answer = null;
     this.asked = "";
-    /** The MPSs, by p, that are drawn though they do not attract. */
+    /** The MPSs that are drawn though they may not attract, by p and their place among those with the same p. */
     this.drawn = new Set();
     this.latest = new Latest({ ...LIVE, failed: (error) => this.fail(error) });
     this.rest = rested(RESTS, () => this.request(false));
@@ -120,43 +129,48 @@ class Card {
     this.message.hidden = true;
     this.body.hidden = false;
     const { attractors, solutions } = this.answer;
+    const inks = attractorInks(attractors);
     const rows = attractors.map((each, index) => {
       const swatch = make("span", { class: "swatch", "aria-hidden": "true" });
-      swatch.style.background = attractorInk(index);
+      swatch.style.background = inks[index];
       const share = make("span", { class: "share" });
       share.style.width = `${100 * each.share}%`;
-      share.style.background = attractorInk(index);
+      share.style.background = inks[index];
       const rates = each.kind === "non-impacting" ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} a period`];
       const exponent = each.lyapunov === null ? [] : [rates.length ? " · " : "", make("span", { title: "Largest Lyapunov exponent, in 1/time" }, make("i", {}, "λ"), ` = ${number(each.lyapunov, 3)}`)];
       return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the states that end there" }, percent(each.share)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent));
     });
     this.attractors.replaceChildren(...(rows.length ? rows : [make("li", {}, "No attractor was found.")]));
     const mark = (yes) => make("td", { class: yes ? "good" : "muted" }, yes ? "yes" : "no");
-    const focused = this.table.contains(document.activeElement) ? document.activeElement.dataset.p : null;
-    const lines = solutions.map((each) => {
-      const pressed = this.drawn.has(each.p);
-      const button = make("button", { type: "button", class: "small toggle", "data-p": each.p, "aria-pressed": pressed, "aria-label": `Draw p = ${each.p}`, onclick: () => this.toggle(each.p) }, String(each.p));
+    const focused = this.table.contains(document.activeElement) ? document.activeElement.dataset.key : null;
+    const keys = keysOf(solutions);
+    const lines = solutions.map((each, index) => {
+      const key = keys[index];
+      const pressed = this.drawn.has(key);
+      const button = make("button", { type: "button", class: "small toggle", "data-key": key, "aria-pressed": pressed, "aria-label": `Draw p = ${each.p}`, onclick: () => this.toggle(key) }, String(each.p));
       button.style.setProperty("--ink", branchInk(each.p));
       const velocity = each.p === 0 ? "–" : number(each.velocity, 4);
       return make("tr", {}, make("th", { scope: "row" }, button), make("td", {}, velocity), make("td", {}, multipliers(each.multipliers)), mark(each.stable), mark(each.admissible));
     });
     this.table.replaceChildren(...lines);
-    if (focused !== null) this.table.querySelector(`[data-p="${focused}"]`)?.focus();
+    if (focused !== null) this.table.querySelector(`[data-key="${focused}"]`)?.focus();
     this.solutions.hidden = solutions.length === 0;
     this.draw();
   }
 
-  toggle(p) {
-    if (!this.drawn.delete(p)) this.drawn.add(p);
+  toggle(key) {
+    if (!this.drawn.delete(key)) this.drawn.add(key);
     this.show();
   }
 
   draw() {
     if (!this.answer || this.element.hidden) return;
     const { attractors, solutions, wall, period } = this.answer;
-    const moving = attractors.map(({ orbit, kind, periods }, index) => ({ orbit: orbit ?? [], ink: attractorInk(index), wide: kind === "aperiodic" ? 0.7 : 1.4, periods }));
-    const extra = solutions.filter(({ p }) => this.drawn.has(p)).map(({ orbit, p, stable }) => ({ orbit: orbit ?? [], ink: branchInk(p), wide: 1.4, dashed: !stable, periods: p || 1, repeats: true }));
-    drawPortraits(this, { orbits: [...moving, ...extra], strikes: attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: attractorInk(index) })), wall, period });
+    const inks = attractorInks(attractors);
+    const keys = keysOf(solutions);
+    const moving = attractors.map(({ orbit, kind, periods }, index) => ({ orbit: orbit ?? [], ink: inks[index], wide: kind === "aperiodic" ? 0.7 : 1.4, periods, repeats: Boolean(periods) }));
+    const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map(({ orbit, p, stable }) => ({ orbit: orbit ?? [], ink: branchInk(p), wide: 1.4, dashed: !stable, periods: p || 1, repeats: true }));
+    drawPortraits(this, { orbits: [...moving, ...extra], strikes: attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: inks[index] })), wall, period });
   }
 
   announce(at) {

@@ -107,7 +107,7 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
   }
 
   const lengths = orbits.map(({ orbit }, index) => (orbit.at(-1)?.at(-1)?.[0] ?? 0) - starts[index]);
-  const turns = orbits.every(({ periods }) => periods) ? Math.max(0, ...orbits.map(({ periods }) => 2 * periods)) : LONGEST;
+  const turns = orbits.every(({ periods }) => periods) ? Math.max(0, ...orbits.map(({ periods }) => 2 * periods)) : Math.round(Math.max(...lengths) / period);
   const most = Math.min(LONGEST, Math.max(SHORTEST, turns));
   const time = chart(canvases.time, { range: [0, most], title: [["t", "italic"], [" / ", ""], ["T", "italic"]] }, x);
   if (time) {

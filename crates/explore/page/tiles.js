@@ -2,7 +2,7 @@
 // shading. The last few views are kept.
 import { $, make, rested } from "./dom.js";
 import { Latest, stream } from "./api.js";
-import { diagram } from "./diagram.js";
+import { diagram, isBusy } from "./diagram.js";
 import { description, modelOf, viewOf } from "./model.js";
 import { inks, onTheme, tileInks } from "./palette.js";
 import { frame, project, redraw, setOverlay } from "./plane.js";
@@ -78,7 +78,7 @@ function shading({ view, columns, rows }) {
 
 /** Cells in which a p-loop solution was simulated where the diagram shades nothing of this p. */
 function judge() {
-  if (!current || diagram.stale || diagram.regions.length === 0) return;
+  if (!current || current.cells.length === 0 || diagram.stale || diagram.regions.length === 0) return;
   const shaded = shading(current);
   const followed = new Set(state.get().loops ?? description.loops);
   current.wrong = current.cells.filter(([column, row, loops]) => loops !== null && (loops === 0 || followed.has(loops)) && !shaded(loops, column, row));
@@ -95,6 +95,12 @@ const judgeSoon = rested(250, judge);
 const request = rested(250, () => {
   const value = state.get();
   if (!value.overlay) return;
+  // Behind everything else: the diagram comes first.
+  if (isBusy()) {
+    status("Simulation waits for the curves …");
+    request();
+    return;
+  }
   const view = viewOf(value);
   const columns = Math.max(40, Math.min(MOST.columns, Math.floor(frame.w / 2)));
   const rows = Math.max(30, Math.min(MOST.rows, Math.floor(frame.h / 2)));
@@ -106,6 +112,7 @@ const request = rested(250, () => {
     kept.set(key, known);
     if (current !== known) latest.stop();
     current = known;
+    if (known.done) status("");
     judgeSoon();
     redraw();
     if (known.done || latest.running) return;
@@ -175,11 +182,10 @@ export function follow(value, moved) {
     return;
   }
   setOverlay(paint);
-  if (["text", "example", "set", "loops"].some((name) => moved.has(name))) {
-    latest.stop();
-    current = null;
-  }
-  request();
+  const other = ["text", "example", "set", "loops"].some((name) => moved.has(name));
+  if (other) current = null;
+  if (other || moved.has("view")) latest.stop();
+  if (other || moved.has("view") || moved.has("overlay")) request();
 }
 
 /** The diagram has new regions. */
