@@ -4,7 +4,7 @@ import { $, coordinate, rested } from "./dom.js";
 import { clipped, drawAxes, prepare, trace, write } from "./axes.js";
 import { ask, Latest } from "./api.js";
 import { description, modelOf, viewOf } from "./model.js";
-import { margins, titleOf } from "./plane.js";
+import { margins, redraw, shown, titleOf } from "./plane.js";
 import { branchInk, inks, onTheme } from "./palette.js";
 import * as state from "./state.js";
 
@@ -15,7 +15,6 @@ const latest = new Latest({ pause: 100, patience: 600, failed: (error) => say(er
 let answer = null;
 let asked = "";
 let frame = null;
-let pointer = null;
 
 const say = (words) => {
   $("cut-message").textContent = words;
@@ -98,7 +97,7 @@ function draw() {
     context.setLineDash([]);
   };
   line(value.place[at], ink.place, []);
-  if (pointer !== null) line(pointer, ink.muted, [3, 3]);
+  if (shown.pointer !== null) line(shown.pointer, ink.muted, [3, 3]);
   context.restore();
   drawAxes(context, frame, { x: { range, title: titleOf(description[axis]) }, y: { range: up, title: [["x", "italic"]] } }, ink);
 }
@@ -174,14 +173,16 @@ export function attach() {
   });
   canvas.addEventListener("pointermove", (event) => {
     if (!frame) return;
-    pointer = parameter(event);
-    if (held) put(pointer);
+    shown.pointer = parameter(event);
+    if (held) put(shown.pointer);
     else draw();
+    redraw();
   });
   for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, () => (held = false));
   canvas.addEventListener("pointerleave", () => {
-    pointer = null;
+    shown.pointer = null;
     draw();
+    redraw();
   });
   canvas.addEventListener("keydown", (event) => {
     const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];

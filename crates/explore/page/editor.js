@@ -62,7 +62,7 @@ export function check(model) {
     const changed = Object.keys(model.set).length > 0 || model.loops !== null;
     const answer = described.ok && changed ? await ask("check", model, signal) : described;
     if (signal.aborted) return;
-    if (!$("editor").hidden) tell(answer);
+    if (!$("editor").hidden && text !== null) tell(answer);
     if (described.ok) taken(described);
     if (!answer.ok) taken(answer);
   });

@@ -18,7 +18,7 @@ export const shown = { box: null, pointer: null };
 
 /** The runs of curves as last drawn, for those who point at them. */
 export let runs = [];
-let labels = { key: "", list: [] };
+let labels = { key: "", placed: -1e9, list: [] };
 let asked = 0;
 
 /** Draws at the next frame. */
@@ -142,6 +142,12 @@ function drawCut(context, value, to, ink) {
   context.beginPath();
   trace(context, value.cut === "secondary" ? [[frame.x, y], [frame.x + frame.w, y]] : [[x, frame.y], [x, frame.y + frame.h]]);
   context.stroke();
+  if (shown.pointer === null) return;
+  const [px, py] = to(value.cut === "secondary" ? [shown.pointer, value.place[1]] : [value.place[0], shown.pointer]);
+  context.fillStyle = ink.ink;
+  context.beginPath();
+  context.arc(px, py, 4, 0, 2 * Math.PI);
+  context.fill();
 }
 
 /** Quadratic approximations are good near resonances only: they are shown in a part of the plane that is smaller than this. */
@@ -209,15 +215,21 @@ function draw() {
   moveHandle(value, to);
 }
 
-/** Words stay at their parameters while the plane moves, and find new places when it rests. */
+/** Words stay at their parameters while the plane moves; so often, in milliseconds, they find new places. */
+const SETTLES = 200;
+
 function drawLabels(context, regions, to, view, ink) {
   const key = `${diagram.version} ${frame.w} ${frame.h} ${JSON.stringify(view)}`;
-  if (labels.key !== key) {
+  const passed = performance.now() - labels.placed;
+  if (labels.key !== key && passed >= SETTLES) {
     const points = diagram.points.map(({ primary, secondary }) => to([primary, secondary]));
-    labels = { key, list: placeLabels(frame, runs, diagram.stale ? [] : regions, points) };
-  }
+    const list = placeLabels(frame, runs, diagram.stale ? [] : regions, points);
+    labels = { key, placed: performance.now(), list: list.map((each) => ({ ...each, at: toParameters(each.x, each.y, view) })) };
+  } else if (labels.key !== key) setTimeout(redraw, SETTLES - passed);
   context.textBaseline = "alphabetic";
-  for (const { text, x, y, kind } of labels.list) {
+  for (const { text, at, kind } of labels.list) {
+    const [x, y] = to(at);
+    if (!inFrame(x, y)) continue;
     context.fillStyle = kind === "region" ? ink.ink : kind === "graz" ? ink.quadratic.graz : ink[kind];
     write(context, text, x, y + 5, 15, 0.5);
   }
