@@ -23,7 +23,29 @@ macro_rules! page {
 }
 
 page! {
+    "api.js" = "text/javascript; charset=utf-8",
+    "axes.js" = "text/javascript; charset=utf-8",
+    "constants.js" = "text/javascript; charset=utf-8",
+    "cut.js" = "text/javascript; charset=utf-8",
+    "diagram.js" = "text/javascript; charset=utf-8",
+    "dom.js" = "text/javascript; charset=utf-8",
+    "editor.js" = "text/javascript; charset=utf-8",
+    "explore.css" = "text/css; charset=utf-8",
+    "hand.js" = "text/javascript; charset=utf-8",
     "index.html" = "text/html; charset=utf-8",
+    "labels.js" = "text/javascript; charset=utf-8",
+    "main.js" = "text/javascript; charset=utf-8",
+    "markup.js" = "text/javascript; charset=utf-8",
+    "model.js" = "text/javascript; charset=utf-8",
+    "palette.js" = "text/javascript; charset=utf-8",
+    "panels.css" = "text/css; charset=utf-8",
+    "pick.js" = "text/javascript; charset=utf-8",
+    "place.js" = "text/javascript; charset=utf-8",
+    "plane.js" = "text/javascript; charset=utf-8",
+    "portraits.js" = "text/javascript; charset=utf-8",
+    "share.js" = "text/javascript; charset=utf-8",
+    "state.js" = "text/javascript; charset=utf-8",
+    "tiles.js" = "text/javascript; charset=utf-8",
 }
 
 /// A file of the page; the empty name is the page itself.
@@ -31,4 +53,34 @@ pub(crate) fn page(name: &str) -> Option<Response<Body>> {
     let name = if name.is_empty() { "index.html" } else { name };
     let (_, kind, text) = FILES.iter().find(|(known, _, _)| *known == name)?;
     Some(answer::of_kind(kind, text.as_bytes().to_vec()))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::Path;
+
+    use super::*;
+
+    #[test]
+    fn all_files_of_the_page_are_served_and_all_that_these_load_is_there() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("page");
+        let mut names: Vec<String> = fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        assert_eq!(names, FILES.iter().map(|(name, _, _)| *name).collect::<Vec<_>>());
+        for (name, _, text) in FILES {
+            let quoted = text.split(['"', '\'']).skip(1).step_by(2);
+            for loaded in quoted.filter_map(|text| text.strip_prefix("./")) {
+                let known = page(loaded).is_some() || !loaded.contains('.');
+                assert!(known, "{name}: {loaded}");
+            }
+            // The content policy forbids it anyway.
+            for foreign in ["https://", "//cdn", "eval(", "innerHTML"] {
+                assert!(!text.contains(foreign), "{name}: {foreign}");
+            }
+        }
+    }
 }

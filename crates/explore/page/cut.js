@@ -1,0 +1,198 @@
+// The cut: what happens along a line through the place, as a one-parameter diagram under the plane. Both are linked:
+// the line is shown in the plane, and pointing here moves the place.
+import { $, coordinate, rested } from "./dom.js";
+import { clipped, drawAxes, prepare, trace, write } from "./axes.js";
+import { ask, Latest } from "./api.js";
+import { description, modelOf, viewOf } from "./model.js";
+import { margins, redraw, shown, titleOf } from "./plane.js";
+import { branchInk, inks, onTheme } from "./palette.js";
+import * as state from "./state.js";
+
+/** Fewer dots than these are drawn larger. */
+const FEW = 10000;
+
+const latest = new Latest({ pause: 100, patience: 600, failed: (error) => say(error.message) });
+let answer = null;
+let asked = "";
+let frame = null;
+
+const say = (words) => {
+  $("cut-message").textContent = words;
+  $("cut-message").hidden = words === "";
+};
+
+/** The axis along the cut: its name and its place in a pair. */
+const along = (value) => (value.cut === "secondary" ? ["primary", 0] : ["secondary", 1]);
+
+function bodyOf(value) {
+  const [axis, at] = along(value);
+  return { model: modelOf(value), fixed: value.cut, at: value.place[1 - at], range: viewOf(value)[axis] };
+}
+
+const request = rested(200, () => {
+  const value = state.get();
+  if (!value.cut || !value.place) return;
+  const body = bodyOf(value);
+  const key = JSON.stringify(body);
+  if (key === asked) return;
+  $("cut").setAttribute("aria-busy", "true");
+  latest.now(async (signal) => {
+    const told = await ask("cut", body, signal);
+    [answer, asked] = [{ ...told, fixed: body.fixed }, key];
+    say("");
+    $("cut").removeAttribute("aria-busy");
+    draw();
+  });
+});
+
+export function follow(value) {
+  const on = value.cut !== null && value.place !== null;
+  $("cut-panel").hidden = !on;
+  for (const name of ["primary", "secondary"]) {
+    document.querySelector(`[data-command="${name === "secondary" ? "horizontal" : "vertical"}"]`).setAttribute("aria-pressed", value.cut === name);
+  }
+  if (!on) {
+    latest.stop();
+    request.cancel();
+    return;
+  }
+  request();
+  draw();
+}
+
+function draw() {
+  const value = state.get();
+  if (!value.cut || !value.place || $("cut-panel").hidden) return;
+  const made = prepare($("cut"));
+  if (!made) return;
+  const { context, width, height } = made;
+  const { left, right, top, bottom } = margins(width);
+  frame = { x: left, y: top, w: width - left - right, h: height - top - bottom };
+  const ink = inks();
+  const [axis, at] = along(value);
+  const range = viewOf(value)[axis];
+  const own = answer?.fixed === value.cut ? answer : null;
+  const up = own?.frame.y ?? [-1, 1];
+  const to = ([p, x]) => [frame.x + ((p - range[0]) / (range[1] - range[0])) * frame.w, frame.y + frame.h - ((x - up[0]) / (up[1] - up[0])) * frame.h];
+  const canvas = $("cut");
+  canvas.setAttribute("aria-valuemin", range[0]);
+  canvas.setAttribute("aria-valuemax", range[1]);
+  canvas.setAttribute("aria-valuenow", value.place[at]);
+  canvas.setAttribute("aria-valuetext", `${description[axis].name} ${coordinate(value.place[at], range[1] - range[0])}`);
+  context.save();
+  context.beginPath();
+  context.rect(frame.x, frame.y, frame.w, frame.h);
+  context.fillStyle = ink.paper;
+  context.fill();
+  context.clip();
+  if (own) drawFound(context, own, to, ink);
+  const line = (p, colour, dashes) => {
+    const [x] = to([p, 0]);
+    context.strokeStyle = colour;
+    context.lineWidth = 1.2;
+    context.setLineDash(dashes);
+    context.beginPath();
+    trace(context, [[x, frame.y], [x, frame.y + frame.h]]);
+    context.stroke();
+    context.setLineDash([]);
+  };
+  line(value.place[at], ink.place, []);
+  if (shown.pointer !== null) line(shown.pointer, ink.muted, [3, 3]);
+  context.restore();
+  drawAxes(context, frame, { x: { range, title: titleOf(description[axis]) }, y: { range: up, title: [["x", "italic"]] } }, ink);
+}
+
+function drawFound(context, { strands, bifurcations, dots }, to, ink) {
+  context.fillStyle = ink.cloud;
+  const size = dots.length < FEW ? 1.4 : 0.8;
+  for (const dot of dots) {
+    const [x, y] = to(dot);
+    if (x >= frame.x && x <= frame.x + frame.w) context.fillRect(x - size / 2, y - size / 2, size, size);
+  }
+  const box = [frame.x - 5, frame.y - 5, frame.x + frame.w + 5, frame.y + frame.h + 5];
+  for (const { p, points } of strands) {
+    let from = 0;
+    for (let at = 1; at <= points.length; at += 1) {
+      const same = at < points.length && points[at][2] === points[from][2] && points[at][3] === points[from][3];
+      if (same) continue;
+      const [, , stable, admissible] = points[from];
+      context.strokeStyle = branchInk(p);
+      context.globalAlpha = admissible ? 1 : 0.45;
+      context.lineWidth = stable && admissible ? 2.4 : 0.9;
+      context.setLineDash(admissible ? [] : [3, 3]);
+      context.beginPath();
+      for (const run of clipped(points.slice(from, at + 1).map(to), box)) trace(context, run);
+      context.stroke();
+      from = at;
+    }
+  }
+  context.globalAlpha = 1;
+  context.setLineDash([]);
+  const taken = [];
+  for (const { kind, p, at, x } of bifurcations) {
+    const [px, py] = to([at, x]);
+    context.beginPath();
+    context.arc(px, py, 3.6, 0, 2 * Math.PI);
+    context.fillStyle = ink[kind] ?? ink.marker;
+    context.strokeStyle = ink.rim;
+    context.fill();
+    context.stroke();
+    const words = kind === "graz" ? [["grazing", ""]] : [[`${kind} `, ""], ["p", "italic"], [` = ${p}`, ""]];
+    const wide = kind === "graz" ? 48 : 56;
+    // To the right and above where it can be; nowhere where it would hide another.
+    const corners = [[7, -6], [7, 15], [-7 - wide, -6], [-7 - wide, 15]].map(([dx, dy]) => [px + dx, py + dy]);
+    const free = ([left, low]) => left > frame.x && left + wide < frame.x + frame.w && low > frame.y + 12 && low < frame.y + frame.h && taken.every(([x, y]) => Math.abs(x - left) > wide || Math.abs(y - low) > 13);
+    const corner = corners.find(free);
+    if (!corner) continue;
+    taken.push(corner);
+    write(context, words, ...corner, 12);
+  }
+}
+
+export function attach() {
+  const canvas = $("cut");
+  const parameter = (event) => {
+    const [axis] = along(state.get());
+    const [low, high] = viewOf(state.get())[axis];
+    const part = (event.clientX - canvas.getBoundingClientRect().left - frame.x) / frame.w;
+    return low + Math.min(1, Math.max(0, part)) * (high - low);
+  };
+  const put = (p) => {
+    const value = state.get();
+    const [, at] = along(value);
+    const place = [...value.place];
+    place[at] = p;
+    state.update({ place }, true);
+  };
+  let held = false;
+  canvas.addEventListener("pointerdown", (event) => {
+    if (!frame || event.button !== 0) return;
+    held = true;
+    canvas.setPointerCapture(event.pointerId);
+    put(parameter(event));
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    if (!frame) return;
+    shown.pointer = parameter(event);
+    if (held) put(shown.pointer);
+    else draw();
+    redraw();
+  });
+  for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, () => (held = false));
+  canvas.addEventListener("pointerleave", () => {
+    shown.pointer = null;
+    draw();
+    redraw();
+  });
+  canvas.addEventListener("keydown", (event) => {
+    const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (!way || event.altKey || event.ctrlKey) return;
+    event.preventDefault();
+    const value = state.get();
+    const [axis, at] = along(value);
+    const [low, high] = viewOf(value)[axis];
+    put(Math.min(high, Math.max(low, value.place[at] + way * (event.shiftKey ? 0.1 : 0.01) * (high - low))));
+  });
+  new ResizeObserver(draw).observe(canvas);
+  onTheme(draw);
+}

@@ -1,0 +1,187 @@
+// The diagram: asked for coarse while a hand moves and in full when it rests; curves come as they are found.
+import { $, count, make, number, rested } from "./dom.js";
+import { Latest, stream } from "./api.js";
+import { axisPieces, elements } from "./markup.js";
+import { description, modelOf, viewOf } from "./model.js";
+import * as state from "./state.js";
+
+/** What is known of the diagram; `stale` while regions are those of other constants. */
+export const diagram = { curves: new Map(), points: [], regions: [], resonances: [], notes: [], stale: false, version: 0 };
+
+const RESTS = 200;
+const COARSE = { pause: 100, patience: 1000 };
+let changed = () => {};
+export const onDiagram = (act) => (changed = act);
+
+const failed = (error) => {
+  finish();
+  say(error.message, true);
+};
+const latest = new Latest({ ...COARSE, failed });
+
+/** Whether it is being computed. */
+export const isBusy = () => latest.running !== null;
+
+/** What was last computed in full, so that nothing is computed twice. */
+let computed = "";
+
+export function clear() {
+  latest.stop();
+  rest.cancel();
+  computed = "";
+  diagram.curves.clear();
+  Object.assign(diagram, { points: [], regions: [], resonances: [], notes: [], stale: false, version: diagram.version + 1 });
+  list();
+  changed();
+}
+
+/** The words beside the progress line. */
+export function say(words, bad = false) {
+  $("progress-text").textContent = words;
+  $("progress-text").classList.toggle("bad", bad);
+}
+
+function finish() {
+  $("progress").hidden = true;
+  $("stop").hidden = true;
+}
+
+export function stop() {
+  if ($("stop").hidden) return;
+  latest.stop();
+  rest.cancel();
+  finish();
+  say("Stopped: what was found so far is shown.");
+}
+
+function request(value, coarse) {
+  return { model: modelOf(value), view: viewOf(value), coarse };
+}
+
+const job = (body) => async (signal) => {
+  const { coarse } = body;
+  const bar = $("progress");
+  const seen = new Set();
+  let latestNotes = [];
+  if (!coarse) {
+    bar.removeAttribute("value");
+    bar.hidden = false;
+    $("stop").hidden = false;
+    say("Computing …");
+  }
+  const drop = () => {
+    for (const key of diagram.curves.keys()) if (!seen.has(key)) diagram.curves.delete(key);
+  };
+  const on = {
+    progress({ stage, done, all }) {
+      if (coarse) return;
+      if (all > 0) Object.assign(bar, { max: all, value: done });
+      const words = stage.charAt(0).toUpperCase() + stage.slice(1);
+      say(all > 0 ? `${words}, ${done} of ${all}` : words);
+    },
+    curves(list) {
+      for (const curve of list) {
+        seen.add(curve.key);
+        diagram.curves.set(curve.key, curve);
+      }
+    },
+    keys(keys) {
+      seen.clear();
+      for (const key of keys) seen.add(key);
+    },
+    points(points) {
+      diagram.points = points;
+    },
+    regions(regions) {
+      Object.assign(diagram, { regions, stale: false });
+    },
+    resonances(resonances) {
+      diagram.resonances = resonances;
+      list();
+    },
+    notes(notes) {
+      latestNotes = notes;
+    },
+    done({ seconds }) {
+      drop();
+      diagram.notes = latestNotes;
+      diagram.version += 1;
+      finish();
+      if (coarse) diagram.stale = true;
+      else {
+        computed = JSON.stringify(body);
+        const curves = [...diagram.curves.values()].filter(({ source }) => source !== "quadratic").length;
+        say(`${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`);
+      }
+      list();
+    },
+  };
+  const noticed = Object.fromEntries(
+    Object.entries(on).map(([name, act]) => [
+      name,
+      (data) => {
+        if (signal.aborted) return;
+        act(data);
+        changed();
+      },
+    ]),
+  );
+  await stream("diagram", body, noticed, signal);
+};
+
+const rest = rested(RESTS, () => {
+  const body = request(state.get(), false);
+  if (JSON.stringify(body) !== computed) latest.now(job(body));
+});
+
+/** Follows the state: `constants` tells whether constants are what moves. */
+export function follow(value, live, constants) {
+  if (live && constants) {
+    diagram.stale = true;
+    computed = "";
+    latest.live(job(request(value, true)));
+  }
+  rest();
+}
+
+/** The tables under the plane: resonances, and what is missing. */
+function list() {
+  const { resonances, notes } = diagram;
+  $("notes-count").textContent = notes.length;
+  $("notes").hidden = notes.length === 0;
+  $("notes-list").replaceChildren(...notes.map((note) => make("li", {}, note)));
+  $("resonances").hidden = resonances.length === 0;
+  $("resonances-count").textContent = resonances.length;
+  if (resonances.length === 0) return;
+  const coefficient = (kind) => make("th", { scope: "col" }, make("i", {}, "c"), make("sub", {}, kind));
+  const head = make(
+    "tr",
+    {},
+    make("th", { scope: "col" }, make("i", {}, "p")),
+    make("th", { scope: "col" }, make("i", {}, "n")),
+    make("th", { scope: "col" }, ...elements(axisPieces(description.primary))),
+    make("th", { scope: "col" }, ...elements(axisPieces(description.secondary))),
+    coefficient("SN"),
+    coefficient("PD"),
+    make("th", { scope: "col", class: "words" }, "Theorem"),
+    make("th", { scope: "col" }, make("span", { class: "unseen" }, "Zoom")),
+  );
+  const rows = resonances.map((each) =>
+    make(
+      "tr",
+      {},
+      ...[each.p, each.n ?? "–", number(each.primary, 6), number(each.secondary, 6), number(each.c_sn), number(each.c_pd)].map((cell) => make("td", {}, String(cell))),
+      make("td", { class: `words ${each.holds ? "good" : "bad"}` }, each.holds ? "holds" : `fails: ${each.failing}`),
+      make("td", {}, make("button", { type: "button", class: "small", onclick: () => zoomTo(each), "aria-label": `Zoom to the resonance p = ${each.p}, n = ${each.n}` }, "Zoom")),
+    ),
+  );
+  $("resonances-table").replaceChildren(make("thead", {}, head), make("tbody", {}, ...rows));
+}
+
+/** A resonance in the middle, a twelfth of what is seen now about it, or of the whole if it is not seen. */
+function zoomTo({ primary, secondary }) {
+  const view = viewOf(state.get());
+  const about = (centre, [low, high]) => [centre - (high - low) / 24, centre + (high - low) / 24];
+  state.update({ view: { primary: about(primary, view.primary), secondary: about(secondary, view.secondary) } });
+  $("plane").focus();
+}

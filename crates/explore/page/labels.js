@@ -1,0 +1,107 @@
+// Where the words in the plane go: where no curve passes, no point lies and no other word stands.
+
+const CELL = 5;
+
+/** The map of what is taken: how far each cell is from the next curve, point or edge. */
+function distances(frame, runs, points) {
+  const [columns, rows] = [Math.max(1, Math.floor(frame.w / CELL)), Math.max(1, Math.floor(frame.h / CELL))];
+  const far = new Float32Array(columns * rows).fill(1e9);
+  const take = (x, y) => {
+    const [column, row] = [Math.floor((x - frame.x) / CELL), Math.floor((y - frame.y) / CELL)];
+    if (column >= 0 && column < columns && row >= 0 && row < rows) far[row * columns + column] = 0;
+  };
+  for (const { points: run } of runs) {
+    for (let index = 1; index < run.length; index += 1) {
+      const [[ax, ay], [bx, by]] = [run[index - 1], run[index]];
+      const steps = Math.max(1, Math.ceil(Math.hypot(bx - ax, by - ay) / (CELL / 2)));
+      for (let step = 0; step <= steps; step += 1) take(ax + ((bx - ax) * step) / steps, ay + ((by - ay) * step) / steps);
+    }
+  }
+  for (const [x, y] of points) for (const dx of [-4, 0, 4]) for (const dy of [-4, 0, 4]) take(x + dx, y + dy);
+  for (let column = 0; column < columns; column += 1) far[column] = far[(rows - 1) * columns + column] = 0;
+  for (let row = 0; row < rows; row += 1) far[row * columns] = far[row * columns + columns - 1] = 0;
+  const pass = (order, neighbours) => {
+    for (const cell of order) for (const [step, by] of neighbours) if (far[cell + step] + by < far[cell]) far[cell] = far[cell + step] + by;
+  };
+  const inner = [];
+  for (let row = 1; row < rows - 1; row += 1) for (let column = 1; column < columns - 1; column += 1) inner.push(row * columns + column);
+  pass(inner, [[-1, 1], [-columns, 1], [-columns - 1, 1.4], [-columns + 1, 1.4]]);
+  pass(inner.reverse(), [[1, 1], [columns, 1], [columns + 1, 1.4], [columns - 1, 1.4]]);
+  const at = (x, y) => {
+    const [column, row] = [Math.floor((x - frame.x) / CELL), Math.floor((y - frame.y) / CELL)];
+    return column < 0 || column >= columns || row < 0 || row >= rows ? 0 : CELL * far[row * columns + column];
+  };
+  return { at };
+}
+
+/** Whether a word about the point, so wide, keeps clear of all that is taken. */
+const clear = (map, placed, x, y, half, tall = 7) => {
+  for (let dx = -half; dx <= half; dx += CELL) if (Math.min(map.at(x + dx, y - tall + 2), map.at(x + dx, y + tall - 2)) < 5) return false;
+  return placed.every((other) => Math.abs(other.x - x) > other.half + half + 4 || Math.abs(other.y - y) > 2 * tall + 2);
+};
+
+/** p = ... in the regions: the place of each that is farthest from everything, outside other regions if it can be. */
+function regionLabels(frame, regions, map, placed) {
+  const sheet = document.createElement("canvas").getContext("2d");
+  const paths = regions.map(({ rings }) => {
+    const path = new Path2D();
+    for (const ring of rings) ring.forEach(([x, y], index) => (index === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
+    return path;
+  });
+  const inside = (index, x, y) => sheet.isPointInPath(paths[index], x, y, "evenodd");
+  const step = 2 * CELL;
+  regions.forEach((region, index) => {
+    if (region.kind !== "mps") return;
+    let best = { score: 0 };
+    for (let x = frame.x + 24; x < frame.x + frame.w - 24; x += step) {
+      for (let y = frame.y + 10; y < frame.y + frame.h - 10; y += step) {
+        const room = map.at(x, y);
+        if (room < 9 || room <= best.score || !inside(index, x, y) || !clear(map, placed, x, y, 20)) continue;
+        const others = regions.filter((other, at) => at !== index && other.kind === "mps" && other.p !== region.p && inside(at, x, y)).length;
+        const score = room / (1 + 3 * others);
+        if (score > best.score) best = { score, x, y };
+      }
+    }
+    if (best.score > 0) placed.push({ text: [["p", "italic"], [` = ${region.p}`, ""]], x: best.x, y: best.y, half: 20, kind: "region" });
+  });
+}
+
+const WORDS = { graz: "grazing", SN: "SN", PD: "PD", GZ: "GZ" };
+
+/** A word beside each curve that is long enough, where there is room for it. */
+function curveLabels(frame, runs, map, placed) {
+  const long = runs.map((run) => ({ ...run, length: run.points.reduce((sum, [x, y], at) => (at === 0 ? 0 : sum + Math.hypot(x - run.points[at - 1][0], y - run.points[at - 1][1])), 0) }));
+  for (const { curve, points, length } of long.sort((a, b) => b.length - a.length)) {
+    if (length < 100 || curve.source === "quadratic") continue;
+    const half = curve.kind === "graz" ? 26 : 11;
+    let [best, passed] = [{ score: 0 }, 0];
+    for (let index = 1; index < points.length; index += 1) {
+      const [[ax, ay], [bx, by]] = [points[index - 1], points[index]];
+      const along = Math.hypot(bx - ax, by - ay);
+      for (let at = (12 - (passed % 12)) % 12; at < along; at += 12) {
+        const [dx, dy] = [(bx - ax) / along, (by - ay) / along];
+        const [px, py] = [ax + dx * at, ay + dy * at];
+        const off = Math.abs(dy) * (half + 4) + Math.abs(dx) * 13;
+        for (const side of [-1, 1]) {
+          const [x, y] = [px - side * dy * off, py + side * dx * off];
+          if (!clear(map, placed, x, y, half)) continue;
+          const repeats = placed.some(({ text, x: ox, y: oy }) => text[0][0] === WORDS[curve.kind] && Math.hypot(ox - x, oy - y) < 130);
+          const middle = 1 - Math.abs((passed + at) / length - 0.5);
+          const score = repeats ? 0 : Math.min(18, map.at(x, y)) * middle;
+          if (score > best.score) best = { score, x, y };
+        }
+      }
+      passed += along;
+    }
+    if (best.score > 0) placed.push({ text: [[WORDS[curve.kind], ""]], x: best.x, y: best.y, half, kind: curve.kind });
+  }
+}
+
+/** All words: [{ text (pieces), x, y, kind }], in pixels. */
+export function placeLabels(frame, runs, regions, points) {
+  const map = distances(frame, runs, points);
+  const placed = [];
+  regionLabels(frame, regions, map, placed);
+  curveLabels(frame, runs, map, placed);
+  return placed;
+}

@@ -1,0 +1,151 @@
+// The page: everything follows the state, and buttons and keys change it.
+import { $, rested } from "./dom.js";
+import { ask } from "./api.js";
+import * as constants from "./constants.js";
+import * as cut from "./cut.js";
+import * as diagram from "./diagram.js";
+import * as editor from "./editor.js";
+import * as hand from "./hand.js";
+import * as model from "./model.js";
+import * as place from "./place.js";
+import { redraw } from "./plane.js";
+import { onTheme } from "./palette.js";
+import * as share from "./share.js";
+import * as state from "./state.js";
+import * as tiles from "./tiles.js";
+
+const OSCILLATOR = ["example", "text"];
+const CONSTANTS = ["set", "loops"];
+
+/** Both cuts need a place: the middle of the view, if there is none. */
+const toggleCut = (fixed) => {
+  const value = state.get();
+  if (!value.place) hand.step(0, 0);
+  state.update({ cut: value.cut === fixed ? null : fixed });
+};
+
+const COMMANDS = {
+  in: () => hand.zoom(1.6),
+  out: () => hand.zoom(1 / 1.6),
+  whole: hand.whole,
+  box: hand.startBox,
+  // Not beyond where one came in.
+  back: () => history.state?.step > 0 && history.back(),
+  forward: () => history.forward(),
+  horizontal: () => toggleCut("secondary"),
+  vertical: () => toggleCut("primary"),
+  keep: () => state.get().place && state.update({ kept: state.get().place }),
+  overlay: () => state.update({ overlay: !state.get().overlay }),
+  edit: () => state.update({ edit: !state.get().edit }),
+  stop: diagram.stop,
+  share: share.open,
+  help: () => $("help").showModal(),
+};
+
+/** Keys of the plane; a question mark asks for help anywhere. */
+const KEYS = { "+": "in", "=": "in", "-": "out", 0: "whole", "[": "back", "]": "forward", b: "box", h: "horizontal", v: "vertical", k: "keep", o: "overlay", e: "edit", s: "share", Escape: "stop" };
+
+function keys() {
+  $("plane").addEventListener("keydown", (event) => {
+    const plain = !event.ctrlKey && !event.metaKey && !event.altKey;
+    const name = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (hand.arrow(event)) event.preventDefault();
+    else if (plain && name) {
+      COMMANDS[name]();
+      event.preventDefault();
+    }
+  });
+  document.addEventListener("keydown", (event) => {
+    if (event.key !== "?" || event.target.matches("input, textarea, select")) return;
+    COMMANDS.help();
+    event.preventDefault();
+  });
+  document.addEventListener("click", (event) => {
+    const button = event.target.closest("[data-command]");
+    if (button) COMMANDS[button.dataset.command]();
+  });
+}
+
+/** Only what is said of the file matters until it is right; the diagram of the last one that was stays. */
+const checkSoon = rested(200, () => editor.check(model.modelOf(state.get())));
+
+function follow(value, changed, live) {
+  if (!live && changed.size > 0 && model.description) $("warning").hidden = true;
+  const has = (names) => names.some((name) => changed.has(name));
+  editor.follow(value);
+  if (has(OSCILLATOR)) {
+    // Nothing can be asked before the program has said what this oscillator's parameters are.
+    editor.check(model.modelOf(value));
+    return;
+  }
+  if (!model.description) return;
+  if (has(CONSTANTS)) checkSoon();
+  showAll(value, changed, live);
+}
+
+function showAll(value, changed, live) {
+  constants.follow(value);
+  if (["set", "loops", "view", ...OSCILLATOR].some((name) => changed.has(name))) diagram.follow(value, live, changed.has("set"));
+  place.follow(value, changed, live);
+  cut.follow(value);
+  tiles.follow(value, changed);
+  redraw();
+}
+
+/** Which oscillator the page shows: that of the last description. */
+let described = "";
+
+function taken(answer) {
+  if (!answer.ok) {
+    // A file that came with the address and is wrong is shown with its mistake.
+    if (!model.description && model.textOf(state.get()) !== null && !state.get().edit) state.update({ edit: true });
+    editor.tell(answer);
+    diagram.say(`${answer.line ? `Line ${answer.line}: ` : ""}${answer.message}`, true);
+    return;
+  }
+  const names = ({ name, primary, secondary }) => JSON.stringify([name, primary.name, secondary.name]);
+  if (model.description && names(model.description) !== names(answer)) diagram.clear();
+  model.setDescription(answer);
+  document.title = `${answer.name} – grazing explore`;
+  $("plane").setAttribute("aria-label", `Bifurcation diagram of ${answer.name}: ${answer.primary.name} across, ${answer.secondary.name} up`);
+  const value = state.get();
+  const key = JSON.stringify([model.textOf(value)]);
+  const all = key !== described;
+  described = key;
+  if (all) showAll(value, new Set(["example", "text", "set", "loops", "view", "place", "kept", "cut", "overlay"]), false);
+  else {
+    constants.follow(value);
+    redraw();
+  }
+}
+
+async function begin() {
+  try {
+    model.setExamples(await ask("examples"));
+  } catch (error) {
+    diagram.say(error.message, true);
+    return;
+  }
+  place.attach();
+  editor.attach(model.choose);
+  editor.onTaken(taken);
+  hand.attach();
+  cut.attach();
+  tiles.attach();
+  share.attach();
+  keys();
+  diagram.onDiagram(() => {
+    redraw();
+    tiles.shaded();
+  });
+  onTheme(redraw);
+  new ResizeObserver(redraw).observe($("plane"));
+  document.fonts.ready.then(redraw);
+  state.subscribe(follow);
+  const known = state.fromAddress();
+  $("warning").hidden = known;
+  $("warning").textContent = known ? "" : "What follows # in the address could not be read: it may have been cut short. The paper’s oscillator is shown.";
+  if (described === "" && !state.get().text && !state.get().example) editor.check(model.modelOf(state.get()));
+}
+
+begin();

@@ -1,0 +1,57 @@
+// The inks: those of the printed figures (crates/drawing/src/style.rs) on light, and lighter ones of the same hues on
+// dark. Lightness and dashes differ as well as hue, so that curves can be told apart without colour.
+
+const INKS = {
+  light: {
+    paper: "#ffffff", ink: "#1e1d1b", muted: "#63615b", faint: "#d9d6ce",
+    graz: "#78c86e", SN: "#1946be", PD: "#d62f20", GZ: "#005838",
+    quadratic: { graz: "#426e3d", SN: "#0e2769", PD: "#761a12", GZ: "#00301f" },
+    calm: "#e9e9e9", loops: "rgba(40,40,40,0.3)", hatching: "#6e6e6e", marker: "#000000", rim: "#ffffff",
+    place: "#c2185b", kept: "#00796b", wall: "#6e6e6e", cloud: "rgba(45,70,105,0.55)",
+    branch: ["#000000", "#be5f00", "#1946be", "#961e6e", "#007869", "#af3c23", "#5f5f00"],
+  },
+  dark: {
+    paper: "#1b1e23", ink: "#e7e5df", muted: "#a09e97", faint: "#3a3f47",
+    graz: "#6fbf66", SN: "#8cabff", PD: "#ff7d6e", GZ: "#57cf9f",
+    quadratic: { graz: "#a9e0a2", SN: "#c3d3ff", PD: "#ffb9b0", GZ: "#a5ecd0" },
+    calm: "#2b2f36", loops: "rgba(225,225,225,0.2)", hatching: "#8c8c8c", marker: "#f2f0ea", rim: "#1b1e23",
+    place: "#ff79ad", kept: "#4fd1bd", wall: "#9a9a9a", cloud: "rgba(160,190,230,0.5)",
+    branch: ["#f2f0ea", "#f0a04b", "#8cabff", "#e48ac6", "#4fd1bd", "#ff9c82", "#d0cf6a"],
+  },
+};
+
+/** Tiles: p = 1, 2, ... (after Okabe and Ito); non-impacting; other periodic motion; the rest. */
+const LOOPS = ["#e69f00", "#56b4e9", "#cc79a7", "#009e73", "#f0e442"];
+const TILES = {
+  light: { loops: LOOPS, calm: "#d6d6d6", periodic: "#9a8fd0", irregular: "#4a4652" },
+  dark: { loops: ["#c98a00", "#4a9fd0", "#b86a95", "#008f68", "#d6cb3a"], calm: "#4b5058", periodic: "#7d72b8", irregular: "#0c0b10" },
+};
+
+const theme = () => (document.documentElement.dataset.theme === "dark" ? "dark" : "light");
+export const inks = () => INKS[theme()];
+export const tileInks = () => TILES[theme()];
+
+/** How a curve is drawn: colour, width and dashes in pixels of the page. */
+export function penOf({ kind, source }) {
+  const ink = inks();
+  if (source === "quadratic") return { colour: ink.quadratic[kind], width: 1.2, dashes: [4.5, 3] };
+  if (kind === "graz") return { colour: ink.graz, width: 3.4, dashes: [] };
+  return { colour: ink[kind], width: 1.7, dashes: kind === "GZ" ? [7.5, 2, 1.8, 2] : [] };
+}
+
+export const branchInk = (p) => inks().branch[p] ?? inks().branch[0];
+
+/** Inks of attractors: an MPS has that of its branch, as far as it is free, and others have what is left. */
+export function attractorInks(attractors) {
+  const free = new Set([2, 4, 3, 1, 5, 6, 0]);
+  const wanted = ({ kind, loops }) => (kind === "non-impacting" ? 0 : (loops ?? null));
+  const inks = attractors.map((each) => (free.delete(wanted(each)) ? wanted(each) : null));
+  return inks.map((p) => {
+    const own = p ?? [...free][0] ?? 0;
+    free.delete(own);
+    return branchInk(own);
+  });
+}
+
+/** Calls the function whenever light turns to dark or back. */
+export const onTheme = (act) => new MutationObserver(act).observe(document.documentElement, { attributeFilter: ["data-theme"] });

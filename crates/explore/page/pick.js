@@ -1,0 +1,47 @@
+// What of the diagram lies under a pointer.
+import { count } from "./dom.js";
+import { diagram } from "./diagram.js";
+
+const CURVES = { graz: "grazing of the non-impacting solution", SN: "saddle-node bifurcation", PD: "period doubling", GZ: "grazing of an MPS" };
+
+/** The curve within so many pixels of a point, of the runs that were drawn, or null. */
+function curveAt(runs, x, y, within = 7) {
+  let best = { distance: within, curve: null };
+  for (const { curve, points } of runs) {
+    for (let index = 1; index < points.length; index += 1) {
+      const [[ax, ay], [bx, by]] = [points[index - 1], points[index]];
+      const square = (bx - ax) ** 2 + (by - ay) ** 2;
+      const part = square === 0 ? 0 : Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square));
+      const distance = Math.hypot(x - ax - part * (bx - ax), y - ay - part * (by - ay));
+      if (distance < best.distance) best = { distance, curve };
+    }
+  }
+  return best.curve;
+}
+
+/** Whether a place lies in rings, even-odd. */
+function lies([p, s], rings) {
+  let inside = false;
+  for (const ring of rings) {
+    ring.forEach(([bp, bs], index) => {
+      const [ap, as] = ring[(index + ring.length - 1) % ring.length];
+      if (as > s !== bs > s && p < ap + ((bp - ap) * (s - as)) / (bs - as)) inside = !inside;
+    });
+  }
+  return inside;
+}
+
+const loops = ({ p, n }) => (p > 0 ? `, ${count(p, "loop")}${n ? `, n = ${n}` : ""}` : "");
+
+/** What lies at a pixel that is a place, in words; empty if there is nothing to tell. */
+export function tellOf(runs, [x, y], place, to) {
+  const near = diagram.points.find(({ primary, secondary }) => {
+    const [px, py] = to([primary, secondary]);
+    return Math.hypot(px - x, py - y) < 9;
+  });
+  if (near) return (near.kind === "resonance" ? "resonance" : `${near.kind} point`) + loops(near);
+  const curve = curveAt(runs, x, y);
+  if (curve) return `${curve.source === "quadratic" ? `quadratic ${curve.kind}` : CURVES[curve.kind]}${loops(curve)}`;
+  const undecided = diagram.regions.find(({ kind, rings }) => kind === "undecided" && lies(place, rings));
+  return undecided ? `undecided${undecided.reason ? `: ${undecided.reason}` : ""}` : "";
+}

@@ -1,0 +1,196 @@
+// What there is at a place of the plane: attractors, maximal periodic solutions, and their pictures. Two places can
+// stand side by side.
+import { $, coordinate, count, make, multipliers, number, rested } from "./dom.js";
+import { ask, Latest } from "./api.js";
+import { axisPieces, elements } from "./markup.js";
+import { description, modelOf, viewOf } from "./model.js";
+import { attractorInks, branchInk, onTheme } from "./palette.js";
+import { drawPortraits } from "./portraits.js";
+import * as state from "./state.js";
+
+/** States from which the attractors are sought: fewer while a hand moves. */
+const STATES = { live: 6, rest: 24 };
+const LIVE = { pause: 30, patience: 1000 };
+const RESTS = 180;
+const speak = rested(900, (words) => ($("announce").textContent = words));
+
+const KINDS = { "non-impacting": "No impacts", aperiodic: "Aperiodic, perhaps chaos", resting: "Rests at the wall", escaping: "Escapes" };
+
+/** An attractor in words. */
+function nameOf({ kind, periods, impacts, loops }) {
+  if (kind === "non-impacting" && periods > 1) return `No impacts, ${count(periods, "period")}`;
+  if (kind !== "periodic") return KINDS[kind] ?? kind;
+  if (loops) return `MPS, ${count(loops, "loop")}`;
+  const struck = Math.round(impacts * periods);
+  if (struck === 1) return `MPS, ${count(periods, "loop")}`;
+  return `Periodic: ${count(struck, "impact")} in ${count(periods, "period")}`;
+}
+
+const percent = (share) => `${Math.round(100 * share)} %`;
+
+/** Solutions as "p-k", the k-th of those with this p. */
+function keysOf(solutions) {
+  const counts = new Map();
+  return solutions.map(({ p }) => {
+    counts.set(p, (counts.get(p) ?? 0) + 1);
+    return `${p}-${counts.get(p)}`;
+  });
+}
+
+/** One card: the place itself, or the one that was kept. */
+class Card {
+  constructor(key) {
+    this.key = key;
+    this.answer = null;
+    this.asked = "";
+    /** The MPSs that are drawn though they may not attract, by p and their place among those with the same p. */
+    this.drawn = new Set();
+    this.latest = new Latest({ ...LIVE, failed: (error) => this.fail(error) });
+    this.rest = rested(RESTS, () => this.request(false));
+    this.build();
+  }
+
+  build() {
+    const kept = this.key === "kept";
+    const action = kept
+      ? make("button", { type: "button", class: "small", onclick: () => state.update({ kept: null }) }, "Remove")
+      : make("button", { type: "button", class: "small", "data-command": "keep", title: "Keep this place to compare it with another (K)" }, "Keep");
+    this.at = make("p", { class: "at" });
+    this.message = make("p", { class: "message bad", hidden: true });
+    this.attractors = make("ul", { class: "attractors" });
+    const picture = (name, label) => (this[name] = make("canvas", { class: `picture ${name}`, role: "img", "aria-label": label }));
+    this.pictures = make("div", { class: "pictures" }, picture("time", "Time series"), picture("phase", "Phase portrait"), picture("strikes", "Impacts by phase and velocity"));
+    this.table = make("tbody");
+    const heads = [[make("i", {}, "p"), "Loops; press to draw"], ["velocity", "Velocity of the impact"], ["multipliers", "Floquet multipliers"], ["stable", ""], ["admissible", "Whether the orbit keeps clear of the wall between impacts"]];
+    const head = make("tr", {}, ...heads.map(([word, title]) => make("th", { scope: "col", title: title || null }, word)));
+    this.solutions = make("div", { class: "scroll" }, make("table", {}, make("caption", {}, "Maximal periodic solutions"), make("thead", {}, head), this.table));
+    this.body = make("div", { class: "card-body" }, this.attractors, this.pictures, this.solutions);
+    this.element = make("article", { class: `place ${this.key}`, "aria-label": kept ? "Kept place" : "Place", hidden: true }, make("header", {}, this.at, action), this.message, this.body);
+    $("places").append(this.element);
+    new ResizeObserver(() => this.draw()).observe(this.pictures);
+    onTheme(() => this.answer && this.show());
+  }
+
+  /** Follows the state. */
+  follow(value, live) {
+    const place = value[this.key];
+    this.element.hidden = !place;
+    if (!place) {
+      this.latest.stop();
+      this.rest.cancel();
+      this.asked = "";
+      return;
+    }
+    this.title(place, value);
+    if (live) this.latest.live(this.job(true));
+    this.rest();
+  }
+
+  title(place, value) {
+    const view = viewOf(value);
+    const widths = [view.primary, view.secondary].map(([low, high]) => high - low);
+    const told = [description.primary, description.secondary].map((axis, at) => [at ? ", " : "", ...elements(axisPieces(axis)), ` = ${coordinate(place[at], widths[at])}`, axis.unit ? ` ${axis.unit}` : ""]);
+    this.at.replaceChildren(...told.flat());
+  }
+
+  body_(live) {
+    const value = state.get();
+    return { model: modelOf(value), at: value[this.key], states: live ? STATES.live : STATES.rest, orbits: true };
+  }
+
+  request(live) {
+    const body = this.body_(live);
+    if (!body.at || JSON.stringify(body) === this.asked) return;
+    this.latest.now(this.job(live));
+  }
+
+  job(live) {
+    const body = this.body_(live);
+    return async (signal) => {
+      this.element.setAttribute("aria-busy", "true");
+      const answer = await ask("place", body, signal);
+      if (signal.aborted) return;
+      this.asked = live ? "" : JSON.stringify(body);
+      this.answer = answer;
+      this.show();
+      this.element.removeAttribute("aria-busy");
+      if (!live && this.key === "place") this.announce(body.at);
+    };
+  }
+
+  fail(error) {
+    this.message.textContent = error.message;
+    this.message.hidden = false;
+    this.body.hidden = true;
+    this.element.removeAttribute("aria-busy");
+  }
+
+  show() {
+    this.message.hidden = true;
+    this.body.hidden = false;
+    const { attractors, solutions } = this.answer;
+    const inks = attractorInks(attractors);
+    const rows = attractors.map((each, index) => {
+      const swatch = make("span", { class: "swatch", "aria-hidden": "true" });
+      swatch.style.background = inks[index];
+      const share = make("span", { class: "share" });
+      share.style.width = `${100 * each.share}%`;
+      share.style.background = inks[index];
+      const rates = each.kind === "non-impacting" ? [] : [`${number(each.impacts, 3)} ${each.impacts === 1 ? "impact" : "impacts"} a period`];
+      const exponent = each.lyapunov === null ? [] : [rates.length ? " · " : "", make("span", { title: "Largest Lyapunov exponent, in 1/time" }, make("i", {}, "λ"), ` = ${number(each.lyapunov, 3)}`)];
+      return make("li", {}, swatch, make("span", { class: "name" }, nameOf(each)), make("b", { title: "Share of the states that end there" }, percent(each.share)), make("span", { class: "track", "aria-hidden": "true" }, share), make("span", { class: "detail" }, ...rates, ...exponent));
+    });
+    this.attractors.replaceChildren(...(rows.length ? rows : [make("li", {}, "No attractor was found.")]));
+    const mark = (yes) => make("td", { class: yes ? "good" : "muted" }, yes ? "yes" : "no");
+    const focused = this.table.contains(document.activeElement) ? document.activeElement.dataset.key : null;
+    const keys = keysOf(solutions);
+    const lines = solutions.map((each, index) => {
+      const key = keys[index];
+      const pressed = this.drawn.has(key);
+      const button = make("button", { type: "button", class: "small toggle", "data-key": key, "aria-pressed": pressed, "aria-label": `Draw p = ${each.p}`, onclick: () => this.toggle(key) }, String(each.p));
+      button.style.setProperty("--ink", branchInk(each.p));
+      const velocity = each.p === 0 ? "–" : number(each.velocity, 4);
+      return make("tr", {}, make("th", { scope: "row" }, button), make("td", {}, velocity), make("td", {}, multipliers(each.multipliers)), mark(each.stable), mark(each.admissible));
+    });
+    this.table.replaceChildren(...lines);
+    if (focused !== null) this.table.querySelector(`[data-key="${focused}"]`)?.focus();
+    this.solutions.hidden = solutions.length === 0;
+    this.draw();
+  }
+
+  toggle(key) {
+    if (!this.drawn.delete(key)) this.drawn.add(key);
+    this.show();
+  }
+
+  draw() {
+    if (!this.answer || this.element.hidden) return;
+    const { attractors, solutions, wall, period } = this.answer;
+    const inks = attractorInks(attractors);
+    const keys = keysOf(solutions);
+    const moving = attractors.map(({ orbit, kind, periods }, index) => ({ orbit: orbit ?? [], ink: inks[index], wide: kind === "aperiodic" ? 0.7 : 1.4, periods, repeats: Boolean(periods) }));
+    const extra = solutions.filter((_, index) => this.drawn.has(keys[index])).map(({ orbit, p, stable }) => ({ orbit: orbit ?? [], ink: branchInk(p), wide: 1.4, dashed: !stable, periods: p || 1, repeats: true }));
+    drawPortraits(this, { orbits: [...moving, ...extra], strikes: attractors.map((each, index) => ({ strikes: each.strikes ?? [], ink: inks[index] })), wall, period });
+  }
+
+  announce(at) {
+    const { attractors, solutions } = this.answer;
+    const names = [description.primary, description.secondary].map((axis, index) => `${axis.name} ${number(at[index], 4)}`);
+    const found = attractors.map((each) => `${nameOf(each)}, ${percent(each.share)} of states`).join("; ");
+    const mps = solutions.filter(({ p, stable, admissible }) => p > 0 && stable && admissible).map(({ p }) => p);
+    speak(`At ${names.join(", ")}: ${found || "no attractor"}. ${mps.length ? `Stable and admissible: p = ${mps.join(", ")}.` : "No MPS is stable and admissible."}`);
+  }
+}
+
+let cards = [];
+
+export const attach = () => (cards = [new Card("place"), new Card("kept")]);
+
+/** Follows the state: `moved` has the names of what has changed. */
+export function follow(value, moved, live) {
+  const model = ["set", "text", "example", "loops"].some((name) => moved.has(name));
+  for (const card of cards) if (model || moved.has(card.key)) card.follow(value, live);
+    else if (moved.has("view") && value[card.key]) card.title(value[card.key], value);
+  $("place-hint").hidden = value.place !== null || value.kept !== null;
+  document.body.classList.toggle("two-places", value.place !== null && value.kept !== null);
+}

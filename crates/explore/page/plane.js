@@ -1,0 +1,253 @@
+// The plane of parameters, drawn.
+import { $ } from "./dom.js";
+import { clipped, clippedRing, drawAxes, font, prepare, trace, write } from "./axes.js";
+import { diagram } from "./diagram.js";
+import { placeLabels } from "./labels.js";
+import { axisPieces, titlePieces } from "./markup.js";
+import { description, viewOf, wholeView } from "./model.js";
+import { inks, penOf } from "./palette.js";
+import * as state from "./state.js";
+
+/** The frame of the axes in pixels of the canvas. */
+export const frame = { x: 0, y: 0, w: 1, h: 1 };
+/** What is drawn under the curves instead of the shading: painter(context, project), set by the overlay. */
+let overlay = null;
+export const setOverlay = (painter) => (overlay = painter);
+/** A box that is being drawn to zoom into, in pixels, and where the cut's pointer is, in parameters. */
+export const shown = { box: null, pointer: null };
+
+/** The runs of curves as last drawn, for those who point at them. */
+export let runs = [];
+let labels = { key: "", placed: -1e9, list: [] };
+let asked = 0;
+
+/** Draws at the next frame. */
+export function redraw() {
+  if (!asked) asked = requestAnimationFrame(draw);
+}
+
+/** The margins leave room for the numbers; the cut under the plane has the same. */
+export function margins(width) {
+  return width < 520 ? { left: 56, right: 12, top: 8, bottom: 46 } : { left: 70, right: 18, top: 10, bottom: 50 };
+}
+
+export const project = ({ primary: [a, b], secondary: [c, d] }) => ([p, s]) => [frame.x + ((p - a) / (b - a)) * frame.w, frame.y + frame.h - ((s - c) / (d - c)) * frame.h];
+
+export function toParameters(x, y, { primary: [a, b], secondary: [c, d] } = viewOf(state.get())) {
+  return [a + ((x - frame.x) / frame.w) * (b - a), c + ((frame.y + frame.h - y) / frame.h) * (d - c)];
+}
+
+/** The title of an axis, with its unit. */
+export function titleOf(axis) {
+  if (axis.title?.includes("$")) return titlePieces(axis.title);
+  return axis.unit ? [...axisPieces(axis), [` (${axis.unit})`, ""]] : axisPieces(axis);
+}
+
+/** A brush of thin slanted lines. */
+function hatching(context, ink) {
+  const side = 7;
+  const tile = document.createElement("canvas");
+  Object.assign(tile, { width: side * 2, height: side * 2 });
+  const pen = tile.getContext("2d");
+  pen.scale(2, 2);
+  pen.strokeStyle = ink.hatching;
+  pen.lineWidth = 0.8;
+  for (const shift of [-side, 0, side]) {
+    pen.moveTo(shift, side);
+    pen.lineTo(shift + side, 0);
+  }
+  pen.stroke();
+  const pattern = context.createPattern(tile, "repeat");
+  pattern.setTransform(new DOMMatrix().scale(0.5));
+  return pattern;
+}
+
+function drawRegions(context, regions, ink) {
+  context.globalAlpha = diagram.stale ? 0.45 : 1;
+  for (const kind of ["non-impacting", "mps", "undecided"]) {
+    context.fillStyle = kind === "mps" ? ink.loops : kind === "undecided" ? hatching(context, ink) : ink.calm;
+    for (const region of regions) {
+      if (region.kind !== kind) continue;
+      context.beginPath();
+      for (const ring of region.rings) trace(context, ring, true);
+      context.fill("evenodd");
+    }
+  }
+  context.globalAlpha = 1;
+}
+
+function drawCurves(context) {
+  const order = { graz: 0, GZ: 1, PD: 2, SN: 3 };
+  context.lineJoin = "round";
+  for (const { curve, points, bounds } of [...runs].sort((a, b) => (order[a.curve.kind] ?? 4) - (order[b.curve.kind] ?? 4) || (a.curve.source === "quadratic") - (b.curve.source === "quadratic"))) {
+    const pen = penOf(curve);
+    context.strokeStyle = pen.colour;
+    context.setLineDash(pen.dashes);
+    context.lineWidth = bounds ? pen.width : Math.min(pen.width, 0.8);
+    context.globalAlpha = bounds ? 1 : 0.6;
+    context.beginPath();
+    trace(context, points);
+    context.stroke();
+  }
+  context.globalAlpha = 1;
+  context.setLineDash([]);
+}
+
+function drawPoints(context, to, ink) {
+  context.fillStyle = ink.marker;
+  context.strokeStyle = ink.rim;
+  context.lineWidth = 1;
+  for (const point of [...diagram.points].sort((a, b) => (a.kind === "resonance") - (b.kind === "resonance"))) {
+    const [x, y] = to([point.primary, point.secondary]);
+    if (!inFrame(x, y, 6)) continue;
+    context.beginPath();
+    if (point.kind === "resonance") trace(context, [[x, y - 6], [x + 5.4, y + 3.6], [x - 5.4, y + 3.6]], true);
+    else context.arc(x, y, 3.4, 0, 2 * Math.PI);
+    context.fill();
+    context.stroke();
+  }
+}
+
+const inFrame = (x, y, margin = 0) => x >= frame.x - margin && x <= frame.x + frame.w + margin && y >= frame.y - margin && y <= frame.y + frame.h + margin;
+
+/** A cross through the place with a ring; the kept one has a square. */
+function drawPlace(context, place, to, colour, kept) {
+  const [x, y] = to(place);
+  context.strokeStyle = colour;
+  context.lineWidth = 1;
+  context.globalAlpha = 0.55;
+  context.setLineDash([2, 3]);
+  context.beginPath();
+  trace(context, [[frame.x, y], [frame.x + frame.w, y]]);
+  trace(context, [[x, frame.y], [x, frame.y + frame.h]]);
+  if (!kept) context.stroke();
+  context.setLineDash([]);
+  context.globalAlpha = 1;
+  context.lineWidth = 2;
+  context.fillStyle = inks().paper;
+  context.beginPath();
+  if (kept) context.rect(x - 5, y - 5, 10, 10);
+  else context.arc(x, y, 6, 0, 2 * Math.PI);
+  context.globalAlpha = 0.7;
+  context.fill();
+  context.globalAlpha = 1;
+  context.stroke();
+}
+
+function drawCut(context, value, to, ink) {
+  if (!value.cut || !value.place) return;
+  const [x, y] = to(value.place);
+  context.strokeStyle = ink.ink;
+  context.lineWidth = 2;
+  context.beginPath();
+  trace(context, value.cut === "secondary" ? [[frame.x, y], [frame.x + frame.w, y]] : [[x, frame.y], [x, frame.y + frame.h]]);
+  context.stroke();
+  if (shown.pointer === null) return;
+  const [px, py] = to(value.cut === "secondary" ? [shown.pointer, value.place[1]] : [value.place[0], shown.pointer]);
+  context.fillStyle = ink.ink;
+  context.beginPath();
+  context.arc(px, py, 4, 0, 2 * Math.PI);
+  context.fill();
+}
+
+/** Quadratic approximations are good near resonances only: they are shown in a part of the plane that is smaller than this. */
+const MAGNIFIED = 0.4;
+
+function isMagnified(view) {
+  const whole = wholeView();
+  const part = (axis) => (view[axis][1] - view[axis][0]) / (whole[axis][1] - whole[axis][0]);
+  return Math.min(part("primary"), part("secondary")) < MAGNIFIED;
+}
+
+/** What of the curves is in view, cut where a curve ceases to bound anything. */
+function runsInView(to, magnified) {
+  const box = [frame.x - 6, frame.y - 6, frame.x + frame.w + 6, frame.y + frame.h + 6];
+  const found = [];
+  for (const curve of diagram.curves.values()) {
+    if (curve.source === "quadratic" && !magnified) continue;
+    const pixels = curve.points.map(to);
+    let from = 0;
+    for (let at = 1; at <= pixels.length; at += 1) {
+      if (at < pixels.length && curve.bounds[at] === curve.bounds[from]) continue;
+      const part = pixels.slice(from, Math.min(at + 1, pixels.length));
+      for (const points of clipped(part, box)) found.push({ curve, points, bounds: curve.bounds[from] ?? true });
+      from = at;
+    }
+  }
+  return found;
+}
+
+function draw() {
+  asked = 0;
+  if (!description) return;
+  const made = prepare($("plane"));
+  if (!made) return;
+  const { context, width, height } = made;
+  const ink = inks();
+  const value = state.get();
+  const view = viewOf(value);
+  const { left, right, top, bottom } = margins(width);
+  Object.assign(frame, { x: left, y: top, w: width - left - right, h: height - top - bottom });
+  const to = project(view);
+  const box = [frame.x - 20, frame.y - 20, frame.x + frame.w + 20, frame.y + frame.h + 20];
+  const regions = diagram.regions.map((region) => ({ ...region, rings: region.rings.map((ring) => clippedRing(ring.map(to), box)).filter((ring) => ring.length > 2) }));
+  const magnified = isMagnified(view);
+  $("quadratic").hidden = !magnified;
+  runs = runsInView(to, magnified);
+
+  context.save();
+  context.beginPath();
+  context.rect(frame.x, frame.y, frame.w, frame.h);
+  context.fillStyle = ink.paper;
+  context.fill();
+  context.clip();
+  drawRegions(context, regions, ink);
+  if (overlay) overlay(context, view);
+  drawCurves(context);
+  drawCut(context, value, to, ink);
+  drawPoints(context, to, ink);
+  if (!overlay) drawLabels(context, regions, to, view, ink);
+  if (value.kept) drawPlace(context, value.kept, to, ink.kept, true);
+  if (value.place) drawPlace(context, value.place, to, ink.place, false);
+  if (shown.box) drawBox(context, shown.box, ink);
+  context.restore();
+  drawAxes(context, frame, { x: { range: view.primary, title: titleOf(description.primary) }, y: { range: view.secondary, title: titleOf(description.secondary) } }, ink);
+  moveHandle(value, to);
+}
+
+/** Words stay at their parameters while the plane moves; so often, in milliseconds, they find new places. */
+const SETTLES = 200;
+
+function drawLabels(context, regions, to, view, ink) {
+  const key = `${diagram.version} ${frame.w} ${frame.h} ${JSON.stringify(view)}`;
+  const passed = performance.now() - labels.placed;
+  if (labels.key !== key && passed >= SETTLES) {
+    const points = diagram.points.map(({ primary, secondary }) => to([primary, secondary]));
+    const list = placeLabels(frame, runs, diagram.stale ? [] : regions, points);
+    labels = { key, placed: performance.now(), list: list.map((each) => ({ ...each, at: toParameters(each.x, each.y, view) })) };
+  } else if (labels.key !== key) setTimeout(redraw, SETTLES - passed);
+  context.textBaseline = "alphabetic";
+  for (const { text, at, kind } of labels.list) {
+    const [x, y] = to(at);
+    if (!inFrame(x, y)) continue;
+    context.fillStyle = kind === "region" ? ink.ink : kind === "graz" ? ink.quadratic.graz : ink[kind];
+    write(context, text, x, y + 5, 15, 0.5);
+  }
+  context.font = font(13);
+}
+
+function drawBox(context, [ax, ay, bx, by], ink) {
+  context.strokeStyle = ink.place;
+  context.lineWidth = 1.5;
+  context.setLineDash([5, 3]);
+  context.strokeRect(Math.min(ax, bx), Math.min(ay, by), Math.abs(bx - ax), Math.abs(by - ay));
+  context.setLineDash([]);
+}
+
+/** What fingers hold: they scroll the page elsewhere on the plane. */
+function moveHandle(value, to) {
+  const handle = $("handle");
+  const at = value.place ? to(value.place) : null;
+  handle.hidden = !at || !inFrame(...at);
+  if (!handle.hidden) handle.style.transform = `translate(${at[0]}px, ${at[1]}px)`;
+}

@@ -1,0 +1,87 @@
+// Taking it home: the address, the command that writes the same, the figure and the numbers as files.
+import { $ } from "./dom.js";
+import { file } from "./api.js";
+import { namePieces, plain } from "./markup.js";
+import { description, exampleOf, examples, modelOf, viewOf } from "./model.js";
+import * as state from "./state.js";
+
+/** A word of a command line; quoted where a shell would read it otherwise. */
+const word = (text) => (/^[\w@%+=:,./-]+$/.test(text) ? text : `'${text.replace(/'/g, "'\\''")}'`);
+const list = (numbers) => `[${numbers.join(",")}]`;
+
+/** The file as one would name it: the one that the program was begun with as it was, others where they lie. */
+function fileOf(example) {
+  if (!example) return "oscillator.toml";
+  const shipped = examples.some((each) => each !== examples[0] && each.file === example.file && each.text === example.text);
+  return example === examples[0] && !shipped ? example.file : `examples/${example.file}`;
+}
+
+/** The command that writes the very same figure and numbers. */
+export function command(value) {
+  const { primary, secondary } = viewOf(value);
+  const example = exampleOf(value);
+  const paper = example !== null && example.text === null;
+  const setting = (key, told) => ` --set ${word(`${key}=${told}`)}`;
+  const constants = Object.entries(value.set).map(([name, told]) => setting(paper ? `oscillator.${name}` : name, told));
+  const [across, up, loops] = paper ? ["fig07.amplitude", "fig07.frequency", "fig07.loops"] : ["primary.range", "secondary.range", "analysis.loops"];
+  // The figure of the paper has other ranges than the plane at first.
+  const ranges = value.view || paper ? setting(across, list(primary)) + setting(up, list(secondary)) : "";
+  const chosen = value.loops ? setting(loops, list(value.loops)) : "";
+  const first = paper ? "cargo xtask reproduce --only fig07" : `cargo xtask unfold ${word(fileOf(example))}`;
+  return first + constants.join("") + ranges + chosen;
+}
+
+async function copy(text, button) {
+  const before = button.textContent;
+  try {
+    await navigator.clipboard.writeText(text);
+    button.textContent = "Copied";
+  } catch {
+    button.textContent = "Select and copy it";
+  }
+  setTimeout(() => (button.textContent = before), 1500);
+}
+
+function save(blob, name) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+const stem = () => (description?.name ?? "oscillator").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
+
+async function take(what) {
+  const value = state.get();
+  const [kind, table] = what.split(":");
+  $("share-status").textContent = "Drawing …";
+  try {
+    const paper = modelOf(value).text === null;
+    const wanted = table && paper ? `${kind}:fig07_${table}` : what;
+    const blob = await file("export", { model: modelOf(value), view: viewOf(value), what: wanted, columns: $("columns").value });
+    save(blob, `${stem()}${table ? `-${table}` : ""}.${kind}`);
+    $("share-status").textContent = "Saved.";
+  } catch (error) {
+    $("share-status").textContent = error.message;
+  }
+}
+
+export function open() {
+  const value = state.get();
+  $("address").value = location.origin + location.pathname + state.encode(value);
+  $("command").textContent = command(value);
+  $("own-text").hidden = value.text === null;
+  $("share-status").textContent = "";
+  const told = Object.entries(value.set).map(([name, number]) => `${plain(namePieces(name))} = ${number}`);
+  $("share-what").textContent = [description.name, ...told].join(", ");
+  $("share").showModal();
+}
+
+export function attach() {
+  $("copy-address").addEventListener("click", (event) => copy($("address").value, event.currentTarget));
+  $("copy-command").addEventListener("click", (event) => copy($("command").textContent, event.currentTarget));
+  $("save-text").addEventListener("click", () => save(new Blob([state.get().text], { type: "application/toml" }), "oscillator.toml"));
+  for (const button of document.querySelectorAll("dialog .close")) button.addEventListener("click", () => button.closest("dialog").close());
+  for (const button of $("share").querySelectorAll("[data-take]")) button.addEventListener("click", () => take(button.dataset.take));
+}
