@@ -36,13 +36,14 @@ function control(constant) {
     else next[name] = value;
     state.update({ set: next }, live);
   };
+  let typing = false;
   const show = () => {
     const value = state.get().set[name] ?? own;
     if (!(value >= rangeOf(constant)[0] && value <= rangeOf(constant)[1])) extended[name] = value < 0 ? [2 * value, Math.max(0, own)] : [Math.min(value / 2, own), 2 * value];
     const [low, high] = rangeOf(constant);
     slider.value = Math.round(((value - low) / (high - low)) * STEPS);
     slider.setAttribute("aria-valuetext", number(value, 6));
-    if (document.activeElement !== field) field.value = String(Number(value.toPrecision(10)));
+    if (!typing) field.value = String(Number(value.toPrecision(10)));
     field.classList.remove("bad");
     reset.hidden = value === own;
     ends.textContent = `${number(low, 3)} to ${number(high, 3)}`;
@@ -54,7 +55,9 @@ function control(constant) {
     set(Number(value.toPrecision(4)), true);
   });
   slider.addEventListener("change", () => state.update({}));
+  field.addEventListener("input", () => (typing = true));
   field.addEventListener("change", () => {
+    typing = false;
     const value = Number(field.value.replace("−", "-").replace(",", "."));
     if (field.value.trim() !== "" && Number.isFinite(value)) set(value, false);
     else field.classList.add("bad");

@@ -22,8 +22,9 @@ const latest = new Latest({ ...COARSE, failed });
 /** Whether it is being computed. */
 export const isBusy = () => latest.running !== null;
 
-/** What was last computed in full, so that nothing is computed twice. */
+/** What is shown, if it was computed in full, so that nothing is computed twice; and what was said of it. */
 let computed = "";
+let summary = "";
 
 export function clear() {
   latest.stop();
@@ -80,6 +81,7 @@ const job = (body) => async (signal) => {
       say(all > 0 ? `${words}, ${done} of ${all}` : words);
     },
     curves(list) {
+      computed = "";
       for (const curve of list) {
         seen.add(curve.key);
         diagram.curves.set(curve.key, curve);
@@ -111,7 +113,8 @@ const job = (body) => async (signal) => {
       else {
         computed = JSON.stringify(body);
         const curves = [...diagram.curves.values()].filter(({ source }) => source !== "quadratic").length;
-        say(`${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`);
+        summary = `${count(curves, "curve")} and ${count(diagram.points.length, "point")} in ${seconds < 0.995 ? `${Math.round(1000 * seconds)} ms` : `${number(seconds, 3)} s`}.`;
+        say(summary);
       }
       list();
     },
@@ -131,7 +134,13 @@ const job = (body) => async (signal) => {
 
 const rest = rested(RESTS, () => {
   const body = request(state.get(), false);
-  if (JSON.stringify(body) !== computed) latest.now(job(body));
+  if (JSON.stringify(body) !== computed) {
+    latest.now(job(body));
+    return;
+  }
+  latest.stop();
+  finish();
+  say(summary);
 });
 
 /** Follows the state: `constants` tells whether constants are what moves. */
