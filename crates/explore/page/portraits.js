@@ -119,8 +119,10 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
     line(context, edge, ink.wall, 1);
     orbits.forEach(({ orbit, ink: colour, wide, dashed, repeats }, index) => {
       const turns = repeats && lengths[index] > 0 ? Math.ceil((most * period) / lengths[index] - 1e-6) : 1;
-      for (let turn = 0; turn < Math.min(turns, LONGEST); turn += 1) {
-        const shift = starts[index] - turn * lengths[index];
+      // In whole periods from phase zero, as the wall is drawn.
+      const whole = period * Math.floor(starts[index] / period);
+      for (let turn = repeats ? -1 : 0; turn < Math.min(turns, LONGEST); turn += 1) {
+        const shift = whole - turn * lengths[index];
         for (const flight of upTo(orbit, starts[index] + most * period)) line(context, flight.map(([t, px]) => to([(t - shift) / period, px])), colour, wide, dashed ? [4, 3] : []);
       }
     });

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::ImpactOscillator;
 use grazing_reproduction::plane::{self, Axes};
+use grazing_results::brief;
 use grazing_results::plane::{PlanePoint, RegionVertex, SpecialPoint};
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::magnification::approximation;
@@ -155,7 +156,10 @@ fn resonances<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec<Val
                 (true, String::new(), both)
             }
             Err(violated) => {
-                let failing = violated.violated().map(|failing| failing.in_units(units).to_string());
+                let failing = violated.violated().map(|failing| {
+                    let failing = failing.in_units(units);
+                    format!("{}, where it is {}", failing.statement(), brief(failing.value, 4))
+                });
                 (false, failing.collect::<Vec<_>>().join("; "), [f64::NAN; 2])
             }
         };

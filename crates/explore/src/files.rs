@@ -16,13 +16,31 @@ pub struct Example {
     pub text: Option<String>,
 }
 
-macro_rules! page {
-    ($($name:literal = $kind:literal,)+) => {
-        const FILES: &[(&str, &str, &str)] = &[$(($name, $kind, include_str!(concat!("../page/", $name))),)+];
+/// A file: its name, its media type, its content.
+type File = (&'static str, &'static str, &'static [u8]);
+
+macro_rules! files {
+    ($list:ident in $folder:literal: $($name:literal = $kind:literal,)+) => {
+        const $list: &[File] = &[$(($name, $kind, include_bytes!(concat!($folder, $name))),)+];
     };
 }
 
-page! {
+// What the page shares with the report, and the fonts of the figures.
+files! {
+    STYLES in "../../report/assets/":
+    "base.css" = "text/css; charset=utf-8",
+    "theme.js" = "text/javascript; charset=utf-8",
+}
+
+files! {
+    FONTS in "../../drawing/fonts/":
+    "STIXTwoMath-Signs.ttf" = "font/ttf",
+    "STIXTwoText-Italic.ttf" = "font/ttf",
+    "STIXTwoText-Regular.ttf" = "font/ttf",
+}
+
+files! {
+    PAGE in "../page/":
     "api.js" = "text/javascript; charset=utf-8",
     "axes.js" = "text/javascript; charset=utf-8",
     "constants.js" = "text/javascript; charset=utf-8",
@@ -51,8 +69,9 @@ page! {
 /// A file of the page; the empty name is the page itself.
 pub(crate) fn page(name: &str) -> Option<Response<Body>> {
     let name = if name.is_empty() { "index.html" } else { name };
-    let (_, kind, text) = FILES.iter().find(|(known, _, _)| *known == name)?;
-    Some(answer::of_kind(kind, text.as_bytes().to_vec()))
+    let mut files = [PAGE, STYLES, FONTS].into_iter().flatten();
+    let (_, kind, content) = files.find(|(known, _, _)| *known == name)?;
+    Some(answer::of_kind(kind, *content))
 }
 
 #[cfg(test)]
@@ -70,12 +89,17 @@ mod tests {
             .map(|entry| entry.unwrap().file_name().into_string().unwrap())
             .collect();
         names.sort();
-        assert_eq!(names, FILES.iter().map(|(name, _, _)| *name).collect::<Vec<_>>());
-        for (name, _, text) in FILES {
+        assert_eq!(names, PAGE.iter().map(|(name, _, _)| *name).collect::<Vec<_>>());
+        for (name, _, content) in PAGE {
+            let text = str::from_utf8(content).unwrap();
             let quoted = text.split(['"', '\'']).skip(1).step_by(2);
-            for loaded in quoted.filter_map(|text| text.strip_prefix("./")) {
-                let known = page(loaded).is_some() || !loaded.contains('.');
-                assert!(known, "{name}: {loaded}");
+            let loaded = |text: &str| {
+                let file = text.strip_prefix("./").unwrap_or(text);
+                [".js", ".css", ".ttf"].iter().any(|ending| file.ends_with(ending))
+                    && !file.contains([' ', '*'])
+            };
+            for loaded in quoted.filter(|text| loaded(text)) {
+                assert!(page(loaded.strip_prefix("./").unwrap_or(loaded)).is_some(), "{name}: {loaded}");
             }
             // The content policy forbids it anyway.
             for foreign in ["https://", "//cdn", "eval(", "innerHTML"] {

@@ -42,7 +42,7 @@ pub(crate) fn compute(asked: &Asked, stop: &Stop) -> Result<Value, Problem> {
     if !asked.at.iter().all(|value| value.is_finite()) {
         return Err(Problem::wrong("the place must be two numbers"));
     }
-    let mut found = model.with(stop, Looked { asked, stop })?;
+    let mut found = model.with(stop, Looked { asked, stop, model: &model })?;
     found["wall"] = wall(&model, asked.at, found["period"].as_f64().unwrap_or(1.0));
     Ok(found)
 }
@@ -59,20 +59,21 @@ fn wall(model: &Checked, at: [f64; 2], period: f64) -> Value {
 struct Looked<'a> {
     asked: &'a Asked,
     stop: &'a Stop,
+    model: &'a Checked,
 }
 
 impl Job for Looked<'_> {
     type Outcome = Result<Value, Problem>;
 
     fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Result<Value, Problem> {
-        let Self { asked, stop } = self;
+        let Self { asked, stop, model } = self;
         let units = axes.units;
         let [primary, secondary] = asked.at;
         let here = oscillator.with_parameters([primary / units.primary, secondary / units.secondary]);
         let plan = Plan { states: asked.states.clamp(1, MOST_STATES), ..Plan::default() };
         let found = Place::compute(&here, &scope.loops, &plan, stop).ok_or_else(Problem::ended)?;
         let flights = |flights: &[Vec<[f64; 3]>]| match asked.orbits {
-            true => flights.iter().map(|flight| in_units(flight, &units)).collect(),
+            true => flights.iter().map(|flight| outside(flight, &units, model, asked.at)).collect(),
             false => Vec::new(),
         };
         let solution = |solution: &Solution| {
@@ -109,8 +110,14 @@ impl Job for Looked<'_> {
     }
 }
 
-fn in_units(flight: &[[f64; 3]], units: &Units) -> Vec<[f64; 3]> {
-    let point = |[t, x, v]: &[f64; 3]| [t * units.time, x * units.length, v * units.velocity()];
+/// A flight in the file's units and coordinates; it was found as it is seen from the wall.
+fn outside(flight: &[[f64; 3]], units: &Units, model: &Checked, at: [f64; 2]) -> Vec<[f64; 3]> {
+    let point = |[t, u, velocity]: &[f64; 3]| {
+        let [t, u, velocity] = [t * units.time, u * units.length, velocity * units.velocity()];
+        let Checked::Text(description) = model else { return [t, u, velocity] };
+        let [x, v] = Description::wall(description).outside([u, velocity], t, at);
+        [t, x, v]
+    };
     flight.iter().map(point).collect()
 }
 

@@ -74,6 +74,17 @@ pub fn route(window: Window, control: StepControl) -> Route {
     Route { window, control, step_limit: STEP_LIMIT, stop_at_events: true }
 }
 
+/// The route of curves that are drawn: in a small window steps are small, too, down to where curves are straight.
+fn drawn(window: Window) -> Route {
+    let control = StepControl::DRAWING;
+    let [across, up] = window.widths();
+    let longest = control.longest * across.max(up).min(1.0);
+    route(window, StepControl { longest: longest.max(LEAST_STEPS * control.shortest), ..control })
+}
+
+/// Steps are at least so many times as long as the shortest.
+const LEAST_STEPS: f64 = 10.0;
+
 impl<O: ImpactOscillator> Diagram<O> {
     /// Finds the grazing curves of an oscillator and all resonances on them, and follows the curves that leave these.
     ///
@@ -171,7 +182,7 @@ impl<O: ImpactOscillator> Diagram<O> {
     }
 
     fn grow(&self, nets: &mut [Net<O>]) {
-        let route = route(self.scope.window, StepControl::DRAWING);
+        let route = drawn(self.scope.window);
         nets.iter_mut().for_each(|net| net.grow(&route));
     }
 
@@ -212,7 +223,7 @@ impl<O: ImpactOscillator> Diagram<O> {
         finished: &(dyn Fn(usize, &[DiagramCurve]) + Sync),
     ) -> Vec<Followed> {
         let what = CURVES;
-        let route = route(self.scope.window, StepControl::DRAWING);
+        let route = drawn(self.scope.window);
         let points: Vec<_> =
             self.resonances.iter().enumerate().filter(|(_, found)| found.theorem.is_ok()).collect();
         progress.begin(what, points.len() as u64);

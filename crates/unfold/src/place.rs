@@ -3,7 +3,10 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::StepControl;
-use grazing_continuation::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Multipliers, unknown};
+use grazing_continuation::locate::{Condition, locate};
+use grazing_continuation::mps::{
+    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Multipliers, Unknowns, unknown,
+};
 use grazing_model::motion::Motion;
 use grazing_model::orbit::{Flight, FlightEnd, Orbit, OrbitEnd};
 use grazing_model::{ImpactOscillator, OnWall, State, flow_variable};
@@ -28,7 +31,7 @@ pub struct Solution {
     pub multipliers: Multipliers,
     /// Nothing of it lies beyond the wall but its impact.
     pub admissible: bool,
-    /// (t, x, y) along a period.
+    /// (t, x, y) along a period; the phase is zero at t = 0.
     pub orbit: Vec<[f64; 3]>,
 }
 
@@ -94,7 +97,7 @@ pub struct Attractor {
     pub fate: Fate,
     /// The largest Lyapunov exponent, of the dimension of a reciprocal time; not a number where motion rests or cannot be followed.
     pub lyapunov: f64,
-    /// Its flights, (t, x, y) along each.
+    /// Its flights, (t, x, y) along each; the phase is zero at t = 0.
     pub flights: Vec<Vec<[f64; 3]>>,
     /// Phase, in [0, 2π), and velocity of its impacts.
     pub strikes: Vec<[f64; 2]>,
@@ -162,6 +165,19 @@ impl Place {
         let found = search::at(oscillator.clone(), loops, FASTEST, |solution| {
             solution.impact_velocity() > SAME * FASTEST
         });
+        // The lattice is coarse: what motion comes to is a solution, too.
+        let mut found = found;
+        for one in &seen {
+            let near = one.fate.loops().filter(|loops| *loops > 0).zip(one.impacts.first());
+            let Some((loops, impact)) = near else { continue };
+            let known = |(other, point): &(u32, Unknowns)| {
+                *other == loops && is_same(&Vector2::new(point[0], point[1]), impact)
+            };
+            if !found.iter().any(known) {
+                found.extend(solved(oscillator, loops, impact).map(|point| (loops, point)));
+            }
+        }
+        found.sort_by_key(|(loops, _)| *loops);
         solutions.extend(found.into_iter().map(|(loops, point)| {
             let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
             let (solution, _) = equations.solution(&point);
@@ -173,7 +189,7 @@ impl Place {
                 impact: [point[unknown::VELOCITY], point[unknown::PHASE]],
                 multipliers: solution.multipliers,
                 admissible: solution.admissible(),
-                orbit: sampled(&oscillator.motion(recoil), 0.0, flight, period),
+                orbit: sampled(&oscillator.motion(recoil), begins(recoil.phase, period), flight, period),
             }
         }));
         let mut different: Vec<(u32, &Seen)> = Vec::new();
@@ -230,6 +246,20 @@ fn non_impacting<O: ImpactOscillator>(oscillator: &O, seen: &[Seen]) -> Vec<Solu
     found.into_iter().map(|(_, solution)| solution).collect()
 }
 
+/// Whether two impacts are one.
+fn is_same(a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
+    (a[0] - b[0]).abs() < SAME && libm::remainder(a[1] - b[1], TAU).abs() < SAME
+}
+
+/// The MPS with an impact near another.
+fn solved<O: ImpactOscillator>(oscillator: &O, loops: u32, impact: &Vector2<f64>) -> Option<Unknowns> {
+    let [primary, secondary] = oscillator.parameters();
+    let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
+    let here = [Condition::Primary(primary), Condition::Secondary(secondary)];
+    let near = Unknowns::new(impact[0], impact[1], primary, secondary);
+    locate(&equations, here, near, &mut EventTimes::default()).ok()
+}
+
 /// What is kept of an orbit from a state, to be compared with others.
 struct Seen {
     start: State,
@@ -250,10 +280,7 @@ impl Seen {
         match a.kind {
             Kind::Periodic => {
                 let first = &other.impacts[0];
-                self.impacts.iter().any(|impact| {
-                    (impact[0] - first[0]).abs() < SAME
-                        && libm::remainder(impact[1] - first[1], TAU).abs() < SAME
-                })
+                self.impacts.iter().any(|impact| is_same(impact, first))
             }
             Kind::NonImpacting => (self.highest - other.highest).abs() < SAME,
             _ => true,
@@ -331,7 +358,8 @@ impl<O: ImpactOscillator> Followed<O> {
 
     fn attractor(&self, oscillator: &O) -> Attractor {
         let period = self.period;
-        let began = self.flights.first().map_or(0.0, |flight| flight.start);
+        let first = self.flights.first();
+        let began = first.map_or(0.0, |first| first.start - begins(first.from.phase, period));
         let cycle = self
             .fate
             .periods
@@ -346,7 +374,7 @@ impl<O: ImpactOscillator> Followed<O> {
                     let from = flight.motion.at(time);
                     let phase = flight.from.phase + oscillator.forcing_frequency().value * time;
                     let from = State { position: from.position, velocity: from.velocity, phase };
-                    vec![sampled(&oscillator.motion(from), 0.0, periods * period, period)]
+                    vec![sampled(&oscillator.motion(from), begins(phase, period), periods * period, period)]
                 };
                 flight.map(shown).unwrap_or_default()
             }
@@ -411,6 +439,12 @@ impl<O: ImpactOscillator> Followed<O> {
         }
         growth / time
     }
+}
+
+/// The first time from zero on at which the phase is this one.
+fn begins(phase: f64, period: f64) -> f64 {
+    let turns = phase / TAU;
+    (turns - libm::floor(turns)) * period
 }
 
 /// The forcing periods after which motion without impacts comes again, from a time on.
