@@ -4,7 +4,7 @@
 //! end is asked for it is NaN, no step can be made, and whatever waits for a motion learns that there is
 //! none. Every loop then ends within moments by the way it has anyway for motion that does not exist, and nothing that Newton's method, the
 //! continuation or the search for events do has to know of it. What was being computed at that moment is worth nothing and
-//! is left out by whoever asks [`Progress::stopped`](crate::progress::Progress::stopped) afterwards.
+//! is left out by whoever asks [`Progress::stopped`] afterwards.
 
 use core::cell::Cell;
 use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
