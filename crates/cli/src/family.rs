@@ -124,7 +124,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let display = Display::counting(watch.stop());
     let tell = |description: &Description, error: &_| reason::of(error, description);
     let found = records(&plan, &members, &tell, &watch.stop(), &display);
-    let met = watch.met().filter(|_| found.contains_none());
+    let met = watch.met().filter(|_| found.iter().any(Option::is_none));
     match arguments.part {
         Some(part) => {
             let records = found.into_iter().collect::<Option<Vec<Record>>>();
@@ -148,17 +148,6 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
             }
             Ok(())
         }
-    }
-}
-
-/// Whether a member is missing.
-trait ContainsNone {
-    fn contains_none(&self) -> bool;
-}
-
-impl<T> ContainsNone for Vec<Option<T>> {
-    fn contains_none(&self) -> bool {
-        self.iter().any(Option::is_none)
     }
 }
 

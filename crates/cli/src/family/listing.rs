@@ -37,7 +37,7 @@ pub(super) fn plan(
     let varied: Vec<String> = varied.collect();
     let part = match part {
         Some(Part { part, parts }) => {
-            format!(", of which {members} are in part {part} of {parts}",)
+            format!(", of which {members} are in part {part} of {parts}")
         }
         None => String::new(),
     };
