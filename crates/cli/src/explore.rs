@@ -44,7 +44,8 @@ pub(crate) fn run(arguments: &arguments::Explore) -> Result<(), Failure> {
     if !arguments.no_browser {
         open(&address);
     }
-    server.run(limits::is_interrupted).map_err(|reason| Failure::unwritten(reason.to_string()))
+    let too_large = || limits::holds_more_than(grazing_description::Limits::USUAL.memory);
+    server.run(limits::is_interrupted, too_large).map_err(|reason| Failure::unwritten(reason.to_string()))
 }
 
 /// The oscillators in the menu: the one that was named, the paper's, and the repository's examples.

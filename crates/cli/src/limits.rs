@@ -146,12 +146,17 @@ impl Watched {
             Some(Met::Interruption)
         } else if self.began.elapsed().as_secs_f64() > time {
             Some(Met::Time(time))
-        } else if held().is_some_and(|held| held > memory) {
+        } else if holds_more_than(memory) {
             Some(Met::Memory(memory))
         } else {
             None
         }
     }
+}
+
+/// Whether the process holds more than so many megabytes; not where the system does not tell.
+pub(crate) fn holds_more_than(megabytes: f64) -> bool {
+    held().is_some_and(|held| held > megabytes)
 }
 
 /// The memory that the process holds, in megabytes, where the system tells it as Linux does.

@@ -18,7 +18,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use tokio::runtime::Builder;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
-use tokio::time::{sleep, timeout};
+use tokio::time::{interval, sleep, timeout};
 
 use crate::answer::{self, Body, Problem, StopOnDrop};
 use crate::files::{self, Example};
@@ -83,7 +83,8 @@ pub(crate) struct Shared {
     export: Export,
     pub(crate) limits: Limits,
     computations: Arc<Semaphore>,
-    closing: watch::Sender<bool>,
+    /// Changes when all computations are to end.
+    ending: watch::Sender<u64>,
 }
 
 impl Server {
@@ -101,7 +102,7 @@ impl Server {
             export,
             limits,
             computations: Arc::new(Semaphore::new(limits.computations)),
-            closing: watch::Sender::new(false),
+            ending: watch::Sender::new(0),
         };
         Ok(Self { listener, shared: Arc::new(shared) })
     }
@@ -111,11 +112,12 @@ impl Server {
         format!("http://127.0.0.1:{}/{}/", self.shared.port, self.shared.token.text())
     }
 
-    /// Answers requests until `ended` says so, which is asked several times a second; what is being computed then ends at once.
+    /// Answers requests until `ended` says so, which is asked several times a second; what is being computed then ends at once. So it does
+    /// when the process is `too_large`, which goes on.
     ///
     /// # Errors
     /// There are no threads.
-    pub fn run(self, ended: impl Fn() -> bool) -> io::Result<()> {
+    pub fn run(self, ended: impl Fn() -> bool, too_large: impl Fn() -> bool) -> io::Result<()> {
         let Self { listener, shared } = self;
         // A thread for connections; computations have theirs, and within them rayon's.
         let runtime = Builder::new_multi_thread()
@@ -126,12 +128,16 @@ impl Server {
         runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(listener)?;
             let places = Arc::new(Semaphore::new(shared.limits.connections));
+            let mut pause = interval(PAUSE);
             loop {
                 let accepted = tokio::select! {
                     accepted = listener.accept() => accepted,
-                    () = sleep(PAUSE) => {
+                    _ = pause.tick() => {
                         if ended() {
                             break;
+                        }
+                        if too_large() {
+                            shared.ending.send_modify(|endings| *endings += 1);
                         }
                         continue;
                     }
@@ -142,7 +148,7 @@ impl Server {
                 };
                 tokio::spawn(connection(TokioIo::new(stream), shared.clone(), place));
             }
-            shared.closing.send_replace(true);
+            shared.ending.send_modify(|endings| *endings += 1);
             Ok::<_, io::Error>(())
         })?;
         runtime.shutdown_timeout(GRACE);
@@ -260,16 +266,16 @@ impl Shared {
             .map_err(|_| Problem::new(StatusCode::SERVICE_UNAVAILABLE, "the server is closing"))
     }
 
-    /// A mark that ends a computation when its time or its steps are used up, when the server closes, and when what is returned beside it is
+    /// A mark that ends a computation when its time or its steps are used up, when all are to end, and when what is returned beside it is
     /// dropped.
     pub(crate) fn mark(&self, limits: Limits) -> (Stop, StopOnDrop) {
         let stop = Stop::after(limits.steps);
-        let (guard, mut closing) = (StopOnDrop::new(stop.clone()), self.closing.subscribe());
+        let (guard, mut ending) = (StopOnDrop::new(stop.clone()), self.ending.subscribe());
         let (ended, gone) = (stop.clone(), guard.gone());
         tokio::spawn(async move {
             tokio::select! {
                 () = sleep(limits.time) => ended.ask(),
-                _ = closing.wait_for(|closing| *closing) => ended.ask(),
+                _ = ending.changed() => ended.ask(),
                 () = gone.notified() => {}
             }
         });

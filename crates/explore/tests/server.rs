@@ -37,6 +37,10 @@ const LIMITS: Limits = Limits {
 
 impl Running {
     fn new(limits: Limits) -> Self {
+        Self::with_memory(limits, || false)
+    }
+
+    fn with_memory(limits: Limits, too_large: impl Fn() -> bool + Send + 'static) -> Self {
         let example = Example { name: "Paper".to_owned(), file: String::new(), text: None };
         let export = |_: &_, _: &_, what: &str, _: &str, _: &Stop| match what {
             "csv:a" => Ok(Sheet { name: "a.csv".to_owned(), kind: "text/csv", content: b"1\n".to_vec() }),
@@ -49,7 +53,7 @@ impl Running {
         let (address, path) = (host.parse().unwrap(), format!("/{path}"));
         let ended = Arc::new(AtomicBool::new(false));
         let asked = ended.clone();
-        let thread = thread::spawn(move || server.run(|| asked.load(Ordering::Relaxed)).unwrap());
+        let thread = thread::spawn(move || server.run(|| asked.load(Ordering::Relaxed), too_large).unwrap());
         Self { address, path, ended, thread: Some(thread) }
     }
 
@@ -256,6 +260,18 @@ fn what_nobody_waits_for_makes_room_at_once() {
     let body = json!({"model": {"text": null}, "at": [0.1, 0.8], "states": 2}).to_string();
     assert_eq!(server.post("place", &body).0, 200);
     assert!(began.elapsed() < Duration::from_secs(20), "{:?}", began.elapsed());
+}
+
+#[test]
+fn a_process_that_grows_too_large_ends_what_it_computes_and_goes_on() {
+    let server = Running::with_memory(LIMITS, || true);
+    let (text, _) = narrow();
+    let view = json!({"primary": [0.0, 1.5], "secondary": [0.4, 1.1]});
+    let asked =
+        json!({"model": {"text": text}, "view": view, "columns": 1000, "rows": 1000, "periods": 5000});
+    let (status, stream) = server.post("tiles", &asked.to_string());
+    assert_eq!((status, events(&stream, "error").len(), events(&stream, "done").len()), (200, 1, 0));
+    assert_eq!(server.get(&server.path), 200);
 }
 
 #[test]
