@@ -31,9 +31,19 @@ enum Fixed {
 /// As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
 const PLAN: Plan = Plan { values: 160, orbits: 2, transient: 150, recorded: 16, seed: 1 };
 
+/// The range of the parameter that is held, as a part of the file's: only its lower end is looked at.
+const HELD: f64 = 0.01;
+
 pub(crate) fn compute(asked: &Asked, stop: &Stop) -> Result<Value, Problem> {
     let Asked { model, fixed, at, range } = asked;
-    let held = [*at, *at + at.abs().max(f64::MIN_POSITIVE) * 0.01];
+    // The parameter that is held needs a range, too: a small part of the file's.
+    let own = model.description(None)?;
+    let axis = match fixed {
+        Fixed::Primary => own.primary(),
+        Fixed::Secondary => own.secondary(),
+    };
+    let [low, high] = axis.range();
+    let held = [*at, *at + HELD * (high - low)];
     let view = match fixed {
         Fixed::Primary => View { primary: held, secondary: *range },
         Fixed::Secondary => View { primary: *range, secondary: held },

@@ -73,25 +73,19 @@ impl Model {
     /// What is set over the text of its file, for a view of the plane or for the file's own.
     fn settings(&self, view: Option<&View>) -> Result<Vec<Setting>, SettingError> {
         let constants = self.set.iter().map(|(name, value)| format!("parameters.{name}={value:?}"));
+        // One-parameter diagrams need not lie in the view, and nobody asks for them.
         let ranges = view.into_iter().flat_map(|View { primary, secondary }| {
-            [format!("primary.range={primary:?}"), format!("secondary.range={secondary:?}")]
+            let ranges = [("primary", primary), ("secondary", secondary)];
+            let ranges = ranges.map(|(table, range)| format!("{table}.range={range:?}"));
+            ranges.into_iter().chain(["diagrams=[]".to_owned()])
         });
         constants.chain(ranges).map(|setting| setting.parse()).collect()
     }
 
-    /// The oscillator's text: without one-parameter diagrams where there is a view, in whose ranges they need not lie.
-    fn text(&self, view: Option<&View>) -> &str {
-        let whole = self.text.as_deref().unwrap_or(PAPER);
-        match view {
-            Some(_) => whole.split("[[diagrams]]").next().unwrap_or_default(),
-            None => whole,
-        }
-    }
-
     /// The oscillator as its file describes it, in the ranges of a view or in its own.
-    fn description(&self, view: Option<&View>) -> Result<Description, Wrong> {
+    pub(crate) fn description(&self, view: Option<&View>) -> Result<Description, Wrong> {
         let settings = self.settings(view).map_err(|error| Wrong::new(error.to_string()))?;
-        let written = self.text(view);
+        let written = self.text.as_deref().unwrap_or(PAPER);
         let wrong = |error: DescriptionError| located(&error.to_string(), written);
         let description = Description::parse_with(&Text::new(written, &settings), FILE).map_err(wrong)?;
         match &self.loops {

@@ -357,4 +357,13 @@ fn places_tell_solutions_and_what_random_states_come_to() {
     assert!(answer["strands"].as_array().is_some_and(|strands| strands.len() >= 2));
     let graz = |found: &Value| found["kind"] == "graz";
     assert_eq!(answer["bifurcations"].as_array().unwrap().iter().filter(|found| graz(found)).count(), 1);
+    // A line at zero is one as any other, and one-parameter diagrams of the file are in nobody's way, wherever they stand in it.
+    let (text, _) = narrow();
+    let (before, diagrams) = text.split_once("[[diagrams]]").unwrap();
+    let (head, analysis) = before.split_once("[analysis]").unwrap();
+    let moved = format!("{head}[[diagrams]]{diagrams}\n[analysis]{analysis}");
+    let cut =
+        json!({"model": {"text": moved, "loops": [1]}, "fixed": "primary", "at": 0.0, "range": [0.9, 1.0]});
+    let (status, answer) = server.post("cut", &cut.to_string());
+    assert_eq!(status, 200, "{answer}");
 }
