@@ -120,7 +120,7 @@ fn across(varied: [f64; 3], count: usize) -> (f64, Vec<f64>) {
 
 fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
-    let varied = |row: &CurvePoint| across([row.varied_1, row.varied_2, row.varied_3], count);
+    let varied = |row: &CurvePoint| across(row.varied(), count);
     let up = |row: &CurvePoint| match shown.shows {
         Shows::Secondary => row.secondary,
         Shows::SaddleNode => row.c_sn,
@@ -131,11 +131,7 @@ fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -
         Shows::SaddleNode => text_colour(Bifurcation::SaddleNode),
         Shows::PeriodDoubling => text_colour(Bifurcation::PeriodDoubling),
     };
-    let mut others: Vec<Vec<f64>> = family
-        .members
-        .iter()
-        .map(|row| across([row.varied_1, row.varied_2, row.varied_3], count).1)
-        .collect();
+    let mut others: Vec<Vec<f64>> = family.members.iter().map(|row| across(row.varied(), count).1).collect();
     others.dedup();
     let shade = |other: &[f64]| {
         let place = others.iter().position(|known| known == other).unwrap_or(0);
@@ -150,7 +146,7 @@ fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -
         row.loops == shown.loops && (row.meaning == own || row.meaning == Degeneracy::Infinite)
     };
     for row in family.degenerate.iter().filter(infinite) {
-        let (value, _) = across([row.varied_1, row.varied_2, row.varied_3], count);
+        let (value, _) = across(row.varied(), count);
         let [low, high] = shown.frame.y;
         panel.line(&[(value, low), (value, high)], GUIDE);
     }
@@ -170,7 +166,7 @@ fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -
     }
     longest.reverse();
     for row in family.resonances.iter().filter(|row| row.loops == shown.loops) {
-        let (value, other) = across([row.varied_1, row.varied_2, row.varied_3], count);
+        let (value, other) = across(row.varied(), count);
         let up = match shown.shows {
             Shows::Secondary => row.secondary,
             Shows::SaddleNode => row.c_sn,
@@ -240,7 +236,7 @@ fn points(
     let mut named: Vec<CodimensionTwo> = Vec::new();
     let mut wanted = Vec::new();
     for row in family.points.iter().filter(|row| row.loops == loops) {
-        let (value, _) = across([row.varied_1, row.varied_2, row.varied_3], count);
+        let (value, _) = across(row.varied(), count);
         if !panel.frame.contains((value, row.secondary)) {
             continue;
         }

@@ -130,6 +130,19 @@ rows! {
     }
 }
 
+macro_rules! varied {
+    ($($row:ident,)+) => {$(
+        impl $row {
+            /// The constants that vary: of fewer than three the last ones, and not-a-numbers before.
+            pub fn varied(&self) -> [f64; 3] {
+                [self.varied_1, self.varied_2, self.varied_3]
+            }
+        }
+    )+};
+}
+
+varied! { Member, Resonance, Point, CurvePoint, Degenerate, }
+
 /// A panel of the figure of a family, over the constant that varies first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Panel {
