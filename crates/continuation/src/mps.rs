@@ -241,7 +241,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         self.orbit(point, &motion, pair.limiting_multipliers(tangent))
     }
 
-    /// The same with multipliers that are known; its maxima are looked for only where they are asked for.
+    /// The same to fewer digits, with multipliers that are known; its maxima are looked for only where they are asked for.
     pub(crate) fn sketch(
         &self,
         point: &Unknowns,
@@ -249,7 +249,7 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         with_maxima: bool,
     ) -> MaximalPeriodicSolution {
         if with_maxima {
-            let motion = self.oscillator_at(point).motion(self.recoil(point));
+            let motion = self.roughly().oscillator_at(point).motion(self.recoil(point));
             return self.orbit(point, &motion, multipliers);
         }
         let loops = self.loops;

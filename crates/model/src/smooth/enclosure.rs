@@ -95,6 +95,12 @@ pub(super) fn enclose<M: SmoothOscillator>(
     boxed(oscillator, node, next).or_else(|| halved(oscillator, node, next, HALVINGS).map(Cage::Bounds))
 }
 
+/// What the step that led to a node shows of the motion on it, without proof; `None` if that is not finite.
+pub(super) fn estimate(next: &Node) -> Option<Cage> {
+    let bounds = next.last.as_ref()?.bounds();
+    (bounds.acceleration + bounds.jerk + bounds.snap).is_finite().then_some(Cage::Bounds(bounds))
+}
+
 /// Bounds from boxes around parts of the way between two nodes.
 fn halved<M: SmoothOscillator>(
     oscillator: &Integrated<M>,

@@ -9,7 +9,8 @@ mod taylor;
 use super::jet::{Jet, PLANAR};
 use super::oscillator::{Integrated, SmoothOscillator};
 use super::stages::{Lanes, STAGES, Stages};
-use super::tableau::{LAGRANGE, LEGENDRE, MATRIX, NODES, POSITION_WEIGHTS, SQUARE, WEIGHTS};
+use super::tableau::{LEGENDRE, MATRIX, NODES, POSITION_WEIGHTS, POWERS, SQUARE, WEIGHTS};
+use crate::motion::Bounds;
 use crate::scalar::Scalar;
 use crate::state::State;
 
@@ -50,6 +51,8 @@ const TAIL: f64 = 3e-14;
 const SWING: f64 = 0.85;
 /// A step is solved again if h r is larger by more than this share: its error is four times as large.
 const OVERSWING: f64 = 0.1;
+/// And if it is rougher by more than this share: its error is then two and a half times as large.
+const OVERROUGH: f64 = 0.6;
 /// The new step is this share of what the coefficients suggest, and changes by these factors at most (empirical).
 const SAFETY: f64 = 0.9;
 const SHRINK: f64 = 0.3;
@@ -62,8 +65,9 @@ const SHORTEST: f64 = 1e-9;
 const VANISHING: f64 = 1e-3;
 /// The stages are solved for within this many iterations or the step is too long.
 const ITERATIONS: usize = 12;
-/// A correction this small, relative to what F is a sum of, lets the matrix stand; the next ones are smaller by about as much.
-const NEAR: f64 = 1e-3;
+/// A correction this small, relative to what F is a sum of, lets the matrix stand; the next ones are smaller by about as much, and cost
+/// less than a matrix (empirical).
+const NEAR: f64 = 0.2;
 /// A correction is the last if it is this small, or if the next one would be below rounding.
 const CONVERGED: f64 = 1e-12;
 const ROUNDING: f64 = 1e-15;
@@ -73,48 +77,52 @@ const ROUGHER: f64 = 100.0;
 const WIDER: f64 = 2.0;
 const LOOSER: f64 = 1e5;
 
-/// The factors of the matrix I − h² A² F_x − h A F_y of Newton's method, without pivots: it is close to the identity where
+/// Room for what a polynomial of degree five leaves out of the acceleration on a rough step, and of its derivatives (its last coefficients are
+/// 10⁻³ of the whole at most).
+const ROOM: f64 = 1.1;
+
+/// The factors of the matrix I − h² A² F_x − h A F_y of Newton's method by columns, without pivots: it is close to the identity where
 /// the step is not too long, and where it is not the iteration fails and the step is shortened.
-pub(super) struct Factors([[f64; STAGES]; STAGES]);
+pub(super) struct Factors([Stages; STAGES]);
 
 #[expect(clippy::needless_range_loop, reason = "indices as in the formulas")]
 impl Factors {
     /// From h² F_x and h F_y at the stages.
     #[inline]
     pub(super) fn new([by_position, by_velocity]: &[Stages; 2]) -> Self {
-        let mut m = [[0.0; STAGES]; STAGES];
-        for i in 0..STAGES {
-            for j in 0..STAGES {
-                m[i][j] = -by_position.0[i] * SQUARE.0[j].0[i] - by_velocity.0[i] * MATRIX.0[j].0[i];
-            }
-            m[i][i] += 1.0;
+        let mut factors = Self([Stages::constant(0.0); STAGES]);
+        let m = &mut factors.0;
+        for j in 0..STAGES {
+            m[j] = -(*by_position * SQUARE.0[j] + *by_velocity * MATRIX.0[j]);
+            m[j].0[j] += 1.0;
         }
         for k in 0..STAGES {
-            let inverse = 1.0 / m[k][k];
-            m[k][k] = inverse;
+            let inverse = 1.0 / m[k].0[k];
+            m[k].0[k] = inverse;
             for i in k + 1..STAGES {
-                let factor = m[i][k] * inverse;
-                m[i][k] = factor;
-                for j in k + 1..STAGES {
-                    m[i][j] -= factor * m[k][j];
+                m[k].0[i] *= inverse;
+            }
+            for j in k + 1..STAGES {
+                for i in k + 1..STAGES {
+                    m[j].0[i] -= m[k].0[i] * m[j].0[k];
                 }
             }
         }
-        Self(m)
+        factors
     }
 
     #[inline]
     pub(super) fn solve(&self, Lanes(mut b): Stages) -> Stages {
-        for i in 0..STAGES {
-            for k in 0..i {
-                b[i] -= self.0[i][k] * b[k];
+        for k in 0..STAGES {
+            for i in k + 1..STAGES {
+                b[i] -= self.0[k].0[i] * b[k];
             }
         }
-        for i in (0..STAGES).rev() {
-            for k in i + 1..STAGES {
-                b[i] -= self.0[i][k] * b[k];
+        for k in (0..STAGES).rev() {
+            b[k] *= self.0[k].0[k];
+            for i in 0..k {
+                b[i] -= self.0[k].0[i] * b[k];
             }
-            b[i] *= self.0[i][i];
         }
         Lanes(b)
     }
@@ -132,6 +140,16 @@ fn tail([high, low]: [f64; 2]) -> f64 {
     // None of either is NaN, which counts as one.
     let fall = (high / low).min(1.0);
     high * fall * fall * fall * fall.sqrt()
+}
+
+/// The larger of what is of order 5 in the step, and of what is of order 12 as if it were of order 5.
+fn of_order_five(five: f64, twelve: f64) -> f64 {
+    // Roots take time, and most tails are far too small to matter.
+    if twelve < (five * five * five).min(1.0) {
+        return five;
+    }
+    let third = twelve.sqrt().sqrt();
+    five.max(third * third.sqrt() * third.sqrt().sqrt())
 }
 
 /// What F_x and F_y say about a step.
@@ -199,16 +217,24 @@ impl Step {
 
     /// The accelerations at the stages of another step, which begins at a fraction of this one, by interpolation.
     fn guess(&self, begin: f64, length: f64) -> Stages {
-        let at = Lanes(NODES).scale(length / self.length) + Stages::constant(begin);
-        let mut guess = Stages::constant(0.0);
-        for (j, (factor, value)) in LAGRANGE.into_iter().zip(self.accelerations.0).enumerate() {
-            let mut term = Stages::constant(factor * value);
-            for k in (0..STAGES).filter(|&k| k != j) {
-                term = term * (at - Stages::constant(NODES[k]));
-            }
-            guess = guess + term;
+        let at = Lanes(NODES).scale(2.0 * length / self.length) + Stages::constant(2.0 * begin - 1.0);
+        let [lower @ .., highest] = self.accelerations.through(&POWERS).0;
+        let from = Stages::constant(highest);
+        lower.into_iter().rev().fold(from, |value, coefficient| value * at + Stages::constant(coefficient))
+    }
+
+    /// Bounds of the derivatives of x on the step, those of its polynomial with some room for what that leaves out.
+    pub(super) fn bounds(&self) -> Bounds {
+        let sizes = self.accelerations.through(&POWERS).0.map(f64::abs);
+        let slope = 2.0 / self.length.abs();
+        let [mut acceleration, mut jerk, mut snap] = [0.0; 3];
+        for (k, size) in sizes.into_iter().enumerate() {
+            let k = k as f64;
+            acceleration += ROOM * size;
+            jerk += ROOM * size * k * slope;
+            snap += ROOM * size * k * (k - 1.0) * slope * slope;
         }
-        guess
+        Bounds { acceleration, jerk, snap }
     }
 
     /// The size of accelerations where so fast a rate turns the state at which the step begins.
@@ -235,47 +261,46 @@ impl<M: SmoothOscillator> Integrated<M> {
         }
     }
 
-    /// Solves for the accelerations of a step by Newton's method; `None` if it does not converge.
-    fn solve_step(&self, from: Pair<f64>, time: f64, guess: Step) -> Option<Step> {
-        Some(self.solve(from, time, guess)?.0)
-    }
-
-    /// The same with what F_x and F_y say about the step.
-    fn solve(&self, from: Pair<f64>, time: f64, guess: Step) -> Option<(Step, Slopes)> {
-        let mut step = guess;
+    /// Solves for the accelerations of a step by Newton's method, and tells what F_x and F_y say about it; `None` if it does not converge.
+    fn solve(&self, from: Pair<f64>, time: f64, step: &mut Step) -> Option<Slopes> {
         let h = step.length;
         let [mu, eta] = self.parameters.map(Stages::constant);
         let mut force = self.model.force_at(step.times(time), mu, eta);
-        let looser = if self.rough { LOOSER } else { 1.0 };
-        let mut kept = None;
-        let mut before = 1.0;
-        for _ in 0..ITERATIONS {
+        let mut force = |step: &Step| {
             let [x, y] = step.stages(from);
-            let force = force(Jet::<PLANAR, Stages>::variable(0, x), Jet::variable(1, y));
-            let (factors, slopes) = kept.take().unwrap_or_else(|| {
-                let slopes = [force.first(0), force.first(1)];
-                let factors = Factors::new(&[slopes[0].scale(h * h), slopes[1].scale(h)]);
-                (factors, Slopes::new(slopes, h))
-            });
-            let correction = factors.solve(force.value() - step.accelerations);
-            step.accelerations = step.accelerations + correction;
-            let scale = step.scale(from, slopes.rate.max(self.frequency));
-            let size = relative(correction.modulus(), scale);
-            if !size.is_finite() {
-                return None;
-            }
-            // The next one would be smaller than this one by the factor by which this one is smaller than the last, or by more; and by
-            // what the slopes have changed since, less than over the whole step. So one is enough where F is linear.
-            let next = size * if size <= NEAR { slopes.spread.min(size / before) } else { size / before };
-            if size <= CONVERGED * looser || next <= ROUNDING * looser {
-                return Some((step, slopes));
-            }
-            before = size;
-            if size <= NEAR {
-                kept = Some((factors, slopes));
+            force(Jet::<PLANAR, Stages>::variable(0, x), Jet::variable(1, y))
+        };
+        let looser = if self.rough { LOOSER } else { 1.0 };
+        let mut before = 1.0;
+        let mut iterations = 0..ITERATIONS;
+        loop {
+            let jet = force(step);
+            let (mut value, slopes) = (jet.value(), [jet.first(0), jet.first(1)]);
+            let factors = Factors::new(&[slopes[0].scale(h * h), slopes[1].scale(h)]);
+            let slopes = Slopes::new(slopes, h);
+            // The matrix stands from where it is near.
+            loop {
+                iterations.next()?;
+                let correction = factors.solve(value - step.accelerations);
+                step.accelerations = step.accelerations + correction;
+                let scale = step.scale(from, slopes.rate.max(self.frequency));
+                let size = relative(correction.modulus(), scale);
+                if !size.is_finite() {
+                    return None;
+                }
+                // The next one would be smaller than this one by the factor by which this one is smaller than the last, or by more; and by
+                // what the slopes have changed since, less than over the whole step. So one is enough where F is linear.
+                let next = size * if size <= NEAR { slopes.spread.min(size / before) } else { size / before };
+                if size <= CONVERGED * looser || next <= ROUNDING * looser {
+                    return Some(slopes);
+                }
+                before = size;
+                if size > NEAR {
+                    break;
+                }
+                value = force(step).value();
             }
         }
-        None
     }
 
     /// h² F_x and h F_y at the stages of a step.
@@ -291,8 +316,8 @@ impl<M: SmoothOscillator> Integrated<M> {
     /// A part of a step that has been solved, as long as `share` of it, from where it begins at a share of it.
     fn part(&self, from: Pair<f64>, time: f64, step: &Step, [begin, share]: [f64; 2]) -> Option<Step> {
         let length = step.length * share;
-        let accelerations = step.guess(begin, length);
-        self.solve_step(from, time + begin * step.length, Step { length, accelerations })
+        let mut part = Step { length, accelerations: step.guess(begin, length) };
+        self.solve(from, time + begin * step.length, &mut part).map(|_| part)
     }
 
     /// The node after this one, `longest` away at most in time; `None` if the solution cannot be continued.
@@ -314,9 +339,8 @@ impl<M: SmoothOscillator> Integrated<M> {
                     Stages::constant(acceleration)
                 }
             };
-            let Some((step, slopes)) =
-                self.solve(node.state, node.time, Step { length: trial, accelerations })
-            else {
+            let mut step = Step { length: trial, accelerations };
+            let Some(slopes) = self.solve(node.state, node.time, &mut step) else {
                 trial *= SHRINK;
                 // NaN and infinity become no shorter.
                 if !(shortest..f64::INFINITY).contains(&trial.abs()) {
@@ -325,17 +349,14 @@ impl<M: SmoothOscillator> Integrated<M> {
                 continue;
             };
             let scale = step.scale(node.state, self.frequency);
-            // What is of order 12 in the step, as if it were of order 5.
             let [high, tail] = slopes.coefficients();
-            let tail = (tail / TAIL).sqrt().sqrt();
-            let tail = tail * tail.sqrt() * tail.sqrt().sqrt();
             let [highest, _] = highest(&step.accelerations);
-            let roughness = ((relative(highest, scale) + high) / TOLERANCE).max(tail) / rougher;
+            let roughness = of_order_five((relative(highest, scale) + high) / TOLERANCE, tail / TAIL) / rougher;
             let swing = slopes.rate * trial.abs() / (wider * SWING);
             // The highest coefficient is of order 5 in the step; 3/16 is a little less than 1/5, and takes roots alone.
             let eighth = roughness.sqrt().sqrt().sqrt();
             let factor = (SAFETY / (eighth * eighth.sqrt())).clamp(SHRINK, GROW).min(1.0 / swing).max(PLUNGE);
-            if (roughness <= 1.0 && swing <= 1.0 + OVERSWING) || trial.abs() < shortest {
+            if (roughness <= 1.0 + OVERROUGH && swing <= 1.0 + OVERSWING) || trial.abs() < shortest {
                 // A step that was cut at the end says nothing against the proposal.
                 let cut = trial == longest && longest.abs() < node.proposal.abs() && factor >= 1.0;
                 let proposal = if cut { node.proposal } else { trial * factor };
@@ -364,8 +385,8 @@ impl<M: SmoothOscillator> Integrated<M> {
     /// The step from a node to a time on the way to the next one.
     pub(super) fn step_between(&self, node: &Node, next: &Node, time: f64) -> Option<Step> {
         let length = time - node.time;
-        let accelerations = next.last.as_ref()?.guess(0.0, length);
-        self.solve_step(node.state, node.time, Step { length, accelerations })
+        let mut step = Step { length, accelerations: next.last.as_ref()?.guess(0.0, length) };
+        self.solve(node.state, node.time, &mut step).map(|_| step)
     }
 }
 
@@ -403,8 +424,9 @@ mod tests {
         (0..count).fold([-0.4, 0.7], |state, k| {
             let time = length * f64::from(k);
             let accelerations = Stages::constant(oscillator.force(state[0], state[1], time));
-            let guess = Step { length, accelerations };
-            oscillator.solve_step(state, time, guess).unwrap().end(state)
+            let mut step = Step { length, accelerations };
+            oscillator.solve(state, time, &mut step).unwrap();
+            step.end(state)
         })
     }
 

@@ -2,7 +2,7 @@
 
 use core::cell::RefCell;
 
-use super::enclosure::{Cage, derivatives, enclose};
+use super::enclosure::{Cage, derivatives, enclose, estimate};
 use super::integrator::{Node, Step};
 use super::oscillator::{Integrated, SmoothOscillator};
 use crate::motion::{Bounds, Enclosure, Kinematics, Motion, Walk};
@@ -78,13 +78,14 @@ impl<M: SmoothOscillator> IntegratedMotion<M> {
         }
     }
 
-    /// Makes nodes until the time is passed, and cages between them.
+    /// Makes nodes until the time is passed, and cages between them, which for rough motion are estimates.
     ///
-    /// Where none can be proved the solution is about to escape, and counts as ended.
+    /// Where there is none the solution is about to escape, and counts as ended.
     fn make_cages(&self, course: &mut Course, time: f64) {
         self.extend(course, time);
         for k in course.cages.len()..course.nodes.len() - 1 {
-            match enclose(&self.oscillator, &course.nodes[k], &course.nodes[k + 1]) {
+            let [node, next] = [&course.nodes[k], &course.nodes[k + 1]];
+            match if self.oscillator.rough { estimate(next) } else { enclose(&self.oscillator, node, next) } {
                 Some(cage) => course.cages.push(cage),
                 None => {
                     course.nodes.truncate(k + 1);

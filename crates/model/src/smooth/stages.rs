@@ -49,8 +49,12 @@ impl Stages {
     /// The largest modulus; NaN if one of the numbers is.
     #[inline]
     pub(super) fn modulus(&self) -> f64 {
-        // Bits of numbers without sign are in the order of the numbers, with those of NaN last.
-        f64::from_bits(self.0.iter().map(|value| value.abs().to_bits()).fold(0, u64::max))
+        let larger = |a: f64, b: f64| if a > b { a } else { b };
+        let [a, b, c, d, e, f] = self.0.map(f64::abs);
+        // Comparisons lose NaN, and sums keep it.
+        let [even, odd] = [a + c + e, b + d + f];
+        let largest = larger(larger(larger(a, c), e), larger(larger(b, d), f));
+        if (even + odd).is_nan() { f64::NAN } else { largest }
     }
 }
 

@@ -129,18 +129,30 @@ pub(super) const LEGENDRE: [[f64; STAGES]; 4] = {
     rows
 };
 
-/// The factors of Lagrange's polynomials on the stages: 1/((c_j − c_1) ⋯ (c_j − c_6)), without the factor that is zero.
-pub(super) const LAGRANGE: [f64; STAGES] = {
-    let mut factors = [1.0; STAGES];
-    let mut place = 0;
-    while place < STAGES * STAGES {
-        let (j, k) = (place / STAGES, place % STAGES);
-        if j != k {
-            factors[j] /= NODES[j] - NODES[k];
+/// The coefficients of the polynomial through values at the stages, in powers of 2c − 1, from that of degree zero on.
+pub(super) const POWERS: Matrix = {
+    let mut columns = [Lanes([0.0; STAGES]); STAGES];
+    let mut j = 0;
+    while j < STAGES {
+        // Lagrange's polynomial: 1 at its own stage and 0 at the others, a factor for each of these.
+        let mut product = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let mut k = 0;
+        while k < STAGES {
+            if k != j {
+                let (zero, gap) = (2.0 * NODES[k] - 1.0, 2.0 * (NODES[j] - NODES[k]));
+                let mut power = STAGES - 1;
+                while power > 0 {
+                    product[power] = (product[power - 1] - zero * product[power]) / gap;
+                    power -= 1;
+                }
+                product[0] *= -zero / gap;
+            }
+            k += 1;
         }
-        place += 1;
+        columns[j] = Lanes(product);
+        j += 1;
     }
-    factors
+    Matrix(columns)
 };
 
 #[cfg(test)]
@@ -209,12 +221,15 @@ mod tests {
     }
 
     #[test]
-    fn lagranges_polynomials_are_one_at_their_own_stage() {
-        for (j, factor) in LAGRANGE.into_iter().enumerate() {
-            let others = (0..STAGES).filter(|&k| k != j);
-            let product = others.fold(factor, |product, k| product * (NODES[j] - NODES[k]));
-            // Five differences of rounded nodes, the smallest of 0.1.
-            assert!((product - 1.0).abs() < 10.0 * ROUNDING);
+    fn powers_pass_the_values_at_the_stages() {
+        for (j, Lanes(column)) in POWERS.0.iter().enumerate() {
+            for (i, node) in NODES.into_iter().enumerate() {
+                let u = 2.0 * node - 1.0;
+                let value = column.iter().rev().fold(0.0, |value, coefficient| value * u + coefficient);
+                let expected = if i == j { 1.0 } else { 0.0 };
+                // Coefficients up to twenty.
+                assert!((value - expected).abs() < 50.0 * ROUNDING, "{i} {j}");
+            }
         }
     }
 }
