@@ -20,7 +20,7 @@ pub fn cusps<O: ImpactOscillator>(equations: &LoopEquations<O>, curve: &Curve) -
     let turns_back = |k: &usize| forwards(*k).dot(&forwards(k + 1)) < 0.0;
     let cusp = |k: usize| {
         let unknowns = turning_point(&equations, [points[k], points[k + 2]], &forwards(k).normalize())?;
-        let (solution, _) = equations.solution(&unknowns);
+        let solution = equations.solution(&unknowns);
         Some(Event { condition: curve.condition, solution, index: k + 1, times: EventTimes::default() })
     };
     (0..points.len().saturating_sub(2)).filter(turns_back).filter_map(cusp).collect()

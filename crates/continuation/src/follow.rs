@@ -145,7 +145,7 @@ impl Follower<'_> {
         let (solution, now) = self.seen(equations, &after);
         if let Some(mut past) = self.signs {
             if past[INADMISSIBLE].is_none() && now[INADMISSIBLE].is_some() {
-                past[INADMISSIBLE] = Some(equations.equations.solution(&before.point).0.touches());
+                past[INADMISSIBLE] = Some(equations.equations.solution(&before.point).touches());
             }
             if self.matters(past, now, &solution) {
                 self.locate_events(equations, past, now, before, &after, &solution)?;
@@ -181,8 +181,8 @@ impl Follower<'_> {
                 (solution, signs)
             }
             None => {
-                let (solution, pair) = equations.equations.solution(&station.point);
-                (solution, signs(equations.condition, &pair.stability(), &solution))
+                let (solution, stability) = equations.equations.solution_and_stability(&station.point);
+                (solution, signs(equations.condition, &stability, &solution))
             }
         }
     }
@@ -269,8 +269,8 @@ impl Follower<'_> {
             let (point, tangent, times) = (before.point, before.tangent, before.carried.clone());
             let mut walker = Continuation::new(equations, control, point, tangent, times).ok()?;
             let middle = walker.advance().ok()?.clone();
-            let (solution, pair) = equations.equations.solution(&middle.point);
-            if signs(equations.condition, &pair.stability(), &solution)[event] == past {
+            let (solution, stability) = equations.equations.solution_and_stability(&middle.point);
+            if signs(equations.condition, &stability, &solution)[event] == past {
                 before = middle;
                 continue;
             }
@@ -341,7 +341,7 @@ impl Follower<'_> {
             point[coordinate] = edge;
             window.contains(parameters(&point)).then_some(point)
         });
-        let (solution, _) = equations.equations.solution(&crossing.unwrap_or(outside));
+        let solution = equations.equations.solution(&crossing.unwrap_or(outside));
         self.curve.points.push(CurvePoint { solution, times });
     }
 }
@@ -351,23 +351,22 @@ fn starting_point<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStati
     let solution = if first.point[unknown::VELOCITY] == 0.0 {
         equations.equations.limiting_solution(&first.point, &first.tangent)
     } else {
-        equations.equations.solution(&first.point).0
+        equations.equations.solution(&first.point)
     };
     CurvePoint { solution, times: first.carried.clone() }
 }
 
 /// The signs at the start, unless it is itself a codimension-two point, where one of the functions vanishes.
 fn starting_signs<O: ImpactOscillator>(equations: &MpsCurve<O>, first: &MpsStation) -> Option<Signs> {
-    let (solution, pair) = equations.equations.solution(&first.point);
-    let least = [1.0, -1.0].map(|multiplier| pair.characteristic(multiplier).0.abs());
+    let (solution, stability) = equations.equations.solution_and_stability(&first.point);
     let clear = match equations.condition {
         // Where another maximum touches the wall its sign is a toss-up; at y = 0 the loops' maxima all do, and count as touching.
         Condition::Multiplier(_) => {
             first.point[unknown::VELOCITY] == 0.0 || solution.ceiling().abs() > TOUCHES_TOO
         }
-        _ => least[0].min(least[1]) > ON_TWO_CURVES,
+        _ => stability.saddle_node.abs().min(stability.period_doubling.abs()) > ON_TWO_CURVES,
     };
-    clear.then(|| signs(equations.condition, &pair.stability(), &solution))
+    clear.then(|| signs(equations.condition, &stability, &solution))
 }
 
 /// On a curve of fixed multiplier the other multiplier is positive or negative throughout: only grazing can happen there.
@@ -401,7 +400,7 @@ fn locate_event<O: ImpactOscillator>(
         } else {
             near = before.point;
             times = before.carried.clone();
-            equations.equations.solution(&before.point).0
+            equations.equations.solution(&before.point)
         };
         if let Some(maximum) = solution.highest_interior_maximum {
             if equations.condition == Condition::InteriorGrazing {
@@ -422,7 +421,7 @@ fn locate_event<O: ImpactOscillator>(
     if distance > FARTHEST_EVENT * step {
         return Err(LocateFailure::Elsewhere { distance, step });
     }
-    Ok((equations.equations.solution(&point).0, times))
+    Ok((equations.equations.solution(&point), times))
 }
 
 /// The point on the chord where one coordinate takes a value.

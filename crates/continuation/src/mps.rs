@@ -6,9 +6,10 @@
 //! the other's. The choice of the surface gives the [`Formulation`].
 
 use grazing_model::maps::{self, MapError};
-use grazing_model::motion::{Maximum, highest_maximum};
+use grazing_model::motion::{Maximum, highest_maximum, local_maxima};
 use grazing_model::{ImpactOscillator, MapJet, OnWall, State, Surface};
 use nalgebra::{Matrix2, SMatrix, Vector2, Vector4};
+use smallvec::SmallVec;
 
 use crate::newton::Linearisation;
 use crate::tolerances::{self, STABILITY};
@@ -38,6 +39,9 @@ fn impact(point: &Unknowns) -> OnWall {
     OnWall::new(point[unknown::VELOCITY], point[unknown::PHASE])
 }
 
+/// A maximum within this share of a flight from either of its ends is that end, which is located as all maxima are, to some 10⁻⁸.
+const END: f64 = 1e-4;
+
 /// The surface on which the way through recoil and loops is compared with the straight way from the impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Formulation {
@@ -57,7 +61,7 @@ pub struct EventTimes {
     /// Evolution times of P_virt from the impact and from the recoil.
     virtual_times: [Option<f64>; 2],
     /// Return times of P_global, loop by loop.
-    return_times: Vec<f64>,
+    return_times: SmallVec<[f64; 4]>,
     /// Phase of the plane of [`Formulation::FixedPhase`].
     reference_phase: Option<f64>,
     /// Time from the recoil to the interior maximum that a grazing curve holds at the wall.
@@ -226,11 +230,16 @@ impl<O: ImpactOscillator> LoopEquations<O> {
 
     /// The orbit that a zero of the equations is: multipliers, maxima, stability, admissibility.
     ///
-    /// Needs no virtual points, whatever the formulation. The second value is the pair of maps that it was read off.
-    pub fn solution(&self, point: &Unknowns) -> (MaximalPeriodicSolution, LoopPair) {
+    /// Needs no virtual points, whatever the formulation.
+    pub fn solution(&self, point: &Unknowns) -> MaximalPeriodicSolution {
+        self.solution_and_stability(point).0
+    }
+
+    /// The same with what its multipliers were read off.
+    pub(crate) fn solution_and_stability(&self, point: &Unknowns) -> (MaximalPeriodicSolution, Stability) {
         let motion = self.oscillator_at(point).motion(self.recoil(point));
-        let pair = self.fixed_phase_pair_along::<1>(point, point[unknown::PHASE], &motion);
-        (self.orbit(point, &motion, pair.multipliers()), pair)
+        let stability = self.fixed_phase_pair_along::<1>(point, point[unknown::PHASE], &motion).stability();
+        (self.orbit(point, &motion, stability.multipliers), stability)
     }
 
     /// The same at a point with y = 0 that is approached along a curve with the given tangent, where the multipliers are
@@ -238,7 +247,18 @@ impl<O: ImpactOscillator> LoopEquations<O> {
     pub fn limiting_solution(&self, point: &Unknowns, tangent: &Unknowns) -> MaximalPeriodicSolution {
         let motion = self.oscillator_at(point).motion(self.recoil(point));
         let pair = self.fixed_phase_pair_along::<2>(point, point[unknown::PHASE], &motion);
-        self.orbit(point, &motion, pair.limiting_multipliers(tangent))
+        let flight = self.flight(point);
+        // The orbit begins and ends at a maximum; neither is an interior one.
+        let ends = END * flight;
+        let interior = local_maxima(&motion, flight)
+            .into_iter()
+            .filter(|maximum| (ends..flight - ends).contains(&maximum.time));
+        MaximalPeriodicSolution {
+            loops: self.loops,
+            unknowns: *point,
+            multipliers: pair.limiting_multipliers(tangent),
+            highest_interior_maximum: interior.max_by(|a, b| a.position.total_cmp(&b.position)),
+        }
     }
 
     /// The same to fewer digits, with multipliers that are known; its maxima are looked for only where they are asked for.
@@ -262,16 +282,19 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         motion: &O::Motion,
         multipliers: Multipliers,
     ) -> MaximalPeriodicSolution {
-        let oscillator = self.oscillator_at(point);
-        let recoil = self.recoil(point);
-        let lag = (recoil.phase - point[unknown::PHASE]) / oscillator.forcing_frequency().value;
-        let flight = f64::from(self.loops) * oscillator.forcing_period() - lag;
         MaximalPeriodicSolution {
             loops: self.loops,
             unknowns: *point,
             multipliers,
-            highest_interior_maximum: highest_maximum(motion, flight),
+            highest_interior_maximum: highest_maximum(motion, self.flight(point)),
         }
+    }
+
+    /// The time from the recoil to the next impact.
+    fn flight(&self, point: &Unknowns) -> f64 {
+        let oscillator = self.oscillator_at(point);
+        let lag = (self.recoil(point).phase - point[unknown::PHASE]) / oscillator.forcing_frequency().value;
+        f64::from(self.loops) * oscillator.forcing_period() - lag
     }
 }
 

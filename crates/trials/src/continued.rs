@@ -39,7 +39,7 @@ pub fn near<O: ImpactOscillator>(
     let conditions = [Condition::Primary(primary), Condition::Secondary(secondary)];
     let equations = equations.with_formulation(Formulation::FixedPhase);
     let found = locate(&equations, conditions, start, &mut EventTimes::default()).ok()?;
-    ((found - start).norm() < ELSEWHERE).then(|| equations.solution(&found).0)
+    ((found - start).norm() < ELSEWHERE).then(|| equations.solution(&found))
 }
 
 /// The p-loop MPSs at one value of η and several of μ, on all branches that begin at grazing or cross a curve of the diagram.

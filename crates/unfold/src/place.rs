@@ -180,7 +180,7 @@ impl Place {
         found.sort_by_key(|(loops, _)| *loops);
         solutions.extend(found.into_iter().map(|(loops, point)| {
             let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
-            let (solution, _) = equations.solution(&point);
+            let solution = equations.solution(&point);
             let recoil = equations.recoil(&point);
             let lag = (recoil.phase - point[unknown::PHASE]) / oscillator.forcing_frequency().value;
             let flight = f64::from(loops) * period - lag;

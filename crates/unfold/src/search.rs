@@ -107,7 +107,7 @@ pub(crate) fn at<O: ImpactOscillator>(
             let zero = locate_within(reach, &equations, here, middle, &mut EventTimes::default());
             let new = zero.ok().filter(|zero| {
                 !found.iter().any(|(other, at)| *other == loops && same(at, zero))
-                    && wanted(&equations.solution(zero).0)
+                    && wanted(&equations.solution(zero))
             });
             found.extend(new.map(|zero| (loops, zero)));
         }

@@ -343,7 +343,7 @@ fn middle_of<O: ImpactOscillator>(
     let middle = (a.unknowns + b.unknowns) * 0.5;
     let equations = equations.with_formulation(Formulation::FixedPhase);
     let found = locate(&equations, beside(&middle), middle, &mut EventTimes::default()).ok()?;
-    Some(equations.solution(&found).0)
+    Some(equations.solution(&found))
 }
 
 /// A branch whose multipliers exceed this may end anywhere: it runs into motion that escapes, over a hill of a potential say, and in its neighbourhood

@@ -95,7 +95,7 @@ fn both_give_the_same_multipliers() {
         let vivid = equations.pair::<1>(point, &mut times.clone()).unwrap().multipliers();
         let other = equations.with_formulation(Formulation::FixedPhase);
         let fixed_phase = other.pair::<1>(point, &mut EventTimes::default()).unwrap().multipliers();
-        let solution = equations.solution(point).0.multipliers;
+        let solution = equations.solution(point).multipliers;
         for multipliers in [vivid, solution] {
             assert_within(multipliers.trace, fixed_phase.trace, noise(&fixed_phase));
             assert_within(multipliers.determinant, fixed_phase.determinant, noise(&fixed_phase));
@@ -125,7 +125,7 @@ fn characteristic_is_the_characteristic_polynomial_times_a_factor_without_zeros(
     for Specimen { equations, point, times, .. } in specimens() {
         let pair = equations.pair::<1>(point, &mut times.clone()).unwrap();
         let factor = pair.impact.derivative().determinant();
-        let other = equations.solution(point).0.multipliers;
+        let other = equations.solution(point).multipliers;
         for sign in [1.0, -1.0] {
             let expected = 1.0 - sign * other.trace + other.determinant;
             assert_within(pair.characteristic(sign).0 / factor, expected, noise(&other));

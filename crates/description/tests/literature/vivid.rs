@@ -34,7 +34,7 @@ fn printed_orbits_have_the_printed_amplitudes_phases_and_multipliers() {
         assert_within(found[unknown::PRIMARY], number(&row.primary), 1e-10);
         assert_within(found[unknown::PHASE], start[unknown::PHASE] - OFF, 1e-9);
         // Their derivatives are divided by the impact velocity, of 0.06 and more.
-        let multipliers = equations.solution(&found).0.multipliers;
+        let multipliers = equations.solution(&found).multipliers;
         let [a, b] = [&row.multipliers[0], &row.multipliers[1]].map(|text| number(text));
         assert_within(multipliers.trace, a + b, 1e-8);
         assert_within(multipliers.determinant, a * b, 1e-8);

@@ -84,7 +84,7 @@ pub fn local_maxima(motion: &impl Motion, horizon: f64) -> Vec<Maximum> {
 /// The highest local maximum of x(t) for t in (0, horizon), or `None` if there is no local maximum.
 pub fn highest_maximum(motion: &impl Motion, horizon: f64) -> Option<Maximum> {
     let enclosure = motion.enclose(horizon);
-    let mut candidates: Vec<Cell> = Vec::with_capacity(16);
+    let mut candidates: Vec<Cell> = Vec::with_capacity(8);
     // Where the velocity changes from + to − there is a maximum, at least as high as the cell's ends.
     let mut threshold = highest_seen(&enclosure);
     for cell in cells_above(motion, &enclosure, horizon, threshold) {

@@ -351,7 +351,8 @@ impl<M: SmoothOscillator> Integrated<M> {
             let scale = step.scale(node.state, self.frequency);
             let [high, tail] = slopes.coefficients();
             let [highest, _] = highest(&step.accelerations);
-            let roughness = of_order_five((relative(highest, scale) + high) / TOLERANCE, tail / TAIL) / rougher;
+            let roughness =
+                of_order_five((relative(highest, scale) + high) / TOLERANCE, tail / TAIL) / rougher;
             let swing = slopes.rate * trial.abs() / (wider * SWING);
             // The highest coefficient is of order 5 in the step; 3/16 is a little less than 1/5, and takes roots alone.
             let eighth = roughness.sqrt().sqrt().sqrt();

@@ -192,7 +192,7 @@ impl<O: ImpactOscillator> Branch<O> {
             let Ok(point) = locate(&self.equations, conditions, before.unknowns, &mut times) else {
                 continue;
             };
-            let (solution, _) = self.equations.solution(&point);
+            let solution = self.equations.solution(&point);
             if solution.stable() && solution.admissible() {
                 found.push(point);
             }

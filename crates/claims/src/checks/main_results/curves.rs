@@ -25,7 +25,7 @@ pub(crate) fn crossing() -> CheckResult {
                 a * b > 0.0
             } else {
                 let [a, b] = [below, above].map(|point| {
-                    let multipliers = equations.solution(&point).0.multipliers;
+                    let multipliers = equations.solution(&point).multipliers;
                     1.0 + multipliers.trace + multipliers.determinant
                 });
                 a * b < 0.0

@@ -72,7 +72,7 @@ pub(crate) fn boundaries() -> CheckResult {
             let equations = located.equations().with_formulation(Formulation::FixedPhase);
             let beside = |factor: f64| {
                 let point = at_velocity(&equations, &middle, factor * middle[unknown::VELOCITY])?;
-                Some(equations.solution(&point).0)
+                Some(equations.solution(&point))
             };
             let (lower, upper) = beside(0.98).zip(beside(1.02)).ok_or("no MPS beside the curve")?;
             // One side is stable, the other is not; simulation agrees where the orbit is admissible.

@@ -207,7 +207,7 @@ pub(crate) fn virtual_solutions() -> CheckResult {
                 }
             });
             let (equations, zero) = (equations(&orbit, p), near_grazing(&orbit, p)?);
-            cases.see(zero[0] > 0.0 && equations.solution(&zero).0.admissible() == real);
+            cases.see(zero[0] > 0.0 && equations.solution(&zero).admissible() == real);
             let expected = if real { Seen::Returns } else { Seen::MeetsTheWall };
             cases.see(followed(&equations, &zero) == expected);
         }
@@ -227,7 +227,7 @@ pub(crate) fn conjecture() -> CheckResult {
             for off in [1.0 - beside, 1.0 + beside] {
                 let orbit = law.grazing(frequency * off)?;
                 let (point, zero) = (orbit.grazing_point(), near_grazing(&orbit, p)?);
-                let seen = zero[0] > 0.0 && equations(&orbit, p).solution(&zero).0.admissible();
+                let seen = zero[0] > 0.0 && equations(&orbit, p).solution(&zero).admissible();
                 cases.see(seen == (point.map.a.m12 * point.alpha() > 0.0));
                 printed.see(seen);
             }
@@ -256,7 +256,7 @@ pub(crate) fn stable_two_loops() -> CheckResult {
             let velocity = (mu / branch.k_2).sqrt();
             let start = place.near([velocity, branch.k_1 * velocity, mu, eta]).ok_or("no grazing orbit")?;
             let zero = at_parameters(&equations, start.unknowns).ok_or("no MPS past grazing")?;
-            let solution = equations.solution(&zero).0;
+            let solution = equations.solution(&zero);
             cases.see(
                 solution.admissible()
                     && solution.stable()

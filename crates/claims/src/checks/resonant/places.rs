@@ -147,7 +147,7 @@ impl Place {
 
     /// The MPS at a point.
     pub(crate) fn solution(&self, near: &Near) -> MaximalPeriodicSolution {
-        self.resonance.equations().solution(&near.unknowns).0
+        self.resonance.equations().solution(&near.unknowns)
     }
 
     fn solved(&self, conditions: [Condition; 2], near: Near) -> Option<Near> {

@@ -72,7 +72,7 @@ fn points_that_are_no_simple_bifurcation_have_no_normal_form() {
         panic!("a saddle-node is taken for a period doubling");
     };
     // With the multipliers 1 and D, 2 (1 + D) is what 1 + T + D is, and the one at 1 is no nearer.
-    let determinant = equations.solution(&fold).0.multipliers.determinant;
+    let determinant = equations.solution(&fold).multipliers.determinant;
     assert_within(distance, 2.0 * (1.0 + determinant) / (1.0 - determinant), 1e-6);
 
     // With a restitution that makes up for the loss of energy, D = 1, both multipliers are −1 there.

@@ -15,7 +15,7 @@ use crate::specimens::{DUFFING, EPSILON, ZETA, assert_within, duffing, located, 
 /// the difference.
 fn difference_from_doubled_orbits<O: ThirdOrder>(equations: &LoopEquations<O>, flip: &Unknowns) -> f64 {
     let normal_form = period_doubling(equations, flip).unwrap();
-    let determinant = equations.solution(flip).0.multipliers.determinant;
+    let determinant = equations.solution(flip).multipliers.determinant;
     let measured = [32.0, 64.0].map(|part| {
         let s = flip[unknown::VELOCITY] / part;
         let multipliers = doubled(equations, flip, normal_form.direction, s).unwrap();
