@@ -41,6 +41,20 @@ fn the_readme_shows_all_commands() {
 }
 
 #[test]
+fn the_oscillator_of_the_readme_is_that_of_the_example() {
+    let [readme, example] = ["README.md", "examples/duffing.toml"]
+        .map(|file| fs::read_to_string(repository().join(file)).expect("it is there"));
+    let (_, rest) = readme.split_once("```toml\n").expect("there is an oscillator");
+    let (shown, _) = rest.split_once("```").expect("the block ends");
+    let [mut shown, mut example]: [toml::Table; 2] =
+        [shown, &example].map(|text| text.parse().expect("it is TOML"));
+    // What may be left out, and what is beside the point.
+    shown.remove("wall");
+    example.remove("diagrams");
+    assert_eq!(shown, example);
+}
+
+#[test]
 fn every_command_of_the_readme_is_understood() {
     for command in commands() {
         let words = command.split('#').next().unwrap_or_default().split_whitespace().skip(2);
