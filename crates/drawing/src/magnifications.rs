@@ -4,7 +4,9 @@ use std::ops::Range;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::Names;
-use grazing_results::plane::{Figure8, MagnifiedPanel, MagnifiedPoint, RegionVertex, Source, SpecialPoint};
+use grazing_results::plane::{
+    CurveSource, Figure8, MagnifiedPanel, MagnifiedPoint, RegionVertex, SpecialPoint,
+};
 
 use crate::DrawingError;
 use crate::axes::Panel;
@@ -145,7 +147,7 @@ fn curves(points: &[MagnifiedPoint], panel: u32) -> Vec<Trace> {
     let place = |point: &MagnifiedPoint| (point.panel, point.kind, point.source, point.arc);
     let curve = |points: &[MagnifiedPoint]| Trace {
         kind: points[0].kind,
-        approximate: points[0].source == Source::Quadratic,
+        approximate: points[0].source == CurveSource::Quadratic,
         points: points.iter().map(|point| (point.primary, point.secondary)).collect(),
     };
     let all = points.chunk_by(|a, b| place(a) == place(b));

@@ -2,7 +2,7 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 use grazing_results::plane::{
-    MagnifiedPanel, MagnifiedPoint, PlanePoint, RegionKind, RegionVertex, Source, SpecialPoint,
+    CurveSource, MagnifiedPanel, MagnifiedPoint, PlanePoint, RegionKind, RegionVertex, SpecialPoint,
 };
 use grazing_results::{Frame, Names};
 
@@ -143,10 +143,10 @@ fn magnified_rows(curves: &[SampleCurve]) -> Vec<MagnifiedPoint> {
                 secondary,
                 primary,
             };
-            rows.extend(points.iter().map(|&spot| row(Source::Continuation, spot)));
+            rows.extend(points.iter().map(|&spot| row(CurveSource::Continuation, spot)));
             if matches!(kind, Bifurcation::SaddleNode | Bifurcation::PeriodDoubling) {
                 let straight = [points[0], points[30]].map(|q| (1.02 * q.0 - 0.02 * points[0].0, q.1));
-                rows.extend(straight.map(|spot| row(Source::Quadratic, spot)));
+                rows.extend(straight.map(|spot| row(CurveSource::Quadratic, spot)));
             }
         }
     }

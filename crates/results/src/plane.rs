@@ -20,7 +20,7 @@ words! {
     }
 
     /// Where a curve of a magnification comes from.
-    Source {
+    CurveSource {
         /// It was continued.
         Continuation = "continuation",
         /// It is the quadratic approximation μ = μ_graz(η) + c (η − η*)².
@@ -73,7 +73,7 @@ rows! {
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
         kind: Bifurcation = BIFURCATION,
-        source: Source = SOURCE,
+        source: CurveSource = SOURCE,
         arc: u32 = ARC,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,

@@ -95,7 +95,7 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
             let [a, b] = [parameters(&pair[0])[1], parameters(&pair[1])[1]];
             a.min(b) <= secondary && secondary <= a.max(b)
         };
-        self.states.windows(2).filter(around).filter_map(move |pair| between(pair, secondary))
+        self.states.windows(2).filter(around).filter_map(move |pair| interpolated(pair, secondary))
     }
 
     /// Whether the curve passes through a grazing orbit.
@@ -113,7 +113,7 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
 }
 
 /// The grazing orbit at a value of η between those of two neighbouring points of a curve.
-pub(crate) fn between<O: ImpactOscillator>(
+pub(crate) fn interpolated<O: ImpactOscillator>(
     neighbours: &[GrazingState<O>],
     secondary: f64,
 ) -> Option<GrazingOrbit<O>> {

@@ -6,19 +6,19 @@ use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::Condition;
 use grazing_theorems::LinearisedMap;
 
-use crate::checks::resonant::places::{Bifurcation, Place};
+use crate::checks::resonant::places::{Bifurcation, ResonantSpecimen};
 use crate::specimen::Law;
 use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, drawn, order};
 
 /// A resonance with one of these numbers of loops at which s^± are not within a twentieth of zero, nor the impact
 /// velocity along either curve within a fifth of η: then the curves are seen at small velocities.
-pub(crate) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Place, Failure> {
+pub(crate) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<ResonantSpecimen, Failure> {
     loop {
         let loops = sampler.one_of(loops);
         let zeta = sampler.between(0.01, 0.15);
         let law = Law::random(sampler, zeta);
         // For p = 1 and n = 1 the frequency is about twice the natural one.
-        let Ok(place) = Place::find(law, loops, sampler.one_of(&[1, 2])) else { continue };
+        let Ok(place) = ResonantSpecimen::find(law, loops, sampler.one_of(&[1, 2])) else { continue };
         let clear = |curve: &Bifurcation| {
             curve.stability.abs() > 0.05 && curve.leading.impact_velocity_slope.abs() > 0.2
         };

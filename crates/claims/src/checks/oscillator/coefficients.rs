@@ -8,7 +8,7 @@ use grazing_theorems::auxiliary::modulus_power;
 use grazing_theorems::unfolding::StabilityCoefficients;
 
 use crate::checks::resonant::curves::quadratic_orders;
-use crate::checks::resonant::places::{Place, lowest};
+use crate::checks::resonant::places::{ResonantSpecimen, lowest};
 use crate::specimen::Law;
 use crate::{CheckResult, Deviations, Outcome, Smallest, Votes, drawn, printed, smallest};
 
@@ -83,7 +83,7 @@ pub(crate) fn opposite_sides() -> CheckResult {
     let cases = drawn(133, 60, |sampler, cases: &mut Votes| {
         let (zeta, epsilon) = (sampler.between(0.005, 0.1), sampler.between(0.3, 0.98));
         let (p, n) = sampler.one_of(&INDICES);
-        let place = Place::find(Law::linear(zeta, epsilon), p, n)?;
+        let place = ResonantSpecimen::find(Law::linear(zeta, epsilon), p, n)?;
         let mut found = [[0.0; 2]; 2];
         for (found, curve) in found.iter_mut().zip(place.curves()) {
             // An impact velocity so small that the quadratic term rules.
@@ -107,13 +107,16 @@ pub(crate) fn quadratic_approximation() -> CheckResult {
     let mut orders = Vec::new();
     for (p, n) in [(1, 3), (2, 1), (3, 2)] {
         let resonance = LinearOscillator::new(zeta, epsilon)?.resonance(p, n)?;
-        orders.extend(quadratic_orders(&Place::find(Law::linear(zeta, epsilon), p, n)?, |curve, eta| {
-            let coefficient = match curve.condition {
-                Condition::SADDLE_NODE => resonance.saddle_node_coefficient(),
-                _ => resonance.period_doubling_coefficient(),
-            };
-            coefficient * eta * eta
-        }));
+        orders.extend(quadratic_orders(
+            &ResonantSpecimen::find(Law::linear(zeta, epsilon), p, n)?,
+            |curve, eta| {
+                let coefficient = match curve.condition {
+                    Condition::SADDLE_NODE => resonance.saddle_node_coefficient(),
+                    _ => resonance.period_doubling_coefficient(),
+                };
+                coefficient * eta * eta
+            },
+        ));
     }
     let over = "SN and PD curves at the three resonances of Figure 8, against the dashed ones";
     Ok(Outcome::new(lowest(&orders), orders.len(), over))

@@ -7,8 +7,8 @@ use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, 
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{
-    ANY, EVERYWHERE, MANY, ONE, Observed, Place, Symbols, deviation, directions, orders, remembered, scaled,
-    together,
+    ANY, EVERYWHERE, MANY, ONE, Observed, ResonantSpecimen, Symbols, deviation, directions, orders,
+    remembered, scaled, together,
 };
 use crate::checks::appendices::signs::{determinant, search};
 use crate::{CheckResult, Failure, Sampler, order};
@@ -63,7 +63,7 @@ pub(crate) fn at_zero_velocity() -> CheckResult {
 }
 
 /// Orders of Z − z_graz,η − k₁ y and of M − k₂ y² − k₃ η y.
-fn branch_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn branch_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     let mut found = Vec::new();
     for [y, eta] in RATIOS {
@@ -90,7 +90,7 @@ pub(crate) fn form() -> CheckResult {
 }
 
 /// The coefficients of μ in x⁽ᵖ⁾ and z⁽ᵖ⁾ at resonance: b for p = 1, T_p (β, a₂₁ b₁ + (1 − a₁₁) b₂) for p ≥ 2.
-fn parameter_column(place: &Place) -> Vector2<f64> {
+fn parameter_column(place: &ResonantSpecimen) -> Vector2<f64> {
     let map = place.point().grazing.map;
     if place.loops() == 1 {
         return map.b;
@@ -100,7 +100,7 @@ fn parameter_column(place: &Place) -> Vector2<f64> {
 }
 
 /// x⁽ᵖ⁾ as a polynomial in z⁽⁰⁾ − z_graz,η, coefficient by coefficient, and z⁽ᵖ⁾.
-fn return_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn return_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let column = parameter_column(place);
     let jet = |x: f64, z: f64, mu: f64, eta: f64| {
@@ -164,7 +164,7 @@ impl Symbols {
 }
 
 /// V(y, Z, M, η) for arbitrary k₁, k₂, k₃ in eq:ZM.
-fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn vivid_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let by_parameter = parameter_column(place).x;
     let mut sampler = Sampler::new(8);
@@ -227,7 +227,7 @@ pub(crate) fn multiplier_conditions() -> CheckResult {
     })
 }
 
-fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn psi_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let stability = place.point().stability_coefficients();
     let by_eta = symbols.alpha * symbols.omega * symbols.f;

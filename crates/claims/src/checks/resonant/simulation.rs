@@ -6,7 +6,7 @@ use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::{Matrix2, Vector2};
 
-use super::places::{ANY, Near, Place, deviation};
+use super::places::{ANY, Near, ResonantSpecimen, deviation};
 use crate::CheckResult;
 use crate::differences::slope;
 
@@ -42,7 +42,7 @@ fn impact_derivative<O: ImpactOscillator>(
 }
 
 /// Admissible MPSs near a resonance, with impact velocities that are small but not tiny.
-pub(super) fn admissible(place: &Place) -> Vec<Near> {
+pub(super) fn admissible(place: &ResonantSpecimen) -> Vec<Near> {
     let mut found = Vec::new();
     for y in [0.02, 0.05, 0.1] {
         for eta in [-0.004, -0.001, 0.0, 0.001, 0.004] {

@@ -5,7 +5,7 @@ use grazing_theorems::auxiliary::{lucas_sequence, resonance_boundary};
 use nalgebra::Vector2;
 
 use super::curves::{PHASE, all_along_curves, along_curves, eta_at};
-use super::places::{Bifurcation, EVERYWHERE, MANY, Near, Place, agreement, orders};
+use super::places::{Bifurcation, EVERYWHERE, MANY, Near, ResonantSpecimen, agreement, orders};
 use crate::checks::appendices::signs::{determinant, loop_index, search};
 use crate::checks::generic::maps::{impact_and_recoil, virtual_point};
 use crate::{CheckResult, Failure};
@@ -32,7 +32,7 @@ pub(crate) fn position_after_recoil() -> CheckResult {
     orders(MANY, EVERYWHERE, |place| Ok(along_curves(place, 2.0, PHASE, |_, _, near| Some(recoil(near)?[0]))))
 }
 
-impl Place {
+impl ResonantSpecimen {
     /// d(z⁽⁰⁾ − z_graz,η)/dη on a curve, in the two forms of eq:admp8b.
     fn recoil_phase_slopes(&self, curve: &Bifurcation) -> Result<[f64; 2], Failure> {
         let symbols = self.symbols()?;
@@ -57,7 +57,7 @@ pub(crate) fn phase_after_recoil() -> CheckResult {
 }
 
 /// The visits (x⁽ʲ⁾, z⁽ʲ⁾ − z_graz,η) for 0 < j ≤ p.
-fn visits(place: &Place, near: &Near) -> Option<Vec<Vector2<f64>>> {
+fn visits(place: &ResonantSpecimen, near: &Near) -> Option<Vec<Vector2<f64>>> {
     let visits = place.resonance.equations().visits(&near.unknowns, &EventTimes::default()).ok()?;
     Some(visits.iter().map(|visit| visit - Vector2::new(0.0, near.orbit.phase())).collect())
 }
@@ -94,7 +94,7 @@ pub(crate) fn positions_of_visits() -> CheckResult {
     })
 }
 
-fn visit_signs(place: &Place) -> Result<Vec<bool>, Failure> {
+fn visit_signs(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
     let unfolding = place.point().unfolding.derivative;
     for curve in place.curves() {
