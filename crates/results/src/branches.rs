@@ -9,7 +9,6 @@ use crate::{Frame, row, tables};
 words! {
     /// What a phase portrait shows.
     PortraitKind {
-        /// A periodic orbit.
         Periodic = "periodic",
         /// What an orbit comes to in the long run.
         Attractor = "attractor",

@@ -21,7 +21,6 @@ words! {
 
     /// Where a curve of a magnification comes from.
     CurveSource {
-        /// It was continued.
         Continuation = "continuation",
         /// It is the quadratic approximation μ = μ_graz(η) + c (η − η*)².
         Quadratic = "quadratic",

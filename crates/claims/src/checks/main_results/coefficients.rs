@@ -64,19 +64,9 @@ fn fitted(seed: u64, loops: &[u32], tolerance: f64, over: &str) -> CheckResult {
 }
 
 checks! {
-    /// eq:c1.
-    stability_one_loop: stability(61, &[1], "resonances p = 1 with ψ ≠ 0");
-    /// eq:cp.
-    stability_many_loops: stability(62, &[2, 3, 4], "resonances p = 2, 3, 4 with ψ ≠ 0");
-    /// eq:coeffs1.
-    curves_one_loop: fitted(63, &[1], 1e-8, "resonances p = 1 with ψ ≠ 0");
-    /// eq:coeffsp.
-    curves_many_loops: fitted(64, &[2, 3, 4], 1e-7, "resonances p = 2, 3, 4 with ψ ≠ 0");
-}
-
-/// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
-pub(crate) fn unfolding_derivatives() -> CheckResult {
-    let largest = drawn(65, 30, |sampler, largest: &mut Deviations| {
+    /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
+    // Rounding 10⁻¹⁴ over the step 10⁻⁴.
+    unfolding_derivatives: drawn(65, 30, |sampler, largest: &mut Deviations| {
         let place = resonant(sampler, &[1, 2, 3, 4])?;
         let loops = place.loops();
         let measured = place.along_grazing(1e-4, |LinearisedMap { a, .. }| {
@@ -86,7 +76,13 @@ pub(crate) fn unfolding_derivatives() -> CheckResult {
         let stated = place.point().unfolding.derivative;
         largest.compare(measured, stated, stated.abs().max(1.0));
         Ok(())
-    })?;
-    // Rounding 10⁻¹⁴ over the step 10⁻⁴.
-    Ok(largest.outcome(1e-10, "resonances p = 1 to 4, by differences along the grazing curve"))
+    }).map(|largest| largest.outcome(1e-10, "resonances p = 1 to 4, by differences along the grazing curve"));
+    /// eq:c1.
+    stability_one_loop: stability(61, &[1], "resonances p = 1 with ψ ≠ 0");
+    /// eq:cp.
+    stability_many_loops: stability(62, &[2, 3, 4], "resonances p = 2, 3, 4 with ψ ≠ 0");
+    /// eq:coeffs1.
+    curves_one_loop: fitted(63, &[1], 1e-8, "resonances p = 1 with ψ ≠ 0");
+    /// eq:coeffsp.
+    curves_many_loops: fitted(64, &[2, 3, 4], 1e-7, "resonances p = 2, 3, 4 with ψ ≠ 0");
 }

@@ -105,20 +105,6 @@ fn printed_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     Ok(quadratic_orders(place, |_, eta| branch.parameter(fold * eta, eta)))
 }
 
-/// eq:coeffs1 and eq:coeffsp follow from k₂, k₃ and Υ^±, with T_p and f_p.
-pub(crate) fn simplification() -> CheckResult {
-    // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
-    deviation(ANY, 1e-13, "resonances with p up to 5", |place| {
-        let branch = place.point().branch_expansion();
-        let gap = |curve: &Bifurcation| {
-            let slope = curve.leading.impact_velocity_slope;
-            let terms = (branch.k_2 * slope * slope).abs() + (branch.k_3 * slope).abs();
-            (branch.parameter(slope, 1.0) - curve.leading.coefficient).abs() / terms
-        };
-        Ok(place.curves().iter().map(gap).collect())
-    })
-}
-
 /// Two zeros of V separate from the SN curve like the square root of the change of μ: the exponent, less 1/2.
 pub(crate) fn square_root() -> CheckResult {
     // The next term of the parabola changes the exponent by the square of the relative distance, some 10⁻³ times curvatures.
@@ -181,6 +167,17 @@ const SIDES: &str =
     "points of SN and PD curves for both signs of η: admissible for the stated one, y < 0 for the other";
 
 checks! {
+    /// eq:coeffs1 and eq:coeffsp follow from k₂, k₃ and Υ^±, with T_p and f_p.
+    // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
+    simplification: deviation(ANY, 1e-13, "resonances with p up to 5", |place| {
+        let branch = place.point().branch_expansion();
+        let gap = |curve: &Bifurcation| {
+            let slope = curve.leading.impact_velocity_slope;
+            let terms = (branch.k_2 * slope * slope).abs() + (branch.k_3 * slope).abs();
+            (branch.parameter(slope, 1.0) - curve.leading.coefficient).abs() / terms
+        };
+        Ok(place.curves().iter().map(gap).collect())
+    });
     /// eq:sn1 and eq:pd1.
     quadratic_for_one_loop: approximations(66, ONE);
     /// eq:snp and eq:pdp.

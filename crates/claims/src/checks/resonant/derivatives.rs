@@ -50,37 +50,6 @@ fn slope_of(map: &VirtualMap, velocity: f64) -> Matrix2<f64> {
     Matrix2::new(2.0 * map.x_coefficient * velocity, 0.0, map.z_coefficient, 1.0)
 }
 
-/// det D P_virt = y G₁ with G₁ = 1/γ at the resonance.
-pub(crate) fn determinant_quotient() -> CheckResult {
-    orders(ANY, EVERYWHERE, |place| {
-        let gamma = place.symbols()?.gamma;
-        let one = |direction: &Offset| {
-            let observed = order(|size| {
-                let offset = scaled(direction, size);
-                let determinant = virtual_derivatives(&place.near(offset)?)?[0].determinant();
-                // Divided by y, and so is the rounding.
-                Some((determinant / offset[0] - 1.0 / gamma, VIRTUAL / offset[0].abs()))
-            });
-            (observed, 1.0)
-        };
-        Ok(directions(4).iter().map(one).collect())
-    })
-}
-
-/// eq:DPdisc, and that y D P_disc extends through y = 0: y has either sign.
-pub(crate) fn of_discontinuity_map() -> CheckResult {
-    orders(ANY, EVERYWHERE, |place| {
-        let symbols = place.symbols()?;
-        // y (D P_virt)⁻¹ is y/det ≈ γ times the adjugate: rounding as that of the factors.
-        Ok(entries([2.0, 3.0, 1.0, 2.0], 3.0 * VIRTUAL, |offset| {
-            let [ahead, back] = virtual_derivatives(&place.near(*offset)?)?;
-            let y = offset[0];
-            let leading = Matrix2::new(symbols.phi * symbols.phi * y, 0.0, -symbols.alpha * symbols.omega, y);
-            Some(back * ahead.try_inverse()? * y - leading)
-        }))
-    })
-}
-
 /// What the print leaves open: from where the phase is counted, and along what f_p is a derivative.
 #[derive(Clone, Copy, PartialEq)]
 enum Cure {
@@ -226,6 +195,31 @@ pub(crate) fn power_at_resonance() -> CheckResult {
 }
 
 checks! {
+    /// det D P_virt = y G₁ with G₁ = 1/γ at the resonance.
+    determinant_quotient: orders(ANY, EVERYWHERE, |place| {
+        let gamma = place.symbols()?.gamma;
+        let one = |direction: &Offset| {
+            let observed = order(|size| {
+                let offset = scaled(direction, size);
+                let determinant = virtual_derivatives(&place.near(offset)?)?[0].determinant();
+                // Divided by y, and so is the rounding.
+                Some((determinant / offset[0] - 1.0 / gamma, VIRTUAL / offset[0].abs()))
+            });
+            (observed, 1.0)
+        };
+        Ok(directions(4).iter().map(one).collect())
+    });
+    /// eq:DPdisc, and that y D P_disc extends through y = 0: y has either sign.
+    of_discontinuity_map: orders(ANY, EVERYWHERE, |place| {
+        let symbols = place.symbols()?;
+        // y (D P_virt)⁻¹ is y/det ≈ γ times the adjugate: rounding as that of the factors.
+        Ok(entries([2.0, 3.0, 1.0, 2.0], 3.0 * VIRTUAL, |offset| {
+            let [ahead, back] = virtual_derivatives(&place.near(*offset)?)?;
+            let y = offset[0];
+            let leading = Matrix2::new(symbols.phi * symbols.phi * y, 0.0, -symbols.alpha * symbols.omega, y);
+            Some(back * ahead.try_inverse()? * y - leading)
+        }))
+    });
     /// eq:DPvirt.
     of_virtual_map: orders(ANY, EVERYWHERE, |place| {
         let grazing = place.point().grazing;

@@ -38,11 +38,6 @@ fn regions(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
     Ok(found)
 }
 
-/// Periodicity regions lie between the SN and the PD curve.
-pub(crate) fn periodicity_regions() -> CheckResult {
-    agreement(ANY, "MPSs around resonances, stable between SN and PD curves alone", regions)
-}
-
 /// Between the curves an MPS is stable if φ²δᵖ < 1, and its determinant is larger than 1 if φ²δᵖ > 1.
 pub(crate) fn stabilisation() -> CheckResult {
     let (mut votes, mut printed) = (Votes::default(), Votes::default());
@@ -104,15 +99,6 @@ fn attraction(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
         found.push(attracts(place.resonance.equations(), &near.unknowns) == Some(true));
     }
     Ok(found)
-}
-
-/// The response can be periodic near resonant grazing: stable MPSs attract.
-pub(crate) fn periodic_response() -> CheckResult {
-    agreement(
-        ANY,
-        "perturbed stable MPSs near resonances, simulated until they are ten times nearer",
-        attraction,
-    )
 }
 
 /// The sign of a₁₂' by the parity of n, from differences of P_global, and the side on which the SN curve leaves.
@@ -227,3 +213,10 @@ pub(super) const ROUTE: Route = Route {
     step_limit: 3_000,
     stop_at_events: true,
 };
+
+checks! {
+    /// Periodicity regions lie between the SN and the PD curve.
+    periodicity_regions: agreement(ANY, "MPSs around resonances, stable between SN and PD curves alone", regions);
+    /// The response can be periodic near resonant grazing: stable MPSs attract.
+    periodic_response: agreement(ANY, "perturbed stable MPSs near resonances, simulated until they are ten times nearer", attraction);
+}
