@@ -157,15 +157,10 @@ pub enum Shows {
 tables! {
     /// All that is known of a family.
     Family {
-        /// Its members.
         members: Member = "family_members", "a member of the family, with values of the constants that vary",
-        /// Their resonances.
         resonances: Resonance = "family_resonances", "a resonance of a member",
-        /// Their other codimension-two points.
         points: Point = "family_points", "a codimension-two point of a member that is no resonance",
-        /// Resonances from member to member.
         curves: CurvePoint = "family_curves", "a resonance on its way from one member to the next",
-        /// Where they are degenerate.
         degenerate: Degenerate = "family_degenerate", "a degenerate resonance between two members",
         ;
         /// The panels of the figure.

@@ -99,9 +99,7 @@ tables! {
     Figure7 {
         /// The grazing curve of the non-impacting solution and the bifurcation curves of MPSs.
         curves: PlanePoint = "fig07_curves", "a point of a curve of the diagram",
-        /// Resonances and other codimension-two points.
         points: SpecialPoint = "fig07_points", "a resonance at which a theorem holds, or another codimension-two point",
-        /// Polygons of stability.
         regions: RegionVertex = "fig07_regions", "a vertex of a region of stability",
         ;
         /// Amplitudes across and frequencies up.

@@ -117,7 +117,6 @@ tables! {
     Figure5 {
         /// The line of grazing bifurcations and the quadratic SN and PD curves.
         curves: UnfoldingPoint = "fig05_curves", "a point of a curve",
-        /// The resonance.
         points: UnfoldingResonance = "fig05_points", "the resonance",
         /// Where the non-impacting solution is stable, where an MPS is, and where both are.
         regions: UnfoldingVertex = "fig05_regions", "a vertex of a region",
