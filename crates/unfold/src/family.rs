@@ -16,7 +16,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::{Continuation, CurveEquations, StepControl};
 use grazing_continuation::mps::MaximalPeriodicSolution;
-use grazing_continuation::newton::{self, Linearisation};
+use grazing_continuation::newton::Linearisation;
 use grazing_continuation::regula_falsi::zero_between;
 use grazing_model::motion::highest_maximum;
 use grazing_model::{ImpactOscillator, State};
@@ -25,6 +25,7 @@ use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
 use grazing_theorems::{ResonantGrazing, ResonantPoint};
 use nalgebra::{Matrix4, Vector3, Vector4};
 
+use crate::edges::{located, on_the_edge};
 use crate::resonances::Resonance;
 use crate::{Diagram, Scope};
 
@@ -169,17 +170,6 @@ impl<O: ImpactOscillator> Path<'_, O> {
         Some(ArcPoint { way: point[3], orbit, point: resonant, zero: None })
     }
 
-    /// The point of the curve near another in the plane across a direction that goes through a third.
-    fn located(&self, near: Coordinates, across: &Coordinates, through: &Coordinates) -> Option<Coordinates> {
-        let located = newton::solve(near, 20, |point| {
-            let mut system = self.evaluate(point, &mut ())?;
-            system.residual[3] = across.dot(&(point - through));
-            system.jacobian.set_row(3, &across.transpose());
-            Ok::<_, Missing>(system)
-        });
-        Some(located.ok()?.point)
-    }
-
     /// The zero of a function of the point, which has these values at the ends of a chord; nothing at a pole.
     fn zero(
         &self,
@@ -190,7 +180,7 @@ impl<O: ImpactOscillator> Path<'_, O> {
         let (chord, size) = (to - from, values[0].abs() + values[1].abs());
         let at = |share: f64| {
             let near = from + chord * share;
-            let point = self.located(near, &chord, &near).ok_or(())?;
+            let point = located(self, near, &chord, &near).ok_or(())?;
             let value = function(&point).ok_or(())?;
             Ok::<_, ()>(((point, value), value))
         };
@@ -265,24 +255,8 @@ impl<O: ImpactOscillator> Path<'_, O> {
 
     /// Where the curve leaves the ranges, or comes to either member, between two of its points, if it does.
     fn leaves(&self, before: &Coordinates, after: &Coordinates) -> Option<(Coordinates, ArcEnd)> {
-        let crossed = [1, 2, 3].into_iter().filter_map(|unknown| {
-            let edge = if after[unknown] < 0.0 {
-                0.0
-            } else if after[unknown] > 1.0 {
-                1.0
-            } else {
-                return None;
-            };
-            let way = (edge - before[unknown]) / (after[unknown] - before[unknown]);
-            Some((way, unknown, edge))
-        });
-        let (way, unknown, edge) = crossed.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let near = before + (after - before) * way;
-        let mut through = near;
-        through[unknown] = edge;
-        let mut point = self.located(near, &Vector4::ith(unknown, 1.0), &through).unwrap_or(near);
-        point[unknown] = edge;
-        let end = match (unknown, edge) {
+        let (point, unknown) = on_the_edge(self, [1, 2, 3], [before, after])?;
+        let end = match (unknown, point[unknown]) {
             (3, 1.0) => ArcEnd::Across,
             (3, _) => ArcEnd::Back(None),
             _ => ArcEnd::LeftWindow,
@@ -324,7 +298,7 @@ impl<O: ImpactOscillator> Path<'_, O> {
                 } else if from.falls(chord.norm()) && to.falls(-chord.norm()) {
                     let beside = |point: &Coordinates, share: f64| {
                         let near = point + chord * share;
-                        value(&self.located(near, &chord, &near)?)
+                        value(&located(self, near, &chord, &near)?)
                     };
                     let step = RATE / chord.norm();
                     let rate = |point: &Coordinates| Some(beside(point, step)? - beside(point, -step)?);
