@@ -33,16 +33,8 @@ pub(crate) struct Content {
     pub(crate) notes: Vec<String>,
 }
 
-/// What is computed with.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Formulas {
-    /// Seen from the wall.
-    pub(crate) force: Expression,
-    pub(crate) wall: Wall,
-    pub(crate) frequency: Expression,
-    pub(crate) restitution: Expression,
-    pub(crate) duration: Expression,
-}
+/// What is computed with; the force is that seen from the wall.
+pub(crate) type Formulas = Expressions<Expression, Wall>;
 
 /// A one-parameter diagram that the file asks for.
 #[derive(Debug, Clone, PartialEq)]
@@ -139,11 +131,11 @@ impl Wall {
 
 /// What there is of each expression of a file, as its text.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Expressions<T> {
+pub struct Expressions<T, W = T> {
     /// The force F.
     pub force: T,
     /// The position of the wall.
-    pub wall: T,
+    pub wall: W,
     /// The forcing frequency ω.
     pub frequency: T,
     /// The restitution Φ.
