@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 /// A place in the source code.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
+pub struct Location {
     /// The file, from the root of the repository.
     pub file: String,
     /// The line, from 1.
@@ -30,19 +30,19 @@ impl Sources {
 
     /// Where the item with this path is defined: a function, type, constant, method, field or variant of a crate of the
     /// workspace.
-    pub fn item(&self, path: &str) -> Option<Place> {
+    pub fn item(&self, path: &str) -> Option<Location> {
         let (crate_name, path) = path.strip_prefix("grazing_")?.split_once("::")?;
         self.find(&format!("crates/{}/src/", crate_name.replace('_', "-")), path)
     }
 
     /// Where the check with this name of the ledger is defined.
-    pub fn check(&self, name: &str) -> Option<Place> {
+    pub fn check(&self, name: &str) -> Option<Location> {
         self.find("crates/claims/src/checks/", name)
     }
 
     /// The line that defines the last name of a path, in a file that has items of the type before it, if there is one: first in
     /// those files whose own path is most like that of the item, as crates re-export what stands deeper.
-    fn find(&self, folder: &str, path: &str) -> Option<Place> {
+    fn find(&self, folder: &str, path: &str) -> Option<Location> {
         let names: Vec<&str> = path.split("::").collect();
         let (item, before) = names.split_last()?;
         let owner = before.last().filter(|name| name.starts_with(char::is_uppercase));
@@ -62,7 +62,7 @@ impl Sources {
                     .lines()
                     .any(of_owner)
                     .then(|| text.lines().position(|line| defines(line, item)))??;
-                Some(Place { file: (*file).clone(), line: line + 1 })
+                Some(Location { file: (*file).clone(), line: line + 1 })
             })
         };
         // Blocks may stand far from the type.

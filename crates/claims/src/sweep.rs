@@ -18,10 +18,23 @@ pub mod resonant;
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, Route, Window};
 use grazing_theorems::Side;
+use rayon::prelude::*;
 
 pub use cases::{Case, generic_cases, resonant_cases};
-pub use generic::{GenericRow, SweepError, generic_rows};
-pub use resonant::{ResonantRow, resonant_rows};
+pub use generic::{GenericRow, SweepError};
+pub use resonant::ResonantRow;
+
+/// What comes of all cases, in the order of the list; `step` is told of every one that is done.
+///
+/// # Errors
+/// [`SweepError`] for the first case that could not be worked out.
+pub fn rows<R: Send>(
+    cases: &[Case],
+    work: impl Fn(Case) -> Result<R, SweepError> + Sync,
+    step: impl Fn() + Sync,
+) -> Result<Vec<R>, SweepError> {
+    cases.par_iter().map(|case| work(*case).inspect(|_| step())).collect()
+}
 
 /// For which sign of a parameter something exists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

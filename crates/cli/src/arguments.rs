@@ -6,9 +6,11 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use grazing_claims::ledger::ClaimKind;
+use grazing_description::Limits;
 use grazing_drawing::SheetWidth;
 use grazing_source::Setting;
 
+use crate::failure::Failure;
 use crate::family::{Part, Variation};
 use crate::outputs;
 use crate::outputs::edition::Format;
@@ -133,9 +135,9 @@ Examples:
   cargo xtask explore my.toml
   cargo xtask explore --no-browser --port 8700
 
-Starts a server that only this machine can reach, prints its address and opens the page in a browser.
-The page loads nothing from elsewhere. Whatever is seen can be taken home: figure, numbers, and the
-command that makes the same.
+Starts a server that only this machine can reach, prints its address and opens the page in a
+browser. The page loads nothing from elsewhere. Whatever is seen can be taken home: figure, numbers,
+and the command that makes the same.
 
 ";
 
@@ -214,29 +216,47 @@ pub struct Reproduce {
     /// The parameter file.
     #[command(flatten)]
     pub parameters: ParameterFile,
-    /// Formats, separated by commas; tex: LaTeX tables, and figures.tex to include all, with PDF
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
-    pub format: Vec<Format>,
-    /// Width and resolution.
+    /// Formats and widths.
     #[command(flatten)]
-    pub size: Size,
+    pub look: Look,
     /// Folder for the figures, with data/ for tables [default: figures, or journal beside it]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Number of threads; the outputs do not depend on it [default: one for each core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub jobs: Option<u16>,
+    /// Threads.
+    #[command(flatten)]
+    pub threads: Threads,
 }
 
-/// How wide figures are made, and how finely.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Args)]
-pub struct Size {
+/// What figures are made as.
+#[derive(Debug, Args)]
+pub struct Look {
+    /// Formats, separated by commas; tex: LaTeX tables, and figures.tex to include all, with PDF
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
+    pub format: Vec<Format>,
     /// Width of the figures: as in the paper, one column (86 mm) or two (178 mm) of a journal
     #[arg(long, value_name = "WIDTH", default_value = "paper", value_parser = widths())]
     pub columns: SheetWidth,
     /// Dots per inch of PNG
     #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u16).range(50..=1200))]
     pub dpi: u16,
+}
+
+/// How many threads compute.
+#[derive(Debug, Args)]
+pub struct Threads {
+    /// Number of threads; the outputs do not depend on it [default: one for each core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
+}
+
+impl Threads {
+    /// Sets their number.
+    pub(crate) fn start(&self) -> Result<(), Failure> {
+        let Some(jobs) = self.jobs else { return Ok(()) };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(jobs));
+        pool.build_global()
+            .map_err(|error| Failure::input(format!("{jobs} threads could not be started: {error}")))
+    }
 }
 
 /// The arguments of `grazing compare`.
@@ -282,9 +302,9 @@ pub struct Report {
     /// The parameter file.
     #[command(flatten)]
     pub parameters: ParameterFile,
-    /// Number of threads; the page does not depend on it [default: one for each core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub jobs: Option<u16>,
+    /// Threads.
+    #[command(flatten)]
+    pub threads: Threads,
 }
 
 /// The arguments of `grazing unfold`.
@@ -296,12 +316,9 @@ pub struct Unfold {
     /// Folder for the results, of several files with one for each in it [default: unfolded/NAME]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Formats, separated by commas; tex: a LaTeX table, and figures.tex to include all, with PDF
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
-    pub format: Vec<Format>,
-    /// Width and resolution.
+    /// Formats and widths.
     #[command(flatten)]
-    pub size: Size,
+    pub look: Look,
     /// Numbers of loops p, separated by commas [default: those of the file]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub loops: Option<Vec<u32>>,
@@ -314,9 +331,9 @@ pub struct Unfold {
     /// Compute only this part of the family, to be joined with the others by `merge`
     #[arg(long, value_name = "K/N", requires = "vary")]
     pub part: Option<Part>,
-    /// Number of threads; the results do not depend on it [default: one for each core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub jobs: Option<u16>,
+    /// Threads.
+    #[command(flatten)]
+    pub threads: Threads,
     /// Tell every hypothesis and every quantity of every resonance
     #[arg(long)]
     pub explain: bool,
@@ -329,6 +346,17 @@ pub struct Unfold {
     /// Steps of integration after which it ends likewise [default: the file's, or 1e10]
     #[arg(long, value_name = "N", value_parser = positive)]
     pub step_limit: Option<f64>,
+}
+
+impl Unfold {
+    /// The limits that are given, and those of a file where none is.
+    pub(crate) fn limits(&self, file: Limits) -> Limits {
+        Limits {
+            time: self.time_limit.unwrap_or(file.time),
+            memory: self.memory_limit.unwrap_or(file.memory),
+            steps: self.step_limit.unwrap_or(file.steps),
+        }
+    }
 }
 
 /// The arguments of `grazing explore`.
@@ -354,12 +382,9 @@ pub struct Merge {
     /// Folder for the results [default: families/NAME]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Formats, separated by commas; tex: figures.tex to include all, with PDF
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "svg")]
-    pub format: Vec<Format>,
-    /// Width and resolution.
+    /// Formats and widths.
     #[command(flatten)]
-    pub size: Size,
+    pub look: Look,
 }
 
 /// The arguments of `grazing new`.

@@ -100,17 +100,15 @@ fn taken_home(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop
         "two" => SheetWidth::TwoColumns,
         _ => SheetWidth::Paper,
     };
-    let edition = Edition::new(
-        &[format.map_or(Format::Svg, |(format, _)| format)],
-        arguments::Size { columns, ..Edition::default().size },
-    );
+    let formats = vec![format.map_or(Format::Svg, |(format, _)| format)];
+    let edition = Edition { formats, columns, ..Edition::default() };
     let files = match model.text {
         None => of_the_paper(model, view, &edition)?,
         Some(_) => of_a_text(model, view, &edition, stop)?,
     };
     let wanted = |file: &MadeFile| match (format, what.strip_prefix("csv:")) {
         (Some((format, _)), _) => file.path.extension().is_some_and(|found| found == format.name()),
-        (None, Some(table)) => file.path == outputs::table_path(table),
+        (None, Some(table)) => file.path == tables::path(table),
         (None, None) => false,
     };
     let Some(MadeFile { path, content }) = files.into_iter().find(wanted) else {
@@ -127,14 +125,13 @@ fn of_a_text(model: &Model, view: &View, edition: &Edition, stop: &Stop) -> Resu
         .map_err(|error| computation("unfold", &error))?;
     let text = model.text.clone().unwrap_or_default();
     let of = OscillatorFile { file: "oscillator.toml".into(), text, description };
-    let material = Material::new(&of, &unfolded, edition.size.columns)?;
+    let material = Material::new(&of, &unfolded, edition.columns)?;
     let mut files = Vec::new();
     let figure = &material.figures[0];
     let made = edition.figure_files(&figure.file, figure.svg.clone());
     files.extend(made.map_err(|error| computation("figures", &error))?);
     for table in &material.tables {
-        let content = tables::csv(table).map_err(|error| computation("tables", &error))?;
-        files.push(MadeFile { path: outputs::table_path(table.name), content });
+        files.push(tables::file(table, "tables")?);
     }
     Ok(files)
 }
@@ -149,9 +146,7 @@ fn of_the_paper(model: &Model, view: &View, edition: &Edition) -> Result<Vec<Mad
     let ranges = [format!("fig07.amplitude={primary:?}"), format!("fig07.frequency={secondary:?}")];
     let loops = model.loops.iter().map(|loops| format!("fig07.loops={loops:?}"));
     let settings = constants.chain(ranges).chain(loops).map(|setting| setting.parse());
-    let settings: Vec<Setting> = settings
-        .collect::<Result<_, _>>()
-        .map_err(|error: grazing_source::SettingError| Failure::input(error.to_string()))?;
+    let settings = settings.collect::<Result<Vec<Setting>, _>>()?;
     let parameters = Parameters::parse(&Text::new(PARAMETERS, &settings), "parameters.toml")?;
     let study = Study::new(&parameters);
     let output = outputs::ALL.iter().find(|output| output.name == "fig07");

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use grazing_description::DescriptionError;
 use grazing_reproduction::parameters::ParameterError;
+use grazing_source::SettingError;
 
 /// A failure, with what is printed for it: one line, and where an expression is wrong the expression with a mark.
 #[derive(Debug)]
@@ -85,6 +86,12 @@ impl From<ParameterError> for Failure {
 
 impl From<DescriptionError> for Failure {
     fn from(error: DescriptionError) -> Self {
+        Self::input(error.to_string())
+    }
+}
+
+impl From<SettingError> for Failure {
+    fn from(error: SettingError) -> Self {
         Self::input(error.to_string())
     }
 }

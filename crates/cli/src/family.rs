@@ -17,13 +17,13 @@ use grazing_source::{Setting, nearest, suggestion};
 
 use crate::arguments;
 use crate::failure::Failure;
-use crate::folder::{self, MadeFile};
+use crate::folder;
 use crate::limits::{self, Met, Watch};
+use crate::outputs::computation;
 use crate::outputs::edition::{Edition, Format};
 use crate::outputs::latex::{self, Float};
-use crate::outputs::{computation, table_path};
 use crate::progress::Display;
-use crate::reproduce::{start_threads, summary};
+use crate::reproduce::summary;
 use crate::unfold::{self, reason};
 use crate::{data_page, tables, terminal};
 use part::{Origin, PartFile};
@@ -108,15 +108,13 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
     let which = arguments.part.map_or(0..plan.count(), |Part { part, parts }| plan.part(part, parts));
     let members = members(&origin, &plan, which)?;
     let folder = arguments.output.clone().unwrap_or_else(|| origin.folder());
-    let edition = Edition::new(&arguments.format, arguments.size);
+    let edition = Edition::new(&arguments.look);
     let paths = match arguments.part {
         Some(part) => vec![part::path(part)],
         None => paths(&edition),
     };
     folder::ensure_writable(&folder, &paths)?;
-    if let Some(jobs) = arguments.jobs {
-        start_threads(jobs)?;
-    }
+    arguments.threads.start()?;
     limits::listen();
     let began = Instant::now();
     terminal::say(&listing::plan(&description, file, &plan, arguments.part, members.len()));
@@ -133,9 +131,7 @@ pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
                 return Err(ended(file, met, outcome));
             };
             let made = PartFile::new(part, origin, plan, records).made()?;
-            let changes = folder::write(&folder, std::slice::from_ref(&made))?;
-            let name = folder.join(&made.path).display().to_string();
-            terminal::say(&summary(&[(name, changes[0])]));
+            terminal::say(&summary(&folder::written(&folder, &[made])?));
             Ok(())
         }
         None => {
@@ -167,7 +163,7 @@ pub(crate) fn merge(arguments: &arguments::Merge) -> Result<(), Failure> {
     let PartFile { origin, plan, records, .. } = part::joined(&arguments.parts)?;
     let description = origin.description(&[])?;
     let folder = arguments.output.clone().unwrap_or_else(|| origin.folder());
-    let edition = Edition::new(&arguments.format, arguments.size);
+    let edition = Edition::new(&arguments.look);
     folder::ensure_writable(&folder, &paths(&edition))?;
     let file = PathBuf::from(&origin.file);
     let task = Task { file: &file, folder: &folder, edition: &edition, began };
@@ -226,11 +222,7 @@ fn members(origin: &Origin, plan: &Plan, which: Range<usize>) -> Result<Vec<(usi
 fn limits(description: &Description, arguments: &arguments::Unfold, members: usize) -> Limits {
     let Limits { time, memory, steps } = description.limits();
     let members = members.max(1) as f64;
-    Limits {
-        time: arguments.time_limit.unwrap_or(time * members),
-        memory: arguments.memory_limit.unwrap_or(memory),
-        steps: arguments.step_limit.unwrap_or(steps * members),
-    }
+    arguments.limits(Limits { time: time * members, memory, steps: steps * members })
 }
 
 /// Where a family is written, and for whom.
@@ -251,7 +243,7 @@ fn finish(
     let family = assemble(plan, description, records);
     let names = names(plan, description);
     let title = format!("{}: {FAMILY}", description.name());
-    let sheets = draw_family(&family, &names, &title, task.edition.size.columns)
+    let sheets = draw_family(&family, &names, &title, task.edition.columns)
         .map_err(|error| computation("figures", &error))?;
     let (mut files, mut floats) = (Vec::new(), Vec::new());
     let count = sheets.len();
@@ -264,14 +256,12 @@ fn finish(
     }
     files.extend(task.edition.has(Format::Tex).then(|| latex::snippet(&floats)));
     for table in family.tables(&names) {
-        let content = tables::csv(&table).map_err(|error| computation("tables", &error))?;
-        files.push(MadeFile { path: table_path(table.name), content });
+        files.push(tables::file(&table, "tables")?);
     }
     files.push(data_page::of_an_oscillator(Family::TABLES.iter().copied(), &names));
-    let changes = folder::write(task.folder, &files)?;
+    let written = folder::written(task.folder, &files)?;
     terminal::say(&listing::results(&family, &names, plan));
-    let written = files.iter().map(|file| task.folder.join(&file.path).display().to_string());
-    terminal::say(&format!("\n{}", summary(&written.zip(changes).collect::<Vec<_>>())));
+    terminal::say(&format!("\n{}", summary(&written)));
     terminal::say(&format!("{:.1} s\n", task.began.elapsed().as_secs_f64()));
     if family.incomplete > 0 {
         return Err(Failure::incomplete(format!(
@@ -285,7 +275,7 @@ fn finish(
 
 /// All files of a family that has one sheet.
 fn paths(edition: &Edition) -> Vec<PathBuf> {
-    let tables = Family::TABLES.iter().map(|table| table_path(table.name));
+    let tables = Family::TABLES.iter().map(|table| tables::path(table.name));
     edition.figure_paths(FIGURE).chain(tables).chain([data_page::path()]).collect()
 }
 

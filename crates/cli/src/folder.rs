@@ -98,6 +98,12 @@ pub fn write(folder: &Path, files: &[MadeFile]) -> Result<Vec<Change>, Failure> 
     staged.into_iter().map(finish).collect()
 }
 
+/// Writes all files, as [`write`]; what that did to each, by its path.
+pub(crate) fn written(folder: &Path, files: &[MadeFile]) -> Result<Vec<(String, Change)>, Failure> {
+    let names = files.iter().map(|file| folder.join(&file.path).display().to_string());
+    Ok(names.zip(write(folder, files)?).collect())
+}
+
 /// Adds how the folder differs from the files: missing ones, other contents, and, if the files are `complete`, files in the
 /// folder that the code does not make; `known` are those that belong there all the same.
 ///

@@ -4,7 +4,7 @@ pub mod edition;
 pub mod latex;
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use grazing_drawing::{
     SheetWidth, draw_fig01, draw_fig02, draw_fig03, draw_fig04, draw_fig05, draw_fig06, draw_fig07,
@@ -19,7 +19,7 @@ use grazing_results::space::Scene;
 use grazing_results::{Names, Plan, Table};
 
 use crate::failure::Failure;
-use crate::folder::{DATA, MadeFile};
+use crate::folder::MadeFile;
 use crate::tables;
 use edition::{Edition, Format};
 use latex::Float;
@@ -208,7 +208,7 @@ impl Output {
     /// The paths of its files in the output folder of an edition.
     pub fn paths(&self, edition: &Edition) -> Vec<PathBuf> {
         let figures = self.figure.iter().flat_map(|figure| edition.figure_paths(figure));
-        let tables = self.tables.iter().map(|table| table_path(table.name));
+        let tables = self.tables.iter().map(|table| tables::path(table.name));
         figures.chain(tables).chain(self.latex_tables(edition).map(latex::table_path)).collect()
     }
 
@@ -229,7 +229,7 @@ impl Output {
         edition: &Edition,
     ) -> Result<(Made, Vec<MadeFile>), Failure> {
         (self.check)(&study.parameters)?;
-        let mut made = (self.make)(study, edition.size.columns).map_err(|error| self.failure(&*error))?;
+        let mut made = (self.make)(study, edition.columns).map_err(|error| self.failure(&*error))?;
         let names: Vec<&'static str> = made.tables.iter().map(|table| table.name).collect();
         let registered: Vec<&'static str> = self.tables.iter().map(|table| table.name).collect();
         if names != registered {
@@ -248,8 +248,7 @@ impl Output {
         }
         let printed: Vec<&str> = self.latex_tables(edition).collect();
         for table in &made.tables {
-            let content = tables::csv(table).map_err(|error| computation(self.name, &error))?;
-            files.push(MadeFile { path: table_path(table.name), content });
+            files.push(tables::file(table, self.name)?);
         }
         for table in made.tables.iter().filter(|table| printed.contains(&table.name)) {
             if let Some((float, file)) = Float::table(table, self.title, self.label) {
@@ -302,9 +301,4 @@ pub(crate) fn computation(what: &'static str, error: &(dyn Error + 'static)) -> 
         cause = deeper.source();
     }
     Failure::computation(what, reason)
-}
-
-/// Where a table lies in the output folder.
-pub(crate) fn table_path(name: &str) -> PathBuf {
-    Path::new(DATA).join(format!("{name}.csv"))
 }

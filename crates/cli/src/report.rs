@@ -20,7 +20,6 @@ use crate::folder::{self, MadeFile};
 use crate::outputs::edition::Edition;
 use crate::outputs::{self, Made};
 use crate::progress::Display;
-use crate::reproduce::start_threads;
 use crate::{claims, project, terminal};
 use oscillators::OscillatorFile;
 
@@ -36,9 +35,7 @@ pub(crate) fn run(arguments: &Report) -> Result<(), Failure> {
     outputs::refuse_malformed(outputs::ALL.iter(), &parameters)?;
     let (folder, name) = place(&arguments.output)?;
     let sources = OscillatorFile::all(project::root().as_deref(), &arguments.oscillators)?;
-    if let Some(jobs) = arguments.jobs {
-        start_threads(jobs)?;
-    }
+    arguments.threads.start()?;
     let ledger = Ledger::of_the_paper();
     let report = assemble(arguments, &ledger, &parameter_file, &parameters, &sources)?;
     let content = page(&report).into_bytes();

@@ -29,7 +29,7 @@ const KNOWN: [&str; 1] = ["parameters.toml"];
 pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
     crate::limits::leave_nothing_behind();
     let start = Instant::now();
-    let edition = Edition::new(&arguments.format, arguments.size);
+    let edition = Edition::new(&arguments.look);
     let (parameters, set) = (project::parameters(&arguments.parameters)?, &arguments.parameters.set);
     let output_folder = project::output_folder(arguments.output.as_deref(), &edition, !set.is_empty())?;
     let chosen: Vec<&Output> =
@@ -42,9 +42,7 @@ pub(crate) fn run(arguments: &Reproduce) -> Result<(), Failure> {
         paths.extend((!set.is_empty()).then(|| PathBuf::from(SETTINGS)));
         folder::ensure_writable(&output_folder, &paths)?;
     }
-    if let Some(jobs) = arguments.jobs {
-        start_threads(jobs)?;
-    }
+    arguments.threads.start()?;
     let display = Display::new();
     let study = Study::new(&parameters).with_progress(&display);
     let mut made = Outcome::of(&study, &chosen, &edition)?;
@@ -179,8 +177,7 @@ fn write(places: &[MadeFolder]) -> Result<String, Failure> {
     let mut told = Vec::new();
     for MadeFolder { folder, files, .. } in places {
         let changed = visual::changed(folder, files);
-        let changes = folder::write(folder, files)?;
-        told.extend(files.iter().map(|file| folder.join(&file.path).display().to_string()).zip(changes));
+        told.extend(folder::written(folder, files)?);
         visual::show(folder, &changed);
     }
     Ok(summary(&told))
@@ -188,14 +185,6 @@ fn write(places: &[MadeFolder]) -> Result<String, Failure> {
 
 fn is_chosen(output: &Output, only: &[String]) -> bool {
     only.is_empty() || only.iter().any(|name| name == output.name)
-}
-
-/// Sets the number of threads.
-pub(crate) fn start_threads(jobs: u16) -> Result<(), Failure> {
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(usize::from(jobs))
-        .build_global()
-        .map_err(|error| Failure::input(format!("{jobs} threads could not be started: {error}")))
 }
 
 /// A line that says whether the published values are met.

@@ -1,7 +1,13 @@
 //! Tables as CSV by way of data frames, the same bytes on every machine.
 
+use std::path::{Path, PathBuf};
+
 use grazing_results::{Cell, Table};
 use polars::prelude::{AnyValue, Column, CsvWriter, DataFrame, PolarsResult, SerWriter, Series};
+
+use crate::failure::Failure;
+use crate::folder::{DATA, MadeFile};
+use crate::outputs::computation;
 
 /// The digits after the point: with the one before it 17 significant digits, enough to tell any two numbers apart.
 const DECIMALS: usize = 16;
@@ -21,6 +27,17 @@ pub fn csv(table: &Table) -> PolarsResult<Vec<u8>> {
         .with_float_precision(Some(DECIMALS))
         .finish(&mut DataFrame::new_infer_height(columns)?)?;
     Ok(bytes)
+}
+
+/// The file of a table, made for this output.
+pub(crate) fn file(table: &Table, output: &'static str) -> Result<MadeFile, Failure> {
+    let content = csv(table).map_err(|error| computation(output, &error))?;
+    Ok(MadeFile { path: path(table.name), content })
+}
+
+/// Where a table lies in the output folder.
+pub(crate) fn path(name: &str) -> PathBuf {
+    Path::new(DATA).join(format!("{name}.csv"))
 }
 
 fn value(cell: &Cell) -> AnyValue<'_> {

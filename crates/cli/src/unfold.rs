@@ -12,7 +12,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use grazing_description::Limits;
+use grazing_description::{Description, Limits};
 use grazing_reproduction::StudyError;
 use grazing_reproduction::unfolded::{Described, Keep, Rows, Unfolded};
 use grazing_results::branches::OneParameterRows;
@@ -23,11 +23,11 @@ use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
 use crate::limits::{self, Met, Watch};
+use crate::outputs::computation;
 use crate::outputs::edition::{Edition, Format};
-use crate::outputs::{computation, table_path};
 use crate::progress::Display;
 use crate::report::oscillators::{Material, OscillatorFile, PAGE};
-use crate::reproduce::{start_threads, summary};
+use crate::reproduce::summary;
 use crate::{data_page, tables, terminal};
 use keeper::Keeper;
 
@@ -49,17 +49,16 @@ struct Task {
 /// # Errors
 /// Bad input, before anything is computed; what went wrong with a single file, or with how many of several.
 pub(crate) fn run(arguments: &arguments::Unfold) -> Result<(), Failure> {
-    let edition = Edition::new(&arguments.format, arguments.size);
+    let edition = Edition::new(&arguments.look);
     let tasks = tasks(arguments)?;
     for task in &tasks {
         let figures = sheets::FILES.iter().flat_map(|file| edition.figure_paths(file));
-        let tables = Rows::TABLES.iter().chain(OneParameterRows::TABLES).map(|table| table_path(table.name));
+        let tables =
+            Rows::TABLES.iter().chain(OneParameterRows::TABLES).map(|table| tables::path(table.name));
         let pages = [PathBuf::from(PAGE), data_page::path()];
         folder::ensure_writable(&task.folder, &figures.chain(tables).chain(pages).collect::<Vec<_>>())?;
     }
-    if let Some(jobs) = arguments.jobs {
-        start_threads(jobs)?;
-    }
+    arguments.threads.start()?;
     limits::listen();
     let (mut failing, mut code) = (0, None);
     for (number, task) in tasks.iter().enumerate() {
@@ -96,12 +95,7 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
     for file in &arguments.files {
         let settings = settings(&arguments.set);
         let mut of = OscillatorFile::read(file, &settings)?;
-        if let Some(loops) = &arguments.loops {
-            of.description = of
-                .description
-                .with_loops(loops)
-                .map_err(|reason| Failure::input(format!("--loops {reason}")))?;
-        }
+        of.description = with_loops(of.description, arguments.loops.as_deref())?;
         let named = folder::name_for(file);
         let folder = match &arguments.output {
             Some(folder) if arguments.files.len() == 1 => folder.clone(),
@@ -116,15 +110,16 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
                 folder.display()
             )));
         }
-        let file_limits = of.description.limits();
-        let limits = Limits {
-            time: arguments.time_limit.unwrap_or(file_limits.time),
-            memory: arguments.memory_limit.unwrap_or(file_limits.memory),
-            steps: arguments.step_limit.unwrap_or(file_limits.steps),
-        };
+        let limits = arguments.limits(of.description.limits());
         tasks.push(Task { of, folder, limits });
     }
     Ok(tasks)
+}
+
+/// The oscillator with the numbers of loops that were named, if any were.
+pub(crate) fn with_loops(description: Description, loops: Option<&[u32]>) -> Result<Description, Failure> {
+    let Some(loops) = loops else { return Ok(description) };
+    description.with_loops(loops).map_err(|reason| Failure::input(format!("--loops {reason}")))
 }
 
 /// What was set: `kappa` alone is a constant, `parameters.kappa`.
@@ -182,15 +177,14 @@ impl Task {
         let keeper = Keeper::new(&self.folder);
         let (unfolded, met) = analyse(&self.of, self.limits, &|table| keeper.keep(table))?;
         let files = self.files(&unfolded, edition)?;
-        let changes = folder::write(&self.folder, &files)?;
+        let written = folder::written(&self.folder, &files)?;
         self.remove_other_sheets(&files, edition)?;
         keeper.clear()?;
         terminal::say(&listing::results(description, &unfolded));
         if explain {
             terminal::say(&explanation::all(description, &unfolded));
         }
-        let names = files.iter().map(|file| self.folder.join(&file.path).display().to_string());
-        terminal::say(&format!("\n{}", summary(&names.zip(changes).collect::<Vec<_>>())));
+        terminal::say(&format!("\n{}", summary(&written)));
         terminal::say(&format!("{:.1} s\n", start.elapsed().as_secs_f64()));
         if let Some(met) = met {
             let outcome = "what was not finished is named above; everything else is written";
@@ -213,15 +207,14 @@ impl Task {
 
     /// Figures, tables and the page that shows them.
     fn files(&self, unfolded: &Analysis, edition: &Edition) -> Result<Vec<MadeFile>, Failure> {
-        let material = Material::new(&self.of, unfolded, edition.size.columns)?;
+        let material = Material::new(&self.of, unfolded, edition.columns)?;
         let mut files = Vec::new();
         for sheet in &material.figures {
             let made = edition.figure_files(&sheet.file, sheet.svg.clone());
             files.extend(made.map_err(|error| computation("figures", &error))?);
         }
         for table in &material.tables {
-            let content = tables::csv(table).map_err(|error| computation("tables", &error))?;
-            files.push(MadeFile { path: table_path(table.name), content });
+            files.push(tables::file(table, "tables")?);
         }
         if edition.has(Format::Tex) {
             files.extend(material.latex().map_err(|error| computation("figures", &error))?);
@@ -236,7 +229,7 @@ impl Task {
     fn remove_other_sheets(&self, made: &[MadeFile], edition: &Edition) -> Result<(), Failure> {
         let sheets =
             sheets::possible_names().flat_map(|name| edition.figure_paths(&name).collect::<Vec<_>>());
-        let tables = OneParameterRows::TABLES.iter().map(|table| table_path(table.name));
+        let tables = OneParameterRows::TABLES.iter().map(|table| tables::path(table.name));
         for path in sheets.chain(tables).filter(|path| made.iter().all(|file| file.path != *path)) {
             let path = self.folder.join(path);
             if path.is_file() {

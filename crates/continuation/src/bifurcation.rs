@@ -54,7 +54,7 @@ pub enum CodimensionTwo {
 
 impl CodimensionTwo {
     /// Where two curves meet of which one at least is a GZ curve.
-    pub fn between(one: Bifurcation, other: Bifurcation) -> Self {
+    pub fn of_meeting(one: Bifurcation, other: Bifurcation) -> Self {
         use Bifurcation::{PeriodDoubling, SaddleNode};
         match (one, other) {
             (SaddleNode, _) | (_, SaddleNode) => Self::SaddleNodeGrazing,

@@ -6,9 +6,8 @@ use std::f64::consts::TAU;
 
 use grazing_model::smooth::{SmoothOscillator, Units};
 
-use crate::description::Description;
+use crate::description::{Description, Expressions};
 use crate::error::{DescriptionError, KeyPlace, rounded};
-use crate::validate::Places;
 
 /// Points along the range of either parameter, both ends included.
 const ALONG: u32 = 7;
@@ -28,30 +27,23 @@ const ROUNDING: f64 = 1e-9;
 type Checked = Result<(), DescriptionError>;
 
 /// Checks frequency, force and reset law at samples, in the order of the file; what is allowed and may not be meant.
-pub(crate) fn samples(description: &Description, places: &Places) -> Result<Vec<String>, DescriptionError> {
+pub(crate) fn samples(
+    description: &Description,
+    places: &Expressions<KeyPlace>,
+) -> Result<Vec<String>, DescriptionError> {
     let sampler = Sampler { description, places, units: description.units() };
     let parameters = sampler.parameters();
-    for &parameters in &parameters {
-        sampler.frequency(parameters)?;
-    }
-    for &parameters in &parameters {
-        sampler.wall(parameters)?;
-    }
-    for &parameters in &parameters {
-        sampler.force(parameters)?;
-    }
-    for &parameters in &parameters {
-        sampler.restitution(parameters)?;
-    }
-    for &parameters in &parameters {
-        sampler.duration(parameters)?;
-    }
+    parameters.iter().try_for_each(|&parameters| sampler.frequency(parameters))?;
+    parameters.iter().try_for_each(|&parameters| sampler.wall(parameters))?;
+    parameters.iter().try_for_each(|&parameters| sampler.force(parameters))?;
+    parameters.iter().try_for_each(|&parameters| sampler.restitution(parameters))?;
+    parameters.iter().try_for_each(|&parameters| sampler.duration(parameters))?;
     Ok(parameters.iter().find_map(|&parameters| sampler.lively(parameters)).into_iter().collect())
 }
 
 struct Sampler<'a> {
     description: &'a Description,
-    places: &'a Places,
+    places: &'a Expressions<KeyPlace>,
     units: Units,
 }
 
@@ -104,13 +96,8 @@ impl Sampler<'_> {
         for t in SHARES.map(|share| share * period) {
             let position = |t| self.description.wall().outside([0.0, 0.0], t, [mu, eta])[0];
             let at = || self.point([mu, eta], &[("t", t)]);
-            let (value, after) = (position(t), position(t + period));
-            if !value.is_finite() {
-                return Err(not_finite(place, value, &at()));
-            }
-            if (after - value).abs() > ROUNDING * (self.units.length + value.abs()) {
-                return Err(not_periodic(place, after - value, &at(), ("t", period)));
-            }
+            let values = [position(t), position(t + period)];
+            finite_and_periodic(place, values, self.units.length, ("t", period), at)?;
         }
         Ok(())
     }
@@ -127,12 +114,10 @@ impl Sampler<'_> {
                         let [x, v] = self.description.wall().outside([x, v], t, [mu, eta]);
                         self.point([mu, eta], &[("x", x), ("v", v), ("t", t)])
                     };
-                    let (value, after) = (force(t), force(t + period));
-                    if !value.is_finite() && x >= -near {
-                        return Err(not_finite(place, value, &at()));
-                    }
-                    if (after - value).abs() > ROUNDING * (self.units.acceleration() + value.abs()) {
-                        return Err(not_periodic(place, after - value, &at(), ("t", period)));
+                    let values = [force(t), force(t + period)];
+                    if values[0].is_finite() || x >= -near {
+                        let unit = self.units.acceleration();
+                        finite_and_periodic(place, values, unit, ("t", period), at)?;
                     }
                 }
             }
@@ -179,17 +164,12 @@ impl Sampler<'_> {
         for y in self.impact_velocities() {
             for z in SHARES.map(|share| share * TAU) {
                 let at = || self.point(parameters, &[("y", y), ("z", z)]);
-                let (value, after) = (function(y, z), function(y, z + TAU));
-                if !value.is_finite() {
-                    return Err(not_finite(place, value, &at()));
-                }
-                if let Some(reason) = refused(value) {
+                let value = function(y, z);
+                if let Some(reason) = refused(value).filter(|_| value.is_finite()) {
                     let problem = format!("the restitution is {} at {}: {reason}", rounded(value), at());
                     return Err(wrong(place, problem));
                 }
-                if (after - value).abs() > ROUNDING * (unit + value.abs()) {
-                    return Err(not_periodic(place, after - value, &at(), ("z", TAU)));
-                }
+                finite_and_periodic(place, [value, function(y, z + TAU)], unit, ("z", TAU), at)?;
             }
         }
         Ok(())
@@ -208,6 +188,23 @@ fn not_finite(place: &KeyPlace, value: f64, at: &str) -> DescriptionError {
         _ => "over the ranges of both parameters",
     };
     wrong(place, format!("the value is {value} at {at}: it must be a finite number {domain}"))
+}
+
+/// Checks a value, which is of the order of `unit`, and the one a period of t or z later.
+fn finite_and_periodic(
+    place: &KeyPlace,
+    [value, after]: [f64; 2],
+    unit: f64,
+    period: (&str, f64),
+    at: impl Fn() -> String,
+) -> Checked {
+    if !value.is_finite() {
+        return Err(not_finite(place, value, &at()));
+    }
+    if (after - value).abs() > ROUNDING * (unit + value.abs()) {
+        return Err(not_periodic(place, after - value, &at(), period));
+    }
+    Ok(())
 }
 
 /// The error of a value that changes over one period of t or z.

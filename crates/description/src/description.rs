@@ -24,19 +24,17 @@ pub(crate) struct Content {
     pub(crate) primary: Axis,
     pub(crate) secondary: Axis,
     pub(crate) unit_names: [Option<String>; 2],
-    /// Seen from the wall.
-    pub(crate) force: Expression,
-    pub(crate) wall: Wall,
-    pub(crate) frequency: Expression,
-    pub(crate) restitution: Expression,
-    pub(crate) duration: Expression,
-    pub(crate) texts: Texts,
+    pub(crate) formulas: Formulas,
+    pub(crate) texts: Expressions<String>,
     pub(crate) loops: Vec<u32>,
     pub(crate) start: Option<[f64; 2]>,
     pub(crate) limits: Limits,
     pub(crate) diagrams: Vec<OneParameter>,
     pub(crate) notes: Vec<String>,
 }
+
+/// What is computed with; the force is that seen from the wall.
+pub(crate) type Formulas = Expressions<Expression, Wall>;
 
 /// A one-parameter diagram that the file asks for.
 #[derive(Debug, Clone, PartialEq)]
@@ -131,19 +129,31 @@ impl Wall {
     }
 }
 
-/// The expressions as the file has them, for whoever wants to see what was read.
+/// What there is of each expression of a file, as its text.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Texts {
+pub struct Expressions<T, W = T> {
     /// The force F.
-    pub force: String,
+    pub force: T,
     /// The position of the wall.
-    pub wall: String,
+    pub wall: W,
     /// The forcing frequency ω.
-    pub frequency: String,
+    pub frequency: T,
     /// The restitution Φ.
-    pub restitution: String,
+    pub restitution: T,
     /// The impact duration Ψ.
-    pub duration: String,
+    pub duration: T,
+}
+
+impl<T> Expressions<T> {
+    pub(crate) fn map<U>(&self, of: impl Fn(&T) -> U) -> Expressions<U> {
+        Expressions {
+            force: of(&self.force),
+            wall: of(&self.wall),
+            frequency: of(&self.frequency),
+            restitution: of(&self.restitution),
+            duration: of(&self.duration),
+        }
+    }
 }
 
 /// One of the two parameters with its range.
@@ -239,31 +249,17 @@ impl Description {
 
     /// The wall.
     pub fn wall(&self) -> &Wall {
-        &self.0.wall
+        &self.0.formulas.wall
     }
 
-    /// The force seen from the [`Wall`], an expression in u, u̇, t, μ, η.
-    pub fn force_expression(&self) -> &Expression {
-        &self.0.force
+    /// The formulas that are computed with: the force seen from the [`Wall`], in u, u̇, t, μ, η; ω in μ, η; Φ and Ψ in y, z, μ, η.
+    pub fn formulas(&self) -> [&Expression; 4] {
+        let Formulas { force, frequency, restitution, duration, .. } = &self.0.formulas;
+        [force, frequency, restitution, duration]
     }
 
-    /// The forcing frequency ω, an expression in μ, η.
-    pub fn frequency_expression(&self) -> &Expression {
-        &self.0.frequency
-    }
-
-    /// The restitution Φ, an expression in y, z, μ, η.
-    pub fn restitution_expression(&self) -> &Expression {
-        &self.0.restitution
-    }
-
-    /// The impact duration Ψ, an expression in y, z, μ, η.
-    pub fn duration_expression(&self) -> &Expression {
-        &self.0.duration
-    }
-
-    /// The expressions as the file has them.
-    pub fn texts(&self) -> &Texts {
+    /// The expressions as the file has them, for whoever wants to see what was read.
+    pub fn texts(&self) -> &Expressions<String> {
         &self.0.texts
     }
 
@@ -306,7 +302,7 @@ impl Description {
     pub fn exchanged(&self) -> Description {
         let mut content = (*self.0).clone();
         core::mem::swap(&mut content.primary, &mut content.secondary);
-        let Content { force, wall, frequency, restitution, duration, .. } = &mut content;
+        let Formulas { force, wall, frequency, restitution, duration } = &mut content.formulas;
         let [x, v] = &mut wall.outside;
         for expression in [force, x, v, frequency, restitution, duration] {
             *expression = expression.with_last_exchanged();
@@ -323,7 +319,9 @@ impl Description {
     pub fn with_constant(&self, name: &str, value: f64) -> Result<Description, ExpressionError> {
         let mut constants = self.0.constants.clone();
         constants.iter_mut().filter(|(known, _)| known == name).for_each(|(_, old)| *old = value);
-        Ok(Description(Arc::new(validate::with_constants(&self.0, constants)?)))
+        let Content { texts, primary, secondary, .. } = &*self.0;
+        let formulas = validate::formulas(texts, self.wall().side, [primary, secondary], &constants)?;
+        Ok(Description(Arc::new(Content { formulas, constants, ..(*self.0).clone() })))
     }
 
     /// The same oscillator with other numbers of loops p to analyse.
@@ -343,23 +341,23 @@ impl Description {
 
 impl SmoothOscillator for Description {
     fn force<S: Scalar>(&self, x: S, y: S, t: S, mu: S, eta: S) -> S {
-        self.0.force.evaluate(&[x, y, t, mu, eta])
+        self.0.formulas.force.evaluate(&[x, y, t, mu, eta])
     }
 
     fn force_at<T: Scalar, S: Scalar + From<T>>(&self, t: T, mu: T, eta: T) -> impl FnMut(S, S) -> S {
-        let mut force = self.0.force.hold(&[t, mu, eta]);
+        let mut force = self.0.formulas.force.hold(&[t, mu, eta]);
         move |x, y| force(&[&x, &y])
     }
 
     fn forcing_frequency<S: Scalar>(&self, mu: S, eta: S) -> S {
-        self.0.frequency.evaluate(&[mu, eta])
+        self.0.formulas.frequency.evaluate(&[mu, eta])
     }
 
     fn restitution<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S {
-        self.0.restitution.evaluate(&[y, z, mu, eta])
+        self.0.formulas.restitution.evaluate(&[y, z, mu, eta])
     }
 
     fn impact_duration<S: Scalar>(&self, y: S, z: S, mu: S, eta: S) -> S {
-        self.0.duration.evaluate(&[y, z, mu, eta])
+        self.0.formulas.duration.evaluate(&[y, z, mu, eta])
     }
 }

@@ -45,6 +45,6 @@ mod file;
 mod names;
 mod validate;
 
-pub use description::{Axis, Description, Limits, OneParameter, Side, Texts, Wall};
+pub use description::{Axis, Description, Expressions, Limits, OneParameter, Side, Wall};
 pub use error::DescriptionError;
 pub use expression::{Expression, ExpressionError, MOST_VALUES_ON_STACK};

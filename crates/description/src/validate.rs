@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use grazing_source::{Section, SourceError};
 
-use crate::description::{Axis, Content, Description, Limits, OneParameter, Side, Texts, Wall};
+use crate::description::{
+    Axis, Content, Description, Expressions, Formulas, Limits, OneParameter, Side, Wall,
+};
 use crate::error::{DescriptionError, KeyPlace};
 use crate::expression::{Expression, ExpressionError, from_the_wall};
 use crate::file::{MOST_DIAGRAMS, MOST_LOOPS, MOST_PORTRAITS};
@@ -16,26 +18,56 @@ const MOST_CONSTANTS: usize = 1000;
 /// The most characters of a unit: it stands beside a name on an axis.
 const LONGEST_UNIT: usize = 20;
 
-/// Where the expressions stand.
-pub(crate) struct Places {
-    pub(crate) force: KeyPlace,
-    /// That of the force if there is no wall in the file.
-    pub(crate) wall: KeyPlace,
-    pub(crate) frequency: KeyPlace,
-    pub(crate) restitution: KeyPlace,
-    pub(crate) duration: KeyPlace,
+/// The key of an expression with the variables that it may use beside the parameters, and how many of them, the first ones,
+/// move while the others are held.
+type Kind = (&'static str, &'static [&'static str], usize);
+
+const FORCE: Kind = ("force", &["x", "v", "t"], 2);
+const POSITION: Kind = ("position", &["t"], 0);
+const FREQUENCY: Kind = ("frequency", &[], 0);
+const RESTITUTION: Kind = ("restitution", &["y", "z"], 2);
+const DURATION: Kind = ("duration", &["y", "z"], 2);
+
+/// The names of the parameters, and the constants.
+struct Known<'a>([&'a str; 2], Vec<(&'a str, f64)>);
+
+impl<'a> Known<'a> {
+    fn new(axes: [&'a Axis; 2], constants: &'a [(String, f64)]) -> Self {
+        let constants = constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+        Self(axes.map(Axis::name), constants)
+    }
+
+    /// The expression, and the numbers of the variables in it, the last two of which are the parameters.
+    fn parse(&self, text: &str, (_, own, moving): Kind) -> Result<(Expression, Vec<usize>), ExpressionError> {
+        Expression::parse_with_uses(text, &[own, &self.0].concat(), moving, &self.1)
+    }
 }
 
-/// The keys of the expressions with the variables that each may use beside the parameters, and how many of them, the
-/// first ones, move while the others are held.
-const FORCE: (&str, &[&str], usize) = ("force", &["x", "v", "t"], 2);
-const POSITION: (&str, &[&str], usize) = ("position", &["t"], 0);
-const FREQUENCY: (&str, &[&str], usize) = ("frequency", &[], 0);
-const RESTITUTION: (&str, &[&str], usize) = ("restitution", &["y", "z"], 2);
-const DURATION: (&str, &[&str], usize) = ("duration", &["y", "z"], 2);
+/// The formulas of an oscillator with these parameters and constants.
+pub(crate) fn formulas(
+    texts: &Expressions<String>,
+    side: Side,
+    axes: [&Axis; 2],
+    constants: &[(String, f64)],
+) -> Result<Formulas, ExpressionError> {
+    let known = Known::new(axes, constants);
+    let parse = |text, kind| Ok(known.parse(text, kind)?.0);
+    let names = ["x", "v", "t", known.0[0], known.0[1]];
+    let [force, x, v] = from_the_wall(&texts.force, &texts.wall, side.sign(), &names, &known.1)?;
+    Ok(Formulas {
+        force,
+        wall: Wall { side, outside: [x, v] },
+        frequency: parse(&texts.frequency, FREQUENCY)?,
+        restitution: parse(&texts.restitution, RESTITUTION)?,
+        duration: parse(&texts.duration, DURATION)?,
+    })
+}
 
-/// Checks everything that can be checked without evaluating an expression.
-pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), DescriptionError> {
+/// Checks everything that can be checked without evaluating an expression. Where there is no wall in the file, its expression stands
+/// where that of the force does.
+pub(crate) fn description(
+    file: &Section<'_>,
+) -> Result<(Description, Expressions<KeyPlace>), DescriptionError> {
     let name = file.value::<String>("name")?.trim().to_owned();
     if name.is_empty() {
         return Err(file.refusal("name").into());
@@ -46,35 +78,37 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
     let constants = constants(&parameters)?;
     let [primary, secondary] = [axis(&axes[0])?, axis(&axes[1])?];
 
+    let known = Known::new([&primary, &secondary], &constants);
     let mut used = [false; 2];
-    let mut expression = |section: &Section<'_>, (name, variables, moving): (&str, &[&str], usize)| {
-        let text: String = section.value(name)?;
-        let variables = [variables, &[primary.name.as_str(), secondary.name.as_str()]].concat();
-        let constants: Vec<_> = constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-        let (expression, uses) = Expression::parse_with_uses(&text, &variables, moving, &constants)
-            .map_err(|error| DescriptionError::in_expression(section, name, &text, &error))?;
-        for (used, place) in used.iter_mut().zip(variables.len() - 2..) {
+    let mut written = |section: &Section<'_>, kind: Kind| {
+        let text: String = section.value(kind.0)?;
+        let (_, uses) = known
+            .parse(&text, kind)
+            .map_err(|error| DescriptionError::in_expression(section, kind.0, &text, &error))?;
+        for (used, place) in used.iter_mut().zip(kind.1.len()..) {
             *used |= uses.contains(&place);
         }
-        Ok::<_, DescriptionError>((expression, text, KeyPlace::new(section, name)))
+        Ok::<_, DescriptionError>((text, KeyPlace::new(section, kind.0)))
     };
     let (motion, impact) = (file.table("motion")?, file.table("impact")?);
-    let wall = file.has("wall").then(|| file.table("wall")).transpose()?;
-    let (side, wall_text, wall_place) = match &wall {
-        Some(section) => {
-            let (_, text, place) = expression(section, POSITION)?;
-            (side(section)?, text, place)
-        }
-        None => (Side::Below, "0".to_owned(), KeyPlace::new(&motion, FORCE.0)),
+    let (side, wall) = if file.has("wall") {
+        let section = file.table("wall")?;
+        let position = written(&section, POSITION)?;
+        (side(&section)?, position)
+    } else {
+        (Side::Below, ("0".to_owned(), KeyPlace::new(&motion, FORCE.0)))
     };
-    let (_, force_text, force_place) = expression(&motion, FORCE)?;
-    let (frequency, frequency_text, frequency_place) = expression(&motion, FREQUENCY)?;
-    let names = ["x", "v", "t", primary.name.as_str(), secondary.name.as_str()];
-    let values: Vec<_> = constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-    let [force, x, v] = from_the_wall(&force_text, &wall_text, side.sign(), &names, &values)
-        .map_err(|error| DescriptionError::Value { place: wall_place.clone(), problem: error.problem })?;
-    let (restitution, restitution_text, restitution_place) = expression(&impact, RESTITUTION)?;
-    let (duration, duration_text, duration_place) = expression(&impact, DURATION)?;
+    let written = Expressions {
+        wall,
+        force: written(&motion, FORCE)?,
+        frequency: written(&motion, FREQUENCY)?,
+        restitution: written(&impact, RESTITUTION)?,
+        duration: written(&impact, DURATION)?,
+    };
+    let (texts, places) = (written.map(|(text, _)| text.clone()), written.map(|(_, place)| place.clone()));
+    // Each by itself is right.
+    let formulas = formulas(&texts, side, [&primary, &secondary], &constants)
+        .map_err(|error| DescriptionError::Value { place: places.wall.clone(), problem: error.problem })?;
     for (used, (axis, name)) in used.into_iter().zip(axes.iter().zip([&primary.name, &secondary.name])) {
         if !used {
             let allowed = format!(
@@ -85,10 +119,9 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
         }
     }
     let analysis = file.table("analysis")?;
-    let wall = Wall { side, outside: [x, v] };
     let start = analysis.has("start").then(|| analysis.numbers("start", |_| true)).transpose()?;
     let middle = [&primary, &secondary].map(|axis| axis.range[0] + 0.5 * (axis.range[1] - axis.range[0]));
-    let start = start.map(|start| wall.inside(start, 0.0, middle));
+    let start = start.map(|start| formulas.wall.inside(start, 0.0, middle));
     let units = file.has("units").then(|| file.table("units")).transpose()?;
     let named = |name: &str| units.as_ref().map_or(Ok(None), |units| unit(units, name));
     let diagrams = diagrams(file, [&primary, &secondary])?;
@@ -98,18 +131,8 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
         constants,
         primary,
         secondary,
-        force,
-        wall,
-        frequency,
-        restitution,
-        duration,
-        texts: Texts {
-            force: force_text,
-            wall: wall_text,
-            frequency: frequency_text,
-            restitution: restitution_text,
-            duration: duration_text,
-        },
+        formulas,
+        texts,
         loops: analysis.counts("loops", 1..=MOST_LOOPS)?,
         start,
         limits: Limits {
@@ -120,39 +143,7 @@ pub(crate) fn description(file: &Section<'_>) -> Result<(Description, Places), D
         diagrams,
         notes: Vec::new(),
     };
-    let places = Places {
-        force: force_place,
-        wall: wall_place,
-        frequency: frequency_place,
-        restitution: restitution_place,
-        duration: duration_place,
-    };
     Ok((Description(Arc::new(content)), places))
-}
-
-/// The same with other values of the constants.
-pub(crate) fn with_constants(
-    content: &Content,
-    constants: Vec<(String, f64)>,
-) -> Result<Content, ExpressionError> {
-    let values: Vec<_> = constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-    let axes = [content.primary.name.as_str(), content.secondary.name.as_str()];
-    let expression = |text: &str, (_, variables, moving): (&str, &[&str], usize)| {
-        let variables = [variables, &axes].concat();
-        Ok(Expression::parse_with_uses(text, &variables, moving, &values)?.0)
-    };
-    let Content { wall, texts, .. } = content;
-    let names = ["x", "v", "t", axes[0], axes[1]];
-    let [force, x, v] = from_the_wall(&texts.force, &texts.wall, wall.side.sign(), &names, &values)?;
-    Ok(Content {
-        force,
-        wall: Wall { side: wall.side, outside: [x, v] },
-        frequency: expression(&texts.frequency, FREQUENCY)?,
-        restitution: expression(&texts.restitution, RESTITUTION)?,
-        duration: expression(&texts.duration, DURATION)?,
-        constants,
-        ..content.clone()
-    })
 }
 
 fn side(wall: &Section<'_>) -> Result<Side, SourceError> {

@@ -217,16 +217,36 @@ impl Canvas {
         self.texts.borrow().iter().map(|(source, _)| source.clone()).collect()
     }
 
-    /// The labels that overlap another one or leave the sheet: none, in a good figure.
+    /// Panics with the labels that overlap another one or leave the sheet, if there are any.
     #[cfg(test)]
-    pub(crate) fn misplaced_texts(&self) -> Vec<(String, Bounds)> {
+    pub(crate) fn assert_well_placed(&self, what: &dyn std::fmt::Debug) {
         let texts = self.texts.borrow();
-        let sheet = Bounds { left: 0.0, top: 0.0, right: self.width, bottom: self.height };
         let spoilt = |i: usize| {
-            !sheet.holds(&texts[i].1)
+            !self.sheet().holds(&texts[i].1)
                 || texts.iter().enumerate().any(|(j, other)| i != j && other.1.overlaps(&texts[i].1))
         };
-        (0..texts.len()).filter(|&i| spoilt(i)).map(|i| texts[i].clone()).collect()
+        let misplaced: Vec<_> = (0..texts.len()).filter(|&i| spoilt(i)).map(|i| &texts[i]).collect();
+        assert!(misplaced.is_empty(), "{what:?}: {misplaced:?}");
+    }
+
+    /// All of the sheet.
+    pub(crate) fn sheet(&self) -> Bounds {
+        Bounds { left: 0.0, top: 0.0, right: self.width, bottom: self.height }
+    }
+
+    /// The documents of sheets, each of several with its number in the title.
+    pub(crate) fn finish_all(
+        sheets: Vec<Canvas>,
+        figure: &'static str,
+        title: &str,
+        description: &str,
+    ) -> Result<Vec<String>, DrawingError> {
+        let count = sheets.len();
+        let finish = |(canvas, number): (Canvas, usize)| {
+            let of = if count > 1 { format!(" ({number} of {count})") } else { String::new() };
+            canvas.finish(figure, &format!("{title}{of}"), description)
+        };
+        sheets.into_iter().zip(1..).map(finish).collect()
     }
 
     /// The document with its title, its description and the fonts, if it is light enough.

@@ -207,14 +207,12 @@ fn shown_curves(points: &[PlanePoint]) -> Vec<Trace> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample_oscillator::{Affine, SampleOscillator, oscillators};
-
-    const WIDTHS: [SheetWidth; 3] = [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns];
-    const UNIT: Affine = Affine(1.0, 0.0);
+    use crate::sample_oscillator::{SampleOscillator, UNIT, oscillators, sample};
+    use crate::samples::WIDTHS;
 
     fn texts(sample: &SampleOscillator) -> Vec<String> {
         let sheet = compose(&sample.diagram(), SheetWidth::Paper).unwrap();
-        assert!(sheet.misplaced_texts().is_empty(), "{:?}", sheet.misplaced_texts());
+        sheet.assert_well_placed(&sample.names);
         sheet.texts()
     }
 
@@ -222,15 +220,15 @@ mod tests {
     fn no_two_labels_overlap_and_none_leaves_the_sheet_for_any_oscillator_at_any_width() {
         for sample in oscillators() {
             for width in WIDTHS {
-                let misplaced = compose(&sample.diagram(), width).unwrap().misplaced_texts();
-                assert!(misplaced.is_empty(), "{:?} {width:?}: {misplaced:?}", sample.names);
+                let sheet = compose(&sample.diagram(), width).unwrap();
+                sheet.assert_well_placed(&(&sample.names, width));
             }
         }
     }
 
     #[test]
     fn inadmissible_rows_are_not_drawn() {
-        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
+        let mut sample = sample(3);
         let count = |sample: &SampleOscillator| {
             let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
             crate::inspection::paths(&svg, "#1946be").len()
@@ -253,7 +251,7 @@ mod tests {
 
     #[test]
     fn a_resonance_without_a_region_has_its_p_beside_it() {
-        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 5);
+        let mut sample = sample(5);
         let count = |texts: &[String]| texts.iter().filter(|text| text.starts_with("$p=")).count();
         assert_eq!(count(&texts(&sample)), 5);
         sample.regions.clear();
@@ -264,7 +262,7 @@ mod tests {
 
     #[test]
     fn without_a_resonance_the_grazing_curve_stands_alone() {
-        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 0);
+        let mut sample = sample(0);
         sample.regions.clear();
         assert!(sample.points.is_empty());
         let texts = texts(&sample);
@@ -274,7 +272,7 @@ mod tests {
 
     #[test]
     fn resonances_may_come_without_their_curves() {
-        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 4);
+        let mut sample = sample(4);
         // The first 201 rows are the grazing curve.
         sample.curves.truncate(201);
         sample.regions.clear();
@@ -286,7 +284,7 @@ mod tests {
 
     #[test]
     fn the_grazing_curve_may_fold_back_and_fall_into_pieces() {
-        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 0);
+        let mut sample = sample(0);
         let share = |i: i32| f64::from(i) / 50.0 - 1.0;
         let fold = |(arc, middle): (u32, f64)| {
             let points = (0..=100).map(|i| (middle + 0.2 * share(i) * share(i), 0.65 + 0.3 * share(i)));
@@ -309,7 +307,7 @@ mod tests {
 
     #[test]
     fn only_rectangles_that_are_seen_have_their_letters() {
-        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 4);
+        let mut sample = sample(4);
         let whole = sample.frame;
         sample.frame.x[1] = sample.panels[0].frame.x[0] - 0.01;
         let letters = texts(&sample).into_iter().filter(|text| text.starts_with('(')).collect::<Vec<_>>();
@@ -320,7 +318,7 @@ mod tests {
 
     #[test]
     fn rectangles_smaller_than_the_triangle_leave_it_visible_and_keep_their_letters() {
-        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
+        let mut sample = sample(3);
         let rectangles = |sample: &SampleOscillator| {
             let svg = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap();
             crate::inspection::paths(&svg, "#f08200").len()
@@ -335,13 +333,13 @@ mod tests {
 
     #[test]
     fn one_parameter_diagrams_are_shown_where_they_run() {
-        let sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 3);
+        let sample = sample(3);
         let ends = [(0.25, 0.0), (0.25, 1.0)];
         let sections = [Section { ends, name: "diagram 1".to_owned(), thin: true }];
         let diagram = PlaneDiagram { sections: &sections, ..sample.diagram() };
         for width in WIDTHS {
             let sheet = compose(&diagram, width).unwrap();
-            assert!(sheet.misplaced_texts().is_empty(), "{:?}", sheet.misplaced_texts());
+            sheet.assert_well_placed(&width);
             assert!(sheet.texts().contains(&"diagram 1".to_owned()), "{:?}", sheet.texts());
             let svg = sheet.finish("test", "", "").unwrap();
             assert!(svg.contains("aria-label=\"where a one-parameter diagram runs\""));
@@ -350,7 +348,7 @@ mod tests {
 
     #[test]
     fn an_empty_rectangle_is_an_error_that_names_the_diagram() {
-        let mut sample = SampleOscillator::new(["A", "omega"], UNIT, UNIT, 2);
+        let mut sample = sample(2);
         sample.panels[1].frame.y = [0.5, 0.5];
         let error = draw_diagram(&sample.diagram(), SheetWidth::Paper).unwrap_err();
         assert!(error.to_string().contains("a rectangle of diagram"), "{error}");

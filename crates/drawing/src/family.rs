@@ -43,18 +43,13 @@ pub fn draw_family(
     title: &str,
     width: SheetWidth,
 ) -> Result<Vec<String>, DrawingError> {
-    let sheets = compose(family, names, width)?;
-    let count = sheets.len();
-    let finish = |(canvas, number): (Canvas, usize)| {
-        let of = if count > 1 { format!(" ({number} of {count})") } else { String::new() };
-        canvas.finish(
-            "family",
-            &format!("{title}{of}"),
-            "A constant of the oscillator across; the secondary parameter at resonant grazing bifurcations and other codimension-two \
-             points, and the quadratic coefficients of the saddle-node and period-doubling curves up.",
-        )
-    };
-    sheets.into_iter().zip(1..).map(finish).collect()
+    Canvas::finish_all(
+        compose(family, names, width)?,
+        "family",
+        title,
+        "A constant of the oscillator across; the secondary parameter at resonant grazing bifurcations and other codimension-two \
+         points, and the quadratic coefficients of the saddle-node and period-doubling curves up.",
+    )
 }
 
 pub(crate) fn compose(
@@ -121,15 +116,18 @@ fn across(varied: [f64; 3], count: usize) -> (f64, Vec<f64>) {
 fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
     let varied = |row: &CurvePoint| across(row.varied(), count);
-    let up = |row: &CurvePoint| match shown.shows {
-        Shows::Secondary => row.secondary,
-        Shows::SaddleNode => row.c_sn,
-        Shows::PeriodDoubling => row.c_pd,
+    // That of what a row has which is up.
+    let up = |secondary: f64, c_sn: f64, c_pd: f64| match shown.shows {
+        Shows::Secondary => secondary,
+        Shows::SaddleNode => c_sn,
+        Shows::PeriodDoubling => c_pd,
     };
-    let colour = match shown.shows {
-        Shows::Secondary => BLACK,
-        Shows::SaddleNode => text_colour(Bifurcation::SaddleNode),
-        Shows::PeriodDoubling => text_colour(Bifurcation::PeriodDoubling),
+    let (colour, infinite) = match shown.shows {
+        Shows::Secondary => (BLACK, None),
+        Shows::SaddleNode => (text_colour(Bifurcation::SaddleNode), Some(Degeneracy::InfiniteSaddleNode)),
+        Shows::PeriodDoubling => {
+            (text_colour(Bifurcation::PeriodDoubling), Some(Degeneracy::InfinitePeriodDoubling))
+        }
     };
     let mut others: Vec<Vec<f64>> = family.members.iter().map(|row| across(row.varied(), count).1).collect();
     others.dedup();
@@ -138,12 +136,8 @@ fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -
         pale(colour, PALEST * place as f64 / others.len().saturating_sub(1).max(1) as f64)
     };
     let infinite = |row: &&Degenerate| {
-        let own = match shown.shows {
-            Shows::Secondary => return false,
-            Shows::SaddleNode => Degeneracy::InfiniteSaddleNode,
-            Shows::PeriodDoubling => Degeneracy::InfinitePeriodDoubling,
-        };
-        row.loops == shown.loops && (row.meaning == own || row.meaning == Degeneracy::Infinite)
+        let meaning = infinite.filter(|own| [*own, Degeneracy::Infinite].contains(&row.meaning));
+        row.loops == shown.loops && meaning.is_some()
     };
     for row in family.degenerate.iter().filter(infinite) {
         let (value, _) = across(row.varied(), count);
@@ -151,7 +145,8 @@ fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -
         panel.line(&[(value, low), (value, high)], GUIDE);
     }
     // The curves of the first values of the other constants are drawn last, above the others.
-    let mut strands = strands(family, shown.loops, |row| (varied(row).0, up(row)));
+    let mut strands =
+        strands(family, shown.loops, |row| (varied(row).0, up(row.secondary, row.c_sn, row.c_pd)));
     strands.sort_by_key(|(first, _)| {
         core::cmp::Reverse(others.iter().position(|other| *other == varied(first).1))
     });
@@ -167,14 +162,10 @@ fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -
     longest.reverse();
     for row in family.resonances.iter().filter(|row| row.loops == shown.loops) {
         let (value, other) = across(row.varied(), count);
-        let up = match shown.shows {
-            Shows::Secondary => row.secondary,
-            Shows::SaddleNode => row.c_sn,
-            Shows::PeriodDoubling => row.c_pd,
-        };
-        if panel.frame.contains((value, up)) {
+        let place = (value, up(row.secondary, row.c_sn, row.c_pd));
+        if panel.frame.contains(place) {
             let paint = Paint { colour: shade(&other), opacity: 1.0 };
-            panel.canvas.disc(panel.spot((value, up)), MEMBER_RADIUS, paint, None);
+            panel.canvas.disc(panel.spot(place), MEMBER_RADIUS, paint, None);
         }
     }
     if shown.shows == Shows::Secondary {
@@ -273,6 +264,7 @@ mod tests {
     use grazing_results::family::Point;
 
     use super::*;
+    use crate::samples::WIDTHS;
 
     /// A family of two constants with branches of p = 1 and 2, one of which has a pole.
     fn sample(scale: f64) -> Family {
@@ -284,63 +276,51 @@ mod tests {
             for k in 0..=40_u32 {
                 let share = f64::from(k) / 40.0;
                 let pole = if loops == 1 { share - 0.41 } else { 1.0 };
-                let (arc, branch) = (number as u32 * 4 + k.min(39) / 10, number as u32);
-                let (varied_2, varied_3) = (scale * share, other);
-                let secondary = f64::from(n) / f64::from(loops + 1) + 0.2 * share * share + 0.05 * other;
-                let (c_sn, c_pd) = (-2.0 * scale / pole, 40.0 * scale * (1.0 + share * f64::from(n)));
-                let end = String::new();
-                let [s_plus, s_minus, primary] = [1.0, 1.0, 0.5];
-                let varied_1 = f64::NAN;
                 let row = CurvePoint {
-                    varied_1,
-                    varied_2,
-                    varied_3,
+                    varied_1: f64::NAN,
+                    varied_2: scale * share,
+                    varied_3: other,
                     loops,
                     n,
-                    branch,
-                    arc,
-                    secondary,
-                    primary,
-                    s_plus,
-                    s_minus,
-                    c_sn,
-                    c_pd,
-                    end,
+                    branch: number as u32,
+                    arc: number as u32 * 4 + k.min(39) / 10,
+                    secondary: f64::from(n) / f64::from(loops + 1) + 0.2 * share * share + 0.05 * other,
+                    primary: 0.5,
+                    s_plus: 1.0,
+                    s_minus: 1.0,
+                    c_sn: -2.0 * scale / pole,
+                    c_pd: 40.0 * scale * (1.0 + share * f64::from(n)),
+                    end: String::new(),
                 };
                 if k % 10 == 0 {
-                    let (kind, impact_velocity, secondary) =
-                        (kinds[number % 2], 0.1, secondary - 0.1 * share);
                     points.push(Point {
-                        varied_1,
-                        varied_2,
-                        varied_3,
-                        kind,
+                        varied_1: f64::NAN,
+                        varied_2: row.varied_2,
+                        varied_3: other,
+                        kind: kinds[number % 2],
                         loops,
                         n,
-                        secondary,
-                        primary,
-                        impact_velocity,
+                        secondary: row.secondary - 0.1 * share,
+                        primary: 0.5,
+                        impact_velocity: 0.1,
                     });
                     if k > 0 && k < 40 {
-                        curves.push(CurvePoint { arc: arc - 1, ..row.clone() });
+                        curves.push(CurvePoint { arc: row.arc - 1, ..row.clone() });
                     }
                 }
                 curves.push(row);
             }
-            let (varied_2, meaning) = (scale * 0.41, Degeneracy::InfiniteSaddleNode);
-            let (varied_1, varied_3, branch, quantity) = (f64::NAN, other, 0, "s_p^+".to_owned());
-            let (secondary, primary) = (0.5, 0.5);
             degenerate.push(Degenerate {
-                varied_1,
-                varied_2,
-                varied_3,
+                varied_1: f64::NAN,
+                varied_2: scale * 0.41,
+                varied_3: other,
                 loops,
                 n,
-                branch,
-                quantity,
-                meaning,
-                secondary,
-                primary,
+                branch: 0,
+                quantity: "s_p^+".to_owned(),
+                meaning: Degeneracy::InfiniteSaddleNode,
+                secondary: 0.5,
+                primary: 0.5,
             });
         }
         let panel = |loops, shows, y| Shown { loops, shows, frame: Frame { x: [0.0, scale], y } };
@@ -359,12 +339,9 @@ mod tests {
     fn no_two_labels_overlap_at_any_scale_and_width_and_every_panel_has_its_letter() {
         let names = Names::new("A", "omega").with_varied(&["kappa".to_owned(), "long_name".to_owned()]);
         for scale in [1.0, 3e-7, 2e5] {
-            for width in [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns] {
+            for width in WIDTHS {
                 let sheets = compose(&sample(scale), &names, width).unwrap();
-                for sheet in &sheets {
-                    let misplaced = sheet.misplaced_texts();
-                    assert!(misplaced.is_empty(), "{scale} {width:?}: {misplaced:?}");
-                }
+                sheets.iter().for_each(|sheet| sheet.assert_well_placed(&(scale, width)));
                 let texts: Vec<String> = sheets.iter().flat_map(Canvas::texts).collect();
                 for (letter, loops) in ["a", "b", "c", "d", "e", "f"].into_iter().zip([1, 1, 1, 2, 2, 2]) {
                     assert!(texts.contains(&format!("({letter})  $p={loops}$")), "{texts:?}");

@@ -4,7 +4,9 @@ use std::ops::Range;
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::Names;
-use grazing_results::plane::{Figure8, MagnifiedPanel, MagnifiedPoint, RegionVertex, Source, SpecialPoint};
+use grazing_results::plane::{
+    CurveSource, Figure8, MagnifiedPanel, MagnifiedPoint, RegionVertex, SpecialPoint,
+};
 
 use crate::DrawingError;
 use crate::axes::Panel;
@@ -77,13 +79,7 @@ pub fn draw_magnifications(
     figure: &Magnifications<'_>,
     width: SheetWidth,
 ) -> Result<Vec<String>, DrawingError> {
-    let sheets = compose(figure, width)?;
-    let count = sheets.len();
-    let finish = |(canvas, number): (Canvas, usize)| {
-        let of = if count > 1 { format!(" ({number} of {count})") } else { String::new() };
-        canvas.finish(figure.name, &format!("{}{of}", figure.title), figure.description)
-    };
-    sheets.into_iter().zip(1..).map(finish).collect()
+    Canvas::finish_all(compose(figure, width)?, figure.name, figure.title, figure.description)
 }
 
 pub(crate) fn compose(figure: &Magnifications<'_>, width: SheetWidth) -> Result<Vec<Canvas>, DrawingError> {
@@ -145,7 +141,7 @@ fn curves(points: &[MagnifiedPoint], panel: u32) -> Vec<Trace> {
     let place = |point: &MagnifiedPoint| (point.panel, point.kind, point.source, point.arc);
     let curve = |points: &[MagnifiedPoint]| Trace {
         kind: points[0].kind,
-        approximate: points[0].source == Source::Quadratic,
+        approximate: points[0].source == CurveSource::Quadratic,
         points: points.iter().map(|point| (point.primary, point.secondary)).collect(),
     };
     let all = points.chunk_by(|a, b| place(a) == place(b));
@@ -202,22 +198,15 @@ mod tests {
     use grazing_continuation::bifurcation::Pair;
 
     use super::*;
-    use crate::sample_oscillator::{Affine, SampleOscillator, oscillators};
-
-    const WIDTHS: [SheetWidth; 3] = [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns];
-    const UNIT: Affine = Affine(1.0, 0.0);
-
-    fn sample(count: u32) -> SampleOscillator {
-        SampleOscillator::new(["A", "omega"], UNIT, UNIT, count)
-    }
+    use crate::sample_oscillator::{Affine, SampleOscillator, UNIT, oscillators, sample};
+    use crate::samples::WIDTHS;
 
     #[test]
     fn no_two_labels_overlap_and_sheets_fit_a_page_for_any_oscillator_at_any_width() {
         for sample in oscillators() {
             for width in WIDTHS {
                 for sheet in compose(&sample.magnifications(), width).unwrap() {
-                    let misplaced = sheet.misplaced_texts();
-                    assert!(misplaced.is_empty(), "{:?} {width:?}: {misplaced:?}", sample.names);
+                    sheet.assert_well_placed(&(&sample.names, width));
                     // A4 less margins of 30 mm above and below, and 30 mm for the caption.
                     assert!(sheet.height < (297.0 - 90.0) * crate::svg::POINTS_PER_MM);
                 }
@@ -270,7 +259,7 @@ mod tests {
             panel.coefficients = Pair { saddle_node: c_sn, period_doubling: c_pd };
         }
         let sheets = compose(&sample.magnifications(), SheetWidth::Paper).unwrap();
-        assert!(sheets[0].misplaced_texts().is_empty());
+        sheets[0].assert_well_placed(&"coefficients");
         let texts = sheets[0].texts();
         let written: Vec<&str> =
             texts.iter().filter(|text| text.starts_with("$c_")).map(String::as_str).collect();

@@ -118,6 +118,7 @@ mod tests {
     use grazing_results::{Frame, UnitNames};
 
     use super::*;
+    use crate::samples::WIDTHS;
 
     /// A diagram of these widths across and up, with so many portraits.
     fn sample([across, up]: [f64; 2], portraits: u32) -> OneParameter {
@@ -176,10 +177,9 @@ mod tests {
             let names = Names::new(names[0], names[1]);
             for (scale, portraits) in [([1.0, 1.0], 0), ([1e-4, 1e3], 1), ([250.0, 2e-5], 3), ([1.0, 1.0], 7)]
             {
-                for width in [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns] {
+                for width in WIDTHS {
                     let sheet = compose(&sample(scale, portraits), &names, width).unwrap();
-                    let misplaced = sheet.misplaced_texts();
-                    assert!(misplaced.is_empty(), "{scale:?} {portraits} {width:?}: {misplaced:?}");
+                    sheet.assert_well_placed(&(scale, portraits, width));
                 }
             }
         }

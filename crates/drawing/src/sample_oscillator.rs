@@ -2,7 +2,7 @@
 
 use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo, Pair};
 use grazing_results::plane::{
-    MagnifiedPanel, MagnifiedPoint, PlanePoint, RegionKind, RegionVertex, Source, SpecialPoint,
+    CurveSource, MagnifiedPanel, MagnifiedPoint, PlanePoint, RegionKind, RegionVertex, SpecialPoint,
 };
 use grazing_results::{Frame, Names};
 
@@ -143,10 +143,10 @@ fn magnified_rows(curves: &[SampleCurve]) -> Vec<MagnifiedPoint> {
                 secondary,
                 primary,
             };
-            rows.extend(points.iter().map(|&spot| row(Source::Continuation, spot)));
+            rows.extend(points.iter().map(|&spot| row(CurveSource::Continuation, spot)));
             if matches!(kind, Bifurcation::SaddleNode | Bifurcation::PeriodDoubling) {
                 let straight = [points[0], points[30]].map(|q| (1.02 * q.0 - 0.02 * points[0].0, q.1));
-                rows.extend(straight.map(|spot| row(Source::Quadratic, spot)));
+                rows.extend(straight.map(|spot| row(CurveSource::Quadratic, spot)));
             }
         }
     }
@@ -222,15 +222,22 @@ impl SampleOscillator {
     }
 }
 
+/// Parameters as they are.
+pub(crate) const UNIT: Affine = Affine(1.0, 0.0);
+
+/// An oscillator like that of the paper with so many resonances.
+pub(crate) fn sample(count: u32) -> SampleOscillator {
+    SampleOscillator::new(["A", "omega"], UNIT, UNIT, count)
+}
+
 /// Oscillators of different names, magnitudes and numbers of resonances.
 pub(crate) fn oscillators() -> Vec<SampleOscillator> {
-    let unit = Affine(1.0, 0.0);
     vec![
-        SampleOscillator::new(["A", "omega"], unit, unit, 1),
+        sample(1),
         SampleOscillator::new(["F_0", "omega_2"], Affine(1e-9, 0.0), Affine(2.0e6, 1.0e5), 5),
         SampleOscillator::new(["forcing_amplitude", "kappa"], Affine(1e-3, 0.3), Affine(1e-4, 12.5), 8),
         SampleOscillator::new(["x0", "stiffness_ratio"], Affine(30.0, -20.0), Affine(0.01, 0.0), 20),
         SampleOscillator::new(["gamma", "Omega"], Affine(1e-7, 4321.0), Affine(1e-6, -77.0), 2),
-        SampleOscillator::new(["A", "eta"], Affine(4e4, 0.0), unit, 4),
+        SampleOscillator::new(["A", "eta"], Affine(4e4, 0.0), UNIT, 4),
     ]
 }

@@ -293,8 +293,7 @@ impl OnSheet {
 
     /// Labels for this scene, kept off its curves, lines and points; the axes are named already.
     fn labels<'c>(&self, canvas: &'c Canvas) -> Result<Labels<'c>, DrawingError> {
-        let sheet = Bounds { left: 0.0, top: 0.0, right: canvas.width, bottom: canvas.height };
-        let mut labels = Labels::new(canvas, sheet.grown(-1.0));
+        let mut labels = Labels::new(canvas, canvas.sheet().grown(-1.0));
         for piece in &self.curves {
             labels.placer.keep_off(&piece.spots());
         }
@@ -356,7 +355,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     use super::*;
-    use crate::samples::study;
+    use crate::samples::{WIDTHS, study};
     use crate::space::{FIG01, FIG03, FIG09};
     use crate::svg::fill;
 
@@ -369,7 +368,7 @@ mod tests {
             let names = sheet.names.iter().map(|(_, name, ..)| (*name).to_owned());
             let axes = ["$x$", "$y$", "$z$"].map(str::to_owned);
             let wanted: BTreeSet<String> = marks.chain(names).chain(axes).collect();
-            for width in [SheetWidth::OneColumn, SheetWidth::Paper, SheetWidth::TwoColumns] {
+            for width in WIDTHS {
                 let found = sheet.compose(&scene, width).unwrap().texts();
                 assert_eq!(BTreeSet::from_iter(found), wanted, "{} {width:?}", sheet.name);
             }

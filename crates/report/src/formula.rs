@@ -4,6 +4,7 @@ use pulldown_latex::config::DisplayMode;
 use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
 use askama::filters::Safe;
+use grazing_results::GREEK;
 
 use crate::html::{Html, escape};
 
@@ -63,27 +64,11 @@ pub(crate) fn words(text: &str) -> Html {
     Safe(scripts(&escape(text)))
 }
 
-/// Greek letters by their names.
-const GREEK: [(&str, &str); 18] = [
-    ("alpha", "α"),
-    ("beta", "β"),
-    ("gamma", "γ"),
-    ("delta", "δ"),
-    ("epsilon", "ε"),
-    ("zeta", "ζ"),
-    ("eta", "η"),
-    ("theta", "θ"),
-    ("kappa", "κ"),
-    ("lambda", "λ"),
-    ("mu", "μ"),
-    ("xi", "ξ"),
-    ("rho", "ρ"),
-    ("sigma", "σ"),
-    ("tau", "τ"),
-    ("phi", "φ"),
-    ("psi", "ψ"),
-    ("omega", "ω"),
-];
+/// The Greek letter of a name, epsilon as the paper writes it.
+pub(crate) fn greek(name: &str) -> Option<char> {
+    let name = if name == "epsilon" { "varepsilon" } else { name };
+    GREEK.iter().find(|(known, _)| *known == name).map(|(_, letter)| *letter)
+}
 
 /// Words with names of quantities, as HTML: `tau = g_p(delta)`, `a12 alpha > 0`. Greek letters are named, digits after a letter are
 /// lowered, as is what follows `_`; words stay.
@@ -103,9 +88,9 @@ pub(crate) fn signs(text: &str) -> String {
         let end = rest.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(rest.len());
         let (word, after) = if end == 0 { rest.split_at(first.len_utf8()) } else { rest.split_at(end) };
         let (letters, digits) = word.split_at(word.find(|c: char| c.is_ascii_digit()).unwrap_or(word.len()));
-        let known = GREEK.iter().find(|(name, _)| *name == letters);
+        let known = greek(letters);
         match known {
-            Some((_, letter)) => signs.push_str(letter),
+            Some(letter) => signs.push(letter),
             // A minus sign between quantities or before one, not a hyphen.
             None if word == "-" && signs.ends_with([' ', '(', '|']) => signs.push('−'),
             None => signs.push_str(letters),

@@ -48,21 +48,8 @@ pub(crate) fn rendered(template: &impl askama::Template) -> Html {
 
 /// The text as a string of JSON that can stand inside a script element.
 pub(crate) fn json_string(text: &str) -> String {
-    let mut json = String::with_capacity(text.len() + 2);
-    json.push('"');
-    for character in text.chars() {
-        match character {
-            '"' => json.push_str("\\\""),
-            '\\' => json.push_str("\\\\"),
-            '\n' => json.push_str("\\n"),
-            // A script element ends at the first `</script`, whatever stands around it.
-            '<' => json.push_str("\\u003c"),
-            control if control < ' ' => json.push_str(&format!("\\u{:04x}", u32::from(control))),
-            other => json.push(other),
-        }
-    }
-    json.push('"');
-    json
+    // A script element ends at the first `</script`, whatever stands around it.
+    serde_json::Value::from(text).to_string().replace('<', "\\u003c")
 }
 
 /// The identifier of the element for a label of the paper: all characters that links understand are kept.

@@ -6,7 +6,7 @@ use askama::filters::Safe;
 use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::ledger::{Claim, Misprint};
 use grazing_claims::outcome::Measure;
-use grazing_claims::source::Place;
+use grazing_claims::source::Location;
 
 use crate::Report;
 use crate::html::{Html, escape, identifier, number};
@@ -89,9 +89,9 @@ fn figure_link(report: &Report<'_>, name: &str) -> Html {
 }
 
 /// The item's name as a link to its file where that is known.
-fn source_link(report: &Report<'_>, name: &str, place: Option<Place>) -> Html {
+fn source_link(report: &Report<'_>, name: &str, place: Option<Location>) -> Html {
     let name = format!("<code>{}</code>", escape(name).replace("::", "::<wbr>"));
-    let Some(Place { file, line }) = place else { return Safe(name) };
+    let Some(Location { file, line }) = place else { return Safe(name) };
     let file = escape(&file);
     Safe(match &report.root {
         Some(root) => {

@@ -208,7 +208,7 @@ impl Tally {
 #[cfg(test)]
 mod tests {
     use grazing_continuation::bifurcation::Pair;
-    use grazing_unfold::sides::Doubt;
+    use grazing_unfold::sides::Inconclusive;
 
     use super::*;
     use crate::sample::{MEASURED, NOT_MEASURED, SIDES, coefficient};
@@ -242,7 +242,10 @@ mod tests {
         assert_eq!(all_good.simulation(), ("passed", "simulation as predicted at 2 of 2".to_owned()));
         assert_eq!(tally(NOT_MEASURED, PREDICTED).agreement().0, "misprint");
         assert_eq!(tally((-13.0, 1e-5), PREDICTED).agreement().0, "failed");
-        assert_eq!(tally(MEASURED, Simulated::Undecided(Doubt::NotMeasured)).simulation().0, "misprint");
+        assert_eq!(
+            tally(MEASURED, Simulated::Undecided(Inconclusive::NotMeasured)).simulation().0,
+            "misprint"
+        );
         assert_eq!(tally(MEASURED, Simulated::Against(SIDES)).simulation().0, "failed");
     }
 }

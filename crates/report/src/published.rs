@@ -2,6 +2,7 @@
 
 use askama::filters::Safe;
 
+use crate::formula::greek;
 use crate::html::{Html, escape, number, plain};
 
 /// Digits of a computed number beside a print, which has four or five.
@@ -15,13 +16,10 @@ pub(crate) fn computed(value: &f64) -> Html {
 
 /// Quantities are written in ASCII beside the print: Greek names become letters and `_` lowers what follows.
 pub(crate) fn symbols(quantity: &str) -> Html {
-    const LETTERS: [(&str, &str); 6] =
-        [("zeta", "ζ"), ("epsilon", "ε"), ("omega", "ω"), ("tau", "τ"), ("delta", "δ"), ("A_graz", "𝒜_graz")];
     let words: Vec<String> = quantity
         .split(' ')
         .map(|word| {
             let (bare, comma) = word.strip_suffix(',').map_or((word, ""), |bare| (bare, ","));
-            let letter = LETTERS.iter().find(|(name, _)| *name == bare).map_or(bare, |(_, letter)| letter);
             let italic = |text: &str| {
                 if text.len() == 1 && text.chars().all(char::is_alphabetic) {
                     format!("<i>{}</i>", escape(text))
@@ -29,9 +27,11 @@ pub(crate) fn symbols(quantity: &str) -> Html {
                     escape(text)
                 }
             };
-            match letter.split_once('_') {
-                Some((base, low)) => format!("{}<sub>{}</sub>{comma}", italic(base), escape(low)),
-                None => format!("{}{comma}", italic(letter)),
+            match (greek(bare), bare.split_once('_')) {
+                (Some(letter), _) => format!("{letter}{comma}"),
+                (None, Some(("A", low))) => format!("𝒜<sub>{}</sub>{comma}", escape(low)),
+                (None, Some((base, low))) => format!("{}<sub>{}</sub>{comma}", italic(base), escape(low)),
+                (None, None) => format!("{}{comma}", italic(bare)),
             }
         })
         .collect();

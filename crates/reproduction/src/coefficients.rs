@@ -31,7 +31,6 @@ pub struct Coefficients {
 tables! {
     /// The coefficients at all resonances of Figure 7, by p and increasing frequency.
     CoefficientTable {
-        /// A row for each resonance.
         rows: Coefficients = "coefficients", "a resonance of Figure 7",
     }
 }

@@ -26,8 +26,7 @@ impl Study<'_> {
     /// An orbit does not reach the wall where it should.
     pub fn fig01(&self) -> Result<Scene, StudyError> {
         let shown = self.parameters.fig01.get()?;
-        let of = shown.specimen;
-        let oscillator = LinearOscillator::new(of.zeta, of.epsilon, of.amplitude, of.frequency)?;
+        let oscillator = shown.oscillator;
         let space = Space::new(&shown.view, None);
         let (mut curves, mut points) = (Drawn::new(&space), Vec::new());
         for (number, arrival) in (1..).zip(&shown.orbits) {

@@ -16,10 +16,10 @@ impl Study<'_> {
     /// P_virt or P_global is not defined at a point.
     pub fn fig09(&self) -> Result<Scene, StudyError> {
         let shown = self.parameters.fig09.get()?;
-        let of = shown.specimen;
-        let oscillator = LinearOscillator::new(of.zeta, of.epsilon, of.amplitude, of.frequency)?;
-        let theory = grazing_theorems::LinearOscillator::new(of.zeta, of.epsilon)?;
-        let origin = theory.grazing(of.frequency)?.phase();
+        let oscillator = shown.oscillator;
+        let theory =
+            grazing_theorems::LinearOscillator::new(oscillator.damping_ratio(), oscillator.restitution())?;
+        let origin = theory.grazing(oscillator.frequency())?.phase();
         let space = Space::new(&shown.view, None);
 
         let failed = |reason: MapError| StudyError::Failed(format!("figure 9: {reason}"));

@@ -19,10 +19,10 @@ use grazing_theorems::LinearOscillator;
 use thiserror::Error;
 
 pub use checks::{contains, encloses, strictly_contains};
-pub use fig02::{Attractor, Figure2, Portrait};
+pub use fig02::{Figure2, Portrait};
 pub use plane::{Figure7, Figure8, Panel};
 pub(crate) use requirements::MOST_PORTRAITS;
-pub use scenes::{Arrival, Figure1, Figure3, Figure9, Specimen, View};
+pub use scenes::{Arrival, Figure1, Figure3, Figure9, View};
 pub use sketches::{Figure4, Figure5, Figure6, Figure10};
 
 /// The first thing in a section of the parameter file that is not right, and what would be.

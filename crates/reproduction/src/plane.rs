@@ -8,7 +8,9 @@ use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_results::branches::OneParameterRows;
 use grazing_results::family::Family;
-use grazing_results::plane::{MagnifiedPoint, PlanePoint, RegionKind, RegionVertex, Source, SpecialPoint};
+use grazing_results::plane::{
+    CurveSource, MagnifiedPoint, PlanePoint, RegionKind, RegionVertex, SpecialPoint,
+};
 use grazing_results::{Names, Plan, UnitNames};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::GrazingCurve;
@@ -175,7 +177,7 @@ pub fn magnifications<'a>(
     for (panel, (loops, n, polylines)) in (1..).zip(panels) {
         for (arc, polyline) in (1..).zip(polylines) {
             let kind = polyline.kind;
-            let source = if polyline.quadratic { Source::Quadratic } else { Source::Continuation };
+            let source = if polyline.quadratic { CurveSource::Quadratic } else { CurveSource::Continuation };
             let point = |&[primary, secondary]: &[f64; 2]| MagnifiedPoint {
                 panel,
                 loops,

@@ -1,12 +1,10 @@
 //! Theorems 2.2 to 2.5 in action: the tables of what they predict and what is seen.
 
 use grazing_claims::sweep::resonant::CurveRow;
-use grazing_claims::sweep::{
-    Existence, GenericRow, ResonantRow, generic_cases, generic_rows, resonant_cases, resonant_rows,
-};
+use grazing_claims::sweep::{Existence, GenericRow, ResonantRow, generic_cases, resonant_cases, rows};
 use grazing_results::{row, tables};
 use grazing_theorems::Side;
-use grazing_theorems::hypothesis::Quantity;
+use grazing_theorems::hypothesis::{Hypothesis, Quantity};
 
 use crate::{Study, StudyError};
 
@@ -39,11 +37,16 @@ impl Study<'_> {
         let what = "theorems 2.2 to 2.5";
         self.progress.begin(what, (generic.len() + resonant.len()) as u64);
         let step = || self.progress.step(what);
-        let generic = generic_rows(&generic, step)?.into_iter().map(Generic).collect();
-        let resonant = resonant_rows(&resonant, step)?.into_iter().map(Resonant).collect();
+        let generic = rows(&generic, GenericRow::of, step)?.into_iter().map(Generic).collect();
+        let resonant = rows(&resonant, ResonantRow::of, step)?.into_iter().map(Resonant).collect();
         self.progress.end(what);
         Ok(TheoremsInAction { generic, resonant })
     }
+}
+
+/// The value of a quantity about which the theorem makes a hypothesis; NaN if it makes none.
+fn value(hypotheses: &[Hypothesis], quantity: Quantity) -> f64 {
+    hypotheses.iter().find(|found| found.quantity == quantity).map_or(f64::NAN, |found| found.value)
 }
 
 const OF_MU: [&str; 2] = ["mu > 0", "mu < 0"];
@@ -65,7 +68,7 @@ fn seen(existence: Existence, names: [&'static str; 2]) -> &'static str {
 
 row! { Generic, |this| {
     let r = &this.0;
-    let value = |quantity| r.hypothesis(quantity).unwrap_or(f64::NAN);
+    let value = |quantity| value(&r.hypotheses, quantity);
     let map = &r.point.map;
     let [first_order, exact, fit] = r.slopes;
 } [
@@ -106,7 +109,6 @@ row! { Resonant, |this| {
     let r = &this.0;
     let stability = r.point.stability_coefficients();
     let map = &r.point.grazing.map;
-    let margin = r.hypothesis(Quantity::StabilityMargin).unwrap_or(f64::NAN);
     let [sn, pd] = &r.curves;
 } [
     THEOREM = r.theorem(),
@@ -123,7 +125,7 @@ row! { Resonant, |this| {
     PRIMARY_AT_GRAZING = r.amplitude,
     E_P = r.decay,
     EPSILON_E_P = r.rebound(),
-    TRAPESIUM_MARGIN = margin,
+    TRAPESIUM_MARGIN = value(&r.hypotheses, Quantity::StabilityMargin),
     ALPHA = r.point.grazing.alpha(),
     BETA = map.transversality(),
     A12_ALPHA = (map.a.m12 * r.point.grazing.alpha()),

@@ -243,24 +243,16 @@ impl<O: ImpactOscillator> Unfolded<O> {
 tables! {
     /// The rows of all tables of an analysis, in the oscillator's own units.
     Rows {
-        /// The grazing orbit and the map around it, along the grazing curve.
         grazing: GrazingRow = "grazing",
             "a point of the grazing curve, with the grazing orbit and the Poincaré map around it",
-        /// What depends on p there.
         grazing_loops: Along = "grazing_loops", "such a point and a p, with what depends on p",
-        /// The curves of the diagram.
         curves: PlanePoint = "curves", "a point of a curve of the diagram",
-        /// Its codimension-two points.
         points: SpecialPoint = "points", "a resonance at which a theorem holds, or another codimension-two point",
-        /// Its regions.
         regions: RegionVertex = "regions", "a vertex of a region of stability",
-        /// The resonances at which a theorem holds.
         coefficients: AtResonance = "coefficients",
             "a resonance at which Theorem 2.4 (p = 1) or 2.5 (p ≥ 2) holds",
-        /// What the theorems ask.
         hypotheses: Asked = "hypotheses",
             "a hypothesis of the theorem at a resonance, whether or not all of them hold",
-        /// The curves of the magnifications.
         magnifications: MagnifiedPoint = "magnifications", "a point of a curve of a magnification",
     }
 }

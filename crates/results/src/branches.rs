@@ -9,7 +9,6 @@ use crate::{Frame, row, tables};
 words! {
     /// What a phase portrait shows.
     PortraitKind {
-        /// A periodic orbit.
         Periodic = "periodic",
         /// What an orbit comes to in the long run.
         Attractor = "attractor",
@@ -158,15 +157,11 @@ row! { InDiagram<PortraitPoint>, |at| { let row = &at.row; } [
 tables! {
     /// What all one-parameter diagrams of an oscillator show.
     OneParameterRows {
-        /// As in [`Figure2`].
         branches: InDiagram<BranchPoint> = "diagram_branches",
             "a point of a branch of a one-parameter diagram, on one loop of the solution",
-        /// As in [`Figure2`].
         bifurcations: InDiagram<BranchBifurcation> = "diagram_bifurcations", "a bifurcation on such a branch",
-        /// As in [`Figure2`].
         attractor: InDiagram<AttractorPoint> = "diagram_attractor",
             "a visit to Π of an orbit that has settled, from a random state",
-        /// As in [`Figure2`].
         portraits: InDiagram<PortraitPoint> = "diagram_portraits",
             "a point of an orbit in a phase portrait of a one-parameter diagram",
     }

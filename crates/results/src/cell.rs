@@ -48,12 +48,12 @@ cells! {
     CodimensionTwo: |kind| kind.name().into(),
 }
 
-/// Enumerations whose variants stand in tables as words.
+/// Enumerations whose variants stand in tables as words, which say what they mean unless there is more to say.
 macro_rules! words {
     ($($(#[$meta:meta])* $name:ident { $($(#[$about:meta])* $variant:ident = $word:literal,)+ })+) => {$(
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum $name { $($(#[$about])* $variant,)+ }
+        pub enum $name { $(#[doc = concat!("`", $word, "`")] $(#[$about])* $variant,)+ }
 
         impl $name {
             /// The word in tables.

@@ -11,7 +11,7 @@ words! {
     /// How a resonance of a member was found.
     #[derive(Serialize, Deserialize)]
     FoundBy {
-        /// On the grazing curve of the member.
+        /// Along the grazing curve of the member.
         Search = "search",
         /// From the member before.
         Continuation = "continuation",
@@ -33,24 +33,38 @@ words! {
     }
 }
 
-rows! {
-    /// A member of a family: values of the constants. Of fewer than three the first ones are NaN.
-    #[derive(Serialize, Deserialize)]
+/// Rows of members, with the values of their constants: of fewer than three the last ones, and NaN before.
+macro_rules! of_members {
+    ($($(#[$meta:meta])* $row:ident { $($fields:tt)* })+) => {
+        rows! {$(
+            $(#[$meta])*
+            #[derive(Serialize, Deserialize)]
+            $row {
+                varied_1: f64 = VARIED_1,
+                varied_2: f64 = VARIED_2,
+                varied_3: f64 = VARIED_3,
+                $($fields)*
+            }
+        )+}
+        $(impl $row {
+            /// The constants that vary: of fewer than three the last ones, and NaN before.
+            pub fn varied(&self) -> [f64; 3] {
+                [self.varied_1, self.varied_2, self.varied_3]
+            }
+        })+
+    };
+}
+
+of_members! {
+    /// A member of a family.
     Member {
-        varied_1: f64 = VARIED_1,
-        varied_2: f64 = VARIED_2,
-        varied_3: f64 = VARIED_3,
         resonances: u32 = RESONANCES,
         points: u32 = POINTS,
         missing: String = MEMBER_REASON,
     }
 
     /// A resonance of a member.
-    #[derive(Serialize, Deserialize)]
     Resonance {
-        varied_1: f64 = VARIED_1,
-        varied_2: f64 = VARIED_2,
-        varied_3: f64 = VARIED_3,
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
         branch: u32 = FAMILY_BRANCH,
@@ -82,11 +96,7 @@ rows! {
     }
 
     /// A codimension-two point of a member that is no resonance.
-    #[derive(Serialize, Deserialize)]
     Point {
-        varied_1: f64 = VARIED_1,
-        varied_2: f64 = VARIED_2,
-        varied_3: f64 = VARIED_3,
         kind: CodimensionTwo = CODIMENSION_TWO,
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
@@ -96,11 +106,7 @@ rows! {
     }
 
     /// A resonance on its way from one member to the next.
-    #[derive(Serialize, Deserialize)]
     CurvePoint {
-        varied_1: f64 = VARIED_1,
-        varied_2: f64 = VARIED_2,
-        varied_3: f64 = VARIED_3,
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
         branch: u32 = FAMILY_BRANCH,
@@ -115,11 +121,7 @@ rows! {
     }
 
     /// A degenerate resonance between two members.
-    #[derive(Serialize, Deserialize)]
     Degenerate {
-        varied_1: f64 = VARIED_1,
-        varied_2: f64 = VARIED_2,
-        varied_3: f64 = VARIED_3,
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
         branch: u32 = FAMILY_BRANCH,
@@ -129,19 +131,6 @@ rows! {
         primary: f64 = PRIMARY,
     }
 }
-
-macro_rules! varied {
-    ($($row:ident,)+) => {$(
-        impl $row {
-            /// The constants that vary: of fewer than three the last ones, and not-a-numbers before.
-            pub fn varied(&self) -> [f64; 3] {
-                [self.varied_1, self.varied_2, self.varied_3]
-            }
-        }
-    )+};
-}
-
-varied! { Member, Resonance, Point, CurvePoint, Degenerate, }
 
 /// A panel of the figure of a family, over the constant that varies first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -168,15 +157,10 @@ pub enum Shows {
 tables! {
     /// All that is known of a family.
     Family {
-        /// Its members.
         members: Member = "family_members", "a member of the family, with values of the constants that vary",
-        /// Their resonances.
         resonances: Resonance = "family_resonances", "a resonance of a member",
-        /// Their other codimension-two points.
         points: Point = "family_points", "a codimension-two point of a member that is no resonance",
-        /// Resonances from member to member.
         curves: CurvePoint = "family_curves", "a resonance on its way from one member to the next",
-        /// Where they are degenerate.
         degenerate: Degenerate = "family_degenerate", "a degenerate resonance between two members",
         ;
         /// The panels of the figure.

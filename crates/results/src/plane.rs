@@ -20,8 +20,7 @@ words! {
     }
 
     /// Where a curve of a magnification comes from.
-    Source {
-        /// It was continued.
+    CurveSource {
         Continuation = "continuation",
         /// It is the quadratic approximation μ = μ_graz(η) + c (η − η*)².
         Quadratic = "quadratic",
@@ -73,7 +72,7 @@ rows! {
         loops: u32 = LOOPS,
         n: u32 = RESONANCE_INDEX,
         kind: Bifurcation = BIFURCATION,
-        source: Source = SOURCE,
+        source: CurveSource = SOURCE,
         arc: u32 = ARC,
         secondary: f64 = SECONDARY,
         primary: f64 = PRIMARY,
@@ -100,9 +99,7 @@ tables! {
     Figure7 {
         /// The grazing curve of the non-impacting solution and the bifurcation curves of MPSs.
         curves: PlanePoint = "fig07_curves", "a point of a curve of the diagram",
-        /// Resonances and other codimension-two points.
         points: SpecialPoint = "fig07_points", "a resonance at which a theorem holds, or another codimension-two point",
-        /// Polygons of stability.
         regions: RegionVertex = "fig07_regions", "a vertex of a region of stability",
         ;
         /// Amplitudes across and frequencies up.

@@ -10,7 +10,6 @@ use crate::{Frame, tables};
 words! {
     /// The curves of Figure 4.
     Boundary {
-        /// The outline of the trapesium.
         Trapesium = "trapesium",
         /// τ = 2 √δ, the limit of both families.
         Limit = "limit",
@@ -22,33 +21,24 @@ words! {
 
     /// The parts of the drawing of the oscillator.
     Part {
-        /// Hatching behind the anchor.
+        /// Behind the anchor.
         AnchorHatching = "anchor hatching",
         /// The line to which spring and dashpot are fixed.
         Anchor = "anchor",
-        /// Hatching behind the wall.
+        /// Behind the wall.
         WallHatching = "wall hatching",
-        /// The wall.
         Wall = "wall",
-        /// The floor.
         Floor = "floor",
-        /// Lines from the block, the equilibrium and the wall to the axis.
+        /// Lines from the block, the equilibrium and the wall to the axis of x.
         Guide = "guide",
-        /// The axis of x.
         Axis = "axis",
-        /// Its ticks.
         Tick = "tick",
-        /// The spring.
         Spring = "spring",
-        /// The dashpot's cylinder.
+        /// Cylinder, rods and piston are those of the dashpot.
         Cylinder = "cylinder",
-        /// The dashpot's rods.
         Rod = "rod",
-        /// The dashpot's piston.
         Piston = "piston",
-        /// The wheels.
         Wheel = "wheel",
-        /// The block.
         Block = "block",
         /// The arrow of the force.
         Force = "force",
@@ -127,7 +117,6 @@ tables! {
     Figure5 {
         /// The line of grazing bifurcations and the quadratic SN and PD curves.
         curves: UnfoldingPoint = "fig05_curves", "a point of a curve",
-        /// The resonance.
         points: UnfoldingResonance = "fig05_points", "the resonance",
         /// Where the non-impacting solution is stable, where an MPS is, and where both are.
         regions: UnfoldingVertex = "fig05_regions", "a vertex of a region",

@@ -8,7 +8,6 @@ use crate::{Cell, Names, Plan, Table};
 words! {
     /// What a curve in phase space is.
     CurveKind {
-        /// An orbit.
         Orbit = "orbit",
         /// An orbit continued beyond the wall.
         Virtual = "virtual",
@@ -32,11 +31,8 @@ words! {
         Tangency = "tangency",
         /// The circle x = y = 0 where the phase is an angle.
         Circle = "circle",
-        /// The axis of x.
         AxisX = "x_axis",
-        /// The axis of y.
         AxisY = "y_axis",
-        /// The axis of z.
         AxisZ = "z_axis",
     }
 
@@ -46,7 +42,6 @@ words! {
         Impact = "impact",
         /// Where the reset law leads from there.
         Recoil = "recoil",
-        /// A touch.
         Graze = "graze",
         /// The virtual turning point (x̂, 0, ẑ).
         Virtual = "virtual",

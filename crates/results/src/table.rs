@@ -130,7 +130,8 @@ macro_rules! row {
     };
 }
 
-/// What an output is made of: lists of rows, each with the name of its table and what a row is; and what else there is to know.
+/// What an output is made of: lists of rows, each with the name of its table, what a row is, and what more there is to say of them; and what
+/// else there is to know.
 #[macro_export]
 macro_rules! tables {
     ($($(#[$meta:meta])* $name:ident {
@@ -140,7 +141,7 @@ macro_rules! tables {
         $(#[$meta])*
         #[derive(Clone, Debug)]
         pub struct $name {
-            $($(#[$about])* pub $rows: Vec<$row>,)+
+            $(#[doc = concat!("Each is ", $is, ".")] $(#[$about])* pub $rows: Vec<$row>,)+
             $($($(#[$what])* pub $other: $type,)+)?
         }
 

@@ -28,12 +28,12 @@ impl fmt::Display for Theorem {
     }
 }
 
-/// The quantities, each with its symbol.
+/// The quantities, each with its symbol, and what more there is to say.
 macro_rules! quantities {
     ($($(#[$doc:meta])* $name:ident = $symbol:literal;)*) => {
         /// A quantity about which a theorem makes a hypothesis; shown as its symbol.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        pub enum Quantity { $($(#[$doc])* $name,)* }
+        pub enum Quantity { $(#[doc = concat!("`", $symbol, "`")] $(#[$doc])* $name,)* }
 
         impl fmt::Display for Quantity {
             fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -44,43 +44,33 @@ macro_rules! quantities {
 }
 
 quantities! {
-    /// The number of loops, `p`.
+    /// The number of loops.
     Loops = "p";
-    /// The forcing frequency, `omega`.
+    /// The forcing frequency.
     ForcingFrequency = "omega";
-    /// The deceleration at grazing, `gamma`: the grazing point belongs to the grazing set.
+    /// The deceleration at grazing: the grazing point belongs to the grazing set.
     Deceleration = "gamma";
-    /// The coefficient of restitution at zero impact velocity, `phi`.
+    /// The coefficient of restitution at zero impact velocity.
     Restitution = "phi";
-    /// The determinant, `delta`: the lower side of the trapesium.
+    /// The determinant: the lower side of the trapesium.
     Determinant = "delta";
-    /// `1 - delta`: the upper side of the trapesium.
+    /// The upper side of the trapesium.
     Contraction = "1 - delta";
-    /// `delta + 1 - |tau|`: the slanted sides of the trapesium.
+    /// The slanted sides of the trapesium.
     StabilityMargin = "delta + 1 - |tau|";
-    /// The factor of the square-root term, `alpha`.
+    /// The factor of the square-root term.
     SquareRootFactor = "alpha";
-    /// `a12 alpha`.
     OffDiagonalTimesSquareRootFactor = "a12 alpha";
-    /// `tau - h_p(delta)`.
     AdmissibilityMargin = "tau - h_p(delta)";
-    /// `a12 beta`.
     OffDiagonalTimesTransversality = "a12 beta";
-    /// `beta kappa_p`.
     TransversalityTimesDetuning = "beta kappa_p";
-    /// The transversality coefficient, `beta`.
+    /// The transversality coefficient.
     Transversality = "beta";
-    /// `a12`.
     OffDiagonal = "a12";
-    /// `a12'`.
     OffDiagonalDerivative = "a12'";
-    /// `kappa_p`.
     Detuning = "kappa_p";
-    /// `kappa_p'`.
     DetuningDerivative = "kappa_p'";
-    /// `s_p^+`.
     SaddleNodeStability = "s_p^+";
-    /// `s_p^-`.
     PeriodDoublingStability = "s_p^-";
 }
 

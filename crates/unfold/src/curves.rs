@@ -100,7 +100,7 @@ impl<O: ImpactOscillator> Net<O> {
     /// Adds the codimension-two point at an end of a curve, unless it is known.
     fn meet(&mut self, curve: &DiagramCurve, event: &Event) {
         let other = Bifurcation::of(event.condition).unwrap_or(Bifurcation::Grazing);
-        let kind = CodimensionTwo::between(curve.kind, other);
+        let kind = CodimensionTwo::of_meeting(curve.kind, other);
         let unknowns = event.solution.unknowns;
         if !self.meetings.iter().any(|corner| same_point(&corner.unknowns(), &unknowns)) {
             self.meetings.push(CodimensionTwoPoint {

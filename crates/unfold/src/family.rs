@@ -16,7 +16,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::{Continuation, CurveEquations, StepControl};
 use grazing_continuation::mps::MaximalPeriodicSolution;
-use grazing_continuation::newton::{self, Linearisation};
+use grazing_continuation::newton::Linearisation;
 use grazing_continuation::regula_falsi::zero_between;
 use grazing_model::motion::highest_maximum;
 use grazing_model::{ImpactOscillator, State};
@@ -25,6 +25,7 @@ use grazing_theorems::hypothesis::{Condition, Hypothesis, Quantity};
 use grazing_theorems::{ResonantGrazing, ResonantPoint};
 use nalgebra::{Matrix4, Vector3, Vector4};
 
+use crate::edges::{located, on_the_edge};
 use crate::resonances::Resonance;
 use crate::{Diagram, Scope};
 
@@ -148,10 +149,10 @@ enum Missing {
 }
 
 /// A point of the curve, by z, the shares of both ranges and the share of the way.
-type Place = Vector4<f64>;
+type Coordinates = Vector4<f64>;
 
 impl<O: ImpactOscillator> Path<'_, O> {
-    fn orbit(&self, point: &Place) -> Result<GrazingOrbit<O>, Missing> {
+    fn orbit(&self, point: &Coordinates) -> Result<GrazingOrbit<O>, Missing> {
         let oscillator = (self.between)(point[3]).ok_or(Missing::Oscillator)?;
         Ok(GrazingOrbit::at(self.scope.oscillator_at(&oscillator, [point[1], point[2]]), point[0])?)
     }
@@ -163,34 +164,23 @@ impl<O: ImpactOscillator> Path<'_, O> {
         Vector3::new(value[0], value[1] - phase, detuning)
     }
 
-    fn at(&self, point: &Place) -> Option<ArcPoint<O>> {
+    fn at(&self, point: &Coordinates) -> Option<ArcPoint<O>> {
         let orbit = self.orbit(point).ok()?;
         let resonant = orbit.resonant_point(self.loops).ok()?;
         Some(ArcPoint { way: point[3], orbit, point: resonant, zero: None })
     }
 
-    /// The point of the curve near another in the plane across a direction that goes through a third.
-    fn located(&self, near: Place, across: &Place, through: &Place) -> Option<Place> {
-        let located = newton::solve(near, 20, |point| {
-            let mut system = self.evaluate(point, &mut ())?;
-            system.residual[3] = across.dot(&(point - through));
-            system.jacobian.set_row(3, &across.transpose());
-            Ok::<_, Missing>(system)
-        });
-        Some(located.ok()?.point)
-    }
-
     /// The zero of a function of the point, which has these values at the ends of a chord; nothing at a pole.
     fn zero(
         &self,
-        [from, to]: [&Place; 2],
+        [from, to]: [&Coordinates; 2],
         values: [f64; 2],
-        function: impl Fn(&Place) -> Option<f64>,
-    ) -> Option<Place> {
+        function: impl Fn(&Coordinates) -> Option<f64>,
+    ) -> Option<Coordinates> {
         let (chord, size) = (to - from, values[0].abs() + values[1].abs());
         let at = |share: f64| {
             let near = from + chord * share;
-            let point = self.located(near, &chord, &near).ok_or(())?;
+            let point = located(self, near, &chord, &near).ok_or(())?;
             let value = function(&point).ok_or(())?;
             Ok::<_, ()>(((point, value), value))
         };
@@ -257,32 +247,16 @@ impl<O: ImpactOscillator> Path<'_, O> {
         Some(arc)
     }
 
-    fn same(&self, place: &Place, orbit: &GrazingOrbit<O>) -> bool {
+    fn same(&self, place: &Coordinates, orbit: &GrazingOrbit<O>) -> bool {
         let mut gap = self.scope.place(orbit) - place.fixed_rows::<3>(0);
         gap[0] = libm::remainder(gap[0], TAU);
         gap.norm() < SAME
     }
 
     /// Where the curve leaves the ranges, or comes to either member, between two of its points, if it does.
-    fn leaves(&self, before: &Place, after: &Place) -> Option<(Place, ArcEnd)> {
-        let crossed = [1, 2, 3].into_iter().filter_map(|unknown| {
-            let edge = if after[unknown] < 0.0 {
-                0.0
-            } else if after[unknown] > 1.0 {
-                1.0
-            } else {
-                return None;
-            };
-            let way = (edge - before[unknown]) / (after[unknown] - before[unknown]);
-            Some((way, unknown, edge))
-        });
-        let (way, unknown, edge) = crossed.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let near = before + (after - before) * way;
-        let mut through = near;
-        through[unknown] = edge;
-        let mut point = self.located(near, &Vector4::ith(unknown, 1.0), &through).unwrap_or(near);
-        point[unknown] = edge;
-        let end = match (unknown, edge) {
+    fn leaves(&self, before: &Coordinates, after: &Coordinates) -> Option<(Coordinates, ArcEnd)> {
+        let (point, unknown) = on_the_edge(self, [1, 2, 3], [before, after])?;
+        let end = match (unknown, point[unknown]) {
             (3, 1.0) => ArcEnd::Across,
             (3, _) => ArcEnd::Back(None),
             _ => ArcEnd::LeftWindow,
@@ -291,7 +265,7 @@ impl<O: ImpactOscillator> Path<'_, O> {
     }
 
     /// The highest maximum of the grazing orbit beside that at the wall; far below it if there is none.
-    fn height(&self, point: &Place) -> Option<f64> {
+    fn height(&self, point: &Coordinates) -> Option<f64> {
         let orbit = self.orbit(point).ok()?;
         let oscillator = orbit.oscillator();
         let motion = oscillator.motion(State::on_wall(0.0, orbit.phase()));
@@ -299,7 +273,7 @@ impl<O: ImpactOscillator> Path<'_, O> {
     }
 
     /// What the theorem asks at a point with a tangent.
-    fn known(&self, place: &Place, tangent: &Place) -> Option<Vec<Known>> {
+    fn known(&self, place: &Coordinates, tangent: &Coordinates) -> Option<Vec<Known>> {
         let at = |step: f64| Some(asked(&self.at(&(place + tangent * step))?.point));
         let (here, before, after) = (at(0.0)?, at(-RATE)?, at(RATE)?);
         let known = |asked: &Hypothesis| {
@@ -311,23 +285,23 @@ impl<O: ImpactOscillator> Path<'_, O> {
     }
 
     /// The degenerate resonances between two points of the curve.
-    fn degenerate(&self, ends: [&Place; 2], known: [&[Known]; 2]) -> Vec<ArcPoint<O>> {
+    fn degenerate(&self, ends: [&Coordinates; 2], known: [&[Known]; 2]) -> Vec<ArcPoint<O>> {
         let chord = ends[1] - ends[0];
         let mut found: Vec<(f64, ArcPoint<O>)> = known[0]
             .iter()
             .filter_map(|from| {
                 let quantity = from.quantity;
                 let to = known[1].iter().find(|to| to.quantity == quantity)?;
-                let value = |point: &Place| value_of(&asked(&self.at(point)?.point), quantity);
+                let value = |point: &Coordinates| value_of(&asked(&self.at(point)?.point), quantity);
                 let zero = if from.value * to.value < 0.0 {
                     self.zero(ends, [from.value, to.value], value)?
                 } else if from.falls(chord.norm()) && to.falls(-chord.norm()) {
-                    let beside = |point: &Place, share: f64| {
+                    let beside = |point: &Coordinates, share: f64| {
                         let near = point + chord * share;
-                        value(&self.located(near, &chord, &near)?)
+                        value(&located(self, near, &chord, &near)?)
                     };
                     let step = RATE / chord.norm();
-                    let rate = |point: &Place| Some(beside(point, step)? - beside(point, -step)?);
+                    let rate = |point: &Coordinates| Some(beside(point, step)? - beside(point, -step)?);
                     let least = self.zero(ends, [from.rate, to.rate], rate)?;
                     let zero = DOUBLE_ZERO * (from.value.abs() + to.value.abs()) + ROUNDING;
                     Some(least).filter(|least| value(least).is_some_and(|value| value.abs() <= zero))?

@@ -7,7 +7,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangent, Walk, WalkEnd};
 use grazing_continuation::mps::MaximalPeriodicSolution;
-use grazing_continuation::newton::{self, Linearisation};
+use grazing_continuation::newton::Linearisation;
 use grazing_model::maps::{MapError, global_map};
 use grazing_model::motion::highest_maximum;
 use grazing_model::{AtRest, ImpactOscillator, State};
@@ -16,6 +16,7 @@ use grazing_theorems::spectrum::in_trapesium;
 use nalgebra::{Matrix2, Matrix3, Vector3};
 
 use crate::Scope;
+use crate::edges::{located, on_the_edge};
 
 /// A point of a grazing curve.
 #[derive(Clone, Debug)]
@@ -64,7 +65,7 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
         let start = scope.place(orbit);
         let walk = Walk { equations: &equations, control: STEPS, step_limit: STEP_LIMIT, angle: Some(0) };
         let leaves = |before: &Vector3<f64>, (after, tangent): &Tangent<3>| {
-            let edge = equations.on_the_edge(before, after)?;
+            let (edge, _) = on_the_edge(&equations, [1, 2], [before, after])?;
             Some((edge, equations.tangent(&edge, tangent).unwrap_or(*tangent)))
         };
         let (mut points, mut ends) = walk.both_ways(start, Vector3::z(), leaves)?;
@@ -95,7 +96,7 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
             let [a, b] = [parameters(&pair[0])[1], parameters(&pair[1])[1]];
             a.min(b) <= secondary && secondary <= a.max(b)
         };
-        self.states.windows(2).filter(around).filter_map(move |pair| between(pair, secondary))
+        self.states.windows(2).filter(around).filter_map(move |pair| interpolated(pair, secondary))
     }
 
     /// Whether the curve passes through a grazing orbit.
@@ -113,7 +114,7 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
 }
 
 /// The grazing orbit at a value of η between those of two neighbouring points of a curve.
-pub(crate) fn between<O: ImpactOscillator>(
+pub(crate) fn interpolated<O: ImpactOscillator>(
     neighbours: &[GrazingState<O>],
     secondary: f64,
 ) -> Option<GrazingOrbit<O>> {
@@ -192,47 +193,6 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
         Some(if tangent.dot(onwards) < 0.0 { -tangent } else { tangent })
     }
 
-    /// The point at which the curve leaves the ranges between two of its points, if it does.
-    fn on_the_edge(&self, inside: &Vector3<f64>, outside: &Vector3<f64>) -> Option<Vector3<f64>> {
-        let crossed = [1, 2].into_iter().filter_map(|share| {
-            let edge = if outside[share] < 0.0 {
-                0.0
-            } else if outside[share] > 1.0 {
-                1.0
-            } else {
-                return None;
-            };
-            let way = (edge - inside[share]) / (outside[share] - inside[share]);
-            Some((way, share, edge))
-        });
-        let (way, share, edge) = crossed.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let mut across = Vector3::zeros();
-        across[share] = 1.0;
-        let near = inside + (outside - inside) * way;
-        let mut on_the_edge = near;
-        on_the_edge[share] = edge;
-        let mut point = self.located(near, &across, &on_the_edge).unwrap_or(*outside);
-        point[share] = edge;
-        Some(point)
-    }
-
-    /// The point of the curve near another in the plane across a direction that goes through a third.
-    fn located(
-        &self,
-        near: Vector3<f64>,
-        across: &Vector3<f64>,
-        through: &Vector3<f64>,
-    ) -> Option<Vector3<f64>> {
-        let mut time = None;
-        let located = newton::solve(near, 20, |point| {
-            let mut system = self.evaluate(point, &mut time)?;
-            system.residual[2] = across.dot(&(point - through));
-            system.jacobian.set_row(2, &across.transpose());
-            Ok::<_, MapError>(system)
-        });
-        Some(located.ok()?.point)
-    }
-
     /// All that is known at the points, and at more between them where A turns far from one to the next.
     fn states(&self, points: &[Tangent<3>]) -> Vec<GrazingState<O>> {
         let mut states: Vec<GrazingState<O>> = Vec::with_capacity(points.len());
@@ -265,7 +225,7 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
     /// The point of the curve half the way on from a point.
     fn middle(&self, from: &GrazingState<O>, gap: &Vector3<f64>) -> Option<GrazingState<O>> {
         let half = self.scope.place(&from.orbit) + gap * 0.5;
-        let point = self.located(half, gap, &half)?;
+        let point = located(self, half, gap, &half)?;
         if (point - half).norm() > 0.5 * gap.norm() {
             return None;
         }

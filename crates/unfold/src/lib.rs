@@ -64,6 +64,7 @@
 
 mod curves;
 pub mod diagram;
+mod edges;
 mod error;
 pub mod escape;
 mod faces;

@@ -9,7 +9,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::diagram::{Diagram, DiagramCurve, route};
-use crate::grazing::{GrazingCurve, between};
+use crate::grazing::{GrazingCurve, interpolated};
 use crate::resonances::Resonance;
 
 /// A polyline of a magnification, as points (μ, η).
@@ -99,7 +99,7 @@ fn close_to<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Vec
         for part in 0..=parts {
             let share = f64::from(part) / f64::from(parts);
             let secondary = ends[0] * (1.0 - share) + ends[1] * share;
-            let point = between(pair, secondary).map(|orbit| orbit.oscillator().parameters());
+            let point = interpolated(pair, secondary).map(|orbit| orbit.oscillator().parameters());
             points.extend(point.filter(|point| points.last() != Some(point)));
         }
     }

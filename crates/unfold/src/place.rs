@@ -37,7 +37,7 @@ pub struct Solution {
 
 /// What motion comes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum MotionKind {
     /// Motion that does not reach the wall.
     NonImpacting,
     /// Motion with impacts that comes again.
@@ -50,7 +50,7 @@ pub enum Kind {
     Escaping,
 }
 
-impl Kind {
+impl MotionKind {
     /// In a word.
     pub const fn name(self) -> &'static str {
         match self {
@@ -67,7 +67,7 @@ impl Kind {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fate {
     /// What it is.
-    pub kind: Kind,
+    pub kind: MotionKind,
     /// The forcing periods after which it comes again, if it does.
     pub periods: Option<u32>,
     /// Impacts in a forcing period, on average.
@@ -78,9 +78,9 @@ impl Fate {
     /// The number of loops p of a solution with one impact in p forcing periods; 0 without impacts.
     pub fn loops(&self) -> Option<u32> {
         match self.kind {
-            Kind::NonImpacting if self.periods == Some(1) => Some(0),
+            MotionKind::NonImpacting if self.periods == Some(1) => Some(0),
             // A whole number of impacts, counted over a whole number of periods.
-            Kind::Periodic => {
+            MotionKind::Periodic => {
                 self.periods.filter(|periods| (self.impacts * f64::from(*periods) - 1.0).abs() < 0.5)
             }
             _ => None,
@@ -278,11 +278,11 @@ impl Seen {
             return false;
         }
         match a.kind {
-            Kind::Periodic => {
+            MotionKind::Periodic => {
                 let first = &other.impacts[0];
                 self.impacts.iter().any(|impact| is_same(impact, first))
             }
-            Kind::NonImpacting => (self.highest - other.highest).abs() < SAME,
+            MotionKind::NonImpacting => (self.highest - other.highest).abs() < SAME,
             _ => true,
         }
     }
@@ -317,30 +317,30 @@ impl<O: ImpactOscillator> Followed<O> {
         let rate = impacts.len() as f64 / f64::from(counted);
         let fate = match orbit.end() {
             Some(OrbitEnd::TimeIsUp(end)) if !end.position.is_finite() => {
-                Fate { kind: Kind::Escaping, periods: None, impacts: f64::NAN }
+                Fate { kind: MotionKind::Escaping, periods: None, impacts: f64::NAN }
             }
             Some(OrbitEnd::TimeIsUp(_)) if impacts.is_empty() => {
                 flights.extend(last);
                 let periods = flights.last().and_then(|flight| comes_again(flight, begin, period));
-                Fate { kind: Kind::NonImpacting, periods, impacts: 0.0 }
+                Fate { kind: MotionKind::NonImpacting, periods, impacts: 0.0 }
             }
             Some(OrbitEnd::TimeIsUp(_)) => match cycle(&impacts) {
                 Some(cycle) => {
                     let time = flights[cycle].start - flights[0].start;
                     let periods = libm::round(time / period).max(1.0);
-                    let kind = Kind::Periodic;
+                    let kind = MotionKind::Periodic;
                     Fate { kind, periods: Some(periods as u32), impacts: cycle as f64 / periods }
                 }
-                None => Fate { kind: Kind::Aperiodic, periods: None, impacts: rate },
+                None => Fate { kind: MotionKind::Aperiodic, periods: None, impacts: rate },
             },
-            _ => Fate { kind: Kind::Resting, periods: None, impacts: rate },
+            _ => Fate { kind: MotionKind::Resting, periods: None, impacts: rate },
         };
         Self { fate, flights, impacts, period }
     }
 
     /// Position and velocity at phase zero of motion without impacts.
     fn at_phase_zero(&self, oscillator: &O) -> Option<[f64; 2]> {
-        let flight = self.flights.last().filter(|_| self.fate.kind == Kind::NonImpacting)?;
+        let flight = self.flights.last().filter(|_| self.fate.kind == MotionKind::NonImpacting)?;
         let frequency = oscillator.forcing_frequency().value;
         // The last whole turn of the flight.
         let phase = flight.from.phase + frequency * flight.duration;
@@ -351,7 +351,7 @@ impl<O: ImpactOscillator> Followed<O> {
 
     fn seen(self, oscillator: &O, start: State) -> Seen {
         let at_phase_zero = self.at_phase_zero(oscillator);
-        let free = self.flights.last().filter(|_| self.fate.kind == Kind::NonImpacting);
+        let free = self.flights.last().filter(|_| self.fate.kind == MotionKind::NonImpacting);
         let highest = free.map_or(f64::NAN, |flight| highest(flight, self.period));
         Seen { start, fate: self.fate, impacts: self.impacts, at_phase_zero, highest }
     }
@@ -366,7 +366,7 @@ impl<O: ImpactOscillator> Followed<O> {
             .map_or(SHOWN, |periods| libm::round(self.fate.impacts * f64::from(periods)).max(1.0) as usize);
         let shown = self.flights.iter().take(cycle);
         let flights = match self.fate.kind {
-            Kind::NonImpacting => {
+            MotionKind::NonImpacting => {
                 let flight = self.flights.last();
                 let periods = f64::from(self.fate.periods.unwrap_or(MOST_PERIODS));
                 let shown = |flight: &Flight<O::Motion>| {
@@ -394,7 +394,7 @@ impl<O: ImpactOscillator> Followed<O> {
     ///
     /// A displaced orbit hits the wall earlier by δx/ẋ, so that an impact is a map (δy, δz) ↦ (δy, δz) on the wall.
     fn lyapunov(&self, oscillator: &O) -> f64 {
-        if matches!(self.fate.kind, Kind::Resting | Kind::Escaping) {
+        if matches!(self.fate.kind, MotionKind::Resting | MotionKind::Escaping) {
             return f64::NAN;
         }
         let frequency = oscillator.forcing_frequency().value;
@@ -407,7 +407,7 @@ impl<O: ImpactOscillator> Followed<O> {
             growth += libm::log(size);
             time += duration;
         };
-        if self.fate.kind == Kind::NonImpacting {
+        if self.fate.kind == MotionKind::NonImpacting {
             let Some(flight) = self.flights.last() else { return f64::NAN };
             for left in (1..=MOST_PERIODS).rev() {
                 let time = flight.duration - f64::from(left) * self.period;

@@ -137,17 +137,17 @@ impl<'a, O: ImpactOscillator> Stretch<'a, O> {
         found
     }
 
-    fn between(&self, way: f64, value: impl Fn(&GrazingState<O>) -> f64) -> f64 {
+    fn interpolated(&self, way: f64, value: impl Fn(&GrazingState<O>) -> f64) -> f64 {
         value(self.ends[0]) * (1.0 - way) + value(self.ends[1]) * way
     }
 
     fn parameters(&self, way: f64) -> [f64; 2] {
-        [0, 1].map(|i| self.between(way, |state| state.orbit.oscillator().parameters()[i]))
+        [0, 1].map(|i| self.interpolated(way, |state| state.orbit.oscillator().parameters()[i]))
     }
 
     fn locate(&self, way: f64, loops: u32) -> Result<LocatedResonance<O>, ResonanceError> {
         let oscillator = self.ends[0].orbit.oscillator().with_parameters(self.parameters(way));
-        LocatedResonance::find(&oscillator, loops, self.between(way, |state| state.orbit.phase()))
+        LocatedResonance::find(&oscillator, loops, self.interpolated(way, |state| state.orbit.phase()))
     }
 }
 

@@ -43,12 +43,12 @@ pub enum Simulated {
     /// It does something else at all velocities that were tried, of which this one is the smallest.
     Against(Sides),
     /// Neither can be said.
-    Undecided(Doubt),
+    Undecided(Inconclusive),
 }
 
 /// Why simulation decides nothing.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum Doubt {
+pub enum Inconclusive {
     /// Where the leading terms decide, impacts are too slow to be told from rounding.
     #[error(
         "the leading terms decide up to impact velocity {leading:.0e} only, and from {least:.0e} on it can be simulated"
@@ -130,15 +130,15 @@ pub fn simulate<O: ImpactOscillator>(
     coefficients: &Pair<Coefficient>,
 ) -> Simulated {
     let measured = coefficients.as_ref().map(|coefficient| &coefficient.fit).starting_with(kind);
-    let [Ok(own), Ok(other)] = measured else { return Simulated::Undecided(Doubt::NotMeasured) };
+    let [Ok(own), Ok(other)] = measured else { return Simulated::Undecided(Inconclusive::NotMeasured) };
     let grazing = &point.resonant_point().grazing;
     let scale = grazing.gamma / grazing.forcing_frequency;
     let (leading, least) = (leading(own, other), LEAST * scale);
     let largest = leading.min(LARGEST * scale);
     if largest.is_nan() || largest < least {
-        return Simulated::Undecided(Doubt::TooSlow { leading, least });
+        return Simulated::Undecided(Inconclusive::TooSlow { leading, least });
     }
-    let (mut doubt, mut against, mut velocity) = (Doubt::NotMeasured, 0, largest);
+    let (mut doubt, mut against, mut velocity) = (Inconclusive::NotMeasured, 0, largest);
     for _ in 0..VELOCITIES {
         if velocity < least {
             break;
@@ -151,11 +151,11 @@ pub fn simulate<O: ImpactOscillator>(
                     if against == VELOCITIES {
                         return Simulated::Against(sides);
                     }
-                    doubt = Doubt::OnlyHere { velocity };
+                    doubt = Inconclusive::OnlyHere { velocity };
                 }
-                None => doubt = Doubt::SlowConvergence { velocity, returns: MOST_RETURNS },
+                None => doubt = Inconclusive::SlowConvergence { velocity, returns: MOST_RETURNS },
             },
-            Err(failure) => doubt = Doubt::NoSolution { velocity, failure },
+            Err(failure) => doubt = Inconclusive::NoSolution { velocity, failure },
         }
         velocity *= 0.25;
     }

@@ -8,7 +8,7 @@ use grazing_theorems::{GrazingPoint, ResonantPoint};
 
 use crate::escape::Escape;
 use crate::non_impacting::Height;
-use crate::sides::{self, Simulated};
+use crate::sides::{Inconclusive, Simulated};
 use crate::verdict::Coefficient;
 use crate::{Scope, UnfoldError, regions};
 
@@ -126,11 +126,11 @@ impl InUnits for Simulated {
         let velocities = match &mut own {
             Self::AsPredicted(sides) | Self::Against(sides) => vec![&mut sides.velocity],
             Self::Undecided(doubt) => match doubt {
-                sides::Doubt::TooSlow { leading, least } => vec![leading, least],
-                sides::Doubt::NoSolution { velocity, .. }
-                | sides::Doubt::SlowConvergence { velocity, .. }
-                | sides::Doubt::OnlyHere { velocity } => vec![velocity],
-                sides::Doubt::NotMeasured => Vec::new(),
+                Inconclusive::TooSlow { leading, least } => vec![leading, least],
+                Inconclusive::NoSolution { velocity, .. }
+                | Inconclusive::SlowConvergence { velocity, .. }
+                | Inconclusive::OnlyHere { velocity } => vec![velocity],
+                Inconclusive::NotMeasured => Vec::new(),
             },
         };
         velocities.into_iter().for_each(|velocity| *velocity *= units.velocity());

@@ -7,9 +7,8 @@ use grazing_continuation::resonance::ResonanceError;
 use grazing_model::maps::MapError;
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
-use grazing_theorems::hypothesis::{Hypothesis, Quantity};
+use grazing_theorems::hypothesis::Hypothesis;
 use grazing_theorems::{GenericGrazing, GrazingPoint, HypothesesViolated, Side, TheoryError};
-use rayon::prelude::*;
 use thiserror::Error;
 
 use super::closed_form::LoopSolutions;
@@ -65,24 +64,16 @@ pub struct GenericRow {
     pub verdict: CaseVerdict,
 }
 
-/// What the theorems say and what is seen, case by case in the order of the list.
-///
-/// `step` is told of every case that is done.
-///
-/// # Errors
-/// [`SweepError`] for the first case that could not be worked out.
-pub fn generic_rows(cases: &[Case], step: impl Fn() + Sync) -> Result<Vec<GenericRow>, SweepError> {
-    let work = |case: &Case| GenericRow::of(*case).inspect(|_| step());
-    cases.par_iter().map(work).collect()
-}
-
 /// Slopes of branches that were followed agree with first-order terms to this: extrapolation from impact velocities of a
 /// hundredth of what is near, to fourth order.
 pub const SLOPE_TOLERANCE: f64 = 1e-5;
 
 impl GenericRow {
     /// Works out a case.
-    fn of(case: Case) -> Result<Self, SweepError> {
+    ///
+    /// # Errors
+    /// [`SweepError`].
+    pub fn of(case: Case) -> Result<Self, SweepError> {
         let Case { zeta, epsilon, loops, omega, .. } = case;
         let closed = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;
         let start = closed.model();
@@ -116,11 +107,6 @@ impl GenericRow {
         };
         row.verdict = row.judge();
         Ok(row)
-    }
-
-    /// The value of a quantity about which the theorem makes a hypothesis; `None` if it makes none.
-    pub fn hypothesis(&self, quantity: Quantity) -> Option<f64> {
-        self.hypotheses.iter().find(|hypothesis| hypothesis.quantity == quantity).map(|found| found.value)
     }
 
     /// "2.2" or "2.3".

@@ -8,10 +8,9 @@ use grazing_continuation::locate::Condition;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::from_map::GrazingOrbit;
-use grazing_theorems::hypothesis::{Hypothesis, Quantity};
+use grazing_theorems::hypothesis::Hypothesis;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 use grazing_theorems::{HypothesesViolated, ResonantGrazing, ResonantPoint, Side};
-use rayon::prelude::*;
 
 use super::closed_form::{LoopSolution, LoopSolutions};
 use super::generic::{SweepError, to_zero, worst};
@@ -64,17 +63,6 @@ pub struct ResonantRow {
     pub verdict: CaseVerdict,
 }
 
-/// What the theorems say and what is seen, case by case in the order of the list.
-///
-/// `step` is told of every case that is done.
-///
-/// # Errors
-/// [`SweepError`] for the first case that could not be worked out.
-pub fn resonant_rows(cases: &[Case], step: impl Fn() + Sync) -> Result<Vec<ResonantRow>, SweepError> {
-    let work = |case: &Case| ResonantRow::of(*case).inspect(|_| step());
-    cases.par_iter().map(work).collect()
-}
-
 /// Closed forms, derivatives of the numerical map and the limit on the exact curve agree to this: rounding of first and second
 /// derivatives, divided by s_p⁺ where that is small.
 pub const EXACT_TOLERANCE: f64 = 1e-6;
@@ -87,7 +75,10 @@ const ROUNDING: f64 = 1e-11;
 
 impl ResonantRow {
     /// Works out a case.
-    fn of(case: Case) -> Result<Self, SweepError> {
+    ///
+    /// # Errors
+    /// [`SweepError`].
+    pub fn of(case: Case) -> Result<Self, SweepError> {
         let Case { zeta, epsilon, loops, n, negative, omega } = case;
         let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
         let state = theory.grazing(omega)?;
@@ -125,11 +116,6 @@ impl ResonantRow {
         };
         row.verdict = row.judge();
         Ok(row)
-    }
-
-    /// The value of a quantity about which the theorem makes a hypothesis; `None` if it makes none.
-    pub fn hypothesis(&self, quantity: Quantity) -> Option<f64> {
-        self.hypotheses.iter().find(|hypothesis| hypothesis.quantity == quantity).map(|found| found.value)
     }
 
     /// "2.4" or "2.5".

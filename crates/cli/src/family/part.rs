@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use grazing_description::Description;
 use grazing_reproduction::family::{Plan, Record};
-use grazing_source::Text;
+use grazing_source::{Setting, Text};
 use serde::{Deserialize, Serialize};
 
 use super::{Part, RESULTS, setting};
@@ -39,18 +39,11 @@ impl Origin {
 
     /// The oscillator with other values of constants, checked.
     pub(super) fn description(&self, values: &[(&str, f64)]) -> Result<Description, Failure> {
-        let given = self.set.iter().map(|setting| {
-            setting.parse().map_err(|error: grazing_source::SettingError| Failure::input(error.to_string()))
-        });
+        let given = self.set.iter().map(|setting| Ok(setting.parse::<Setting>()?));
         let varied = values.iter().map(|(name, value)| setting(name, *value));
-        let settings = given.chain(varied).collect::<Result<Vec<_>, _>>()?;
+        let settings = given.chain(varied).collect::<Result<Vec<_>, Failure>>()?;
         let description = Description::parse_with(&Text::new(&self.text, &settings), &self.file)?;
-        match &self.loops {
-            Some(loops) => {
-                description.with_loops(loops).map_err(|reason| Failure::input(format!("--loops {reason}")))
-            }
-            None => Ok(description),
-        }
+        unfold::with_loops(description, self.loops.as_deref())
     }
 
     /// The folder of the family, unless another one is named.

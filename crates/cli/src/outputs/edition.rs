@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use grazing_drawing::SheetWidth;
 use grazing_export::{Drawing, ExportError};
 
-use crate::arguments::Size;
+use crate::arguments::Look;
 use crate::folder::MadeFile;
 
 /// A format of the outputs.
@@ -37,33 +37,34 @@ impl Format {
 /// The formats and the width in which figures are made.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edition {
-    formats: Vec<Format>,
-    pub(crate) size: Size,
+    pub(crate) formats: Vec<Format>,
+    pub(crate) columns: SheetWidth,
+    pub(crate) dpi: u16,
 }
 
 impl Default for Edition {
     /// SVG as wide as in the paper, which is what `figures/` holds.
     fn default() -> Edition {
-        Edition { formats: vec![Format::Svg], size: Size { columns: SheetWidth::Paper, dpi: 300 } }
+        Edition { formats: vec![Format::Svg], columns: SheetWidth::Paper, dpi: 300 }
     }
 }
 
 impl Edition {
     /// What the command line asks for.
-    pub fn new(formats: &[Format], size: Size) -> Edition {
-        let mut formats = formats.to_vec();
+    pub fn new(Look { format, columns, dpi }: &Look) -> Edition {
+        let mut formats = format.clone();
         if formats.contains(&Format::Tex) {
             // The snippet includes the figures as PDF.
             formats.push(Format::Pdf);
         }
         formats.sort_unstable();
         formats.dedup();
-        Edition { formats, size }
+        Edition { formats, columns: *columns, dpi: *dpi }
     }
 
     /// True if it is what `figures/` holds.
     pub fn is_default(&self) -> bool {
-        self.formats == [Format::Svg] && self.size.columns == SheetWidth::Paper
+        self.formats == [Format::Svg] && self.columns == SheetWidth::Paper
     }
 
     /// True if it has the format.
@@ -78,13 +79,13 @@ impl Edition {
             let names: Vec<&str> = self.formats.iter().map(|format| format.name()).collect();
             options.push_str(&format!(" --format {}", names.join(",")));
         }
-        options.push_str(match self.size.columns {
+        options.push_str(match self.columns {
             SheetWidth::Paper => "",
             SheetWidth::OneColumn => " --columns one",
             SheetWidth::TwoColumns => " --columns two",
         });
-        if self.has(Format::Png) && self.size.dpi != Edition::default().size.dpi {
-            options.push_str(&format!(" --dpi {}", self.size.dpi));
+        if self.has(Format::Png) && self.dpi != Edition::default().dpi {
+            options.push_str(&format!(" --dpi {}", self.dpi));
         }
         options
     }
@@ -102,7 +103,7 @@ impl Edition {
             let content = match format {
                 Format::Svg => svg.clone().into_bytes(),
                 Format::Pdf => Drawing::read(&svg)?.pdf()?,
-                Format::Png => Drawing::read(&svg)?.png(f64::from(self.size.dpi))?,
+                Format::Png => Drawing::read(&svg)?.png(f64::from(self.dpi))?,
                 Format::Tex => continue,
             };
             files.push(MadeFile { path, content });

@@ -9,7 +9,6 @@ use grazing_results::Table;
 
 use crate::failure::Failure;
 use crate::folder::{self, MadeFile};
-use crate::outputs::table_path;
 use crate::{tables, terminal};
 
 /// The table of the curves that are finished, while the run lasts or after it was interrupted.
@@ -37,7 +36,7 @@ impl<'a> Keeper<'a> {
     }
 
     fn path(&self) -> PathBuf {
-        self.folder.join(table_path(UNFINISHED))
+        self.folder.join(tables::path(UNFINISHED))
     }
 
     /// Removes the file: everything is written.
@@ -53,7 +52,7 @@ impl<'a> Keeper<'a> {
     /// Writes what is finished. The computation goes on if it cannot be written: in the end all files may well be.
     pub(super) fn keep(&self, finished: &Table) {
         let written = tables::csv(finished).map_err(|error| error.to_string()).and_then(|content| {
-            let file = MadeFile { path: table_path(UNFINISHED), content };
+            let file = MadeFile { path: tables::path(UNFINISHED), content };
             folder::write(self.folder, &[file]).map_err(|failure| failure.to_string())
         });
         if let Err(reason) = written

@@ -321,7 +321,7 @@ mod tests {
     use super::*;
     use grazing_continuation::bifurcation::Pair;
     use grazing_continuation::fit::{Estimate, Measurement};
-    use grazing_unfold::sides::{self, Sides};
+    use grazing_unfold::sides::{Inconclusive, Sides};
     use grazing_unfold::simulation::Seen;
     use grazing_unfold::verdict::{Coefficient, Obstacle};
 
@@ -337,7 +337,7 @@ mod tests {
                 velocity: 0.01,
             }),
         };
-        let undecided = Simulated::Undecided(sides::Doubt::NotMeasured);
+        let undecided = Simulated::Undecided(Inconclusive::NotMeasured);
         let (saddle_node, period_doubling) = ((coefficient(error), simulated), (coefficient(1.0), undecided));
         let finding = Ok(Pair { saddle_node, period_doubling });
         ResonanceEntry { loops: 2, n: 3, parameters: [0.5, 0.75], finding }
@@ -363,7 +363,7 @@ mod tests {
             ]
         );
         let doubtful =
-            resonance(1.0, Simulated::Undecided(sides::Doubt::TooSlow { leading: 1e-9, least: 1e-6 }));
+            resonance(1.0, Simulated::Undecided(Inconclusive::TooSlow { leading: 1e-9, least: 1e-6 }));
         assert!(contradictions(std::slice::from_ref(&doubtful)).is_empty());
         let doubtful = [doubtful];
         let curve = curves(&doubtful).next().expect("the theorem applies");

@@ -2,15 +2,11 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use grazing_model::smooth::{Function, Scalar};
+use grazing_model::smooth::{Function, Scalar, Taylor};
 use proptest::prelude::*;
 
 use super::graph::{Graph, Node, parts};
 use super::{Expression, parse};
-
-/// A number with one derivative.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Dual(f64, f64);
 
 /// All numbers from the first to the second.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,8 +22,8 @@ impl Range {
 }
 
 macro_rules! operations {
-    ($($number:ident, $trait:ident, $name:ident, |$a:ident, $b:ident| $result:expr;)*) => {$(
-        impl $trait for $number {
+    ($($trait:ident, $name:ident, |$a:ident, $b:ident| $result:expr;)*) => {$(
+        impl $trait for Range {
             type Output = Self;
 
             fn $name(self, other: Self) -> Self {
@@ -35,39 +31,8 @@ macro_rules! operations {
                 $result
             }
         }
-    )*};
-}
 
-operations! {
-    Dual, Add, add, |a, b| Dual(a.0 + b.0, a.1 + b.1);
-    Dual, Sub, sub, |a, b| Dual(a.0 - b.0, a.1 - b.1);
-    Dual, Mul, mul, |a, b| Dual(a.0 * b.0, a.0 * b.1 + a.1 * b.0);
-    Dual, Div, div, |a, b| Dual(a.0 / b.0, (a.1 - a.0 / b.0 * b.1) / b.0);
-    Range, Add, add, |a, b| Range(a.0 + b.0, a.1 + b.1);
-    Range, Sub, sub, |a, b| Range(a.0 - b.1, a.1 - b.0);
-    Range, Mul, mul, |a, b| Range::around([a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1]);
-    Range, Div, div, |a, b| Range::around([a.0 / b.0, a.0 / b.1, a.1 / b.0, a.1 / b.1]);
-}
-
-impl Neg for Dual {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Dual(-self.0, -self.1)
-    }
-}
-
-impl Neg for Range {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Range(-self.1, -self.0)
-    }
-}
-
-macro_rules! with_plain_numbers {
-    ($($number:ident: $trait:ident, $name:ident;)*) => {$(
-        impl $trait<f64> for $number {
+        impl $trait<f64> for Range {
             type Output = Self;
 
             fn $name(self, other: f64) -> Self {
@@ -77,35 +42,18 @@ macro_rules! with_plain_numbers {
     )*};
 }
 
-with_plain_numbers! {
-    Dual: Add, add;
-    Dual: Sub, sub;
-    Dual: Mul, mul;
-    Dual: Div, div;
-    Range: Add, add;
-    Range: Sub, sub;
-    Range: Mul, mul;
-    Range: Div, div;
+operations! {
+    Add, add, |a, b| Range(a.0 + b.0, a.1 + b.1);
+    Sub, sub, |a, b| Range(a.0 - b.1, a.1 - b.0);
+    Mul, mul, |a, b| Range::around([a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1]);
+    Div, div, |a, b| Range::around([a.0 / b.0, a.0 / b.1, a.1 / b.0, a.1 / b.1]);
 }
 
-impl Scalar for Dual {
-    fn constant(value: f64) -> Self {
-        Dual(value, 0.0)
-    }
+impl Neg for Range {
+    type Output = Self;
 
-    fn apply(self, function: Function) -> Self {
-        let Dual(at, slope) = self;
-        let factor = match function {
-            Function::Sin => libm::cos(at),
-            Function::Cos => -libm::sin(at),
-            Function::Tan => 1.0 / (libm::cos(at) * libm::cos(at)),
-            Function::Tanh => 1.0 / (libm::cosh(at) * libm::cosh(at)),
-            Function::Atan => 1.0 / (1.0 + at * at),
-            Function::Exp => libm::exp(at),
-            Function::Ln => 1.0 / at,
-            Function::Sqrt => 0.5 / libm::sqrt(at),
-        };
-        Dual(at.apply(function), factor * slope)
+    fn neg(self) -> Self {
+        Range(-self.1, -self.0)
     }
 }
 
@@ -182,9 +130,14 @@ fn all_ways<S: Scalar>(text: &str, [first, second]: [[S; 3]; 2]) -> Vec<S> {
     held.collect()
 }
 
-fn bits([a, b]: [f64; 2]) -> [u64; 2] {
+fn bits<const N: usize>(values: [f64; N]) -> [u64; N] {
     // One NaN is as good as another.
-    [a, b].map(|value| if value.is_nan() { 0 } else { value.to_bits() })
+    values.map(|value| if value.is_nan() { 0 } else { value.to_bits() })
+}
+
+/// Whole numbers far below 2^53 are exact in any order.
+fn exact(values: &[f64]) -> bool {
+    values.iter().all(|value| value.abs() < 1e12)
 }
 
 proptest! {
@@ -193,12 +146,12 @@ proptest! {
         let Some(whole) = read(&text, 3) else { return Ok(()) };
         let numbers = [0.7, -0.4, 1.9];
         for value in all_ways(&text, [numbers, [1.1, 0.2, 0.3]]) {
-            prop_assert_eq!(bits([value, 0.0]), bits([whole.evaluate(&numbers), 0.0]), "{}", text);
+            prop_assert_eq!(bits([value]), bits([whole.evaluate(&numbers)]), "{}", text);
         }
-        let duals = [Dual(0.7, 1.0), Dual(-0.4, 0.3), Dual(1.9, -2.0)];
-        for Dual(a, b) in all_ways(&text, [duals, [Dual(1.1, 0.0); 3]]) {
-            let wanted = whole.evaluate(&duals);
-            prop_assert_eq!(bits([a, b]), bits([wanted.0, wanted.1]), "{}", text);
+        let series = [[0.7, 1.0, 0.2, 0.0], [-0.4, 0.3, 0.0, -0.1], [1.9, -2.0, 0.5, 0.3]].map(Taylor::new);
+        for value in all_ways(&text, [series, [Taylor::constant(1.1); 3]]) {
+            let wanted = whole.evaluate(&series).coefficients();
+            prop_assert_eq!(bits(value.coefficients()), bits(wanted), "{}", text);
         }
         let ranges = [Range(0.7, 0.9), Range(-0.4, 0.3), Range(1.9, 2.0)];
         for Range(a, b) in all_ways(&text, [ranges, [Range(1.1, 1.2); 3]]) {
@@ -211,19 +164,16 @@ proptest! {
     fn the_tape_gives_what_its_nodes_give(text in polynomial()) {
         let Some(expression) = read(&text, 3) else { return Ok(()) };
         let numbers = [1.0, -2.0, 3.0];
-        let duals = [Dual(1.0, 2.0), Dual(-2.0, 1.0), Dual(3.0, -1.0)];
+        let series = [[1.0, 2.0, -1.0, 0.0], [-2.0, 1.0, 1.0, 3.0], [3.0, -1.0, 0.0, 1.0]].map(Taylor::new);
         let ranges = [Range(1.0, 2.0), Range(-2.0, 1.0), Range(3.0, 3.0)];
-        let (a, b) = (plain(&text, &numbers), plain(&text, &duals));
-        let c = plain(&text, &ranges);
-        // Whole numbers far below 2^53 are exact in any order.
-        let exact = |value: f64| value.abs() < 1e12;
-        if exact(a) {
+        let (a, b, c) = (plain(&text, &numbers), plain(&text, &series), plain(&text, &ranges));
+        if exact(&[a]) {
             prop_assert_eq!(expression.evaluate(&numbers), a, "{}", text);
         }
-        if exact(b.0) && exact(b.1) {
-            prop_assert_eq!(expression.evaluate(&duals), b, "{}", text);
+        if exact(&b.coefficients()) {
+            prop_assert_eq!(expression.evaluate(&series), b, "{}", text);
         }
-        if exact(c.0) && exact(c.1) {
+        if exact(&[c.0, c.1]) {
             prop_assert_eq!(expression.evaluate(&ranges), c, "{}", text);
         }
     }
@@ -236,9 +186,10 @@ proptest! {
             let Ok(slope) = graph.derivative(term, variable) else { return Ok(()) };
             let [value, slope] = [term, slope].map(|term| parse::assembled(term, &NAMES, 3));
             let at = [0.7, 0.4, 1.9];
-            let mut duals = at.map(|number| Dual(number, 0.0));
-            duals[variable].1 = 1.0;
-            let (Dual(size, wanted), found) = (value.evaluate(&duals), slope.evaluate(&at));
+            let mut moving = at.map(Taylor::constant);
+            moving[variable] = Taylor::new([at[variable], 1.0, 0.0, 0.0]);
+            let [size, wanted, ..] = value.evaluate(&moving).coefficients();
+            let found = slope.evaluate(&at);
             let gap = (found - wanted).abs();
             prop_assert!(!(size + wanted).is_finite() || gap <= 1e-9 * (1.0 + size.abs() + wanted.abs()), "{}: {} {}", text, found, wanted);
         }

@@ -15,7 +15,7 @@ use grazing_reproduction::published::Published;
 use grazing_reproduction::unfolded::ResonanceEntry;
 use grazing_results::plane::SpecialPoint;
 use grazing_results::{Column, Names, Table, UnitNames, columns};
-use grazing_unfold::sides::{Doubt, Sides, Simulated};
+use grazing_unfold::sides::{Inconclusive, Sides, Simulated};
 use grazing_unfold::simulation::Seen;
 use grazing_unfold::verdict::Coefficient;
 
@@ -175,7 +175,7 @@ pub(crate) fn oscillator(id: &str, name: &str) -> OscillatorEntry {
         saddle_node: (coefficient(MEASURED.0, MEASURED.1), Simulated::AsPredicted(SIDES)),
         period_doubling: (
             coefficient(NOT_MEASURED.0, NOT_MEASURED.1),
-            Simulated::Undecided(Doubt::NotMeasured),
+            Simulated::Undecided(Inconclusive::NotMeasured),
         ),
     };
     OscillatorEntry {

@@ -2,7 +2,7 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::branches::{AttractorPoint, BranchBifurcation};
-use grazing_unfold::one_parameter::{Plan, long_time_behaviour};
+use grazing_unfold::one_parameter::long_time_behaviour;
 use grazing_unfold::progress::Progress;
 
 use super::Setting;
@@ -21,22 +21,10 @@ pub(super) fn rows(
         return Ok(Vec::new());
     };
     let oscillator = setting.oscillator(gz)?;
-    let sampling = (&plan(setting), lowest(setting));
+    let sampling = (&setting.figure.attractor, lowest(setting));
     let (visits, _) =
         long_time_behaviour(&oscillator, setting.figure.frequency, [gz, pd], sampling, progress);
     Ok(visits.into_iter().map(|[primary, x]| AttractorPoint { primary, x }).collect())
-}
-
-/// How long-time behaviour is sampled.
-pub(super) fn plan(setting: &Setting) -> Plan {
-    let plan = &setting.figure.attractor;
-    Plan {
-        values: plan.amplitudes,
-        orbits: plan.orbits,
-        transient: plan.transient,
-        recorded: plan.recorded,
-        seed: plan.seed,
-    }
 }
 
 /// The lowest x at which orbits begin: the lower edge of the figure.

@@ -59,7 +59,7 @@ fn draw(
         let top = oscillator.non_impacting_solution(setting.grazing.phase());
         flight(PortraitKind::Periodic, sampled(&oscillator.motion(top), 0.0, period, period));
     } else {
-        let plan = attractor::plan(setting);
+        let plan = &setting.figure.attractor;
         let mut random = Pcg64::new(u128::from(plan.seed), u128::from(number) << 64);
         let start = random_start(attractor::lowest(setting), &mut random);
         let Settled::Impacts(flights) = settled(&oscillator, start, [plan.transient, ATTRACTOR_PERIODS])

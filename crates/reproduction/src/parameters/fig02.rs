@@ -2,6 +2,7 @@
 
 use grazing_source::{Section, SourceError};
 use grazing_theorems::LinearOscillator;
+use grazing_unfold::one_parameter::Plan;
 
 use super::ParameterError;
 use super::checks::{
@@ -27,28 +28,12 @@ pub struct Figure2 {
     pub magnified_amplitude: [f64; 2],
     /// The x-values of the magnification, inside those of the figure.
     pub magnified_x: [f64; 2],
-    /// How the long-time behaviour between GZ and PD is sampled.
-    pub attractor: Attractor,
+    /// How the long-time behaviour between GZ and PD is sampled, at amplitudes evenly spaced.
+    pub attractor: Plan,
     /// The phase portraits from left to right; none if they are to be chosen.
     pub portraits: Vec<Portrait>,
     /// What is shown in the place of something else, in sentences.
     pub notes: Vec<String>,
-}
-
-/// How many orbits of Figure 2 run for how long between GZ and PD.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Attractor {
-    /// The number of amplitudes, evenly spaced between GZ and PD, at least 2.
-    pub amplitudes: u32,
-    /// The orbits at each amplitude, from random initial points, at least 1.
-    pub orbits: u32,
-    /// The forcing periods before an orbit is recorded; may be 0.
-    pub transient: u32,
-    /// The forcing periods for which an orbit is recorded, at least 1.
-    pub recorded: u32,
-    /// The seed of the random initial points.
-    pub seed: u64,
 }
 
 /// One phase portrait above Figure 2.
@@ -73,7 +58,7 @@ impl Figure2 {
         let x = range(section, "x", any)?;
         let loops = section.counts("loops", 1..=MOST_LOOPS)?;
         let magnified_x = range_inside(&section.table("magnification")?, "x", "fig02.x", x)?;
-        let attractor = Attractor::read(&section.table("attractor")?)?;
+        let attractor = plan(&section.table("attractor")?)?;
         let mut portraits = Vec::new();
         if section.has("portraits") {
             for portrait in tables(section, "portraits", 0..=MOST_PORTRAITS)? {
@@ -161,21 +146,19 @@ impl Portrait {
     }
 }
 
-impl Attractor {
-    fn read(section: &Section<'_>) -> Result<Self, SourceError> {
-        let amplitudes = section.count("amplitudes", 2..=MOST_AMPLITUDES)?;
-        let orbits = section.count("orbits", 1..=MOST_ORBITS)?;
-        let transient = section.count("transient", 0..=MOST_PERIODS)?;
-        let recorded = section.count("recorded", 1..=MOST_PERIODS)?;
-        let periods =
-            u64::from(amplitudes) * u64::from(orbits) * (u64::from(transient) + u64::from(recorded));
-        if periods > MOST_PERIODS_IN_ALL {
-            let allowed = format!(
-                "amplitudes * orbits * (transient + recorded) = {periods} forcing periods are too many, at most \
-                 {MOST_PERIODS_IN_ALL} are allowed"
-            );
-            return Err(section.forbid("transient", allowed));
-        }
-        Ok(Self { amplitudes, orbits, transient, recorded, seed: section.value("seed")? })
+/// How many orbits run for how long at how many amplitudes.
+fn plan(section: &Section<'_>) -> Result<Plan, SourceError> {
+    let values = section.count("amplitudes", 2..=MOST_AMPLITUDES)?;
+    let orbits = section.count("orbits", 1..=MOST_ORBITS)?;
+    let transient = section.count("transient", 0..=MOST_PERIODS)?;
+    let recorded = section.count("recorded", 1..=MOST_PERIODS)?;
+    let periods = u64::from(values) * u64::from(orbits) * (u64::from(transient) + u64::from(recorded));
+    if periods > MOST_PERIODS_IN_ALL {
+        let allowed = format!(
+            "amplitudes * orbits * (transient + recorded) = {periods} forcing periods are too many, at most \
+             {MOST_PERIODS_IN_ALL} are allowed"
+        );
+        return Err(section.forbid("transient", allowed));
     }
+    Ok(Plan { values, orbits, transient, recorded, seed: section.value("seed")? })
 }

@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use grazing_model::LinearOscillator;
 use grazing_source::{Section, SourceError};
 
 use super::checks::{
@@ -45,28 +46,10 @@ impl View {
 }
 
 /// The linear oscillator of one of these figures; it need not be that of the paper's example.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Specimen {
-    /// The damping ratio zeta, in (0, 1).
-    pub zeta: f64,
-    /// The coefficient of restitution epsilon, in (0, 1].
-    pub epsilon: f64,
-    /// The forcing amplitude, positive.
-    pub amplitude: f64,
-    /// The forcing frequency omega, positive.
-    pub frequency: f64,
-}
-
-impl Specimen {
-    fn read(section: &Section<'_>) -> Result<Self, SourceError> {
-        Ok(Self {
-            zeta: damping_ratio(section)?,
-            epsilon: restitution(section)?,
-            amplitude: section.number("amplitude", |a| 0.0 < a && a <= MOST_AMPLITUDE)?,
-            frequency: frequency(section)?,
-        })
-    }
+fn oscillator(section: &Section<'_>) -> Result<LinearOscillator, SourceError> {
+    let amplitude = section.number("amplitude", |a| 0.0 < a && a <= MOST_AMPLITUDE)?;
+    LinearOscillator::new(damping_ratio(section)?, restitution(section)?, amplitude, frequency(section)?)
+        .map_err(|error| section.forbid("amplitude", error.to_string()))
 }
 
 /// Figure 1: orbits that reach the impacting surface.
@@ -74,7 +57,7 @@ impl Specimen {
 #[non_exhaustive]
 pub struct Figure1 {
     /// The oscillator.
-    pub specimen: Specimen,
+    pub oscillator: LinearOscillator,
     /// The velocities y that the shown part of Sigma reaches; 0 lies strictly inside.
     pub velocity: [f64; 2],
     /// The orbits, at least one.
@@ -99,20 +82,20 @@ pub struct Arrival {
 
 impl Figure1 {
     pub(super) fn read(section: &Section<'_>) -> Result<Self, SourceError> {
-        let specimen = Specimen::read(section)?;
+        let oscillator = oscillator(section)?;
         let shown = around_zero(section, "velocity")?;
         let view = View::read(section)?;
         let mut orbits = Vec::new();
         for orbit in &tables(section, "orbits", 1..=MOST_ARRIVALS)? {
             let velocity = orbit.number("velocity", |y| {
-                y >= 0.0 && contains(shown, y) && contains(shown, -specimen.epsilon * y)
+                y >= 0.0 && contains(shown, y) && contains(shown, -oscillator.restitution() * y)
             })?;
             let phase = orbit.number("phase", |z| strictly_contains([0.0, TAU], z))?;
             let before = orbit.number("before", |span| 0.0 < span && span <= phase)?;
             let after = orbit.number("after", |span| 0.0 < span && phase + span < TAU)?;
             orbits.push(Arrival { velocity, phase, before, after });
         }
-        Ok(Self { specimen, velocity: shown, orbits, view })
+        Ok(Self { oscillator, velocity: shown, orbits, view })
     }
 }
 
@@ -159,7 +142,7 @@ impl Figure3 {
 #[non_exhaustive]
 pub struct Figure9 {
     /// The oscillator.
-    pub specimen: Specimen,
+    pub oscillator: LinearOscillator,
     /// The impact: y_imp, positive, and z_imp - z_graz in radians, where z_graz is that of the frequency.
     pub impact: [f64; 2],
     /// The number p of applications of P_global, from 1 to 3.
@@ -176,13 +159,13 @@ pub struct Figure9 {
 
 impl Figure9 {
     pub(super) fn read(section: &Section<'_>) -> Result<Self, SourceError> {
-        let specimen = Specimen::read(section)?;
+        let oscillator = oscillator(section)?;
         let position = around_zero(section, "position")?;
         let velocity = around_zero(section, "velocity")?;
         let phase = range(section, "phase", |[lower, upper]| upper - lower <= TAU)?;
         let impact =
             section.numbers("impact", |[y, z]| y > 0.0 && contains(velocity, y) && contains(phase, z))?;
         let loops = section.count("loops", 1..=MOST_LOOPS)?;
-        Ok(Self { specimen, impact, loops, position, velocity, phase, view: View::read(section)? })
+        Ok(Self { oscillator, impact, loops, position, velocity, phase, view: View::read(section)? })
     }
 }

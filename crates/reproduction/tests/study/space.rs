@@ -6,8 +6,9 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
+use grazing_model::LinearOscillator;
 use grazing_reproduction::Study;
-use grazing_reproduction::parameters::{Parameters, Specimen};
+use grazing_reproduction::parameters::Parameters;
 use grazing_results::Row;
 use grazing_source::Text;
 
@@ -25,8 +26,12 @@ struct Equation {
 }
 
 impl Equation {
-    fn of(specimen: &Specimen) -> Self {
-        Self { zeta: specimen.zeta, amplitude: specimen.amplitude, frequency: specimen.frequency }
+    fn of(oscillator: &LinearOscillator) -> Self {
+        Self {
+            zeta: oscillator.damping_ratio(),
+            amplitude: oscillator.amplitude(),
+            frequency: oscillator.frequency(),
+        }
     }
 
     fn rate(&self, [x, y, z]: Point) -> Point {
@@ -123,7 +128,7 @@ fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset
     let shown = parameters.fig01.get().expect("it is right");
     let flights = curves(&made.curves, "orbit");
     for flight in &flights {
-        assert_follows(Equation::of(&shown.specimen), flight);
+        assert_follows(Equation::of(&shown.oscillator), flight);
         // The flight that grazes touches the wall, the others end at it; both to rounding.
         assert!(flight.iter().all(|state| state[0] < 1e-12), "in front of the wall");
     }
@@ -131,7 +136,7 @@ fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset
     assert!(!impacts.is_empty() && impacts.len() == recoils.len());
     for (impact, recoil) in impacts.iter().zip(&recoils) {
         assert!(impact[0] == 0.0 && impact[1] > 0.0, "on the incoming set");
-        let reset = [0.0, -shown.specimen.epsilon * impact[1], impact[2]];
+        let reset = [0.0, -shown.oscillator.restitution() * impact[1], impact[2]];
         assert!(distance(*recoil, reset) < 1e-15, "{recoil:?} is not {reset:?}");
         // Crossings are located to a few roundings.
         let ends_there = |flight: &&Vec<Point>| distance(flight[flight.len() - 1], *impact) < 1e-12;
@@ -140,7 +145,7 @@ fn orbits_of_figure_1_obey_the_equation_up_to_the_wall_and_leave_it_as_the_reset
     }
     for graze in points(&made.points, "graze") {
         assert_eq!(graze[..2], [0.0, 0.0]);
-        assert!(Equation::of(&shown.specimen).rate(graze)[1] < 0.0, "in the grazing set");
+        assert!(Equation::of(&shown.oscillator).rate(graze)[1] < 0.0, "in the grazing set");
     }
 }
 
@@ -176,11 +181,11 @@ fn points_of_figure_9_are_where_the_orbits_come_to_rest() {
     let (parameters, study) = study();
     let made = study.fig09().expect("figure 9 can be computed");
     let shown = parameters.fig09.get().expect("it is right");
-    let equation = Equation::of(&shown.specimen);
+    let equation = Equation::of(&shown.oscillator);
     let one = |kind: &str| points(&made.points, kind)[0];
     let (impact, recoil, ahead) = (one("impact"), one("recoil"), one("virtual"));
     assert_eq!((impact[0], impact[1]), (0.0, shown.impact[0]));
-    assert_eq!(recoil, [0.0, -shown.specimen.epsilon * impact[1], impact[2]]);
+    assert_eq!(recoil, [0.0, -shown.oscillator.restitution() * impact[1], impact[2]]);
     // y/|ẍ| is the time to the maximum of x to leading order.
     let time = |state: Point| -state[1] / equation.rate(state)[1];
     assert!(time(impact) > 0.0 && time(recoil) < 0.0);
@@ -202,7 +207,7 @@ fn curves_of_figure_9_join_the_points_and_are_virtual_exactly_beyond_the_wall() 
     let shown = parameters.fig09.get().expect("it is right");
     let (real, unreal) = (curves(&made.curves, "orbit"), curves(&made.curves, "virtual"));
     for curve in real.iter().chain(&unreal) {
-        assert_follows(Equation::of(&shown.specimen), curve);
+        assert_follows(Equation::of(&shown.oscillator), curve);
     }
     // Ends on the wall or at the edge are located to rounding.
     let low = shown.position[0];

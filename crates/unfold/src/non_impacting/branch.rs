@@ -8,6 +8,7 @@ use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
 
 use super::orbits::{OrbitPoint, PRIMARY, PeriodicOrbit, PeriodicOrbitCurve, PeriodicOrbits, SECONDARY};
+use crate::edges::leaves;
 use crate::slices::near_chord;
 
 /// A branch through the range of μ.
@@ -113,10 +114,8 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
             let before = walker.here().point;
             let Ok(station) = walker.advance() else { return Some((found, false)) };
             let after = station.point;
-            if !(0.0..=1.0).contains(&after[PRIMARY]) {
-                let edge = after[PRIMARY].clamp(0.0, 1.0);
-                let mut near = before
-                    + (after - before) * ((edge - before[PRIMARY]) / (after[PRIMARY] - before[PRIMARY]));
+            if let Some((way, _, edge)) = leaves([PRIMARY], [&before, &after]) {
+                let mut near = before + (after - before) * way;
                 near[PRIMARY] = edge;
                 found.extend(self.at(&near).map(|orbit| self.seen(&orbit)));
                 return Some((found, true));

@@ -11,6 +11,7 @@ use grazing_model::ImpactOscillator;
 use super::branch::Crossing;
 use super::orbits::{OrbitPoint, PRIMARY, PeriodicOrbit, PeriodicOrbitCurve, PeriodicOrbits, SECONDARY};
 use crate::curves::DiagramCurve;
+use crate::edges::leaves;
 
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;
@@ -56,14 +57,8 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
 /// The point on the edge of the ranges, along the chord: regions end there, and nothing else depends on it.
 fn on_the_edge(before: &OrbitPoint, (after, tangent): &Tangent<4>) -> Option<Tangent<4>> {
     let parameters = [PRIMARY, SECONDARY];
-    if parameters.iter().all(|k| (0.0..=1.0).contains(&after[*k])) {
-        return None;
-    }
-    let way = parameters.map(|k| {
-        let edge = after[k].clamp(0.0, 1.0);
-        if edge == after[k] { 1.0 } else { (edge - before[k]) / (after[k] - before[k]) }
-    });
-    let mut edge = before + (after - before) * way[0].min(way[1]);
+    let (way, ..) = leaves(parameters, [before, after])?;
+    let mut edge = before + (after - before) * way;
     for k in parameters {
         edge[k] = edge[k].clamp(0.0, 1.0);
     }

@@ -14,6 +14,7 @@ use nalgebra::{SMatrix, Vector2, Vector4};
 
 use super::Height;
 use crate::Scope;
+use crate::edges::located;
 
 /// An orbit: x and y at phase zero, and the shares of the ranges of μ and η.
 pub(crate) type OrbitPoint = Vector4<f64>;
@@ -135,13 +136,7 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
     /// The orbit with a multiplier at the share of η of an orbit nearby.
     pub(super) fn with_multiplier(&self, near: &OrbitPoint, multiplier: Condition) -> Option<OrbitPoint> {
         let curve = PeriodicOrbitCurve { orbits: self, condition: multiplier };
-        let solution = newton::solve(*near, 20, |orbit| {
-            let mut system = curve.evaluate(orbit, &mut ())?;
-            system.residual[3] = orbit[SECONDARY] - near[SECONDARY];
-            system.jacobian[(3, SECONDARY)] = 1.0;
-            Ok::<_, MapError>(system)
-        });
-        solution.ok().map(|solution| solution.point)
+        located(&curve, *near, &OrbitPoint::ith(SECONDARY, 1.0), near)
     }
 
     /// What is to be known of an orbit.

@@ -4,7 +4,7 @@ use grazing_continuation::bifurcation::Pair;
 use grazing_continuation::resonance::ResonantGrazingPoint;
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_unfold::progress::Silent;
-use grazing_unfold::sides::{Doubt, Sides, Simulated, simulate};
+use grazing_unfold::sides::{Inconclusive, Sides, Simulated, simulate};
 use grazing_unfold::simulation::Seen;
 use grazing_unfold::verdict::{Coefficient, Obstacle, Verdict, coefficients};
 use grazing_unfold::{Diagram, Scope};
@@ -67,7 +67,7 @@ fn coefficients_lost_in_rounding_are_not_measurable_and_others_of_the_same_oscil
         assert!(!verdict.reason().is_empty());
     }
     for sides in simulated(&point, &both) {
-        assert!(matches!(sides, Simulated::Undecided(Doubt::TooSlow { .. })), "{sides:?}");
+        assert!(matches!(sides, Simulated::Undecided(Inconclusive::TooSlow { .. })), "{sides:?}");
         assert!(!sides.reason().is_empty());
     }
 }

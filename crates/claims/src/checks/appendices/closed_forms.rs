@@ -48,21 +48,6 @@ fn iterated(resonance: &Resonance) -> Result<f64, Failure> {
     Ok(jet.hessians[0][(1, 1)])
 }
 
-/// a₁₁ = a₂₂ = (−1)ⁿ E₁ and the values of sine and cosine at resonance.
-pub(crate) fn diagonal_at_resonance() -> CheckResult {
-    at_resonances(&[1], ONE, 1e-13, |resonance| {
-        let grazing = resonance.grazing();
-        let jet = global_map::<_, 1>(&grazing.model(), AtRest::new(0.0, grazing.phase()), None)?.jet;
-        let stated = parity(resonance) * grazing.decay(1);
-        let turn = Turn::new(&grazing, 1);
-        let angles = [(turn.sine, 0.0), (turn.cosine, parity(resonance))];
-        Ok([(jet.jacobian[(0, 0)], stated), (jet.jacobian[(1, 1)], stated)]
-            .into_iter()
-            .chain(angles)
-            .collect())
-    })
-}
-
 /// s^± by the general formula at the numerical A, φ, ψ, γ and ξ_p, by the first line of the proof, which a function of E, ε and ±1 gives,
 /// and in the end.
 fn stability(loops: &[u32], over: &str, first_line: impl Fn(&Resonance, f64) -> f64) -> CheckResult {
@@ -94,28 +79,34 @@ fn detuning(loops: u32) -> impl Fn(&nalgebra::Matrix2<f64>) -> f64 {
     move |a| a.trace() - 2.0 * a.determinant().sqrt() * libm::cos(PI / f64::from(loops))
 }
 
-/// The display of κ_p', at resonances of other numbers of loops than p too.
-pub(crate) fn detuning_derivative() -> CheckResult {
-    at_resonances(&[1, 2, 3, 4, 5, 6], "grazing states, p = 2 to 5", DIFFERENCES, |resonance| {
+checks! {
+    /// a₁₁ = a₂₂ = (−1)ⁿ E₁ and the values of sine and cosine at resonance.
+    diagonal_at_resonance: at_resonances(&[1], ONE, 1e-13, |resonance| {
+        let grazing = resonance.grazing();
+        let jet = global_map::<_, 1>(&grazing.model(), AtRest::new(0.0, grazing.phase()), None)?.jet;
+        let stated = parity(resonance) * grazing.decay(1);
+        let turn = Turn::new(&grazing, 1);
+        let angles = [(turn.sine, 0.0), (turn.cosine, parity(resonance))];
+        Ok([(jet.jacobian[(0, 0)], stated), (jet.jacobian[(1, 1)], stated)]
+            .into_iter()
+            .chain(angles)
+            .collect())
+    });
+    /// The display of κ_p', at resonances of other numbers of loops than p too.
+    detuning_derivative: at_resonances(&[1, 2, 3, 4, 5, 6], "grazing states, p = 2 to 5", DIFFERENCES, |resonance| {
         let pair =
             |p: u32| Ok((along_grazing(resonance, detuning(p))?, resonance.grazing().detuning_derivative(p)));
         (2..=5).map(pair).collect()
-    })
-}
-
-/// The last steps of both proofs: the general coefficients at resonance are those of Propositions 3.2 and 3.3.
-pub(crate) fn coefficients() -> CheckResult {
-    at_resonances(&[1, 2, 3, 4, 5, 6], "resonances with p = 1 to 6, E and ε at random", 1e-11, |resonance| {
+    });
+    /// The last steps of both proofs: the general coefficients at resonance are those of Propositions 3.2 and 3.3.
+    coefficients: at_resonances(&[1, 2, 3, 4, 5, 6], "resonances with p = 1 to 6, E and ε at random", 1e-11, |resonance| {
         let point = resonance.resonant_point();
         // Divided by the stated number: the coefficients have sizes of all orders, and c_PD loses digits where s⁻ is small.
         Ok(vec![
             (point.saddle_node_coefficient() / resonance.saddle_node_coefficient(), 1.0),
             (point.period_doubling_coefficient() / resonance.period_doubling_coefficient(), 1.0),
         ])
-    })
-}
-
-checks! {
+    });
     /// eq:xi1proof3.
     resonant_second_derivative_of_one_loop: at_resonances(&[1], ONE, 1e-14, |resonance| {
         Ok(vec![(iterated(resonance)?, resonance.second_phase_derivative())])

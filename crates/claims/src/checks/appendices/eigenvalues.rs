@@ -86,44 +86,11 @@ pub(crate) fn h_by_geometric_series() -> CheckResult {
     })
 }
 
-/// eq:Hp3.
-pub(crate) fn h_in_closed_form() -> CheckResult {
-    over_trapesium(4, |p, tau, delta, pair| {
-        let difference = pair.first - pair.second;
-        let product = pair.monomial(p - 1, p - 1);
-        let numerator =
-            product * difference - pair.difference_of_powers(p) + pair.difference_of_powers(p - 1);
-        let size =
-            product.norm() * pair.size_of_powers(1) + pair.size_of_powers(p) + pair.size_of_powers(p - 1);
-        let denominator = pair.gap() * difference * pair.monomial(p - 2, p - 2);
-        quotient_deviation(admissibility_sum(p as u32, tau, delta), numerator, size, denominator)
-    })
-}
-
-/// eq:Tp3.
-pub(crate) fn t_in_closed_form() -> CheckResult {
-    over_trapesium(6, |p, tau, delta, pair| {
-        let difference = pair.first - pair.second;
-        let product = pair.monomial(1, 1);
-        let numerator =
-            difference - pair.difference_of_powers(p) + product * pair.difference_of_powers(p - 1);
-        let size =
-            pair.size_of_powers(1) + pair.size_of_powers(p) + product.norm() * pair.size_of_powers(p - 1);
-        let expected = lucas_partial_sum(p as u32, tau, delta);
-        quotient_deviation(expected, numerator, size, pair.gap() * difference)
-    })
-}
-
 /// S_p against the quotient of eq:Sp2.
 fn deviation_of_s(p: i32, tau: f64, delta: f64, pair: &Pair) -> f64 {
     let expected = lucas_sequence(p as u32, tau, delta);
     let (numerator, size) = (pair.difference_of_powers(p), pair.size_of_powers(p));
     quotient_deviation(expected, numerator, size, pair.first - pair.second)
-}
-
-/// eq:Sp2.
-pub(crate) fn s_as_quotient() -> CheckResult {
-    over_trapesium(7, deviation_of_s)
 }
 
 /// The condition of eq:Sp2 is λ₁ ≠ λ₂: the quotient is right at τ = δ + 1, and has no value at τ = ±2√δ, where the condition
@@ -147,6 +114,30 @@ pub(crate) fn condition_of_quotient() -> CheckResult {
 }
 
 checks! {
+    /// eq:Hp3.
+    h_in_closed_form: over_trapesium(4, |p, tau, delta, pair| {
+        let difference = pair.first - pair.second;
+        let product = pair.monomial(p - 1, p - 1);
+        let numerator =
+            product * difference - pair.difference_of_powers(p) + pair.difference_of_powers(p - 1);
+        let size =
+            product.norm() * pair.size_of_powers(1) + pair.size_of_powers(p) + pair.size_of_powers(p - 1);
+        let denominator = pair.gap() * difference * pair.monomial(p - 2, p - 2);
+        quotient_deviation(admissibility_sum(p as u32, tau, delta), numerator, size, denominator)
+    });
+    /// eq:Tp3.
+    t_in_closed_form: over_trapesium(6, |p, tau, delta, pair| {
+        let difference = pair.first - pair.second;
+        let product = pair.monomial(1, 1);
+        let numerator =
+            difference - pair.difference_of_powers(p) + product * pair.difference_of_powers(p - 1);
+        let size =
+            pair.size_of_powers(1) + pair.size_of_powers(p) + product.norm() * pair.size_of_powers(p - 1);
+        let expected = lucas_partial_sum(p as u32, tau, delta);
+        quotient_deviation(expected, numerator, size, pair.gap() * difference)
+    });
+    /// eq:Sp2.
+    s_as_quotient: over_trapesium(7, deviation_of_s);
     /// eq:HpAgain.
     definition_of_h: over_trapesium(1, |p, tau, delta, pair| {
         (pair.h(p as u32) - admissibility_sum(p as u32, tau, delta)).norm() / pair.moduli().h(p as u32).re

@@ -84,22 +84,6 @@ fn over_states(
     Ok(largest.outcome(tolerance, STATES))
 }
 
-/// eq:Abproof3 with derivatives of the printed flow by differences, against the derivatives of P_global.
-pub(crate) fn entries_by_derivatives() -> CheckResult {
-    over_states(300, DIFFERENCES, |state| {
-        let derivatives = Derivatives::new(state, 1);
-        let omega = state.forcing_frequency();
-        let (velocity, acceleration) = (derivatives.velocity(), derivatives.acceleration());
-        let jet = global_map::<_, 1>(&state.model(), AtRest::new(0.0, state.phase()), None)?.jet;
-        let entries = |(variable, scale): (usize, f64)| {
-            let (position, rate) = (derivatives.mixed(0, variable), derivatives.mixed(1, variable));
-            let found = [position - velocity / acceleration * rate, -omega / acceleration * rate];
-            [0, 1].map(|row| (found[row] * scale, jet.jacobian[(row, variable)]))
-        };
-        Ok([(0, 1.0), (1, 1.0 / omega), (2, 1.0)].into_iter().flat_map(entries).collect())
-    })
-}
-
 /// eq:Abproof4: all eight derivatives of φ at grazing.
 pub(crate) fn derivatives_at_grazing() -> CheckResult {
     over_states(300, DIFFERENCES, |state| {
@@ -121,34 +105,6 @@ pub(crate) fn derivatives_at_grazing() -> CheckResult {
     })
 }
 
-/// The display of ξ₁ by derivatives of φ, differences against the second derivative of P_global.
-pub(crate) fn second_derivative_by_flow() -> CheckResult {
-    over_states(200, DIFFERENCES, |state| {
-        let derivatives = Derivatives::new(state, 1);
-        let omega = state.forcing_frequency();
-        let (velocity, acceleration) = (derivatives.velocity(), derivatives.acceleration());
-        let slip = velocity / acceleration;
-        let entry = state.linearised_map().a.m22;
-        let xi = (entry * entry * (acceleration - slip * derivatives.in_time(3, [0.0; 3]))
-            + 2.0 * entry * (derivatives.mixed(1, 1) - slip * derivatives.mixed(2, 1))
-            + derivatives.twice_in_start(0)
-            - slip * derivatives.twice_in_start(1))
-            / (omega * omega);
-        let jet = global_map::<_, 2>(&state.model(), AtRest::new(0.0, state.phase()), None)?.jet;
-        Ok(vec![(xi, jet.hessians[0][(1, 1)])])
-    })
-}
-
-/// eq:d2phidt02.
-pub(crate) fn second_derivative_in_start() -> CheckResult {
-    over_states(300, DIFFERENCES, |state| {
-        let turn = Turn::new(state, 1);
-        let omega = state.forcing_frequency();
-        let stated = -omega * omega * turn.decay * (turn.cosine - 3.0 * turn.skew * turn.sine);
-        Ok(vec![(Derivatives::new(state, 1).twice_in_start(0), stated)])
-    })
-}
-
 /// ξ_p in closed form against the second derivative of P_global^p.
 fn xi(loops: RangeInclusive<u32>) -> CheckResult {
     // Second derivatives of up to five composed maps.
@@ -162,6 +118,41 @@ fn xi(loops: RangeInclusive<u32>) -> CheckResult {
 }
 
 checks! {
+    /// eq:Abproof3 with derivatives of the printed flow by differences, against the derivatives of P_global.
+    entries_by_derivatives: over_states(300, DIFFERENCES, |state| {
+        let derivatives = Derivatives::new(state, 1);
+        let omega = state.forcing_frequency();
+        let (velocity, acceleration) = (derivatives.velocity(), derivatives.acceleration());
+        let jet = global_map::<_, 1>(&state.model(), AtRest::new(0.0, state.phase()), None)?.jet;
+        let entries = |(variable, scale): (usize, f64)| {
+            let (position, rate) = (derivatives.mixed(0, variable), derivatives.mixed(1, variable));
+            let found = [position - velocity / acceleration * rate, -omega / acceleration * rate];
+            [0, 1].map(|row| (found[row] * scale, jet.jacobian[(row, variable)]))
+        };
+        Ok([(0, 1.0), (1, 1.0 / omega), (2, 1.0)].into_iter().flat_map(entries).collect())
+    });
+    /// The display of ξ₁ by derivatives of φ, differences against the second derivative of P_global.
+    second_derivative_by_flow: over_states(200, DIFFERENCES, |state| {
+        let derivatives = Derivatives::new(state, 1);
+        let omega = state.forcing_frequency();
+        let (velocity, acceleration) = (derivatives.velocity(), derivatives.acceleration());
+        let slip = velocity / acceleration;
+        let entry = state.linearised_map().a.m22;
+        let xi = (entry * entry * (acceleration - slip * derivatives.in_time(3, [0.0; 3]))
+            + 2.0 * entry * (derivatives.mixed(1, 1) - slip * derivatives.mixed(2, 1))
+            + derivatives.twice_in_start(0)
+            - slip * derivatives.twice_in_start(1))
+            / (omega * omega);
+        let jet = global_map::<_, 2>(&state.model(), AtRest::new(0.0, state.phase()), None)?.jet;
+        Ok(vec![(xi, jet.hessians[0][(1, 1)])])
+    });
+    /// eq:d2phidt02.
+    second_derivative_in_start: over_states(300, DIFFERENCES, |state| {
+        let turn = Turn::new(state, 1);
+        let omega = state.forcing_frequency();
+        let stated = -omega * omega * turn.decay * (turn.cosine - 3.0 * turn.skew * turn.sine);
+        Ok(vec![(Derivatives::new(state, 1).twice_in_start(0), stated)])
+    });
     /// eq:xi1proof2.
     second_derivative_of_one_loop: xi(1..=1);
     /// eq:xipproof2, off resonance too.

@@ -67,34 +67,10 @@ fn over_polar(seed: u64, tolerance: f64, deviation: impl Fn(&Polar) -> f64) -> C
     Ok(deviations.outcome(tolerance, "complex eigenvalues, 0.01 < θ < π − 0.01, p = 2 to 15"))
 }
 
-/// eq:polarCoords.
-pub(crate) fn polar_coordinates() -> CheckResult {
-    over_polar(11, 1e-13, |polar| {
-        let pair = Pair::new(polar.tau, polar.delta);
-        let modulus = polar.delta.sqrt();
-        // The arccosine loses digits where its argument is near ±1, as 1/sin θ.
-        let theta = libm::acos(polar.tau / (2.0 * modulus));
-        let first = Complex::new(modulus * libm::cos(theta), modulus * libm::sin(theta));
-        let angle = (theta - polar.theta).abs() * libm::sin(polar.theta);
-        (first - pair.first).norm().max((first.conj() - pair.second).norm()).max(angle)
-    })
-}
-
 /// Ξ(θ) as it is defined after eq:Tp5.
 pub(super) fn xi(p: u32, theta: f64) -> f64 {
     let p = f64::from(p);
     libm::sin(theta) - libm::sin(p * theta) + libm::sin((p - 1.0) * theta)
-}
-
-/// The factorisation of Ξ, an identity for all angles.
-pub(crate) fn factored_xi() -> CheckResult {
-    let deviations = sampled(19, 3000, 1..=20, |sampler, p, deviations: &mut Deviations| {
-        let theta = sampler.between(-7.0, 7.0);
-        let half = |k: u32| libm::sin(0.5 * f64::from(k) * theta);
-        deviations.see(xi(p, theta) - 4.0 * half(1) * half(p - 1) * half(p));
-    });
-    // Three sines of angles up to 140, each off by 10⁻¹⁴.
-    Ok(deviations.outcome(1e-13, "angles between −7 and 7, p = 1 to 20"))
 }
 
 /// S_p = 0 exactly at τ = g_(p/m), m = 1, …, p − 1, among complex eigenvalues: the text after eq:Sp3.
@@ -121,6 +97,23 @@ pub(crate) fn zeros_of_s() -> CheckResult {
 }
 
 checks! {
+    /// The factorisation of Ξ, an identity for all angles.
+    // Three sines of angles up to 140, each off by 10⁻¹⁴.
+    factored_xi: Ok(sampled(19, 3000, 1..=20, |sampler, p, deviations: &mut Deviations| {
+        let theta = sampler.between(-7.0, 7.0);
+        let half = |k: u32| libm::sin(0.5 * f64::from(k) * theta);
+        deviations.see(xi(p, theta) - 4.0 * half(1) * half(p - 1) * half(p));
+    }).outcome(1e-13, "angles between −7 and 7, p = 1 to 20"));
+    /// eq:polarCoords.
+    polar_coordinates: over_polar(11, 1e-13, |polar| {
+        let pair = Pair::new(polar.tau, polar.delta);
+        let modulus = polar.delta.sqrt();
+        // The arccosine loses digits where its argument is near ±1, as 1/sin θ.
+        let theta = libm::acos(polar.tau / (2.0 * modulus));
+        let first = Complex::new(modulus * libm::cos(theta), modulus * libm::sin(theta));
+        let angle = (theta - polar.theta).abs() * libm::sin(polar.theta);
+        (first - pair.first).norm().max((first.conj() - pair.second).norm()).max(angle)
+    });
     /// eq:lam1kminuslam2k, k of either sign.
     differences_of_powers: over_polar(12, POLAR_ROUNDING, |polar| {
         let pair = Pair::new(polar.tau, polar.delta);

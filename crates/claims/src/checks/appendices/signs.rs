@@ -53,32 +53,6 @@ pub(crate) fn scaled_h(p: u32, tau: f64, delta: f64) -> f64 {
     admissibility_sum(p, tau, delta) * libm::pow(delta, 0.5 * (f64::from(p) - 2.0))
 }
 
-/// H_p at g_(p/2), p ≥ 3.
-pub(crate) fn h_at_g_half() -> CheckResult {
-    let deviations = sampled(31, 1000, 3..=15, |sampler, p, deviations: &mut Deviations| {
-        let delta = sampler.between(0.001, 0.999);
-        let tau = resonance_boundary(0.5 * f64::from(p), delta);
-        let expected = (modulus_power(p, delta) - 1.0) / (delta - tau + 1.0);
-        deviations.see(scaled_h(p, tau, delta) - expected);
-    });
-    // Both are of order one; p roundings of τ, on which H_p depends p² times as strongly.
-    Ok(deviations.outcome(1e-12, "determinants, p = 3 to 15"))
-}
-
-/// The largest zero of H_p lies between g_(p/2) and g_(p−1), and H_p changes its sign there.
-pub(crate) fn bracket_of_h() -> CheckResult {
-    search(3..=15, "the determinant", "distance of h_p from either end over √δ", |p, [x, _]| {
-        let delta = determinant(x);
-        let Ok(h) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
-        let step = 1e-6 * delta.sqrt();
-        if scaled_h(p, h - step, delta) >= 0.0 || scaled_h(p, h + step, delta) <= 0.0 {
-            return f64::NEG_INFINITY;
-        }
-        let ends = [0.5 * f64::from(p), f64::from(p - 1)].map(|q| resonance_boundary(q, delta));
-        (h - ends[0]).min(ends[1] - h) / delta.sqrt()
-    })
-}
-
 /// T_p at τ = g_p: the end of the proof of le:SpTp(b), where the print has δ{p/2} for a power.
 pub(crate) fn t_at_resonance() -> CheckResult {
     let (deviations, print) =
@@ -94,79 +68,62 @@ pub(crate) fn t_at_resonance() -> CheckResult {
     Ok(deviations.outcome(tolerance, "determinants, p = 2 to 15").against_print(print.measure(tolerance)))
 }
 
-/// T_2 = 1.
-pub(crate) fn t_two() -> CheckResult {
-    let deviations = drawn(33, 1000, |sampler, deviations: &mut Deviations| {
-        let (tau, delta) = sampler.trapesium();
-        deviations.see(lucas_partial_sum(2, tau, delta) - 1.0);
-        Ok(())
-    })?;
-    // Nothing is rounded.
-    Ok(deviations.outcome(0.0, "points of the trapesium"))
-}
-
-/// Ξ ≥ 0 for θ ≤ 2π/p, with zeros at the ends only: of third order at 0 and simple at 2π/p.
-pub(crate) fn xi_not_negative() -> CheckResult {
-    search(
-        3..=15,
-        "0 < θ < 2π/p up to 10⁻³ of its length from the ends",
-        "Ξ / (θ³ (2π/p − θ))",
-        |p, [x, _]| {
-            let end = 2.0 * PI / f64::from(p);
-            let theta = along(x, 1e-3, 1.0 - 1e-3) * end;
-            xi(p, theta) / (theta * theta * theta * (end - theta))
-        },
-    )
-}
-
-/// −sin((p − 1)θ) ≥ 0 for π/(p − 1) ≤ θ ≤ 2π/p, with a zero, a simple one, at the lower end only.
-pub(crate) fn second_term_not_negative() -> CheckResult {
-    search(
-        3..=15,
-        "π/(p − 1) < θ ≤ 2π/p",
-        "−sin((p − 1)θ) / ((p − 1)θ − π)",
-        |p, [x, _]| {
-            let (p, from_end) = (f64::from(p), along(x, 1e-6, 1.0));
-            let beyond = from_end * PI * (1.0 - 2.0 / p);
-            libm::sin(beyond) / beyond
-        },
-    )
-}
-
-/// (1 − r^(p−1)) sin θ > 0 for π/(p − 1) ≤ θ ≤ 2π/p.
-pub(crate) fn third_term_positive() -> CheckResult {
-    search(
-        3..=15,
-        "π/(p − 1) ≤ θ ≤ 2π/p and the determinant",
-        "(1 − r^(p−1)) sin θ",
-        |p, [x, y]| {
-            let (delta, loops) = (determinant(x), f64::from(p));
-            let theta = along(y, PI / (loops - 1.0), 2.0 * PI / loops);
-            (1.0 - modulus_power(p - 1, delta)) * libm::sin(theta)
-        },
-    )
-}
-
 /// A j between 1 and p − 1 from a share between 0 and 1.
 pub(crate) fn loop_index(share: f64, p: u32) -> f64 {
     1.0 + libm::floor(share * f64::from(p - 2) + 0.5)
 }
 
-/// eq:ujNumerator, which divided by p is δʲ < 1 + (j/p)(δᵖ − 1): the smallest margin over (1 − δ)², which is how it vanishes as δ → 1.
-pub(crate) fn numerator_of_u() -> CheckResult {
-    search(
-        2..=15,
-        "0 < δ < 1 and 0 < j < p",
-        "−(j (1 − δᵖ) − p (1 − δʲ)) / (1 − δ)²",
-        |p, [x, y]| {
-            let (delta, j, p) = (determinant(x), loop_index(y, p), f64::from(p));
-            let numerator = j * (1.0 - libm::pow(delta, p)) - p * (1.0 - libm::pow(delta, j));
-            -numerator / ((1.0 - delta) * (1.0 - delta))
-        },
-    )
-}
-
 checks! {
+    /// H_p at g_(p/2), p ≥ 3.
+    // Both are of order one; p roundings of τ, on which H_p depends p² times as strongly.
+    h_at_g_half: Ok(sampled(31, 1000, 3..=15, |sampler, p, deviations: &mut Deviations| {
+        let delta = sampler.between(0.001, 0.999);
+        let tau = resonance_boundary(0.5 * f64::from(p), delta);
+        let expected = (modulus_power(p, delta) - 1.0) / (delta - tau + 1.0);
+        deviations.see(scaled_h(p, tau, delta) - expected);
+    }).outcome(1e-12, "determinants, p = 3 to 15"));
+    /// T_2 = 1.
+    // Nothing is rounded.
+    t_two: drawn(33, 1000, |sampler, deviations: &mut Deviations| {
+        let (tau, delta) = sampler.trapesium();
+        deviations.see(lucas_partial_sum(2, tau, delta) - 1.0);
+        Ok(())
+    }).map(|deviations| deviations.outcome(0.0, "points of the trapesium"));
+    /// The largest zero of H_p lies between g_(p/2) and g_(p−1), and H_p changes its sign there.
+    bracket_of_h: search(3..=15, "the determinant", "distance of h_p from either end over √δ", |p, [x, _]| {
+        let delta = determinant(x);
+        let Ok(h) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
+        let step = 1e-6 * delta.sqrt();
+        if scaled_h(p, h - step, delta) >= 0.0 || scaled_h(p, h + step, delta) <= 0.0 {
+            return f64::NEG_INFINITY;
+        }
+        let ends = [0.5 * f64::from(p), f64::from(p - 1)].map(|q| resonance_boundary(q, delta));
+        (h - ends[0]).min(ends[1] - h) / delta.sqrt()
+    });
+    /// Ξ ≥ 0 for θ ≤ 2π/p, with zeros at the ends only: of third order at 0 and simple at 2π/p.
+    xi_not_negative: search(3..=15, "0 < θ < 2π/p up to 10⁻³ of its length from the ends", "Ξ / (θ³ (2π/p − θ))", |p, [x, _]| {
+        let end = 2.0 * PI / f64::from(p);
+        let theta = along(x, 1e-3, 1.0 - 1e-3) * end;
+        xi(p, theta) / (theta * theta * theta * (end - theta))
+    });
+    /// −sin((p − 1)θ) ≥ 0 for π/(p − 1) ≤ θ ≤ 2π/p, with a zero, a simple one, at the lower end only.
+    second_term_not_negative: search(3..=15, "π/(p − 1) < θ ≤ 2π/p", "−sin((p − 1)θ) / ((p − 1)θ − π)", |p, [x, _]| {
+        let (p, from_end) = (f64::from(p), along(x, 1e-6, 1.0));
+        let beyond = from_end * PI * (1.0 - 2.0 / p);
+        libm::sin(beyond) / beyond
+    });
+    /// (1 − r^(p−1)) sin θ > 0 for π/(p − 1) ≤ θ ≤ 2π/p.
+    third_term_positive: search(3..=15, "π/(p − 1) ≤ θ ≤ 2π/p and the determinant", "(1 − r^(p−1)) sin θ", |p, [x, y]| {
+        let (delta, loops) = (determinant(x), f64::from(p));
+        let theta = along(y, PI / (loops - 1.0), 2.0 * PI / loops);
+        (1.0 - modulus_power(p - 1, delta)) * libm::sin(theta)
+    });
+    /// eq:ujNumerator, which divided by p is δʲ < 1 + (j/p)(δᵖ − 1): the smallest margin over (1 − δ)², which is how it vanishes as δ → 1.
+    numerator_of_u: search(2..=15, "0 < δ < 1 and 0 < j < p", "−(j (1 − δᵖ) − p (1 − δʲ)) / (1 − δ)²", |p, [x, y]| {
+        let (delta, j, p) = (determinant(x), loop_index(y, p), f64::from(p));
+        let numerator = j * (1.0 - libm::pow(delta, p)) - p * (1.0 - libm::pow(delta, j));
+        -numerator / ((1.0 - delta) * (1.0 - delta))
+    });
     /// H_p > 0 for τ ≥ 2√δ, with real eigenvalues.
     h_at_real_eigenvalues: search(2..=15, "2√δ ≤ τ ≤ δ + 1", "H_p", |p, [x, y]| {
         let delta = determinant(x);

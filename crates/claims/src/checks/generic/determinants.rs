@@ -56,9 +56,10 @@ fn determinant_size(matrix: &Matrix2<f64>, point: &GrazingPoint) -> f64 {
     (1.0 + matrix.amax()) * (1.0 + matrix.amax()) * entries * entries
 }
 
-/// eq:detJac1detJac2: the determinants of the printed matrices; for p = 1 det K is β.
-pub(crate) fn determinants() -> CheckResult {
-    let deviations = sampled(4, 2000, 1..=12, |sampler, p, deviations: &mut Deviations| {
+checks! {
+    /// eq:detJac1detJac2: the determinants of the printed matrices; for p = 1 det K is β.
+    // Tens of roundings of the numbers by which deviations are divided.
+    determinants: Ok(sampled(4, 2000, 1..=12, |sampler, p, deviations: &mut Deviations| {
         let map = sampled_map(sampler);
         let point = sampled_point(sampler, map);
         let [j, k] = matrices(&point.vivid_linearisation(p));
@@ -68,14 +69,9 @@ pub(crate) fn determinants() -> CheckResult {
         if p == 1 {
             deviations.see((k.determinant() - map.transversality()) / determinant_size(&k, &point));
         }
-    });
-    // Tens of roundings of the numbers by which deviations are divided.
-    Ok(deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"))
-}
-
-/// eq:detJac2: det K in factors, also near τ = δ + 1 and near double eigenvalues.
-pub(crate) fn factored_determinant() -> CheckResult {
-    let deviations = sampled(5, 2000, 1..=12, |sampler, p, deviations: &mut Deviations| {
+    }).outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"));
+    /// eq:detJac2: det K in factors, also near τ = δ + 1 and near double eigenvalues.
+    factored_determinant: Ok(sampled(5, 2000, 1..=12, |sampler, p, deviations: &mut Deviations| {
         let map = sampled_map(sampler);
         let point = sampled_point(sampler, map);
         let [_, k] = matrices(&point.vivid_linearisation(p));
@@ -85,6 +81,5 @@ pub(crate) fn factored_determinant() -> CheckResult {
         // The quotient has the rounding of 1 − λ₁ in its denominator.
         let gap = Pair::new(point.map.a.trace(), point.map.a.determinant()).gap().norm().min(1.0);
         deviations.see((k.determinant() - printed) * gap / determinant_size(&k, &point));
-    });
-    Ok(deviations.outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"))
+    }).outcome(1e-15, "grazing points with (τ, δ) in the trapesium, p = 1 to 12"));
 }

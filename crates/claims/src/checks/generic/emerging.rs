@@ -138,11 +138,11 @@ fn above_boundary(sampler: &mut Sampler, p: u32) -> GrazingPoint {
     point
 }
 
-/// For τ > h_p and τ ≠ g_p: det J has the sign of α a₁₂ κ_p; dy*/dμ has the sign of βκ_p if a₁₂α > 0, and the other sign where this
-/// hypothesis is violated; and on the side of the sign of βκ_p all visits between the impacts lie below the wall: dx⁽ʲ⁾/dμ has the
-/// other sign.
-pub(crate) fn side() -> CheckResult {
-    let votes = sampled(2, 2000, 2..=15, |sampler, p, votes: &mut Votes| {
+checks! {
+    /// For τ > h_p and τ ≠ g_p: det J has the sign of α a₁₂ κ_p; dy*/dμ has the sign of βκ_p if a₁₂α > 0, and the other sign where this
+    /// hypothesis is violated; and on the side of the sign of βκ_p all visits between the impacts lie below the wall: dx⁽ʲ⁾/dμ has the
+    /// other sign.
+    side: Ok(sampled(2, 2000, 2..=15, |sampler, p, votes: &mut Votes| {
         let point = above_boundary(sampler, p);
         let kappa = detuning(p, point.map.trace(), point.map.determinant());
         let side = point.map.transversality() * kappa;
@@ -155,11 +155,7 @@ pub(crate) fn side() -> CheckResult {
         // Positions shrink with the eigenvalues, down to the rounding of the terms that they are made of.
         let rounding = 1e-12 * (1.0 + orbit.visit_slope(0).amax()) * (1.0 + point.map.a.amax());
         votes.see((1..p).all(|j| orbit.visit_slope(j).x * side.signum() < rounding));
-    });
-    Ok(votes.outcome("grazing points with τ > h_p, a₁₂α of either sign, p = 2 to 15, all visits"))
-}
-
-checks! {
+    }).outcome("grazing points with τ > h_p, a₁₂α of either sign, p = 2 to 15, all visits"));
     /// det K / β > 0 in the trapesium, by search.
     sign_of_det_k: search(2..=15, "the trapesium up to 10⁻⁶ from its slanted sides", "det K / β", |p, [x, y]| {
         let delta = determinant(x);

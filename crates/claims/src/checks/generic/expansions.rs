@@ -23,17 +23,6 @@ fn impact_order(
     })
 }
 
-/// The vector field near grazing: the first display of the proof of le:discMapComponents.
-pub(crate) fn vector_field() -> CheckResult {
-    smallest_order(4, 1.0, |grazing, [dx, dy, dz, dmu]| {
-        let (oscillator, velocity, phase) = near_grazing(grazing, [dy, dz, dmu]);
-        let GrazingPoint { gamma, forcing_frequency, .. } = grazing.grazing_point();
-        let frequency = oscillator.forcing_frequency().value - forcing_frequency;
-        let acceleration = oscillator.acceleration(State { position: dx, velocity, phase });
-        Some(((acceleration + gamma).abs() + frequency.abs(), ROUNDING))
-    })
-}
-
 /// x, y or z of the orbit through an impact point.
 fn orbit_expansion(seed: u64, stated: f64, coordinate: usize) -> CheckResult {
     smallest_order(seed, stated, |grazing, [dy, dz, dmu, t]| {
@@ -93,6 +82,14 @@ fn reset_order(seed: u64, component: usize) -> CheckResult {
 }
 
 checks! {
+    /// The vector field near grazing: the first display of the proof of le:discMapComponents.
+    vector_field: smallest_order(4, 1.0, |grazing, [dx, dy, dz, dmu]| {
+        let (oscillator, velocity, phase) = near_grazing(grazing, [dy, dz, dmu]);
+        let GrazingPoint { gamma, forcing_frequency, .. } = grazing.grazing_point();
+        let frequency = oscillator.forcing_frequency().value - forcing_frequency;
+        let acceleration = oscillator.acceleration(State { position: dx, velocity, phase });
+        Some(((acceleration + gamma).abs() + frequency.abs(), ROUNDING))
+    });
     /// The evolution time T.
     evolution_time: impact_order(8, 2.0, |point, oscillator, y, z| {
         let time = virtual_map::<_, 1>(oscillator, OnWall::new(y, z), None).ok()?.time;

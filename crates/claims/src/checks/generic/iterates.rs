@@ -17,50 +17,6 @@ use crate::{CheckResult, Deviations, Sampler, Smallest, Votes, sampled};
 /// Each of the two routes makes some p² roundings of the terms by which deviations are divided, p up to 15.
 const ROUNDING: f64 = 1e-13;
 
-/// eq:SpTp: the printed double sums against the recurrence.
-pub(crate) fn sums_of_eigenvalues() -> CheckResult {
-    let deviations = sampled(1, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
-        let (tau, delta) = sampler.trapesium();
-        let pair = Pair::new(tau, delta);
-        let size = pair.moduli();
-        deviations.see((pair.s(p) - lucas_sequence(p, tau, delta)).norm() / size.s(p).re);
-        if p > 1 {
-            deviations.see((pair.t(p) - lucas_partial_sum(p, tau, delta)).norm() / size.t(p).re);
-        }
-    });
-    Ok(deviations.outcome(ROUNDING, "S_p and T_p at points of the trapesium, p = 1 to 15"))
-}
-
-/// H_p is the sum of the S_j / δ^(j−1).
-pub(crate) fn h_as_sum_of_s() -> CheckResult {
-    let deviations = sampled(2, 2000, 2..=15, |sampler, p, deviations: &mut Deviations| {
-        let (tau, delta) = sampler.trapesium();
-        let pair = Pair::new(tau, delta);
-        let sum: f64 =
-            (1..p).map(|j| lucas_sequence(j, tau, delta) / libm::pow(delta, f64::from(j - 1))).sum();
-        deviations.see((pair.h(p) - sum).norm() / pair.moduli().h(p).re);
-        deviations.see((admissibility_sum(p, tau, delta) - sum) / pair.moduli().h(p).re);
-    });
-    Ok(deviations.outcome(ROUNDING, "points of the trapesium, p = 2 to 15"))
-}
-
-/// eq:Hp9, multiplied by δ^(p−2) so that small δ does no harm.
-pub(crate) fn difference_of_products() -> CheckResult {
-    let deviations = sampled(3, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
-        let (tau, delta) = sampler.trapesium();
-        let raised = libm::pow(delta, f64::from(p) - 2.0);
-        let size = Pair::new(tau, delta).moduli();
-        let terms = (size.s(p - 1) * size.t(p) + size.s(p) * size.t(p - 1) + size.h(p) * raised).re;
-        let (s, s_before) = (lucas_sequence(p, tau, delta), lucas_sequence(p - 1, tau, delta));
-        let (t, t_before) = (lucas_partial_sum(p, tau, delta), lucas_partial_sum(p - 1, tau, delta));
-        let difference = s_before * t - s * t_before - raised * admissibility_sum(p, tau, delta);
-        // For p = 1 all terms vanish.
-        deviations.see(if terms > 0.0 { difference / terms } else { difference });
-    });
-    // Terms that are positive: one rounding each.
-    Ok(deviations.outcome(1e-14, "points of the trapesium, p = 1 to 15"))
-}
-
 /// eq:Pglobalp: the order of the remainder.
 pub(crate) fn iterated_map() -> CheckResult {
     let mut sampler = Sampler::new(4);
@@ -102,17 +58,6 @@ fn repeated(map: &LinearisedMap, p: u32) -> (LinearisedMap, f64) {
 /// Tens of roundings of numbers of the size by which deviations are divided; τ and δ are rounded too.
 const MATRIX_ROUNDING: f64 = 1e-14;
 
-/// eq:Ap and eq:b1pb2p: the printed forms against repeated application.
-pub(crate) fn powers() -> CheckResult {
-    let deviations = sampled(5, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
-        let map = sampled_map(sampler);
-        let (expected, size) = repeated(&map, p);
-        deviations.see((map.iterate(p).a - expected.a).amax() / size);
-        deviations.see((map.iterate(p).b - expected.b).amax() / size);
-    });
-    Ok(deviations.outcome(MATRIX_ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 15"))
-}
-
 /// The step of the induction: the printed forms for p, mapped once more, are those for p + 1.
 pub(crate) fn induction() -> CheckResult {
     let mut sampler = Sampler::new(7);
@@ -127,42 +72,6 @@ pub(crate) fn induction() -> CheckResult {
     }
     // One product, of numbers of the size by which deviations are divided.
     Ok(deviations.outcome(1e-15, "affine maps with (τ, δ) in the trapesium, p = 0 to 14"))
-}
-
-/// le:SpTp(a) by search: S_p / (τ − g_p) > 0 for h_p < τ ≤ δ + 1, also at τ = g_p.
-pub(crate) fn sign_of_s() -> CheckResult {
-    search(2..=15, "h_p < τ ≤ δ + 1", "r^(2−p) S_p / (τ − g_p)", |p, [x, y]| {
-        let delta = determinant(x);
-        let Ok(lowest) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
-        let tau = along(along(y, 1e-9, 1.0), lowest, delta + 1.0);
-        let kappa = tau - resonance_boundary(f64::from(p), delta);
-        // At τ = g_p the quotient is 0/0; at this distance S_p still has six digits.
-        let distance = if kappa.abs() < 1e-8 { 1e-8_f64.copysign(kappa) } else { kappa };
-        let s = lucas_sequence(p, tau - kappa + distance, delta);
-        s / distance * libm::pow(delta, 0.5 * (2.0 - f64::from(p)))
-    })
-}
-
-/// le:SpTp(b).
-pub(crate) fn values_at_resonance() -> CheckResult {
-    let deviations = sampled(8, 2000, 2..=24, |sampler, p, deviations: &mut Deviations| {
-        let delta = sampler.between(0.001, 0.999);
-        let tau = resonance_boundary(f64::from(p), delta);
-        let modulus = modulus_power(p, delta);
-        deviations.see((lucas_sequence(p + 1, tau, delta) + modulus) / modulus);
-        deviations.see(lucas_partial_sum(p, tau, delta) * (delta - tau + 1.0) - 1.0 - modulus);
-    });
-    // S_(p+1) and T_p depend on the rounding of τ at most p² times as strongly.
-    Ok(deviations.outcome(1e-12, "determinants, p = 2 to 24"))
-}
-
-/// le:SpTp(c) by search.
-pub(crate) fn sign_of_t() -> CheckResult {
-    search(2..=15, "g_(p/2) ≤ τ ≤ δ + 1", "T_p", |p, [x, y]| {
-        let delta = determinant(x);
-        let lowest = resonance_boundary(0.5 * f64::from(p), delta);
-        lucas_partial_sum(p, along(y, lowest, delta + 1.0), delta)
-    })
 }
 
 /// le:SpTp: all three parts where their hypotheses hold, and each seen to fail where its hypothesis does not.
@@ -200,4 +109,72 @@ pub(crate) fn signs_and_values() -> CheckResult {
         votes.see(lowest < 0.0);
     }
     Ok(votes.outcome("points where the hypotheses hold and points where they do not, p = 2 to 15"))
+}
+
+checks! {
+    /// eq:SpTp: the printed double sums against the recurrence.
+    sums_of_eigenvalues: Ok(sampled(1, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
+        let (tau, delta) = sampler.trapesium();
+        let pair = Pair::new(tau, delta);
+        let size = pair.moduli();
+        deviations.see((pair.s(p) - lucas_sequence(p, tau, delta)).norm() / size.s(p).re);
+        if p > 1 {
+            deviations.see((pair.t(p) - lucas_partial_sum(p, tau, delta)).norm() / size.t(p).re);
+        }
+    }).outcome(ROUNDING, "S_p and T_p at points of the trapesium, p = 1 to 15"));
+    /// H_p is the sum of the S_j / δ^(j−1).
+    h_as_sum_of_s: Ok(sampled(2, 2000, 2..=15, |sampler, p, deviations: &mut Deviations| {
+        let (tau, delta) = sampler.trapesium();
+        let pair = Pair::new(tau, delta);
+        let sum: f64 =
+            (1..p).map(|j| lucas_sequence(j, tau, delta) / libm::pow(delta, f64::from(j - 1))).sum();
+        deviations.see((pair.h(p) - sum).norm() / pair.moduli().h(p).re);
+        deviations.see((admissibility_sum(p, tau, delta) - sum) / pair.moduli().h(p).re);
+    }).outcome(ROUNDING, "points of the trapesium, p = 2 to 15"));
+    /// eq:Hp9, multiplied by δ^(p−2) so that small δ does no harm.
+    // Terms that are positive: one rounding each.
+    difference_of_products: Ok(sampled(3, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
+        let (tau, delta) = sampler.trapesium();
+        let raised = libm::pow(delta, f64::from(p) - 2.0);
+        let size = Pair::new(tau, delta).moduli();
+        let terms = (size.s(p - 1) * size.t(p) + size.s(p) * size.t(p - 1) + size.h(p) * raised).re;
+        let (s, s_before) = (lucas_sequence(p, tau, delta), lucas_sequence(p - 1, tau, delta));
+        let (t, t_before) = (lucas_partial_sum(p, tau, delta), lucas_partial_sum(p - 1, tau, delta));
+        let difference = s_before * t - s * t_before - raised * admissibility_sum(p, tau, delta);
+        // For p = 1 all terms vanish.
+        deviations.see(if terms > 0.0 { difference / terms } else { difference });
+    }).outcome(1e-14, "points of the trapesium, p = 1 to 15"));
+    /// eq:Ap and eq:b1pb2p: the printed forms against repeated application.
+    powers: Ok(sampled(5, 2000, 1..=15, |sampler, p, deviations: &mut Deviations| {
+        let map = sampled_map(sampler);
+        let (expected, size) = repeated(&map, p);
+        deviations.see((map.iterate(p).a - expected.a).amax() / size);
+        deviations.see((map.iterate(p).b - expected.b).amax() / size);
+    }).outcome(MATRIX_ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 15"));
+    /// le:SpTp(b).
+    // S_(p+1) and T_p depend on the rounding of τ at most p² times as strongly.
+    values_at_resonance: Ok(sampled(8, 2000, 2..=24, |sampler, p, deviations: &mut Deviations| {
+        let delta = sampler.between(0.001, 0.999);
+        let tau = resonance_boundary(f64::from(p), delta);
+        let modulus = modulus_power(p, delta);
+        deviations.see((lucas_sequence(p + 1, tau, delta) + modulus) / modulus);
+        deviations.see(lucas_partial_sum(p, tau, delta) * (delta - tau + 1.0) - 1.0 - modulus);
+    }).outcome(1e-12, "determinants, p = 2 to 24"));
+    /// le:SpTp(a) by search: S_p / (τ − g_p) > 0 for h_p < τ ≤ δ + 1, also at τ = g_p.
+    sign_of_s: search(2..=15, "h_p < τ ≤ δ + 1", "r^(2−p) S_p / (τ − g_p)", |p, [x, y]| {
+        let delta = determinant(x);
+        let Ok(lowest) = admissibility_boundary(p, delta) else { return f64::NEG_INFINITY };
+        let tau = along(along(y, 1e-9, 1.0), lowest, delta + 1.0);
+        let kappa = tau - resonance_boundary(f64::from(p), delta);
+        // At τ = g_p the quotient is 0/0; at this distance S_p still has six digits.
+        let distance = if kappa.abs() < 1e-8 { 1e-8_f64.copysign(kappa) } else { kappa };
+        let s = lucas_sequence(p, tau - kappa + distance, delta);
+        s / distance * libm::pow(delta, 0.5 * (2.0 - f64::from(p)))
+    });
+    /// le:SpTp(c) by search.
+    sign_of_t: search(2..=15, "g_(p/2) ≤ τ ≤ δ + 1", "T_p", |p, [x, y]| {
+        let delta = determinant(x);
+        let lowest = resonance_boundary(0.5 * f64::from(p), delta);
+        lucas_partial_sum(p, along(y, lowest, delta + 1.0), delta)
+    });
 }

@@ -32,19 +32,6 @@ pub(crate) fn virtual_point<O: ImpactOscillator>(
     Ok(virtual_map::<_, 1>(oscillator, from, None)?.jet.value)
 }
 
-/// The label `eq:`: the recoil is on the outgoing set.
-pub(crate) fn recoil() -> CheckResult {
-    let margins = at_specimens(1, 200, |sampler, grazing, margins: &mut Smallest| {
-        // From the velocities of a graze to those of the largest orbits of the figures.
-        let y = libm::pow(10.0, sampler.between(-8.0, 0.5));
-        let z = sampler.between(0.0, core::f64::consts::TAU);
-        margins.see(-grazing.oscillator().reset::<1>(OnWall::new(y, z)).value[0] / y);
-        Ok(())
-    })?;
-    Ok(margins
-        .margin("impacts with velocities from 10⁻⁸ to 3 on twelve oscillators: the smallest −y_rec / y_imp"))
-}
-
 /// The classical Runge–Kutta method on eq:f, from a state over a time of either sign: (x, y, z) at its end.
 pub(super) fn integrated(oscillator: &Specimen, from: State, duration: f64, steps: u32) -> Vector3<f64> {
     let h = duration / f64::from(steps);
@@ -86,35 +73,6 @@ pub(crate) fn virtual_points() -> CheckResult {
     })?;
     // Sixty-four steps over a time below 0.5: some (10⁻²)⁴ times derivatives over 5!.
     Ok(deviations.outcome(1e-11, "impacts near grazing on twelve oscillators, and their recoils"))
-}
-
-/// Orbits hit Π transversally near grazing, where P_virt ends: the acceleration there is negative.
-pub(crate) fn transversality() -> CheckResult {
-    let margins = at_specimens(21, 100, |sampler, grazing, margins: &mut Smallest| {
-        let oscillator = grazing.oscillator();
-        let y = sampler.between(-0.05, 0.05);
-        let z = grazing.phase() + sampler.between(-0.05, 0.05);
-        let image = virtual_point(oscillator, OnWall::new(y, z))?;
-        margins.see(-oscillator.acceleration(State::at_rest(image[0], image[1])));
-        Ok(())
-    })?;
-    Ok(margins.margin("images under P_virt of points near grazing on twelve oscillators: the smallest −ẍ"))
-}
-
-/// Both points are virtual: x̂ and x⁽⁰⁾ are positive for y ≠ 0.
-pub(crate) fn points_are_virtual() -> CheckResult {
-    let margins = at_specimens(3, 100, |sampler, grazing, margins: &mut Smallest| {
-        let oscillator = grazing.oscillator();
-        let y = libm::pow(10.0, sampler.between(-5.0, -0.7));
-        let z = grazing.phase() + sampler.between(-0.1, 0.1);
-        for from in impact_and_recoil(oscillator, y, z) {
-            let y = from.coordinates()[0];
-            margins.see(virtual_point(oscillator, from)?[0] / (y * y));
-        }
-        Ok(())
-    })?;
-    Ok(margins
-        .margin("impacts with velocities from 10⁻⁵ to 0.2 near grazing: the smallest x̂ / y² and x⁽⁰⁾ / y²"))
 }
 
 /// P_virt and P_virt ∘ R are well defined for small y < 0 and twice differentiable across y = 0: the difference of the second
@@ -178,25 +136,6 @@ pub(crate) fn two_inverses() -> CheckResult {
         .outcome(1e-14, "positions from 10⁻⁶ to 0.003 beyond the wall, both preimages, twelve oscillators"))
 }
 
-/// eq:Pdisc: P_disc maps (x̂, ẑ) to (x⁽⁰⁾, z⁽⁰⁾).
-pub(crate) fn discontinuity() -> CheckResult {
-    let deviations = at_specimens(18, 100, |sampler, grazing, deviations: &mut Deviations| {
-        let oscillator = grazing.oscillator();
-        let y = libm::pow(10.0, sampler.between(-4.0, -1.0));
-        let z = grazing.phase() + sampler.between(-0.1, 0.1);
-        let [impact, recoil] = impact_and_recoil(oscillator, y, z);
-        let (hat, start) = (virtual_point(oscillator, impact)?, virtual_point(oscillator, recoil)?);
-        let image = discontinuity_map::<_, 1>(oscillator, AtRest::new(hat[0], hat[1]))?.value;
-        // A rounding of x̂, 10⁻¹⁶, changes the phase by that over y.
-        deviations.see((image - start).amax() * y);
-        Ok(())
-    })?;
-    Ok(deviations.outcome(
-        1e-14,
-        "impacts with velocities from 10⁻⁴ to 0.1, twelve oscillators: the deviation times y",
-    ))
-}
-
 /// P_disc minus its leading terms, at x̂ = s² with (z, μ) as near to grazing as s.
 fn leading_order(seed: u64, component: usize, stated: f64) -> CheckResult {
     smallest_order(seed, stated, |grazing, [ds, dz, dmu]| {
@@ -224,6 +163,46 @@ pub(crate) fn sign_of_square_root() -> CheckResult {
 }
 
 checks! {
+    /// The label `eq:`: the recoil is on the outgoing set.
+    recoil: at_specimens(1, 200, |sampler, grazing, margins: &mut Smallest| {
+        // From the velocities of a graze to those of the largest orbits of the figures.
+        let y = libm::pow(10.0, sampler.between(-8.0, 0.5));
+        let z = sampler.between(0.0, core::f64::consts::TAU);
+        margins.see(-grazing.oscillator().reset::<1>(OnWall::new(y, z)).value[0] / y);
+        Ok(())
+    }).map(|margins| margins.margin("impacts with velocities from 10⁻⁸ to 3 on twelve oscillators: the smallest −y_rec / y_imp"));
+    /// Orbits hit Π transversally near grazing, where P_virt ends: the acceleration there is negative.
+    transversality: at_specimens(21, 100, |sampler, grazing, margins: &mut Smallest| {
+        let oscillator = grazing.oscillator();
+        let y = sampler.between(-0.05, 0.05);
+        let z = grazing.phase() + sampler.between(-0.05, 0.05);
+        let image = virtual_point(oscillator, OnWall::new(y, z))?;
+        margins.see(-oscillator.acceleration(State::at_rest(image[0], image[1])));
+        Ok(())
+    }).map(|margins| margins.margin("images under P_virt of points near grazing on twelve oscillators: the smallest −ẍ"));
+    /// Both points are virtual: x̂ and x⁽⁰⁾ are positive for y ≠ 0.
+    points_are_virtual: at_specimens(3, 100, |sampler, grazing, margins: &mut Smallest| {
+        let oscillator = grazing.oscillator();
+        let y = libm::pow(10.0, sampler.between(-5.0, -0.7));
+        let z = grazing.phase() + sampler.between(-0.1, 0.1);
+        for from in impact_and_recoil(oscillator, y, z) {
+            let y = from.coordinates()[0];
+            margins.see(virtual_point(oscillator, from)?[0] / (y * y));
+        }
+        Ok(())
+    }).map(|margins| margins.margin("impacts with velocities from 10⁻⁵ to 0.2 near grazing: the smallest x̂ / y² and x⁽⁰⁾ / y²"));
+    /// eq:Pdisc: P_disc maps (x̂, ẑ) to (x⁽⁰⁾, z⁽⁰⁾).
+    discontinuity: at_specimens(18, 100, |sampler, grazing, deviations: &mut Deviations| {
+        let oscillator = grazing.oscillator();
+        let y = libm::pow(10.0, sampler.between(-4.0, -1.0));
+        let z = grazing.phase() + sampler.between(-0.1, 0.1);
+        let [impact, recoil] = impact_and_recoil(oscillator, y, z);
+        let (hat, start) = (virtual_point(oscillator, impact)?, virtual_point(oscillator, recoil)?);
+        let image = discontinuity_map::<_, 1>(oscillator, AtRest::new(hat[0], hat[1]))?.value;
+        // A rounding of x̂, 10⁻¹⁶, changes the phase by that over y.
+        deviations.see((image - start).amax() * y);
+        Ok(())
+    }).map(|deviations| deviations.outcome(1e-14, "impacts with velocities from 10⁻⁴ to 0.1, twelve oscillators: the deviation times y"));
     /// The display after eq:Pdisc, first line: the coefficient of x̂ is φ².
     leading_position: leading_order(19, 0, 3.0);
     /// The display after eq:Pdisc, second line: the square root.

@@ -86,20 +86,9 @@ pub(crate) fn scaled_slopes() -> CheckResult {
     Ok(deviations.outcome(1e-7, "the visits j = 1 to p of twelve oscillators, p = 1 to 3"))
 }
 
-/// eq:affineMap.
-pub(crate) fn affine_map() -> CheckResult {
-    // The chain rule is the map: nothing but products is rounded.
-    over_oscillators(1e-14, |point, p, path| {
-        let (s, beta) = scaling(point, p);
-        path.windows(2)
-            .map(|pair| (point.map.a * pair[0] + point.map.b * (s / beta) - pair[1]).amax())
-            .fold(0.0, f64::max)
-    })
-}
-
-/// eq:affineMapj: the printed iterate against p steps.
-pub(crate) fn affine_map_iterated() -> CheckResult {
-    let deviations = sampled(2, 2000, 1..=12, |sampler, j, deviations: &mut Deviations| {
+checks! {
+    /// eq:affineMapj: the printed iterate against p steps.
+    affine_map_iterated: Ok(sampled(2, 2000, 1..=12, |sampler, j, deviations: &mut Deviations| {
         let map = sampled_map(sampler);
         // S_p/β, and the start, are arbitrary here.
         let factor = sampler.between(-2.0, 2.0);
@@ -112,33 +101,9 @@ pub(crate) fn affine_map_iterated() -> CheckResult {
         let LinearisedMap { a, b } = map.iterate(j);
         let entries = (1.0 + map.a.amax()) * (1.0 + map.a.amax());
         deviations.see((a * start + b * factor - here).amax() / (entries * (size + a.amax() + b.amax())));
-    });
-    Ok(deviations.outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, j = 1 to 12"))
-}
-
-/// u⁽⁰⁾ = 0 and w⁽⁰⁾ = −b_1p / (a₁₂ β).
-pub(crate) fn start() -> CheckResult {
-    over_oscillators(DERIVATIVES, |point, p, path| {
-        let (s, beta) = scaling(point, p);
-        let stated = point.emerging_orbit(p).map(|orbit| orbit.visit_slope(0) * (s / beta));
-        stated.map_or(f64::NAN, |stated| (path[0] - stated).amax() + stated.x.abs())
-    })
-}
-
-/// eq:ujcodim1proof on oscillators: u⁽ʲ⁾ is made of τ and δ alone.
-pub(crate) fn positions_of_oscillators() -> CheckResult {
-    over_oscillators(DERIVATIVES, |point, p, path| {
-        let (tau, delta) = (point.map.trace(), point.map.determinant());
-        let deviation = |(j, point): (usize, &Vector2<f64>)| {
-            (point.x - scaled_visit_position(j as u32, p, tau, delta)).abs()
-        };
-        path.iter().enumerate().map(deviation).fold(0.0, f64::max)
-    })
-}
-
-/// eq:ujcodim1proof from eq:affineMapj.
-pub(crate) fn positions() -> CheckResult {
-    let deviations = sampled(3, 3000, 1..=12, |sampler, p, deviations: &mut Deviations| {
+    }).outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, j = 1 to 12"));
+    /// eq:ujcodim1proof from eq:affineMapj.
+    positions: Ok(sampled(3, 3000, 1..=12, |sampler, p, deviations: &mut Deviations| {
         let map = sampled_map(sampler);
         let (tau, delta, beta) = (map.trace(), map.determinant(), map.transversality());
         let (s, last) = (lucas_sequence(p, tau, delta), map.iterate(p).b);
@@ -151,27 +116,20 @@ pub(crate) fn positions() -> CheckResult {
             let expected = beta * scaled_visit_position(j, p, tau, delta);
             deviations.see((terms[0] + terms[1] - expected) / size);
         }
-    });
-    Ok(deviations.outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 12, j = 0 to p"))
-}
-
-/// eq:u1codim1proof.
-pub(crate) fn first_position() -> CheckResult {
-    let deviations = sampled(4, 2000, 2..=15, |sampler, p, deviations: &mut Deviations| {
+    }).outcome(ROUNDING, "affine maps with (τ, δ) in the trapesium, p = 1 to 12, j = 0 to p"));
+    /// eq:u1codim1proof.
+    // As for eq:SpTp.
+    first_position: Ok(sampled(4, 2000, 2..=15, |sampler, p, deviations: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
         let size = pair.moduli().t(p).re;
         let first = scaled_visit_position(1, p, tau, delta);
         let by_recurrence = (first + lucas_partial_sum(p, tau, delta)).abs();
         deviations.see((pair.t(p) + first).norm().max(by_recurrence) / size);
-    });
-    // As for eq:SpTp.
-    Ok(deviations.outcome(1e-14, "points of the trapesium, p = 2 to 15"))
-}
-
-/// eq:upm1codim1proof.
-pub(crate) fn last_position() -> CheckResult {
-    let deviations = sampled(5, 2000, 2..=15, |sampler, p, deviations: &mut Deviations| {
+    }).outcome(1e-14, "points of the trapesium, p = 2 to 15"));
+    /// eq:upm1codim1proof.
+    // As for eq:Hp9.
+    last_position: Ok(sampled(5, 2000, 2..=15, |sampler, p, deviations: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         let pair = Pair::new(tau, delta);
         let raised = libm::pow(delta, f64::from(p - 2));
@@ -180,12 +138,29 @@ pub(crate) fn last_position() -> CheckResult {
         let last = scaled_visit_position(p - 1, p, tau, delta);
         deviations.see((pair.h(p) * raised + last).norm() / terms);
         deviations.see((admissibility_sum(p, tau, delta) * raised + last) / terms);
+    }).outcome(1e-14, "points of the trapesium, p = 2 to 15"));
+    /// eq:affineMap.
+    // The chain rule is the map: nothing but products is rounded.
+    affine_map: over_oscillators(1e-14, |point, p, path| {
+        let (s, beta) = scaling(point, p);
+        path.windows(2)
+            .map(|pair| (point.map.a * pair[0] + point.map.b * (s / beta) - pair[1]).amax())
+            .fold(0.0, f64::max)
     });
-    // As for eq:Hp9.
-    Ok(deviations.outcome(1e-14, "points of the trapesium, p = 2 to 15"))
-}
-
-/// fig:I: the path starts and ends on the w-axis.
-pub(crate) fn ends_on_axis() -> CheckResult {
-    over_oscillators(DERIVATIVES, |_, p, path| path[0].x.abs().max(path[p as usize].x.abs()))
+    /// u⁽⁰⁾ = 0 and w⁽⁰⁾ = −b_1p / (a₁₂ β).
+    start: over_oscillators(DERIVATIVES, |point, p, path| {
+        let (s, beta) = scaling(point, p);
+        let stated = point.emerging_orbit(p).map(|orbit| orbit.visit_slope(0) * (s / beta));
+        stated.map_or(f64::NAN, |stated| (path[0] - stated).amax() + stated.x.abs())
+    });
+    /// eq:ujcodim1proof on oscillators: u⁽ʲ⁾ is made of τ and δ alone.
+    positions_of_oscillators: over_oscillators(DERIVATIVES, |point, p, path| {
+        let (tau, delta) = (point.map.trace(), point.map.determinant());
+        let deviation = |(j, point): (usize, &Vector2<f64>)| {
+            (point.x - scaled_visit_position(j as u32, p, tau, delta)).abs()
+        };
+        path.iter().enumerate().map(deviation).fold(0.0, f64::max)
+    });
+    /// fig:I: the path starts and ends on the w-axis.
+    ends_on_axis: over_oscillators(DERIVATIVES, |_, p, path| path[0].x.abs().max(path[p as usize].x.abs()));
 }

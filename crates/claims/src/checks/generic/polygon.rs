@@ -24,52 +24,6 @@ fn r_to(delta: f64, k: u32) -> f64 {
     libm::pow(delta, 0.5 * f64::from(k))
 }
 
-/// The sum of a truncated geometric series.
-pub(crate) fn geometric_series() -> CheckResult {
-    let deviations = sampled(6, 1000, 1..=20, |sampler, n, deviations: &mut Deviations| {
-        let r = sampler.between(-1.5, 1.5);
-        let (sum, power) = (0..n).fold((0.0, 1.0), |(sum, power), _| (sum + power, power * r));
-        // The numerator cancels near r = 1.
-        deviations.see((sum * (1.0 - r) - (1.0 - power)) / (1.0 + power.abs()));
-    });
-    // Twenty roundings.
-    Ok(deviations.outcome(1e-14, "ratios between −1.5 and 1.5, one to twenty terms"))
-}
-
-/// S_j at τ = δ + 1.
-pub(crate) fn sums_at_unit_eigenvalue() -> CheckResult {
-    let deviations = sampled(7, 1000, 2..=15, |sampler, p, deviations: &mut Deviations| {
-        let delta = sampler.between(0.001, 0.999);
-        let pair = Pair::new(delta + 1.0, delta);
-        deviations.see((pair.first - 1.0).norm() * (1.0 - delta));
-        deviations.see((pair.second - delta).norm() * (1.0 - delta));
-        let top = libm::pow(delta, f64::from(p));
-        // The quotients, multiplied by their denominators.
-        let s = lucas_sequence(p, delta + 1.0, delta) * (1.0 - delta);
-        deviations.see((s - (1.0 - top)) / f64::from(p));
-        let t = lucas_partial_sum(p, delta + 1.0, delta) * (1.0 - delta) * (1.0 - delta);
-        deviations.see((t - (f64::from(p) * (1.0 - delta) - (1.0 - top))) / f64::from(p * p));
-    });
-    // δ + 1 is rounded, which changes an eigenvalue by that over 1 − δ.
-    Ok(deviations.outcome(1e-14, "λ₁, λ₂, S_p and T_p for determinants from 0.001 to 0.999, p = 2 to 15"))
-}
-
-/// eq:ujeig1.
-pub(crate) fn positions_at_unit_eigenvalue() -> CheckResult {
-    let deviations = sampled(8, 1000, 2..=15, |sampler, p, deviations: &mut Deviations| {
-        let delta = sampler.between(0.001, 0.999);
-        let raised = |k: u32| libm::pow(delta, f64::from(k));
-        for j in 1..p {
-            let expected = f64::from(j) * (1.0 - raised(p)) - f64::from(p) * (1.0 - raised(j));
-            let u = scaled_visit_position(j, p, delta + 1.0, delta);
-            // S and T reach p and p², and cancel.
-            let size = 1.0 + f64::from(p * p * p) * (1.0 - delta) * (1.0 - delta);
-            deviations.see((u * (1.0 - delta) * (1.0 - delta) - expected) / size);
-        }
-    });
-    Ok(deviations.outcome(1e-14, "determinants from 0.001 to 0.999, p = 2 to 15, all j"))
-}
-
 /// The path of a map with this trace and determinant. Others differ by an affine change of the w-coordinate, which does not
 /// matter to convexity; this one turns by equal angles where the eigenvalues are complex.
 fn path(p: u32, tau: f64, delta: f64) -> Vec<Vector2<f64>> {
@@ -115,29 +69,6 @@ fn convexity(path: &[Vector2<f64>]) -> f64 {
 fn cross_each_other([a, b]: [Vector2<f64>; 2], [c, d]: [Vector2<f64>; 2]) -> bool {
     let side = |from: Vector2<f64>, to: Vector2<f64>, point: Vector2<f64>| cross(to - from, point - from);
     side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
-}
-
-/// The path is convex for h_p < τ < δ + 1, and all its u⁽ʲ⁾ are negative, 0 < j < p, by search for the smallest of the numbers that decide it.
-///
-/// With e = p₁ − p₀ and c = e × Ae, a vertex n − 1 after the end of the edge at i lies on the side of δⁱ T_n c of it, one n before
-/// its start on that of δ^(i−1) H_(n+1) c, and u⁽ʲ⁾ tells the side of the edge that closes the polygon. So the polygon is convex, and its
-/// vertices in order, if T_n > 0 and H_n > 0 for n = 2, …, p, and then u⁽ʲ⁾ < 0 for 0 < j < p.
-pub(crate) fn convex() -> CheckResult {
-    search(
-        2..=15,
-        "h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p",
-        "T_n, r^(n−2) H_n and −r^(1−j) u⁽ʲ⁾, n ≤ p, j < p",
-        |p, point| {
-            let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
-            (2..=p)
-                .map(|n| {
-                    let h = admissibility_sum(n, tau, delta) * r_to(delta, n - 2);
-                    let u = -scaled_visit_position(n - 1, p, tau, delta) / r_to(delta, n - 2);
-                    lucas_partial_sum(n, tau, delta).min(h).min(u)
-                })
-                .fold(f64::INFINITY, f64::min)
-        },
-    )
 }
 
 /// The path seen as a polygon: convex, in order and without intersections for τ > h_p, and not convex for smaller τ (p ≥ 3),
@@ -190,9 +121,44 @@ pub(crate) fn first_zero() -> CheckResult {
         .outcome("600 determinants, p = 3 to 15, fifty values of τ each from δ + 1 down to h_p and beyond"))
 }
 
-/// u⁽ʲ⁾ depends on the map through τ and δ alone, so that it may be followed in τ at fixed δ.
-pub(crate) fn invariance() -> CheckResult {
-    let deviations = sampled(11, 1000, 2..=8, |sampler, p, deviations: &mut Deviations| {
+checks! {
+    /// The sum of a truncated geometric series.
+    // Twenty roundings.
+    geometric_series: Ok(sampled(6, 1000, 1..=20, |sampler, n, deviations: &mut Deviations| {
+        let r = sampler.between(-1.5, 1.5);
+        let (sum, power) = (0..n).fold((0.0, 1.0), |(sum, power), _| (sum + power, power * r));
+        // The numerator cancels near r = 1.
+        deviations.see((sum * (1.0 - r) - (1.0 - power)) / (1.0 + power.abs()));
+    }).outcome(1e-14, "ratios between −1.5 and 1.5, one to twenty terms"));
+    /// S_j at τ = δ + 1.
+    // δ + 1 is rounded, which changes an eigenvalue by that over 1 − δ.
+    sums_at_unit_eigenvalue: Ok(sampled(7, 1000, 2..=15, |sampler, p, deviations: &mut Deviations| {
+        let delta = sampler.between(0.001, 0.999);
+        let pair = Pair::new(delta + 1.0, delta);
+        deviations.see((pair.first - 1.0).norm() * (1.0 - delta));
+        deviations.see((pair.second - delta).norm() * (1.0 - delta));
+        let top = libm::pow(delta, f64::from(p));
+        // The quotients, multiplied by their denominators.
+        let s = lucas_sequence(p, delta + 1.0, delta) * (1.0 - delta);
+        deviations.see((s - (1.0 - top)) / f64::from(p));
+        let t = lucas_partial_sum(p, delta + 1.0, delta) * (1.0 - delta) * (1.0 - delta);
+        deviations.see((t - (f64::from(p) * (1.0 - delta) - (1.0 - top))) / f64::from(p * p));
+    }).outcome(1e-14, "λ₁, λ₂, S_p and T_p for determinants from 0.001 to 0.999, p = 2 to 15"));
+    /// eq:ujeig1.
+    positions_at_unit_eigenvalue: Ok(sampled(8, 1000, 2..=15, |sampler, p, deviations: &mut Deviations| {
+        let delta = sampler.between(0.001, 0.999);
+        let raised = |k: u32| libm::pow(delta, f64::from(k));
+        for j in 1..p {
+            let expected = f64::from(j) * (1.0 - raised(p)) - f64::from(p) * (1.0 - raised(j));
+            let u = scaled_visit_position(j, p, delta + 1.0, delta);
+            // S and T reach p and p², and cancel.
+            let size = 1.0 + f64::from(p * p * p) * (1.0 - delta) * (1.0 - delta);
+            deviations.see((u * (1.0 - delta) * (1.0 - delta) - expected) / size);
+        }
+    }).outcome(1e-14, "determinants from 0.001 to 0.999, p = 2 to 15, all j"));
+    /// u⁽ʲ⁾ depends on the map through τ and δ alone, so that it may be followed in τ at fixed δ.
+    // The balanced map divides by a₁₂, at least a tenth of r ≥ 0.03.
+    invariance: Ok(sampled(11, 1000, 2..=8, |sampler, p, deviations: &mut Deviations| {
         let (tau, delta) = sampler.trapesium();
         let expected: Vec<f64> = path(p, tau, delta).iter().map(|point| point.x).collect();
         let map = map_with(sampler, tau, delta);
@@ -204,9 +170,22 @@ pub(crate) fn invariance() -> CheckResult {
             deviations.see((here.x - beta * position) / (size * (1.0 + position.abs())));
             here = map.a * here + map.b * s;
         }
+    }).outcome(1e-14, "pairs of maps with the same τ and δ, p = 2 to 8"));
+    /// The path is convex for h_p < τ < δ + 1, and all its u⁽ʲ⁾ are negative, 0 < j < p, by search for the smallest of the numbers that decide it.
+    ///
+    /// With e = p₁ − p₀ and c = e × Ae, a vertex n − 1 after the end of the edge at i lies on the side of δⁱ T_n c of it, one n before
+    /// its start on that of δ^(i−1) H_(n+1) c, and u⁽ʲ⁾ tells the side of the edge that closes the polygon. So the polygon is convex, and its
+    /// vertices in order, if T_n > 0 and H_n > 0 for n = 2, …, p, and then u⁽ʲ⁾ < 0 for 0 < j < p.
+    convex: search(2..=15, "h_p < τ ≤ δ + 1 up to 10⁻⁶ of its length from h_p", "T_n, r^(n−2) H_n and −r^(1−j) u⁽ʲ⁾, n ≤ p, j < p", |p, point| {
+        let Some((tau, delta)) = above(p, point) else { return f64::NEG_INFINITY };
+        (2..=p)
+            .map(|n| {
+                let h = admissibility_sum(n, tau, delta) * r_to(delta, n - 2);
+                let u = -scaled_visit_position(n - 1, p, tau, delta) / r_to(delta, n - 2);
+                lucas_partial_sum(n, tau, delta).min(h).min(u)
+            })
+            .fold(f64::INFINITY, f64::min)
     });
-    // The balanced map divides by a₁₂, at least a tenth of r ≥ 0.03.
-    Ok(deviations.outcome(1e-14, "pairs of maps with the same τ and δ, p = 2 to 8"))
 }
 
 #[cfg(test)]

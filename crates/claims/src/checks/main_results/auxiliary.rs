@@ -41,39 +41,6 @@ pub(crate) fn resonance_boundary_is_a_zero() -> CheckResult {
     Ok(largest.outcome(1e-12, "p up to 15 and random A with τ = g_p(δ), and with τ above it"))
 }
 
-/// h_p: H_p vanishes there and is positive above, found by search of the smallest quotient H_p/(τ − h_p); h₂ = −2√δ.
-pub(crate) fn admissibility_boundary_is_the_largest_zero() -> CheckResult {
-    search(2..=20, "τ > h_p and the determinant", "r^(p−2) H_p / (τ − h_p)", |p, [d, s]| {
-        let delta = 0.01 + 0.989_999 * d;
-        let Ok(boundary) = admissibility_boundary(p, delta) else { return f64::NAN };
-        // Zero to a few roundings of 2√δ times the slope, which is some p³ at most; H₂ has no zero, and h₂ is set by itself.
-        let rounding = 1e-13 * f64::from(p * p * p);
-        let off = if p == 2 { boundary + 2.0 * delta.sqrt() } else { scaled_h(p, boundary, delta) };
-        if off.abs() > rounding {
-            return -1.0;
-        }
-        // Cubed: many points close to the boundary.
-        let above = (1e-4 + s * s * s) * (delta + 1.0 - boundary);
-        scaled_h(p, boundary + above, delta) / above
-    })
-}
-
-/// le:admissibilityBoundary: g_{p/2} < h_p < g_{p−1} by adversarial search, from δ = 10⁻⁶ to 1 − 10⁻⁶.
-///
-/// Both margins shrink at an end of the interval, the lower one like 1 − √δ, the upper one like √δ, beyond the common
-/// factor 2√δ: they are measured against that.
-pub(crate) fn bounds() -> CheckResult {
-    search(3..=30, "the determinant", "of both scaled margins", |p, [d, _]| {
-        // r = √δ, close to either end at will.
-        let modulus = 1e-3 + (1.0 - 1e-3 - 5e-7) * (d * d * (3.0 - 2.0 * d));
-        let (delta, loops) = (modulus * modulus, f64::from(p));
-        let Ok(boundary) = admissibility_boundary(p, delta) else { return f64::NAN };
-        let below = (boundary - resonance_boundary(0.5 * loops, delta)) / (1.0 - modulus);
-        let above = (resonance_boundary(loops - 1.0, delta) - boundary) / modulus;
-        below.min(above) / (2.0 * modulus)
-    })
-}
-
 /// As p → ∞ both families tend to 2√δ, with second order in 1/p.
 pub(crate) fn limit() -> CheckResult {
     let least = drawn(35, 10, |sampler, least: &mut Smallest| {
@@ -183,4 +150,34 @@ fn beyond_in_simulation(p: u32, tau: f64, delta: f64) -> Result<bool, Failure> {
     let map = orbit.grazing_point().map;
     let below = map.trace() < admissibility_boundary(p, map.determinant())?;
     Ok(below && matches!(side_of_orbit(&orbit, p)?, Existence::On(_)))
+}
+
+checks! {
+    /// h_p: H_p vanishes there and is positive above, found by search of the smallest quotient H_p/(τ − h_p); h₂ = −2√δ.
+    admissibility_boundary_is_the_largest_zero: search(2..=20, "τ > h_p and the determinant", "r^(p−2) H_p / (τ − h_p)", |p, [d, s]| {
+        let delta = 0.01 + 0.989_999 * d;
+        let Ok(boundary) = admissibility_boundary(p, delta) else { return f64::NAN };
+        // Zero to a few roundings of 2√δ times the slope, which is some p³ at most; H₂ has no zero, and h₂ is set by itself.
+        let rounding = 1e-13 * f64::from(p * p * p);
+        let off = if p == 2 { boundary + 2.0 * delta.sqrt() } else { scaled_h(p, boundary, delta) };
+        if off.abs() > rounding {
+            return -1.0;
+        }
+        // Cubed: many points close to the boundary.
+        let above = (1e-4 + s * s * s) * (delta + 1.0 - boundary);
+        scaled_h(p, boundary + above, delta) / above
+    });
+    /// le:admissibilityBoundary: g_{p/2} < h_p < g_{p−1} by adversarial search, from δ = 10⁻⁶ to 1 − 10⁻⁶.
+    ///
+    /// Both margins shrink at an end of the interval, the lower one like 1 − √δ, the upper one like √δ, beyond the common
+    /// factor 2√δ: they are measured against that.
+    bounds: search(3..=30, "the determinant", "of both scaled margins", |p, [d, _]| {
+        // r = √δ, close to either end at will.
+        let modulus = 1e-3 + (1.0 - 1e-3 - 5e-7) * (d * d * (3.0 - 2.0 * d));
+        let (delta, loops) = (modulus * modulus, f64::from(p));
+        let Ok(boundary) = admissibility_boundary(p, delta) else { return f64::NAN };
+        let below = (boundary - resonance_boundary(0.5 * loops, delta)) / (1.0 - modulus);
+        let above = (resonance_boundary(loops - 1.0, delta) - boundary) / modulus;
+        below.min(above) / (2.0 * modulus)
+    });
 }

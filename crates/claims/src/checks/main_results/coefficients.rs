@@ -6,19 +6,19 @@ use grazing_continuation::fit::quadratic_coefficient;
 use grazing_continuation::locate::Condition;
 use grazing_theorems::LinearisedMap;
 
-use crate::checks::resonant::places::{Bifurcation, Place};
+use crate::checks::resonant::places::{Bifurcation, ResonantSpecimen};
 use crate::specimen::Law;
 use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, drawn, order};
 
 /// A resonance with one of these numbers of loops at which s^± are not within a twentieth of zero, nor the impact
 /// velocity along either curve within a fifth of η: then the curves are seen at small velocities.
-pub(crate) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<Place, Failure> {
+pub(crate) fn resonant(sampler: &mut Sampler, loops: &[u32]) -> Result<ResonantSpecimen, Failure> {
     loop {
         let loops = sampler.one_of(loops);
         let zeta = sampler.between(0.01, 0.15);
         let law = Law::random(sampler, zeta);
         // For p = 1 and n = 1 the frequency is about twice the natural one.
-        let Ok(place) = Place::find(law, loops, sampler.one_of(&[1, 2])) else { continue };
+        let Ok(place) = ResonantSpecimen::find(law, loops, sampler.one_of(&[1, 2])) else { continue };
         let clear = |curve: &Bifurcation| {
             curve.stability.abs() > 0.05 && curve.leading.impact_velocity_slope.abs() > 0.2
         };
@@ -64,19 +64,9 @@ fn fitted(seed: u64, loops: &[u32], tolerance: f64, over: &str) -> CheckResult {
 }
 
 checks! {
-    /// eq:c1.
-    stability_one_loop: stability(61, &[1], "resonances p = 1 with ψ ≠ 0");
-    /// eq:cp.
-    stability_many_loops: stability(62, &[2, 3, 4], "resonances p = 2, 3, 4 with ψ ≠ 0");
-    /// eq:coeffs1.
-    curves_one_loop: fitted(63, &[1], 1e-8, "resonances p = 1 with ψ ≠ 0");
-    /// eq:coeffsp.
-    curves_many_loops: fitted(64, &[2, 3, 4], 1e-7, "resonances p = 2, 3, 4 with ψ ≠ 0");
-}
-
-/// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
-pub(crate) fn unfolding_derivatives() -> CheckResult {
-    let largest = drawn(65, 30, |sampler, largest: &mut Deviations| {
+    /// a₁₂′ and κ_p′: total derivatives along the grazing curve, by differences of numerical grazing orbits.
+    // Rounding 10⁻¹⁴ over the step 10⁻⁴.
+    unfolding_derivatives: drawn(65, 30, |sampler, largest: &mut Deviations| {
         let place = resonant(sampler, &[1, 2, 3, 4])?;
         let loops = place.loops();
         let measured = place.along_grazing(1e-4, |LinearisedMap { a, .. }| {
@@ -86,7 +76,13 @@ pub(crate) fn unfolding_derivatives() -> CheckResult {
         let stated = place.point().unfolding.derivative;
         largest.compare(measured, stated, stated.abs().max(1.0));
         Ok(())
-    })?;
-    // Rounding 10⁻¹⁴ over the step 10⁻⁴.
-    Ok(largest.outcome(1e-10, "resonances p = 1 to 4, by differences along the grazing curve"))
+    }).map(|largest| largest.outcome(1e-10, "resonances p = 1 to 4, by differences along the grazing curve"));
+    /// eq:c1.
+    stability_one_loop: stability(61, &[1], "resonances p = 1 with ψ ≠ 0");
+    /// eq:cp.
+    stability_many_loops: stability(62, &[2, 3, 4], "resonances p = 2, 3, 4 with ψ ≠ 0");
+    /// eq:coeffs1.
+    curves_one_loop: fitted(63, &[1], 1e-8, "resonances p = 1 with ψ ≠ 0");
+    /// eq:coeffsp.
+    curves_many_loops: fitted(64, &[2, 3, 4], 1e-7, "resonances p = 2, 3, 4 with ψ ≠ 0");
 }

@@ -70,27 +70,22 @@ pub(crate) fn expansion() -> CheckResult {
     Ok(least.order(2.0, 0.3, "directions in (x, z, μ) at grazing orbits of random oscillators"))
 }
 
-/// eq:A: ∂(x', z')/∂(x, z) by hand-written derivatives against differences of event locations.
-pub(crate) fn derivative() -> CheckResult {
-    let largest = at_grazing(13, 60, |_, orbit, largest: &mut Deviations| {
+/// Accuracy of the differences: empirical, some ten times the largest that was seen.
+const DIFFERENCES: f64 = 1e-10;
+
+checks! {
+    /// eq:A: ∂(x', z')/∂(x, z) by hand-written derivatives against differences of event locations.
+    derivative: at_grazing(13, 60, |_, orbit, largest: &mut Deviations| {
         let a = orbit.grazing_point().map.a;
         let [by_position, by_phase, _] = derivatives(orbit, 1.0)?;
         largest.see((Matrix2::from_columns(&[by_position, by_phase]) - a).amax() / a.amax().max(1.0));
         Ok(())
-    })?;
-    Ok(largest.outcome(DIFFERENCES, "entries of A of random oscillators"))
-}
-
-/// eq:b: ∂P_global/∂μ likewise, with the amplitude or the frequency as μ.
-pub(crate) fn parameter_derivative() -> CheckResult {
-    let largest = at_grazing(14, 60, |_, orbit, largest: &mut Deviations| {
+    }).map(|largest| largest.outcome(DIFFERENCES, "entries of A of random oscillators"));
+    /// eq:b: ∂P_global/∂μ likewise, with the amplitude or the frequency as μ.
+    parameter_derivative: at_grazing(14, 60, |_, orbit, largest: &mut Deviations| {
         let b = orbit.grazing_point().map.b;
         let [_, _, by_parameter] = derivatives(orbit, 1.0)?;
         largest.see((by_parameter - b).amax() / b.amax().max(1.0));
         Ok(())
-    })?;
-    Ok(largest.outcome(DIFFERENCES, "entries of b of random oscillators"))
+    }).map(|largest| largest.outcome(DIFFERENCES, "entries of b of random oscillators"));
 }
-
-/// Accuracy of the differences: empirical, some ten times the largest that was seen.
-const DIFFERENCES: f64 = 1e-10;

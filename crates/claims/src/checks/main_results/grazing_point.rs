@@ -10,11 +10,12 @@ use nalgebra::Matrix2;
 
 use crate::differences::slope;
 use crate::specimen::at_grazing;
-use crate::{CheckResult, Deviations, Smallest, Votes, drawn, order};
+use crate::{Deviations, Smallest, Votes, drawn, order};
 
-/// eq:alpha: z⁽⁰⁾ − ẑ = −α ω√(2x̂/γ) + O(x̂) along P_disc of an oscillator with ψ ≠ 0.
-pub(crate) fn square_root_factor() -> CheckResult {
-    let least = at_grazing(41, 60, |_, orbit, least: &mut Smallest| {
+checks! {
+    /// eq:alpha: z⁽⁰⁾ − ẑ = −α ω√(2x̂/γ) + O(x̂) along P_disc of an oscillator with ψ ≠ 0.
+    // Slack for the terms of third order in √x̂.
+    square_root_factor: at_grazing(41, 60, |_, orbit, least: &mut Smallest| {
         let point = orbit.grazing_point();
         // The size is √x̂, so that the remainder is of second order.
         least.see_resolved(order(|h| {
@@ -25,14 +26,10 @@ pub(crate) fn square_root_factor() -> CheckResult {
             Some((disc[1] - orbit.phase() - stated, 1e-14))
         }));
         Ok(())
-    })?;
-    // Slack for the terms of third order in √x̂.
-    Ok(least.order(2.0, 0.3, "random oscillators with ψ ≠ 0; order in √x̂"))
-}
-
-/// eq:phipsigamma: φ and ψ by differences of the reset law at zero velocity, γ by the second difference of Γ; γ > 0.
-pub(crate) fn constants() -> CheckResult {
-    let largest = at_grazing(42, 100, |_, orbit, largest: &mut Deviations| {
+    }).map(|least| least.order(2.0, 0.3, "random oscillators with ψ ≠ 0; order in √x̂"));
+    /// eq:phipsigamma: φ and ψ by differences of the reset law at zero velocity, γ by the second difference of Γ; γ > 0.
+    // Rounding 10⁻¹⁵ over the step 10⁻³; the error of fourth order is as small.
+    constants: at_grazing(42, 100, |_, orbit, largest: &mut Deviations| {
         let (oscillator, point) = (orbit.oscillator(), orbit.grazing_point());
         let recoil = slope(1e-3, |y| Some(oscillator.reset::<1>(OnWall::new(y, orbit.phase())).value))
             .ok_or("a reset law has values everywhere")?;
@@ -43,14 +40,9 @@ pub(crate) fn constants() -> CheckResult {
         largest.compare(deceleration, point.gamma, point.gamma.max(1.0));
         largest.require(point.gamma > 0.0);
         Ok(())
-    })?;
-    // Rounding 10⁻¹⁵ over the step 10⁻³; the error of fourth order is as small.
-    Ok(largest.outcome(1e-11, "random oscillators with ψ ≠ 0"))
-}
-
-/// κ_p: its sign is that of the (1, 2) entry of Aᵖ over a₁₂ for τ > h_p, and it vanishes with that entry.
-pub(crate) fn detuning_has_the_sign_of_the_entry() -> CheckResult {
-    let cases = drawn(43, 3000, |sampler, cases: &mut Votes| {
+    }).map(|largest| largest.outcome(1e-11, "random oscillators with ψ ≠ 0"));
+    /// κ_p: its sign is that of the (1, 2) entry of Aᵖ over a₁₂ for τ > h_p, and it vanishes with that entry.
+    detuning_has_the_sign_of_the_entry: drawn(43, 3000, |sampler, cases: &mut Votes| {
         let p = sampler.one_of(&[2, 3, 4, 5, 6, 8, 10]);
         let delta = sampler.between(0.01, 0.99);
         let boundary = grazing_theorems::admissibility_boundary::admissibility_boundary(p, delta)?;
@@ -62,6 +54,5 @@ pub(crate) fn detuning_has_the_sign_of_the_entry() -> CheckResult {
         // The definition to two roundings; the entry has no sign where κ_p is as small as its rounding.
         cases.see((kappa - definition).abs() < 1e-15 && (kappa.abs() < 1e-12 || kappa * entry > 0.0));
         Ok(())
-    })?;
-    Ok(cases.outcome("random p ≥ 2, δ and τ above h_p(δ)"))
+    }).map(|cases| cases.outcome("random p ≥ 2, δ and τ above h_p(δ)"));
 }

@@ -11,23 +11,6 @@ use crate::differences::slope;
 use crate::specimen::{Grazing, Law, at_grazing, frequency_first};
 use crate::{CheckResult, Deviations, Failure, Sampler, Smallest, Votes, drawn, order};
 
-/// τ and δ are trace and determinant of the flow over one period in (x, y), the wall ignored: P_global has the multipliers
-/// of Γ.
-pub(crate) fn trace_and_determinant() -> CheckResult {
-    let largest = at_grazing(21, 500, |_, orbit, largest: &mut Deviations| {
-        let map = orbit.grazing_point().map;
-        let from = State::at_rest(0.0, orbit.phase());
-        let jet = orbit.oscillator().flow::<1>(from, orbit.oscillator().forcing_period());
-        let monodromy: Matrix2<f64> = jet.jacobian.fixed_columns::<2>(0).into_owned();
-        let size = map.a.amax().max(1.0);
-        largest.compare(map.trace(), monodromy.trace(), size);
-        largest.compare(map.determinant(), monodromy.determinant(), size * size);
-        Ok(())
-    })?;
-    // Products and sums of a dozen rounded numbers of the size of the entries.
-    Ok(largest.outcome(1e-13, "grazing orbits of random oscillators, against the monodromy matrix"))
-}
-
 /// The fixed point (x*, z*) of P_global at μ by Newton's method.
 fn fixed_point(orbit: &Grazing, mu: f64) -> Result<Vector2<f64>, Failure> {
     let [primary, secondary] = orbit.oscillator().parameters();
@@ -57,39 +40,6 @@ fn nonlinear_orbit(sampler: &mut Sampler) -> Result<Grazing, Failure> {
             return frequency_first(&orbit);
         }
     }
-}
-
-/// eq:xStarzStar: the fixed point of P_global to first order.
-pub(crate) fn fixed_point_expansion() -> CheckResult {
-    let least = drawn(22, 100, |sampler, least: &mut Smallest| {
-        let orbit = nonlinear_orbit(sampler)?;
-        let slope = orbit.grazing_point().map.fixed_point_slope()?;
-        least.see_resolved(order(|mu| {
-            let found = fixed_point(&orbit, mu).ok()?;
-            let remainder = found - Vector2::new(0.0, orbit.phase()) - slope * mu;
-            // (I − A)⁻¹ amplifies roundings up to a hundredfold.
-            Some((remainder.norm(), 1e-13))
-        }));
-        Ok(())
-    })?;
-    // Slack for the next order at the smallest resolved μ.
-    Ok(least.order(2.0, 0.3, "random oscillators with the frequency as μ"))
-}
-
-/// eq:xStarzStarDeriv: dx*/dμ by differences of numerical fixed points.
-pub(crate) fn position_slope() -> CheckResult {
-    let largest = drawn(23, 100, |sampler, largest: &mut Deviations| {
-        let orbit = nonlinear_orbit(sampler)?;
-        let map = orbit.grazing_point().map;
-        let measured =
-            slope(1e-3, |mu| Some(fixed_point(&orbit, mu).ok()?[0])).ok_or("no fixed point near grazing")?;
-        let stated = map.transversality() / (map.determinant() - map.trace() + 1.0);
-        largest.compare(measured, stated, stated.abs().max(1.0));
-        largest.compare(map.fixed_point_position_slope()?, stated, stated.abs().max(1.0));
-        Ok(())
-    })?;
-    // h⁶ = 10⁻¹⁸ times seventh derivatives of 𝒜/𝒜_graz(ω), which has its resonance ζ wide, ζ ≥ 0.01: empirical.
-    Ok(largest.outcome(1e-7, "random oscillators with the frequency as μ"))
 }
 
 /// eq:beta: β is det(I − A) times dx*/dμ by Cramer's rule, and its sign is the one with which x* crosses the wall.
@@ -191,4 +141,45 @@ pub(crate) fn stability() -> CheckResult {
         Ok(())
     })?;
     Ok(cases.outcome("random oscillators just below grazing"))
+}
+
+checks! {
+    /// τ and δ are trace and determinant of the flow over one period in (x, y), the wall ignored: P_global has the multipliers
+    /// of Γ.
+    // Products and sums of a dozen rounded numbers of the size of the entries.
+    trace_and_determinant: at_grazing(21, 500, |_, orbit, largest: &mut Deviations| {
+        let map = orbit.grazing_point().map;
+        let from = State::at_rest(0.0, orbit.phase());
+        let jet = orbit.oscillator().flow::<1>(from, orbit.oscillator().forcing_period());
+        let monodromy: Matrix2<f64> = jet.jacobian.fixed_columns::<2>(0).into_owned();
+        let size = map.a.amax().max(1.0);
+        largest.compare(map.trace(), monodromy.trace(), size);
+        largest.compare(map.determinant(), monodromy.determinant(), size * size);
+        Ok(())
+    }).map(|largest| largest.outcome(1e-13, "grazing orbits of random oscillators, against the monodromy matrix"));
+    /// eq:xStarzStar: the fixed point of P_global to first order.
+    // Slack for the next order at the smallest resolved μ.
+    fixed_point_expansion: drawn(22, 100, |sampler, least: &mut Smallest| {
+        let orbit = nonlinear_orbit(sampler)?;
+        let slope = orbit.grazing_point().map.fixed_point_slope()?;
+        least.see_resolved(order(|mu| {
+            let found = fixed_point(&orbit, mu).ok()?;
+            let remainder = found - Vector2::new(0.0, orbit.phase()) - slope * mu;
+            // (I − A)⁻¹ amplifies roundings up to a hundredfold.
+            Some((remainder.norm(), 1e-13))
+        }));
+        Ok(())
+    }).map(|least| least.order(2.0, 0.3, "random oscillators with the frequency as μ"));
+    /// eq:xStarzStarDeriv: dx*/dμ by differences of numerical fixed points.
+    // h⁶ = 10⁻¹⁸ times seventh derivatives of 𝒜/𝒜_graz(ω), which has its resonance ζ wide, ζ ≥ 0.01: empirical.
+    position_slope: drawn(23, 100, |sampler, largest: &mut Deviations| {
+        let orbit = nonlinear_orbit(sampler)?;
+        let map = orbit.grazing_point().map;
+        let measured =
+            slope(1e-3, |mu| Some(fixed_point(&orbit, mu).ok()?[0])).ok_or("no fixed point near grazing")?;
+        let stated = map.transversality() / (map.determinant() - map.trace() + 1.0);
+        largest.compare(measured, stated, stated.abs().max(1.0));
+        largest.compare(map.fixed_point_position_slope()?, stated, stated.abs().max(1.0));
+        Ok(())
+    }).map(|largest| largest.outcome(1e-7, "random oscillators with the frequency as μ"));
 }

@@ -9,25 +9,6 @@ use grazing_model::{ImpactOscillator, OnWall, State};
 use crate::specimen::{Law, at_grazing};
 use crate::{CheckResult, Deviations, Smallest, Votes, drawn, order, smallest};
 
-/// eq:F: the acceleration against second differences of the position along the flow.
-pub(crate) fn equation_of_motion() -> CheckResult {
-    let least = drawn(1, 60, |sampler, least: &mut Smallest| {
-        let orbit = Law::random_grazing(sampler)?;
-        let oscillator = orbit.oscillator();
-        let from = sampler.state();
-        let force = oscillator.acceleration(from);
-        let x = |time: f64| oscillator.flow::<1>(from, time).value[0];
-        least.see_resolved(order(|h| {
-            let difference = (x(h) - 2.0 * from.position + x(-h)) / (h * h);
-            // Positions of order one, three of them, over h².
-            Some((difference - force, 1e-16 / (h * h)))
-        }));
-        Ok(())
-    })?;
-    // Slack for the term of fourth order at the smallest resolved steps.
-    Ok(least.order(2.0, 0.3, "states of random oscillators; ẍ by second differences of the flow"))
-}
-
 /// eq:f: all three components of the vector field against first differences along the flow, parameters of both kinds.
 pub(crate) fn vector_field() -> CheckResult {
     let least = at_grazing(2, 60, |sampler, orbit, least: &mut Smallest| {
@@ -172,4 +153,22 @@ pub(crate) fn reset_law() -> CheckResult {
     })?;
     // Event times are exact to rounding; phases are of order ten.
     Ok(largest.outcome(1e-13, "properties of the impacts and flights of orbits"))
+}
+
+checks! {
+    /// eq:F: the acceleration against second differences of the position along the flow.
+    // Slack for the term of fourth order at the smallest resolved steps.
+    equation_of_motion: drawn(1, 60, |sampler, least: &mut Smallest| {
+        let orbit = Law::random_grazing(sampler)?;
+        let oscillator = orbit.oscillator();
+        let from = sampler.state();
+        let force = oscillator.acceleration(from);
+        let x = |time: f64| oscillator.flow::<1>(from, time).value[0];
+        least.see_resolved(order(|h| {
+            let difference = (x(h) - 2.0 * from.position + x(-h)) / (h * h);
+            // Positions of order one, three of them, over h².
+            Some((difference - force, 1e-16 / (h * h)))
+        }));
+        Ok(())
+    }).map(|least| least.order(2.0, 0.3, "states of random oscillators; ẍ by second differences of the flow"));
 }

@@ -16,7 +16,7 @@ use crate::checks::generic::specimens::specimens;
 use crate::specimen::{DELAY, Exponential, Grazing, Law, damping_for_decay};
 use crate::sweep::closed_form::{LoopSolution, LoopSolutions};
 use crate::sweep::resonant::FIT_TOLERANCE;
-use crate::sweep::{CaseVerdict, Existence, generic_cases, generic_rows, resonant_cases, resonant_rows};
+use crate::sweep::{CaseVerdict, Existence, GenericRow, ResonantRow, generic_cases, resonant_cases, rows};
 use crate::{CheckResult, Failure, Votes};
 use grazing_unfold::simulation::Seen;
 
@@ -196,7 +196,7 @@ fn generic_votes(wanted: impl Fn(u32) -> bool) -> Result<Votes, Failure> {
     let mut count = Votes::default();
     let mut cases = generic_cases()?;
     cases.retain(|case| wanted(case.loops));
-    generic_rows(&cases, || ())?.iter().for_each(|row| judged(&mut count, row.verdict));
+    rows(&cases, GenericRow::of, || ())?.iter().for_each(|row| judged(&mut count, row.verdict));
     for (orbit, p, speaks) in other_oscillators(wanted)? {
         match GenericGrazing::check(&orbit.grazing_point(), p) {
             Ok(theorem) => {
@@ -215,7 +215,7 @@ fn resonant_votes(wanted: impl Fn(u32) -> bool, others: &[(u32, u32)]) -> Result
     let mut count = Votes::default();
     let mut cases = resonant_cases()?;
     cases.retain(|case| wanted(case.loops));
-    resonant_rows(&cases, || ())?.iter().for_each(|row| judged(&mut count, row.verdict));
+    rows(&cases, ResonantRow::of, || ())?.iter().for_each(|row| judged(&mut count, row.verdict));
     for &(p, n) in others {
         let located = Law::nonlinear(damping_for_decay(p, n, 0.5)).resonance(p, n)?;
         count.see(holds(located.orbit(), p, located.checked()?.theorem())?);

@@ -8,26 +8,9 @@ use grazing_theorems::auxiliary::modulus_power;
 use grazing_theorems::unfolding::StabilityCoefficients;
 
 use crate::checks::resonant::curves::quadratic_orders;
-use crate::checks::resonant::places::{Place, lowest};
+use crate::checks::resonant::places::{ResonantSpecimen, lowest};
 use crate::specimen::Law;
 use crate::{CheckResult, Deviations, Outcome, Smallest, Votes, drawn, printed, smallest};
-
-/// eq:Ep and E_p = δ^{p/2}: the decay of the free motion over p periods.
-pub(crate) fn decay() -> CheckResult {
-    let largest = drawn(131, 1000, |sampler, largest: &mut Deviations| {
-        let (zeta, omega) = (sampler.between(0.005, 0.5), sampler.between(0.3, 3.0));
-        let p = sampler.one_of(&[1, 2, 3, 4, 6, 9]);
-        let grazing = LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
-        let loops = f64::from(p);
-        let stated = libm::exp(-2.0 * PI * loops * zeta / omega);
-        largest.compare(grazing.decay(p), stated, stated);
-        largest.compare(modulus_power(p, grazing.linearised_map().determinant()), stated, stated.max(1e-3));
-        largest.compare(1.0 - grazing.decay_complement(p), stated, 1.0);
-        Ok(())
-    })?;
-    // The exponent is up to a hundred; the determinant is a difference of products.
-    Ok(largest.outcome(1e-13, "random damping ratios, frequencies and p"))
-}
 
 /// The least of −s⁺, s⁻, −c_SN and c_PD, each over what it vanishes with; `rebound` is εE_p.
 fn least_of_four(stability: StabilityCoefficients, [sn, pd]: [f64; 2], rebound: f64, size: f64) -> f64 {
@@ -83,7 +66,7 @@ pub(crate) fn opposite_sides() -> CheckResult {
     let cases = drawn(133, 60, |sampler, cases: &mut Votes| {
         let (zeta, epsilon) = (sampler.between(0.005, 0.1), sampler.between(0.3, 0.98));
         let (p, n) = sampler.one_of(&INDICES);
-        let place = Place::find(Law::linear(zeta, epsilon), p, n)?;
+        let place = ResonantSpecimen::find(Law::linear(zeta, epsilon), p, n)?;
         let mut found = [[0.0; 2]; 2];
         for (found, curve) in found.iter_mut().zip(place.curves()) {
             // An impact velocity so small that the quadratic term rules.
@@ -107,14 +90,33 @@ pub(crate) fn quadratic_approximation() -> CheckResult {
     let mut orders = Vec::new();
     for (p, n) in [(1, 3), (2, 1), (3, 2)] {
         let resonance = LinearOscillator::new(zeta, epsilon)?.resonance(p, n)?;
-        orders.extend(quadratic_orders(&Place::find(Law::linear(zeta, epsilon), p, n)?, |curve, eta| {
-            let coefficient = match curve.condition {
-                Condition::SADDLE_NODE => resonance.saddle_node_coefficient(),
-                _ => resonance.period_doubling_coefficient(),
-            };
-            coefficient * eta * eta
-        }));
+        orders.extend(quadratic_orders(
+            &ResonantSpecimen::find(Law::linear(zeta, epsilon), p, n)?,
+            |curve, eta| {
+                let coefficient = match curve.condition {
+                    Condition::SADDLE_NODE => resonance.saddle_node_coefficient(),
+                    _ => resonance.period_doubling_coefficient(),
+                };
+                coefficient * eta * eta
+            },
+        ));
     }
     let over = "SN and PD curves at the three resonances of Figure 8, against the dashed ones";
     Ok(Outcome::new(lowest(&orders), orders.len(), over))
+}
+
+checks! {
+    /// eq:Ep and E_p = δ^{p/2}: the decay of the free motion over p periods.
+    // The exponent is up to a hundred; the determinant is a difference of products.
+    decay: drawn(131, 1000, |sampler, largest: &mut Deviations| {
+        let (zeta, omega) = (sampler.between(0.005, 0.5), sampler.between(0.3, 3.0));
+        let p = sampler.one_of(&[1, 2, 3, 4, 6, 9]);
+        let grazing = LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
+        let loops = f64::from(p);
+        let stated = libm::exp(-2.0 * PI * loops * zeta / omega);
+        largest.compare(grazing.decay(p), stated, stated);
+        largest.compare(modulus_power(p, grazing.linearised_map().determinant()), stated, stated.max(1e-3));
+        largest.compare(1.0 - grazing.decay_complement(p), stated, 1.0);
+        Ok(())
+    }).map(|largest| largest.outcome(1e-13, "random damping ratios, frequencies and p"));
 }

@@ -7,7 +7,7 @@ use grazing_theorems::{GrazingPoint, GrazingState};
 use nalgebra::Matrix2;
 
 use crate::checks::main_results::returns::derivatives;
-use crate::{CheckResult, Deviations, Failure, Sampler, drawn};
+use crate::{Deviations, Failure, Sampler, drawn};
 
 /// The closed form at random parameters, and the numerical grazing orbit found from a start beside it.
 fn both(sampler: &mut Sampler) -> Result<(GrazingState, GrazingOrbit<LinearOscillator>), Failure> {
@@ -30,9 +30,13 @@ fn compared(
     })
 }
 
-/// F, Φ and Ψ of the linear oscillator, and that it is a member of the general class with them.
-pub(crate) fn general_form() -> CheckResult {
-    let largest = drawn(111, 1000, |sampler, largest: &mut Deviations| {
+/// The weight of a difference quotient, which is good to 10⁻¹⁰ where the tolerance is 10⁻¹³.
+const DIFFERENCES: f64 = 1e-3;
+
+checks! {
+    /// F, Φ and Ψ of the linear oscillator, and that it is a member of the general class with them.
+    // A handful of operations on numbers of order one.
+    general_form: drawn(111, 1000, |sampler, largest: &mut Deviations| {
         let (closed, orbit) = both(sampler)?;
         let oscillator = orbit.oscillator();
         let state = sampler.state();
@@ -45,14 +49,10 @@ pub(crate) fn general_form() -> CheckResult {
         largest.compare(-image[0] / velocity, closed.oscillator().coefficient_of_restitution(), 1.0);
         largest.compare(image[1], state.phase, 1.0);
         Ok(())
-    })?;
-    // A handful of operations on numbers of order one.
-    Ok(largest.outcome(1e-14, "random oscillators, states and impacts"))
-}
-
-/// eq:oscphipsigamma: φ, ψ, γ read off the reset law and the numerical grazing orbit.
-pub(crate) fn constants() -> CheckResult {
-    let largest = compared(112, |closed, orbit, largest| {
+    }).map(|largest| largest.outcome(1e-14, "random oscillators, states and impacts"));
+    /// eq:oscphipsigamma: φ, ψ, γ read off the reset law and the numerical grazing orbit.
+    // Newton's method for the grazing orbit leaves some ten roundings of numbers of order one to five.
+    constants: compared(112, |closed, orbit, largest| {
         let omega = closed.forcing_frequency();
         let GrazingPoint { phi, psi, gamma, .. } = orbit.grazing_point();
         largest.compare(phi, closed.oscillator().coefficient_of_restitution(), 1.0);
@@ -64,43 +64,28 @@ pub(crate) fn constants() -> CheckResult {
         largest.compare(stated.phi, phi, 1.0);
         largest.compare(stated.psi, psi, 1.0);
         Ok(())
-    })?;
-    // Newton's method for the grazing orbit leaves some ten roundings of numbers of order one to five.
-    Ok(largest.outcome(1e-13, "numerical grazing orbits of random oscillators"))
-}
-
-/// eq:oscalpha.
-pub(crate) fn square_root_factor() -> CheckResult {
-    let largest = compared(113, |closed, orbit, largest| {
+    }).map(|largest| largest.outcome(1e-13, "numerical grazing orbits of random oscillators"));
+    /// eq:oscalpha.
+    // The same sum.
+    square_root_factor: compared(113, |closed, orbit, largest| {
         let epsilon = closed.oscillator().coefficient_of_restitution();
         largest.compare(orbit.grazing_point().alpha(), 1.0 + epsilon, 1.0);
         largest.compare(closed.grazing_point().alpha(), 1.0 + epsilon, 1.0);
         Ok(())
-    })?;
-    // The same sum.
-    Ok(largest.outcome(0.0, "numerical grazing orbits of random oscillators"))
-}
-
-/// eq:oscA: the closed form against jets of the numerical map and against differences of event locations.
-pub(crate) fn first_derivatives() -> CheckResult {
-    let largest = compared(114, |closed, orbit, largest| {
+    }).map(|largest| largest.outcome(0.0, "numerical grazing orbits of random oscillators"));
+    /// eq:oscA: the closed form against jets of the numerical map and against differences of event locations.
+    // As for the constants, with arguments 2πω₁/ω up to twenty.
+    first_derivatives: compared(114, |closed, orbit, largest| {
         let (jets, stated) = (orbit.grazing_point().map.a, closed.linearised_map().a);
         largest.see((jets - stated).amax());
         let [by_position, by_phase, _] = derivatives(orbit, 1.0)?;
         // Differences are good to fewer digits: counted as that much less.
         largest.see(DIFFERENCES * (Matrix2::from_columns(&[by_position, by_phase]) - stated).amax());
         Ok(())
-    })?;
-    // As for the constants, with arguments 2πω₁/ω up to twenty.
-    Ok(largest.outcome(1e-13, "entries of A of random oscillators, by jets and by differences"))
-}
-
-/// The weight of a difference quotient, which is good to 10⁻¹⁰ where the tolerance is 10⁻¹³.
-const DIFFERENCES: f64 = 1e-3;
-
-/// eq:oscb, likewise; μ = 𝒜 − 𝒜_graz(ω) at fixed ω.
-pub(crate) fn parameter_derivatives() -> CheckResult {
-    let largest = compared(115, |closed, orbit, largest| {
+    }).map(|largest| largest.outcome(1e-13, "entries of A of random oscillators, by jets and by differences"));
+    /// eq:oscb, likewise; μ = 𝒜 − 𝒜_graz(ω) at fixed ω.
+    // As for A.
+    parameter_derivatives: compared(115, |closed, orbit, largest| {
         let (jets, stated, amplitude) =
             (orbit.grazing_point().map.b, closed.linearised_map().b, closed.amplitude());
         // Steps in proportion to the amplitude, which is small at resonance.
@@ -108,15 +93,11 @@ pub(crate) fn parameter_derivatives() -> CheckResult {
         largest.see((jets - stated).amax() * amplitude);
         largest.see(DIFFERENCES * (by_parameter - stated * amplitude).amax());
         Ok(())
-    })?;
-    // As for A.
-    Ok(largest.outcome(1e-13, "entries of b of random oscillators, by jets and by differences"))
-}
-
-/// pr:oscAb: A and b of the numerical map as the proposition gives them, strongly damped oscillators and high frequencies
-/// included.
-pub(crate) fn both_derivatives() -> CheckResult {
-    let largest = drawn(118, 1000, |sampler, largest: &mut Deviations| {
+    }).map(|largest| largest.outcome(1e-13, "entries of b of random oscillators, by jets and by differences"));
+    /// pr:oscAb: A and b of the numerical map as the proposition gives them, strongly damped oscillators and high frequencies
+    /// included.
+    // Derivatives of maxima: sums of a dozen terms of the size of the entries.
+    both_derivatives: drawn(118, 1000, |sampler, largest: &mut Deviations| {
         let zeta = sampler.between(0.002, 0.8);
         let omega = sampler.between(0.25, 5.0);
         let closed = grazing_theorems::LinearOscillator::new(zeta, 0.7)?.grazing(omega)?;
@@ -127,30 +108,20 @@ pub(crate) fn both_derivatives() -> CheckResult {
         let by_primary = map.jacobian.column(2) * closed.amplitude();
         largest.see((by_primary - stated.b * closed.amplitude()).amax() / scale);
         Ok(())
-    })?;
-    // Derivatives of maxima: sums of a dozen terms of the size of the entries.
-    Ok(largest.outcome(1e-13, "A and b by jets of the map for damping ratios to 0.8, frequencies 0.25 to 5"))
-}
-
-/// eq:osctaudelta: trace and determinant of the numerical A.
-pub(crate) fn trace_and_determinant() -> CheckResult {
-    let largest = compared(116, |closed, orbit, largest| {
+    }).map(|largest| largest.outcome(1e-13, "A and b by jets of the map for damping ratios to 0.8, frequencies 0.25 to 5"));
+    /// eq:osctaudelta: trace and determinant of the numerical A.
+    // As for A.
+    trace_and_determinant: compared(116, |closed, orbit, largest| {
         let map = orbit.grazing_point().map;
         largest.compare(map.trace(), closed.trace(), 1.0);
         largest.compare(map.determinant(), closed.determinant(), 1.0);
         Ok(())
-    })?;
-    // As for A.
-    Ok(largest.outcome(1e-13, "numerical grazing orbits of random oscillators"))
-}
-
-/// The display after eq:osctaudelta: β = (δ − τ + 1)/𝒜_graz.
-pub(crate) fn transversality() -> CheckResult {
-    let largest = compared(117, |closed, orbit, largest| {
+    }).map(|largest| largest.outcome(1e-13, "numerical grazing orbits of random oscillators"));
+    /// The display after eq:osctaudelta: β = (δ − τ + 1)/𝒜_graz.
+    // As for b.
+    transversality: compared(117, |closed, orbit, largest| {
         let map = orbit.grazing_point().map;
         largest.compare(map.transversality(), closed.transversality(), 1.0 / closed.amplitude());
         Ok(())
-    })?;
-    // As for b.
-    Ok(largest.outcome(1e-13, "numerical grazing orbits of random oscillators"))
+    }).map(|largest| largest.outcome(1e-13, "numerical grazing orbits of random oscillators"));
 }

@@ -37,21 +37,6 @@ fn defect(oscillator: &LinearOscillator, x: impl Fn(f64) -> f64, time: f64, h: f
     (acceleration + 2.0 * oscillator.damping_ratio() * velocity + here + 1.0 - force, 1e-16 * size / (h * h))
 }
 
-/// eq:oscf: the model's flow has no defect.
-pub(crate) fn equation_of_motion() -> CheckResult {
-    let least = drawn(101, 300, |sampler, least: &mut Smallest| {
-        let oscillator = oscillator(sampler)?;
-        let from = sampler.state();
-        let start = from.phase / oscillator.frequency();
-        let time = start + sampler.between(0.0, 10.0);
-        let x = |t: f64| oscillator.flow::<1>(from, t - start).value[0];
-        least.see_resolved(order(|h| Some(defect(&oscillator, x, time, h))));
-        Ok(())
-    })?;
-    // Slack for the term of fourth order.
-    Ok(least.order(2.0, 0.3, "random oscillators and orbits of the model; defect by central differences"))
-}
-
 /// eq:oscResetLaw: at every impact of simulated orbits y becomes −εy, and neither x nor z changes.
 pub(crate) fn reset_law() -> CheckResult {
     let largest = drawn(102, 60, |sampler, largest: &mut Deviations| {
@@ -151,27 +136,6 @@ pub(crate) fn periodic_solution() -> CheckResult {
     Ok(least.order(2.0, 0.3, "the printed periodic solution: defect, period, and the model's"))
 }
 
-/// As t → ∞ solutions converge to φ_p: distances shrink like e^{−ζt}.
-pub(crate) fn attraction() -> CheckResult {
-    let largest = drawn(106, 300, |sampler, largest: &mut Deviations| {
-        let oscillator = oscillator(sampler)?;
-        let from = sampler.state();
-        let zeta = oscillator.damping_ratio();
-        let distance = |time: f64| {
-            let there = oscillator.flow::<1>(from, time).value;
-            let periodic = oscillator.non_impacting_solution(from.phase + oscillator.frequency() * time);
-            // The norm in which the free oscillator turns without changing it: x² + 2ζxy + y².
-            let (x, y) = (there[0] - periodic.position, there[1] - periodic.velocity);
-            (x * x + 2.0 * zeta * x * y + y * y).sqrt()
-        };
-        let time = sampler.between(1.0, 8.0);
-        largest.compare(distance(time), libm::exp(-zeta * time) * distance(0.0), distance(0.0));
-        Ok(())
-    })?;
-    // Differences of positions that reach a hundred at resonance.
-    Ok(largest.outcome(1e-14, "random oscillators; distance to φ_p in the norm of the free motion"))
-}
-
 /// eq:Agraz: at the printed amplitude the highest maximum of φ_p, found by search, is the wall; beside it is not.
 pub(crate) fn grazing_amplitude() -> CheckResult {
     let largest = drawn(107, 500, |sampler, largest: &mut Deviations| {
@@ -223,4 +187,35 @@ pub(crate) fn grazing_phase() -> CheckResult {
     })?;
     // The time of a maximum: rounding of the velocity over its slope ω², which is 0.04 at least.
     Ok(largest.outcome(1e-13, "random damping ratios and frequencies; maxima by search"))
+}
+
+checks! {
+    /// eq:oscf: the model's flow has no defect.
+    // Slack for the term of fourth order.
+    equation_of_motion: drawn(101, 300, |sampler, least: &mut Smallest| {
+        let oscillator = oscillator(sampler)?;
+        let from = sampler.state();
+        let start = from.phase / oscillator.frequency();
+        let time = start + sampler.between(0.0, 10.0);
+        let x = |t: f64| oscillator.flow::<1>(from, t - start).value[0];
+        least.see_resolved(order(|h| Some(defect(&oscillator, x, time, h))));
+        Ok(())
+    }).map(|least| least.order(2.0, 0.3, "random oscillators and orbits of the model; defect by central differences"));
+    /// As t → ∞ solutions converge to φ_p: distances shrink like e^{−ζt}.
+    // Differences of positions that reach a hundred at resonance.
+    attraction: drawn(106, 300, |sampler, largest: &mut Deviations| {
+        let oscillator = oscillator(sampler)?;
+        let from = sampler.state();
+        let zeta = oscillator.damping_ratio();
+        let distance = |time: f64| {
+            let there = oscillator.flow::<1>(from, time).value;
+            let periodic = oscillator.non_impacting_solution(from.phase + oscillator.frequency() * time);
+            // The norm in which the free oscillator turns without changing it: x² + 2ζxy + y².
+            let (x, y) = (there[0] - periodic.position, there[1] - periodic.velocity);
+            (x * x + 2.0 * zeta * x * y + y * y).sqrt()
+        };
+        let time = sampler.between(1.0, 8.0);
+        largest.compare(distance(time), libm::exp(-zeta * time) * distance(0.0), distance(0.0));
+        Ok(())
+    }).map(|largest| largest.outcome(1e-14, "random oscillators; distance to φ_p in the norm of the free motion"));
 }

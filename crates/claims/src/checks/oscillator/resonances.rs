@@ -8,7 +8,7 @@ use grazing_theorems::hypothesis::Quantity;
 use grazing_theorems::{GenericGrazing, GrazingPoint, LinearOscillator, Resonance};
 use grazing_unfold::simulation::Seen;
 
-use crate::checks::resonant::places::Place;
+use crate::checks::resonant::places::ResonantSpecimen;
 use crate::solutions::{at_parameters, attracts, equations, followed, zero};
 use crate::specimen::{Grazing, Law};
 use crate::{CheckResult, Deviations, Failure, Sampler, Votes, drawn, printed, printed_at_resonances};
@@ -139,7 +139,7 @@ pub(crate) fn indices() -> CheckResult {
         cases.see(found == stated);
         // Each is a resonance of the numerical map, with SN and PD curves: the theorem's hypotheses hold.
         let law = Law::linear(printed("zeta"), printed("epsilon"));
-        stated.into_iter().for_each(|index| cases.see(Place::find(law, loops, index).is_ok()));
+        stated.into_iter().for_each(|index| cases.see(ResonantSpecimen::find(law, loops, index).is_ok()));
     }
     Ok(cases.outcome(
         "printed frequencies, and the resonances p = 1, 2, 3 between the lowest and the highest labelled",
@@ -240,7 +240,7 @@ pub(crate) fn conjecture() -> CheckResult {
 /// At p = 2, n = 1 the hypotheses of theorem 2.5 hold, and close to that frequency there is a stable two-loop MPS shortly
 /// after grazing that attracts orbits of the hybrid system.
 pub(crate) fn stable_two_loops() -> CheckResult {
-    let place = Place::find(Law::linear(printed("zeta"), printed("epsilon")), 2, 1)?;
+    let place = ResonantSpecimen::find(Law::linear(printed("zeta"), printed("epsilon")), 2, 1)?;
     let theorem = place.resonance.theorem();
     let mut cases = Votes::default();
     cases.see(theorem.saddle_node().coefficient < 0.0);

@@ -7,8 +7,8 @@ use grazing_theorems::auxiliary::{geometric_sum_determinant, lucas_partial_sum, 
 use nalgebra::{Matrix2, Vector2};
 
 use super::places::{
-    ANY, EVERYWHERE, MANY, ONE, Observed, Place, Symbols, deviation, directions, orders, remembered, scaled,
-    together,
+    ANY, EVERYWHERE, MANY, ONE, Observed, ResonantSpecimen, Symbols, deviation, directions, orders,
+    remembered, scaled, together,
 };
 use crate::checks::appendices::signs::{determinant, search};
 use crate::{CheckResult, Failure, Sampler, order};
@@ -25,45 +25,8 @@ const PARAMETER: f64 = 1e-15;
 /// Rounding of P_global^p.
 const MAP: f64 = 1e-15;
 
-/// At the resonance det J = 0 and det K is what eq:detJac2 says.
-pub(crate) fn jacobians() -> CheckResult {
-    // Sums of products of some tens of roundings.
-    deviation(ANY, 1e-13, "derivatives of V at located resonances", |place| {
-        let start = place.resonance.unknowns();
-        let pair = place.resonance.equations().pair::<1>(&start, &mut EventTimes::default())?;
-        let derivative = pair.difference().1;
-        let determinant = |first: usize| {
-            Matrix2::from_columns(&[derivative.column(first), derivative.column(first + 1)]).determinant()
-        };
-        let expected = place.point().grazing.parameter_jacobian_determinant_factored(place.loops());
-        Ok(vec![determinant(0).abs(), (determinant(1) - expected).abs() / (1.0 + expected.abs())])
-    })
-}
-
-/// det K/β > 0 at resonance, so that K is non-singular: adversarial search over δ and p.
-pub(crate) fn second_jacobian_is_regular() -> CheckResult {
-    search(2..=15, "the determinant at τ = g_p", "det K / β", |p, [x, _]| {
-        let delta = determinant(x);
-        geometric_sum_determinant(p, resonance_boundary(f64::from(p), delta), delta)
-    })
-}
-
-/// Z(0, η) = z_graz,η and M(0, η) = 0.
-pub(crate) fn at_zero_velocity() -> CheckResult {
-    // Both are located to some 10⁻¹⁴; K has entries down to 0.1.
-    deviation(ANY, 1e-13, "zeros of V with y = 0 for η up to 0.03 around resonances", |place| {
-        let mut found = Vec::new();
-        for eta in [-0.03, -0.01, 0.005, 0.02] {
-            if let Some(near) = place.on_branch(0.0, eta) {
-                found.extend(near.relative().map(f64::abs));
-            }
-        }
-        Ok(found)
-    })
-}
-
 /// Orders of Z − z_graz,η − k₁ y and of M − k₂ y² − k₃ η y.
-fn branch_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn branch_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     let mut found = Vec::new();
     for [y, eta] in RATIOS {
@@ -76,21 +39,8 @@ fn branch_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
     Ok(found)
 }
 
-/// eq:ZM: Z − z_graz,η is of first order, M of second.
-pub(crate) fn form() -> CheckResult {
-    orders(ANY, EVERYWHERE, |place| {
-        let mut found = Vec::new();
-        for [y, eta] in RATIOS {
-            found.extend(together([(PHASE, 1.0), (PARAMETER, 2.0)], |size| {
-                Some(place.on_branch(y * size, eta * size)?.relative())
-            }));
-        }
-        Ok(found)
-    })
-}
-
 /// The coefficients of μ in x⁽ᵖ⁾ and z⁽ᵖ⁾ at resonance: b for p = 1, T_p (β, a₂₁ b₁ + (1 − a₁₁) b₂) for p ≥ 2.
-fn parameter_column(place: &Place) -> Vector2<f64> {
+fn parameter_column(place: &ResonantSpecimen) -> Vector2<f64> {
     let map = place.point().grazing.map;
     if place.loops() == 1 {
         return map.b;
@@ -100,7 +50,7 @@ fn parameter_column(place: &Place) -> Vector2<f64> {
 }
 
 /// x⁽ᵖ⁾ as a polynomial in z⁽⁰⁾ − z_graz,η, coefficient by coefficient, and z⁽ᵖ⁾.
-fn return_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn return_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let column = parameter_column(place);
     let jet = |x: f64, z: f64, mu: f64, eta: f64| {
@@ -164,7 +114,7 @@ impl Symbols {
 }
 
 /// V(y, Z, M, η) for arbitrary k₁, k₂, k₃ in eq:ZM.
-fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn vivid_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let by_parameter = parameter_column(place).x;
     let mut sampler = Sampler::new(8);
@@ -181,20 +131,6 @@ fn vivid_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
         }));
     }
     Ok(found)
-}
-
-/// X₁ = X₂ = X₃ = 0 has the solution eq:k1231 or eq:k123p.
-pub(crate) fn solution() -> CheckResult {
-    // A dozen roundings, and a₁₂ or κ_p of up to 10⁻¹³ at the located resonance.
-    deviation(ANY, 1e-14, "resonances with p up to 5", |place| {
-        let branch = place.point().branch_expansion();
-        let symbols = place.symbols()?;
-        let by_parameter = parameter_column(place).x;
-        let k = [branch.k_1, branch.k_2, branch.k_3];
-        let sizes = symbols.x([0.0; 3], by_parameter);
-        let terms: [f64; 3] = core::array::from_fn(|i| sizes[i].abs() + k[i].abs() + 1.0 + symbols.f.abs());
-        Ok(symbols.x(k, by_parameter).iter().zip(terms).map(|(x, size)| x.abs() / size).collect())
-    })
 }
 
 /// Ψ⁺ and Ψ⁻.
@@ -227,7 +163,7 @@ pub(crate) fn multiplier_conditions() -> CheckResult {
     })
 }
 
-fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn psi_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let stability = place.point().stability_coefficients();
     let by_eta = symbols.alpha * symbols.omega * symbols.f;
@@ -247,6 +183,55 @@ fn psi_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 }
 
 checks! {
+    /// At the resonance det J = 0 and det K is what eq:detJac2 says.
+    // Sums of products of some tens of roundings.
+    jacobians: deviation(ANY, 1e-13, "derivatives of V at located resonances", |place| {
+        let start = place.resonance.unknowns();
+        let pair = place.resonance.equations().pair::<1>(&start, &mut EventTimes::default())?;
+        let derivative = pair.difference().1;
+        let determinant = |first: usize| {
+            Matrix2::from_columns(&[derivative.column(first), derivative.column(first + 1)]).determinant()
+        };
+        let expected = place.point().grazing.parameter_jacobian_determinant_factored(place.loops());
+        Ok(vec![determinant(0).abs(), (determinant(1) - expected).abs() / (1.0 + expected.abs())])
+    });
+    /// det K/β > 0 at resonance, so that K is non-singular: adversarial search over δ and p.
+    second_jacobian_is_regular: search(2..=15, "the determinant at τ = g_p", "det K / β", |p, [x, _]| {
+        let delta = determinant(x);
+        geometric_sum_determinant(p, resonance_boundary(f64::from(p), delta), delta)
+    });
+    /// Z(0, η) = z_graz,η and M(0, η) = 0.
+    // Both are located to some 10⁻¹⁴; K has entries down to 0.1.
+    at_zero_velocity: deviation(ANY, 1e-13, "zeros of V with y = 0 for η up to 0.03 around resonances", |place| {
+        let mut found = Vec::new();
+        for eta in [-0.03, -0.01, 0.005, 0.02] {
+            if let Some(near) = place.on_branch(0.0, eta) {
+                found.extend(near.relative().map(f64::abs));
+            }
+        }
+        Ok(found)
+    });
+    /// eq:ZM: Z − z_graz,η is of first order, M of second.
+    form: orders(ANY, EVERYWHERE, |place| {
+        let mut found = Vec::new();
+        for [y, eta] in RATIOS {
+            found.extend(together([(PHASE, 1.0), (PARAMETER, 2.0)], |size| {
+                Some(place.on_branch(y * size, eta * size)?.relative())
+            }));
+        }
+        Ok(found)
+    });
+    /// X₁ = X₂ = X₃ = 0 has the solution eq:k1231 or eq:k123p.
+    // A dozen roundings, and a₁₂ or κ_p of up to 10⁻¹³ at the located resonance.
+    solution: deviation(ANY, 1e-14, "resonances with p up to 5", |place| {
+        let branch = place.point().branch_expansion();
+        let symbols = place.symbols()?;
+        let by_parameter = parameter_column(place).x;
+        let k = [branch.k_1, branch.k_2, branch.k_3];
+        let sizes = symbols.x([0.0; 3], by_parameter);
+        let terms: [f64; 3] = core::array::from_fn(|i| sizes[i].abs() + k[i].abs() + 1.0 + symbols.f.abs());
+        Ok(symbols.x(k, by_parameter).iter().zip(terms).map(|(x, size)| x.abs() / size).collect())
+    });
     /// eq:k1231 in eq:ZM.
     coefficients_of_one_loop: orders(ONE, EVERYWHERE, branch_orders);
     /// eq:k123p in eq:ZM.

@@ -5,12 +5,12 @@ use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
 
 use super::discussion::{ROUTE, of_figure_7};
 use super::doubled::{Doubled, DoubledEquations};
-use super::places::{ANY, Observed, Place, lowest, orders, together};
+use super::places::{ANY, Observed, ResonantSpecimen, lowest, orders, together};
 use super::simulation::next_impact;
 use crate::{CheckResult, Failure, Outcome, Votes, order};
 
 /// Points of the PD curve that bounds a periodicity region, admissible and evenly spread over its length.
-fn flips(place: &Place, count: usize) -> Result<Vec<Unknowns>, Failure> {
+fn flips(place: &ResonantSpecimen, count: usize) -> Result<Vec<Unknowns>, Failure> {
     let unfolded = place.resonance.unfold(&ROUTE)?;
     let points: Vec<&MaximalPeriodicSolution> = unfolded
         .period_doubling
@@ -24,7 +24,7 @@ fn flips(place: &Place, count: usize) -> Result<Vec<Unknowns>, Failure> {
 }
 
 /// Whether the period-doubled MPS next to a point of a PD curve has a multiplier above 1, and that MPS.
-fn doubled(place: &Place, flip: &Unknowns) -> Result<(bool, Doubled), Failure> {
+fn doubled(place: &ResonantSpecimen, flip: &Unknowns) -> Result<(bool, Doubled), Failure> {
     let equations = DoubledEquations::new(place.resonance.equations());
     let beside = 0.1 * flip[unknown::VELOCITY];
     let doubled = equations.near(flip, beside).ok_or("no period-doubled MPS beside a PD point")?;
@@ -34,7 +34,7 @@ fn doubled(place: &Place, flip: &Unknowns) -> Result<(bool, Doubled), Failure> {
 }
 
 /// Whether the simulated orbit that starts beside the MPS, at the parameters of the period-doubled one, ends on the latter.
-fn settles(place: &Place, doubled: &Doubled) -> bool {
+fn settles(place: &ResonantSpecimen, doubled: &Doubled) -> bool {
     let [first, second] = doubled.impacts();
     let oscillator = place.resonance.equations().oscillator_at(&first);
     let [first, second] = [first, second].map(|impact| impact.fixed_rows::<2>(0).into_owned());
@@ -97,7 +97,7 @@ pub(crate) fn criticality_of_figure_7() -> CheckResult {
 }
 
 /// The order in η of μ at the grazing member of the period-doubled family, and of its first impact velocity.
-fn doubled_grazing_orders(place: &Place) -> Vec<Observed> {
+fn doubled_grazing_orders(place: &ResonantSpecimen) -> Vec<Observed> {
     let equations = DoubledEquations::new(place.resonance.equations());
     let curve = &place.curves()[1];
     // Smaller velocities than this are lost in the rounding of the two impacts, whose distance is a part of them.

@@ -1,8 +1,8 @@
 //! The bifurcation curves near a resonance: eq:Upsilon1, eq:Upsilonp and what follows from them.
 
 use super::places::{
-    ANY, Bifurcation, EVERYWHERE, Loops, MANY, Near, ONE, Observed, Place, agreement, deviation, everywhere,
-    lowest, orders, orders_against_print, remembered,
+    ANY, Bifurcation, EVERYWHERE, Loops, MANY, Near, ONE, Observed, ResonantSpecimen, agreement, deviation,
+    everywhere, lowest, orders, orders_against_print, remembered,
 };
 use crate::checks::main_results::coefficients::resonant;
 use crate::{CheckResult, Failure, Outcome, Sampler, order};
@@ -20,7 +20,7 @@ pub(super) fn eta_at(curve: &Bifurcation, velocity: f64) -> f64 {
 
 /// Both curves: the order of a remainder in the impact velocity, which is in proportion to η.
 pub(super) fn along_curves(
-    place: &Place,
+    place: &ResonantSpecimen,
     stated: f64,
     rounding: f64,
     remainder: impl Fn(&Bifurcation, f64, &Near) -> Option<f64>,
@@ -30,7 +30,7 @@ pub(super) fn along_curves(
 
 /// The same for several remainders, whose number is that of the loops at most.
 pub(super) fn all_along_curves(
-    place: &Place,
+    place: &ResonantSpecimen,
     stated: f64,
     rounding: f64,
     remainders: impl Fn(&Bifurcation, f64, &Near) -> Option<Vec<f64>>,
@@ -54,14 +54,14 @@ pub(super) fn all_along_curves(
     found
 }
 
-fn velocity_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn velocity_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
         Some(near.unknowns[0] - curve.leading.impact_velocity_slope * eta)
     }))
 }
 
 /// μ less c_SN η² on the SN and c_PD η² on the PD curve, as M(Υ⁺, η) and M(Υ⁻, η) give them.
-fn coefficient_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn coefficient_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     Ok(quadratic_orders(place, |curve, eta| branch.parameter(curve.leading.impact_velocity_slope * eta, eta)))
 }
@@ -69,7 +69,10 @@ fn coefficient_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 /// μ less a quadratic approximation of both curves.
 ///
 /// The larger of the remainders at η and −η, between which terms of third and of fourth order do not cancel.
-pub(crate) fn quadratic_orders(place: &Place, stated: impl Fn(&Bifurcation, f64) -> f64) -> Vec<Observed> {
+pub(crate) fn quadratic_orders(
+    place: &ResonantSpecimen,
+    stated: impl Fn(&Bifurcation, f64) -> f64,
+) -> Vec<Observed> {
     along_curves(place, 3.0, PARAMETER, |curve, eta, near| {
         let other = place.on_curve(curve, -eta)?;
         let [here, there] = [near, &other].map(|near| (near.relative()[1] - stated(curve, eta)).abs());
@@ -79,7 +82,7 @@ pub(crate) fn quadratic_orders(place: &Place, stated: impl Fn(&Bifurcation, f64)
 
 /// μ less the quadratic approximations of the theorem, each of which is there on its side of η = 0 alone.
 fn approximations(seed: u64, which: Loops) -> CheckResult {
-    let measure = |place: &Place| {
+    let measure = |place: &ResonantSpecimen| {
         let approximation = |curve: &Bifurcation, eta: f64| {
             let stated = curve.leading.parameter(eta).filter(|_| curve.leading.parameter(-eta).is_none());
             stated.unwrap_or(f64::NAN)
@@ -96,24 +99,10 @@ fn approximations(seed: u64, which: Loops) -> CheckResult {
 }
 
 /// M(Υ^±, η) with Υ⁺ for both.
-fn printed_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn printed_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let branch = place.point().branch_expansion();
     let fold = place.point().saddle_node_velocity_slope();
     Ok(quadratic_orders(place, |_, eta| branch.parameter(fold * eta, eta)))
-}
-
-/// eq:coeffs1 and eq:coeffsp follow from k₂, k₃ and Υ^±, with T_p and f_p.
-pub(crate) fn simplification() -> CheckResult {
-    // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
-    deviation(ANY, 1e-13, "resonances with p up to 5", |place| {
-        let branch = place.point().branch_expansion();
-        let gap = |curve: &Bifurcation| {
-            let slope = curve.leading.impact_velocity_slope;
-            let terms = (branch.k_2 * slope * slope).abs() + (branch.k_3 * slope).abs();
-            (branch.parameter(slope, 1.0) - curve.leading.coefficient).abs() / terms
-        };
-        Ok(place.curves().iter().map(gap).collect())
-    })
 }
 
 /// Two zeros of V separate from the SN curve like the square root of the change of μ: the exponent, less 1/2.
@@ -157,7 +146,7 @@ pub(crate) fn square_root() -> CheckResult {
 }
 
 /// Whether an MPS on the curves is admissible for the stated sign of η, and has y < 0 for the other.
-fn sides(place: &Place) -> Result<Vec<bool>, Failure> {
+fn sides(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
     for curve in place.curves() {
         let sign = curve.leading.eta_side.signum();
@@ -178,6 +167,17 @@ const SIDES: &str =
     "points of SN and PD curves for both signs of η: admissible for the stated one, y < 0 for the other";
 
 checks! {
+    /// eq:coeffs1 and eq:coeffsp follow from k₂, k₃ and Υ^±, with T_p and f_p.
+    // Some tens of roundings; T_p is used in closed form on one side only, at κ_p of up to 10⁻¹³.
+    simplification: deviation(ANY, 1e-13, "resonances with p up to 5", |place| {
+        let branch = place.point().branch_expansion();
+        let gap = |curve: &Bifurcation| {
+            let slope = curve.leading.impact_velocity_slope;
+            let terms = (branch.k_2 * slope * slope).abs() + (branch.k_3 * slope).abs();
+            (branch.parameter(slope, 1.0) - curve.leading.coefficient).abs() / terms
+        };
+        Ok(place.curves().iter().map(gap).collect())
+    });
     /// eq:sn1 and eq:pd1.
     quadratic_for_one_loop: approximations(66, ONE);
     /// eq:snp and eq:pdp.

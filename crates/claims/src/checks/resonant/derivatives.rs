@@ -8,8 +8,8 @@ use grazing_theorems::grazing::VirtualMap;
 use nalgebra::Matrix2;
 
 use super::places::{
-    ANY, EVERYWHERE, MANY, Near, ONE, Observed, Offset, Place, deviation, directions, everywhere, orders,
-    orders_against_print, scaled, together,
+    ANY, EVERYWHERE, MANY, Near, ONE, Observed, Offset, ResonantSpecimen, deviation, directions, everywhere,
+    orders, orders_against_print, scaled, together,
 };
 use crate::differences::slope;
 use crate::{CheckResult, Deviations, Failure, order};
@@ -50,37 +50,6 @@ fn slope_of(map: &VirtualMap, velocity: f64) -> Matrix2<f64> {
     Matrix2::new(2.0 * map.x_coefficient * velocity, 0.0, map.z_coefficient, 1.0)
 }
 
-/// det D P_virt = y G₁ with G₁ = 1/γ at the resonance.
-pub(crate) fn determinant_quotient() -> CheckResult {
-    orders(ANY, EVERYWHERE, |place| {
-        let gamma = place.symbols()?.gamma;
-        let one = |direction: &Offset| {
-            let observed = order(|size| {
-                let offset = scaled(direction, size);
-                let determinant = virtual_derivatives(&place.near(offset)?)?[0].determinant();
-                // Divided by y, and so is the rounding.
-                Some((determinant / offset[0] - 1.0 / gamma, VIRTUAL / offset[0].abs()))
-            });
-            (observed, 1.0)
-        };
-        Ok(directions(4).iter().map(one).collect())
-    })
-}
-
-/// eq:DPdisc, and that y D P_disc extends through y = 0: y has either sign.
-pub(crate) fn of_discontinuity_map() -> CheckResult {
-    orders(ANY, EVERYWHERE, |place| {
-        let symbols = place.symbols()?;
-        // y (D P_virt)⁻¹ is y/det ≈ γ times the adjugate: rounding as that of the factors.
-        Ok(entries([2.0, 3.0, 1.0, 2.0], 3.0 * VIRTUAL, |offset| {
-            let [ahead, back] = virtual_derivatives(&place.near(*offset)?)?;
-            let y = offset[0];
-            let leading = Matrix2::new(symbols.phi * symbols.phi * y, 0.0, -symbols.alpha * symbols.omega, y);
-            Some(back * ahead.try_inverse()? * y - leading)
-        }))
-    })
-}
-
 /// What the print leaves open: from where the phase is counted, and along what f_p is a derivative.
 #[derive(Clone, Copy, PartialEq)]
 enum Cure {
@@ -94,7 +63,7 @@ enum Cure {
 
 impl Cure {
     /// What is counted as the phase, and f_p.
-    fn phase_and_slope(self, place: &Place, near: &Near, f: f64) -> [f64; 2] {
+    fn phase_and_slope(self, place: &ResonantSpecimen, near: &Near, f: f64) -> [f64; 2] {
         let phase = near.unknowns[1];
         match self {
             Self::Moving => [phase - near.orbit.phase(), f],
@@ -108,7 +77,7 @@ impl Cure {
 }
 
 /// D P_global^p at (x⁽⁰⁾, z⁽⁰⁾) less its expansion.
-fn global_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
+fn global_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([1.0, 2.0, 1.0, 1.0], GLOBAL, |&[x, z, mu, eta]| {
         let near = place.near([0.0, z, mu, eta])?;
@@ -122,7 +91,7 @@ fn global_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
 }
 
 /// y U less eq:yU.
-fn product_orders(place: &Place, cure: Cure) -> Result<Vec<Observed>, Failure> {
+fn product_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     Ok(entries([2.0, 2.0, 1.0, 2.0], GLOBAL, |offset| {
         let near = place.near(*offset)?;
@@ -154,7 +123,7 @@ pub(super) struct Differences {
     pub(super) xi: f64,
 }
 
-pub(super) fn differences(place: &Place) -> Option<Differences> {
+pub(super) fn differences(place: &ResonantSpecimen) -> Option<Differences> {
     let phase = place.fixed_phase();
     let by_phase = |x: f64, from: f64, mu: f64, eta: f64| {
         let oscillator = place.near([0.0, 0.0, mu, eta])?.oscillator();
@@ -173,7 +142,7 @@ pub(super) fn differences(place: &Place) -> Option<Differences> {
 
 /// Gaps of (ξ_p, d_p, e_p, f_p) between differences and what section 5 calculates with, f_p once along the grazing curve and
 /// once at fixed phase.
-fn second_derivative_gaps(place: &Place) -> Result<Vec<[f64; 2]>, Failure> {
+fn second_derivative_gaps(place: &ResonantSpecimen) -> Result<Vec<[f64; 2]>, Failure> {
     let symbols = place.symbols()?;
     let found = differences(place).ok_or("P_global is not defined around a resonance")?;
     let gap = |a: f64, b: f64| (a - b).abs() / (1.0 + b.abs());
@@ -195,7 +164,7 @@ pub(crate) fn second_derivatives() -> CheckResult {
 }
 
 /// a₁₂' or a₁₂ ∂S_p/∂η by differences along the grazing curve, against eq:fp or a₁₂'.
-fn slope_gaps(place: &Place) -> Result<Vec<f64>, Failure> {
+fn slope_gaps(place: &ResonantSpecimen) -> Result<Vec<f64>, Failure> {
     let (map, loops) = (place.point().grazing.map, place.loops());
     let by_eta = place.along_grazing(1e-3, |LinearisedMap { a, .. }| {
         if loops == 1 { a.m12 } else { lucas_sequence(loops, a.trace(), a.determinant()) }
@@ -226,6 +195,31 @@ pub(crate) fn power_at_resonance() -> CheckResult {
 }
 
 checks! {
+    /// det D P_virt = y G₁ with G₁ = 1/γ at the resonance.
+    determinant_quotient: orders(ANY, EVERYWHERE, |place| {
+        let gamma = place.symbols()?.gamma;
+        let one = |direction: &Offset| {
+            let observed = order(|size| {
+                let offset = scaled(direction, size);
+                let determinant = virtual_derivatives(&place.near(offset)?)?[0].determinant();
+                // Divided by y, and so is the rounding.
+                Some((determinant / offset[0] - 1.0 / gamma, VIRTUAL / offset[0].abs()))
+            });
+            (observed, 1.0)
+        };
+        Ok(directions(4).iter().map(one).collect())
+    });
+    /// eq:DPdisc, and that y D P_disc extends through y = 0: y has either sign.
+    of_discontinuity_map: orders(ANY, EVERYWHERE, |place| {
+        let symbols = place.symbols()?;
+        // y (D P_virt)⁻¹ is y/det ≈ γ times the adjugate: rounding as that of the factors.
+        Ok(entries([2.0, 3.0, 1.0, 2.0], 3.0 * VIRTUAL, |offset| {
+            let [ahead, back] = virtual_derivatives(&place.near(*offset)?)?;
+            let y = offset[0];
+            let leading = Matrix2::new(symbols.phi * symbols.phi * y, 0.0, -symbols.alpha * symbols.omega, y);
+            Some(back * ahead.try_inverse()? * y - leading)
+        }))
+    });
     /// eq:DPvirt.
     of_virtual_map: orders(ANY, EVERYWHERE, |place| {
         let grazing = place.point().grazing;

@@ -8,14 +8,14 @@ use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, OnWall, State};
 
 use super::derivatives::differences;
-use super::places::{ANY, Observed, Place, agreement, deviation, lowest, seam};
+use super::places::{ANY, Observed, ResonantSpecimen, agreement, deviation, lowest, seam};
 use crate::checks::main_results::returns::derivatives;
 use crate::solutions::attracts;
 use crate::specimen::{Law, damping_for_decay};
 use crate::{CheckResult, Deviations, Failure, Outcome, Votes, printed};
 
 /// Near a resonance an MPS is stable between the lines y Ψ⁺ = 0 and y Ψ⁻ = 0 of the (η, y) plane, and nowhere else.
-fn regions(place: &Place) -> Result<Vec<bool>, Failure> {
+fn regions(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
     let stability = place.point().stability_coefficients();
     let by_eta = place.point().grazing.alpha()
         * place.point().grazing.forcing_frequency
@@ -38,11 +38,6 @@ fn regions(place: &Place) -> Result<Vec<bool>, Failure> {
     Ok(found)
 }
 
-/// Periodicity regions lie between the SN and the PD curve.
-pub(crate) fn periodicity_regions() -> CheckResult {
-    agreement(ANY, "MPSs around resonances, stable between SN and PD curves alone", regions)
-}
-
 /// Between the curves an MPS is stable if φ²δᵖ < 1, and its determinant is larger than 1 if φ²δᵖ > 1.
 pub(crate) fn stabilisation() -> CheckResult {
     let (mut votes, mut printed) = (Votes::default(), Votes::default());
@@ -51,7 +46,7 @@ pub(crate) fn stabilisation() -> CheckResult {
             // φ²δᵖ = (ε E_p)², well below 1 or above.
             for size in [0.3, 0.8, 1.2, 1.6] {
                 let law = Law::linear(damping_for_decay(loops, n, decay), size / decay);
-                let place = Place::find(law, loops, n)?;
+                let place = ResonantSpecimen::find(law, loops, n)?;
                 let point = place.point();
                 let stability = point.stability_coefficients();
                 let by_eta =
@@ -75,8 +70,8 @@ pub(crate) fn stabilisation() -> CheckResult {
 /// those of one with a nonlinear force.
 pub(crate) fn rational_multiples() -> CheckResult {
     let spread = |law: Law| -> Result<f64, Failure> {
-        let products =
-            (2..=4_u32).map(|n| Ok(f64::from(n) * Place::find(law, 1, n)?.point().grazing.forcing_frequency));
+        let products = (2..=4_u32)
+            .map(|n| Ok(f64::from(n) * ResonantSpecimen::find(law, 1, n)?.point().grazing.forcing_frequency));
         let products = products.collect::<Result<Vec<f64>, Failure>>()?;
         let [low, high] = [f64::min, f64::max]
             .map(|choose| products.iter().copied().reduce(choose).expect("there are three"));
@@ -92,7 +87,7 @@ pub(crate) fn rational_multiples() -> CheckResult {
 }
 
 /// Stable MPSs attract in direct simulation.
-fn attraction(place: &Place) -> Result<Vec<bool>, Failure> {
+fn attraction(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
     for near in super::simulation::admissible(place).iter().step_by(3) {
         let solution = place.solution(near);
@@ -106,21 +101,12 @@ fn attraction(place: &Place) -> Result<Vec<bool>, Failure> {
     Ok(found)
 }
 
-/// The response can be periodic near resonant grazing: stable MPSs attract.
-pub(crate) fn periodic_response() -> CheckResult {
-    agreement(
-        ANY,
-        "perturbed stable MPSs near resonances, simulated until they are ten times nearer",
-        attraction,
-    )
-}
-
 /// The sign of a₁₂' by the parity of n, from differences of P_global, and the side on which the SN curve leaves.
 pub(crate) fn direction_by_parity() -> CheckResult {
     let mut cases = Vec::new();
     for n in 1..=12_u32 {
         for decay in [0.2, 0.5, 0.8] {
-            let place = Place::find(Law::linear(damping_for_decay(1, n, decay), 0.8), 1, n)?;
+            let place = ResonantSpecimen::find(Law::linear(damping_for_decay(1, n, decay), 0.8), 1, n)?;
             let rate = place.along_grazing(1e-3, |map| map.a.m12)?;
             let odd = n % 2 == 1;
             cases.push((rate > 0.0) == odd);
@@ -157,15 +143,18 @@ pub(crate) fn finite_differences() -> CheckResult {
 }
 
 /// The resonances of Figure 7: p = 1 with n = 3, 4, 5, p = 2 and 3 with n = 1, 2.
-pub(super) fn of_figure_7() -> Result<Vec<Place>, Failure> {
+pub(super) fn of_figure_7() -> Result<Vec<ResonantSpecimen>, Failure> {
     let law = Law::linear(printed("zeta"), printed("epsilon"));
     let indices = [(1, 3), (1, 4), (1, 5), (2, 1), (2, 2), (3, 1), (3, 2)];
-    indices.iter().map(|&(p, n)| Place::find(law, p, n)).collect()
+    indices.iter().map(|&(p, n)| ResonantSpecimen::find(law, p, n)).collect()
 }
 
 /// The return to Π of an MPS that grazes the wall between its impacts: from its maximum at the wall to the impact, through the
 /// reset law and on to the same maximum, grazing itself ignored as P_global ignores it.
-fn return_through_impact(place: &Place, solution: &MaximalPeriodicSolution) -> Option<[Observed; 4]> {
+fn return_through_impact(
+    place: &ResonantSpecimen,
+    solution: &MaximalPeriodicSolution,
+) -> Option<[Observed; 4]> {
     let equations = place.resonance.equations();
     let point = &solution.unknowns;
     let oscillator = equations.oscillator_at(point);
@@ -224,3 +213,10 @@ pub(super) const ROUTE: Route = Route {
     step_limit: 3_000,
     stop_at_events: true,
 };
+
+checks! {
+    /// Periodicity regions lie between the SN and the PD curve.
+    periodicity_regions: agreement(ANY, "MPSs around resonances, stable between SN and PD curves alone", regions);
+    /// The response can be periodic near resonant grazing: stable MPSs attract.
+    periodic_response: agreement(ANY, "perturbed stable MPSs near resonances, simulated until they are ten times nearer", attraction);
+}

@@ -21,7 +21,7 @@ use crate::specimen::{Grazing, Law, Specimen, damping_for_decay};
 use crate::{CheckResult, Deviations, Failure, Measure, Outcome, Sampler, Votes, order};
 
 /// A resonant grazing point of one oscillator.
-pub(crate) struct Place {
+pub(crate) struct ResonantSpecimen {
     pub(crate) resonance: ResonantGrazingPoint<Specimen>,
 }
 
@@ -53,7 +53,7 @@ pub(crate) struct Symbols {
     pub(crate) f: f64,
 }
 
-impl Place {
+impl ResonantSpecimen {
     /// The resonance of an oscillator with this law that the one (p, n) of the linear oscillator becomes.
     pub(crate) fn find(law: Law, loops: u32, index: u32) -> Result<Self, Failure> {
         Ok(Self { resonance: law.resonance(loops, index)?.checked()? })
@@ -215,22 +215,22 @@ pub(crate) const ANY: Loops = 1..=5;
 
 /// The resonances at which everything is measured: of the linear oscillator, of one with a reset law that varies, and of one with a
 /// force that is not linear.
-static PLACES: LazyLock<Result<Vec<Place>, String>> =
+static PLACES: LazyLock<Result<Vec<ResonantSpecimen>, String>> =
     LazyLock::new(|| places().map_err(|failure| failure.to_string()));
 
-fn places() -> Result<Vec<Place>, Failure> {
+fn places() -> Result<Vec<ResonantSpecimen>, Failure> {
     let mut sampler = Sampler::new(5);
     let mut found = Vec::new();
     let indices = ANY.flat_map(|loops| (1..=if loops == 1 { 4 } else { 2 }).map(move |n| (loops, n)));
     for (loops, n) in indices {
         // Smaller E_p make the leading terms so small that they drown in rounding.
         let damping = damping_for_decay(loops, n, sampler.between(0.15, 0.8));
-        found.push(Place::find(Law::linear(damping, sampler.between(0.3, 1.0)), loops, n)?);
+        found.push(ResonantSpecimen::find(Law::linear(damping, sampler.between(0.3, 1.0)), loops, n)?);
         let damping = damping_for_decay(loops, n, sampler.between(0.3, 0.8));
-        found.push(Place::find(Law::varying(damping), loops, n)?);
+        found.push(ResonantSpecimen::find(Law::varying(damping), loops, n)?);
     }
     for (loops, n) in [(1, 1), (1, 3), (2, 1), (3, 1)] {
-        found.push(Place::find(Law::nonlinear(damping_for_decay(loops, n, 0.5)), loops, n)?);
+        found.push(ResonantSpecimen::find(Law::nonlinear(damping_for_decay(loops, n, 0.5)), loops, n)?);
     }
     Ok(found)
 }
@@ -238,7 +238,7 @@ fn places() -> Result<Vec<Place>, Failure> {
 /// What a function finds at all resonances with these numbers of loops.
 pub(crate) fn everywhere<T>(
     which: Loops,
-    measure: impl Fn(&Place) -> Result<Vec<T>, Failure>,
+    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<T>, Failure>,
 ) -> Result<Vec<T>, Failure> {
     let mut found = Vec::new();
     for place in PLACES.as_ref().map_err(String::as_str)? {
@@ -253,7 +253,7 @@ pub(crate) fn everywhere<T>(
 pub(crate) fn orders(
     which: Loops,
     over: &str,
-    measure: impl Fn(&Place) -> Result<Vec<Observed>, Failure>,
+    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
 ) -> CheckResult {
     let orders = everywhere(which, measure)?;
     Ok(Outcome::new(lowest(&orders), orders.len(), over))
@@ -262,8 +262,8 @@ pub(crate) fn orders(
 /// The same for what is corrected and for what is printed.
 pub(crate) fn orders_against_print(
     which: Loops,
-    corrected: impl Fn(&Place) -> Result<Vec<Observed>, Failure>,
-    printed: impl Fn(&Place) -> Result<Vec<Observed>, Failure>,
+    corrected: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
+    printed: impl Fn(&ResonantSpecimen) -> Result<Vec<Observed>, Failure>,
 ) -> CheckResult {
     let printed = lowest(&everywhere(which.clone(), printed)?);
     Ok(orders(which, EVERYWHERE, corrected)?.against_print(printed))
@@ -274,7 +274,7 @@ pub(crate) fn deviation(
     which: Loops,
     tolerance: f64,
     over: &str,
-    measure: impl Fn(&Place) -> Result<Vec<f64>, Failure>,
+    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<f64>, Failure>,
 ) -> CheckResult {
     Ok(Deviations::of(everywhere(which, measure)?).outcome(tolerance, over))
 }
@@ -283,7 +283,7 @@ pub(crate) fn deviation(
 pub(crate) fn agreement(
     which: Loops,
     over: &str,
-    measure: impl Fn(&Place) -> Result<Vec<bool>, Failure>,
+    measure: impl Fn(&ResonantSpecimen) -> Result<Vec<bool>, Failure>,
 ) -> CheckResult {
     Ok(Votes::of(everywhere(which, measure)?).outcome(over))
 }

@@ -6,8 +6,7 @@ use grazing_model::orbit::{FlightEnd, Orbit};
 use grazing_model::{ImpactOscillator, State};
 use nalgebra::{Matrix2, Vector2};
 
-use super::places::{ANY, Near, Place, deviation};
-use crate::CheckResult;
+use super::places::{ANY, Near, ResonantSpecimen, deviation};
 use crate::differences::slope;
 
 /// The next impact (y, z) after an impact, its phase counted near that of the first; `None` if it comes at another time than
@@ -42,7 +41,7 @@ fn impact_derivative<O: ImpactOscillator>(
 }
 
 /// Admissible MPSs near a resonance, with impact velocities that are small but not tiny.
-pub(super) fn admissible(place: &Place) -> Vec<Near> {
+pub(super) fn admissible(place: &ResonantSpecimen) -> Vec<Near> {
     let mut found = Vec::new();
     for y in [0.02, 0.05, 0.1] {
         for eta in [-0.004, -0.001, 0.0, 0.001, 0.004] {
@@ -56,10 +55,10 @@ pub(super) fn admissible(place: &Place) -> Vec<Near> {
     found
 }
 
-/// eq:U: its eigenvalues are the multipliers of the MPS, seen as the growth of perturbations from impact to impact.
-pub(crate) fn multipliers() -> CheckResult {
+checks! {
+    /// eq:U: its eigenvalues are the multipliers of the MPS, seen as the growth of perturbations from impact to impact.
     // Differences: rounding of 10⁻¹⁵ over steps down to 6·10⁻⁵, products of two of them for the determinant.
-    deviation(ANY, 1e-7, "admissible MPSs near resonances, followed from impact to impact", |place| {
+    multipliers: deviation(ANY, 1e-7, "admissible MPSs near resonances, followed from impact to impact", |place| {
         let mut found = Vec::new();
         for near in admissible(place) {
             let solution = place.solution(&near);
@@ -70,5 +69,5 @@ pub(crate) fn multipliers() -> CheckResult {
             found.push((simulated.determinant() - solution.multipliers.determinant).abs() / scale);
         }
         Ok(found)
-    })
+    });
 }

@@ -5,8 +5,8 @@ use grazing_model::AtRest;
 use grazing_model::maps::{discontinuity_map, global_iterate};
 
 use super::places::{
-    ANY, EVERYWHERE, MANY, ONE, Observed, Offset, Place, Symbols, deviation, directions, everywhere, orders,
-    orders_against_print, scaled, seam,
+    ANY, EVERYWHERE, MANY, ONE, Observed, Offset, ResonantSpecimen, Symbols, deviation, directions,
+    everywhere, orders, orders_against_print, scaled, seam,
 };
 use crate::{CheckResult, Failure, Votes, order};
 
@@ -34,7 +34,7 @@ enum Origin {
     Fixed,
 }
 
-fn trace_orders(place: &Place, origin: Origin) -> Result<Vec<Observed>, Failure> {
+fn trace_orders(place: &ResonantSpecimen, origin: Origin) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let one = |direction: &Offset| {
         let observed = order(|size| {
@@ -51,7 +51,7 @@ fn trace_orders(place: &Place, origin: Origin) -> Result<Vec<Observed>, Failure>
     Ok(directions(4).iter().map(one).collect())
 }
 
-fn determinant_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn determinant_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let grazing = place.point().grazing;
     let power = libm::pow(grazing.map.determinant(), f64::from(place.loops()));
     let slope = grazing.phi * grazing.phi * power;
@@ -67,7 +67,7 @@ fn determinant_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 }
 
 /// y T and y D are three times differentiable across y = 0, as is stated for F and R in C⁵.
-fn seam_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn seam_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let rounding = 32.0 * place.symbols()?.rounding();
     let part = |pick: fn(Multipliers) -> f64| {
         seam(rounding, |y| {
@@ -82,7 +82,7 @@ fn seam_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
 const BESIDE: [f64; 2] = [0.03, -0.02];
 
 /// −α ω a₁₂ S_p beside the resonance, to which y T tends.
-fn limits(place: &Place) -> Result<Vec<f64>, Failure> {
+fn limits(place: &ResonantSpecimen) -> Result<Vec<f64>, Failure> {
     let limit = |eta| {
         let point = place.grazing(eta)?.grazing_point();
         Some(-point.alpha() * point.forcing_frequency * point.map.iterate(place.loops()).a.m12)
@@ -92,7 +92,7 @@ fn limits(place: &Place) -> Result<Vec<f64>, Failure> {
 }
 
 /// Away from the resonance y T tends to −α ω a₁₂ S_p, which is not zero: |T| grows without bound as y falls to 0.
-fn divergence_orders(place: &Place) -> Result<Vec<Observed>, Failure> {
+fn divergence_orders(place: &ResonantSpecimen) -> Result<Vec<Observed>, Failure> {
     let one = |(eta, limit): (f64, f64)| {
         // A limit of zero would be no divergence.
         let observed = order(|size| {

@@ -5,19 +5,10 @@ use grazing_theorems::auxiliary::{lucas_sequence, resonance_boundary};
 use nalgebra::Vector2;
 
 use super::curves::{PHASE, all_along_curves, along_curves, eta_at};
-use super::places::{Bifurcation, EVERYWHERE, MANY, Near, Place, agreement, orders};
+use super::places::{Bifurcation, EVERYWHERE, MANY, Near, ResonantSpecimen, agreement, orders};
+use crate::Failure;
 use crate::checks::appendices::signs::{determinant, loop_index, search};
 use crate::checks::generic::maps::{impact_and_recoil, virtual_point};
-use crate::{CheckResult, Failure};
-
-/// eq:admp7.
-pub(crate) fn phase() -> CheckResult {
-    orders(MANY, EVERYWHERE, |place| {
-        Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
-            Some(near.relative()[0] - curve.leading.impact_phase_slope * eta)
-        }))
-    })
-}
 
 /// (x⁽⁰⁾, z⁽⁰⁾) of a point of a curve, the phase counted from z_graz,η.
 fn recoil(near: &Near) -> Option<Vector2<f64>> {
@@ -27,12 +18,7 @@ fn recoil(near: &Near) -> Option<Vector2<f64>> {
     Some(virtual_point(&oscillator, recoil).ok()? - Vector2::new(0.0, near.orbit.phase()))
 }
 
-/// eq:admp8a.
-pub(crate) fn position_after_recoil() -> CheckResult {
-    orders(MANY, EVERYWHERE, |place| Ok(along_curves(place, 2.0, PHASE, |_, _, near| Some(recoil(near)?[0]))))
-}
-
-impl Place {
+impl ResonantSpecimen {
     /// d(z⁽⁰⁾ − z_graz,η)/dη on a curve, in the two forms of eq:admp8b.
     fn recoil_phase_slopes(&self, curve: &Bifurcation) -> Result<[f64; 2], Failure> {
         let symbols = self.symbols()?;
@@ -46,55 +32,13 @@ impl Place {
     }
 }
 
-/// eq:admp8b, both forms.
-pub(crate) fn phase_after_recoil() -> CheckResult {
-    orders(MANY, EVERYWHERE, |place| {
-        Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
-            let (slopes, phase) = (place.recoil_phase_slopes(curve).ok()?, recoil(near)?[1]);
-            Some(slopes.iter().map(|slope| phase - slope * eta).collect())
-        }))
-    })
-}
-
 /// The visits (x⁽ʲ⁾, z⁽ʲ⁾ − z_graz,η) for 0 < j ≤ p.
-fn visits(place: &Place, near: &Near) -> Option<Vec<Vector2<f64>>> {
+fn visits(place: &ResonantSpecimen, near: &Near) -> Option<Vec<Vector2<f64>>> {
     let visits = place.resonance.equations().visits(&near.unknowns, &EventTimes::default()).ok()?;
     Some(visits.iter().map(|visit| visit - Vector2::new(0.0, near.orbit.phase())).collect())
 }
 
-/// eq:admp9.
-pub(crate) fn visits_by_powers() -> CheckResult {
-    orders(MANY, EVERYWHERE, |place| {
-        let map = place.point().grazing.map;
-        Ok(all_along_curves(place, 2.0, PHASE, |_, _, near| {
-            let start = recoil(near)?;
-            let gaps = visits(place, near)?
-                .into_iter()
-                .zip(1..)
-                .map(|(visit, j)| (visit - map.iterate(j).a * start).norm());
-            Some(gaps.collect())
-        }))
-    })
-}
-
-/// eq:admp10.
-pub(crate) fn positions_of_visits() -> CheckResult {
-    orders(MANY, EVERYWHERE, |place| {
-        let map = place.point().grazing.map;
-        Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
-            let [_, slope] = place.recoil_phase_slopes(curve).ok()?;
-            let gap = |(visit, j): (&Vector2<f64>, u32)| {
-                let entry = map.a.m12 * lucas_sequence(j, map.trace(), map.determinant());
-                visit[0] - entry * slope * eta
-            };
-            let all = visits(place, near)?;
-            // The last visit is the virtual point of the impact.
-            Some(all[..all.len() - 1].iter().zip(1..).map(gap).collect())
-        }))
-    })
-}
-
-fn visit_signs(place: &Place) -> Result<Vec<bool>, Failure> {
+fn visit_signs(place: &ResonantSpecimen) -> Result<Vec<bool>, Failure> {
     let mut found = Vec::new();
     let unfolding = place.point().unfolding.derivative;
     for curve in place.curves() {
@@ -114,16 +58,54 @@ fn visit_signs(place: &Place) -> Result<Vec<bool>, Failure> {
     Ok(found)
 }
 
-/// eq:admp11, and x⁽ᵖ⁾ > 0.
-pub(crate) fn signs_of_visits() -> CheckResult {
-    agreement(MANY, "all loops of MPSs on SN and PD curves, η of either sign", visit_signs)
-}
-
-/// S_j > 0 for 0 < j < p at resonance, in units of δ^{(j−1)/2}: adversarial search over δ, p and j.
-pub(crate) fn sums_are_positive() -> CheckResult {
-    search(2..=15, "the determinant and 0 < j < p at τ = g_p", "S_j / r^(j−1)", |p, [x, y]| {
+checks! {
+    /// eq:admp7.
+    phase: orders(MANY, EVERYWHERE, |place| {
+        Ok(along_curves(place, 2.0, PHASE, |curve, eta, near| {
+            Some(near.relative()[0] - curve.leading.impact_phase_slope * eta)
+        }))
+    });
+    /// eq:admp8a.
+    position_after_recoil: orders(MANY, EVERYWHERE, |place| Ok(along_curves(place, 2.0, PHASE, |_, _, near| Some(recoil(near)?[0]))));
+    /// eq:admp8b, both forms.
+    phase_after_recoil: orders(MANY, EVERYWHERE, |place| {
+        Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
+            let (slopes, phase) = (place.recoil_phase_slopes(curve).ok()?, recoil(near)?[1]);
+            Some(slopes.iter().map(|slope| phase - slope * eta).collect())
+        }))
+    });
+    /// eq:admp9.
+    visits_by_powers: orders(MANY, EVERYWHERE, |place| {
+        let map = place.point().grazing.map;
+        Ok(all_along_curves(place, 2.0, PHASE, |_, _, near| {
+            let start = recoil(near)?;
+            let gaps = visits(place, near)?
+                .into_iter()
+                .zip(1..)
+                .map(|(visit, j)| (visit - map.iterate(j).a * start).norm());
+            Some(gaps.collect())
+        }))
+    });
+    /// eq:admp10.
+    positions_of_visits: orders(MANY, EVERYWHERE, |place| {
+        let map = place.point().grazing.map;
+        Ok(all_along_curves(place, 2.0, PHASE, |curve, eta, near| {
+            let [_, slope] = place.recoil_phase_slopes(curve).ok()?;
+            let gap = |(visit, j): (&Vector2<f64>, u32)| {
+                let entry = map.a.m12 * lucas_sequence(j, map.trace(), map.determinant());
+                visit[0] - entry * slope * eta
+            };
+            let all = visits(place, near)?;
+            // The last visit is the virtual point of the impact.
+            Some(all[..all.len() - 1].iter().zip(1..).map(gap).collect())
+        }))
+    });
+    /// eq:admp11, and x⁽ᵖ⁾ > 0.
+    signs_of_visits: agreement(MANY, "all loops of MPSs on SN and PD curves, η of either sign", visit_signs);
+    /// S_j > 0 for 0 < j < p at resonance, in units of δ^{(j−1)/2}: adversarial search over δ, p and j.
+    sums_are_positive: search(2..=15, "the determinant and 0 < j < p at τ = g_p", "S_j / r^(j−1)", |p, [x, y]| {
         let (delta, j) = (determinant(x), loop_index(y, p));
         let sum = lucas_sequence(j as u32, resonance_boundary(f64::from(p), delta), delta);
         sum / libm::pow(delta, 0.5 * (j - 1.0))
-    })
+    });
 }
