@@ -218,7 +218,7 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
         "diagram" => stream::events(shared, read(shared, request).await?, diagram::compute).await,
         "tiles" => stream::events(shared, read(shared, request).await?, tiles::compute).await,
         "place" => answer::computed(shared, read(shared, request).await?, place::compute).await,
-        "cut" => answer::computed(shared, read(shared, request).await?, cut::compute).await,
+        "cut" => stream::events(shared, read(shared, request).await?, cut::compute).await,
         "export" => {
             let Wanted { model, view, what, columns } = read(shared, request).await?;
             let (own, limits) = (shared.clone(), shared.limits);

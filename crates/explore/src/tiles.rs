@@ -23,6 +23,9 @@ pub(crate) struct Asked {
     columns: u32,
     rows: u32,
     periods: u32,
+    /// So many of the places that come first are known.
+    #[serde(default)]
+    known: usize,
 }
 
 /// Places of the plane and forcing periods, at most.
@@ -58,17 +61,18 @@ impl Job for Tiled<'_> {
     type Outcome = ();
 
     fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, _: &Axes) {
-        let Asked { columns, rows, periods, .. } = *self.asked;
+        let Asked { columns, rows, periods, mut known, .. } = *self.asked;
         let counted = periods / COUNTED;
         let mut step = COARSEST;
         loop {
             let places = (0..rows)
                 .step_by(step as usize)
                 .flat_map(|row| (0..columns).step_by(step as usize).map(move |column| [column, row]));
-            let known = |[column, row]: &[u32; 2]| {
+            let coarser = |[column, row]: &[u32; 2]| {
                 step < COARSEST && column % (2 * step) == 0 && row % (2 * step) == 0
             };
-            let places: Vec<[u32; 2]> = places.filter(|place| !known(place)).collect();
+            let mut places: Vec<[u32; 2]> = places.filter(|place| !coarser(place)).collect();
+            known -= places.drain(..known.min(places.len())).len();
             for lot in places.chunks(LOT) {
                 let cells = lot.par_iter().map(|&[column, row]| {
                     if self.events.stopped() {

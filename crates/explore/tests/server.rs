@@ -350,13 +350,21 @@ fn places_tell_solutions_and_what_random_states_come_to() {
         };
         assert!(strikes.iter().any(close), "{solution}");
     }
+}
+
+#[test]
+fn a_cut_tells_its_branches_first_and_then_what_simulation_comes_to() {
+    let server = Running::new(LIMITS);
     let cut = json!({"model": {"text": null}, "fixed": "secondary", "at": 0.8, "range": [0.1, 0.9]});
     let (status, answer) = server.post("cut", &cut.to_string());
-    let answer: Value = answer.parse().unwrap();
-    assert_eq!(status, 200, "{answer}");
-    assert!(answer["strands"].as_array().is_some_and(|strands| strands.len() >= 2));
-    let graz = |found: &Value| found["kind"] == "graz";
-    assert_eq!(answer["bifurcations"].as_array().unwrap().iter().filter(|found| graz(found)).count(), 1);
+    assert_eq!((status, events(&answer, "done").len()), (200, 1), "{answer}");
+    assert!(answer.find("event: branches") < answer.find("event: dots"));
+    let branches = &events(&answer, "branches")[0];
+    assert!(branches["strands"].as_array().is_some_and(|strands| strands.len() >= 2));
+    let grazing = branches["bifurcations"].as_array().unwrap().iter().filter(|found| found["kind"] == "graz");
+    assert_eq!(grazing.count(), 1);
+    let dots = &events(&answer, "dots")[0]["dots"];
+    assert!(dots.as_array().is_some_and(|dots| dots.len() > 160), "{dots}");
     // A line at zero is one as any other, and one-parameter diagrams of the file are in nobody's way, wherever they stand in it.
     let (text, _) = narrow();
     let (before, diagrams) = text.split_once("[[diagrams]]").unwrap();
@@ -365,5 +373,5 @@ fn places_tell_solutions_and_what_random_states_come_to() {
     let cut =
         json!({"model": {"text": moved, "loops": [1]}, "fixed": "primary", "at": 0.0, "range": [0.9, 1.0]});
     let (status, answer) = server.post("cut", &cut.to_string());
-    assert_eq!(status, 200, "{answer}");
+    assert_eq!((status, events(&answer, "done").len()), (200, 1), "{answer}");
 }
