@@ -119,7 +119,7 @@ fn who_wants_no_motion_sees_none() {
 #[test]
 fn an_address_brings_back_everything_that_was_seen() {
     let server = Running::new();
-    let Some(mut page) = server.open(DESK) else { return };
+    let Some(mut page) = server.open(PHONE) else { return };
     page.value("document.querySelector('#loops-list input[value=\"3\"]').click()");
     page.value("document.getElementById('constant-zeta').focus()");
     page.press("ArrowRight");
@@ -150,7 +150,7 @@ fn an_address_brings_back_everything_that_was_seen() {
     let (drawn, told) = (page.value(pictures), page.value(words));
     drop(page);
     let address = format!("{}{}", server.address, seen.as_str().unwrap());
-    let Some(mut other) = Browser::open(&address, DESK) else { return };
+    let Some(mut other) = Browser::open(&address, PHONE) else { return };
     other.wait(&format!("{PLACE}.then((told) => told && {rests})"));
     assert_eq!(other.value("use('state').then(([s]) => s.get())"), all);
     assert_eq!(other.value(words), told);

@@ -17,8 +17,8 @@ use tungstenite::{Message, WebSocket};
 
 /// The names under which systems have the browser.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
-/// The page's modules by name.
-const USE: &str = "window.use = (...names) => Promise.all(names.map((name) => import(new URL(`./${name}.js`, document.baseURI))))";
+/// The page's modules by name are at hand in expressions.
+const USE: &str = "window.use ??= (...names) => Promise.all(names.map((name) => import(new URL(`./${name}.js`, document.baseURI))));";
 /// Keys that do more than write a letter: name, number, and what they write.
 const KEYS: [(&str, u32, &str); 10] = [
     ("Tab", 9, ""),
@@ -37,7 +37,7 @@ pub(crate) const CONTROL: u32 = 2;
 pub(crate) const SHIFT: u32 = 8;
 
 /// Longer than anything takes on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(90);
+const PATIENCE: Duration = Duration::from_secs(12);
 
 /// A browser with one page.
 pub(crate) struct Browser {
@@ -82,9 +82,8 @@ impl Browser {
         let screen = json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile});
         browser.call("Emulation.setDeviceMetricsOverride", screen);
         browser.call("Emulation.setTouchEmulationEnabled", json!({"enabled": mobile, "maxTouchPoints": 2}));
-        // As if its window were the one that is used; and the modules of the page are at hand in expressions.
+        // As if its window were the one that is used.
         browser.call("Emulation.setFocusEmulationEnabled", json!({"enabled": true}));
-        browser.call("Page.addScriptToEvaluateOnNewDocument", json!({ "source": USE }));
         browser.go(address);
         Some(browser)
     }
@@ -119,6 +118,7 @@ impl Browser {
     }
 
     fn evaluated(&mut self, expression: &str) -> Result<Value, Value> {
+        let expression = format!("{USE} {expression}");
         let asked = json!({"expression": expression, "returnByValue": true, "awaitPromise": true});
         let found = self.call("Runtime.evaluate", asked);
         match found.get("exceptionDetails") {

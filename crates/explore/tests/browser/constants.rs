@@ -6,7 +6,7 @@ use grazing_explore::Limits;
 use serde_json::Value;
 
 use crate::chromium::Browser;
-use crate::{CURVES, DESK, PHONE, Running, WHOLE, choose_duffing, keys, plane_key, state};
+use crate::{CURVES, DESK, PHONE, Running, WHOLE, choose_duffing, plane_key, state};
 
 /// Pixels of the plane that lie in the middle of a run of each kind of curve, and whether they have the ink of that kind.
 const INKED: &str = "use('plane', 'palette').then(([p, q]) => { const canvas = document.getElementById('plane'); \
@@ -19,6 +19,26 @@ const INKED: &str = "use('plane', 'palette').then(([p, q]) => { const canvas = d
 
 fn grazing(curves: &Value) -> &Value {
     curves.as_array().unwrap().iter().find(|curve| curve["kind"] == "graz").unwrap()
+}
+
+/// Curves that bear the same key before and after a small step are the same: most have one of the same key, and each of these runs close to what it was.
+fn assert_same(before: &Value, after: &Value) {
+    let (before, after) = (before.as_array().unwrap(), after.as_array().unwrap());
+    let points = |curve: &Value| -> Vec<[f64; 2]> {
+        let points = curve["points"].as_array().unwrap().iter();
+        points.map(|point| [0, 1].map(|index| point[index].as_f64().unwrap())).collect()
+    };
+    let mut same = 0;
+    for old in before {
+        let Some(new) = after.iter().find(|new| new["key"] == old["key"]) else { continue };
+        let (old_points, new_points) = (points(old), points(new));
+        let gap = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+        let middle = new_points[new_points.len() / 2];
+        let near = old_points.iter().map(|point| gap(point, &middle)).fold(f64::INFINITY, f64::min);
+        assert!(near < 0.06, "{}: {near}", old["key"]);
+        same += 1;
+    }
+    assert!(same * 10 >= 8 * before.len(), "{same} of {}", before.len());
 }
 
 /// The diagram of a moment is coarse: curves without regions of their own.
@@ -45,7 +65,7 @@ fn a_slider_moves_the_diagram_while_it_is_dragged_and_completes_it_when_it_rests
              !== JSON.stringify({last})))"
         ));
         let now = page.value(CURVES);
-        assert_eq!(keys(&now), keys(&before));
+        assert_same(&before, &now);
         seen.push(grazing(&now)["points"].clone());
     });
     assert_eq!(seen.len(), 5);
@@ -53,7 +73,7 @@ fn a_slider_moves_the_diagram_while_it_is_dragged_and_completes_it_when_it_rests
         "use('diagram').then(([d]) => !d.diagram.stale && !d.isBusy()).then((full) => full && {WHOLE})"
     ));
     let after = page.value(CURVES);
-    assert_eq!(keys(&after), keys(&before));
+    assert_same(&before, &after);
     assert_ne!(grazing(&after)["points"], grazing(&before)["points"]);
     assert!(page.value("use('diagram').then(([d]) => d.diagram.regions.length)").as_u64() > Some(0));
     let inks = page.value(INKED);
