@@ -187,9 +187,10 @@ export function follow(value, moved) {
   if (other || moved.has("view") || moved.has("overlay")) request();
 }
 
-/** What was simulated of the view: places with what was seen, and the view itself. */
+/** What was simulated of the view: places with what was seen, how many there are in each of the last views, and the view itself. */
 export const cells = () => current?.cells ?? [];
 export const seen = () => cells().length;
+export const sizes = () => [...kept.values()].map(({ cells }) => cells.length);
 export const view = () => current?.view ?? null;
 
 /** The diagram has new regions. */

@@ -1,15 +1,18 @@
 //! The one-parameter diagram along a line of the plane: its branches first, then what simulation comes to.
 
 use grazing_description::OneParameter;
+use grazing_model::ImpactOscillator;
 use grazing_reproduction::one_parameter::{self, PLAN};
+use grazing_reproduction::plane::Axes;
 use grazing_results::branches::{self, BranchPoint};
+use grazing_unfold::Scope;
 use grazing_unfold::one_parameter::Plan;
 use grazing_unfold::stop::Stop;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::model::{Model, View};
+use crate::model::{Job, Model, View};
 use crate::stream::Events;
 
 /// What is asked for.
@@ -46,17 +49,43 @@ pub(crate) fn compute(asked: &Asked, events: &Events, stop: &Stop) -> Result<(),
         Fixed::Primary => View { primary: held, secondary: *range },
         Fixed::Secondary => View { primary: *range, secondary: held },
     };
-    let description = model.in_view(&view).map_err(Problem::wrong)?;
     let primary_is_fixed = *fixed == Fixed::Primary;
     let wanted = OneParameter { primary_is_fixed, at: *at, range: *range, portraits: Vec::new(), seed: 1 };
     // As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
     let plan = Plan { values: 160, recorded: 16, ..PLAN };
-    let mut begun = |found: branches::OneParameter| events.send("branches", &told(&found));
-    let found = one_parameter::along(&description, (&wanted, &plan), &[], stop, events, &mut begun)
-        .ok_or_else(Problem::ended)?;
+    let line = Line { wanted: (&wanted, &plan), events };
+    let found = match fixed {
+        Fixed::Secondary => model.checked(Some(&view))?.with(stop, line),
+        // Only the oscillator of a text has its parameters exchanged.
+        Fixed::Primary => {
+            let description = model.in_view(&view).map_err(Problem::wrong)?;
+            one_parameter::along(&description, line.wanted, &[], stop, events, &mut |found| line.tell(&found))
+        }
+    };
+    let found = found.ok_or_else(Problem::ended)?;
     let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [dot.primary, dot.x]).collect();
     events.send("dots", &json!({"frame": found.frame.y, "dots": dots, "resting": found.resting}));
     Ok(())
+}
+
+struct Line<'a> {
+    wanted: (&'a OneParameter, &'a Plan),
+    events: &'a Events,
+}
+
+impl Line<'_> {
+    fn tell(&self, found: &branches::OneParameter) {
+        self.events.send("branches", &told(found));
+    }
+}
+
+impl Job for Line<'_> {
+    type Outcome = Option<branches::OneParameter>;
+
+    fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Self::Outcome {
+        let begun = &mut |found| self.tell(&found);
+        one_parameter::of(oscillator, scope, &axes.units, self.wanted, &[], self.events, begun)
+    }
 }
 
 /// Strands and the bifurcations on them.

@@ -3,11 +3,13 @@
 use std::borrow::Cow;
 
 use grazing_description::{Description, OneParameter};
+use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
 use grazing_results::Frame;
 use grazing_results::branches::{
     self, AttractorPoint, BranchBifurcation, BranchPoint, PortraitKind, PortraitPoint,
 };
+use grazing_unfold::Scope;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::one_parameter::{self, Plan, Portrait, Strand, Wanted, exchanged};
 use grazing_unfold::progress::Progress;
@@ -66,29 +68,39 @@ pub fn along(
         ),
     };
     let (oscillator, scope) = prepared(&description, &units, stop);
+    let from_the_wall = !description.wall().is_usual();
+    let told = |found| branches::OneParameter { from_the_wall, ..found };
+    let mut begun = |found| begun(told(found));
+    of(&oscillator, &scope, &units, (asked, plan), &curves, progress, &mut begun).map(told)
+}
+
+/// Likewise, of any oscillator, counted with its scope in units, in which the parameter across is the primary one.
+pub fn of<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    units: &Units,
+    (asked, plan): (&OneParameter, &Plan),
+    curves: &[DiagramCurve],
+    progress: &dyn Progress,
+    begun: &mut dyn FnMut(branches::OneParameter),
+) -> Option<branches::OneParameter> {
     let wanted = Wanted {
         secondary: asked.at / units.secondary,
         range: asked.range.map(|value| value / units.primary),
         portraits: asked.portraits.iter().map(|value| value / units.primary).collect(),
         plan: Plan { seed: asked.seed, ..plan.clone() },
     };
-    let rows = |found: &one_parameter::OneParameter| rows(&description, asked, found, &units);
-    let mut begun = |found: &one_parameter::OneParameter| begun(rows(found));
+    let mut begun = |found: &one_parameter::OneParameter| begun(rows(asked, found, units));
     let found =
-        one_parameter::OneParameter::compute(&oscillator, &scope, &curves, &wanted, progress, &mut begun)?;
-    Some(rows(&found))
+        one_parameter::OneParameter::compute(oscillator, scope, curves, &wanted, progress, &mut begun)?;
+    Some(rows(asked, &found, units))
 }
 
 /// Room below the lowest and above the highest point that is shown, as a part of the height between.
 const MARGIN: f64 = 0.06;
 
 /// As the first diagram of its file.
-fn rows(
-    description: &Description,
-    asked: &OneParameter,
-    found: &one_parameter::OneParameter,
-    units: &Units,
-) -> branches::OneParameter {
+fn rows(asked: &OneParameter, found: &one_parameter::OneParameter, units: &Units) -> branches::OneParameter {
     let strands = (1..).zip(&found.strands).flat_map(|(polyline, strand)| strand_rows(polyline, strand));
     let branches = strands.map(|row| BranchPoint {
         primary: row.primary * units.primary,
@@ -119,7 +131,7 @@ fn rows(
         primary_is_fixed: asked.primary_is_fixed,
         at: asked.at,
         frame: Frame { x: asked.range, y: [lowest - margin, highest + margin] },
-        from_the_wall: !description.wall().is_usual(),
+        from_the_wall: false,
         branches,
         bifurcations: bifurcations.collect(),
         attractor,

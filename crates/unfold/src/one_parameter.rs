@@ -112,8 +112,7 @@ impl OneParameter {
             return None;
         }
         let (visits, portraits) = (Vec::new(), Vec::new());
-        let mut found =
-            Self { strands, bifurcations, visits, resting: [0, 0], portraits, unfinished: true };
+        let mut found = Self { strands, bifurcations, visits, resting: [0, 0], portraits, unfinished: true };
         begun(&found);
         let products = motion
             .branches

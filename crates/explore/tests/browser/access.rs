@@ -129,7 +129,7 @@ fn an_address_brings_back_everything_that_was_seen() {
     for _ in 0..10 {
         page.press("ArrowUp");
     }
-    page.press("v");
+    page.press("h");
     page.press("o");
     page.press("e");
     let rests = "use('state', 'diagram', 'cut').then(([s, d, c]) => s.encode(s.get()) === location.hash && !d.isBusy() && !c.shown()?.old && \

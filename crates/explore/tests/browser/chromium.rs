@@ -37,7 +37,7 @@ pub(crate) const CONTROL: u32 = 2;
 pub(crate) const SHIFT: u32 = 8;
 
 /// Longer than anything takes on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(12);
+const PATIENCE: Duration = Duration::from_secs(40);
 
 /// A browser with one page.
 pub(crate) struct Browser {
@@ -153,7 +153,7 @@ impl Browser {
     /// The middle of an element.
     pub(crate) fn middle(&mut self, selector: &str) -> [f64; 2] {
         let expression = format!(
-            "(() => {{ const e = document.querySelector({selector:?}); e.scrollIntoView({{block: \"nearest\"}}); const b = \
+            "(() => {{ const e = document.querySelector({selector:?}); e.scrollIntoView({{block: \"nearest\", behavior: \"instant\"}}); const b = \
              e.getBoundingClientRect(); return [b.left + b.width / 2, b.top + b.height / 2]; }})()"
         );
         self.point(&expression)

@@ -5,7 +5,6 @@ use std::time::{Duration, Instant};
 use grazing_explore::Limits;
 use serde_json::Value;
 
-use crate::chromium::Browser;
 use crate::{CURVES, DESK, PHONE, Running, WHOLE, choose_duffing, plane_key, state};
 
 /// Pixels of the plane that lie in the middle of a run of each kind of curve, and whether they have the ink of that kind.
@@ -21,15 +20,17 @@ fn grazing(curves: &Value) -> &Value {
     curves.as_array().unwrap().iter().find(|curve| curve["kind"] == "graz").unwrap()
 }
 
-/// Curves that bear the same key before and after a small step are the same: most have one of the same key, and each of these runs close to what it was.
+/// Curves of resonances that bear the same key before and after a small step are the same: most have one of the same key, and each of these runs
+/// close to what it was. Those without a resonance are known by their kind alone.
 fn assert_same(before: &Value, after: &Value) {
     let (before, after) = (before.as_array().unwrap(), after.as_array().unwrap());
     let points = |curve: &Value| -> Vec<[f64; 2]> {
         let points = curve["points"].as_array().unwrap().iter();
         points.map(|point| [0, 1].map(|index| point[index].as_f64().unwrap())).collect()
     };
+    let of_resonances: Vec<&Value> = before.iter().filter(|curve| curve["n"] != 0).collect();
     let mut same = 0;
-    for old in before {
+    for &old in &of_resonances {
         let Some(new) = after.iter().find(|new| new["key"] == old["key"]) else { continue };
         let (old_points, new_points) = (points(old), points(new));
         let gap = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
@@ -38,7 +39,7 @@ fn assert_same(before: &Value, after: &Value) {
         assert!(near < 0.06, "{}: {near}", old["key"]);
         same += 1;
     }
-    assert!(same * 10 >= 8 * before.len(), "{same} of {}", before.len());
+    assert!(same * 10 >= 8 * of_resonances.len(), "{same} of {}", of_resonances.len());
 }
 
 /// The diagram of a moment is coarse: curves without regions of their own.
@@ -141,24 +142,19 @@ fn computations_that_are_out_of_date_end_on_the_server() {
     // Where only one thing is computed at once, whatever went on would be in the way.
     let server = Running::with(Limits { computations: 1, ..Limits::default() });
     let Some(mut page) = server.open(DESK) else { return };
-    let long = |page: &mut Browser| {
-        choose_duffing(page);
-        page.wait("use('diagram').then(([d]) => d.isBusy())");
-    };
-    long(&mut page);
+    choose_duffing(&mut page);
+    page.wait("use('diagram').then(([d]) => d.isBusy())");
     let began = Instant::now();
     page.value("document.getElementById('oscillator').focus()");
     page.press("ArrowUp");
     page.wait(&format!("/Paper|[Ll]inear/.test(document.title) && {WHOLE}"));
-    assert!(began.elapsed() < Duration::from_secs(5), "{:?}", began.elapsed());
-    // Simulation of the whole plane takes much longer than anybody waits here.
-    long(&mut page);
-    page.click("#stop", [0.0, 0.0]);
+    assert!(began.elapsed() < Duration::from_secs(10), "{:?}", began.elapsed());
+    // Simulation of the whole plane takes longer than anybody waits here.
     plane_key(&mut page, "o");
-    page.wait("/[1-9]\\d* %/.test(document.getElementById('tiles-status').textContent)");
+    page.wait("/ 0 % of/.test(document.getElementById('tiles-status').textContent)");
     let began = Instant::now();
-    page.value("document.getElementById('constant-kappa').focus()");
+    page.value("document.getElementById('constant-zeta').focus()");
     page.press("ArrowRight");
     page.wait(&format!("{COARSE}.then((stale) => stale && {CURVES}.then((all) => all.length > 0))"));
-    assert!(began.elapsed() < Duration::from_secs(20), "{:?}", began.elapsed());
+    assert!(began.elapsed() < Duration::from_secs(10), "{:?}", began.elapsed());
 }

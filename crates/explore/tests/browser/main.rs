@@ -87,7 +87,7 @@ fn numbers(value: &Value) -> Vec<f64> {
 
 /// Where on the screen a place of the plane is.
 fn spot(page: &mut Browser, [primary, secondary]: [f64; 2]) -> [f64; 2] {
-    page.value("document.getElementById('stage').scrollIntoView({block: 'nearest'})");
+    page.value("document.getElementById('stage').scrollIntoView({block: 'nearest', behavior: 'instant'})");
     page.point(&format!(
         "use('plane', 'model', 'state').then(([p, m, s]) => {{ const b = document.getElementById('plane').getBoundingClientRect(); \
          const [x, y] = p.project(m.viewOf(s.get()))([{primary}, {secondary}]); return [b.left + x, b.top + y]; }})"
@@ -96,7 +96,7 @@ fn spot(page: &mut Browser, [primary, secondary]: [f64; 2]) -> [f64; 2] {
 
 /// What is known of the curves that are continued: key, kind and points of each.
 const CURVES: &str = "use('diagram').then(([d]) => [...d.diagram.curves.values()].filter(({source}) => source !== 'quadratic')\
-                      .map(({key, kind, points}) => ({key, kind, points})).sort((a, b) => (a.key < b.key ? -1 : 1)))";
+                      .map(({key, kind, n, points}) => ({key, kind, n, points})).sort((a, b) => (a.key < b.key ? -1 : 1)))";
 
 /// The keys of these curves.
 fn keys(curves: &Value) -> Vec<&str> {

@@ -1,6 +1,6 @@
 //! Simulation laid under the curves.
 
-use crate::{DESK, PHONE, Running, WHOLE, choose_duffing, plane_key, state};
+use crate::{DESK, PHONE, Running, WHOLE, plane_key, state};
 
 const STATUS: &str = "document.getElementById('tiles-status').textContent";
 /// The number of places that were simulated in the view.
@@ -34,25 +34,16 @@ fn simulation_agrees_with_the_shading_and_marks_what_does_not() {
 fn an_unfinished_view_goes_on_where_it_was_after_zooming_back() {
     let server = Running::new();
     let Some(mut page) = server.open(DESK) else { return };
-    // Simulation of integrated motion takes long enough to go away in between.
-    choose_duffing(&mut page);
-    page.wait("use('diagram').then(([d]) => d.isBusy())");
-    plane_key(&mut page, "Escape");
-    page.press("o");
+    plane_key(&mut page, "o");
     page.wait(&format!("{SEEN}.then((seen) => seen >= 500)"));
     page.press("+");
-    page.wait("use('state').then(([s]) => s.get().view !== null && s.encode(s.get()) === location.hash)");
-    page.press("Escape");
-    page.wait(
-        &format!("{SEEN}.then((seen) => seen > 0 && seen < 500)")
-            .replace("seen > 0 && seen < 500", "seen < 100000"),
-    );
+    page.wait("use('state', 'tiles').then(([s, t]) => s.encode(s.get()) === location.hash && JSON.stringify(t.view()) === JSON.stringify(s.get().view) && t.seen() > 0)");
+    let before = page.value("use('tiles').then(([t]) => t.sizes())");
     page.press("[");
-    page.wait("use('state').then(([s]) => s.get().view === null)");
-    page.press("Escape");
-    // All that came before is there at once, and no place comes twice.
-    let seen = page.wait(&format!("{SEEN}.then((seen) => seen >= 500 && seen)")).as_u64().unwrap();
-    page.wait("use('diagram').then(([d]) => { if (d.isBusy()) d.stop(); return !d.isBusy(); })");
+    page.wait("use('state', 'tiles').then(([s, t]) => s.get().view === null && t.view().primary[0] === 0)");
+    // All that came before is there at once, the rest follows, and no place comes twice.
+    let seen = page.value(SEEN).as_u64().unwrap();
+    assert!(seen >= before[0].as_u64().unwrap() && seen >= 500, "{seen} {before}");
     page.wait(&format!("{SEEN}.then((now) => now > {seen})"));
     let twice = "use('tiles').then(([t]) => t.cells().length - new Set(t.cells().map(([column, row]) => `${column} ${row}`)).size)";
     assert_eq!(page.value(twice), 0);
@@ -63,7 +54,7 @@ fn an_unfinished_view_goes_on_where_it_was_after_zooming_back() {
 #[test]
 fn a_part_of_the_plane_is_simulated_anew() {
     let server = Running::new();
-    let Some(mut page) = server.open([700, 600]) else { return };
+    let Some(mut page) = server.open(PHONE) else { return };
     plane_key(&mut page, "o");
     page.wait(DONE);
     for _ in 0..3 {
