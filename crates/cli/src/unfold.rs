@@ -130,7 +130,7 @@ fn tasks(arguments: &arguments::Unfold) -> Result<Vec<Task>, Failure> {
 /// What was set: `kappa` alone is a constant, `parameters.kappa`.
 pub(crate) fn settings(set: &[Setting]) -> Vec<Setting> {
     let full = |setting: &Setting| {
-        let named = setting.key().contains('.') || setting.key() == "name";
+        let named = setting.key().contains('.') || ["name", "diagrams"].contains(&setting.key());
         if named { setting.clone() } else { setting.within("parameters") }
     };
     set.iter().map(full).collect()
