@@ -82,6 +82,7 @@ impl Browser {
         let screen = json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile});
         browser.call("Emulation.setDeviceMetricsOverride", screen);
         browser.call("Emulation.setTouchEmulationEnabled", json!({"enabled": mobile, "maxTouchPoints": 2}));
+        browser.call("Emulation.setScrollbarsHidden", json!({"hidden": true}));
         // As if its window were the one that is used.
         browser.call("Emulation.setFocusEmulationEnabled", json!({"enabled": true}));
         browser.go(address);
@@ -286,9 +287,9 @@ impl Browser {
         self.call("Browser.setDownloadBehavior", saved);
     }
 
-    /// A picture of the window, as PNG.
+    /// A picture of the window, as WebP.
     pub(crate) fn picture(&mut self) -> Vec<u8> {
-        let taken = self.call("Page.captureScreenshot", json!({"format": "png"}));
+        let taken = self.call("Page.captureScreenshot", json!({"format": "webp", "quality": 80}));
         STANDARD.decode(taken["data"].as_str().unwrap()).unwrap()
     }
 }

@@ -91,7 +91,7 @@ fn on_a_phone_a_finger_points_and_drags_the_ring() {
 }
 
 /// The cut is there, its simulation as well.
-const CUT: &str = "!document.getElementById('cut-panel').hidden && document.getElementById('cut-message').hidden && \
+pub(crate) const CUT: &str = "!document.getElementById('cut-panel').hidden && document.getElementById('cut-message').hidden && \
                    !document.getElementById('cut').hasAttribute('aria-busy') && \
                    use('cut').then(([c]) => c.shown()?.dots.length > 0 && c.shown().strands.length > 0 && !c.shown().old)";
 
