@@ -1,13 +1,51 @@
 //! `grazing explore` as it is started and ended.
 #![cfg(unix)]
 
+// A part of it serves here.
+#[allow(dead_code)]
+#[path = "../../explore/tests/browser/chromium.rs"]
+mod chromium;
 mod program;
 
+use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
-use std::process::{Command, Stdio};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
 
-use program::{empty_folder, grazing};
+use chromium::{Browser, saved};
+use program::{empty_folder, grazing, repository};
+
+/// The program as it serves; it ends with the value.
+struct Serving(Child);
+
+impl Serving {
+    /// Starts it, and reads its address.
+    fn new(folder: &Path) -> (Self, String) {
+        let mut server = Command::new(env!("CARGO_BIN_EXE_grazing"))
+            .args(["explore", "--no-browser"])
+            .current_dir(folder)
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        let mut lines = BufReader::new(server.stdout.take().expect("it is ours")).lines();
+        let address = lines.next().expect("a line").expect("it is text");
+        (Self(server), address)
+    }
+
+    /// What it ends with after Ctrl-C.
+    fn interrupted(mut self) -> Option<i32> {
+        let asked = Command::new("kill").args(["-INT", &self.0.id().to_string()]).status();
+        assert!(asked.is_ok_and(|status| status.success()));
+        self.0.wait().expect("it is ours").code()
+    }
+}
+
+impl Drop for Serving {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+    }
+}
 
 /// Asks for a path of the server and reads the answer.
 fn ask(host: &str, request: &str) -> String {
@@ -21,14 +59,7 @@ fn ask(host: &str, request: &str) -> String {
 #[test]
 fn the_address_is_printed_the_page_is_there_and_ctrl_c_ends_it() {
     let folder = empty_folder();
-    let mut server = Command::new(env!("CARGO_BIN_EXE_grazing"))
-        .args(["explore", "--no-browser"])
-        .current_dir(folder.path())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    let mut lines = BufReader::new(server.stdout.take().expect("it is ours")).lines();
-    let address = lines.next().expect("a line").expect("it is text");
+    let (server, address) = Serving::new(folder.path());
     let (host, path) =
         address.strip_prefix("http://").and_then(|rest| rest.split_once('/')).expect("an address");
     let head = format!("Host: {host}\r\nConnection: close\r\n");
@@ -45,9 +76,70 @@ fn the_address_is_printed_the_page_is_there_and_ctrl_c_ends_it() {
     let committed = include_str!("../../../figures/data/fig07_points.csv");
     assert!(taken.ends_with(committed), "{taken}");
 
-    let interrupted = Command::new("kill").args(["-INT", &server.id().to_string()]).status();
-    assert!(interrupted.is_ok_and(|status| status.success()));
-    assert_eq!(server.wait().expect("it is ours").code(), Some(0));
+    assert_eq!(server.interrupted(), Some(0));
+}
+
+/// What is taken home of the page as it is: the figure in three formats and the curves, and the files that the copied command writes.
+fn taken_home(page: &mut Browser, stem: &str, figure: &str, curves: &str) {
+    let home = empty_folder();
+    page.permit(home.path());
+    page.value("document.getElementById('plane').focus()");
+    page.press("s");
+    page.wait("document.getElementById('share').open");
+    page.click("#copy-command", [0.0, 0.0]);
+    page.wait("document.getElementById('copy-command').textContent === 'Copied'");
+    let command = page.value("navigator.clipboard.readText()");
+    let command =
+        command.as_str().expect("it is text").strip_prefix("cargo xtask ").expect("as people type it");
+    for what in ["svg", "pdf", "png", "csv:curves"] {
+        page.value("document.getElementById('share-status').textContent = ''");
+        page.click(&format!("[data-take='{what}']"), [0.0, 0.0]);
+        page.wait("/Saved/.test(document.getElementById('share-status').textContent)");
+    }
+    // A shell reads the command, since quotes are a part of it.
+    let made = empty_folder();
+    let program = env!("CARGO_BIN_EXE_grazing");
+    let line = format!("{program:?} {command} --format svg,pdf,png --output {:?}", made.path());
+    let run =
+        Command::new("sh").args(["-c", &line]).current_dir(repository()).output().expect("there is a shell");
+    assert!(run.status.success(), "{line}: {}", String::from_utf8_lossy(&run.stderr));
+    for ending in ["svg", "pdf", "png"] {
+        let written = fs::read(made.path().join(format!("{figure}.{ending}"))).expect("it was written");
+        assert!(saved(home.path(), &format!("{stem}.{ending}")) == written, "{line}: the {ending} differs");
+    }
+    let written = fs::read(made.path().join(format!("data/{curves}.csv"))).expect("it was written");
+    assert!(saved(home.path(), &format!("{stem}-curves.csv")) == written, "{line}: the curves differ");
+    page.press("Escape");
+}
+
+#[test]
+fn what_is_taken_home_from_the_page_is_what_the_copied_command_writes() {
+    let (server, address) = Serving::new(&repository());
+    if let Some(mut page) = Browser::open(&address, [1200, 850]) {
+        let whole =
+            "/curves? and \\d+ points? in/.test(document.getElementById('progress-text').textContent)";
+        page.wait(whole);
+        page.value("use('state').then(([s]) => s.update({set: {zeta: 0.03}, view: {primary: [0.2, 0.9], secondary: [0.5, 0.95]}}))");
+        let named = page.wait("use('model').then(([m]) => m.description.name)");
+        taken_home(&mut page, &stem(&named), "fig07", "fig07_curves");
+        // An example, with one number of loops so that it is soon there.
+        page.value(
+            "use('model', 'state').then(([m, s]) => { m.choose('duffing.toml'); s.update({set: {kappa: 0.12}, loops: [1], \
+             view: {primary: [0.2, 0.5], secondary: [0.9, 1.05]}}); })",
+        );
+        let named =
+            page.wait("use('model').then(([m]) => /Duffing/.test(m.description.name) && m.description.name)");
+        taken_home(&mut page, &stem(&named), "diagram", "curves");
+    }
+    assert_eq!(server.interrupted(), Some(0));
+}
+
+/// The name of an oscillator as that of a file.
+fn stem(name: &serde_json::Value) -> String {
+    let name = name.as_str().expect("it is text").to_lowercase();
+    let words: Vec<&str> =
+        name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
+    words.join("-")
 }
 
 #[test]

@@ -2,16 +2,16 @@
 // the line is shown in the plane, and pointing here moves the place.
 import { $, coordinate, rested } from "./dom.js";
 import { clipped, drawAxes, prepare, trace, write } from "./axes.js";
-import { ask, Latest } from "./api.js";
+import { Latest, stream } from "./api.js";
 import { description, modelOf, viewOf } from "./model.js";
-import { margins, redraw, shown, titleOf } from "./plane.js";
+import { margins, redraw, shown as marks, titleOf } from "./plane.js";
 import { branchInk, inks, onTheme } from "./palette.js";
 import * as state from "./state.js";
 
 /** Fewer dots than these are drawn larger. */
 const FEW = 10000;
 
-const latest = new Latest({ pause: 100, patience: 600, failed: (error) => say(error.message) });
+const latest = new Latest({ pause: 100, patience: 600, failed: (error) => fail(error) });
 let answer = null;
 let asked = "";
 let frame = null;
@@ -20,6 +20,11 @@ const say = (words) => {
   $("cut-message").textContent = words;
   $("cut-message").hidden = words === "";
 };
+
+function fail({ message }) {
+  $("cut").removeAttribute("aria-busy");
+  say(message);
+}
 
 /** The axis along the cut: its name and its place in a pair. */
 const along = (value) => (value.cut === "secondary" ? ["primary", 0] : ["secondary", 1]);
@@ -37,13 +42,22 @@ const request = rested(200, () => {
   if (key === asked) return;
   $("cut").setAttribute("aria-busy", "true");
   latest.now(async (signal) => {
-    const told = await ask("cut", body, signal);
-    [answer, asked] = [{ ...told, fixed: body.fixed }, key];
-    say("");
+    // Branches first; the dots of the last cut stay below them until those of this one are there.
+    const take = (told) => {
+      if (signal.aborted) return;
+      const last = answer?.fixed === body.fixed ? answer : { dots: [] };
+      answer = { ...last, ...told, fixed: body.fixed, at: body.at, old: !told.dots };
+      say("");
+      draw();
+    };
+    await stream("cut", body, { branches: take, dots: take }, signal);
+    asked = key;
     $("cut").removeAttribute("aria-busy");
-    draw();
   });
 });
+
+/** What is told of a cut: strands, bifurcations and dots, the value of the parameter that is held, and whether dots are still those of the last one. */
+export const shown = () => answer;
 
 export function follow(value) {
   const on = value.cut !== null && value.place !== null;
@@ -72,7 +86,7 @@ function draw() {
   const [axis, at] = along(value);
   const range = viewOf(value)[axis];
   const own = answer?.fixed === value.cut ? answer : null;
-  const up = own?.frame.y ?? [-1, 1];
+  const up = own?.frame ?? [-1, 1];
   const to = ([p, x]) => [frame.x + ((p - range[0]) / (range[1] - range[0])) * frame.w, frame.y + frame.h - ((x - up[0]) / (up[1] - up[0])) * frame.h];
   const canvas = $("cut");
   canvas.setAttribute("aria-valuemin", range[0]);
@@ -97,18 +111,20 @@ function draw() {
     context.setLineDash([]);
   };
   line(value.place[at], ink.place, []);
-  if (shown.pointer !== null) line(shown.pointer, ink.muted, [3, 3]);
+  if (marks.pointer !== null) line(marks.pointer, ink.muted, [3, 3]);
   context.restore();
   drawAxes(context, frame, { x: { range, title: titleOf(description[axis]) }, y: { range: up, title: [["x", "italic"]] } }, ink);
 }
 
-function drawFound(context, { strands, bifurcations, dots }, to, ink) {
+function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {
   context.fillStyle = ink.cloud;
+  context.globalAlpha = old ? 0.3 : 1;
   const size = dots.length < FEW ? 1.4 : 0.8;
   for (const dot of dots) {
     const [x, y] = to(dot);
     if (x >= frame.x && x <= frame.x + frame.w) context.fillRect(x - size / 2, y - size / 2, size, size);
   }
+  context.globalAlpha = 1;
   const box = [frame.x - 5, frame.y - 5, frame.x + frame.w + 5, frame.y + frame.h + 5];
   for (const { p, points } of strands) {
     let from = 0;
@@ -173,14 +189,14 @@ export function attach() {
   });
   canvas.addEventListener("pointermove", (event) => {
     if (!frame) return;
-    shown.pointer = parameter(event);
-    if (held) put(shown.pointer);
+    marks.pointer = parameter(event);
+    if (held) put(marks.pointer);
     else draw();
     redraw();
   });
   for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, () => (held = false));
   canvas.addEventListener("pointerleave", () => {
-    shown.pointer = null;
+    marks.pointer = null;
     draw();
     redraw();
   });

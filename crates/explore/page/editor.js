@@ -62,7 +62,8 @@ export function check(model) {
     const changed = Object.keys(model.set).length > 0 || model.loops !== null;
     const answer = described.ok && changed ? await ask("check", model, signal) : described;
     if (signal.aborted) return;
-    if (!$("editor").hidden && text !== null) tell(answer);
+    // What is being typed has its own verdict.
+    if (!$("editor").hidden && text === $("text").value) tell(answer);
     if (described.ok) taken(described);
     if (!answer.ok) taken(answer);
   });
@@ -78,11 +79,15 @@ const edited = rested(RESTS, async () => {
     // Constants that the new file does not have are forgotten.
     const names = new Set(answer.constants.map(({ name }) => name));
     const set = Object.fromEntries(Object.entries(state.get().set).filter(([name]) => names.has(name)));
+    filled = text;
     state.update({ text, set });
   });
 });
 
-/** The menu and the text follow the state; what is being typed is left alone. */
+/** The text of the state that the field was filled with, or that was typed there: what is typed since stays until the state has another one. */
+let filled;
+
+/** The menu and the text follow the state. */
 export function follow(value) {
   const menu = $("oscillator");
   const example = exampleOf(value);
@@ -100,12 +105,11 @@ export function follow(value) {
     $("go-to-mistake").hidden = true;
     return;
   }
-  const field = $("text");
-  if (field.value !== text && document.activeElement !== field) {
-    field.value = text;
-    tell({ ok: true });
-    scroll();
-  }
+  if (filled === text) return;
+  filled = text;
+  $("text").value = text;
+  tell({ ok: true });
+  scroll();
 }
 
 function scroll() {
@@ -129,5 +133,4 @@ export function attach(choose) {
     edited();
   });
   field.addEventListener("scroll", scroll);
-  field.addEventListener("blur", () => follow(state.get()));
 }

@@ -111,7 +111,7 @@ class Card {
       const answer = await ask("place", body, signal);
       if (signal.aborted) return;
       this.asked = live ? "" : JSON.stringify(body);
-      this.answer = answer;
+      [this.answer, this.shown] = [answer, body.at];
       this.show();
       this.element.removeAttribute("aria-busy");
       if (!live && this.key === "place") this.announce(body.at);
@@ -183,6 +183,9 @@ class Card {
 }
 
 let cards = [];
+
+/** Of which place what is told, or null. */
+export const shown = (key) => cards.find((card) => card.key === key)?.shown ?? null;
 
 export const attach = () => (cards = [new Card("place"), new Card("kept")]);
 

@@ -2,7 +2,7 @@
 import { $ } from "./dom.js";
 import { file } from "./api.js";
 import { namePieces, plain } from "./markup.js";
-import { description, exampleOf, examples, modelOf, viewOf } from "./model.js";
+import { description, exampleOf, examples, modelOf, textOf, viewOf } from "./model.js";
 import * as state from "./state.js";
 
 /** A word of a command line; quoted where a shell would read it otherwise. */
@@ -26,9 +26,11 @@ export function command(value) {
   const [across, up, loops] = paper ? ["fig07.amplitude", "fig07.frequency", "fig07.loops"] : ["primary.range", "secondary.range", "analysis.loops"];
   // The figure of the paper has other ranges than the plane at first.
   const ranges = value.view || paper ? setting(across, list(primary)) + setting(up, list(secondary)) : "";
+  // One-parameter diagrams of the file need not lie in the view.
+  const alone = value.view && /^\s*\[\[\s*diagrams/m.test(textOf(value) ?? "") ? setting("diagrams", "[]") : "";
   const chosen = value.loops ? setting(loops, list(value.loops)) : "";
   const first = paper ? "cargo xtask reproduce --only fig07" : `cargo xtask unfold ${word(fileOf(example))}`;
-  return first + constants.join("") + ranges + chosen;
+  return first + constants.join("") + ranges + alone + chosen;
 }
 
 async function copy(text, button) {

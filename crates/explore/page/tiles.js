@@ -11,7 +11,7 @@ import * as state from "./state.js";
 const PERIODS = 300;
 const MOST = { columns: 400, rows: 300 };
 const KEPT = 6;
-/** Tiles, newest last: key -> { view, columns, rows, sheet, seen, done, step }. */
+/** Tiles, newest last: key -> { view, columns, rows, sheet, cells, wrong, done }. */
 const kept = new Map();
 const latest = new Latest({ failed: (error) => status(error.message) });
 let current = null;
@@ -121,11 +121,12 @@ const request = rested(250, () => {
     Object.assign(sheet, { width: columns, height: rows });
     // What was seen before stays below until finer tiles cover it.
     if (current) carry(sheet, current, view);
-    current = { view, columns, rows, sheet, cells: [], met: new Set(), wrong: [], done: false };
+    current = { view, columns, rows, sheet, cells: [], wrong: [], done: false };
     kept.set(key, current);
     while (kept.size > KEPT) kept.delete(kept.keys().next().value);
   }
-  run(current, { ...body, columns: current.columns, rows: current.rows });
+  // Places come in one order: what was seen before one went away need not be seen again.
+  run(current, { ...body, columns: current.columns, rows: current.rows, known: current.cells.length });
 });
 
 function carry(sheet, { view: old, sheet: before }, view) {
@@ -144,6 +145,7 @@ function run(own, body) {
   latest.now(async (signal) => {
     const on = {
       tiles({ step, cells }) {
+        if (signal.aborted) return;
         const ink = tileInks();
         for (const cell of cells) {
           const [column, row] = cell;
@@ -151,9 +153,6 @@ function run(own, body) {
           context.clearRect(column, own.rows - row - step, step, step);
           context.fillStyle = colourOf(cell, ink);
           context.fillRect(column, own.rows - row - step, step, step);
-          const place = row * own.columns + column;
-          if (own.met.has(place)) continue;
-          own.met.add(place);
           own.cells.push(cell);
         }
         if (own === current) {
@@ -187,6 +186,12 @@ export function follow(value, moved) {
   if (other || moved.has("view")) latest.stop();
   if (other || moved.has("view") || moved.has("overlay")) request();
 }
+
+/** What was simulated of the view: places with what was seen, how many there are in each of the last views, and the view itself. */
+export const cells = () => current?.cells ?? [];
+export const seen = () => cells().length;
+export const sizes = () => [...kept.values()].map(({ cells }) => cells.length);
+export const view = () => current?.view ?? null;
 
 /** The diagram has new regions. */
 export const shaded = () => state.get().overlay && judgeSoon();

@@ -126,17 +126,13 @@ impl Drop for StopOnDrop {
 
 /// Computes something in a thread of its own, when it is its turn.
 pub(crate) async fn blocking<T: Send + 'static>(
-    shared: &Shared,
+    shared: &Arc<Shared>,
     limits: Limits,
     work: impl FnOnce(&Stop) -> Result<T, Problem> + Send + 'static,
 ) -> Result<T, Problem> {
     let turn = shared.turn().await?;
     let (stop, guard) = shared.mark(limits);
-    let computed = spawn_blocking(move || {
-        let outcome = work(&stop);
-        drop(turn);
-        outcome
-    });
+    let computed = spawn_blocking(move || turn.take(|| work(&stop)));
     let failed = |_| Problem::new(StatusCode::INTERNAL_SERVER_ERROR, "the computation failed");
     let outcome = computed.await.map_err(failed)?;
     drop(guard);
@@ -145,7 +141,7 @@ pub(crate) async fn blocking<T: Send + 'static>(
 
 /// Computes an answer.
 pub(crate) async fn computed<T: Send + 'static, V: Serialize + Send + 'static>(
-    shared: &Shared,
+    shared: &Arc<Shared>,
     request: T,
     compute: fn(&T, &Stop) -> Result<V, Problem>,
 ) -> Result<Response<Body>, Problem> {

@@ -1,15 +1,19 @@
-//! The one-parameter diagram along a line of the plane.
+//! The one-parameter diagram along a line of the plane: its branches first, then what simulation comes to.
 
-use std::collections::BTreeMap;
-
-use grazing_reproduction::unfolded;
-use grazing_unfold::one_parameter::{OneParameter, Plan, Wanted};
+use grazing_description::OneParameter;
+use grazing_model::ImpactOscillator;
+use grazing_reproduction::one_parameter::{self, PLAN};
+use grazing_reproduction::plane::Axes;
+use grazing_results::branches::{self, BranchPoint};
+use grazing_unfold::Scope;
+use grazing_unfold::one_parameter::Plan;
 use grazing_unfold::stop::Stop;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::answer::Problem;
-use crate::model::{Model, View};
+use crate::model::{Job, Model, View};
+use crate::stream::Events;
 
 /// What is asked for.
 #[derive(Deserialize)]
@@ -28,13 +32,10 @@ enum Fixed {
     Secondary,
 }
 
-/// As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
-const PLAN: Plan = Plan { values: 160, orbits: 2, transient: 150, recorded: 16, seed: 1 };
-
 /// The range of the parameter that is held, as a part of the file's: only its lower end is looked at.
 const HELD: f64 = 0.01;
 
-pub(crate) fn compute(asked: &Asked, stop: &Stop) -> Result<Value, Problem> {
+pub(crate) fn compute(asked: &Asked, events: &Events, stop: &Stop) -> Result<(), Problem> {
     let Asked { model, fixed, at, range } = asked;
     // The parameter that is held needs a range, too: a small part of the file's.
     let own = model.description(None)?;
@@ -48,46 +49,59 @@ pub(crate) fn compute(asked: &Asked, stop: &Stop) -> Result<Value, Problem> {
         Fixed::Primary => View { primary: held, secondary: *range },
         Fixed::Secondary => View { primary: *range, secondary: held },
     };
-    // Only the oscillator of a text has its parameters exchanged.
-    let description = model.in_view(&view).map_err(Problem::wrong)?;
-    let description = match fixed {
-        Fixed::Primary => description.exchanged(),
-        Fixed::Secondary => description,
+    let primary_is_fixed = *fixed == Fixed::Primary;
+    let wanted = OneParameter { primary_is_fixed, at: *at, range: *range, portraits: Vec::new(), seed: 1 };
+    // As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
+    let plan = Plan { values: 160, recorded: 16, ..PLAN };
+    let line = Line { wanted: (&wanted, &plan), events };
+    let found = match fixed {
+        Fixed::Secondary => model.checked(Some(&view))?.with(stop, line),
+        // Only the oscillator of a text has its parameters exchanged.
+        Fixed::Primary => {
+            let description = model.in_view(&view).map_err(Problem::wrong)?;
+            one_parameter::along(&description, line.wanted, &[], stop, events, &mut |found| line.tell(&found))
+        }
     };
-    let units = description.units();
-    let (oscillator, scope) = unfolded::prepared(&description, &units, stop);
-    let wanted = Wanted {
-        secondary: at / units.secondary,
-        range: range.map(|end| end / units.primary),
-        portraits: Vec::new(),
-        plan: PLAN,
+    let found = found.ok_or_else(Problem::ended)?;
+    let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [dot.primary, dot.x]).collect();
+    events.send("dots", &json!({"frame": found.frame.y, "dots": dots, "resting": found.resting}));
+    Ok(())
+}
+
+struct Line<'a> {
+    wanted: (&'a OneParameter, &'a Plan),
+    events: &'a Events,
+}
+
+impl Line<'_> {
+    fn tell(&self, found: &branches::OneParameter) {
+        self.events.send("branches", &told(found));
+    }
+}
+
+impl Job for Line<'_> {
+    type Outcome = Option<branches::OneParameter>;
+
+    fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Self::Outcome {
+        let begun = &mut |found| self.tell(&found);
+        one_parameter::of(oscillator, scope, &axes.units, self.wanted, &[], self.events, begun)
+    }
+}
+
+/// Strands and the bifurcations on them.
+fn told(found: &branches::OneParameter) -> Value {
+    let strand = |rows: &[BranchPoint]| {
+        let point =
+            |row: &BranchPoint| json!([row.primary, row.x, u8::from(row.stable), u8::from(row.admissible)]);
+        json!({"p": rows[0].loops, "points": rows.iter().map(point).collect::<Vec<_>>()})
     };
-    let found = OneParameter::compute(&oscillator, &scope, &[], &wanted, stop).ok_or_else(Problem::ended)?;
-    let place = |parameter: f64, x: f64| [parameter * units.primary, x * units.length];
-    let strands: Vec<Value> = found
-        .strands
-        .iter()
-        .map(|strand| {
-            let points = strand.points.iter().map(|point| {
-                let [parameter, x] = place(point.primary, point.x);
-                json!([parameter, x, u8::from(point.stable), u8::from(point.admissible)])
-            });
-            json!({"p": strand.loops, "points": points.collect::<Vec<_>>()})
-        })
-        .collect();
-    let bifurcations: Vec<Value> = found
+    let bifurcations = found
         .bifurcations
         .iter()
-        .map(|found| {
-            let [parameter, x] = place(found.primary, found.x);
-            json!({"kind": found.kind.name(), "p": found.loops, "at": parameter, "x": x})
-        })
-        .collect();
-    let dots: Vec<[f64; 2]> = found.visits.iter().map(|[parameter, x]| place(*parameter, *x)).collect();
-    let shown = found.strands.iter().flat_map(|strand| &strand.points).filter(|point| point.admissible);
-    let heights = shown.map(|point| point.x * units.length).chain(dots.iter().map(|dot| dot[1]));
-    let [low, high] = heights.fold([0.0, 0.0], |[low, high]: [f64; 2], x| [low.min(x), high.max(x)]);
-    let room = 0.06 * if high > low { high - low } else { units.length };
-    let frame = BTreeMap::from([("x", *range), ("y", [low - room, high + room])]);
-    Ok(json!({"frame": frame, "strands": strands, "bifurcations": bifurcations, "dots": dots}))
+        .map(|row| json!({"kind": row.kind.name(), "p": row.loops, "at": row.primary, "x": row.x}));
+    json!({
+        "frame": found.frame.y,
+        "strands": found.branches.chunk_by(|a, b| a.branch == b.branch).map(strand).collect::<Vec<_>>(),
+        "bifurcations": bifurcations.collect::<Vec<_>>(),
+    })
 }

@@ -3,7 +3,7 @@
 use std::convert::Infallible;
 use std::io;
 use std::net::{Ipv4Addr, TcpListener};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use grazing_unfold::stop::Stop;
@@ -14,6 +14,7 @@ use hyper::server::conn::http1;
 use hyper::service::service_fn;
 use hyper::{Method, Request, Response, StatusCode};
 use hyper_util::rt::{TokioIo, TokioTimer};
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use tokio::runtime::Builder;
@@ -83,6 +84,8 @@ pub(crate) struct Shared {
     export: Export,
     pub(crate) limits: Limits,
     computations: Arc<Semaphore>,
+    /// Each computation has threads of its own: those of one that takes long would not look after another before its end.
+    threads: Mutex<Vec<Arc<ThreadPool>>>,
     /// Changes when all computations are to end.
     ending: watch::Sender<u64>,
 }
@@ -95,6 +98,8 @@ impl Server {
     pub fn bind(port: u16, limits: Limits, examples: Vec<Example>, export: Export) -> io::Result<Self> {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))?;
         listener.set_nonblocking(true)?;
+        let pool = |_| ThreadPoolBuilder::new().build().map(Arc::new).map_err(io::Error::other);
+        let threads = (0..limits.computations).map(pool).collect::<io::Result<_>>()?;
         let shared = Shared {
             port: listener.local_addr()?.port(),
             token: Token::random()?,
@@ -102,6 +107,7 @@ impl Server {
             export,
             limits,
             computations: Arc::new(Semaphore::new(limits.computations)),
+            threads: Mutex::new(threads),
             ending: watch::Sender::new(0),
         };
         Ok(Self { listener, shared: Arc::new(shared) })
@@ -218,7 +224,7 @@ async fn respond(shared: &Arc<Shared>, request: Request<Incoming>) -> Result<Res
         "diagram" => stream::events(shared, read(shared, request).await?, diagram::compute).await,
         "tiles" => stream::events(shared, read(shared, request).await?, tiles::compute).await,
         "place" => answer::computed(shared, read(shared, request).await?, place::compute).await,
-        "cut" => answer::computed(shared, read(shared, request).await?, cut::compute).await,
+        "cut" => stream::events(shared, read(shared, request).await?, cut::compute).await,
         "export" => {
             let Wanted { model, view, what, columns } = read(shared, request).await?;
             let (own, limits) = (shared.clone(), shared.limits);
@@ -257,13 +263,39 @@ async fn read<T: DeserializeOwned>(shared: &Shared, request: Request<Incoming>) 
     })
 }
 
+/// The right to compute, and the threads to do it with.
+pub(crate) struct Turn {
+    shared: Arc<Shared>,
+    pool: Arc<ThreadPool>,
+    _permit: OwnedSemaphorePermit,
+}
+
+impl Turn {
+    /// Computes, and gives the right back.
+    pub(crate) fn take<T: Send>(self, work: impl FnOnce() -> T + Send) -> T {
+        self.pool.install(work)
+    }
+}
+
+impl Drop for Turn {
+    fn drop(&mut self) {
+        self.shared.threads().push(self.pool.clone());
+    }
+}
+
 impl Shared {
+    fn threads(&self) -> MutexGuard<'_, Vec<Arc<ThreadPool>>> {
+        self.threads.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// The right to compute, once it is there; none if it takes too long.
-    pub(crate) async fn turn(&self) -> Result<OwnedSemaphorePermit, Problem> {
-        let busy = |_| Problem::new(StatusCode::SERVICE_UNAVAILABLE, "the server is busy");
+    pub(crate) async fn turn(self: &Arc<Self>) -> Result<Turn, Problem> {
+        let refused = |why| Problem::new(StatusCode::SERVICE_UNAVAILABLE, why);
         let turn = timeout(self.limits.time, self.computations.clone().acquire_owned()).await;
-        turn.map_err(busy)?
-            .map_err(|_| Problem::new(StatusCode::SERVICE_UNAVAILABLE, "the server is closing"))
+        let permit = turn.map_err(|_| refused("the server is busy"))?;
+        let permit = permit.map_err(|_| refused("the server is closing"))?;
+        let pool = self.threads().pop().ok_or_else(|| refused("the server is busy"))?;
+        Ok(Turn { shared: self.clone(), pool, _permit: permit })
     }
 
     /// A mark that ends a computation when its time or its steps are used up, when all are to end, and when what is returned beside it is

@@ -96,7 +96,7 @@ impl Progress for Events {
 }
 
 /// Computes, and sends what is found as it is found.
-pub(crate) async fn events<T: Send + 'static>(
+pub(crate) async fn events<T: Send + Sync + 'static>(
     shared: &Arc<Shared>,
     request: T,
     compute: fn(&T, &Events, &Stop) -> Result<(), Problem>,
@@ -107,12 +107,11 @@ pub(crate) async fn events<T: Send + 'static>(
     spawn_blocking(move || {
         let began = Instant::now();
         let events = Events { sender, stop: stop.clone(), told: Mutex::default() };
-        match compute(&request, &events, &stop) {
+        match turn.take(|| compute(&request, &events, &stop)) {
             _ if stop.is_asked() => events.send("error", &json!({ "message": Problem::ended().message() })),
             Ok(()) => events.send("done", &json!({ "seconds": began.elapsed().as_secs_f64() })),
             Err(problem) => events.send("error", &json!({ "message": problem.message() })),
         }
-        drop(turn);
     });
     let mut response = Response::new(Reading { receiver, _guard: guard }.boxed());
     response.headers_mut().insert(CONTENT_TYPE, HeaderValue::from_static("text/event-stream"));

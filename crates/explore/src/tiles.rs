@@ -1,5 +1,7 @@
 //! What simulation sees in the plane, from coarse to fine.
 
+use std::time::{Duration, Instant};
+
 use grazing_model::ImpactOscillator;
 use grazing_reproduction::plane::Axes;
 use grazing_unfold::Scope;
@@ -23,6 +25,9 @@ pub(crate) struct Asked {
     columns: u32,
     rows: u32,
     periods: u32,
+    /// So many of the places that come first are known.
+    #[serde(default)]
+    known: usize,
 }
 
 /// Places of the plane and forcing periods, at most.
@@ -30,8 +35,9 @@ const MOST: u32 = 1000;
 const MOST_PERIODS: u32 = 5000;
 /// The width of the first cells; each is half the one before.
 const COARSEST: u32 = 16;
-/// Places that are sent at once.
-const LOT: usize = 500;
+/// Places that are sent at once to begin with; later ones are as large as can be simulated in about this time.
+const LOT: usize = 32;
+const OFTEN: Duration = Duration::from_millis(100);
 /// Of all forcing periods those that count are this part.
 const COUNTED: u32 = 6;
 
@@ -58,19 +64,23 @@ impl Job for Tiled<'_> {
     type Outcome = ();
 
     fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, _: &Axes) {
-        let Asked { columns, rows, periods, .. } = *self.asked;
+        let Asked { columns, rows, periods, mut known, .. } = *self.asked;
         let counted = periods / COUNTED;
-        let mut step = COARSEST;
+        let (mut step, mut lot) = (COARSEST, LOT);
         loop {
             let places = (0..rows)
                 .step_by(step as usize)
                 .flat_map(|row| (0..columns).step_by(step as usize).map(move |column| [column, row]));
-            let known = |[column, row]: &[u32; 2]| {
+            let coarser = |[column, row]: &[u32; 2]| {
                 step < COARSEST && column % (2 * step) == 0 && row % (2 * step) == 0
             };
-            let places: Vec<[u32; 2]> = places.filter(|place| !known(place)).collect();
-            for lot in places.chunks(LOT) {
-                let cells = lot.par_iter().map(|&[column, row]| {
+            let mut places: Vec<[u32; 2]> = places.filter(|place| !coarser(place)).collect();
+            known -= places.drain(..known.min(places.len())).len();
+            let mut rest = &places[..];
+            while !rest.is_empty() {
+                let (now, later) = rest.split_at(lot.min(rest.len()));
+                let began = Instant::now();
+                let cells = now.par_iter().map(|&[column, row]| {
                     if self.events.stopped() {
                         return Value::Null;
                     }
@@ -87,6 +97,8 @@ impl Job for Tiled<'_> {
                     return;
                 }
                 self.events.send("tiles", &json!({"step": step, "cells": cells}));
+                lot = if began.elapsed() < OFTEN { 2 * lot } else { (lot / 2).max(1) };
+                rest = later;
             }
             if step == 1 {
                 return;

@@ -17,7 +17,7 @@ mod fig07;
 mod fig08;
 mod fig09;
 mod fig10;
-mod one_parameter;
+pub mod one_parameter;
 pub mod parameters;
 pub mod plane;
 pub mod published;

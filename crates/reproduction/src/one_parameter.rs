@@ -1,110 +1,106 @@
 //! One-parameter diagrams as rows: those of an oscillator from a text file, and what Figure 2 shares with them.
 
-use grazing_continuation::curve::Window;
+use std::borrow::Cow;
+
 use grazing_description::{Description, OneParameter};
-use grazing_model::smooth::{Dimensionless, Integrated, Units};
+use grazing_model::ImpactOscillator;
+use grazing_model::smooth::Units;
 use grazing_results::Frame;
 use grazing_results::branches::{
     self, AttractorPoint, BranchBifurcation, BranchPoint, PortraitKind, PortraitPoint,
 };
+use grazing_unfold::Scope;
 use grazing_unfold::diagram::DiagramCurve;
 use grazing_unfold::one_parameter::{self, Plan, Portrait, Strand, Wanted, exchanged};
 use grazing_unfold::progress::Progress;
-use grazing_unfold::stop::{Stop, Stoppable, Unfinished};
-use grazing_unfold::{Diagram, Scope};
+use grazing_unfold::stop::{Stop, Unfinished};
 
 use crate::plane::centred;
-use crate::unfolded::Described;
+use crate::unfolded::prepared;
 
 /// How long-time behaviour is sampled: at as many values as columns of dots can be told apart in a figure, after a transient that is longer where
 /// damping is weak.
-const PLAN: Plan = Plan { values: 240, orbits: 2, transient: 150, recorded: 24, seed: 1 };
+pub const PLAN: Plan = Plan { values: 240, orbits: 2, transient: 150, recorded: 24, seed: 1 };
 
 /// The one-parameter diagrams that a file asks for, in the oscillator's own units, and what is missing.
 pub(crate) fn diagrams(
     description: &Description,
-    units: &Units,
-    diagram: &Diagram<Described>,
+    curves: &[DiagramCurve],
     stop: &Stop,
     progress: &dyn Progress,
 ) -> (Vec<branches::OneParameter>, Vec<Unfinished>) {
     let (mut diagrams, mut unfinished) = (Vec::new(), Vec::new());
     for (number, asked) in (1..).zip(description.diagrams()) {
-        let found = Asked { description, units: *units, asked }.compute(diagram, stop, progress);
+        let found = along(description, (asked, &PLAN), curves, stop, progress, &mut |_| ());
         let missing = match &found {
             None => Some(format!("one-parameter diagram {number}")),
-            Some((found, _)) if found.unfinished => {
+            Some(found) if found.resting.is_none() => {
                 Some(format!("long-time behaviour and phase portraits of one-parameter diagram {number}"))
             }
             Some(_) => None,
         };
         unfinished.extend(missing.map(Unfinished::stage));
-        diagrams.extend(found.map(|(found, units)| rows(number, description, asked, &found, &units)));
+        diagrams.extend(found.map(|found| branches::OneParameter { diagram: number, ..found }));
     }
     (diagrams, unfinished)
 }
 
-/// A diagram that is asked for, of an oscillator counted in units.
-struct Asked<'a> {
-    description: &'a Description,
-    units: Units,
-    asked: &'a OneParameter,
-}
-
-impl Asked<'_> {
-    /// The diagram without dimensions, and the units in which it counts, with the parameter across as the primary one.
-    fn compute(
-        &self,
-        diagram: &Diagram<Described>,
-        stop: &Stop,
-        progress: &dyn Progress,
-    ) -> Option<(one_parameter::OneParameter, Units)> {
-        let Self { description, units, asked } = *self;
-        if !asked.primary_is_fixed {
-            let oscillator = diagram.grazing[0].states[0].orbit.oscillator();
-            return Some((
-                look(oscillator, &diagram.scope, &diagram.curves, asked, &units, progress)?,
-                units,
-            ));
-        }
-        let units = Units { primary: units.secondary, secondary: units.primary, ..units };
-        let Scope { window, loops, start } = &diagram.scope;
-        let window = Window { primary: window.secondary, secondary: window.primary };
-        let scope = Scope { window, loops: loops.clone(), start: *start };
-        let stoppable = Stoppable::new(Dimensionless::new(description.exchanged(), units), stop.clone());
-        let oscillator = Integrated::new(stoppable, [window.primary[0], window.secondary[0]]);
-        let curves = exchanged(&diagram.curves);
-        Some((look(&oscillator, &scope, &curves, asked, &units, progress)?, units))
-    }
-}
-
-fn look(
-    oscillator: &Described,
-    scope: &Scope,
+/// The one-parameter diagram that is asked for, in the oscillator's own units; curves of the two-parameter diagram lead to branches as far as they are
+/// known. The seed is that of what is asked for. `begun` gets the branches before the simulation, which takes longer.
+///
+/// `None` if an end was asked for before the branches were known.
+pub fn along(
+    description: &Description,
+    (asked, plan): (&OneParameter, &Plan),
     curves: &[DiagramCurve],
-    asked: &OneParameter,
-    units: &Units,
+    stop: &Stop,
     progress: &dyn Progress,
-) -> Option<one_parameter::OneParameter> {
+    begun: &mut dyn FnMut(branches::OneParameter),
+) -> Option<branches::OneParameter> {
+    let units = description.units();
+    // The parameter across is the primary one.
+    let (description, units, curves) = match asked.primary_is_fixed {
+        false => (Cow::Borrowed(description), units, Cow::Borrowed(curves)),
+        true => (
+            Cow::Owned(description.exchanged()),
+            Units { primary: units.secondary, secondary: units.primary, ..units },
+            Cow::Owned(exchanged(curves)),
+        ),
+    };
+    let (oscillator, scope) = prepared(&description, &units, stop);
+    let from_the_wall = !description.wall().is_usual();
+    let told = |found| branches::OneParameter { from_the_wall, ..found };
+    let mut begun = |found| begun(told(found));
+    of(&oscillator, &scope, &units, (asked, plan), &curves, progress, &mut begun).map(told)
+}
+
+/// Likewise, of any oscillator, counted with its scope in units, in which the parameter across is the primary one.
+pub fn of<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    units: &Units,
+    (asked, plan): (&OneParameter, &Plan),
+    curves: &[DiagramCurve],
+    progress: &dyn Progress,
+    begun: &mut dyn FnMut(branches::OneParameter),
+) -> Option<branches::OneParameter> {
     let wanted = Wanted {
         secondary: asked.at / units.secondary,
         range: asked.range.map(|value| value / units.primary),
         portraits: asked.portraits.iter().map(|value| value / units.primary).collect(),
-        plan: Plan { seed: asked.seed, ..PLAN },
+        plan: Plan { seed: asked.seed, ..plan.clone() },
     };
-    one_parameter::OneParameter::compute(oscillator, scope, curves, &wanted, progress)
+    let mut begun = |found: &one_parameter::OneParameter| begun(rows(asked, found, units));
+    let found =
+        one_parameter::OneParameter::compute(oscillator, scope, curves, &wanted, progress, &mut begun)?;
+    Some(rows(asked, &found, units))
 }
 
 /// Room below the lowest and above the highest point that is shown, as a part of the height between.
 const MARGIN: f64 = 0.06;
 
-fn rows(
-    number: u32,
-    description: &Description,
-    asked: &OneParameter,
-    found: &one_parameter::OneParameter,
-    units: &Units,
-) -> branches::OneParameter {
+/// As the first diagram of its file.
+fn rows(asked: &OneParameter, found: &one_parameter::OneParameter, units: &Units) -> branches::OneParameter {
     let strands = (1..).zip(&found.strands).flat_map(|(polyline, strand)| strand_rows(polyline, strand));
     let branches = strands.map(|row| BranchPoint {
         primary: row.primary * units.primary,
@@ -131,11 +127,11 @@ fn rows(
     let [lowest, highest] = shown.fold([0.0, 0.0], |[least, most]: [f64; 2], x| [least.min(x), most.max(x)]);
     let margin = MARGIN * if highest > lowest { highest - lowest } else { units.length };
     branches::OneParameter {
-        diagram: number,
+        diagram: 1,
         primary_is_fixed: asked.primary_is_fixed,
         at: asked.at,
         frame: Frame { x: asked.range, y: [lowest - margin, highest + margin] },
-        from_the_wall: !description.wall().is_usual(),
+        from_the_wall: false,
         branches,
         bifurcations: bifurcations.collect(),
         attractor,

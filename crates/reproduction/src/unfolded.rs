@@ -133,7 +133,7 @@ impl Unfolded<Described> {
                 other => other,
             });
         if let Ok(Self { diagram, diagrams, .. }) = &mut unfolded {
-            let (found, unfinished) = one_parameter::diagrams(description, &units, diagram, stop, progress);
+            let (found, unfinished) = one_parameter::diagrams(description, &diagram.curves, stop, progress);
             *diagrams = found;
             diagram.unfinished.extend(unfinished);
         }

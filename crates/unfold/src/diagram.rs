@@ -68,6 +68,9 @@ const CURVES: &str = "bifurcation curves";
 
 /// A curve of this many points has lost its way.
 const STEP_LIMIT: usize = 20_000;
+/// Regions of a window that is narrower than this are parts of those of one that is not: curves that touch at a resonance are too close to each other
+/// there for slices to be told apart from rounding, as branches begin at impact velocities of the order of the root of its width.
+const NARROW: f64 = 1e-6;
 
 /// The route through a window to the first event.
 pub fn route(window: Window, control: StepControl) -> Route {
@@ -84,6 +87,18 @@ fn drawn(window: Window) -> Route {
 
 /// Steps are at least so many times as long as the shortest.
 const LEAST_STEPS: f64 = 10.0;
+
+/// The window about a narrow one in which regions are decided.
+fn widened(window: Window) -> Option<Window> {
+    let about = |[low, high]: [f64; 2]| {
+        let room = (0.5 * (NARROW - (high - low))).max(0.0);
+        [low - room, high + room]
+    };
+    let [across, up] = window.widths();
+    let wide = Window { primary: about(window.primary), secondary: about(window.secondary) };
+    // Not once more because of rounding.
+    (across.min(up) < 0.5 * NARROW).then_some(wide)
+}
 
 impl<O: ImpactOscillator> Diagram<O> {
     /// Finds the grazing curves of an oscillator and all resonances on them, and follows the curves that leave these.
@@ -148,6 +163,17 @@ impl<O: ImpactOscillator> Diagram<O> {
             }));
         }
         self.take(nets, &followed);
+        if let Some(window) = widened(self.scope.window) {
+            let scope = Scope { window, ..self.scope.clone() };
+            let oscillator = self.grazing[0].states[0].orbit.oscillator();
+            if let Ok(wide) = Self::located(oscillator, &scope, progress) {
+                let followed = wide.follow(progress, &|_, _| ());
+                let wide = wide.with(followed, progress);
+                self.regions =
+                    wide.regions.iter().flat_map(|region| region.within(self.scope.window)).collect();
+                self.unfinished.extend(wide.unfinished);
+            }
+        }
         self
     }
 

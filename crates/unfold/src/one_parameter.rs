@@ -73,7 +73,8 @@ const LEAST_DEPTH: f64 = 1.0;
 
 impl OneParameter {
     /// What there is of an oscillator at one η, the values of μ and the numbers of loops being those of the scope. Curves of the
-    /// two-parameter diagram that are known lead to branches, but need not be there.
+    /// two-parameter diagram that are known lead to branches, but need not be there. `begun` gets the branches before the simulation, which takes
+    /// longer.
     ///
     /// `None` if an end was asked for before the branches were known.
     pub fn compute<O: ImpactOscillator>(
@@ -82,6 +83,7 @@ impl OneParameter {
         curves: &[DiagramCurve],
         wanted: &Wanted,
         progress: &dyn Progress,
+        begun: &mut dyn FnMut(&Self),
     ) -> Option<Self> {
         let Wanted { secondary, range, .. } = *wanted;
         progress.begin(BRANCHES, scope.loops.len() as u64 + 1);
@@ -109,13 +111,16 @@ impl OneParameter {
         if progress.stopped() {
             return None;
         }
+        let (visits, portraits) = (Vec::new(), Vec::new());
+        let mut found = Self { strands, bifurcations, visits, resting: [0, 0], portraits, unfinished: true };
+        begun(&found);
         let products = motion
             .branches
             .iter()
             .flat_map(|branch| &branch.orbits)
             .map(|orbit| orbit.multipliers.determinant);
         let plan = &wanted.plan.as_long_as_it_takes(products);
-        let shown = strands.iter().flat_map(|strand| &strand.points).filter(|point| point.admissible);
+        let shown = found.strands.iter().flat_map(|strand| &strand.points).filter(|point| point.admissible);
         let lowest = shown.map(|point| point.x).fold(-LEAST_DEPTH, f64::min);
         let scene = portraits::Scene {
             orbits: &orbits,
@@ -124,14 +129,12 @@ impl OneParameter {
             plan,
             lowest,
         };
-        let long_time = long_time_behaviour(oscillator, secondary, range, (plan, lowest), progress);
+        let (visits, resting) = long_time_behaviour(oscillator, secondary, range, (plan, lowest), progress);
         let portraits = scene.at_all(&wanted.portraits, secondary, progress);
-        let unfinished = progress.stopped();
-        let (visits, resting, portraits) = match unfinished {
-            true => (Vec::new(), [0, 0], Vec::new()),
-            false => (long_time.0, long_time.1, portraits),
-        };
-        Some(Self { strands, bifurcations, visits, resting, portraits, unfinished })
+        if !progress.stopped() {
+            found = Self { visits, resting, portraits, unfinished: false, ..found };
+        }
+        Some(found)
     }
 }
 

@@ -102,6 +102,20 @@ impl Region {
         Self { kind: RegionKind::Undecided(Doubt::NotFinished), loops, n: 0, rings: vec![border] }
     }
 
+    /// What of it lies in a window.
+    pub(crate) fn within(&self, window: Window) -> impl Iterator<Item = Self> {
+        let ([left, right], [low, high]) = (window.primary, window.secondary);
+        let [from, to] = self.extent();
+        let across = [low, high].map(|level| vec![[from[0].min(left), level], [to[0].max(right), level]]);
+        let up = [left, right].map(|place| vec![[place, from[1].min(low)], [place, to[1].max(high)]]);
+        let part = |rings| Self { rings, ..self.clone() };
+        let inside = move |part: &Self| {
+            let [from, to] = part.extent();
+            window.contains([0, 1].map(|k| 0.5 * (from[k] + to[k])))
+        };
+        faces::part(&self.rings, &[across, up].concat()).into_iter().map(part).filter(inside)
+    }
+
     /// The least and the greatest (μ, η).
     pub fn extent(&self) -> [[f64; 2]; 2] {
         let beyond = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];

@@ -1,11 +1,15 @@
 //! Chromium without a window, driven by its own protocol as a person drives it: by mouse and keys.
 
+use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::net::TcpStream;
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 use tungstenite::stream::MaybeTlsStream;
@@ -13,8 +17,27 @@ use tungstenite::{Message, WebSocket};
 
 /// The names under which systems have the browser.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+/// The page's modules by name are at hand in expressions.
+const USE: &str = "window.use ??= (...names) => Promise.all(names.map((name) => import(new URL(`./${name}.js`, document.baseURI))));";
+/// Keys that do more than write a letter: name, number, and what they write.
+const KEYS: [(&str, u32, &str); 10] = [
+    ("Tab", 9, ""),
+    ("Enter", 13, "\r"),
+    ("Escape", 27, ""),
+    (" ", 32, " "),
+    ("End", 35, ""),
+    ("Home", 36, ""),
+    ("ArrowLeft", 37, ""),
+    ("ArrowUp", 38, ""),
+    ("ArrowRight", 39, ""),
+    ("ArrowDown", 40, ""),
+];
+/// Keys that are held meanwhile, in the protocol's numbers.
+pub(crate) const CONTROL: u32 = 2;
+pub(crate) const SHIFT: u32 = 8;
+
 /// Longer than anything takes on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(90);
+const PATIENCE: Duration = Duration::from_secs(40);
 
 /// A browser with one page.
 pub(crate) struct Browser {
@@ -58,11 +81,17 @@ impl Browser {
         let mobile = width < 500;
         let screen = json!({"width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile});
         browser.call("Emulation.setDeviceMetricsOverride", screen);
+        browser.call("Emulation.setTouchEmulationEnabled", json!({"enabled": mobile, "maxTouchPoints": 2}));
+        browser.call("Emulation.setScrollbarsHidden", json!({"hidden": true}));
+        // As if its window were the one that is used.
+        browser.call("Emulation.setFocusEmulationEnabled", json!({"enabled": true}));
         browser.go(address);
         Some(browser)
     }
 
+    /// Leaves the page, and opens an address.
     pub(crate) fn go(&mut self, address: &str) {
+        self.call("Page.navigate", json!({"url": "about:blank"}));
         self.call("Page.navigate", json!({ "url": address }));
     }
 
@@ -90,6 +119,7 @@ impl Browser {
     }
 
     fn evaluated(&mut self, expression: &str) -> Result<Value, Value> {
+        let expression = format!("{USE} {expression}");
         let asked = json!({"expression": expression, "returnByValue": true, "awaitPromise": true});
         let found = self.call("Runtime.evaluate", asked);
         match found.get("exceptionDetails") {
@@ -117,49 +147,163 @@ impl Browser {
                 let seen = self.value("document.body.innerText.slice(0, 2000)");
                 panic!("{expression} is not true: {seen}");
             }
-            sleep(Duration::from_millis(50));
+            sleep(Duration::from_millis(20));
         }
     }
 
     /// The middle of an element.
-    fn middle(&mut self, selector: &str) -> [f64; 2] {
+    pub(crate) fn middle(&mut self, selector: &str) -> [f64; 2] {
         let expression = format!(
-            "(() => {{ const e = document.querySelector({selector:?}); e.scrollIntoView({{block: \"nearest\"}}); const b = \
+            "(() => {{ const e = document.querySelector({selector:?}); e.scrollIntoView({{block: \"nearest\", behavior: \"instant\"}}); const b = \
              e.getBoundingClientRect(); return [b.left + b.width / 2, b.top + b.height / 2]; }})()"
         );
-        let found = self.value(&expression);
+        self.point(&expression)
+    }
+
+    /// The value of an expression that is a point.
+    #[track_caller]
+    pub(crate) fn point(&mut self, expression: &str) -> [f64; 2] {
+        let found = self.value(expression);
         [0, 1].map(|index| found[index].as_f64().unwrap())
     }
 
-    fn mouse(&mut self, kind: &str, [x, y]: [f64; 2]) {
+    fn mouse(&mut self, kind: &str, [x, y]: [f64; 2], held: u32) {
         let button = if kind == "mouseMoved" { "none" } else { "left" };
-        let event = json!({"type": kind, "x": x, "y": y, "button": button, "clickCount": 1});
+        let event =
+            json!({"type": kind, "x": x, "y": y, "button": button, "clickCount": 1, "modifiers": held});
         self.call("Input.dispatchMouseEvent", event);
     }
 
     /// Clicks on the middle of an element, or so far from there.
     pub(crate) fn click(&mut self, selector: &str, [across, down]: [f64; 2]) {
         let [x, y] = self.middle(selector);
-        let spot = [x + across, y + down];
+        self.click_at([x + across, y + down]);
+    }
+
+    pub(crate) fn click_at(&mut self, spot: [f64; 2]) {
         for kind in ["mouseMoved", "mousePressed", "mouseReleased"] {
-            self.mouse(kind, spot);
+            self.mouse(kind, spot, 0);
         }
     }
 
-    /// Turns the wheel over the middle of an element.
-    pub(crate) fn wheel(&mut self, selector: &str, by: f64) {
-        let [x, y] = self.middle(selector);
+    /// Moves the pointer.
+    pub(crate) fn hover(&mut self, spot: [f64; 2]) {
+        self.mouse("mouseMoved", spot, 0);
+    }
+
+    /// Drags from one spot to another in steps, keys held meanwhile, and does something after each.
+    pub(crate) fn drag(
+        &mut self,
+        [from, to]: [[f64; 2]; 2],
+        steps: u32,
+        held: u32,
+        mut each: impl FnMut(&mut Self),
+    ) {
+        self.mouse("mouseMoved", from, held);
+        self.mouse("mousePressed", from, held);
+        for step in 1..=steps {
+            let part = f64::from(step) / f64::from(steps);
+            let spot = [0, 1].map(|index| from[index] + part * (to[index] - from[index]));
+            let event = json!({"type": "mouseMoved", "x": spot[0], "y": spot[1], "button": "left", "buttons": 1, "modifiers": held});
+            self.call("Input.dispatchMouseEvent", event);
+            each(self);
+        }
+        self.mouse("mouseReleased", to, held);
+    }
+
+    /// Puts a finger down, moves it in steps, and lifts it.
+    pub(crate) fn touch(&mut self, [from, to]: [[f64; 2]; 2], steps: u32) {
+        let at = |part: f64| json!([{"x": from[0] + part * (to[0] - from[0]), "y": from[1] + part * (to[1] - from[1])}]);
+        self.call("Input.dispatchTouchEvent", json!({"type": "touchStart", "touchPoints": at(0.0)}));
+        for step in 1..=steps {
+            let points = at(f64::from(step) / f64::from(steps));
+            self.call("Input.dispatchTouchEvent", json!({"type": "touchMove", "touchPoints": points}));
+        }
+        self.call("Input.dispatchTouchEvent", json!({"type": "touchEnd", "touchPoints": []}));
+    }
+
+    /// Puts two fingers down and moves both.
+    pub(crate) fn fingers(&mut self, steps: &[[[f64; 2]; 2]]) {
+        for (step, fingers) in steps.iter().enumerate() {
+            let points = fingers.map(|[x, y]| json!({ "x": x, "y": y }));
+            let kind = if step == 0 { "touchStart" } else { "touchMove" };
+            self.call("Input.dispatchTouchEvent", json!({"type": kind, "touchPoints": points}));
+        }
+        self.call("Input.dispatchTouchEvent", json!({"type": "touchEnd", "touchPoints": []}));
+    }
+
+    /// Turns the wheel at a spot.
+    pub(crate) fn wheel(&mut self, [x, y]: [f64; 2], by: f64) {
         let event = json!({"type": "mouseWheel", "x": x, "y": y, "deltaX": 0, "deltaY": by});
         self.call("Input.dispatchMouseEvent", event);
     }
 
     /// Presses a key, as `ArrowRight` or `h`.
     pub(crate) fn press(&mut self, key: &str) {
-        let text = if key.chars().count() == 1 { key } else { "" };
+        self.press_with(key, 0);
+    }
+
+    /// Presses a key while others are held.
+    pub(crate) fn press_with(&mut self, key: &str, held: u32) {
+        let known = KEYS.iter().find(|(name, ..)| *name == key);
+        let (number, text) = known
+            .map_or((0, if key.chars().count() == 1 { key } else { "" }), |(_, number, text)| {
+                (*number, *text)
+            });
         for kind in ["keyDown", "keyUp"] {
             let text = if kind == "keyDown" { text } else { "" };
-            self.call("Input.dispatchKeyEvent", json!({"type": kind, "key": key, "text": text}));
+            let event = json!({"type": kind, "key": key, "text": text, "modifiers": held, "windowsVirtualKeyCode": number});
+            self.call("Input.dispatchKeyEvent", event);
         }
+    }
+
+    /// Types a text where the focus is.
+    pub(crate) fn write(&mut self, text: &str) {
+        self.call("Input.insertText", json!({ "text": text }));
+    }
+
+    /// What people want of pages: `prefers-color-scheme`, `prefers-reduced-motion`.
+    pub(crate) fn prefer(&mut self, name: &str, value: &str) {
+        self.call("Emulation.setEmulatedMedia", json!({"features": [{"name": name, "value": value}]}));
+    }
+
+    /// What a screen reader is told: role, name and value of all that is seen.
+    pub(crate) fn told(&mut self) -> Vec<[String; 3]> {
+        let tree = self.call("Accessibility.getFullAXTree", json!({}));
+        let text = |value: &Value| match &value["value"] {
+            Value::String(text) => text.clone(),
+            Value::Null => String::new(),
+            other => other.to_string(),
+        };
+        let nodes = tree["nodes"].as_array().unwrap().iter().filter(|node| node["ignored"] != true);
+        nodes.map(|node| ["role", "name", "value"].map(|key| text(&node[key]))).collect()
+    }
+
+    /// What is copied can be read, and what is saved lies in a folder.
+    pub(crate) fn permit(&mut self, folder: &Path) {
+        let permissions = json!({"permissions": ["clipboardReadWrite", "clipboardSanitizedWrite"]});
+        self.call("Browser.grantPermissions", permissions);
+        let saved = json!({"behavior": "allow", "downloadPath": folder});
+        self.call("Browser.setDownloadBehavior", saved);
+    }
+
+    /// A picture of the window, as WebP.
+    pub(crate) fn picture(&mut self) -> Vec<u8> {
+        let taken = self.call("Page.captureScreenshot", json!({"format": "webp", "quality": 80}));
+        STANDARD.decode(taken["data"].as_str().unwrap()).unwrap()
+    }
+}
+
+/// A file in a folder, once it is there; the browser gives it another name until it is whole.
+#[track_caller]
+pub(crate) fn saved(folder: &Path, name: &str) -> Vec<u8> {
+    let began = Instant::now();
+    loop {
+        match fs::read(folder.join(name)) {
+            Ok(content) => return content,
+            Err(error) => assert!(began.elapsed() < PATIENCE, "{name}: {error}"),
+        }
+        sleep(Duration::from_millis(20));
     }
 }
 

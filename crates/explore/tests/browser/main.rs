@@ -1,6 +1,13 @@
-//! The page in a real browser, by mouse, by keys, and on a phone's screen.
+//! The page in a real browser: each of its abilities by mouse, by keys alone, and on a phone's screen.
 
+mod access;
 mod chromium;
+mod constants;
+mod file;
+mod film;
+mod overlay;
+mod places;
+mod plane;
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -8,6 +15,11 @@ use std::thread::{self, JoinHandle};
 
 use chromium::Browser;
 use grazing_explore::{Example, Limits, Server, Sheet};
+use serde_json::Value;
+
+/// A window on a desk, and a phone's.
+const DESK: [u32; 2] = [1400, 900];
+const PHONE: [u32; 2] = [360, 740];
 
 /// A server with the paper's oscillator and a file.
 struct Running {
@@ -18,6 +30,10 @@ struct Running {
 
 impl Running {
     fn new() -> Self {
+        Self::with(Limits::default())
+    }
+
+    fn with(limits: Limits) -> Self {
         let text = include_str!("../../../../examples/duffing.toml").to_owned();
         let examples = vec![
             Example { name: "Paper".to_owned(), file: String::new(), text: None },
@@ -26,12 +42,19 @@ impl Running {
         let export = |_: &_, _: &_, what: &str, _: &str, _: &_| {
             Ok(Sheet { name: "taken".to_owned(), kind: "text/csv", content: what.as_bytes().to_vec() })
         };
-        let server = Server::bind(0, Limits::default(), examples, Box::new(export)).unwrap();
+        let server = Server::bind(0, limits, examples, Box::new(export)).unwrap();
         let address = server.address();
         let ended = Arc::new(AtomicBool::new(false));
         let asked = ended.clone();
         let thread = thread::spawn(move || server.run(|| asked.load(Ordering::Relaxed), || false).unwrap());
         Self { address, ended, thread: Some(thread) }
+    }
+
+    /// The page, once the paper's diagram is whole.
+    fn open(&self, window: [u32; 2]) -> Option<Browser> {
+        let mut page = Browser::open(&self.address, window)?;
+        page.wait(WHOLE);
+        Some(page)
     }
 }
 
@@ -44,98 +67,51 @@ impl Drop for Running {
     }
 }
 
-/// The diagram is whole.
-const WHOLE: &str = "/curves and \\d+ points in/.test(document.getElementById('progress-text').textContent) && \
+/// The diagram is whole, and what is said of it.
+const WHOLE: &str = "/curves? and \\d+ points? in/.test(document.getElementById('progress-text').textContent) && \
                      document.getElementById('progress-text').textContent";
 /// What is said of the place, once it is known.
-const PLACE: &str = "/\\d %/.test(document.getElementById('places').textContent) && document.getElementById('places').textContent";
+const PLACE: &str = "use('state').then(([s]) => !document.querySelector('.place[aria-busy]') && \
+                     /\\d %/.test(document.getElementById('places').textContent) && s.get().place && \
+                     document.getElementById('places').textContent)";
 
-#[test]
-fn the_plane_is_walked_in_by_mouse() {
-    let server = Running::new();
-    let Some(mut page) = Browser::open(&server.address, [1400, 900]) else { return };
-    page.wait(WHOLE);
-    assert_eq!(page.value("document.getElementById('resonances-count').textContent"), "15");
-    // Far above grazing, at a high frequency, everything comes to a solution of one loop.
-    page.click("#plane", [200.0, -200.0]);
-    let place = page.wait(PLACE);
-    assert!(place.as_str().unwrap().contains("MPS, 1 loop"), "{place}");
-    // Below grazing nothing hits the wall.
-    page.click("#plane", [-350.0, 100.0]);
-    page.wait(&format!("/No impacts/.test({PLACE})"));
-    let before = page.value("location.hash");
-    page.wheel("#plane", -300.0);
-    page.wait(&format!("location.hash !== {before} && {WHOLE}"));
-    page.click("[data-command=whole]", [0.0, 0.0]);
-    page.wait(WHOLE);
-    // Simulation is laid under the curves and agrees with the shading.
-    page.click("[data-command=overlay]", [0.0, 0.0]);
-    page.wait("/[1-9]/.test(document.getElementById('tiles-status').textContent)");
+/// An entry of the page's state.
+fn state(page: &mut Browser, name: &str) -> Value {
+    page.value(&format!("use('state').then(([s]) => s.get().{name})"))
 }
 
-#[test]
-fn keys_alone_are_enough_and_the_address_holds_what_is_seen() {
-    let server = Running::new();
-    let Some(mut page) = Browser::open(&server.address, [1000, 800]) else { return };
-    page.wait(WHOLE);
+/// Numbers of the page's state.
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
+}
+
+/// Where on the screen a place of the plane is.
+fn spot(page: &mut Browser, [primary, secondary]: [f64; 2]) -> [f64; 2] {
+    page.value("document.getElementById('stage').scrollIntoView({block: 'nearest', behavior: 'instant'})");
+    page.point(&format!(
+        "use('plane', 'model', 'state').then(([p, m, s]) => {{ const b = document.getElementById('plane').getBoundingClientRect(); \
+         const [x, y] = p.project(m.viewOf(s.get()))([{primary}, {secondary}]); return [b.left + x, b.top + y]; }})"
+    ))
+}
+
+/// What is known of the curves that are continued: key, kind and points of each.
+const CURVES: &str = "use('diagram').then(([d]) => [...d.diagram.curves.values()].filter(({source}) => source !== 'quadratic')\
+                      .map(({key, kind, n, points}) => ({key, kind, n, points})).sort((a, b) => (a.key < b.key ? -1 : 1)))";
+
+/// The keys of these curves.
+fn keys(curves: &Value) -> Vec<&str> {
+    curves.as_array().unwrap().iter().map(|curve| curve["key"].as_str().unwrap()).collect()
+}
+
+/// Presses a key of the plane.
+fn plane_key(page: &mut Browser, key: &str) {
     page.value("document.getElementById('plane').focus()");
-    for _ in 0..3 {
-        page.press("ArrowRight");
-    }
-    let place = page.wait(PLACE);
-    page.press("h");
-    page.wait(
-        "!document.getElementById('cut-panel').hidden && document.getElementById('cut-message').hidden",
-    );
-    page.press("+");
-    page.wait(WHOLE);
-    page.wait("location.hash.length > 20");
-    // The address follows once what is seen has come to rest.
-    let seen = page.value("new Promise(told => setTimeout(() => told(location.hash), 1500))");
-    let seen = seen.as_str().unwrap().to_owned();
-    // The same address somewhere else shows the same.
-    let heading =
-        page.value("document.querySelector('#places h3, #places .at, #places')?.textContent.slice(0, 24)");
-    page.go("about:blank");
-    page.wait("location.href === 'about:blank'");
-    page.go(&format!("{}{seen}", server.address));
-    page.wait(WHOLE);
-    page.wait(PLACE);
-    let again =
-        page.value("document.querySelector('#places h3, #places .at, #places')?.textContent.slice(0, 24)");
-    assert_eq!(heading, again, "{place}");
-    assert_eq!(page.value("location.hash"), seen.as_str());
-    page.value("document.getElementById('plane').focus()");
-    page.press("?");
-    page.wait("document.getElementById('help').open");
-    page.press("Escape");
+    page.press(key);
 }
 
-#[test]
-fn on_a_phone_nothing_is_wider_than_the_screen() {
-    let server = Running::new();
-    let Some(mut page) = Browser::open(&server.address, [360, 740]) else { return };
-    page.wait(WHOLE);
-    assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
-    let small = "[...document.querySelectorAll('button')].filter(b => b.offsetParent && Math.min(b.offsetWidth, \
-                 b.offsetHeight) < 24).length";
-    assert_eq!(page.value(small), 0);
-}
-
-#[test]
-fn a_mistake_in_the_file_is_told_with_its_line() {
-    let server = Running::new();
-    let Some(mut page) = Browser::open(&server.address, [1400, 900]) else { return };
-    page.wait(WHOLE);
-    page.value(
-        "(() => { const s = document.getElementById('oscillator'); s.selectedIndex = [...s.options].findIndex(o => \
-         o.textContent.includes('Duffing')); s.dispatchEvent(new Event('change', {bubbles: true})); })()",
-    );
-    page.click("[data-command=edit]", [0.0, 0.0]);
-    page.wait("document.getElementById('text').value.includes('kappa*x^3')");
-    page.value(
-        "(() => { const t = document.getElementById('text'); t.value = t.value.replace('kappa*x^3', 'kapa*x^3'); \
-         t.dispatchEvent(new Event('input', {bubbles: true})); })()",
-    );
-    page.wait("/unknown name kapa/.test(document.getElementById('verdict').textContent)");
+/// Chooses the file in the menu, which begins with the paper.
+fn choose_duffing(page: &mut Browser) {
+    page.value("document.getElementById('oscillator').focus()");
+    page.press("ArrowDown");
+    page.wait("/Duffing/.test(document.title)");
 }

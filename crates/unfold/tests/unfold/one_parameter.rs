@@ -22,7 +22,7 @@ fn wanted(secondary: f64, range: [f64; 2], values: u32) -> Wanted {
 /// The diagram of the paper's oscillator, integrated from its file, at the frequency of Figure 2; known curves do not help.
 fn of_the_paper(range: [f64; 2], values: u32) -> OneParameter {
     let (oscillator, scope) = example("paper.toml");
-    OneParameter::compute(&oscillator, &scope, &[], &wanted(FREQUENCY, range, values), &Silent)
+    OneParameter::compute(&oscillator, &scope, &[], &wanted(FREQUENCY, range, values), &Silent, &mut |_| ())
         .expect("nobody stops it")
 }
 
@@ -88,7 +88,8 @@ fn a_point_is_on_the_branches_of_either_diagram_that_passes_it() {
     let scope = Scope { window: Window { primary, secondary }, loops: vec![1, 2, 3], start: None };
     let oscillator = Integrated::new(description, [primary[0], secondary[0]]);
     let wanted = wanted(amplitude, [0.84, 0.87], 2);
-    let other = OneParameter::compute(&oscillator, &scope, &[], &wanted, &Silent).expect("nobody stops it");
+    let other = OneParameter::compute(&oscillator, &scope, &[], &wanted, &Silent, &mut |_| ())
+        .expect("nobody stops it");
     for loops in 1..=2 {
         let [one, other] = [at(&one.strands, loops, amplitude), at(&other.strands, loops, FREQUENCY)];
         assert_eq!((one.len(), other.len()), (loops as usize, loops as usize));
@@ -116,7 +117,8 @@ fn a_diagram_is_the_same_for_any_number_of_threads() {
 fn portraits_are_of_stable_solutions_and_of_what_simulation_finds_besides() {
     let (oscillator, scope) = example("paper.toml");
     let wanted = Wanted { portraits: vec![0.266, 0.3, 0.34], ..wanted(FREQUENCY, [0.262, 0.342], 2) };
-    let diagram = OneParameter::compute(&oscillator, &scope, &[], &wanted, &Silent).expect("nobody stops it");
+    let diagram = OneParameter::compute(&oscillator, &scope, &[], &wanted, &Silent, &mut |_| ())
+        .expect("nobody stops it");
     let at = |primary: f64| diagram.portraits.iter().filter(move |portrait| portrait.primary == primary);
     // Below grazing the non-impacting solution is stable, and closes.
     let free = at(0.266).next().expect("there is one");

@@ -122,3 +122,41 @@ fn solutions_are_stable_and_admissible_inside_the_polygons_where_the_clearance_i
     let polygons = &diagram.regions;
     assert!(polygons.iter().any(|polygon| polygon.loops == 0 && polygon.contains([0.99, 2.29])));
 }
+
+#[test]
+fn a_window_of_a_billionth_about_a_resonance_is_shaded_as_the_closed_form_says() {
+    let oscillator = crate::specimens::closed_form();
+    let whole = scope([0.0, 1.3], [0.35, 1.02], &[1, 2, 3]);
+    let diagram = Diagram::located(&oscillator, &whole, &Silent).unwrap();
+    let mut looked_at = 0;
+    for (resonance, point) in diagram.unfolding() {
+        let about = |centre: f64| [centre - 1e-9, centre + 1e-9];
+        let [primary, secondary] = point.orbit().oscillator().parameters().map(about);
+        let narrow = scope(primary, secondary, &[resonance.loops]);
+        let regions = Diagram::compute(&oscillator, &narrow, &Silent).unwrap().regions;
+        // Where a region says that it is not decided, nothing is claimed.
+        let undecided = |region: &Region| matches!(region.kind, RegionKind::Undecided(_));
+        if regions.iter().any(undecided) {
+            continue;
+        }
+        looked_at += 1;
+        for share in [0.05, 0.25, 0.75, 0.95] {
+            for up in [0.2, 0.5, 0.8] {
+                let at = narrow.window.parameters([share, up]);
+                let grazing = grazing_at(ZETA, at[1]).amplitude();
+                // Nearer than this to the curve rounding is all that is left.
+                if (at[0] - grazing).abs() < 1e-10 {
+                    continue;
+                }
+                let shaded =
+                    |loops: u32| regions.iter().any(|region| region.loops == loops && region.contains(at));
+                let stable = closed_form::orbits(ZETA, EPSILON, at[0], at[1], resonance.loops)
+                    .iter()
+                    .any(|orbit| orbit.stable() && orbit.admissible());
+                assert_eq!(shaded(0), at[0] < grazing, "{at:?}");
+                assert_eq!(shaded(resonance.loops), stable, "p = {} at {at:?}", resonance.loops);
+            }
+        }
+    }
+    assert!(looked_at >= 5, "{looked_at}");
+}

@@ -1,129 +1,24 @@
 //! The server from outside: who is answered, what is sent, and what whoever means harm gets.
 
+mod load;
+mod running;
+
 use std::f64::consts::TAU;
 use std::io::{Read, Write};
-use std::net::{SocketAddr, TcpStream};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::thread::{self, JoinHandle};
+use std::net::TcpStream;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use grazing_description::Description;
-use grazing_explore::{Example, Limits, Server, Sheet};
+use grazing_explore::Limits;
 use grazing_reproduction::plane;
 use grazing_reproduction::unfolded;
 use grazing_unfold::Diagram;
 use grazing_unfold::progress::Silent;
 use grazing_unfold::stop::Stop;
+use running::{LIMITS, Running, events};
 use serde_json::{Value, json};
-
-/// A server that runs until it is dropped.
-struct Running {
-    address: SocketAddr,
-    path: String,
-    ended: Arc<AtomicBool>,
-    thread: Option<JoinHandle<()>>,
-}
-
-/// Small limits, so that they are met.
-const LIMITS: Limits = Limits {
-    connections: 64,
-    computations: 2,
-    body: 100_000,
-    patience: Duration::from_secs(1),
-    time: Duration::from_secs(60),
-    steps: 1_000_000_000,
-};
-
-impl Running {
-    fn new(limits: Limits) -> Self {
-        Self::with_memory(limits, || false)
-    }
-
-    fn with_memory(limits: Limits, too_large: impl Fn() -> bool + Send + 'static) -> Self {
-        let example = Example { name: "Paper".to_owned(), file: String::new(), text: None };
-        let export = |_: &_, _: &_, what: &str, _: &str, _: &Stop| match what {
-            "csv:a" => Ok(Sheet { name: "a.csv".to_owned(), kind: "text/csv", content: b"1\n".to_vec() }),
-            other => Err(format!("{other} is not made")),
-        };
-        let server = Server::bind(0, limits, vec![example], Box::new(export)).unwrap();
-        let address = server.address();
-        let rest = address.strip_prefix("http://").unwrap();
-        let (host, path) = rest.split_once('/').unwrap();
-        let (address, path) = (host.parse().unwrap(), format!("/{path}"));
-        let ended = Arc::new(AtomicBool::new(false));
-        let asked = ended.clone();
-        let thread = thread::spawn(move || server.run(|| asked.load(Ordering::Relaxed), too_large).unwrap());
-        Self { address, path, ended, thread: Some(thread) }
-    }
-
-    fn connect(&self) -> TcpStream {
-        let stream = TcpStream::connect(self.address).unwrap();
-        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
-        stream
-    }
-
-    fn head(&self, method: &str, path: &str, more: &str) -> String {
-        format!("{method} {path} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n{more}\r\n", self.address)
-    }
-
-    /// Sends a request and reads the answer: its status, head and body.
-    fn ask(&self, request: &[u8]) -> (u16, String, String) {
-        let mut stream = self.connect();
-        // A request that is refused need not be read to its end.
-        let _ = stream.write_all(request);
-        let mut answer = Vec::new();
-        let _ = stream.read_to_end(&mut answer);
-        let text = String::from_utf8_lossy(&answer).into_owned();
-        let (head, body) = text.split_once("\r\n\r\n").unwrap_or((&text, ""));
-        let status = head.split(' ').nth(1).and_then(|code| code.parse().ok()).unwrap_or(0);
-        let body = if head.contains("transfer-encoding: chunked") { chunks(body) } else { body.to_owned() };
-        (status, head.to_owned(), body)
-    }
-
-    fn post(&self, name: &str, body: &str) -> (u16, String) {
-        let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", body.len());
-        let request = format!("{}{body}", self.head("POST", &format!("{}{name}", self.path), &more));
-        let (status, _, body) = self.ask(request.as_bytes());
-        (status, body)
-    }
-
-    fn get(&self, path: &str) -> u16 {
-        self.ask(self.head("GET", path, "").as_bytes()).0
-    }
-}
-
-impl Drop for Running {
-    fn drop(&mut self) {
-        self.ended.store(true, Ordering::Relaxed);
-        let began = Instant::now();
-        if let Some(thread) = self.thread.take() {
-            thread.join().unwrap();
-        }
-        assert!(began.elapsed() < Duration::from_secs(5), "it took {:?} to end", began.elapsed());
-    }
-}
-
-/// A body that came in pieces.
-fn chunks(mut body: &str) -> String {
-    let mut whole = String::new();
-    while let Some((length, rest)) = body.split_once("\r\n") {
-        let Ok(length) = usize::from_str_radix(length.trim(), 16) else { break };
-        let Some(piece) = rest.get(..length) else { break };
-        whole.push_str(piece);
-        body = rest.get(length + 2..).unwrap_or("");
-    }
-    whole
-}
-
-/// The data of the events of a name.
-fn events(stream: &str, name: &str) -> Vec<Value> {
-    let event = |text: &str| {
-        let (first, data) = text.split_once('\n')?;
-        (first == format!("event: {name}")).then(|| data.strip_prefix("data: ")?.parse().ok())?
-    };
-    stream.split("\n\n").filter_map(event).collect()
-}
 
 fn whole_view() -> Value {
     json!({"primary": [0.0, 1.3], "secondary": [0.35, 1.02]})
@@ -131,7 +26,7 @@ fn whole_view() -> Value {
 
 /// The Duffing oscillator in ranges with one resonance.
 fn narrow() -> (String, Value) {
-    let text = include_str!("../../../examples/duffing.toml").to_owned();
+    let text = include_str!("../../../../examples/duffing.toml").to_owned();
     (text, json!({"primary": [0.2, 0.4], "secondary": [0.95, 1.0]}))
 }
 
@@ -350,13 +245,21 @@ fn places_tell_solutions_and_what_random_states_come_to() {
         };
         assert!(strikes.iter().any(close), "{solution}");
     }
+}
+
+#[test]
+fn a_cut_tells_its_branches_first_and_then_what_simulation_comes_to() {
+    let server = Running::new(LIMITS);
     let cut = json!({"model": {"text": null}, "fixed": "secondary", "at": 0.8, "range": [0.1, 0.9]});
     let (status, answer) = server.post("cut", &cut.to_string());
-    let answer: Value = answer.parse().unwrap();
-    assert_eq!(status, 200, "{answer}");
-    assert!(answer["strands"].as_array().is_some_and(|strands| strands.len() >= 2));
-    let graz = |found: &Value| found["kind"] == "graz";
-    assert_eq!(answer["bifurcations"].as_array().unwrap().iter().filter(|found| graz(found)).count(), 1);
+    assert_eq!((status, events(&answer, "done").len()), (200, 1), "{answer}");
+    assert!(answer.find("event: branches") < answer.find("event: dots"));
+    let branches = &events(&answer, "branches")[0];
+    assert!(branches["strands"].as_array().is_some_and(|strands| strands.len() >= 2));
+    let grazing = branches["bifurcations"].as_array().unwrap().iter().filter(|found| found["kind"] == "graz");
+    assert_eq!(grazing.count(), 1);
+    let dots = &events(&answer, "dots")[0]["dots"];
+    assert!(dots.as_array().is_some_and(|dots| dots.len() > 160), "{dots}");
     // A line at zero is one as any other, and one-parameter diagrams of the file are in nobody's way, wherever they stand in it.
     let (text, _) = narrow();
     let (before, diagrams) = text.split_once("[[diagrams]]").unwrap();
@@ -365,5 +268,5 @@ fn places_tell_solutions_and_what_random_states_come_to() {
     let cut =
         json!({"model": {"text": moved, "loops": [1]}, "fixed": "primary", "at": 0.0, "range": [0.9, 1.0]});
     let (status, answer) = server.post("cut", &cut.to_string());
-    assert_eq!(status, 200, "{answer}");
+    assert_eq!((status, events(&answer, "done").len()), (200, 1), "{answer}");
 }

@@ -1,0 +1,67 @@
+//! From request to the last byte of the answer, through a server and the loopback interface.
+
+// A part of it serves here.
+#[allow(dead_code)]
+#[path = "../tests/server/running.rs"]
+mod running;
+
+use divan::{Bencher, black_box};
+use grazing_explore::Limits;
+use running::Running;
+use serde_json::{Value, json};
+
+fn main() {
+    divan::main();
+}
+
+/// The paper's oscillator in closed form, and one whose motion is integrated.
+const OSCILLATORS: [&str; 2] = ["paper", "duffing"];
+
+fn model(oscillator: &str) -> Value {
+    let text = (oscillator == "duffing").then_some(include_str!("../../../examples/duffing.toml"));
+    json!({ "text": text })
+}
+
+fn view(oscillator: &str) -> Value {
+    match oscillator {
+        "duffing" => json!({"primary": [0.0, 1.5], "secondary": [0.4, 1.1]}),
+        _ => json!({"primary": [0.0, 1.3], "secondary": [0.35, 1.02]}),
+    }
+}
+
+/// Asks for the same again and again.
+fn ask(bencher: Bencher<'_, '_>, name: &str, body: &Value) {
+    let server = Running::new(Limits::default());
+    let body = body.to_string();
+    bencher.bench(|| {
+        let (status, answer) = server.post(name, black_box(&body));
+        assert!(status == 200 && !answer.contains("event: error"), "{answer}");
+        answer
+    });
+}
+
+/// The whole diagram.
+#[divan::bench(args = OSCILLATORS, sample_count = 5)]
+fn ability_1_plane(bencher: Bencher<'_, '_>, oscillator: &str) {
+    ask(bencher, "diagram", &json!({"model": model(oscillator), "view": view(oscillator)}));
+}
+
+/// A coarse one, as while a constant is dragged.
+#[divan::bench(args = OSCILLATORS, sample_count = 10)]
+fn ability_2_coarse(bencher: Bencher<'_, '_>, oscillator: &str) {
+    ask(bencher, "diagram", &json!({"model": model(oscillator), "view": view(oscillator), "coarse": true}));
+}
+
+/// A place with 24 initial states, as when it rests.
+#[divan::bench(args = OSCILLATORS, sample_count = 10)]
+fn ability_3_place(bencher: Bencher<'_, '_>, oscillator: &str) {
+    ask(bencher, "place", &json!({"model": model(oscillator), "at": [0.6, 0.8], "states": 24}));
+}
+
+/// Simulation of 400 x 300 places over 300 forcing periods.
+#[divan::bench(sample_count = 2)]
+fn ability_6_overlay(bencher: Bencher<'_, '_>) {
+    let asked =
+        json!({"model": model("paper"), "view": view("paper"), "columns": 400, "rows": 300, "periods": 300});
+    ask(bencher, "tiles", &asked);
+}

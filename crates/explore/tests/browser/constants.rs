@@ -1,0 +1,160 @@
+//! Constants that are moved.
+
+use std::time::{Duration, Instant};
+
+use grazing_explore::Limits;
+use serde_json::Value;
+
+use crate::{CURVES, DESK, PHONE, Running, WHOLE, choose_duffing, plane_key, state};
+
+/// Pixels of the plane that lie in the middle of a run of each kind of curve, and whether they have the ink of that kind.
+const INKED: &str = "use('plane', 'palette').then(([p, q]) => { const canvas = document.getElementById('plane'); \
+                     const context = canvas.getContext('2d'); const probe = document.createElement('canvas').getContext('2d'); \
+                     const inks = new Map(); for (const {curve, points, bounds} of p.runs) { if (curve.source === 'quadratic' || !bounds) continue; \
+                     probe.fillStyle = q.penOf(curve).colour; const [, r, g, b] = /#(..)(..)(..)/.exec(probe.fillStyle).map((x) => parseInt(x, 16)); \
+                     const near = points.some(([x, y]) => { const d = context.getImageData(Math.round(x) - 1, Math.round(y) - 1, 3, 3).data; \
+                     for (let i = 0; i < d.length; i += 4) if (Math.hypot(d[i] - r, d[i + 1] - g, d[i + 2] - b) < 30) return true; return false; }); \
+                     inks.set(curve.key, (inks.get(curve.key) ?? false) || near); } return Object.fromEntries(inks); })";
+
+fn grazing(curves: &Value) -> &Value {
+    curves.as_array().unwrap().iter().find(|curve| curve["kind"] == "graz").unwrap()
+}
+
+/// Curves of resonances that bear the same key before and after a small step are the same: most have one of the same key, and each of these runs
+/// close to what it was. Those without a resonance are known by their kind alone.
+fn assert_same(before: &Value, after: &Value) {
+    let (before, after) = (before.as_array().unwrap(), after.as_array().unwrap());
+    let points = |curve: &Value| -> Vec<[f64; 2]> {
+        let points = curve["points"].as_array().unwrap().iter();
+        points.map(|point| [0, 1].map(|index| point[index].as_f64().unwrap())).collect()
+    };
+    let of_resonances: Vec<&Value> = before.iter().filter(|curve| curve["n"] != 0).collect();
+    let mut same = 0;
+    for &old in &of_resonances {
+        let Some(new) = after.iter().find(|new| new["key"] == old["key"]) else { continue };
+        let (old_points, new_points) = (points(old), points(new));
+        let gap = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+        let middle = new_points[new_points.len() / 2];
+        let near = old_points.iter().map(|point| gap(point, &middle)).fold(f64::INFINITY, f64::min);
+        assert!(near < 0.06, "{}: {near}", old["key"]);
+        same += 1;
+    }
+    assert!(same * 10 >= 8 * of_resonances.len(), "{same} of {}", of_resonances.len());
+}
+
+/// The diagram of a moment is coarse: curves without regions of their own.
+const COARSE: &str = "use('diagram').then(([d]) => d.diagram.stale)";
+
+#[test]
+fn a_slider_moves_the_diagram_while_it_is_dragged_and_completes_it_when_it_rests() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    let before = page.value(CURVES);
+    let [x, y] = page.middle("#constant-zeta");
+    // Where the thumb is, by what the slider says.
+    let thumb = page.point(
+        "(() => { const s = document.getElementById('constant-zeta'), b = s.getBoundingClientRect(); \
+         return [b.left + 8 + (b.width - 16) * s.value / s.max, b.top + b.height / 2]; })()",
+    );
+    assert!((thumb[1] - y).abs() < 2.0 && thumb[0] < x);
+    let mut seen = vec![grazing(&before)["points"].clone()];
+    page.drag([thumb, [thumb[0] + 40.0, thumb[1]]], 4, 0, |page| {
+        // The pointer is still down: what comes now is coarse.
+        let last = seen.last().unwrap();
+        page.wait(&format!(
+            "{COARSE}.then((stale) => stale && {CURVES}.then((all) => JSON.stringify(all.find(({{kind}}) => kind === 'graz').points) \
+             !== JSON.stringify({last})))"
+        ));
+        let now = page.value(CURVES);
+        assert_same(&before, &now);
+        seen.push(grazing(&now)["points"].clone());
+    });
+    assert_eq!(seen.len(), 5);
+    page.wait(&format!(
+        "use('diagram').then(([d]) => !d.diagram.stale && !d.isBusy()).then((full) => full && {WHOLE})"
+    ));
+    let after = page.value(CURVES);
+    assert_same(&before, &after);
+    assert_ne!(grazing(&after)["points"], grazing(&before)["points"]);
+    assert!(page.value("use('diagram').then(([d]) => d.diagram.regions.length)").as_u64() > Some(0));
+    let inks = page.value(INKED);
+    let (inked, all) = (
+        inks.as_object().unwrap().values().filter(|ink| **ink == true).count(),
+        inks.as_object().unwrap().len(),
+    );
+    assert!(inked * 10 >= all * 9 && all >= 10, "{inks}");
+}
+
+#[test]
+fn constants_are_moved_by_keys_typed_and_taken_back() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    page.value("document.getElementById('constant-epsilon').focus()");
+    page.press("ArrowLeft");
+    page.press("ArrowLeft");
+    let moved = state(&mut page, "set.epsilon").as_f64().unwrap();
+    page.wait(&format!(
+        "use('diagram').then(([d]) => !d.diagram.stale && !d.isBusy()).then((full) => full && {WHOLE})"
+    ));
+    assert!(moved < 0.9, "{moved}");
+    let field = "document.querySelector('#constants-list input[aria-label=\"zeta, value\"]')";
+    page.value(&format!("({field}.focus(), {field}.select())"));
+    page.write("0.05");
+    page.press("Enter");
+    assert_eq!(state(&mut page, "set.zeta"), 0.05);
+    page.wait(&format!(
+        "use('diagram').then(([d]) => !d.diagram.stale && !d.isBusy()).then((full) => full && {WHOLE})"
+    ));
+    // What is no number changes nothing and is marked; what the program refuses is told.
+    page.value(&format!("({field}.focus(), {field}.select())"));
+    page.write("many");
+    page.press("Enter");
+    assert_eq!(
+        (state(&mut page, "set.zeta"), page.value(&format!("{field}.className"))),
+        (0.05.into(), "bad".into())
+    );
+    page.value(&format!("({field}.focus(), {field}.select())"));
+    page.write("2");
+    page.press("Enter");
+    page.wait("document.getElementById('progress-text').classList.contains('bad') && document.getElementById('progress-text').textContent");
+    for _ in 0..2 {
+        page.value("document.querySelector('#constants-list .reset:not([hidden])').focus()");
+        page.press("Enter");
+    }
+    assert_eq!(state(&mut page, "set"), serde_json::json!({}));
+    page.wait(WHOLE);
+}
+
+#[test]
+fn on_a_phone_a_slider_follows_the_finger() {
+    let server = Running::new();
+    let Some(mut page) = server.open(PHONE) else { return };
+    let [x, y] = page.middle("#constant-zeta");
+    page.touch([[x - 20.0, y], [x + 20.0, y]], 3);
+    page.wait("use('state').then(([s]) => s.get().set.zeta > 0)");
+    page.wait(&format!(
+        "use('diagram').then(([d]) => !d.diagram.stale && !d.isBusy()).then((full) => full && {WHOLE})"
+    ));
+}
+
+#[test]
+fn computations_that_are_out_of_date_end_on_the_server() {
+    // Where only one thing is computed at once, whatever went on would be in the way.
+    let server = Running::with(Limits { computations: 1, ..Limits::default() });
+    let Some(mut page) = server.open(DESK) else { return };
+    choose_duffing(&mut page);
+    page.wait("use('diagram').then(([d]) => d.isBusy())");
+    let began = Instant::now();
+    page.value("document.getElementById('oscillator').focus()");
+    page.press("ArrowUp");
+    page.wait(&format!("/Paper|[Ll]inear/.test(document.title) && {WHOLE}"));
+    assert!(began.elapsed() < Duration::from_secs(10), "{:?}", began.elapsed());
+    // Simulation of the whole plane takes longer than anybody waits here.
+    plane_key(&mut page, "o");
+    page.wait("/ 0 % of/.test(document.getElementById('tiles-status').textContent)");
+    let began = Instant::now();
+    page.value("document.getElementById('constant-zeta').focus()");
+    page.press("ArrowRight");
+    page.wait(&format!("{COARSE}.then((stale) => stale && {CURVES}.then((all) => all.length > 0))"));
+    assert!(began.elapsed() < Duration::from_secs(10), "{:?}", began.elapsed());
+}
