@@ -22,8 +22,8 @@ pub trait ImpactOscillator: Clone + Send + Sync {
     /// The same oscillator at other parameters (μ, η).
     fn with_parameters(&self, parameters: [f64; 2]) -> Self;
 
-    /// The same with motion to some seven digits where that takes less time, for whoever looks around and solves for what is seen
-    /// afterwards.
+    /// The same with motion to some seven digits, and bounds that are estimates, where that takes less time: for whoever looks around and
+    /// solves for what is seen afterwards.
     fn roughly(&self) -> Self {
         self.clone()
     }
