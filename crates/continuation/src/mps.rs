@@ -39,6 +39,9 @@ fn impact(point: &Unknowns) -> OnWall {
     OnWall::new(point[unknown::VELOCITY], point[unknown::PHASE])
 }
 
+/// Rough motion, with errors of some 10⁻⁷, does not tell on which side of the wall a maximum lies that is so near it.
+const UNSURE: f64 = 1e-5;
+
 /// A maximum within this share of a flight from either of its ends is that end, which is located as all maxima are, to some 10⁻⁸.
 const END: f64 = 1e-4;
 
@@ -269,8 +272,12 @@ impl<O: ImpactOscillator> LoopEquations<O> {
         with_maxima: bool,
     ) -> MaximalPeriodicSolution {
         if with_maxima {
-            let motion = self.roughly().oscillator_at(point).motion(self.recoil(point));
-            return self.orbit(point, &motion, multipliers);
+            let orbit = |equations: &Self| {
+                let motion = equations.oscillator_at(point).motion(self.recoil(point));
+                self.orbit(point, &motion, multipliers)
+            };
+            let rough = orbit(&self.roughly());
+            return if rough.ceiling().abs() > UNSURE { rough } else { orbit(self) };
         }
         let loops = self.loops;
         MaximalPeriodicSolution { loops, unknowns: *point, multipliers, highest_interior_maximum: None }
