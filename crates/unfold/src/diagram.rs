@@ -70,7 +70,7 @@ const CURVES: &str = "bifurcation curves";
 const STEP_LIMIT: usize = 20_000;
 /// Regions of a window that is narrower than this are parts of those of one that is not: curves that touch at a resonance are too close to each other
 /// there for slices to be told apart from rounding, as branches begin at impact velocities of the order of the root of its width.
-const NARROW: f64 = 1e-5;
+const NARROW: f64 = 1e-7;
 
 /// The route through a window to the first event.
 pub fn route(window: Window, control: StepControl) -> Route {

@@ -88,13 +88,24 @@ pub(crate) struct Border<'a> {
 /// Steps along branches that need not be drawn: rough points are enough for the signs of what happens between them, and that is
 /// located by itself (empirical: neighbouring folds and grazings of the oscillators that were tried lie much farther apart, and the error of a
 /// point, some 10⁻⁸, is far below what is read off it).
-pub(crate) const STEPS: StepControl =
+const STEPS: StepControl =
     StepControl { first: 1e-3, longest: 0.1, shortest: 1e-6, turn: 0.07, tolerance: 1e-4 };
+/// In a window narrower than this the error of a rough point would be seen: there points have all their digits.
+const NARROW: f64 = 1e-3;
+
+/// The steps along branches in a window.
+pub(crate) fn steps(window: Window) -> StepControl {
+    match window.widths()[0] < NARROW {
+        true => StepControl { tolerance: StepControl::DRAWING.tolerance, ..STEPS },
+        false => STEPS,
+    }
+}
 /// A branch of this many points has lost its way.
 const STEP_LIMIT: usize = 5_000;
 /// Branches from the grazing curve begin at this impact velocity, beside the singular point (empirical; what lies between is narrower
-/// than y² in μ).
+/// than y² in μ), and in a window that is not much wider than that at this share of the root of its width.
 const BESIDE_GRAZING: f64 = 1e-4;
+const BESIDE_SHARE: f64 = 0.01;
 /// An MPS this close to the chord between two points of a branch, as a share of its length, lies on the branch: that leaves the chord
 /// by an eighth of the angle by which it turns, which is three times that of the step control at most.
 const ON_BRANCH: f64 = 0.05;
@@ -131,8 +142,9 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
     /// The branches at some η that begin on the grazing curve.
     pub(crate) fn beginning_at_grazing(&self, secondary: f64) -> Slice<Curve> {
         let mut slice = Slice::new(secondary, Vec::new());
+        let beside = BESIDE_GRAZING.min(BESIDE_SHARE * self.window.widths()[0].sqrt());
         for [phase, primary] in (self.grazing)(secondary) {
-            let near = Unknowns::new(BESIDE_GRAZING, phase, primary, secondary);
+            let near = Unknowns::new(beside, phase, primary, secondary);
             if let Some(start) = self.at(near, &mut EventTimes::default()) {
                 self.add(&mut slice, start, &EventTimes::default(), false);
             }
@@ -386,7 +398,7 @@ mod tests {
         let diagram = Diagram::compute(&oscillator, &scope, &Silent).expect("there is grazing");
         let curves: Vec<DiagramCurve> =
             diagram.curves.iter().filter(|curve| curve.loops == 2).cloned().collect();
-        let slicer = Slicer::new(&diagram.equations(2), window, STEPS, &|_| Vec::new());
+        let slicer = Slicer::new(&diagram.equations(2), window, steps(window), &|_| Vec::new());
         let middle =
             |curve: &DiagramCurve| curve.curve.points[curve.curve.points.len() / 2].solution.unknowns;
         assert!(curves.len() > 2, "{}", curves.len());

@@ -13,7 +13,7 @@ use crate::curves::{DiagramCurve, Net};
 use crate::faces::Point;
 use crate::progress::Progress;
 use crate::regions::{Doubt, Sight, Surveyor};
-use crate::slices::{STEPS, Slice, Slicer, broken_at, spread, stretches};
+use crate::slices::{Slice, Slicer, broken_at, spread, steps, stretches};
 
 /// The slices through the surface of p-loop MPSs, in the order of η.
 pub(crate) struct Survey<'a, O> {
@@ -41,7 +41,7 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
         grazing: &'a (dyn Fn(f64) -> Vec<[f64; 2]> + Sync),
         found: Vec<Unknowns>,
     ) -> Self {
-        let slicer = Slicer::new(&net.equations, route.window, STEPS, grazing);
+        let slicer = Slicer::new(&net.equations, route.window, steps(route.window), grazing);
         Self { net, slicer, route, slices: Vec::new(), crossed: false, found }
     }
 
