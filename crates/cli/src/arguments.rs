@@ -133,9 +133,9 @@ Examples:
   cargo xtask explore my.toml
   cargo xtask explore --no-browser --port 8700
 
-Starts a server that only this machine can reach, prints its address and opens the page in a browser.
-The page loads nothing from elsewhere. Whatever is seen can be taken home: figure, numbers, and the
-command that makes the same.
+Starts a server that only this machine can reach, prints its address and opens the page in a
+browser. The page loads nothing from elsewhere. Whatever is seen can be taken home: figure, numbers,
+and the command that makes the same.
 
 ";
 
