@@ -58,6 +58,23 @@ fn ability_3_place(bencher: Bencher<'_, '_>, oscillator: &str) {
     ask(bencher, "place", &json!({"model": model(oscillator), "at": [0.6, 0.8], "states": 24}));
 }
 
+/// The same as it is dragged there from beside, where looking for everything takes too long.
+#[divan::bench(sample_count = 10)]
+fn ability_3_place_dragged(bencher: Bencher<'_, '_>) {
+    let server = Running::new(Limits::default());
+    let place = |at: [f64; 2]| json!({"model": model("duffing"), "at": at, "states": 24});
+    let (_, beside) = server.post("place", &place([0.598, 0.8]).to_string());
+    let beside: Value = beside.parse().unwrap();
+    let list = |name: &str| beside[name].as_array().unwrap().iter();
+    let solutions = list("solutions").filter(|one| one["p"] != 0);
+    let solutions = solutions.map(|one| json!([one["p"], one["velocity"], one["phase"]]));
+    let attractors = list("attractors").map(|one| json!([one["states"], one["state"]]));
+    let mut asked = place([0.6, 0.8]);
+    asked["nearby"] =
+        json!({"solutions": solutions.collect::<Vec<_>>(), "attractors": attractors.collect::<Vec<_>>()});
+    ask(bencher, "place", &asked);
+}
+
 /// Simulation of 400 x 300 places over 300 forcing periods.
 #[divan::bench(sample_count = 2)]
 fn ability_6_overlay(bencher: Bencher<'_, '_>) {

@@ -6,7 +6,7 @@ export const font = (size, italic = false) => `${italic ? "italic " : ""}${size}
 const LONGEST = 6;
 
 /** A canvas as large as its element, in pixels of the page; null while it is not seen. */
-export function prepare(canvas) {
+function prepare(canvas) {
   const { clientWidth: width, clientHeight: height } = canvas;
   if (width < 40 || height < 40) return null;
   const ratio = devicePixelRatio || 1;
@@ -18,20 +18,13 @@ export function prepare(canvas) {
   return { context, width, height };
 }
 
-function roundStep(span, most) {
-  const least = span / most;
-  const power = 10 ** Math.floor(Math.log10(least));
-  const factor = [1, 2, 5, 10].find((each) => each * power >= least * 0.999) ?? 10;
-  return { step: factor * power, parts: factor === 2 ? 4 : 5 };
-}
-
 /**
  * Ticks for a range: [{ part, label }] with the part of the axis' length from its low end, minor ones without label,
  * and the offset and the power of ten that the labels leave out.
  */
 export function ticks([low, high], most) {
   const span = high - low;
-  const { step, parts } = roundStep(span, Math.max(1, most));
+  const { step, parts } = Scales.roundStep(span, Math.max(1, most));
   const size = Math.max(Math.abs(low), Math.abs(high));
   let [offset, power] = [0, 0];
   const depth = Math.floor(Math.log10(step) + 1e-9);
@@ -46,7 +39,7 @@ export function ticks([low, high], most) {
   const small = step / parts;
   const from = low - offset;
   for (let at = Math.ceil(from / small - 1e-9); at * small <= high - offset + small * 1e-6 && found.length < 400; at += 1) {
-    const label = at % parts === 0 ? ((at * small) / 10 ** power).toFixed(decimals).replace(/^-(?=[0.]*$)/, "").replace("-", "−") : null;
+    const label = at % parts === 0 ? Scales.written((at * small) / 10 ** power, decimals) : null;
     found.push({ part: (at * small - from) / span, label });
   }
   return { found, offset: offset === 0 ? null : String(offset), power };
@@ -80,7 +73,7 @@ function titled(title, { offset, power }) {
 }
 
 /** Frame, ticks, numbers and titles. `axes` is { x: { range, title }, y: { ... } }, titles as pieces. */
-export function drawAxes(context, frame, axes, ink, size = 13) {
+function drawAxes(context, frame, axes, ink, size = 13) {
   const { x, y, w, h } = frame;
   context.strokeStyle = ink.ink;
   context.fillStyle = ink.ink;
@@ -115,22 +108,33 @@ export function drawAxes(context, frame, axes, ink, size = 13) {
   context.restore();
 }
 
+/** What takes places in two ranges into a frame. */
+export const into = ({ x, y, w, h }, [a, b], [c, d]) => ([px, py]) => [x + ((px - a) / (b - a)) * w, y + h - ((py - c) / (d - c)) * h];
+
+/** A canvas with a frame of paper to draw in, and `end`, which draws its axes; null while it is not seen. `margins(width, height)` are those of the frame. */
+export function chart(canvas, margins, axes, ink, size) {
+  const made = prepare(canvas);
+  if (!made) return null;
+  const { context, width, height } = made;
+  const { left, right, top, bottom } = margins(width, height, context);
+  const frame = { x: left, y: top, w: width - left - right, h: height - top - bottom };
+  context.save();
+  context.beginPath();
+  context.rect(frame.x, frame.y, frame.w, frame.h);
+  context.fillStyle = ink.paper;
+  context.fill();
+  context.clip();
+  const end = () => (context.restore(), drawAxes(context, frame, axes, ink, size));
+  return { context, frame, to: into(frame, axes.x.range, axes.y.range), end };
+}
+
 /** The part of a polyline in a box as a list of polylines: a canvas draws lines far outside badly, and dashes not at all. */
-export function clipped(points, [left, top, right, bottom]) {
+export function clipped(points, box) {
   const found = [];
   let run = null;
   for (let index = 1; index < points.length; index += 1) {
     const [[ax, ay], [bx, by]] = [points[index - 1], points[index]];
-    let [from, to] = [0, 1];
-    for (const [p, d, low, high] of [[ax, bx - ax, left, right], [ay, by - ay, top, bottom]]) {
-      if (d === 0) {
-        if (p < low || p > high) from = 2;
-        continue;
-      }
-      const [a, b] = [(low - p) / d, (high - p) / d];
-      from = Math.max(from, Math.min(a, b));
-      to = Math.min(to, Math.max(a, b));
-    }
+    const [from, to] = Scales.within([ax, ay], [bx, by], box) ?? [1, 0];
     if (!(from < to)) {
       run = null;
       continue;

@@ -1,7 +1,7 @@
 // The cut: what happens along a line through the place, as a one-parameter diagram under the plane. Both are linked:
 // the line is shown in the plane, and pointing here moves the place.
 import { $, coordinate, rested } from "./dom.js";
-import { clipped, drawAxes, prepare, trace, write } from "./axes.js";
+import { chart, clipped, trace, write } from "./axes.js";
 import { Latest, stream } from "./api.js";
 import { description, modelOf, viewOf } from "./model.js";
 import { margins, redraw, shown as marks, titleOf } from "./plane.js";
@@ -77,28 +77,20 @@ export function follow(value) {
 function draw() {
   const value = state.get();
   if (!value.cut || !value.place || $("cut-panel").hidden) return;
-  const made = prepare($("cut"));
-  if (!made) return;
-  const { context, width, height } = made;
-  const { left, right, top, bottom } = margins(width);
-  frame = { x: left, y: top, w: width - left - right, h: height - top - bottom };
   const ink = inks();
   const [axis, at] = along(value);
   const range = viewOf(value)[axis];
   const own = answer?.fixed === value.cut ? answer : null;
-  const up = own?.frame ?? [-1, 1];
-  const to = ([p, x]) => [frame.x + ((p - range[0]) / (range[1] - range[0])) * frame.w, frame.y + frame.h - ((x - up[0]) / (up[1] - up[0])) * frame.h];
+  const axes = { x: { range, title: titleOf(description[axis]) }, y: { range: own?.frame ?? [-1, 1], title: [["x", "italic"]] } };
+  const made = chart($("cut"), margins, axes, ink);
+  if (!made) return;
+  const { context, to, end } = made;
+  frame = made.frame;
   const canvas = $("cut");
   canvas.setAttribute("aria-valuemin", range[0]);
   canvas.setAttribute("aria-valuemax", range[1]);
   canvas.setAttribute("aria-valuenow", value.place[at]);
   canvas.setAttribute("aria-valuetext", `${description[axis].name} ${coordinate(value.place[at], range[1] - range[0])}`);
-  context.save();
-  context.beginPath();
-  context.rect(frame.x, frame.y, frame.w, frame.h);
-  context.fillStyle = ink.paper;
-  context.fill();
-  context.clip();
   if (own) drawFound(context, own, to, ink);
   const line = (p, colour, dashes) => {
     const [x] = to([p, 0]);
@@ -112,8 +104,7 @@ function draw() {
   };
   line(value.place[at], ink.place, []);
   if (marks.pointer !== null) line(marks.pointer, ink.muted, [3, 3]);
-  context.restore();
-  drawAxes(context, frame, { x: { range, title: titleOf(description[axis]) }, y: { range: up, title: [["x", "italic"]] } }, ink);
+  end();
 }
 
 function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {

@@ -80,74 +80,56 @@ function tell(x, y) {
 /** Takes the pointers that come to the plane. */
 export function attach() {
   const stage = $("stage");
-  const held = new Map();
   let doing = null;
-  const point = (event) => {
+  const point = ({ clientX, clientY }) => {
     const { left, top } = stage.getBoundingClientRect();
-    return [event.clientX - left, event.clientY - top];
+    return [clientX - left, clientY - top];
   };
   const clamp = ([x, y]) => [Math.min(frame.x + frame.w, Math.max(frame.x, x)), Math.min(frame.y + frame.h, Math.max(frame.y, y))];
+  const at = (spot) => toParameters(...clamp(point(spot)));
 
-  stage.addEventListener("wheel", (event) => {
-    event.preventDefault();
-    zoom(Math.exp(-event.deltaY * (event.deltaMode === 0 ? 0.0018 : 0.05)), toParameters(...clamp(point(event))), true);
-  }, { passive: false });
-  stage.addEventListener("dblclick", (event) => zoom(3, toParameters(...clamp(point(event)))));
-
-  stage.addEventListener("pointerdown", (event) => {
-    if (event.button > 1) return;
-    const at = point(event);
-    held.set(event.pointerId, at);
-    stage.setPointerCapture(event.pointerId);
-    $("plane").focus({ preventScroll: true });
-    if (held.size > 1) doing = "pinch";
-    else if (event.shiftKey || boxing) {
-      doing = "box";
-      shown.box = [...clamp(at), ...clamp(at)];
-    } else if (event.button === 1 || event.ctrlKey || event.metaKey) doing = "move";
-    else {
-      const [x, y] = clamp(at);
-      // What is held is the ring itself, not the pointer's offset from it.
-      doing = "place";
-      state.update({ place: toParameters(x, y) }, true);
-    }
-    event.preventDefault();
+  stage.addEventListener("dblclick", (event) => zoom(3, at(event)));
+  gestures(stage, {
+    zoom: (by, spot) => zoom(by, at(spot), true),
+    press(event, held) {
+      stage.setPointerCapture(event.pointerId);
+      $("plane").focus({ preventScroll: true });
+      if (held > 0) doing = "pinch";
+      else if (event.shiftKey || boxing) {
+        doing = "box";
+        shown.box = [...clamp(point(event)), ...clamp(point(event))];
+      } else if (event.button === 1 || event.ctrlKey || event.metaKey) doing = "move";
+      else {
+        // What is held is the ring itself, not the pointer's offset from it.
+        doing = "place";
+        state.update({ place: at(event) }, true);
+      }
+      event.preventDefault();
+    },
+    hover: (event) => tell(...point(event)),
+    drag(before, event) {
+      if (doing === "place") state.update({ place: at(event) }, true);
+      else if (doing === "box") {
+        shown.box = [shown.box[0], shown.box[1], ...clamp(point(event))];
+        redraw();
+      } else if (doing === "move") move((before.clientX - event.clientX) / frame.w, (event.clientY - before.clientY) / frame.h, true);
+    },
+    pinch(by, centre, [across, down]) {
+      move(-across / frame.w, down / frame.h, true);
+      zoom(by, at(centre), true);
+    },
+    release(event, held) {
+      if (doing === "box" && shown.box) {
+        const [ax, ay, bx, by] = shown.box;
+        shown.box = null;
+        if (boxing) startBox();
+        if (Math.abs(bx - ax) > 4 && Math.abs(by - ay) > 4 && event.type === "pointerup") {
+          const [[a, c], [b, d]] = [toParameters(Math.min(ax, bx), Math.max(ay, by)), toParameters(Math.max(ax, bx), Math.min(ay, by))];
+          state.update({ view: { primary: [a, b], secondary: [c, d] } });
+        } else redraw();
+      } else if (doing === "place" && held === 0) state.update({});
+      if (held === 0) doing = null;
+    },
   });
-
-  stage.addEventListener("pointermove", (event) => {
-    const at = point(event);
-    const before = held.get(event.pointerId);
-    tell(...at);
-    if (!before) return;
-    if (doing === "place") state.update({ place: toParameters(...clamp(at)) }, true);
-    else if (doing === "box") {
-      shown.box = [shown.box[0], shown.box[1], ...clamp(at)];
-      redraw();
-    } else if (doing === "move") move((before[0] - at[0]) / frame.w, (at[1] - before[1]) / frame.h, true);
-    else if (doing === "pinch" && held.size === 2) {
-      const other = [...held].find(([id]) => id !== event.pointerId)[1];
-      const length = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
-      const centre = [(at[0] + other[0]) / 2, (at[1] + other[1]) / 2];
-      move((before[0] - at[0]) / 2 / frame.w, (at[1] - before[1]) / 2 / frame.h, true);
-      zoom(length(at, other) / Math.max(1, length(before, other)), toParameters(...centre), true);
-    }
-    held.set(event.pointerId, at);
-  });
-
-  const release = (event) => {
-    if (!held.delete(event.pointerId)) return;
-    if (doing === "box" && shown.box) {
-      const [ax, ay, bx, by] = shown.box;
-      shown.box = null;
-      if (boxing) startBox();
-      if (Math.abs(bx - ax) > 4 && Math.abs(by - ay) > 4 && event.type === "pointerup") {
-        const [[a, c], [b, d]] = [toParameters(Math.min(ax, bx), Math.max(ay, by)), toParameters(Math.max(ax, bx), Math.min(ay, by))];
-        state.update({ view: { primary: [a, b], secondary: [c, d] } });
-      } else redraw();
-    } else if (doing === "place" && held.size === 0) state.update({});
-    if (held.size === 0) doing = null;
-  };
-  stage.addEventListener("pointerup", release);
-  stage.addEventListener("pointercancel", release);
   stage.addEventListener("pointerleave", () => ($("pointer").textContent = ""));
 }

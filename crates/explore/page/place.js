@@ -12,6 +12,10 @@ import * as state from "./state.js";
 const STATES = { live: 6, rest: 24 };
 const LIVE = { pause: 30, patience: 1000 };
 const RESTS = 180;
+/** An answer that takes more milliseconds than this makes less than 20 a second. */
+const SLOW = 45;
+/** What is followed from place to place: the oscillator and its numbers of loops, whatever its constants. */
+const knownAs = ({ model: { text, loops } }) => JSON.stringify([text, loops]);
 const speak = rested(900, (words) => ($("announce").textContent = words));
 
 const KINDS = { "non-impacting": "No impacts", aperiodic: "Aperiodic, perhaps chaos", resting: "Rests at the wall", escaping: "Escapes" };
@@ -64,7 +68,8 @@ class Card {
     const heads = [[make("i", {}, "p"), "Loops; press to draw"], ["velocity", "Velocity of the impact"], ["multipliers", "Floquet multipliers"], ["stable", ""], ["admissible", "Whether the orbit keeps clear of the wall between impacts"]];
     const head = make("tr", {}, ...heads.map(([word, title]) => make("th", { scope: "col", title: title || null }, word)));
     this.solutions = make("div", { class: "scroll" }, make("table", {}, make("caption", {}, "Maximal periodic solutions"), make("thead", {}, head), this.table));
-    this.body = make("div", { class: "card-body" }, this.attractors, this.pictures, this.solutions);
+    this.hint = make("p", { class: "muted", hidden: true }, "Followed from the place before; all is looked for when it rests.");
+    this.body = make("div", { class: "card-body" }, this.attractors, this.hint, this.pictures, this.solutions);
     this.element = make("article", { class: `place ${this.key}`, "aria-label": kept ? "Kept place" : "Place", hidden: true }, make("header", {}, this.at, action), this.message, this.body);
     $("places").append(this.element);
     new ResizeObserver(() => this.draw()).observe(this.pictures);
@@ -95,7 +100,13 @@ class Card {
 
   body_(live) {
     const value = state.get();
-    return { model: modelOf(value), at: value[this.key], states: live ? STATES.live : STATES.rest, orbits: true };
+    const body = { model: modelOf(value), at: value[this.key], states: live ? STATES.live : STATES.rest, orbits: true };
+    // Where it takes too long to look for everything, only what is known is followed while a hand moves.
+    if (live && this.answer && this.slow && this.known === knownAs(body)) {
+      const solutions = this.answer.solutions.filter(({ p }) => p > 0).map(({ p, velocity, phase }) => [p, velocity, phase]);
+      body.nearby = { solutions, attractors: this.answer.attractors.map(({ states, state }) => [states, state]) };
+    }
+    return body;
   }
 
   request(live) {
@@ -108,8 +119,11 @@ class Card {
     const body = this.body_(live);
     return async (signal) => {
       this.element.setAttribute("aria-busy", "true");
+      const began = performance.now();
       const answer = await ask("place", body, signal);
       if (signal.aborted) return;
+      if (!body.nearby) this.slow = performance.now() - began > SLOW;
+      this.known = knownAs(body);
       this.asked = live ? "" : JSON.stringify(body);
       [this.answer, this.shown] = [answer, body.at];
       this.show();
@@ -128,6 +142,7 @@ class Card {
   show() {
     this.message.hidden = true;
     this.body.hidden = false;
+    this.hint.hidden = !this.answer.followed;
     const { attractors, solutions } = this.answer;
     const inks = attractorInks(attractors);
     const rows = attractors.map((each, index) => {

@@ -1,6 +1,6 @@
 // The plane of parameters, drawn.
 import { $ } from "./dom.js";
-import { clipped, clippedRing, drawAxes, font, prepare, trace, write } from "./axes.js";
+import { chart, clipped, clippedRing, font, into, trace, write } from "./axes.js";
 import { diagram } from "./diagram.js";
 import { placeLabels } from "./labels.js";
 import { axisPieces, titlePieces } from "./markup.js";
@@ -31,7 +31,7 @@ export function margins(width) {
   return width < 520 ? { left: 56, right: 12, top: 8, bottom: 46 } : { left: 70, right: 18, top: 10, bottom: 50 };
 }
 
-export const project = ({ primary: [a, b], secondary: [c, d] }) => ([p, s]) => [frame.x + ((p - a) / (b - a)) * frame.w, frame.y + frame.h - ((s - c) / (d - c)) * frame.h];
+export const project = ({ primary, secondary }) => into(frame, primary, secondary);
 
 export function toParameters(x, y, { primary: [a, b], secondary: [c, d] } = viewOf(state.get())) {
   return [a + ((x - frame.x) / frame.w) * (b - a), c + ((frame.y + frame.h - y) / frame.h) * (d - c)];
@@ -180,27 +180,19 @@ function runsInView(to, magnified) {
 function draw() {
   asked = 0;
   if (!description) return;
-  const made = prepare($("plane"));
-  if (!made) return;
-  const { context, width, height } = made;
   const ink = inks();
   const value = state.get();
   const view = viewOf(value);
-  const { left, right, top, bottom } = margins(width);
-  Object.assign(frame, { x: left, y: top, w: width - left - right, h: height - top - bottom });
-  const to = project(view);
+  const axes = { x: { range: view.primary, title: titleOf(description.primary) }, y: { range: view.secondary, title: titleOf(description.secondary) } };
+  const made = chart($("plane"), margins, axes, ink);
+  if (!made) return;
+  const { context, to, end } = made;
+  Object.assign(frame, made.frame);
   const box = [frame.x - 20, frame.y - 20, frame.x + frame.w + 20, frame.y + frame.h + 20];
   const regions = diagram.regions.map((region) => ({ ...region, rings: region.rings.map((ring) => clippedRing(ring.map(to), box)).filter((ring) => ring.length > 2) }));
   const magnified = isMagnified(view);
   $("quadratic").hidden = !magnified;
   runs = runsInView(to, magnified);
-
-  context.save();
-  context.beginPath();
-  context.rect(frame.x, frame.y, frame.w, frame.h);
-  context.fillStyle = ink.paper;
-  context.fill();
-  context.clip();
   drawRegions(context, regions, ink);
   if (overlay) overlay(context, view);
   drawCurves(context);
@@ -210,8 +202,7 @@ function draw() {
   if (value.kept) drawPlace(context, value.kept, to, ink.kept, true);
   if (value.place) drawPlace(context, value.place, to, ink.place, false);
   if (shown.box) drawBox(context, shown.box, ink);
-  context.restore();
-  drawAxes(context, frame, { x: { range: view.primary, title: titleOf(description.primary) }, y: { range: view.secondary, title: titleOf(description.secondary) } }, ink);
+  end();
   moveHandle(value, to);
 }
 

@@ -1,5 +1,5 @@
 // What an oscillator does at a place, in three pictures: phase portrait, time series, and impacts by phase and velocity.
-import { drawAxes, font, prepare, ticks, trace } from "./axes.js";
+import { chart, font, ticks, trace } from "./axes.js";
 import { inks } from "./palette.js";
 
 /** Forcing periods of the time series: most, and least. */
@@ -21,24 +21,17 @@ function extent(values, room = ROOM) {
 }
 
 /** A canvas with axes; gives what draws in it, or null. */
-function chart(canvas, x, y) {
-  const made = prepare(canvas);
-  if (!made) return null;
-  const { context, width, height } = made;
-  context.font = font(SIZE);
-  const labels = ticks(y.range, (height - MARGIN.top - MARGIN.bottom) / 38).found;
-  const widest = Math.max(0, ...labels.map(({ label }) => (label ? context.measureText(label).width : 0)));
-  const margin = { ...MARGIN, left: Math.max(MARGIN.left, Math.ceil(widest) + 28) };
-  const frame = { x: margin.left, y: margin.top, w: width - margin.left - margin.right, h: height - margin.top - margin.bottom };
+function picture(canvas, x, y) {
+  // Room for the widest number.
+  const margins = (_, height, context) => {
+    context.font = font(SIZE);
+    const labels = ticks(y.range, (height - MARGIN.top - MARGIN.bottom) / 38).found;
+    const widest = Math.max(0, ...labels.map(({ label }) => (label ? context.measureText(label).width : 0)));
+    return { ...MARGIN, left: Math.max(MARGIN.left, Math.ceil(widest) + 28) };
+  };
   const ink = inks();
-  const to = ([px, py]) => [frame.x + ((px - x.range[0]) / (x.range[1] - x.range[0])) * frame.w, frame.y + frame.h - ((py - y.range[0]) / (y.range[1] - y.range[0])) * frame.h];
-  context.save();
-  context.beginPath();
-  context.rect(frame.x, frame.y, frame.w, frame.h);
-  context.fillStyle = ink.paper;
-  context.fill();
-  context.clip();
-  return { context, frame, ink, to, end: () => (context.restore(), drawAxes(context, frame, { x, y }, ink, SIZE)) };
+  const made = chart(canvas, margins, { x, y }, ink, SIZE);
+  return made && { ...made, ink };
 }
 
 /** Of the numbers at the axes. */
@@ -83,7 +76,7 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
   const above = wallX.reduce((sum, x) => sum + x, 0) / wallX.length >= mean;
   const x = { range: xs, title: [["x", "italic"]], at: 11 };
 
-  const phase = chart(canvases.phase, x, { range: vs, title: [["v", "italic"]], at: 11 });
+  const phase = picture(canvases.phase, x, { range: vs, title: [["v", "italic"]], at: 11 });
   if (phase) {
     const { context, to, ink, frame } = phase;
     const [near, far] = above ? [Math.min(...wallX), xs[1]] : [Math.max(...wallX), xs[0]];
@@ -109,7 +102,7 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
   const lengths = orbits.map(({ orbit }, index) => (orbit.at(-1)?.at(-1)?.[0] ?? 0) - starts[index]);
   const turns = orbits.every(({ periods }) => periods) ? Math.max(0, ...orbits.map(({ periods }) => 2 * periods)) : Math.round(Math.max(...lengths) / period);
   const most = Math.min(LONGEST, Math.max(SHORTEST, turns));
-  const time = chart(canvases.time, { range: [0, most], title: [["t", "italic"], [" / ", ""], ["T", "italic"]] }, x);
+  const time = picture(canvases.time, { range: [0, most], title: [["t", "italic"], [" / ", ""], ["T", "italic"]] }, x);
   if (time) {
     const { context, to, ink } = time;
     const edge = [];
@@ -137,7 +130,7 @@ export function drawPortraits(canvases, { orbits, strikes, wall, period }) {
   const about = ([z]) => (z > Math.PI ? z - 2 * Math.PI : z);
   const turned = spread(struck.map(about)) < spread(struck.map(([z]) => z));
   const from = turned ? -Math.PI : 0;
-  const impacts = chart(canvases.strikes, { range: [from - 0.25, from + 2 * Math.PI + 0.25], title: [["phase of impact", ""]] }, { range: sign > 0 ? [0, top] : [-top, 0], title: [["velocity", ""]], at: 11 });
+  const impacts = picture(canvases.strikes, { range: [from - 0.25, from + 2 * Math.PI + 0.25], title: [["phase of impact", ""]] }, { range: sign > 0 ? [0, top] : [-top, 0], title: [["velocity", ""]], at: 11 });
   if (impacts) {
     const { context, to, ink, frame } = impacts;
     for (const { strikes: list, ink: colour } of strikes) {

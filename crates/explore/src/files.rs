@@ -29,6 +29,8 @@ macro_rules! files {
 files! {
     STYLES in "../../report/assets/":
     "base.css" = "text/css; charset=utf-8",
+    "gestures.js" = "text/javascript; charset=utf-8",
+    "scales.js" = "text/javascript; charset=utf-8",
     "theme.js" = "text/javascript; charset=utf-8",
 }
 

@@ -2,11 +2,11 @@
 
 use grazing_continuation::mps::Multipliers;
 use grazing_description::Description;
-use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
+use grazing_model::{ImpactOscillator, State};
 use grazing_reproduction::plane::Axes;
 use grazing_unfold::Scope;
-use grazing_unfold::place::{Attractor, Place, Plan, Solution};
+use grazing_unfold::place::{Attractor, Nearby, Place, Plan, Solution};
 use grazing_unfold::stop::Stop;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -24,6 +24,36 @@ pub(crate) struct Asked {
     /// Orbits as curves, too.
     #[serde(default = "yes")]
     orbits: bool,
+    /// What was found at a place nearby: only this is followed.
+    #[serde(default)]
+    nearby: Option<Told>,
+}
+
+/// MPSs, as p, velocity and phase, and attractors, as the number of states and one of its own, which only this program reads.
+#[derive(Deserialize)]
+struct Told {
+    solutions: Vec<(u32, f64, f64)>,
+    attractors: Vec<(u32, [f64; 3])>,
+}
+
+impl Told {
+    fn nearby(&self, loops: &[u32], units: &Units) -> Option<Nearby> {
+        let few = self.solutions.len().max(self.attractors.len()) <= MOST_STATES as usize;
+        let counted = self.attractors.iter().all(|(states, _)| (1..=MOST_STATES).contains(states));
+        let solutions = self.solutions.iter().filter(|(p, ..)| loops.contains(p));
+        let attractors = self.attractors.iter();
+        (few && counted).then(|| Nearby {
+            solutions: solutions
+                .map(|(p, velocity, phase)| (*p, [velocity / units.velocity(), *phase]))
+                .collect(),
+            attractors: attractors
+                .map(|&(states, [position, velocity, phase])| {
+                    // Nothing begins beyond the wall.
+                    (states, State { position: position.min(0.0), velocity, phase })
+                })
+                .collect(),
+        })
+    }
 }
 
 fn usual() -> u32 {
@@ -70,8 +100,20 @@ impl Job for Looked<'_> {
         let units = axes.units;
         let [primary, secondary] = asked.at;
         let here = oscillator.with_parameters([primary / units.primary, secondary / units.secondary]);
-        let plan = Plan { states: asked.states.clamp(1, MOST_STATES), ..Plan::default() };
-        let found = Place::compute(&here, &scope.loops, &plan, stop).ok_or_else(Problem::ended)?;
+        let found = match &asked.nearby {
+            None => {
+                let plan = Plan { states: asked.states.clamp(1, MOST_STATES), ..Plan::default() };
+                Place::compute(&here, &scope.loops, &plan, stop)
+            }
+            Some(told) => {
+                let nearby = told
+                    .nearby(&scope.loops, &units)
+                    .ok_or_else(|| Problem::wrong("too much is said to be nearby"))?;
+                Place::followed(&here, &nearby, stop)
+            }
+        };
+        let found = found.ok_or_else(Problem::ended)?;
+        let states: u32 = found.attractors.iter().map(|attractor| attractor.states).sum();
         let flights = |flights: &[Vec<[f64; 3]>]| match asked.orbits {
             true => flights.iter().map(|flight| outside(flight, &units, model, asked.at)).collect(),
             false => Vec::new(),
@@ -89,10 +131,12 @@ impl Job for Looked<'_> {
             })
         };
         let attractor = |attractor: &Attractor| {
-            let Attractor { states, fate, lyapunov, flights: own, strikes } = attractor;
+            let Attractor { states: own_states, fate, lyapunov, flights: own, strikes, state } = attractor;
             let strikes = strikes.iter().map(|[phase, velocity]| [*phase, velocity * units.velocity()]);
             json!({
-                "share": f64::from(*states) / f64::from(plan.states),
+                "share": f64::from(*own_states) / f64::from(states),
+                "states": own_states,
+                "state": [state.position, state.velocity, state.phase],
                 "kind": fate.kind.name(),
                 "loops": fate.loops(),
                 "periods": fate.periods,
@@ -106,6 +150,7 @@ impl Job for Looked<'_> {
             "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
             "attractors": found.attractors.iter().map(attractor).collect::<Vec<_>>(),
             "period": found.period * units.time,
+            "followed": asked.nearby.is_some(),
         }))
     }
 }

@@ -68,25 +68,13 @@ const within = (box, bounds, margin) =>
   box.x >= bounds.x - margin && box.x + box.width <= bounds.x + bounds.w + margin &&
   box.y >= bounds.y - margin && box.y + box.height <= bounds.y + bounds.h + margin;
 
-/** Whether any of the segment lies in the frame. */
-function crosses([ax, ay], [bx, by], { x, y, w, h }) {
-  let [from, to] = [0, 1];
-  for (const [p, d, low, high] of [[ax, bx - ax, x, x + w], [ay, by - ay, y, y + h]]) {
-    if (d === 0 && (p < low || p > high)) return false;
-    if (d === 0) continue;
-    const [a, b] = [(low - p) / d, (high - p) / d];
-    from = Math.max(from, Math.min(a, b));
-    to = Math.min(to, Math.max(a, b));
-  }
-  return from <= to;
-}
-
 /**
  * A part of a drawing that lies in a panel: `show` puts it where the view wants it, and tells whether
  * any of it is seen there, or its shade only.
  */
 function partOf(node, panel, clip) {
   const { bounds } = panel;
+  const edges = [bounds.x, bounds.y, bounds.x + bounds.w, bounds.y + bounds.h];
   const sees = (x, y) => x >= bounds.x && x <= bounds.x + bounds.w && y >= bounds.y && y <= bounds.y + bounds.h;
   const names = { path: ["d"], circle: ["cx", "cy"], text: ["x", "y", "transform"] }[node.localName];
   if (!names) return null;
@@ -161,7 +149,7 @@ function partOf(node, panel, clip) {
         continue;
       }
       const [x, y] = moved ? [px + moved[0] - middle[0], py + moved[1] - middle[1]] : to(px, py);
-      seen ||= begins || !last ? sees(x, y) : crosses(last, [x, y], bounds);
+      seen ||= begins || !last ? sees(x, y) : Scales.within(last, [x, y], edges) !== null;
       path += `${begins ? "M" : "L"}${x.toFixed(2)},${y.toFixed(2)}`;
       last = [x, y];
     }
@@ -255,14 +243,6 @@ function numbering(panel, before) {
   });
 }
 
-/** Round steps of which about so many fit between two numbers. */
-function roundStep(length, most) {
-  const least = length / most;
-  const power = 10 ** Math.floor(Math.log10(least));
-  const step = [1, 2, 5, 10].find((step) => step * power >= least * 0.999);
-  return { step: step * power, parts: step === 2 ? 4 : 5, decimals: Math.max(0, -Math.floor(Math.log10(step * power) + 1e-9)) };
-}
-
 /** Multiples of the step in the range. */
 function multiples([low, high], step) {
   const found = [];
@@ -280,8 +260,8 @@ function drawAxes(panel, ranges) {
     const ends = range.map(scale).sort((a, b) => a - b);
     const length = axis === 0 ? w : h;
     const longest = () => Math.max(...ends.map((end) => end.toFixed(numbers.decimals).length)) * DIGIT;
-    let numbers = roundStep(ends[1] - ends[0], axis === 0 ? length / 34 : length / 22);
-    if (axis === 0) numbers = roundStep(ends[1] - ends[0], Math.max(1.3, length / (longest() + 12)));
+    let numbers = Scales.roundStep(ends[1] - ends[0], axis === 0 ? length / 34 : length / 22);
+    if (axis === 0) numbers = Scales.roundStep(ends[1] - ends[0], Math.max(1.3, length / (longest() + 12)));
     const place = (value) => {
       const part = (value - scale(range[0])) / (ratio * (range[1] - range[0]));
       return axis === 0 ? x + part * w : y + h - part * h;
@@ -295,7 +275,7 @@ function drawAxes(panel, ranges) {
     const inside = axis === 1 && longest() > room + 4;
     for (const value of multiples(ends, numbers.step)) {
       const at = place(value);
-      const text = value.toFixed(Math.min(numbers.decimals, 15)).replace(/^-(?=[0.]*$)/, "").replace("-", "−");
+      const text = Scales.written(value, Math.min(numbers.decimals, 15));
       const set = { "font-size": NUMBER_SIZE, fill: "#000000" };
       if (axis === 0) {
         line(at, y + h, at, y + h + TICK);

@@ -100,49 +100,24 @@ function makeZoomable(sheet, svg, panels, changed) {
   /** How many pixels of the screen a point of the sheet is. */
   const scale = () => svg.getScreenCTM().a;
 
-  sheet.addEventListener(
-    "wheel",
-    (event) => {
-      // Without focus the wheel scrolls the page, as everywhere else.
-      if (!event.ctrlKey && !event.metaKey && !sheet.contains(document.activeElement)) return;
-      event.preventDefault();
-      zoom(Math.exp(-event.deltaY * (event.deltaMode === 0 ? 0.002 : 0.05)), toSheet(event));
-    },
-    { passive: false },
-  );
-  sheet.addEventListener("dblclick", (event) => zoom(2, toSheet(event)));
-
-  const held = new Map();
-  sheet.addEventListener("pointerdown", (event) => {
-    held.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    active = at(toSheet(event), 1) ?? active;
-    if (isZoomed() || held.size > 1) {
+  gestures(sheet, {
+    // Without focus the wheel scrolls the page, as everywhere else.
+    scrolls: (event) => !event.ctrlKey && !event.metaKey && !sheet.contains(document.activeElement),
+    zoom: (by, spot) => zoom(by, toSheet(spot)),
+    press(event, held) {
+      active = at(toSheet(event), 1) ?? active;
+      if (!isZoomed() && held === 0) return;
       sheet.setPointerCapture(event.pointerId);
       sheet.classList.add("dragging");
-    }
-  });
-  sheet.addEventListener("pointermove", (event) => {
-    const before = held.get(event.pointerId);
-    if (!before) return;
-    const now = { x: event.clientX, y: event.clientY };
-    if (held.size === 1) {
+    },
+    drag(before, now) {
       const k = scale() * factor(active);
-      if (isZoomed()) show(active, active.view.x - (now.x - before.x) / k, active.view.y - (now.y - before.y) / k, active.view.w);
-    } else if (held.size === 2) {
-      const other = [...held].find(([id]) => id !== event.pointerId)[1];
-      const distance = (a, b) => Math.hypot(a.x - b.x, a.y - b.y);
-      const centre = { clientX: (now.x + other.x) / 2, clientY: (now.y + other.y) / 2 };
-      zoom(distance(now, other) / Math.max(1, distance(before, other)), toSheet(centre));
-    }
-    held.set(event.pointerId, now);
+      if (isZoomed()) show(active, active.view.x - (now.clientX - before.clientX) / k, active.view.y - (now.clientY - before.clientY) / k, active.view.w);
+    },
+    pinch: (by, centre) => zoom(by, toSheet(centre)),
+    release: (_, held) => held === 0 && sheet.classList.remove("dragging"),
   });
-  const release = (event) => {
-    held.delete(event.pointerId);
-    if (held.size === 0) sheet.classList.remove("dragging");
-  };
-  sheet.addEventListener("pointerup", release);
-  sheet.addEventListener("pointercancel", release);
-  sheet.addEventListener("pointerleave", release);
+  sheet.addEventListener("dblclick", (event) => zoom(2, toSheet(event)));
 
   const redraw = () => areas.filter(isZoomed).forEach(draw);
 

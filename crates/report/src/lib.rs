@@ -3,7 +3,7 @@
 //! [`Report`] holds figures, tables, verdicts and a manifest, and [`page`] makes the page of it: one text without a
 //! reference to anything outside it but links to follow. Equal reports give equal bytes; there is no date in them. The
 //! page is put together from `templates/`, a file for each of its sections. It has a style sheet and a few scripts of its
-//! own, in `assets/`: zoom in `zoom.js` and `panels.js`, values under the pointer in `figures.js`, sorting and filtering
+//! own, in `assets/`: zoom in `zoom.js` and `panels.js` (with `scales.js` and `gestures.js`, which the page of `explore` has, too), values under the pointer in `figures.js`, sorting and filtering
 //! in `tables.js`, the filters of the ledger in `claims.js`, light and dark in `theme.js`. Without scripts it is a document
 //! like any other, but for the rows of long tables.
 //!

@@ -18,6 +18,8 @@ const STYLE: &[&str] = &[
 const THEME: &str = include_str!("../assets/theme.js");
 const SCRIPTS: &[&str] = &[
     include_str!("../assets/data.js"),
+    include_str!("../assets/scales.js"),
+    include_str!("../assets/gestures.js"),
     include_str!("../assets/panels.js"),
     include_str!("../assets/zoom.js"),
     include_str!("../assets/figures.js"),

