@@ -9,7 +9,7 @@ use grazing_model::smooth::Units;
 use grazing_results::VARIED;
 use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, FoundBy, Member, Point, Resonance};
 use grazing_theorems::hypothesis::Quantity;
-use grazing_theorems::{ResonantGrazing, ResonantPoint, Unfolding};
+use grazing_theorems::{ResonantGrazing, ResonantPoint};
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::CodimensionTwoPoint;
 use grazing_unfold::family::{Arc, ArcEnd, ArcPoint, arcs};
@@ -21,7 +21,7 @@ use grazing_unfold::verdict::coefficients;
 use serde::{Deserialize, Serialize};
 
 use super::{Plan, Tell};
-use crate::unfolded::{self, Described};
+use crate::unfolded::{self, Described, slopes};
 
 /// A member of a family: its own rows, and its resonances on their way to its neighbours. Numbers of branches and arcs are given when all
 /// records are there.
@@ -182,13 +182,11 @@ impl Rows {
         let [primary, secondary] = self.units.parameters(parameters);
         let point = point.in_units(&self.units);
         let (map, stability) = (&point.grazing.map, point.stability_coefficients());
-        let Unfolding { loops, derivative } = point.unfolding;
-        let [a12_prime, kappa_prime] =
-            if loops == 1 { [derivative, f64::NAN] } else { [f64::NAN, derivative] };
+        let [a12_prime, kappa_prime] = slopes(&point);
         let [c_sn, c_pd] = by_the_theorem(&point);
         Resonance {
             varied,
-            loops,
+            loops: point.loops(),
             n,
             branch: 0,
             found_by,
