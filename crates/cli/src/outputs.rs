@@ -60,11 +60,13 @@ pub struct Output {
     make: fn(&Study<'_>, SheetWidth) -> MadeResult,
 }
 
-/// A figure of the paper: the parameters of its name, the function of a study of that name, and one that draws what it makes; with the lists
-/// of what is to be told of it.
-macro_rules! figure {
-    ($name:ident, $draw:ident, $title:literal, $label:literal, $tables:expr, $keys:literal $(, $told:ident)*) => {
-        Output {
+/// All outputs: a first one, the figures of the paper, and a last one. A figure has the parameters of its name, the function of a study of that
+/// name, and one that draws what it makes; then come its label, its tables, its title, the keys to change where it cannot be computed, and what is
+/// to be told of it.
+macro_rules! outputs {
+    (first $first:ident; last $last:ident;
+    $($name:ident = $draw:ident, $label:literal, $tables:expr, $title:literal, change $keys:literal $(, telling $told:ident)?;)+) => {
+        &[$first, $(Output {
             name: stringify!($name),
             title: $title,
             label: $label,
@@ -77,132 +79,83 @@ macro_rules! figure {
                 Ok(Made {
                     svg: Some($draw(&made, width)?),
                     tables: made.tables(&Names::of_the_paper()),
-                    $($told: made.$told,)*
+                    $($told: made.$told,)?
                     ..Made::default()
                 })
             },
-        }
+        },)+ $last]
     };
 }
 
 /// All outputs, in the order in which they are made.
-pub const ALL: &[Output] = &[
-    Output {
-        name: "coefficients",
-        title: "Coefficients at all resonances of Figure 7",
-        label: "tab:coefficients",
-        figure: None,
-        tables: CoefficientTable::TABLES,
-        check: |parameters| parameters.fig07.get().map(drop),
-        keys: "fig07.frequency, fig07.amplitude or fig07.loops",
-        make: |study, _| {
-            let made = study.coefficients()?;
-            Ok(Made {
-                tables: made.tables(&Names::of_the_paper()),
-                notes: made.rows.iter().flat_map(Coefficients::doubts).collect(),
-                gaps: study.unlocated()?,
-                ..Made::default()
-            })
-        },
-    },
-    figure!(
-        fig01,
-        draw_fig01,
+pub const ALL: &[Output] = outputs! {
+    first COEFFICIENTS;
+    last THEOREMS;
+    fig01 = draw_fig01, "fig:Bc", &Scene::FIG01,
         "Figure 1: phase space, impacting surface and reset law",
-        "fig:Bc",
-        &Scene::FIG01,
-        "fig01.orbits, fig01.amplitude or fig01.frequency"
-    ),
-    figure!(
-        fig02,
-        draw_fig02,
+        change "fig01.orbits, fig01.amplitude or fig01.frequency";
+    fig02 = draw_fig02, "fig:Z", Figure2::TABLES,
         "Figure 2: one-parameter bifurcation diagram with phase portraits",
-        "fig:Z",
-        Figure2::TABLES,
-        "fig02.frequency, fig02.near or fig02.loops",
-        notes
-    ),
-    figure!(
-        fig03,
-        draw_fig03,
+        change "fig02.frequency, fig02.near or fig02.loops", telling notes;
+    fig03 = draw_fig03, "fig:Ba", &Scene::FIG03,
         "Figure 3: the return map near a grazing periodic solution",
-        "fig:Ba",
-        &Scene::FIG03,
-        "fig03.start or fig03.frequency"
-    ),
-    figure!(
-        fig04,
-        draw_fig04,
+        change "fig03.start or fig03.frequency";
+    fig04 = draw_fig04, "fig:D", Figure4::TABLES,
         "Figure 4: the boundaries g_p and h_p in the trapesium",
-        "fig:D",
-        Figure4::TABLES,
-        "fig04.loops"
-    ),
-    figure!(
-        fig05,
-        draw_fig05,
+        change "fig04.loops";
+    fig05 = draw_fig05, "fig:E", Figure5::TABLES,
         "Figure 5: unfolding of a resonant grazing bifurcation",
-        "fig:E",
-        Figure5::TABLES,
-        "fig05.loops or fig05.n"
-    ),
-    figure!(
-        fig06,
-        draw_fig06,
+        change "fig05.loops or fig05.n";
+    fig06 = draw_fig06, "fig:F", Figure6::TABLES,
         "Figure 6: the impact oscillator",
-        "fig:F",
-        Figure6::TABLES,
-        "fig06.frequency or fig06.amplitude"
-    ),
-    figure!(
-        fig07,
-        draw_fig07,
+        change "fig06.frequency or fig06.amplitude";
+    fig07 = draw_fig07, "fig:G", Figure7::TABLES,
         "Figure 7: two-parameter bifurcation diagram",
-        "fig:G",
-        Figure7::TABLES,
-        "fig07.frequency, fig07.amplitude or fig07.loops",
-        gaps
-    ),
-    figure!(
-        fig08,
-        draw_fig08,
+        change "fig07.frequency, fig07.amplitude or fig07.loops", telling gaps;
+    fig08 = draw_fig08, "fig:Y", Figure8::TABLES,
         "Figure 8: three magnifications of Figure 7 with quadratic approximations",
-        "fig:Y",
-        Figure8::TABLES,
-        "fig08.panels, fig07.frequency or fig07.amplitude",
-        notes
-    ),
-    figure!(
-        fig09,
-        draw_fig09,
+        change "fig08.panels, fig07.frequency or fig07.amplitude", telling notes;
+    fig09 = draw_fig09, "fig:Bb", &Scene::FIG09,
         "Figure 9: points on the impacting surface and on the section",
-        "fig:Bb",
-        &Scene::FIG09,
-        "fig09.impact, fig09.amplitude or fig09.frequency"
-    ),
-    figure!(
-        fig10,
-        draw_fig10,
+        change "fig09.impact, fig09.amplitude or fig09.frequency";
+    fig10 = draw_fig10, "fig:I", Figure10::TABLES,
         "Figure 10: the path of visits in the proof of Theorem 2.3",
-        "fig:I",
-        Figure10::TABLES,
-        "fig10.frequency or fig10.loops"
-    ),
-    Output {
-        name: "theorems",
-        title: "Theorems 2.2 to 2.5 against continuation and simulation",
-        label: "tab:theorems",
-        figure: None,
-        tables: TheoremsInAction::TABLES,
-        check: |_| Ok(()),
-        // It depends on no parameter.
-        keys: "nothing",
-        make: |study, _| {
-            let tables = study.theorems_in_action()?.tables(&Names::of_the_paper());
-            Ok(Made { tables, ..Made::default() })
-        },
+        change "fig10.frequency or fig10.loops";
+};
+
+const COEFFICIENTS: Output = Output {
+    name: "coefficients",
+    title: "Coefficients at all resonances of Figure 7",
+    label: "tab:coefficients",
+    figure: None,
+    tables: CoefficientTable::TABLES,
+    check: |parameters| parameters.fig07.get().map(drop),
+    keys: "fig07.frequency, fig07.amplitude or fig07.loops",
+    make: |study, _| {
+        let made = study.coefficients()?;
+        Ok(Made {
+            tables: made.tables(&Names::of_the_paper()),
+            notes: made.rows.iter().flat_map(Coefficients::doubts).collect(),
+            gaps: study.unlocated()?,
+            ..Made::default()
+        })
     },
-];
+};
+
+const THEOREMS: Output = Output {
+    name: "theorems",
+    title: "Theorems 2.2 to 2.5 against continuation and simulation",
+    label: "tab:theorems",
+    figure: None,
+    tables: TheoremsInAction::TABLES,
+    check: |_| Ok(()),
+    // It depends on no parameter.
+    keys: "nothing",
+    make: |study, _| {
+        let tables = study.theorems_in_action()?.tables(&Names::of_the_paper());
+        Ok(Made { tables, ..Made::default() })
+    },
+};
 
 impl Output {
     /// The paths of its files in the output folder of an edition.

@@ -115,7 +115,7 @@ fn across(varied: [f64; 3], count: usize) -> (f64, Vec<f64>) {
 
 fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -> Result<(), DrawingError> {
     let mut labels = Labels::new(panel.canvas, panel.bounds);
-    let varied = |row: &CurvePoint| across(row.varied(), count);
+    let varied = |row: &CurvePoint| across(row.varied, count);
     // That of what a row has which is up.
     let up = |secondary: f64, c_sn: f64, c_pd: f64| match shown.shows {
         Shows::Secondary => secondary,
@@ -129,7 +129,7 @@ fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -
             (text_colour(Bifurcation::PeriodDoubling), Some(Degeneracy::InfinitePeriodDoubling))
         }
     };
-    let mut others: Vec<Vec<f64>> = family.members.iter().map(|row| across(row.varied(), count).1).collect();
+    let mut others: Vec<Vec<f64>> = family.members.iter().map(|row| across(row.varied, count).1).collect();
     others.dedup();
     let shade = |other: &[f64]| {
         let place = others.iter().position(|known| known == other).unwrap_or(0);
@@ -140,7 +140,7 @@ fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -
         row.loops == shown.loops && meaning.is_some()
     };
     for row in family.degenerate.iter().filter(infinite) {
-        let (value, _) = across(row.varied(), count);
+        let (value, _) = across(row.varied, count);
         let [low, high] = shown.frame.y;
         panel.line(&[(value, low), (value, high)], GUIDE);
     }
@@ -161,7 +161,7 @@ fn draw_panel(panel: &Panel<'_>, family: &Family, shown: &Shown, count: usize) -
     }
     longest.reverse();
     for row in family.resonances.iter().filter(|row| row.loops == shown.loops) {
-        let (value, other) = across(row.varied(), count);
+        let (value, other) = across(row.varied, count);
         let place = (value, up(row.secondary, row.c_sn, row.c_pd));
         if panel.frame.contains(place) {
             let paint = Paint { colour: shade(&other), opacity: 1.0 };
@@ -227,7 +227,7 @@ fn points(
     let mut named: Vec<CodimensionTwo> = Vec::new();
     let mut wanted = Vec::new();
     for row in family.points.iter().filter(|row| row.loops == loops) {
-        let (value, _) = across(row.varied(), count);
+        let (value, _) = across(row.varied, count);
         if !panel.frame.contains((value, row.secondary)) {
             continue;
         }
@@ -277,9 +277,7 @@ mod tests {
                 let share = f64::from(k) / 40.0;
                 let pole = if loops == 1 { share - 0.41 } else { 1.0 };
                 let row = CurvePoint {
-                    varied_1: f64::NAN,
-                    varied_2: scale * share,
-                    varied_3: other,
+                    varied: [f64::NAN, scale * share, other],
                     loops,
                     n,
                     branch: number as u32,
@@ -294,9 +292,7 @@ mod tests {
                 };
                 if k % 10 == 0 {
                     points.push(Point {
-                        varied_1: f64::NAN,
-                        varied_2: row.varied_2,
-                        varied_3: other,
+                        varied: row.varied,
                         kind: kinds[number % 2],
                         loops,
                         n,
@@ -311,9 +307,7 @@ mod tests {
                 curves.push(row);
             }
             degenerate.push(Degenerate {
-                varied_1: f64::NAN,
-                varied_2: scale * 0.41,
-                varied_3: other,
+                varied: [f64::NAN, scale * 0.41, other],
                 loops,
                 n,
                 branch: 0,
@@ -354,7 +348,7 @@ mod tests {
     fn arcs_that_follow_each_other_are_one_curve_whichever_way_they_were_followed() {
         let whole = sample(1.0);
         let along = |family: &Family| -> Vec<usize> {
-            let strands = strands(family, 1, |row| (row.varied_2, row.secondary));
+            let strands = strands(family, 1, |row| (row.varied[1], row.secondary));
             strands.iter().map(|(_, points)| points.len()).collect()
         };
         assert_eq!(along(&whole), [41; 4]);

@@ -66,15 +66,9 @@ pub(crate) fn compose(
     let branches = Strand::all(&figure.branches);
     let cloud: Vec<(f64, f64)> = figure.attractor.iter().map(|point| (point.primary, point.x)).collect();
     let portraits = Portrait::all(&figure.portraits);
-    let ([primary, secondary], titles, units) = (names.shown(), names.titles(), names.parameter_units());
-    let (across, held, column) = match figure.primary_is_fixed {
-        true => (secondary, primary, &names.secondary),
-        false => (primary, secondary, &names.primary),
-    };
-    let [title, unit] = match figure.primary_is_fixed {
-        true => [titles[1].as_str(), units[0].as_deref().unwrap_or_default()],
-        false => [titles[0].as_str(), units[1].as_deref().unwrap_or_default()],
-    };
+    let ([across, held], [title, _]) = (figure.exchanged(names.shown()), figure.exchanged(names.titles()));
+    let [_, unit] = figure.exchanged(names.parameter_units()).map(Option::unwrap_or_default);
+    let [column, _] = figure.exchanged([&names.primary, &names.secondary]);
     let own = Names::new(column, "x");
     let x = if figure.from_the_wall { "$x$ from the wall" } else { "$x$" };
 

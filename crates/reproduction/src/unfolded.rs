@@ -25,6 +25,7 @@ use rayon::prelude::*;
 use crate::plane::{self, Axes};
 use crate::{StudyError, one_parameter};
 pub use finished::Keep;
+pub(crate) use tables::slopes;
 pub use tables::{Along, Asked, GrazingRow};
 
 /// The analysis of an oscillator: its diagram, and at every resonance where a theorem holds coefficients, simulation and a

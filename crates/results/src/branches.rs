@@ -102,6 +102,14 @@ pub struct OneParameter {
     pub resting: Option<[u32; 2]>,
 }
 
+impl OneParameter {
+    /// Of what belongs to the primary and the secondary parameter: first that of the one across, then that of the one that is held.
+    /// And back.
+    pub fn exchanged<T>(&self, [first, second]: [T; 2]) -> [T; 2] {
+        if self.primary_is_fixed { [second, first] } else { [first, second] }
+    }
+}
+
 /// A row of a one-parameter diagram among those of others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InDiagram<R> {
@@ -179,10 +187,7 @@ impl OneParameterRows {
             for diagram in diagrams {
                 all.extend(rows(diagram).iter().map(|row| InDiagram {
                     diagram: diagram.diagram,
-                    parameters: match diagram.primary_is_fixed {
-                        true => [diagram.at, across(row)],
-                        false => [across(row), diagram.at],
-                    },
+                    parameters: diagram.exchanged([across(row), diagram.at]),
                     row: row.clone(),
                 }));
             }

@@ -4,8 +4,8 @@ use grazing_continuation::bifurcation::CodimensionTwo;
 use serde::{Deserialize, Serialize};
 
 use crate::cell::words;
-use crate::table::rows;
-use crate::{Frame, tables};
+use crate::table::Row;
+use crate::{Cell, Column, Frame, VARIED, columns, tables};
 
 words! {
     /// How a resonance of a member was found.
@@ -33,26 +33,31 @@ words! {
     }
 }
 
-/// Rows of members, with the values of their constants: of fewer than three the last ones, and NaN before.
+/// Rows of members, with the values of their constants.
 macro_rules! of_members {
-    ($($(#[$meta:meta])* $row:ident { $($fields:tt)* })+) => {
-        rows! {$(
-            $(#[$meta])*
-            #[derive(Serialize, Deserialize)]
-            $row {
-                varied_1: f64 = VARIED_1,
-                varied_2: f64 = VARIED_2,
-                varied_3: f64 = VARIED_3,
-                $($fields)*
-            }
-        )+}
-        $(impl $row {
+    ($($(#[$meta:meta])* $row:ident { $($field:ident: $type:ty = $column:ident,)* })+) => {$(
+        $(#[$meta])*
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+        pub struct $row {
             /// The constants that vary: of fewer than three the last ones, and NaN before.
-            pub fn varied(&self) -> [f64; 3] {
-                [self.varied_1, self.varied_2, self.varied_3]
+            pub varied: [f64; VARIED],
+            $(
+                #[doc = concat!("[`", stringify!($column), "`](columns::", stringify!($column), ")")]
+                pub $field: $type,
+            )*
+        }
+
+        impl Row for $row {
+            const COLUMNS: &'static [Column] =
+                &[columns::VARIED_1, columns::VARIED_2, columns::VARIED_3, $(columns::$column,)*];
+
+            fn cells(&self) -> Vec<Cell> {
+                let mut cells = Vec::from(self.varied.map(Cell::from));
+                cells.extend([$(Cell::from(self.$field.clone()),)*]);
+                cells
             }
-        })+
-    };
+        }
+    )+};
 }
 
 of_members! {

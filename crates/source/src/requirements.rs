@@ -7,11 +7,22 @@ pub struct Requirements {
     otherwise: &'static str,
 }
 
+/// The [`Requirements`] of keys, in the order of the file, and what is said of any other key.
+///
+/// Keys have dots, members of lists of tables are without their number: `fig08.panels.loops`. The key `table.*` stands for any name in a
+/// table.
+///
+/// `requirements! { otherwise "see the manual"; "analysis": "the table [analysis] holds loops"; "analysis.loops": "a whole number"; }`
+#[macro_export]
+macro_rules! requirements {
+    (otherwise $otherwise:literal; $($key:literal: $requirement:expr;)+) => {
+        $crate::Requirements::new(&[$(($key, $requirement),)+], $otherwise)
+    };
+}
+
 impl Requirements {
-    /// The requirements of these keys in the order of the file.
-    ///
-    /// Keys have dots, members of lists of tables are without their number: `fig08.panels.loops`. The key `table.*`
-    /// stands for any name in a table. `otherwise` is said of a key that is not in the list.
+    /// As [`requirements!`](crate::requirements) makes them.
+    #[doc(hidden)]
     pub const fn new(keys: &'static [(&'static str, &'static str)], otherwise: &'static str) -> Requirements {
         Requirements { keys, otherwise }
     }

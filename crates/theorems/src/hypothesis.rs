@@ -4,74 +4,65 @@ use core::fmt;
 
 use thiserror::Error;
 
-/// A theorem of the paper.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Theorem {
-    /// Theorem 2.2, `th:codim11`: generic grazing, p = 1.
-    GenericOneLoop,
-    /// Theorem 2.3, `th:codim1p`: generic grazing, p >= 2.
-    GenericMultiLoop,
-    /// Theorem 2.4, `th:codim21`: resonant grazing, p = 1.
-    ResonantOneLoop,
-    /// Theorem 2.5, `th:codim2p`: resonant grazing, p >= 2.
-    ResonantMultiLoop,
-}
-
-impl fmt::Display for Theorem {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
-            Self::GenericOneLoop => "theorem 2.2 (generic grazing, p = 1)",
-            Self::GenericMultiLoop => "theorem 2.3 (generic grazing, p >= 2)",
-            Self::ResonantOneLoop => "theorem 2.4 (resonant grazing, p = 1)",
-            Self::ResonantMultiLoop => "theorem 2.5 (resonant grazing, p >= 2)",
-        })
-    }
-}
-
-/// The quantities, each with its symbol, and what more there is to say.
-macro_rules! quantities {
-    ($($(#[$doc:meta])* $name:ident = $symbol:literal;)*) => {
-        /// A quantity about which a theorem makes a hypothesis; shown as its symbol.
+/// Enumerations that are shown in words, each variant with its own, and what more there is to say of it.
+macro_rules! shown {
+    ($($(#[$meta:meta])* $name:ident { $($(#[$doc:meta])* $variant:ident = $words:literal,)+ })+) => {$(
+        $(#[$meta])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        pub enum Quantity { $(#[doc = concat!("`", $symbol, "`")] $(#[$doc])* $name,)* }
+        pub enum $name { $(#[doc = concat!("`", $words, "`")] $(#[$doc])* $variant,)+ }
 
-        impl fmt::Display for Quantity {
+        impl fmt::Display for $name {
             fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-                formatter.write_str(match self { $(Self::$name => $symbol,)* })
+                formatter.write_str(match self { $(Self::$variant => $words,)+ })
             }
         }
-    };
+    )+};
 }
 
-quantities! {
-    /// The number of loops.
-    Loops = "p";
-    /// The forcing frequency.
-    ForcingFrequency = "omega";
-    /// The deceleration at grazing: the grazing point belongs to the grazing set.
-    Deceleration = "gamma";
-    /// The coefficient of restitution at zero impact velocity.
-    Restitution = "phi";
-    /// The determinant: the lower side of the trapesium.
-    Determinant = "delta";
-    /// The upper side of the trapesium.
-    Contraction = "1 - delta";
-    /// The slanted sides of the trapesium.
-    StabilityMargin = "delta + 1 - |tau|";
-    /// The factor of the square-root term.
-    SquareRootFactor = "alpha";
-    OffDiagonalTimesSquareRootFactor = "a12 alpha";
-    AdmissibilityMargin = "tau - h_p(delta)";
-    OffDiagonalTimesTransversality = "a12 beta";
-    TransversalityTimesDetuning = "beta kappa_p";
-    /// The transversality coefficient.
-    Transversality = "beta";
-    OffDiagonal = "a12";
-    OffDiagonalDerivative = "a12'";
-    Detuning = "kappa_p";
-    DetuningDerivative = "kappa_p'";
-    SaddleNodeStability = "s_p^+";
-    PeriodDoublingStability = "s_p^-";
+shown! {
+    /// A theorem of the paper.
+    Theorem {
+        /// Paper: `th:codim11`.
+        GenericOneLoop = "theorem 2.2 (generic grazing, p = 1)",
+        /// Paper: `th:codim1p`.
+        GenericMultiLoop = "theorem 2.3 (generic grazing, p >= 2)",
+        /// Paper: `th:codim21`.
+        ResonantOneLoop = "theorem 2.4 (resonant grazing, p = 1)",
+        /// Paper: `th:codim2p`.
+        ResonantMultiLoop = "theorem 2.5 (resonant grazing, p >= 2)",
+    }
+
+    /// A quantity about which a theorem makes a hypothesis; shown as its symbol.
+    Quantity {
+        /// The number of loops.
+        Loops = "p",
+        /// The forcing frequency.
+        ForcingFrequency = "omega",
+        /// The deceleration at grazing: the grazing point belongs to the grazing set.
+        Deceleration = "gamma",
+        /// The coefficient of restitution at zero impact velocity.
+        Restitution = "phi",
+        /// The determinant: the lower side of the trapesium.
+        Determinant = "delta",
+        /// The upper side of the trapesium.
+        Contraction = "1 - delta",
+        /// The slanted sides of the trapesium.
+        StabilityMargin = "delta + 1 - |tau|",
+        /// The factor of the square-root term.
+        SquareRootFactor = "alpha",
+        OffDiagonalTimesSquareRootFactor = "a12 alpha",
+        AdmissibilityMargin = "tau - h_p(delta)",
+        OffDiagonalTimesTransversality = "a12 beta",
+        TransversalityTimesDetuning = "beta kappa_p",
+        /// The transversality coefficient.
+        Transversality = "beta",
+        OffDiagonal = "a12",
+        OffDiagonalDerivative = "a12'",
+        Detuning = "kappa_p",
+        DetuningDerivative = "kappa_p'",
+        SaddleNodeStability = "s_p^+",
+        PeriodDoublingStability = "s_p^-",
+    }
 }
 
 /// What a theorem asks of a quantity.

@@ -63,7 +63,7 @@ pub(super) fn results(family: &Family, names: &Names, plan: &Plan) -> String {
             .join(", ")
     };
     let degenerate = family.degenerate.iter().map(|row| {
-        let at = values(row.varied());
+        let at = values(row.varied);
         let mark = format!("  p = {}, n = {}: ", row.loops, row.n);
         let [primary, secondary] = [row.primary, row.secondary].map(|value| brief(value, DIGITS));
         let (quantity, meaning) = (&row.quantity, row.meaning.name());
@@ -72,7 +72,7 @@ pub(super) fn results(family: &Family, names: &Names, plan: &Plan) -> String {
     });
     text.push_str(&some("Degenerate resonances between members", degenerate.collect()));
     let missing = family.members.iter().filter(|row| !row.missing.is_empty()).map(|row: &Member| {
-        let at = values(row.varied());
+        let at = values(row.varied);
         (format!("  {at}: "), row.missing.clone())
     });
     text.push_str(&some("Members of which something is missing", missing.collect()));
@@ -113,7 +113,7 @@ fn branches(family: &Family, names: &Names, plan: &Plan) -> String {
         }
     };
     let lines = branches.iter().map(|(branch, rows)| {
-        let varied = |row: &Resonance| row.varied();
+        let varied = |row: &Resonance| row.varied;
         let mut line = vec![branch.to_string(), rows[0].loops.to_string(), rows[0].n.to_string()];
         line.extend(varied(rows[0])[slot + 1..].iter().map(|value| brief(*value, DIGITS)));
         line.extend([rows.len().to_string(), range(rows, &|row| varied(row)[slot])]);

@@ -290,10 +290,7 @@ fn corners(description: &Description, unfolded: &Analysis) -> String {
 
 /// A one-parameter diagram: the bifurcations on it, and what simulation leaves out.
 fn one_parameter(description: &Description, diagram: &OneParameter) -> String {
-    let across = match diagram.primary_is_fixed {
-        true => description.secondary().name(),
-        false => description.primary().name(),
-    };
+    let [across, _] = diagram.exchanged([description.primary().name(), description.secondary().name()]);
     let of = of_one_parameter(description, diagram);
     let mut text = format!("\nOne-parameter diagram {}: {of}\n", diagram.diagram);
     let rows = diagram.bifurcations.iter().map(|found| {

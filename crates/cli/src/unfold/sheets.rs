@@ -64,7 +64,7 @@ pub(crate) enum SheetKind {
 /// What a one-parameter diagram is of, as `A from 0.26 to 0.34 at omega = 0.854`.
 pub(crate) fn of_one_parameter(description: &Description, diagram: &OneParameter) -> String {
     let names = [description.primary().name(), description.secondary().name()];
-    let [held, across] = if diagram.primary_is_fixed { names } else { [names[1], names[0]] };
+    let [across, held] = diagram.exchanged(names);
     let [low, high] = diagram.frame.x.map(|end| brief(end, 6));
     format!("{across} from {low} to {high} at {held} = {}", brief(diagram.at, 6))
 }
@@ -79,9 +79,7 @@ pub(crate) fn figures(
     let (primary, secondary) = (description.primary(), description.secondary());
     let panels = panels(unfolded);
     let section = |diagram: &OneParameter| {
-        let place = |across: f64| {
-            if diagram.primary_is_fixed { (diagram.at, across) } else { (across, diagram.at) }
-        };
+        let place = |across: f64| diagram.exchanged([across, diagram.at]).into();
         let name = format!("diagram {}", diagram.diagram);
         Section { ends: diagram.frame.x.map(place), name, thin: true }
     };

@@ -9,7 +9,7 @@ use grazing_model::smooth::Units;
 use grazing_results::VARIED;
 use grazing_results::family::{CurvePoint, Degeneracy, Degenerate, FoundBy, Member, Point, Resonance};
 use grazing_theorems::hypothesis::Quantity;
-use grazing_theorems::{ResonantGrazing, ResonantPoint, Unfolding};
+use grazing_theorems::{ResonantGrazing, ResonantPoint};
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::CodimensionTwoPoint;
 use grazing_unfold::family::{Arc, ArcEnd, ArcPoint, arcs};
@@ -21,7 +21,7 @@ use grazing_unfold::verdict::coefficients;
 use serde::{Deserialize, Serialize};
 
 use super::{Plan, Tell};
-use crate::unfolded::{self, Described};
+use crate::unfolded::{self, Described, slopes};
 
 /// A member of a family: its own rows, and its resonances on their way to its neighbours. Numbers of branches and arcs are given when all
 /// records are there.
@@ -80,9 +80,7 @@ impl Record {
         let values = plan.values(index);
         let rows = Rows { units, varied: padded(&values), first: VARIED - values.len() };
         let (oscillator, scope) = unfolded::prepared(description, &units, stop);
-        let [varied_1, varied_2, varied_3] = rows.varied;
-        let mut member =
-            Member { varied_1, varied_2, varied_3, resonances: 0, points: 0, missing: String::new() };
+        let mut member = Member { varied: rows.varied, resonances: 0, points: 0, missing: String::new() };
         let diagram = match Diagram::located(&oscillator, &scope, progress) {
             Ok(located) => {
                 let followed = located.follow(progress, &|_, _| ());
@@ -178,21 +176,17 @@ impl Rows {
         parameters: [f64; 2],
         phase: f64,
         point: &ResonantPoint,
-        [varied_1, varied_2, varied_3]: [f64; VARIED],
+        varied: [f64; VARIED],
         (n, found_by): (u32, FoundBy),
     ) -> Resonance {
         let [primary, secondary] = self.units.parameters(parameters);
         let point = point.in_units(&self.units);
         let (map, stability) = (&point.grazing.map, point.stability_coefficients());
-        let Unfolding { loops, derivative } = point.unfolding;
-        let [a12_prime, kappa_prime] =
-            if loops == 1 { [derivative, f64::NAN] } else { [f64::NAN, derivative] };
+        let [a12_prime, kappa_prime] = slopes(&point);
         let [c_sn, c_pd] = by_the_theorem(&point);
         Resonance {
-            varied_1,
-            varied_2,
-            varied_3,
-            loops,
+            varied,
+            loops: point.loops(),
             n,
             branch: 0,
             found_by,
@@ -224,13 +218,13 @@ impl Rows {
     }
 
     fn points(&self, diagram: &Diagram<Described>) -> Vec<Point> {
-        let [varied_1, varied_2, varied_3] = self.varied;
+        let varied = self.varied;
         let point = |point: &CodimensionTwoPoint| {
             let at = point.unknowns();
             let [primary, secondary] = self.units.parameters([at[unknown::PRIMARY], at[unknown::SECONDARY]]);
             let impact_velocity = at[unknown::VELOCITY] * self.units.velocity();
             let (kind, loops, n) = (point.kind, point.loops, point.n);
-            Point { varied_1, varied_2, varied_3, kind, loops, n, secondary, primary, impact_velocity }
+            Point { varied, kind, loops, n, secondary, primary, impact_velocity }
         };
         diagram.codimension_two.iter().map(point).collect()
     }
@@ -249,7 +243,7 @@ impl Rows {
         let curve = |at: &ArcPoint<Described>| {
             let point = at.point.in_units(&self.units);
             let [primary, secondary] = self.units.parameters(parameters(at));
-            let [varied_1, varied_2, varied_3] = varied(at.way);
+            let varied = varied(at.way);
             let stability = point.stability_coefficients();
             let [mut c_sn, mut c_pd] = by_the_theorem(&point);
             // What is infinite is no number.
@@ -261,9 +255,7 @@ impl Rows {
                 c_pd = f64::NAN;
             }
             CurvePoint {
-                varied_1,
-                varied_2,
-                varied_3,
+                varied,
                 loops,
                 n,
                 branch: 0,
@@ -289,20 +281,9 @@ impl Rows {
         let degenerate = arc.points.iter().filter_map(|at| {
             let zero = at.zero?;
             let [primary, secondary] = self.units.parameters(parameters(at));
-            let [varied_1, varied_2, varied_3] = varied(at.way);
+            let varied = varied(at.way);
             let (quantity, meaning, branch) = (zero.to_string(), meaning(zero), 0);
-            Some(Degenerate {
-                varied_1,
-                varied_2,
-                varied_3,
-                loops,
-                n,
-                branch,
-                quantity,
-                meaning,
-                secondary,
-                primary,
-            })
+            Some(Degenerate { varied, loops, n, branch, quantity, meaning, secondary, primary })
         });
         let to = match (&arc.end, arc.points.last()) {
             (ArcEnd::Across, Some(last)) => {

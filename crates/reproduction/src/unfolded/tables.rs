@@ -100,7 +100,7 @@ row! { Along, |row| {
 ] }
 
 /// a₁₂' and κ_p', whichever belongs to p; the other is NaN.
-fn slopes(point: &ResonantPoint) -> [f64; 2] {
+pub(crate) fn slopes(point: &ResonantPoint) -> [f64; 2] {
     let Unfolding { loops, derivative } = point.unfolding;
     if loops == 1 { [derivative, f64::NAN] } else { [f64::NAN, derivative] }
 }
