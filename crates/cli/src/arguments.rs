@@ -19,7 +19,8 @@ use crate::outputs::edition::Format;
 const EXIT_CODES: &str = "\
 Exit codes:
   0  all went well
-  1  a check failed: files are not what the code makes, or a published value is not met
+  1  a check failed: files are not what the code makes, a published value is not met, or
+     theorem and computation contradict each other
   2  bad input: command line, parameter file, or a folder that cannot be written;
      nothing was written
   3  a computation failed, was ended by a limit or Ctrl-C, or parameters do not fit each
