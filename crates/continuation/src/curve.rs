@@ -105,7 +105,7 @@ pub enum CurveEnd {
     /// It came back to its first point, which is its last as well.
     Closed,
     /// An event, which is the last point of the curve.
-    Event(Event),
+    Event(Box<Event>),
     /// An event was seen between the last two points, and could not be located.
     EventNotLocated {
         /// The further condition that holds there.

@@ -244,7 +244,7 @@ impl Follower<'_> {
             self.curve.events.push(event.clone());
             if self.route.stop_at_events {
                 self.curve.points.push(CurvePoint { solution: event.solution, times: event.times.clone() });
-                return ControlFlow::Break(CurveEnd::Event(event));
+                return ControlFlow::Break(CurveEnd::Event(Box::new(event)));
             }
         }
         ControlFlow::Continue(())
