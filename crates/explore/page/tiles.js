@@ -162,6 +162,7 @@ function run(own, body) {
         }
       },
       done() {
+        if (signal.aborted) return;
         own.done = true;
         if (own === current) judge();
       },
@@ -176,6 +177,7 @@ export function follow(value, moved) {
   if (!value.overlay) {
     latest.stop();
     request.cancel();
+    judgeSoon.cancel();
     setOverlay(null);
     status("");
     return;

@@ -5,7 +5,7 @@ use crate::{DESK, PHONE, Running, WHOLE, plane_key, state};
 const STATUS: &str = "document.getElementById('tiles-status').textContent";
 /// The number of places that were simulated in the view.
 const SEEN: &str = "use('tiles').then(([t]) => t.seen())";
-const DONE: &str = "/^[\\d,]+ places simulated; /.test(document.getElementById('tiles-status').textContent) && \
+pub(crate) const DONE: &str = "/^[\\d,]+ places simulated; /.test(document.getElementById('tiles-status').textContent) && \
                     document.getElementById('tiles-status').textContent";
 
 #[test]
