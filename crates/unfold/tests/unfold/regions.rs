@@ -129,9 +129,8 @@ fn narrow_windows_about_a_resonance_are_shaded_as_the_closed_form_says() {
     let whole = scope([0.0, 1.3], [0.35, 1.02], &[1, 2, 3]);
     let diagram = Diagram::located(&oscillator, &whole, &Silent).unwrap();
     let mut looked_at = 0;
-    for ((resonance, point), half) in diagram
-        .unfolding()
-        .flat_map(|unfolding| [1e-9, 3e-8, 1e-6, 1e-4].map(|half| (unfolding.clone(), half)))
+    for ((resonance, point), half) in
+        diagram.unfolding().flat_map(|unfolding| [1e-9, 3e-8, 1e-6, 1e-4].map(|half| (unfolding, half)))
     {
         let about = |centre: f64| [centre - half, centre + half];
         let [primary, secondary] = point.orbit().oscillator().parameters().map(about);
