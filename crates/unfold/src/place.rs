@@ -1,6 +1,6 @@
 //! What an oscillator does at one pair of parameters: its periodic solutions, and what motion comes to in the long run.
 
-mod followed;
+mod long_orbit;
 
 use core::f64::consts::TAU;
 
@@ -14,7 +14,7 @@ use nalgebra::Vector2;
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use followed::{Followed, Seen, begins};
+use long_orbit::{LongOrbit, Seen, begins};
 
 use crate::Scope;
 use crate::non_impacting::orbits::{OrbitPoint, PeriodicOrbits};
@@ -205,7 +205,7 @@ impl Place {
     ) -> Option<Self> {
         let period = oscillator.forcing_period();
         let seen = starts.par_iter().map(|&(states, from)| {
-            let seen = || Followed::new(oscillator, from, periods).seen(oscillator, from);
+            let seen = || LongOrbit::new(oscillator, from, periods).seen(oscillator, from);
             (!progress.stopped()).then(|| (states, seen()))
         });
         let seen: Vec<(u32, Seen)> = seen.collect::<Option<_>>()?;
@@ -242,8 +242,8 @@ impl Place {
             }
         }
         let shown = different.into_iter().map(|(states, seen)| {
-            let followed = Followed::new(oscillator, seen.start, periods);
-            Attractor { states, ..followed.attractor(oscillator, seen.start) }
+            let orbit = LongOrbit::new(oscillator, seen.start, periods);
+            Attractor { states, ..orbit.attractor(oscillator, seen.start) }
         });
         let mut attractors: Vec<Attractor> = shown.collect();
         attractors.sort_by_key(|attractor| core::cmp::Reverse(attractor.states));
@@ -253,7 +253,7 @@ impl Place {
 
 /// What motion from a state comes to, in numbers.
 pub fn fate<O: ImpactOscillator>(oscillator: &O, from: State, periods: [u32; 2]) -> Fate {
-    Followed::new(oscillator, from, periods).fate
+    LongOrbit::new(oscillator, from, periods).fate
 }
 
 /// The non-impacting solutions to which free motion, or rest, leads.

@@ -46,7 +46,7 @@ impl Seen {
 }
 
 /// An orbit after its transient.
-pub(super) struct Followed<O: ImpactOscillator> {
+pub(super) struct LongOrbit<O: ImpactOscillator> {
     pub(super) fate: Fate,
     /// Flights that count; one without an impact if there are none with one.
     flights: Vec<Flight<O::Motion>>,
@@ -54,7 +54,7 @@ pub(super) struct Followed<O: ImpactOscillator> {
     period: f64,
 }
 
-impl<O: ImpactOscillator> Followed<O> {
+impl<O: ImpactOscillator> LongOrbit<O> {
     pub(super) fn new(oscillator: &O, from: State, [transient, counted]: [u32; 2]) -> Self {
         let period = oscillator.forcing_period();
         let begin = f64::from(transient) * period;
