@@ -135,7 +135,7 @@ const job = (body) => async (signal) => {
 const rest = rested(RESTS, () => {
   const body = request(state.get(), false);
   if (JSON.stringify(body) !== computed) {
-    latest.now(job(body));
+    latest.rested(job(body));
     return;
   }
   latest.stop();

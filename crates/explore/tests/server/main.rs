@@ -1,6 +1,5 @@
 //! The server from outside: who is answered, what is sent, and what whoever means harm gets.
 
-mod load;
 mod running;
 
 use std::f64::consts::TAU;
