@@ -99,7 +99,7 @@ const job = (body) => async (signal) => {
     },
     resonances(resonances) {
       diagram.resonances = resonances;
-      list();
+      if (!coarse) list();
     },
     notes(notes) {
       latestNotes = notes;
@@ -119,12 +119,16 @@ const job = (body) => async (signal) => {
       list();
     },
   };
+  // Of a diagram that comes within a pause nothing is drawn before it is whole.
+  let drawn = performance.now();
   const noticed = Object.fromEntries(
     Object.entries(on).map(([name, act]) => [
       name,
       (data) => {
         if (signal.aborted) return;
         act(data);
+        if (coarse && name !== "done" && performance.now() - drawn < COARSE.pause) return;
+        drawn = performance.now();
         changed();
       },
     ]),

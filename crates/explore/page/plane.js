@@ -65,9 +65,10 @@ function hatching(context, ink) {
 function drawRegions(context, regions, ink) {
   context.globalAlpha = diagram.stale ? 0.45 : 1;
   for (const kind of ["non-impacting", "mps", "undecided"]) {
+    const own = regions.filter((region) => region.kind === kind);
+    if (own.length === 0) continue;
     context.fillStyle = kind === "mps" ? ink.loops : kind === "undecided" ? hatching(context, ink) : ink.calm;
-    for (const region of regions) {
-      if (region.kind !== kind) continue;
+    for (const region of own) {
       context.beginPath();
       for (const ring of region.rings) trace(context, ring, true);
       context.fill("evenodd");

@@ -146,6 +146,16 @@ fn held(what: &str) -> Option<f64> {
     Some(line.trim().strip_suffix(" kB")?.parse::<f64>().ok()? / 1024.0)
 }
 
+/// Seconds of CPU that this process has used; nothing where the system does not tell in hundredths.
+fn cpu() -> Option<f64> {
+    let stat = fs::read_to_string("/proc/self/stat").ok()?;
+    let (_, fields) = stat.rsplit_once(')')?;
+    Some(
+        fields.split_whitespace().skip(11).take(2).filter_map(|ticks| ticks.parse::<f64>().ok()).sum::<f64>()
+            / 100.0,
+    )
+}
+
 #[test]
 fn twenty_pages_that_drag_at_once_see_what_unfold_computes() {
     let seconds = env::var("EXPLORE_LOAD_SECONDS").map_or(SECONDS, |told| told.parse().unwrap());
@@ -160,14 +170,14 @@ fn twenty_pages_that_drag_at_once_see_what_unfold_computes() {
     let view = pages[0].value("use('model').then(([m]) => m.wholeView())");
     let range = |name: &str| [0, 1].map(|end| view[name][end].as_f64().unwrap());
     let window = Window { primary: range("primary"), secondary: range("secondary") };
-    let before = held("VmRSS:");
+    let (before, cpu_before) = (held("VmRSS:"), cpu());
     let told: Vec<Told> = thread::scope(|scope| {
         let all = pages.iter_mut().enumerate();
         let all: Vec<_> =
             all.map(|(number, page)| scope.spawn(move || drag(page, number, seconds))).collect();
         all.into_iter().map(|page| page.join().unwrap()).collect()
     });
-    let most = held("VmHWM:");
+    let (most, computed_for) = (held("VmHWM:"), cpu().zip(cpu_before).map(|(after, before)| after - before));
     let mut sums = BTreeMap::new();
     for (number, Told { watched, picture, .. }) in told.iter().enumerate() {
         assert_eq!(watched["wrong"], serde_json::json!([]), "page {number}");
@@ -188,7 +198,7 @@ fn twenty_pages_that_drag_at_once_see_what_unfold_computes() {
     let least = frames.iter().copied().fold(f64::INFINITY, f64::min);
     let line = format!(
         "{PAGES} pages, {seconds} s: {:.1} frames a page and second, {:.1} the least; {:.2} s the longest without one; {} answers at {} constants, {} given up, \
-         the slowest after {:.2} s; {:.2} s from rest to the last whole picture; {:.0} MB before, {:.0} MB at most\n",
+         the slowest after {:.2} s; {:.2} s from rest to the last whole picture; the server and what moves the pages: {:.0} s of CPU, {:.0} MB before, {:.0} MB at most\n",
         frames.iter().sum::<f64>() / (PAGES as u64 * seconds) as f64,
         least / seconds as f64,
         greatest(&longest),
@@ -197,6 +207,7 @@ fn twenty_pages_that_drag_at_once_see_what_unfold_computes() {
         gone.iter().sum::<f64>(),
         greatest(&slowest),
         told.iter().map(|page| page.completed).max().unwrap().as_secs_f64(),
+        computed_for.unwrap_or(f64::NAN),
         before.unwrap_or(f64::NAN),
         most.unwrap_or(f64::NAN),
     );
