@@ -1,6 +1,7 @@
 // The diagram: asked for coarse while a hand moves and in full when it rests; curves come as they are found.
 import { $, count, make, number, rested } from "./dom.js";
 import { Latest, stream } from "./api.js";
+import { isNumbered, lasting } from "./lasting.js";
 import { axisPieces, elements } from "./markup.js";
 import { description, modelOf, viewOf } from "./model.js";
 import * as state from "./state.js";
@@ -25,11 +26,14 @@ export const isBusy = () => latest.running !== null;
 /** What is shown, if it was computed in full, so that nothing is computed twice; and what was said of it. */
 let computed = "";
 let summary = "";
+/** The curves that have but a number, as last seen: a coarse diagram has few of them. */
+let numbered = [];
 
 export function clear() {
   latest.stop();
   rest.cancel();
   computed = "";
+  numbered = [];
   diagram.curves.clear();
   Object.assign(diagram, { points: [], regions: [], resonances: [], notes: [], stale: false, version: diagram.version + 1 });
   list();
@@ -60,9 +64,10 @@ function request(value, coarse) {
 }
 
 const job = (body) => async (signal) => {
-  const { coarse } = body;
+  const { coarse, view } = body;
   const bar = $("progress");
   const seen = new Set();
+  const names = new Map();
   let latestNotes = [];
   if (!coarse) {
     bar.removeAttribute("value");
@@ -82,14 +87,16 @@ const job = (body) => async (signal) => {
     },
     curves(list) {
       computed = "";
+      for (const [key, name] of lasting(list, numbered, view)) names.set(key, name);
       for (const curve of list) {
-        seen.add(curve.key);
-        diagram.curves.set(curve.key, curve);
+        const key = names.get(curve.key) ?? curve.key;
+        seen.add(key);
+        diagram.curves.set(key, { ...curve, key });
       }
     },
     keys(keys) {
       seen.clear();
-      for (const key of keys) seen.add(key);
+      for (const key of keys) seen.add(names.get(key) ?? key);
     },
     points(points) {
       diagram.points = points;
@@ -106,6 +113,7 @@ const job = (body) => async (signal) => {
     },
     done({ seconds }) {
       drop();
+      numbered = [...(coarse ? numbered.filter(({ key }) => !seen.has(key)) : []), ...[...diagram.curves.values()].filter(isNumbered)];
       diagram.notes = latestNotes;
       diagram.version += 1;
       finish();

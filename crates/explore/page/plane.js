@@ -215,7 +215,8 @@ function drawLabels(context, regions, to, view, ink) {
   const passed = performance.now() - labels.placed;
   if (labels.key !== key && passed >= SETTLES) {
     const points = diagram.points.map(({ primary, secondary }) => to([primary, secondary]));
-    const list = placeLabels(frame, runs, diagram.stale ? [] : regions, points);
+    const before = labels.list.map(({ key: own, at }) => ({ key: own, x: to(at)[0], y: to(at)[1] }));
+    const list = placeLabels(frame, runs, diagram.stale ? [] : regions, points, before);
     labels = { key, placed: performance.now(), list: list.map((each) => ({ ...each, at: toParameters(each.x, each.y, view) })) };
   } else if (labels.key !== key) setTimeout(redraw, SETTLES - passed);
   context.textBaseline = "alphabetic";
