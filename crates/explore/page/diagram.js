@@ -10,7 +10,8 @@ import * as state from "./state.js";
 export const diagram = { curves: new Map(), points: [], regions: [], resonances: [], notes: [], stale: false, version: 0 };
 
 const RESTS = 200;
-const COARSE = { pause: 100, patience: 1000 };
+/** The slowest of the examples takes 1.5 s for a coarse one. */
+const COARSE = { pause: 100, patience: 4000 };
 let changed = () => {};
 export const onDiagram = (act) => (changed = act);
 
