@@ -85,9 +85,11 @@ fn told(found: &branches::OneParameter) -> Value {
         .bifurcations
         .iter()
         .map(|row| json!({"kind": row.kind.name(), "p": row.loops, "at": row.primary, "x": row.x}));
+    // A strand is broken where a visit is not known.
+    let pieces = found.branches.chunk_by(|a, b| a.branch == b.branch && a.x.is_nan() == b.x.is_nan());
     json!({
         "frame": found.frame.y,
-        "strands": found.branches.chunk_by(|a, b| a.branch == b.branch).map(strand).collect::<Vec<_>>(),
+        "strands": pieces.filter(|rows| !rows[0].x.is_nan()).map(strand).collect::<Vec<_>>(),
         "bifurcations": bifurcations.collect::<Vec<_>>(),
     })
 }

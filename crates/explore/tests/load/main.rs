@@ -30,6 +30,8 @@ const WINDOW: [u32; 2] = [800, 600];
 /// The seconds for which all drag, if the environment does not say it; and megabytes that the process may grow by.
 const SECONDS: u64 = 5;
 const MEGABYTES: f64 = 200.0;
+/// Longer than it takes anywhere to see something move.
+const PATIENCE: Duration = Duration::from_secs(120);
 /// Places of a slider through which it goes to and fro, and between them a hand's pause.
 const PLACES: u32 = 8;
 const PAUSE: Duration = Duration::from_millis(60);
@@ -57,7 +59,12 @@ fn drag(page: &mut Browser, number: usize, seconds: u64) -> Told {
     let constant = ["zeta", "epsilon"][number % 2];
     let slider = format!("document.getElementById('constant-{constant}')");
     page.value(WATCH);
-    let end = Instant::now() + Duration::from_secs(seconds);
+    let began = Instant::now();
+    // Where all is slow, until something was seen to move.
+    let goes_on = |page: &mut Browser| {
+        let passed = began.elapsed();
+        passed < Duration::from_secs(seconds) || (passed < PATIENCE && page.value("watched.frames") == 0)
+    };
     if number % 4 < 2 {
         let bounds =
             format!("(() => {{ const b = {slider}.getBoundingClientRect(); return [b.left, b.width]; }})()");
@@ -66,24 +73,24 @@ fn drag(page: &mut Browser, number: usize, seconds: u64) -> Told {
         let place = |share: f64| [left + (0.2 + 0.6 * share) * width, y];
         let sweeps = [[0.0, 1.0], [1.0, 0.0]].map(|sweep| sweep.map(place));
         let mut to_and_fro = sweeps.iter().cycle();
-        while Instant::now() < end {
+        while goes_on(page) {
             let sweep = *to_and_fro.next().unwrap();
             page.drag(sweep, PLACES, 0, |_| sleep(PAUSE));
         }
         page.drag([0.0, number as f64 / PAGES as f64].map(place), PLACES, 0, |_| sleep(PAUSE));
     } else {
         page.value(&format!("{slider}.focus()"));
-        let mut press = |key: &str, times: usize| {
+        let press = |page: &mut Browser, key: &str, times: usize| {
             for _ in 0..times {
                 page.press(key);
                 sleep(PAUSE);
             }
         };
-        while Instant::now() < end {
-            press("ArrowRight", PLACES as usize);
-            press("ArrowLeft", PLACES as usize);
+        while goes_on(page) {
+            press(page, "ArrowRight", PLACES as usize);
+            press(page, "ArrowLeft", PLACES as usize);
         }
-        press("ArrowRight", 1 + number);
+        press(page, "ArrowRight", 1 + number);
     }
     let watched = page.value("({...watched})");
     let rested = Instant::now();
