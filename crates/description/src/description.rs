@@ -297,20 +297,6 @@ impl Description {
         &self.0.diagrams
     }
 
-    /// The same oscillator with its parameters in each other's role, and without diagrams.
-    #[must_use]
-    pub fn exchanged(&self) -> Description {
-        let mut content = (*self.0).clone();
-        core::mem::swap(&mut content.primary, &mut content.secondary);
-        let Formulas { force, wall, frequency, restitution, duration } = &mut content.formulas;
-        let [x, v] = &mut wall.outside;
-        for expression in [force, x, v, frequency, restitution, duration] {
-            *expression = expression.with_last_exchanged();
-        }
-        content.diagrams.clear();
-        Description(Arc::new(content))
-    }
-
     /// The same oscillator with another value of a constant; a name that is no constant's changes nothing. What the theorems assume is not
     /// checked again.
     ///

@@ -206,17 +206,6 @@ impl Expression {
         parse::expression(text, variables, moving, constants)
     }
 
-    /// The same expression with its last two variables in the other order.
-    pub(crate) fn with_last_exchanged(&self) -> Expression {
-        let tape = &*self.0;
-        let count = tape.variables.len();
-        let other =
-            |slot: Slot| if slot + 2 == count || slot + 1 == count { 2 * count - 3 - slot } else { slot };
-        let mut variables = tape.variables.clone();
-        variables.swap(count - 2, count - 1);
-        Expression(Arc::new(Tape::new(variables, tape.moving, tape.whole.on(other), tape.held)))
-    }
-
     /// The names of the variables, in the order of their values.
     pub fn variables(&self) -> &[String] {
         &self.0.variables
@@ -307,19 +296,6 @@ fn add_up<'v, S: Scalar + 'v>(
 }
 
 impl Code {
-    /// The same for variables and results in other slots.
-    fn on(&self, other: impl Fn(Slot) -> Slot) -> Self {
-        let instruction = |instruction: &Instruction| match *instruction {
-            Instruction::Plain(operation) => Instruction::Plain(operation.on(&other)),
-            sum => sum,
-        };
-        Self {
-            instructions: self.instructions.iter().map(instruction).collect(),
-            terms: self.terms.iter().map(|(factor, slot)| (*factor, other(*slot))).collect(),
-            result: other(self.result),
-        }
-    }
-
     /// The result; the list begins with values that are known.
     #[inline]
     fn evaluate<S: Scalar, V: Borrow<S>>(

@@ -5,6 +5,8 @@
 #[path = "../tests/server/running.rs"]
 mod running;
 
+use std::io::{BufRead, BufReader, Write};
+
 use divan::{Bencher, black_box};
 use grazing_explore::Limits;
 use running::Running;
@@ -40,10 +42,30 @@ fn ask(bencher: Bencher<'_, '_>, name: &str, body: &Value) {
     });
 }
 
+/// Asks for the same again and again, and goes away with the first event of a name.
+fn first(bencher: Bencher<'_, '_>, name: &str, event: &str, body: &Value) {
+    let server = Running::new(Limits::default());
+    let body = body.to_string();
+    let more = format!("Content-Type: application/json\r\nContent-Length: {}\r\n", body.len());
+    let request = format!("{}{body}", server.head("POST", &format!("{}{name}", server.path), &more));
+    bencher.bench(|| {
+        let mut stream = server.connect();
+        stream.write_all(black_box(&request).as_bytes()).unwrap();
+        let mut lines = BufReader::new(stream).lines().map_while(Result::ok);
+        assert!(lines.any(|line| line == format!("event: {event}")));
+    });
+}
+
 /// The whole diagram.
 #[divan::bench(args = OSCILLATORS, sample_count = 5)]
 fn ability_1_plane(bencher: Bencher<'_, '_>, oscillator: &str) {
     ask(bencher, "diagram", &json!({"model": model(oscillator), "view": view(oscillator)}));
+}
+
+/// Its first curve.
+#[divan::bench(args = OSCILLATORS, sample_count = 10)]
+fn ability_1_first_curve(bencher: Bencher<'_, '_>, oscillator: &str) {
+    first(bencher, "diagram", "curves", &json!({"model": model(oscillator), "view": view(oscillator)}));
 }
 
 /// A coarse one, as while a constant is dragged.
@@ -73,6 +95,29 @@ fn ability_3_place_dragged(bencher: Bencher<'_, '_>) {
     asked["nearby"] =
         json!({"solutions": solutions.collect::<Vec<_>>(), "attractors": attractors.collect::<Vec<_>>()});
     ask(bencher, "place", &asked);
+}
+
+/// A cut along either axis: its branches.
+#[divan::bench(args = CUTS, sample_count = 5)]
+fn ability_4_cut_branches(bencher: Bencher<'_, '_>, cut: (&str, &str)) {
+    first(bencher, "cut", "branches", &along(cut));
+}
+
+/// And all of it.
+#[divan::bench(args = CUTS, sample_count = 5)]
+fn ability_4_cut(bencher: Bencher<'_, '_>, cut: (&str, &str)) {
+    ask(bencher, "cut", &along(cut));
+}
+
+const CUTS: [(&str, &str); 4] =
+    [("paper", "secondary"), ("paper", "primary"), ("duffing", "secondary"), ("duffing", "primary")];
+
+/// Through the middle of the view, the parameter of that name held.
+fn along((oscillator, fixed): (&str, &str)) -> Value {
+    let range = |name: &str| view(oscillator)[name].clone();
+    let [low, high] = [0, 1].map(|end| range(fixed)[end].as_f64().unwrap_or_default());
+    let across = if fixed == "primary" { "secondary" } else { "primary" };
+    json!({"model": model(oscillator), "fixed": fixed, "at": (low + high) / 2.0, "range": range(across)})
 }
 
 /// Simulation of 400 x 300 places over 300 forcing periods.

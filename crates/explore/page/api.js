@@ -50,11 +50,13 @@ export async function stream(path, body, on, signal) {
 
 /**
  * One computation at a time: a new one aborts the last. `live` ones come at most every `pause` milliseconds, and let
- * the one before them finish if it does so within `patience`, so that something is seen while a hand moves.
+ * the live one before them finish, so that something is seen while a hand moves. It is given up after `patience`, or
+ * twice what the last one took; where that was in vain the next one has twice the time, so that one finishes however
+ * many others the program serves.
  */
 export class Latest {
   constructor({ pause = 0, patience = 0, failed = () => {} } = {}) {
-    Object.assign(this, { pause, patience, failed, begun: -1e9, running: null, waiting: 0 });
+    Object.assign(this, { pause, patience, bears: patience, failed, begun: -1e9, running: null, isLive: false, waiting: 0 });
   }
 
   stop() {
@@ -64,13 +66,16 @@ export class Latest {
   }
 
   /** Runs `job(signal)` now. */
-  now(job) {
+  now(job, isLive = false) {
     this.stop();
     const controller = new AbortController();
-    this.running = controller;
-    this.begun = performance.now();
+    const begun = performance.now();
+    Object.assign(this, { running: controller, isLive, begun });
     const own = () => this.running === controller;
     return job(controller.signal)
+      .then(() => {
+        if (isLive) this.bears = Math.max(this.patience, 2 * (performance.now() - begun));
+      })
       .catch((error) => {
         if (error.name !== "AbortError" && own()) this.failed(error);
       })
@@ -81,13 +86,23 @@ export class Latest {
 
   /** Runs the last job that was given, when its turn comes. */
   live(job) {
+    this.next(job, true);
+  }
+
+  /** Runs a job after the hand has moved, which may only have paused: the live one before it is let finish, too. */
+  rested(job) {
+    this.next(job, false);
+  }
+
+  next(job, isLive) {
     clearTimeout(this.waiting);
-    const turn = () => {
-      const passed = performance.now() - this.begun;
-      if (passed < this.pause) this.waiting = setTimeout(turn, this.pause - passed);
-      else if (this.running && passed < this.patience) this.waiting = setTimeout(turn, 15);
-      else this.now(job);
-    };
-    turn();
+    const passed = performance.now() - this.begun;
+    const before = this.running && this.isLive;
+    if (isLive && passed < this.pause) this.waiting = setTimeout(() => this.next(job, isLive), this.pause - passed);
+    else if (before && passed < this.bears) this.waiting = setTimeout(() => this.next(job, isLive), 15);
+    else {
+      if (before) this.bears *= 2;
+      this.now(job, isLive);
+    }
   }
 }

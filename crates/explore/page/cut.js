@@ -24,6 +24,7 @@ const say = (words) => {
 function fail({ message }) {
   $("cut").removeAttribute("aria-busy");
   say(message);
+  draw();
 }
 
 /** The axis along the cut: its name and its place in a pair. */
@@ -41,6 +42,7 @@ const request = rested(200, () => {
   const key = JSON.stringify(body);
   if (key === asked) return;
   $("cut").setAttribute("aria-busy", "true");
+  draw();
   latest.now(async (signal) => {
     // Branches first; the dots of the last cut stay below them until those of this one are there.
     const take = (told) => {
@@ -92,6 +94,10 @@ function draw() {
   canvas.setAttribute("aria-valuenow", value.place[at]);
   canvas.setAttribute("aria-valuetext", `${description[axis].name} ${coordinate(value.place[at], range[1] - range[0])}`);
   if (own) drawFound(context, own, to, ink);
+  else if (canvas.hasAttribute("aria-busy")) {
+    context.fillStyle = ink.muted;
+    write(context, [["computing …", "italic"]], frame.x + frame.w / 2, frame.y + frame.h / 2, 15, 0.5);
+  }
   const line = (p, colour, dashes) => {
     const [x] = to([p, 0]);
     context.strokeStyle = colour;
@@ -152,6 +158,12 @@ function drawFound(context, { strands, bifurcations, dots, old }, to, ink) {
     const corner = corners.find(free);
     if (!corner) continue;
     taken.push(corner);
+    // Dots and strands do not cross the words, which are darker than a line may be.
+    context.globalAlpha = 0.75;
+    context.fillStyle = ink.paper;
+    context.fillRect(corner[0] - 2, corner[1] - 10, wide - 10, 13);
+    context.globalAlpha = 1;
+    context.fillStyle = kind === "graz" ? ink.quadratic.graz : (ink[kind] ?? ink.marker);
     write(context, words, ...corner, 12);
   }
 }

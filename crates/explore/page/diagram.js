@@ -1,6 +1,7 @@
 // The diagram: asked for coarse while a hand moves and in full when it rests; curves come as they are found.
 import { $, count, make, number, rested } from "./dom.js";
 import { Latest, stream } from "./api.js";
+import { isNumbered, lasting } from "./lasting.js";
 import { axisPieces, elements } from "./markup.js";
 import { description, modelOf, viewOf } from "./model.js";
 import * as state from "./state.js";
@@ -9,7 +10,8 @@ import * as state from "./state.js";
 export const diagram = { curves: new Map(), points: [], regions: [], resonances: [], notes: [], stale: false, version: 0 };
 
 const RESTS = 200;
-const COARSE = { pause: 100, patience: 1000 };
+/** The slowest of the examples takes 1.5 s for a coarse one. */
+const COARSE = { pause: 100, patience: 4000 };
 let changed = () => {};
 export const onDiagram = (act) => (changed = act);
 
@@ -25,11 +27,14 @@ export const isBusy = () => latest.running !== null;
 /** What is shown, if it was computed in full, so that nothing is computed twice; and what was said of it. */
 let computed = "";
 let summary = "";
+/** The curves that have but a number, as last seen: a coarse diagram has few of them. */
+let numbered = [];
 
 export function clear() {
   latest.stop();
   rest.cancel();
   computed = "";
+  numbered = [];
   diagram.curves.clear();
   Object.assign(diagram, { points: [], regions: [], resonances: [], notes: [], stale: false, version: diagram.version + 1 });
   list();
@@ -60,9 +65,10 @@ function request(value, coarse) {
 }
 
 const job = (body) => async (signal) => {
-  const { coarse } = body;
+  const { coarse, view } = body;
   const bar = $("progress");
   const seen = new Set();
+  const names = new Map();
   let latestNotes = [];
   if (!coarse) {
     bar.removeAttribute("value");
@@ -82,14 +88,16 @@ const job = (body) => async (signal) => {
     },
     curves(list) {
       computed = "";
+      for (const [key, name] of lasting(list, numbered, view)) names.set(key, name);
       for (const curve of list) {
-        seen.add(curve.key);
-        diagram.curves.set(curve.key, curve);
+        const key = names.get(curve.key) ?? curve.key;
+        seen.add(key);
+        diagram.curves.set(key, { ...curve, key });
       }
     },
     keys(keys) {
       seen.clear();
-      for (const key of keys) seen.add(key);
+      for (const key of keys) seen.add(names.get(key) ?? key);
     },
     points(points) {
       diagram.points = points;
@@ -99,13 +107,14 @@ const job = (body) => async (signal) => {
     },
     resonances(resonances) {
       diagram.resonances = resonances;
-      list();
+      if (!coarse) list();
     },
     notes(notes) {
       latestNotes = notes;
     },
     done({ seconds }) {
       drop();
+      numbered = [...(coarse ? numbered.filter(({ key }) => !seen.has(key)) : []), ...[...diagram.curves.values()].filter(isNumbered)];
       diagram.notes = latestNotes;
       diagram.version += 1;
       finish();
@@ -119,12 +128,16 @@ const job = (body) => async (signal) => {
       list();
     },
   };
+  // Of a diagram that comes within a pause nothing is drawn before it is whole.
+  let drawn = performance.now();
   const noticed = Object.fromEntries(
     Object.entries(on).map(([name, act]) => [
       name,
       (data) => {
         if (signal.aborted) return;
         act(data);
+        if (coarse && name !== "done" && performance.now() - drawn < COARSE.pause) return;
+        drawn = performance.now();
         changed();
       },
     ]),
@@ -135,7 +148,7 @@ const job = (body) => async (signal) => {
 const rest = rested(RESTS, () => {
   const body = request(state.get(), false);
   if (JSON.stringify(body) !== computed) {
-    latest.now(job(body));
+    latest.rested(job(body));
     return;
   }
   latest.stop();

@@ -68,13 +68,18 @@ function regionLabels(frame, regions, map, placed) {
 
 const WORDS = { graz: "grazing", SN: "SN", PD: "PD", GZ: "GZ" };
 
+/** A word that finds its curve's old one within so many pixels stays there, unless elsewhere is as many times better. */
+const NEAR = 40;
+const STAYS = 2;
+
 /** A word beside each curve that is long enough, where there is room for it. */
-function curveLabels(frame, runs, map, placed) {
+function curveLabels(frame, runs, map, placed, before) {
   const long = runs.map((run) => ({ ...run, length: run.points.reduce((sum, [x, y], at) => (at === 0 ? 0 : sum + Math.hypot(x - run.points[at - 1][0], y - run.points[at - 1][1])), 0) }));
   for (const { curve, points, length } of long.sort((a, b) => b.length - a.length)) {
     if (length < 100 || curve.source === "quadratic") continue;
     const half = curve.kind === "graz" ? 26 : 11;
     let [best, passed] = [{ score: 0 }, 0];
+    const old = before.filter(({ key }) => key === curve.key);
     for (let index = 1; index < points.length; index += 1) {
       const [[ax, ay], [bx, by]] = [points[index - 1], points[index]];
       const along = Math.hypot(bx - ax, by - ay);
@@ -87,21 +92,22 @@ function curveLabels(frame, runs, map, placed) {
           if (!clear(map, placed, x, y, half)) continue;
           const repeats = placed.some(({ text, x: ox, y: oy }) => text[0][0] === WORDS[curve.kind] && Math.hypot(ox - x, oy - y) < 130);
           const middle = 1 - Math.abs((passed + at) / length - 0.5);
-          const score = repeats ? 0 : Math.min(18, map.at(x, y)) * middle;
+          const stays = old.some(({ x: ox, y: oy }) => Math.hypot(ox - x, oy - y) < NEAR) ? STAYS : 1;
+          const score = repeats ? 0 : stays * Math.min(18, map.at(x, y)) * middle;
           if (score > best.score) best = { score, x, y };
         }
       }
       passed += along;
     }
-    if (best.score > 0) placed.push({ text: [[WORDS[curve.kind], ""]], x: best.x, y: best.y, half, kind: curve.kind });
+    if (best.score > 0) placed.push({ text: [[WORDS[curve.kind], ""]], x: best.x, y: best.y, half, kind: curve.kind, key: curve.key });
   }
 }
 
-/** All words: [{ text (pieces), x, y, kind }], in pixels. */
-export function placeLabels(frame, runs, regions, points) {
+/** All words: [{ text (pieces), x, y, kind, key of the curve }], in pixels; `before` are those of a moment ago. */
+export function placeLabels(frame, runs, regions, points, before) {
   const map = distances(frame, runs, points);
   const placed = [];
   regionLabels(frame, regions, map, placed);
-  curveLabels(frame, runs, map, placed);
+  curveLabels(frame, runs, map, placed, before);
   return placed;
 }

@@ -89,7 +89,8 @@ function showAll(value, changed, live) {
   place.follow(value, changed, live);
   cut.follow(value);
   tiles.follow(value, changed);
-  redraw();
+  // While a constant moves, the plane changes with what comes of it.
+  if (!live || !changed.has("set")) redraw();
 }
 
 /** Which oscillator the page shows: that of the last description. */

@@ -112,7 +112,7 @@ class Card {
   request(live) {
     const body = this.body_(live);
     if (!body.at || JSON.stringify(body) === this.asked) return;
-    this.latest.now(this.job(live));
+    this.latest.rested(this.job(live));
   }
 
   job(live) {

@@ -65,9 +65,10 @@ function hatching(context, ink) {
 function drawRegions(context, regions, ink) {
   context.globalAlpha = diagram.stale ? 0.45 : 1;
   for (const kind of ["non-impacting", "mps", "undecided"]) {
+    const own = regions.filter((region) => region.kind === kind);
+    if (own.length === 0) continue;
     context.fillStyle = kind === "mps" ? ink.loops : kind === "undecided" ? hatching(context, ink) : ink.calm;
-    for (const region of regions) {
-      if (region.kind !== kind) continue;
+    for (const region of own) {
       context.beginPath();
       for (const ring of region.rings) trace(context, ring, true);
       context.fill("evenodd");
@@ -214,7 +215,8 @@ function drawLabels(context, regions, to, view, ink) {
   const passed = performance.now() - labels.placed;
   if (labels.key !== key && passed >= SETTLES) {
     const points = diagram.points.map(({ primary, secondary }) => to([primary, secondary]));
-    const list = placeLabels(frame, runs, diagram.stale ? [] : regions, points);
+    const before = labels.list.map(({ key: own, at }) => ({ key: own, x: to(at)[0], y: to(at)[1] }));
+    const list = placeLabels(frame, runs, diagram.stale ? [] : regions, points, before);
     labels = { key, placed: performance.now(), list: list.map((each) => ({ ...each, at: toParameters(each.x, each.y, view) })) };
   } else if (labels.key !== key) setTimeout(redraw, SETTLES - passed);
   context.textBaseline = "alphabetic";

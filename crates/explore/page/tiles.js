@@ -174,6 +174,7 @@ function run(own, body) {
 export function follow(value, moved) {
   document.querySelector('[data-command="overlay"]').setAttribute("aria-pressed", value.overlay);
   $("tiles-legend").hidden = !value.overlay;
+  for (const entry of document.querySelectorAll(".shade")) entry.hidden = value.overlay;
   if (!value.overlay) {
     latest.stop();
     request.cancel();

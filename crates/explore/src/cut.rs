@@ -54,15 +54,7 @@ pub(crate) fn compute(asked: &Asked, events: &Events, stop: &Stop) -> Result<(),
     // As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
     let plan = Plan { values: 160, recorded: 16, ..PLAN };
     let line = Line { wanted: (&wanted, &plan), events };
-    let found = match fixed {
-        Fixed::Secondary => model.checked(Some(&view))?.with(stop, line),
-        // Only the oscillator of a text has its parameters exchanged.
-        Fixed::Primary => {
-            let description = model.in_view(&view).map_err(Problem::wrong)?;
-            one_parameter::along(&description, line.wanted, &[], stop, events, &mut |found| line.tell(&found))
-        }
-    };
-    let found = found.ok_or_else(Problem::ended)?;
+    let found = model.checked(Some(&view))?.with(stop, line).ok_or_else(Problem::ended)?;
     let dots: Vec<[f64; 2]> = found.attractor.iter().map(|dot| [dot.primary, dot.x]).collect();
     events.send("dots", &json!({"frame": found.frame.y, "dots": dots, "resting": found.resting}));
     Ok(())
@@ -73,17 +65,11 @@ struct Line<'a> {
     events: &'a Events,
 }
 
-impl Line<'_> {
-    fn tell(&self, found: &branches::OneParameter) {
-        self.events.send("branches", &told(found));
-    }
-}
-
 impl Job for Line<'_> {
     type Outcome = Option<branches::OneParameter>;
 
     fn run<O: ImpactOscillator>(self, oscillator: &O, scope: &Scope, axes: &Axes) -> Self::Outcome {
-        let begun = &mut |found| self.tell(&found);
+        let begun = &mut |found| self.events.send("branches", &told(&found));
         one_parameter::of(oscillator, scope, &axes.units, self.wanted, &[], self.events, begun)
     }
 }
@@ -99,9 +85,11 @@ fn told(found: &branches::OneParameter) -> Value {
         .bifurcations
         .iter()
         .map(|row| json!({"kind": row.kind.name(), "p": row.loops, "at": row.primary, "x": row.x}));
+    // A strand is broken where a visit is not known.
+    let pieces = found.branches.chunk_by(|a, b| a.branch == b.branch && a.x.is_nan() == b.x.is_nan());
     json!({
         "frame": found.frame.y,
-        "strands": found.branches.chunk_by(|a, b| a.branch == b.branch).map(strand).collect::<Vec<_>>(),
+        "strands": pieces.filter(|rows| !rows[0].x.is_nan()).map(strand).collect::<Vec<_>>(),
         "bifurcations": bifurcations.collect::<Vec<_>>(),
     })
 }

@@ -54,6 +54,7 @@ files! {
     "hand.js" = "text/javascript; charset=utf-8",
     "index.html" = "text/html; charset=utf-8",
     "labels.js" = "text/javascript; charset=utf-8",
+    "lasting.js" = "text/javascript; charset=utf-8",
     "main.js" = "text/javascript; charset=utf-8",
     "markup.js" = "text/javascript; charset=utf-8",
     "model.js" = "text/javascript; charset=utf-8",

@@ -32,7 +32,7 @@ use crate::{cut, diagram, place, stream, tiles};
 pub struct Limits {
     /// Connections at once; more are closed.
     pub connections: usize,
-    /// Computations at once; more wait, in the order in which they came.
+    /// Computations at once; more wait, in the order in which they came. By default so many as one page asks for: diagram, place, cut, simulation.
     pub computations: usize,
     /// Bytes of a request's body: ten times the largest file that is no generated one.
     pub body: usize,
@@ -48,7 +48,7 @@ impl Default for Limits {
     fn default() -> Self {
         Self {
             connections: 256,
-            computations: 2,
+            computations: 4,
             body: 200_000,
             patience: Duration::from_secs(10),
             time: Duration::from_secs(120),

@@ -1,7 +1,5 @@
 //! One-parameter diagrams as rows: those of an oscillator from a text file, and what Figure 2 shares with them.
 
-use std::borrow::Cow;
-
 use grazing_description::{Description, OneParameter};
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
@@ -11,7 +9,7 @@ use grazing_results::branches::{
 };
 use grazing_unfold::Scope;
 use grazing_unfold::diagram::DiagramCurve;
-use grazing_unfold::one_parameter::{self, Plan, Portrait, Strand, Wanted, exchanged};
+use grazing_unfold::one_parameter::{self, Exchanged, Plan, Portrait, Strand, Wanted, exchanged};
 use grazing_unfold::progress::Progress;
 use grazing_unfold::stop::{Stop, Unfinished};
 
@@ -30,8 +28,11 @@ pub(crate) fn diagrams(
     progress: &dyn Progress,
 ) -> (Vec<branches::OneParameter>, Vec<Unfinished>) {
     let (mut diagrams, mut unfinished) = (Vec::new(), Vec::new());
+    let units = description.units();
+    let (oscillator, scope) = prepared(description, &units, stop);
+    let from_the_wall = !description.wall().is_usual();
     for (number, asked) in (1..).zip(description.diagrams()) {
-        let found = along(description, (asked, &PLAN), curves, stop, progress, &mut |_| ());
+        let found = of(&oscillator, &scope, &units, (asked, &PLAN), curves, progress, &mut |_| ());
         let missing = match &found {
             None => Some(format!("one-parameter diagram {number}")),
             Some(found) if found.resting.is_none() => {
@@ -40,42 +41,40 @@ pub(crate) fn diagrams(
             Some(_) => None,
         };
         unfinished.extend(missing.map(Unfinished::stage));
-        diagrams.extend(found.map(|found| branches::OneParameter { diagram: number, ..found }));
+        diagrams.extend(found.map(|found| branches::OneParameter {
+            diagram: number,
+            from_the_wall,
+            ..found
+        }));
     }
     (diagrams, unfinished)
 }
 
-/// The one-parameter diagram that is asked for, in the oscillator's own units; curves of the two-parameter diagram lead to branches as far as they are
-/// known. The seed is that of what is asked for. `begun` gets the branches before the simulation, which takes longer.
+/// The one-parameter diagram that is asked for, in the oscillator's own units, of an oscillator that is counted with its scope in these;
+/// curves of the two-parameter diagram lead to branches as far as they are known. The seed is that of what is asked for. `begun` gets the
+/// branches before the simulation, which takes longer.
 ///
 /// `None` if an end was asked for before the branches were known.
-pub fn along(
-    description: &Description,
+pub fn of<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    units: &Units,
     (asked, plan): (&OneParameter, &Plan),
     curves: &[DiagramCurve],
-    stop: &Stop,
     progress: &dyn Progress,
     begun: &mut dyn FnMut(branches::OneParameter),
 ) -> Option<branches::OneParameter> {
-    let units = description.units();
-    // The parameter across is the primary one.
-    let (description, units, curves) = match asked.primary_is_fixed {
-        false => (Cow::Borrowed(description), units, Cow::Borrowed(curves)),
-        true => (
-            Cow::Owned(description.exchanged()),
-            Units { primary: units.secondary, secondary: units.primary, ..units },
-            Cow::Owned(exchanged(curves)),
-        ),
-    };
-    let (oscillator, scope) = prepared(&description, &units, stop);
-    let from_the_wall = !description.wall().is_usual();
-    let told = |found| branches::OneParameter { from_the_wall, ..found };
-    let mut begun = |found| begun(told(found));
-    of(&oscillator, &scope, &units, (asked, plan), &curves, progress, &mut begun).map(told)
+    if asked.primary_is_fixed {
+        let (oscillator, scope, curves) =
+            (Exchanged(oscillator.clone()), scope.exchanged(), exchanged(curves));
+        let units = Units { primary: units.secondary, secondary: units.primary, ..*units };
+        return across(&oscillator, &scope, &units, (asked, plan), &curves, progress, begun);
+    }
+    across(oscillator, scope, units, (asked, plan), curves, progress, begun)
 }
 
-/// Likewise, of any oscillator, counted with its scope in units, in which the parameter across is the primary one.
-pub fn of<O: ImpactOscillator>(
+/// The same, where the parameter across is the primary one.
+fn across<O: ImpactOscillator>(
     oscillator: &O,
     scope: &Scope,
     units: &Units,

@@ -4,19 +4,19 @@
 //! states, and orbits at chosen μ. Everything is shown by x on the Poincaré section Π.
 
 mod branches;
+mod exchanged;
 mod long_time;
 mod portraits;
 
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown,
-};
+use grazing_continuation::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns};
 use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
 pub use branches::{Branch, BranchBifurcation, Strand, StrandPoint};
+pub use exchanged::{Exchanged, exchanged};
 pub use long_time::{Plan, Settled, long_time_behaviour, random_start, settled};
 pub(crate) use portraits::cycle;
 pub use portraits::{ATTRACTOR_PERIODS, Portrait, sampled};
@@ -178,17 +178,6 @@ fn mps_branches<O: ImpactOscillator>(
         slice.branches.into_iter().map(move |curve| Branch { equations: equations.clone(), curve })
     });
     branches.collect()
-}
-
-/// Curves of a diagram with the parameters in each other's role.
-pub fn exchanged(curves: &[DiagramCurve]) -> Vec<DiagramCurve> {
-    let mut curves = curves.to_vec();
-    for point in curves.iter_mut().flat_map(|curve| &mut curve.curve.points) {
-        point.solution.unknowns.swap_rows(unknown::PRIMARY, unknown::SECONDARY);
-        // What the equations carry says nothing of parameters.
-        point.times = EventTimes::default();
-    }
-    curves
 }
 
 /// The bifurcation that a condition is on a branch of non-impacting motion.

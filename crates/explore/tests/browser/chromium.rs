@@ -61,6 +61,9 @@ impl Process {
             Command::new(name)
                 .args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"])
                 .args(["--no-first-run", "--disable-background-networking", "--remote-debugging-port=0"])
+                // Every page is drawn as if it were in front.
+                .args(["--disable-background-timer-throttling", "--disable-renderer-backgrounding"])
+                .arg("--disable-backgrounding-occluded-windows")
                 .arg(format!("--user-data-dir={}", profile.path().display()))
                 .stdout(Stdio::null())
                 .stderr(Stdio::piped())

@@ -42,6 +42,91 @@ fn assert_same(before: &Value, after: &Value) {
     assert!(same * 10 >= 8 * of_resonances.len(), "{same} of {}", of_resonances.len());
 }
 
+/// The diagram is whole again, of the constants at rest.
+const AGAIN: &str =
+    "use('diagram').then(([d]) => !d.diagram.stale && !d.isBusy() && d.diagram.regions.length > 0)";
+/// Curves that no resonance leads to, by name.
+const NUMBERED: &str = "use('diagram').then(([d]) => [...d.diagram.curves.values()].filter(({n, source}) => n === 0 && source === 'continuation')\
+                        .map(({key, points}) => [key, points]).sort())";
+
+#[test]
+fn curves_that_no_resonance_leads_to_keep_their_numbers_in_one_drag_as_in_small_steps() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    let mut walk = |steps: u32, at_once: bool| {
+        // From the file's value: nothing is known of curves before.
+        page.go("about:blank");
+        page.go(&server.address);
+        page.wait(WHOLE);
+        let before = page.value(NUMBERED);
+        page.value("document.getElementById('constant-zeta').focus()");
+        for step in 1..=steps {
+            page.press("ArrowLeft");
+            if !at_once || step == steps {
+                page.wait(COARSE);
+                page.wait(AGAIN);
+            }
+        }
+        (before, page.value(NUMBERED))
+    };
+    let names = |curves: &Value| -> Vec<String> {
+        curves.as_array().unwrap().iter().map(|curve| curve[0].as_str().unwrap().to_owned()).collect()
+    };
+    let (before, small) = walk(STEPS, false);
+    let (_, large) = walk(STEPS, true);
+    assert!(small == large, "{:?} and {:?}", names(&small), names(&large));
+    // Some have gone, of lower numbers than others: in the order in which they are found these would have moved up.
+    let of_kind = |curves: &Value| -> Vec<String> {
+        names(curves).into_iter().filter(|name| name.starts_with(NUMEROUS)).collect()
+    };
+    let (old, new) = (of_kind(&before), of_kind(&small));
+    assert!(
+        new.len() >= 2 && new.len() < old.len() && new.iter().all(|name| old.contains(name)),
+        "{old:?} {new:?}"
+    );
+    assert!(!new.contains(&format!("{NUMEROUS}#0")), "{new:?}");
+}
+
+/// Curves of which the paper's oscillator has several, and the steps of its damping ratio after which two of them are gone.
+const NUMEROUS: &str = "GZ 2 0 ";
+const STEPS: u32 = 18;
+
+#[test]
+fn a_curve_that_goes_leaves_the_others_their_numbers_and_one_that_comes_gets_a_new_one() {
+    let server = Running::new();
+    let Some(mut page) = server.open(DESK) else { return };
+    let mut names = |before: &str, list: &str| {
+        page.value(&format!(
+            "use('lasting').then(([l]) => {{ const curve = ([key, y, from = 0]) => ({{key, n: key.split(' ')[2] * 1, source: 'continuation', \
+             points: [[from, y], [0.5, y], [1, y]]}}); return l.lasting({list}.map(curve), {before}.map(curve), {{primary: [0, 1], secondary: [0, 1]}})\
+             .entries().toArray().map((pair) => pair.join(' is ')).sort(); }})"
+        ))
+    };
+    let two = "[['GZ 2 0 #0', 0.2], ['GZ 2 0 #1', 0.6]]";
+    // The first goes, and what is left is found first.
+    assert_eq!(names(two, "[['GZ 2 0 #0', 0.62]]"), serde_json::json!(["GZ 2 0 #0 is GZ 2 0 #1"]));
+    // They are found in the other order, and one is cut off by the view.
+    let other = names(two, "[['GZ 2 0 #0', 0.58, 0.4], ['GZ 2 0 #1', 0.22]]");
+    assert_eq!(other, serde_json::json!(["GZ 2 0 #0 is GZ 2 0 #1", "GZ 2 0 #1 is GZ 2 0 #0"]));
+    // One comes far from both, and first; of another kind and of a resonance nothing is asked.
+    let more = names(
+        two,
+        "[['GZ 2 0 #0', 0.95], ['GZ 2 0 #1', 0.2], ['GZ 2 0 #2', 0.6], ['SN 2 0 #0', 0.6], ['GZ 2 3 #0', 0.6]]",
+    );
+    assert_eq!(
+        more,
+        serde_json::json!([
+            "GZ 2 0 #0 is GZ 2 0 #2",
+            "GZ 2 0 #1 is GZ 2 0 #0",
+            "GZ 2 0 #2 is GZ 2 0 #1",
+            "SN 2 0 #0 is SN 2 0 #0"
+        ])
+    );
+    // The number of one that goes as another comes is not given away.
+    let new = names(two, "[['GZ 2 0 #0', 0.95], ['GZ 2 0 #1', 0.6]]");
+    assert_eq!(new, serde_json::json!(["GZ 2 0 #0 is GZ 2 0 #2", "GZ 2 0 #1 is GZ 2 0 #1"]));
+}
+
 /// The diagram of a moment is coarse: curves without regions of their own.
 const COARSE: &str = "use('diagram').then(([d]) => d.diagram.stale)";
 

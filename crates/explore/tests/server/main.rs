@@ -1,6 +1,5 @@
 //! The server from outside: who is answered, what is sent, and what whoever means harm gets.
 
-mod load;
 mod running;
 
 use std::f64::consts::TAU;
@@ -311,4 +310,18 @@ fn a_cut_tells_its_branches_first_and_then_what_simulation_comes_to() {
         json!({"model": {"text": moved, "loops": [1]}, "fixed": "primary", "at": 0.0, "range": [0.9, 1.0]});
     let (status, answer) = server.post("cut", &cut.to_string());
     assert_eq!((status, events(&answer, "done").len()), (200, 1), "{answer}");
+}
+
+#[test]
+fn a_strand_of_a_cut_is_broken_where_a_visit_is_not_known() {
+    let server = Running::new(LIMITS);
+    // Loops of the paper's oscillator that gain and lose a maximum as its frequency changes.
+    let cut = json!({"model": {"text": null}, "fixed": "primary", "at": 0.6, "range": [0.3, 1.1]});
+    let (status, answer) = server.post("cut", &cut.to_string());
+    assert_eq!((status, events(&answer, "done").len()), (200, 1), "{answer}");
+    let branches = &events(&answer, "branches")[0];
+    let strands = branches["strands"].as_array().unwrap();
+    let numbers = strands.iter().flat_map(|strand| strand["points"].as_array().unwrap());
+    assert!(strands.len() > 5 && numbers.clone().count() > 500);
+    assert!(numbers.clone().all(|point| point[1].is_f64()), "a place without a number is drawn at zero");
 }

@@ -2,11 +2,10 @@
 
 use std::fs;
 
-use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::smooth::Integrated;
-use grazing_unfold::Scope;
-use grazing_unfold::one_parameter::{OneParameter, Plan, Strand, StrandPoint, Wanted};
+use grazing_model::{ImpactOscillator, OnWall, State};
+use grazing_unfold::one_parameter::{Exchanged, OneParameter, Plan, Strand, StrandPoint, Wanted};
 use grazing_unfold::progress::Silent;
 
 use crate::specimens::{example, file};
@@ -83,10 +82,8 @@ fn where_only_mps_attract_simulation_stays_on_their_branches() {
 fn a_point_is_on_the_branches_of_either_diagram_that_passes_it() {
     let amplitude = 0.3;
     let one = of_the_paper([0.29, 0.31], 2);
-    let description = Description::from_file(&file("examples/paper.toml")).expect("it is right").exchanged();
-    let [primary, secondary] = [description.primary(), description.secondary()].map(|axis| axis.range());
-    let scope = Scope { window: Window { primary, secondary }, loops: vec![1, 2, 3], start: None };
-    let oscillator = Integrated::new(description, [primary[0], secondary[0]]);
+    let (oscillator, scope) = example("paper.toml");
+    let (oscillator, scope) = (Exchanged(oscillator), scope.exchanged());
     let wanted = wanted(amplitude, [0.84, 0.87], 2);
     let other = OneParameter::compute(&oscillator, &scope, &[], &wanted, &Silent, &mut |_| ())
         .expect("nobody stops it");
@@ -102,6 +99,42 @@ fn a_point_is_on_the_branches_of_either_diagram_that_passes_it() {
             }
         }
     }
+}
+
+#[test]
+fn exchanged_parameters_are_those_of_a_file_that_names_them_in_the_other_order() {
+    // What moves: wall and restitution as well as the force and the frequency depend on both parameters.
+    let text = |primary: &str, secondary: &str| {
+        format!(
+            "name = \"moved\"\n[parameters]\n[primary]\nname = \"{primary}\"\nrange = [0.5, 1.5]\n[secondary]\nname = \"{secondary}\"\nrange = [0.5, 1.5]\n\
+             [motion]\nforce = \"-0.1*v - x - a*b*x^2 - 1 + a*cos(b*t)\"\nfrequency = \"b\"\n\
+             [impact]\nrestitution = \"0.8 - 0.1*a*b*y\"\nduration = \"0.1*a*b\"\n[analysis]\nloops = [1]\n"
+        )
+    };
+    let described =
+        |primary, secondary| Description::parse(&text(primary, secondary), "moved").expect("it is right");
+    let exchanged = Exchanged(Integrated::new(described("a", "b"), [0.7, 0.9]));
+    let other = Integrated::new(described("b", "a"), [0.9, 0.7]);
+    assert_eq!((exchanged.parameters(), other.parameters()), ([0.9, 0.7], [0.9, 0.7]));
+    let moved = exchanged.with_parameters([1.1, 0.6]);
+    let other = other.with_parameters([1.1, 0.6]);
+    assert_eq!((moved.parameters(), moved.0.parameters()), ([1.1, 0.6], [0.6, 1.1]));
+    assert_eq!(moved.forcing_frequency(), other.forcing_frequency());
+    let (from, impact) = (State { position: -0.4, velocity: 0.3, phase: 1.2 }, OnWall::new(0.5, 0.8));
+    let [a, b] = [moved.flow::<2>(from, 1.7), other.flow::<2>(from, 1.7)];
+    // The same integration, but for sums in another order.
+    let near =
+        |a: &[f64], b: &[f64]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-11);
+    assert!(
+        near(a.value.as_slice(), b.value.as_slice()) && near(a.jacobian.as_slice(), b.jacobian.as_slice())
+    );
+    assert!(a.hessians.iter().zip(&b.hessians).all(|(a, b)| near(a.as_slice(), b.as_slice())));
+    assert!((a.jacobian[(0, 4)] - a.jacobian[(0, 5)]).abs() > 0.01);
+    let [a, b] = [moved.reset::<2>(impact), other.reset::<2>(impact)];
+    assert!(
+        near(a.value.as_slice(), b.value.as_slice()) && near(a.jacobian.as_slice(), b.jacobian.as_slice())
+    );
+    assert!(a.hessians.iter().zip(&b.hessians).all(|(a, b)| near(a.as_slice(), b.as_slice())));
 }
 
 #[test]

@@ -1,0 +1,49 @@
+// Names that last. Curves that leave a resonance are known by it; others are numbered as they are found, anew in each
+// diagram, and some come and go. Here each gets the number that the nearest of its kind had before.
+
+const SAMPLES = 24;
+/** Farther apart than this, in parts of the view, they are not the same. */
+const FARTHEST = 0.25;
+/** What of one curve is not on the other counts less: views cut them, and they grow. */
+const REST = 0.1;
+
+/** How far points of one polyline are from those of another, on average. */
+function way(from, to, [across, up]) {
+  const stride = Math.ceil(from.length / SAMPLES);
+  const sampled = from.filter((_, index) => index % stride === 0);
+  const far = ([p, s]) => to.reduce((least, [op, os]) => Math.min(least, Math.hypot((p - op) / across, (s - os) / up)), Infinity);
+  return sampled.reduce((sum, point) => sum + far(point), 0) / sampled.length;
+}
+
+function apart(a, b, widths) {
+  const ways = [way(a.points, b.points, widths), way(b.points, a.points, widths)];
+  return Math.min(...ways) + REST * Math.max(...ways);
+}
+
+const kindOf = ({ key }) => key.split("#")[0];
+
+/** Whether a curve has but a number. */
+export const isNumbered = ({ n, source }) => n === 0 && source === "continuation";
+
+/** The names of the numbered curves of a list, by their keys there; `before` are those of the diagram before, under their names. */
+export function lasting(list, before, { primary: [a, b], secondary: [c, d] }) {
+  const names = new Map();
+  const curves = list.filter(isNumbered);
+  const pairs = curves.flatMap((curve) => before.filter((old) => kindOf(old) === kindOf(curve)).map((old) => ({ curve, old, far: apart(curve, old, [b - a, d - c]) })));
+  const taken = new Set();
+  for (const { curve, old, far } of pairs.sort((one, other) => one.far - other.far)) {
+    if (far > FARTHEST || names.has(curve.key) || taken.has(old.key)) continue;
+    names.set(curve.key, old.key);
+    taken.add(old.key);
+  }
+  // New ones do not take the number of one that has gone.
+  for (const old of before) taken.add(old.key);
+  for (const curve of curves) {
+    if (names.has(curve.key)) continue;
+    let number = 0;
+    while (taken.has(`${kindOf(curve)}#${number}`)) number += 1;
+    names.set(curve.key, `${kindOf(curve)}#${number}`);
+    taken.add(`${kindOf(curve)}#${number}`);
+  }
+  return names;
+}

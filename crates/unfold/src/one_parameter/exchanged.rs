@@ -1,0 +1,96 @@
+//! The primary parameter held and the secondary one varied: the two in each other's role.
+
+use grazing_continuation::curve::Window;
+use grazing_continuation::mps::{EventTimes, unknown};
+use grazing_model::{FlowJet, ImpactOscillator, MapJet, OnWall, ParameterJet, State, flow_variable};
+use nalgebra::SMatrix;
+
+use crate::Scope;
+use crate::curves::DiagramCurve;
+
+/// An oscillator with its parameters (μ, η) in each other's role.
+#[derive(Clone, Debug)]
+pub struct Exchanged<O>(pub O);
+
+/// Exchanges two variables in second derivatives.
+fn exchange<const N: usize>(hessian: &mut SMatrix<f64, N, N>, [a, b]: [usize; 2]) {
+    hessian.swap_columns(a, b);
+    hessian.swap_rows(a, b);
+}
+
+fn exchanged_flow(mut jet: FlowJet) -> FlowJet {
+    let variables @ [a, b] = [flow_variable::PRIMARY, flow_variable::SECONDARY];
+    jet.jacobian.swap_columns(a, b);
+    jet.hessians.iter_mut().for_each(|hessian| exchange(hessian, variables));
+    jet
+}
+
+impl<O: ImpactOscillator> ImpactOscillator for Exchanged<O> {
+    type Motion = O::Motion;
+
+    const INTEGRATED: bool = O::INTEGRATED;
+
+    fn parameters(&self) -> [f64; 2] {
+        let [primary, secondary] = self.0.parameters();
+        [secondary, primary]
+    }
+
+    fn with_parameters(&self, [primary, secondary]: [f64; 2]) -> Self {
+        Self(self.0.with_parameters([secondary, primary]))
+    }
+
+    fn roughly(&self) -> Self {
+        Self(self.0.roughly())
+    }
+
+    fn forcing_frequency(&self) -> ParameterJet {
+        let mut jet = self.0.forcing_frequency();
+        jet.gradient.swap_rows(0, 1);
+        exchange(&mut jet.hessian, [0, 1]);
+        jet
+    }
+
+    fn acceleration(&self, state: State) -> f64 {
+        self.0.acceleration(state)
+    }
+
+    fn flow<const ORDER: usize>(&self, from: State, duration: f64) -> FlowJet {
+        exchanged_flow(self.0.flow::<ORDER>(from, duration))
+    }
+
+    fn flow_along<const ORDER: usize>(&self, motion: &O::Motion, from: State, duration: f64) -> FlowJet {
+        exchanged_flow(self.0.flow_along::<ORDER>(motion, from, duration))
+    }
+
+    fn reset<const ORDER: usize>(&self, impact: OnWall) -> MapJet<OnWall, OnWall> {
+        let mut jet = self.0.reset::<ORDER>(impact);
+        let variables @ [a, b] = [unknown::PRIMARY, unknown::SECONDARY];
+        jet.jacobian.swap_columns(a, b);
+        jet.hessians.iter_mut().for_each(|hessian| exchange(hessian, variables));
+        jet
+    }
+
+    fn motion(&self, from: State) -> O::Motion {
+        self.0.motion(from)
+    }
+}
+
+impl Scope {
+    /// The same for the oscillator whose parameters are [`Exchanged`].
+    #[must_use]
+    pub fn exchanged(&self) -> Self {
+        let Window { primary, secondary } = self.window;
+        Self { window: Window { primary: secondary, secondary: primary }, ..self.clone() }
+    }
+}
+
+/// Curves of a diagram with the parameters in each other's role.
+pub fn exchanged(curves: &[DiagramCurve]) -> Vec<DiagramCurve> {
+    let mut curves = curves.to_vec();
+    for point in curves.iter_mut().flat_map(|curve| &mut curve.curve.points) {
+        point.solution.unknowns.swap_rows(unknown::PRIMARY, unknown::SECONDARY);
+        // What the equations carry says nothing of parameters.
+        point.times = EventTimes::default();
+    }
+    curves
+}
