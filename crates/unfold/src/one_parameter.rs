@@ -166,7 +166,7 @@ fn mps_branches<O: ImpactOscillator>(
             return Vec::new();
         }
         let here = oscillator.with_parameters([primary, secondary]);
-        search::at(here, &scope.loops, fastest, MaximalPeriodicSolution::admissible)
+        search::at(&here, &scope.loops, fastest, MaximalPeriodicSolution::admissible)
     });
     let found: Vec<(u32, Unknowns)> = places.collect::<Vec<_>>().concat();
     slices.par_iter_mut().for_each(|(equations, slice)| {

@@ -167,11 +167,8 @@ impl Place {
             (1, random_start(plan.lowest, &mut random))
         };
         let starts: Vec<(u32, State)> = (0..plan.states).map(start).collect();
-        let found = || {
-            search::at(oscillator.clone(), loops, FASTEST, |solution| {
-                solution.impact_velocity() > SAME * FASTEST
-            })
-        };
+        let found =
+            || search::at(oscillator, loops, FASTEST, |solution| solution.impact_velocity() > SAME * FASTEST);
         Self::of(oscillator, &starts, plan.periods, progress, found)
     }
 

@@ -272,8 +272,10 @@ impl Judge {
         let majority = yes > 0.5 * total;
         let minority = if majority { total - yes } else { yes };
         let thin = votes.iter().all(|(_, length, _)| *length < THIN);
-        if minority > PURE * total && !thin {
+        let outvoted = minority <= PURE * total;
+        if !thin {
             let against = votes.iter().filter(|(_, _, share)| (*share >= 0.5) != majority);
+            let against = against.filter(|(_, length, _)| !outvoted || *length > STRETCH);
             trouble.extend(against.map(|(secondary, ..)| *secondary));
             if let Some(&secondary) = trouble.first() {
                 doubt.get_or_insert(Doubt::Disagreement { secondary, primary: self.window.primary });
@@ -395,4 +397,36 @@ fn joined(window: Window, mut lines: Vec<Vec<Point>>) -> Vec<Vec<Point>> {
         }
     }
     lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slice_that_differs_is_not_outvoted() {
+        let window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
+        // A sliver that chords of curves have left open where it ends.
+        let [left, right] = [0.4, 0.42];
+        let block = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.4], [right, 0.4]];
+        let sliver = [[right, 0.6], [left, 0.6], [left, 0.4], [0.0, 0.4]];
+        let face: Face = vec![[block, sliver].concat()];
+        let sight = |secondary: f64, good: Vec<[f64; 2]>| Sight {
+            secondary,
+            good,
+            doubts: Vec::new(),
+            everywhere: None,
+        };
+        let nothing = [0.1, 0.2, 0.3].map(|secondary| sight(secondary, Vec::new()));
+        let sights = nothing.into_iter().chain([sight(0.5, vec![[left, right]])]).collect();
+        let judge = Judge { window, sights };
+        let judged = judge.judge(face);
+        assert!(judged.verdict.is_err());
+        let parts = judge.parted(judged);
+        let verdict = |at: Point| {
+            parts.iter().find(|part| faces::holds(&part.face, at)).map(|part| part.verdict.clone())
+        };
+        assert_eq!(verdict([0.41, 0.5]), Some(Ok(true)));
+        assert_eq!(verdict([0.5, 0.1]), Some(Ok(false)));
+    }
 }

@@ -25,9 +25,12 @@ const REACH: f64 = 1.5;
 /// Zeros closer than this are one.
 const SAME: f64 = 1e-6;
 /// Both edges of the window are looked at on every so many slices.
-const EDGES_EVERY: usize = 2;
+const EDGES_EVERY: usize = 4;
 /// The golden ratio: its multiples are spread evenly, whole numbers left out.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// The share of the largest impact velocity at which MPSs are looked for on the whole of a slice: what begins at grazing, of motion of whatever
+/// period, has such velocities not far from there.
+const SLOW: f64 = 0.05;
 
 /// MPSs are looked for up to this impact velocity at least: motion is of order one where the wall's distance from rest is.
 const USUAL_VELOCITY: f64 = 2.0;
@@ -38,8 +41,8 @@ pub(crate) fn fastest<'a>(known: impl Iterator<Item = &'a Curve>) -> f64 {
     points.map(|point| point.solution.impact_velocity()).fold(USUAL_VELOCITY, f64::max)
 }
 
-/// Admissible MPSs of some numbers of loops p with impact velocities up to some value, each with its p: on every slice at one place, on every other
-/// one at both ends.
+/// Admissible MPSs of some numbers of loops p with impact velocities up to some value, each with its p: on every slice at one μ and at one small
+/// impact velocity, on some at both ends.
 pub(crate) fn on_slices<O: ImpactOscillator>(
     oscillator: &O,
     loops: &[u32],
@@ -48,82 +51,128 @@ pub(crate) fn on_slices<O: ImpactOscillator>(
     fastest: f64,
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
-    let places = slices.iter().enumerate().flat_map(|(k, &secondary)| {
+    let [left, right] = window.primary;
+    let lattices = slices.iter().enumerate().flat_map(|(k, &secondary)| {
+        let standing = move |share: f64| {
+            let primary = window.parameters([share, 0.0])[0];
+            let start = Unknowns::new(0.0, 0.0, primary, secondary);
+            Lattice { start, side: unknown::VELOCITY, length: fastest }
+        };
         let turns = GOLDEN * (k as f64 + 1.0);
         let ends = if k % EDGES_EVERY == 0 { &[0.0, 1.0][..] } else { &[] };
         let shares = ends.iter().copied().chain([turns - libm::floor(turns)]);
-        shares.map(move |share| [window.parameters([share, 0.0])[0], secondary])
+        let start = Unknowns::new(SLOW * fastest, 0.0, left, secondary);
+        let slow = Lattice { start, side: unknown::PRIMARY, length: right - left };
+        shares.map(standing).chain([slow])
     });
-    let places: Vec<[f64; 2]> = places.collect();
-    let found = places.par_iter().map(|parameters| {
+    let lattices: Vec<Lattice> = lattices.collect();
+    let found = lattices.par_iter().map(|lattice| {
         if progress.stopped() {
             Vec::new()
         } else {
-            at(oscillator.with_parameters(*parameters), loops, fastest, MaximalPeriodicSolution::admissible)
+            lattice.zeros(oscillator, loops, MaximalPeriodicSolution::admissible)
         }
     });
     found.collect::<Vec<_>>().concat()
 }
 
 /// The MPSs of an oscillator that are `wanted`, as far as a lattice of impacts tells them apart.
-///
-/// By how much motion that begins with an impact misses it p forcing periods later, the wall ignored meanwhile, is (x, ẋ − y). Where both change sign
-/// between the impacts at a cell's corners there may be a zero inside.
 pub(crate) fn at<O: ImpactOscillator>(
-    oscillator: O,
+    oscillator: &O,
     loops: &[u32],
     fastest: f64,
     wanted: impl Fn(&MaximalPeriodicSolution) -> bool,
 ) -> Vec<(u32, Unknowns)> {
     let [primary, secondary] = oscillator.parameters();
-    let here = [Condition::Primary(primary), Condition::Secondary(secondary)];
-    let cell = Vector2::new(fastest, TAU).component_div(&Vector2::from(CELLS.map(|cells| cells as f64)));
-    let corner = |i: usize, k: usize| Vector2::new(cell[0] * i as f64, cell[1] * k as f64);
-    // Only their signs are asked for.
-    let rough = oscillator.roughly();
-    let misses: Vec<Vec<Vec<Vector2<f64>>>> = (0..=CELLS[0])
-        .map(|i| (0..=CELLS[1]).map(|k| misses(&rough, loops, corner(i, k))).collect())
-        .collect();
-    let mut found: Vec<(u32, Unknowns)> = Vec::new();
-    for (index, &loops) in loops.iter().enumerate() {
-        let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
-        for (i, k) in (0..CELLS[0]).flat_map(|i| (0..CELLS[1]).map(move |k| (i, k))) {
-            let corners = [(i, k), (i, k + 1), (i + 1, k), (i + 1, k + 1)].map(|(i, k)| misses[i][k][index]);
-            let changes = |component: usize| {
-                let positive = corners.iter().filter(|miss| miss[component] > 0.0).count();
-                0 < positive && positive < corners.len()
-            };
-            let inside = |zero: &Unknowns| {
-                let place = (zero.fixed_rows::<2>(0) - corner(i, k)).component_div(&cell);
-                place.iter().all(|share| (0.0..=1.0).contains(share))
-            };
-            let known = || found.iter().any(|(other, zero)| *other == loops && inside(zero));
-            if !(changes(0) && changes(1)) || known() {
-                continue;
+    let start = Unknowns::new(0.0, 0.0, primary, secondary);
+    Lattice { start, side: unknown::VELOCITY, length: fastest }.zeros(oscillator, loops, wanted)
+}
+
+/// A lattice of impacts of all phases, and of velocities at one μ or at values of μ with one velocity.
+struct Lattice {
+    /// Its first corner.
+    start: Unknowns,
+    /// The unknown that varies besides the phase, y or μ,
+    side: usize,
+    /// and how far.
+    length: f64,
+}
+
+impl Lattice {
+    /// The MPSs that are `wanted`, as far as the lattice tells them apart.
+    ///
+    /// By how much motion that begins with an impact misses it p forcing periods later, the wall ignored meanwhile, is (x, ẋ − y). Where both
+    /// change sign between the impacts at a cell's corners there may be a zero inside.
+    fn zeros<O: ImpactOscillator>(
+        &self,
+        oscillator: &O,
+        loops: &[u32],
+        wanted: impl Fn(&MaximalPeriodicSolution) -> bool,
+    ) -> Vec<(u32, Unknowns)> {
+        let Self { start, side, length } = *self;
+        let held = match side {
+            unknown::VELOCITY => Condition::Primary(start[unknown::PRIMARY]),
+            _ => Condition::ImpactVelocity(start[unknown::VELOCITY]),
+        };
+        let here = [held, Condition::Secondary(start[unknown::SECONDARY])];
+        let sides = [side, unknown::PHASE];
+        let mut cell = Unknowns::zeros();
+        cell[side] = length / CELLS[0] as f64;
+        cell[unknown::PHASE] = TAU / CELLS[1] as f64;
+        let corner = |i: usize, k: usize| {
+            let mut corner = start;
+            corner[side] += cell[side] * i as f64;
+            corner[unknown::PHASE] = cell[unknown::PHASE] * k as f64;
+            corner
+        };
+        // Only their signs are asked for.
+        let rough = oscillator.roughly();
+        let misses: Vec<Vec<Vec<Vector2<f64>>>> = (0..=CELLS[0])
+            .map(|i| (0..=CELLS[1]).map(|k| misses(&rough, loops, &corner(i, k))).collect())
+            .collect();
+        let mut found: Vec<(u32, Unknowns)> = Vec::new();
+        for (index, &loops) in loops.iter().enumerate() {
+            let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
+            for (i, k) in (0..CELLS[0]).flat_map(|i| (0..CELLS[1]).map(move |k| (i, k))) {
+                let corners =
+                    [(i, k), (i, k + 1), (i + 1, k), (i + 1, k + 1)].map(|(i, k)| misses[i][k][index]);
+                let changes = |component: usize| {
+                    let positive = corners.iter().filter(|miss| miss[component] > 0.0).count();
+                    0 < positive && positive < corners.len()
+                };
+                let first = corner(i, k);
+                let inside = |zero: &Unknowns| {
+                    sides.iter().all(|&side| (0.0..=1.0).contains(&((zero[side] - first[side]) / cell[side])))
+                };
+                let known = || found.iter().any(|(other, zero)| *other == loops && inside(zero));
+                if !(changes(0) && changes(1)) || known() {
+                    continue;
+                }
+                let reach = REACH * cell.norm();
+                let middle = first + cell * 0.5;
+                let zero = locate_within(reach, &equations, here, middle, &mut EventTimes::default());
+                let new = zero.ok().filter(|zero| {
+                    !found.iter().any(|(other, at)| *other == loops && same(at, zero))
+                        && wanted(&equations.solution(zero))
+                });
+                found.extend(new.map(|zero| (loops, zero)));
             }
-            let middle = corner(i, k) + 0.5 * cell;
-            let middle = Unknowns::new(middle[0], middle[1], primary, secondary);
-            let reach = REACH * cell.norm();
-            let zero = locate_within(reach, &equations, here, middle, &mut EventTimes::default());
-            let new = zero.ok().filter(|zero| {
-                !found.iter().any(|(other, at)| *other == loops && same(at, zero))
-                    && wanted(&equations.solution(zero))
-            });
-            found.extend(new.map(|zero| (loops, zero)));
         }
+        found
     }
-    found
 }
 
-/// Whether two MPSs at the same parameters are one.
+/// Whether two MPSs are one.
 fn same(a: &Unknowns, b: &Unknowns) -> bool {
-    let gap = a - b;
-    libm::hypot(gap[unknown::VELOCITY], libm::remainder(gap[unknown::PHASE], TAU)) < SAME
+    let mut gap = a - b;
+    gap[unknown::PHASE] = libm::remainder(gap[unknown::PHASE], TAU);
+    gap.norm() < SAME
 }
 
-/// By how much motion that begins with an impact (y, z) misses it some numbers of forcing periods later.
-fn misses<O: ImpactOscillator>(oscillator: &O, loops: &[u32], impact: Vector2<f64>) -> Vec<Vector2<f64>> {
-    let [velocity, phase] = impact.into();
+/// By how much motion that begins with an impact misses it some numbers of forcing periods later.
+fn misses<O: ImpactOscillator>(oscillator: &O, loops: &[u32], impact: &Unknowns) -> Vec<Vector2<f64>> {
+    let [velocity, phase, primary, secondary] = (*impact).into();
+    let oscillator = oscillator.with_parameters([primary, secondary]);
     let recoil = oscillator.reset::<1>(OnWall::new(velocity, phase)).value;
     let lag = (recoil[1] - phase) / oscillator.forcing_frequency().value;
     let motion = oscillator.motion(State::on_wall(recoil[0], recoil[1]));

@@ -200,22 +200,36 @@ mod tests {
     use crate::progress::Silent;
     use crate::search;
 
+    /// What is seen of p-loop MPSs on slices through a random oscillator to which nothing leads from grazing, and the number of curves.
+    fn seen(number: u64, seed: u64, loops: u32, window: Window, levels: &[f64]) -> (usize, Vec<Sight>) {
+        let text = grazing_trials::oscillators::description(seed, number);
+        let model = Description::parse(&text, "two wells").expect("what is made at random is right");
+        let oscillator = Integrated::new(model, [window.primary[0], window.secondary[0]]);
+        let found = search::on_slices(&oscillator, &[loops], window, levels, 2.0, &Silent);
+        let found = found.into_iter().map(|(_, solution)| solution).collect();
+        let mut net = Net::new(LoopEquations::new(oscillator, loops, Formulation::Vivid));
+        let mut survey = Survey::new(&mut net, route(window, StepControl::DRAWING), &|_| Vec::new(), found);
+        survey.look_at(levels, &Silent);
+        (survey.lines().len(), survey.sights())
+    }
+
     #[test]
     fn a_sheet_of_solutions_between_two_points_of_the_edge_is_found() {
         // Two wells: inside this window nothing leads from grazing to these MPSs.
-        let text = grazing_trials::oscillators::description(1, 2);
-        let model = Description::parse(&text, "two wells").expect("what is made at random is right");
         let window = Window { primary: [0.7, 0.7616], secondary: [0.4483, 0.4917] };
-        let oscillator = Integrated::new(model, [0.7, 0.4483]);
-        let levels = [0.48, 0.4917];
-        let found = search::on_slices(&oscillator, &[1], window, &levels, 2.0, &Silent);
-        let found = found.into_iter().map(|(_, solution)| solution).collect();
-        let mut net = Net::new(LoopEquations::new(oscillator, 1, Formulation::Vivid));
-        let mut survey = Survey::new(&mut net, route(window, StepControl::DRAWING), &|_| Vec::new(), found);
-        survey.look_at(&levels, &Silent);
-        assert_eq!(survey.lines().len(), 3);
+        let (lines, sights) = seen(2, 1, 1, window, &[0.48, 0.4917]);
+        assert_eq!(lines, 3);
         // Simulation settles on a solution with one loop here.
-        let good = |sight: &Sight| sight.share([0.73, 0.736]) == 1.0;
-        assert!(survey.sights().iter().all(good), "{:?}", survey.sights());
+        assert!(sights.iter().all(|sight| sight.share([0.73, 0.736]) == 1.0), "{sights:?}");
+    }
+
+    #[test]
+    fn a_sheet_that_begins_where_motion_of_twice_the_period_grazes_is_found() {
+        let window = Window { primary: [0.0, 0.5266], secondary: [0.5533, 0.5834] };
+        let (_, sights) = seen(2, 20_261_122, 2, window, &[0.5533, 0.580_712_5]);
+        // Simulation settles on solutions with two loops here.
+        for place in [[0.2575, 0.269], [0.4135, 0.425]] {
+            assert_eq!(sights[1].share(place), 1.0, "{sights:?}");
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! Regions of stability against all maximal periodic solutions in closed form, which a quadratic equation gives.
 
+use grazing_description::Description;
+use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_trials::closed_form;
 use grazing_unfold::progress::Silent;
@@ -161,4 +163,19 @@ fn narrow_windows_about_a_resonance_are_shaded_as_the_closed_form_says() {
         }
     }
     assert!(looked_at >= 25, "{looked_at}");
+}
+
+/// Between grazing and a fold that touches it there is a sliver, one and a half percent of the ranges wide.
+#[test]
+fn motion_without_impacts_is_stable_up_to_the_fold_that_bounds_it() {
+    let text = grazing_trials::oscillators::description(20_261_122, 3);
+    let model = Description::parse(&text, "pendulum").expect("what is made at random is right");
+    let scope = scope([0.0, 0.5475], [0.6423, 1.0650], &[1]);
+    let oscillator = Integrated::new(model, [0.1, 0.7]);
+    let diagram = Diagram::located(&oscillator, &scope, &Silent).expect("there is grazing");
+    let stable = |at: [f64; 2]| {
+        diagram.regions.iter().any(|region| region.kind == RegionKind::NonImpacting && region.contains(at))
+    };
+    // The fold is at 0.0796 there, grazing at 0.0712.
+    assert!(stable([0.0785, 0.911_771_25]) && !stable([0.0805, 0.911_771_25]));
 }
