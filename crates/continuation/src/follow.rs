@@ -68,18 +68,51 @@ impl<O: ImpactOscillator> MpsCurve<O> {
         if matches!(before.end, CurveEnd::Closed) {
             return Ok(before);
         }
-        let after = self.follow(through, -direction, times.clone(), route)?;
+        let after = self.clone().follow(through, -direction, times.clone(), route)?;
+        let condition =
+            self.bifurcation_between(before.points.get(1), &before.points[0], after.points.get(1));
         // The point stands in both.
-        let shared = before.points.len() - 1;
+        let mut shared = before.points.len() - 1;
         before.points.reverse();
-        before.points.extend(after.points.into_iter().skip(1));
         // An event lies before the point of its index, and beyond it once the order is turned.
         before.events.reverse();
         before.events.iter_mut().for_each(|event| event.index = shared + 1 - event.index);
+        if let Some(condition) = condition
+            && let Some(CurvePoint { solution, times }) = before.points.pop()
+        {
+            before.events.push(Event { condition, solution, index: shared, times });
+            shared -= 1;
+        }
+        before.points.extend(after.points.into_iter().skip(1));
         let later = after.events.into_iter().map(|event| Event { index: event.index + shared, ..event });
         before.events.extend(later);
         (before.beginning, before.end, before.vivid_ended) = (Some(before.end), after.end, None);
         Ok(before)
+    }
+
+    /// The bifurcation that a point of a one-parameter branch is itself, by which its neighbours on the branch differ.
+    ///
+    /// To neither side a sign changes beyond it, so that it is not seen on the way.
+    fn bifurcation_between(
+        &self,
+        before: Option<&CurvePoint>,
+        at: &CurvePoint,
+        after: Option<&CurvePoint>,
+    ) -> Option<Condition> {
+        if !matches!(self.condition, Condition::Primary(_) | Condition::Secondary(_)) {
+            return None;
+        }
+        let stability =
+            |point: &CurvePoint| self.equations.solution_and_stability(&point.solution.unknowns).1;
+        let here = stability(at);
+        let [before, after] = [stability(before?), stability(after?)];
+        let vanishes =
+            |of: fn(&Stability) -> f64| of(&here).abs() <= ON_TWO_CURVES && of(&before) * of(&after) < 0.0;
+        if vanishes(|stability| stability.saddle_node) {
+            Some(Condition::SADDLE_NODE)
+        } else {
+            vanishes(|stability| stability.period_doubling).then_some(Condition::PERIOD_DOUBLING)
+        }
     }
 }
 

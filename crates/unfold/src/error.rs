@@ -21,13 +21,15 @@ pub enum UnfoldError {
     /// No periodic motion with the period of the forcing was found.
     #[error("no periodic motion with the period of the forcing was found without the wall")]
     NoOrbit,
-    /// Periodic motion stays on one side of the wall everywhere in the ranges.
-    #[error("periodic motion touches the wall nowhere in the ranges: its highest points lie between x = {} and x = {}", lowest.position, highest.position)]
+    /// Periodic motion stays on one side of the wall wherever in the ranges it was followed.
+    #[error("periodic motion touches the wall nowhere in the ranges as far as it was followed: its highest points lie between x = {} and x = {}", lowest.position, highest.position)]
     NoGrazing {
         /// The lowest of the highest points.
         lowest: Height,
         /// The highest of them.
         highest: Height,
+        /// Every periodic motion that was met was followed through the whole range of the primary parameter.
+        whole: bool,
     },
     /// Where periodic motion comes to the wall it is not turned back.
     #[error("the wall is touched with F = {} at {:?}, which must be negative", at.acceleration, at.parameters)]

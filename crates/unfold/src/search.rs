@@ -41,8 +41,11 @@ pub(crate) fn fastest<'a>(known: impl Iterator<Item = &'a Curve>) -> f64 {
     points.map(|point| point.solution.impact_velocity()).fold(USUAL_VELOCITY, f64::max)
 }
 
-/// Admissible MPSs of some numbers of loops p with impact velocities up to some value, each with its p: on every slice at one μ and at one small
-/// impact velocity, on some at both ends.
+/// MPSs of some numbers of loops p that are admissible or stable, with impact velocities up to some value, each with its p: on every slice at one μ
+/// and at one small impact velocity, on some at both ends.
+///
+/// Solutions that are both have neighbours that are one of both beyond each of their borders: beyond grazing those are stable, beyond a saddle-node or
+/// period-doubling bifurcation admissible. So a stretch of them is found from places outside of it as well.
 pub(crate) fn on_slices<O: ImpactOscillator>(
     oscillator: &O,
     loops: &[u32],
@@ -70,7 +73,7 @@ pub(crate) fn on_slices<O: ImpactOscillator>(
         if progress.stopped() {
             Vec::new()
         } else {
-            lattice.zeros(oscillator, loops, MaximalPeriodicSolution::admissible)
+            lattice.zeros(oscillator, loops, |solution| solution.admissible() || solution.stable())
         }
     });
     found.collect::<Vec<_>>().concat()

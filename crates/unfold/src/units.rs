@@ -176,9 +176,11 @@ impl InUnits for UnfoldError {
     fn in_units(&self, units: &Units) -> Self {
         match self {
             Self::RunsAway { escape } => Self::RunsAway { escape: escape.in_units(units) },
-            Self::NoGrazing { lowest, highest } => {
-                Self::NoGrazing { lowest: lowest.in_units(units), highest: highest.in_units(units) }
-            }
+            Self::NoGrazing { lowest, highest, whole } => Self::NoGrazing {
+                lowest: lowest.in_units(units),
+                highest: highest.in_units(units),
+                whole: *whole,
+            },
             Self::Pushed { at } => Self::Pushed { at: at.in_units(units) },
             Self::NoOrbit | Self::Stopped { .. } => self.clone(),
         }

@@ -20,7 +20,7 @@ pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
     let units = description.units();
     match error {
         UnfoldError::Stopped { stage } => format!("ended during this: {stage}"),
-        UnfoldError::NoGrazing { lowest, highest } => {
+        UnfoldError::NoGrazing { lowest, highest, whole } => {
             let nearest = if highest.position < 0.0 { highest } else { lowest };
             if lowest.position < 0.0 && highest.position > 0.0 {
                 return format!(
@@ -46,9 +46,19 @@ pub(crate) fn of(error: &UnfoldError, description: &Description) -> String {
                 true => ("stays off it", format!("stays {distance} away from it")),
                 false => ("passes it", format!("goes {distance} beyond it")),
             };
+            let nearest_at = at(nearest.parameters);
+            if !whole {
+                return format!(
+                    "no grazing was found for {ranges}: periodic motion without the wall {does} as far as it could be followed, which is not \
+                     through the whole range of {}; it comes nearest at {nearest_at}, where it {there}: narrow the ranges, keep poles, roots \
+                     and logarithms out of the motion's way, or, if there is another periodic motion, begin near it with \
+                     analysis.start = [x, v]",
+                    axes[0].name()
+                );
+            }
             format!(
-                "no grazing: periodic motion without the wall {does} everywhere in {ranges}; it comes nearest at {}, where it {there}: {}",
-                at(nearest.parameters),
+                "no grazing: periodic motion without the wall {does} everywhere in {ranges}; it comes nearest at {nearest_at}, where it \
+                 {there}: {}",
                 widening(nearest, axes)
             )
         }

@@ -142,3 +142,38 @@ fn events_are_the_same_in_both_formulations() {
         }
     }
 }
+
+#[test]
+fn a_bifurcation_from_which_a_branch_is_followed_is_one_of_its_events() {
+    let mut checked = 0;
+    for loops in 1..=5 {
+        let (equations, whole) = amplitude_branch(loops, [0.1, 0.7]);
+        for start in &whole.events {
+            let Condition::Multiplier(multiplier) = start.condition else { continue };
+            let equations = equations.with_formulation(Formulation::FixedPhase);
+            let curve = MpsCurve { equations, condition: Condition::Secondary(OMEGA) };
+            let through = start.solution.unknowns;
+            let route = route([0.1, 0.7], [0.1, 2.0], false);
+            let up = Unknowns::new(1.0, 0.0, 0.0, 0.0);
+            let both = curve.follow_both_ways(through, up, &start.times, &route).unwrap();
+            let met = both.events.iter().filter(|event| (event.solution.unknowns - through).norm() < 1e-9);
+            let met: Vec<_> = met.collect();
+            let [event] = met.as_slice() else { panic!("p = {loops}: {met:?}") };
+            assert_eq!(event.condition, start.condition);
+            // Where the index says the multiplier passes, and all events stand in the order of the branch.
+            let side = |index: usize| {
+                let multipliers = both.points[index].solution.multipliers;
+                multipliers.determinant - multiplier * multipliers.trace + 1.0
+            };
+            assert!(side(event.index - 1) * side(event.index) < 0.0);
+            assert!(both.events.is_sorted_by_key(|event| event.index));
+            assert!(
+                both.points
+                    .windows(2)
+                    .all(|pair| pair[0].solution.unknowns[0] > pair[1].solution.unknowns[0])
+            );
+            checked += 1;
+        }
+    }
+    assert!(checked >= 5, "{checked}");
+}

@@ -302,12 +302,14 @@ fn explanation<O>(motions: &[PeriodicMotion<O>]) -> UnfoldError {
     if let Some(at) = motions.iter().flat_map(|motion| &motion.pushed).next() {
         return UnfoldError::Pushed { at: *at };
     }
-    let orbits = motions.iter().flat_map(|motion| &motion.branches).flat_map(|branch| &branch.orbits);
+    let branches = motions.iter().flat_map(|motion| &motion.branches);
+    let whole = branches.clone().all(|branch| branch.whole);
+    let orbits = branches.flat_map(|branch| &branch.orbits);
     let heights = orbits.map(|orbit| orbit.height);
     let lowest = heights.clone().reduce(|a, b| if b.position < a.position { b } else { a });
     let highest = heights.reduce(|a, b| if b.position > a.position { b } else { a });
     match (lowest.zip(highest), motions.iter().find_map(|motion| motion.ran_away)) {
-        (Some((lowest, highest)), _) => UnfoldError::NoGrazing { lowest, highest },
+        (Some((lowest, highest)), _) => UnfoldError::NoGrazing { lowest, highest, whole },
         (None, Some(escape)) => UnfoldError::RunsAway { escape },
         (None, None) => UnfoldError::NoOrbit,
     }

@@ -179,3 +179,43 @@ fn motion_without_impacts_is_stable_up_to_the_fold_that_bounds_it() {
     // The fold is at 0.0796 there, grazing at 0.0712.
     assert!(stable([0.0785, 0.911_771_25]) && !stable([0.0805, 0.911_771_25]));
 }
+
+/// A spring that stiffens as an exponential, under a load and two harmonics.
+const TODA: &str = r#"
+name = "Toda spring"
+[parameters]
+c = 0.08
+[primary]
+name = "A"
+range = [0.0, 1.2]
+[secondary]
+name = "omega"
+range = [0.5, 1.3]
+[motion]
+force = "-c*v - (exp(0.6*x) - 1)/0.6 - 0.1 + A*cos(omega*t) + 0.15*sin(2*omega*t + 0.7)"
+frequency = "omega"
+[wall]
+position = "0.8"
+[impact]
+restitution = "0.8"
+duration = "0"
+[analysis]
+loops = [1]
+"#;
+
+#[test]
+fn a_region_on_the_edge_to_which_only_inadmissible_solutions_lead_is_found_and_nothing_is_left_undecided() {
+    let description = Description::parse(TODA, "toda.toml").unwrap_or_else(|error| panic!("{error}"));
+    let scope = scope([0.0, 1.2], [0.5, 1.3], &[1]);
+    let oscillator = Integrated::new(description, [0.6, 0.9]);
+    let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
+    // The region lies at omega < 0.5204 between 0.09 < A < 0.47: at both ends of the range of A solutions are stable there, and go through the wall.
+    let here = [0.2562, 0.5131];
+    let simulated = oscillator.with_parameters(here);
+    let suspect = Suspect { oscillator: &simulated, loops: 1, velocity: 0.711, phase: 0.922 };
+    assert_eq!(suspect.follow(), Seen::Returns);
+    assert!(diagram.regions.iter().any(|region| region.kind == RegionKind::Mps && region.contains(here)));
+    // Slices meet other branches on saddle-node curves that are known: these begin at bifurcations.
+    let undecided = diagram.regions.iter().filter(|region| matches!(region.kind, RegionKind::Undecided(_)));
+    assert_eq!(undecided.count(), 0);
+}

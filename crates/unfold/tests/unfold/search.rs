@@ -273,7 +273,7 @@ fn motion_that_drifts_has_no_periodic_orbit() {
 fn motion_that_stays_below_the_wall_is_described_by_its_highest_points() {
     let scope = scope([0.0, 0.05], [0.5, 0.6], &[]);
     let error = grazing_curves(&closed_form(), &scope).unwrap_err();
-    let UnfoldError::NoGrazing { lowest, highest } = error else { panic!("{error}") };
+    let UnfoldError::NoGrazing { lowest, highest, whole: true } = error else { panic!("{error}") };
     // At rest without forcing; the response grows with the amplitude and towards ω = 1.
     assert_within(lowest.position, -1.0, EXACT);
     assert_eq!(lowest.parameters[0], 0.0);
@@ -287,9 +287,19 @@ fn motion_that_stays_beyond_the_wall_is_described_by_its_highest_points() {
     let scope = scope([0.0, 0.05], [0.5, 0.6], &[]);
     let error =
         grazing_curves(&written("-2*zeta*v - x + 1 + mu*cos(eta*t)", "eta", &scope), &scope).unwrap_err();
-    let UnfoldError::NoGrazing { lowest, highest } = error else { panic!("{error}") };
+    let UnfoldError::NoGrazing { lowest, highest, whole: true } = error else { panic!("{error}") };
     assert_within(lowest.position, 1.0, EXACT);
     assert_within(highest.position, 1.0 + 0.05 / grazing_at(DAMPED, 0.6).amplitude(), EXACT);
+}
+
+#[test]
+fn motion_that_cannot_be_followed_through_the_range_is_not_said_to_have_been() {
+    // It swings to where the force has no value, x = −2.2, before it comes to the wall.
+    let scope = scope([0.0, 1.2], [0.5, 1.1], &[]);
+    let force = "-2*zeta*v - ln(x + 2.2) - 1 + mu*cos(eta*t)";
+    let error = grazing_curves(&written(force, "eta", &scope), &scope).unwrap_err();
+    let UnfoldError::NoGrazing { highest, whole: false, .. } = error else { panic!("{error}") };
+    assert!(highest.position < 0.0 && highest.parameters[0] < 1.0, "{highest:?}");
 }
 
 #[test]
@@ -310,7 +320,7 @@ fn a_start_of_ones_own_leads_to_motion_that_the_usual_ones_miss() {
     let scope = scope([0.0, 0.02], [0.9, 1.0], &[]);
     let oscillator = written(force, "eta", &scope);
     let highest = |scope: &Scope| match grazing_curves(&oscillator, scope).unwrap_err() {
-        UnfoldError::NoGrazing { lowest, highest } => [lowest.position, highest.position],
+        UnfoldError::NoGrazing { lowest, highest, .. } => [lowest.position, highest.position],
         error => panic!("{error}"),
     };
     let usual = highest(&scope);
