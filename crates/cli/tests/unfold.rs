@@ -235,6 +235,8 @@ fn what_is_finished_when_a_limit_is_met_is_written_and_the_rest_is_named() {
     assert!(part.errors().contains("; what was not finished is named above; everything else is written\n"));
     let (_, missing) = part.output.split_once("\nNot finished\n").expect("something is missing");
     assert!(missing.lines().next().is_some_and(|line| !line.trim().is_empty()), "{missing}");
+    // What was not looked for to the end is not said to be missing.
+    assert!(part.output.contains("not looked for to the end for p = "), "{}", part.output);
     assert!(listing(&folder.path().join("part")).contains(&"diagram.svg".to_owned()));
     let [written, all] = ["part", "whole"].map(|run| read(&folder.path().join(run), "data/grazing.csv"));
     // The curve itself may be cut off.

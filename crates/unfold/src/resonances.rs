@@ -34,7 +34,7 @@ pub struct Unlocated {
 }
 
 /// What is told of the search for resonances.
-pub(crate) const STAGE: &str = "resonances on the grazing curve";
+pub const STAGE: &str = "resonances on the grazing curve";
 
 /// The resonances of all p of the scope on the admissible part of a grazing curve: by p, and in the order of the curve for each.
 ///

@@ -13,6 +13,7 @@ use grazing_reproduction::unfolded::{Known, ResonanceEntry};
 use grazing_results::branches::OneParameter;
 use grazing_results::brief;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
+use grazing_unfold::resonances;
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::verdict::Verdict;
 
@@ -156,7 +157,9 @@ fn resonances(description: &Description, unfolded: &Analysis) -> String {
     let all = unfolded.diagram.resonances.len();
     if all == 0 {
         let loops = loops(description);
-        return format!("\nResonant grazing bifurcations\n  none on the grazing curve for p = {loops}\n");
+        let looked = !unfolded.diagram.unfinished.iter().any(|part| part.stage == resonances::STAGE);
+        let found = if looked { "none on the grazing curve" } else { "not looked for to the end" };
+        return format!("\nResonant grazing bifurcations\n  {found} for p = {loops}\n");
     }
     let mut text = format!(
         "\nResonant grazing bifurcations: {all}; at {} of them Theorem 2.4 (p = 1) or 2.5 (p >= 2) applies\n",

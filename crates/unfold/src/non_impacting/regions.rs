@@ -71,10 +71,12 @@ pub(crate) fn find<O: ImpactOscillator>(
             motion
         })
         .collect();
-    progress.end(what);
-    let nothing = || match progress.stopped() {
-        true => UnfoldError::Stopped { stage: what },
-        false => explanation(&motions),
+    let nothing = || {
+        progress.end(what);
+        match progress.stopped() {
+            true => UnfoldError::Stopped { stage: what },
+            false => explanation(&motions),
+        }
     };
     if motions.iter().all(|motion| motion.grazing.is_empty()) {
         return Err(nothing());
@@ -99,6 +101,7 @@ pub(crate) fn find<O: ImpactOscillator>(
     if grazing.is_empty() {
         return Err(nothing());
     }
+    progress.end(what);
     let (regions, unfinished) = match progress.stopped() {
         true => (vec![Region::not_finished(scope.window, 0)], vec![Unfinished::stage(what)]),
         false => (regions, Vec::new()),
