@@ -43,6 +43,9 @@ const ON_CURVE: f64 = 0.03;
 /// Curves are drawn to this share of the ranges.
 const DRAWN: f64 = 1e-4;
 
+/// What is told of the search.
+const STAGE: &str = "motion without impacts";
+
 struct NonImpactingSurvey<'a, O> {
     orbits: PeriodicOrbits<'a, O>,
     grazing: Vec<GrazingCurve<O>>,
@@ -59,30 +62,41 @@ pub(crate) fn find<O: ImpactOscillator>(
     scope: &Scope,
     progress: &dyn Progress,
 ) -> Result<NonImpacting<O>, UnfoldError> {
-    let what = "motion without impacts";
     let levels = regions::levels(scope.window).into_iter().enumerate();
     let (relaxed, between): (Vec<_>, Vec<_>) = levels.partition(|(k, _)| k % RELAXED_EVERY == 0);
-    progress.begin(what, relaxed.len() as u64);
+    let [relaxed, between] =
+        [relaxed, between].map(|part| part.into_iter().map(|(_, secondary)| secondary).collect::<Vec<_>>());
+    progress.begin(STAGE, relaxed.len() as u64);
+    let found = on_slices(oscillator, scope, &relaxed, &between, progress);
+    progress.end(STAGE);
+    found
+}
+
+/// The same from slices on which motion is left to relax from rest, and others between them.
+fn on_slices<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    relaxed: &[f64],
+    between: &[f64],
+    progress: &dyn Progress,
+) -> Result<NonImpacting<O>, UnfoldError> {
     let motions: Vec<PeriodicMotion<O>> = relaxed
         .par_iter()
-        .map(|(_, secondary)| {
+        .map(|secondary| {
             let motion = periodic_motion(oscillator, scope, *secondary);
-            progress.step(what);
+            progress.step(STAGE);
             motion
         })
         .collect();
-    let nothing = || {
-        progress.end(what);
-        match progress.stopped() {
-            true => UnfoldError::Stopped { stage: what },
-            false => explanation(&motions),
-        }
+    let nothing = || match progress.stopped() {
+        true => UnfoldError::Stopped { stage: STAGE },
+        false => explanation(&motions),
     };
     if motions.iter().all(|motion| motion.grazing.is_empty()) {
         return Err(nothing());
     }
     let slices = relaxed.iter().zip(&motions);
-    let slices = slices.map(|((_, secondary), motion)| Slice::new(*secondary, motion.branches.clone()));
+    let slices = slices.map(|(secondary, motion)| Slice::new(*secondary, motion.branches.clone()));
     let mut survey = NonImpactingSurvey {
         orbits: PeriodicOrbits { oscillator, scope, control: STEPS },
         grazing: Vec::new(),
@@ -95,15 +109,13 @@ pub(crate) fn find<O: ImpactOscillator>(
     for orbit in order.into_iter().flat_map(|k| &motions[k].grazing) {
         survey.add_grazing(orbit);
     }
-    let between: Vec<f64> = between.into_iter().map(|(_, secondary)| secondary).collect();
-    let regions = decided(scope.window, &mut survey, 0, &between, progress);
+    let regions = decided(scope.window, &mut survey, 0, between, progress);
     let NonImpactingSurvey { grazing, curves, .. } = survey;
     if grazing.is_empty() {
         return Err(nothing());
     }
-    progress.end(what);
     let (regions, unfinished) = match progress.stopped() {
-        true => (vec![Region::not_finished(scope.window, 0)], vec![Unfinished::stage(what)]),
+        true => (vec![Region::not_finished(scope.window, 0)], vec![Unfinished::stage(STAGE)]),
         false => (regions, Vec::new()),
     };
     Ok(NonImpacting { grazing, curves, regions, unfinished })
