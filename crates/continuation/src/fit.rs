@@ -14,7 +14,7 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use grazing_model::ImpactOscillator;
-use grazing_theorems::from_map::{GrazingOrbit, GrazingOrbitError};
+use grazing_theorems::from_map::{GrazingOrbitError, GrazingPlace};
 
 use crate::locate::{Condition, LocateFailure, locate};
 use crate::mps::{EventTimes, unknown};
@@ -34,6 +34,9 @@ pub enum FitError {
     /// The grazing orbit at the point's η was not found.
     #[error(transparent)]
     GrazingOrbit(#[from] GrazingOrbitError),
+    /// Whoever measured was asked to end.
+    #[error("an end was asked for before it was measured")]
+    NotFinished,
 }
 
 /// A value with an estimate of its error.
@@ -183,8 +186,8 @@ impl Level {
                 point = locate(equations, conditions, point, &mut times).map_err(no_point)?;
                 eta[index] = point[unknown::SECONDARY] - origin[unknown::SECONDARY];
                 let phase = resonance.orbit().phase() + resonance.orbit().phase_slope() * eta[index];
-                let orbit = GrazingOrbit::find(&equations.oscillator_at(&point), phase)?;
-                mu[index] = point[unknown::PRIMARY] - orbit.primary();
+                let place = GrazingPlace::find(&equations.oscillator_at(&point), phase)?;
+                mu[index] = point[unknown::PRIMARY] - place.parameters[0];
                 along = (point - last) / (velocity - last[unknown::VELOCITY]);
                 last = point;
             }

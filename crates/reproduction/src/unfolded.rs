@@ -5,6 +5,7 @@ mod tables;
 
 use grazing_continuation::bifurcation::{Bifurcation, Pair};
 use grazing_continuation::curve::Window;
+use grazing_continuation::fit::FitError;
 use grazing_description::{Axis, Description};
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Units};
@@ -191,6 +192,8 @@ impl<O: ImpactOscillator> Unfolded<O> {
                 if stopped {
                     // Nothing moves any more: now all of it is missing, not only what was to come.
                     found = at();
+                    let missing = |known| Coefficient { fit: Err(FitError::NotFinished), ..known };
+                    found.coefficients = found.coefficients.map(missing);
                 }
                 progress.step(what);
                 (found, stopped.then(|| Unfinished::at(what, resonance)))

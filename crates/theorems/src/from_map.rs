@@ -32,6 +32,70 @@ pub enum GrazingOrbitError {
 /// A longer step of Newton's method, in radians and units of the primary parameter, leads nowhere: all quantities are of order one.
 const LONGEST_STEP: f64 = 1e3;
 
+/// Where the grazing curve is at one value of the secondary parameter η, and where it leads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GrazingPlace {
+    /// z_graz, in radians.
+    pub phase: f64,
+    /// primary_graz and η.
+    pub parameters: [f64; 2],
+    /// d(z_graz, primary_graz)/dη, right to some seven digits; not numbers at a fold of the grazing curve.
+    slopes: Vector2<f64>,
+}
+
+impl GrazingPlace {
+    /// The place at the secondary parameter of `oscillator`, by Newton's method for P_global(0, z; primary) = (0, z) from the oscillator's
+    /// own primary parameter and the phase `near`.
+    ///
+    /// # Errors
+    /// P_global is not defined at an iterate, or there is no convergence.
+    pub fn find<O: ImpactOscillator>(oscillator: &O, near: f64) -> Result<Self, GrazingOrbitError> {
+        let [mut primary, eta] = oscillator.parameters();
+        let mut phase = near;
+        let mut residual = f64::INFINITY;
+        for _ in 0..30 {
+            let here = oscillator.with_parameters([primary, eta]);
+            let map = global_map::<O, 1>(&here, AtRest::new(0.0, phase), None)?.jet;
+            let defect = Vector2::new(map.value[0], map.value[1] - phase);
+            residual = defect.norm();
+            let jacobian = by_phase_and_primary(&map).lu();
+            let Some(step) = jacobian.solve(&defect).filter(|step| step.norm() <= LONGEST_STEP) else {
+                break;
+            };
+            phase -= step[0];
+            primary -= step[1];
+            // Quadratic convergence: after such a step the next is lost in rounding.
+            if step.norm() <= 1e-8 {
+                return Ok(Self { phase, parameters: [primary, eta], slopes: slopes(&map) });
+            }
+        }
+        Err(GrazingOrbitError::NoConvergence { eta, residual })
+    }
+
+    /// The place at another value of η, which is near.
+    ///
+    /// # Errors
+    /// P_global is not defined at an iterate, or there is no convergence.
+    pub fn moved<O: ImpactOscillator>(&self, oscillator: &O, eta: f64) -> Result<Self, GrazingOrbitError> {
+        let [primary, from] = self.parameters;
+        let step = self.slopes * (eta - from);
+        Self::find(&oscillator.with_parameters([primary + step[1], eta]), self.phase + step[0])
+    }
+}
+
+/// Derivative of P_global(0, z; primary) − (0, z).
+fn by_phase_and_primary(map: &MapJet<AtRest, AtRest>) -> Matrix2<f64> {
+    let mut jacobian: Matrix2<f64> = map.jacobian.fixed_columns::<2>(1).into_owned();
+    jacobian[(1, 0)] -= 1.0;
+    jacobian
+}
+
+/// d(z_graz, primary_graz)/dη.
+fn slopes(map: &MapJet<AtRest, AtRest>) -> Vector2<f64> {
+    let by_eta = map.jacobian.column(3).into_owned();
+    -by_phase_and_primary(map).lu().solve(&by_eta).unwrap_or(Vector2::repeat(f64::NAN))
+}
+
 /// The grazing periodic orbit of an oscillator at one value of the secondary parameter.
 ///
 /// Paper: Assumption 2.2 with μ = primary − primary_graz(η): the change of parameter that puts grazing at
@@ -46,32 +110,13 @@ pub struct GrazingOrbit<O> {
 }
 
 impl<O: ImpactOscillator> GrazingOrbit<O> {
-    /// The grazing orbit at the secondary parameter of `oscillator`, by Newton's method for P_global(0, z;
-    /// primary) = (0, z) from the oscillator's own primary parameter and the phase `near`.
+    /// The grazing orbit at the secondary parameter of `oscillator`, near its own primary parameter and the phase `near`.
     ///
     /// # Errors
     /// P_global is not defined at an iterate, or there is no convergence.
     pub fn find(oscillator: &O, near: f64) -> Result<Self, GrazingOrbitError> {
-        let [mut primary, eta] = oscillator.parameters();
-        let mut phase = near;
-        let mut residual = f64::INFINITY;
-        for _ in 0..30 {
-            let here = oscillator.with_parameters([primary, eta]);
-            let map = global_map::<O, 1>(&here, AtRest::new(0.0, phase), None)?.jet;
-            let defect = Vector2::new(map.value[0], map.value[1] - phase);
-            residual = defect.norm();
-            let jacobian = Self::by_phase_and_primary(&map);
-            let Some(step) = jacobian.lu().solve(&defect).filter(|step| step.norm() <= LONGEST_STEP) else {
-                break;
-            };
-            phase -= step[0];
-            primary -= step[1];
-            // Quadratic convergence: after such a step the next is lost in rounding.
-            if step.norm() <= 1e-8 {
-                return Self::at(oscillator.with_parameters([primary, eta]), phase);
-            }
-        }
-        Err(GrazingOrbitError::NoConvergence { eta, residual })
+        let GrazingPlace { phase, parameters, .. } = GrazingPlace::find(oscillator, near)?;
+        Self::at(oscillator.with_parameters(parameters), phase)
     }
 
     /// The grazing orbit known to pass through (0, 0, phase) at the oscillator's parameters.
@@ -82,17 +127,12 @@ impl<O: ImpactOscillator> GrazingOrbit<O> {
     /// P_global is not defined there.
     pub fn at(oscillator: O, phase: f64) -> Result<Self, GrazingOrbitError> {
         let map = global_map::<O, 2>(&oscillator, AtRest::new(0.0, phase), None)?.jet;
-        let by_eta = map.jacobian.column(3).into_owned();
-        let slopes =
-            -Self::by_phase_and_primary(&map).lu().solve(&by_eta).unwrap_or(Vector2::repeat(f64::NAN));
-        Ok(Self { oscillator, phase, map, slopes })
+        Ok(Self { oscillator, phase, slopes: slopes(&map), map })
     }
 
-    /// Derivative of P_global(0, z; primary) − (0, z).
-    fn by_phase_and_primary(map: &MapJet<AtRest, AtRest>) -> Matrix2<f64> {
-        let mut jacobian: Matrix2<f64> = map.jacobian.fixed_columns::<2>(1).into_owned();
-        jacobian[(1, 0)] -= 1.0;
-        jacobian
+    /// Where it is on the grazing curve.
+    pub fn place(&self) -> GrazingPlace {
+        GrazingPlace { phase: self.phase, parameters: self.oscillator.parameters(), slopes: self.slopes }
     }
 
     /// The oscillator at grazing.

@@ -84,8 +84,8 @@ fn starts<O: ImpactOscillator>(
         let found = locate(equations, [condition, here], start, &mut times).ok()?;
         ((found - start).norm() < ELSEWHERE).then_some(found)
     };
-    let grazing = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary)).filter_map(|orbit| {
-        let start = Unknowns::new(BESIDE_GRAZING, orbit.phase(), orbit.primary(), secondary);
+    let grazing = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary)).filter_map(|place| {
+        let start = Unknowns::new(BESIDE_GRAZING, place.phase, place.parameters[0], secondary);
         solved(Condition::ImpactVelocity(BESIDE_GRAZING), start, EventTimes::default())
     });
     let curves = diagram.curves.iter().filter(|curve| curve.loops == loops);

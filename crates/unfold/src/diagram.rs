@@ -237,7 +237,7 @@ impl<O: ImpactOscillator> Diagram<O> {
 
     /// The grazing phase z_graz at a value of η; none where no grazing curve is.
     pub fn grazing_phase(&self, secondary: f64) -> Option<f64> {
-        self.grazing.iter().find_map(|curve| curve.at(secondary)).map(|orbit| orbit.phase())
+        self.grazing.iter().find_map(|curve| curve.at(secondary)).map(|place| place.phase)
     }
 
     /// The curves from every resonance at which a theorem holds, each resonance by itself, in the order of the list; without

@@ -11,7 +11,7 @@ use grazing_continuation::newton::Linearisation;
 use grazing_model::maps::{MapError, global_map};
 use grazing_model::motion::highest_maximum;
 use grazing_model::{AtRest, ImpactOscillator, State};
-use grazing_theorems::from_map::GrazingOrbit;
+use grazing_theorems::from_map::{GrazingOrbit, GrazingPlace};
 use grazing_theorems::spectrum::in_trapesium;
 use nalgebra::{Matrix2, Matrix3, Vector3};
 
@@ -84,13 +84,13 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
         self.states.iter().map(|state| state.orbit.oscillator().parameters())
     }
 
-    /// The first grazing orbit of the curve at a value of η, if it comes there.
-    pub fn at(&self, secondary: f64) -> Option<GrazingOrbit<O>> {
+    /// The first place of the curve at a value of η, if it comes there.
+    pub fn at(&self, secondary: f64) -> Option<GrazingPlace> {
         self.all_at(secondary).next()
     }
 
-    /// The grazing orbits of the curve at a value of η, in its order.
-    pub fn all_at(&self, secondary: f64) -> impl Iterator<Item = GrazingOrbit<O>> {
+    /// The places of the curve at a value of η, in its order.
+    pub fn all_at(&self, secondary: f64) -> impl Iterator<Item = GrazingPlace> {
         let parameters = |state: &GrazingState<O>| state.orbit.oscillator().parameters();
         let around = move |pair: &&[GrazingState<O>]| {
             let [a, b] = [parameters(&pair[0])[1], parameters(&pair[1])[1]];
@@ -113,16 +113,16 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
     }
 }
 
-/// The grazing orbit at a value of η between those of two neighbouring points of a curve.
+/// The place at a value of η between those of two neighbouring points of a curve.
 pub(crate) fn interpolated<O: ImpactOscillator>(
     neighbours: &[GrazingState<O>],
     secondary: f64,
-) -> Option<GrazingOrbit<O>> {
+) -> Option<GrazingPlace> {
     let [first, last] = [neighbours.first()?, neighbours.last()?].map(|state| &state.orbit);
     let [[a, from], [b, to]] = [first, last].map(|orbit| orbit.oscillator().parameters());
     let way = if to == from { 0.0 } else { (secondary - from) / (to - from) };
     let near = first.oscillator().with_parameters([a + (b - a) * way, secondary]);
-    GrazingOrbit::find(&near, first.phase() + (last.phase() - first.phase()) * way).ok()
+    GrazingPlace::find(&near, first.phase() + (last.phase() - first.phase()) * way).ok()
 }
 
 /// A point of the curve lies no farther than this from the chord between two neighbours: an eighth of the longest step times

@@ -5,7 +5,6 @@ use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::resonance::{ResonanceError, ResonantGrazingPoint, same_point};
 use grazing_model::ImpactOscillator;
-use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::resonant_theorem::BifurcationCurve;
 
 use crate::diagram::{Diagram, DiagramCurve, route};
@@ -76,13 +75,6 @@ pub fn magnify<O: ImpactOscillator>(
     Ok(list)
 }
 
-/// The grazing orbit at a value of η, from one nearby.
-fn grazing_at<O: ImpactOscillator>(near: &GrazingOrbit<O>, secondary: f64) -> Option<GrazingOrbit<O>> {
-    let step = secondary - near.oscillator().parameters()[1];
-    let start = near.oscillator().with_parameters([near.primary() + near.primary_slope() * step, secondary]);
-    GrazingOrbit::find(&start, near.phase() + near.phase_slope() * step).ok()
-}
-
 /// The part of a grazing curve with η in the window, with points close enough for it.
 fn close_to<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Vec<[f64; 2]> {
     let [low, high] = window.secondary;
@@ -99,7 +91,7 @@ fn close_to<O: ImpactOscillator>(curve: &GrazingCurve<O>, window: Window) -> Vec
         for part in 0..=parts {
             let share = f64::from(part) / f64::from(parts);
             let secondary = ends[0] * (1.0 - share) + ends[1] * share;
-            let point = interpolated(pair, secondary).map(|orbit| orbit.oscillator().parameters());
+            let point = interpolated(pair, secondary).map(|place| place.parameters);
             points.extend(point.filter(|point| points.last() != Some(point)));
         }
     }
@@ -115,14 +107,16 @@ pub fn approximation<O: ImpactOscillator>(
     let [_, origin] = point.orbit().oscillator().parameters();
     let edge = if curve.eta_side.signum() < 0.0 { window.secondary[0] } else { window.secondary[1] };
     let mut points = Vec::new();
-    let mut near = point.orbit().clone();
+    let oscillator = point.orbit().oscillator();
+    let mut near = point.orbit().place();
     for k in 0..=SAMPLES {
         let secondary = origin + (edge - origin) * f64::from(k) / f64::from(SAMPLES);
-        let Some(orbit) = grazing_at(&near, secondary) else { break };
-        near = orbit;
+        let Ok(place) = near.moved(oscillator, secondary) else { break };
+        near = place;
         let Some(mu) = curve.parameter(secondary - origin) else { continue };
-        points.push([near.primary() + mu, secondary]);
-        if !window.contains([near.primary() + mu, secondary]) {
+        let primary = near.parameters[0] + mu;
+        points.push([primary, secondary]);
+        if !window.contains([primary, secondary]) {
             break;
         }
     }
@@ -183,12 +177,13 @@ fn faithful<O: ImpactOscillator>(
     let [BifurcationCurve { coefficient, .. }, _] = point.leading().starting_with(kind);
     let [_, origin] = point.orbit().oscillator().parameters();
     let mut reached = 0.0;
-    let mut near = point.orbit().clone();
+    let oscillator = point.orbit().oscillator();
+    let mut near = point.orbit().place();
     for [primary, secondary] in curve.iter().skip(1) {
         let eta = secondary - origin;
-        let Some(orbit) = grazing_at(&near, *secondary) else { break };
-        near = orbit;
-        let difference = primary - near.primary() - coefficient * eta * eta;
+        let Ok(place) = near.moved(oscillator, *secondary) else { break };
+        near = place;
+        let difference = primary - near.parameters[0] - coefficient * eta * eta;
         if difference.abs() > 0.2 * (coefficient * eta * eta).abs() {
             break;
         }

@@ -11,7 +11,7 @@ mod portraits;
 use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns};
+use grazing_continuation::mps::{Formulation, LoopEquations};
 use grazing_model::ImpactOscillator;
 use rayon::prelude::*;
 
@@ -62,7 +62,7 @@ pub struct OneParameter {
 const BRANCHES: &str = "branches of a one-parameter diagram";
 const LONG_TIME: &str = "long-time behaviour";
 
-/// MPSs are looked for by solving for them at so many values of μ.
+/// MPSs are looked for by solving for them at so many values of μ, from end to end.
 const PLACES: u32 = 9;
 /// Steps along branches without impacts are at most this part of the range that is shown.
 const STEP: f64 = 0.02;
@@ -160,15 +160,8 @@ fn mps_branches<O: ImpactOscillator>(
     });
     let mut slices: Vec<_> = slices.collect();
     let fastest = search::fastest(slices.iter().flat_map(|(_, slice)| &slice.branches));
-    let places = (0..PLACES).into_par_iter().map(|k| {
-        let primary = scope.window.parameters([f64::from(k) / f64::from(PLACES - 1), 0.0])[0];
-        if progress.stopped() {
-            return Vec::new();
-        }
-        let here = oscillator.with_parameters([primary, secondary]);
-        search::at(&here, &scope.loops, fastest, MaximalPeriodicSolution::admissible)
-    });
-    let found: Vec<(u32, Unknowns)> = places.collect::<Vec<_>>().concat();
+    let found =
+        search::on_slice(oscillator, &scope.loops, scope.window, (secondary, PLACES), fastest, progress);
     slices.par_iter_mut().for_each(|(equations, slice)| {
         let slicer = Slicer::new(equations, scope.window, StepControl::DRAWING, &grazing);
         let own = found.iter().filter(|(loops, _)| *loops == equations.loops());

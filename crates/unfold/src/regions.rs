@@ -125,8 +125,8 @@ pub(crate) fn of_mps<O: ImpactOscillator>(
     let window = diagram.scope.window;
     let what = STAGE;
     let grazing = |secondary: f64| -> Vec<[f64; 2]> {
-        let orbits = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary));
-        orbits.map(|orbit| [orbit.phase(), orbit.primary()]).collect()
+        let places = diagram.grazing.iter().flat_map(|curve| curve.all_at(secondary));
+        places.map(|place| [place.phase, place.parameters[0]]).collect()
     };
     let levels = levels(window);
     let fastest = search::fastest(nets.iter().flat_map(|net| &net.curves).map(|curve| &curve.curve));

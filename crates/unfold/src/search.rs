@@ -43,9 +43,6 @@ pub(crate) fn fastest<'a>(known: impl Iterator<Item = &'a Curve>) -> f64 {
 
 /// MPSs of some numbers of loops p that are admissible or stable, with impact velocities up to some value, each with its p: on every slice at one μ
 /// and at one small impact velocity, on some at both ends.
-///
-/// Solutions that are both have neighbours that are one of both beyond each of their borders: beyond grazing those are stable, beyond a saddle-node or
-/// period-doubling bifurcation admissible. So a stretch of them is found from places outside of it as well.
 pub(crate) fn on_slices<O: ImpactOscillator>(
     oscillator: &O,
     loops: &[u32],
@@ -54,21 +51,39 @@ pub(crate) fn on_slices<O: ImpactOscillator>(
     fastest: f64,
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
-    let [left, right] = window.primary;
     let lattices = slices.iter().enumerate().flat_map(|(k, &secondary)| {
-        let standing = move |share: f64| {
-            let primary = window.parameters([share, 0.0])[0];
-            let start = Unknowns::new(0.0, 0.0, primary, secondary);
-            Lattice { start, side: unknown::VELOCITY, length: fastest }
-        };
         let turns = GOLDEN * (k as f64 + 1.0);
         let ends = if k % EDGES_EVERY == 0 { &[0.0, 1.0][..] } else { &[] };
         let shares = ends.iter().copied().chain([turns - libm::floor(turns)]);
-        let start = Unknowns::new(SLOW * fastest, 0.0, left, secondary);
-        let slow = Lattice { start, side: unknown::PRIMARY, length: right - left };
-        shares.map(standing).chain([slow])
+        Lattice::of_slice(window, secondary, shares, fastest)
     });
-    let lattices: Vec<Lattice> = lattices.collect();
+    admissible_or_stable(oscillator, loops, &lattices.collect::<Vec<_>>(), progress)
+}
+
+/// The same on one slice, at so many values of μ from end to end and at one small impact velocity.
+pub(crate) fn on_slice<O: ImpactOscillator>(
+    oscillator: &O,
+    loops: &[u32],
+    window: Window,
+    (secondary, places): (f64, u32),
+    fastest: f64,
+    progress: &dyn Progress,
+) -> Vec<(u32, Unknowns)> {
+    let shares = (0..places).map(|k| f64::from(k) / f64::from(places - 1));
+    let lattices: Vec<Lattice> = Lattice::of_slice(window, secondary, shares, fastest).collect();
+    admissible_or_stable(oscillator, loops, &lattices, progress)
+}
+
+/// The MPSs on lattices that are admissible or stable.
+///
+/// Solutions that are both have neighbours that are one of both beyond each of their borders: beyond grazing those are stable, beyond a saddle-node or
+/// period-doubling bifurcation admissible. So a stretch of them is found from places outside of it as well.
+fn admissible_or_stable<O: ImpactOscillator>(
+    oscillator: &O,
+    loops: &[u32],
+    lattices: &[Lattice],
+    progress: &dyn Progress,
+) -> Vec<(u32, Unknowns)> {
     let found = lattices.par_iter().map(|lattice| {
         if progress.stopped() {
             Vec::new()
@@ -102,6 +117,23 @@ struct Lattice {
 }
 
 impl Lattice {
+    /// Those of a slice, at values of μ that are shares of the window and at one small impact velocity.
+    fn of_slice(
+        window: Window,
+        secondary: f64,
+        shares: impl Iterator<Item = f64>,
+        fastest: f64,
+    ) -> impl Iterator<Item = Self> {
+        let standing = move |share: f64| {
+            let primary = window.parameters([share, 0.0])[0];
+            let start = Unknowns::new(0.0, 0.0, primary, secondary);
+            Self { start, side: unknown::VELOCITY, length: fastest }
+        };
+        let [left, right] = window.primary;
+        let start = Unknowns::new(SLOW * fastest, 0.0, left, secondary);
+        shares.map(standing).chain([Self { start, side: unknown::PRIMARY, length: right - left }])
+    }
+
     /// The MPSs that are `wanted`, as far as the lattice tells them apart.
     ///
     /// By how much motion that begins with an impact misses it p forcing periods later, the wall ignored meanwhile, is (x, ẋ − y). Where both

@@ -114,7 +114,7 @@ impl InUnits for Coefficient {
                 *velocity *= unit_of_velocity;
             }
             Err(FitError::NoPoint { velocity, .. }) => *velocity *= unit_of_velocity,
-            Err(FitError::GrazingOrbit(_)) => {}
+            Err(FitError::GrazingOrbit(_) | FitError::NotFinished) => {}
         }
         own
     }

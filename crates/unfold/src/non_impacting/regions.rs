@@ -136,12 +136,12 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
     /// The branches at some η that graze there.
     fn beginning_at_grazing(&self, secondary: f64) -> Slice<Branch> {
         let mut branches: Vec<Branch> = Vec::new();
-        for orbit in self.grazing.iter().flat_map(|curve| curve.all_at(secondary)) {
-            let oscillator = orbit.oscillator();
-            let phase = orbit.phase() - TAU * libm::floor(orbit.phase() / TAU);
+        for place in self.grazing.iter().flat_map(|curve| curve.all_at(secondary)) {
+            let oscillator = self.orbits.oscillator.with_parameters(place.parameters);
+            let phase = place.phase - TAU * libm::floor(place.phase / TAU);
             let rest = (TAU - phase) / oscillator.forcing_frequency().value;
             let there = oscillator.motion(State::on_wall(0.0, phase)).at(rest);
-            let shares = self.orbits.scope.window.shares([orbit.primary(), secondary]);
+            let shares = self.orbits.scope.window.shares(place.parameters);
             let near = OrbitPoint::new(there.position, there.velocity, shares[0], shares[1]);
             if let Some(start) = self.orbits.at(&near) {
                 self.orbits.add_branch(&mut branches, &start);

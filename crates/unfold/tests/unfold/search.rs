@@ -5,6 +5,7 @@ use core::f64::consts::{PI, TAU};
 use grazing_model::maps::global_map;
 use grazing_model::motion::{Motion, highest_maximum};
 use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, State};
+use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
 use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
 use grazing_unfold::non_impacting::periodic_motion;
@@ -66,9 +67,10 @@ fn the_grazing_curve_of_the_linear_oscillator_is_that_of_the_closed_form() {
         assert!(state.stable && state.admissible);
     }
     for frequency in [0.2, 0.55, 1.0, 1.7, 3.0] {
-        let orbit = curve.at(frequency).unwrap();
-        assert_within(orbit.primary(), grazing_at(ZETA, frequency).amplitude(), EXACT);
-        assert!(curve.passes(&orbit, &scope));
+        let place = curve.at(frequency).unwrap();
+        assert_within(place.parameters[0], grazing_at(ZETA, frequency).amplitude(), EXACT);
+        let there = curve.states[0].orbit.oscillator().with_parameters(place.parameters);
+        assert!(curve.passes(&GrazingOrbit::at(there, place.phase).unwrap(), &scope));
     }
     assert!(curve.at(3.1).is_none());
 }
