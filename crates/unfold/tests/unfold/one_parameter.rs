@@ -2,9 +2,11 @@
 
 use std::fs;
 
+use grazing_continuation::curve::Window;
 use grazing_description::Description;
 use grazing_model::smooth::Integrated;
 use grazing_model::{ImpactOscillator, OnWall, State};
+use grazing_unfold::Scope;
 use grazing_unfold::one_parameter::{Exchanged, OneParameter, Plan, Strand, StrandPoint, Wanted};
 use grazing_unfold::progress::Silent;
 
@@ -76,6 +78,23 @@ fn where_only_mps_attract_simulation_stays_on_their_branches() {
     }
     assert_eq!(visited, 0b110);
     assert!(diagram.visits.len() >= 5 * 3 * 7, "{}", diagram.visits.len());
+}
+
+#[test]
+fn branches_that_begin_where_motion_of_twice_the_period_grazes_are_found() {
+    let text = grazing_trials::oscillators::description(20_261_122, 2);
+    let model = Description::parse(&text, "two wells").expect("what is made at random is right");
+    let window = Window { primary: [0.0, 1.9], secondary: [0.5533, 0.5834] };
+    let oscillator = Integrated::new(model, [window.primary[0], window.secondary[0]]);
+    let scope = Scope { window, loops: vec![2], start: None };
+    let wanted = wanted(0.580_712_5, window.primary, 2);
+    let found = OneParameter::compute(&oscillator, &scope, &[], &wanted, &Silent, &mut |_| ())
+        .expect("nobody stops it");
+    // Simulation settles on solutions with two loops here.
+    for primary in [0.263, 0.419] {
+        let here = at(&found.strands, 2, primary);
+        assert!(here.iter().any(|(_, point)| point.stable && point.admissible), "{primary}: {here:?}");
+    }
 }
 
 #[test]
