@@ -150,6 +150,11 @@ where
         &self.here
     }
 
+    /// Lets the next step be no longer than this.
+    pub fn limit(&mut self, longest: f64) {
+        self.step = self.step.min(longest).max(self.control.shortest);
+    }
+
     /// Finds the next point.
     ///
     /// # Errors
@@ -248,7 +253,7 @@ pub struct Walk<'a, const N: usize, C> {
 }
 
 /// A closed curve has more points than this: its tangent turns once round, by a few degrees from point to point.
-pub(crate) const FEWEST_OF_A_LOOP: usize = 10;
+pub const FEWEST_OF_A_LOOP: usize = 10;
 
 /// The points of a curve in order, and how it ends.
 type Walked<const N: usize, E, T> = Result<(Vec<Tangent<N>>, T), Stall<E>>;
@@ -317,7 +322,7 @@ where
 
 /// The start of a curve, if the curve comes back to it between two of its points; with the unknown that is an angle as far on as it is
 /// then. `onwards` is where the curve went from the start.
-pub(crate) fn back_at<const N: usize>(
+pub fn back_at<const N: usize>(
     (start, onwards): Tangent<N>,
     [before, after]: [&SVector<f64, N>; 2],
     turn: f64,

@@ -7,11 +7,13 @@ use grazing_model::maps::MapError;
 
 use crate::arclength::{Continuation, FEWEST_OF_A_LOOP, Stall, Station, StepControl, back_at};
 use crate::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route};
-use crate::locate::{Condition, LocateFailure, locate, locate_grazing_end};
+use crate::locate::{Condition, LocateFailure, locate, locate_grazing_end, locate_within};
 use crate::mps::{
     EventTimes, Formulation, MaximalPeriodicSolution, Multipliers, Stability, Unknowns, parameters, unknown,
 };
-use crate::tolerances::{FARTHEST_EVENT, HALVINGS, NO_VELOCITY, ON_TWO_CURVES, TOUCHES_TOO};
+use crate::tolerances::{
+    FARTHEST_EVENT, FARTHEST_ITERATE, HALVINGS, NO_VELOCITY, ON_TWO_CURVES, TOUCHES_TOO,
+};
 
 type MpsStation = Station<4, EventTimes>;
 
@@ -445,12 +447,14 @@ fn locate_event<O: ImpactOscillator>(
             }
         }
     }
-    let point = locate(&equations.equations, [equations.condition, sought], near, &mut times)?;
+    let step = (after.point - before.point).norm();
+    let conditions = [equations.condition, sought];
+    let point = locate_within(FARTHEST_ITERATE * step, &equations.equations, conditions, near, &mut times)?;
     if sought == Condition::SecondInteriorGrazing {
         // The curve that can start from there is that of the second maximum.
         core::mem::swap(&mut times.grazing_time, &mut times.second_grazing_time);
     }
-    let (distance, step) = ((point - near).norm(), (after.point - before.point).norm());
+    let distance = (point - near).norm();
     if distance > FARTHEST_EVENT * step {
         return Err(LocateFailure::Elsewhere { distance, step });
     }

@@ -400,11 +400,16 @@ pub(crate) struct Stability {
     pub(crate) period_doubling: f64,
 }
 
+/// Multipliers beyond this change so fast that no sign of anything is known for long.
+const VIOLENT: f64 = 1e3;
+
 impl Stability {
     /// Whether something has changed by more than itself, so that a correction as large as the last one may change its sign.
     pub(crate) fn is_unsettled_since(&self, before: &Self) -> bool {
         let changed = |of: fn(&Self) -> f64| (of(self) - of(before)).abs() >= of(self).abs();
-        changed(|stability| stability.saddle_node) || changed(|stability| stability.period_doubling)
+        let Multipliers { trace, determinant } = self.multipliers;
+        trace.abs().max(determinant.abs()) < VIOLENT
+            && (changed(|stability| stability.saddle_node) || changed(|stability| stability.period_doubling))
     }
 }
 

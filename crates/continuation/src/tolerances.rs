@@ -27,6 +27,8 @@ pub(crate) const FARTHEST_CORRECTION: f64 = 4.0;
 
 /// An event is not the one that was seen if it is found so many steps of the curve away: it lies within one.
 pub(crate) const FARTHEST_EVENT: f64 = 2.0;
+/// Newton's method is given up on the way to an event so many steps away: it may go round about, but not to where a forcing period takes for ever.
+pub(crate) const FARTHEST_ITERATE: f64 = 20.0;
 
 /// How often a step is halved about an event that Newton's method does not find from its middle: to some 10⁻³ of it, where multipliers that
 /// change by a hundred in a step change by a tenth (empirical: three are enough in most cases).

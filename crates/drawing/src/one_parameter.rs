@@ -162,6 +162,7 @@ mod tests {
                 .collect(),
             portraits: (0..40 * portraits).map(orbit).collect(),
             resting: None,
+            broken: Vec::new(),
         }
     }
 

@@ -136,6 +136,11 @@ fn rows(asked: &OneParameter, found: &one_parameter::OneParameter, units: &Units
         attractor,
         portraits: (1..).zip(&found.portraits).flat_map(|(k, portrait)| orbit(k, portrait, units)).collect(),
         resting: (!found.unfinished).then_some(found.resting),
+        broken: found
+            .broken
+            .iter()
+            .map(|(loops, primary, reason)| (*loops, primary * units.primary, reason.clone()))
+            .collect(),
     }
 }
 

@@ -125,6 +125,19 @@ pub(crate) fn interpolated<O: ImpactOscillator>(
     GrazingPlace::find(&near, first.phase() + (last.phase() - first.phase()) * way).ok()
 }
 
+/// The grazing orbit with the primary parameter of an oscillator, at a secondary one near its own, from a phase nearby.
+pub(crate) fn grazing_at_primary<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    phase: f64,
+) -> Option<GrazingOrbit<O>> {
+    let equations = GrazingEquations { oscillator, scope };
+    let [primary, secondary] = scope.window.shares(oscillator.parameters());
+    let near = Vector3::new(phase, primary, secondary);
+    let point = located(&equations, near, &Vector3::y(), &near)?;
+    GrazingOrbit::at(equations.oscillator_at(&point), point[0]).ok()
+}
+
 /// A point of the curve lies no farther than this from the chord between two neighbours: an eighth of the longest step times
 /// the angle by which the tangent turns, several times over.
 const CHORD: f64 = 3e-4;
@@ -234,16 +247,22 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
 
     /// All that is known at a point; nothing where P_global has no second derivatives.
     fn state(&self, point: &Vector3<f64>, tangent: &Vector3<f64>) -> Option<GrazingState<O>> {
-        let orbit = GrazingOrbit::at(self.oscillator_at(point), point[0]).ok()?;
-        let oscillator = orbit.oscillator();
+        let mut orbit = GrazingOrbit::at(self.oscillator_at(point), point[0]).ok()?;
+        let admissible = |orbit: &GrazingOrbit<O>| {
+            let motion = orbit.oscillator().motion(State::on_wall(0.0, orbit.phase()));
+            let ceiling = highest_maximum(&motion, orbit.oscillator().forcing_period());
+            ceiling.is_none_or(|maximum| maximum.position <= MaximalPeriodicSolution::TOUCH)
+        };
+        // In wide ranges the last digits of a share may be seen in the next maximum, which is the same one.
+        if !admissible(&orbit) {
+            orbit = GrazingOrbit::find(orbit.oscillator(), orbit.phase()).unwrap_or(orbit);
+        }
         let map = orbit.grazing_point().map;
-        let motion = oscillator.motion(State::on_wall(0.0, point[0]));
-        let ceiling = highest_maximum(&motion, oscillator.forcing_period());
         let [primary, secondary] = self.scope.window.widths();
         Some(GrazingState {
             tangent: Vector3::new(tangent[0], tangent[1] * primary, tangent[2] * secondary),
             stable: in_trapesium(map.trace(), map.determinant()),
-            admissible: ceiling.is_none_or(|maximum| maximum.position <= MaximalPeriodicSolution::TOUCH),
+            admissible: admissible(&orbit),
             orbit,
         })
     }

@@ -19,7 +19,7 @@ use nalgebra::Vector2;
 use crate::Scope;
 use crate::escape::Escape;
 use branch::{Branch, Crossing};
-use orbits::{FAR, OrbitPoint, PeriodicOrbits};
+use orbits::{FAR, OrbitPoint, PeriodicOrbits, SECONDARY};
 
 /// What was seen of periodic motion without the wall at one η, and where it grazes.
 #[derive(Clone, Debug)]
@@ -98,7 +98,7 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
             }
         }
         if branches.is_empty() {
-            branches.extend(carried_away.and_then(|orbit| orbits.branch(&orbit)));
+            branches.extend(carried_away.and_then(|orbit| orbits.branch(&orbit, SECONDARY)));
         }
         let mut motion = PeriodicMotion { grazing: Vec::new(), pushed: Vec::new(), ran_away, branches };
         motion.look_for_grazing(orbits);
@@ -133,7 +133,7 @@ impl<O: ImpactOscillator> PeriodicMotion<O> {
     fn look_for_grazing(&mut self, orbits: &PeriodicOrbits<'_, O>) {
         for bifurcation in self.branches.iter().flat_map(|branch| &branch.bifurcations) {
             if let Crossing { condition: Condition::InteriorGrazing, near, .. } = bifurcation {
-                match orbits.grazing(near) {
+                match orbits.grazing(near, SECONDARY) {
                     Some(orbit) => {
                         let same = |other: &GrazingOrbit<O>| {
                             (other.primary() - orbit.primary()).abs()

@@ -25,7 +25,7 @@ use crate::curves::DiagramCurve;
 use crate::non_impacting::branch;
 use crate::non_impacting::orbits::PeriodicOrbits;
 use crate::progress::Progress;
-use crate::slices::Slicer;
+use crate::slices::{Slicer, broken_at, distinct};
 use crate::{Scope, search};
 
 /// What is to be shown.
@@ -54,6 +54,8 @@ pub struct OneParameter {
     pub resting: [u32; 2],
     /// Orbits at the chosen values of μ; none if they were not finished.
     pub portraits: Vec<Portrait>,
+    /// Where a branch of MPSs could not be followed to its end: p, μ, and what happened.
+    pub broken: Vec<(u32, f64, String)>,
     /// The long-time behaviour is missing, because an end was asked for.
     pub unfinished: bool,
 }
@@ -111,8 +113,19 @@ impl OneParameter {
         if progress.stopped() {
             return None;
         }
-        let (visits, portraits) = (Vec::new(), Vec::new());
-        let mut found = Self { strands, bifurcations, visits, resting: [0, 0], portraits, unfinished: true };
+        let ends = branches.iter().flat_map(|branch| {
+            let of_loops = |(primary, reason)| (branch.equations.loops(), primary, reason);
+            broken_at(&branch.curve).map(of_loops)
+        });
+        let mut found = Self {
+            strands,
+            bifurcations,
+            visits: Vec::new(),
+            resting: [0, 0],
+            portraits: Vec::new(),
+            broken: ends.filter(|(_, primary, _)| inside(*primary)).collect(),
+            unfinished: true,
+        };
         begun(&found);
         let products = motion
             .branches
@@ -168,7 +181,8 @@ fn mps_branches<O: ImpactOscillator>(
         own.for_each(|(_, solution)| slicer.through(slice, *solution));
     });
     let branches = slices.into_iter().flat_map(|(equations, slice)| {
-        slice.branches.into_iter().map(move |curve| Branch { equations: equations.clone(), curve })
+        let distinct = distinct(slice.branches);
+        distinct.into_iter().map(move |curve| Branch { equations: equations.clone(), curve })
     });
     branches.collect()
 }

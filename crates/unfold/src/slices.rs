@@ -100,8 +100,8 @@ pub(crate) fn steps(window: Window) -> StepControl {
         false => STEPS,
     }
 }
-/// A branch of this many points has lost its way.
-const STEP_LIMIT: usize = 5_000;
+/// A branch with as many points as the longest steps would make of this length has lost its way.
+const LONGEST_BRANCH: f64 = 500.0;
 /// Branches from the grazing curve begin at this impact velocity, beside the singular point (empirical; what lies between is narrower
 /// than y² in μ), and in a window that is not much wider than that at this share of the root of its width.
 const BESIDE_GRAZING: f64 = 1e-4;
@@ -229,7 +229,8 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
 
     fn branch(&self, condition: Condition, window: Window) -> (MpsCurve<O>, Route) {
         let curve = MpsCurve { equations: self.equations.clone(), condition };
-        let route = Route { window, control: self.control, step_limit: STEP_LIMIT, stop_at_events: false };
+        let step_limit = (LONGEST_BRANCH / self.control.longest) as usize;
+        let route = Route { window, control: self.control, step_limit, stop_at_events: false };
         (curve, route)
     }
 
@@ -252,6 +253,23 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         }
         branches
     }
+}
+
+/// The branches without those that are part of another, which they were begun beyond the end of.
+pub(crate) fn distinct(branches: Vec<Curve>) -> Vec<Curve> {
+    let mut distinct: Vec<Curve> = Vec::new();
+    let part = |inner: &Curve, whole: &Curve| {
+        let count = inner.points.len();
+        let places = [0, count / 2, count.saturating_sub(1)].map(|place| inner.points.get(place));
+        places.into_iter().flatten().all(|point| passes(whole, &point.solution.unknowns))
+    };
+    for branch in branches {
+        if !distinct.iter().any(|known| part(&branch, known)) {
+            distinct.retain(|known| !part(known, &branch));
+            distinct.push(branch);
+        }
+    }
+    distinct
 }
 
 /// The conditions that hold the η and the impact velocity of a point.
@@ -373,7 +391,7 @@ pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
                 format!("a bifurcation was seen and not located: {failure}")
             }
             CurveEnd::Stalled(stall) => format!("no further point was found: {stall}"),
-            CurveEnd::StepLimit => format!("after {STEP_LIMIT} points there was no end"),
+            CurveEnd::StepLimit => format!("after {} points there was no end", branch.points.len()),
         };
         let last = &point?.solution;
         let Multipliers { trace, determinant } = last.multipliers;

@@ -307,6 +307,12 @@ fn one_parameter(description: &Description, diagram: &OneParameter) -> String {
         true => text.push_str("  no bifurcations\n"),
         false => text.push_str(&aligned(&["kind", "p", across, "impact velocity", "x"], rows)),
     }
+    for (loops, primary, reason) in &diagram.broken {
+        let at = significant(*primary, PARAMETER);
+        let content =
+            format!("a branch of p = {loops} could not be followed beyond {across} = {at}: {reason}");
+        text.push_str(&wrapped("  ", &content));
+    }
     if let Some([resting, all]) = diagram.resting.filter(|[resting, _]| *resting > 0) {
         let content = format!(
             "{resting} of {all} simulated orbits left no point: they came to rest at the wall, or could not be followed"

@@ -21,7 +21,7 @@ pub(crate) type OrbitPoint = Vector4<f64>;
 
 /// Positions in an [`OrbitPoint`].
 pub(crate) const PRIMARY: usize = 2;
-pub(super) const SECONDARY: usize = 3;
+pub(crate) const SECONDARY: usize = 3;
 
 /// Motion this far away, the wall's distance from rest being of order one, has run away.
 pub(super) const FAR: f64 = 1e6;
@@ -49,10 +49,10 @@ pub(crate) struct PeriodicOrbit {
     pub(crate) multipliers: Multipliers,
 }
 
-/// A curve of orbits: the equations with one more condition, a share of η or a multiplier.
+/// A curve of orbits: the equations with one more condition, a share of μ or η or a multiplier.
 pub(super) struct PeriodicOrbitCurve<'a, O> {
     pub(super) orbits: &'a PeriodicOrbits<'a, O>,
-    /// [`Condition::Secondary`] of a share, or [`Condition::Multiplier`].
+    /// [`Condition::Primary`] or [`Condition::Secondary`] of a share, or [`Condition::Multiplier`].
     pub(super) condition: Condition,
 }
 
@@ -70,12 +70,13 @@ impl<O: ImpactOscillator> CurveEquations<4> for PeriodicOrbitCurve<'_, O> {
                 system.jacobian.set_row(2, &gradient.transpose());
                 pair
             }
-            Condition::Secondary(share) => {
-                system.residual[2] = orbit[SECONDARY] - share;
-                system.jacobian[(2, SECONDARY)] = 1.0;
+            Condition::Primary(share) | Condition::Secondary(share) => {
+                let held = if matches!(self.condition, Condition::Primary(_)) { PRIMARY } else { SECONDARY };
+                system.residual[2] = orbit[held] - share;
+                system.jacobian[(2, held)] = 1.0;
                 self.orbits.pair::<1>(orbit)?
             }
-            _ => unreachable!("curves of periodic orbits have a fixed share of eta or a fixed multiplier"),
+            _ => unreachable!("curves of periodic orbits have a fixed parameter or a fixed multiplier"),
         };
         let (difference, derivative) = pair.difference();
         system.residual.fixed_rows_mut::<2>(0).copy_from(&difference);
@@ -133,10 +134,15 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
         Some(OrbitPoint::new(point[0], point[1], near[PRIMARY], near[SECONDARY]))
     }
 
-    /// The orbit with a multiplier at the share of η of an orbit nearby.
-    pub(super) fn with_multiplier(&self, near: &OrbitPoint, multiplier: Condition) -> Option<OrbitPoint> {
+    /// The orbit with a multiplier at the share of μ or η of an orbit nearby, which is held.
+    pub(super) fn with_multiplier(
+        &self,
+        near: &OrbitPoint,
+        multiplier: Condition,
+        held: usize,
+    ) -> Option<OrbitPoint> {
         let curve = PeriodicOrbitCurve { orbits: self, condition: multiplier };
-        located(&curve, *near, &OrbitPoint::ith(SECONDARY, 1.0), near)
+        located(&curve, *near, &OrbitPoint::ith(held, 1.0), near)
     }
 
     /// What is to be known of an orbit.

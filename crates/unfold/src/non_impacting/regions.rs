@@ -11,7 +11,7 @@ use nalgebra::{Vector2, Vector3};
 use rayon::prelude::*;
 
 use super::branch::{Branch, Crossing, STEPS};
-use super::orbits::{OrbitPoint, PeriodicOrbits, SECONDARY};
+use super::orbits::{OrbitPoint, PRIMARY, PeriodicOrbits, SECONDARY};
 use super::{PeriodicMotion, periodic_motion};
 use crate::curves::DiagramCurve;
 use crate::faces::Point;
@@ -32,8 +32,9 @@ pub(crate) struct NonImpacting<O> {
     pub(crate) unfinished: Vec<Unfinished>,
 }
 
-/// Every so many of the slices motion is left to relax from rest, which finds branches to which grazing does not lead.
-const RELAXED_EVERY: usize = 2;
+/// The shares of the range of μ at which branches are followed through the range of η, which finds what lies between slices: resonances of motion
+/// without impacts that are narrower than the way from one slice to the next, and folds to which no slice comes near.
+const COLUMNS: [f64; 3] = [0.0, 0.5, 1.0];
 /// Orbits of a branch that are carried to a neighbouring slice.
 const CARRIED: usize = 8;
 /// A fold or period doubling this close to the chord between two points of a curve, as a share of its length, lies on the curve, which
@@ -51,6 +52,8 @@ struct NonImpactingSurvey<'a, O> {
     grazing: Vec<GrazingCurve<O>>,
     curves: Vec<DiagramCurve>,
     slices: Vec<Slice<Branch>>,
+    /// Branches through the range of η.
+    columns: Vec<Branch>,
 }
 
 /// Looks for grazing of the non-impacting solutions and for their regions.
@@ -62,25 +65,21 @@ pub(crate) fn find<O: ImpactOscillator>(
     scope: &Scope,
     progress: &dyn Progress,
 ) -> Result<NonImpacting<O>, UnfoldError> {
-    let levels = regions::levels(scope.window).into_iter().enumerate();
-    let (relaxed, between): (Vec<_>, Vec<_>) = levels.partition(|(k, _)| k % RELAXED_EVERY == 0);
-    let [relaxed, between] =
-        [relaxed, between].map(|part| part.into_iter().map(|(_, secondary)| secondary).collect::<Vec<_>>());
-    progress.begin(STAGE, relaxed.len() as u64);
-    let found = on_slices(oscillator, scope, &relaxed, &between, progress);
+    let levels = regions::levels(scope.window);
+    progress.begin(STAGE, levels.len() as u64);
+    let found = on_slices(oscillator, scope, &levels, progress);
     progress.end(STAGE);
     found
 }
 
-/// The same from slices on which motion is left to relax from rest, and others between them.
+/// The same from slices on which motion is left to relax from rest.
 fn on_slices<O: ImpactOscillator>(
     oscillator: &O,
     scope: &Scope,
-    relaxed: &[f64],
-    between: &[f64],
+    levels: &[f64],
     progress: &dyn Progress,
 ) -> Result<NonImpacting<O>, UnfoldError> {
-    let motions: Vec<PeriodicMotion<O>> = relaxed
+    let motions: Vec<PeriodicMotion<O>> = levels
         .par_iter()
         .map(|secondary| {
             let motion = periodic_motion(oscillator, scope, *secondary);
@@ -92,16 +91,14 @@ fn on_slices<O: ImpactOscillator>(
         true => UnfoldError::Stopped { stage: STAGE },
         false => explanation(&motions),
     };
-    if motions.iter().all(|motion| motion.grazing.is_empty()) {
-        return Err(nothing());
-    }
-    let slices = relaxed.iter().zip(&motions);
+    let slices = levels.iter().zip(&motions);
     let slices = slices.map(|(secondary, motion)| Slice::new(*secondary, motion.branches.clone()));
     let mut survey = NonImpactingSurvey {
         orbits: PeriodicOrbits { oscillator, scope, control: STEPS },
         grazing: Vec::new(),
         curves: Vec::new(),
         slices: slices.collect(),
+        columns: Vec::new(),
     };
     // From the middle outwards: a curve is told once, from where it is met first.
     let mut order: Vec<usize> = (0..motions.len()).collect();
@@ -109,11 +106,12 @@ fn on_slices<O: ImpactOscillator>(
     for orbit in order.into_iter().flat_map(|k| &motions[k].grazing) {
         survey.add_grazing(orbit);
     }
-    let regions = decided(scope.window, &mut survey, 0, between, progress);
-    let NonImpactingSurvey { grazing, curves, .. } = survey;
-    if grazing.is_empty() {
+    survey.follow_columns(progress);
+    if survey.grazing.is_empty() {
         return Err(nothing());
     }
+    let regions = decided(scope.window, &mut survey, 0, &[], progress);
+    let NonImpactingSurvey { grazing, curves, .. } = survey;
     let (regions, unfinished) = match progress.stopped() {
         true => (vec![Region::not_finished(scope.window, 0)], vec![Unfinished::stage(STAGE)]),
         false => (regions, Vec::new()),
@@ -168,25 +166,38 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
         to.branches.len() > before
     }
 
-    /// Starts a curve at every bifurcation that bounds good motion and lies on none.
-    fn explain(&mut self) {
-        for index in 0..self.slices.len() {
-            let found: Vec<Crossing> = self.slices[index]
-                .take_new()
-                .iter()
-                .flat_map(|branch| branch.bifurcations.iter().filter(|b| branch.bounds(b)).cloned())
-                .collect();
-            for bifurcation in found {
-                if bifurcation.condition == Condition::InteriorGrazing {
-                    if let Some(orbit) = self.orbits.grazing(&bifurcation.near) {
-                        self.add_grazing(&orbit);
-                    }
-                } else if !self.known(&bifurcation)
-                    && let Some(curve) = self.orbits.curve(&bifurcation)
-                    && !stalls(&curve)
-                {
-                    self.curves.push(curve);
+    /// Follows the branches of slices through the range of η, where they meet a column, and starts curves at what happens on them.
+    fn follow_columns(&mut self, progress: &dyn Progress) {
+        for share in COLUMNS {
+            let branches = self.slices.iter().flat_map(|slice| &slice.branches);
+            let starts: Vec<OrbitPoint> = branches.flat_map(|branch| branch.meets(share)).collect();
+            for near in starts {
+                let known = |start: &OrbitPoint| self.columns.iter().any(|column| column.passes(start));
+                if progress.stopped() || self.columns.len() >= MOST_BRANCHES || known(&near) {
+                    continue;
                 }
+                let start = self.orbits.at(&near).filter(|start| !known(start));
+                let column = start.and_then(|start| self.orbits.branch(&start, PRIMARY));
+                if let Some(column) = column {
+                    self.explain(&column.borders());
+                    self.columns.push(column);
+                }
+            }
+        }
+    }
+
+    /// Starts curves at bifurcations that lie on none.
+    fn explain(&mut self, found: &[(Crossing, usize)]) {
+        for (bifurcation, held) in found {
+            if bifurcation.condition == Condition::InteriorGrazing {
+                if let Some(orbit) = self.orbits.grazing(&bifurcation.near, *held) {
+                    self.add_grazing(&orbit);
+                }
+            } else if !self.known(bifurcation)
+                && let Some(curve) = self.orbits.curve(bifurcation)
+                && !stalls(&curve)
+            {
+                self.curves.push(curve);
             }
         }
     }
@@ -238,6 +249,25 @@ fn stalls(curve: &DiagramCurve) -> bool {
 }
 
 impl Branch {
+    /// Orbits near those at a share of the range of μ.
+    fn meets(&self, share: f64) -> impl Iterator<Item = OrbitPoint> {
+        self.orbits.windows(2).filter_map(move |pair| {
+            let [a, b] = [&pair[0].orbit, &pair[1].orbit];
+            let [from, to] = [a, b].map(|orbit| orbit[PRIMARY] - share);
+            (from * to <= 0.0 && from != to).then(|| {
+                let mut near = a + (b - a) * (from / (from - to));
+                near[PRIMARY] = share;
+                near
+            })
+        })
+    }
+
+    /// The bifurcations that bound good motion, and what is held there.
+    fn borders(&self) -> Vec<(Crossing, usize)> {
+        let borders = self.bifurcations.iter().filter(|bifurcation| self.bounds(bifurcation));
+        borders.map(|bifurcation| (bifurcation.clone(), self.held)).collect()
+    }
+
     /// Whether motion is good to one side of a bifurcation and not to the other.
     fn bounds(&self, bifurcation: &Crossing) -> bool {
         let Some(place) = bifurcation.place else { return false };
@@ -256,7 +286,10 @@ impl<O: ImpactOscillator> Surveyor for NonImpactingSurvey<'_, O> {
         let mut slices = core::mem::take(&mut self.slices);
         spread(&mut slices, progress, |from, to| self.carry(from, to));
         self.slices = slices;
-        self.explain();
+        let new = self.slices.iter_mut().flat_map(Slice::take_new);
+        let found: Vec<_> = new.flat_map(Branch::borders).collect();
+        self.explain(&found);
+        self.follow_columns(progress);
     }
 
     fn lines(&self) -> Vec<Vec<Point>> {

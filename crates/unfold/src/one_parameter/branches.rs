@@ -79,16 +79,22 @@ impl<O: ImpactOscillator> Branch<O> {
     fn visits(&self, places: &[Vertex<'_>]) -> Vec<Vec<Vector2<f64>>> {
         let carries = self.equations.formulation() == Formulation::Vivid;
         let vivid = self.equations.with_formulation(Formulation::Vivid);
+        // The maximum that is next to the impact.
+        let landing = |point: &Unknowns| {
+            let impact = OnWall::new(point[unknown::VELOCITY], point[unknown::PHASE]);
+            let landing = virtual_map::<O, 1>(&self.equations.oscillator_at(point), impact, None);
+            landing.map_or(Vector2::repeat(f64::NAN), |landing| landing.jet.value)
+        };
         let closed = |point: &Unknowns, mut times: EventTimes| {
-            let miss = vivid.pair::<1>(point, &mut times).ok()?.difference().0.norm();
-            (miss <= CLOSED).then_some(times)
+            let pair = vivid.pair::<1>(point, &mut times).ok()?;
+            let elsewhere = pair.impact.value - landing(point);
+            let misses = [pair.difference().0, elsewhere].map(|miss| miss.norm() <= CLOSED);
+            (misses == [true; 2]).then_some(times)
         };
         let top = |point: &Unknowns| {
             let mut visits = vec![Vector2::repeat(f64::NAN); self.equations.loops() as usize];
-            let impact = OnWall::new(point[unknown::VELOCITY], point[unknown::PHASE]);
-            let landing = virtual_map::<O, 1>(&self.equations.oscillator_at(point), impact, None);
-            if let (Some(last), Ok(landing)) = (visits.last_mut(), landing) {
-                *last = landing.jet.value;
+            if let Some(last) = visits.last_mut() {
+                *last = landing(point);
             }
             visits
         };

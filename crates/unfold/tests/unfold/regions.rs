@@ -219,3 +219,94 @@ fn a_region_on_the_edge_to_which_only_inadmissible_solutions_lead_is_found_and_n
     let undecided = diagram.regions.iter().filter(|region| matches!(region.kind, RegionKind::Undecided(_)));
     assert_eq!(undecided.count(), 0);
 }
+
+/// A linear oscillator with a little of the second harmonic, damping across: at half its own frequency that resonates, on a hundredth of the way from one slice to the
+/// next.
+const TONGUE: &str = r#"
+name = "second harmonic"
+[parameters]
+A = 0.6
+B = 0.02
+[primary]
+name = "zeta"
+range = [0.001, 0.6]
+[secondary]
+name = "omega"
+range = [0.4, 1.3]
+[motion]
+force = "-2*zeta*v - x - 1 + A*cos(omega*t) + B*cos(2*omega*t)"
+frequency = "omega"
+[impact]
+restitution = "0.9"
+duration = "0"
+[analysis]
+loops = [1]
+"#;
+
+#[test]
+fn a_resonance_of_motion_without_impacts_that_is_narrower_than_slices_are_apart_is_found() {
+    let description = Description::parse(TONGUE, "tongue.toml").unwrap_or_else(|error| panic!("{error}"));
+    let scope = scope([0.001, 0.6], [0.4, 1.3], &[1]);
+    let diagram = Diagram::located(&Integrated::new(description, [0.1, 0.7]), &scope, &Silent)
+        .expect("there is grazing");
+    // By the closed form of the motion, whose highest point is found by golden sections.
+    let known = [0.029_921_257_2, 0.499_776_129];
+    let near = |at: [f64; 2]| (at[0] - known[0]).abs().max((at[1] - known[1]).abs()) < 1e-8;
+    assert!(
+        diagram
+            .resonances
+            .iter()
+            .any(|found| { found.n == 4 && near(found.located.orbit().oscillator().parameters()) })
+    );
+    let stays_off = |at: [f64; 2]| {
+        diagram.regions.iter().any(|region| region.kind == RegionKind::NonImpacting && region.contains(at))
+    };
+    // There motion passes the wall by 1.59, and beside the tongue it does not reach it.
+    assert!(!stays_off([0.005, 0.5]) && stays_off([0.05, 0.5]) && stays_off([0.005, 0.55]));
+}
+
+/// A pendulum whose length changes, the wall's position across, which motion without impacts does not depend on.
+const WALL_ACROSS: &str = r#"
+name = "wall across"
+[parameters]
+h = 0.35
+[primary]
+name = "b"
+range = [-0.4, 1.6]
+[secondary]
+name = "omega"
+range = [0.5, 2.4]
+[motion]
+force = "-0.1*v - (1 + h*cos(2*omega*t))*sin(x) + 0.3*cos(omega*t + 0.4)"
+frequency = "omega"
+[wall]
+position = "b"
+[impact]
+restitution = "0.8"
+duration = "0"
+[analysis]
+loops = [1]
+"#;
+
+#[test]
+fn a_fold_along_a_slice_and_motion_that_only_relaxation_shows_bound_regions() {
+    let description = Description::parse(WALL_ACROSS, "wall.toml").unwrap_or_else(|error| panic!("{error}"));
+    let scope = scope([-0.4, 1.6], [0.5, 2.4], &[1]);
+    let diagram = Diagram::located(&Integrated::new(description, [0.1, 0.7]), &scope, &Silent)
+        .expect("there is grazing");
+    let stays_off = |at: [f64; 2]| {
+        diagram.regions.iter().any(|region| region.kind == RegionKind::NonImpacting && region.contains(at))
+    };
+    // Small motion, highest at 0.8, is stable up to a fold at omega = 0.7957, whatever b is; other motion, highest at 1.24 there, from 0.794 to 0.877.
+    assert!([0.9, 1.3, 1.5, 1.58].into_iter().all(|b| stays_off([b, 0.78])));
+    assert!(stays_off([1.4, 0.86]) && !stays_off([1.2, 0.86]));
+}
+
+#[test]
+fn sketches_of_branches_beside_a_hill_leave_nothing_undecided() {
+    let text = grazing_trials::oscillators::description(20_261_123, 1);
+    let model = Description::parse(&text, "spring that softens").expect("what is made at random is right");
+    let scope = scope([0.0, 1.3708], [0.475, 1.2857], &[3]);
+    let diagram = Diagram::compute(&Integrated::new(model, [0.1, 0.7]), &scope, &Silent).unwrap();
+    assert!(diagram.regions.iter().all(|region| !matches!(region.kind, RegionKind::Undecided(_))));
+}
