@@ -32,6 +32,8 @@ pub(crate) struct NonImpacting<O> {
     pub(crate) unfinished: Vec<Unfinished>,
 }
 
+/// Every so many of the slices motion is left to relax from rest, which finds branches to which grazing does not lead.
+const RELAXED_EVERY: usize = 2;
 /// The shares of the range of μ at which branches are followed through the range of η, which finds what lies between slices: resonances of motion
 /// without impacts that are narrower than the way from one slice to the next, and folds to which no slice comes near.
 const COLUMNS: [f64; 3] = [0.0, 0.5, 1.0];
@@ -65,21 +67,25 @@ pub(crate) fn find<O: ImpactOscillator>(
     scope: &Scope,
     progress: &dyn Progress,
 ) -> Result<NonImpacting<O>, UnfoldError> {
-    let levels = regions::levels(scope.window);
-    progress.begin(STAGE, levels.len() as u64);
-    let found = on_slices(oscillator, scope, &levels, progress);
+    let levels = regions::levels(scope.window).into_iter().enumerate();
+    let (relaxed, between): (Vec<_>, Vec<_>) = levels.partition(|(k, _)| k % RELAXED_EVERY == 0);
+    let [relaxed, between] =
+        [relaxed, between].map(|part| part.into_iter().map(|(_, secondary)| secondary).collect::<Vec<_>>());
+    progress.begin(STAGE, relaxed.len() as u64);
+    let found = on_slices(oscillator, scope, &relaxed, &between, progress);
     progress.end(STAGE);
     found
 }
 
-/// The same from slices on which motion is left to relax from rest.
+/// The same from slices on which motion is left to relax from rest, and others between them.
 fn on_slices<O: ImpactOscillator>(
     oscillator: &O,
     scope: &Scope,
-    levels: &[f64],
+    relaxed: &[f64],
+    between: &[f64],
     progress: &dyn Progress,
 ) -> Result<NonImpacting<O>, UnfoldError> {
-    let motions: Vec<PeriodicMotion<O>> = levels
+    let motions: Vec<PeriodicMotion<O>> = relaxed
         .par_iter()
         .map(|secondary| {
             let motion = periodic_motion(oscillator, scope, *secondary);
@@ -91,7 +97,7 @@ fn on_slices<O: ImpactOscillator>(
         true => UnfoldError::Stopped { stage: STAGE },
         false => explanation(&motions),
     };
-    let slices = levels.iter().zip(&motions);
+    let slices = relaxed.iter().zip(&motions);
     let slices = slices.map(|(secondary, motion)| Slice::new(*secondary, motion.branches.clone()));
     let mut survey = NonImpactingSurvey {
         orbits: PeriodicOrbits { oscillator, scope, control: STEPS },
@@ -110,7 +116,7 @@ fn on_slices<O: ImpactOscillator>(
     if survey.grazing.is_empty() {
         return Err(nothing());
     }
-    let regions = decided(scope.window, &mut survey, 0, &[], progress);
+    let regions = decided(scope.window, &mut survey, 0, between, progress);
     let NonImpactingSurvey { grazing, curves, .. } = survey;
     let (regions, unfinished) = match progress.stopped() {
         true => (vec![Region::not_finished(scope.window, 0)], vec![Unfinished::stage(STAGE)]),
@@ -125,9 +131,14 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
         let scope = self.orbits.scope;
         if !self.grazing.iter().any(|curve| curve.passes(orbit, scope))
             && let Ok(curve) = GrazingCurve::through(orbit, scope)
-            && !curve.states.is_empty()
+            && let [first, .., last] = &curve.states[..]
         {
-            self.grazing.push(curve);
+            // Where the phase turns at once an orbit may lie beside the chords of its own curve; its ends do not.
+            let ends = [first, last].map(|state| &state.orbit);
+            let again = |known: &GrazingCurve<O>| ends.iter().all(|end| known.passes(end, scope));
+            if !self.grazing.iter().any(again) {
+                self.grazing.push(curve);
+            }
         }
     }
 
