@@ -125,6 +125,9 @@ pub(crate) fn interpolated<O: ImpactOscillator>(
     GrazingPlace::find(&near, first.phase() + (last.phase() - first.phase()) * way).ok()
 }
 
+/// A grazing orbit that Newton's method finds farther than this in phase and share of η from where motion comes to the wall is another one.
+const NEARBY: f64 = 0.5;
+
 /// The grazing orbit with the primary parameter of an oscillator, at a secondary one near its own, from a phase nearby.
 pub(crate) fn grazing_at_primary<O: ImpactOscillator>(
     oscillator: &O,
@@ -135,6 +138,9 @@ pub(crate) fn grazing_at_primary<O: ImpactOscillator>(
     let [primary, secondary] = scope.window.shares(oscillator.parameters());
     let near = Vector3::new(phase, primary, secondary);
     let point = located(&equations, near, &Vector3::y(), &near)?;
+    if (point - near).norm() > NEARBY {
+        return None;
+    }
     GrazingOrbit::at(equations.oscillator_at(&point), point[0]).ok()
 }
 

@@ -43,6 +43,9 @@ const CARRIED: usize = 8;
 /// leaves the chord by an eighth of the angle by which it turns: six degrees at most.
 const ON_CURVE: f64 = 0.03;
 
+/// An orbit on the edge lies inside, give or take rounding.
+const INSIDE: f64 = 1e-9;
+
 /// Curves are drawn to this share of the ranges.
 const DRAWN: f64 = 1e-4;
 
@@ -129,13 +132,17 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
     /// Adds the grazing curve through an orbit unless it is known.
     fn add_grazing(&mut self, orbit: &GrazingOrbit<O>) {
         let scope = self.orbits.scope;
-        if !self.grazing.iter().any(|curve| curve.passes(orbit, scope))
+        let inside = scope.window.shares(orbit.oscillator().parameters());
+        if inside.iter().all(|share| (-INSIDE..=1.0 + INSIDE).contains(share))
+            && !self.grazing.iter().any(|curve| curve.passes(orbit, scope))
             && let Ok(curve) = GrazingCurve::through(orbit, scope)
-            && let [first, .., last] = &curve.states[..]
+            && !curve.states.is_empty()
         {
-            // Where the phase turns at once an orbit may lie beside the chords of its own curve; its ends do not.
-            let ends = [first, last].map(|state| &state.orbit);
-            let again = |known: &GrazingCurve<O>| ends.iter().all(|end| known.passes(end, scope));
+            // Where the phase turns at once an orbit may lie beside the chords of its own curve; most do not.
+            let again = |known: &GrazingCurve<O>| {
+                let shared = curve.states.iter().filter(|state| known.passes(&state.orbit, scope));
+                2 * shared.count() > curve.states.len()
+            };
             if !self.grazing.iter().any(again) {
                 self.grazing.push(curve);
             }
