@@ -132,20 +132,13 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
     /// Adds the grazing curve through an orbit unless it is known.
     fn add_grazing(&mut self, orbit: &GrazingOrbit<O>) {
         let scope = self.orbits.scope;
-        let inside = scope.window.shares(orbit.oscillator().parameters());
-        if inside.iter().all(|share| (-INSIDE..=1.0 + INSIDE).contains(share))
+        let shares = scope.window.shares(orbit.oscillator().parameters());
+        if shares.iter().all(|share| (-INSIDE..=1.0 + INSIDE).contains(share))
             && !self.grazing.iter().any(|curve| curve.passes(orbit, scope))
             && let Ok(curve) = GrazingCurve::through(orbit, scope)
             && !curve.states.is_empty()
         {
-            // Where the phase turns at once an orbit may lie beside the chords of its own curve; most do not.
-            let again = |known: &GrazingCurve<O>| {
-                let shared = curve.states.iter().filter(|state| known.passes(&state.orbit, scope));
-                2 * shared.count() > curve.states.len()
-            };
-            if !self.grazing.iter().any(again) {
-                self.grazing.push(curve);
-            }
+            self.grazing.push(curve);
         }
     }
 

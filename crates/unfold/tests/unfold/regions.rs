@@ -165,17 +165,24 @@ fn narrow_windows_about_a_resonance_are_shaded_as_the_closed_form_says() {
     assert!(looked_at >= 25, "{looked_at}");
 }
 
+/// Whether stable motion without impacts is shaded at a pair of parameters.
+fn stays_off<O>(diagram: &Diagram<O>, at: [f64; 2]) -> bool {
+    diagram.regions.iter().any(|region| region.kind == RegionKind::NonImpacting && region.contains(at))
+}
+
+/// The diagram of an oscillator without the curves of its MPSs, in some ranges.
+fn located(text: &str, primary: [f64; 2], secondary: [f64; 2]) -> Diagram<Integrated<Description>> {
+    let model = Description::parse(text, "file.toml").unwrap_or_else(|error| panic!("{error}"));
+    let oscillator = Integrated::new(model, [primary[1], secondary[1]]);
+    Diagram::located(&oscillator, &scope(primary, secondary, &[1]), &Silent).expect("there is grazing")
+}
+
 /// Between grazing and a fold that touches it there is a sliver, one and a half percent of the ranges wide.
 #[test]
 fn motion_without_impacts_is_stable_up_to_the_fold_that_bounds_it() {
     let text = grazing_trials::oscillators::description(20_261_122, 3);
-    let model = Description::parse(&text, "pendulum").expect("what is made at random is right");
-    let scope = scope([0.0, 0.5475], [0.6423, 1.0650], &[1]);
-    let oscillator = Integrated::new(model, [0.1, 0.7]);
-    let diagram = Diagram::located(&oscillator, &scope, &Silent).expect("there is grazing");
-    let stable = |at: [f64; 2]| {
-        diagram.regions.iter().any(|region| region.kind == RegionKind::NonImpacting && region.contains(at))
-    };
+    let diagram = located(&text, [0.0, 0.5475], [0.6423, 1.0650]);
+    let stable = |at| stays_off(&diagram, at);
     // The fold is at 0.0796 there, grazing at 0.0712.
     assert!(stable([0.0785, 0.911_771_25]) && !stable([0.0805, 0.911_771_25]));
 }
@@ -245,10 +252,7 @@ loops = [1]
 
 #[test]
 fn a_resonance_of_motion_without_impacts_that_is_narrower_than_slices_are_apart_is_found() {
-    let description = Description::parse(TONGUE, "tongue.toml").unwrap_or_else(|error| panic!("{error}"));
-    let scope = scope([0.001, 0.6], [0.4, 1.3], &[1]);
-    let diagram = Diagram::located(&Integrated::new(description, [0.1, 0.7]), &scope, &Silent)
-        .expect("there is grazing");
+    let diagram = located(TONGUE, [0.001, 0.6], [0.4, 1.3]);
     // By the closed form of the motion, whose highest point is found by golden sections.
     let known = [0.029_921_257_2, 0.499_776_129];
     let near = |at: [f64; 2]| (at[0] - known[0]).abs().max((at[1] - known[1]).abs()) < 1e-8;
@@ -258,9 +262,7 @@ fn a_resonance_of_motion_without_impacts_that_is_narrower_than_slices_are_apart_
             .iter()
             .any(|found| { found.n == 4 && near(found.located.orbit().oscillator().parameters()) })
     );
-    let stays_off = |at: [f64; 2]| {
-        diagram.regions.iter().any(|region| region.kind == RegionKind::NonImpacting && region.contains(at))
-    };
+    let stays_off = |at| stays_off(&diagram, at);
     // There motion passes the wall by 1.59, and beside the tongue it does not reach it.
     assert!(!stays_off([0.005, 0.5]) && stays_off([0.05, 0.5]) && stays_off([0.005, 0.55]));
 }
@@ -289,14 +291,9 @@ loops = [1]
 "#;
 
 #[test]
-fn a_fold_along_a_slice_and_motion_that_only_relaxation_shows_bound_regions() {
-    let description = Description::parse(WALL_ACROSS, "wall.toml").unwrap_or_else(|error| panic!("{error}"));
-    let scope = scope([-0.4, 1.6], [0.5, 2.4], &[1]);
-    let diagram = Diagram::located(&Integrated::new(description, [0.1, 0.7]), &scope, &Silent)
-        .expect("there is grazing");
-    let stays_off = |at: [f64; 2]| {
-        diagram.regions.iter().any(|region| region.kind == RegionKind::NonImpacting && region.contains(at))
-    };
+fn a_fold_along_a_slice_and_motion_that_no_slice_shows_bound_regions() {
+    let diagram = located(WALL_ACROSS, [-0.4, 1.6], [0.5, 2.4]);
+    let stays_off = |at| stays_off(&diagram, at);
     // Small motion, highest at 0.8, is stable up to a fold at omega = 0.7957, whatever b is; other motion, highest at 1.24 there, from 0.794 to 0.877.
     assert!([0.9, 1.3, 1.5, 1.58].into_iter().all(|b| stays_off([b, 0.78])));
     assert!(stays_off([1.4, 0.86]) && !stays_off([1.2, 0.86]));
