@@ -7,42 +7,28 @@ use rayon::prelude::*;
 
 use crate::ledger::{Claim, Test};
 use crate::outcome::Outcome;
-
-/// A printed number with the computed one.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PrintedNumber {
-    /// The identifier in `expected/published.toml`.
-    pub id: String,
-    /// The quantity, in the paper's symbols.
-    pub quantity: String,
-    /// The number with the digits of the print.
-    pub printed: String,
-    /// The computed number; none if it does not come up under the parameters in use.
-    pub computed: Option<f64>,
-    /// Whether the computed number, rounded to the printed digits, is the print.
-    pub met: bool,
-}
+use crate::published::Comparison;
 
 /// What came of testing a claim.
 #[derive(Debug, Clone, PartialEq)]
-pub enum ClaimVerdict {
+pub enum ClaimVerdict<'a> {
     /// A check measured it.
     Measured(Outcome),
     /// The check could not be carried out; the reason.
     Broken(String),
     /// Printed numbers, with the computed ones.
-    Numbers(Vec<PrintedNumber>),
+    Numbers(Vec<Comparison<'a>>),
     /// It cannot be tested by a computation; the reason.
     Unchecked(String),
 }
 
-impl ClaimVerdict {
+impl ClaimVerdict<'_> {
     /// Whether it counts as a failure.
     pub fn fails(&self) -> bool {
         match self {
             Self::Measured(outcome) => !outcome.passes(),
             Self::Broken(_) => true,
-            Self::Numbers(numbers) => numbers.is_empty() || numbers.iter().any(|number| !number.met),
+            Self::Numbers(numbers) => numbers.is_empty() || numbers.iter().any(|number| !number.is_met()),
             Self::Unchecked(_) => false,
         }
     }
@@ -54,18 +40,17 @@ pub struct Finding<'a> {
     /// The claim.
     pub claim: &'a Claim,
     /// What came of testing it.
-    pub verdict: ClaimVerdict,
+    pub verdict: ClaimVerdict<'a>,
     /// How long its check took; claims with the same check share one run.
     pub time: Duration,
 }
 
 /// Tests the claims, each check once, side by side; the findings come in the order of the claims.
 ///
-/// `number` gives the printed and computed number of an identifier of `expected/published.toml`; `done` is called after each
-/// check.
+/// Numbers are those of `published`; `done` is called after each check.
 pub fn audit<'a>(
     claims: &[&'a Claim],
-    number: impl Fn(&str) -> Option<PrintedNumber>,
+    published: &[Comparison<'a>],
     done: impl Fn() + Sync,
 ) -> Vec<Finding<'a>> {
     let mut checks = BTreeMap::new();
@@ -92,7 +77,9 @@ pub fn audit<'a>(
             Test::Check(check) => measured[check.name].clone(),
             Test::Unchecked(reason) => (ClaimVerdict::Unchecked(reason.to_owned()), Duration::ZERO),
             Test::Published(ids) => {
-                let numbers: Option<Vec<_>> = ids.iter().map(|id| number(id)).collect();
+                let number =
+                    |id: &String| published.iter().find(|number| number.published.id == *id).copied();
+                let numbers: Option<Vec<_>> = ids.iter().map(number).collect();
                 let unknown =
                     || ClaimVerdict::Broken(format!("{ids:?} is not all in expected/published.toml"));
                 (numbers.map_or_else(unknown, ClaimVerdict::Numbers), Duration::ZERO)

@@ -18,7 +18,7 @@ mod eigenvalues;
 pub mod errata;
 pub mod ledger;
 pub mod outcome;
-mod printed;
+pub mod published;
 mod sampling;
 mod solutions;
 pub mod source;
@@ -28,6 +28,6 @@ mod tally;
 
 use convergence::order;
 use outcome::{CheckResult, Failure, Measure, Outcome};
-use printed::{printed, printed_at_resonances};
+use published::{printed, printed_at_resonances};
 use sampling::{Sampler, drawn, sampled, smallest};
 use tally::{Deviations, Smallest, Votes};

@@ -2,15 +2,14 @@
 
 mod listing;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::{fs, io};
 
-use grazing_claims::audit::{Finding, PrintedNumber, audit};
+use grazing_claims::audit::{Finding, audit};
 use grazing_claims::errata;
 use grazing_claims::ledger::{Claim, Ledger};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
-use grazing_reproduction::published::Comparison;
 use grazing_unfold::progress::Progress;
 
 use crate::arguments::Claims;
@@ -59,23 +58,13 @@ pub(crate) fn findings<'a>(
     claims: &[&'a Claim],
     display: &Display,
 ) -> Result<Vec<Finding<'a>>, Failure> {
-    let numbers = printed_numbers(parameters)?;
+    let numbers = published(&Study::new(parameters))?;
     let task = "claims";
     let checks: BTreeSet<&str> = claims.iter().filter_map(|claim| claim.check_name()).collect();
     display.begin(task, checks.len() as u64);
-    let found = audit(claims, |id| numbers.get(id).cloned(), || display.step(task));
+    let found = audit(claims, &numbers, || display.step(task));
     display.end(task);
     Ok(found)
-}
-
-fn printed_numbers(parameters: &Parameters) -> Result<BTreeMap<String, PrintedNumber>, Failure> {
-    let number = |comparison: Comparison<'_>| {
-        let (computed, met) = (comparison.computed, comparison.is_met());
-        let value = comparison.published.clone();
-        let id = value.id.clone();
-        (id, PrintedNumber { id: value.id, quantity: value.quantity, printed: value.printed, computed, met })
-    };
-    Ok(published(&Study::new(parameters))?.into_iter().map(number).collect())
 }
 
 /// Whether a claim was asked for: by a label, where `*` stands for anything, or a part of one; and by kind.

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
+use grazing_claims::published::{Comparison, Published, Rounding};
 use grazing_reproduction::Study;
-use grazing_reproduction::published::{Comparison, Published, Rounding};
 
 use crate::arguments::Compare;
 use crate::failure::Failure;

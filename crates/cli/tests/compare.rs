@@ -4,8 +4,8 @@ mod program;
 
 use std::collections::BTreeMap;
 
+use grazing_claims::published::Published;
 use grazing_cli::compare::table;
-use grazing_reproduction::published::Published;
 use program::{DEFAULT, edited, grazing, project, repository, snapshots};
 
 fn invented() -> Published {

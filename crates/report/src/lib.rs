@@ -31,8 +31,8 @@ extern crate self as grazing_report;
 mod sample;
 
 use grazing_claims::audit::{ClaimVerdict, Finding};
+use grazing_claims::published::Comparison;
 use grazing_claims::source::Sources;
-use grazing_reproduction::published::Comparison;
 
 use html::Html;
 

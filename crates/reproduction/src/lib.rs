@@ -20,7 +20,6 @@ mod fig10;
 pub mod one_parameter;
 pub mod parameters;
 pub mod plane;
-pub mod published;
 mod space;
 mod study;
 mod sweep;

@@ -49,7 +49,7 @@ fn words(verdict: &ClaimVerdict) -> (&'static str, String, String) {
                 Some(computed) => format!("{computed:.6}"),
                 None => "not computed".to_owned(),
             });
-            let printed = numbers.iter().map(|number| number.printed.clone());
+            let printed = numbers.iter().map(|number| number.published.printed.clone());
             let list = |items: Vec<String>| items.join(", ");
             let word = if verdict.fails() { "FAILS" } else { "holds" };
             (word, list(computed.collect()), list(printed.collect()))

@@ -3,15 +3,15 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use grazing_claims::audit::{ClaimVerdict, Finding, PrintedNumber};
+use grazing_claims::audit::{ClaimVerdict, Finding};
 use grazing_claims::ledger::Ledger;
 use grazing_claims::outcome::{Measure, Outcome};
+use grazing_claims::published::{Comparison, Published};
 use grazing_claims::source::Sources;
 use grazing_continuation::bifurcation::{CodimensionTwo, Pair};
 use grazing_continuation::fit::{Estimate, Measurement};
 use grazing_description::Description;
 use grazing_report::{FigureEntry, Manifest, OscillatorEntry, OutputFile, Report, TableOutput};
-use grazing_reproduction::published::Published;
 use grazing_reproduction::unfolded::ResonanceEntry;
 use grazing_results::plane::SpecialPoint;
 use grazing_results::{Column, Names, Table, UnitNames, columns};
@@ -61,17 +61,10 @@ static PUBLISHED: LazyLock<Published> = LazyLock::new(|| {
 fn findings() -> Vec<Finding<'static>> {
     let held = Measure::Deviation { largest: 2e-15, tolerance: 1e-12 };
     let cases = |agreeing| Measure::Agreement { agreeing, cases: 12 };
-    let [id, quantity, printed] = ["a", "tau of Figure 98", "0.5"].map(str::to_owned);
     let verdicts = [
         ClaimVerdict::Measured(Outcome::new(held, 400, "points of the trapesium")),
         ClaimVerdict::Measured(Outcome::new(cases(12), 12, "cases").against_print(cases(0))),
-        ClaimVerdict::Numbers(vec![PrintedNumber {
-            id,
-            quantity,
-            printed,
-            computed: Some(0.501),
-            met: true,
-        }]),
+        ClaimVerdict::Numbers(vec![Comparison { published: &PUBLISHED.values[0], computed: Some(0.501) }]),
         ClaimVerdict::Broken(HOSTILE.to_owned()),
         ClaimVerdict::Unchecked(HOSTILE.to_owned()),
     ];

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use grazing_reproduction::published::Published;
+use grazing_claims::published::Published;
 
 fn list(id: &str, value: &str, rounding: &str) -> Published {
     let list = format!(

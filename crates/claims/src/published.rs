@@ -105,3 +105,18 @@ impl Published {
         self.values.iter().map(|value| Comparison { published: value, computed: of(value) }).collect()
     }
 }
+
+/// The printed number with this identifier, for checks that need it.
+pub(crate) fn printed(id: &str) -> f64 {
+    let value = Published::printed().values.iter().find(|value| value.id == id);
+    value.unwrap_or_else(|| panic!("expected/published.toml has no number {id}")).number()
+}
+
+/// The printed values of a quantity at resonances: p, n, and the number with identifier `quantity_p…_n…`.
+pub(crate) fn printed_at_resonances(quantity: &str) -> Vec<(u32, u32, f64)> {
+    let at_resonance = |value: &PublishedValue| {
+        let (loops, index) = value.id.strip_prefix(quantity)?.strip_prefix("_p")?.split_once("_n")?;
+        Some((loops.parse().ok()?, index.parse().ok()?, value.number()))
+    };
+    Published::printed().values.iter().filter_map(at_resonance).collect()
+}
