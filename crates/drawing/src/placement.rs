@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use crate::sheet::{Bounds, Spot, along, crosses, distance, inside, span, thinned};
+use crate::sheet::{Bounds, Spot, along, distance, inside, span, thinned};
 
 /// What is already on a panel, as far as labels must keep off it.
 pub(crate) struct Placer {
@@ -62,7 +62,7 @@ impl Placer {
         if !self.panel.holds(bounds) || self.blocked.iter().any(|b| b.overlaps(bounds)) {
             return None;
         }
-        Some(self.segments.iter().chain(&self.nameless).filter(|s| crosses(bounds, **s)).count())
+        Some(self.segments.iter().chain(&self.nameless).filter(|(a, b)| bounds.meets(*a, *b)).count())
     }
 
     fn take(&mut self, place: Option<LabelPlace>) -> Option<LabelPlace> {
@@ -96,7 +96,7 @@ impl Placer {
                     let place = place_at(spot, side, gap);
                     let near = place.bounds.grown(gap + lead);
                     if self.cost(&place.bounds) == Some(0)
-                        && !foreign.iter().any(|&s| crosses(&near, s))
+                        && !foreign.iter().any(|&(a, b)| near.meets(a, b))
                         && (lead < 0.0 || self.dusty(&place.bounds) == 0)
                     {
                         return self.take(Some(place));
@@ -152,12 +152,11 @@ impl Placer {
     }
 
     /// Number of curves a leader crosses; `None` if it runs through something blocked.
-    fn crossed(&self, leader: (Spot, Spot)) -> Option<usize> {
-        if self.blocked.iter().any(|b| crosses(b, leader)) {
+    fn crossed(&self, (from, to): (Spot, Spot)) -> Option<usize> {
+        if self.blocked.iter().any(|b| b.meets(from, to)) {
             return None;
         }
         let side = |a: Spot, b: Spot, c: Spot| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0) > 0.0;
-        let (from, to) = leader;
         let meets = |&&(a, b): &&(Spot, Spot)| {
             side(a, b, from) != side(a, b, to) && side(from, to, a) != side(from, to, b)
         };
@@ -290,7 +289,7 @@ mod tests {
         let places: Vec<Bounds> =
             (0..3).map(|_| placer.beside_curve(&curve, 20.0, 8.0).unwrap().bounds).collect();
         for (index, place) in places.iter().enumerate() {
-            assert!(!curve.windows(2).any(|s| crosses(place, (s[0], s[1]))));
+            assert!(!curve.windows(2).any(|s| place.meets(s[0], s[1])));
             assert!(places[..index].iter().all(|other| !other.overlaps(place)));
             assert!(SHEET.holds(place));
         }

@@ -66,8 +66,8 @@ impl Bounds {
     }
 
     /// True if some of the segment lies in it.
-    pub fn meets(&self, from: (f64, f64), to: (f64, f64)) -> bool {
-        crosses(self, (from, to))
+    pub fn meets(&self, from: Spot, to: Spot) -> bool {
+        fractions_inside([self.left, self.right], [self.top, self.bottom], from, to).is_some()
     }
 
     /// The box of the given size about a centre.
@@ -92,11 +92,6 @@ const GRAIN: f64 = 0.8;
 pub(crate) fn distance(a: Spot, b: Spot) -> f64 {
     let (dx, dy) = (a.0 - b.0, a.1 - b.1);
     (dx * dx + dy * dy).sqrt()
-}
-
-/// True if some of the segment lies in the box.
-pub(crate) fn crosses(bounds: &Bounds, (a, b): (Spot, Spot)) -> bool {
-    fractions_inside([bounds.left, bounds.right], [bounds.top, bounds.bottom], a, b).is_some()
 }
 
 /// True if the spot is inside the closed polygon (even-odd rule).
@@ -143,7 +138,7 @@ pub(crate) fn along(curve: &[Spot], fraction: f64) -> Option<(Spot, Spot)> {
 /// True if the spot is within reach of a curve.
 pub(crate) fn near(curve: &[Spot], spot: Spot, reach: f64) -> bool {
     let box_around = Bounds::about(spot, 2.0 * reach, 2.0 * reach);
-    curve.windows(2).any(|pair| crosses(&box_around, (pair[0], pair[1])))
+    curve.windows(2).any(|pair| box_around.meets(pair[0], pair[1]))
 }
 
 /// Area of a polygon on the sheet, in square points.
@@ -159,8 +154,8 @@ mod tests {
     #[test]
     fn a_box_crossed_by_a_segment_need_not_hold_its_ends() {
         let bounds = Bounds::about((0.0, 0.0), 2.0, 2.0);
-        assert!(crosses(&bounds, ((-5.0, -4.0), (5.0, 4.0))));
-        assert!(!crosses(&bounds, ((-5.0, 0.0), (5.0, 9.0))));
+        assert!(bounds.meets((-5.0, -4.0), (5.0, 4.0)));
+        assert!(!bounds.meets((-5.0, 0.0), (5.0, 9.0)));
     }
 
     #[test]
