@@ -1,15 +1,16 @@
 //! Figure 2 (fig:Z): the one-parameter bifurcation diagram at a fixed frequency, with phase portraits.
 
-mod attractor;
 mod branches;
 mod portraits;
 mod subjects;
 
+use grazing_continuation::bifurcation::Bifurcation;
 use grazing_model::LinearOscillator;
 use grazing_results::Frame;
-use grazing_results::branches::Figure2;
+use grazing_results::branches::{AttractorPoint, BranchBifurcation, Figure2};
 use grazing_theorems::GrazingState;
-use grazing_unfold::one_parameter::Branch;
+use grazing_unfold::one_parameter::{Branch, long_time_behaviour};
+use grazing_unfold::progress::Progress;
 
 use crate::diagram::forced;
 use crate::{Study, StudyError, parameters};
@@ -24,6 +25,29 @@ struct Setting<'a> {
 impl Setting<'_> {
     fn oscillator(&self, amplitude: f64) -> Result<LinearOscillator, StudyError> {
         forced(self.theory, amplitude, self.figure.frequency)
+    }
+
+    /// The lowest x at which orbits begin: the lower edge of the figure.
+    fn lowest(&self) -> f64 {
+        self.figure.x[0].min(0.0)
+    }
+
+    /// x on Π along orbits from random points after a transient, at amplitudes between GZ and PD.
+    ///
+    /// Empty if the branches have no GZ or no PD in the window.
+    fn long_time(
+        &self,
+        bifurcations: &[BranchBifurcation],
+        progress: &dyn Progress,
+    ) -> Result<Vec<AttractorPoint>, StudyError> {
+        let first = |kind| bifurcations.iter().find(|b| b.kind == kind).map(|b| b.primary);
+        let (Some(gz), Some(pd)) = (first(Bifurcation::Grazing), first(Bifurcation::PeriodDoubling)) else {
+            return Ok(Vec::new());
+        };
+        let (oscillator, sampling) = (self.oscillator(gz)?, (&self.figure.attractor, self.lowest()));
+        let (visits, _) =
+            long_time_behaviour(&oscillator, self.figure.frequency, [gz, pd], sampling, progress);
+        Ok(visits.into_iter().map(|[primary, x]| AttractorPoint { primary, x }).collect())
     }
 }
 
@@ -41,7 +65,7 @@ impl Study<'_> {
         let (portraits, more) = portraits::rows(&setting, &branches)?;
         Ok(Figure2 {
             branches: branches::rows(&setting, &shown)?,
-            attractor: attractor::rows(&setting, &bifurcations, self.progress)?,
+            attractor: setting.long_time(&bifurcations, self.progress)?,
             portraits,
             frame: Frame { x: figure.amplitude, y: figure.x },
             magnified: Frame { x: figure.magnified_amplitude, y: figure.magnified_x },

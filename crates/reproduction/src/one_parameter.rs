@@ -145,7 +145,7 @@ fn rows(asked: &OneParameter, found: &one_parameter::OneParameter, units: &Units
 }
 
 /// A portrait in order of time, an empty row after each flight.
-fn orbit(number: u32, portrait: &Portrait, units: &Units) -> Vec<PortraitPoint> {
+pub(crate) fn orbit(number: u32, portrait: &Portrait, units: &Units) -> Vec<PortraitPoint> {
     let kind = if portrait.attractor { PortraitKind::Attractor } else { PortraitKind::Periodic };
     let row = |[time, x, y]: [f64; 3]| PortraitPoint {
         portrait: number,

@@ -1,26 +1,30 @@
 //! Phase portraits: periodic orbits, and the attractor where the non-impacting solution is none.
 
 use grazing_model::orbit::Flight;
+use grazing_model::smooth::Units;
 use grazing_model::{ImpactOscillator, LinearOscillator};
-use grazing_results::branches::{PortraitKind, PortraitPoint};
-use grazing_unfold::one_parameter::{ATTRACTOR_PERIODS, Branch, Settled, random_start, sampled, settled};
+use grazing_results::branches::PortraitPoint;
+use grazing_unfold::one_parameter::{
+    ATTRACTOR_PERIODS, Branch, Portrait, Settled, random_start, sampled, settled,
+};
 use rand_pcg::Pcg64;
 
+use super::Setting;
 use super::subjects::{self, Subject};
-use super::{Setting, attractor};
 use crate::StudyError;
+use crate::one_parameter::orbit;
 
-/// The free flights of each orbit, sampled in time, an empty row after each flight; and what is shown
-/// elsewhere than asked for, or not at all, in sentences.
+/// The portraits, orbit by orbit; and what is shown elsewhere than asked for, or not at all, in sentences.
 pub(super) fn rows(
     setting: &Setting,
     branches: &[Branch<LinearOscillator>],
 ) -> Result<(Vec<PortraitPoint>, Vec<String>), StudyError> {
     let mut rows = Vec::new();
     let (subjects, mut notes) = subjects::all(setting, branches)?;
-    let mut number = 0;
+    let mut number = 1;
     for subject in &subjects {
-        if draw(setting, number + 1, subject, &mut rows)? {
+        if let Some(portrait) = portrait(setting, number, subject)? {
+            rows.extend(orbit(number, &portrait, &Units::ONE));
             number += 1;
         } else {
             let said = "the orbit comes to rest at the wall, so that there is no portrait of it";
@@ -30,46 +34,29 @@ pub(super) fn rows(
     Ok((rows, notes))
 }
 
-/// Draws a portrait, unless its orbit ends before the transient does.
-fn draw(
-    setting: &Setting,
-    number: u32,
-    subject: &Subject,
-    rows: &mut Vec<PortraitPoint>,
-) -> Result<bool, StudyError> {
+/// The portrait of this number, unless its orbit ends before the transient does.
+fn portrait(setting: &Setting, number: u32, subject: &Subject) -> Result<Option<Portrait>, StudyError> {
     let Subject { loops, amplitude, recoil } = *subject;
     let oscillator = setting.oscillator(amplitude)?;
     let period = oscillator.forcing_period();
-    let mut flight = |kind, samples: Vec<[f64; 3]>| {
-        let row = |[time, x, y]: [f64; 3]| PortraitPoint {
-            portrait: number,
-            loops,
-            primary: amplitude,
-            kind,
-            time,
-            x,
-            y,
-        };
-        rows.extend(samples.into_iter().chain([[f64::NAN; 3]]).map(row));
-    };
-    if let Some(recoil) = recoil {
-        let motion = oscillator.motion(recoil);
-        flight(PortraitKind::Periodic, sampled(&motion, 0.0, f64::from(loops) * period, period));
-    } else if amplitude <= setting.grazing.amplitude() {
-        let top = oscillator.non_impacting_solution(setting.grazing.phase());
-        flight(PortraitKind::Periodic, sampled(&oscillator.motion(top), 0.0, period, period));
-    } else {
+    let attractor = recoil.is_none() && amplitude > setting.grazing.amplitude();
+    let flights = if attractor {
         let plan = &setting.figure.attractor;
         let mut random = Pcg64::new(u128::from(plan.seed), u128::from(number) << 64);
-        let start = random_start(attractor::lowest(setting), &mut random);
+        let start = random_start(setting.lowest(), &mut random);
         let Settled::Impacts(flights) = settled(&oscillator, start, [plan.transient, ATTRACTOR_PERIODS])
         else {
-            return Ok(false);
+            return Ok(None);
         };
         let transient = f64::from(plan.transient) * period;
-        for Flight { start, motion, duration, .. } in &flights {
-            flight(PortraitKind::Attractor, sampled(motion, start - transient, *duration, period));
-        }
-    }
-    Ok(true)
+        let shown =
+            |flight: &Flight<_>| sampled(&flight.motion, flight.start - transient, flight.duration, period);
+        flights.iter().map(shown).collect()
+    } else {
+        let periods = f64::from(loops.max(1));
+        let top = || oscillator.non_impacting_solution(setting.grazing.phase());
+        let motion = oscillator.motion(recoil.unwrap_or_else(top));
+        vec![sampled(&motion, 0.0, periods * period, period)]
+    };
+    Ok(Some(Portrait { loops, primary: amplitude, attractor, flights }))
 }
