@@ -3,9 +3,9 @@
 use askama::filters::Safe;
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_description::Description;
-use grazing_reproduction::unfolded::{Known, ResonanceEntry};
+use grazing_reproduction::unfolded::{Known, ResonanceEntry, axes};
 pub(crate) use grazing_results::columns::{C_SN, PRIMARY, SECONDARY};
-use grazing_results::{Column, Names, Table, UnitNames};
+use grazing_results::{Column, Table};
 use grazing_unfold::sides::Simulated;
 use grazing_unfold::verdict::{Coefficient, Verdict};
 
@@ -87,13 +87,7 @@ impl OscillatorEntry {
 
     /// The unit of a column in parentheses, after its heading.
     pub(crate) fn unit(&self, column: Column) -> Html {
-        let (primary, secondary) = (self.description.primary(), self.description.secondary());
-        let own = |unit: Option<&str>| unit.map(str::to_owned);
-        let [length, time] = self.description.unit_names().map(own);
-        let units =
-            UnitNames { length, time, primary: own(primary.unit()), secondary: own(secondary.unit()) };
-        let names = Names::new(primary.name(), secondary.name()).with_units(units);
-        Safe(in_parentheses(&column.unit(&names)))
+        Safe(in_parentheses(&column.unit(&axes(&self.description).names)))
     }
 
     /// The resonances at which a theorem holds, with what is known of the SN and the PD curve.

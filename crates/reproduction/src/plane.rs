@@ -6,19 +6,15 @@ use grazing_continuation::bifurcation::{Bifurcation, CodimensionTwo};
 use grazing_continuation::mps::MaximalPeriodicSolution;
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::Units;
-use grazing_results::branches::OneParameterRows;
-use grazing_results::family::Family;
 use grazing_results::plane::{
     CurveSource, MagnifiedPoint, PlanePoint, RegionKind, RegionVertex, SpecialPoint,
 };
-use grazing_results::{Names, Plan, UnitNames};
+use grazing_results::{Names, Plan};
 use grazing_unfold::diagram::{Diagram, DiagramCurve};
 use grazing_unfold::grazing::GrazingCurve;
 use grazing_unfold::magnification::Polyline;
 use grazing_unfold::regions::{self, Region};
 use grazing_unfold::units::InUnits;
-
-use crate::unfolded::Rows;
 
 /// The names of the two parameters, which head their columns, and the units in which the tables count what was found without dimensions.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,19 +26,6 @@ pub struct Axes {
 }
 
 impl Axes {
-    /// Axes of these names.
-    pub fn new(primary: &str, secondary: &str, units: Units) -> Self {
-        let tables = Rows::TABLES.iter().chain(OneParameterRows::TABLES).chain(Family::TABLES);
-        let [primary, secondary] = [primary, secondary].map(|name| own_header(name, tables.clone()));
-        Self { names: Names::new(&primary, &secondary), units }
-    }
-
-    /// The same axes with names of the units.
-    #[must_use]
-    pub fn with_unit_names(self, units: UnitNames) -> Self {
-        Self { names: self.names.with_units(units), ..self }
-    }
-
     /// Amplitude and frequency of the paper's oscillator.
     pub fn of_the_paper() -> Self {
         Self { names: Names::of_the_paper(), units: Units::ONE }

@@ -9,9 +9,10 @@ use grazing_continuation::fit::FitError;
 use grazing_description::{Axis, Description};
 use grazing_model::ImpactOscillator;
 use grazing_model::smooth::{Dimensionless, Integrated, Units};
-use grazing_results::branches::OneParameter;
+use grazing_results::branches::{OneParameter, OneParameterRows};
+use grazing_results::family::Family;
 use grazing_results::plane::{MagnifiedPoint, PlanePoint, RegionVertex, SpecialPoint};
-use grazing_results::{UnitNames, tables};
+use grazing_results::{Names, UnitNames, tables};
 use grazing_theorems::ResonantPoint;
 use grazing_unfold::magnification::{Polyline, magnify, window_about};
 use grazing_unfold::progress::Progress;
@@ -23,7 +24,7 @@ use grazing_unfold::verdict::{Coefficient, coefficients};
 use grazing_unfold::{Diagram, Scope};
 use rayon::prelude::*;
 
-use crate::plane::{self, Axes};
+use crate::plane::{self, Axes, own_header};
 use crate::{StudyError, one_parameter};
 pub use finished::Keep;
 pub(crate) use tables::slopes;
@@ -107,11 +108,14 @@ pub fn prepared(description: &Description, units: &Units, stop: &Stop) -> (Descr
 
 /// The names of an oscillator's parameters, and its own units.
 pub fn axes(description: &Description) -> Axes {
-    let [primary, secondary] = [description.primary(), description.secondary()];
-    let [length, time] = description.unit_names().map(|unit| unit.map(str::to_owned));
-    let [of_primary, of_secondary] = [primary, secondary].map(|axis| axis.unit().map(str::to_owned));
-    let unit_names = UnitNames { length, time, primary: of_primary, secondary: of_secondary };
-    Axes::new(primary.name(), secondary.name(), description.units()).with_unit_names(unit_names)
+    let tables = Rows::TABLES.iter().chain(OneParameterRows::TABLES).chain(Family::TABLES);
+    let parameters = [description.primary(), description.secondary()];
+    let [primary, secondary] = parameters.map(|axis| own_header(axis.name(), tables.clone()));
+    let owned = |unit: Option<&str>| unit.map(str::to_owned);
+    let [length, time] = description.unit_names().map(owned);
+    let [of_primary, of_secondary] = parameters.map(|axis| owned(axis.unit()));
+    let units = UnitNames { length, time, primary: of_primary, secondary: of_secondary };
+    Axes { names: Names::new(&primary, &secondary).with_units(units), units: description.units() }
 }
 
 impl Unfolded<Described> {
