@@ -194,21 +194,17 @@ impl Canvas {
         let (a, b) = (place(0.0, -ascent), place(width, descent));
         let taken =
             Bounds { left: a.0.min(b.0), top: a.1.min(b.1), right: a.0.max(b.0), bottom: a.1.max(b.1) };
-        self.set((x, y), label, size, &attributes, colour, taken);
+        self.texts.borrow_mut().push((label.source.clone(), taken));
+        let (fill, spans, height) = (hex(colour), spans(label, size), points(size));
+        self.draw_at((x, y), |x, y| {
+            format!(
+                "<text x=\"{x}\" y=\"{y}\" font-size=\"{height}\"{attributes} fill=\"{fill}\">{spans}</text>"
+            )
+        });
         for hat in self.fonts.hats(label, size)? {
             self.line(&hat.map(|(right, down)| place(right, down)), hat_pen(size, colour));
         }
         Ok(())
-    }
-
-    fn set(&self, spot: Spot, label: &Label, size: f64, attributes: &str, colour: Colour, taken: Bounds) {
-        self.texts.borrow_mut().push((label.source.clone(), taken));
-        let (colour, spans, size) = (hex(colour), spans(label, size), points(size));
-        self.draw_at(spot, |x, y| {
-            format!(
-                "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{attributes} fill=\"{colour}\">{spans}</text>"
-            )
-        });
     }
 
     /// The labels as they were written, in the order of drawing.

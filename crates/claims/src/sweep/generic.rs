@@ -70,9 +70,6 @@ pub const SLOPE_TOLERANCE: f64 = 1e-5;
 
 impl GenericRow {
     /// Works out a case.
-    ///
-    /// # Errors
-    /// [`SweepError`].
     pub fn of(case: Case) -> Result<Self, SweepError> {
         let Case { zeta, epsilon, loops, omega, .. } = case;
         let closed = grazing_theorems::LinearOscillator::new(zeta, epsilon)?.grazing(omega)?;

@@ -75,9 +75,6 @@ const ROUNDING: f64 = 1e-11;
 
 impl ResonantRow {
     /// Works out a case.
-    ///
-    /// # Errors
-    /// [`SweepError`].
     pub fn of(case: Case) -> Result<Self, SweepError> {
         let Case { zeta, epsilon, loops, n, negative, omega } = case;
         let theory = grazing_theorems::LinearOscillator::new(zeta, epsilon)?;
