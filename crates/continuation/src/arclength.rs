@@ -35,6 +35,11 @@ pub trait CurveEquations<const N: usize> {
         carried: &mut Self::Carried,
     ) -> Result<Linearisation<N>, Self::Failure>;
 
+    /// Whether what is carried from the last evaluation may be something else a correction further, so that a rough point is not enough.
+    fn is_unsettled(&self, _carried: &Self::Carried) -> bool {
+        false
+    }
+
     /// Called with every accepted point, to bring what is carried up to it.
     fn settle(&self, _point: &SVector<f64, N>, _carried: &mut Self::Carried) {}
 }
@@ -197,18 +202,18 @@ where
     fn attempt(&self) -> Result<Attempt<N, C::Carried>, NewtonFailure<C::Failure>> {
         let Station { point: origin, tangent: along, .. } = &self.here;
         let mut carried = self.here.carried.clone();
-        let solution = newton::solve_within(
-            FARTHEST_CORRECTION * self.step,
-            self.control.tolerance,
-            self.predict(),
-            CORRECTIONS,
-            |point| {
-                let mut bordered = self.equations.evaluate(point, &mut carried)?;
+        let corrected = |near: SVector<f64, N>, tolerance: f64, carried: &mut C::Carried| {
+            newton::solve_within(FARTHEST_CORRECTION * self.step, tolerance, near, CORRECTIONS, |point| {
+                let mut bordered = self.equations.evaluate(point, carried)?;
                 bordered.residual[N - 1] = along.dot(&(point - origin)) - self.step;
                 bordered.jacobian.set_row(N - 1, &along.transpose());
                 Ok(bordered)
-            },
-        )?;
+            })
+        };
+        let mut solution = corrected(self.predict(), self.control.tolerance, &mut carried)?;
+        if self.control.sketches() && self.equations.is_unsettled(&carried) {
+            solution = corrected(solution.point, tolerances::STEP, &mut carried)?;
+        }
         // The last corrector's matrix is bordered with the old tangent: its factors give the new one as well.
         let tangent = tangent(&solution.factors)
             .ok_or(NewtonFailure::Singular { iteration: solution.iterations, residual: solution.residual })?;

@@ -26,8 +26,14 @@ impl<O: ImpactOscillator> CurveEquations<4> for MpsCurve<O> {
 
     fn evaluate(&self, point: &Unknowns, times: &mut EventTimes) -> Result<Linearisation<4>, MapError> {
         let (system, pair) = conditioned(&self.equations, self.condition, false, point, times)?;
-        times.stability = Some(pair.stability());
+        let stability = pair.stability();
+        times.unsettled = times.stability.is_some_and(|before| stability.is_unsettled_since(&before));
+        times.stability = Some(stability);
         Ok(system)
+    }
+
+    fn is_unsettled(&self, times: &EventTimes) -> bool {
+        times.unsettled
     }
 
     fn settle(&self, point: &Unknowns, times: &mut EventTimes) {

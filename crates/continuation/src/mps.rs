@@ -71,8 +71,10 @@ pub struct EventTimes {
     pub(crate) grazing_time: f64,
     /// The same for a second interior maximum, where two touch the wall.
     pub(crate) second_grazing_time: f64,
-    /// What the last evaluation along a curve said of stability.
+    /// What the last evaluation along a curve said of stability,
     pub(crate) stability: Option<Stability>,
+    /// and whether the next one may say something else.
+    pub(crate) unsettled: bool,
 }
 
 /// The equations of p-loop MPSs of one oscillator.
@@ -396,6 +398,19 @@ pub(crate) struct Stability {
     /// The [`characteristic`](LoopPair::characteristic) of the multiplier 1, and of −1.
     pub(crate) saddle_node: f64,
     pub(crate) period_doubling: f64,
+}
+
+/// Multipliers beyond this change so fast that no sign of anything is known for long.
+const VIOLENT: f64 = 1e3;
+
+impl Stability {
+    /// Whether something has changed by more than itself, so that a correction as large as the last one may change its sign.
+    pub(crate) fn is_unsettled_since(&self, before: &Self) -> bool {
+        let changed = |of: fn(&Self) -> f64| (of(self) - of(before)).abs() >= of(self).abs();
+        let Multipliers { trace, determinant } = self.multipliers;
+        trace.abs().max(determinant.abs()) < VIOLENT
+            && (changed(|stability| stability.saddle_node) || changed(|stability| stability.period_doubling))
+    }
 }
 
 /// A zero of the equations, seen as an orbit.

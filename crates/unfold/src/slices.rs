@@ -299,14 +299,18 @@ fn passes(branch: &Curve, at: &Unknowns) -> bool {
         gap
     };
     let start = branch.points.first().is_some_and(|point| gap(point).norm() < STEPS.first);
-    start || branch.points.windows(2).any(|pair| near_chord(&gap(&pair[0]), &gap(&pair[1]), ON_BRANCH))
+    let chord = |pair: &[CurvePoint]| pair[1].solution.unknowns - pair[0].solution.unknowns;
+    start || branch.points.windows(2).any(|pair| near_chord(&gap(&pair[0]), &chord(pair), ON_BRANCH))
 }
 
-/// Whether the origin lies nearer to the chord between two points than a share of its length.
-pub(crate) fn near_chord<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>, share: f64) -> bool {
-    let chord = b - a;
-    let along = (-a.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
-    (a + chord * along).norm() < share * chord.norm()
+/// Whether the origin lies nearer to a chord that begins at `start` than a share of its length.
+pub(crate) fn near_chord<const N: usize>(
+    start: &SVector<f64, N>,
+    chord: &SVector<f64, N>,
+    share: f64,
+) -> bool {
+    let along = (-start.dot(chord) / chord.norm_squared()).clamp(0.0, 1.0);
+    (start + chord * along).norm() < share * chord.norm()
 }
 
 /// A point of a branch: one of the curve's, or an event.
@@ -407,6 +411,27 @@ mod tests {
     use super::*;
     use crate::progress::Silent;
     use crate::{Diagram, Scope};
+
+    #[test]
+    fn a_solution_half_a_turn_from_a_branch_is_not_on_it() {
+        let window = Window { primary: [0.0, 1.2], secondary: [0.6, 1.0] };
+        let oscillator = LinearOscillator::new(0.05, 0.9, 0.5, 0.9).expect("it is in the domain");
+        let grazing = grazing_theorems::LinearOscillator::new(0.05, 0.9).and_then(|it| it.grazing(0.8));
+        let grazing = grazing.expect("it is in the domain");
+        let place = [grazing.phase(), grazing.amplitude()];
+        let equations = LoopEquations::new(oscillator, 1, Formulation::FixedPhase);
+        let places = move |_| vec![place];
+        let slice = Slicer::new(&equations, window, steps(window), &places).beginning_at_grazing(0.8);
+        let branch = slice.branches.first().expect("it begins there");
+        assert!(branch.points.len() > 5);
+        for pair in branch.points.windows(2) {
+            let [a, b] = [0, 1].map(|k| pair[k].solution.unknowns);
+            let mut middle = (a + b) * 0.5;
+            assert!(passes(branch, &middle));
+            middle[unknown::PHASE] += core::f64::consts::PI;
+            assert!(!passes(branch, &middle));
+        }
+    }
 
     #[test]
     fn a_slice_that_knows_no_branch_gets_those_through_the_curves_that_cross_it() {

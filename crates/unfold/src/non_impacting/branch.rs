@@ -78,7 +78,8 @@ impl Branch {
     pub(crate) fn passes(&self, orbit: &OrbitPoint) -> bool {
         let gap = |known: &PeriodicOrbit| known.orbit - orbit;
         let start = self.orbits.first().is_some_and(|first| gap(first).norm() < STEPS.first);
-        start || self.orbits.windows(2).any(|pair| near_chord(&gap(&pair[0]), &gap(&pair[1]), ON_BRANCH))
+        let chord = |pair: &[PeriodicOrbit]| pair[1].orbit - pair[0].orbit;
+        start || self.orbits.windows(2).any(|pair| near_chord(&gap(&pair[0]), &chord(pair), ON_BRANCH))
     }
 }
 

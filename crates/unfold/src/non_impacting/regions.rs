@@ -227,7 +227,8 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
         let [line, points] = [known, other].map(places);
         let near = |point: &Vector2<f64>| {
             line.windows(2).any(|pair| {
-                near_chord(&(pair[0] - point), &(pair[1] - point), DRAWN / (pair[1] - pair[0]).norm())
+                let chord = pair[1] - pair[0];
+                near_chord(&(pair[0] - point), &chord, DRAWN / chord.norm())
             })
         };
         known.kind == other.kind && points.iter().all(near)
@@ -243,9 +244,8 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
         let here = place(bifurcation.near.height.parameters, bifurcation.near.highest.position);
         self.curves.iter().filter(|curve| curve.curve.condition == bifurcation.condition).any(|curve| {
             curve.curve.points.windows(2).any(|pair| {
-                let [a, b] =
-                    [0, 1].map(|k| place(pair[k].solution.parameters(), pair[k].solution.ceiling()) - here);
-                near_chord(&a, &b, ON_CURVE)
+                let [a, b] = [0, 1].map(|k| place(pair[k].solution.parameters(), pair[k].solution.ceiling()));
+                near_chord(&(a - here), &(b - a), ON_CURVE)
             })
         })
     }

@@ -298,3 +298,12 @@ fn a_fold_along_a_slice_and_motion_that_no_slice_shows_bound_regions() {
     assert!([0.9, 1.3, 1.5, 1.58].into_iter().all(|b| stays_off([b, 0.78])));
     assert!(stays_off([1.4, 0.86]) && !stays_off([1.2, 0.86]));
 }
+
+#[test]
+fn sketches_of_branches_beside_a_hill_leave_nothing_undecided() {
+    let text = grazing_trials::oscillators::description(20_261_123, 1);
+    let model = Description::parse(&text, "spring that softens").expect("what is made at random is right");
+    let scope = scope([0.0, 1.3708], [0.475, 1.2857], &[3]);
+    let diagram = Diagram::compute(&Integrated::new(model, [0.1, 0.7]), &scope, &Silent).unwrap();
+    assert!(diagram.regions.iter().all(|region| !matches!(region.kind, RegionKind::Undecided(_))));
+}
