@@ -30,6 +30,11 @@ pub enum ResonanceError {
     /// A theorem's hypothesis does not hold.
     #[error(transparent)]
     Hypotheses(#[from] HypothesesViolated),
+    /// Motion is damped so much that nothing of a small difference is left after a forcing period, to rounding.
+    #[error(
+        "small differences are forgotten within a forcing period, to rounding: resonances cannot be told from none"
+    )]
+    Forgotten,
     /// The theory gives a direction in which the numerical equations have no curve.
     #[error("the {curve} curve cannot be started: {reason}")]
     NotStarted {

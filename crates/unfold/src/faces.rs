@@ -47,7 +47,7 @@ pub(crate) fn chords(face: &Face, secondary: f64) -> Vec<[f64; 2]> {
 }
 
 /// The least and the greatest η of a face.
-pub(crate) fn extent(face: &Face) -> [f64; 2] {
+pub(crate) fn extent(face: &[Vec<Point>]) -> [f64; 2] {
     let heights = face.iter().flatten().map(|point| point[1]);
     heights
         .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| [low.min(height), high.max(height)])

@@ -6,13 +6,13 @@
 use core::f64::consts::TAU;
 
 use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangent, Walk, WalkEnd};
-use grazing_continuation::mps::MaximalPeriodicSolution;
+use grazing_continuation::mps::{MaximalPeriodicSolution, Multipliers, unknown};
 use grazing_continuation::newton::Linearisation;
 use grazing_model::maps::{MapError, global_map};
-use grazing_model::motion::highest_maximum;
+use grazing_model::motion::{Motion, highest_maximum};
 use grazing_model::{AtRest, ImpactOscillator, State};
+use grazing_theorems::GrazingPoint;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingPlace};
-use grazing_theorems::spectrum::in_trapesium;
 use nalgebra::{Matrix2, Matrix3, Vector3};
 
 use crate::Scope;
@@ -25,7 +25,7 @@ pub struct GrazingState<O> {
     pub orbit: GrazingOrbit<O>,
     /// The curve's tangent (z, μ, η) there, a unit vector once μ and η are counted in their ranges.
     pub tangent: Vector3<f64>,
-    /// Inside the trapesium: without the wall the orbit is asymptotically stable.
+    /// Without the wall the orbit is asymptotically stable.
     pub stable: bool,
     /// No other maximum of the orbit lies above the wall.
     pub admissible: bool,
@@ -61,7 +61,7 @@ impl<O: ImpactOscillator> GrazingCurve<O> {
     /// # Errors
     /// The curve has no unique tangent at the orbit.
     pub fn through(orbit: &GrazingOrbit<O>, scope: &Scope) -> Result<Self, Stall<MapError>> {
-        let equations = GrazingEquations { oscillator: orbit.oscillator(), scope };
+        let equations = GrazingEquations { oscillator: orbit.oscillator(), scope, height: 0.0 };
         let start = scope.place(orbit);
         let walk = Walk { equations: &equations, control: STEPS, step_limit: STEP_LIMIT, angle: Some(0) };
         let leaves = |before: &Vector3<f64>, (after, tangent): &Tangent<3>| {
@@ -125,23 +125,46 @@ pub(crate) fn interpolated<O: ImpactOscillator>(
     GrazingPlace::find(&near, first.phase() + (last.phase() - first.phase()) * way).ok()
 }
 
-/// A grazing orbit that Newton's method finds farther than this in phase and share of η from where motion comes to the wall is another one.
+/// The highest point of periodic motion without impacts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct HighestPoint {
+    /// Its height above the wall.
+    pub(crate) height: f64,
+    pub(crate) phase: f64,
+    /// (μ, η).
+    pub(crate) parameters: [f64; 2],
+}
+
+/// An orbit that Newton's method finds farther than this in phase and shares of the ranges from where it was looked for is another one.
 const NEARBY: f64 = 0.5;
 
-/// The grazing orbit with the primary parameter of an oscillator, at a secondary one near its own, from a phase nearby.
-pub(crate) fn grazing_at_primary<O: ImpactOscillator>(
-    oscillator: &O,
-    scope: &Scope,
-    phase: f64,
-) -> Option<GrazingOrbit<O>> {
-    let equations = GrazingEquations { oscillator, scope };
-    let [primary, secondary] = scope.window.shares(oscillator.parameters());
-    let near = Vector3::new(phase, primary, secondary);
-    let point = located(&equations, near, &Vector3::y(), &near)?;
-    if (point - near).norm() > NEARBY {
-        return None;
+impl HighestPoint {
+    /// The highest point of the same height near this place, one of the parameters held.
+    pub(crate) fn located<O: ImpactOscillator>(
+        &self,
+        oscillator: &O,
+        scope: &Scope,
+        held: usize,
+    ) -> Option<Self> {
+        let Self { height, phase, parameters } = *self;
+        let equations = GrazingEquations { oscillator, scope, height };
+        let [primary, secondary] = scope.window.shares(parameters);
+        let near = Vector3::new(phase, primary, secondary);
+        let across = if held == unknown::PRIMARY { Vector3::y() } else { Vector3::z() };
+        let point = located(&equations, near, &across, &near)?;
+        let oscillator = equations.oscillator_at(&point);
+        let motion = oscillator.motion(State::at_rest(height, point[0]));
+        let highest = motion.at(0.0).acceleration < 0.0
+            && highest_maximum(&motion, oscillator.forcing_period())
+                .is_none_or(|maximum| maximum.position <= height + MaximalPeriodicSolution::TOUCH);
+        let found = Self { height, phase: point[0], parameters: oscillator.parameters() };
+        (highest && (point - near).norm() <= NEARBY).then_some(found)
     }
-    GrazingOrbit::at(equations.oscillator_at(&point), point[0]).ok()
+
+    /// The grazing orbit, where the point lies on the wall.
+    pub(crate) fn grazing<O: ImpactOscillator>(&self, oscillator: &O) -> Option<GrazingOrbit<O>> {
+        GrazingOrbit::at(oscillator.with_parameters(self.parameters), self.phase).ok()
+    }
 }
 
 /// A point of the curve lies no farther than this from the chord between two neighbours: an eighth of the longest step times
@@ -151,10 +174,11 @@ const CHORD: f64 = 3e-4;
 /// An orbit on the edge of the ranges lies at the end of the curve, give or take rounding.
 const ENDS: f64 = 1e-6;
 
-/// The equations of the curve: unknowns are z and the shares of the ranges of μ and η.
+/// The equations of the curve, or of one on which the highest point lies at some other height: unknowns are z and the shares of the ranges of μ and η.
 struct GrazingEquations<'a, O> {
     oscillator: &'a O,
     scope: &'a Scope,
+    height: f64,
 }
 
 impl<O: ImpactOscillator> CurveEquations<3> for GrazingEquations<'_, O> {
@@ -164,7 +188,7 @@ impl<O: ImpactOscillator> CurveEquations<3> for GrazingEquations<'_, O> {
 
     fn evaluate(&self, point: &Vector3<f64>, time: &mut Option<f64>) -> Result<Linearisation<3>, MapError> {
         let oscillator = self.oscillator_at(point);
-        let landing = global_map::<O, 1>(&oscillator, AtRest::new(0.0, point[0]), *time)?;
+        let landing = global_map::<O, 1>(&oscillator, AtRest::new(self.height, point[0]), *time)?;
         *time = Some(landing.time);
         let [primary, secondary] = self.scope.window.widths();
         let jacobian = landing.jet.jacobian;
@@ -175,6 +199,7 @@ impl<O: ImpactOscillator> CurveEquations<3> for GrazingEquations<'_, O> {
             system.jacobian[(i, 1)] = jacobian[(i, 2)] * primary;
             system.jacobian[(i, 2)] = jacobian[(i, 3)] * secondary;
         }
+        system.residual[0] -= self.height;
         system.residual[1] -= point[0];
         system.jacobian[(1, 0)] -= 1.0;
         Ok(system)
@@ -251,7 +276,7 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
         self.state(&point, &self.tangent(&point, gap)?)
     }
 
-    /// All that is known at a point; nothing where P_global has no second derivatives.
+    /// All that is known at a point; nothing where P_global has no second derivatives, or motion is not turned back from the wall.
     fn state(&self, point: &Vector3<f64>, tangent: &Vector3<f64>) -> Option<GrazingState<O>> {
         let mut orbit = GrazingOrbit::at(self.oscillator_at(point), point[0]).ok()?;
         let admissible = |orbit: &GrazingOrbit<O>| {
@@ -263,11 +288,11 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
         if !admissible(&orbit) {
             orbit = GrazingOrbit::find(orbit.oscillator(), orbit.phase()).unwrap_or(orbit);
         }
-        let map = orbit.grazing_point().map;
+        let GrazingPoint { map, gamma, .. } = orbit.grazing_point();
         let [primary, secondary] = self.scope.window.widths();
-        Some(GrazingState {
+        (gamma > 0.0).then(|| GrazingState {
             tangent: Vector3::new(tangent[0], tangent[1] * primary, tangent[2] * secondary),
-            stable: in_trapesium(map.trace(), map.determinant()),
+            stable: Multipliers { trace: map.trace(), determinant: map.determinant() }.stable(),
             admissible: admissible(&orbit),
             orbit,
         })

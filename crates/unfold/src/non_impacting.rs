@@ -16,8 +16,8 @@ use grazing_model::motion::Motion;
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::Vector2;
 
-use crate::Scope;
 use crate::escape::Escape;
+use crate::{Scope, search};
 use branch::{Branch, Crossing};
 use orbits::{FAR, OrbitPoint, PeriodicOrbits, SECONDARY};
 
@@ -69,12 +69,12 @@ pub fn periodic_motion<O: ImpactOscillator>(
     scope: &Scope,
     secondary: f64,
 ) -> PeriodicMotion<O> {
-    PeriodicOrbits { oscillator, scope, control: branch::STEPS }.motion(secondary)
+    PeriodicOrbits { oscillator, scope, control: branch::STEPS }.motion(secondary, &[0.0])
 }
 
 impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
-    /// As [`periodic_motion`], in steps of one's own.
-    pub(crate) fn motion(&self, secondary: f64) -> PeriodicMotion<O> {
+    /// As [`periodic_motion`], in steps of one's own; with motion that has its highest point at one of some heights, should none of the rest lead to it.
+    pub(crate) fn motion(&self, secondary: f64, heights: &[f64]) -> PeriodicMotion<O> {
         let (orbits, scope) = (self, self.scope);
         let share_of_secondary = scope.window.shares([scope.window.primary[0], secondary])[1];
         let mut branches: Vec<Branch> = Vec::new();
@@ -99,6 +99,12 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
         }
         if branches.is_empty() {
             branches.extend(carried_away.and_then(|orbit| orbits.branch(&orbit, SECONDARY)));
+        }
+        for height in heights {
+            let found = search::highest_at(self.oscillator, scope, secondary, *height);
+            for start in found.iter().filter_map(|highest| orbits.through(highest)) {
+                orbits.add_branch(&mut branches, &start);
+            }
         }
         let mut motion = PeriodicMotion { grazing: Vec::new(), pushed: Vec::new(), ran_away, branches };
         motion.look_for_grazing(orbits);

@@ -64,6 +64,8 @@ pub struct OneParameter {
 const BRANCHES: &str = "branches of a one-parameter diagram";
 const LONG_TIME: &str = "long-time behaviour";
 
+/// Motion without impacts is looked for that has its highest point here, the wall's distance from rest being of order one.
+const HEIGHTS: [f64; 4] = [0.0, -0.25, -0.5, -0.75];
 /// MPSs are looked for by solving for them at so many values of μ, from end to end.
 const PLACES: u32 = 9;
 /// Steps along branches without impacts are at most this part of the range that is shown.
@@ -93,7 +95,7 @@ impl OneParameter {
         let longest = (STEP * share).max(LEAST_STEP);
         let control = StepControl { longest, ..branch::STEPS };
         let orbits = PeriodicOrbits { oscillator, scope, control };
-        let motion = orbits.motion(secondary);
+        let motion = orbits.motion(secondary, &HEIGHTS);
         progress.step(BRANCHES);
         let grazing: Vec<[f64; 2]> =
             motion.grazing.iter().map(|orbit| [orbit.phase(), orbit.primary()]).collect();

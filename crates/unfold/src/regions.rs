@@ -90,8 +90,10 @@ const LONG_ENOUGH: f64 = 0.25;
 const SLICES: u32 = 16;
 /// How often slices are added where they are needed.
 const ROUNDS: usize = 8;
-/// Slices are no closer than this share of the range of η.
+/// Slices are no closer than this share of the range of η,
 const NEAREST: f64 = 1e-3;
+/// and no more than this. Where motion is violent, as near the top of a pendulum, each shows changes that the others do not, and what they leave is undecided.
+const MOST_SLICES: usize = 200;
 /// Shares of the range of η at which slices are laid beside a loose end.
 const BESIDE: [f64; 4] = [-0.02, -0.003, 0.003, 0.02];
 
@@ -162,12 +164,12 @@ pub(crate) fn decided(
         let mut wanted: Vec<f64> = faces.iter().filter_map(|face| judge.unseen(face)).collect();
         wanted.extend(faces.into_iter().flat_map(|face| judge.between_verdicts(face)));
         wanted.extend(judge.beside_loose_ends(&lines));
-        wanted.retain(|level| !judge.is_near(*level));
+        wanted.extend(judge.uncrossed(&lines));
+        wanted.sort_by(f64::total_cmp);
+        let wanted = judge.affordable(&wanted);
         if wanted.is_empty() || progress.stopped() {
             break;
         }
-        wanted.sort_by(f64::total_cmp);
-        wanted.dedup();
         survey.look_at(&wanted, progress);
         judge.sights = survey.sights();
     }
@@ -204,10 +206,19 @@ impl Judge {
         (!seen && length > 0.0).then_some(best)
     }
 
-    /// Whether there is a slice so close to a value of η that another one would tell nothing.
-    fn is_near(&self, secondary: f64) -> bool {
+    /// Values of η, of those in order, that are not so close to one another or to a slice that another one would tell nothing: evenly fewer than there
+    /// are where slices would become too many.
+    fn affordable(&self, wanted: &[f64]) -> Vec<f64> {
         let nearest = NEAREST * self.window.widths()[1];
-        self.sights.iter().any(|sight| (sight.secondary - secondary).abs() < nearest)
+        let mut apart: Vec<f64> = Vec::new();
+        for level in wanted {
+            let known = self.sights.iter().map(|sight| sight.secondary).chain(apart.last().copied());
+            if known.into_iter().all(|known| (known - level).abs() >= nearest) {
+                apart.push(*level);
+            }
+        }
+        let left = MOST_SLICES.saturating_sub(self.sights.len());
+        (0..apart.len().min(left)).map(|k| apart[k * apart.len() / apart.len().min(left)]).collect()
     }
 
     /// Values of η half the way between neighbouring slices one of which is in trouble in a face and the other is not: what is
@@ -240,6 +251,15 @@ impl Judge {
         levels
             .filter(|level| self.window.secondary[0] < *level && *level < self.window.secondary[1])
             .collect()
+    }
+
+    /// Values of η half the way along curves that no slice crosses: what else begins beside them has not been seen.
+    fn uncrossed(&self, lines: &[Vec<Point>]) -> Vec<f64> {
+        let extents = lines.iter().map(|line| extent(core::slice::from_ref(line)));
+        let crossed = |[low, high]: [f64; 2]| {
+            self.sights.iter().any(|sight| low < sight.secondary && sight.secondary < high)
+        };
+        extents.filter(|extent| !crossed(*extent)).map(|[low, high]| 0.5 * (low + high)).collect()
     }
 
     fn judge(&self, face: Face) -> Judged {

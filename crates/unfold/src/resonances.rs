@@ -3,6 +3,7 @@
 use grazing_continuation::resonance::{LocatedResonance, ResonanceError, ResonantGrazingPoint};
 use grazing_model::ImpactOscillator;
 use grazing_theorems::HypothesesViolated;
+use grazing_theorems::spectrum::Eigenvalues;
 
 use crate::Scope;
 use crate::grazing::{GrazingCurve, GrazingState};
@@ -52,6 +53,16 @@ pub fn on_curve<O: ImpactOscillator>(
                 continue;
             }
             let stretch = Stretch::new([&pair[0], &pair[1]], loops, scope);
+            if stretch.is_forgotten() {
+                let told = |lost: &Unlocated| lost.loops == loops && lost.reason == ResonanceError::Forgotten;
+                if let Some(&way) = stretch.zeros().first()
+                    && !lost.iter().any(told)
+                {
+                    let near = stretch.parameters(way);
+                    lost.push(Unlocated { loops, near, reason: ResonanceError::Forgotten });
+                }
+                continue;
+            }
             for way in stretch.zeros() {
                 let resonance = stretch.locate(way, loops).map(numbered);
                 match resonance {
@@ -72,6 +83,8 @@ fn numbered<O: ImpactOscillator>(located: LocatedResonance<O>) -> Resonance<O> {
     Resonance { loops, n: winding::index(located.orbit(), loops), theorem: located.checked(), located }
 }
 
+/// Eigenvalues smaller than this have no digits, as entries of A are computed to some 10⁻¹⁵.
+const FORGOTTEN: f64 = 1e-13;
 /// Parts of a stretch in which bisection begins.
 const PARTS: u32 = 8;
 
@@ -93,6 +106,15 @@ impl<'a, O: ImpactOscillator> Stretch<'a, O> {
             state.orbit.detuning(loops, &rate)
         });
         Self { ends, values: [at[0][0], at[1][0]], slopes: [at[0][1], at[1][1]] }
+    }
+
+    /// Eigenvalues of A are rounding at both ends.
+    fn is_forgotten(&self) -> bool {
+        let radius = |state: &GrazingState<O>| {
+            let map = state.orbit.grazing_point().map;
+            Eigenvalues::from_trace_and_determinant(map.trace(), map.determinant()).spectral_radius()
+        };
+        self.ends.iter().all(|state| radius(state) < FORGOTTEN)
     }
 
     /// Hermite's cubic.

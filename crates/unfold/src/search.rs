@@ -1,8 +1,8 @@
-//! p-loop MPSs looked for on the whole wall, at some pairs of parameters.
+//! Periodic solutions looked for by solving for them on lattices of impacts, or of states at rest: what nothing that is known leads to.
 //!
-//! Slices know branches that begin at grazing, on a neighbouring slice or on a known curve. A sheet of MPSs that is joined to none of these
-//! inside the window, as one between two points of its edge, or one that begins where motion of twice the forcing's period grazes, is found by solving
-//! for it.
+//! Slices know branches of p-loop MPSs that begin at grazing, on a neighbouring slice or on a known curve. A sheet of MPSs may be joined to none of these
+//! inside the window, as one between two points of its edge, or one that begins where motion of twice the forcing's period grazes. Motion without
+//! impacts may have branches that are closed, and on which nothing relaxes that begins at rest.
 
 use core::f64::consts::TAU;
 
@@ -16,16 +16,24 @@ use grazing_model::{ImpactOscillator, OnWall, State};
 use nalgebra::Vector2;
 use rayon::prelude::*;
 
+use crate::Scope;
+use crate::grazing::HighestPoint;
 use crate::progress::Progress;
 
-/// Cells of the lattice of impacts along y and z.
+/// Cells of a lattice along y, μ or η, and along z,
 const CELLS: [usize; 2] = [20, 30];
+/// and along y where that is large.
+const FAST_CELLS: usize = 10;
 /// Newton's method does not leave the neighbouring cells, counted in diagonals of a cell.
 const REACH: f64 = 1.5;
 /// Zeros closer than this are one.
 const SAME: f64 = 1e-6;
 /// Both edges of the window are looked at on every so many slices.
 const EDGES_EVERY: usize = 4;
+/// How often velocities up to twice as great are looked at, as long as there are solutions.
+const DOUBLINGS: usize = 2;
+/// The parts into which the ranges are cut by the lines along which grazing is looked for.
+const PARTS: u32 = 8;
 /// The golden ratio: its multiples are spread evenly, whole numbers left out.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// The share of the largest impact velocity at which MPSs are looked for on the whole of a slice: what begins at grazing, of motion of whatever
@@ -41,7 +49,7 @@ pub(crate) fn fastest<'a>(known: impl Iterator<Item = &'a Curve>) -> f64 {
     points.map(|point| point.solution.impact_velocity()).fold(USUAL_VELOCITY, f64::max)
 }
 
-/// MPSs of some numbers of loops p that are admissible or stable, with impact velocities up to some value, each with its p: on every slice at one μ
+/// MPSs of some numbers of loops p, with impact velocities up to some value and twice and four times as much, each with its p: on every slice at one μ
 /// and at one small impact velocity, on some at both ends.
 pub(crate) fn on_slices<O: ImpactOscillator>(
     oscillator: &O,
@@ -51,13 +59,19 @@ pub(crate) fn on_slices<O: ImpactOscillator>(
     fastest: f64,
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
-    let lattices = slices.iter().enumerate().flat_map(|(k, &secondary)| {
-        let turns = GOLDEN * (k as f64 + 1.0);
+    let slices = || slices.iter().copied().enumerate();
+    let share = |k: usize| GOLDEN * (k as f64 + 1.0) - libm::floor(GOLDEN * (k as f64 + 1.0));
+    let slow = slices().flat_map(|(k, secondary)| {
         let ends = if k % EDGES_EVERY == 0 { &[0.0, 1.0][..] } else { &[] };
-        let shares = ends.iter().copied().chain([turns - libm::floor(turns)]);
-        Lattice::of_slice(window, secondary, shares, fastest)
+        let standing = ends.iter().copied().chain([share(k)]);
+        let standing = standing.map(move |share| Lattice::slow(window, [share, secondary], fastest));
+        standing.chain([Lattice::lying(window, secondary, SLOW * fastest)]).collect::<Vec<_>>()
     });
-    admissible_or_stable(oscillator, loops, &lattices.collect::<Vec<_>>(), progress)
+    let fast = |doubling: usize, from: f64| {
+        let some = slices().filter(|(k, _)| k % (doubling + 1) == 0);
+        some.map(|(k, secondary)| Lattice::fast(window, [share(k), secondary], from)).collect()
+    };
+    on_lattices(oscillator, loops, slow.collect(), fast, fastest, progress)
 }
 
 /// The same on one slice, at so many values of μ from end to end and at one small impact velocity.
@@ -69,27 +83,66 @@ pub(crate) fn on_slice<O: ImpactOscillator>(
     fastest: f64,
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
-    let shares = (0..places).map(|k| f64::from(k) / f64::from(places - 1));
-    let lattices: Vec<Lattice> = Lattice::of_slice(window, secondary, shares, fastest).collect();
-    admissible_or_stable(oscillator, loops, &lattices, progress)
+    let shares = || (0..places).map(|k| [f64::from(k) / f64::from(places - 1), secondary]);
+    let slow = shares().map(|place| Lattice::slow(window, place, fastest));
+    let slow = slow.chain([Lattice::lying(window, secondary, SLOW * fastest)]);
+    let fast = |_, from| shares().map(|place| Lattice::fast(window, place, from)).collect();
+    on_lattices(oscillator, loops, slow.collect(), fast, fastest, progress)
 }
 
-/// The MPSs on lattices that are admissible or stable.
-///
-/// Solutions that are both have neighbours that are one of both beyond each of their borders: beyond grazing those are stable, beyond a saddle-node or
-/// period-doubling bifurcation admissible. So a stretch of them is found from places outside of it as well.
-fn admissible_or_stable<O: ImpactOscillator>(
+/// The MPSs on lattices with impact velocities up to `fastest`, and on those for greater ones as long as there are any; `fast` gives those from some
+/// velocity to twice as much.
+fn on_lattices<O: ImpactOscillator>(
     oscillator: &O,
     loops: &[u32],
-    lattices: &[Lattice],
+    slow: Vec<Lattice>,
+    fast: impl Fn(usize, f64) -> Vec<Lattice>,
+    fastest: f64,
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
-    let found = lattices.par_iter().map(|lattice| {
-        if progress.stopped() {
-            Vec::new()
-        } else {
-            lattice.zeros(oscillator, loops, |solution| solution.admissible() || solution.stable())
+    let on = |lattices: Vec<Lattice>| -> Vec<(u32, Unknowns)> {
+        let found = lattices.par_iter().map(|lattice| match progress.stopped() {
+            true => Vec::new(),
+            // Virtual impacts, which leave the wall, are none.
+            false => lattice.zeros(oscillator, loops, |solution| solution.impact_velocity() > 0.0),
+        });
+        found.collect::<Vec<_>>().concat()
+    };
+    let mut found = on(slow);
+    let mut from = fastest;
+    for doubling in 0..DOUBLINGS {
+        let more = on(fast(doubling, from));
+        if more.is_empty() {
+            break;
         }
+        found.extend(more);
+        from *= 2.0;
+    }
+    found
+}
+
+/// Periodic motion without impacts, with its highest point at some height, at an η.
+pub(crate) fn highest_at<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    secondary: f64,
+    height: f64,
+) -> Vec<HighestPoint> {
+    Lattice::lying(scope.window, secondary, 0.0).at_rest(oscillator, scope, height)
+}
+
+/// Grazing along lines of constant μ through the whole window.
+pub(crate) fn grazing<O: ImpactOscillator>(
+    oscillator: &O,
+    scope: &Scope,
+    progress: &dyn Progress,
+) -> Vec<HighestPoint> {
+    let found = (0..=PARTS).into_par_iter().map(|k| {
+        let [primary, low] = scope.window.parameters([f64::from(k) / f64::from(PARTS), 0.0]);
+        let start = Unknowns::new(0.0, 0.0, primary, low);
+        let length = scope.window.widths()[1];
+        let lattice = Lattice { start, side: unknown::SECONDARY, length, cells: CELLS[0] };
+        if progress.stopped() { Vec::new() } else { lattice.at_rest(oscillator, scope, 0.0) }
     });
     found.collect::<Vec<_>>().concat()
 }
@@ -103,97 +156,136 @@ pub(crate) fn at<O: ImpactOscillator>(
 ) -> Vec<(u32, Unknowns)> {
     let [primary, secondary] = oscillator.parameters();
     let start = Unknowns::new(0.0, 0.0, primary, secondary);
-    Lattice { start, side: unknown::VELOCITY, length: fastest }.zeros(oscillator, loops, wanted)
+    Lattice { start, side: unknown::VELOCITY, length: fastest, cells: CELLS[0] }
+        .zeros(oscillator, loops, wanted)
 }
 
-/// A lattice of impacts of all phases, and of velocities at one μ or at values of μ with one velocity.
+/// A lattice of impacts, or of states at rest, of all phases.
 struct Lattice {
     /// Its first corner.
     start: Unknowns,
-    /// The unknown that varies besides the phase, y or μ,
+    /// The unknown that varies besides the phase,
     side: usize,
     /// and how far.
     length: f64,
+    /// in so many cells.
+    cells: usize,
 }
 
 impl Lattice {
-    /// Those of a slice, at values of μ that are shares of the window and at one small impact velocity.
-    fn of_slice(
-        window: Window,
-        secondary: f64,
-        shares: impl Iterator<Item = f64>,
-        fastest: f64,
-    ) -> impl Iterator<Item = Self> {
-        let standing = move |share: f64| {
-            let primary = window.parameters([share, 0.0])[0];
-            let start = Unknowns::new(0.0, 0.0, primary, secondary);
-            Self { start, side: unknown::VELOCITY, length: fastest }
-        };
-        let [left, right] = window.primary;
-        let start = Unknowns::new(SLOW * fastest, 0.0, left, secondary);
-        shares.map(standing).chain([Self { start, side: unknown::PRIMARY, length: right - left }])
+    /// At a share of the range of μ and an η, impact velocities up to some value.
+    fn slow(window: Window, [share, secondary]: [f64; 2], fastest: f64) -> Self {
+        let primary = window.parameters([share, 0.0])[0];
+        let start = Unknowns::new(0.0, 0.0, primary, secondary);
+        Self { start, side: unknown::VELOCITY, length: fastest, cells: CELLS[0] }
     }
 
-    /// The MPSs that are `wanted`, as far as the lattice tells them apart.
+    /// The same, from that value to twice as much.
+    fn fast(window: Window, place: [f64; 2], from: f64) -> Self {
+        let mut lattice = Self { cells: FAST_CELLS, ..Self::slow(window, place, from) };
+        lattice.start[unknown::VELOCITY] = from;
+        lattice
+    }
+
+    /// At an η and one impact velocity, through the range of μ.
+    fn lying(window: Window, secondary: f64, velocity: f64) -> Self {
+        let [left, right] = window.primary;
+        let start = Unknowns::new(velocity, 0.0, left, secondary);
+        Self { start, side: unknown::PRIMARY, length: right - left, cells: CELLS[0] }
+    }
+
+    fn cell(&self) -> Unknowns {
+        let mut cell = Unknowns::zeros();
+        cell[self.side] = self.length / self.cells as f64;
+        cell[unknown::PHASE] = TAU / CELLS[1] as f64;
+        cell
+    }
+
+    /// The first corners of cells with a zero inside, as far as the lattice tells, of each of several functions.
     ///
-    /// By how much motion that begins with an impact misses it p forcing periods later, the wall ignored meanwhile, is (x, ẋ − y). Where both
-    /// change sign between the impacts at a cell's corners there may be a zero inside.
+    /// There both components change sign between the corners.
+    fn cells(
+        &self,
+        functions: usize,
+        values: impl Fn(&Unknowns) -> Vec<Vector2<f64>>,
+    ) -> Vec<(usize, Unknowns)> {
+        let cell = self.cell();
+        let corner = |i: usize, k: usize| {
+            let mut corner = self.start;
+            corner[self.side] += cell[self.side] * i as f64;
+            corner[unknown::PHASE] = cell[unknown::PHASE] * k as f64;
+            corner
+        };
+        let values: Vec<Vec<Vec<Vector2<f64>>>> =
+            (0..=self.cells).map(|i| (0..=CELLS[1]).map(|k| values(&corner(i, k))).collect()).collect();
+        let places = (0..functions)
+            .flat_map(|index| (0..self.cells).flat_map(move |i| (0..CELLS[1]).map(move |k| (index, i, k))));
+        let changes = |index: usize, i: usize, k: usize, component: usize| {
+            let corners = [(i, k), (i, k + 1), (i + 1, k), (i + 1, k + 1)];
+            let positive = corners.iter().filter(|(i, k)| values[*i][*k][index][component] > 0.0).count();
+            0 < positive && positive < corners.len()
+        };
+        let both = places.filter(|&(index, i, k)| changes(index, i, k, 0) && changes(index, i, k, 1));
+        both.map(|(index, i, k)| (index, corner(i, k))).collect()
+    }
+
+    /// The MPSs that are `wanted`, as far as the lattice tells them apart: zeros of how much an impact is missed by motion that begins with it, p forcing
+    /// periods later and the wall ignored meanwhile, (x, ẋ − y).
     fn zeros<O: ImpactOscillator>(
         &self,
         oscillator: &O,
         loops: &[u32],
         wanted: impl Fn(&MaximalPeriodicSolution) -> bool,
     ) -> Vec<(u32, Unknowns)> {
-        let Self { start, side, length } = *self;
+        let Self { start, side, .. } = *self;
         let held = match side {
             unknown::VELOCITY => Condition::Primary(start[unknown::PRIMARY]),
             _ => Condition::ImpactVelocity(start[unknown::VELOCITY]),
         };
         let here = [held, Condition::Secondary(start[unknown::SECONDARY])];
-        let sides = [side, unknown::PHASE];
-        let mut cell = Unknowns::zeros();
-        cell[side] = length / CELLS[0] as f64;
-        cell[unknown::PHASE] = TAU / CELLS[1] as f64;
-        let corner = |i: usize, k: usize| {
-            let mut corner = start;
-            corner[side] += cell[side] * i as f64;
-            corner[unknown::PHASE] = cell[unknown::PHASE] * k as f64;
-            corner
-        };
+        let cell = self.cell();
         // Only their signs are asked for.
         let rough = oscillator.roughly();
-        let misses: Vec<Vec<Vec<Vector2<f64>>>> = (0..=CELLS[0])
-            .map(|i| (0..=CELLS[1]).map(|k| misses(&rough, loops, &corner(i, k))).collect())
-            .collect();
         let mut found: Vec<(u32, Unknowns)> = Vec::new();
-        for (index, &loops) in loops.iter().enumerate() {
-            let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
-            for (i, k) in (0..CELLS[0]).flat_map(|i| (0..CELLS[1]).map(move |k| (i, k))) {
-                let corners =
-                    [(i, k), (i, k + 1), (i + 1, k), (i + 1, k + 1)].map(|(i, k)| misses[i][k][index]);
-                let changes = |component: usize| {
-                    let positive = corners.iter().filter(|miss| miss[component] > 0.0).count();
-                    0 < positive && positive < corners.len()
-                };
-                let first = corner(i, k);
-                let inside = |zero: &Unknowns| {
-                    sides.iter().all(|&side| (0.0..=1.0).contains(&((zero[side] - first[side]) / cell[side])))
-                };
-                let known = || found.iter().any(|(other, zero)| *other == loops && inside(zero));
-                if !(changes(0) && changes(1)) || known() {
-                    continue;
-                }
-                let reach = REACH * cell.norm();
-                let middle = first + cell * 0.5;
-                let zero = locate_within(reach, &equations, here, middle, &mut EventTimes::default());
-                let new = zero.ok().filter(|zero| {
-                    !found.iter().any(|(other, at)| *other == loops && same(at, zero))
-                        && wanted(&equations.solution(zero))
-                });
-                found.extend(new.map(|zero| (loops, zero)));
+        for (index, first) in self.cells(loops.len(), |impact| misses(&rough, loops, impact)) {
+            let loops = loops[index];
+            let inside = |zero: &Unknowns| {
+                [side, unknown::PHASE]
+                    .iter()
+                    .all(|&side| (0.0..=1.0).contains(&((zero[side] - first[side]) / cell[side])))
+            };
+            if found.iter().any(|(other, zero)| *other == loops && inside(zero)) {
+                continue;
             }
+            let equations = LoopEquations::new(oscillator.clone(), loops, Formulation::FixedPhase);
+            let reach = REACH * cell.norm();
+            let middle = first + cell * 0.5;
+            let zero = locate_within(reach, &equations, here, middle, &mut EventTimes::default());
+            let new = zero.ok().filter(|zero| {
+                !found.iter().any(|(other, at)| *other == loops && same(at, zero))
+                    && wanted(&equations.solution(zero))
+            });
+            found.extend(new.map(|zero| (loops, zero)));
         }
         found
+    }
+
+    /// Periodic motion without impacts with its highest point at some height.
+    fn at_rest<O: ImpactOscillator>(&self, oscillator: &O, scope: &Scope, height: f64) -> Vec<HighestPoint> {
+        let rough = oscillator.roughly();
+        let held = if self.side == unknown::PRIMARY { unknown::SECONDARY } else { unknown::PRIMARY };
+        let missed = |state: &Unknowns| {
+            let [_, phase, primary, secondary] = (*state).into();
+            let oscillator = rough.with_parameters([primary, secondary]);
+            let end = oscillator.motion(State::at_rest(height, phase)).at(oscillator.forcing_period());
+            vec![Vector2::new(end.position - height, end.velocity)]
+        };
+        let cells = self.cells(1, missed).into_iter().filter_map(|(_, first)| {
+            let [_, phase, primary, secondary] = (first + self.cell() * 0.5).into();
+            let near = HighestPoint { height, phase, parameters: [primary, secondary] };
+            near.located(oscillator, scope, held).filter(|found| scope.window.contains(found.parameters))
+        });
+        cells.collect()
     }
 }
 
@@ -236,7 +328,6 @@ mod tests {
             let here = oscillator.with_parameters([zero[2], zero[3]]);
             let suspect = Suspect { oscillator: &here, loops: *loops, velocity: zero[0], phase: zero[1] };
             let solution = LoopEquations::new(here, *loops, Formulation::FixedPhase).solution(zero);
-            assert!(solution.admissible() || solution.stable(), "{loops}: {zero}");
             assert_eq!(suspect.follow() == Seen::Returns, solution.admissible(), "{loops}: {zero}");
         }
         let of = |p: u32| found.iter().filter(|(loops, _)| *loops == p).count();

@@ -30,11 +30,13 @@ pub(crate) struct Slice<B> {
     looked_at: usize,
     /// The number of curves that have been looked at for branches.
     curves: usize,
+    /// Branches that do not matter, which are not to be followed again.
+    dismissed: Vec<B>,
 }
 
 impl<B> Slice<B> {
     pub(crate) fn new(secondary: f64, branches: Vec<B>) -> Self {
-        Self { secondary, branches, carried: false, looked_at: 0, curves: 0 }
+        Self { secondary, branches, carried: false, looked_at: 0, curves: 0, dismissed: Vec::new() }
     }
 
     /// The branches that have not been taken before.
@@ -195,11 +197,20 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         fresh
     }
 
-    /// Adds the branch through an MPS on a slice, unless it is known.
+    /// Adds the branch through an MPS on a slice, unless it is known, or that MPS is neither stable nor admissible and none on the branch is both.
     pub(crate) fn through(&self, slice: &mut Slice<Curve>, solution: Unknowns) {
+        if slice.dismissed.iter().any(|branch| passes(branch, &solution)) {
+            return;
+        }
         let before = slice.branches.len();
         self.add(slice, solution, &EventTimes::default(), true);
-        slice.carried &= slice.branches.len() == before;
+        let Some(new) = slice.branches.get(before) else { return };
+        let start = self.equations.solution(&solution);
+        if start.stable() || start.admissible() || new.points.iter().any(|point| good(&point.solution)) {
+            slice.carried = false;
+        } else {
+            slice.dismissed.extend(slice.branches.pop());
+        }
     }
 
     /// The MPS with the impact velocity and the η of `near`, if it lies in the window and nearby.

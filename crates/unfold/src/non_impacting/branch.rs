@@ -2,14 +2,13 @@
 
 use grazing_continuation::arclength::{Continuation, FEWEST_OF_A_LOOP, StepControl, back_at};
 use grazing_continuation::locate::Condition;
-use grazing_continuation::mps::{MaximalPeriodicSolution, Multipliers};
+use grazing_continuation::mps::{MaximalPeriodicSolution, Multipliers, unknown};
 use grazing_model::{ImpactOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
-use grazing_theorems::spectrum::in_trapesium;
 
 use super::orbits::{OrbitPoint, PRIMARY, PeriodicOrbit, PeriodicOrbitCurve, PeriodicOrbits, SECONDARY};
 use crate::edges::leaves;
-use crate::grazing::grazing_at_primary;
+use crate::grazing::HighestPoint;
 use crate::slices::near_chord;
 use crate::winding::angle_in_a_period;
 
@@ -53,7 +52,7 @@ const ON_BRANCH: f64 = 0.15;
 impl PeriodicOrbit {
     /// Stable, and nowhere above the wall.
     pub(crate) fn good(&self) -> bool {
-        in_trapesium(self.multipliers.trace, self.multipliers.determinant) && self.off_the_wall()
+        self.multipliers.stable() && self.off_the_wall()
     }
 
     pub(crate) fn off_the_wall(&self) -> bool {
@@ -166,7 +165,10 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
     pub(super) fn grazing(&self, near: &PeriodicOrbit, held: usize) -> Option<GrazingOrbit<O>> {
         let (oscillator, phase) = (self.oscillator_at(&near.orbit), near.phase_of_highest);
         match held {
-            PRIMARY => grazing_at_primary(&oscillator, self.scope, phase),
+            PRIMARY => {
+                let near = HighestPoint { height: 0.0, phase, parameters: oscillator.parameters() };
+                near.located(&oscillator, self.scope, unknown::PRIMARY)?.grazing(&oscillator)
+            }
             _ => GrazingOrbit::find(&oscillator, phase).ok(),
         }
     }

@@ -15,6 +15,7 @@ use nalgebra::{SMatrix, Vector2, Vector4};
 use super::Height;
 use crate::Scope;
 use crate::edges::located;
+use crate::grazing::HighestPoint;
 
 /// An orbit: x and y at phase zero, and the shares of the ranges of μ and η.
 pub(crate) type OrbitPoint = Vector4<f64>;
@@ -111,6 +112,16 @@ impl<O: ImpactOscillator> PeriodicOrbits<'_, O> {
             }
         }
         Ok(LoopPair::of(&jet, &MapJet::identity(AtPhase::new(orbit[0], orbit[1]))))
+    }
+
+    /// The orbit with a highest point.
+    pub(crate) fn through(&self, highest: &HighestPoint) -> Option<OrbitPoint> {
+        let oscillator = self.oscillator.with_parameters(highest.parameters);
+        let phase = highest.phase - TAU * libm::floor(highest.phase / TAU);
+        let rest = (TAU - phase) / oscillator.forcing_frequency().value;
+        let there = oscillator.motion(State::at_rest(highest.height, phase)).at(rest);
+        let [primary, secondary] = self.scope.window.shares(highest.parameters);
+        self.at(&OrbitPoint::new(there.position, there.velocity, primary, secondary))
     }
 
     /// The orbit near a state at shares of the ranges, which are held.

@@ -1,11 +1,8 @@
 //! Non-impacting motion in the whole window: its grazing curves, its folds and period doublings, and where it is stable.
 
-use core::f64::consts::TAU;
-
 use grazing_continuation::curve::CurveEnd;
 use grazing_continuation::locate::Condition;
-use grazing_model::motion::Motion;
-use grazing_model::{ImpactOscillator, State};
+use grazing_model::ImpactOscillator;
 use grazing_theorems::from_map::GrazingOrbit;
 use nalgebra::{Vector2, Vector3};
 use rayon::prelude::*;
@@ -15,12 +12,12 @@ use super::orbits::{OrbitPoint, PRIMARY, PeriodicOrbits, SECONDARY};
 use super::{PeriodicMotion, periodic_motion};
 use crate::curves::DiagramCurve;
 use crate::faces::Point;
-use crate::grazing::GrazingCurve;
+use crate::grazing::{GrazingCurve, HighestPoint};
 use crate::progress::Progress;
 use crate::regions::{self, Doubt, Region, Sight, Surveyor, decided};
 use crate::slices::{CARRIED_OFF, MOST_BRANCHES, Slice, near_chord, spread};
 use crate::stop::Unfinished;
-use crate::{Scope, UnfoldError};
+use crate::{Scope, UnfoldError, search};
 
 /// What there is of motion without impacts.
 #[derive(Clone, Debug)]
@@ -116,6 +113,7 @@ fn on_slices<O: ImpactOscillator>(
         survey.add_grazing(orbit);
     }
     survey.follow_columns(progress);
+    survey.look_for_grazing(progress);
     if survey.grazing.is_empty() {
         return Err(nothing());
     }
@@ -129,8 +127,8 @@ fn on_slices<O: ImpactOscillator>(
 }
 
 impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
-    /// Adds the grazing curve through an orbit unless it is known.
-    fn add_grazing(&mut self, orbit: &GrazingOrbit<O>) {
+    /// Adds the grazing curve through an orbit unless it is known, and says whether it did.
+    fn add_grazing(&mut self, orbit: &GrazingOrbit<O>) -> bool {
         let scope = self.orbits.scope;
         let shares = scope.window.shares(orbit.oscillator().parameters());
         if shares.iter().all(|share| (-INSIDE..=1.0 + INSIDE).contains(share))
@@ -139,6 +137,21 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
             && !curve.states.is_empty()
         {
             self.grazing.push(curve);
+            return true;
+        }
+        false
+    }
+
+    /// Adds grazing to which nothing that is known leads, and the branches through the range of η on which it lies.
+    fn look_for_grazing(&mut self, progress: &dyn Progress) {
+        let PeriodicOrbits { oscillator, scope, .. } = self.orbits;
+        for highest in search::grazing(oscillator, scope, progress) {
+            if let Some(orbit) = highest.grazing(oscillator)
+                && self.add_grazing(&orbit)
+                && let Some(start) = self.orbits.through(&highest)
+            {
+                self.follow_column(&start);
+            }
         }
     }
 
@@ -146,13 +159,8 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
     fn beginning_at_grazing(&self, secondary: f64) -> Slice<Branch> {
         let mut branches: Vec<Branch> = Vec::new();
         for place in self.grazing.iter().flat_map(|curve| curve.all_at(secondary)) {
-            let oscillator = self.orbits.oscillator.with_parameters(place.parameters);
-            let phase = place.phase - TAU * libm::floor(place.phase / TAU);
-            let rest = (TAU - phase) / oscillator.forcing_frequency().value;
-            let there = oscillator.motion(State::on_wall(0.0, phase)).at(rest);
-            let shares = self.orbits.scope.window.shares(place.parameters);
-            let near = OrbitPoint::new(there.position, there.velocity, shares[0], shares[1]);
-            if let Some(start) = self.orbits.at(&near) {
+            let highest = HighestPoint { height: 0.0, phase: place.phase, parameters: place.parameters };
+            if let Some(start) = self.orbits.through(&highest) {
                 self.orbits.add_branch(&mut branches, &start);
             }
         }
@@ -187,13 +195,17 @@ impl<O: ImpactOscillator> NonImpactingSurvey<'_, O> {
                 if progress.stopped() || self.columns.len() >= MOST_BRANCHES || known(&near) {
                     continue;
                 }
-                let start = self.orbits.at(&near).filter(|start| !known(start));
-                let column = start.and_then(|start| self.orbits.branch(&start, PRIMARY));
-                if let Some(column) = column {
-                    self.explain(&column.borders());
-                    self.columns.push(column);
+                if let Some(start) = self.orbits.at(&near).filter(|start| !known(start)) {
+                    self.follow_column(&start);
                 }
             }
+        }
+    }
+
+    fn follow_column(&mut self, start: &OrbitPoint) {
+        if let Some(column) = self.orbits.branch(start, PRIMARY) {
+            self.explain(&column.borders());
+            self.columns.push(column);
         }
     }
 

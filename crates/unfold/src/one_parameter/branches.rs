@@ -8,7 +8,6 @@ use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_model::maps::virtual_map;
 use grazing_model::{ImpactOscillator, OnWall};
-use grazing_theorems::spectrum::in_trapesium;
 use nalgebra::Vector2;
 
 use crate::non_impacting::branch;
@@ -213,7 +212,7 @@ impl Strand {
             primary: orbit.height.parameters[0],
             x: orbit.highest.position,
             impact: [f64::NAN; 2],
-            stable: in_trapesium(orbit.multipliers.trace, orbit.multipliers.determinant),
+            stable: orbit.multipliers.stable(),
             admissible: orbit.off_the_wall(),
         });
         Self { loops: 0, visit: 1, points: points.collect() }

@@ -1,7 +1,7 @@
 //! Regions of stability against all maximal periodic solutions in closed form, which a quadratic equation gives.
 
 use grazing_description::Description;
-use grazing_model::smooth::Integrated;
+use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_trials::closed_form;
 use grazing_unfold::progress::Silent;
@@ -306,4 +306,106 @@ fn sketches_of_branches_beside_a_hill_leave_nothing_undecided() {
     let scope = scope([0.0, 1.3708], [0.475, 1.2857], &[3]);
     let diagram = Diagram::compute(&Integrated::new(model, [0.1, 0.7]), &scope, &Silent).unwrap();
     assert!(diagram.regions.iter().all(|region| !matches!(region.kind, RegionKind::Undecided(_))));
+}
+
+/// Damping that large motion overcomes: beside small motion there is a closed branch of large motion, less than a hundredth of the range of ω wide.
+const CLOSED: &str = r#"
+name = "closed branch"
+[parameters]
+F = 0.01
+[primary]
+name = "g"
+range = [0.05, 1.6]
+[secondary]
+name = "omega"
+range = [0.63, 1.63]
+[motion]
+force = "-(0.14 - 0.3*v^2 + 0.15*v^4)*v - x + F*cos(omega*t)"
+frequency = "omega"
+[wall]
+position = "g"
+[impact]
+restitution = "0.8"
+duration = "0"
+[analysis]
+loops = [1]
+"#;
+
+#[test]
+fn grazing_of_a_closed_branch_between_two_slices_is_found() {
+    let diagram = located(CLOSED, [0.05, 1.6], [0.63, 1.63]);
+    // By integration of another kind (Runge-Kutta of order eight) and shooting.
+    for known in [[1.180_427_91, 0.999_503_67], [0.982_820_35, 0.999_699_88]] {
+        let near = |at: [f64; 2]| (at[0] - known[0]).abs().max((at[1] - known[1]).abs()) < 1e-8;
+        let places = diagram.resonances.iter().map(|found| found.located.orbit().oscillator().parameters());
+        assert!(places.into_iter().any(near), "{known:?}");
+    }
+}
+
+/// A force that saturates, and a wall near rest, whose distance is the unit of length.
+const SATURATED: &str = r#"
+name = "saturated"
+[parameters]
+c = 0.1
+[primary]
+name = "A"
+range = [0.0, 0.6]
+[secondary]
+name = "omega"
+range = [0.5, 2.0]
+[motion]
+force = "-c*v - tanh(3*x) + A*cos(omega*t)"
+frequency = "omega"
+[wall]
+position = "0.15"
+[impact]
+restitution = "0.85"
+duration = "0"
+[analysis]
+loops = [1]
+"#;
+
+#[test]
+fn solutions_that_are_faster_than_any_that_is_known_are_found() {
+    let description =
+        Description::parse(SATURATED, "saturated.toml").unwrap_or_else(|error| panic!("{error}"));
+    let units = description.units();
+    let own = scope([0.0, 0.6], [0.5, 2.0], &[1]);
+    let oscillator = Integrated::new(Dimensionless::new(description, units), [0.3, 1.0]);
+    let diagram = Diagram::compute(&oscillator, &own.without_dimensions(&units), &Silent).unwrap();
+    // Simulation returns to solutions with impact velocities from 2.7 to 3.4 there; those that are known have 1 at most.
+    for here in [[0.57, 1.07], [0.575, 1.05], [0.575, 1.15]] {
+        let here = [here[0] / units.primary, here[1] / units.secondary];
+        let shaded = |region: &Region| region.kind == RegionKind::Mps && region.contains(here);
+        assert!(diagram.regions.iter().any(shaded), "{here:?}");
+    }
+}
+
+/// Damping without swings.
+const OVERDAMPED: &str = r#"
+name = "overdamped"
+[parameters]
+c = 3
+[primary]
+name = "A"
+range = [0.0, 8.0]
+[secondary]
+name = "omega"
+range = [0.1, 2.0]
+[motion]
+force = "-c*v - x - 1 + A*cos(omega*t)"
+frequency = "omega"
+[impact]
+restitution = "0.5"
+duration = "0"
+[analysis]
+loops = [1]
+"#;
+
+#[test]
+fn motion_that_is_forgotten_within_a_period_is_stable() {
+    let diagram = located(OVERDAMPED, [0.0, 8.0], [0.1, 2.0]);
+    // Multipliers are exp((−1.5 ± 1.12) 2π/ω), one of them less than rounding for small ω.
+    assert!(diagram.grazing.iter().flat_map(|curve| &curve.states).all(|state| state.stable));
+    assert!([[0.11, 0.2], [1.17, 0.3035], [0.2, 0.11]].into_iter().all(|at| stays_off(&diagram, at)));
 }
