@@ -89,12 +89,7 @@ impl Job for Plane<'_> {
         // Curves that were sent under another name, as they were thought to be others, are not among these.
         events
             .send("keys", &all.iter().chain(&approximations).map(|curve| &curve["key"]).collect::<Vec<_>>());
-        let unlocated = diagram.unlocated.iter().map(|lost| format!("p = {}: {}", lost.loops, lost.reason));
-        let lost = diagram
-            .not_unfolded
-            .iter()
-            .map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason));
-        events.send("notes", &unlocated.chain(lost).collect::<Vec<_>>());
+        events.send("notes", &plane::lost(&diagram).collect::<Vec<_>>());
         Ok(())
     }
 }

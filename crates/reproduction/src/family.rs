@@ -18,6 +18,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::plane::own_header;
 use crate::unfolded;
+pub use assembly::assemble;
 pub use record::Record;
 
 /// A constant that varies, with its values.
@@ -80,31 +81,15 @@ pub fn records(
 ) -> Vec<Option<Record>> {
     progress.begin(MEMBERS, members.len() as u64);
     let compute = |(index, description): &(usize, Description)| {
-        let record = Record::compute(plan, *index, description, tell, stop, &Within(progress));
+        // The stages of a member are not told.
+        let record = Record::compute(plan, *index, description, tell, stop);
         progress.step(MEMBERS);
-        record.filter(|_| !progress.stopped())
+        record
     };
     let records = members.par_iter().map(compute).collect();
     progress.end(MEMBERS);
     stop.withdraw();
     records
-}
-
-/// The stages of a member are not told.
-struct Within<'a>(&'a dyn Progress);
-
-impl Progress for Within<'_> {
-    fn begin(&self, _: &str, _: u64) {}
-    fn step(&self, _: &str) {}
-    fn end(&self, _: &str) {}
-    fn stopped(&self) -> bool {
-        self.0.stopped()
-    }
-}
-
-/// The family with these records, in the order of the members; members without a record are left out.
-pub fn assemble(plan: &Plan, description: &Description, records: Vec<Option<Record>>) -> Family {
-    assembly::assemble(plan, description, records)
 }
 
 /// The names that head the columns of a family's tables.

@@ -152,6 +152,13 @@ pub fn regions(axes: &Axes, regions: &[Region]) -> Vec<RegionVertex> {
     rows
 }
 
+/// Resonances that could not be located, and those whose curves could not be followed, in words.
+pub fn lost<O>(diagram: &Diagram<O>) -> impl Iterator<Item = String> {
+    let unlocated = diagram.unlocated.iter().map(|lost| format!("p = {}: {}", lost.loops, lost.reason));
+    let not_unfolded = diagram.not_unfolded.iter();
+    unlocated.chain(not_unfolded.map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason)))
+}
+
 /// Curves of magnifications about the resonances of these p and n, panel by panel from 1; their points are in the oscillator's own units.
 pub fn magnifications<'a>(
     panels: impl IntoIterator<Item = (u32, u32, &'a [Polyline])>,

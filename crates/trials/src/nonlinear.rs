@@ -2,14 +2,12 @@
 
 use core::fmt;
 
-use grazing_continuation::curve::Window;
 use grazing_continuation::mps::{MaximalPeriodicSolution, Unknowns, unknown};
 use grazing_description::Description;
 use grazing_model::ImpactOscillator;
-use grazing_model::smooth::{Dimensionless, Integrated};
-use grazing_unfold::progress::Progress;
+use grazing_reproduction::unfolded::{Described, prepared};
 use grazing_unfold::simulation::Suspect;
-use grazing_unfold::stop::{Stop, Stoppable};
+use grazing_unfold::stop::Stop;
 use grazing_unfold::{Diagram, Scope, UnfoldError};
 use rayon::prelude::*;
 
@@ -69,34 +67,14 @@ impl Outcome {
 /// Steps of integration after which an analysis is ended: minutes, where those of the examples take seconds.
 const MOST_STEPS: u64 = 200_000_000;
 
-/// Hears when the steps are used up.
-struct Limited(Stop);
-
-impl Progress for Limited {
-    fn begin(&self, _: &str, _: u64) {}
-    fn step(&self, _: &str) {}
-    fn end(&self, _: &str) {}
-    fn stopped(&self) -> bool {
-        self.0.is_asked()
-    }
-}
-
 /// The diagram of an oscillator, counted in units of its own; regions that take very long are undecided.
 ///
 /// # Errors
 /// There is nothing to unfold.
-pub fn unfolded(
-    description: &Description,
-) -> Result<Diagram<Integrated<Stoppable<Dimensionless<Description>>>>, UnfoldError> {
-    let window =
-        Window { primary: description.primary().range(), secondary: description.secondary().range() };
-    let scope = Scope { window, loops: description.loops().to_vec(), start: description.start() };
-    let units = description.units();
-    let scope = scope.without_dimensions(&units);
+pub fn unfolded(description: &Description) -> Result<Diagram<Described>, UnfoldError> {
     let stop = Stop::after(MOST_STEPS);
-    let model = Stoppable::new(Dimensionless::new(description.clone(), units), stop.clone());
-    let oscillator = Integrated::new(model, [scope.window.primary[0], scope.window.secondary[0]]);
-    let diagram = Diagram::compute(&oscillator, &scope, &Limited(stop.clone()));
+    let (oscillator, scope) = prepared(description, &description.units(), &stop);
+    let diagram = Diagram::compute(&oscillator, &scope, &stop);
     stop.withdraw();
     diagram
 }

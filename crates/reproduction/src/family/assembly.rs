@@ -13,7 +13,8 @@ use super::{Plan, Record};
 /// located to 1e-9 or better.
 const SAME: f64 = 1e-6;
 
-pub(super) fn assemble(plan: &Plan, description: &Description, mut records: Vec<Option<Record>>) -> Family {
+/// The family with these records, in the order of the members; members without a record are left out.
+pub fn assemble(plan: &Plan, description: &Description, mut records: Vec<Option<Record>>) -> Family {
     let widths = [description.primary(), description.secondary()].map(|axis| {
         let [low, high] = axis.range();
         high - low

@@ -13,7 +13,6 @@ use grazing_theorems::{ResonantGrazing, ResonantPoint};
 use grazing_unfold::Diagram;
 use grazing_unfold::diagram::CodimensionTwoPoint;
 use grazing_unfold::family::{Arc, ArcEnd, ArcPoint, arcs};
-use grazing_unfold::progress::Progress;
 use grazing_unfold::resonances;
 use grazing_unfold::stop::Stop;
 use grazing_unfold::units::InUnits;
@@ -21,6 +20,7 @@ use grazing_unfold::verdict::coefficients;
 use serde::{Deserialize, Serialize};
 
 use super::{Plan, Tell};
+use crate::plane::lost;
 use crate::unfolded::{self, Described, slopes};
 
 /// A member of a family: its own rows, and its resonances on their way to its neighbours. Numbers of branches and arcs are given when all
@@ -71,35 +71,31 @@ impl Record {
         description: &Description,
         tell: Tell<'_>,
         stop: &Stop,
-        progress: &dyn Progress,
     ) -> Option<Self> {
-        if progress.stopped() {
+        if stop.is_asked() {
             return None;
         }
         let units = description.units();
         let values = plan.values(index);
         let rows = Rows { units, varied: padded(&values), first: VARIED - values.len() };
         let (oscillator, scope) = unfolded::prepared(description, &units, stop);
-        let mut member = Member { varied: rows.varied, resonances: 0, points: 0, missing: String::new() };
-        let diagram = match Diagram::located(&oscillator, &scope, progress) {
+        let member = Member { varied: rows.varied, resonances: 0, points: 0, missing: String::new() };
+        let (resonances, points, ways) = (Vec::new(), Vec::new(), Vec::new());
+        let mut record = Self { index, member, incomplete: false, resonances, points, ways };
+        let diagram = match Diagram::located(&oscillator, &scope, stop) {
             Ok(located) => {
-                let followed = located.follow(progress, &|_, _| ());
+                let followed = located.follow(stop, &|_, _| ());
                 located.with_curves(followed)
             }
             Err(error) => {
-                member.missing = tell(description, &error.in_units(&units));
-                let (resonances, points, ways) = (Vec::new(), Vec::new(), Vec::new());
-                let record = Self { index, member, incomplete: false, resonances, points, ways };
-                return (!progress.stopped()).then_some(record);
+                record.member.missing = tell(description, &error.in_units(&units));
+                return (!stop.is_asked()).then_some(record);
             }
         };
-        let unlocated = diagram.unlocated.iter().map(|lost| format!("p = {}: {}", lost.loops, lost.reason));
-        let lost = diagram.not_unfolded.iter();
-        let lost = lost.map(|lost| format!("p = {}, n = {}: {}", lost.loops, lost.n, lost.reason));
-        let mut missing: Vec<String> = unlocated.chain(lost).collect();
+        let mut missing: Vec<String> = lost(&diagram).collect();
         missing.dedup();
-        member.missing = missing.join("; ");
-        let mut ways = Vec::new();
+        record.incomplete = !missing.is_empty();
+        record.member.missing = missing.join("; ");
         let (place, along) = (index % plan.line(), &plan.varied[0]);
         let after = along.values.get(place + 1);
         let before = place.checked_sub(1).map(|before| &along.values[before]);
@@ -113,13 +109,11 @@ impl Record {
             let arcs = arcs(&diagram, &at);
             // What leads to the member before is that one's way here.
             let kept = arcs.iter().filter(|arc| onwards || arc.end != ArcEnd::Across);
-            ways.extend(kept.map(|arc| rows.way(&diagram, arc, neighbour)));
+            record.ways.extend(kept.map(|arc| rows.way(&diagram, arc, neighbour)));
         }
-        let resonances = diagram.resonances.iter().map(|resonance| rows.resonance(resonance)).collect();
-        let incomplete = !member.missing.is_empty();
-        let points = rows.points(&diagram);
-        let record = Self { index, member, incomplete, resonances, points, ways };
-        (!progress.stopped()).then_some(record)
+        record.resonances = diagram.resonances.iter().map(|resonance| rows.resonance(resonance)).collect();
+        record.points = rows.points(&diagram);
+        (!stop.is_asked()).then_some(record)
     }
 
     /// Counts resonances and points.
