@@ -2,7 +2,7 @@
 
 use grazing_continuation::bifurcation::Bifurcation;
 use grazing_results::Names;
-use grazing_results::branches::{BranchBifurcation, BranchPoint};
+use grazing_results::branches::{AttractorPoint, BranchBifurcation, BranchPoint};
 
 use crate::DrawingError;
 use crate::axes::Panel;
@@ -16,57 +16,36 @@ use crate::style::{
     UNSTABLE_WIDTH, branch_pen,
 };
 
-/// A strand of a branch of Figure 2: one loop of a solution as the amplitude changes.
-pub(crate) struct Strand {
-    p: u32,
-    points: Vec<(f64, f64)>,
-    stable: Vec<bool>,
-}
-
-impl Strand {
-    /// Strands from their points: those that follow each other with equal p and branch are one; inadmissible ones become gaps.
-    pub(crate) fn all(points: &[BranchPoint]) -> Vec<Self> {
-        let place = |point: &BranchPoint| {
-            if point.admissible { (point.primary, point.x) } else { (f64::NAN, f64::NAN) }
-        };
-        let branch = |points: &[BranchPoint]| Strand {
-            p: points[0].loops,
-            points: points.iter().map(place).collect(),
-            stable: points.iter().map(|point| point.stable).collect(),
-        };
-        points.chunk_by(|a, b| (a.loops, a.branch) == (b.loops, b.branch)).map(branch).collect()
-    }
-}
-
-/// Branches, attractor and bifurcations of one panel, with their labels.
+/// Branches, attractor and bifurcations of one panel, with their labels. Points that follow each other with equal p and branch are a strand: one
+/// loop of a solution as the parameter changes.
 pub(crate) fn diagram(
     panel: &Panel<'_>,
     mut labels: Labels<'_>,
-    branches: &[Strand],
+    branches: &[BranchPoint],
     bifurcations: &[BranchBifurcation],
-    cloud: &[(f64, f64)],
+    attractor: &[AttractorPoint],
     names: &Names,
     every_loop: bool,
 ) -> Result<(), DrawingError> {
     for level in panel.line(&[(panel.frame.x[0], 0.0), (panel.frame.x[1], 0.0)], THRESHOLD) {
         labels.placer.keep_off_nameless(&level);
     }
-    draw_cloud(panel, cloud);
+    let cloud: Vec<(f64, f64)> = attractor.iter().map(|point| (point.primary, point.x)).collect();
+    draw_cloud(panel, &cloud);
     let mut longest: Vec<(u32, Vec<Spot>)> = Vec::new();
     let mut pieces = Vec::new();
-    for branch in branches {
-        for piece in branch_pieces(panel, branch) {
-            if branch.p > 0 {
-                panel
-                    .canvas
-                    .explain(&format!("$p={}$", branch.p), Sample::Line(branch_pen(branch.p, STABLE_WIDTH)));
+    for strand in branches.chunk_by(|a, b| (a.loops, a.branch) == (b.loops, b.branch)) {
+        let p = strand[0].loops;
+        for piece in strand_pieces(panel, strand) {
+            if p > 0 {
+                panel.canvas.explain(&format!("$p={p}$"), Sample::Line(branch_pen(p, STABLE_WIDTH)));
             }
             labels.placer.keep_off(&piece);
             pieces.push(piece.clone());
-            match longest.iter_mut().find(|(p, _)| *p == branch.p) {
+            match longest.iter_mut().find(|(known, _)| *known == p) {
                 Some((_, best)) if length(best) >= length(&piece) => {}
                 Some((_, best)) => *best = piece,
-                None => longest.push((branch.p, piece)),
+                None => longest.push((p, piece)),
             }
         }
     }
@@ -113,16 +92,19 @@ pub(crate) fn diagram(
     labels.draw()
 }
 
-/// Draws a branch, thick where stable and thin where unstable, without gaps between; returns what was drawn.
-fn branch_pieces(panel: &Panel<'_>, branch: &Strand) -> Vec<Vec<Spot>> {
+/// Draws a strand, thick where stable and thin where unstable, without gaps between but where it is inadmissible; returns what was drawn.
+fn strand_pieces(panel: &Panel<'_>, strand: &[BranchPoint]) -> Vec<Vec<Spot>> {
+    let place =
+        |point: &BranchPoint| if point.admissible { (point.primary, point.x) } else { (f64::NAN, f64::NAN) };
     let mut pieces = Vec::new();
     let mut start = 0;
-    for run in branch.stable.chunk_by(|a, b| a == b) {
-        let (meaning, width) = if run[0] { ("stable", STABLE_WIDTH) } else { ("unstable", UNSTABLE_WIDTH) };
+    for run in strand.chunk_by(|a, b| a.stable == b.stable) {
+        let BranchPoint { loops, stable, .. } = run[0];
+        let (meaning, width) = if stable { ("stable", STABLE_WIDTH) } else { ("unstable", UNSTABLE_WIDTH) };
         panel.canvas.explain(meaning, Sample::Line(branch_pen(0, width)));
         let end = start + run.len();
-        let points = &branch.points[start..(end + 1).min(branch.points.len())];
-        pieces.extend(panel.line(points, branch_pen(branch.p, width)));
+        let points: Vec<_> = strand[start..(end + 1).min(strand.len())].iter().map(place).collect();
+        pieces.extend(panel.line(&points, branch_pen(loops, width)));
         start = end;
     }
     pieces
@@ -141,12 +123,19 @@ mod tests {
         let canvas = Canvas::new(100.0, 100.0).unwrap();
         let bounds = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 100.0 };
         let panel = Panel::new(&canvas, Frame { x: [0.0, 3.0], y: [-1.0, 1.0] }, bounds);
-        let branch = Strand {
-            p: 2,
-            points: vec![(0.0, 0.0), (1.0, 0.1), (2.0, 0.4), (3.0, 0.9)],
-            stable: vec![false, false, true, true],
+        let point = |(primary, x, stable)| BranchPoint {
+            loops: 2,
+            primary,
+            x,
+            visit: 1,
+            impact_velocity: 0.1,
+            impact_phase: 0.0,
+            stable,
+            admissible: true,
+            branch: 1,
         };
-        let pieces = branch_pieces(&panel, &branch);
+        let strand = [(0.0, 0.0, false), (1.0, 0.1, false), (2.0, 0.4, true), (3.0, 0.9, true)].map(point);
+        let pieces = strand_pieces(&panel, &strand);
         assert_eq!(panel_points(&pieces), [3, 2]);
         assert_eq!(pieces[0].last(), pieces[1].first());
         let svg = canvas.finish("test", "", "").unwrap();

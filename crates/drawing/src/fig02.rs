@@ -5,11 +5,11 @@ use grazing_results::branches::Figure2;
 
 use crate::DrawingError;
 use crate::axes::Panel;
-use crate::branches::{Strand, diagram};
+use crate::branches::diagram;
 use crate::canvas::Canvas;
 use crate::clip::checked;
 use crate::labels::Labels;
-use crate::portraits::{Caption, Portrait, ROW, SINGLE_ROW, draw_portraits, letters};
+use crate::portraits::{Caption, draw_portraits, letters, portraits, row_height};
 use crate::sheet::Bounds;
 use crate::style::{MAGNIFIER, MAGNIFIER_FRAME, SheetWidth};
 use crate::svg::POINTS_PER_MM;
@@ -46,9 +46,7 @@ pub fn draw_fig02(figure: &Figure2, width: SheetWidth) -> Result<String, Drawing
 pub(crate) fn compose(figure: &Figure2, width: SheetWidth) -> Result<Canvas, DrawingError> {
     let frame = checked(figure.frame, "fig02")?;
     let magnification = checked(figure.magnified, "the magnification of fig02")?;
-    let branches = Strand::all(&figure.branches);
-    let cloud: Vec<(f64, f64)> = figure.attractor.iter().map(|point| (point.primary, point.x)).collect();
-    let portraits = Portrait::all(&figure.portraits);
+    let portraits = portraits(&figure.portraits);
     if portraits.is_empty() || portraits.len() > MOST {
         let found = portraits.len();
         return Err(DrawingError(format!("fig02 has one to six phase portraits, but {found} were given")));
@@ -58,12 +56,11 @@ pub(crate) fn compose(figure: &Figure2, width: SheetWidth) -> Result<Canvas, Dra
     let stacked = width < SIDE_BY_SIDE_MM;
     // On a narrow sheet portraits stand in rows of two.
     let rows = if stacked { portraits.len().div_ceil(2) } else { 1 };
-    let row = if rows == 1 { SINGLE_ROW } else { ROW };
-    let portraits_end = rows as f64 * row;
+    let portraits_end = rows as f64 * row_height(rows);
     let height = portraits_end + if stacked { 2.0 * STACKED_HEIGHT + STACKED_GAP } else { DIAGRAM_HEIGHT };
     let canvas = Canvas::new(width, height / POINTS_PER_MM)?;
     let caption = Caption { across: r"$\mathcal{A}$", titles: ["$x$", "$y$"], table: &["fig02_portraits"] };
-    draw_portraits(&canvas, &portraits, &caption, (rows, row))?;
+    draw_portraits(&canvas, &portraits, &caption, rows)?;
     let (top, right) = (portraits_end + LETTERS, canvas.width - 6.0);
     let (whole, part) = if stacked {
         let middle = portraits_end + STACKED_HEIGHT;
@@ -87,7 +84,8 @@ pub(crate) fn compose(figure: &Figure2, width: SheetWidth) -> Result<Canvas, Dra
             guides.iter().for_each(|guide| labels.placer.keep_off_nameless(guide));
             labels.placer.keep_off_nameless(&magnified.map(|corner| panel.spot(corner)));
         }
-        diagram(panel, labels, &branches, &figure.bifurcations, &cloud, &names, every_loop)?;
+        let (branches, bifurcations) = (&figure.branches, &figure.bifurcations);
+        diagram(panel, labels, branches, bifurcations, &figure.attractor, &names, every_loop)?;
         panel.axes(caption.across, if every_loop && !stacked { "" } else { "$x$" })?;
     }
     Ok(canvas)

@@ -16,30 +16,19 @@ use crate::style::{
     admissibility_pen, resonance_pen,
 };
 
-struct BoundaryCurve {
-    family: Boundary,
-    p: u32,
-    points: Vec<(f64, f64)>,
+/// The pen of the curve to which a point belongs, and its name.
+fn pen_and_name(BoundaryPoint { kind, loops: p, .. }: &BoundaryPoint) -> (Pen, String) {
+    match kind {
+        Boundary::Trapesium => (OUTLINE, String::new()),
+        Boundary::Limit => (LIMIT, r"$2\,\sqrt\delta$".to_owned()),
+        Boundary::Resonance => (resonance_pen(*p), format!("$g_{{{p}}}$")),
+        Boundary::Admissibility => (admissibility_pen(*p), format!("$h_{{{p}}}$")),
+    }
 }
 
-impl BoundaryCurve {
-    fn pen(&self) -> Pen {
-        match self.family {
-            Boundary::Trapesium => OUTLINE,
-            Boundary::Limit => LIMIT,
-            Boundary::Resonance => resonance_pen(self.p),
-            Boundary::Admissibility => admissibility_pen(self.p),
-        }
-    }
-
-    fn label(&self) -> String {
-        match self.family {
-            Boundary::Trapesium => String::new(),
-            Boundary::Limit => r"$2\,\sqrt\delta$".to_owned(),
-            Boundary::Resonance => format!("$g_{{{}}}$", self.p),
-            Boundary::Admissibility => format!("$h_{{{}}}$", self.p),
-        }
-    }
+/// A point in the panel.
+fn place(point: &BoundaryPoint) -> (f64, f64) {
+    (point.tau, point.delta)
 }
 
 /// Width in the paper.
@@ -54,28 +43,31 @@ const NAME_GAP: f64 = 3.0;
 
 /// Draws Figure 4. Paper: fig:D.
 pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<String, DrawingError> {
-    let curves = shown_curves(&figure.curves);
+    let curves: Vec<_> = figure.curves.chunk_by(|a, b| (a.kind, a.loops) == (b.kind, b.loops)).collect();
+    let (outlines, others): (Vec<_>, Vec<_>) =
+        curves.iter().copied().partition(|curve| curve[0].kind == Boundary::Trapesium);
 
     let canvas = Canvas::new(width.mm(WIDTH_MM), HEIGHT_MM)?;
     let bounds = Bounds { left: 37.0, top: 23.0, right: canvas.width - 12.0, bottom: canvas.height - 30.0 };
     let panel = Panel::new(&canvas, SHOWN, bounds);
     let mut labels = Labels::new(&canvas, bounds);
 
-    for curve in curves.iter().filter(|curve| curve.family == Boundary::Trapesium) {
-        panel.fill(&curve.points, NON_IMPACTING_AREA);
+    for outline in &outlines {
+        panel.fill(&outline.iter().map(place).collect::<Vec<_>>(), NON_IMPACTING_AREA);
     }
     canvas.explain("$g_p$", Sample::Line(resonance_pen(0)));
     canvas.explain("$h_p$", Sample::Line(admissibility_pen(0)));
     for curve in &curves {
-        if curve.family == Boundary::Resonance {
-            canvas.explain(&format!("$p={}$", curve.p), Sample::Line(curve.pen()));
+        let (pen, _) = pen_and_name(&curve[0]);
+        if curve[0].kind == Boundary::Resonance {
+            canvas.explain(&format!("$p={}$", curve[0].loops), Sample::Line(pen));
         }
-        for piece in panel.line(&curve.points, curve.pen()) {
+        for piece in panel.line(&curve.iter().map(place).collect::<Vec<_>>(), pen) {
             labels.placer.keep_off(&piece);
         }
     }
     panel.axes(r"$\tau$", r"$\delta$")?;
-    name_above(&panel, &curves)?;
+    name_above(&panel, &others)?;
     for point in figure.points.iter().map(|point| (point.tau, point.delta)) {
         if let Some(taken) = panel.marker(point, Marker::Star) {
             labels.placer.block(taken);
@@ -83,11 +75,11 @@ pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<String, Drawing
             labels.add("Fig. 2", SMALL_LABEL_SIZE, BLACK, &Wanted::Around(panel.spot(point), reach))?;
         }
     }
-    for curve in curves.iter().filter(|curve| curve.family == Boundary::Trapesium) {
+    for outline in &outlines {
         // Of the sides, the slanted ones say what they are; the others are read off the axis.
-        for side in curve.points.windows(2).filter(|side| side[0].1 != side[1].1) {
-            let text = if side[0].0 > 0.0 { r"$\tau=\delta+1$" } else { r"$\tau=-\delta-1$" };
-            let edge = [panel.spot(side[0]), panel.spot(side[1])];
+        for side in outline.windows(2).filter(|side| side[0].delta != side[1].delta) {
+            let text = if side[0].tau > 0.0 { r"$\tau=\delta+1$" } else { r"$\tau=-\delta-1$" };
+            let edge = [0, 1].map(|end| panel.spot(place(&side[end])));
             labels.add(text, SMALL_LABEL_SIZE, BLACK, &Wanted::Beside(&edge))?;
         }
     }
@@ -101,42 +93,34 @@ pub fn draw_fig04(figure: &Figure4, width: SheetWidth) -> Result<String, Drawing
 }
 
 /// Names the curves in a row above their upper ends.
-fn name_above(panel: &Panel<'_>, curves: &[BoundaryCurve]) -> Result<(), DrawingError> {
-    let mut ends: Vec<(Spot, f64, &BoundaryCurve)> = Vec::new();
-    for curve in curves.iter().filter(|curve| curve.family != Boundary::Trapesium) {
-        if let Some(&end) = curve.points.last().filter(|&&end| panel.frame.contains(end)) {
+fn name_above(panel: &Panel<'_>, curves: &[&[BoundaryPoint]]) -> Result<(), DrawingError> {
+    let mut ends: Vec<(Spot, f64, (Pen, String))> = Vec::new();
+    for curve in curves {
+        if let Some(end) = curve.last().map(place).filter(|&end| panel.frame.contains(end)) {
             // Of curves that end in one point, where they come from tells which is to the left.
-            let before = curve.points[curve.points.len() * 19 / 20];
-            ends.push((panel.spot(end), panel.spot(before).0, curve));
+            let before = place(&curve[curve.len() * 19 / 20]);
+            ends.push((panel.spot(end), panel.spot(before).0, pen_and_name(&curve[0])));
         }
     }
     ends.sort_by(|a, b| (a.0.0 + a.1).total_cmp(&(b.0.0 + b.1)));
     let mut boxes = Vec::new();
-    for (end, _, curve) in &ends {
-        let extent = panel.canvas.fonts.measure(&Label::parse(&curve.label())?, LABEL_SIZE)?;
+    for (end, _, (_, name)) in &ends {
+        let extent = panel.canvas.fonts.measure(&Label::parse(name)?, LABEL_SIZE)?;
         boxes.push((end.0, extent.width));
     }
-    for ((end, _, curve), x) in ends.iter().zip(side_by_side(&boxes, NAME_GAP)) {
+    for ((end, _, (pen, name)), x) in ends.iter().zip(side_by_side(&boxes, NAME_GAP)) {
         let top = panel.bounds.top;
         let leader = [(end.0, end.1 - 0.6), (x, top - NAMES_ABOVE + 2.5)];
         panel.canvas.line(&leader, CURVE_LEADER);
-        let spot = (x, top - NAMES_ABOVE);
-        panel.canvas.text(spot, &curve.label(), LABEL_SIZE, Anchor::Middle, curve.pen().colour)?;
+        panel.canvas.text((x, top - NAMES_ABOVE), name, LABEL_SIZE, Anchor::Middle, pen.colour)?;
     }
     Ok(())
 }
 
-fn shown_curves(points: &[BoundaryPoint]) -> Vec<BoundaryCurve> {
-    let curve = |points: &[BoundaryPoint]| BoundaryCurve {
-        family: points[0].kind,
-        p: points[0].loops,
-        points: points.iter().map(|point| (point.tau, point.delta)).collect(),
-    };
-    points.chunk_by(|a, b| (a.kind, a.loops) == (b.kind, b.loops)).map(curve).collect()
-}
-
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
     use crate::samples::study;
 
@@ -145,11 +129,11 @@ mod tests {
         let figure = study().fig04().unwrap();
         let svg = draw_fig04(&figure, SheetWidth::Paper).unwrap();
         let svg = svg.split("<defs").next().unwrap();
-        let curves = shown_curves(&figure.curves);
         for (kind, family) in [(Boundary::Resonance, "g"), (Boundary::Admissibility, "h")] {
-            let own = curves.iter().filter(|curve| curve.family == kind);
-            assert_eq!(svg.matches(&format!(">{family}</tspan>")).count(), own.clone().count());
-            for BoundaryCurve { p, .. } in own {
+            let own = figure.curves.iter().filter(|point| point.kind == kind);
+            let own: BTreeSet<u32> = own.map(|point| point.loops).collect();
+            assert_eq!(svg.matches(&format!(">{family}</tspan>")).count(), own.len());
+            for p in own {
                 assert!(svg.contains(&format!(">{p}</tspan>")), "{p}");
             }
         }

@@ -5,11 +5,11 @@ use grazing_results::branches::OneParameter;
 
 use crate::DrawingError;
 use crate::axes::{Panel, overhang, room_beside};
-use crate::branches::{Strand, diagram};
+use crate::branches::diagram;
 use crate::canvas::Canvas;
 use crate::clip::checked;
 use crate::labels::Labels;
-use crate::portraits::{Caption, Portrait, ROW, SINGLE_ROW, draw_portraits, equation, letters};
+use crate::portraits::{Caption, draw_portraits, equation, letters, portraits, row_height};
 use crate::sheet::Bounds;
 use crate::style::SheetWidth;
 use crate::svg::POINTS_PER_MM;
@@ -63,9 +63,7 @@ pub(crate) fn compose(
     width: SheetWidth,
 ) -> Result<Canvas, DrawingError> {
     let frame = checked(figure.frame, "a one-parameter diagram")?;
-    let branches = Strand::all(&figure.branches);
-    let cloud: Vec<(f64, f64)> = figure.attractor.iter().map(|point| (point.primary, point.x)).collect();
-    let portraits = Portrait::all(&figure.portraits);
+    let portraits = portraits(&figure.portraits);
     let ([across, held], [title, _]) = (figure.exchanged(names.shown()), figure.exchanged(names.titles()));
     let [_, unit] = figure.exchanged(names.parameter_units()).map(Option::unwrap_or_default);
     let [column, _] = figure.exchanged([&names.primary, &names.secondary]);
@@ -75,12 +73,11 @@ pub(crate) fn compose(
     let width = width.mm(WIDTH_MM);
     let columns = if width < WIDE_MM { IN_A_ROW / 2 } else { IN_A_ROW };
     let rows = portraits.len().div_ceil(columns);
-    let row = if rows == 1 { SINGLE_ROW } else { ROW };
-    let portraits_end = rows as f64 * row;
+    let portraits_end = rows as f64 * row_height(rows);
     let canvas = Canvas::new(width, (portraits_end + HEIGHT) / POINTS_PER_MM)?;
     if rows > 0 {
         let caption = Caption { across: &across, titles: [x, "$y$"], table: &["diagram_portraits"] };
-        draw_portraits(&canvas, &portraits, &caption, (rows, row))?;
+        draw_portraits(&canvas, &portraits, &caption, rows)?;
     }
     let top = portraits_end + if rows > 0 { LETTERS } else { ABOVE };
     let bottom = canvas.height - BELOW;
@@ -96,7 +93,7 @@ pub(crate) fn compose(
     let guides = letters(&panel, &portraits)?;
     let mut labels = Labels::new(&canvas, panel.bounds);
     guides.iter().for_each(|guide| labels.placer.keep_off_nameless(guide));
-    diagram(&panel, labels, &branches, &figure.bifurcations, &cloud, &own, true)?;
+    diagram(&panel, labels, &figure.branches, &figure.bifurcations, &figure.attractor, &own, true)?;
     let at = equation(&held, &plain(figure.at));
     panel.axes(&format!("{title}  ({})", format!("{at} {unit}").trim_end()), x)?;
     Ok(canvas)

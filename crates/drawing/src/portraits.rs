@@ -16,20 +16,14 @@ use crate::style::{
 };
 use crate::ticks::significant;
 
-/// One phase portrait.
-pub(crate) struct Portrait {
-    pub(crate) number: u32,
-    pub(crate) amplitude: f64,
-    p: u32,
-    attractor: bool,
-    orbit: Vec<(f64, f64)>,
-}
+/// The points of one phase portrait, those that follow each other with its number.
+pub(crate) type Portrait<'a> = &'a [PortraitPoint];
 
 /// Thickness of the wall on the sheet, in points.
 const WALL_THICKNESS: f64 = 7.0;
 /// Height of a row with headings, numbers and axis titles, in points: of a single one, and of one among several.
-pub(crate) const SINGLE_ROW: f64 = 140.0;
-pub(crate) const ROW: f64 = 104.0;
+const SINGLE_ROW: f64 = 140.0;
+const ROW: f64 = 104.0;
 /// Room in a row above its frames and below them.
 const ABOVE: f64 = 17.0;
 const BELOW: f64 = 28.0;
@@ -46,33 +40,32 @@ pub(crate) struct Caption<'a> {
     pub(crate) table: &'static [&'static str],
 }
 
-impl Portrait {
-    /// Portraits from their points: those that follow each other with one number are one.
-    pub(crate) fn all(points: &[PortraitPoint]) -> Vec<Self> {
-        let portrait = |points: &[PortraitPoint]| Portrait {
-            number: points[0].portrait,
-            amplitude: points[0].primary,
-            p: points[0].loops,
-            attractor: points[0].kind == PortraitKind::Attractor,
-            orbit: points.iter().map(|point| (point.x, point.y)).collect(),
-        };
-        points.chunk_by(|a, b| a.portrait == b.portrait).map(portrait).collect()
-    }
+/// All portraits that have these points.
+pub(crate) fn portraits(points: &[PortraitPoint]) -> Vec<Portrait<'_>> {
+    points.chunk_by(|a, b| a.portrait == b.portrait).collect()
 }
 
-/// Draws the portraits in so many rows of a height in points, all at one scale.
+/// The height of each of so many rows, in points.
+pub(crate) fn row_height(rows: usize) -> f64 {
+    if rows == 1 { SINGLE_ROW } else { ROW }
+}
+
+/// Draws the portraits in so many rows, all at one scale.
 pub(crate) fn draw_portraits(
     canvas: &Canvas,
-    portraits: &[Portrait],
+    portraits: &[Portrait<'_>],
     caption: &Caption<'_>,
-    (rows, height): (usize, f64),
+    rows: usize,
 ) -> Result<(), DrawingError> {
+    let height = row_height(rows);
     let frame = checked(common_frame(portraits), "the phase portraits")?;
     let columns = portraits.len().div_ceil(rows.max(1)).max(1);
     let count = columns as f64;
     let first = room_beside(&canvas.fonts, frame.y, height - ABOVE - BELOW, caption.titles[1])?.max(LEFT);
     let width = (canvas.width - first - 6.0 - GAP * (count - 1.0)) / count;
     for (place, portrait) in portraits.iter().enumerate() {
+        let PortraitPoint { portrait: number, loops, primary, kind, .. } = portrait[0];
+        let orbit: Vec<_> = portrait.iter().map(|point| (point.x, point.y)).collect();
         let (column, row) = (place % columns, place / columns);
         let left = first + (width + GAP) * column as f64;
         let top = height * row as f64 + ABOVE;
@@ -80,34 +73,32 @@ pub(crate) fn draw_portraits(
         let bounds = Bounds { left, top, right: left + width - WALL_THICKNESS, bottom };
         let panel = Panel {
             tables: caption.table,
-            only: Some(("portrait", portrait.number)),
+            only: Some(("portrait", number)),
             numbers_beside: column == 0,
             ..Panel::new(canvas, frame, bounds)
         };
         wall(&panel);
-        let pen =
-            if portrait.attractor { ATTRACTOR_ORBIT } else { branch_pen(portrait.p, PERIODIC_ORBIT.width) };
-        panel.line(&without_jumps(&portrait.orbit, at_wall(frame)), pen);
+        let (pen, what) = match (kind, loops) {
+            (PortraitKind::Attractor, _) => (ATTRACTOR_ORBIT, "attractor".to_owned()),
+            (PortraitKind::Periodic, 0) => (branch_pen(0, PERIODIC_ORBIT.width), "non-impacting".to_owned()),
+            (PortraitKind::Periodic, p) => (branch_pen(p, PERIODIC_ORBIT.width), format!("$p={p}$")),
+        };
+        panel.line(&without_jumps(&orbit, at_wall(frame)), pen);
         let [x, y] = caption.titles;
         panel.axes(x, if column == 0 { y } else { "" })?;
-        jump(&panel, &portrait.orbit);
-        let kind = match (portrait.attractor, portrait.p) {
-            (true, _) => "attractor".to_owned(),
-            (false, 0) => "non-impacting".to_owned(),
-            (false, p) => format!("$p={p}$"),
-        };
-        let at = equation(caption.across, &significant(portrait.amplitude, 4));
-        let heading = format!("{} {at}, {kind}", panel_letter(portrait.number));
+        jump(&panel, &orbit);
+        let at = equation(caption.across, &significant(primary, 4));
+        let heading = format!("{} {at}, {what}", panel_letter(number));
         canvas.text((left, top - 5.0), &heading, TICK_SIZE, Anchor::Start, BLACK)?;
     }
     Ok(())
 }
 
 /// The extent of all orbits, ending at the wall and symmetric in y, with a little room.
-fn common_frame(portraits: &[Portrait]) -> Frame {
-    let points = || portraits.iter().flat_map(|p| &p.orbit).filter(|p| p.0.is_finite() && p.1.is_finite());
-    let least = points().map(|p| p.0).fold(0.0, f64::min);
-    let fastest = points().map(|p| p.1.abs()).fold(0.0, f64::max);
+fn common_frame(portraits: &[Portrait<'_>]) -> Frame {
+    let points = || portraits.iter().copied().flatten().filter(|p| p.x.is_finite() && p.y.is_finite());
+    let least = points().map(|p| p.x).fold(0.0, f64::min);
+    let fastest = points().map(|p| p.y.abs()).fold(0.0, f64::max);
     Frame { x: [1.06 * least, 0.0], y: [-1.1 * fastest, 1.1 * fastest] }
 }
 
@@ -120,16 +111,17 @@ pub(crate) fn equation(title: &str, value: &str) -> String {
 }
 
 /// The portraits' letters above the diagram, each over a guide at its amplitude; returns the guides.
-pub(crate) fn letters(panel: &Panel<'_>, portraits: &[Portrait]) -> Result<Vec<Vec<Spot>>, DrawingError> {
+pub(crate) fn letters(panel: &Panel<'_>, portraits: &[Portrait<'_>]) -> Result<Vec<Vec<Spot>>, DrawingError> {
     let mut marks: Vec<(f64, String)> = Vec::new();
     for portrait in portraits {
-        let (x, _) = panel.spot((portrait.amplitude, panel.frame.y[0]));
+        let PortraitPoint { portrait: number, primary, .. } = portrait[0];
+        let (x, _) = panel.spot((primary, panel.frame.y[0]));
         if x < panel.bounds.left || x > panel.bounds.right {
             continue;
         }
         match marks.iter_mut().find(|mark| mark.0 == x) {
-            Some((_, text)) => text.push_str(&panel_letter(portrait.number)),
-            None => marks.push((x, panel_letter(portrait.number))),
+            Some((_, text)) => text.push_str(&panel_letter(number)),
+            None => marks.push((x, panel_letter(number))),
         }
     }
     marks.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -234,9 +226,9 @@ mod tests {
 
     #[test]
     fn the_frame_ends_at_the_wall_and_holds_every_orbit() {
-        let portrait = |orbit| Portrait { number: 1, amplitude: 1.0, p: 0, attractor: false, orbit };
-        let frame =
-            common_frame(&[portrait(vec![(-2.0, 0.3), (f64::NAN, 9.0)]), portrait(vec![(-1.0, -0.7)])]);
+        let (kind, time) = (PortraitKind::Periodic, 0.0);
+        let point = |x, y| PortraitPoint { portrait: 1, loops: 0, primary: 1.0, kind, time, x, y };
+        let frame = common_frame(&[&[point(-2.0, 0.3), point(f64::NAN, 9.0)], &[point(-1.0, -0.7)]]);
         assert_eq!(frame.x[1], 0.0);
         assert!(frame.x[0] < -2.0 && frame.y[0] < -0.7 && frame.y[1] == -frame.y[0]);
     }
