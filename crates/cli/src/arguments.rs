@@ -12,8 +12,8 @@ use grazing_source::Setting;
 
 use crate::failure::Failure;
 use crate::family::{Part, Variation};
-use crate::outputs;
-use crate::outputs::edition::Format;
+use crate::outputs::edition::{Format, WIDTHS};
+use crate::outputs::{self, edition};
 
 /// What the exit codes mean, for the end of the help.
 const EXIT_CODES: &str = "\
@@ -184,7 +184,7 @@ pub enum Command {
     Reproduce(Reproduce),
     /// Hold the computed values against the ones that the paper prints
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_COMPARE}{EXIT_CODES}"))]
-    Compare(Compare),
+    Compare(ParameterFile),
     /// Test what the paper states, label by label, and print what each check measures
     #[command(next_line_help = true, after_help = format!("{EXAMPLES_OF_CLAIMS}{EXIT_CODES}"))]
     Claims(Claims),
@@ -214,18 +214,15 @@ pub struct Reproduce {
     /// Write nothing; fail if files are not what the code makes, naming them and what mends them
     #[arg(long)]
     pub check: bool,
-    /// The parameter file.
     #[command(flatten)]
-    pub parameters: ParameterFile,
-    /// Formats and widths.
+    pub(crate) parameters: ParameterFile,
     #[command(flatten)]
-    pub look: Look,
+    pub(crate) look: Look,
     /// Folder for the figures, with data/ for tables [default: figures, or journal beside it]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Threads.
     #[command(flatten)]
-    pub threads: Threads,
+    pub(crate) threads: Threads,
 }
 
 /// What figures are made as.
@@ -260,14 +257,6 @@ impl Threads {
     }
 }
 
-/// The arguments of `grazing compare`.
-#[derive(Debug, Args)]
-pub struct Compare {
-    /// The parameter file.
-    #[command(flatten)]
-    pub parameters: ParameterFile,
-}
-
 /// The arguments of `grazing claims`.
 #[derive(Debug, Args)]
 pub struct Claims {
@@ -286,9 +275,8 @@ pub struct Claims {
     /// Test all claims and write ERRATA.md, the page of misprints, instead of checking it
     #[arg(long, conflicts_with_all = ["labels", "kind", "misprints"])]
     pub write_errata: bool,
-    /// The parameter file.
     #[command(flatten)]
-    pub parameters: ParameterFile,
+    pub(crate) parameters: ParameterFile,
 }
 
 /// The arguments of `grazing report`.
@@ -300,12 +288,10 @@ pub struct Report {
     /// Oscillator to show beside those of examples/, as a text file; may be given several times
     #[arg(long = "oscillator", value_name = "FILE")]
     pub oscillators: Vec<PathBuf>,
-    /// The parameter file.
     #[command(flatten)]
-    pub parameters: ParameterFile,
-    /// Threads.
+    pub(crate) parameters: ParameterFile,
     #[command(flatten)]
-    pub threads: Threads,
+    pub(crate) threads: Threads,
 }
 
 /// The arguments of `grazing unfold`.
@@ -317,9 +303,8 @@ pub struct Unfold {
     /// Folder for the results, of several files with one for each in it [default: unfolded/NAME]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Formats and widths.
     #[command(flatten)]
-    pub look: Look,
+    pub(crate) look: Look,
     /// Numbers of loops p, separated by commas [default: those of the file]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub loops: Option<Vec<u32>>,
@@ -332,9 +317,8 @@ pub struct Unfold {
     /// Compute only this part of the family, to be joined with the others by `merge`
     #[arg(long, value_name = "K/N", requires = "vary")]
     pub part: Option<Part>,
-    /// Threads.
     #[command(flatten)]
-    pub threads: Threads,
+    pub(crate) threads: Threads,
     /// Tell every hypothesis and every quantity of every resonance
     #[arg(long)]
     pub explain: bool,
@@ -383,9 +367,8 @@ pub struct Merge {
     /// Folder for the results [default: families/NAME]
     #[arg(long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Formats and widths.
     #[command(flatten)]
-    pub look: Look,
+    pub(crate) look: Look,
 }
 
 /// The arguments of `grazing new`.
@@ -431,17 +414,8 @@ fn positive(text: &str) -> Result<f64, String> {
 
 /// How wide figures are made.
 fn widths() -> impl TypedValueParser<Value = SheetWidth> {
-    let width = |name, help| PossibleValue::new(name).help(help);
-    PossibleValuesParser::new([
-        width("paper", "As in the paper"),
-        width("one", "One column of a journal with two"),
-        width("two", "Both columns"),
-    ])
-    .map(|name| match name.as_str() {
-        "one" => SheetWidth::OneColumn,
-        "two" => SheetWidth::TwoColumns,
-        _ => SheetWidth::Paper,
-    })
+    let words = WIDTHS.map(|(word, _, help)| PossibleValue::new(word).help(help));
+    PossibleValuesParser::new(words).map(|word| edition::width(&word))
 }
 
 /// Formats of figures: all but LaTeX.

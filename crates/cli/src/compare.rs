@@ -5,7 +5,7 @@ use std::fmt::Write;
 use grazing_claims::published::{Comparison, Published, Rounding};
 use grazing_reproduction::Study;
 
-use crate::arguments::Compare;
+use crate::arguments::ParameterFile;
 use crate::failure::Failure;
 use crate::outputs::computation;
 use crate::{project, terminal};
@@ -19,8 +19,8 @@ const GAP: &str = "  ";
 ///
 /// # Errors
 /// A value is not met, or there is nothing to compare.
-pub(crate) fn run(arguments: &Compare) -> Result<(), Failure> {
-    let parameters = project::parameters(&arguments.parameters)?;
+pub(crate) fn run(file: &ParameterFile) -> Result<(), Failure> {
+    let parameters = project::parameters(file)?;
     let comparisons = published(&Study::new(&parameters))?;
     terminal::say_coloured(&table(&comparisons, terminal::is_coloured()));
     let off = comparisons.iter().filter(|comparison| !comparison.is_met()).count();

@@ -5,7 +5,6 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use grazing_drawing::SheetWidth;
 use grazing_explore::{Example, Export, Limits, Model, Server, Sheet, View};
 use grazing_reproduction::Study;
 use grazing_reproduction::parameters::Parameters;
@@ -16,7 +15,7 @@ use grazing_unfold::stop::Stop;
 use crate::arguments;
 use crate::failure::Failure;
 use crate::folder::MadeFile;
-use crate::outputs::edition::{Edition, Format};
+use crate::outputs::edition::{self, Edition, Format};
 use crate::outputs::{self, computation};
 use crate::report::oscillators::{Material, OscillatorFile};
 use crate::{limits, project, tables, terminal};
@@ -95,13 +94,8 @@ fn taken_home(model: &Model, view: &View, what: &str, columns: &str, stop: &Stop
         "png" => Some((Format::Png, "image/png")),
         _ => None,
     };
-    let columns = match columns {
-        "one" => SheetWidth::OneColumn,
-        "two" => SheetWidth::TwoColumns,
-        _ => SheetWidth::Paper,
-    };
     let formats = vec![format.map_or(Format::Svg, |(format, _)| format)];
-    let edition = Edition { formats, columns, ..Edition::default() };
+    let edition = Edition { formats, columns: edition::width(columns), ..Edition::default() };
     let files = match model.text {
         None => of_the_paper(model, view, &edition)?,
         Some(_) => of_a_text(model, view, &edition, stop)?,
@@ -125,15 +119,9 @@ fn of_a_text(model: &Model, view: &View, edition: &Edition, stop: &Stop) -> Resu
         .map_err(|error| computation("unfold", &error))?;
     let text = model.text.clone().unwrap_or_default();
     let of = OscillatorFile { file: "oscillator.toml".into(), text, description };
-    let material = Material::new(&of, &unfolded, edition.columns)?;
-    let mut files = Vec::new();
-    let figure = &material.figures[0];
-    let made = edition.figure_files(&figure.file, figure.svg.clone());
-    files.extend(made.map_err(|error| computation("figures", &error))?);
-    for table in &material.tables {
-        files.push(tables::file(table, "tables")?);
-    }
-    Ok(files)
+    let mut material = Material::new(&of, &unfolded, edition.columns)?;
+    material.figures.truncate(1);
+    material.files(edition)
 }
 
 /// The parameter file of the paper's figures.

@@ -208,14 +208,7 @@ impl Task {
     /// Figures, tables and the page that shows them.
     fn files(&self, unfolded: &Analysis, edition: &Edition) -> Result<Vec<MadeFile>, Failure> {
         let material = Material::new(&self.of, unfolded, edition.columns)?;
-        let mut files = Vec::new();
-        for sheet in &material.figures {
-            let made = edition.figure_files(&sheet.file, sheet.svg.clone());
-            files.extend(made.map_err(|error| computation("figures", &error))?);
-        }
-        for table in &material.tables {
-            files.push(tables::file(table, "tables")?);
-        }
+        let mut files = material.files(edition)?;
         if edition.has(Format::Tex) {
             files.extend(material.latex().map_err(|error| computation("figures", &error))?);
         }

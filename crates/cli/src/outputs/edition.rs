@@ -34,6 +34,18 @@ impl Format {
     }
 }
 
+/// How wide figures are made: the words on the command line, and what they mean.
+pub(crate) const WIDTHS: [(&str, SheetWidth, &str); 3] = [
+    ("paper", SheetWidth::Paper, "As in the paper"),
+    ("one", SheetWidth::OneColumn, "One column of a journal with two"),
+    ("two", SheetWidth::TwoColumns, "Both columns"),
+];
+
+/// The width with this word; for any other, that of the paper.
+pub(crate) fn width(word: &str) -> SheetWidth {
+    WIDTHS.iter().find(|(name, ..)| *name == word).map(|(_, width, _)| *width).unwrap_or_default()
+}
+
 /// The formats and the width in which figures are made.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edition {
@@ -79,11 +91,10 @@ impl Edition {
             let names: Vec<&str> = self.formats.iter().map(|format| format.name()).collect();
             options.push_str(&format!(" --format {}", names.join(",")));
         }
-        options.push_str(match self.columns {
-            SheetWidth::Paper => "",
-            SheetWidth::OneColumn => " --columns one",
-            SheetWidth::TwoColumns => " --columns two",
-        });
+        // The first is what is made without the option.
+        for (word, ..) in WIDTHS[1..].iter().filter(|(_, width, _)| *width == self.columns) {
+            options.push_str(&format!(" --columns {word}"));
+        }
         if self.has(Format::Png) && self.dpi != Edition::default().dpi {
             options.push_str(&format!(" --dpi {}", self.dpi));
         }

@@ -16,10 +16,11 @@ use super::{file_name, links, noted, versions};
 use crate::failure::Failure;
 use crate::folder::MadeFile;
 use crate::outputs::computation;
+use crate::outputs::edition::Edition;
 use crate::outputs::latex::{self, Float};
-use crate::project;
 use crate::unfold::sheets::{Sheet, SheetKind};
 use crate::unfold::{self, Analysis, reason, sheets};
+use crate::{project, tables};
 
 /// The examples that the page shows anyway; any other can be asked for.
 const EXAMPLES: [&str; 4] =
@@ -41,10 +42,9 @@ pub(crate) struct OscillatorFile {
 pub(crate) struct Material<'a> {
     of: &'a OscillatorFile,
     unfolded: &'a Analysis,
-    /// The figures.
     pub(crate) figures: Vec<Sheet>,
     /// All tables, and what a row of each is.
-    pub(crate) tables: Vec<Table>,
+    tables: Vec<Table>,
     pub(crate) plans: Vec<Plan>,
 }
 
@@ -142,6 +142,19 @@ impl<'a> Material<'a> {
             lost: lost(description, self.unfolded),
             undecided: undecided(description, self.unfolded),
         }
+    }
+
+    /// Figures and tables as files.
+    pub(crate) fn files(&self, edition: &Edition) -> Result<Vec<MadeFile>, Failure> {
+        let mut files = Vec::new();
+        for sheet in &self.figures {
+            let made = edition.figure_files(&sheet.file, sheet.svg.clone());
+            files.extend(made.map_err(|error| computation("figures", &error))?);
+        }
+        for table in &self.tables {
+            files.push(tables::file(table, "tables")?);
+        }
+        Ok(files)
     }
 
     /// The figures and the coefficients for a document in LaTeX.
