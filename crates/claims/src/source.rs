@@ -111,71 +111,7 @@ fn defines(line: &str, name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-    use std::path::{Path, PathBuf};
-
     use super::*;
-    use crate::checks::CHECKS;
-    use crate::ledger::Ledger;
-
-    fn of_the_workspace() -> Sources {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-        let mut files = Vec::new();
-        let mut folders = vec![PathBuf::from("crates")];
-        while let Some(folder) = folders.pop() {
-            for entry in fs::read_dir(root.join(&folder)).expect("the sources can be read") {
-                let path = folder.join(entry.expect("the sources can be read").file_name());
-                if root.join(&path).is_dir() {
-                    folders.push(path);
-                } else if path.extension().is_some_and(|extension| extension == "rs") {
-                    let text = fs::read_to_string(root.join(&path)).expect("sources are text");
-                    files.push((path.display().to_string().replace('\\', "/"), text));
-                }
-            }
-        }
-        Sources::new(files)
-    }
-
-    #[test]
-    fn every_function_that_the_ledger_names_is_where_its_path_says() {
-        let sources = of_the_workspace();
-        let ledger = Ledger::of_the_paper();
-        for claim in &ledger.claims {
-            for path in &claim.holds {
-                assert!(sources.item(path).is_some(), "{}: there is no {path}", claim.label);
-            }
-        }
-    }
-
-    #[test]
-    fn every_check_is_where_its_name_says() {
-        let sources = of_the_workspace();
-        for check in CHECKS {
-            let place = sources.check(check.name).unwrap_or_else(|| panic!("{} is not found", check.name));
-            let section = check.name.split("::").next().unwrap_or_default();
-            assert!(place.file.starts_with(&format!("crates/claims/src/checks/{section}")), "{place:?}");
-        }
-    }
-
-    #[test]
-    fn items_of_all_kinds_are_found() {
-        let sources = of_the_workspace();
-        for (path, file) in [
-            ("grazing_theorems::auxiliary::resonance_boundary", "crates/theorems/src/auxiliary.rs"),
-            ("grazing_theorems::ResonantGrazing", "crates/theorems/src/resonant_theorem.rs"),
-            ("grazing_claims::outcome::Measure::Order", "crates/claims/src/outcome.rs"),
-            ("grazing_claims::ledger::Claim::label", "crates/claims/src/ledger.rs"),
-            ("grazing_claims::ledger::Claim::test", "crates/claims/src/ledger.rs"),
-        ] {
-            let place = sources.item(path).unwrap_or_else(|| panic!("{path} is not found"));
-            assert_eq!(place.file, file, "{path}");
-        }
-        for path in
-            ["grazing_theorems::auxiliary::no_such_function", "grazing_nothing::at_all", "std::mem::swap"]
-        {
-            assert_eq!(sources.item(path), None, "{path}");
-        }
-    }
 
     #[test]
     fn calls_comments_and_longer_names_define_nothing() {

@@ -52,6 +52,9 @@ fn address(citation: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
+    use grazing_claims::checks::CHECKS;
+    use grazing_claims::ledger::Ledger;
+
     use super::*;
 
     #[test]
@@ -69,6 +72,50 @@ mod tests {
             ["title: x\n", "repository-code:\n", "repository-code: a/b\n", "  repository-code: https://a.b\n"]
         {
             assert_eq!(address(none), None, "{none}");
+        }
+    }
+    fn of_the_workspace() -> Sources {
+        sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."))
+    }
+
+    #[test]
+    fn every_function_that_the_ledger_names_is_where_its_path_says() {
+        let sources = of_the_workspace();
+        let ledger = Ledger::of_the_paper();
+        for claim in &ledger.claims {
+            for path in &claim.holds {
+                assert!(sources.item(path).is_some(), "{}: there is no {path}", claim.label);
+            }
+        }
+    }
+
+    #[test]
+    fn every_check_is_where_its_name_says() {
+        let sources = of_the_workspace();
+        for check in CHECKS {
+            let place = sources.check(check.name).unwrap_or_else(|| panic!("{} is not found", check.name));
+            let section = check.name.split("::").next().unwrap_or_default();
+            assert!(place.file.starts_with(&format!("crates/claims/src/checks/{section}")), "{place:?}");
+        }
+    }
+
+    #[test]
+    fn items_of_all_kinds_are_found() {
+        let sources = of_the_workspace();
+        for (path, file) in [
+            ("grazing_theorems::auxiliary::resonance_boundary", "crates/theorems/src/auxiliary.rs"),
+            ("grazing_theorems::ResonantGrazing", "crates/theorems/src/resonant_theorem.rs"),
+            ("grazing_claims::outcome::Measure::Order", "crates/claims/src/outcome.rs"),
+            ("grazing_claims::ledger::Claim::label", "crates/claims/src/ledger.rs"),
+            ("grazing_claims::ledger::Claim::test", "crates/claims/src/ledger.rs"),
+        ] {
+            let place = sources.item(path).unwrap_or_else(|| panic!("{path} is not found"));
+            assert_eq!(place.file, file, "{path}");
+        }
+        for path in
+            ["grazing_theorems::auxiliary::no_such_function", "grazing_nothing::at_all", "std::mem::swap"]
+        {
+            assert_eq!(sources.item(path), None, "{path}");
         }
     }
 }
