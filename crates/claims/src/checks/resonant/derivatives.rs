@@ -52,7 +52,7 @@ fn slope_of(map: &VirtualMap, velocity: f64) -> Matrix2<f64> {
 
 /// What the print leaves open: from where the phase is counted, and along what f_p is a derivative.
 #[derive(Clone, Copy, PartialEq)]
-enum Cure {
+pub(super) enum Cure {
     /// From z_graz,η, with f_p along the grazing curve.
     Moving,
     /// From z_graz,0, as printed, with f_p along the grazing curve, as eq:fp.
@@ -63,7 +63,7 @@ enum Cure {
 
 impl Cure {
     /// What is counted as the phase, and f_p.
-    fn phase_and_slope(self, place: &ResonantSpecimen, near: &Near, f: f64) -> [f64; 2] {
+    pub(super) fn phase_and_slope(self, place: &ResonantSpecimen, near: &Near, f: f64) -> [f64; 2] {
         let phase = near.unknowns[1];
         match self {
             Self::Moving => [phase - near.orbit.phase(), f],

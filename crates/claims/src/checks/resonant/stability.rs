@@ -4,6 +4,7 @@ use grazing_continuation::mps::Multipliers;
 use grazing_model::AtRest;
 use grazing_model::maps::{discontinuity_map, global_iterate};
 
+use super::derivatives::Cure;
 use super::places::{
     ANY, EVERYWHERE, MANY, ONE, Observed, Offset, ResonantSpecimen, Symbols, deviation, directions,
     everywhere, orders, orders_against_print, scaled, seam,
@@ -27,23 +28,14 @@ impl Symbols {
     }
 }
 
-/// Whether phases are counted from z_graz,η, as they must be, or from z_graz,0, as is printed.
-#[derive(Clone, Copy, PartialEq)]
-enum Origin {
-    Moving,
-    Fixed,
-}
-
-fn trace_orders(place: &ResonantSpecimen, origin: Origin) -> Result<Vec<Observed>, Failure> {
+fn trace_orders(place: &ResonantSpecimen, cure: Cure) -> Result<Vec<Observed>, Failure> {
     let symbols = place.symbols()?;
     let one = |direction: &Offset| {
         let observed = order(|size| {
             let mut offset = scaled(direction, size);
             let near = place.near(offset)?;
             let found = offset[0] * place.pair(&near).ok()?.multipliers().trace;
-            if origin == Origin::Fixed {
-                offset[1] = near.unknowns[1] - place.fixed_phase();
-            }
+            [offset[1], _] = cure.phase_and_slope(place, &near, symbols.f);
             Some((found - symbols.trace(offset), symbols.rounding()))
         });
         (observed, 2.0)
@@ -136,9 +128,9 @@ pub(crate) fn trace_and_determinant() -> CheckResult {
 
 checks! {
     /// eq:yT1, about z_graz,η; the print has z_graz,0.
-    trace_of_one_loop: orders_against_print(ONE, |at| trace_orders(at, Origin::Moving), |at| trace_orders(at, Origin::Fixed));
+    trace_of_one_loop: orders_against_print(ONE, |at| trace_orders(at, Cure::Moving), |at| trace_orders(at, Cure::AsPrinted));
     /// eq:yTp, about z_graz,η; the print has z_graz,0.
-    trace_of_many_loops: orders_against_print(MANY, |at| trace_orders(at, Origin::Moving), |at| trace_orders(at, Origin::Fixed));
+    trace_of_many_loops: orders_against_print(MANY, |at| trace_orders(at, Cure::Moving), |at| trace_orders(at, Cure::AsPrinted));
     /// eq:yD1.
     determinant_of_one_loop: orders(ONE, EVERYWHERE, determinant_orders);
     /// eq:yDp.
