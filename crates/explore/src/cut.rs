@@ -39,17 +39,12 @@ pub(crate) fn compute(asked: &Asked, events: &Events, stop: &Stop) -> Result<(),
     let Asked { model, fixed, at, range } = asked;
     // The parameter that is held needs a range, too: a small part of the file's.
     let own = model.description(None)?;
-    let axis = match fixed {
-        Fixed::Primary => own.primary(),
-        Fixed::Secondary => own.secondary(),
-    };
+    let primary_is_fixed = *fixed == Fixed::Primary;
+    let axis = if primary_is_fixed { own.primary() } else { own.secondary() };
     let [low, high] = axis.range();
     let held = [*at, *at + HELD * (high - low)];
-    let view = match fixed {
-        Fixed::Primary => View { primary: held, secondary: *range },
-        Fixed::Secondary => View { primary: *range, secondary: held },
-    };
-    let primary_is_fixed = *fixed == Fixed::Primary;
+    let [primary, secondary] = if primary_is_fixed { [held, *range] } else { [*range, held] };
+    let view = View { primary, secondary };
     let wanted = OneParameter { primary_is_fixed, at: *at, range: *range, portraits: Vec::new(), seed: 1 };
     // As in the diagrams that a file asks for, but fewer values: it is to be looked at at once.
     let plan = Plan { values: 160, recorded: 16, ..PLAN };

@@ -106,19 +106,22 @@ fn ranks<O: ImpactOscillator>(diagram: &Diagram<O>) -> Vec<u32> {
     diagram.resonances.iter().map(rank).collect()
 }
 
-/// A curve, under a name that stays the same while constants move.
 fn curve(rows: &[PlanePoint], rank: u32) -> Value {
     let Some(first) = rows.first() else { return Value::Null };
-    let (kind, p, n) = (first.kind.name(), first.loops, first.n);
-    json!({
-        "key": format!("{kind} {p} {n} #{rank}"),
-        "kind": kind,
-        "p": p,
-        "n": n,
-        "source": "continuation",
-        "points": rows.iter().map(|row| [row.primary, row.secondary]).collect::<Vec<_>>(),
-        "bounds": rows.iter().map(|row| row.admissible).collect::<Vec<_>>(),
-    })
+    let points = rows.iter().map(|row| ([row.primary, row.secondary], row.admissible)).unzip();
+    named(first.kind.name(), [first.loops, first.n, rank], "continuation", points)
+}
+
+/// A curve, under a name that stays the same while constants move.
+fn named(
+    kind: &str,
+    [p, n, rank]: [u32; 3],
+    source: &str,
+    (points, bounds): (Vec<[f64; 2]>, Vec<bool>),
+) -> Value {
+    let key = format!("{kind} {p} {n} #{rank}");
+    let key = if source == "quadratic" { format!("{key} {source}") } else { key };
+    json!({"key": key, "kind": kind, "p": p, "n": n, "source": source, "points": points, "bounds": bounds})
 }
 
 fn point(point: &SpecialPoint) -> Value {
@@ -180,18 +183,8 @@ fn approximations<O: ImpactOscillator>(axes: &Axes, diagram: &Diagram<O>) -> Vec
         let point = resonance.theorem.as_ref().ok()?;
         let curves = point.leading().named().map(|(kind, curve)| {
             let points = approximation(point, curve, diagram.scope.window);
-            let points: Vec<[f64; 2]> =
-                points.into_iter().map(|point| axes.units.parameters(point)).collect();
-            let (kind, p, n) = (kind.name(), resonance.loops, resonance.n);
-            json!({
-                "key": format!("{kind} {p} {n} #{rank} quadratic"),
-                "kind": kind,
-                "p": p,
-                "n": n,
-                "source": "quadratic",
-                "points": points,
-                "bounds": vec![true; points.len()],
-            })
+            let points = points.into_iter().map(|point| (axes.units.parameters(point), true)).unzip();
+            named(kind.name(), [resonance.loops, resonance.n, rank], "quadratic", points)
         });
         Some(curves)
     };
