@@ -1,10 +1,8 @@
 //! The two-parameter diagram of the paper's oscillator, which Figures 7 and 8 and the table share.
 
-use grazing_continuation::arclength::StepControl;
-use grazing_continuation::curve::{Route, Window};
 use grazing_continuation::resonance::ResonanceError;
 use grazing_model::LinearOscillator;
-use grazing_unfold::diagram::{NotUnfolded, route};
+use grazing_unfold::diagram::NotUnfolded;
 use grazing_unfold::resonances::Unlocated;
 use grazing_unfold::{Diagram, Scope};
 
@@ -54,10 +52,4 @@ pub(crate) fn forced(
 ) -> Result<LinearOscillator, StudyError> {
     let (zeta, epsilon) = (theory.damping_ratio(), theory.coefficient_of_restitution());
     Ok(LinearOscillator::new(zeta, epsilon, amplitude, frequency)?)
-}
-
-/// The route along a branch of fixed frequency through a range of amplitudes, past all events.
-pub(crate) fn branch_route(amplitude: [f64; 2]) -> Route {
-    let window = Window { primary: amplitude, secondary: [0.0, f64::INFINITY] };
-    Route { stop_at_events: false, ..route(window, StepControl::DRAWING) }
 }

@@ -1,17 +1,18 @@
 //! Branches of MPSs in the amplitude, from the grazing bifurcation to the edge of the window.
 
+use grazing_continuation::arclength::StepControl;
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::MpsCurve;
+use grazing_continuation::curve::{MpsCurve, Route, Window};
 use grazing_continuation::locate::Condition;
 use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns};
 use grazing_model::LinearOscillator;
 use grazing_results::branches::{BranchBifurcation, BranchPoint};
+use grazing_unfold::diagram::route;
 use grazing_unfold::one_parameter::{self, Branch, Strand};
 use rayon::prelude::*;
 
 use super::Setting;
 use crate::StudyError;
-use crate::diagram::branch_route;
 use crate::one_parameter::{bifurcation_row, strand_rows};
 use crate::plane::centred;
 
@@ -22,7 +23,8 @@ pub(super) type Shown = (Vec<Strand>, Vec<one_parameter::BranchBifurcation>);
 pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch<LinearOscillator>>, StudyError> {
     let figure = setting.figure;
     let frequency = figure.frequency;
-    let route = branch_route(figure.amplitude);
+    let window = Window { primary: figure.amplitude, secondary: [0.0, f64::INFINITY] };
+    let past_all_events = Route { stop_at_events: false, ..route(window, StepControl::DRAWING) };
     let amplitude = setting.grazing.amplitude();
     let start = Unknowns::new(0.0, setting.grazing.phase(), amplitude, frequency);
     let oscillator = setting.oscillator(amplitude)?;
@@ -34,7 +36,7 @@ pub(super) fn follow(setting: &Setting) -> Result<Vec<Branch<LinearOscillator>>,
             let curve = MpsCurve { equations: equations.clone(), condition: Condition::Secondary(frequency) };
             let to_positive_velocity = Unknowns::new(1.0, 0.0, 0.0, 0.0);
             let curve = curve
-                .follow(start, to_positive_velocity, EventTimes::default(), &route)
+                .follow(start, to_positive_velocity, EventTimes::default(), &past_all_events)
                 .map_err(|stall| {
                     StudyError::Failed(format!(
                         "the branch of {loops}-loop solutions cannot be started at the grazing bifurcation: {stall}"
