@@ -60,16 +60,13 @@ const MATRIX_ROUNDING: f64 = 1e-14;
 
 /// The step of the induction: the printed forms for p, mapped once more, are those for p + 1.
 pub(crate) fn induction() -> CheckResult {
-    let mut sampler = Sampler::new(7);
-    let mut deviations = Deviations::default();
-    for index in 0..2000 {
-        let p = index % 15;
-        let map = sampled_map(&mut sampler);
+    let deviations = sampled(7, 2000, 0..=14, |sampler, p, deviations: &mut Deviations| {
+        let map = sampled_map(sampler);
         let (here, next) = (map.iterate(p), map.iterate(p + 1));
         let size = (1.0 + here.a.amax() + here.b.amax()) * (1.0 + map.a.amax()) * (1.0 + map.a.amax());
         deviations.see((map.a * here.a - next.a).amax() / size);
         deviations.see((map.a * here.b + map.b - next.b).amax() / size);
-    }
+    });
     // One product, of numbers of the size by which deviations are divided.
     Ok(deviations.outcome(1e-15, "affine maps with (τ, δ) in the trapesium, p = 0 to 14"))
 }
