@@ -121,7 +121,7 @@ pub enum CurveEnd {
     },
     /// No further point was found, in either formulation.
     Stalled(Stall<MapError>),
-    /// The step limit was reached.
+    /// The step limit was reached, which is lower for a sketch among violent motion.
     StepLimit,
 }
 

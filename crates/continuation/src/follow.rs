@@ -12,7 +12,8 @@ use crate::mps::{
     EventTimes, Formulation, MaximalPeriodicSolution, Multipliers, Stability, Unknowns, parameters, unknown,
 };
 use crate::tolerances::{
-    FARTHEST_EVENT, FARTHEST_ITERATE, HALVINGS, NO_VELOCITY, ON_TWO_CURVES, TOUCHES_TOO,
+    FARTHEST_EVENT, FARTHEST_ITERATE, HALVINGS, LOST_MULTIPLIERS, LOST_POINTS, NO_VELOCITY, ON_TWO_CURVES,
+    TOUCHES_TOO,
 };
 
 type MpsStation = Station<4, EventTimes>;
@@ -152,7 +153,7 @@ impl Follower<'_> {
             Ok(walker) => walker,
             Err(stall) => return Some(stall),
         };
-        while self.curve.points.len() <= self.route.step_limit {
+        while self.curve.points.len() <= self.route.step_limit && !self.is_lost() {
             *here = walker.here().clone();
             let after = match walker.advance() {
                 Ok(station) => station.clone(),
@@ -164,6 +165,18 @@ impl Follower<'_> {
             }
         }
         None
+    }
+
+    /// Whether a sketch has been among violent motion for long.
+    fn is_lost(&self) -> bool {
+        let points = &self.curve.points;
+        let violent = |point: &CurvePoint| {
+            let Multipliers { trace, determinant } = point.solution.multipliers;
+            trace.abs().max(determinant.abs()) > LOST_MULTIPLIERS
+        };
+        self.route.control.sketches()
+            && points.len() > LOST_POINTS
+            && points.iter().rev().take(LOST_POINTS).all(violent)
     }
 
     /// Takes in the next point, unless the curve ends before it.

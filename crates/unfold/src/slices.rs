@@ -85,6 +85,8 @@ pub(crate) struct Border<'a> {
     pub(crate) primary: f64,
     /// The bifurcation; none was located where it is missing.
     pub(crate) event: Option<&'a Event>,
+    /// How far the stable, admissible MPSs go from there in both parameters.
+    pub(crate) reach: [f64; 2],
 }
 
 /// Steps along branches that need not be drawn: rough points are enough for the signs of what happens between them, and that is
@@ -373,9 +375,22 @@ pub(crate) fn stretches<'a, O: ImpactOscillator>(
         .windows(2)
         .map(|pair| Stretch { primary: [primary(&pair[0]), primary(&pair[1])], good: status(pair) })
         .collect();
-    let borders = stretches.windows(2).zip(&vertices[1..]).filter(|(pair, _)| pair[0].good != pair[1].good);
-    let borders =
-        borders.map(|(_, vertex)| Border { primary: primary(vertex), event: vertex.event }).collect();
+    let mut borders: Vec<Border<'a>> = Vec::new();
+    let mut end = 0;
+    for run in stretches.chunk_by(|a, b| a.good == b.good) {
+        let start = end;
+        end += run.len();
+        if run[0].good {
+            let [from, to] = [start, end].map(|k| vertices[k].solution.parameters());
+            let reach = [0, 1].map(|k| (to[k] - from[k]).abs());
+            let inner = [start, end].into_iter().filter(|k| 0 < *k && *k < stretches.len());
+            borders.extend(inner.map(|k| Border {
+                primary: primary(&vertices[k]),
+                event: vertices[k].event,
+                reach,
+            }));
+        }
+    }
     (stretches, borders)
 }
 
