@@ -85,8 +85,8 @@ pub(crate) struct Border<'a> {
     pub(crate) primary: f64,
     /// The bifurcation; none was located where it is missing.
     pub(crate) event: Option<&'a Event>,
-    /// How far the stable, admissible MPSs go from there in both parameters.
-    pub(crate) reach: [f64; 2],
+    /// How far the stable, admissible MPSs go from there in both parameters, where they are between a saddle-node and a period doubling.
+    pub(crate) reach: Option<[f64; 2]>,
 }
 
 /// Steps along branches that need not be drawn: rough points are enough for the signs of what happens between them, and that is
@@ -381,8 +381,14 @@ pub(crate) fn stretches<'a, O: ImpactOscillator>(
         let start = end;
         end += run.len();
         if run[0].good {
-            let [from, to] = [start, end].map(|k| vertices[k].solution.parameters());
-            let reach = [0, 1].map(|k| (to[k] - from[k]).abs());
+            let ends = [start, end].map(|k| &vertices[k]);
+            let [from, to] = ends.map(|vertex| vertex.solution.parameters());
+            let turned = matches!(
+                ends.map(|vertex| vertex.event.map(|event| event.condition)),
+                [Some(Condition::SADDLE_NODE), Some(Condition::PERIOD_DOUBLING)]
+                    | [Some(Condition::PERIOD_DOUBLING), Some(Condition::SADDLE_NODE)]
+            );
+            let reach = turned.then(|| [0, 1].map(|k| (to[k] - from[k]).abs()));
             let inner = [start, end].into_iter().filter(|k| 0 < *k && *k < stretches.len());
             borders.extend(inner.map(|k| Border {
                 primary: primary(&vertices[k]),

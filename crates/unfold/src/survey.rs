@@ -31,7 +31,7 @@ pub(crate) struct Survey<'a, O> {
 const ACROSS: u32 = 8;
 /// Bifurcations closer than this, in (y, z) and shares of the range of μ, are one: both were located to some 10⁻¹⁰.
 const SAME: f64 = 1e-6;
-/// Where good solutions reach no farther than this share of the ranges, which is how well curves are drawn, nothing is looked for that bounds them: beside
+/// Where multipliers pass from 1 to −1 over no more than this share of the ranges, which is how well curves are drawn, nothing is looked for that bounds them: beside
 /// the way over a hill of the potential there is any number of such slivers, one thinner than the other. Where they are wider other slices see them.
 const SLIVER: f64 = 1e-4;
 /// A bifurcation this far from a chord between two points of a curve may be one of the curve.
@@ -100,7 +100,9 @@ fn explain<O: ImpactOscillator>(
     for branch in branches {
         let (_, borders) = stretches(&net.equations, branch);
         let widths = route.window.widths();
-        let wide = |border: &&Border<'_>| [0, 1].iter().any(|&k| border.reach[k] > SLIVER * widths[k]);
+        let wide = |border: &&Border<'_>| {
+            border.reach.is_none_or(|reach| [0, 1].iter().any(|&k| reach[k] > SLIVER * widths[k]))
+        };
         for event in borders.iter().filter(wide).filter_map(|border| border.event) {
             if !progress.stopped() && !explained(net, event, route.window.primary) {
                 start(net, event, route);
