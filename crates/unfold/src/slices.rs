@@ -85,7 +85,7 @@ pub(crate) struct Border<'a> {
     pub(crate) primary: f64,
     /// The bifurcation; none was located where it is missing.
     pub(crate) event: Option<&'a Event>,
-    /// How far the stable, admissible MPSs go from there in both parameters, where they are between a saddle-node and a period doubling.
+    /// How far the stable, admissible MPSs go from there in both parameters, unless grazing bounds them.
     pub(crate) reach: Option<[f64; 2]>,
 }
 
@@ -383,12 +383,11 @@ pub(crate) fn stretches<'a, O: ImpactOscillator>(
         if run[0].good {
             let ends = [start, end].map(|k| &vertices[k]);
             let [from, to] = ends.map(|vertex| vertex.solution.parameters());
-            let turned = matches!(
-                ends.map(|vertex| vertex.event.map(|event| event.condition)),
-                [Some(Condition::SADDLE_NODE), Some(Condition::PERIOD_DOUBLING)]
-                    | [Some(Condition::PERIOD_DOUBLING), Some(Condition::SADDLE_NODE)]
-            );
-            let reach = turned.then(|| [0, 1].map(|k| (to[k] - from[k]).abs()));
+            // Grazing may bound as little, and matters.
+            let grazes = |vertex: &Vertex<'_>| {
+                vertex.event.is_some_and(|event| event.condition == Condition::InteriorGrazing)
+            };
+            let reach = (!ends.into_iter().any(grazes)).then(|| [0, 1].map(|k| (to[k] - from[k]).abs()));
             let inner = [start, end].into_iter().filter(|k| 0 < *k && *k < stretches.len());
             borders.extend(inner.map(|k| Border {
                 primary: primary(&vertices[k]),

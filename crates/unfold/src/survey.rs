@@ -3,7 +3,7 @@
 //! One that does not starts a new curve, until none is left unexplained.
 
 use grazing_continuation::bifurcation::Bifurcation;
-use grazing_continuation::curve::{Curve, Event, MpsCurve, Route};
+use grazing_continuation::curve::{Curve, Event, MpsCurve, Route, Window};
 use grazing_continuation::locate::{Condition, locate};
 use grazing_continuation::mps::{Formulation, Unknowns, unknown};
 use grazing_model::ImpactOscillator;
@@ -31,7 +31,7 @@ pub(crate) struct Survey<'a, O> {
 const ACROSS: u32 = 8;
 /// Bifurcations closer than this, in (y, z) and shares of the range of μ, are one: both were located to some 10⁻¹⁰.
 const SAME: f64 = 1e-6;
-/// Where multipliers pass from 1 to −1 over no more than this share of the ranges, which is how well curves are drawn, nothing is looked for that bounds them: beside
+/// Where good solutions reach no farther than this share of the ranges, which is how well curves are drawn, nothing is looked for that bounds them: beside
 /// the way over a hill of the potential there is any number of such slivers, one thinner than the other. Where they are wider other slices see them.
 const SLIVER: f64 = 1e-4;
 /// A bifurcation this far from a chord between two points of a curve may be one of the curve.
@@ -90,6 +90,12 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
     }
 }
 
+/// Whether good solutions go farther from a border than can be drawn.
+fn is_wide(border: &Border<'_>, window: Window) -> bool {
+    let widths = window.widths();
+    border.reach.is_none_or(|reach| [0, 1].iter().any(|&k| reach[k] > SLIVER * widths[k]))
+}
+
 /// Starts a curve at every bifurcation on some branches that lies on none.
 fn explain<O: ImpactOscillator>(
     net: &mut Net<O>,
@@ -99,11 +105,8 @@ fn explain<O: ImpactOscillator>(
 ) {
     for branch in branches {
         let (_, borders) = stretches(&net.equations, branch);
-        let widths = route.window.widths();
-        let wide = |border: &&Border<'_>| {
-            border.reach.is_none_or(|reach| [0, 1].iter().any(|&k| reach[k] > SLIVER * widths[k]))
-        };
-        for event in borders.iter().filter(wide).filter_map(|border| border.event) {
+        let wide = borders.iter().filter(|border| is_wide(border, route.window));
+        for event in wide.filter_map(|border| border.event) {
             if !progress.stopped() && !explained(net, event, route.window.primary) {
                 start(net, event, route);
             }
@@ -134,7 +137,8 @@ impl<O: ImpactOscillator> Surveyor for Survey<'_, O> {
                 for stretch in stretches.iter().filter(|stretch| stretch.good) {
                     sight.see(stretch.primary);
                 }
-                for border in borders.iter().filter(|border| border.event.is_none()) {
+                let unnamed = borders.iter().filter(|border| border.event.is_none());
+                for border in unnamed.filter(|border| is_wide(border, self.route.window)) {
                     sight.doubt(border.primary, Doubt::UnnamedChange);
                 }
                 for (primary, reason) in broken_at(branch) {
@@ -197,7 +201,6 @@ fn start<O: ImpactOscillator>(net: &mut Net<O>, event: &Event, route: &Route) {
 #[cfg(test)]
 mod tests {
     use grazing_continuation::arclength::StepControl;
-    use grazing_continuation::curve::Window;
     use grazing_continuation::mps::LoopEquations;
     use grazing_description::Description;
     use grazing_model::smooth::Integrated;
