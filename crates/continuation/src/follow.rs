@@ -170,10 +170,7 @@ impl Follower<'_> {
     /// Whether a sketch has been among violent motion for long.
     fn is_lost(&self) -> bool {
         let points = &self.curve.points;
-        let violent = |point: &CurvePoint| {
-            let Multipliers { trace, determinant } = point.solution.multipliers;
-            trace.abs().max(determinant.abs()) > LOST_MULTIPLIERS
-        };
+        let violent = |point: &CurvePoint| point.solution.multipliers.size() > LOST_MULTIPLIERS;
         self.route.control.sketches()
             && points.len() > LOST_POINTS
             && points.iter().rev().take(LOST_POINTS).all(violent)

@@ -389,6 +389,11 @@ impl Multipliers {
     pub fn stable(&self) -> bool {
         self.trace.abs() - 1.0 < self.determinant - STABILITY && self.determinant < 1.0 - STABILITY
     }
+
+    /// The larger of |T| and |D|, which says how violent the motion is.
+    pub fn size(&self) -> f64 {
+        self.trace.abs().max(self.determinant.abs())
+    }
 }
 
 /// The stability of a zero of the equations.
@@ -407,8 +412,7 @@ impl Stability {
     /// Whether something has changed by more than itself, so that a correction as large as the last one may change its sign.
     pub(crate) fn is_unsettled_since(&self, before: &Self) -> bool {
         let changed = |of: fn(&Self) -> f64| (of(self) - of(before)).abs() >= of(self).abs();
-        let Multipliers { trace, determinant } = self.multipliers;
-        trace.abs().max(determinant.abs()) < VIOLENT
+        self.multipliers.size() < VIOLENT
             && (changed(|stability| stability.saddle_node) || changed(|stability| stability.period_doubling))
     }
 }

@@ -73,7 +73,10 @@ pub(crate) const LOCATED: f64 = 1e-6;
 
 /// At a cusp the tangent, of length one, has no part in (μ, η) above this: rounding over the curvature of the curve.
 pub(crate) const IN_THE_PLANE: f64 = 1e-12;
-/// A sketch with this many points in a row with multipliers this large goes nowhere (empirical): it runs into motion that escapes, over a hill of the
-/// potential say, which has any number of such solutions. Beside grazing multipliers are as large at no more than a few points.
+
+/// A sketch goes nowhere that has so many points in a row (empirical)
 pub(crate) const LOST_POINTS: usize = 60;
+
+/// with multipliers larger than this: it runs into motion that escapes, over a hill of the potential say, which has any number of such solutions. Beside
+/// grazing multipliers are as large at no more than a few points.
 pub(crate) const LOST_MULTIPLIERS: f64 = 1e4;

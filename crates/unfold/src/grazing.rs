@@ -9,7 +9,7 @@ use grazing_continuation::arclength::{CurveEquations, Stall, StepControl, Tangen
 use grazing_continuation::mps::{MaximalPeriodicSolution, Multipliers, unknown};
 use grazing_continuation::newton::Linearisation;
 use grazing_model::maps::{MapError, global_map};
-use grazing_model::motion::{Motion, highest_maximum};
+use grazing_model::motion::highest_maximum;
 use grazing_model::{AtRest, ImpactOscillator, State};
 use grazing_theorems::GrazingPoint;
 use grazing_theorems::from_map::{GrazingOrbit, GrazingPlace};
@@ -153,12 +153,22 @@ impl HighestPoint {
         let across = if held == unknown::PRIMARY { Vector3::y() } else { Vector3::z() };
         let point = located(&equations, near, &across, &near)?;
         let oscillator = equations.oscillator_at(&point);
-        let motion = oscillator.motion(State::at_rest(height, point[0]));
-        let highest = motion.at(0.0).acceleration < 0.0
-            && highest_maximum(&motion, oscillator.forcing_period())
-                .is_none_or(|maximum| maximum.position <= height + MaximalPeriodicSolution::TOUCH);
         let found = Self { height, phase: point[0], parameters: oscillator.parameters() };
-        (highest && (point - near).norm() <= NEARBY).then_some(found)
+        let turns_back = oscillator.acceleration(State::at_rest(height, found.phase)) < 0.0;
+        let here = (point - near).norm() <= NEARBY;
+        (here && turns_back && found.is_highest(&oscillator)).then_some(found)
+    }
+
+    /// Whether the motion of an oscillator with these parameters comes no higher in a forcing period.
+    fn is_highest<O: ImpactOscillator>(&self, oscillator: &O) -> bool {
+        let motion = oscillator.motion(State::at_rest(self.height, self.phase));
+        highest_maximum(&motion, oscillator.forcing_period())
+            .is_none_or(|maximum| maximum.position <= self.height + MaximalPeriodicSolution::TOUCH)
+    }
+
+    /// Where a grazing orbit touches the wall.
+    fn of<O: ImpactOscillator>(orbit: &GrazingOrbit<O>) -> Self {
+        Self { height: 0.0, phase: orbit.phase(), parameters: orbit.oscillator().parameters() }
     }
 
     /// The grazing orbit, where the point lies on the wall.
@@ -279,11 +289,7 @@ impl<O: ImpactOscillator> GrazingEquations<'_, O> {
     /// All that is known at a point; nothing where P_global has no second derivatives, or motion is not turned back from the wall.
     fn state(&self, point: &Vector3<f64>, tangent: &Vector3<f64>) -> Option<GrazingState<O>> {
         let mut orbit = GrazingOrbit::at(self.oscillator_at(point), point[0]).ok()?;
-        let admissible = |orbit: &GrazingOrbit<O>| {
-            let motion = orbit.oscillator().motion(State::on_wall(0.0, orbit.phase()));
-            let ceiling = highest_maximum(&motion, orbit.oscillator().forcing_period());
-            ceiling.is_none_or(|maximum| maximum.position <= MaximalPeriodicSolution::TOUCH)
-        };
+        let admissible = |orbit: &GrazingOrbit<O>| HighestPoint::of(orbit).is_highest(orbit.oscillator());
         // In wide ranges the last digits of a share may be seen in the next maximum, which is the same one.
         if !admissible(&orbit) {
             orbit = GrazingOrbit::find(orbit.oscillator(), orbit.phase()).unwrap_or(orbit);

@@ -180,7 +180,7 @@ fn mps_branches<O: ImpactOscillator>(
     slices.par_iter_mut().for_each(|(equations, slice)| {
         let slicer = Slicer::new(equations, scope.window, StepControl::DRAWING, &grazing);
         let own = found.iter().filter(|(loops, _)| *loops == equations.loops());
-        own.for_each(|(_, solution)| slicer.through(slice, *solution));
+        slicer.through(slice, own.map(|(_, solution)| *solution));
     });
     let branches = slices.into_iter().flat_map(|(equations, slice)| {
         let distinct = distinct(slice.branches);

@@ -167,8 +167,7 @@ impl Place {
             (1, random_start(plan.lowest, &mut random))
         };
         let starts: Vec<(u32, State)> = (0..plan.states).map(start).collect();
-        let found =
-            || search::at(oscillator, loops, FASTEST, |solution| solution.impact_velocity() > SAME * FASTEST);
+        let found = || search::at(oscillator, loops, [SAME * FASTEST, FASTEST]);
         Self::of(oscillator, &starts, plan.periods, progress, found)
     }
 

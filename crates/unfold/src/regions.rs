@@ -424,6 +424,21 @@ mod tests {
     use super::*;
 
     #[test]
+    fn slices_keep_their_distance_and_are_no_more_than_can_be_afforded() {
+        let window = Window { primary: [0.0, 1.0], secondary: [0.0, 2.0] };
+        let (good, doubts) = (Vec::new(), Vec::new());
+        let judge = Judge { window, sights: vec![Sight { secondary: 1.0, good, doubts, everywhere: None }] };
+        let wanted: Vec<f64> = (0..=10_000).map(|k| 2.0 * f64::from(k) / 10_000.0).collect();
+        let levels = judge.affordable(&wanted);
+        assert_eq!(levels.len(), MOST_SLICES - 1);
+        assert!(levels.windows(2).all(|pair| pair[1] - pair[0] >= 2.0 * NEAREST));
+        assert!(levels.iter().all(|level| (level - 1.0).abs() >= 2.0 * NEAREST));
+        // From end to end.
+        assert!(levels[0] < 0.02 && levels[levels.len() - 1] > 1.98);
+        assert_eq!(judge.affordable(&[0.5, 1.001, 1.5]), [0.5, 1.5]);
+    }
+
+    #[test]
     fn a_slice_that_differs_is_not_outvoted() {
         let window = Window { primary: [0.0, 1.0], secondary: [0.0, 1.0] };
         // A sliver that chords of curves have left open where it ends.

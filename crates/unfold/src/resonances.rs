@@ -83,8 +83,9 @@ fn numbered<O: ImpactOscillator>(located: LocatedResonance<O>) -> Resonance<O> {
     Resonance { loops, n: winding::index(located.orbit(), loops), theorem: located.checked(), located }
 }
 
-/// Eigenvalues smaller than this have no digits, as entries of A are computed to some 10⁻¹⁵.
-const FORGOTTEN: f64 = 1e-13;
+/// Where eigenvalues are smaller than this Newton's method need not find where a₁₂ or κ_p vanishes: entries of A are computed to some 10⁻¹⁵ (empirical: for p = 1 it
+/// failed from 2·10⁻¹² on).
+const FORGOTTEN: f64 = 5e-12;
 /// Parts of a stretch in which bisection begins.
 const PARTS: u32 = 8;
 

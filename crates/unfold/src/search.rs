@@ -8,9 +8,7 @@ use core::f64::consts::TAU;
 
 use grazing_continuation::curve::{Curve, Window};
 use grazing_continuation::locate::{Condition, locate_within};
-use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, unknown,
-};
+use grazing_continuation::mps::{EventTimes, Formulation, LoopEquations, Unknowns, unknown};
 use grazing_model::motion::Motion;
 use grazing_model::{ImpactOscillator, OnWall, State};
 use nalgebra::Vector2;
@@ -60,16 +58,20 @@ pub(crate) fn on_slices<O: ImpactOscillator>(
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
     let slices = || slices.iter().copied().enumerate();
-    let share = |k: usize| GOLDEN * (k as f64 + 1.0) - libm::floor(GOLDEN * (k as f64 + 1.0));
+    let place = |share: f64, secondary: f64| [window.parameters([share, 0.0])[0], secondary];
+    let share = |k: usize| {
+        let turns = GOLDEN * (k as f64 + 1.0);
+        turns - libm::floor(turns)
+    };
     let slow = slices().flat_map(|(k, secondary)| {
         let ends = if k % EDGES_EVERY == 0 { &[0.0, 1.0][..] } else { &[] };
         let standing = ends.iter().copied().chain([share(k)]);
-        let standing = standing.map(move |share| Lattice::slow(window, [share, secondary], fastest));
+        let standing = standing.map(|share| Lattice::slow(place(share, secondary), fastest));
         standing.chain([Lattice::lying(window, secondary, SLOW * fastest)]).collect::<Vec<_>>()
     });
     let fast = |doubling: usize, from: f64| {
         let some = slices().filter(|(k, _)| k % (doubling + 1) == 0);
-        some.map(|(k, secondary)| Lattice::fast(window, [share(k), secondary], from)).collect()
+        some.map(|(k, secondary)| Lattice::fast(place(share(k), secondary), from)).collect()
     };
     on_lattices(oscillator, loops, slow.collect(), fast, fastest, progress)
 }
@@ -83,10 +85,11 @@ pub(crate) fn on_slice<O: ImpactOscillator>(
     fastest: f64,
     progress: &dyn Progress,
 ) -> Vec<(u32, Unknowns)> {
-    let shares = || (0..places).map(|k| [f64::from(k) / f64::from(places - 1), secondary]);
-    let slow = shares().map(|place| Lattice::slow(window, place, fastest));
+    let share = |k: u32| f64::from(k) / f64::from(places - 1);
+    let along = || (0..places).map(|k| [window.parameters([share(k), 0.0])[0], secondary]);
+    let slow = along().map(|place| Lattice::slow(place, fastest));
     let slow = slow.chain([Lattice::lying(window, secondary, SLOW * fastest)]);
-    let fast = |_, from| shares().map(|place| Lattice::fast(window, place, from)).collect();
+    let fast = |_, from| along().map(|place| Lattice::fast(place, from)).collect();
     on_lattices(oscillator, loops, slow.collect(), fast, fastest, progress)
 }
 
@@ -104,7 +107,7 @@ fn on_lattices<O: ImpactOscillator>(
         let found = lattices.par_iter().map(|lattice| match progress.stopped() {
             true => Vec::new(),
             // Virtual impacts, which leave the wall, are none.
-            false => lattice.zeros(oscillator, loops, |solution| solution.impact_velocity() > 0.0),
+            false => lattice.zeros(oscillator, loops, 0.0),
         });
         found.collect::<Vec<_>>().concat()
     };
@@ -147,17 +150,13 @@ pub(crate) fn grazing<O: ImpactOscillator>(
     found.collect::<Vec<_>>().concat()
 }
 
-/// The MPSs of an oscillator that are `wanted`, as far as a lattice of impacts tells them apart.
+/// The MPSs of an oscillator with impact velocities between two, as far as a lattice of impacts tells them apart.
 pub(crate) fn at<O: ImpactOscillator>(
     oscillator: &O,
     loops: &[u32],
-    fastest: f64,
-    wanted: impl Fn(&MaximalPeriodicSolution) -> bool,
+    [slowest, fastest]: [f64; 2],
 ) -> Vec<(u32, Unknowns)> {
-    let [primary, secondary] = oscillator.parameters();
-    let start = Unknowns::new(0.0, 0.0, primary, secondary);
-    Lattice { start, side: unknown::VELOCITY, length: fastest, cells: CELLS[0] }
-        .zeros(oscillator, loops, wanted)
+    Lattice::slow(oscillator.parameters(), fastest).zeros(oscillator, loops, slowest)
 }
 
 /// A lattice of impacts, or of states at rest, of all phases.
@@ -173,16 +172,15 @@ struct Lattice {
 }
 
 impl Lattice {
-    /// At a share of the range of μ and an η, impact velocities up to some value.
-    fn slow(window: Window, [share, secondary]: [f64; 2], fastest: f64) -> Self {
-        let primary = window.parameters([share, 0.0])[0];
+    /// At a pair of parameters, impact velocities up to some value.
+    fn slow([primary, secondary]: [f64; 2], fastest: f64) -> Self {
         let start = Unknowns::new(0.0, 0.0, primary, secondary);
         Self { start, side: unknown::VELOCITY, length: fastest, cells: CELLS[0] }
     }
 
     /// The same, from that value to twice as much.
-    fn fast(window: Window, place: [f64; 2], from: f64) -> Self {
-        let mut lattice = Self { cells: FAST_CELLS, ..Self::slow(window, place, from) };
+    fn fast(place: [f64; 2], from: f64) -> Self {
+        let mut lattice = Self { cells: FAST_CELLS, ..Self::slow(place, from) };
         lattice.start[unknown::VELOCITY] = from;
         lattice
     }
@@ -229,13 +227,13 @@ impl Lattice {
         both.map(|(index, i, k)| (index, corner(i, k))).collect()
     }
 
-    /// The MPSs that are `wanted`, as far as the lattice tells them apart: zeros of how much an impact is missed by motion that begins with it, p forcing
+    /// The MPSs that are faster than `slowest`, as far as the lattice tells them apart: zeros of how much an impact is missed by motion that begins with it, p forcing
     /// periods later and the wall ignored meanwhile, (x, ẋ − y).
     fn zeros<O: ImpactOscillator>(
         &self,
         oscillator: &O,
         loops: &[u32],
-        wanted: impl Fn(&MaximalPeriodicSolution) -> bool,
+        slowest: f64,
     ) -> Vec<(u32, Unknowns)> {
         let Self { start, side, .. } = *self;
         let held = match side {
@@ -262,8 +260,8 @@ impl Lattice {
             let middle = first + cell * 0.5;
             let zero = locate_within(reach, &equations, here, middle, &mut EventTimes::default());
             let new = zero.ok().filter(|zero| {
-                !found.iter().any(|(other, at)| *other == loops && same(at, zero))
-                    && wanted(&equations.solution(zero))
+                zero[unknown::VELOCITY] > slowest
+                    && !found.iter().any(|(other, at)| *other == loops && same(at, zero))
             });
             found.extend(new.map(|zero| (loops, zero)));
         }

@@ -10,8 +10,7 @@ use grazing_continuation::arclength::StepControl;
 use grazing_continuation::curve::{Curve, CurveEnd, CurvePoint, Event, MpsCurve, Route, Window};
 use grazing_continuation::locate::{Condition, locate, locate_within};
 use grazing_continuation::mps::{
-    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Multipliers, Unknowns, parameters,
-    unknown,
+    EventTimes, Formulation, LoopEquations, MaximalPeriodicSolution, Unknowns, parameters, unknown,
 };
 use grazing_model::ImpactOscillator;
 use nalgebra::SVector;
@@ -30,13 +29,11 @@ pub(crate) struct Slice<B> {
     looked_at: usize,
     /// The number of curves that have been looked at for branches.
     curves: usize,
-    /// Branches that do not matter, which are not to be followed again.
-    dismissed: Vec<B>,
 }
 
 impl<B> Slice<B> {
     pub(crate) fn new(secondary: f64, branches: Vec<B>) -> Self {
-        Self { secondary, branches, carried: false, looked_at: 0, curves: 0, dismissed: Vec::new() }
+        Self { secondary, branches, carried: false, looked_at: 0, curves: 0 }
     }
 
     /// The branches that have not been taken before.
@@ -85,7 +82,7 @@ pub(crate) struct Border<'a> {
     pub(crate) primary: f64,
     /// The bifurcation; none was located where it is missing.
     pub(crate) event: Option<&'a Event>,
-    /// How far the stable, admissible MPSs go from there in both parameters, unless grazing bounds them.
+    /// How far the stable, admissible MPSs beside it extend in both parameters, unless grazing bounds them.
     pub(crate) reach: Option<[f64; 2]>,
 }
 
@@ -199,19 +196,23 @@ impl<O: ImpactOscillator> Slicer<'_, O> {
         fresh
     }
 
-    /// Adds the branch through an MPS on a slice, unless it is known, or that MPS is neither stable nor admissible and none on the branch is both.
-    pub(crate) fn through(&self, slice: &mut Slice<Curve>, solution: Unknowns) {
-        if slice.dismissed.iter().any(|branch| passes(branch, &solution)) {
-            return;
-        }
-        let before = slice.branches.len();
-        self.add(slice, solution, &EventTimes::default(), true);
-        let Some(new) = slice.branches.get(before) else { return };
-        let start = self.equations.solution(&solution);
-        if start.stable() || start.admissible() || new.points.iter().any(|point| good(&point.solution)) {
-            slice.carried = false;
-        } else {
-            slice.dismissed.extend(slice.branches.pop());
+    /// Adds the branches through MPSs on a slice that are not known; but none on which no MPS is both stable and admissible, if the one that it
+    /// was found by is neither.
+    pub(crate) fn through(&self, slice: &mut Slice<Curve>, solutions: impl Iterator<Item = Unknowns>) {
+        let mut dismissed: Vec<Curve> = Vec::new();
+        for solution in solutions {
+            if dismissed.iter().any(|branch| passes(branch, &solution)) {
+                continue;
+            }
+            let before = slice.branches.len();
+            self.add(slice, solution, &EventTimes::default(), true);
+            let Some(new) = slice.branches.get(before) else { continue };
+            let start = self.equations.solution(&solution);
+            if start.stable() || start.admissible() || new.points.iter().any(|point| good(&point.solution)) {
+                slice.carried = false;
+            } else {
+                dismissed.extend(slice.branches.pop());
+            }
         }
     }
 
@@ -381,13 +382,17 @@ pub(crate) fn stretches<'a, O: ImpactOscillator>(
         let start = end;
         end += run.len();
         if run[0].good {
-            let ends = [start, end].map(|k| &vertices[k]);
-            let [from, to] = ends.map(|vertex| vertex.solution.parameters());
+            let all = &vertices[start..=end];
             // Grazing may bound as little, and matters.
             let grazes = |vertex: &Vertex<'_>| {
-                vertex.event.is_some_and(|event| event.condition == Condition::InteriorGrazing)
+                vertex.event.is_some_and(|it| it.condition == Condition::InteriorGrazing)
             };
-            let reach = (!ends.into_iter().any(grazes)).then(|| [0, 1].map(|k| (to[k] - from[k]).abs()));
+            let places = || all.iter().map(|vertex| vertex.solution.parameters());
+            let extent = |k: usize| {
+                let [least, greatest] = [f64::min, f64::max].map(|of| places().map(|at| at[k]).reduce(of));
+                greatest.zip(least).map_or(0.0, |(greatest, least)| greatest - least)
+            };
+            let reach = (!all.iter().any(grazes)).then(|| [0, 1].map(extent));
             let inner = [start, end].into_iter().filter(|k| 0 < *k && *k < stretches.len());
             borders.extend(inner.map(|k| Border {
                 primary: primary(&vertices[k]),
@@ -429,9 +434,7 @@ pub(crate) fn broken_at(branch: &Curve) -> impl Iterator<Item = (f64, String)> {
             CurveEnd::StepLimit => format!("after {} points there was no end", branch.points.len()),
         };
         let last = &point?.solution;
-        let Multipliers { trace, determinant } = last.multipliers;
-        let violent = trace.abs().max(determinant.abs()) > VIOLENT;
-        (!violent).then(|| (last.parameters()[0], reason))
+        (last.multipliers.size() <= VIOLENT).then(|| (last.parameters()[0], reason))
     })
 }
 

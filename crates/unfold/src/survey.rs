@@ -31,8 +31,9 @@ pub(crate) struct Survey<'a, O> {
 const ACROSS: u32 = 8;
 /// Bifurcations closer than this, in (y, z) and shares of the range of μ, are one: both were located to some 10⁻¹⁰.
 const SAME: f64 = 1e-6;
-/// Where good solutions reach no farther than this share of the ranges, which is how well curves are drawn, nothing is looked for that bounds them: beside
-/// the way over a hill of the potential there is any number of such slivers, one thinner than the other. Where they are wider other slices see them.
+/// Where good solutions extend no farther than this share of the ranges, which is how well curves are drawn, nothing is looked for that bounds them, and nothing
+/// is left undecided for want of it: beside the way over a hill of the potential there is any number of such slivers, one thinner than the other.
+/// Where they are wider other slices see them.
 const SLIVER: f64 = 1e-4;
 /// A bifurcation this far from a chord between two points of a curve may be one of the curve.
 const NEAR: f64 = 0.05;
@@ -64,10 +65,12 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
                     break;
                 }
                 // Only now that all are known to which something leads.
-                for solution in core::mem::take(&mut self.found) {
-                    let at = |slice: &&mut Slice<Curve>| slice.secondary == solution[unknown::SECONDARY];
-                    self.slices.iter_mut().filter(at).for_each(|slice| self.slicer.through(slice, solution));
-                }
+                let found = core::mem::take(&mut self.found);
+                self.slices.par_iter_mut().for_each(|slice| {
+                    let secondary = slice.secondary;
+                    let here = found.iter().filter(|solution| solution[unknown::SECONDARY] == secondary);
+                    self.slicer.through(slice, here.copied());
+                });
             }
         }
     }
@@ -90,7 +93,7 @@ impl<'a, O: ImpactOscillator> Survey<'a, O> {
     }
 }
 
-/// Whether good solutions go farther from a border than can be drawn.
+/// Whether the good solutions beside a border extend farther than can be drawn, or grazing bounds them.
 fn is_wide(border: &Border<'_>, window: Window) -> bool {
     let widths = window.widths();
     border.reach.is_none_or(|reach| [0, 1].iter().any(|&k| reach[k] > SLIVER * widths[k]))

@@ -61,8 +61,7 @@ impl PeriodicOrbit {
 
     /// Above the wall, and so unstable that no motion stays near it.
     fn is_lost(&self) -> bool {
-        let Multipliers { trace, determinant } = self.multipliers;
-        !self.off_the_wall() && trace.abs().max(determinant.abs()) > VIOLENT
+        !self.off_the_wall() && self.multipliers.size() > VIOLENT
     }
 
     /// The signs of what vanishes at folds, period doublings and grazing.

@@ -1,5 +1,6 @@
 //! Regions of stability against all maximal periodic solutions in closed form, which a quadratic equation gives.
 
+use grazing_continuation::curve::CurveEnd;
 use grazing_description::Description;
 use grazing_model::smooth::{Dimensionless, Integrated};
 use grazing_model::{ImpactOscillator, LinearOscillator};
@@ -9,7 +10,7 @@ use grazing_unfold::regions::{Region, RegionKind};
 use grazing_unfold::simulation::{Seen, Suspect};
 use grazing_unfold::{Diagram, Scope};
 
-use crate::specimens::{EPSILON, ZETA, constant, example, grazing_at, scope};
+use crate::specimens::{EPSILON, ZETA, constant, described, example, grazing_at, scope};
 
 /// Cells of the lattice of points, each way.
 const LATTICE: u32 = 40;
@@ -171,50 +172,37 @@ fn stays_off<O>(diagram: &Diagram<O>, at: [f64; 2]) -> bool {
 }
 
 /// The diagram of an oscillator without the curves of its MPSs, in some ranges.
-fn located(text: &str, primary: [f64; 2], secondary: [f64; 2]) -> Diagram<Integrated<Description>> {
-    let model = Description::parse(text, "file.toml").unwrap_or_else(|error| panic!("{error}"));
+fn located(model: Description, [primary, secondary]: [[f64; 2]; 2]) -> Diagram<Integrated<Description>> {
     let oscillator = Integrated::new(model, [primary[1], secondary[1]]);
     Diagram::located(&oscillator, &scope(primary, secondary, &[1]), &Silent).expect("there is grazing")
+}
+
+/// An oscillator forced with the frequency `eta`, beside a wall; a random one.
+fn forced(force: &str, wall: &str, restitution: f64, ranges: [[f64; 2]; 2]) -> Description {
+    described([force, "eta", wall], restitution, ranges)
+}
+
+fn random(number: u64, seed: u64) -> Description {
+    let text = grazing_trials::oscillators::description(seed, number);
+    Description::parse(&text, "random.toml").expect("what is made at random is right")
 }
 
 /// Between grazing and a fold that touches it there is a sliver, one and a half percent of the ranges wide.
 #[test]
 fn motion_without_impacts_is_stable_up_to_the_fold_that_bounds_it() {
-    let text = grazing_trials::oscillators::description(20_261_122, 3);
-    let diagram = located(&text, [0.0, 0.5475], [0.6423, 1.0650]);
+    let diagram = located(random(3, 20_261_122), [[0.0, 0.5475], [0.6423, 1.0650]]);
     let stable = |at| stays_off(&diagram, at);
     // The fold is at 0.0796 there, grazing at 0.0712.
     assert!(stable([0.0785, 0.911_771_25]) && !stable([0.0805, 0.911_771_25]));
 }
 
 /// A spring that stiffens as an exponential, under a load and two harmonics.
-const TODA: &str = r#"
-name = "Toda spring"
-[parameters]
-c = 0.08
-[primary]
-name = "A"
-range = [0.0, 1.2]
-[secondary]
-name = "omega"
-range = [0.5, 1.3]
-[motion]
-force = "-c*v - (exp(0.6*x) - 1)/0.6 - 0.1 + A*cos(omega*t) + 0.15*sin(2*omega*t + 0.7)"
-frequency = "omega"
-[wall]
-position = "0.8"
-[impact]
-restitution = "0.8"
-duration = "0"
-[analysis]
-loops = [1]
-"#;
-
 #[test]
 fn a_region_on_the_edge_to_which_only_inadmissible_solutions_lead_is_found_and_nothing_is_left_undecided() {
-    let description = Description::parse(TODA, "toda.toml").unwrap_or_else(|error| panic!("{error}"));
-    let scope = scope([0.0, 1.2], [0.5, 1.3], &[1]);
-    let oscillator = Integrated::new(description, [0.6, 0.9]);
+    let force = "-0.08*v - (exp(0.6*x) - 1)/0.6 - 0.1 + mu*cos(eta*t) + 0.15*sin(2*eta*t + 0.7)";
+    let ranges = [[0.0, 1.2], [0.5, 1.3]];
+    let scope = scope(ranges[0], ranges[1], &[1]);
+    let oscillator = Integrated::new(forced(force, "0.8", 0.8, ranges), [0.6, 0.9]);
     let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
     // The region lies at omega < 0.5204 between 0.09 < A < 0.47: at both ends of the range of A solutions are stable there, and go through the wall.
     let here = [0.2562, 0.5131];
@@ -229,30 +217,11 @@ fn a_region_on_the_edge_to_which_only_inadmissible_solutions_lead_is_found_and_n
 
 /// A linear oscillator with a little of the second harmonic, damping across: at half its own frequency that resonates, on a hundredth of the way from one slice to the
 /// next.
-const TONGUE: &str = r#"
-name = "second harmonic"
-[parameters]
-A = 0.6
-B = 0.02
-[primary]
-name = "zeta"
-range = [0.001, 0.6]
-[secondary]
-name = "omega"
-range = [0.4, 1.3]
-[motion]
-force = "-2*zeta*v - x - 1 + A*cos(omega*t) + B*cos(2*omega*t)"
-frequency = "omega"
-[impact]
-restitution = "0.9"
-duration = "0"
-[analysis]
-loops = [1]
-"#;
-
 #[test]
 fn a_resonance_of_motion_without_impacts_that_is_narrower_than_slices_are_apart_is_found() {
-    let diagram = located(TONGUE, [0.001, 0.6], [0.4, 1.3]);
+    let ranges = [[0.001, 0.6], [0.4, 1.3]];
+    let force = "-2*mu*v - x - 1 + 0.6*cos(eta*t) + 0.02*cos(2*eta*t)";
+    let diagram = located(forced(force, "0", 0.9, ranges), ranges);
     // By the closed form of the motion, whose highest point is found by golden sections.
     let known = [0.029_921_257_2, 0.499_776_129];
     let near = |at: [f64; 2]| (at[0] - known[0]).abs().max((at[1] - known[1]).abs()) < 1e-8;
@@ -268,31 +237,11 @@ fn a_resonance_of_motion_without_impacts_that_is_narrower_than_slices_are_apart_
 }
 
 /// A pendulum whose length changes, the wall's position across, which motion without impacts does not depend on.
-const WALL_ACROSS: &str = r#"
-name = "wall across"
-[parameters]
-h = 0.35
-[primary]
-name = "b"
-range = [-0.4, 1.6]
-[secondary]
-name = "omega"
-range = [0.5, 2.4]
-[motion]
-force = "-0.1*v - (1 + h*cos(2*omega*t))*sin(x) + 0.3*cos(omega*t + 0.4)"
-frequency = "omega"
-[wall]
-position = "b"
-[impact]
-restitution = "0.8"
-duration = "0"
-[analysis]
-loops = [1]
-"#;
-
 #[test]
 fn a_fold_along_a_slice_and_motion_that_no_slice_shows_bound_regions() {
-    let diagram = located(WALL_ACROSS, [-0.4, 1.6], [0.5, 2.4]);
+    let ranges = [[-0.4, 1.6], [0.5, 2.4]];
+    let force = "-0.1*v - (1 + 0.35*cos(2*eta*t))*sin(x) + 0.3*cos(eta*t + 0.4)";
+    let diagram = located(forced(force, "mu", 0.8, ranges), ranges);
     let stays_off = |at| stays_off(&diagram, at);
     // Small motion, highest at 0.8, is stable up to a fold at omega = 0.7957, whatever b is; other motion, highest at 1.24 there, from 0.794 to 0.877.
     assert!([0.9, 1.3, 1.5, 1.58].into_iter().all(|b| stays_off([b, 0.78])));
@@ -301,39 +250,18 @@ fn a_fold_along_a_slice_and_motion_that_no_slice_shows_bound_regions() {
 
 #[test]
 fn sketches_of_branches_beside_a_hill_leave_nothing_undecided() {
-    let text = grazing_trials::oscillators::description(20_261_123, 1);
-    let model = Description::parse(&text, "spring that softens").expect("what is made at random is right");
     let scope = scope([0.0, 1.3708], [0.475, 1.2857], &[3]);
-    let diagram = Diagram::compute(&Integrated::new(model, [0.1, 0.7]), &scope, &Silent).unwrap();
+    let oscillator = Integrated::new(random(1, 20_261_123), [0.1, 0.7]);
+    let diagram = Diagram::compute(&oscillator, &scope, &Silent).unwrap();
     assert!(diagram.regions.iter().all(|region| !matches!(region.kind, RegionKind::Undecided(_))));
 }
 
 /// Damping that large motion overcomes: beside small motion there is a closed branch of large motion, less than a hundredth of the range of ω wide.
-const CLOSED: &str = r#"
-name = "closed branch"
-[parameters]
-F = 0.01
-[primary]
-name = "g"
-range = [0.05, 1.6]
-[secondary]
-name = "omega"
-range = [0.63, 1.63]
-[motion]
-force = "-(0.14 - 0.3*v^2 + 0.15*v^4)*v - x + F*cos(omega*t)"
-frequency = "omega"
-[wall]
-position = "g"
-[impact]
-restitution = "0.8"
-duration = "0"
-[analysis]
-loops = [1]
-"#;
-
 #[test]
 fn grazing_of_a_closed_branch_between_two_slices_is_found() {
-    let diagram = located(CLOSED, [0.05, 1.6], [0.63, 1.63]);
+    let ranges = [[0.05, 1.6], [0.63, 1.63]];
+    let force = "-(0.14 - 0.3*v^2 + 0.15*v^4)*v - x + 0.01*cos(eta*t)";
+    let diagram = located(forced(force, "mu", 0.8, ranges), ranges);
     // By integration of another kind (Runge-Kutta of order eight) and shooting.
     for known in [[1.180_427_91, 0.999_503_67], [0.982_820_35, 0.999_699_88]] {
         let near = |at: [f64; 2]| (at[0] - known[0]).abs().max((at[1] - known[1]).abs()) < 1e-8;
@@ -343,34 +271,12 @@ fn grazing_of_a_closed_branch_between_two_slices_is_found() {
 }
 
 /// A force that saturates, and a wall near rest, whose distance is the unit of length.
-const SATURATED: &str = r#"
-name = "saturated"
-[parameters]
-c = 0.1
-[primary]
-name = "A"
-range = [0.0, 0.6]
-[secondary]
-name = "omega"
-range = [0.5, 2.0]
-[motion]
-force = "-c*v - tanh(3*x) + A*cos(omega*t)"
-frequency = "omega"
-[wall]
-position = "0.15"
-[impact]
-restitution = "0.85"
-duration = "0"
-[analysis]
-loops = [1]
-"#;
-
 #[test]
 fn solutions_that_are_faster_than_any_that_is_known_are_found() {
-    let description =
-        Description::parse(SATURATED, "saturated.toml").unwrap_or_else(|error| panic!("{error}"));
+    let ranges = [[0.0, 0.6], [0.5, 2.0]];
+    let description = forced("-0.1*v - tanh(3*x) + mu*cos(eta*t)", "0.15", 0.85, ranges);
     let units = description.units();
-    let own = scope([0.0, 0.6], [0.5, 2.0], &[1]);
+    let own = scope(ranges[0], ranges[1], &[1]);
     let oscillator = Integrated::new(Dimensionless::new(description, units), [0.3, 1.0]);
     let diagram = Diagram::compute(&oscillator, &own.without_dimensions(&units), &Silent).unwrap();
     // Simulation returns to solutions with impact velocities from 2.7 to 3.4 there; those that are known have 1 at most.
@@ -382,30 +288,50 @@ fn solutions_that_are_faster_than_any_that_is_known_are_found() {
 }
 
 /// Damping without swings.
-const OVERDAMPED: &str = r#"
-name = "overdamped"
-[parameters]
-c = 3
-[primary]
-name = "A"
-range = [0.0, 8.0]
-[secondary]
-name = "omega"
-range = [0.1, 2.0]
-[motion]
-force = "-c*v - x - 1 + A*cos(omega*t)"
-frequency = "omega"
-[impact]
-restitution = "0.5"
-duration = "0"
-[analysis]
-loops = [1]
-"#;
-
 #[test]
 fn motion_that_is_forgotten_within_a_period_is_stable() {
-    let diagram = located(OVERDAMPED, [0.0, 8.0], [0.1, 2.0]);
+    let ranges = [[0.0, 8.0], [0.1, 2.0]];
+    let diagram = located(forced("-3*v - x - 1 + mu*cos(eta*t)", "0", 0.5, ranges), ranges);
     // Multipliers are exp((−1.5 ± 1.12) 2π/ω), one of them less than rounding for small ω.
     assert!(diagram.grazing.iter().flat_map(|curve| &curve.states).all(|state| state.stable));
     assert!([[0.11, 0.2], [1.17, 0.3035], [0.2, 0.11]].into_iter().all(|at| stays_off(&diagram, at)));
+}
+
+#[test]
+fn every_small_region_of_slow_forcing_is_shaded() {
+    let oscillator = LinearOscillator::new(0.005, 0.9, 1.0, 0.1).unwrap();
+    let diagram = Diagram::compute(&oscillator, &scope([0.0, 1.5], [0.04, 0.4], &[1]), &Silent).unwrap();
+    let shaded =
+        |at| diagram.regions.iter().any(|region| region.kind == RegionKind::Mps && region.contains(at));
+    let stable = |[amplitude, eta]: [f64; 2]| {
+        let orbits = closed_form::orbits(0.005, 0.9, amplitude, eta, 1);
+        orbits.iter().any(|orbit| orbit.stable() && orbit.admissible())
+    };
+    let mut seen = [0, 0];
+    for k in 0..400 {
+        // The regions of n = 34 to 49 lie here, two thousandths of the window high.
+        let eta = 0.0405 + 0.0195 * f64::from(k) / 400.0;
+        let at = [grazing_at(0.005, eta).amplitude() + 1.5e-3, eta];
+        let beside = [[-1e-4, 0.0], [1e-4, 0.0], [0.0, -1e-5], [0.0, 1e-5]];
+        // Curves are drawn by chords.
+        if beside.iter().all(|by| stable([at[0] + by[0], at[1] + by[1]]) == stable(at)) {
+            assert_eq!(shaded(at), stable(at), "{at:?}");
+            seen[usize::from(stable(at))] += 1;
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
+}
+
+/// Beside the way over the hill of a spring that softens there is any number of folds.
+#[test]
+fn no_curve_beside_a_hill_is_followed_without_end() {
+    let ranges = [[0.0, 1.2], [0.4, 1.2]];
+    let scope = scope(ranges[0], ranges[1], &[2]);
+    let model = forced("-0.08*v - x - 1 + 0.05*x^3 + mu*cos(eta*t)", "0", 0.8, ranges);
+    let diagram = Diagram::compute(&Integrated::new(model, [0.6, 0.8]), &scope, &Silent).unwrap();
+    let ends = diagram.curves.iter().map(|curve| (curve.curve.points.len(), &curve.curve.end));
+    assert!(ends.clone().count() > 5);
+    for (points, end) in ends {
+        assert!(!matches!(end, CurveEnd::StepLimit), "{points} points");
+    }
 }

@@ -1,7 +1,10 @@
 //! Resonances on the grazing curve of the linear oscillator, of which all are known.
 
-use grazing_model::ImpactOscillator;
+use grazing_continuation::resonance::ResonanceError;
+use grazing_model::{ImpactOscillator, LinearOscillator};
 use grazing_theorems::LinearOscillator as Theory;
+use grazing_unfold::Diagram;
+use grazing_unfold::progress::Silent;
 use grazing_unfold::verdict::{Verdict, coefficients};
 
 use crate::specimens::{
@@ -95,5 +98,30 @@ fn resonances_in_the_stiffness_lie_where_the_free_frequency_is_in_step() {
             let measured = coefficient.fit.as_ref().unwrap().coefficient.value;
             assert_within(measured / coefficient.theorem.value, 1.0, 1e-5);
         }
+    }
+}
+
+#[test]
+fn resonances_of_motion_that_is_forgotten_within_a_period_are_told_once() {
+    let oscillator = LinearOscillator::new(0.15, EPSILON, 0.5, 0.03).unwrap();
+    let diagram = Diagram::located(&oscillator, &scope([0.0, 2.0], [0.02, 0.05], &[1]), &Silent).unwrap();
+    let lost: Vec<_> = diagram.unlocated.iter().map(|lost| &lost.reason).collect();
+    assert_eq!(lost, [&ResonanceError::Forgotten]);
+    // Multipliers are exp(−0.3 π/η) in size, 5·10⁻¹² at this η; the other resonances are located as ever.
+    let forgotten = 0.3 * core::f64::consts::PI / -libm::log(5e-12);
+    assert!(diagram.unlocated[0].near[1] < forgotten);
+    let known: Vec<f64> = Theory::new(0.15, EPSILON)
+        .unwrap()
+        .resonances(&[1], 1.01 * forgotten, 0.05)
+        .unwrap()
+        .iter()
+        .map(|resonance| resonance.forcing_frequency())
+        .collect();
+    assert!(known.len() > 10);
+    for frequency in known {
+        let near = |eta: f64| (eta - frequency).abs() < 1e-6;
+        let mut located =
+            diagram.resonances.iter().map(|found| found.located.orbit().oscillator().parameters()[1]);
+        assert!(located.any(near), "{frequency}");
     }
 }

@@ -7,7 +7,7 @@ use grazing_model::motion::{Motion, highest_maximum};
 use grazing_model::{AtRest, ImpactOscillator, LinearOscillator, State};
 use grazing_theorems::from_map::GrazingOrbit;
 use grazing_theorems::spectrum::in_trapesium;
-use grazing_unfold::grazing::{GrazingCurve, GrazingEnd};
+use grazing_unfold::grazing::{GrazingCurve, GrazingEnd, GrazingState};
 use grazing_unfold::non_impacting::periodic_motion;
 use grazing_unfold::{Scope, UnfoldError};
 
@@ -144,6 +144,18 @@ fn the_secondary_parameter_may_be_the_stiffness() {
         let response = libm::hypot(stiffness - 0.64, 2.0 * DAMPED * 0.8);
         assert_within(mu, response / stiffness, EXACT);
     }
+}
+
+#[test]
+fn a_grazing_curve_ends_where_motion_is_no_longer_turned_back() {
+    let scope = scope([-4.0, 4.0], [0.4, 1.2], &[]);
+    let force = "-0.1*v - x - 1 + 0.7*cos(eta*t) + 0.5*cos(2*eta*t + mu)";
+    let curves = grazing_curves(&written(force, "eta", &scope), &scope).unwrap();
+    let states = || curves.iter().flat_map(|curve| &curve.states);
+    // A maximum at the wall becomes a point of inflection there.
+    let gamma = |state: &GrazingState<_>| state.orbit.grazing_point().gamma;
+    assert!(states().map(gamma).fold(f64::INFINITY, f64::min) < 0.01);
+    assert!(states().all(|state| gamma(state) > 0.0 && state.stable));
 }
 
 /// A linear oscillator whose forcing is as strong as at grazing on the circle of radius 0.3 about (0, 0), stronger inside.

@@ -63,16 +63,25 @@ pub(crate) fn constant(description: &Description, name: &str) -> f64 {
     description.constants().find(|(known, _)| *known == name).unwrap_or_else(|| panic!("{name}")).1
 }
 
-/// An oscillator with parameters `mu` and `eta`, and a constant `zeta` for its damping.
-pub(crate) fn written(force: &str, frequency: &str, scope: &Scope) -> Integrated<Description> {
-    let Window { primary, secondary } = scope.window;
+/// An oscillator with parameters `mu` and `eta`, a constant `zeta` for its damping, and a wall.
+pub(crate) fn described(
+    [force, frequency, wall]: [&str; 3],
+    restitution: f64,
+    [primary, secondary]: [[f64; 2]; 2],
+) -> Description {
     let text = format!(
         "name = \"Test\"\n[parameters]\nzeta = {DAMPED}\n[primary]\nname = \"mu\"\nrange = {primary:?}\n\
          [secondary]\nname = \"eta\"\nrange = {secondary:?}\n[motion]\nforce = \"{force}\"\n\
-         frequency = \"{frequency}\"\n[impact]\nrestitution = \"{EPSILON}\"\nduration = \"0\"\n\
-         [analysis]\nloops = [1]\n"
+         frequency = \"{frequency}\"\n[wall]\nposition = \"{wall}\"\n\
+         [impact]\nrestitution = \"{restitution}\"\nduration = \"0\"\n[analysis]\nloops = [1]\n"
     );
-    let description = Description::parse(&text, "test.toml").unwrap_or_else(|error| panic!("{error}"));
+    Description::parse(&text, "test.toml").unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The same with the wall at x = 0.
+pub(crate) fn written(force: &str, frequency: &str, scope: &Scope) -> Integrated<Description> {
+    let Window { primary, secondary } = scope.window;
+    let description = described([force, frequency, "0"], EPSILON, [primary, secondary]);
     Integrated::new(description, [primary[1], secondary[1]])
 }
 
